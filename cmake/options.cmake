@@ -1,0 +1,16 @@
+# Compiler options that every target of this package shares.
+# `strict_warnings` is linked PRIVATE, so that users of the package are not bound to it.
+add_library(strict_warnings INTERFACE)
+target_compile_options(strict_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(COLLISION_MONITOR_WERROR)
+  target_compile_options(strict_warnings INTERFACE -Werror)
+endif()
+
+if(COLLISION_MONITOR_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined
+                      -fno-omit-frame-pointer -g)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
+# Same bytes on every machine: no fused multiply-add where the source does not say so.
+add_compile_options(-ffp-contract=off)

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/geometry/geometry.h"
+#include "collision_monitor/geometry/pose.h"
+
+namespace collision_monitor {
+
+/// How far the surface of an enclosing shape lies outside the geometry it
+/// encloses, measured on dense samples of the shape's surface. Units: metres.
+struct Overshoot {
+  double max{0.0};
+  double mean{0.0};
+};
+
+/// One shape that encloses one geometry, proven.
+struct Enclosure {
+  Shape shape;
+  Pose geometry_from_body;  ///< where the shape sits in the geometry's frame
+  Overshoot overshoot;
+  double widening{0.0};  ///< [m] growth of the radius or extents that the proof asked for
+  bool is_exact{false};  ///< the shape is the geometry: distances to it are exact
+};
+
+/// The tightest of sphere, capsule, oriented box and rounded box (least mean
+/// overshoot, then least volume) that encloses the geometry. Spheres, capsules
+/// and boxes are returned as they are.
+///
+/// Error: containment of every vertex (for curved geometry: of the geometry by
+/// its support function) is proven with rounding taken into account; a fit that
+/// cannot be proven is widened until it can.
+/// Limits: flat, one-segment and one-point meshes are legal.
+/// @throws std::invalid_argument with a sentence that names the fault: no
+/// vertices, a non-finite vertex or dimension, a negative dimension.
+Enclosure encloseTightly(const Geometry& geometry);
+
+}  // namespace collision_monitor

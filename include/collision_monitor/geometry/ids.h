@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace collision_monitor {
+
+/// Ids are dense indices into the arrays of the set-up they belong to. They are
+/// distinct types, so that a body cannot be used where a pair is meant; names
+/// are looked up at the ROS edge and nowhere else.
+enum class BodyId : std::uint32_t {};  ///< one shape fixed to a link
+enum class PairId : std::uint32_t {};  ///< two bodies that may touch
+
+template <class Id>
+constexpr std::size_t index(Id id) noexcept {
+  return static_cast<std::size_t>(id);
+}
+
+template <class Id>
+constexpr Id idAt(std::size_t position) noexcept {
+  return static_cast<Id>(static_cast<std::uint32_t>(position));
+}
+
+}  // namespace collision_monitor

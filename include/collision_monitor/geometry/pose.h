@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace collision_monitor {
+
+/// A rigid placement. Named by the frames it joins: `world_from_link` takes
+/// coordinates in the link frame to coordinates in the world frame, so chains
+/// read by neighbours: `world_from_link * link_from_body`.
+///
+/// Units: metres. The rotation is a proper orthonormal matrix; functions that
+/// read poses from outside check it (isRigid), the others rely on it.
+struct Pose {
+  Eigen::Matrix3d rotation{Eigen::Matrix3d::Identity()};
+  Eigen::Vector3d translation{Eigen::Vector3d::Zero()};
+};
+
+inline Pose operator*(const Pose& a_from_b, const Pose& b_from_c) noexcept {
+  Pose a_from_c;
+  a_from_c.rotation.noalias() = a_from_b.rotation * b_from_c.rotation;
+  a_from_c.translation.noalias() = a_from_b.rotation * b_from_c.translation;
+  a_from_c.translation += a_from_b.translation;
+  return a_from_c;
+}
+
+inline Eigen::Vector3d operator*(const Pose& a_from_b, const Eigen::Vector3d& point_in_b) noexcept {
+  return a_from_b.rotation * point_in_b + a_from_b.translation;
+}
+
+inline Pose inverse(const Pose& a_from_b) noexcept {
+  Pose b_from_a;
+  b_from_a.rotation = a_from_b.rotation.transpose();
+  b_from_a.translation.noalias() = -(b_from_a.rotation * a_from_b.translation);
+  return b_from_a;
+}
+
+/// True when no entry is NaN or infinite.
+inline bool isFinite(const Pose& pose) noexcept {
+  return pose.rotation.allFinite() && pose.translation.allFinite();
+}
+
+/// True when the pose is finite and its rotation is orthonormal and right-handed
+/// within `tolerance` (largest entry of R R^T - I).
+inline bool isRigid(const Pose& pose, double tolerance = 1e-6) noexcept {
+  if (!isFinite(pose)) {
+    return false;
+  }
+  const Eigen::Matrix3d defect =
+      pose.rotation * pose.rotation.transpose() - Eigen::Matrix3d::Identity();
+  return defect.cwiseAbs().maxCoeff() <= tolerance && pose.rotation.determinant() > 0.0;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace collision_monitor {
+
+/// One fault of the user's input: the place, what stands there, what may stand there.
+struct Problem {
+  std::string where;     ///< "robot.urdf line 42, link 'arm', collision 2"
+  std::string found;     ///< "box size '0.1 -0.2 0.3'"
+  std::string accepted;  ///< "three numbers greater than 0, in metres"
+};
+
+std::string toString(const Problem& problem);
+
+/// Everything that set-up has to say. Readers add to it and go on, so that the
+/// user sees every fault at once.
+struct SetupReport {
+  std::vector<Problem> errors;    ///< the set-up cannot be used
+  std::vector<Problem> warnings;  ///< it can, but somebody should know
+};
+
+/// All faults of a set-up in one error; what() lists them, one a line.
+class SetupError : public std::runtime_error {
+ public:
+  explicit SetupError(std::vector<Problem> problems);
+  const std::vector<Problem>& problems() const noexcept { return problems_; }
+
+ private:
+  std::vector<Problem> problems_;
+};
+
+/// @throws SetupError when the report holds an error.
+void throwIfErrors(const SetupReport& report);
+
+}  // namespace collision_monitor

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_monitor/geometry/geometry.h"
+#include "collision_monitor/geometry/ids.h"
+#include "collision_monitor/geometry/pose.h"
+
+namespace collision_monitor {
+
+enum class RobotId : std::uint32_t {};
+enum class LinkId : std::uint32_t {};
+enum class JointId : std::uint32_t {};
+
+enum class JointType : unsigned char { fixed, revolute, continuous, prismatic, planar, floating };
+
+/// position = multiplier * position of `source` + offset.
+struct Mimic {
+  JointId source{};
+  double multiplier{1.0};
+  double offset{0.0};
+};
+
+/// Number of joint variables: revolute, continuous, prismatic 1; planar 3
+/// (x, y along the joint's plane [m], angle [rad]); floating 7 (x, y, z [m],
+/// unit quaternion x, y, z, w); fixed 0. A mimic joint has none of its own.
+struct Joint {
+  std::string name;
+  JointType type{JointType::fixed};
+  LinkId parent{};
+  LinkId child{};
+  Pose parent_from_joint;  ///< `<origin>`
+  Eigen::Vector3d axis{
+      Eigen::Vector3d::UnitX()};  ///< unit, in the joint frame; normal of a planar joint
+  double lower{-std::numeric_limits<double>::infinity()};  ///< [rad] or [m]; infinite if unlimited
+  double upper{std::numeric_limits<double>::infinity()};
+  double max_velocity{std::numeric_limits<double>::infinity()};  ///< [rad/s] or [m/s]
+  std::optional<Mimic> mimic;
+  std::size_t first_variable{0};  ///< of its source for a mimic joint
+};
+
+struct CollisionElement {
+  std::string name;  ///< unique within the link: the URDF's name or "collision_0", ...
+  Pose link_from_geometry;
+  Geometry geometry;
+};
+
+struct Link {
+  std::string name;   ///< as in messages: the URDF's name behind the robot's prefix
+  std::string frame;  ///< tf frame
+  RobotId robot{};
+  std::optional<JointId> parent_joint;  ///< none for a root
+  std::vector<CollisionElement> collisions;
+};
+
+struct Robot {
+  std::string name;
+  std::string tf_prefix;
+  LinkId root{};
+  std::size_t first_link{0}, link_count{0};
+  std::size_t first_joint{0}, joint_count{0};
+};
+
+/// Every robot that is watched, as one forest of links. Links of a robot are
+/// contiguous and every parent stands before its children, so that one pass
+/// computes all poses. Built by readRobots and not changed after.
+struct RobotModel {
+  std::vector<Robot> robots;
+  std::vector<Link> links;
+  std::vector<Joint> joints;
+  std::size_t variable_count{0};
+
+  const Link& link(LinkId id) const { return links[index(id)]; }
+  const Joint& joint(JointId id) const { return joints[index(id)]; }
+  /// By the name used in messages. Slow (linear): for set-up and services only.
+  std::optional<LinkId> findLink(const std::string& name) const;
+  /// By the name in the URDF behind the robot's prefix.
+  std::optional<JointId> findJoint(const std::string& name) const;
+};
+
+}  // namespace collision_monitor

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision_monitor/broad_phase/broad_phase.h"
+#include "collision_monitor/geometry/pose.h"
+#include "collision_monitor/model/robot_model.h"
+#include "collision_monitor/narrow_phase/signed_distance.h"
+
+/// What travels from stage to stage of one cycle: plain arrays sized at set-up,
+/// world frame, metres and seconds. Ids here, names only at the ROS edge.
+namespace collision_monitor {
+
+enum class LinkStatus : unsigned char {
+  known,
+  stale,       ///< its newest pose is older than max_age
+  missing,     ///< no pose was ever received, or it cannot be joined to the world
+  not_finite,  ///< the pose holds NaN or infinity, or its rotation is none
+};
+
+/// One stamp for all links that are known.
+struct LinkPoses {
+  std::int64_t stamp_ns{0};
+  std::vector<Pose> world_from_link;
+  std::vector<LinkStatus> status;
+  std::vector<double> age;  ///< [s]; 0 for a link that only static transforms place
+};
+
+/// Links all `missing`, sized for the model.
+LinkPoses makeLinkPoses(const RobotModel& model);
+
+struct BodyPoses {
+  std::vector<Pose> world_from_body;
+  std::vector<unsigned char> known;
+};
+
+enum class Quality : unsigned char {
+  exact,        ///< between the geometries of the URDF themselves
+  lower_bound,  ///< between enclosing shapes: the geometries are at least as far apart
+  unknown,      ///< a link's pose is unknown: the distance means nothing
+};
+
+struct PairDistance {
+  PairId pair{};
+  Quality quality{Quality::unknown};
+  SignedDistance measured;
+};
+
+/// Sorted by pair id. Holds every candidate and, when none is near, the closest
+/// pair all the same.
+struct PairDistances {
+  std::vector<PairDistance> measured;
+};
+
+/// Ordered by urgency: the state of the whole is the largest of its parts.
+enum class Verdict : unsigned char { clear, warning, unknown, contact };
+
+using LinkPairIndex = std::uint32_t;  ///< into Setup::checked
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+struct VerdictChange {
+  LinkPairIndex link_pair{0};
+  Verdict before{Verdict::clear};
+  Verdict after{Verdict::clear};
+};
+
+/// What was judged, for each checked pair of links.
+struct PairEvents {
+  std::vector<Verdict> verdicts;  ///< by LinkPairIndex
+  std::vector<std::uint32_t>
+      closest;  ///< by LinkPairIndex: index into PairDistances::measured, or kNone
+  std::vector<VerdictChange> changes;  ///< since the last cycle, in order of link pair
+  std::vector<std::uint32_t>
+      island_of_link;  ///< by LinkId: 1, 2, ... for links in contact, 0 for the rest
+  std::uint32_t island_count{0};
+  std::uint32_t closest_of_all{kNone};  ///< index into PairDistances::measured
+  Verdict overall{Verdict::unknown};
+};
+
+struct CycleCounters {
+  std::size_t pairs{0};          ///< pairs of bodies in the table
+  std::size_t candidates{0};     ///< of these, their bounds met
+  std::size_t measured{0};       ///< of these, and the search for the closest, measured
+  std::size_t unknown_pairs{0};  ///< pairs of bodies with an unknown link
+  std::size_t unknown_links{0};  ///< links with geometry whose pose is unknown
+};
+
+/// What survives a cycle. Resetting it changes hysteresis and speed, no verdict beyond that.
+struct PairMemory {
+  std::vector<Verdict>
+      verdicts;  ///< by LinkPairIndex; what the next cycle's change is measured against
+};
+
+}  // namespace collision_monitor

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/pipeline/cycle_data.h"
+#include "collision_monitor/pipeline/setup.h"
+
+namespace collision_monitor {
+
+enum class BroadPhaseKind : unsigned char { brute_force, sweep_and_prune };
+
+/// All arrays of one cycle, sized so that no cycle allocates.
+struct CycleBuffers {
+  BodyPoses body_poses;
+  BodyBounds bounds;
+  std::vector<PairId> candidates;
+  PairDistances distances;
+  PairEvents events;
+  PairMemory memory;
+  CycleCounters counters;
+  BroadPhase broad_phase;
+};
+
+CycleBuffers makeBuffers(const Setup& setup, BroadPhaseKind kind);
+
+/// Forgets what earlier cycles left: after a jump in time or a gap in data.
+void resetMemory(CycleBuffers& buffers) noexcept;
+
+/// One cycle: poses in, events out. Same input and memory, same bytes out,
+/// whichever broad phase. Neither allocates, locks nor throws.
+/// @pre buffers were made for this set-up; poses are sized for its model.
+void runCycle(const Setup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept;
+
+/// The stages of runCycle, in order, for those who need a part of it.
+void placeBodies(const Setup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept;
+/// Boxes grown by `reach` / 2 [m].
+void boundBodies(const Setup& setup, const BodyPoses& body_poses, double reach,
+                 BodyBounds& bounds) noexcept;
+/// @pre `pairs` is sorted by id and joins known bodies only.
+void measurePairs(const Setup& setup, const BodyPoses& body_poses, const std::vector<PairId>& pairs,
+                  PairDistances& distances) noexcept;
+/// Makes sure the closest pair of all known ones is among `distances`.
+void measureClosest(const Setup& setup, const BodyPoses& body_poses, double reach,
+                    PairDistances& distances) noexcept;
+void judgePairs(const Setup& setup, const LinkPoses& poses, const PairDistances& distances,
+                PairMemory& memory, PairEvents& events) noexcept;
+
+}  // namespace collision_monitor

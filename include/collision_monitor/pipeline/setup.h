@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "collision_monitor/broad_phase/pair_table.h"
+#include "collision_monitor/fitting/enclose.h"
+#include "collision_monitor/model/pair_rules.h"
+#include "collision_monitor/model/robot_model.h"
+#include "collision_monitor/model/urdf_reader.h"
+
+namespace collision_monitor {
+
+/// Thresholds of the verdicts. Units: metres.
+/// @pre finite; contact_distance <= warning_distance <= report_distance; hysteresis >= 0.
+struct Limits {
+  double contact_distance{0.0};   ///< at or below: contact
+  double warning_distance{0.05};  ///< at or below: warning
+  double hysteresis{
+      0.005};  ///< a verdict is left only this far beyond the threshold that raised it
+  double report_distance{0.2};  ///< pairs this near are published
+};
+
+/// One enclosing shape, fixed to a link.
+struct Body {
+  LinkId link{};
+  Pose link_from_body;
+  Shape shape;
+  bool is_exact{false};  ///< the shape is the geometry of the URDF
+};
+
+/// What messages and reports say of a body; never read in a cycle.
+struct BodyLabel {
+  std::string shape_name;  ///< unique within its link
+  Overshoot overshoot;
+  double widening{0.0};  ///< [m]
+};
+
+/// A pair of links that is checked.
+struct CheckedLinkPair {
+  LinkId a{};
+  LinkId b{};
+  Limits limits;
+};
+
+/// Pairs [first, last) of the table join these kinds of core, a's kind <= b's kind.
+struct PairRange {
+  CoreKind a{};
+  CoreKind b{};
+  std::size_t first{0};
+  std::size_t last{0};
+};
+
+/// Everything that does not change from cycle to cycle. A service that changes
+/// something builds a new one and swaps it in between two cycles.
+struct Setup {
+  RobotModel model;
+  std::vector<Body> bodies;                 ///< by BodyId
+  std::vector<BodyLabel> labels;            ///< by BodyId
+  std::vector<LinkPair> link_pairs;         ///< all, with the reason why (not)
+  std::vector<CheckedLinkPair> checked;     ///< by LinkPairIndex, sorted by (a, b)
+  PairTable table;                          ///< by PairId, ordered by kind of core pair
+  std::vector<std::uint32_t> link_pair_of;  ///< by PairId: index into checked
+  std::vector<PairRange> ranges;            ///< one for each kind of core pair present
+  Limits limits;
+  SetupReport report;  ///< warnings only
+};
+
+struct SetupOptions {
+  Limits limits;
+  double padding{0.0};  ///< [m] added to the radius or extents of every shape, >= 0
+  bool ignore_default_overlap{
+      true};  ///< for robots without SRDF: ignore pairs that overlap in the default pose
+};
+
+/// Reads, fits and lists pairs. Everything that is wrong is reported at once.
+/// @throws SetupError
+Setup buildSetup(const std::vector<RobotDescription>& robots, const ResourceLoader& load_resource,
+                 const SetupOptions& options);
+
+/// Adds a problem for each limit that is not as Limits asks.
+void checkLimits(const Limits& limits, SetupReport& report);
+
+}  // namespace collision_monitor
