@@ -3,24 +3,24 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "collision_monitor/geometry/ids.h"
 
 namespace collision_monitor {
 
+/// Two bodies that may touch, a < b.
 struct BodyPair {
   BodyId a{};
   BodyId b{};
 };
 
-/// The fixed list of pairs that may touch, and the way back from two bodies to
-/// their pair. Built at set-up, read-only after.
+/// The fixed list of pairs that may touch, in the order given, and the way back from two
+/// bodies to their pair. Built at set-up, read-only after.
 class PairTable {
  public:
   PairTable() = default;
-  /// @pre bodies are below `body_count`; no pair stands twice, in either order.
+  /// @pre a < b < body_count for every pair; no pair stands twice.
   PairTable(std::vector<BodyPair> pairs, std::size_t body_count);
 
   const std::vector<BodyPair>& pairs() const noexcept { return pairs_; }
@@ -28,13 +28,20 @@ class PairTable {
   std::size_t size() const noexcept { return pairs_.size(); }
   std::size_t bodyCount() const noexcept { return body_count_; }
 
-  /// The pair of two bodies in either order.
+  /// The pair of two bodies, given in either order.
   /// @return false when they may not touch; `id` is then left alone.
-  bool find(BodyId a, BodyId b, PairId& id) const noexcept;
+  bool find(BodyId one, BodyId other, PairId& id) const noexcept;
 
  private:
+  struct Partner {
+    BodyId body;
+    PairId pair;
+  };
+
   std::vector<BodyPair> pairs_;
-  std::unordered_map<std::uint64_t, PairId> ids_;
+  std::vector<std::uint32_t>
+      first_partner_;              ///< by body a: where its partners start; one more at the end
+  std::vector<Partner> partners_;  ///< grouped by body a, sorted by body b
   std::size_t body_count_{0};
 };
 

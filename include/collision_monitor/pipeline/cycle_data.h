@@ -35,6 +35,7 @@ LinkPoses makeLinkPoses(const RobotModel& model);
 struct BodyPoses {
   std::vector<Pose> world_from_body;
   std::vector<unsigned char> known;
+  std::vector<unsigned char> link_known;  ///< by LinkId: the pose is known and rigid
 };
 
 enum class Quality : unsigned char {
@@ -59,7 +60,7 @@ struct PairDistances {
 enum class Verdict : unsigned char { clear, warning, unknown, contact };
 
 using LinkPairIndex = std::uint32_t;  ///< into Setup::checked
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kNone = 0xffffffffU;
 
 struct VerdictChange {
   LinkPairIndex link_pair{0};
@@ -69,29 +70,30 @@ struct VerdictChange {
 
 /// What was judged, for each checked pair of links.
 struct PairEvents {
-  std::vector<Verdict> verdicts;  ///< by LinkPairIndex
-  std::vector<std::uint32_t>
-      closest;  ///< by LinkPairIndex: index into PairDistances::measured, or kNone
-  std::vector<VerdictChange> changes;  ///< since the last cycle, in order of link pair
-  std::vector<std::uint32_t>
-      island_of_link;  ///< by LinkId: 1, 2, ... for links in contact, 0 for the rest
+  std::vector<Verdict> verdicts;       ///< by LinkPairIndex
+  std::vector<std::uint32_t> closest;  ///< by LinkPairIndex: index into measured, or kNone
+  /// Against the verdict last reported, in order of link pair. A clear pair that becomes
+  /// unknown is no change of its own (the links that are unknown say it once for all their
+  /// pairs); a pair that was near or touching and becomes unknown is one.
+  std::vector<VerdictChange> changes;
+  std::vector<std::uint32_t> island_of_link;  ///< by LinkId: 1, 2, ... in contact, 0 for the rest
   std::uint32_t island_count{0};
-  std::uint32_t closest_of_all{kNone};  ///< index into PairDistances::measured
+  std::vector<std::uint32_t> island_forest;  ///< by LinkId: scratch of the grouping
+  std::uint32_t closest_of_all{kNone};       ///< index into measured
   Verdict overall{Verdict::unknown};
 };
 
 struct CycleCounters {
-  std::size_t pairs{0};          ///< pairs of bodies in the table
-  std::size_t candidates{0};     ///< of these, their bounds met
-  std::size_t measured{0};       ///< of these, and the search for the closest, measured
+  std::size_t pairs{0};       ///< pairs of bodies in the table
+  std::size_t candidates{0};  ///< of these, their bounds met
+  std::size_t measured{0};  ///< of these, measured; with those the search for the closest asked for
   std::size_t unknown_pairs{0};  ///< pairs of bodies with an unknown link
   std::size_t unknown_links{0};  ///< links with geometry whose pose is unknown
 };
 
-/// What survives a cycle. Resetting it changes hysteresis and speed, no verdict beyond that.
+/// What survives a cycle. Resetting it changes hysteresis and which verdicts count as changed.
 struct PairMemory {
-  std::vector<Verdict>
-      verdicts;  ///< by LinkPairIndex; what the next cycle's change is measured against
+  std::vector<Verdict> reported;  ///< by LinkPairIndex: the verdict last reported
 };
 
 }  // namespace collision_monitor

@@ -32,17 +32,28 @@ void resetMemory(CycleBuffers& buffers) noexcept;
 void runCycle(const Setup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept;
 
 /// The stages of runCycle, in order, for those who need a part of it.
+
 void placeBodies(const Setup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept;
-/// Boxes grown by `reach` / 2 [m].
+
+/// Boxes grown by `reach` / 2 [m], so that bodies within reach of each other have boxes that meet.
 void boundBodies(const Setup& setup, const BodyPoses& body_poses, double reach,
                  BodyBounds& bounds) noexcept;
-/// @pre `pairs` is sorted by id and joins known bodies only.
+
+/// @pre `pairs` is sorted by id and joins known bodies only; `distances` has room for every pair.
 void measurePairs(const Setup& setup, const BodyPoses& body_poses, const std::vector<PairId>& pairs,
                   PairDistances& distances) noexcept;
-/// Makes sure the closest pair of all known ones is among `distances`.
+
+/// Makes sure that the closest of all known pairs is among `distances`, which hold every
+/// pair within `reach`. Costs nothing when one is that near; otherwise visits all pairs
+/// and measures those whose bounding spheres are nearer than the best so far.
 void measureClosest(const Setup& setup, const BodyPoses& body_poses, double reach,
                     PairDistances& distances) noexcept;
-void judgePairs(const Setup& setup, const LinkPoses& poses, const PairDistances& distances,
+
+void judgePairs(const Setup& setup, const BodyPoses& body_poses, const PairDistances& distances,
                 PairMemory& memory, PairEvents& events) noexcept;
+
+/// Pairs at this distance or nearer matter to a cycle: to be published, warned of or kept by
+/// hysteresis. Units: metres.
+double reachOf(const Limits& limits) noexcept;
 
 }  // namespace collision_monitor

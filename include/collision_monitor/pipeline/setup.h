@@ -29,7 +29,8 @@ struct Body {
   LinkId link{};
   Pose link_from_body;
   Shape shape;
-  bool is_exact{false};  ///< the shape is the geometry of the URDF
+  double bounding_radius{0.0};  ///< [m] about the body's origin
+  bool is_exact{false};         ///< the shape is the geometry of the URDF
 };
 
 /// What messages and reports say of a body; never read in a cycle.
@@ -46,7 +47,7 @@ struct CheckedLinkPair {
   Limits limits;
 };
 
-/// Pairs [first, last) of the table join these kinds of core, a's kind <= b's kind.
+/// Pairs [first, last) of the table join these kinds of core, in either order; a <= b.
 struct PairRange {
   CoreKind a{};
   CoreKind b{};
@@ -58,7 +59,7 @@ struct PairRange {
 /// something builds a new one and swaps it in between two cycles.
 struct Setup {
   RobotModel model;
-  std::vector<Body> bodies;                 ///< by BodyId
+  std::vector<Body> bodies;                 ///< by BodyId, in order of link
   std::vector<BodyLabel> labels;            ///< by BodyId
   std::vector<LinkPair> link_pairs;         ///< all, with the reason why (not)
   std::vector<CheckedLinkPair> checked;     ///< by LinkPairIndex, sorted by (a, b)

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/broad_phase/pair_table.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace collision_monitor {
+
+PairTable::PairTable(std::vector<BodyPair> pairs, std::size_t body_count)
+    : pairs_(std::move(pairs)), first_partner_(body_count + 1, 0), body_count_(body_count) {
+  for (const BodyPair& pair : pairs_) {
+    assert(pair.a < pair.b && index(pair.b) < body_count);
+    ++first_partner_[index(pair.a) + 1];
+  }
+  for (std::size_t body = 0; body < body_count; ++body) {
+    first_partner_[body + 1] += first_partner_[body];
+  }
+  partners_.resize(pairs_.size());
+  std::vector<std::uint32_t> next(first_partner_.begin(), first_partner_.end() - 1);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    partners_[next[index(pairs_[i].a)]++] = {pairs_[i].b, idAt<PairId>(i)};
+  }
+  for (std::size_t body = 0; body < body_count; ++body) {
+    std::sort(partners_.begin() + first_partner_[body],
+              partners_.begin() + first_partner_[body + 1],
+              [](const Partner& one, const Partner& other) { return one.body < other.body; });
+  }
+}
+
+bool PairTable::find(BodyId one, BodyId other, PairId& id) const noexcept {
+  const BodyId a = std::min(one, other);
+  const BodyId b = std::max(one, other);
+  const auto last = partners_.begin() + first_partner_[index(a) + 1];
+  const auto found =
+      std::lower_bound(partners_.begin() + first_partner_[index(a)], last, b,
+                       [](const Partner& partner, BodyId body) { return partner.body < body; });
+  if (found == last || found->body != b) {
+    return false;
+  }
+  id = found->pair;
+  return true;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "collision_monitor/pipeline/setup.h"
+
+namespace collision_monitor {
+
+/// Measures all checked pairs of links of one robot in its default pose (see defaultPositions)
+/// and reports those whose shapes overlap, with advice. For robots without an SRDF such pairs
+/// become ignored, if `ignore`: a pair that always touches would keep the monitor in contact for
+/// ever. With an SRDF somebody has decided which pairs count, so they stay checked.
+///
+/// Pairs of different robots are left alone: where the robots stand is known only to tf.
+void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, bool ignore, Setup& setup,
+                         SetupReport& report);
+
+}  // namespace collision_monitor

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "setup_parts.h"
+
+namespace collision_monitor {
+namespace {
+
+struct ListedPair {
+  CoreKind kind_a;  ///< the simpler of the two kinds
+  CoreKind kind_b;
+  BodyPair bodies;
+  std::uint32_t link_pair;
+
+  auto order() const { return std::make_tuple(kind_a, kind_b, bodies.a, bodies.b); }
+};
+
+/// Where the bodies of each link stand; bodies are in order of link.
+std::vector<std::size_t> firstBodies(const Setup& setup) {
+  std::vector<std::size_t> first(setup.model.links.size() + 1, 0);
+  for (const Body& body : setup.bodies) {
+    ++first[index(body.link) + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  return first;
+}
+
+ListedPair listedPair(const Setup& setup, std::size_t a, std::size_t b, std::size_t link_pair) {
+  const auto [simpler, other] =
+      std::minmax({coreKindOf(setup.bodies[a].shape), coreKindOf(setup.bodies[b].shape)});
+  return {
+      simpler, other, {idAt<BodyId>(a), idAt<BodyId>(b)}, static_cast<std::uint32_t>(link_pair)};
+}
+
+std::vector<ListedPair> listBodyPairs(const Setup& setup) {
+  const std::vector<std::size_t> first = firstBodies(setup);
+  std::vector<ListedPair> listed;
+  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+    const std::size_t link_a = index(setup.checked[i].a);
+    const std::size_t link_b = index(setup.checked[i].b);
+    for (std::size_t a = first[link_a]; a < first[link_a + 1]; ++a) {
+      for (std::size_t b = first[link_b]; b < first[link_b + 1]; ++b) {
+        listed.push_back(listedPair(setup, a, b, i));
+      }
+    }
+  }
+  std::sort(listed.begin(), listed.end(), [](const ListedPair& one, const ListedPair& other) {
+    return one.order() < other.order();
+  });
+  return listed;
+}
+
+void extendRanges(const ListedPair& pair, std::size_t position, std::vector<PairRange>& ranges) {
+  if (ranges.empty() || ranges.back().a != pair.kind_a || ranges.back().b != pair.kind_b) {
+    ranges.push_back({pair.kind_a, pair.kind_b, position, position});
+  }
+  ranges.back().last = position + 1;
+}
+
+}  // namespace
+
+void listPairs(Setup& setup) {
+  setup.checked.clear();
+  for (const LinkPair& pair : setup.link_pairs) {
+    if (isChecked(pair.reason)) {
+      setup.checked.push_back({pair.a, pair.b, setup.limits});
+    }
+  }
+  setup.ranges.clear();
+  setup.link_pair_of.clear();
+  std::vector<BodyPair> pairs;
+  for (const ListedPair& pair : listBodyPairs(setup)) {
+    extendRanges(pair, pairs.size(), setup.ranges);
+    pairs.push_back(pair.bodies);
+    setup.link_pair_of.push_back(pair.link_pair);
+  }
+  setup.table = PairTable(std::move(pairs), setup.bodies.size());
+}
+
+}  // namespace collision_monitor

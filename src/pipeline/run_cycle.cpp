@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/pipeline/run_cycle.h"
+
+#include <algorithm>
+
+namespace collision_monitor {
+namespace {
+
+BroadPhase makeBroadPhase(BroadPhaseKind kind, std::size_t body_count) {
+  switch (kind) {
+    case BroadPhaseKind::brute_force:
+      return BruteForce{};
+    case BroadPhaseKind::sweep_and_prune:
+      return SweepAndPrune(body_count);
+  }
+  return BruteForce{};
+}
+
+void countUnknown(const Setup& setup, const BodyPoses& body_poses,
+                  CycleCounters& counters) noexcept {
+  counters.unknown_links = 0;
+  counters.unknown_pairs = 0;
+  for (std::size_t link = 0; link < setup.model.links.size(); ++link) {
+    if (!setup.model.links[link].collisions.empty() && body_poses.link_known[link] == 0) {
+      ++counters.unknown_links;
+    }
+  }
+  if (counters.unknown_links == 0) {
+    return;
+  }
+  for (const BodyPair& pair : setup.table.pairs()) {
+    if (body_poses.known[index(pair.a)] == 0 || body_poses.known[index(pair.b)] == 0) {
+      ++counters.unknown_pairs;
+    }
+  }
+}
+
+}  // namespace
+
+CycleBuffers makeBuffers(const Setup& setup, BroadPhaseKind kind) {
+  const std::size_t bodies = setup.bodies.size();
+  const std::size_t pairs = setup.table.size();
+  const std::size_t link_pairs = setup.checked.size();
+  const std::size_t links = setup.model.links.size();
+  CycleBuffers buffers;
+  buffers.body_poses.world_from_body.resize(bodies);
+  buffers.body_poses.known.resize(bodies, 0);
+  buffers.body_poses.link_known.resize(links, 0);
+  buffers.bounds.boxes.resize(bodies);
+  buffers.bounds.known.resize(bodies, 0);
+  buffers.candidates.reserve(pairs);
+  buffers.distances.measured.reserve(pairs);
+  buffers.events.verdicts.resize(link_pairs, Verdict::unknown);
+  buffers.events.closest.resize(link_pairs, kNone);
+  buffers.events.changes.reserve(link_pairs);
+  buffers.events.island_of_link.resize(links, 0);
+  buffers.events.island_forest.resize(links, 0);
+  buffers.memory.reported.resize(link_pairs, Verdict::clear);
+  buffers.counters.pairs = pairs;
+  buffers.broad_phase = makeBroadPhase(kind, bodies);
+  return buffers;
+}
+
+void resetMemory(CycleBuffers& buffers) noexcept {
+  std::fill(buffers.memory.reported.begin(), buffers.memory.reported.end(), Verdict::clear);
+}
+
+double reachOf(const Limits& limits) noexcept {
+  return std::max(limits.report_distance, limits.warning_distance + limits.hysteresis);
+}
+
+void runCycle(const Setup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+  const double reach = reachOf(setup.limits);
+  placeBodies(setup, poses, buffers.body_poses);
+  boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
+  findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
+  measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
+  measureClosest(setup, buffers.body_poses, reach, buffers.distances);
+  judgePairs(setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
+  buffers.counters.candidates = buffers.candidates.size();
+  buffers.counters.measured = buffers.distances.measured.size();
+  countUnknown(setup, buffers.body_poses, buffers.counters);
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/pipeline/setup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "collision_monitor/geometry/bounds.h"
+#include "default_overlap.h"
+#include "setup_parts.h"
+
+namespace collision_monitor {
+namespace {
+
+std::string inMetres(double value) { return std::to_string(value) + " m"; }
+
+void checkLimit(const char* name, double value, double least, SetupReport& report) {
+  if (!std::isfinite(value) || value < least) {
+    report.errors.push_back(
+        {std::string("limits, ") + name, inMetres(value), "a finite number >= " + inMetres(least)});
+  }
+}
+
+std::vector<SrdfPairs> readSrdfs(const std::vector<RobotDescription>& robots,
+                                 const RobotModel& model, SetupReport& report) {
+  std::vector<SrdfPairs> srdfs;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (!robots[i].srdf_xml.empty()) {
+      srdfs.push_back(readSrdf(robots[i], idAt<RobotId>(i), model, report));
+    }
+  }
+  return srdfs;
+}
+
+void warnIfNothingChecked(const Setup& setup, SetupReport& report) {
+  if (setup.checked.empty()) {
+    report.warnings.push_back({"pairs", "no pair of links is checked",
+                               "at least one; see the reasons of the ignored pairs"});
+  }
+}
+
+}  // namespace
+
+void checkLimits(const Limits& limits, SetupReport& report) {
+  if (!std::isfinite(limits.contact_distance)) {
+    report.errors.push_back(
+        {"limits, contact_distance", inMetres(limits.contact_distance), "a finite number"});
+  }
+  checkLimit("warning_distance", limits.warning_distance, limits.contact_distance, report);
+  checkLimit("report_distance", limits.report_distance, limits.warning_distance, report);
+  checkLimit("hysteresis", limits.hysteresis, 0.0, report);
+}
+
+Setup buildSetup(const std::vector<RobotDescription>& robots, const ResourceLoader& load_resource,
+                 const SetupOptions& options) {
+  Setup setup;
+  SetupReport report;
+  checkLimits(options.limits, report);
+  checkLimit("padding", options.padding, 0.0, report);
+  if (robots.empty()) {
+    report.errors.push_back({"robots", "none", "at least one robot description"});
+  }
+  setup.limits = options.limits;
+  setup.model = readRobots(robots, load_resource, report);
+  throwIfErrors(report);
+
+  const std::vector<SrdfPairs> srdfs = readSrdfs(robots, setup.model, report);
+  encloseLinks(options.padding, setup, report);
+  throwIfErrors(report);
+
+  setup.link_pairs = decideLinkPairs(setup.model, srdfs);
+  ruleDefaultOverlaps(srdfs, options.ignore_default_overlap, setup, report);
+  listPairs(setup);
+  warnIfNothingChecked(setup, report);
+  setup.report = std::move(report);
+  return setup;
+}
+
+}  // namespace collision_monitor
