@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: 2026 The collision_monitor authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# What the scripts share: install what is missing, build, bring the workspace into
+# the environment. Sourced, not run. Every step says what it does and costs nothing
+# when there is nothing to do.
+
+package_dir="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+build_dir="${BUILD_DIR:-$package_dir/build}"
+
+# ROS's Python programs need the system's interpreter, whatever else is installed.
+export PATH="/usr/bin:$PATH"
+export LC_ALL="${LC_ALL:-C.UTF-8}"
+
+say() { printf '==> %s\n' "$*"; }
+fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
+
+# Debian's packages; where /opt/ros/noetic is sourced, ROS itself comes from there.
+library_packages=(
+  build-essential cmake ninja-build pkg-config
+  libeigen3-dev libassimp-dev libqhull-dev libtinyxml2-dev libyaml-cpp-dev libboost-all-dev
+  python3-yaml
+)
+test_packages=(
+  libgtest-dev librapidcheck-dev libfcl-dev libcli11-dev liburdfdom-dev liburdfdom-headers-dev
+  nlohmann-json3-dev
+)
+debian_ros_packages=(
+  ros-base-dev ros-robot-dev catkin rosbash python3-rosgraph python3-roslaunch python3-rospy
+  python3-rostopic python3-rosservice python3-rostest librostest-dev
+  libtf2-ros-dev libtf2-eigen-dev libresource-retriever-dev libdiagnostic-updater-dev
+  libnodelet-dev libnodeletlib-dev libnodeletlib-tools ros-robot-state-publisher
+)
+
+has_ros_noetic() { [[ "${ROS_DISTRO:-}" == noetic && -d /opt/ros/noetic ]]; }
+
+is_installed() { dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null | grep -qx installed; }
+
+# install_packages PACKAGE...: installs those that are missing.
+install_packages() {
+  local missing=() package
+  for package in "$@"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  [[ ${#missing[@]} -eq 0 ]] && return 0
+  say "installing ${#missing[@]} packages: ${missing[*]}"
+  local as_root=()
+  if [[ $EUID -ne 0 ]]; then
+    command -v sudo >/dev/null || fail "run as root or install sudo: ${missing[*]} are missing"
+    as_root=(sudo)
+  fi
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null ||
+    fail "apt-get could not install: ${missing[*]}"
+}
+
+# install_missing [GROUP...]: what building needs, and the groups named: test, show.
+install_missing() {
+  local packages=("${library_packages[@]}") group
+  has_ros_noetic || packages+=("${debian_ros_packages[@]}")
+  for group in "$@"; do
+    case "$group" in
+      test) packages+=("${test_packages[@]}") ;;
+      show) has_ros_noetic || packages+=(rviz) ;;
+      *) fail "install_missing: no group '$group'; there are: test, show" ;;
+    esac
+  done
+  install_packages "${packages[@]}"
+}
+
+# build_package [CMAKE OPTION...]: configures and builds; nothing is done twice.
+build_package() {
+  say "building in $build_dir"
+  local log="$build_dir/build.log"
+  mkdir -p "$build_dir"
+  cmake -S "$package_dir" -B "$build_dir" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DPYTHON_EXECUTABLE=/usr/bin/python3 "$@" >"$log" 2>&1 ||
+    { tail -n 40 "$log" >&2; fail "configuring failed; all of it is in $log"; }
+  cmake --build "$build_dir" || fail "the build failed"
+}
+
+# source_workspace: makes rosrun, roslaunch and rostest find the package just built.
+source_workspace() {
+  set +u
+  # shellcheck disable=SC1091
+  source "$build_dir/devel/setup.bash"
+  set -u
+}

@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The collision_monitor authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Holds the includes of the package against the table of rooms below.
+
+Prints one line for each include that points the wrong way and exits 1 if there is one.
+"""
+import argparse
+import pathlib
+import re
+import sys
+
+GEOMETRY = {"geometry"}
+PHASES = {"broad_phase", "narrow_phase", "motion"}
+MAY_INCLUDE = {
+    "geometry": GEOMETRY,
+    "fitting": GEOMETRY | {"fitting"},
+    "model": GEOMETRY | {"fitting", "model"},
+    "broad_phase": GEOMETRY | {"broad_phase"},
+    "narrow_phase": GEOMETRY | {"narrow_phase"},
+    "motion": GEOMETRY | {"motion"},
+    "pipeline": GEOMETRY | {"fitting", "model", "pipeline"} | PHASES,
+    "ros_edge": GEOMETRY | {"fitting", "model", "pipeline", "ros_edge"} | PHASES,
+}
+# Headers that only the named rooms may know; all other third-party headers are free.
+RESERVED = {
+    re.compile(r"^(ros|tf2|tf2_ros|nodelet|pluginlib|diagnostic_\w+|resource_retriever)/"): {"ros_edge"},
+    re.compile(r"^(geometry|sensor|std|visualization)_(msgs|srvs)/"): {"ros_edge"},
+    re.compile(r"^assimp/"): {"model"},
+    re.compile(r"^tinyxml2\.h$"): {"model"},
+    re.compile(r"^libqhull"): {"geometry"},
+    re.compile(r"^fcl/"): set(),
+}
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
+
+
+def room_of(path, root):
+    parts = path.relative_to(root).parts
+    return parts[2] if parts[0] == "include" else parts[1]
+
+
+def included_room(include, path):
+    """The room an include leads to, or None if it leads out of the package."""
+    parts = pathlib.PurePosixPath(include).parts
+    if parts[0] == "collision_monitor":
+        # One level deep are the generated message headers.
+        return parts[1] if len(parts) > 2 else "ros_edge"
+    if (path.parent / include).exists():
+        return path.parent.name
+    return parts[0] if parts[0] in MAY_INCLUDE else None
+
+
+def faults_of(path, root):
+    room = room_of(path, root)
+    if room not in MAY_INCLUDE:
+        return [f"{path.relative_to(root)}: no room '{room}' in the table of check_layers.py"]
+    faults = []
+    for include in INCLUDE.findall(path.read_text(encoding="utf-8")):
+        target = included_room(include, path)
+        if target is not None and target not in MAY_INCLUDE[room]:
+            faults.append(f"{path.relative_to(root)}: {room} may not include {target} ({include})")
+        for pattern, rooms in RESERVED.items():
+            if pattern.match(include) and room not in rooms:
+                faults.append(f"{path.relative_to(root)}: {room} may not include {include}")
+    return faults
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("root", nargs="?", default=pathlib.Path(__file__).resolve().parent.parent,
+                        type=pathlib.Path, help="the package's folder")
+    root = parser.parse_args().root.resolve()
+    files = sorted(path for folder in ("include/collision_monitor", "src")
+                   for suffix in ("*.h", "*.cpp") for path in (root / folder).rglob(suffix))
+    if not files:
+        sys.exit(f"no sources under {root}")
+    faults = [fault for path in files for fault in faults_of(path, root)]
+    print("\n".join(faults) if faults else f"{len(files)} files keep to their layers")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
