@@ -13,7 +13,7 @@
 namespace collision_monitor {
 namespace {
 
-BodyPoses placeInDefaultPose(const Setup& setup) {
+BodyPoses placeInDefaultPose(const CycleSetup& setup) {
   LinkPoses poses = makeLinkPoses(setup.model);
   placeLinks(setup.model, defaultPositions(setup.model),
              std::vector<Pose>(setup.model.robots.size()), poses.world_from_link);
@@ -27,7 +27,7 @@ BodyPoses placeInDefaultPose(const Setup& setup) {
 }
 
 /// Signed distance of each checked pair of links, by LinkPairIndex.
-std::vector<double> measureLinkPairs(const Setup& setup) {
+std::vector<double> measureLinkPairs(const CycleSetup& setup) {
   std::vector<PairId> all;
   for (std::size_t i = 0; i < setup.table.size(); ++i) {
     all.push_back(idAt<PairId>(i));
@@ -55,7 +55,7 @@ Problem overlapWarning(const RobotModel& model, const CheckedLinkPair& pair, dou
 
 }  // namespace
 
-void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, bool ignore, Setup& setup,
+void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, bool ignore, CycleSetup& setup,
                          SetupReport& report) {
   listPairs(setup);
   const std::vector<double> distances = measureLinkPairs(setup);

@@ -14,7 +14,7 @@ namespace collision_monitor {
 /// ever. With an SRDF somebody has decided which pairs count, so they stay checked.
 ///
 /// Pairs of different robots are left alone: where the robots stand is known only to tf.
-void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, bool ignore, Setup& setup,
+void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, bool ignore, CycleSetup& setup,
                          SetupReport& report);
 
 }  // namespace collision_monitor

@@ -21,7 +21,7 @@ struct AddPadding {
   }
 };
 
-void addBody(LinkId link, const CollisionElement& element, double padding, Setup& setup) {
+void addBody(LinkId link, const CollisionElement& element, double padding, CycleSetup& setup) {
   const Enclosure enclosure = encloseTightly(element.geometry);
   Body body;
   body.link = link;
@@ -36,7 +36,7 @@ void addBody(LinkId link, const CollisionElement& element, double padding, Setup
 
 }  // namespace
 
-void encloseLinks(double padding, Setup& setup, SetupReport& report) {
+void encloseLinks(double padding, CycleSetup& setup, SetupReport& report) {
   for (std::size_t i = 0; i < setup.model.links.size(); ++i) {
     const Link& link = setup.model.links[i];
     for (const CollisionElement& element : link.collisions) {

@@ -22,7 +22,8 @@ Verdict verdictFor(double distance, const Limits& limits, Verdict before) noexce
   return distance > limits.warning_distance ? Verdict::clear : Verdict::unknown;
 }
 
-void findClosest(const Setup& setup, const PairDistances& distances, PairEvents& events) noexcept {
+void findClosest(const CycleSetup& setup, const PairDistances& distances,
+                 PairEvents& events) noexcept {
   std::fill(events.closest.begin(), events.closest.end(), kNone);
   events.closest_of_all = kNone;
   const auto& measured = distances.measured;
@@ -40,7 +41,7 @@ void findClosest(const Setup& setup, const PairDistances& distances, PairEvents&
   }
 }
 
-Verdict judgeLinkPair(const Setup& setup, const BodyPoses& body_poses,
+Verdict judgeLinkPair(const CycleSetup& setup, const BodyPoses& body_poses,
                       const PairDistances& distances, const PairMemory& memory,
                       std::size_t link_pair, std::uint32_t closest) noexcept {
   const CheckedLinkPair& pair = setup.checked[link_pair];
@@ -56,8 +57,8 @@ Verdict judgeLinkPair(const Setup& setup, const BodyPoses& body_poses,
 
 }  // namespace
 
-void judgePairs(const Setup& setup, const BodyPoses& body_poses, const PairDistances& distances,
-                PairMemory& memory, PairEvents& events) noexcept {
+void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
+                const PairDistances& distances, PairMemory& memory, PairEvents& events) noexcept {
   findClosest(setup, distances, events);
   events.changes.clear();
   // A link that stands in no checked pair can be unknown without harm.

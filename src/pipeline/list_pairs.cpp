@@ -19,7 +19,7 @@ struct ListedPair {
 };
 
 /// Where the bodies of each link stand; bodies are in order of link.
-std::vector<std::size_t> firstBodies(const Setup& setup) {
+std::vector<std::size_t> firstBodies(const CycleSetup& setup) {
   std::vector<std::size_t> first(setup.model.links.size() + 1, 0);
   for (const Body& body : setup.bodies) {
     ++first[index(body.link) + 1];
@@ -28,14 +28,15 @@ std::vector<std::size_t> firstBodies(const Setup& setup) {
   return first;
 }
 
-ListedPair listedPair(const Setup& setup, std::size_t a, std::size_t b, std::size_t link_pair) {
+ListedPair listedPair(const CycleSetup& setup, std::size_t a, std::size_t b,
+                      std::size_t link_pair) {
   const auto [simpler, other] =
       std::minmax({coreKindOf(setup.bodies[a].shape), coreKindOf(setup.bodies[b].shape)});
   return {
       simpler, other, {idAt<BodyId>(a), idAt<BodyId>(b)}, static_cast<std::uint32_t>(link_pair)};
 }
 
-std::vector<ListedPair> listBodyPairs(const Setup& setup) {
+std::vector<ListedPair> listBodyPairs(const CycleSetup& setup) {
   const std::vector<std::size_t> first = firstBodies(setup);
   std::vector<ListedPair> listed;
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
@@ -62,7 +63,7 @@ void extendRanges(const ListedPair& pair, std::size_t position, std::vector<Pair
 
 }  // namespace
 
-void listPairs(Setup& setup) {
+void listPairs(CycleSetup& setup) {
   setup.checked.clear();
   for (const LinkPair& pair : setup.link_pairs) {
     if (isChecked(pair.reason)) {

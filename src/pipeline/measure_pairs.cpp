@@ -9,7 +9,7 @@
 namespace collision_monitor {
 namespace {
 
-PairDistance measurePair(const Setup& setup, const BodyPoses& body_poses, PairId id) noexcept {
+PairDistance measurePair(const CycleSetup& setup, const BodyPoses& body_poses, PairId id) noexcept {
   const BodyPair& pair = setup.table[id];
   const Body& a = setup.bodies[index(pair.a)];
   const Body& b = setup.bodies[index(pair.b)];
@@ -22,7 +22,7 @@ PairDistance measurePair(const Setup& setup, const BodyPoses& body_poses, PairId
 }
 
 /// Distance of the bounding spheres: a lower bound of the pair's.
-double boundDistance(const Setup& setup, const BodyPoses& body_poses,
+double boundDistance(const CycleSetup& setup, const BodyPoses& body_poses,
                      const BodyPair& pair) noexcept {
   const std::size_t a = index(pair.a);
   const std::size_t b = index(pair.b);
@@ -38,7 +38,7 @@ bool isKnown(const BodyPoses& body_poses, const BodyPair& pair) noexcept {
 
 /// Among the known pairs, the one whose bounding spheres are nearest: a good first guess
 /// makes the search that follows measure few pairs. False if no pair is known.
-bool guessClosest(const Setup& setup, const BodyPoses& body_poses, PairId& guess) noexcept {
+bool guessClosest(const CycleSetup& setup, const BodyPoses& body_poses, PairId& guess) noexcept {
   double least = std::numeric_limits<double>::infinity();
   bool found = false;
   for (std::size_t i = 0; i < setup.table.size(); ++i) {
@@ -56,7 +56,8 @@ bool guessClosest(const Setup& setup, const BodyPoses& body_poses, PairId& guess
   return found;
 }
 
-PairDistance searchClosest(const Setup& setup, const BodyPoses& body_poses, PairId guess) noexcept {
+PairDistance searchClosest(const CycleSetup& setup, const BodyPoses& body_poses,
+                           PairId guess) noexcept {
   PairDistance best = measurePair(setup, body_poses, guess);
   for (std::size_t i = 0; i < setup.table.size(); ++i) {
     const BodyPair& pair = setup.table.pairs()[i];
@@ -74,15 +75,15 @@ PairDistance searchClosest(const Setup& setup, const BodyPoses& body_poses, Pair
 
 }  // namespace
 
-void measurePairs(const Setup& setup, const BodyPoses& body_poses, const std::vector<PairId>& pairs,
-                  PairDistances& distances) noexcept {
+void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
+                  const std::vector<PairId>& pairs, PairDistances& distances) noexcept {
   distances.measured.clear();
   for (const PairId pair : pairs) {
     distances.measured.push_back(measurePair(setup, body_poses, pair));
   }
 }
 
-void measureClosest(const Setup& setup, const BodyPoses& body_poses, double reach,
+void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, double reach,
                     PairDistances& distances) noexcept {
   auto& measured = distances.measured;
   const bool is_among =

@@ -13,7 +13,7 @@ LinkPoses makeLinkPoses(const RobotModel& model) {
   return poses;
 }
 
-void placeBodies(const Setup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept {
+void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept {
   for (std::size_t link = 0; link < poses.status.size(); ++link) {
     // Checked here as well as at the edge: a NaN that slips through must read as unknown.
     const bool known =
@@ -29,7 +29,7 @@ void placeBodies(const Setup& setup, const LinkPoses& poses, BodyPoses& body_pos
   }
 }
 
-void boundBodies(const Setup& setup, const BodyPoses& body_poses, double reach,
+void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double reach,
                  BodyBounds& bounds) noexcept {
   for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
     bounds.known[i] = body_poses.known[i];

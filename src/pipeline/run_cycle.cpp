@@ -17,7 +17,7 @@ BroadPhase makeBroadPhase(BroadPhaseKind kind, std::size_t body_count) {
   return BruteForce{};
 }
 
-void countUnknown(const Setup& setup, const BodyPoses& body_poses,
+void countUnknown(const CycleSetup& setup, const BodyPoses& body_poses,
                   CycleCounters& counters) noexcept {
   counters.unknown_links = 0;
   counters.unknown_pairs = 0;
@@ -38,7 +38,7 @@ void countUnknown(const Setup& setup, const BodyPoses& body_poses,
 
 }  // namespace
 
-CycleBuffers makeBuffers(const Setup& setup, BroadPhaseKind kind) {
+CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   const std::size_t bodies = setup.bodies.size();
   const std::size_t pairs = setup.table.size();
   const std::size_t link_pairs = setup.checked.size();
@@ -70,7 +70,7 @@ double reachOf(const Limits& limits) noexcept {
   return std::max(limits.report_distance, limits.warning_distance + limits.hysteresis);
 }
 
-void runCycle(const Setup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   const double reach = reachOf(setup.limits);
   placeBodies(setup, poses, buffers.body_poses);
   boundBodies(setup, buffers.body_poses, reach, buffers.bounds);

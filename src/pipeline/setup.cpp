@@ -33,7 +33,7 @@ std::vector<SrdfPairs> readSrdfs(const std::vector<RobotDescription>& robots,
   return srdfs;
 }
 
-void warnIfNothingChecked(const Setup& setup, SetupReport& report) {
+void warnIfNothingChecked(const CycleSetup& setup, SetupReport& report) {
   if (setup.checked.empty()) {
     report.warnings.push_back({"pairs", "no pair of links is checked",
                                "at least one; see the reasons of the ignored pairs"});
@@ -52,9 +52,9 @@ void checkLimits(const Limits& limits, SetupReport& report) {
   checkLimit("hysteresis", limits.hysteresis, 0.0, report);
 }
 
-Setup buildSetup(const std::vector<RobotDescription>& robots, const ResourceLoader& load_resource,
-                 const SetupOptions& options) {
-  Setup setup;
+CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
+                      const ResourceLoader& load_resource, const SetupOptions& options) {
+  CycleSetup setup;
   SetupReport report;
   checkLimits(options.limits, report);
   checkLimit("padding", options.padding, 0.0, report);

@@ -4,15 +4,15 @@
 
 #include "collision_monitor/pipeline/setup.h"
 
-/// The steps of buildSetup, each in a file of its own. They fill a Setup in this order.
+/// The steps of buildSetup, each in a file of its own. They fill a CycleSetup in this order.
 namespace collision_monitor {
 
 /// Encloses every collision element: fills bodies and labels, in order of link. Faults of the
 /// geometry are added to `report`.
-void encloseLinks(double padding, Setup& setup, SetupReport& report);
+void encloseLinks(double padding, CycleSetup& setup, SetupReport& report);
 
 /// Turns setup.link_pairs into the list of checked pairs of links and the table of body pairs,
 /// ordered by kind of core pair and then by bodies.
-void listPairs(Setup& setup);
+void listPairs(CycleSetup& setup);
 
 }  // namespace collision_monitor

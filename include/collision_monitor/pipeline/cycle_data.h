@@ -59,7 +59,7 @@ struct PairDistances {
 /// Ordered by urgency: the state of the whole is the largest of its parts.
 enum class Verdict : unsigned char { clear, warning, unknown, contact };
 
-using LinkPairIndex = std::uint32_t;  ///< into Setup::checked
+using LinkPairIndex = std::uint32_t;  ///< into CycleSetup::checked
 constexpr std::uint32_t kNone = 0xffffffffU;
 
 struct VerdictChange {

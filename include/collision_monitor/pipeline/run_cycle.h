@@ -21,7 +21,7 @@ struct CycleBuffers {
   BroadPhase broad_phase;
 };
 
-CycleBuffers makeBuffers(const Setup& setup, BroadPhaseKind kind);
+CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind);
 
 /// Forgets what earlier cycles left: after a jump in time or a gap in data.
 void resetMemory(CycleBuffers& buffers) noexcept;
@@ -29,28 +29,28 @@ void resetMemory(CycleBuffers& buffers) noexcept;
 /// One cycle: poses in, events out. Same input and memory, same bytes out,
 /// whichever broad phase. Neither allocates, locks nor throws.
 /// @pre buffers were made for this set-up; poses are sized for its model.
-void runCycle(const Setup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept;
+void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept;
 
 /// The stages of runCycle, in order, for those who need a part of it.
 
-void placeBodies(const Setup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept;
+void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept;
 
 /// Boxes grown by `reach` / 2 [m], so that bodies within reach of each other have boxes that meet.
-void boundBodies(const Setup& setup, const BodyPoses& body_poses, double reach,
+void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double reach,
                  BodyBounds& bounds) noexcept;
 
 /// @pre `pairs` is sorted by id and joins known bodies only; `distances` has room for every pair.
-void measurePairs(const Setup& setup, const BodyPoses& body_poses, const std::vector<PairId>& pairs,
-                  PairDistances& distances) noexcept;
+void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
+                  const std::vector<PairId>& pairs, PairDistances& distances) noexcept;
 
 /// Makes sure that the closest of all known pairs is among `distances`, which hold every
 /// pair within `reach`. Costs nothing when one is that near; otherwise visits all pairs
 /// and measures those whose bounding spheres are nearer than the best so far.
-void measureClosest(const Setup& setup, const BodyPoses& body_poses, double reach,
+void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, double reach,
                     PairDistances& distances) noexcept;
 
-void judgePairs(const Setup& setup, const BodyPoses& body_poses, const PairDistances& distances,
-                PairMemory& memory, PairEvents& events) noexcept;
+void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
+                const PairDistances& distances, PairMemory& memory, PairEvents& events) noexcept;
 
 /// Pairs at this distance or nearer matter to a cycle: to be published, warned of or kept by
 /// hysteresis. Units: metres.

@@ -57,7 +57,7 @@ struct PairRange {
 
 /// Everything that does not change from cycle to cycle. A service that changes
 /// something builds a new one and swaps it in between two cycles.
-struct Setup {
+struct CycleSetup {
   RobotModel model;
   std::vector<Body> bodies;                 ///< by BodyId, in order of link
   std::vector<BodyLabel> labels;            ///< by BodyId
@@ -70,6 +70,8 @@ struct Setup {
   SetupReport report;  ///< warnings only
 };
 
+using Setup = CycleSetup;  // until all callers say CycleSetup
+
 struct SetupOptions {
   Limits limits;
   double padding{0.0};  ///< [m] added to the radius or extents of every shape, >= 0
@@ -79,8 +81,8 @@ struct SetupOptions {
 
 /// Reads, fits and lists pairs. Everything that is wrong is reported at once.
 /// @throws SetupError
-Setup buildSetup(const std::vector<RobotDescription>& robots, const ResourceLoader& load_resource,
-                 const SetupOptions& options);
+CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
+                      const ResourceLoader& load_resource, const SetupOptions& options);
 
 /// Adds a problem for each limit that is not as Limits asks.
 void checkLimits(const Limits& limits, SetupReport& report);

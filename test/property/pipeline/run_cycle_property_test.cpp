@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "collision_monitor/narrow_phase/distance.h"
+#include "collision_monitor/pipeline/run_cycle.h"
+#include "support/allocation_guard.h"
+#include "support/hand_made_setup.h"
+#include "support/random_poses.h"
+
+namespace collision_monitor {
+namespace {
+
+using test::Random;
+
+constexpr unsigned kSeed = 7;
+
+/// Moves every link a little and now and then takes one away or gives it NaN.
+void disturb(Random& random, LinkPoses& poses) {
+  for (std::size_t link = 0; link < poses.status.size(); ++link) {
+    Pose& pose = poses.world_from_link[link];
+    if (!isFinite(pose)) {
+      pose = test::randomPose(random, 0.4);
+    }
+    pose.translation += test::randomPoint(random, 0.02);
+    poses.status[link] = random() % 50 == 0 ? LinkStatus::stale : LinkStatus::known;
+    if (random() % 200 == 0) {
+      pose.translation.y() = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+}
+
+bool sameBytes(const PairDistance& one, const PairDistance& other) {
+  return one.pair == other.pair && one.quality == other.quality &&
+         std::memcmp(&one.measured, &other.measured, sizeof one.measured) == 0;
+}
+
+void expectSameBytes(const CycleBuffers& one, const CycleBuffers& other) {
+  ASSERT_EQ(one.candidates, other.candidates);
+  ASSERT_EQ(one.distances.measured.size(), other.distances.measured.size());
+  for (std::size_t i = 0; i < one.distances.measured.size(); ++i) {
+    ASSERT_TRUE(sameBytes(one.distances.measured[i], other.distances.measured[i]));
+  }
+  ASSERT_EQ(one.events.verdicts, other.events.verdicts);
+  ASSERT_EQ(one.events.closest, other.events.closest);
+  ASSERT_EQ(one.events.changes.size(), other.events.changes.size());
+  ASSERT_EQ(one.events.island_of_link, other.events.island_of_link);
+  ASSERT_EQ(one.events.closest_of_all, other.events.closest_of_all);
+}
+
+TEST(RunCycleProperty, tenThousandCyclesAllocateNothingAndEveryBroadPhaseGivesTheSameBytes) {
+  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  const CycleSetup setup = test::randomSetup(14, kSeed);
+  CycleBuffers brute_force = makeBuffers(setup, BroadPhaseKind::brute_force);
+  CycleBuffers sweep_and_prune = makeBuffers(setup, BroadPhaseKind::sweep_and_prune);
+  LinkPoses poses = test::randomLinkPoses(setup, 0.4, kSeed);
+  Random random(kSeed);
+  std::size_t allocations = 0;
+  std::size_t contacts = 0;
+  for (int cycle = 0; cycle < 10000; ++cycle) {
+    disturb(random, poses);
+    {
+      const test::AllocationGuard guard;
+      runCycle(setup, poses, brute_force);
+      runCycle(setup, poses, sweep_and_prune);
+      allocations += guard.count();
+    }
+    expectSameBytes(brute_force, sweep_and_prune);
+    contacts += brute_force.events.island_count;
+  }
+  EXPECT_EQ(allocations, 0U);
+  EXPECT_GT(contacts, 1000U) << "the scenes are too sparse to prove anything";
+}
+
+TEST(AllocationGuard, seesAnAllocation) {
+  const test::AllocationGuard guard;
+  std::vector<int> allocated(10);
+  EXPECT_EQ(allocated.size(), 10U);
+  EXPECT_GT(guard.count(), 0U);
+}
+
+/// What a cycle must find, the slow way: every pair measured.
+double leastDistance(const CycleSetup& setup, const LinkPoses& poses, std::size_t link_pair) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    const Body& a = setup.bodies[index(setup.table.pairs()[i].a)];
+    const Body& b = setup.bodies[index(setup.table.pairs()[i].b)];
+    if (setup.link_pair_of[i] == link_pair) {
+      const auto measured =
+          distanceBetween(a.shape, poses.world_from_link[index(a.link)] * a.link_from_body, b.shape,
+                          poses.world_from_link[index(b.link)] * b.link_from_body);
+      least = std::min(least, measured.distance);
+    }
+  }
+  return least;
+}
+
+TEST(RunCycleProperty, verdictsAndClosestAreThoseOfMeasuringEveryPair) {
+  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  const CycleSetup setup = test::randomSetup(10, kSeed);
+  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::sweep_and_prune);
+  for (unsigned round = 0; round < 500; ++round) {
+    const double reach = round % 2 == 0 ? 0.6 : 6.0;  // crowded, then all out of reach
+    const LinkPoses poses = test::randomLinkPoses(setup, reach, kSeed + round);
+    resetMemory(buffers);
+    runCycle(setup, poses, buffers);
+    double least_of_all = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+      const double least = leastDistance(setup, poses, i);
+      least_of_all = std::min(least_of_all, least);
+      const Verdict expected = least <= setup.limits.contact_distance   ? Verdict::contact
+                               : least <= setup.limits.warning_distance ? Verdict::warning
+                                                                        : Verdict::clear;
+      ASSERT_EQ(buffers.events.verdicts[i], expected) << "distance " << least;
+    }
+    ASSERT_NE(buffers.events.closest_of_all, kNone);
+    EXPECT_EQ(buffers.distances.measured[buffers.events.closest_of_all].measured.distance,
+              least_of_all);
+  }
+}
+
+}  // namespace
+}  // namespace collision_monitor

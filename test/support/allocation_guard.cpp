@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/allocation_guard.h"
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+thread_local bool is_counting = false;
+thread_local std::size_t allocations = 0;
+
+void* allocate(std::size_t size) {
+  if (is_counting) {
+    ++allocations;
+  }
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+
+void* allocateAligned(std::size_t size, std::align_val_t alignment) {
+  if (is_counting) {
+    ++allocations;
+  }
+  const auto bytes = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(bytes, (size + bytes - 1) / bytes * bytes)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return allocate(size); }
+void* operator new[](std::size_t size) { return allocate(size); }
+void* operator new(std::size_t size, std::align_val_t a) { return allocateAligned(size, a); }
+void* operator new[](std::size_t size, std::align_val_t a) { return allocateAligned(size, a); }
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace collision_monitor::test {
+
+AllocationGuard::AllocationGuard() {
+  allocations = 0;
+  is_counting = true;
+}
+
+AllocationGuard::~AllocationGuard() { is_counting = false; }
+
+std::size_t AllocationGuard::count() const { return allocations; }
+
+}  // namespace collision_monitor::test
