@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "narrow_phase/closest_points.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "narrow_phase/core_distance.h"
+
+namespace collision_monitor {
+namespace {
+
+double clampTo(double half_length, double parameter) noexcept {
+  return std::max(-half_length, std::min(half_length, parameter));
+}
+
+// Middle of the stretch of `a` that lies beside `b`, both parallel; its end nearest to `b` if
+// there is no such stretch. `b_on_a` is the parameter of b's centre on a.
+double middleOfOverlap(double half_a, double half_b, double b_on_a) noexcept {
+  const double low = std::max(-half_a, b_on_a - half_b);
+  const double high = std::min(half_a, b_on_a + half_b);
+  return clampTo(half_a, 0.5 * (low + high));
+}
+
+}  // namespace
+
+double closestParameter(const Segment& segment, const Eigen::Vector3d& point) noexcept {
+  return clampTo(segment.half_length, segment.direction.dot(point - segment.center));
+}
+
+ClosestParameters closestParameters(const Segment& a, const Segment& b) noexcept {
+  const Eigen::Vector3d between = b.center - a.center;
+  const Eigen::Vector3d normal = a.direction.cross(b.direction);
+  const double sine_squared = normal.squaredNorm();
+  const double cosine = a.direction.dot(b.direction);
+  const double b_on_a = a.direction.dot(between);
+  const double a_on_b = -b.direction.dot(between);
+
+  ClosestParameters closest;
+  closest.on_a = sine_squared > kParallel * kParallel
+                     ? clampTo(a.half_length, between.cross(b.direction).dot(normal) / sine_squared)
+                     : middleOfOverlap(a.half_length, b.half_length, b_on_a);
+  // Each parameter is now the best for the other; the second pass matters when b was clamped.
+  closest.on_b = clampTo(b.half_length, a_on_b + closest.on_a * cosine);
+  closest.on_a = clampTo(a.half_length, b_on_a + closest.on_b * cosine);
+  return closest;
+}
+
+}  // namespace collision_monitor

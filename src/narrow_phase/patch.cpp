@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "narrow_phase/patch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace collision_monitor {
+namespace {
+
+// A parallelogram cut by four lines has at most eight corners; two spare ones take the extra
+// corners that rounding makes when a cut runs along an edge.
+struct Polygon {
+  std::array<Eigen::Vector2d, 10> corners;
+  std::size_t size{0};
+
+  void add(const Eigen::Vector2d& corner) noexcept {
+    if (size < corners.size()) {
+      corners[size++] = corner;
+    }
+  }
+};
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) noexcept {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+// Keeps side * x[axis] <= limit.
+Polygon cut(const Polygon& polygon, Eigen::Index axis, double side, double limit) noexcept {
+  Polygon kept;
+  for (std::size_t i = 0; i < polygon.size; ++i) {
+    const Eigen::Vector2d& from = polygon.corners[i];
+    const Eigen::Vector2d& to = polygon.corners[(i + 1) % polygon.size];
+    const double from_beyond = side * from[axis] - limit;
+    const double to_beyond = side * to[axis] - limit;
+    if (from_beyond <= 0.0) {
+      kept.add(from);
+    }
+    if ((from_beyond <= 0.0) != (to_beyond <= 0.0)) {
+      kept.add(from + from_beyond / (from_beyond - to_beyond) * (to - from));
+    }
+  }
+  return kept;
+}
+
+// Triangles of a fan about the first corner, each weighed by its area. The weights are kept from
+// going negative, so that the result lies in the polygon even when it is thinner than rounding.
+Eigen::Vector2d centroid(const Polygon& polygon) noexcept {
+  const Eigen::Vector2d& apex = polygon.corners[0];
+  Eigen::Vector2d weighed = Eigen::Vector2d::Zero();
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  double area = 0.0;
+  for (std::size_t i = 1; i < polygon.size; ++i) {
+    const Eigen::Vector2d to = polygon.corners[i] - apex;
+    mean += to / static_cast<double>(polygon.size);
+    if (i + 1 < polygon.size) {
+      const Eigen::Vector2d next = polygon.corners[i + 1] - apex;
+      const double weight = std::max(cross(to, next), 0.0);
+      weighed += weight / 3.0 * (to + next);
+      area += weight;
+    }
+  }
+  return area > 0.0 ? Eigen::Vector2d(apex + weighed / area) : Eigen::Vector2d(apex + mean);
+}
+
+bool clippedSegmentCenter(const FlatFeature& feature, const Eigen::Vector2d& limits,
+                          Eigen::Vector2d& center) noexcept {
+  double low = -1.0;
+  double high = 1.0;
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    const double slope = feature.sides[0][axis];
+    const double start = feature.center[axis];
+    if (std::abs(start) + std::abs(slope) <= limits[axis]) {
+      continue;
+    }
+    if (slope == 0.0) {
+      return false;
+    }
+    const double middle = -start / slope;
+    const double reach = limits[axis] / std::abs(slope);
+    low = std::max(low, middle - reach);
+    high = std::min(high, middle + reach);
+  }
+  if (low > high) {
+    return false;
+  }
+  center = feature.center + 0.5 * (low + high) * feature.sides[0];
+  return true;
+}
+
+}  // namespace
+
+bool patchCenter(const FlatFeature& feature, const Eigen::Vector2d& half_extents, double tolerance,
+                 Eigen::Vector2d& center) noexcept {
+  const Eigen::Vector2d limits = half_extents + Eigen::Vector2d::Constant(tolerance);
+  if (feature.side_count == 0) {
+    if ((feature.center.cwiseAbs().array() > limits.array()).any()) {
+      return false;
+    }
+    center = feature.center;
+    return true;
+  }
+  if (feature.side_count == 1) {
+    return clippedSegmentCenter(feature, limits, center);
+  }
+  const Eigen::Vector2d& u = feature.sides[0];
+  const Eigen::Vector2d v =
+      cross(u, feature.sides[1]) < 0.0 ? Eigen::Vector2d(-feature.sides[1]) : feature.sides[1];
+  Polygon polygon;  // counter-clockwise
+  polygon.add(feature.center - u - v);
+  polygon.add(feature.center + u - v);
+  polygon.add(feature.center + u + v);
+  polygon.add(feature.center - u + v);
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    polygon = cut(polygon, axis, 1.0, limits[axis]);
+    polygon = cut(polygon, axis, -1.0, limits[axis]);
+  }
+  if (polygon.size == 0) {
+    return false;
+  }
+  center = centroid(polygon);
+  return true;
+}
+
+}  // namespace collision_monitor
