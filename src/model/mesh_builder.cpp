@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/mesh_builder.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace collision_monitor {
+namespace {
+
+/// A triangle whose height is below this part of its longest edge is a line to
+/// the numbers it was written in (float, 6e-8) and its normal is noise.
+constexpr double kFlatness = 1e-12;
+
+bool hasArea(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  const double longest_squared =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return (b - a).cross(c - a).norm() > kFlatness * longest_squared;
+}
+
+}  // namespace
+
+std::size_t MeshBuilder::Hash::operator()(const std::array<double, 3>& position) const noexcept {
+  std::size_t seed = 0;
+  for (const double coordinate : position) {
+    seed = seed * 0x9E3779B97F4A7C15ull + std::hash<double>()(coordinate);
+  }
+  return seed ^ (seed >> 29);
+}
+
+std::uint32_t MeshBuilder::addVertex(const Eigen::Vector3d& vertex) {
+  if (!vertex.allFinite()) {
+    throw std::runtime_error("vertex " + std::to_string(mesh_.vertices.size()) +
+                             " of the mesh is not finite");
+  }
+  if (mesh_.vertices.size() >= std::numeric_limits<std::uint32_t>::max()) {
+    throw std::runtime_error("more vertices than a mesh can index");
+  }
+  // Adding 0 turns -0 into 0: they compare equal, and so their hashes must be.
+  const std::array<double, 3> key{vertex.x() + 0.0, vertex.y() + 0.0, vertex.z() + 0.0};
+  const auto [found, is_new] =
+      index_of_.emplace(key, static_cast<std::uint32_t>(mesh_.vertices.size()));
+  if (is_new) {
+    mesh_.vertices.emplace_back(key[0], key[1], key[2]);
+  }
+  return found->second;
+}
+
+void MeshBuilder::addTriangle(const std::array<std::uint32_t, 3>& corners) {
+  const auto& vertices = mesh_.vertices;
+  if (hasArea(vertices[corners[0]], vertices[corners[1]], vertices[corners[2]])) {
+    mesh_.triangles.push_back(corners);
+  }
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+
+#include "collision_monitor/geometry/triangle_mesh.h"
+
+namespace collision_monitor {
+
+/// Puts a mesh together vertex by vertex; equal vertices become one.
+class MeshBuilder {
+ public:
+  /// @throws std::runtime_error if the vertex is not finite.
+  std::uint32_t addVertex(const Eigen::Vector3d& vertex);
+
+  /// Leaves out triangles without area, whose plane nobody can tell. Their
+  /// corners were added all the same, so that the mesh still encloses them.
+  void addTriangle(const std::array<std::uint32_t, 3>& corners);
+
+  const TriangleMesh& mesh() const { return mesh_; }
+
+ private:
+  struct Hash {
+    std::size_t operator()(const std::array<double, 3>& position) const noexcept;
+  };
+
+  TriangleMesh mesh_;
+  std::unordered_map<std::array<double, 3>, std::uint32_t, Hash> index_of_;
+};
+
+}  // namespace collision_monitor

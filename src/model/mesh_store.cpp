@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/mesh_store.h"
+
+#include <exception>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "collision_monitor/model/mesh_reader.h"
+
+namespace collision_monitor {
+namespace {
+
+bool isRelative(const std::string& name) {
+  return name.find("://") == std::string::npos && name.front() != '/';
+}
+
+}  // namespace
+
+MeshStore::MeshStore(const ResourceLoader& load_resource) : load_resource_(load_resource) {}
+
+const TriangleMesh& MeshStore::find(const std::string& name, const std::string& directory) {
+  std::vector<std::string> uris;
+  if (!isRelative(name)) {
+    uris.push_back(name);
+  } else if (directory.empty()) {
+    throw std::runtime_error("a relative mesh name needs a description read from a file");
+  } else {
+    for (const std::string& folder : foldersOf(directory)) {
+      uris.push_back((std::filesystem::path(folder) / name).lexically_normal().string());
+    }
+  }
+  for (const std::string& uri : uris) {
+    const Entry& entry = entryOf(uri);
+    if (entry.fault.empty()) {
+      return entry.mesh;
+    }
+  }
+  throw std::runtime_error(entryOf(uris.front()).fault);
+}
+
+const MeshStore::Entry& MeshStore::entryOf(const std::string& uri) {
+  const auto [found, is_new] = entries_.try_emplace(uri);
+  Entry& entry = found->second;
+  if (is_new) {
+    try {
+      entry.mesh = readMesh(load_resource_(uri), uri);
+    } catch (const std::exception& error) {
+      entry.fault = error.what();
+    }
+  }
+  return entry;
+}
+
+std::vector<std::string> MeshStore::foldersOf(const std::string& directory) {
+  const auto [found, is_new] = folders_.try_emplace(directory);
+  if (is_new) {
+    std::vector<std::string> folders;
+    for (std::filesystem::path folder = std::filesystem::path(directory).lexically_normal();;
+         folder = folder.parent_path()) {
+      folders.push_back(folder.string());
+      if (hasPackageXml(folders.back())) {
+        break;
+      }
+      if (!folder.has_relative_path()) {
+        // No package around the file: the folders above it are none of its business.
+        folders.resize(1);
+        break;
+      }
+    }
+    found->second = std::move(folders);
+  }
+  return found->second;
+}
+
+bool MeshStore::hasPackageXml(const std::string& folder) {
+  try {
+    load_resource_((std::filesystem::path(folder) / "package.xml").string());
+    return true;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+TriangleMesh scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale) {
+  TriangleMesh result = mesh;
+  for (Eigen::Vector3d& vertex : result.vertices) {
+    vertex = vertex.cwiseProduct(scale);
+  }
+  if (scale.prod() < 0.0) {
+    for (auto& triangle : result.triangles) {
+      std::swap(triangle[1], triangle[2]);
+    }
+  }
+  return result;
+}
+
+}  // namespace collision_monitor

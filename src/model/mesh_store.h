@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "collision_monitor/geometry/triangle_mesh.h"
+#include "collision_monitor/model/urdf_reader.h"
+
+namespace collision_monitor {
+
+/// The meshes of a set of robots: finds the file behind a name, and reads each
+/// file once however many links use it.
+class MeshStore {
+ public:
+  explicit MeshStore(const ResourceLoader& load_resource);
+
+  /// The mesh that `name` means in a URDF of `directory`.
+  ///
+  /// A name with a scheme (package://, file://) and an absolute path go to the
+  /// loader as they are. A relative name is looked for in `directory`, then in
+  /// the folders above it up to the package root, the nearest that has a
+  /// package.xml: both customs are found in published robots.
+  /// @throws std::runtime_error with a sentence when there is none, or it cannot be read.
+  const TriangleMesh& find(const std::string& name, const std::string& directory);
+
+ private:
+  struct Entry {
+    TriangleMesh mesh;
+    std::string fault;  ///< why there is no mesh, empty if there is one
+  };
+
+  const Entry& entryOf(const std::string& uri);
+  std::vector<std::string> foldersOf(const std::string& directory);
+  bool hasPackageXml(const std::string& folder);
+
+  const ResourceLoader& load_resource_;
+  std::map<std::string, Entry> entries_;                     ///< by URI
+  std::map<std::string, std::vector<std::string>> folders_;  ///< by directory
+};
+
+/// Every vertex times `scale`, axis by axis. A mirroring scale turns triangles
+/// inside out, so their winding is turned back.
+TriangleMesh scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale);
+
+}  // namespace collision_monitor

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace collision_monitor {
+
+/// Reads exactly numbers.size() finite numbers separated by white space, the
+/// same in every locale: decimal point, optional sign and exponent.
+///
+/// @return what is wrong, as the end of a sentence ("'abc' is not a number",
+/// "2 numbers"); nothing if all is well. `numbers` is written only then.
+std::optional<std::string> parseNumbers(std::string_view text, Eigen::Ref<Eigen::VectorXd> numbers);
+
+}  // namespace collision_monitor

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/model/pair_rules.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace collision_monitor {
+namespace {
+
+using LinkIds = std::pair<LinkId, LinkId>;
+
+LinkIds ordered(LinkId a, LinkId b) { return a < b ? LinkIds(a, b) : LinkIds(b, a); }
+
+std::optional<LinkId> parentOf(const RobotModel& model, LinkId link) {
+  const auto& joint = model.link(link).parent_joint;
+  return joint ? std::optional<LinkId>(model.joint(*joint).parent) : std::nullopt;
+}
+
+bool hasGeometry(const RobotModel& model, LinkId link) {
+  return !model.link(link).collisions.empty();
+}
+
+/// For every link the first link of the rigid group it belongs to. Parents stand before children.
+std::vector<LinkId> findRigidGroups(const RobotModel& model) {
+  std::vector<LinkId> group_of(model.links.size());
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const auto& joint = model.links[i].parent_joint;
+    const bool is_fixed = joint && model.joint(*joint).type == JointType::fixed;
+    group_of[i] = is_fixed ? group_of[index(model.joint(*joint).parent)] : idAt<LinkId>(i);
+  }
+  return group_of;
+}
+
+std::set<LinkIds> findAdjacent(const RobotModel& model) {
+  std::set<LinkIds> adjacent;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const LinkId link = idAt<LinkId>(i);
+    std::optional<LinkId> ancestor = parentOf(model, link);
+    while (ancestor && !hasGeometry(model, *ancestor)) {
+      ancestor = parentOf(model, *ancestor);
+    }
+    if (ancestor) {
+      adjacent.insert(ordered(*ancestor, link));
+    }
+  }
+  return adjacent;
+}
+
+/// All rules, ready to be asked about one pair.
+struct Rules {
+  std::vector<LinkId> group_of;
+  std::set<LinkIds> adjacent;
+  std::set<LinkIds> enabled;
+  std::set<LinkIds> disabled;
+  std::vector<bool> is_disabled_by_default;  ///< by link
+};
+
+Rules gatherRules(const RobotModel& model, const std::vector<SrdfPairs>& srdfs) {
+  Rules rules;
+  rules.group_of = findRigidGroups(model);
+  rules.adjacent = findAdjacent(model);
+  rules.is_disabled_by_default.assign(model.links.size(), false);
+  for (const SrdfPairs& srdf : srdfs) {
+    for (const SrdfPairs::Entry& entry : srdf.enabled) {
+      rules.enabled.insert(ordered(entry.a, entry.b));
+    }
+    for (const SrdfPairs::Entry& entry : srdf.disabled) {
+      rules.disabled.insert(ordered(entry.a, entry.b));
+    }
+    for (const LinkId link : srdf.disabled_by_default) {
+      rules.is_disabled_by_default[index(link)] = true;
+    }
+  }
+  return rules;
+}
+
+PairReason decide(const RobotModel& model, const Rules& rules, LinkId a, LinkId b) {
+  if (model.link(a).robot != model.link(b).robot) {
+    return PairReason::checked;
+  }
+  if (rules.group_of[index(a)] == rules.group_of[index(b)]) {
+    return PairReason::same_rigid_group;
+  }
+  const LinkIds pair(a, b);
+  if (rules.enabled.count(pair) != 0) {
+    return PairReason::enabled_by_srdf;
+  }
+  if (rules.disabled.count(pair) != 0 || rules.is_disabled_by_default[index(a)] ||
+      rules.is_disabled_by_default[index(b)]) {
+    return PairReason::disabled_by_srdf;
+  }
+  return rules.adjacent.count(pair) != 0 ? PairReason::adjacent : PairReason::checked;
+}
+
+}  // namespace
+
+const char* reasonText(PairReason reason) noexcept {
+  switch (reason) {
+    case PairReason::checked:
+      return "checked: no rule says otherwise";
+    case PairReason::enabled_by_srdf:
+      return "checked: an enable_collisions line of the SRDF";
+    case PairReason::same_rigid_group:
+      return "ignored: only fixed joints between the links";
+    case PairReason::adjacent:
+      return "ignored: the links meet at a joint";
+    case PairReason::disabled_by_srdf:
+      return "ignored: a line of the SRDF";
+    case PairReason::default_overlap:
+      return "ignored: the links overlap in the default pose and there is no SRDF";
+  }
+  return "unknown reason";
+}
+
+bool isChecked(PairReason reason) noexcept {
+  return reason == PairReason::checked || reason == PairReason::enabled_by_srdf;
+}
+
+std::vector<LinkPair> decideLinkPairs(const RobotModel& model,
+                                      const std::vector<SrdfPairs>& srdfs) {
+  const Rules rules = gatherRules(model, srdfs);
+  std::vector<LinkId> with_geometry;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    if (hasGeometry(model, idAt<LinkId>(i))) {
+      with_geometry.push_back(idAt<LinkId>(i));
+    }
+  }
+  std::vector<LinkPair> pairs;
+  for (std::size_t i = 0; i < with_geometry.size(); ++i) {
+    for (std::size_t j = i + 1; j < with_geometry.size(); ++j) {
+      const LinkId a = with_geometry[i];
+      const LinkId b = with_geometry[j];
+      pairs.push_back({a, b, decide(model, rules, a, b)});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "collision_monitor/model/problems.h"
+
+namespace collision_monitor {
+
+/// Harmless oddities of a description. Each kind becomes one warning a robot,
+/// however many elements show it.
+enum class Oddity : unsigned char {
+  link_without_geometry,
+  zero_size,
+  mimic_on_fixed_joint,
+  mimic_of_immovable_joint,
+  no_limit,
+  limit_without_range,
+  no_speed_limit,
+};
+
+using Oddities = std::map<Oddity, std::vector<std::string>>;
+
+/// One warning for each kind noted, naming all elements that show it.
+void reportOddities(const std::string& source, const Oddities& oddities, SetupReport& report);
+
+/// Where a reader is in a document, in the words of messages:
+/// "robot.urdf line 42, link 'arm', collision 2".
+class Place {
+ public:
+  Place(std::string source, SetupReport& report, Oddities& oddities);
+
+  /// The place of a part of this element.
+  Place within(const std::string& element) const;
+
+  /// @param line of the document, 0 if there is none to name
+  void addError(int line, const std::string& found, const std::string& accepted) const;
+  void addWarning(int line, const std::string& found, const std::string& accepted) const;
+  /// This element shows the oddity.
+  void note(Oddity oddity) const;
+
+ private:
+  Problem problemAt(int line, const std::string& found, const std::string& accepted) const;
+
+  std::string source_;
+  std::string element_;
+  SetupReport* report_;
+  Oddities* oddities_;
+};
+
+/// Text between single quotes, cut when it is too long for a message.
+std::string quoted(const std::string& text);
+
+/// "a, b and c"
+std::string joined(const std::vector<std::string>& items);
+
+}  // namespace collision_monitor

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/model/problems.h"
+
+#include <utility>
+
+namespace collision_monitor {
+namespace {
+
+std::string listOf(const std::vector<Problem>& problems) {
+  std::string text =
+      std::to_string(problems.size()) +
+      (problems.size() == 1 ? " problem in the set-up:" : " problems in the set-up:");
+  for (const Problem& problem : problems) {
+    text += "\n  " + toString(problem);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string toString(const Problem& problem) {
+  std::string text = problem.where;
+  if (!problem.found.empty()) {
+    text += (text.empty() ? "" : ": ") + problem.found;
+  }
+  if (!problem.accepted.empty()) {
+    text += (text.empty() ? "accepted: " : "; accepted: ") + problem.accepted;
+  }
+  return text;
+}
+
+SetupError::SetupError(std::vector<Problem> problems)
+    : std::runtime_error(listOf(problems)), problems_(std::move(problems)) {}
+
+void throwIfErrors(const SetupReport& report) {
+  if (!report.errors.empty()) {
+    throw SetupError(report.errors);
+  }
+}
+
+}  // namespace collision_monitor

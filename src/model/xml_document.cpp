@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/xml_document.h"
+
+#include <cstring>
+#include <string_view>
+
+namespace collision_monitor {
+namespace {
+
+using tinyxml2::XMLAttribute;
+using tinyxml2::XMLDocument;
+using tinyxml2::XMLElement;
+
+/// "junk at the end", without the position and the names of the parser's own code.
+std::string reasonOf(const XMLDocument& document) {
+  switch (document.ErrorID()) {
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "closing tag that does not match";
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "no element at all";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "malformed attribute";
+    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
+      return "malformed element";
+    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+      return "elements nested too deeply";
+    case tinyxml2::XML_ERROR_PARSING_COMMENT:
+      return "comment without end";
+    default:
+      return "malformed or unfinished XML";
+  }
+}
+
+bool isXacro(const XMLElement& element) {
+  if (std::strncmp(element.Name(), "xacro:", 6) == 0) {
+    return true;
+  }
+  for (const XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
+    const std::string_view value = a->Value();
+    if (value.find("${") != std::string_view::npos || value.find("$(") != std::string_view::npos) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Extensions for simulators and controllers have a syntax of their own.
+bool isExtension(const XMLElement& element) {
+  const std::string_view name = element.Name();
+  return name == "gazebo" || name == "transmission" || name == "ros2_control";
+}
+
+/// The first element below `root` that xacro should have replaced. The parser
+/// bounds the depth of the document, and with it this recursion.
+const XMLElement* findXacro(const XMLElement& root) {
+  if (isXacro(root)) {
+    return &root;
+  }
+  for (const XMLElement* e = root.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+    if (!isExtension(*e)) {
+      if (const XMLElement* found = findXacro(*e)) {
+        return found;
+      }
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const XMLElement* parseRobotXml(const std::string& text, const std::string& kind,
+                                const Place& place, XMLDocument& document) {
+  const std::string accepted = "the XML of one " + kind + " with the root element <robot>";
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    place.addError(0, "empty " + kind, accepted);
+    return nullptr;
+  }
+  if (text.find('\0') != std::string::npos) {
+    place.addError(0, kind + " with a zero byte", accepted);
+    return nullptr;
+  }
+  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+    place.addError(document.ErrorLineNum(), "XML that cannot be parsed: " + reasonOf(document),
+                   accepted);
+    return nullptr;
+  }
+  const XMLElement* root = document.RootElement();
+  if (root == nullptr || std::strcmp(root->Name(), "robot") != 0) {
+    place.addError(
+        root == nullptr ? 0 : root->GetLineNum(),
+        root == nullptr ? "no element at all" : "root element <" + std::string(root->Name()) + ">",
+        accepted);
+    return nullptr;
+  }
+  if (const XMLElement* second = root->NextSiblingElement()) {
+    place.addError(second->GetLineNum(),
+                   "a second root element <" + std::string(second->Name()) + ">", accepted);
+    return nullptr;
+  }
+  if (const XMLElement* xacro = findXacro(*root)) {
+    place.addError(
+        xacro->GetLineNum(), "xacro that was not expanded, in <" + std::string(xacro->Name()) + ">",
+        "plain " + kind + ": expand it first, for example with 'rosrun xacro xacro FILE'");
+    return nullptr;
+  }
+  return root;
+}
+
+std::optional<std::string> readText(const XMLElement& element, const char* attribute,
+                                    const Place& place) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  const char* value = element.Attribute(attribute);
+  const std::string_view text = value == nullptr ? "" : value;
+  const std::size_t begin = text.find_first_not_of(kSpace);
+  if (begin == std::string_view::npos) {
+    place.addError(element.GetLineNum(),
+                   "<" + std::string(element.Name()) + "> without " + attribute,
+                   std::string(attribute) + "=\"...\" that is not blank");
+    return std::nullopt;
+  }
+  return std::string(text.substr(begin, text.find_last_not_of(kSpace) + 1 - begin));
+}
+
+std::optional<std::string> readName(const XMLElement& element, const char* attribute,
+                                    const Place& place) {
+  const std::optional<std::string> text = readText(element, attribute, place);
+  if (!text) {
+    return std::nullopt;
+  }
+  const std::size_t begin = text->find_first_not_of('/');
+  if (begin == std::string::npos) {
+    place.addError(element.GetLineNum(), std::string(attribute) + " " + quoted(*text),
+                   "a name, not slashes alone");
+    return std::nullopt;
+  }
+  return text->substr(begin);
+}
+
+}  // namespace collision_monitor
