@@ -20,7 +20,7 @@ bool isRelative(const std::string& name) {
 
 MeshStore::MeshStore(const ResourceLoader& load_resource) : load_resource_(load_resource) {}
 
-const TriangleMesh& MeshStore::find(const std::string& name, const std::string& directory) {
+const StoredMesh& MeshStore::find(const std::string& name, const std::string& directory) {
   std::vector<std::string> uris;
   if (!isRelative(name)) {
     uris.push_back(name);
@@ -32,25 +32,27 @@ const TriangleMesh& MeshStore::find(const std::string& name, const std::string& 
     }
   }
   for (const std::string& uri : uris) {
-    const Entry& entry = entryOf(uri);
-    if (entry.fault.empty()) {
-      return entry.mesh;
+    const StoredMesh& stored = load(uri);
+    if (stored.fault.empty()) {
+      return stored;
     }
   }
-  throw std::runtime_error(entryOf(uris.front()).fault);
+  throw std::runtime_error(load(uris.front()).fault);
 }
 
-const MeshStore::Entry& MeshStore::entryOf(const std::string& uri) {
-  const auto [found, is_new] = entries_.try_emplace(uri);
-  Entry& entry = found->second;
+const StoredMesh& MeshStore::load(const std::string& uri) {
+  const auto [found, is_new] = meshes_.try_emplace(uri);
+  StoredMesh& stored = found->second;
   if (is_new) {
     try {
-      entry.mesh = readMesh(load_resource_(uri), uri);
+      const std::string bytes = load_resource_(uri);
+      stored.mesh = readMesh(bytes, uri);
+      stored.says_y_up = bytes.find("<up_axis>Y_UP") != std::string::npos;
     } catch (const std::exception& error) {
-      entry.fault = error.what();
+      stored.fault = error.what();
     }
   }
-  return entry;
+  return stored;
 }
 
 std::vector<std::string> MeshStore::foldersOf(const std::string& directory) {

@@ -12,6 +12,12 @@
 
 namespace collision_monitor {
 
+struct StoredMesh {
+  TriangleMesh mesh;
+  bool says_y_up{false};  ///< a DAE that declares Y_UP, which is not acted upon
+  std::string fault;      ///< why there is no mesh, empty if there is one
+};
+
 /// The meshes of a set of robots: finds the file behind a name, and reads each
 /// file once however many links use it.
 class MeshStore {
@@ -25,20 +31,15 @@ class MeshStore {
   /// the folders above it up to the package root, the nearest that has a
   /// package.xml: both customs are found in published robots.
   /// @throws std::runtime_error with a sentence when there is none, or it cannot be read.
-  const TriangleMesh& find(const std::string& name, const std::string& directory);
+  const StoredMesh& find(const std::string& name, const std::string& directory);
 
  private:
-  struct Entry {
-    TriangleMesh mesh;
-    std::string fault;  ///< why there is no mesh, empty if there is one
-  };
-
-  const Entry& entryOf(const std::string& uri);
+  const StoredMesh& load(const std::string& uri);
   std::vector<std::string> foldersOf(const std::string& directory);
   bool hasPackageXml(const std::string& folder);
 
   const ResourceLoader& load_resource_;
-  std::map<std::string, Entry> entries_;                     ///< by URI
+  std::map<std::string, StoredMesh> meshes_;                 ///< by URI
   std::map<std::string, std::vector<std::string>> folders_;  ///< by directory
 };
 

@@ -102,11 +102,14 @@ std::optional<Geometry> readMeshElement(const XMLElement& element, const MeshSou
   }
   try {
     // Read even if the scale is at fault: a missing file is then reported too.
-    const TriangleMesh& mesh = meshes.store.find(*name, meshes.directory);
+    const StoredMesh& stored = meshes.store.find(*name, meshes.directory);
     if (!scale) {
       return std::nullopt;
     }
-    TriangleMesh result = scaled(mesh, *scale);
+    if (stored.says_y_up) {
+      place.note(Oddity::y_up_mesh);
+    }
+    TriangleMesh result = scaled(stored.mesh, *scale);
     for (const Eigen::Vector3d& vertex : result.vertices) {
       if (!vertex.allFinite()) {
         throw std::runtime_error("vertices are not finite once they are scaled");

@@ -28,11 +28,22 @@ struct LinkPair {
   PairReason reason{PairReason::checked};
 };
 
-/// Every pair of links that have geometry, each with its reason, sorted by (a, b). Topology decides
-/// first (rigid group), then the SRDF where a robot has one, then adjacency. Links of different
-/// robots are checked.
+/// Every pair of links that have geometry, each with its reason, sorted by (a, b).
+/// The first of these rules that says something decides:
 ///
-/// A robot's SRDF is complete by custom: adjacency still applies, for a joint's two links touch.
+/// 1. Links of different robots are checked.
+/// 2. Only fixed joints between them: ignored, for nothing can bring them nearer.
+/// 3. An `enable_collisions` line: checked. It wins over a `disable_collisions` line
+///    for the same pair, because a pair too many costs less than a pair missed.
+/// 4. A `disable_collisions` line, or `disable_default_collisions` of either link: ignored.
+/// 5. Adjacent links: ignored, for the links of a joint touch by design. Adjacent is a link and
+///    its nearest ancestor with geometry. Links without geometry between them are passed
+///    through: they have no extent, and serve to build one mechanical joint of
+///    several axes out of URDF's joints of one axis, at which the two neighbours meet.
+///    An SRDF does not switch this off: by custom it lists adjacent pairs, but not always all.
+/// 6. All others are checked.
+///
+/// @pre ids in `srdfs` are of `model`.
 std::vector<LinkPair> decideLinkPairs(const RobotModel& model, const std::vector<SrdfPairs>& srdfs);
 
 }  // namespace collision_monitor

@@ -68,7 +68,7 @@ struct Robot {
   std::size_t first_joint{0}, joint_count{0};
 };
 
-/// Every robot that is watched, as one forest of links. Links of a robot are
+/// Every robot that is watched, as one forest of links. Links and joints of a robot are
 /// contiguous and every parent stands before its children, so that one pass
 /// computes all poses. Built by readRobots and not changed after.
 struct RobotModel {

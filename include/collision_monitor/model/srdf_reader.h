@@ -23,8 +23,15 @@ struct SrdfPairs {
   std::vector<LinkId> disabled_by_default;  ///< `<disable_default_collisions>`
 };
 
-/// Reads the SRDF of one robot of the model. Unknown links are warnings; XML that
-/// cannot be read, an SRDF of another robot's links only, is an error.
+/// Reads the SRDF of one robot of the model, `description.srdf_xml`. Names in it are those
+/// of the URDF; the robot's prefix is put before them.
+///
+/// Warnings: links that are unknown, listed together, whose lines are ignored (SRDFs are shared
+/// by variants of a robot); pairs that are both enabled and disabled; a link with itself.
+/// Errors: XML that cannot be parsed, a line without its links, and an SRDF none of whose
+/// links is known, for that one belongs to another robot.
+/// Limits: after an error the result holds what could be read. If `model` does not have the
+/// robot, because its URDF could not be read, only the XML is checked.
 SrdfPairs readSrdf(const RobotDescription& description, RobotId robot, const RobotModel& model,
                    SetupReport& report);
 

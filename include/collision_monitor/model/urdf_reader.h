@@ -16,7 +16,8 @@ struct RobotDescription {
   std::string source;  ///< what messages call it: a file name or "parameter /robot_description"
   std::string urdf_xml;
   std::string srdf_xml;   ///< empty if there is none
-  std::string tf_prefix;  ///< "" or "left": tf frames and link names become "left/NAME"
+  std::string tf_prefix;  ///< "" or "left": tf frames and link names become "left/NAME";
+                          ///< slashes around it do not count, and no name gets it twice
   std::string directory;  ///< for relative mesh names: the URDF's folder, "" if unknown
 };
 
@@ -25,13 +26,22 @@ struct RobotDescription {
 using ResourceLoader = std::function<std::string(const std::string& uri)>;
 
 /// Reads all robots into one model: every `<collision>` of every link (box,
-/// sphere, cylinder, capsule, mesh with scale), all joint types, mimic. A link
-/// whose geometry is a cylinder with two spheres of its radius on its ends gets
-/// one capsule instead.
+/// sphere, cylinder, capsule, mesh with scale), all joint types, mimic.
 ///
-/// Adds every fault found, in all robots, to `report`; links without geometry
-/// and oddities that do no harm are warnings, one per kind and robot. The model is usable only if
-/// no error was added.
+/// Shapes: a `<capsule radius length>` is read as Bullet does, `length` being the
+/// distance between the centres of its caps; it is not part of the URDF specification.
+/// A cylinder with spheres of its radius on both ends, all in one link, becomes one
+/// capsule. Meshes are scaled, also by negative and non-uniform scales.
+/// Frames: `rpy` turns about fixed axes, R = Rz(yaw) Ry(pitch) Rx(roll).
+/// Names: leading slashes are dropped. A link written "/base" keeps the tf frame "base" without
+/// prefix, as robot_state_publisher publishes it; its name in messages has the prefix.
+/// Joints: axes are normalised; a missing one is x, as URDF has it. Missing limits are no
+/// limits. A mimic joint follows the joint at the end of its chain.
+/// Ignored: elements and attributes that are none of URDF's geometry and kinematics.
+///
+/// Adds every fault found, in all robots, to `report`, each with its line; links without geometry
+/// and oddities that do no harm are warnings, one per kind and robot.
+/// @return an empty model if an error was added: half a model would be checked without a word.
 RobotModel readRobots(const std::vector<RobotDescription>& descriptions,
                       const ResourceLoader& load_resource, SetupReport& report);
 
