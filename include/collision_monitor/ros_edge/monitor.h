@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <memory>
+#include <string>
+
+namespace collision_monitor {
+
+/// The whole monitor: reads its parameters and the robots, follows tf on one thread, runs
+/// cycles on another, answers services on the callback queue of the node handle.
+/// Topics, services and parameters: README.md and config/monitor.yaml.
+class Monitor {
+ public:
+  /// Returns when the set-up is built and the cycle runs; may wait for robot descriptions.
+  /// `node_name` is what diagnostics call it.
+  /// @throws SetupError with every problem of parameters, URDFs and SRDFs.
+  Monitor(const ros::NodeHandle& private_node, const std::string& node_name);
+  ~Monitor();
+  Monitor(const Monitor&) = delete;
+  Monitor& operator=(const Monitor&) = delete;
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace collision_monitor

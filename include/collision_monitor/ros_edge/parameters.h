@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_monitor/model/problems.h"
+#include "collision_monitor/pipeline/run_cycle.h"
+
+namespace collision_monitor {
+
+/// Where one robot's description comes from: a parameter or a file.
+struct RobotSource {
+  std::string name;           ///< what errors call it
+  std::string description;    ///< parameter that holds the URDF
+  std::string semantic;       ///< parameter that holds the SRDF, "" for none
+  std::string file;           ///< URDF file or package:// URI, instead of `description`
+  std::string semantic_file;  ///< SRDF file or package:// URI, instead of `semantic`
+  std::string tf_prefix;      ///< as in RobotDescription
+};
+
+enum class Trigger : unsigned char {
+  timer,  ///< `rate` times a second
+  pose,   ///< as soon as a robot has a new complete stamp, at most `rate` times a second
+};
+
+/// The private parameters of the node; config/monitor.yaml explains each.
+struct Parameters {
+  std::vector<RobotSource> robots;  ///< empty: robot_description
+  std::string world_frame;          ///< empty: the root link of the first robot
+  double rate{100.0};               ///< [Hz]
+  Trigger trigger{Trigger::timer};
+  double max_age{0.5};         ///< [s]
+  double heartbeat_rate{2.0};  ///< [Hz]
+  double marker_rate{30.0};    ///< [Hz]
+  SetupOptions setup;
+  std::optional<BroadPhaseKind> broad_phase;  ///< none: chosen for the number of pairs
+  double disable_timeout{60.0};               ///< [s]
+  double wait_for_description{5.0};           ///< [s]
+};
+
+/// Reads the parameters from the struct that the parameter server holds for a namespace.
+/// Names that are unknown, values of a wrong type or out of range are added to
+/// `report`, all of them; each keeps its default then.
+/// `where` is the namespace, for messages.
+Parameters readParameters(const XmlRpc::XmlRpcValue& values, const std::string& where,
+                          SetupReport& report);
+
+}  // namespace collision_monitor

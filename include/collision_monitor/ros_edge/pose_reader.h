@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "collision_monitor/pipeline/cycle_data.h"
+#include "collision_monitor/ros_edge/transform_store.h"
+
+namespace collision_monitor {
+
+struct PoseReaderOptions {
+  std::string world_frame;  ///< frame of all poses; empty: the root of the first robot
+  double max_age{0.5};      ///< [s] data older, or as far in the future, are stale
+};
+
+/// Reads the poses of all links from a transform store.
+///
+/// Each link is looked up from its parent link, once, and the chain is composed here; what
+/// stands between the two in tf does not matter. All moving links of a robot are read at one
+/// stamp: the newest that all of them have whose data are not older than `max_age`. Between
+/// two samples tf2 interpolates, unless they are more than `max_age` apart: the link is stale
+/// then. Links that only static transforms place have age 0. Links that neither have geometry
+/// nor lead to a link that has stay `missing` and hold nobody back.
+///
+/// Robots keep their own stamps; LinkPoses::stamp_ns is the oldest of them, and the time of
+/// the call when nothing moves. Ages of `missing` links are infinite.
+class PoseReader {
+ public:
+  /// @pre `model` and `store` outlive the reader.
+  PoseReader(const RobotModel& model, const TransformStore& store,
+             const PoseReaderOptions& options);
+
+  /// Brings `poses` (sized for the model) up to date; looks nothing up when no message came
+  /// since the last call. Does not throw: what cannot be looked up is unknown.
+  /// @return true when a stamp or the status of a link changed.
+  bool read(const ros::Time& now, LinkPoses& poses);
+
+  /// Why a link is unknown, as of the last read: "no transform for 0.52 s".
+  std::string explain(LinkId link) const;
+
+  const std::string& worldFrame() const noexcept { return world_frame_; }
+
+ private:
+  /// What places one link: the transform from its parent link, or from the world for a root.
+  struct Edge {
+    std::string parent_frame;
+    std::string child_frame;
+    bool is_needed{false};                 ///< the link or one below it has geometry
+    bool is_connected{false};              ///< tf joins the two frames
+    std::vector<std::size_t> path;         ///< frames between them, as indices of records
+    std::vector<std::size_t> moving_path;  ///< of these, not static
+    std::int64_t newest_ns{0};             ///< newest stamp that the whole path has
+    std::int64_t read_ns{-1};              ///< stamp of parent_from_child; -1: not read
+    Pose parent_from_child;
+    LinkStatus status{LinkStatus::missing};
+    double age{0.0};
+  };
+
+  void makeEdges();
+  void refresh();
+  void connect(Edge& edge) const;
+  std::vector<std::string> chainAbove(const std::string& frame) const;
+  void judge(std::int64_t now_ns, Edge& edge) const;
+  std::int64_t commonStamp(const Robot& robot) const;
+  bool readRobot(const Robot& robot, std::int64_t stamp_ns);
+  void look(std::int64_t stamp_ns, Edge& edge) const;
+  bool hasGapAt(const Edge& edge, std::int64_t stamp_ns) const;
+  bool placeLinks(LinkPoses& poses) const;
+
+  const RobotModel& model_;
+  const TransformStore& store_;
+  std::string world_frame_;
+  double max_age_;
+  std::vector<Edge> edges_;  ///< by LinkId
+  std::vector<FrameRecord> records_;
+  std::unordered_map<std::string, std::size_t> places_;  ///< of records, by frame
+  TransformStore::Version seen_;
+  bool has_records_{false};
+};
+
+}  // namespace collision_monitor

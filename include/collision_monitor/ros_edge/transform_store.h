@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/TransformStamped.h>
+#include <tf2/buffer_core.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace collision_monitor {
+
+/// What is known of the transforms that name one frame as their child.
+struct FrameRecord {
+  std::string name;
+  std::string parent;           ///< "" until a transform came
+  bool is_static{false};        ///< from tf_static
+  bool is_bad{false};           ///< the last transform was NaN, infinite or no rotation
+  std::int64_t newest_ns{0};    ///< stamp; 0 until a transform with a stamp came
+  std::int64_t previous_ns{0};  ///< the stamp before the newest one
+};
+
+/// tf2's buffer, and beside it what the buffer does not tell: how new each frame's
+/// data are, where they have a gap, which were no transforms at all.
+///
+/// A transform that is not finite, no rotation or (unless static) without stamp never enters the
+/// buffer. Frame names lose a leading slash. When time jumps back, all moving data are forgotten.
+/// Safe for one feeder and several readers at once.
+class TransformStore {
+ public:
+  /// Two numbers that tell a reader what to do again.
+  struct Version {
+    std::uint64_t data{0};      ///< changes with every message
+    std::uint64_t topology{0};  ///< changes with new frames, other parents, static transforms
+    std::uint64_t jumps{0};     ///< of time, backwards
+  };
+
+  /// Takes in one message of tf or tf_static that arrived at `now`.
+  void accept(const std::vector<geometry_msgs::TransformStamped>& transforms, bool is_static,
+              const ros::Time& now);
+
+  /// Forgets all moving data if `now` is before the last time seen.
+  void noteTime(const ros::Time& now);
+
+  Version version() const;
+  /// Waits until the version of the data is not `seen`, or time is up.
+  void waitForNews(std::uint64_t seen, std::chrono::steady_clock::time_point deadline) const;
+  /// Ends all waits, as if a message had come.
+  void wake();
+
+  /// A copy of all records, in the order in which their frames were first seen; indices
+  /// stay valid for the life of the store.
+  void copyRecords(std::vector<FrameRecord>& records) const;
+  /// Stamps and faults only, for records copied before with the same topology.
+  void refreshRecords(std::vector<FrameRecord>& records) const;
+
+  const tf2::BufferCore& buffer() const noexcept { return buffer_; }
+  /// Transforms that were refused because they had no stamp.
+  std::uint64_t refusedWithoutStamp() const;
+
+ private:
+  FrameRecord& recordOf(const std::string& frame);
+  void acceptOne(geometry_msgs::TransformStamped transform, bool is_static);
+  void jumpBackIfEarlier(const ros::Time& now);
+
+  tf2::BufferCore buffer_;
+  mutable std::mutex mutex_;
+  mutable std::condition_variable news_;
+  std::vector<FrameRecord> records_;
+  std::unordered_map<std::string, std::size_t> places_;
+  Version version_;
+  ros::Time last_time_;
+  std::uint64_t without_stamp_{0};
+};
+
+/// As tf2 does: "/base" and "base" are the same frame.
+std::string stripLeadingSlash(const std::string& frame);
+
+}  // namespace collision_monitor

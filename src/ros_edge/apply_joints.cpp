@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/apply_joints.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision_monitor/model/kinematics.h"
+#include "ros_edge/nearest_name.h"
+
+namespace collision_monitor {
+namespace {
+
+struct NamedPositions {
+  JointPositions positions;
+  std::vector<unsigned char> is_named;  ///< by variable
+};
+
+bool hasOneVariable(const Joint& joint) {
+  return joint.type == JointType::revolute || joint.type == JointType::continuous ||
+         joint.type == JointType::prismatic;
+}
+
+std::string unknownJoint(const RobotModel& model, const std::string& name) {
+  std::vector<std::string> known;
+  for (const Joint& joint : model.joints) {
+    known.push_back(joint.name);
+  }
+  return "there is no joint '" + name + "'" + suggestion(name, known);
+}
+
+bool isNamed(const sensor_msgs::JointState& joints, const std::string& name) {
+  return std::find(joints.name.begin(), joints.name.end(), name) != joints.name.end();
+}
+
+/// What is wrong with one entry; empty if nothing is.
+std::string fault(const RobotModel& model, const sensor_msgs::JointState& joints,
+                  std::size_t entry) {
+  const std::string& name = joints.name[entry];
+  const auto id = model.findJoint(name);
+  if (!id) {
+    return unknownJoint(model, name);
+  }
+  const Joint& joint = model.joint(*id);
+  if (!hasOneVariable(joint)) {
+    return "joint '" + name +
+           "' is fixed, planar or floating, and a JointState cannot place it; leave it out";
+  }
+  if (joint.mimic && !isNamed(joints, model.joint(joint.mimic->source).name)) {
+    return "joint '" + name + "' follows '" + model.joint(joint.mimic->source).name +
+           "'; name that one";
+  }
+  if (!std::isfinite(joints.position[entry])) {
+    return "the position of joint '" + name + "' is not finite";
+  }
+  return std::count(joints.name.begin(), joints.name.end(), name) > 1
+             ? "joint '" + name + "' stands twice"
+             : "";
+}
+
+std::vector<std::string> findFaults(const RobotModel& model,
+                                    const sensor_msgs::JointState& joints) {
+  if (joints.name.size() != joints.position.size()) {
+    return {"joints has " + std::to_string(joints.name.size()) + " names and " +
+            std::to_string(joints.position.size()) + " positions; give one position for each name"};
+  }
+  std::vector<std::string> faults;
+  for (std::size_t i = 0; i < joints.name.size(); ++i) {
+    const std::string text = fault(model, joints, i);
+    if (!text.empty() && std::find(faults.begin(), faults.end(), text) == faults.end()) {
+      faults.push_back(text);
+    }
+  }
+  return faults;
+}
+
+NamedPositions readPositions(const RobotModel& model, const sensor_msgs::JointState& joints) {
+  NamedPositions named{JointPositions(model.variable_count, 0.0),
+                       std::vector<unsigned char>(model.variable_count, 0)};
+  for (std::size_t i = 0; i < joints.name.size(); ++i) {
+    const Joint& joint = model.joint(*model.findJoint(joints.name[i]));
+    // The value of a mimic joint follows from that of its source.
+    if (!joint.mimic) {
+      named.positions[joint.first_variable] = joints.position[i];
+      named.is_named[joint.first_variable] = 1;
+    }
+  }
+  return named;
+}
+
+}  // namespace
+
+std::vector<std::string> applyJoints(const RobotModel& model, const sensor_msgs::JointState& joints,
+                                     LinkPoses& poses) {
+  const std::vector<std::string> faults = findFaults(model, joints);
+  if (!faults.empty()) {
+    return faults;
+  }
+  const NamedPositions named = readPositions(model, joints);
+  const LinkPoses before = poses;
+  const auto is_known = [&](std::size_t link) { return before.status[link] == LinkStatus::known; };
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    if (!model.links[i].parent_joint) {
+      continue;
+    }
+    const Joint& joint = model.joint(*model.links[i].parent_joint);
+    const std::size_t parent = index(joint.parent);
+    const bool is_named = hasOneVariable(joint) && named.is_named[joint.first_variable] != 0;
+    Pose parent_from_child;
+    LinkStatus status = poses.status[parent];
+    if (is_named || (joint.type == JointType::fixed && !is_known(i))) {
+      parent_from_child = parentFromChild(joint, named.positions);
+    } else if (is_known(i) && is_known(parent)) {
+      parent_from_child = inverse(before.world_from_link[parent]) * before.world_from_link[i];
+    } else if (status == LinkStatus::known) {
+      status = is_known(i) ? LinkStatus::missing : before.status[i];
+    }
+    poses.status[i] = status;
+    poses.world_from_link[i] = poses.world_from_link[parent] * parent_from_child;
+  }
+  return {};
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sensor_msgs/JointState.h>
+
+#include <string>
+#include <vector>
+
+#include "collision_monitor/pipeline/cycle_data.h"
+
+namespace collision_monitor {
+
+/// Moves the named joints, and those that mimic them, to the given positions; all other joints
+/// stay where `poses` has them. Fixed joints are taken from the model where `poses` does not
+/// know them, so that a robot whose moving joints are all named is known behind its root.
+/// @return what is wrong with `joints`, one sentence each: `poses` are unchanged then.
+std::vector<std::string> applyJoints(const RobotModel& model, const sensor_msgs::JointState& joints,
+                                     LinkPoses& poses);
+
+}  // namespace collision_monitor

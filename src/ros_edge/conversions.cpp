@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/conversions.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace collision_monitor {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+static_assert(LinkDistance::EXACT == static_cast<int>(Quality::exact) &&
+              LinkDistance::LOWER_BOUND == static_cast<int>(Quality::lower_bound) &&
+              LinkDistance::UNKNOWN == static_cast<int>(Quality::unknown));
+
+void nameLinks(const Setup& setup, LinkId a, LinkId b, LinkDistance& message) {
+  message.link_a = setup.model.link(a).name;
+  message.link_b = setup.model.link(b).name;
+  message.shape_a.clear();
+  message.shape_b.clear();
+}
+
+void fillNumbers(const SignedDistance& measured, LinkDistance& message) {
+  message.distance = measured.distance;
+  toMessage(measured.point_on_a, message.point_on_a);
+  toMessage(measured.point_on_b, message.point_on_b);
+  toMessage(measured.normal_a_to_b, message.normal);
+}
+
+SignedDistance unknownDistance(double distance) {
+  const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(kNaN);
+  return {distance, nowhere, nowhere, nowhere};
+}
+
+}  // namespace
+
+std_msgs::Header makeHeader(std::int64_t stamp_ns, const std::string& frame) {
+  std_msgs::Header header;
+  header.stamp.fromNSec(static_cast<std::uint64_t>(std::max<std::int64_t>(0, stamp_ns)));
+  header.frame_id = frame;
+  return header;
+}
+
+void toMessage(const Eigen::Vector3d& point, geometry_msgs::Point& message) {
+  message.x = point.x();
+  message.y = point.y();
+  message.z = point.z();
+}
+
+void toMessage(const Eigen::Vector3d& vector, geometry_msgs::Vector3& message) {
+  message.x = vector.x();
+  message.y = vector.y();
+  message.z = vector.z();
+}
+
+void toMessage(const Pose& pose, geometry_msgs::Pose& message) {
+  toMessage(pose.translation, message.position);
+  const Eigen::Quaterniond rotation(pose.rotation);
+  message.orientation.x = rotation.x();
+  message.orientation.y = rotation.y();
+  message.orientation.z = rotation.z();
+  message.orientation.w = rotation.w();
+}
+
+void toMessage(const Setup& setup, const PairDistance& distance, LinkDistance& message) {
+  const BodyPair& pair = setup.table[distance.pair];
+  nameLinks(setup, setup.bodies[index(pair.a)].link, setup.bodies[index(pair.b)].link, message);
+  message.shape_a = setup.labels[index(pair.a)].shape_name;
+  message.shape_b = setup.labels[index(pair.b)].shape_name;
+  message.quality = static_cast<std::uint8_t>(distance.quality);
+  fillNumbers(distance.measured, message);
+}
+
+void toUnknownMessage(const Setup& setup, LinkId a, LinkId b, LinkDistance& message) {
+  nameLinks(setup, a, b, message);
+  message.quality = LinkDistance::UNKNOWN;
+  fillNumbers(unknownDistance(kNaN), message);
+}
+
+void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& message) {
+  const Setup& setup = watch.setup();
+  const CheckedLinkPair& pair = setup.checked[link_pair];
+  const PairEvents& events = watch.buffers.events;
+  if (events.verdicts[link_pair] == Verdict::unknown) {
+    toUnknownMessage(setup, pair.a, pair.b, message);
+  } else if (events.closest[link_pair] == kNone) {
+    nameLinks(setup, pair.a, pair.b, message);
+    message.quality = LinkDistance::LOWER_BOUND;
+    fillNumbers(unknownDistance(reachOf(setup.limits)), message);
+  } else {
+    toMessage(setup, watch.buffers.distances.measured[events.closest[link_pair]], message);
+  }
+}
+
+void toMessage(const Watch& watch, Distances& message) {
+  const Setup& setup = watch.setup();
+  const PairEvents& events = watch.buffers.events;
+  message.header = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);
+  message.closest = -1;
+  message.pairs_checked = static_cast<std::uint32_t>(setup.checked.size());
+  message.pairs_unknown = static_cast<std::uint32_t>(
+      std::count(events.verdicts.begin(), events.verdicts.end(), Verdict::unknown));
+  message.truncated = 0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+    const std::uint32_t place = events.closest[i];
+    const bool is_closest = place != kNone && place == events.closest_of_all;
+    if (place == kNone ||
+        (!is_closest && watch.buffers.distances.measured[place].measured.distance >
+                            setup.checked[i].limits.report_distance)) {
+      continue;
+    }
+    message.closest = is_closest ? static_cast<std::int32_t>(count) : message.closest;
+    message.pairs.resize(std::max(message.pairs.size(), count + 1));
+    toMessage(setup, watch.buffers.distances.measured[place], message.pairs[count]);
+    ++count;
+  }
+  message.pairs.resize(count);
+}
+
+}  // namespace collision_monitor

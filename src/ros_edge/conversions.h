@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <collision_monitor/Contacts.h>
+#include <collision_monitor/Distances.h>
+#include <collision_monitor/State.h>
+#include <collision_monitor/Warning.h>
+#include <geometry_msgs/Pose.h>
+
+#include "ros_edge/watch.h"
+
+/// Results of a cycle as messages. Ids become names here and nowhere else. Messages are
+/// filled in place, so that one that is kept from cycle to cycle keeps its memory.
+namespace collision_monitor {
+
+std_msgs::Header makeHeader(std::int64_t stamp_ns, const std::string& frame);
+
+void toMessage(const Eigen::Vector3d& point, geometry_msgs::Point& message);
+void toMessage(const Eigen::Vector3d& vector, geometry_msgs::Vector3& message);
+void toMessage(const Pose& pose, geometry_msgs::Pose& message);
+
+/// A measured pair.
+void toMessage(const Setup& setup, const PairDistance& distance, LinkDistance& message);
+/// A pair of links of which one is unknown: numbers are NaN.
+void toUnknownMessage(const Setup& setup, LinkId a, LinkId b, LinkDistance& message);
+/// A checked pair: its nearest shapes, or NaN where nothing was measured. A known pair that is
+/// out of reach was not measured; its distance is the reach then, a lower bound without points.
+void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& message);
+
+void toMessage(const Watch& watch, Contacts& message);
+void toMessage(const Watch& watch, Distances& message);
+void toMessage(const Watch& watch, const VerdictChange& change, Warning& message);
+void toMessage(const Watch& watch, const CycleFacts& facts, State& message);
+
+/// The level of a state: that of its worst pair, UNKNOWN if nothing is checked or there is
+/// no time yet, at least WARNING while switched off.
+std::uint8_t levelOf(const Watch& watch, const CycleFacts& facts);
+
+}  // namespace collision_monitor

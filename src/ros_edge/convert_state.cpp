@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <limits>
+
+#include "ros_edge/conversions.h"
+#include "ros_edge/sentences.h"
+
+namespace collision_monitor {
+namespace {
+
+static_assert(State::OK == static_cast<int>(Verdict::clear) &&
+              State::WARNING == static_cast<int>(Verdict::warning) &&
+              State::UNKNOWN == static_cast<int>(Verdict::unknown) &&
+              State::CONTACT == static_cast<int>(Verdict::contact));
+static_assert(Warning::CLEAR == static_cast<int>(Verdict::clear) &&
+              Warning::WARNING == static_cast<int>(Verdict::warning) &&
+              Warning::UNKNOWN == static_cast<int>(Verdict::unknown) &&
+              Warning::CONTACT == static_cast<int>(Verdict::contact));
+
+void fillCounters(const CycleCounters& counters, const CycleFacts& facts, State& message) {
+  message.pairs_checked = static_cast<std::uint32_t>(counters.pairs);
+  message.pairs_candidates = static_cast<std::uint32_t>(counters.candidates);
+  message.pairs_measured = static_cast<std::uint32_t>(counters.measured);
+  message.pairs_refined = 0;
+  message.pairs_unknown = static_cast<std::uint32_t>(counters.unknown_pairs);
+  message.cycle_time = facts.cycle_time;
+  message.cycles = facts.cycles;
+  message.overruns = facts.overruns;
+}
+
+void fillLinks(const Watch& watch, State& message) {
+  const RobotModel& model = watch.setup().model;
+  message.age = 0.0;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    if (watch.poses.status[i] == LinkStatus::known) {
+      message.age = std::max(message.age, watch.poses.age[i]);
+    }
+  }
+  message.unknown_links.clear();
+  std::vector<LinkId> unknown;
+  findUnknownLinks(watch, unknown);
+  for (const LinkId link : unknown) {
+    message.unknown_links.push_back(model.link(link).name + " (" +
+                                    statusText(watch.poses.status[index(link)]) + ")");
+  }
+}
+
+}  // namespace
+
+std::uint8_t levelOf(const Watch& watch, const CycleFacts& facts) {
+  const bool is_blind = facts.now.isZero() || watch.setup().checked.empty();
+  const auto verdict = static_cast<std::uint8_t>(watch.buffers.events.overall);
+  const std::uint8_t level = is_blind ? std::uint8_t{State::UNKNOWN} : verdict;
+  return facts.is_enabled ? level : std::max(level, std::uint8_t{State::WARNING});
+}
+
+void toMessage(const Watch& watch, const VerdictChange& change, Warning& message) {
+  message.header = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);
+  message.before = static_cast<std::uint8_t>(change.before);
+  message.after = static_cast<std::uint8_t>(change.after);
+  toMessage(watch, change.link_pair, message.pair);
+  message.sentence = changeSentence(watch, change);
+}
+
+void toMessage(const Watch& watch, const CycleFacts& facts, State& message) {
+  message.header = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);
+  message.published_at = facts.now;
+  message.level = levelOf(watch, facts);
+  message.sentence = stateSentence(watch, facts);
+  message.enabled = facts.is_enabled ? 1 : 0;
+  const std::uint32_t closest = watch.buffers.events.closest_of_all;
+  message.has_closest = closest != kNone ? 1 : 0;
+  message.closest = LinkDistance();
+  message.closest.quality = LinkDistance::UNKNOWN;
+  if (closest != kNone) {
+    toMessage(watch.setup(), watch.buffers.distances.measured[closest], message.closest);
+  }
+  // Both need closing speeds, which no stage computes; a value made up from the verdict
+  // would slow a robot down that moves out of a contact.
+  message.time_to_contact = std::numeric_limits<double>::quiet_NaN();
+  message.speed_scale = std::numeric_limits<double>::quiet_NaN();
+  fillLinks(watch, message);
+  fillCounters(watch.buffers.counters, facts, message);
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "ros_edge/cycle_statistics.h"
+#include "ros_edge/enabling.h"
+#include "ros_edge/publishers.h"
+
+namespace collision_monitor {
+
+/// Runs cycles on a thread of its own, by the timer or by new poses, and publishes. Wall time
+/// paces it, so that it speaks also while a simulated clock stands still.
+class CycleRunner {
+ public:
+  /// @pre `store` outlives the runner.
+  CycleRunner(const ros::NodeHandle& private_node, TransformStore& store,
+              std::shared_ptr<const MonitorSetup> setup);
+  ~CycleRunner();
+  CycleRunner(const CycleRunner&) = delete;
+  CycleRunner& operator=(const CycleRunner&) = delete;
+
+  /// Watches another set-up from the next cycle on.
+  void replaceSetup(std::shared_ptr<const MonitorSetup> setup);
+  std::shared_ptr<const MonitorSetup> currentSetup() const;
+  void setEnabled(bool is_enabled);
+  const CycleStatistics& statistics() const noexcept { return statistics_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void run();
+  void takeOverSetup();
+  void waitForNext();
+  void runOnce();
+  bool readPoses(const ros::Time& now);
+  void publish(bool is_new);
+  void summarize(const State& state);
+
+  TransformStore& store_;
+  Publishers publishers_;
+  CycleStatistics statistics_;
+  Enabling enabling_;
+
+  mutable std::mutex mutex_;  ///< of the next two
+  std::shared_ptr<const MonitorSetup> current_;
+  std::unique_ptr<Watch> next_;
+
+  // Of the thread alone.
+  std::unique_ptr<Watch> watch_;
+  CycleFacts facts_;
+  Clock::time_point planned_start_;
+  Clock::time_point last_state_;
+  Clock::time_point last_summary_;
+  std::uint64_t seen_data_{0};
+  std::uint64_t seen_jumps_{0};
+  std::uint8_t last_level_{0};
+
+  std::atomic<bool> is_running_{true};
+  std::thread thread_;
+};
+
+}  // namespace collision_monitor

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/cycle_statistics.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace collision_monitor {
+
+void CycleStatistics::addCycle(double cycle_time) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  times_[count_ % kMemory] = cycle_time;
+  ++count_;
+}
+
+void CycleStatistics::setSummary(CycleSummary summary) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  summary_ = std::move(summary);
+}
+
+CycleStatistics::Times CycleStatistics::times() const {
+  std::array<double, kMemory> sorted{};
+  Times times;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    sorted = times_;
+    times.count = std::min(count_, kMemory);
+  }
+  if (times.count == 0) {
+    return times;
+  }
+  const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(times.count);
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(times.count / 2);
+  std::nth_element(sorted.begin(), middle, end);
+  times.median = *middle;
+  times.worst = *std::max_element(sorted.begin(), end);
+  return times;
+}
+
+CycleSummary CycleStatistics::summary() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return summary_;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace collision_monitor {
+
+/// What /diagnostics says of the last cycle; plain data, copied under a lock.
+struct CycleSummary {
+  std::uint8_t level{0};  ///< as in State
+  std::string sentence;
+  double age{0.0};  ///< [s]
+  std::size_t pairs{0};
+  std::size_t candidates{0};
+  std::size_t measured{0};
+  std::vector<std::string> unknown_links;
+  std::uint64_t cycles{0};
+  std::uint64_t overruns{0};
+};
+
+/// Times of the last cycles and a summary of the newest, written by the cycle's thread and
+/// read by that of the diagnostics.
+class CycleStatistics {
+ public:
+  /// Units: seconds.
+  void addCycle(double cycle_time);
+  void setSummary(CycleSummary summary);
+
+  struct Times {
+    double median{0.0};
+    double worst{0.0};
+    std::size_t count{0};
+  };
+  /// Of the last cycles, at most 1024. Units: seconds.
+  Times times() const;
+  CycleSummary summary() const;
+
+ private:
+  static constexpr std::size_t kMemory = 1024;
+
+  mutable std::mutex mutex_;
+  std::array<double, kMemory> times_{};
+  std::size_t count_{0};
+  CycleSummary summary_;
+};
+
+}  // namespace collision_monitor

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/diagnostics.h"
+
+#include <collision_monitor/State.h>
+
+#include <utility>
+
+namespace collision_monitor {
+
+using diagnostic_msgs::DiagnosticStatus;
+using diagnostic_updater::DiagnosticStatusWrapper;
+
+Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                         const std::string& node_name, const CycleStatistics& statistics,
+                         SetupGetter current_setup)
+    : statistics_(statistics),
+      current_setup_(std::move(current_setup)),
+      updater_(node, private_node, node_name),
+      last_time_(ros::SteadyTime::now()) {
+  updater_.setHardwareID("none");
+  updater_.add("verdict", [this](DiagnosticStatusWrapper& status) { reportVerdict(status); });
+  updater_.add("cycle", [this](DiagnosticStatusWrapper& status) { reportCycle(status); });
+  updater_.add("setup", [this](DiagnosticStatusWrapper& status) { reportSetup(status); });
+  timer_ = private_node.createWallTimer(
+      ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+}
+
+void Diagnostics::reportVerdict(DiagnosticStatusWrapper& status) {
+  const CycleSummary summary = statistics_.summary();
+  // A contact is what the monitor is there to find; it is the robot that is in trouble,
+  // yet whoever looks at diagnostics wants to see it in red.
+  std::uint8_t level = DiagnosticStatus::OK;
+  if (summary.level == State::CONTACT || summary.level == State::UNKNOWN) {
+    level = DiagnosticStatus::ERROR;
+  } else if (summary.level == State::WARNING) {
+    level = DiagnosticStatus::WARN;
+  }
+  status.summary(level, summary.sentence);
+  status.add("age of the oldest known link [s]", summary.age);
+  status.add("unknown links", summary.unknown_links.size());
+  for (const std::string& link : summary.unknown_links) {
+    status.add("unknown", link);
+  }
+}
+
+void Diagnostics::reportCycle(DiagnosticStatusWrapper& status) {
+  const CycleSummary summary = statistics_.summary();
+  const CycleStatistics::Times times = statistics_.times();
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  const double elapsed = (now - last_time_).toSec();
+  const std::uint64_t cycles = summary.cycles - last_cycles_;
+  const std::uint64_t overruns = summary.overruns - last_overruns_;
+  if (cycles == 0) {
+    status.summary(DiagnosticStatus::ERROR, "no cycle since the last report");
+  } else if (overruns > 0) {
+    status.summaryf(DiagnosticStatus::WARN, "%llu of %llu cycles took longer than the period",
+                    static_cast<unsigned long long>(overruns),
+                    static_cast<unsigned long long>(cycles));
+  } else {
+    status.summary(DiagnosticStatus::OK, "cycles keep their period");
+  }
+  status.add("frequency [Hz]", elapsed > 0.0 ? static_cast<double>(cycles) / elapsed : 0.0);
+  status.add("cycle time, median [us]", 1e6 * times.median);
+  status.add("cycle time, worst of the last " + std::to_string(times.count) + " [us]",
+             1e6 * times.worst);
+  status.add("cycles", summary.cycles);
+  status.add("overruns", summary.overruns);
+  status.add("pairs of shapes", summary.pairs);
+  status.add("candidates", summary.candidates);
+  status.add("measured", summary.measured);
+  last_time_ = now;
+  last_cycles_ = summary.cycles;
+  last_overruns_ = summary.overruns;
+}
+
+void Diagnostics::reportSetup(DiagnosticStatusWrapper& status) {
+  const std::shared_ptr<const MonitorSetup> current = current_setup_();
+  const auto& warnings = current->setup.report.warnings;
+  if (warnings.empty()) {
+    status.summary(DiagnosticStatus::OK, "no warnings");
+  } else {
+    status.summaryf(DiagnosticStatus::WARN, "%zu warnings", warnings.size());
+  }
+  status.add("robots", current->setup.model.robots.size());
+  status.add("shapes", current->setup.bodies.size());
+  status.add("checked pairs of links", current->setup.checked.size());
+  status.add("world frame", current->world_frame);
+  for (const Problem& warning : warnings) {
+    status.add("warning", toString(warning));
+  }
+}
+
+}  // namespace collision_monitor

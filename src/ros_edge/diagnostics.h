@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/wall_timer.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "ros_edge/cycle_statistics.h"
+#include "ros_edge/monitor_setup.h"
+
+namespace collision_monitor {
+
+/// Publishes /diagnostics once a wall second, also while a simulated clock stands still.
+/// Three entries: the verdict with its data, the cycle with its times, the set-up with its
+/// warnings.
+class Diagnostics {
+ public:
+  using SetupGetter = std::function<std::shared_ptr<const MonitorSetup>()>;
+
+  /// @pre `statistics` outlives the diagnostics.
+  Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+              const std::string& node_name, const CycleStatistics& statistics,
+              SetupGetter current_setup);
+
+ private:
+  void reportVerdict(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void reportCycle(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void reportSetup(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  const CycleStatistics& statistics_;
+  SetupGetter current_setup_;
+  diagnostic_updater::Updater updater_;
+  std::uint64_t last_cycles_{0};
+  std::uint64_t last_overruns_{0};
+  ros::SteadyTime last_time_;
+  ros::WallTimer timer_;
+};
+
+}  // namespace collision_monitor

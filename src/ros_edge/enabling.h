@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+
+#include <mutex>
+
+namespace collision_monitor {
+
+/// Switched on, or off until a time comes. Steady time: a clock that jumps must not
+/// keep a monitor off. Safe for several threads.
+class Enabling {
+ public:
+  void switchOn();
+  /// Units: seconds.
+  void switchOffFor(double duration);
+  bool isOn(const ros::SteadyTime& now) const;
+  /// 0 while switched on. Units: seconds.
+  double secondsUntilOn(const ros::SteadyTime& now) const;
+
+ private:
+  mutable std::mutex mutex_;
+  ros::SteadyTime off_until_;
+};
+
+}  // namespace collision_monitor

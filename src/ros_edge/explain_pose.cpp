@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <cstdio>
+
+#include "collision_monitor/ros_edge/pose_reader.h"
+
+namespace collision_monitor {
+namespace {
+
+std::string seconds(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f s", value);
+  return text;
+}
+
+/// Old by more than any hiccup: most likely two clocks.
+constexpr double kSuspiciousAge = 60.0;
+
+std::string explainAge(double age, double max_age, const std::string& to) {
+  if (std::abs(age) <= max_age) {
+    return "transforms" + to + " resumed after a gap and are not complete yet";
+  }
+  if (age < 0.0) {
+    return "the newest transform" + to + " is " + seconds(-age) +
+           " in the future; the clocks of two machines differ, or use_sim_time is set for one node "
+           "only";
+  }
+  const bool is_suspicious = age > kSuspiciousAge;
+  return "no transform" + to + " for " + seconds(age) +
+         (is_suspicious ? "; if this is a recording, is use_sim_time set?" : "");
+}
+
+}  // namespace
+
+std::string PoseReader::explain(LinkId link) const {
+  // The topmost fault is the cause; what is below it inherits it.
+  const Edge* cause = nullptr;
+  for (std::size_t i = index(link);;) {
+    if (edges_[i].status != LinkStatus::known) {
+      cause = &edges_[i];
+    }
+    const auto& joint = model_.links[i].parent_joint;
+    if (!joint) {
+      break;
+    }
+    i = index(model_.joint(*joint).parent);
+  }
+  if (cause == nullptr) {
+    return "its pose is known";
+  }
+  const bool is_own = cause == &edges_[index(link)];
+  const std::string to = is_own ? "" : " to '" + cause->child_frame + "'";
+  switch (cause->status) {
+    case LinkStatus::stale:
+      return explainAge(cause->age, max_age_, to);
+    case LinkStatus::not_finite:
+      return "the transform to '" + cause->child_frame + "' is not finite or no rotation";
+    default:
+      return std::string(cause->is_connected ? "no usable" : "no") + " transform from '" +
+             cause->parent_frame + "' to '" + cause->child_frame + "' yet";
+  }
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/get_distances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "collision_monitor/pipeline/run_cycle.h"
+#include "ros_edge/apply_joints.h"
+#include "ros_edge/conversions.h"
+#include "ros_edge/nearest_name.h"
+
+namespace collision_monitor {
+namespace {
+
+using LinkSet = std::vector<unsigned char>;  ///< by LinkId
+
+LinkSet findLinks(const Setup& setup, const std::vector<std::string>& names, const char* field,
+                  std::vector<std::string>& faults) {
+  const RobotModel& model = setup.model;
+  LinkSet links(model.links.size(), names.empty() ? 1 : 0);
+  std::vector<std::string> known;
+  for (const Link& link : model.links) {
+    known.push_back(link.name);
+  }
+  for (const std::string& name : names) {
+    const auto link = model.findLink(name);
+    if (!link) {
+      faults.push_back(std::string(field) + ": there is no link '" + name + "'" +
+                       suggestion(name, known));
+    } else if (model.link(*link).collisions.empty()) {
+      faults.push_back(std::string(field) + ": link '" + name +
+                       "' has no collision geometry; leave it out");
+    } else {
+      links[index(*link)] = 1;
+    }
+  }
+  return links;
+}
+
+std::string join(const std::vector<std::string>& texts) {
+  std::string joined;
+  for (const std::string& text : texts) {
+    joined += (joined.empty() ? "" : "; ") + text;
+  }
+  return joined;
+}
+
+/// Which pairs of links are asked for.
+struct Selection {
+  LinkSet a;
+  LinkSet b;
+
+  bool has(LinkId one, LinkId other) const {
+    return (a[index(one)] != 0 && b[index(other)] != 0) ||
+           (a[index(other)] != 0 && b[index(one)] != 0);
+  }
+};
+
+/// The reasons of the pairs that are asked for and ignored.
+std::string ignoredText(const Setup& setup, const Selection& selection) {
+  std::vector<std::string> ignored;
+  for (const LinkPair& pair : setup.link_pairs) {
+    if (!isChecked(pair.reason) && selection.has(pair.a, pair.b)) {
+      ignored.push_back(setup.model.link(pair.a).name + " and " + setup.model.link(pair.b).name +
+                        " (" + reasonText(pair.reason) + ")");
+    }
+  }
+  return ignored.empty() ? "" : "not checked: " + join(ignored);
+}
+
+/// Pairs of shapes to measure: asked for, and both known.
+void selectPairs(const Setup& setup, const Selection& selection, const BodyPoses& poses,
+                 std::vector<PairId>& pairs) {
+  pairs.clear();
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    const BodyPair& pair = setup.table.pairs()[i];
+    const CheckedLinkPair& links = setup.checked[setup.link_pair_of[i]];
+    if (selection.has(links.a, links.b) && poses.known[index(pair.a)] != 0 &&
+        poses.known[index(pair.b)] != 0) {
+      pairs.push_back(idAt<PairId>(i));
+    }
+  }
+}
+
+/// One entry a pair of links, its nearest shapes; nearest pairs first, then the unknown ones.
+void fillDistances(const Setup& setup, const Selection& selection, const CycleBuffers& buffers,
+                   double max_distance, Distances& message) {
+  std::vector<const PairDistance*> nearest(setup.checked.size(), nullptr);
+  for (const PairDistance& distance : buffers.distances.measured) {
+    const PairDistance*& best = nearest[setup.link_pair_of[index(distance.pair)]];
+    if (best == nullptr || distance.measured.distance < best->measured.distance) {
+      best = &distance;
+    }
+  }
+  std::vector<LinkDistance> unknown;
+  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+    const CheckedLinkPair& pair = setup.checked[i];
+    if (!selection.has(pair.a, pair.b)) {
+      continue;
+    }
+    ++message.pairs_checked;
+    if (nearest[i] == nullptr) {
+      unknown.emplace_back();
+      toUnknownMessage(setup, pair.a, pair.b, unknown.back());
+    } else if (nearest[i]->measured.distance <= max_distance) {
+      message.pairs.emplace_back();
+      toMessage(setup, *nearest[i], message.pairs.back());
+    }
+  }
+  std::stable_sort(message.pairs.begin(), message.pairs.end(),
+                   [](const LinkDistance& one, const LinkDistance& other) {
+                     return one.distance < other.distance;
+                   });
+  message.closest = message.pairs.empty() ? -1 : 0;
+  message.pairs_unknown = static_cast<std::uint32_t>(unknown.size());
+  message.pairs.insert(message.pairs.end(), unknown.begin(), unknown.end());
+}
+
+std::string summaryText(const Distances& distances, const std::string& ignored) {
+  const std::uint32_t measured = distances.pairs_checked - distances.pairs_unknown;
+  return std::to_string(measured) + " pairs measured, " + std::to_string(distances.pairs_unknown) +
+         " unknown" + (ignored.empty() ? "" : "; " + ignored);
+}
+
+}  // namespace
+
+void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
+                        const GetDistances::Request& request, GetDistances::Response& response) {
+  const Setup& setup = current.setup;
+  std::vector<std::string> faults;
+  const Selection selection{findLinks(setup, request.links_a, "links_a", faults),
+                            findLinks(setup, request.links_b, "links_b", faults)};
+  if (std::isnan(request.max_distance)) {
+    faults.emplace_back("max_distance is not a number; give metres, or 0 for no limit");
+  }
+  LinkPoses poses = newest;
+  if (!request.joints.name.empty() || !request.joints.position.empty()) {
+    const std::vector<std::string> joint_faults = applyJoints(setup.model, request.joints, poses);
+    faults.insert(faults.end(), joint_faults.begin(), joint_faults.end());
+  }
+  response.success = 0;
+  if (!faults.empty()) {
+    response.message = join(faults);
+    return;
+  }
+  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
+  placeBodies(setup, poses, buffers.body_poses);
+  selectPairs(setup, selection, buffers.body_poses, buffers.candidates);
+  measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
+
+  response.distances.header = makeHeader(poses.stamp_ns, current.world_frame);
+  const double limit =
+      request.max_distance > 0.0 ? request.max_distance : std::numeric_limits<double>::infinity();
+  fillDistances(setup, selection, buffers, limit, response.distances);
+  const bool is_explicit = !request.links_a.empty() && !request.links_b.empty();
+  const std::string ignored = is_explicit ? ignoredText(setup, selection) : "";
+  response.success = response.distances.pairs_checked > 0 ? 1 : 0;
+  response.message = response.distances.pairs_checked > 0
+                         ? summaryText(response.distances, ignored)
+                         : std::string("no pair of these links is checked") +
+                               (ignored.empty() ? "" : "; " + ignored);
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/markers.h"
+
+#include "ros_edge/conversions.h"
+#include "ros_edge/marker_shapes.h"
+#include "ros_edge/sentences.h"
+
+namespace collision_monitor {
+namespace {
+
+using visualization_msgs::Marker;
+
+constexpr float kShapeAlpha = 0.45F;
+constexpr double kLineWidth = 0.004;
+constexpr double kPointSize = 0.015;
+constexpr double kNormalLength = 0.08;
+constexpr double kTextHeight = 0.035;
+
+}  // namespace
+
+Markers::Markers(const Watch& watch) : was_seen_(watch.setup().bodies.size(), 0) {
+  for (const Body& body : watch.setup().bodies) {
+    shapes_.push_back(makeShapeMarker(body.shape));
+    shapes_.back().ns = "shapes";
+    shapes_.back().id = static_cast<int>(shapes_.size()) - 1;
+  }
+}
+
+const visualization_msgs::MarkerArray& Markers::draw(const Watch& watch) {
+  header_ = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);
+  array_.markers.clear();
+  drawn_.clear();
+  if (is_first_) {
+    array_.markers.emplace_back();
+    array_.markers.back().header = header_;
+    array_.markers.back().action = Marker::DELETEALL;
+    is_first_ = false;
+  }
+  addShapes(watch);
+  addContacts(watch);
+  addDistances(watch);
+  addDeletions();
+  return array_;
+}
+
+void Markers::addShapes(const Watch& watch) {
+  std::vector<Verdict> verdicts;
+  findWorstVerdicts(watch.setup(), watch.buffers.events, verdicts);
+  const BodyPoses& poses = watch.buffers.body_poses;
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    Marker& shape = shapes_[i];
+    const bool is_known = poses.known[i] != 0;
+    was_seen_[i] = was_seen_[i] != 0 || is_known ? 1 : 0;
+    if (was_seen_[i] == 0) {
+      continue;
+    }
+    if (is_known) {
+      toMessage(poses.world_from_body[i], shape.pose);
+    }
+    const Verdict verdict =
+        is_known ? verdicts[index(watch.setup().bodies[i].link)] : Verdict::unknown;
+    shape.color = colourOf(verdict, kShapeAlpha);
+    shape.header = header_;
+    array_.markers.push_back(shape);
+  }
+}
+
+Marker& Markers::add(const char* name_space, int id, int type) {
+  drawn_.emplace(name_space, id);
+  array_.markers.emplace_back();
+  Marker& marker = array_.markers.back();
+  marker.header = header_;
+  marker.ns = name_space;
+  marker.id = id;
+  marker.type = type;
+  marker.pose.orientation.w = 1.0;
+  return marker;
+}
+
+void Markers::addContacts(const Watch& watch) {
+  const Setup& setup = watch.setup();
+  for (const PairDistance& distance : watch.buffers.distances.measured) {
+    const std::uint32_t link_pair = setup.link_pair_of[index(distance.pair)];
+    if (watch.buffers.events.verdicts[link_pair] != Verdict::contact ||
+        distance.measured.distance > setup.checked[link_pair].limits.contact_distance) {
+      continue;
+    }
+    const SignedDistance& measured = distance.measured;
+    const Eigen::Vector3d middle = 0.5 * (measured.point_on_a + measured.point_on_b);
+    const int id = 2 * static_cast<int>(index(distance.pair));
+    Marker& point = add("contacts", id, Marker::SPHERE);
+    toMessage(middle, point.pose.position);
+    toMessage(Eigen::Vector3d::Constant(kPointSize), point.scale);
+    point.color = colourOf(Verdict::contact, 1.0F);
+    Marker& normal = add("contacts", id + 1, Marker::ARROW);
+    normal.points.resize(2);
+    toMessage(middle, normal.points[0]);
+    toMessage(middle + kNormalLength * measured.normal_a_to_b, normal.points[1]);
+    toMessage(Eigen::Vector3d(kLineWidth, 2.0 * kLineWidth, 0.0), normal.scale);
+    normal.color = colourOf(Verdict::contact, 1.0F);
+  }
+}
+
+void Markers::addDistances(const Watch& watch) {
+  const Setup& setup = watch.setup();
+  const PairEvents& events = watch.buffers.events;
+  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+    const std::uint32_t place = events.closest[i];
+    if (place == kNone) {
+      continue;
+    }
+    const SignedDistance& measured = watch.buffers.distances.measured[place].measured;
+    if (place != events.closest_of_all &&
+        measured.distance > setup.checked[i].limits.report_distance) {
+      continue;
+    }
+    Marker& line = add("distances", static_cast<int>(i), Marker::LINE_LIST);
+    line.points.resize(2);
+    toMessage(measured.point_on_a, line.points[0]);
+    toMessage(measured.point_on_b, line.points[1]);
+    line.scale.x = kLineWidth;
+    line.color = colourOf(events.verdicts[i], 1.0F);
+    Marker& label = add("labels", static_cast<int>(i), Marker::TEXT_VIEW_FACING);
+    toMessage(0.5 * (measured.point_on_a + measured.point_on_b), label.pose.position);
+    label.scale.z = kTextHeight;
+    label.color.r = label.color.g = label.color.b = label.color.a = 1.0F;
+    label.text = (measured.distance < 0.0 ? "-" : "") + lengthText(measured.distance);
+  }
+}
+
+void Markers::addDeletions() {
+  for (const auto& [name_space, id] : shown_) {
+    if (drawn_.count({name_space, id}) == 0) {
+      array_.markers.emplace_back();
+      array_.markers.back().header = header_;
+      array_.markers.back().ns = name_space;
+      array_.markers.back().id = id;
+      array_.markers.back().action = Marker::DELETE;
+    }
+  }
+  shown_ = drawn_;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ros_edge/watch.h"
+
+namespace collision_monitor {
+
+/// The picture of a cycle for rviz, in the world frame and with the stamp of the data.
+///
+/// Namespaces: `shapes` (id = body; green clear, yellow warning, red contact, grey
+/// unknown where the link was last seen), `contacts` (ids 2 n and 2 n + 1 = point and normal of
+/// pair n of bodies), `distances` and `labels` (id = pair of links). A marker whose reason is gone
+/// is deleted. Shapes are triangulated once, at set-up.
+class Markers {
+ public:
+  /// The first array deletes what another set-up may have left.
+  explicit Markers(const Watch& watch);
+
+  /// The array to publish now; stays valid until the next call.
+  const visualization_msgs::MarkerArray& draw(const Watch& watch);
+
+ private:
+  using Key = std::pair<std::string, int>;
+
+  void addShapes(const Watch& watch);
+  void addContacts(const Watch& watch);
+  void addDistances(const Watch& watch);
+  void addDeletions();
+  visualization_msgs::Marker& add(const char* name_space, int id, int type);
+
+  std::vector<visualization_msgs::Marker> shapes_;  ///< by BodyId, in the body frame
+  std::vector<unsigned char> was_seen_;             ///< by BodyId
+  visualization_msgs::MarkerArray array_;
+  std_msgs::Header header_;
+  std::set<Key> shown_;
+  std::set<Key> drawn_;
+  bool is_first_{true};
+};
+
+}  // namespace collision_monitor

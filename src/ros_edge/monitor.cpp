@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/ros_edge/monitor.h"
+
+#include <ros/console.h>
+
+#include "collision_monitor/ros_edge/transform_feed.h"
+#include "ros_edge/cycle_runner.h"
+#include "ros_edge/diagnostics.h"
+#include "ros_edge/services.h"
+#include "ros_edge/startup_report.h"
+
+namespace collision_monitor {
+
+/// In order of need; they end in the opposite order, services before what they use.
+class Monitor::Parts {
+ public:
+  Parts(const ros::NodeHandle& private_node, const std::string& node_name)
+      : feed_(private_node, store_),
+        runner_(private_node, store_, makeLoggedSetup(private_node)),
+        diagnostics_(ros::NodeHandle(), private_node, node_name, runner_.statistics(),
+                     [this] { return runner_.currentSetup(); }),
+        services_(private_node, store_, makeHooks()) {}
+
+ private:
+  static std::shared_ptr<const MonitorSetup> makeLoggedSetup(const ros::NodeHandle& private_node) {
+    std::shared_ptr<const MonitorSetup> setup = makeMonitorSetup(private_node);
+    logSetup(*setup);
+    return setup;
+  }
+
+  ServiceHooks makeHooks() {
+    ServiceHooks hooks;
+    hooks.current_setup = [this] { return runner_.currentSetup(); };
+    hooks.replace_setup = [this](std::shared_ptr<const MonitorSetup> setup) {
+      runner_.replaceSetup(std::move(setup));
+    };
+    hooks.set_enabled = [this](bool is_enabled) { runner_.setEnabled(is_enabled); };
+    return hooks;
+  }
+
+  TransformStore store_;
+  TransformFeed feed_;
+  CycleRunner runner_;
+  Diagnostics diagnostics_;
+  Services services_;
+};
+
+Monitor::Monitor(const ros::NodeHandle& private_node, const std::string& node_name)
+    : parts_(std::make_unique<Parts>(private_node, node_name)) {}
+
+Monitor::~Monitor() = default;
+
+}  // namespace collision_monitor

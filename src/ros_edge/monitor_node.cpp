@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+
+#include "collision_monitor/ros_edge/monitor.h"
+#include "ros_edge/startup_report.h"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "collision_monitor");
+  try {
+    const ros::NodeHandle private_node("~");
+    const collision_monitor::Monitor monitor(private_node, ros::this_node::getName());
+    // Two threads: a reload that takes long must not delay diagnostics.
+    ros::MultiThreadedSpinner spinner(2);
+    spinner.spin();
+  } catch (const std::exception& error) {
+    collision_monitor::logFailure(error);
+    return 1;
+  }
+  return 0;
+}

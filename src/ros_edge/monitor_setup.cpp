@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/monitor_setup.h"
+
+#include "collision_monitor/ros_edge/resource_loader.h"
+#include "collision_monitor/ros_edge/transform_store.h"
+#include "ros_edge/robot_descriptions.h"
+
+namespace collision_monitor {
+
+std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node) {
+  SetupReport report;
+  const std::string where = private_node.getNamespace();
+  XmlRpc::XmlRpcValue values;
+  private_node.getParam(where, values);
+  auto made = std::make_shared<MonitorSetup>();
+  made->parameters = readParameters(values, where, report);
+  // With broken parameters it is not known which robots to wait for.
+  throwIfErrors(report);
+
+  const ResourceLoader load_resource = makeResourceLoader();
+  const std::vector<RobotDescription> descriptions =
+      loadDescriptions(private_node, made->parameters, load_resource, report);
+  throwIfErrors(report);
+
+  made->setup = buildSetup(descriptions, load_resource, made->parameters.setup);
+  const RobotModel& model = made->setup.model;
+  made->world_frame = stripLeadingSlash(made->parameters.world_frame.empty()
+                                            ? model.link(model.robots.front().root).frame
+                                            : made->parameters.world_frame);
+  return made;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <memory>
+#include <string>
+
+#include "collision_monitor/pipeline/setup.h"
+#include "collision_monitor/ros_edge/parameters.h"
+
+namespace collision_monitor {
+
+/// All that a reload replaces at once; shared by the cycle and the services, never changed.
+struct MonitorSetup {
+  Parameters parameters;
+  Setup setup;
+  std::string world_frame;
+};
+
+/// Reads parameters and descriptions anew and builds the set-up. May wait for descriptions.
+/// @throws SetupError with every problem of parameters, URDFs and SRDFs.
+std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node);
+
+}  // namespace collision_monitor

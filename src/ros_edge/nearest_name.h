@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace collision_monitor {
+
+/// The name among `known` that needs the fewest edits to become `name`; empty if none is
+/// near enough to be meant (more than a third of the letters differ).
+/// Source: Levenshtein distance by the dynamic programme of Wagner and Fischer (1974).
+std::string nearestName(const std::string& name, const std::vector<std::string>& known);
+
+/// ", did you mean 'NAME'?" or nothing.
+std::string suggestion(const std::string& name, const std::vector<std::string>& known);
+
+}  // namespace collision_monitor

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <string>
+#include <vector>
+
+#include "collision_monitor/model/problems.h"
+
+namespace collision_monitor {
+
+/// Accepted range of a number; an end that is open is not accepted itself.
+struct NumberRange {
+  double least;
+  double greatest;
+  bool is_least_open{false};
+};
+
+/// Reads one struct of parameters field by field and notes which names it was asked for, so
+/// that names nobody asked for can be told. A field that is absent leaves the value alone;
+/// one that is wrong does so too, and adds a problem.
+class ParameterStruct {
+ public:
+  ParameterStruct(const XmlRpc::XmlRpcValue& values, std::string where, SetupReport& report);
+
+  void read(const std::string& name, const NumberRange& range, double& value);
+  void read(const std::string& name, bool& value);
+  void read(const std::string& name, std::string& value);
+  /// One of `words`; `position` is its place among them.
+  void read(const std::string& name, const std::vector<std::string>& words, std::size_t& position);
+  /// The raw value of a field, or nullptr.
+  const XmlRpc::XmlRpcValue* find(const std::string& name);
+  /// A name that others use in this namespace.
+  void tolerate(const std::string& name);
+  /// Adds a problem for each name that nobody asked for.
+  void refuseOthers();
+
+  std::string pathOf(const std::string& name) const { return where_ + "/" + name; }
+
+ private:
+  void refuse(const std::string& name, const std::string& found, const std::string& accepted);
+
+  const XmlRpc::XmlRpcValue& values_;
+  std::string where_;
+  SetupReport& report_;
+  std::vector<std::string> asked_for_;
+};
+
+/// The value as a person would write it.
+std::string toText(const XmlRpc::XmlRpcValue& value);
+
+}  // namespace collision_monitor

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/ros_edge/parameters.h"
+
+#include "ros_edge/parameter_struct.h"
+
+namespace collision_monitor {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+constexpr NumberRange kAnyLength{-1e6, 1e6};
+constexpr NumberRange kLength{0.0, 1e6};
+constexpr NumberRange kTime{0.0, 1e6, true};
+
+void readLimits(const XmlRpcValue& values, const std::string& where, Limits& limits,
+                SetupReport& report) {
+  ParameterStruct fields(values, where, report);
+  fields.read("contact_distance", kAnyLength, limits.contact_distance);
+  fields.read("warning_distance", kAnyLength, limits.warning_distance);
+  fields.read("hysteresis", kLength, limits.hysteresis);
+  fields.read("report_distance", kAnyLength, limits.report_distance);
+  fields.refuseOthers();
+  checkLimits(limits, report);
+}
+
+RobotSource readRobot(const XmlRpcValue& values, const std::string& where, SetupReport& report) {
+  RobotSource robot;
+  ParameterStruct fields(values, where, report);
+  fields.read("name", robot.name);
+  fields.read("description", robot.description);
+  fields.read("semantic", robot.semantic);
+  fields.read("file", robot.file);
+  fields.read("semantic_file", robot.semantic_file);
+  fields.read("tf_prefix", robot.tf_prefix);
+  fields.refuseOthers();
+  if (robot.description.empty() == robot.file.empty()) {
+    report.errors.push_back({where, robot.file.empty() ? "no source" : "two sources",
+                             "either 'description' (a parameter's name) or 'file'"});
+  }
+  if (!robot.semantic.empty() && !robot.semantic_file.empty()) {
+    report.errors.push_back(
+        {where, "two sources of the SRDF", "either 'semantic' or 'semantic_file', or neither"});
+  }
+  return robot;
+}
+
+std::vector<RobotSource> readRobotList(const XmlRpcValue& values, const std::string& where,
+                                       SetupReport& report) {
+  std::vector<RobotSource> robots;
+  if (values.getType() != XmlRpcValue::TypeArray) {
+    report.errors.push_back({"parameter " + where, toText(values), "a list of robots"});
+    return robots;
+  }
+  for (int i = 0; i < values.size(); ++i) {
+    const std::string place = where + "[" + std::to_string(i) + "]";
+    robots.push_back(readRobot(values[i], place, report));
+    if (robots.back().name.empty()) {
+      robots.back().name = "robot_" + std::to_string(i);
+    }
+    for (std::size_t other = 0; other + 1 < robots.size(); ++other) {
+      if (robots[other].name == robots.back().name) {
+        report.errors.push_back(
+            {"parameter " + place + "/name", "'" + robots.back().name + "' twice", "unique names"});
+      }
+    }
+  }
+  return robots;
+}
+
+void readTiming(ParameterStruct& fields, Parameters& parameters) {
+  fields.read("rate", {0.0, 10000.0, true}, parameters.rate);
+  std::size_t trigger = 0;
+  fields.read("trigger", {"timer", "pose"}, trigger);
+  parameters.trigger = trigger == 0 ? Trigger::timer : Trigger::pose;
+  fields.read("max_age", kTime, parameters.max_age);
+  fields.read("heartbeat_rate", {1.0, 1000.0}, parameters.heartbeat_rate);
+  fields.read("marker_rate", {0.0, 1000.0, true}, parameters.marker_rate);
+  fields.read("disable_timeout", kTime, parameters.disable_timeout);
+  fields.read("wait_for_description", {0.0, 1e6}, parameters.wait_for_description);
+}
+
+void readBroadPhase(ParameterStruct& fields, Parameters& parameters) {
+  std::size_t choice = 0;
+  fields.read("broad_phase", {"auto", "brute_force", "sweep_and_prune"}, choice);
+  if (choice == 1) {
+    parameters.broad_phase = BroadPhaseKind::brute_force;
+  } else if (choice == 2) {
+    parameters.broad_phase = BroadPhaseKind::sweep_and_prune;
+  }
+}
+
+/// Names that other software keeps in a node's private namespace.
+void tolerateForeign(ParameterStruct& fields) {
+  for (const char* name :
+       {"diagnostic_period", "robot_description", "robot_description_semantic",
+        "robot_description_planning", "robot_description_kinematics", "num_worker_threads"}) {
+    fields.tolerate(name);
+  }
+}
+
+}  // namespace
+
+Parameters readParameters(const XmlRpcValue& values, const std::string& where,
+                          SetupReport& report) {
+  Parameters parameters;
+  ParameterStruct fields(values, where, report);
+  if (const XmlRpcValue* robots = fields.find("robots")) {
+    parameters.robots = readRobotList(*robots, fields.pathOf("robots"), report);
+  }
+  if (const XmlRpcValue* limits = fields.find("limits")) {
+    readLimits(*limits, fields.pathOf("limits"), parameters.setup.limits, report);
+  }
+  fields.read("world_frame", parameters.world_frame);
+  readTiming(fields, parameters);
+  fields.read("padding", {0.0, 1e3}, parameters.setup.padding);
+  fields.read("ignore_default_overlap", parameters.setup.ignore_default_overlap);
+  readBroadPhase(fields, parameters);
+  tolerateForeign(fields);
+  fields.refuseOthers();
+  return parameters;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include <memory>
+
+#include "ros_edge/conversions.h"
+#include "ros_edge/markers.h"
+#include "ros_edge/warning_log.h"
+
+namespace collision_monitor {
+
+/// All topics of the monitor. Used by the thread of the cycle alone. Messages that nobody
+/// listens to are not computed; only the state is, for those who come late.
+class Publishers {
+ public:
+  explicit Publishers(ros::NodeHandle private_node);
+
+  /// Another set-up is watched from now on.
+  void startWatch(const Watch& watch);
+
+  /// Changes of verdict, on the topic and in the log.
+  void publishChanges(const Watch& watch);
+  /// state and state_is_valid.
+  const State& publishState(const Watch& watch, const CycleFacts& facts);
+  /// contacts and distances.
+  void publishResults(const Watch& watch);
+  /// markers, at most `marker_rate` times a wall second.
+  void publishMarkers(const Watch& watch);
+
+ private:
+  ros::Publisher state_publisher_;
+  ros::Publisher is_valid_publisher_;
+  ros::Publisher contacts_publisher_;
+  ros::Publisher distances_publisher_;
+  ros::Publisher warnings_publisher_;
+  ros::Publisher markers_publisher_;
+  std::unique_ptr<Markers> markers_;
+  ros::SteadyTime last_markers_;
+  WarningLog log_;
+  State state_;
+  Contacts contacts_;
+  Distances distances_;
+};
+
+}  // namespace collision_monitor

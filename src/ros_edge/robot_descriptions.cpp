@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/robot_descriptions.h"
+
+#include <ros/init.h>
+#include <ros/names.h>
+
+#include <string>
+
+namespace collision_monitor {
+namespace {
+
+/// Wall time: a simulated clock may not have started.
+bool waitForParameter(const ros::NodeHandle& node, const std::string& name,
+                      const ros::WallTime& deadline, std::string& text) {
+  constexpr double kPollPeriod = 0.1;
+  for (;;) {
+    std::string resolved;
+    if (node.searchParam(name, resolved) && node.getParam(resolved, text) && !text.empty()) {
+      return true;
+    }
+    if (!ros::ok() || ros::WallTime::now() >= deadline) {
+      return false;
+    }
+    ros::WallDuration(kPollPeriod).sleep();
+  }
+}
+
+std::string readFile(const std::string& uri, const std::string& what, const std::string& robot,
+                     const ResourceLoader& load_resource, SetupReport& report) {
+  try {
+    return load_resource(uri);
+  } catch (const std::exception& fault) {
+    report.errors.push_back({"robot '" + robot + "', " + what + " '" + uri + "'", fault.what(),
+                             "a readable file or package:// URI"});
+    return "";
+  }
+}
+
+RobotDescription fromParameter(const ros::NodeHandle& node, const RobotSource& robot,
+                               const ros::WallTime& deadline, SetupReport& report) {
+  RobotDescription description;
+  // What the search starts from, for a remapped name or one in the namespace above.
+  description.source = "parameter " + node.resolveName(robot.description);
+  if (waitForParameter(node, robot.description, deadline, description.urdf_xml)) {
+    std::string resolved;
+    node.searchParam(robot.description, resolved);
+    description.source = "parameter " + resolved;
+  } else if (ros::ok()) {
+    report.errors.push_back(
+        {"robot '" + robot.name + "'",
+         "no URDF in " + description.source + " nor under the same name in a namespace above",
+         "a parameter that holds the text of a URDF"});
+  }
+  return description;
+}
+
+RobotDescription fromFile(const RobotSource& robot, const ResourceLoader& load_resource,
+                          SetupReport& report) {
+  RobotDescription description;
+  description.source = robot.file;
+  description.urdf_xml = readFile(robot.file, "file", robot.name, load_resource, report);
+  const std::size_t slash = robot.file.rfind('/');
+  description.directory = slash == std::string::npos ? "" : robot.file.substr(0, slash);
+  return description;
+}
+
+/// An SRDF that was named must be there; the one that goes with robot_description by custom may.
+void addSemantic(const ros::NodeHandle& node, const RobotSource& robot, bool is_required,
+                 RobotDescription& description, SetupReport& report) {
+  std::string resolved;
+  if (robot.semantic.empty() || (node.searchParam(robot.semantic, resolved) &&
+                                 node.getParam(resolved, description.srdf_xml))) {
+    return;
+  }
+  if (is_required) {
+    report.errors.push_back({"robot '" + robot.name + "'",
+                             "no SRDF in parameter " + node.resolveName(robot.semantic) +
+                                 " nor under the same name in a namespace above",
+                             "a parameter that holds the text of an SRDF"});
+  }
+}
+
+}  // namespace
+
+std::vector<RobotDescription> loadDescriptions(const ros::NodeHandle& private_node,
+                                               const Parameters& parameters,
+                                               const ResourceLoader& load_resource,
+                                               SetupReport& report) {
+  std::vector<RobotSource> sources = parameters.robots;
+  const bool is_default = sources.empty();
+  if (is_default) {
+    RobotSource robot;
+    robot.name = "robot_description";
+    robot.description = "robot_description";
+    robot.semantic = "robot_description_semantic";
+    sources.push_back(robot);
+  }
+  const ros::WallTime deadline =
+      ros::WallTime::now() + ros::WallDuration(parameters.wait_for_description);
+  std::vector<RobotDescription> descriptions;
+  for (const RobotSource& robot : sources) {
+    RobotDescription description = robot.file.empty()
+                                       ? fromParameter(private_node, robot, deadline, report)
+                                       : fromFile(robot, load_resource, report);
+    addSemantic(private_node, robot, !is_default, description, report);
+    if (!robot.semantic_file.empty()) {
+      description.srdf_xml =
+          readFile(robot.semantic_file, "semantic_file", robot.name, load_resource, report);
+    }
+    description.tf_prefix = robot.tf_prefix;
+    descriptions.push_back(std::move(description));
+  }
+  return descriptions;
+}
+
+}  // namespace collision_monitor

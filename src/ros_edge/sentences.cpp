@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/sentences.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace collision_monitor {
+namespace {
+
+/// Nearer than can be told from touching in print.
+constexpr double kTouching = 0.5e-4;
+
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+const std::string& nameOf(const Setup& setup, BodyId body) {
+  return setup.model.link(setup.bodies[index(body)].link).name;
+}
+
+/// Of the pairs with this verdict, the one with the least distance; kNone if none was measured.
+std::uint32_t nearestWith(Verdict verdict, const PairEvents& events, const PairDistances& distances,
+                          std::size_t& count) {
+  std::uint32_t nearest = kNone;
+  count = 0;
+  for (std::size_t i = 0; i < events.verdicts.size(); ++i) {
+    if (events.verdicts[i] != verdict) {
+      continue;
+    }
+    ++count;
+    const std::uint32_t place = events.closest[i];
+    const bool is_nearer =
+        place != kNone && (nearest == kNone || distances.measured[place].measured.distance <
+                                                   distances.measured[nearest].measured.distance);
+    nearest = is_nearer ? place : nearest;
+  }
+  return nearest;
+}
+
+std::string andMore(std::size_t count, const char* what) {
+  return count < 2 ? "" : " (and " + std::to_string(count - 1) + " more " + what + ")";
+}
+
+std::string pairsSentence(Verdict verdict, const Watch& watch) {
+  const CycleBuffers& buffers = watch.buffers;
+  std::size_t count = 0;
+  const std::uint32_t nearest = nearestWith(verdict, buffers.events, buffers.distances, count);
+  return nearest == kNone ? std::to_string(count) + " pairs of links are near each other"
+                          : distanceSentence(watch.setup(), buffers.distances.measured[nearest]) +
+                                andMore(count, "pairs");
+}
+
+std::string unknownLinksSentence(const Watch& watch) {
+  std::vector<LinkId> links;
+  findUnknownLinks(watch, links);
+  return links.empty() ? "the pose of a link is not rigid"
+                       : unknownSentence(watch, links.front()) + andMore(links.size(), "links");
+}
+
+std::string clearSentence(const Watch& watch) {
+  const std::uint32_t closest = watch.buffers.events.closest_of_all;
+  return closest == kNone ? "clear"
+                          : "clear; " + distanceSentence(watch.setup(),
+                                                         watch.buffers.distances.measured[closest]);
+}
+
+std::string verdictSentence(const Watch& watch, const CycleFacts& facts) {
+  if (facts.now.isZero()) {
+    return "no time on /clock yet";
+  }
+  if (watch.setup().checked.empty()) {
+    return "no pair of links is checked, so nothing can be said";
+  }
+  switch (watch.buffers.events.overall) {
+    case Verdict::contact:
+    case Verdict::warning:
+      return pairsSentence(watch.buffers.events.overall, watch);
+    case Verdict::unknown:
+      return unknownLinksSentence(watch);
+    case Verdict::clear:
+      break;
+  }
+  return clearSentence(watch);
+}
+
+}  // namespace
+
+std::string lengthText(double length) {
+  const double size = std::abs(length);
+  if (size < 0.00995) {
+    return format("%.1f mm", 1000.0 * size);
+  }
+  return size < 0.9995 ? format("%.0f mm", 1000.0 * size) : format("%.2f m", size);
+}
+
+std::string distanceSentence(const Setup& setup, const PairDistance& distance) {
+  const BodyPair& pair = setup.table[distance.pair];
+  const std::string& a = nameOf(setup, pair.a);
+  const std::string& b = nameOf(setup, pair.b);
+  const double value = distance.measured.distance;
+  const bool is_bound = distance.quality == Quality::lower_bound;
+  const std::string of_shapes = is_bound ? " (enclosing shapes)" : "";
+  if (std::abs(value) < kTouching) {
+    return a + " touches " + b + of_shapes;
+  }
+  if (value < 0.0) {
+    return a + " overlaps " + b + " by " + lengthText(value) + of_shapes;
+  }
+  return a + " is " + (is_bound ? "at least " : "") + lengthText(value) + " from " + b;
+}
+
+std::string changeSentence(const Watch& watch, const VerdictChange& change) {
+  const Setup& setup = watch.setup();
+  const CheckedLinkPair& pair = setup.checked[change.link_pair];
+  if (change.after == Verdict::unknown) {
+    const LinkId unknown =
+        watch.buffers.body_poses.link_known[index(pair.a)] == 0 ? pair.a : pair.b;
+    const LinkId other = unknown == pair.a ? pair.b : pair.a;
+    return unknownSentence(watch, unknown) + ", near " + setup.model.link(other).name + " before";
+  }
+  const std::uint32_t closest = watch.buffers.events.closest[change.link_pair];
+  if (closest == kNone) {
+    return setup.model.link(pair.a).name + " is clear of " + setup.model.link(pair.b).name +
+           " by more than " + lengthText(reachOf(pair.limits));
+  }
+  const std::string measured = distanceSentence(setup, watch.buffers.distances.measured[closest]);
+  return change.after == Verdict::clear ? measured + ", clear again" : measured;
+}
+
+std::string unknownSentence(const Watch& watch, LinkId link) {
+  return "link " + watch.setup().model.link(link).name +
+         " is unknown: " + watch.reader.explain(link);
+}
+
+std::string stateSentence(const Watch& watch, const CycleFacts& facts) {
+  const std::string sentence = verdictSentence(watch, facts);
+  return facts.is_enabled ? sentence
+                          : "switched off for another " + format("%.0f s", facts.enabled_again_in) +
+                                "; " + sentence;
+}
+
+const char* statusText(LinkStatus status) noexcept {
+  switch (status) {
+    case LinkStatus::known:
+      return "known";
+    case LinkStatus::stale:
+      return "stale";
+    case LinkStatus::missing:
+      return "missing";
+    case LinkStatus::not_finite:
+      return "not finite";
+  }
+  return "unknown";
+}
+
+}  // namespace collision_monitor

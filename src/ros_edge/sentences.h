@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "ros_edge/watch.h"
+
+/// What a person reads: one sentence each, without full stop.
+namespace collision_monitor {
+
+/// "4.2 mm", "120 mm", "1.23 m"; without sign.
+std::string lengthText(double length);
+
+/// "a is 12 mm from b" or "a overlaps b by 3.0 mm". Says where the number is that of the
+/// enclosing shapes: "a is at least 12 mm from b".
+std::string distanceSentence(const Setup& setup, const PairDistance& distance);
+
+/// What a pair's change of verdict means.
+std::string changeSentence(const Watch& watch, const VerdictChange& change);
+
+/// "link a is unknown: no transform for 0.52 s"
+std::string unknownSentence(const Watch& watch, LinkId link);
+
+/// The state of the whole.
+std::string stateSentence(const Watch& watch, const CycleFacts& facts);
+
+/// "known", "stale", "missing" or "not finite".
+const char* statusText(LinkStatus status) noexcept;
+
+}  // namespace collision_monitor

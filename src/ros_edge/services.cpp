@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/services.h"
+
+#include <utility>
+
+#include "collision_monitor/ros_edge/pose_reader.h"
+#include "ros_edge/get_distances.h"
+#include "ros_edge/startup_report.h"
+
+namespace collision_monitor {
+
+Services::Services(const ros::NodeHandle& private_node, const TransformStore& store,
+                   ServiceHooks hooks)
+    : private_node_(private_node), store_(store), hooks_(std::move(hooks)) {
+  get_distances_ = private_node_.advertiseService("get_distances", &Services::getDistances, this);
+  set_enabled_ = private_node_.advertiseService("set_enabled", &Services::setEnabled, this);
+  reload_ = private_node_.advertiseService("reload", &Services::reload, this);
+}
+
+bool Services::getDistances(GetDistances::Request& request, GetDistances::Response& response) {
+  const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
+  const RobotModel& model = current->setup.model;
+  LinkPoses poses = makeLinkPoses(model);
+  const ros::Time now = ros::Time::now();
+  if (!now.isZero()) {
+    PoseReader reader(model, store_, {current->world_frame, current->parameters.max_age});
+    reader.read(now, poses);
+  }
+  answerGetDistances(*current, poses, request, response);
+  return true;
+}
+
+bool Services::setEnabled(std_srvs::SetBool::Request& request,
+                          std_srvs::SetBool::Response& response) {
+  const bool is_enabled = request.data != 0;
+  hooks_.set_enabled(is_enabled);
+  response.success = 1;
+  const int seconds = static_cast<int>(hooks_.current_setup()->parameters.disable_timeout);
+  response.message = is_enabled ? "switched on"
+                                : "switched off; switches itself on again in " +
+                                      std::to_string(seconds) + " s (parameter disable_timeout)";
+  return true;
+}
+
+bool Services::reload(std_srvs::Trigger::Request& /*request*/,
+                      std_srvs::Trigger::Response& response) {
+  const std::unique_lock<std::mutex> lock(reload_mutex_, std::try_to_lock);
+  response.success = 0;
+  if (!lock.owns_lock()) {
+    response.message = "another reload is running; try again when it is done";
+    return true;
+  }
+  try {
+    const std::shared_ptr<const MonitorSetup> made = makeMonitorSetup(private_node_);
+    hooks_.replace_setup(made);
+    logSetup(*made);
+    response.message = summaryOf(*made);
+    response.success = 1;
+  } catch (const std::exception& error) {
+    response.message = std::string("nothing was changed: ") + error.what();
+  }
+  return true;
+}
+
+}  // namespace collision_monitor

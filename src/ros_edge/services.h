@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <collision_monitor/GetDistances.h>
+#include <ros/node_handle.h>
+#include <ros/service_server.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+
+#include "collision_monitor/ros_edge/transform_store.h"
+#include "ros_edge/monitor_setup.h"
+
+namespace collision_monitor {
+
+/// What the services ask of the monitor. All may be called from any thread.
+struct ServiceHooks {
+  std::function<std::shared_ptr<const MonitorSetup>()> current_setup;
+  std::function<void(std::shared_ptr<const MonitorSetup>)> replace_setup;
+  std::function<void(bool)> set_enabled;
+};
+
+/// get_distances, set_enabled and reload. Run on the callback queue of the node handle, beside the
+/// cycle and without touching its data.
+class Services {
+ public:
+  /// @pre `store` outlives the services.
+  Services(const ros::NodeHandle& private_node, const TransformStore& store, ServiceHooks hooks);
+
+ private:
+  bool getDistances(GetDistances::Request& request, GetDistances::Response& response);
+  bool setEnabled(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  bool reload(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+
+  ros::NodeHandle private_node_;
+  const TransformStore& store_;
+  ServiceHooks hooks_;
+  std::mutex reload_mutex_;
+  ros::ServiceServer get_distances_;
+  ros::ServiceServer set_enabled_;
+  ros::ServiceServer reload_;
+};
+
+}  // namespace collision_monitor

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/ros_edge/transform_store.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace collision_monitor {
+namespace {
+
+/// tf2 refuses quaternions farther than this from unit length, with a line in the log each
+/// time; here the frame becomes unknown instead.
+constexpr double kQuaternionTolerance = 1e-2;
+
+bool isUsable(const geometry_msgs::Transform& transform) {
+  const auto& t = transform.translation;
+  const auto& q = transform.rotation;
+  const double norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+  return std::isfinite(t.x) && std::isfinite(t.y) && std::isfinite(t.z) && std::isfinite(norm) &&
+         std::abs(norm - 1.0) < kQuaternionTolerance;
+}
+
+/// Signed: ros::Time cannot hold the difference of two times in the wrong order.
+std::int64_t nanoseconds(const ros::Time& time) { return static_cast<std::int64_t>(time.toNSec()); }
+
+}  // namespace
+
+std::string stripLeadingSlash(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+FrameRecord& TransformStore::recordOf(const std::string& frame) {
+  const auto [place, is_new] = places_.try_emplace(frame, records_.size());
+  if (is_new) {
+    records_.emplace_back();
+    records_.back().name = frame;
+    ++version_.topology;
+  }
+  return records_[place->second];
+}
+
+void TransformStore::accept(const std::vector<geometry_msgs::TransformStamped>& transforms,
+                            bool is_static, const ros::Time& now) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    jumpBackIfEarlier(now);
+    for (const geometry_msgs::TransformStamped& transform : transforms) {
+      acceptOne(transform, is_static);
+    }
+    ++version_.data;
+  }
+  news_.notify_all();
+}
+
+void TransformStore::acceptOne(geometry_msgs::TransformStamped transform, bool is_static) {
+  transform.header.frame_id = stripLeadingSlash(transform.header.frame_id);
+  transform.child_frame_id = stripLeadingSlash(transform.child_frame_id);
+  const std::string& parent = transform.header.frame_id;
+  if (parent.empty() || transform.child_frame_id.empty() || parent == transform.child_frame_id) {
+    return;
+  }
+  if (!is_static && transform.header.stamp.isZero()) {
+    // tf2 would read it as "always", so the link would never be old.
+    ++without_stamp_;
+    return;
+  }
+  FrameRecord& record = recordOf(transform.child_frame_id);
+  record.is_bad = !isUsable(transform.transform);
+  if (record.is_bad) {
+    return;
+  }
+  const std::int64_t stamp = nanoseconds(transform.header.stamp);
+  if (!is_static && stamp == record.newest_ns && parent == record.parent) {
+    return;  // sent again; tf2 would complain of it
+  }
+  if (!buffer_.setTransform(transform, "collision_monitor", is_static)) {
+    return;
+  }
+  if (is_static || record.is_static || record.parent != parent) {
+    record.is_static = is_static;
+    record.parent = parent;
+    ++version_.topology;
+  }
+  if (!is_static && stamp > record.newest_ns) {
+    record.previous_ns = record.newest_ns;
+    record.newest_ns = stamp;
+  } else if (!is_static) {
+    record.previous_ns = std::max(record.previous_ns, stamp);
+  }
+}
+
+void TransformStore::noteTime(const ros::Time& now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  jumpBackIfEarlier(now);
+}
+
+void TransformStore::jumpBackIfEarlier(const ros::Time& now) {
+  if (now < last_time_) {
+    buffer_.clear();
+    for (FrameRecord& record : records_) {
+      record.newest_ns = 0;
+      record.previous_ns = 0;
+      record.is_bad = false;
+    }
+    ++version_.jumps;
+    ++version_.data;
+  }
+  last_time_ = now;
+}
+
+TransformStore::Version TransformStore::version() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return version_;
+}
+
+void TransformStore::waitForNews(std::uint64_t seen,
+                                 std::chrono::steady_clock::time_point deadline) const {
+  std::unique_lock<std::mutex> lock(mutex_);
+  news_.wait_until(lock, deadline, [&] { return version_.data != seen; });
+}
+
+void TransformStore::wake() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++version_.data;
+  }
+  news_.notify_all();
+}
+
+void TransformStore::copyRecords(std::vector<FrameRecord>& records) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  records = records_;
+}
+
+void TransformStore::refreshRecords(std::vector<FrameRecord>& records) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (std::size_t i = 0; i < records.size() && i < records_.size(); ++i) {
+    records[i].is_bad = records_[i].is_bad;
+    records[i].newest_ns = records_[i].newest_ns;
+    records[i].previous_ns = records_[i].previous_ns;
+  }
+}
+
+std::uint64_t TransformStore::refusedWithoutStamp() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return without_stamp_;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/warning_log.h"
+
+#include <ros/console.h>
+
+#include <map>
+
+#include "ros_edge/sentences.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Wall seconds between two lines of one cause.
+constexpr double kPeriod = 1.0;
+
+bool isTooSoon(const ros::SteadyTime& last, const ros::SteadyTime& now) {
+  return !last.isZero() && (now - last).toSec() < kPeriod;
+}
+
+}  // namespace
+
+void WarningLog::logChange(const Watch& watch, const VerdictChange& change,
+                           const std::string& sentence) {
+  last_of_pair_.resize(watch.setup().checked.size());
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  ros::SteadyTime& last = last_of_pair_[change.link_pair];
+  if (isTooSoon(last, now)) {
+    return;
+  }
+  last = now;
+  switch (change.after) {
+    case Verdict::contact:
+      ROS_WARN_STREAM("contact: " << sentence);
+      break;
+    case Verdict::warning:
+      ROS_WARN_STREAM("near: " << sentence);
+      break;
+    case Verdict::unknown:
+      ROS_WARN_STREAM("unknown: " << sentence);
+      break;
+    case Verdict::clear:
+      ROS_INFO_STREAM("clear: " << sentence);
+      break;
+  }
+}
+
+void WarningLog::logUnknownLinks(const Watch& watch) {
+  findUnknownLinks(watch, unknown_);
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if (unknown_ == told_unknown_ || isTooSoon(last_unknown_, now)) {
+    return;
+  }
+  last_unknown_ = now;
+  told_unknown_ = unknown_;
+  if (unknown_.empty()) {
+    ROS_INFO("the poses of all links are known");
+    return;
+  }
+  // One line for each cause: a joint that is silent hides every link behind it.
+  std::map<std::string, std::string> links_of_cause;
+  for (const LinkId link : unknown_) {
+    std::string& links = links_of_cause[watch.reader.explain(link)];
+    links += (links.empty() ? "" : ", ") + watch.setup().model.link(link).name;
+  }
+  for (const auto& [cause, links] : links_of_cause) {
+    ROS_WARN_STREAM("unknown: " << links << ": " << cause);
+  }
+}
+
+void WarningLog::reset() {
+  last_of_pair_.clear();
+  told_unknown_.clear();
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+
+#include <string>
+#include <vector>
+
+#include "ros_edge/watch.h"
+
+namespace collision_monitor {
+
+/// Says in the log what the topics say, at most once a second for each cause: a pair of links,
+/// or the set of unknown links. Wall time, for a simulated clock may stand still.
+class WarningLog {
+ public:
+  void logChange(const Watch& watch, const VerdictChange& change, const std::string& sentence);
+  /// Links that became unknown or known again since it was last said.
+  void logUnknownLinks(const Watch& watch);
+  /// Another set-up: what was said does not count.
+  void reset();
+
+ private:
+  std::vector<ros::SteadyTime> last_of_pair_;  ///< by LinkPairIndex
+  std::vector<LinkId> told_unknown_;
+  std::vector<LinkId> unknown_;
+  ros::SteadyTime last_unknown_;
+};
+
+}  // namespace collision_monitor
