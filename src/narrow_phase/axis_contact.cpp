@@ -44,7 +44,7 @@ struct Candidate {
 };
 
 Candidate contactOnFaceOfA(const BoxPair& pair, Eigen::Index axis, double separation,
-                           double tolerance) noexcept {
+                           double slack) noexcept {
   const Eigen::Index p = (axis + 1) % 3;
   const Eigen::Index q = (axis + 2) % 3;
   const double side = signOf(pair.center_of_b[axis]);
@@ -59,9 +59,11 @@ Candidate contactOnFaceOfA(const BoxPair& pair, Eigen::Index axis, double separa
   const Eigen::Vector2d half_extents(pair.half_a[p], pair.half_a[q]);
   Eigen::Vector2d center = flat.center;
   Candidate candidate;
-  candidate.defect = patchCenter(flat, half_extents, tolerance, center)
-                         ? 0.0
-                         : (flat.center.cwiseAbs() - half_extents).maxCoeff();
+  candidate.defect = 0.0;
+  if (!patchCenter(flat, half_extents, slack, center)) {
+    center = flat.center.cwiseMax(-half_extents).cwiseMin(half_extents);
+    candidate.defect = (flat.center - center).norm();
+  }
   candidate.cores.distance = separation;
   candidate.cores.normal_a_to_b = normal;
   candidate.cores.point_on_a[axis] = side * pair.half_a[axis];
@@ -72,8 +74,8 @@ Candidate contactOnFaceOfA(const BoxPair& pair, Eigen::Index axis, double separa
 }
 
 Candidate contactOnFaceOfB(const BoxPair& pair, Eigen::Index axis, double separation,
-                           double tolerance) noexcept {
-  Candidate candidate = contactOnFaceOfA(swapped(pair), axis, separation, tolerance);
+                           double slack) noexcept {
+  Candidate candidate = contactOnFaceOfA(swapped(pair), axis, separation, slack);
   candidate.cores = swapped(placed(aFromB(pair), candidate.cores));
   return candidate;
 }
@@ -104,33 +106,26 @@ Candidate contactOfEdges(const BoxPair& pair, std::size_t axis, double separatio
 }
 
 Candidate contactOnAxis(const BoxPair& pair, std::size_t axis, double separation,
-                        double tolerance) noexcept {
+                        double slack) noexcept {
   if (axis < kFirstFaceOfB) {
-    return contactOnFaceOfA(pair, static_cast<Eigen::Index>(axis), separation, tolerance);
+    return contactOnFaceOfA(pair, static_cast<Eigen::Index>(axis), separation, slack);
   }
   if (axis < kFirstEdgePair) {
     return contactOnFaceOfB(pair, static_cast<Eigen::Index>(axis - kFirstFaceOfB), separation,
-                            tolerance);
+                            slack);
   }
   return contactOfEdges(pair, axis, separation);
 }
 
-// The first axis that ties for the largest separation and has its points within tolerance of
-// their features, else the one with the least defect.
-Candidate bestContact(const BoxPair& pair, const Separations& separations,
-                      double tolerance) noexcept {
+// The first axis that ties for the largest separation and whose points are on their features
+// within `slack`, else the one with the least defect.
+Candidate bestContact(const BoxPair& pair, const Separations& separations, double slack) noexcept {
+  const double least = separations.largest - toleranceOf(pair);
   Candidate best;
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const double separation = separations.along[axis];
-    if (separation < separations.largest - tolerance) {
-      continue;
-    }
-    const Candidate candidate = contactOnAxis(pair, axis, separation, tolerance);
-    if (candidate.defect < best.defect) {
-      best = candidate;
-    }
-    if (best.defect <= tolerance) {
-      break;
+  for (std::size_t axis = 0; axis < kAxisCount && best.defect > slack; ++axis) {
+    if (separations.along[axis] >= least) {
+      const Candidate candidate = contactOnAxis(pair, axis, separations.along[axis], slack);
+      best = candidate.defect < best.defect ? candidate : best;
     }
   }
   return best;
@@ -140,14 +135,15 @@ Candidate bestContact(const BoxPair& pair, const Separations& separations,
 
 bool contactAlongAxis(const BoxPair& pair, const Separations& separations,
                       SignedDistance& cores) noexcept {
-  const double tolerance = toleranceOf(pair);
-  const Candidate best = bestContact(pair, separations, tolerance);
+  const double slack = toleranceOf(pair);
+  const Candidate best = bestContact(pair, separations, slack);
   cores = best.cores;
-  return best.defect <= tolerance;
+  return best.defect <= slack;
 }
 
 SignedDistance nearestContact(const BoxPair& pair, const Separations& separations) noexcept {
-  return bestContact(pair, separations, toleranceOf(pair)).cores;
+  // Corners that touch may be apart by kTouching along each axis, so that no face holds a point.
+  return bestContact(pair, separations, toleranceOf(pair) + 2.0 * kTouching).cores;
 }
 
 }  // namespace collision_monitor

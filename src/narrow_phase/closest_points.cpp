@@ -29,6 +29,14 @@ double closestParameter(const Segment& segment, const Eigen::Vector3d& point) no
   return clampTo(segment.half_length, segment.direction.dot(point - segment.center));
 }
 
+Eigen::Vector3d towardsNormalCone(const Segment& segment, double parameter,
+                                  const Eigen::Vector3d& outward) noexcept {
+  const double along = outward.dot(segment.direction);
+  const bool is_within = std::abs(parameter) < segment.half_length;
+  return is_within || along * parameter < 0.0 ? Eigen::Vector3d(outward - along * segment.direction)
+                                              : outward;
+}
+
 ClosestParameters closestParameters(const Segment& a, const Segment& b) noexcept {
   const Eigen::Vector3d between = b.center - a.center;
   const Eigen::Vector3d normal = a.direction.cross(b.direction);

@@ -27,6 +27,11 @@ inline Eigen::Vector3d closestInBox(const Eigen::Vector3d& half_extents,
 /// Parameter of the segment's point nearest to `point`: before, within or after the segment.
 double closestParameter(const Segment& segment, const Eigen::Vector3d& point) noexcept;
 
+/// `outward` without what cannot belong to a normal of the segment at the point `parameter`: its
+/// part along the segment, unless the point is an end and the part leads beyond it.
+Eigen::Vector3d towardsNormalCone(const Segment& segment, double parameter,
+                                  const Eigen::Vector3d& outward) noexcept;
+
 /// Parameters of two nearest points.
 struct ClosestParameters {
   double on_a{0.0};

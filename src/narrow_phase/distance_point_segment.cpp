@@ -9,14 +9,19 @@ namespace collision_monitor {
 SignedDistance distanceBetween(const Sphere& a, const Pose& world_from_a, const Capsule& b,
                                const Pose& world_from_b) noexcept {
   const Segment segment{world_from_b.translation, world_from_b.rotation.col(2), b.half_length};
+  const double parameter = closestParameter(segment, world_from_a.translation);
   SignedDistance cores;
   cores.point_on_a = world_from_a.translation;
-  cores.point_on_b = segment.at(closestParameter(segment, cores.point_on_a));
-  const Eigen::Vector3d between = cores.point_on_b - cores.point_on_a;
+  cores.point_on_b = segment.at(parameter);
+  Eigen::Vector3d between = cores.point_on_b - cores.point_on_a;
   cores.distance = between.norm();
+  if (cores.distance <= kNear) {
+    between = -towardsNormalCone(segment, parameter, -between);
+  }
   // A point on the segment: every direction across the segment realises the distance.
-  cores.normal_a_to_b = cores.distance > kTouching ? Eigen::Vector3d(between / cores.distance)
-                                                   : perpendicularTo(segment.direction);
+  const double length = between.norm();
+  cores.normal_a_to_b =
+      length > kTouching ? Eigen::Vector3d(between / length) : perpendicularTo(segment.direction);
   return swept(cores, a.radius, b.radius);
 }
 

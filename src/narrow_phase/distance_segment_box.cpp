@@ -92,8 +92,9 @@ SignedDistance boxToSegment(const BoxPair& pair) noexcept {
   direction = (direction.array().abs() > kParallel).select(direction, 0.0);
   const SegmentAndBox here{
       {pair.center_of_b, direction, pair.half_b.z()}, pair.half_a, toleranceOf(pair)};
+  const double parameter = nearestParameter(here);
   SignedDistance cores;
-  cores.point_on_b = here.segment.at(nearestParameter(here));
+  cores.point_on_b = here.segment.at(parameter);
   cores.point_on_a = closestInBox(here.half_extents, cores.point_on_b);
   const Eigen::Vector3d between = cores.point_on_b - cores.point_on_a;
   cores.distance = between.norm();
@@ -101,12 +102,16 @@ SignedDistance boxToSegment(const BoxPair& pair) noexcept {
     cores.normal_a_to_b = between / cores.distance;
     return cores;
   }
-  // Overlapping, or so near that the axis of the features is better known than the difference.
+  // Overlapping, or so near that features know the normal better than the difference does.
   const Separations separations = separationsOfBoxAndSegment(pair);
-  if (cores.distance <= kTouching || separations.largest >= cores.distance - kTouching) {
+  SignedDistance along_axis;
+  if (cores.distance <= kTouching) {
     return nearestContact(pair, separations);
   }
-  cores.normal_a_to_b = between / cores.distance;
+  if (contactAlongAxis(pair, separations, along_axis)) {
+    return along_axis;
+  }
+  cores.normal_a_to_b = -towardsNormalCone(here.segment, parameter, -between).normalized();
   return cores;
 }
 

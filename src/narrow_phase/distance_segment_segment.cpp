@@ -10,30 +10,31 @@
 namespace collision_monitor {
 namespace {
 
-// Perpendicular to both segments; for parallel ones, to the first.
+// Between sines of this and kParallel a cross product of the directions is too noisy.
+constexpr double kNearlyParallel = 1e-4;
+
+// Perpendicular to both segments; for parallel ones, to the first. Made orthogonal before the
+// cross product, so that it is perpendicular at every angle.
 Eigen::Vector3d commonPerpendicular(const Segment& a, const Segment& b) noexcept {
-  const Eigen::Vector3d normal = a.direction.cross(b.direction);
-  const double sine = normal.norm();
-  return sine > kParallel ? Eigen::Vector3d(normal / sine) : perpendicularTo(a.direction);
+  const Eigen::Vector3d across = b.direction - a.direction.dot(b.direction) * a.direction;
+  return across.squaredNorm() > kParallel * kParallel
+             ? Eigen::Vector3d(a.direction.cross(across).normalized())
+             : perpendicularTo(a.direction);
 }
 
-// The normal is perpendicular to each segment that is met between its ends. Where the points
-// nearly coincide this is known better than their difference.
+// The normal is perpendicular to each segment that is met between its ends, and points beyond
+// the end that is met. Where the points nearly coincide this is known better than their difference.
 Eigen::Vector3d normalOfNear(const Segment& a, const Segment& b, const ClosestParameters& closest,
                              Eigen::Vector3d between) noexcept {
   const bool within_a = std::abs(closest.on_a) < a.half_length;
   const bool within_b = std::abs(closest.on_b) < b.half_length;
-  if (within_a && within_b) {
+  const double sine = a.direction.cross(b.direction).norm();
+  if (within_a && within_b && sine > kNearlyParallel) {
     const Eigen::Vector3d normal = commonPerpendicular(a, b);
-    const double along = normal.dot(between);
-    if (std::abs(along) >= between.norm() - kTouching) {
-      return signOf(along) * normal;
-    }
-  } else if (within_a) {
-    between -= between.dot(a.direction) * a.direction;
-  } else if (within_b) {
-    between -= between.dot(b.direction) * b.direction;
+    return signOf(normal.dot(between)) * normal;
   }
+  between = towardsNormalCone(a, closest.on_a, between);
+  between = -towardsNormalCone(b, closest.on_b, -between);
   const double length = between.norm();
   return length > kTouching ? Eigen::Vector3d(between / length) : commonPerpendicular(a, b);
 }

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support_fcl/fcl_adapter.h"
+
+#include <fcl/geometry/shape/box.h>
+#include <fcl/geometry/shape/capsule.h>
+#include <fcl/geometry/shape/sphere.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <algorithm>
+#include <exception>
+#include <vector>
+
+namespace collision_monitor::test {
+namespace {
+
+using Geometry = std::shared_ptr<fcl::CollisionGeometryd>;
+
+struct ToGeometry {
+  Geometry operator()(const Sphere& shape) const {
+    return std::make_shared<fcl::Sphered>(shape.radius);
+  }
+  Geometry operator()(const Capsule& shape) const {
+    return std::make_shared<fcl::Capsuled>(shape.radius, 2.0 * shape.half_length);
+  }
+  Geometry operator()(const Box& shape) const {
+    return std::make_shared<fcl::Boxd>(2.0 * shape.half_extents);
+  }
+  Geometry operator()(const RoundedBox& shape) const {
+    return shape.radius > 0.0 ? nullptr : (*this)(Box{shape.half_extents});
+  }
+};
+
+}  // namespace
+
+std::optional<FclObject> toFcl(const Shape& shape, const Pose& world_from_shape) {
+  const Geometry geometry = std::visit(ToGeometry{}, shape);
+  if (geometry == nullptr) {
+    return std::nullopt;
+  }
+  return FclObject(geometry, world_from_shape.rotation, world_from_shape.translation);
+}
+
+std::optional<double> fclDistance(const FclObject& a, const FclObject& b) {
+  try {
+    const fcl::DistanceRequestd request(false, false);
+    fcl::DistanceResultd result;
+    fcl::distance(&a, &b, request, result);
+    return result.min_distance;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<bool> fclOverlap(const FclObject& a, const FclObject& b) {
+  try {
+    const fcl::CollisionRequestd request;
+    fcl::CollisionResultd result;
+    return fcl::collide(&a, &b, request, result) > 0;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<double> fclDepth(const FclObject& a, const FclObject& b) {
+  try {
+    constexpr std::size_t kManyContacts = 16;
+    const fcl::CollisionRequestd request(kManyContacts, true);
+    fcl::CollisionResultd result;
+    fcl::collide(&a, &b, request, result);
+    std::vector<fcl::Contactd> contacts;
+    result.getContacts(contacts);
+    if (contacts.empty()) {
+      return std::nullopt;
+    }
+    double depth = 0.0;
+    for (const fcl::Contactd& contact : contacts) {
+      depth = std::max(depth, contact.penetration_depth);
+    }
+    return depth;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace collision_monitor::test
