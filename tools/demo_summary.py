@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The collision_monitor authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Prints what the collision monitor says while a joint path is played, and sums it up at the end.
+
+Exit code: 0 if the monitor spoke until the end and measured distances; 1 if it never spoke or fell silent;
+2 if it spoke but no distance was ever known; 3 if the path did not come to its end.
+"""
+import argparse
+import sys
+import threading
+import time
+
+import rospy
+from collision_monitor.msg import Contacts, PairDistance, State, Warning as VerdictChange
+from std_msgs.msg import Float64
+
+LEVELS = {State.OK: "ok", State.WARNING: "warning", State.UNKNOWN: "unknown", State.CONTACT: "contact"}
+VERDICTS = {VerdictChange.CLEAR: "clear", VerdictChange.WARNING: "WARNING",
+            VerdictChange.UNKNOWN: "UNKNOWN", VerdictChange.CONTACT: "CONTACT"}
+QUALITIES = {PairDistance.EXACT: "exact", PairDistance.LOWER_BOUND: "or more", PairDistance.UNKNOWN: "unknown"}
+COLOURS = {"clear": "32", "WARNING": "33", "CONTACT": "31", "UNKNOWN": "90"}
+LONGEST_SILENCE = 3.0  # [s]; the monitor promises a state at least once a second
+
+
+class Record:
+    """What is kept of a run, from the first step of the path on: start-up does not count."""
+
+    def __init__(self):
+        self.closest = None
+        self.levels = []
+        self.changes = {name: 0 for name in VERDICTS.values()}
+        self.depths = {}
+        self.oldest, self.slowest = 0.0, 0.0
+        self.first_cycle = self.last = None
+        self.overruns_before = 0
+
+    def add_state(self, state):
+        if self.first_cycle is None:
+            self.first_cycle, self.overruns_before = state.cycles, state.overruns
+        self.last = state
+        if state.has_closest and (self.closest is None or state.closest.distance < self.closest.distance):
+            self.closest = state.closest
+        if not self.levels or self.levels[-1] != LEVELS[state.level]:
+            self.levels.append(LEVELS[state.level])
+        self.oldest = max(self.oldest, state.age)
+        self.slowest = max(self.slowest, state.cycle_time)
+
+    def add_contacts(self, message):
+        for contact in message.contacts:
+            pair = (contact.link_a, contact.link_b)
+            self.depths[pair] = max(self.depths.get(pair, 0.0), contact.depth)
+
+    def lines(self):
+        if self.last is None:
+            return ["the monitor published no state on the way"]
+        lines = ["way of the state   " + " > ".join(self.levels)]
+        if self.closest is None:
+            lines.append("closest pair       none: no distance was ever known")
+        else:
+            lines.append(f"closest pair       {self.closest.link_a} and {self.closest.link_b}: "
+                         f"{1000 * self.closest.distance:.1f} mm ({QUALITIES[self.closest.quality]})")
+        counted = ", ".join(f"{count} to {name}" for name, count in self.changes.items() if count)
+        lines.append(f"changes of verdict {counted or 'none'}")
+        contacts = [f"{a} and {b}, {1000 * depth:.1f} mm deep" for (a, b), depth in self.depths.items()]
+        lines += ["pairs in contact   " + (contacts[0] if contacts else "none")]
+        lines += ["                   " + text for text in contacts[1:]]
+        lines.append(f"cycles             {self.last.cycles - self.first_cycle}, slowest {1e6 * self.slowest:.0f} us, "
+                     f"{self.last.overruns - self.overruns_before} overruns")
+        lines.append(f"age of the data    at most {1000 * self.oldest:.0f} ms")
+        return lines
+
+
+class Reporter:
+    """Listens, prints each change as it comes, and knows when the path is over."""
+
+    def __init__(self, monitor, player):
+        self.record, self.lock = Record(), threading.Lock()
+        self.progress, self.begin = 0.0, None
+        self.heard_at, self.silent = None, 0.0
+        self.subscribers = [
+            rospy.Subscriber(f"{monitor}/state", State, self.on_state, queue_size=100),
+            rospy.Subscriber(f"{monitor}/warnings", VerdictChange, self.on_change, queue_size=1000),
+            rospy.Subscriber(f"{monitor}/contacts", Contacts, self.on_contacts, queue_size=100),
+            rospy.Subscriber(f"{player}/progress", Float64, self.on_progress, queue_size=100)]
+
+    def is_running(self):
+        return self.begin is not None
+
+    def on_progress(self, message):
+        self.begin = self.begin or time.monotonic()
+        self.progress = message.data
+
+    def on_state(self, state):
+        with self.lock:
+            self.heard_at = time.monotonic()
+            if self.is_running():
+                self.record.add_state(state)
+
+    def on_contacts(self, message):
+        with self.lock:
+            if self.is_running():
+                self.record.add_contacts(message)
+
+    def on_change(self, change):
+        name = VERDICTS[change.after]
+        with self.lock:
+            if self.is_running():
+                self.record.changes[name] += 1
+        self.say(name, change.sentence)
+
+    def say(self, name, sentence):
+        begin = self.begin or time.monotonic()
+        text = f"{name:8}"
+        if sys.stdout.isatty():
+            text = f"\r\033[K\033[{COLOURS[name]}m{text}\033[0m"
+        print(f"{text} {time.monotonic() - begin:6.2f} s  {sentence}", flush=True)
+
+    def show_progress(self):
+        state = self.record.last
+        if sys.stdout.isatty() and state is not None:
+            done = int(20 * self.progress)
+            line = f"[{'=' * done:20}] {100 * self.progress:3.0f} %  {state.sentence}"
+            print(f"\r\033[K{line[:110]}", end="", flush=True)
+
+    def wait_for_monitor(self, patience):
+        deadline = time.monotonic() + patience
+        while self.heard_at is None and time.monotonic() < deadline and not rospy.is_shutdown():
+            time.sleep(0.05)
+        return self.heard_at is not None
+
+    def wait_for_end(self, patience):
+        """@return a sentence if the run did not come to its end, else None."""
+        last_progress, moved_at = None, time.monotonic()
+        while self.progress < 1.0:
+            now = time.monotonic()
+            if rospy.is_shutdown():
+                return "interrupted before the path was over"
+            if now - self.heard_at > LONGEST_SILENCE:
+                return f"the monitor fell silent for {now - self.heard_at:.1f} s"
+            if self.progress != last_progress:
+                last_progress, moved_at = self.progress, now
+            elif now - moved_at > patience:
+                return f"the player did not move on for {patience:.0f} s"
+            self.show_progress()
+            time.sleep(0.1)
+        time.sleep(0.5)  # what is still on its way
+        return None
+
+
+def report(reporter, fault):
+    """Prints the summary. @return the exit code."""
+    if sys.stdout.isatty():
+        print("\r\033[K", end="")
+    print("\nSummary")
+    for line in reporter.record.lines():
+        print("  " + line)
+    if fault:
+        print(f"error: {fault}", file=sys.stderr)
+        return 1 if "silent" in fault else 3
+    if reporter.record.last is None:
+        return 1
+    if reporter.record.closest is None:
+        print(f"error: no distance was ever known: {reporter.record.last.sentence}", file=sys.stderr)
+        return 2
+    return 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--monitor", default="/collision_monitor", help="the monitor (default %(default)s)")
+    parser.add_argument("--player", default="/play_joint_path", help="the player (default %(default)s)")
+    parser.add_argument("--patience", type=float, default=30.0, metavar="S", help="longest wait (default %(default)s)")
+    options = parser.parse_args(rospy.myargv()[1:])
+    rospy.init_node("demo_summary", disable_rosout=True)
+    reporter = Reporter(options.monitor, options.player)
+    if not reporter.wait_for_monitor(options.patience):
+        print(f"error: nothing came on {options.monitor}/state within {options.patience:.0f} s", file=sys.stderr)
+        return 1
+    return report(reporter, reporter.wait_for_end(options.patience))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
