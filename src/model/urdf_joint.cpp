@@ -71,6 +71,11 @@ bool hasRange(JointType type) {
   return type == JointType::revolute || type == JointType::prismatic;
 }
 
+std::string shown(const XMLElement& element, const char* attribute) {
+  const char* text = element.Attribute(attribute);
+  return text == nullptr ? "0 (not written)" : quoted(text);
+}
+
 void readLimit(const XMLElement& element, const Place& place, Joint& joint) {
   const XMLElement* limit = element.FirstChildElement("limit");
   if (!hasRange(joint.type) && joint.type != JointType::continuous) {
@@ -92,10 +97,10 @@ void readLimit(const XMLElement& element, const Place& place, Joint& joint) {
       place.note(Oddity::limit_without_range);
     }
     if (joint.lower > joint.upper) {
-      place.addError(limit->GetLineNum(),
-                     "limit lower " + quoted(std::to_string(joint.lower)) + " above upper " +
-                         quoted(std::to_string(joint.upper)),
-                     "lower <= upper");
+      place.addError(
+          limit->GetLineNum(),
+          "limit lower " + shown(*limit, "lower") + " above upper " + shown(*limit, "upper"),
+          "lower <= upper");
     }
   }
   const Numbers<1> unlimited(kInfinity);

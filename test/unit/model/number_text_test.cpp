@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/number_text.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+
+namespace collision_monitor {
+namespace {
+
+std::string faultOf(const std::string& text) {
+  Eigen::VectorXd numbers = Eigen::VectorXd::Constant(3, 7.0);
+  const auto fault = parseNumbers(text, numbers);
+  if (fault) {
+    EXPECT_EQ(numbers, Eigen::VectorXd::Constant(3, 7.0)) << "written in spite of a fault";
+  }
+  return fault.value_or("");
+}
+
+TEST(NumberText, anyWhiteSpaceSeparates) {
+  Eigen::VectorXd numbers(3);
+  EXPECT_FALSE(parseNumbers(" \n+1.5\t-2e-3   .25 ", numbers));
+  EXPECT_EQ(numbers, Eigen::Vector3d(1.5, -0.002, 0.25));
+}
+
+TEST(NumberText, faultsNameTheWordOrTheCount) {
+  EXPECT_EQ(faultOf("0.1 abc 0.3"), "'abc' is not a number");
+  EXPECT_EQ(faultOf("0.1 1,5 0.3"), "'1,5' is not a number");
+  EXPECT_EQ(faultOf("0.1 0x1p3 0.3"), "'0x1p3' is not a number");
+  EXPECT_EQ(faultOf("0.1 nan 0.3"), "'nan' is not finite");
+  EXPECT_EQ(faultOf("-inf 0 0"), "'-inf' is not finite");
+  EXPECT_EQ(faultOf("1e999 0 0"), "'1e999' is out of range");
+  EXPECT_EQ(faultOf("+-1 0 0"), "'+-1' is not a number");
+  EXPECT_EQ(faultOf("0.1m 0 0"), "'0.1m' is not a number");
+  EXPECT_EQ(faultOf("1 2"), "2 numbers");
+  EXPECT_EQ(faultOf("1"), "1 number");
+  EXPECT_EQ(faultOf(""), "0 numbers");
+  EXPECT_EQ(faultOf("1 2 3 4"), "4 numbers");
+}
+
+TEST(NumberText, localeWithDecimalComma_changesNothing) {
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) {
+    GTEST_SKIP() << "the locale de_DE.UTF-8 is not installed";
+  }
+  Eigen::VectorXd numbers(3);
+  EXPECT_FALSE(parseNumbers("0.5 1.5 2.5", numbers));
+  EXPECT_EQ(numbers, Eigen::Vector3d(0.5, 1.5, 2.5));
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+}  // namespace
+}  // namespace collision_monitor

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/model/problems.h"
+
+#include <gtest/gtest.h>
+
+namespace collision_monitor {
+namespace {
+
+TEST(Problems, toString_namesPlaceFoundAndAccepted) {
+  EXPECT_EQ(toString({"robot.urdf line 42, link 'arm'", "box size '0.1 -0.2 0.3'",
+                      "three numbers greater than 0, in metres"}),
+            "robot.urdf line 42, link 'arm': box size '0.1 -0.2 0.3'; accepted: three numbers "
+            "greater than 0, in metres");
+}
+
+TEST(Problems, toString_leavesOutWhatIsEmpty) {
+  EXPECT_EQ(toString({"", "no links", ""}), "no links");
+  EXPECT_EQ(toString({"r.urdf", "no links", ""}), "r.urdf: no links");
+}
+
+TEST(Problems, setupError_listsAllProblemsOneALine) {
+  const SetupError error({{"a", "b", "c"}, {"d", "e", "f"}});
+  EXPECT_STREQ(error.what(), "2 problems in the set-up:\n  a: b; accepted: c\n  d: e; accepted: f");
+  EXPECT_EQ(error.problems().size(), 2u);
+}
+
+TEST(Problems, throwIfErrors_throwsForErrorsOnly) {
+  SetupReport report;
+  report.warnings.push_back({"a", "b", "c"});
+  EXPECT_NO_THROW(throwIfErrors(report));
+  report.errors.push_back({"a", "b", "c"});
+  EXPECT_THROW(throwIfErrors(report), SetupError);
+}
+
+}  // namespace
+}  // namespace collision_monitor

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "support/urdf_text.h"
+
+namespace collision_monitor {
+namespace {
+
+using test::jointXml;
+using test::linkXml;
+using test::readText;
+using test::ReadText;
+using test::robotXml;
+
+/// A bad description and everything that must be said about it.
+struct Fault {
+  const char* what;
+  std::string xml;
+  std::vector<std::string> errors;
+};
+
+void expectFaults(const std::vector<Fault>& faults) {
+  for (const Fault& fault : faults) {
+    const ReadText read = readText(fault.xml);
+    EXPECT_EQ(read.errors(), fault.errors) << fault.what;
+    EXPECT_TRUE(read.model.links.empty()) << fault.what << ": half a model was returned";
+  }
+}
+
+const std::string kOneRobot = "accepted: the XML of one URDF with the root element <robot>";
+const std::string kShapes =
+    "accepted: <box size>, <sphere radius>, <cylinder radius length>, <capsule radius length> or "
+    "<mesh filename>";
+
+TEST(UrdfFaults, notAUrdfAtAll) {
+  expectFaults({
+      {"empty", "", {"test.urdf: empty URDF; " + kOneRobot}},
+      {"blank", " \n\t", {"test.urdf: empty URDF; " + kOneRobot}},
+      {"text",
+       "hello",
+       {"test.urdf line 1: XML that cannot be parsed: malformed or unfinished XML; " + kOneRobot}},
+      {"comment alone", "<!-- x -->", {"test.urdf: no element at all; " + kOneRobot}},
+      {"sdf", "\n<sdf/>", {"test.urdf line 2: root element <sdf>; " + kOneRobot}},
+      {"two roots",
+       "<robot/>\n<robot/>",
+       {"test.urdf line 2: a second root element <robot>; " + kOneRobot}},
+      {"closing tag",
+       "<robot>\n<link name='a'>\n</robot>",
+       {"test.urdf line 2: XML that cannot be parsed: closing tag that does not match; " +
+        kOneRobot}},
+      {"attribute",
+       "<robot>\n<link name=a/>\n</robot>",
+       {"test.urdf line 2: XML that cannot be parsed: malformed attribute; " + kOneRobot}},
+      {"zero byte",
+       std::string("<robot>\0</robot>", 16),
+       {"test.urdf: URDF with a zero byte; " + kOneRobot}},
+      {"no links", "<robot name='r'/>", {"test.urdf: no links; accepted: at least one <link>"}},
+  });
+}
+
+TEST(UrdfFaults, xacroThatWasNotExpanded) {
+  const std::string accepted =
+      "; accepted: plain URDF: expand it first, for example with 'rosrun xacro xacro FILE'";
+  expectFaults({
+      {"element",
+       robotXml("<xacro:include filename='x'/>"),
+       {"test.urdf line 2: xacro that was not expanded, in <xacro:include>" + accepted}},
+      {"expression",
+       robotXml(linkXml("a", "\n<sphere radius='${r}'/>")),
+       {"test.urdf line 3: xacro that was not expanded, in <sphere>" + accepted}},
+      {"substitution",
+       robotXml("<link name='$(arg name)'/>"),
+       {"test.urdf line 2: xacro that was not expanded, in <link>" + accepted}},
+  });
+  // Extensions may say what they like.
+  EXPECT_TRUE(
+      readText(robotXml("<link name='a'/><gazebo><p v='$(arg x)'/></gazebo>")).errors().empty());
+}
+
+TEST(UrdfFaults, sizes) {
+  const std::string at = "test.urdf line 2, link 'a', collision 1: ";
+  const std::string above = "; accepted: one number greater than 0, in metres";
+  const std::string box = "; accepted: three numbers greater than 0, in metres";
+  expectFaults({
+      {"box",
+       robotXml(linkXml("a", "<box size='0.1 -0.2 0.3'/>")),
+       {at + "box size '0.1 -0.2 0.3'" + box}},
+      {"flat box",
+       robotXml(linkXml("a", "<box size='0.1 0 0.3'/>")),
+       {at + "box size '0.1 0 0.3'" + box}},
+      {"word",
+       robotXml(linkXml("a", "<box size='0.1 abc 0.3'/>")),
+       {at + "box size '0.1 abc 0.3': 'abc' is not a number" + box}},
+      {"count",
+       robotXml(linkXml("a", "<box size='1 2'/>")),
+       {at + "box size '1 2': 2 numbers" + box}},
+      {"missing", robotXml(linkXml("a", "<box/>")), {at + "<box> without size" + box}},
+      {"sphere",
+       robotXml(linkXml("a", "<sphere radius='-1'/>")),
+       {at + "sphere radius '-1'; accepted: one number that is 0 or greater, in metres"}},
+      {"comma",
+       robotXml(linkXml("a", "<cylinder radius='1,5' length='1'/>")),
+       {at + "cylinder radius '1,5': '1,5' is not a number" + above}},
+      {"both",
+       robotXml(linkXml("a", "<cylinder radius='0' length='nan'/>")),
+       {at + "cylinder radius '0'" + above,
+        at + "cylinder length 'nan': 'nan' is not finite" + above}},
+      {"capsule",
+       robotXml(linkXml("a", "<capsule radius='0x1' length='-1'/>")),
+       {at + "capsule radius '0x1': '0x1' is not a number" + above,
+        at + "capsule length '-1'; accepted: one number that is 0 or greater, in metres"}},
+  });
+}
+
+TEST(UrdfFaults, geometryAndOrigins) {
+  const std::string at = "test.urdf line 2, link 'a', collision 1: ";
+  expectFaults({
+      {"unknown",
+       robotXml(linkXml("a", "<cone radius='1'/>")),
+       {at + "unknown geometry <cone>; " + kShapes}},
+      {"unknown extension",
+       robotXml(linkXml("a", "<drake:ellipsoid/>")),
+       {at + "unknown geometry <drake:ellipsoid>; " + kShapes}},
+      {"none", robotXml(linkXml("a", "")), {at + "<geometry> without a shape; " + kShapes}},
+      {"two",
+       robotXml(linkXml("a", "<sphere radius='1'/>\n<box size='1 1 1'/>")),
+       {"test.urdf line 3, link 'a', collision 1: <geometry> with a second shape <box>; accepted: "
+        "one shape; further ones in <collision> elements of their own"}},
+      {"no geometry",
+       robotXml("<link name='a'><collision name='x'/></link>"),
+       {"test.urdf line 2, link 'a', collision 'x': <collision> without <geometry>; accepted: one "
+        "<geometry> with one shape"}},
+      {"rpy",
+       robotXml(linkXml("a", "<sphere radius='1'/>", "<origin rpy='0 0'/>")),
+       {at + "origin rpy '0 0': 2 numbers; accepted: three finite numbers separated by spaces, in "
+             "radians"}},
+      {"xyz",
+       robotXml(linkXml("a", "<sphere radius='1'/>", "<origin xyz='0 inf 0'/>")),
+       {at + "origin xyz '0 inf 0': 'inf' is not finite; accepted: three finite numbers separated "
+             "by spaces, in metres"}},
+      {"quaternion",
+       robotXml(linkXml("a", "<sphere radius='1'/>", "<origin quat_xyzw='0 0 0 1'/>")),
+       {at + "origin with quat_xyzw; accepted: rpy: the URDF of ROS 1 has no quaternions"}},
+  });
+}
+
+TEST(UrdfFaults, meshes) {
+  const std::string at = "test.urdf line 2, link 'a', collision 1: ";
+  const std::string readable = "; accepted: a mesh file that can be read: STL, DAE, OBJ or PLY";
+  expectFaults({
+      {"missing",
+       robotXml(linkXml("a", "<mesh filename='package://p/x.stl'/>")),
+       {at + "mesh 'package://p/x.stl': no file package://p/x.stl" + readable}},
+      {"relative",
+       robotXml(linkXml("a", "<mesh filename='x.stl'/>")),
+       {at + "mesh 'x.stl': a relative mesh name needs a description read from a file" + readable}},
+      {"no name",
+       robotXml(linkXml("a", "<mesh/>")),
+       {at + "<mesh> without filename; accepted: filename=\"...\" that is not blank"}},
+      {"flat scale, and missing",
+       robotXml(linkXml("a", "<mesh filename='/x.stl' scale='1 0 1'/>")),
+       {at + "mesh scale '1 0 1'; accepted: three numbers other than 0",
+        at + "mesh '/x.stl': no file /x.stl" + readable}},
+  });
+}
+
+TEST(UrdfFaults, names) {
+  expectFaults({
+      {"no name",
+       robotXml("<link/>"),
+       {"test.urdf line 2: <link> without name; accepted: name=\"...\" that is not blank",
+        "test.urdf: no links; accepted: at least one <link>"}},
+      {"slash",
+       robotXml("<link name='/'/><link name='b'/>"),
+       {"test.urdf line 2: name '/'; accepted: a name, not slashes alone"}},
+      {"two links",
+       robotXml("<link name='a'/>\n<link name='a'/>"),
+       {"test.urdf line 3: a second link 'a', the first is in line 2; accepted: a name of its own "
+        "for every link"}},
+      {"two joints",
+       robotXml("<link name='a'/><link name='b'/><link name='c'/>\n" +
+                jointXml("j", "fixed", "a", "b") + "\n" + jointXml("j", "fixed", "a", "c")),
+       {"test.urdf line 4: a second joint 'j', the first is in line 3; accepted: a name of its own "
+        "for every joint"}},
+  });
+}
+
+TEST(UrdfFaults, trees) {
+  const std::string links = "<link name='a'/><link name='b'/><link name='c'/>\n";
+  expectFaults({
+      {"several roots",
+       robotXml(links + jointXml("j", "fixed", "a", "b")),
+       {"test.urdf: 2 root links: 'a' and 'c'; accepted: one link that no joint has as child; join "
+        "the others to it, by fixed joints if they do not move"}},
+      {"no root",
+       robotXml(links + jointXml("j", "fixed", "a", "b") + jointXml("k", "fixed", "b", "c") +
+                jointXml("l", "fixed", "c", "a")),
+       {"test.urdf: no root link: the joints form a loop; accepted: one link that no joint has as "
+        "child"}},
+      {"loop beside the root",
+       robotXml(links + jointXml("j", "fixed", "b", "c") + jointXml("k", "fixed", "c", "b")),
+       {"test.urdf: links that hang on a loop of joints: 'b' and 'c'; accepted: a tree: every link "
+        "reached from the root 'a'"}},
+      {"two parents",
+       robotXml(links + jointXml("j", "fixed", "a", "b") + jointXml("k", "fixed", "a", "c") + "\n" +
+                jointXml("l", "fixed", "c", "b")),
+       {"test.urdf line 4, link 'b': a second parent by joint 'l', the first is by 'j' in line 3; "
+        "accepted: one joint that has this link as its child"}},
+      {"unknown link",
+       robotXml(links + jointXml("j", "fixed", "a", "b") + jointXml("k", "fixed", "x", "y")),
+       {"test.urdf line 3, joint 'k': unknown link 'x'; accepted: the name of a <link> of this "
+        "robot",
+        "test.urdf line 3, joint 'k': unknown link 'y'; accepted: the name of a <link> of this "
+        "robot"}},
+  });
+}
+
+TEST(UrdfFaults, joints) {
+  const std::string links = "<link name='a'/><link name='b'/>\n";
+  const std::string at = "test.urdf line 3, joint 'j': ";
+  const auto joint = [&](const std::string& type, const std::string& rest) {
+    return robotXml(links + jointXml("j", type, "a", "b", rest));
+  };
+  expectFaults({
+      {"type",
+       joint("hinge", ""),
+       {at + "joint type 'hinge'; accepted: fixed, revolute, continuous, prismatic, planar or "
+             "floating"}},
+      {"axis",
+       joint("continuous", "<axis xyz='0 0 0'/>"),
+       {at + "axis xyz '0 0 0'; accepted: three finite numbers, not all 0"}},
+      {"axis numbers",
+       joint("continuous", "<axis xyz='0 0'/>"),
+       {at + "axis xyz '0 0': 2 numbers; accepted: three finite numbers, not all 0"}},
+      {"limits",
+       joint("revolute", "<limit lower='1' upper='-1'/>"),
+       {at + "limit lower '1' above upper '-1'; accepted: lower <= upper"}},
+      {"limit number",
+       joint("revolute", "<limit lower='NaN' upper='1'/>"),
+       {at + "limit lower 'NaN': 'NaN' is not finite; accepted: one finite number, in radians or "
+             "metres"}},
+      {"ends",
+       robotXml(links + "<joint name='j' type='fixed'><parent link='a'/></joint>"),
+       {at + "<joint> without <child>; accepted: <child link=\"...\"/>"}},
+      {"mimic",
+       joint("continuous", "<mimic joint='x'/>"),
+       {at + "mimic of unknown joint 'x'; accepted: the name of a <joint> of this robot"}},
+      {"mimic of itself",
+       joint("continuous", "<mimic joint='j'/>"),
+       {at + "mimic that leads in a circle; accepted: mimic of a joint that has its own position"}},
+      {"mimic on planar",
+       joint("planar", "<mimic joint='j'/>"),
+       {at +
+        "mimic on a joint with several variables; accepted: mimic on a revolute, continuous or "
+        "prismatic joint"}},
+  });
+}
+
+TEST(UrdfFaults, allFaultsOfAllRobotsAreReportedAtOnce) {
+  const std::string bad =
+      robotXml(linkXml("a", "<sphere radius='x'/>") + "\n" + linkXml("b", "<cone/>") + "\n" +
+               jointXml("j", "hinge", "a", "z"));
+  RobotDescription first = test::describeText(bad);
+  RobotDescription second = test::describeText("<robot");
+  first.source = "first.urdf";
+  second.source = "second.urdf";
+  SetupReport report;
+  readRobots({first, second}, test::textLoader({}), report);
+  ASSERT_EQ(report.errors.size(), 5u);
+  EXPECT_EQ(report.errors[0].where, "first.urdf line 2, link 'a', collision 1");
+  EXPECT_EQ(report.errors[1].where, "first.urdf line 3, link 'b', collision 1");
+  EXPECT_EQ(report.errors[2].where, "first.urdf line 4, joint 'j'");
+  EXPECT_EQ(report.errors[3].found, "unknown link 'z'");
+  EXPECT_EQ(report.errors[4].where, "second.urdf line 1");
+}
+
+}  // namespace
+}  // namespace collision_monitor
