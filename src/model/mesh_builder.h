@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <unordered_map>
+#include <utility>
 
 #include "collision_monitor/geometry/triangle_mesh.h"
 
@@ -21,7 +22,8 @@ class MeshBuilder {
   /// corners were added all the same, so that the mesh still encloses them.
   void addTriangle(const std::array<std::uint32_t, 3>& corners);
 
-  const TriangleMesh& mesh() const { return mesh_; }
+  /// What was added; the builder cannot be used after.
+  TriangleMesh takeMesh() { return std::move(mesh_); }
 
  private:
   struct Hash {

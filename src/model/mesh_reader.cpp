@@ -3,7 +3,6 @@
 #include "collision_monitor/model/mesh_reader.h"
 
 #include <assimp/config.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <Eigen/LU>
@@ -15,11 +14,10 @@
 
 #include "model/mesh_builder.h"
 #include "model/stl_check.h"
+#include "model/triangulate.h"
 
 namespace collision_monitor {
 namespace {
-
-using Polygon = std::vector<unsigned>;
 
 std::string extensionOf(const std::string& file_name) {
   const std::size_t dot = file_name.find_last_of("./");
@@ -32,50 +30,6 @@ std::string extensionOf(const std::string& file_name) {
   return extension;
 }
 
-/// The polygons of a mesh; points and lines have no surface and are left out.
-std::vector<Polygon> polygonsOf(const aiMesh& mesh) {
-  std::vector<Polygon> polygons;
-  for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
-    const aiFace& face = mesh.mFaces[i];
-    if (face.mNumIndices < 3) {
-      continue;
-    }
-    polygons.emplace_back(face.mIndices, face.mIndices + face.mNumIndices);
-    for (const unsigned corner : polygons.back()) {
-      if (corner >= mesh.mNumVertices) {
-        throw std::runtime_error("a face names vertex " + std::to_string(corner) + " of " +
-                                 std::to_string(mesh.mNumVertices));
-      }
-    }
-  }
-  return polygons;
-}
-
-std::size_t triangleCount(const std::vector<Polygon>& polygons) {
-  std::size_t count = 0;
-  for (const Polygon& polygon : polygons) {
-    count += polygon.size() - 2;
-  }
-  return count;
-}
-
-/// What assimp made of the polygons, unless it gave some up, as it does with those
-/// that cross themselves. Then fans: a fan covers every point that its polygon
-/// winds around and stays in the polygon's hull, so nothing is missed.
-std::vector<Polygon> trianglesOf(const aiMesh& mesh, const std::vector<Polygon>& polygons) {
-  std::vector<Polygon> triangles = polygonsOf(mesh);
-  if (triangles.size() == triangleCount(polygons)) {
-    return triangles;
-  }
-  triangles.clear();
-  for (const Polygon& polygon : polygons) {
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-      triangles.push_back({polygon[0], polygon[i - 1], polygon[i]});
-    }
-  }
-  return triangles;
-}
-
 Eigen::Matrix4d toMatrix(const aiMatrix4x4& m) {
   Eigen::Matrix4d matrix;
   matrix << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2,
@@ -83,34 +37,47 @@ Eigen::Matrix4d toMatrix(const aiMatrix4x4& m) {
   return matrix;
 }
 
-/// One mesh of a scene: its polygons before, and its triangles after triangulation.
-struct ScenePart {
-  std::vector<Polygon> polygons;
-  std::vector<Polygon> triangles;
-};
+/// One mesh of a scene while it is placed and added.
+class PartPlacer {
+ public:
+  PartPlacer(const aiMesh& mesh, const Eigen::Matrix4d& scene_from_part, MeshBuilder& builder)
+      : mesh_(mesh),
+        scene_from_part_(scene_from_part),
+        is_mirrored_(scene_from_part.topLeftCorner<3, 3>().determinant() < 0.0),
+        builder_(builder) {}
 
-void addPart(const aiMesh& mesh, const ScenePart& part, const Eigen::Matrix4d& scene_from_part,
-             MeshBuilder& builder) {
-  const bool is_mirrored = scene_from_part.topLeftCorner<3, 3>().determinant() < 0.0;
-  std::vector<std::uint32_t> index_of(mesh.mNumVertices, 0);
-  // Corners of polygons, not all vertices of the file: one that no face uses is on no
-  // surface. And not corners of triangles: triangulation may drop degenerate polygons.
-  for (const Polygon& polygon : part.polygons) {
-    for (const unsigned corner : polygon) {
-      const aiVector3D& v = mesh.mVertices[corner];
-      const Eigen::Vector4d placed = scene_from_part * Eigen::Vector4d(v.x, v.y, v.z, 1.0);
-      index_of[corner] = builder.addVertex(placed.head<3>());
+  void addPolygon(const aiFace& face) {
+    corners_.clear();
+    positions_.clear();
+    for (unsigned i = 0; i < face.mNumIndices; ++i) {
+      positions_.push_back(positionOf(face.mIndices[i]));
+      corners_.push_back(builder_.addVertex(positions_.back()));
+    }
+    for (const auto& [a, b, c] : triangulate(positions_)) {
+      builder_.addTriangle(is_mirrored_ ? std::array{corners_[a], corners_[c], corners_[b]}
+                                        : std::array{corners_[a], corners_[b], corners_[c]});
     }
   }
-  for (const Polygon& triangle : part.triangles) {
-    const std::uint32_t a = index_of[triangle[0]];
-    const std::uint32_t b = index_of[triangle[1]];
-    const std::uint32_t c = index_of[triangle[2]];
-    builder.addTriangle(is_mirrored ? std::array{a, c, b} : std::array{a, b, c});
-  }
-}
 
-TriangleMesh collect(const aiScene& scene, const std::vector<ScenePart>& parts) {
+ private:
+  Eigen::Vector3d positionOf(unsigned corner) const {
+    if (corner >= mesh_.mNumVertices) {
+      throw std::runtime_error("a face names vertex " + std::to_string(corner) + " of " +
+                               std::to_string(mesh_.mNumVertices));
+    }
+    const aiVector3D& v = mesh_.mVertices[corner];
+    return (scene_from_part_ * Eigen::Vector4d(v.x, v.y, v.z, 1.0)).head<3>();
+  }
+
+  const aiMesh& mesh_;
+  Eigen::Matrix4d scene_from_part_;
+  bool is_mirrored_;
+  MeshBuilder& builder_;
+  std::vector<std::uint32_t> corners_;
+  std::vector<Eigen::Vector3d> positions_;
+};
+
+TriangleMesh collect(const aiScene& scene) {
   MeshBuilder builder;
   struct Visit {
     const aiNode* node;
@@ -123,30 +90,20 @@ TriangleMesh collect(const aiScene& scene, const std::vector<ScenePart>& parts) 
     const Eigen::Matrix4d scene_from_node =
         visit.scene_from_parent * toMatrix(visit.node->mTransformation);
     for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
-      const unsigned part = visit.node->mMeshes[i];
-      addPart(*scene.mMeshes[part], parts[part], scene_from_node, builder);
+      const aiMesh& mesh = *scene.mMeshes[visit.node->mMeshes[i]];
+      PartPlacer placer(mesh, scene_from_node, builder);
+      for (unsigned face = 0; face < mesh.mNumFaces; ++face) {
+        // Points and lines have no surface.
+        if (mesh.mFaces[face].mNumIndices >= 3) {
+          placer.addPolygon(mesh.mFaces[face]);
+        }
+      }
     }
     for (unsigned i = visit.node->mNumChildren; i > 0; --i) {
       open.push_back({visit.node->mChildren[i - 1], scene_from_node});
     }
   }
-  return builder.mesh();
-}
-
-std::vector<ScenePart> readParts(Assimp::Importer& importer) {
-  const aiScene& scene = *importer.GetScene();
-  std::vector<ScenePart> parts(scene.mNumMeshes);
-  for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
-    parts[i].polygons = polygonsOf(*scene.mMeshes[i]);
-  }
-  const aiScene* triangulated = importer.ApplyPostProcessing(aiProcess_Triangulate);
-  if (triangulated == nullptr) {
-    throw std::runtime_error("its polygons cannot be made triangles");
-  }
-  for (unsigned i = 0; i < triangulated->mNumMeshes; ++i) {
-    parts[i].triangles = trianglesOf(*triangulated->mMeshes[i], parts[i].polygons);
-  }
-  return parts;
+  return builder.takeMesh();
 }
 
 }  // namespace
@@ -167,8 +124,7 @@ TriangleMesh readMesh(const std::string& bytes, const std::string& file_name) {
     if (importer.ReadFileFromMemory(content.data(), content.size(), 0, format.c_str()) == nullptr) {
       throw std::runtime_error(importer.GetErrorString());
     }
-    const std::vector<ScenePart> parts = readParts(importer);
-    TriangleMesh mesh = collect(*importer.GetScene(), parts);
+    TriangleMesh mesh = collect(*importer.GetScene());
     if (mesh.vertices.empty()) {
       throw std::runtime_error("no triangles");
     }

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "model/mesh_store.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "support/urdf_text.h"
+
+namespace collision_monitor {
+namespace {
+
+const char* const kObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+/// Counts what it is asked for.
+struct CountingLoader {
+  std::map<std::string, std::string> files;
+  std::map<std::string, int> asked;
+
+  ResourceLoader loader() {
+    return [this](const std::string& uri) {
+      ++asked[uri];
+      return test::textLoader(files)(uri);
+    };
+  }
+};
+
+bool finds(CountingLoader& files, const std::string& name, const std::string& directory) {
+  const ResourceLoader loader = files.loader();
+  MeshStore store(loader);
+  try {
+    return store.find(name, directory).mesh.triangles.size() == 1;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+TEST(MeshStore, schemesAndAbsolutePaths_goToTheLoaderAsTheyAre) {
+  CountingLoader files{{{"package://p/a.obj", kObj}, {"file:///x/a.obj", kObj}, {"/y/a.obj", kObj}},
+                       {}};
+  EXPECT_TRUE(finds(files, "package://p/a.obj", ""));
+  EXPECT_TRUE(finds(files, "file:///x/a.obj", "/elsewhere"));
+  EXPECT_TRUE(finds(files, "/y/a.obj", "/elsewhere"));
+}
+
+TEST(MeshStore, relativeName_isFoundBesideTheUrdf) {
+  CountingLoader files{{{"/p/urdf/meshes/a.obj", kObj}}, {}};
+  EXPECT_TRUE(finds(files, "meshes/a.obj", "/p/urdf"));
+  EXPECT_TRUE(finds(files, "./meshes/a.obj", "/p/urdf/"));
+  EXPECT_TRUE(finds(files, "../urdf/meshes/a.obj", "/p/urdf"));
+}
+
+TEST(MeshStore, relativeName_isFoundUpToThePackageRootAndNotAbove) {
+  CountingLoader files{{{"/ws/p/package.xml", "<package/>"},
+                        {"/ws/p/meshes/a.obj", kObj},
+                        {"/ws/meshes/b.obj", kObj}},
+                       {}};
+  EXPECT_TRUE(finds(files, "meshes/a.obj", "/ws/p/robots/urdf"));
+  EXPECT_FALSE(finds(files, "meshes/b.obj", "/ws/p/robots/urdf"));
+}
+
+TEST(MeshStore, withoutPackage_foldersAboveAreNotSearched) {
+  CountingLoader files{{{"/ws/meshes/a.obj", kObj}}, {}};
+  EXPECT_FALSE(finds(files, "meshes/a.obj", "/ws/urdf"));
+}
+
+TEST(MeshStore, everyFile_isReadOnce) {
+  CountingLoader files{{{"/a.obj", kObj}}, {}};
+  const ResourceLoader loader = files.loader();
+  MeshStore store(loader);
+  for (int i = 0; i < 3; ++i) {
+    store.find("/a.obj", "");
+    EXPECT_THROW(store.find("/missing.obj", ""), std::runtime_error);
+  }
+  EXPECT_EQ(files.asked["/a.obj"], 1);
+  EXPECT_EQ(files.asked["/missing.obj"], 1);
+}
+
+TEST(MeshStore, meshThatDeclaresYUp_isAWarningOfTheRobot) {
+  const std::string dae_file =
+      "<COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' version='1.4.1'><asset>"
+      "<up_axis>Y_UP</up_axis></asset><library_geometries><geometry id='g'><mesh><source id='p'>"
+      "<float_array id='a' count='9'>0 0 0 1 0 0 0 1 0</float_array><technique_common><accessor "
+      "source='#a' count='3' stride='3'><param name='X' type='float'/><param name='Y' "
+      "type='float'/><param name='Z' type='float'/></accessor></technique_common></source>"
+      "<vertices id='v'><input semantic='POSITION' source='#p'/></vertices><triangles count='1'>"
+      "<input semantic='VERTEX' source='#v' offset='0'/><p>0 1 2</p></triangles></mesh></geometry>"
+      "</library_geometries><library_visual_scenes><visual_scene id='s'><node><instance_geometry "
+      "url='#g'/></node></visual_scene></library_visual_scenes><scene><instance_visual_scene "
+      "url='#s'/></scene></COLLADA>";
+  const test::ReadText read = test::readText(
+      test::robotXml(test::linkXml("a", "<mesh filename='/a.dae'/>")), {{"/a.dae", dae_file}});
+  EXPECT_EQ(read.errors(), std::vector<std::string>());
+  EXPECT_EQ(read.warnings(),
+            std::vector<std::string>{
+                "test.urdf: meshes that declare Y_UP: link 'a', collision 1; accepted: axes as "
+                "rviz and MoveIt show them: the declaration is not acted upon"});
+}
+
+}  // namespace
+}  // namespace collision_monitor
