@@ -2,17 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "collision_monitor/fitting/overshoot.h"
 #include "collision_monitor/geometry/geometry.h"
 #include "collision_monitor/geometry/pose.h"
 
 namespace collision_monitor {
-
-/// How far the surface of an enclosing shape lies outside the geometry it
-/// encloses, measured on dense samples of the shape's surface. Units: metres.
-struct Overshoot {
-  double max{0.0};
-  double mean{0.0};
-};
 
 /// One shape that encloses one geometry, proven.
 struct Enclosure {

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "collision_monitor/fitting/posed_shape.h"
+#include "collision_monitor/geometry/triangle_bvh.h"
+
+namespace collision_monitor {
+
+/// How far the surface of an enclosing shape lies outside the geometry it encloses: the distance
+/// from a point of the shape's surface to the nearest point of the geometry's surface. That point
+/// lies outside the geometry because the shape encloses it, so this needs no inside and outside of
+/// the mesh: open, inverted and self-intersecting meshes are measured like any other.
+///
+/// Units: metres. `mean` is over the area of the shape.
+struct Overshoot {
+  double max{0.0};
+  double mean{0.0};
+};
+
+/// A point of a shape's surface and the area it stands for.
+struct SurfaceSample {
+  Eigen::Vector3d point;  ///< body frame
+  double area{0.0};       ///< [m^2]
+};
+
+/// Points on a grid over the shape's faces, edges and corners, borders included; the same ones
+/// every time. Neighbours are at most sqrt(area / count) apart along each direction of the grid, so
+/// there are about `count`, and never fewer than one a corner.
+std::vector<SurfaceSample> sampleSurface(const Shape& shape, int count);
+
+/// Overshoot over a mesh on about `count` samples.
+/// Error: `max` is a lower bound, too small by at most the distance between samples over sqrt(2).
+Overshoot measureOvershoot(const PosedShape& fit, const TriangleBvh& mesh, int count);
+
+}  // namespace collision_monitor

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "collision_monitor/fitting/posed_shape.h"
+
+namespace collision_monitor {
+
+/// The box with these axes (columns) that holds all points, in closed form.
+PosedShape boxWithAxes(const Eigen::Matrix3d& axes, const Points& points);
+
+/// Rotations whose boxes are small, different from each other and locally least, best first.
+/// @pre the points are normalised; `count` >= 1.
+std::vector<Eigen::Matrix3d> smallBoxRotations(const Points& points, std::size_t count);
+
+}  // namespace collision_monitor

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "collision_monitor/fitting/enclose.h"
+#include "collision_monitor/fitting/posed_shape.h"
+
+namespace collision_monitor {
+
+/// Samples of a shape's surface when candidates are compared and when the result is reported.
+constexpr int kSampleCount = 1000;
+
+/// What makes a shape coarse: the mean overshoot, which decides how often a near miss is taken for
+/// a hit, and a part of the largest one, which decides how badly. Units: metres.
+double coarseness(const Overshoot& overshoot) noexcept;
+
+/// The least coarse of candidates; at nearly the same coarseness the one whose distances cost
+/// least. The reasons stand in docs/decisions.
+Enclosure chooseTightest(const std::vector<Enclosure>& candidates);
+
+/// The candidates, proven and measured.
+std::vector<Enclosure> encloseCylinder(const Cylinder& cylinder);
+std::vector<Enclosure> encloseMesh(const TriangleMesh& mesh);
+
+}  // namespace collision_monitor

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include "collision_monitor/fitting/posed_shape.h"
+
+namespace collision_monitor {
+
+/// A rounded box while it is being fitted. A zero half extent that is not free stays zero, so that
+/// spheres and capsules are fitted as what they are: rounded boxes with fewer freedoms.
+struct PlacedCore {
+  Eigen::Matrix3d rotation{Eigen::Matrix3d::Identity()};
+  Eigen::Vector3d centre{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};
+  double radius{0.0};
+};
+
+/// Which half extents a fit may change. The rotation is free about every axis that makes a
+/// difference.
+using FreeExtents = Eigen::Matrix<bool, 3, 1>;
+
+/// The distance of the farthest point from the core: the radius that encloses all.
+double enclosingRadius(const PlacedCore& core, const Points& points) noexcept;
+
+/// Moves a core that encloses the points towards a local minimum of the volume.
+///
+/// An interior-point method: with x the centre, half extents, radius and rotation vector, it
+/// minimises weight * log(volume) - sum of log(radius^2 - distance^2 of a point to the core) by
+/// damped Newton steps for growing weights. All points but a few stay strictly inside on the way,
+/// so the result encloses without a repair; the last radius is the exact one of its core.
+///
+/// Units: any; sizes near 1 are best conditioned.
+/// Source: Boyd, Vandenberghe, "Convex Optimization" (2004), section 11.3 (barrier method) and
+/// 11.6 (second-order cones: for a fixed rotation the feasible set is convex).
+void descend(const Points& points, const FreeExtents& free_extents, PlacedCore& core);
+
+}  // namespace collision_monitor

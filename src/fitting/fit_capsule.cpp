@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/fitting/fit_capsule.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "collision_monitor/fitting/fit_sphere.h"
+#include "fitting/core_descent.h"
+#include "fitting/core_set.h"
+#include "fitting/point_cloud.h"
+
+namespace collision_monitor {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr int kStartDirections =
+    300;  // over the whole sphere: half of them count, 13 degrees apart
+constexpr std::size_t kDescents = 6;
+constexpr double kSameAxis = 0.94;  // cosine of 20 degrees
+
+struct Candidate {
+  PlacedCore core;
+  double volume;
+};
+
+bool isBetter(const Candidate& a, const Candidate& b) { return a.volume < b.volume; }
+
+Candidate weigh(const PlacedCore& core) {
+  return {core, volumeOf(Capsule{core.half_extents.z(), core.radius})};
+}
+
+/// A nearly smallest circle around 2-D points.
+/// Source: Badoiu, Clarkson, "Smaller Core-Sets for Balls" (2003), section 3.
+Vector2d circleCentre(const std::vector<Vector2d>& points) {
+  constexpr int kRounds = 20;
+  Vector2d centre = Vector2d::Zero();
+  for (int i = 1; i <= kRounds; ++i) {
+    const auto farthest =
+        std::max_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+          return (a - centre).squaredNorm() < (b - centre).squaredNorm();
+        });
+    centre += (*farthest - centre) / (i + 1.0);
+  }
+  return centre;
+}
+
+/// A capsule along `axis`: its line through the centre of the points' shadow, its ends as near as
+/// the points allow.
+Candidate capsuleAlong(const Vector3d& axis, const Points& points) {
+  Candidate result;
+  PlacedCore& core = result.core;
+  core.rotation = rotationWithAxis(axis);
+  std::vector<Vector2d> shadow;
+  for (const auto& point : points) {
+    shadow.emplace_back(core.rotation.leftCols<2>().transpose() * point);
+  }
+  const Vector2d centre = circleCentre(shadow);
+  double radius_squared = 0.0;
+  for (const auto& point : shadow) {
+    radius_squared = std::max(radius_squared, (point - centre).squaredNorm());
+  }
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double cap =
+        std::sqrt(std::max(radius_squared - (shadow[i] - centre).squaredNorm(), 0.0));
+    const double height = axis.dot(points[i]);
+    low = std::min(low, height + cap);
+    high = std::max(high, height - cap);
+  }
+  core.centre = core.rotation.leftCols<2>() * centre + 0.5 * (low + high) * axis;
+  core.half_extents.z() = std::max(0.5 * (high - low), 0.0);
+  core.radius = enclosingRadius(core, points);
+  return weigh(core);
+}
+
+std::vector<Candidate> startCapsules(const Points& points) {
+  std::vector<Candidate> all;
+  for (const auto& axis : spreadDirections(kStartDirections)) {
+    if (axis.z() > 0.0) {
+      all.push_back(capsuleAlong(axis, points));
+    }
+  }
+  std::sort(all.begin(), all.end(), isBetter);
+  std::vector<Candidate> chosen;
+  for (const auto& candidate : all) {
+    const Vector3d axis = candidate.core.rotation.col(2);
+    const bool is_new = std::all_of(chosen.begin(), chosen.end(), [&](const Candidate& other) {
+      return std::abs(axis.dot(other.core.rotation.col(2))) < kSameAxis;
+    });
+    if (is_new && chosen.size() < kDescents) {
+      chosen.push_back(candidate);
+    }
+  }
+  chosen.push_back(capsuleAlong(principalAxes(points).col(2), points));
+  return chosen;
+}
+
+PlacedCore smallestCapsule(const Points& points) {
+  std::vector<Candidate> candidates = startCapsules(points);
+  for (auto& candidate : candidates) {
+    PlacedCore core = withRoom(candidate.core, {false, false, true});
+    descend(points, {false, false, true}, core);
+    candidate = std::min(candidate, weigh(core), isBetter);
+  }
+  return std::min_element(candidates.begin(), candidates.end(), isBetter)->core;
+}
+
+}  // namespace
+
+PosedShape fitCapsule(const Points& points) {
+  const NormalisedPoints cloud = normalise(points);
+  if (!(cloud.scale > 0.0)) {
+    return {Capsule{}, {Eigen::Matrix3d::Identity(), points[0]}};
+  }
+  const PlacedCore core = fitOnCoreSet(cloud.points, smallestCapsule);
+  const PosedShape fit = placedInCloud(core, cloud);
+  const PosedShape sphere = fitSphere(points);
+  const RoundedBox& found = std::get<RoundedBox>(fit.shape);
+  const Capsule capsule{found.half_extents.z(), found.radius};
+  if (volumeOf(sphere.shape) < volumeOf(capsule)) {
+    return {Capsule{0.0, radiusOf(sphere.shape)}, sphere.geometry_from_body};
+  }
+  return {capsule, fit.geometry_from_body};
+}
+
+}  // namespace collision_monitor

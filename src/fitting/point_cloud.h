@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "collision_monitor/fitting/posed_shape.h"
+
+namespace collision_monitor {
+
+/// Points moved and scaled so that their bounding box is centred and its half diagonal is 1: the
+/// searches then need no notion of size.
+struct NormalisedPoints {
+  Points points;
+  Eigen::Vector3d centre{Eigen::Vector3d::Zero()};
+  double scale{0.0};  ///< 0 when all points coincide
+};
+
+NormalisedPoints normalise(const Points& points);
+
+/// Unit vectors spread evenly over the sphere; the same ones every time.
+/// Source: Gonzalez, "Measurement of areas on a sphere using Fibonacci lattices" (2010).
+Points spreadDirections(int count);
+
+/// Rotations spread evenly over all; the same ones every time.
+/// Source: Alexa, "Super-Fibonacci Spirals: Fast, Low-Discrepancy Sampling of SO(3)" (2022).
+std::vector<Eigen::Matrix3d> spreadRotations(int count);
+
+/// Columns are the principal axes of the points (of their scatter about the mean), a rotation.
+Eigen::Matrix3d principalAxes(const Points& points);
+
+/// The points that are farthest in one of the directions, each once: a few that stand for all.
+Points extremePoints(const Points& points, const Points& directions);
+
+/// So many directions find the hull of a smooth body within about 0.4 % of its radius.
+constexpr int kRepresentativeDirections = 400;
+
+/// Any rotation whose third column is `axis` (unit).
+Eigen::Matrix3d rotationWithAxis(const Eigen::Vector3d& axis);
+
+}  // namespace collision_monitor
