@@ -3,6 +3,7 @@
 #include "support/file_loader.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -14,6 +15,18 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string kOwnPackage = "package://collision_monitor/";
+
+const char* const kTriangleDae =
+    "<COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' version='1.4.1'><asset/>"
+    "<library_geometries><geometry id='g'><mesh><source id='p'><float_array id='a' count='9'>"
+    "0 0 0 1 0 0 0 1 0</float_array><technique_common><accessor source='#a' count='3' "
+    "stride='3'><param name='X' type='float'/><param name='Y' type='float'/><param name='Z' "
+    "type='float'/></accessor></technique_common></source><vertices id='v'><input "
+    "semantic='POSITION' source='#p'/></vertices><triangles count='1'><input semantic='VERTEX' "
+    "source='#v' offset='0'/><p>0 1 2</p></triangles></mesh></geometry></library_geometries>"
+    "<library_visual_scenes><visual_scene id='s'><node><instance_geometry url='#g'/></node>"
+    "</visual_scene></library_visual_scenes><scene><instance_visual_scene url='#s'/></scene>"
+    "</COLLADA>";
 
 std::vector<fs::path> filesBelow(const fs::path& folder, const std::string& extension) {
   std::vector<fs::path> files;
@@ -75,6 +88,25 @@ ResourceLoader fileLoader(const fs::path& root) {
       return readFile(root / uri.substr(package.size()));
     }
     return readFile(uri.compare(0, file.size(), file) == 0 ? uri.substr(file.size()) : uri);
+  };
+}
+
+ResourceLoader oneTriangleLoader() {
+  return [](const std::string& uri) -> std::string {
+    std::string extension = fs::path(uri).extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (extension == ".obj") {
+      return "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    }
+    if (extension == ".stl") {
+      return "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+             "vertex 0 1 0\nendloop\nendfacet\nendsolid s\n";
+    }
+    if (extension == ".dae") {
+      return kTriangleDae;
+    }
+    throw std::runtime_error("no file " + uri);
   };
 }
 

@@ -20,6 +20,10 @@ std::string readFile(const std::filesystem::path& file);
 /// node does with rospack, without ROS.
 ResourceLoader fileLoader(const std::filesystem::path& root);
 
+/// Gives every mesh name one small triangle in the format of its extension, and
+/// refuses all else: for tests of robots whose meshes do not matter or are missing.
+ResourceLoader oneTriangleLoader();
+
 /// The folder with robots that are not part of this package: the environment
 /// variable COLLISION_MONITOR_SHARED_DATA, else ../shared/data beside the
 /// checkout. Nothing if there is none; tests that need it are then skipped.
