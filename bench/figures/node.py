@@ -96,11 +96,15 @@ def resident_megabytes(pid):
 def measure(label, folder, urdf, srdf, seconds, figures):
     environment = package_path(folder)
     rospy.set_param("robot_description", urdf.read_text(encoding="utf-8"))
+    # From the file, not from the parameter: some of these robots name meshes relative to it.
+    robot = {"name": label, "file": str(urdf)}
     if srdf:
-        rospy.set_param("robot_description_semantic", srdf.read_text(encoding="utf-8"))
+        robot["semantic_file"] = str(srdf)
+    rospy.set_param("collision_monitor/robots", [robot])
     processes = [subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL,
                                   stderr=subprocess.DEVNULL) for command in (
-        ["rosrun", "robot_state_publisher", "robot_state_publisher"],
+        ["rosrun", "robot_state_publisher", "robot_state_publisher",
+         f"_publish_frequency:={RATE}"],
         ["rosrun", "collision_monitor", "monitor", f"_rate:={RATE}", f"_max_age:={MAX_AGE}"])]
     watcher = Watcher()
     source = JointSource(urdf)
@@ -117,9 +121,8 @@ def measure(label, folder, urdf, srdf, seconds, figures):
             process.terminate()
         for process in processes:
             process.wait()
-        for name in ("robot_description", "robot_description_semantic"):
-            if rospy.has_param(name):
-                rospy.delete_param(name)
+        rospy.delete_param("robot_description")
+        rospy.delete_param("collision_monitor")
 
 
 def report(label, watcher, source, seconds, figures):
