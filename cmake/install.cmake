@@ -10,5 +10,8 @@ install(DIRECTORY config launch rviz urdf
   DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 install(FILES nodelet_plugins.xml
   DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
-catkin_install_python(PROGRAMS tools/play_joint_path.py
+catkin_install_python(PROGRAMS tools/play_joint_path.py tools/demo_summary.py
+  DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+# What play_joint_path.py imports from its own folder.
+install(FILES tools/joint_path.py
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
