@@ -22,11 +22,14 @@ struct Polygon {
   }
 };
 
+constexpr double kThin = 1e-14;  // area over squared length
+
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) noexcept {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// Keeps side * x[axis] <= limit.
+// Keeps side * x[axis] <= limit. New corners lie on the line exactly, so that a face of no width
+// keeps what lies on it.
 Polygon cut(const Polygon& polygon, Eigen::Index axis, double side, double limit) noexcept {
   Polygon kept;
   for (std::size_t i = 0; i < polygon.size; ++i) {
@@ -38,30 +41,41 @@ Polygon cut(const Polygon& polygon, Eigen::Index axis, double side, double limit
       kept.add(from);
     }
     if ((from_beyond <= 0.0) != (to_beyond <= 0.0)) {
-      kept.add(from + from_beyond / (from_beyond - to_beyond) * (to - from));
+      Eigen::Vector2d corner = from + from_beyond / (from_beyond - to_beyond) * (to - from);
+      corner[axis] = side * limit;
+      kept.add(corner);
     }
   }
   return kept;
 }
 
-// Triangles of a fan about the first corner, each weighed by its area. The weights are kept from
-// going negative, so that the result lies in the polygon even when it is thinner than rounding.
+Eigen::Vector2d middleOfBounds(const Polygon& polygon) noexcept {
+  Eigen::Vector2d low = polygon.corners[0];
+  Eigen::Vector2d high = polygon.corners[0];
+  for (std::size_t i = 1; i < polygon.size; ++i) {
+    low = low.cwiseMin(polygon.corners[i]);
+    high = high.cwiseMax(polygon.corners[i]);
+  }
+  return 0.5 * (low + high);
+}
+
+// Triangles of a fan about the first corner, each weighed by its area. A polygon thinner than
+// rounding is a segment, whose middle is that of its bounds.
 Eigen::Vector2d centroid(const Polygon& polygon) noexcept {
   const Eigen::Vector2d& apex = polygon.corners[0];
   Eigen::Vector2d weighed = Eigen::Vector2d::Zero();
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   double area = 0.0;
-  for (std::size_t i = 1; i < polygon.size; ++i) {
+  double length_squared = 0.0;
+  for (std::size_t i = 1; i + 1 < polygon.size; ++i) {
     const Eigen::Vector2d to = polygon.corners[i] - apex;
-    mean += to / static_cast<double>(polygon.size);
-    if (i + 1 < polygon.size) {
-      const Eigen::Vector2d next = polygon.corners[i + 1] - apex;
-      const double weight = std::max(cross(to, next), 0.0);
-      weighed += weight / 3.0 * (to + next);
-      area += weight;
-    }
+    const Eigen::Vector2d next = polygon.corners[i + 1] - apex;
+    const double weight = std::max(cross(to, next), 0.0);
+    weighed += weight / 3.0 * (to + next);
+    area += weight;
+    length_squared = std::max({length_squared, to.squaredNorm(), next.squaredNorm()});
   }
-  return area > 0.0 ? Eigen::Vector2d(apex + weighed / area) : Eigen::Vector2d(apex + mean);
+  return area > kThin * length_squared ? Eigen::Vector2d(apex + weighed / area)
+                                       : middleOfBounds(polygon);
 }
 
 bool clippedSegmentCenter(const FlatFeature& feature, const Eigen::Vector2d& limits,
@@ -89,21 +103,8 @@ bool clippedSegmentCenter(const FlatFeature& feature, const Eigen::Vector2d& lim
   return true;
 }
 
-}  // namespace
-
-bool patchCenter(const FlatFeature& feature, const Eigen::Vector2d& half_extents, double tolerance,
-                 Eigen::Vector2d& center) noexcept {
-  const Eigen::Vector2d limits = half_extents + Eigen::Vector2d::Constant(tolerance);
-  if (feature.side_count == 0) {
-    if ((feature.center.cwiseAbs().array() > limits.array()).any()) {
-      return false;
-    }
-    center = feature.center;
-    return true;
-  }
-  if (feature.side_count == 1) {
-    return clippedSegmentCenter(feature, limits, center);
-  }
+bool clippedPolygonCenter(const FlatFeature& feature, const Eigen::Vector2d& limits,
+                          Eigen::Vector2d& center) noexcept {
   const Eigen::Vector2d& u = feature.sides[0];
   const Eigen::Vector2d v =
       cross(u, feature.sides[1]) < 0.0 ? Eigen::Vector2d(-feature.sides[1]) : feature.sides[1];
@@ -121,6 +122,27 @@ bool patchCenter(const FlatFeature& feature, const Eigen::Vector2d& half_extents
   }
   center = centroid(polygon);
   return true;
+}
+
+bool clippedCenter(const FlatFeature& feature, const Eigen::Vector2d& limits,
+                   Eigen::Vector2d& center) noexcept {
+  switch (feature.side_count) {
+    case 0:
+      center = feature.center;
+      return (feature.center.cwiseAbs().array() <= limits.array()).all();
+    case 1:
+      return clippedSegmentCenter(feature, limits, center);
+    default:
+      return clippedPolygonCenter(feature, limits, center);
+  }
+}
+
+}  // namespace
+
+bool patchCenter(const FlatFeature& feature, const Eigen::Vector2d& half_extents, double tolerance,
+                 Eigen::Vector2d& center) noexcept {
+  return clippedCenter(feature, half_extents, center) ||
+         clippedCenter(feature, half_extents + Eigen::Vector2d::Constant(tolerance), center);
 }
 
 }  // namespace collision_monitor

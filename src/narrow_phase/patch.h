@@ -18,7 +18,7 @@ struct FlatFeature {
 /// centroid of a polygon, the middle of a segment.
 ///
 /// Limits: a feature that misses the rectangle by less than `tolerance` still counts.
-/// @return false when there is no such part; `center` is then left alone.
+/// @return false when there is no such part; `center` then means nothing.
 /// Source: Sutherland, Hodgman, "Reentrant polygon clipping" (1974).
 bool patchCenter(const FlatFeature& feature, const Eigen::Vector2d& half_extents, double tolerance,
                  Eigen::Vector2d& center) noexcept;
