@@ -11,14 +11,15 @@ import sys
 import threading
 import time
 
+import rosgraph
 import rospy
-from collision_monitor.msg import Contacts, PairDistance, State, Warning as VerdictChange
+from collision_monitor.msg import Contacts, LinkDistance, State, Warning as VerdictChange
 from std_msgs.msg import Float64
 
 LEVELS = {State.OK: "ok", State.WARNING: "warning", State.UNKNOWN: "unknown", State.CONTACT: "contact"}
 VERDICTS = {VerdictChange.CLEAR: "clear", VerdictChange.WARNING: "WARNING",
             VerdictChange.UNKNOWN: "UNKNOWN", VerdictChange.CONTACT: "CONTACT"}
-QUALITIES = {PairDistance.EXACT: "exact", PairDistance.LOWER_BOUND: "or more", PairDistance.UNKNOWN: "unknown"}
+QUALITIES = {LinkDistance.EXACT: "exact", LinkDistance.LOWER_BOUND: "or more", LinkDistance.UNKNOWN: "unknown"}
 COLOURS = {"clear": "32", "WARNING": "33", "CONTACT": "31", "UNKNOWN": "90"}
 LONGEST_SILENCE = 3.0  # [s]; the monitor promises a state at least once a second
 
@@ -166,12 +167,24 @@ def report(reporter, fault):
     return 0
 
 
+def wait_for_master(patience):
+    deadline = time.monotonic() + patience
+    while not rosgraph.is_master_online():
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(0.1)
+    return True
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--monitor", default="/collision_monitor", help="the monitor (default %(default)s)")
     parser.add_argument("--player", default="/play_joint_path", help="the player (default %(default)s)")
     parser.add_argument("--patience", type=float, default=30.0, metavar="S", help="longest wait (default %(default)s)")
     options = parser.parse_args(rospy.myargv()[1:])
+    if not wait_for_master(options.patience):
+        print(f"error: no ROS master at {rosgraph.get_master_uri()} within {options.patience:.0f} s", file=sys.stderr)
+        return 1
     rospy.init_node("demo_summary", disable_rosout=True)
     reporter = Reporter(options.monitor, options.player)
     if not reporter.wait_for_monitor(options.patience):

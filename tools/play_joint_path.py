@@ -72,7 +72,10 @@ class Player:
         deadline = rospy.Time.now() + rospy.Duration(patience)
         self.hold(0.0, lambda: heard or rospy.Time.now() > deadline)
         subscriber.unregister()
-        if not heard and not rospy.is_shutdown():
+        if heard:  # time for the listener to see the robot before it moves
+            deadline = rospy.Time.now() + rospy.Duration(1.0)
+            self.hold(0.0, lambda: rospy.Time.now() > deadline)
+        elif not rospy.is_shutdown():
             rospy.logwarn("nothing came on %s within %.0f s; the path starts all the same", topic, patience)
 
     def play(self):
@@ -99,6 +102,7 @@ def read_options(arguments):
         epilog="Publishes joint_states and ~progress (0 .. 1). For several robots, start one player each with "
                "__ns:=NAMESPACE and the prefixes below.")
     parser.add_argument("path", help="the YAML file")
+    parser.add_argument("--check", action="store_true", help="only read the file and say what is wrong with it")
     parser.add_argument("--rate", type=float, default=50.0, help="messages a second (default %(default)s)")
     parser.add_argument("--loop", action="store_true", help="start again at the end, for ever")
     parser.add_argument("--hold", action="store_true", help="stay at the last way-point instead of ending")
@@ -122,6 +126,9 @@ def main():
     except (OSError, PathError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1
+    if options.check:
+        print(f"{options.path}: {len(path.times)} way-points, {len(path.joints)} joints, {path.duration:g} s")
+        return 0
     rospy.init_node("play_joint_path")
     try:
         Player(path, options).play()
