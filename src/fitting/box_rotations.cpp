@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 using PointMatrix = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 constexpr int kStartRotations = 1000;
-constexpr std::size_t kDescents = 12;
+constexpr std::size_t kDescents = 8;
 // Counts a flat box by its area, a thin one by its volume.
 constexpr double kThickness = 1e-7;
 // Two boxes are taken as one when their axes differ by less than about 8 degrees.
@@ -102,15 +102,18 @@ void alignWithEdges(const PointMatrix& points, Candidate& candidate) {
   }
 }
 
+/// Simplex searches of different size about the best box so far: a search that ends in a kink of
+/// the volume, where a face meets an edge, gets out of it with another simplex.
 void descend(const PointMatrix& points, Candidate& candidate) {
-  alignWithEdges(points, candidate);
   const auto cost = [&](const Vector3d& turn) {
     return boxCost(points, turned(candidate.rotation, turn));
   };
-  const Vector3d turn = searchSimplex<3>({0.1, 1e-5, 200}, cost);
-  const Matrix3d rotation = turned(candidate.rotation, turn);
-  candidate = {rotation, boxCost(points, rotation)};
-  alignWithEdges(points, candidate);
+  for (const double first_step : {0.1, -0.03, 0.01, -0.1, 0.03}) {
+    const Vector3d turn = searchSimplex<3>({first_step, 1e-5, 150}, cost);
+    const Matrix3d rotation = turned(candidate.rotation, turn);
+    candidate = {rotation, boxCost(points, rotation)};
+    alignWithEdges(points, candidate);
+  }
 }
 
 /// 0 for the same axes up to order and sign.
@@ -146,7 +149,7 @@ PointMatrix toMatrix(const Points& points) {
 
 }  // namespace
 
-PosedShape boxWithAxes(const Matrix3d& axes, const Points& points) {
+PlacedCore boxWithAxes(const Matrix3d& axes, const Points& points) {
   Vector3d low = axes.transpose() * points[0];
   Vector3d high = low;
   for (const auto& point : points) {
@@ -154,7 +157,14 @@ PosedShape boxWithAxes(const Matrix3d& axes, const Points& points) {
     low = low.cwiseMin(in_axes);
     high = high.cwiseMax(in_axes);
   }
-  return {Box{0.5 * (high - low)}, {axes, axes * (0.5 * (low + high))}};
+  return {axes, axes * (0.5 * (low + high)), 0.5 * (high - low), 0.0};
+}
+
+Matrix3d refineBoxRotation(const Matrix3d& axes, const Points& points) {
+  const PointMatrix matrix = toMatrix(points);
+  Candidate candidate{axes, boxCost(matrix, axes)};
+  descend(matrix, candidate);
+  return candidate.rotation;
 }
 
 std::vector<Matrix3d> smallBoxRotations(const Points& points, std::size_t count) {

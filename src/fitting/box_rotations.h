@@ -5,15 +5,18 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "collision_monitor/fitting/posed_shape.h"
+#include "fitting/core_descent.h"
 
 namespace collision_monitor {
 
-/// The box with these axes (columns) that holds all points, in closed form.
-PosedShape boxWithAxes(const Eigen::Matrix3d& axes, const Points& points);
+/// The box with these axes (columns) that holds all points, in closed form: a core of radius 0.
+PlacedCore boxWithAxes(const Eigen::Matrix3d& axes, const Points& points);
 
 /// Rotations whose boxes are small, different from each other and locally least, best first.
 /// @pre the points are normalised; `count` >= 1.
 std::vector<Eigen::Matrix3d> smallBoxRotations(const Points& points, std::size_t count);
+
+/// The nearest locally least box.
+Eigen::Matrix3d refineBoxRotation(const Eigen::Matrix3d& axes, const Points& points);
 
 }  // namespace collision_monitor

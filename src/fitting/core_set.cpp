@@ -4,30 +4,29 @@
 
 #include <algorithm>
 
-namespace collision_monitor {
+#include "fitting/small_shapes.h"
 
-PlacedCore withRoom(PlacedCore core, const FreeExtents& free_extents) {
+namespace collision_monitor {
+namespace {
+
+/// A start for descend, which needs every point strictly inside and every free extent above zero.
+PlacedCore withRoom(PlacedCore core, const FreeExtents& free_extents, const Points& points) {
   constexpr double kRoom = 0.02;  // of the size, which is 1
   for (int k = 0; k < 3; ++k) {
     if (free_extents[k]) {
       core.half_extents[k] = std::max(core.half_extents[k], kRoom);
     }
   }
-  core.radius += kRoom;
+  core.radius = enclosingRadius(core, points) + kRoom;
   return core;
 }
 
-PosedShape placedInCloud(const PlacedCore& core, const NormalisedPoints& cloud) {
-  return {RoundedBox{cloud.scale * core.half_extents, cloud.scale * core.radius},
-          {core.rotation, cloud.centre + cloud.scale * core.centre}};
-}
-
-double addFarthestOutside(const Points& points, const PlacedCore& core, Points& subset) {
-  constexpr std::size_t kMaxAdded = 40;
-  const PosedShape fit{RoundedBox{core.half_extents, core.radius}, {core.rotation, core.centre}};
+/// Adds the points that lie farthest outside to `subset`; returns the largest distance outside.
+double addLeftOut(const Points& points, const PlacedCore& core, Points& subset) {
+  constexpr std::size_t kMaxAdded = 20;
   std::vector<std::pair<double, std::size_t>> outside;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double excess = excessOver(fit, {points[i]});
+    const double excess = enclosingRadius(core, {points[i]}) - core.radius;
     if (excess > 0.0) {
       outside.emplace_back(-excess, i);
     }
@@ -37,6 +36,68 @@ double addFarthestOutside(const Points& points, const PlacedCore& core, Points& 
     subset.push_back(points[outside[i].second]);
   }
   return outside.empty() ? 0.0 : -outside.front().first;
+}
+
+}  // namespace
+
+double volumeOf(const PlacedCore& core) noexcept {
+  return volumeOf(RoundedBox{core.half_extents, core.radius});
+}
+
+PlacedCore descended(const PlacedCore& start, const Points& points,
+                     const FreeExtents& free_extents) {
+  PlacedCore enclosing = start;
+  enclosing.radius = enclosingRadius(start, points);
+  PlacedCore core = withRoom(start, free_extents, points);
+  descend(points, free_extents, core);
+  return std::min(enclosing, core, isSmaller);
+}
+
+PlacedCore refineCore(const PlacedCore& start, Points representatives, const Points& points,
+                      const FreeExtents& free_extents) {
+  constexpr int kMaxRounds = 5;
+  constexpr double kHair = 5e-4;  // of the size, which is 1
+  PlacedCore core = start;
+  PlacedCore best = start;
+  best.radius = enclosingRadius(start, points);
+  for (int round = 0; round < kMaxRounds; ++round) {
+    if (addLeftOut(points, core, representatives) < kHair) {
+      break;
+    }
+    core = descended(core, representatives, free_extents);
+    PlacedCore enclosing = core;
+    enclosing.radius = enclosingRadius(core, points);
+    best = std::min(best, enclosing, isSmaller);
+  }
+  return best;
+}
+
+std::vector<PlacedCore> descendAll(std::vector<PlacedCore> starts, const Points& points,
+                                   const FreeExtents& free_extents) {
+  const Points representatives = representativesOf(points);
+  for (auto& core : starts) {
+    core = descended(core, representatives, free_extents);
+  }
+  std::sort(starts.begin(), starts.end(), isSmaller);
+  std::vector<PlacedCore> fits;
+  for (const auto& core : starts) {
+    // Starts in one valley end at one volume; the same fit twice is of no use.
+    constexpr double kSame = 1.001;
+    if (fits.size() < kMaxFits &&
+        (fits.empty() || volumeOf(core) > kSame * volumeOf(fits.back()))) {
+      fits.push_back(core);
+    }
+  }
+  for (auto& core : fits) {
+    core = refineCore(core, representatives, points, free_extents);
+  }
+  std::sort(fits.begin(), fits.end(), isSmaller);
+  return fits;
+}
+
+PosedShape placedInCloud(const PlacedCore& core, const NormalisedPoints& cloud) {
+  return {RoundedBox{cloud.scale * core.half_extents, cloud.scale * core.radius},
+          {core.rotation, cloud.centre + cloud.scale * core.centre}};
 }
 
 }  // namespace collision_monitor

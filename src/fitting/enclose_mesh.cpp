@@ -1,23 +1,47 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/fitting/fit_box.h"
-#include "collision_monitor/fitting/fit_capsule.h"
-#include "collision_monitor/fitting/fit_rounded_box.h"
+#include <algorithm>
+
 #include "collision_monitor/fitting/fit_sphere.h"
 #include "collision_monitor/fitting/overshoot.h"
 #include "collision_monitor/fitting/proof.h"
 #include "collision_monitor/geometry/convex_hull.h"
 #include "collision_monitor/geometry/triangle_bvh.h"
 #include "fitting/candidate.h"
+#include "fitting/small_shapes.h"
 
 namespace collision_monitor {
+namespace {
+
+/// Of several fits of one kind, the one that overshoots least, judged on few samples.
+PosedShape leastCoarse(const std::vector<PosedShape>& fits, const TriangleBvh& mesh) {
+  constexpr int kFewSamples = 300;
+  if (fits.size() == 1) {
+    return fits.front();
+  }
+  std::vector<double> costs;
+  for (const auto& fit : fits) {
+    costs.push_back(coarseness(measureOvershoot(fit, mesh, kFewSamples)));
+  }
+  const auto least = std::min_element(costs.begin(), costs.end()) - costs.begin();
+  return fits[static_cast<std::size_t>(least)];
+}
+
+}  // namespace
 
 std::vector<Enclosure> encloseMesh(const TriangleMesh& mesh) {
   const TriangleBvh bvh(mesh);
   const Points corners = convexHullOf(mesh.vertices).vertices;
+  const auto boxes = smallBoxes(corners);
+  const auto capsules = smallCapsules(corners);
+  std::vector<PosedShape> fits{fitSphere(corners), leastCoarse(capsules, bvh),
+                               leastCoarse(boxes, bvh)};
+  const auto rounded_boxes = smallRoundedBoxes(corners, boxes, capsules);
+  if (!rounded_boxes.empty()) {
+    fits.push_back(leastCoarse(rounded_boxes, bvh));
+  }
   std::vector<Enclosure> candidates;
-  for (PosedShape fit :
-       {fitSphere(corners), fitCapsule(corners), fitBox(corners), fitRoundedBox(corners)}) {
+  for (auto& fit : fits) {
     // All vertices, not only the hull's: the proof must not rest on the hull.
     const double widening = widenUntilProven(mesh.vertices, fit);
     const Overshoot overshoot = measureOvershoot(fit, bvh, kSampleCount);

@@ -5,11 +5,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "collision_monitor/fitting/fit_sphere.h"
 #include "fitting/core_descent.h"
 #include "fitting/core_set.h"
 #include "fitting/point_cloud.h"
+#include "fitting/small_shapes.h"
 
 namespace collision_monitor {
 namespace {
@@ -22,16 +24,7 @@ constexpr int kStartDirections =
 constexpr std::size_t kDescents = 6;
 constexpr double kSameAxis = 0.94;  // cosine of 20 degrees
 
-struct Candidate {
-  PlacedCore core;
-  double volume;
-};
-
-bool isBetter(const Candidate& a, const Candidate& b) { return a.volume < b.volume; }
-
-Candidate weigh(const PlacedCore& core) {
-  return {core, volumeOf(Capsule{core.half_extents.z(), core.radius})};
-}
+const FreeExtents kOnlyLength{false, false, true};
 
 /// A nearly smallest circle around 2-D points.
 /// Source: Badoiu, Clarkson, "Smaller Core-Sets for Balls" (2003), section 3.
@@ -50,9 +43,8 @@ Vector2d circleCentre(const std::vector<Vector2d>& points) {
 
 /// A capsule along `axis`: its line through the centre of the points' shadow, its ends as near as
 /// the points allow.
-Candidate capsuleAlong(const Vector3d& axis, const Points& points) {
-  Candidate result;
-  PlacedCore& core = result.core;
+PlacedCore capsuleAlong(const Vector3d& axis, const Points& points) {
+  PlacedCore core;
   core.rotation = rotationWithAxis(axis);
   std::vector<Vector2d> shadow;
   for (const auto& point : points) {
@@ -66,8 +58,8 @@ Candidate capsuleAlong(const Vector3d& axis, const Points& points) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double cap =
-        std::sqrt(std::max(radius_squared - (shadow[i] - centre).squaredNorm(), 0.0));
+    const double room = radius_squared - (shadow[i] - centre).squaredNorm();
+    const double cap = std::sqrt(std::max(room, 0.0));
     const double height = axis.dot(points[i]);
     low = std::min(low, height + cap);
     high = std::max(high, height - cap);
@@ -75,22 +67,23 @@ Candidate capsuleAlong(const Vector3d& axis, const Points& points) {
   core.centre = core.rotation.leftCols<2>() * centre + 0.5 * (low + high) * axis;
   core.half_extents.z() = std::max(0.5 * (high - low), 0.0);
   core.radius = enclosingRadius(core, points);
-  return weigh(core);
+  return core;
 }
 
-std::vector<Candidate> startCapsules(const Points& points) {
-  std::vector<Candidate> all;
+/// The best capsules of which no two have nearly the same axis.
+std::vector<PlacedCore> startCapsules(const Points& points) {
+  std::vector<PlacedCore> all;
   for (const auto& axis : spreadDirections(kStartDirections)) {
     if (axis.z() > 0.0) {
       all.push_back(capsuleAlong(axis, points));
     }
   }
-  std::sort(all.begin(), all.end(), isBetter);
-  std::vector<Candidate> chosen;
+  std::sort(all.begin(), all.end(), isSmaller);
+  std::vector<PlacedCore> chosen;
   for (const auto& candidate : all) {
-    const Vector3d axis = candidate.core.rotation.col(2);
-    const bool is_new = std::all_of(chosen.begin(), chosen.end(), [&](const Candidate& other) {
-      return std::abs(axis.dot(other.core.rotation.col(2))) < kSameAxis;
+    const Vector3d axis = candidate.rotation.col(2);
+    const bool is_new = std::all_of(chosen.begin(), chosen.end(), [&](const PlacedCore& other) {
+      return std::abs(axis.dot(other.rotation.col(2))) < kSameAxis;
     });
     if (is_new && chosen.size() < kDescents) {
       chosen.push_back(candidate);
@@ -100,32 +93,28 @@ std::vector<Candidate> startCapsules(const Points& points) {
   return chosen;
 }
 
-PlacedCore smallestCapsule(const Points& points) {
-  std::vector<Candidate> candidates = startCapsules(points);
-  for (auto& candidate : candidates) {
-    PlacedCore core = withRoom(candidate.core, {false, false, true});
-    descend(points, {false, false, true}, core);
-    candidate = std::min(candidate, weigh(core), isBetter);
-  }
-  return std::min_element(candidates.begin(), candidates.end(), isBetter)->core;
-}
-
 }  // namespace
 
-PosedShape fitCapsule(const Points& points) {
+std::vector<PosedShape> smallCapsules(const Points& points) {
   const NormalisedPoints cloud = normalise(points);
   if (!(cloud.scale > 0.0)) {
-    return {Capsule{}, {Eigen::Matrix3d::Identity(), points[0]}};
+    return {{Capsule{}, {Eigen::Matrix3d::Identity(), points[0]}}};
   }
-  const PlacedCore core = fitOnCoreSet(cloud.points, smallestCapsule);
-  const PosedShape fit = placedInCloud(core, cloud);
+  const auto starts = startCapsules(representativesOf(cloud.points));
+  std::vector<PosedShape> fits;
+  for (const auto& core : descendAll(starts, cloud.points, kOnlyLength)) {
+    const PosedShape fit = placedInCloud(core, cloud);
+    fits.push_back(
+        {Capsule{coreHalfExtents(fit.shape).z(), radiusOf(fit.shape)}, fit.geometry_from_body});
+  }
   const PosedShape sphere = fitSphere(points);
-  const RoundedBox& found = std::get<RoundedBox>(fit.shape);
-  const Capsule capsule{found.half_extents.z(), found.radius};
-  if (volumeOf(sphere.shape) < volumeOf(capsule)) {
-    return {Capsule{0.0, radiusOf(sphere.shape)}, sphere.geometry_from_body};
+  if (volumeOf(sphere.shape) < volumeOf(fits.front().shape)) {
+    const PosedShape ball{Capsule{0.0, radiusOf(sphere.shape)}, sphere.geometry_from_body};
+    fits.insert(fits.begin(), ball);
   }
-  return {capsule, fit.geometry_from_body};
+  return fits;
 }
+
+PosedShape fitCapsule(const Points& points) { return smallCapsules(points).front(); }
 
 }  // namespace collision_monitor

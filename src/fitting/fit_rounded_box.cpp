@@ -2,61 +2,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/fitting/fit_rounded_box.h"
 
-#include <algorithm>
-
-#include "collision_monitor/fitting/fit_box.h"
-#include "collision_monitor/fitting/fit_capsule.h"
 #include "collision_monitor/fitting/fit_sphere.h"
-#include "fitting/box_rotations.h"
-#include "fitting/core_descent.h"
 #include "fitting/core_set.h"
+#include "fitting/point_cloud.h"
+#include "fitting/small_shapes.h"
 
 namespace collision_monitor {
 namespace {
 
-using Eigen::Vector3d;
-
-constexpr std::size_t kBoxStarts = 4;
-// A start that is nearly a box and one that is nearly round find different minima.
+// Of a box's half extents. A start that is nearly a box and one that is nearly round find
+// different minima.
 constexpr double kStartExtents[] = {0.85, 0.5};
 
-double volume(const PlacedCore& core) {
-  return volumeOf(RoundedBox{core.half_extents, core.radius});
-}
-
-PlacedCore smallestRoundedBox(const Points& points) {
-  PlacedCore best;
-  best.radius = 2.0;  // holds every normalised set
-  for (const auto& rotation : smallBoxRotations(points, kBoxStarts)) {
-    const PosedShape box = boxWithAxes(rotation, points);
-    for (const double fraction : kStartExtents) {
-      PlacedCore core;
-      core.rotation = rotation;
-      core.centre = box.geometry_from_body.translation;
-      core.half_extents = fraction * coreHalfExtents(box.shape);
-      core.radius = enclosingRadius(core, points);
-      core = withRoom(core, {true, true, true});
-      descend(points, {true, true, true}, core);
-      if (volume(core) < volume(best)) {
-        best = core;
-      }
-    }
-  }
-  return best;
+PlacedCore startFrom(const PosedShape& fit, double fraction, const NormalisedPoints& cloud) {
+  PlacedCore core;
+  core.rotation = fit.geometry_from_body.rotation;
+  core.centre = (fit.geometry_from_body.translation - cloud.centre) / cloud.scale;
+  core.half_extents = fraction / cloud.scale * coreHalfExtents(fit.shape);
+  return core;
 }
 
 }  // namespace
 
-PosedShape fitRoundedBox(const Points& points) {
+std::vector<PosedShape> smallRoundedBoxes(const Points& points,
+                                          const std::vector<PosedShape>& boxes,
+                                          const std::vector<PosedShape>& capsules) {
   const NormalisedPoints cloud = normalise(points);
-  PosedShape best = fitBox(points);
-  const auto consider = [&](const PosedShape& fit) {
-    best = volumeOf(fit.shape) < volumeOf(best.shape) ? fit : best;
-  };
-  consider(fitCapsule(points));
-  consider(fitSphere(points));
-  if (cloud.scale > 0.0) {
-    consider(placedInCloud(fitOnCoreSet(cloud.points, smallestRoundedBox), cloud));
+  if (!(cloud.scale > 0.0)) {
+    return {};
+  }
+  std::vector<PlacedCore> starts;
+  for (const auto& box : boxes) {
+    for (const double fraction : kStartExtents) {
+      starts.push_back(startFrom(box, fraction, cloud));
+    }
+  }
+  starts.push_back(startFrom(capsules.front(), 1.0, cloud));
+  std::vector<PosedShape> fits;
+  for (const auto& core : descendAll(starts, cloud.points, {true, true, true})) {
+    fits.push_back(placedInCloud(core, cloud));
+  }
+  return fits;
+}
+
+PosedShape fitRoundedBox(const Points& points) {
+  const auto boxes = smallBoxes(points);
+  const auto capsules = smallCapsules(points);
+  PosedShape best = fitSphere(points);
+  for (const auto& fits : {boxes, capsules, smallRoundedBoxes(points, boxes, capsules)}) {
+    if (!fits.empty() && volumeOf(fits.front().shape) < volumeOf(best.shape)) {
+      best = fits.front();
+    }
   }
   best.shape = RoundedBox{coreHalfExtents(best.shape), radiusOf(best.shape)};
   return best;

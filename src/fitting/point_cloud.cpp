@@ -105,6 +105,11 @@ Points extremePoints(const Points& points, const Points& directions) {
   return result;
 }
 
+Points representativesOf(const Points& points) {
+  constexpr int kCount = 100;
+  return points.size() <= kCount ? points : extremePoints(points, spreadDirections(kCount));
+}
+
 Eigen::Matrix3d rotationWithAxis(const Eigen::Vector3d& axis) {
   Eigen::Matrix3d rotation;
   rotation.col(2) = axis;

@@ -33,8 +33,8 @@ Eigen::Matrix3d principalAxes(const Points& points);
 /// The points that are farthest in one of the directions, each once: a few that stand for all.
 Points extremePoints(const Points& points, const Points& directions);
 
-/// So many directions find the hull of a smooth body within about 0.4 % of its radius.
-constexpr int kRepresentativeDirections = 400;
+/// At most about a hundred of the points, which stand for all while a search is still coarse.
+Points representativesOf(const Points& points);
 
 /// Any rotation whose third column is `axis` (unit).
 Eigen::Matrix3d rotationWithAxis(const Eigen::Vector3d& axis);
