@@ -16,7 +16,7 @@ static_assert(LinkDistance::EXACT == static_cast<int>(Quality::exact) &&
               LinkDistance::LOWER_BOUND == static_cast<int>(Quality::lower_bound) &&
               LinkDistance::UNKNOWN == static_cast<int>(Quality::unknown));
 
-void nameLinks(const Setup& setup, LinkId a, LinkId b, LinkDistance& message) {
+void nameLinks(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance& message) {
   message.link_a = setup.model.link(a).name;
   message.link_b = setup.model.link(b).name;
   message.shape_a.clear();
@@ -65,7 +65,7 @@ void toMessage(const Pose& pose, geometry_msgs::Pose& message) {
   message.orientation.w = rotation.w();
 }
 
-void toMessage(const Setup& setup, const PairDistance& distance, LinkDistance& message) {
+void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message) {
   const BodyPair& pair = setup.table[distance.pair];
   nameLinks(setup, setup.bodies[index(pair.a)].link, setup.bodies[index(pair.b)].link, message);
   message.shape_a = setup.labels[index(pair.a)].shape_name;
@@ -74,14 +74,19 @@ void toMessage(const Setup& setup, const PairDistance& distance, LinkDistance& m
   fillNumbers(distance.measured, message);
 }
 
-void toUnknownMessage(const Setup& setup, LinkId a, LinkId b, LinkDistance& message) {
-  nameLinks(setup, a, b, message);
+void toUnknownMessage(LinkDistance& message) {
+  message = LinkDistance();
   message.quality = LinkDistance::UNKNOWN;
   fillNumbers(unknownDistance(kNaN), message);
 }
 
+void toUnknownMessage(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance& message) {
+  toUnknownMessage(message);
+  nameLinks(setup, a, b, message);
+}
+
 void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& message) {
-  const Setup& setup = watch.setup();
+  const CycleSetup& setup = watch.setup();
   const CheckedLinkPair& pair = setup.checked[link_pair];
   const PairEvents& events = watch.buffers.events;
   if (events.verdicts[link_pair] == Verdict::unknown) {
@@ -96,7 +101,7 @@ void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& messag
 }
 
 void toMessage(const Watch& watch, Distances& message) {
-  const Setup& setup = watch.setup();
+  const CycleSetup& setup = watch.setup();
   const PairEvents& events = watch.buffers.events;
   message.header = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);
   message.closest = -1;

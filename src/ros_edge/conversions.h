@@ -21,9 +21,11 @@ void toMessage(const Eigen::Vector3d& vector, geometry_msgs::Vector3& message);
 void toMessage(const Pose& pose, geometry_msgs::Pose& message);
 
 /// A measured pair.
-void toMessage(const Setup& setup, const PairDistance& distance, LinkDistance& message);
+void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message);
+/// No pair: no names, and numbers that are NaN.
+void toUnknownMessage(LinkDistance& message);
 /// A pair of links of which one is unknown: numbers are NaN.
-void toUnknownMessage(const Setup& setup, LinkId a, LinkId b, LinkDistance& message);
+void toUnknownMessage(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance& message);
 /// A checked pair: its nearest shapes, or NaN where nothing was measured. A known pair that is
 /// out of reach was not measured; its distance is the reach then, a lower bound without points.
 void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& message);

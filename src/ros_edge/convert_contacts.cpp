@@ -16,7 +16,7 @@ bool isInContact(const Watch& watch, const PairDistance& distance) {
 }
 
 void fill(const Watch& watch, const PairDistance& distance, Contact& message) {
-  const Setup& setup = watch.setup();
+  const CycleSetup& setup = watch.setup();
   const BodyPair& pair = setup.table[distance.pair];
   const LinkId link_a = setup.bodies[index(pair.a)].link;
   message.link_a = setup.model.link(link_a).name;

@@ -71,10 +71,10 @@ void toMessage(const Watch& watch, const CycleFacts& facts, State& message) {
   message.enabled = facts.is_enabled ? 1 : 0;
   const std::uint32_t closest = watch.buffers.events.closest_of_all;
   message.has_closest = closest != kNone ? 1 : 0;
-  message.closest = LinkDistance();
-  message.closest.quality = LinkDistance::UNKNOWN;
   if (closest != kNone) {
     toMessage(watch.setup(), watch.buffers.distances.measured[closest], message.closest);
+  } else {
+    toUnknownMessage(message.closest);
   }
   // Both need closing speeds, which no stage computes; a value made up from the verdict
   // would slow a robot down that moves out of a contact.

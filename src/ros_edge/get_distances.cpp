@@ -16,7 +16,7 @@ namespace {
 
 using LinkSet = std::vector<unsigned char>;  ///< by LinkId
 
-LinkSet findLinks(const Setup& setup, const std::vector<std::string>& names, const char* field,
+LinkSet findLinks(const CycleSetup& setup, const std::vector<std::string>& names, const char* field,
                   std::vector<std::string>& faults) {
   const RobotModel& model = setup.model;
   LinkSet links(model.links.size(), names.empty() ? 1 : 0);
@@ -59,7 +59,7 @@ struct Selection {
 };
 
 /// The reasons of the pairs that are asked for and ignored.
-std::string ignoredText(const Setup& setup, const Selection& selection) {
+std::string ignoredText(const CycleSetup& setup, const Selection& selection) {
   std::vector<std::string> ignored;
   for (const LinkPair& pair : setup.link_pairs) {
     if (!isChecked(pair.reason) && selection.has(pair.a, pair.b)) {
@@ -71,7 +71,7 @@ std::string ignoredText(const Setup& setup, const Selection& selection) {
 }
 
 /// Pairs of shapes to measure: asked for, and both known.
-void selectPairs(const Setup& setup, const Selection& selection, const BodyPoses& poses,
+void selectPairs(const CycleSetup& setup, const Selection& selection, const BodyPoses& poses,
                  std::vector<PairId>& pairs) {
   pairs.clear();
   for (std::size_t i = 0; i < setup.table.size(); ++i) {
@@ -85,7 +85,7 @@ void selectPairs(const Setup& setup, const Selection& selection, const BodyPoses
 }
 
 /// One entry a pair of links, its nearest shapes; nearest pairs first, then the unknown ones.
-void fillDistances(const Setup& setup, const Selection& selection, const CycleBuffers& buffers,
+void fillDistances(const CycleSetup& setup, const Selection& selection, const CycleBuffers& buffers,
                    double max_distance, Distances& message) {
   std::vector<const PairDistance*> nearest(setup.checked.size(), nullptr);
   for (const PairDistance& distance : buffers.distances.measured) {
@@ -128,7 +128,7 @@ std::string summaryText(const Distances& distances, const std::string& ignored) 
 
 void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
                         const GetDistances::Request& request, GetDistances::Response& response) {
-  const Setup& setup = current.setup;
+  const CycleSetup& setup = current.setup;
   std::vector<std::string> faults;
   const Selection selection{findLinks(setup, request.links_a, "links_a", faults),
                             findLinks(setup, request.links_b, "links_b", faults)};

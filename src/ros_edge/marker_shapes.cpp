@@ -56,7 +56,7 @@ std_msgs::ColorRGBA colourOf(Verdict verdict, float alpha) {
   return colour;
 }
 
-void findWorstVerdicts(const Setup& setup, const PairEvents& events,
+void findWorstVerdicts(const CycleSetup& setup, const PairEvents& events,
                        std::vector<Verdict>& verdicts) {
   verdicts.assign(setup.model.links.size(), Verdict::clear);
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {

@@ -16,7 +16,7 @@ visualization_msgs::Marker makeShapeMarker(const Shape& shape);
 std_msgs::ColorRGBA colourOf(Verdict verdict, float alpha);
 
 /// The worst verdict of the pairs of each link, by LinkId; clear for links without pairs.
-void findWorstVerdicts(const Setup& setup, const PairEvents& events,
+void findWorstVerdicts(const CycleSetup& setup, const PairEvents& events,
                        std::vector<Verdict>& verdicts);
 
 }  // namespace collision_monitor

@@ -79,7 +79,7 @@ Marker& Markers::add(const char* name_space, int id, int type) {
 }
 
 void Markers::addContacts(const Watch& watch) {
-  const Setup& setup = watch.setup();
+  const CycleSetup& setup = watch.setup();
   for (const PairDistance& distance : watch.buffers.distances.measured) {
     const std::uint32_t link_pair = setup.link_pair_of[index(distance.pair)];
     if (watch.buffers.events.verdicts[link_pair] != Verdict::contact ||
@@ -103,7 +103,7 @@ void Markers::addContacts(const Watch& watch) {
 }
 
 void Markers::addDistances(const Watch& watch) {
-  const Setup& setup = watch.setup();
+  const CycleSetup& setup = watch.setup();
   const PairEvents& events = watch.buffers.events;
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     const std::uint32_t place = events.closest[i];

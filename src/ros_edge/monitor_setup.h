@@ -15,7 +15,7 @@ namespace collision_monitor {
 /// All that a reload replaces at once; shared by the cycle and the services, never changed.
 struct MonitorSetup {
   Parameters parameters;
-  Setup setup;
+  CycleSetup setup;
   std::string world_frame;
 };
 

@@ -217,7 +217,7 @@ void PoseReader::look(std::int64_t stamp_ns, Edge& edge) const {
 bool PoseReader::hasGapAt(const Edge& edge, std::int64_t stamp_ns) const {
   return std::any_of(edge.moving_path.begin(), edge.moving_path.end(), [&](std::size_t frame) {
     const FrameRecord& record = records_[frame];
-    return record.previous_ns < stamp_ns && stamp_ns < record.newest_ns &&
+    return record.previous_ns > 0 && record.previous_ns < stamp_ns && stamp_ns < record.newest_ns &&
            1e-9 * static_cast<double>(record.newest_ns - record.previous_ns) > max_age_;
   });
 }

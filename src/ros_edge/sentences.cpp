@@ -17,7 +17,7 @@ std::string format(const char* pattern, double value) {
   return text;
 }
 
-const std::string& nameOf(const Setup& setup, BodyId body) {
+const std::string& nameOf(const CycleSetup& setup, BodyId body) {
   return setup.model.link(setup.bodies[index(body)].link).name;
 }
 
@@ -96,7 +96,7 @@ std::string lengthText(double length) {
   return size < 0.9995 ? format("%.0f mm", 1000.0 * size) : format("%.2f m", size);
 }
 
-std::string distanceSentence(const Setup& setup, const PairDistance& distance) {
+std::string distanceSentence(const CycleSetup& setup, const PairDistance& distance) {
   const BodyPair& pair = setup.table[distance.pair];
   const std::string& a = nameOf(setup, pair.a);
   const std::string& b = nameOf(setup, pair.b);
@@ -113,7 +113,7 @@ std::string distanceSentence(const Setup& setup, const PairDistance& distance) {
 }
 
 std::string changeSentence(const Watch& watch, const VerdictChange& change) {
-  const Setup& setup = watch.setup();
+  const CycleSetup& setup = watch.setup();
   const CheckedLinkPair& pair = setup.checked[change.link_pair];
   if (change.after == Verdict::unknown) {
     const LinkId unknown =

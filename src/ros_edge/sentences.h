@@ -14,7 +14,7 @@ std::string lengthText(double length);
 
 /// "a is 12 mm from b" or "a overlaps b by 3.0 mm". Says where the number is that of the
 /// enclosing shapes: "a is at least 12 mm from b".
-std::string distanceSentence(const Setup& setup, const PairDistance& distance);
+std::string distanceSentence(const CycleSetup& setup, const PairDistance& distance);
 
 /// What a pair's change of verdict means.
 std::string changeSentence(const Watch& watch, const VerdictChange& change);

@@ -13,7 +13,7 @@ Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformSto
       buffers(makeBuffers(
           fixed->setup, fixed->parameters.broad_phase.value_or(chooseBroadPhase(fixed->setup)))) {}
 
-BroadPhaseKind chooseBroadPhase(const Setup& setup) noexcept {
+BroadPhaseKind chooseBroadPhase(const CycleSetup& setup) noexcept {
   constexpr std::size_t kManyPairs = 500;
   return setup.table.size() < kManyPairs ? BroadPhaseKind::brute_force
                                          : BroadPhaseKind::sweep_and_prune;

@@ -20,7 +20,7 @@ struct Watch {
   LinkPoses poses;
   CycleBuffers buffers;
 
-  const Setup& setup() const noexcept { return fixed->setup; }
+  const CycleSetup& setup() const noexcept { return fixed->setup; }
 };
 
 /// What messages say beside the result of the cycle.
@@ -35,7 +35,7 @@ struct CycleFacts {
 
 /// The broad phase a set-up gets when none is asked for. Below some hundred pairs a pass over the
 /// list costs less than keeping end points sorted.
-BroadPhaseKind chooseBroadPhase(const Setup& setup) noexcept;
+BroadPhaseKind chooseBroadPhase(const CycleSetup& setup) noexcept;
 
 /// Links with geometry whose pose is unknown, into `links`.
 void findUnknownLinks(const Watch& watch, std::vector<LinkId>& links);

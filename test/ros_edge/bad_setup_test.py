@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The collision_monitor authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A set-up that cannot be used ends the node with every problem named; a nodelet that has one
+leaves its manager alive."""
+import subprocess
+import sys
+import unittest
+
+import rospy
+import rostest
+from nodelet.srv import NodeletList, NodeletLoad
+
+from collision_monitor.msg import State
+from monitor_probe import Probe
+
+GOOD = """<robot name="good">
+  <link name="base"><collision><geometry><sphere radius="0.1"/></geometry></collision></link>
+  <joint name="a" type="fixed"><parent link="base"/><child link="middle"/></joint>
+  <link name="middle"/>
+</robot>"""
+BAD = GOOD.replace('radius="0.1"', 'radius="-0.1"').replace('type="fixed"', 'type="elastic"')
+
+
+def run_node(name, urdf=None, **parameters):
+    """Exit code and output of a node with these private parameters."""
+    namespace = "/" + name
+    for key, value in dict(parameters, wait_for_description=0.2).items():
+        rospy.set_param(namespace + "/" + key, value)
+    if urdf is not None:
+        rospy.set_param(namespace + "/robot_description", urdf)
+    ended = subprocess.run(["rosrun", "collision_monitor", "monitor", "__name:=" + name],
+                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60,
+                           universal_newlines=True, check=False)
+    return ended.returncode, ended.stdout
+
+
+class BadSetup(unittest.TestCase):
+
+    def test_missingDescription_namesTheParameter(self):
+        code, output = run_node("missing")
+        self.assertEqual(code, 1, output)
+        self.assertIn("/missing/robot_description", output)
+
+    def test_badUrdf_namesEveryProblem(self):
+        code, output = run_node("bad_urdf", BAD)
+        self.assertEqual(code, 1, output)
+        self.assertIn("-0.1", output)
+        self.assertIn("elastic", output)
+
+    def test_badParameters_areAllNamed(self):
+        code, output = run_node("bad_parameters", GOOD, rate=-3.0, max_aeg=0.2, padding="much")
+        self.assertEqual(code, 1, output)
+        for text in ("/bad_parameters/rate", "-3", "/bad_parameters/max_aeg", "'max_age'",
+                     "/bad_parameters/padding", "'much'"):
+            self.assertIn(text, output)
+
+    def test_nodelets_badOneLeavesTheManagerAlive_goodOneSpeaks(self):
+        rospy.wait_for_service("/manager/load_nodelet", timeout=20.0)
+        load = rospy.ServiceProxy("/manager/load_nodelet", NodeletLoad)
+        rospy.set_param("/bad_nodelet/wait_for_description", 0.2)
+        rospy.set_param("/bad_nodelet/robot_description", BAD)
+        load("/bad_nodelet", "collision_monitor/Monitor", [], [], [], "")
+        rospy.set_param("/good_nodelet/robot_description", GOOD)
+        load("/good_nodelet", "collision_monitor/Monitor", [], [], [], "")
+        probe = Probe("/good_nodelet")
+        probe.wait_for_level(State.UNKNOWN, "no pair of links is checked")
+        names = rospy.ServiceProxy("/manager/list", NodeletList)().nodelets
+        self.assertIn("/good_nodelet", names)
+
+
+if __name__ == "__main__":
+    rospy.init_node("bad_setup_test")
+    rostest.rosrun("collision_monitor", "bad_setup", BadSetup, sys.argv)

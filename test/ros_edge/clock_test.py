@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The collision_monitor authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Simulated time that has not started, stands still and jumps back."""
+import sys
+import threading
+import unittest
+
+import rospy
+import rostest
+from geometry_msgs.msg import TransformStamped
+from rosgraph_msgs.msg import Clock
+from tf2_msgs.msg import TFMessage
+
+from collision_monitor.msg import State
+from monitor_probe import Probe
+
+
+class Simulation:
+    """Publishes /clock, and the moving transforms of two_boxes with its stamp, over and over."""
+
+    def __init__(self):
+        self.clock = rospy.Publisher("/clock", Clock, queue_size=1)
+        self.tf = rospy.Publisher("/tf", TFMessage, queue_size=1)
+        self.tf_static = rospy.Publisher("/tf_static", TFMessage, queue_size=1, latch=True)
+        self.tf_static.publish([self.transform("rail", "box_a", rospy.Time(), 0.0)])
+        self.now = 0.0
+        self.step = 0.02
+        self.has_clock = False
+        self.has_poses = False
+        self.end = threading.Event()
+        self.thread = threading.Thread(target=self.run, daemon=True)
+        self.thread.start()
+
+    @staticmethod
+    def transform(parent, child, stamp, x):
+        transform = TransformStamped()
+        transform.header.frame_id = parent
+        transform.header.stamp = stamp
+        transform.child_frame_id = child
+        transform.transform.translation.x = x
+        transform.transform.rotation.w = 1.0
+        return transform
+
+    def run(self):
+        while not self.end.wait(0.02):
+            stamp = rospy.Time.from_sec(self.now)
+            if self.has_clock:
+                self.clock.publish(stamp)
+            if self.has_poses:
+                self.tf.publish([self.transform("rail", "carriage", stamp, 0.55),
+                                 self.transform("carriage", "box_b", stamp, 0.0)])
+            self.now += self.step
+
+
+class ClockTest(unittest.TestCase):
+
+    def test_clockStarts_standsStill_jumpsBack(self):
+        probe = Probe()
+        probe.wait_for_level(State.UNKNOWN, "no time on /clock yet")
+        simulation = Simulation()
+        simulation.now = 100.0
+        simulation.has_clock = True
+        probe.wait_for_level(State.UNKNOWN, "no transform from 'rail' to 'carriage' yet")
+        simulation.has_poses = True
+        probe.wait_for_level(State.OK)
+
+        # Time stands still: the heart beats on, and data of that time stay fresh.
+        simulation.step = 0.0
+        count = probe.state_count
+        probe.wait(lambda: probe.state_count >= count + 5, "five heartbeats")
+        self.assertEqual(probe.state.level, State.OK)
+
+        # A recording starts over.
+        simulation.has_poses = False
+        simulation.step = 0.02
+        simulation.now = 10.0
+        probe.wait_for_level(State.UNKNOWN)
+        self.assertLess(probe.state.published_at.to_sec(), 50.0)
+        simulation.has_poses = True
+        probe.wait_for_level(State.OK)
+        probe.wait(lambda: probe.state.header.stamp.to_sec() < 50.0, "data of the new time")
+        simulation.end.set()
+
+
+if __name__ == "__main__":
+    # The node under test lives in simulated time, this program in wall time.
+    rospy.init_node("clock_test", disable_rostime=True)
+    rostest.rosrun("collision_monitor", "clock", ClockTest, sys.argv)

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/conversions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "edge_scene.h"
+#include "ros_edge/markers.h"
+#include "ros_edge/sentences.h"
+
+namespace collision_monitor::test {
+namespace {
+
+class ConversionsTest : public testing::Test {
+ protected:
+  /// base and tool are 0.3 m + reach apart.
+  std::unique_ptr<Watch> watchAt(double reach) {
+    return judged(setup_, store_, slidingPoses(setup_->setup.model, 0.0, reach));
+  }
+  std::unique_ptr<Watch> watchWithout(const std::string& link) {
+    LinkPoses poses = slidingPoses(setup_->setup.model, 0.0, -0.4);
+    poses.status[index(linkNamed(setup_->setup.model, link))] = LinkStatus::missing;
+    return judged(setup_, store_, poses);
+  }
+  static CycleFacts facts() {
+    CycleFacts facts;
+    facts.now = ros::Time(13.0);
+    return facts;
+  }
+  static State stateOf(const Watch& watch, const CycleFacts& facts) {
+    State state;
+    toMessage(watch, facts, state);
+    return state;
+  }
+
+  TransformStore store_;
+  std::shared_ptr<const MonitorSetup> setup_ = slidingSetup();
+};
+
+TEST_F(ConversionsTest, clearState) {
+  const State state = stateOf(*watchAt(0.25), facts());
+  EXPECT_EQ(state.level, State::OK);
+  EXPECT_EQ(state.sentence, "clear; base is 550 mm from tool");
+  EXPECT_EQ(state.header.stamp, ros::Time(12.5));
+  EXPECT_TRUE(state.has_closest);
+  EXPECT_NEAR(state.closest.distance, 0.55, 1e-12);
+  EXPECT_EQ(state.closest.shape_a, "collision_0/box");
+  EXPECT_TRUE(state.unknown_links.empty());
+  EXPECT_TRUE(std::isnan(state.time_to_contact));
+  EXPECT_TRUE(std::isnan(state.speed_scale));
+}
+
+TEST_F(ConversionsTest, warningAndContactStates) {
+  EXPECT_EQ(stateOf(*watchAt(-0.26), facts()).level, State::WARNING);
+  EXPECT_EQ(stateOf(*watchAt(-0.26), facts()).sentence, "base is 40 mm from tool");
+  EXPECT_EQ(stateOf(*watchAt(-0.3), facts()).level, State::CONTACT);
+  EXPECT_EQ(stateOf(*watchAt(-0.3), facts()).sentence, "base touches tool");
+  EXPECT_EQ(stateOf(*watchAt(-0.303), facts()).sentence, "base overlaps tool by 3.0 mm");
+}
+
+TEST_F(ConversionsTest, unknownLink_isNamedWithItsReason) {
+  const State state = stateOf(*watchWithout("finger"), facts());
+  EXPECT_EQ(state.level, State::CONTACT) << "a contact outranks what is not known";
+  ASSERT_EQ(state.unknown_links.size(), 1U);
+  EXPECT_EQ(state.unknown_links[0], "finger (missing)");
+  EXPECT_EQ(stateOf(*watchWithout("tool"), facts()).level, State::UNKNOWN);
+}
+
+TEST_F(ConversionsTest, noTimeYet_isUnknown) {
+  CycleFacts no_time = facts();
+  no_time.now = ros::Time();
+  const State state = stateOf(*watchAt(0.25), no_time);
+  EXPECT_EQ(state.level, State::UNKNOWN);
+  EXPECT_EQ(state.sentence, "no time on /clock yet");
+}
+
+TEST_F(ConversionsTest, switchedOff_isAtLeastWarning) {
+  CycleFacts off = facts();
+  off.is_enabled = false;
+  off.enabled_again_in = 12.0;
+  EXPECT_EQ(levelOf(*watchAt(0.25), off), State::WARNING);
+  EXPECT_EQ(levelOf(*watchAt(-0.4), off), State::CONTACT);
+  EXPECT_EQ(stateOf(*watchAt(0.25), off).sentence,
+            "switched off for another 12 s; clear; base is 550 mm from tool");
+}
+
+TEST_F(ConversionsTest, distances_nearPairsAndTheClosest) {
+  Distances message;
+  toMessage(*watchAt(-0.25), message);
+  ASSERT_EQ(message.pairs.size(), 1U) << "the finger is 0.8 m away";
+  EXPECT_EQ(message.closest, 0);
+  EXPECT_EQ(message.pairs_checked, 3U);
+  toMessage(*watchAt(0.25), message);
+  ASSERT_EQ(message.pairs.size(), 1U) << "the closest stays, however far";
+  EXPECT_NEAR(message.pairs[0].distance, 0.55, 1e-12);
+  toMessage(*watchWithout("tool"), message);
+  EXPECT_EQ(message.pairs_unknown, 2U);
+}
+
+TEST_F(ConversionsTest, contacts_pointDepthNormalIsland) {
+  Contacts message;
+  toMessage(*watchAt(-0.34), message);
+  ASSERT_EQ(message.contacts.size(), 1U);
+  const Contact& contact = message.contacts[0];
+  EXPECT_EQ(contact.link_a, "base");
+  EXPECT_EQ(contact.link_b, "tool");
+  EXPECT_NEAR(contact.depth, 0.04, 1e-12);
+  EXPECT_NEAR(contact.normal.x, 1.0, 1e-12);
+  ASSERT_EQ(contact.points.size(), 1U);
+  EXPECT_NEAR(contact.points[0].x, 0.08, 1e-12) << "middle of 0.06 and 0.1";
+  EXPECT_EQ(contact.island, 1U);
+  EXPECT_EQ(message.island_count, 1U);
+  toMessage(*watchAt(0.0), message);
+  EXPECT_TRUE(message.contacts.empty());
+}
+
+TEST_F(ConversionsTest, changes_sayWhatHappened) {
+  const auto watch = watchAt(-0.26);
+  ASSERT_EQ(watch->buffers.events.changes.size(), 1U);
+  Warning warning;
+  toMessage(*watch, watch->buffers.events.changes[0], warning);
+  EXPECT_EQ(warning.before, Warning::CLEAR);
+  EXPECT_EQ(warning.after, Warning::WARNING);
+  EXPECT_EQ(warning.sentence, "base is 40 mm from tool");
+  EXPECT_NEAR(warning.pair.distance, 0.04, 1e-12);
+  EXPECT_EQ(changeSentence(*watchAt(0.25), {0, Verdict::warning, Verdict::clear}),
+            "base is 550 mm from tool, clear again");
+}
+
+TEST_F(ConversionsTest, pairOutOfReach_isABoundWithoutPoints) {
+  const auto watch = watchAt(-0.25);
+  const auto& checked = setup_->setup.checked;
+  for (LinkPairIndex i = 0; i < checked.size(); ++i) {
+    LinkDistance message;
+    toMessage(*watch, i, message);
+    if (watch->buffers.events.closest[i] == kNone) {
+      EXPECT_EQ(message.quality, LinkDistance::LOWER_BOUND);
+      EXPECT_EQ(message.distance, 0.2);
+      EXPECT_TRUE(std::isnan(message.point_on_a.x));
+    }
+  }
+}
+
+TEST_F(ConversionsTest, lengthsAreReadable) {
+  EXPECT_EQ(lengthText(-0.003), "3.0 mm");
+  EXPECT_EQ(lengthText(0.012), "12 mm");
+  EXPECT_EQ(lengthText(0.00996), "10 mm");
+  EXPECT_EQ(lengthText(1.2345), "1.23 m");
+}
+
+TEST_F(ConversionsTest, boundsAreCalledBounds) {
+  const auto watch = watchAt(-0.26);
+  PairDistance distance = watch->buffers.distances.measured[0];
+  distance.quality = Quality::lower_bound;
+  distance.measured.distance = 0.04;
+  EXPECT_EQ(distanceSentence(setup_->setup, distance), "base is at least 40 mm from tool");
+  distance.measured.distance = -0.003;
+  EXPECT_EQ(distanceSentence(setup_->setup, distance),
+            "base overlaps tool by 3.0 mm (enclosing shapes)");
+}
+
+/// The markers of one array with this namespace and action.
+std::size_t count(const visualization_msgs::MarkerArray& array, const std::string& name_space,
+                  int action) {
+  return static_cast<std::size_t>(std::count_if(
+      array.markers.begin(), array.markers.end(), [&](const visualization_msgs::Marker& marker) {
+        return marker.ns == name_space && marker.action == action;
+      }));
+}
+
+TEST_F(ConversionsTest, markers_ofAContact_areDeletedWhenItEnds) {
+  using visualization_msgs::Marker;
+  const auto watch = watchAt(-0.34);
+  Markers markers(*watch);
+  const auto first = markers.draw(*watch);
+  EXPECT_EQ(first.markers.front().action, Marker::DELETEALL);
+  EXPECT_EQ(count(first, "shapes", Marker::ADD), 4U);
+  EXPECT_EQ(count(first, "contacts", Marker::ADD), 2U);
+  EXPECT_EQ(count(first, "distances", Marker::ADD), 1U);
+  EXPECT_EQ(count(first, "labels", Marker::ADD), 1U);
+  for (const Marker& marker : first.markers) {
+    EXPECT_EQ(marker.header.stamp, ros::Time(12.5));
+    EXPECT_EQ(marker.header.frame_id, "base");
+  }
+  const auto second = markers.draw(*watchAt(0.25));
+  EXPECT_EQ(count(second, "contacts", Marker::DELETE), 2U);
+  EXPECT_EQ(count(second, "contacts", Marker::ADD), 0U);
+  const auto third = markers.draw(*watchAt(0.25));
+  EXPECT_EQ(count(third, "contacts", Marker::DELETE), 0U) << "once is enough";
+}
+
+TEST_F(ConversionsTest, markers_ofAnUnknownLink_areGreyWhereItWasSeen) {
+  const auto known = watchAt(0.25);
+  Markers markers(*known);
+  markers.draw(*known);
+  const auto array = markers.draw(*watchWithout("tool"));
+  const std::size_t tool = 2;  // base, slider, tool, finger
+  std::size_t seen = 0;
+  for (const auto& marker : array.markers) {
+    if (marker.ns == "shapes" && marker.id == static_cast<int>(tool)) {
+      EXPECT_EQ(marker.color.r, marker.color.g);
+      EXPECT_NEAR(marker.pose.position.x, 0.75, 1e-12);
+      ++seen;
+    }
+  }
+  EXPECT_EQ(seen, 1U);
+}
+
+}  // namespace
+}  // namespace collision_monitor::test

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/cycle_statistics.h"
+
+#include <gtest/gtest.h>
+
+#include "ros_edge/enabling.h"
+
+namespace collision_monitor::test {
+namespace {
+
+TEST(CycleStatistics, nothingYet_isZero) {
+  const CycleStatistics statistics;
+  EXPECT_EQ(statistics.times().count, 0U);
+  EXPECT_EQ(statistics.times().worst, 0.0);
+}
+
+TEST(CycleStatistics, medianAndWorst) {
+  CycleStatistics statistics;
+  for (const double time : {5.0, 1.0, 4.0, 2.0, 3.0}) {
+    statistics.addCycle(time);
+  }
+  EXPECT_EQ(statistics.times().median, 3.0);
+  EXPECT_EQ(statistics.times().worst, 5.0);
+  EXPECT_EQ(statistics.times().count, 5U);
+}
+
+TEST(CycleStatistics, oldTimesAreForgotten) {
+  CycleStatistics statistics;
+  statistics.addCycle(100.0);
+  for (int i = 0; i < 1024; ++i) {
+    statistics.addCycle(1.0);
+  }
+  EXPECT_EQ(statistics.times().worst, 1.0);
+}
+
+TEST(Enabling, offForAWhile_onAgainByItself) {
+  Enabling enabling;
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  EXPECT_TRUE(enabling.isOn(now));
+  enabling.switchOffFor(1000.0);
+  EXPECT_FALSE(enabling.isOn(now));
+  EXPECT_TRUE(enabling.isOn(ros::SteadyTime::now() + ros::WallDuration(1001.0)));
+  enabling.switchOn();
+  EXPECT_TRUE(enabling.isOn(now));
+}
+
+}  // namespace
+}  // namespace collision_monitor::test

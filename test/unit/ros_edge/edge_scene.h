@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "ros_edge/watch.h"
+
+namespace collision_monitor::test {
+
+/// A robot with known answers, all from cubes of 0.2 m:
+///   base - slider (far below): joint "slide" along x
+///   slider - tool, 0.5 m ahead in x: joint "reach" along x
+///   slider - finger, 1 m aside in y: joint "follow" along x, 2 * slide + 0.1
+/// and an antenna without geometry on the base.
+/// base to tool: 0.3 + slide + reach. base to finger: 0.8 while 3 * slide + 0.1 is within 0.2.
+/// Checked pairs: base and tool, base and finger, tool and finger.
+std::shared_ptr<const MonitorSetup> slidingSetup();
+
+/// All links known, with the stamp 12.5 s.
+LinkPoses slidingPoses(const RobotModel& model, double slide, double reach);
+
+/// A watch that has judged these poses once.
+std::unique_ptr<Watch> judged(const std::shared_ptr<const MonitorSetup>& setup,
+                              const TransformStore& store, const LinkPoses& poses);
+
+LinkId linkNamed(const RobotModel& model, const std::string& name);
+
+}  // namespace collision_monitor::test

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/get_distances.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "edge_scene.h"
+
+namespace collision_monitor::test {
+namespace {
+
+class GetDistancesTest : public testing::Test {
+ protected:
+  GetDistances::Response ask() {
+    GetDistances::Response response;
+    answerGetDistances(*setup_, poses_, request_, response);
+    return response;
+  }
+  void move(const std::string& joint, double position) {
+    request_.joints.name.push_back(joint);
+    request_.joints.position.push_back(position);
+  }
+  void lose(const std::string& link) {
+    poses_.status[index(linkNamed(setup_->setup.model, link))] = LinkStatus::stale;
+  }
+  /// NaN if the pair is not in the answer.
+  static double distanceOf(const GetDistances::Response& response, const std::string& a,
+                           const std::string& b) {
+    for (const LinkDistance& pair : response.distances.pairs) {
+      if (pair.link_a == a && pair.link_b == b) {
+        return pair.distance;
+      }
+    }
+    return std::nan("");
+  }
+
+  std::shared_ptr<const MonitorSetup> setup_ = slidingSetup();
+  LinkPoses poses_ = slidingPoses(setup_->setup.model, 0.0, 0.25);
+  GetDistances::Request request_;
+};
+
+TEST_F(GetDistancesTest, noNames_everyCheckedPairByDistance) {
+  const auto response = ask();
+  ASSERT_TRUE(response.success) << response.message;
+  ASSERT_EQ(response.distances.pairs.size(), 3U);
+  EXPECT_EQ(response.distances.pairs_checked, 3U);
+  EXPECT_EQ(response.distances.closest, 0);
+  EXPECT_EQ(response.distances.header.stamp, ros::Time(12.5));
+  EXPECT_EQ(response.distances.header.frame_id, "base");
+  EXPECT_NEAR(distanceOf(response, "base", "tool"), 0.55, 1e-12);
+  EXPECT_NEAR(distanceOf(response, "base", "finger"), 0.8, 1e-12);
+  EXPECT_LE(response.distances.pairs[0].distance, response.distances.pairs[1].distance);
+  EXPECT_EQ(response.distances.pairs[0].quality, LinkDistance::EXACT);
+}
+
+TEST_F(GetDistancesTest, setsOfLinks_inEitherOrder) {
+  request_.links_a = {"tool"};
+  request_.links_b = {"base", "finger"};
+  const auto response = ask();
+  ASSERT_EQ(response.distances.pairs.size(), 2U);
+  EXPECT_NEAR(distanceOf(response, "base", "tool"), 0.55, 1e-12);
+}
+
+TEST_F(GetDistancesTest, maxDistance_leavesFarPairsOut) {
+  request_.max_distance = 0.6;
+  const auto response = ask();
+  ASSERT_EQ(response.distances.pairs.size(), 1U);
+  EXPECT_EQ(response.distances.pairs[0].link_b, "tool");
+  EXPECT_EQ(response.distances.pairs_checked, 3U);
+}
+
+TEST_F(GetDistancesTest, namedJointMoves_othersStay) {
+  move("reach", -0.1);
+  EXPECT_NEAR(distanceOf(ask(), "base", "tool"), 0.2, 1e-12);
+}
+
+TEST_F(GetDistancesTest, mimicJointsFollowTheirSource) {
+  move("slide", 0.3);
+  const auto response = ask();
+  EXPECT_NEAR(distanceOf(response, "base", "tool"), 0.85, 1e-12);
+  EXPECT_NEAR(distanceOf(response, "base", "finger"), std::sqrt(2.0) * 0.8, 1e-12);
+}
+
+TEST_F(GetDistancesTest, mimicJointBesideItsSource_isDerived) {
+  move("slide", 0.3);
+  move("follow", 77.0);
+  EXPECT_NEAR(distanceOf(ask(), "base", "finger"), std::sqrt(2.0) * 0.8, 1e-12);
+}
+
+TEST_F(GetDistancesTest, unknownLink_pairsOfQualityUnknown) {
+  lose("tool");
+  const auto response = ask();
+  ASSERT_TRUE(response.success);
+  EXPECT_EQ(response.distances.pairs_unknown, 2U);
+  ASSERT_EQ(response.distances.pairs.size(), 3U);
+  EXPECT_EQ(response.distances.pairs[0].link_b, "finger");
+  EXPECT_EQ(response.distances.pairs[1].quality, LinkDistance::UNKNOWN);
+  EXPECT_TRUE(std::isnan(response.distances.pairs[1].distance));
+}
+
+TEST_F(GetDistancesTest, jointGivenForAnUnknownLink_makesItKnown) {
+  lose("tool");
+  move("reach", 0.0);
+  EXPECT_NEAR(distanceOf(ask(), "base", "tool"), 0.3, 1e-12);
+}
+
+TEST_F(GetDistancesTest, nothingKnownButTheRoot_unnamedJointsStayUnknown) {
+  lose("slider");
+  lose("tool");
+  lose("finger");
+  move("reach", 0.0);
+  EXPECT_EQ(ask().distances.pairs_unknown, 3U) << "the slider carries all of them";
+  move("slide", 0.0);
+  EXPECT_EQ(ask().distances.pairs_unknown, 0U);
+}
+
+TEST_F(GetDistancesTest, everyFaultIsNamed) {
+  request_.links_a = {"tol"};
+  request_.links_b = {"antenna"};
+  request_.max_distance = std::nan("");
+  move("slid", 0.0);
+  move("mast", 0.0);
+  move("follow", 0.0);
+  move("reach", std::numeric_limits<double>::infinity());
+  const auto response = ask();
+  EXPECT_FALSE(response.success);
+  for (const char* text :
+       {"did you mean 'tool'", "'antenna' has no collision geometry",
+        "max_distance is not a number", "did you mean 'slide'", "'mast' is fixed",
+        "'follow' follows 'slide'", "'reach' is not finite"}) {
+    EXPECT_NE(response.message.find(text), std::string::npos) << text << " in " << response.message;
+  }
+}
+
+TEST_F(GetDistancesTest, namesAndPositionsOfDifferentNumber) {
+  request_.joints.name = {"slide", "reach"};
+  request_.joints.position = {0.0};
+  EXPECT_FALSE(ask().success);
+  request_.joints.name = {"slide", "slide"};
+  request_.joints.position = {0.0, 1.0};
+  EXPECT_FALSE(ask().success) << "twice the same joint";
+}
+
+TEST_F(GetDistancesTest, ignoredPairs_areNamedWithTheirReason) {
+  request_.links_a = {"base"};
+  request_.links_b = {"slider"};
+  const auto none = ask();
+  EXPECT_FALSE(none.success);
+  EXPECT_NE(none.message.find("base and slider (ignored: the links meet at a joint)"),
+            std::string::npos)
+      << none.message;
+  request_.links_b = {"slider", "tool"};
+  EXPECT_TRUE(ask().success);
+}
+
+}  // namespace
+}  // namespace collision_monitor::test

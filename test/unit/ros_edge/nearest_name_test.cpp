@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/nearest_name.h"
+
+#include <gtest/gtest.h>
+
+namespace collision_monitor::test {
+namespace {
+
+TEST(NearestName, fewestEditsWin) {
+  EXPECT_EQ(nearestName("warning_dist", {"rate", "warning_distance", "contact_distance"}),
+            "warning_distance");
+  EXPECT_EQ(nearestName("rat", {"rate", "max_age"}), "rate");
+}
+
+TEST(NearestName, nothingNear_isEmpty) {
+  EXPECT_EQ(nearestName("colour", {"rate", "max_age"}), "");
+  EXPECT_EQ(nearestName("colour", {}), "");
+  EXPECT_EQ(suggestion("colour", {"rate"}), "");
+}
+
+TEST(NearestName, suggestionIsASentence) {
+  EXPECT_EQ(suggestion("elbo", {"elbow"}), ", did you mean 'elbow'?");
+}
+
+}  // namespace
+}  // namespace collision_monitor::test

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/ros_edge/parameters.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+
+namespace collision_monitor::test {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+XmlRpcValue emptyStruct() {
+  XmlRpcValue values;
+  values["rate"] = 1;
+  return values;
+}
+
+/// Where the problems are, without the namespace.
+std::set<std::string> faults(const XmlRpcValue& values) {
+  SetupReport report;
+  readParameters(values, "/m", report);
+  std::set<std::string> places;
+  for (const Problem& problem : report.errors) {
+    places.insert(problem.where);
+  }
+  return places;
+}
+
+TEST(Parameters, nothingSet_defaultsAreLegal) {
+  SetupReport report;
+  const Parameters parameters = readParameters(XmlRpcValue(), "/m", report);
+  EXPECT_TRUE(report.errors.empty());
+  EXPECT_EQ(parameters.rate, 100.0);
+  EXPECT_EQ(parameters.trigger, Trigger::timer);
+  EXPECT_FALSE(parameters.broad_phase);
+}
+
+TEST(Parameters, valuesAreRead_integersAreNumbers) {
+  XmlRpcValue values;
+  values["rate"] = 250;
+  values["trigger"] = "pose";
+  values["max_age"] = 0.2;
+  values["limits"]["warning_distance"] = 0.1;
+  values["broad_phase"] = "sweep_and_prune";
+  values["ignore_default_overlap"] = false;
+  SetupReport report;
+  const Parameters parameters = readParameters(values, "/m", report);
+  EXPECT_TRUE(report.errors.empty());
+  EXPECT_EQ(parameters.rate, 250.0);
+  EXPECT_EQ(parameters.trigger, Trigger::pose);
+  EXPECT_EQ(parameters.max_age, 0.2);
+  EXPECT_EQ(parameters.setup.limits.warning_distance, 0.1);
+  EXPECT_EQ(parameters.broad_phase, BroadPhaseKind::sweep_and_prune);
+  EXPECT_FALSE(parameters.setup.ignore_default_overlap);
+}
+
+TEST(Parameters, misspeltName_isNamedWithTheNearest) {
+  XmlRpcValue values;
+  values["max_agee"] = 0.2;
+  SetupReport report;
+  readParameters(values, "/m", report);
+  ASSERT_EQ(report.errors.size(), 1U);
+  EXPECT_EQ(report.errors[0].where, "parameter /m/max_agee");
+  EXPECT_EQ(report.errors[0].accepted, "perhaps 'max_age'");
+}
+
+TEST(Parameters, allProblemsAreReported) {
+  XmlRpcValue values;
+  values["rate"] = -1.0;
+  values["trigger"] = "often";
+  values["max_age"] = "old";
+  values["ignore_default_overlap"] = 1;
+  values["limits"]["hysteresis"] = -0.1;
+  values["nonsense"] = 3;
+  EXPECT_EQ(faults(values),
+            (std::set<std::string>{"parameter /m/rate", "parameter /m/trigger",
+                                   "parameter /m/max_age", "parameter /m/ignore_default_overlap",
+                                   "parameter /m/limits/hysteresis", "parameter /m/nonsense"}));
+}
+
+TEST(Parameters, endsOfRanges) {
+  XmlRpcValue values = emptyStruct();
+  for (const double rate : {0.0, -5.0, 10000.5, std::numeric_limits<double>::quiet_NaN(),
+                            std::numeric_limits<double>::infinity()}) {
+    values["rate"] = rate;
+    EXPECT_EQ(faults(values).size(), 1U) << rate;
+  }
+  for (const double rate : {1e-3, 10000.0}) {
+    values["rate"] = rate;
+    EXPECT_TRUE(faults(values).empty()) << rate;
+  }
+  values["heartbeat_rate"] = 0.5;
+  EXPECT_EQ(faults(values).size(), 1U) << "slower than once a second";
+}
+
+TEST(Parameters, limitsOutOfOrder) {
+  XmlRpcValue values;
+  values["limits"]["contact_distance"] = 0.1;
+  values["limits"]["warning_distance"] = 0.05;
+  EXPECT_FALSE(faults(values).empty());
+}
+
+TEST(Parameters, robotsNeedExactlyOneSource_andUniqueNames) {
+  XmlRpcValue values;
+  values["robots"].setSize(3);
+  values["robots"][0]["name"] = "left";
+  values["robots"][0]["description"] = "/left/robot_description";
+  values["robots"][1]["name"] = "left";
+  values["robots"][1]["file"] = "a.urdf";
+  values["robots"][1]["description"] = "/b";
+  values["robots"][2]["nam"] = "c";
+  EXPECT_EQ(faults(values), (std::set<std::string>{"/m/robots[1]", "parameter /m/robots[1]/name",
+                                                   "/m/robots[2]", "parameter /m/robots[2]/nam"}));
+}
+
+TEST(Parameters, robotsThatAreNoList) {
+  XmlRpcValue values;
+  values["robots"] = "left";
+  EXPECT_EQ(faults(values), (std::set<std::string>{"parameter /m/robots"}));
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
