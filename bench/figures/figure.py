@@ -14,11 +14,11 @@ class Figures:
 
     def __init__(self):
         self.not_met = 0
-        print(f"{'figure':44} {'ours':>14} {'reference':>14}  goal", flush=True)
+        print(f"{'figure':48} {'ours':>12} {'reference':>14}  goal", flush=True)
 
     def add(self, name, ours, reference, goal, is_met):
         verdict = "met" if is_met else "NOT MET"
-        print(f"{name:44} {ours:>14} {reference:>14}  {goal}: {verdict}", flush=True)
+        print(f"{name:48} {ours:>12} {reference:>14}  {goal}: {verdict}", flush=True)
         self.not_met += 0 if is_met else 1
 
     def finish(self):
