@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cstring>
 #include <functional>
 #include <stdexcept>
@@ -147,6 +148,16 @@ TEST(MeshReader, ply_isRead) {
                "property list uchar int vertex_indices\nend_header\n"
                "0 0 0\n1 0 0\n0 2 0\n3 0 1 2\n",
                "a.ply"));
+}
+
+TEST(MeshReader, plyCutShort_isAnError) {
+  const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n";
+  EXPECT_EQ(messageOf([&] { readMesh(header, "a.ply"); }),
+            "a.ply: the PLY header has no end_header line");
+  EXPECT_EQ(messageOf([&] { readMesh(header + "end_header\n0\n1\n", "a.ply"); }),
+            "a.ply: the PLY file is cut short: it announces 3 elements and holds 2 lines");
+  EXPECT_EQ(messageOf([] { readMesh("ply\nelement vertex 99999\nend_header\n", "a.ply"); }),
+            "a.ply: the PLY header announces more elements than the file can hold");
 }
 
 TEST(MeshReader, degenerateTriangles_keepTheirVerticesOnly) {
