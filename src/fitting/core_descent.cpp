@@ -190,6 +190,10 @@ bool improve(const Points& points, const FreeExtents& free, double weight, Place
 
 }  // namespace
 
+double distanceToCore(const PlacedCore& core, const Vector3d& point) noexcept {
+  return offsetOf(core, point).beyond.norm();
+}
+
 double enclosingRadius(const PlacedCore& core, const Points& points) noexcept {
   double squared = 0.0;
   for (const auto& point : points) {

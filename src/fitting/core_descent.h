@@ -21,6 +21,9 @@ struct PlacedCore {
 /// difference.
 using FreeExtents = Eigen::Matrix<bool, 3, 1>;
 
+/// The distance of a point to the core, 0 inside.
+double distanceToCore(const PlacedCore& core, const Eigen::Vector3d& point) noexcept;
+
 /// The distance of the farthest point from the core: the radius that encloses all.
 double enclosingRadius(const PlacedCore& core, const Points& points) noexcept;
 

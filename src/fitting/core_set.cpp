@@ -26,7 +26,7 @@ double addLeftOut(const Points& points, const PlacedCore& core, Points& subset) 
   constexpr std::size_t kMaxAdded = 20;
   std::vector<std::pair<double, std::size_t>> outside;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double excess = enclosingRadius(core, {points[i]}) - core.radius;
+    const double excess = distanceToCore(core, points[i]) - core.radius;
     if (excess > 0.0) {
       outside.emplace_back(-excess, i);
     }

@@ -70,7 +70,7 @@ class QhullRun {
             static_cast<std::uint32_t>(qh_pointid(qh_.get(), vertex->point));
       }
       // qhull stores the vertices by age and keeps the orientation as a flag.
-      if (facet->toporient == qh_ORIENTclock) {
+      if (facet->toporient != qh_ORIENTclock) {
         std::swap(corners[1], corners[2]);
       }
       result.push_back(corners);

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/geometry/triangle_mesh.h"
+
+/// Meshes with known answers, for tests of fitting and of mesh distances.
+namespace collision_monitor {
+
+/// Corners at +-half, twelve outward triangles.
+TriangleMesh boxMesh(const Eigen::Vector3d& half_extents);
+
+/// A closed tube around z with `sides` corners on either rim, which lie on the circle.
+TriangleMesh prismMesh(double radius, double half_length, int sides);
+
+/// A closed sphere of rings and sectors with vertices on the sphere, poles included.
+TriangleMesh sphereMesh(double radius, int sectors);
+
+/// Random points in a box, as triangles without meaning: only their hull counts.
+TriangleMesh randomCloud(const Eigen::Vector3d& half_extents, int count, unsigned seed);
+
+/// The mesh turned about an axis by an angle and shifted.
+TriangleMesh moved(const TriangleMesh& mesh, const Eigen::Vector3d& turn,
+                   const Eigen::Vector3d& shift);
+TriangleMesh scaled(const TriangleMesh& mesh, double factor);
+
+}  // namespace collision_monitor
