@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "model/mesh_builder.h"
+#include "model/ply_check.h"
 #include "model/stl_check.h"
 #include "model/triangulate.h"
 
@@ -119,6 +120,9 @@ TriangleMesh readMesh(const std::string& bytes, const std::string& file_name) {
   }
   try {
     const std::string content = format == "stl" ? completeStl(bytes) : bytes;
+    if (format == "ply") {
+      checkPlyIsComplete(bytes);
+    }
     Assimp::Importer importer;
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
     if (importer.ReadFileFromMemory(content.data(), content.size(), 0, format.c_str()) == nullptr) {
