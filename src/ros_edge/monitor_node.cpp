@@ -7,8 +7,9 @@
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "collision_monitor");
+  // Outside of the try: when the last handle ends, ROS shuts its log down.
+  const ros::NodeHandle private_node("~");
   try {
-    const ros::NodeHandle private_node("~");
     const collision_monitor::Monitor monitor(private_node, ros::this_node::getName());
     // Two threads: a reload that takes long must not delay diagnostics.
     ros::MultiThreadedSpinner spinner(2);

@@ -41,7 +41,9 @@ std::uint32_t nearestWith(Verdict verdict, const PairEvents& events, const PairD
 }
 
 std::string andMore(std::size_t count, const char* what) {
-  return count < 2 ? "" : " (and " + std::to_string(count - 1) + " more " + what + ")";
+  return count < 2
+             ? ""
+             : " (and " + std::to_string(count - 1) + " more " + what + (count == 2 ? ")" : "s)");
 }
 
 std::string pairsSentence(Verdict verdict, const Watch& watch) {
@@ -50,14 +52,14 @@ std::string pairsSentence(Verdict verdict, const Watch& watch) {
   const std::uint32_t nearest = nearestWith(verdict, buffers.events, buffers.distances, count);
   return nearest == kNone ? std::to_string(count) + " pairs of links are near each other"
                           : distanceSentence(watch.setup(), buffers.distances.measured[nearest]) +
-                                andMore(count, "pairs");
+                                andMore(count, "pair");
 }
 
 std::string unknownLinksSentence(const Watch& watch) {
   std::vector<LinkId> links;
   findUnknownLinks(watch, links);
   return links.empty() ? "the pose of a link is not rigid"
-                       : unknownSentence(watch, links.front()) + andMore(links.size(), "links");
+                       : unknownSentence(watch, links.front()) + andMore(links.size(), "link");
 }
 
 std::string clearSentence(const Watch& watch) {

@@ -22,9 +22,11 @@ bool isTooSoon(const ros::SteadyTime& last, const ros::SteadyTime& now) {
 
 void WarningLog::logChange(const Watch& watch, const VerdictChange& change,
                            const std::string& sentence) {
-  last_of_pair_.resize(watch.setup().checked.size());
+  constexpr std::size_t kVerdicts = 4;
+  last_of_change_.resize(kVerdicts * watch.setup().checked.size());
   const ros::SteadyTime now = ros::SteadyTime::now();
-  ros::SteadyTime& last = last_of_pair_[change.link_pair];
+  ros::SteadyTime& last =
+      last_of_change_[kVerdicts * change.link_pair + static_cast<std::size_t>(change.after)];
   if (isTooSoon(last, now)) {
     return;
   }
@@ -69,7 +71,7 @@ void WarningLog::logUnknownLinks(const Watch& watch) {
 }
 
 void WarningLog::reset() {
-  last_of_pair_.clear();
+  last_of_change_.clear();
   told_unknown_.clear();
 }
 

@@ -11,8 +11,9 @@
 
 namespace collision_monitor {
 
-/// Says in the log what the topics say, at most once a second for each cause: a pair of links,
-/// or the set of unknown links. Wall time, for a simulated clock may stand still.
+/// Says in the log what the topics say, at most once a second for each cause: a verdict
+/// of a pair of links, or the set of unknown links. Wall time, for a simulated clock may stand
+/// still.
 class WarningLog {
  public:
   void logChange(const Watch& watch, const VerdictChange& change, const std::string& sentence);
@@ -22,7 +23,7 @@ class WarningLog {
   void reset();
 
  private:
-  std::vector<ros::SteadyTime> last_of_pair_;  ///< by LinkPairIndex
+  std::vector<ros::SteadyTime> last_of_change_;  ///< by LinkPairIndex and verdict
   std::vector<LinkId> told_unknown_;
   std::vector<LinkId> unknown_;
   ros::SteadyTime last_unknown_;
