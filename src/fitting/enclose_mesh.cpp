@@ -5,9 +5,9 @@
 #include "collision_monitor/fitting/fit_sphere.h"
 #include "collision_monitor/fitting/overshoot.h"
 #include "collision_monitor/fitting/proof.h"
-#include "collision_monitor/geometry/convex_hull.h"
 #include "collision_monitor/geometry/triangle_bvh.h"
 #include "fitting/candidate.h"
+#include "fitting/point_cloud.h"
 #include "fitting/small_shapes.h"
 
 namespace collision_monitor {
@@ -31,7 +31,7 @@ PosedShape leastCoarse(const std::vector<PosedShape>& fits, const TriangleBvh& m
 
 std::vector<Enclosure> encloseMesh(const TriangleMesh& mesh) {
   const TriangleBvh bvh(mesh);
-  const Points corners = convexHullOf(mesh.vertices).vertices;
+  const Points corners = outerPoints(mesh.vertices);
   const auto boxes = smallBoxes(corners);
   const auto capsules = smallCapsules(corners);
   std::vector<PosedShape> fits{fitSphere(corners), leastCoarse(capsules, bvh),

@@ -12,6 +12,7 @@ using Eigen::Vector3d;
 
 constexpr double kHalfPi = 1.57079632679489661923;
 constexpr double kLeastSteps = 2.0;
+constexpr double kTolerance = 0.01;  // of a distance to the mesh
 
 /// Visits the grid of a patch with parameters in [0, 1]^2, borders included, with the weights of
 /// the trapezoid rule, whose sum is 1.
@@ -142,7 +143,7 @@ Overshoot measureOvershoot(const PosedShape& fit, const TriangleBvh& mesh, int c
     const NearestPoint start = nearest.leaf_triangle == NearestPoint::kNone
                                    ? NearestPoint{}
                                    : mesh.nearestOn(nearest.leaf_triangle, point);
-    nearest = mesh.nearestTo(point, start);
+    nearest = mesh.nearestTo(point, start, kTolerance);
     overshoot.max = std::max(overshoot.max, nearest.distance);
     overshoot.mean += sample.area * nearest.distance;
     area += sample.area;

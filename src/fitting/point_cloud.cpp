@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_monitor/geometry/convex_hull.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -108,6 +110,24 @@ Points extremePoints(const Points& points, const Points& directions) {
 Points representativesOf(const Points& points) {
   constexpr int kCount = 100;
   return points.size() <= kCount ? points : extremePoints(points, spreadDirections(kCount));
+}
+
+Points outerPoints(const Points& points) {
+  // Of 300 directions almost every one finds a corner of its own only on a hull with thousands of
+  // them. A part of the points shows that as well as all.
+  constexpr std::size_t kPart = 3000;
+  constexpr int kDirections = 300;
+  constexpr std::size_t kManyCorners = 280;
+  if (points.size() > kPart) {
+    Points part;
+    for (std::size_t i = 0; i < points.size(); i += points.size() / kPart) {
+      part.push_back(points[i]);
+    }
+    if (extremePoints(part, spreadDirections(kDirections)).size() > kManyCorners) {
+      return points;
+    }
+  }
+  return convexHullOf(points).vertices;
 }
 
 Eigen::Matrix3d rotationWithAxis(const Eigen::Vector3d& axis) {

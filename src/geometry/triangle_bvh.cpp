@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 using Triangle = TriangleBvh::Triangle;
 using Node = TriangleBvh::Node;
 
-constexpr std::uint32_t kLeafSize = 4;
+constexpr std::uint32_t kLeafSize = 1;
 // The median split halves every range, so 32 levels hold any mesh with 32-bit indices.
 constexpr std::size_t kMaxDepth = 34;
 
@@ -86,7 +86,7 @@ std::uint32_t splitAtMedian(const Aabb& bounds, Triangle* first, std::uint32_t c
 TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
   checkMesh(mesh);
   triangles_ = trianglesOf(mesh);
-  nodes_.reserve(triangles_.size());
+  nodes_.reserve(2 * triangles_.size());
   nodes_.push_back({{}, 0, static_cast<std::uint32_t>(triangles_.size())});
   // Nodes are appended while this runs: breadth-first, parents before children.
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -114,19 +114,20 @@ NearestPoint TriangleBvh::nearestOn(std::uint32_t leaf_triangle,
   return nearest;
 }
 
-NearestPoint TriangleBvh::nearestTo(const Vector3d& point,
-                                    const NearestPoint& start) const noexcept {
+NearestPoint TriangleBvh::nearestTo(const Vector3d& point, const NearestPoint& start,
+                                    double tolerance) const noexcept {
   struct Waiting {
     std::uint32_t node;
     double squared_distance;
   };
   std::array<Waiting, kMaxDepth> stack;
   std::size_t size = 0;
+  const double slack = (1.0 + tolerance) * (1.0 + tolerance);
   NearestPoint best = start;
   stack[size++] = {0, squaredDistance(nodes_[0].bounds, point)};
   while (size > 0) {
     const Waiting next = stack[--size];
-    if (next.squared_distance >= best.distance * best.distance) {
+    if (slack * next.squared_distance >= best.distance * best.distance) {
       continue;
     }
     const Node& node = nodes_[next.node];

@@ -48,8 +48,10 @@ class TriangleBvh {
 
   /// The nearest point of the surface, if it is nearer than `start.distance`; else `start`. A good
   /// `start`, such as a triangle nearest to a neighbouring query, makes the search short.
-  NearestPoint nearestTo(const Eigen::Vector3d& point,
-                         const NearestPoint& start = NearestPoint{}) const noexcept;
+  /// Error: the distance exceeds the least one by at most the fraction `tolerance` of it; a
+  /// hundredth makes queries far from a fine mesh several times faster.
+  NearestPoint nearestTo(const Eigen::Vector3d& point, const NearestPoint& start = NearestPoint{},
+                         double tolerance = 0.0) const noexcept;
 
   /// The point of one triangle, as a `start` for nearestTo.
   NearestPoint nearestOn(std::uint32_t leaf_triangle, const Eigen::Vector3d& point) const noexcept;
