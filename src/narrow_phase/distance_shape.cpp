@@ -1,17 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <type_traits>
+#include <variant>
 
 #include "collision_monitor/narrow_phase/distance.h"
 #include "narrow_phase/core_distance.h"
 
 namespace collision_monitor {
 namespace {
-
-const Sphere& asSwept(const Sphere& shape) noexcept { return shape; }
-const Capsule& asSwept(const Capsule& shape) noexcept { return shape; }
-RoundedBox asSwept(const Box& shape) noexcept { return {shape.half_extents, 0.0}; }
-const RoundedBox& asSwept(const RoundedBox& shape) noexcept { return shape; }
 
 constexpr int rankOf(const Sphere*) noexcept { return 0; }
 constexpr int rankOf(const Capsule*) noexcept { return 1; }
@@ -27,15 +22,31 @@ SignedDistance inCanonicalOrder(const A& a, const Pose& world_from_a, const B& b
   }
 }
 
+// Calls `use` with the shape as one of the three swept kinds. Not std::visit, which may throw.
+template <class Use>
+SignedDistance withSwept(const Shape& shape, const Use& use) noexcept {
+  static_assert(std::variant_size_v<Shape> == 4, "every kind of shape stands below");
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+    return use(*sphere);
+  }
+  if (const auto* capsule = std::get_if<Capsule>(&shape)) {
+    return use(*capsule);
+  }
+  if (const auto* box = std::get_if<Box>(&shape)) {
+    return use(RoundedBox{box->half_extents, 0.0});
+  }
+  return use(*std::get_if<RoundedBox>(&shape));
+}
+
 }  // namespace
 
 SignedDistance distanceBetween(const Shape& a, const Pose& world_from_a, const Shape& b,
                                const Pose& world_from_b) noexcept {
-  return std::visit(
-      [&](const auto& shape_a, const auto& shape_b) noexcept {
-        return inCanonicalOrder(asSwept(shape_a), world_from_a, asSwept(shape_b), world_from_b);
-      },
-      a, b);
+  return withSwept(a, [&](const auto& swept_a) noexcept {
+    return withSwept(b, [&](const auto& swept_b) noexcept {
+      return inCanonicalOrder(swept_a, world_from_a, swept_b, world_from_b);
+    });
+  });
 }
 
 }  // namespace collision_monitor

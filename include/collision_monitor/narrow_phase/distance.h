@@ -12,9 +12,14 @@ namespace collision_monitor {
 /// radius family. See signed_distance.h for frames and sign. One file per pair
 /// of cores: `distance_segment_box.cpp` and so on.
 ///
-/// Error: at most 1e-12 m for sizes from 1 mm to 10 m and distances up to 10 m.
+/// Error: at most 1e-12 m for lengths from 1 mm to 10 m and distances up to 10 m, measured in
+/// docs/accuracy.md.
 /// Limits: parallel, concentric and zero-size shapes are legal; where the normal is not
-/// unique, one is chosen that realises the distance, the same every time.
+/// unique, one is chosen that realises the distance, the same every time. Where faces or edges
+/// are parallel, the points lie in the middle of what they share; where they are only nearly
+/// so, the exact points may lie at either end.
+/// Source: Ericson, "Real-Time Collision Detection" (2005), chapters 5.1 and 4.4; Gottschalk, Lin,
+/// Manocha, "OBBTree" (1996). Departures are named in src/narrow_phase.
 /// @pre poses are finite and rigid.
 
 SignedDistance distanceBetween(const Sphere& a, const Pose& world_from_a, const Sphere& b,
