@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace collision_monitor {
+namespace collision_monitor::test {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -111,4 +111,4 @@ TriangleMesh scaled(const TriangleMesh& mesh, double factor) {
   return result;
 }
 
-}  // namespace collision_monitor
+}  // namespace collision_monitor::test

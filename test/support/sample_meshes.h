@@ -5,7 +5,7 @@
 #include "collision_monitor/geometry/triangle_mesh.h"
 
 /// Meshes with known answers, for tests of fitting and of mesh distances.
-namespace collision_monitor {
+namespace collision_monitor::test {
 
 /// Corners at +-half, twelve outward triangles.
 TriangleMesh boxMesh(const Eigen::Vector3d& half_extents);
@@ -24,4 +24,4 @@ TriangleMesh moved(const TriangleMesh& mesh, const Eigen::Vector3d& turn,
                    const Eigen::Vector3d& shift);
 TriangleMesh scaled(const TriangleMesh& mesh, double factor);
 
-}  // namespace collision_monitor
+}  // namespace collision_monitor::test

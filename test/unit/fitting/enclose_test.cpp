@@ -15,6 +15,12 @@ namespace collision_monitor {
 namespace {
 
 using Eigen::Vector3d;
+using test::boxMesh;
+using test::moved;
+using test::prismMesh;
+using test::randomCloud;
+using test::scaled;
+using test::sphereMesh;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
