@@ -99,7 +99,7 @@ void CycleRunner::waitForNext() {
 
 void CycleRunner::runOnce() {
   const Clock::time_point start = Clock::now();
-  facts_.now = ros::Time::now();
+  facts_.now = store_.readTime();
   const bool was_enabled = facts_.is_enabled;
   const ros::SteadyTime steady_now = ros::SteadyTime::now();
   facts_.is_enabled = enabling_.isOn(steady_now);
@@ -123,7 +123,6 @@ void CycleRunner::runOnce() {
 
 /// @return true when something differs from the last cycle.
 bool CycleRunner::readPoses(const ros::Time& now) {
-  store_.noteTime(now);
   const TransformStore::Version version = store_.version();
   seen_data_ = version.data;
   if (version.jumps != seen_jumps_) {

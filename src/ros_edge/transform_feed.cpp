@@ -11,7 +11,7 @@ TransformFeed::TransformFeed(const ros::NodeHandle& node, TransformStore& store)
   const auto subscribe = [&](const char* topic, bool is_static) {
     const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> callback =
         [this, is_static](const tf2_msgs::TFMessageConstPtr& message) {
-          store_.accept(message->transforms, is_static, ros::Time::now());
+          store_.accept(message->transforms, is_static);
         };
     return node_.subscribe<tf2_msgs::TFMessage>(topic, kQueueSize, callback, ros::VoidConstPtr(),
                                                 ros::TransportHints().tcpNoDelay());

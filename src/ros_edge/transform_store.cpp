@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace collision_monitor {
 namespace {
@@ -39,11 +40,13 @@ FrameRecord& TransformStore::recordOf(const std::string& frame) {
   return records_[place->second];
 }
 
+TransformStore::TransformStore(TimeSource time_source) : time_source_(std::move(time_source)) {}
+
 void TransformStore::accept(const std::vector<geometry_msgs::TransformStamped>& transforms,
-                            bool is_static, const ros::Time& now) {
+                            bool is_static) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    jumpBackIfEarlier(now);
+    readTimeLocked();
     for (const geometry_msgs::TransformStamped& transform : transforms) {
       acceptOne(transform, is_static);
     }
@@ -89,12 +92,15 @@ void TransformStore::acceptOne(geometry_msgs::TransformStamped transform, bool i
   }
 }
 
-void TransformStore::noteTime(const ros::Time& now) {
+ros::Time TransformStore::readTime() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  jumpBackIfEarlier(now);
+  return readTimeLocked();
 }
 
-void TransformStore::jumpBackIfEarlier(const ros::Time& now) {
+/// The clock is read under the lock: between two threads that read it before, the later one
+/// could come first, and time would seem to jump back.
+ros::Time TransformStore::readTimeLocked() {
+  const ros::Time now = time_source_();
   if (now < last_time_) {
     buffer_.clear();
     for (FrameRecord& record : records_) {
@@ -106,6 +112,7 @@ void TransformStore::jumpBackIfEarlier(const ros::Time& now) {
     ++version_.data;
   }
   last_time_ = now;
+  return now;
 }
 
 TransformStore::Version TransformStore::version() const {

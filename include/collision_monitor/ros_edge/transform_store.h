@@ -8,6 +8,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <unordered_map>
@@ -40,12 +41,15 @@ class TransformStore {
     std::uint64_t jumps{0};     ///< of time, backwards
   };
 
-  /// Takes in one message of tf or tf_static that arrived at `now`.
-  void accept(const std::vector<geometry_msgs::TransformStamped>& transforms, bool is_static,
-              const ros::Time& now);
+  using TimeSource = std::function<ros::Time()>;
 
-  /// Forgets all moving data if `now` is before the last time seen.
-  void noteTime(const ros::Time& now);
+  explicit TransformStore(TimeSource time_source = &ros::Time::now);
+
+  /// Takes in one message of tf or tf_static.
+  void accept(const std::vector<geometry_msgs::TransformStamped>& transforms, bool is_static);
+
+  /// The time now. Forgets all moving data if that is before the last time read.
+  ros::Time readTime();
 
   Version version() const;
   /// Waits until the version of the data is not `seen`, or time is up.
@@ -66,8 +70,9 @@ class TransformStore {
  private:
   FrameRecord& recordOf(const std::string& frame);
   void acceptOne(geometry_msgs::TransformStamped transform, bool is_static);
-  void jumpBackIfEarlier(const ros::Time& now);
+  ros::Time readTimeLocked();
 
+  TimeSource time_source_;
   tf2::BufferCore buffer_;
   mutable std::mutex mutex_;
   mutable std::condition_variable news_;
