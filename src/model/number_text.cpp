@@ -50,7 +50,7 @@ std::optional<std::string> parseNumbers(std::string_view text,
   Eigen::VectorXd read(numbers.size());
   for (std::size_t i = 0; i < words.size(); ++i) {
     double number = 0.0;
-    if (const auto fault = parseNumber(words[i], number)) {
+    if (auto fault = parseNumber(words[i], number)) {
       return fault;
     }
     if (i < static_cast<std::size_t>(read.size())) {

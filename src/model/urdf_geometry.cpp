@@ -84,7 +84,7 @@ std::optional<Eigen::Vector3d> readScale(const XMLElement& element, const Place&
   if (element.Attribute("scale") == nullptr) {
     return Eigen::Vector3d::Ones();
   }
-  const auto scale = readNumbers<3>(element, attribute, place);
+  auto scale = readNumbers<3>(element, attribute, place);
   if (scale && (scale->array() == 0.0).any()) {
     place.addError(element.GetLineNum(), "mesh scale " + quoted(element.Attribute("scale")),
                    attribute.accepted);

@@ -9,6 +9,7 @@
 #include "collision_monitor/model/kinematics.h"
 #include "collision_monitor/model/mesh_reader.h"
 #include "collision_monitor/model/pair_rules.h"
+#include "support/assimp_leaks.h"
 #include "support/urdf_text.h"
 
 namespace collision_monitor {

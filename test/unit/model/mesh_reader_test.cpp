@@ -9,6 +9,8 @@
 #include <functional>
 #include <stdexcept>
 
+#include "support/assimp_leaks.h"
+
 namespace collision_monitor {
 namespace {
 
