@@ -9,6 +9,7 @@ namespace {
 
 std::vector<std::string> sentences(const std::vector<Problem>& problems) {
   std::vector<std::string> texts;
+  texts.reserve(problems.size());
   for (const Problem& problem : problems) {
     texts.push_back(toString(problem));
   }
