@@ -27,7 +27,7 @@ test_packages=(
 )
 debian_ros_packages=(
   ros-base-dev ros-robot-dev catkin rosbash python3-rosgraph python3-roslaunch python3-rospy
-  python3-rostopic python3-rosservice python3-rostest librostest-dev
+  python3-rostopic python3-rosservice python3-rostest python3-tf2-ros librostest-dev
   libtf2-ros-dev libtf2-eigen-dev libresource-retriever-dev libdiagnostic-updater-dev
   libnodelet-dev libnodeletlib-dev libnodeletlib-tools ros-robot-state-publisher
 )

@@ -99,9 +99,10 @@ int main(int argc, char** argv) {
   app.add_option("urdf", urdf, "URDF file; package:// names are looked up as rospack does")
       ->required();
   app.add_option("--srdf", srdf, "SRDF file with the pairs to ignore");
-  app.add_option("--poses", options.poses, "random poses", true);
-  app.add_option("--seed", options.seed, "seed of the random poses", true);
-  app.add_option("--depths", options.most_depths, "overlaps whose depth is checked", true);
+  app.add_option("--poses", options.poses, "random poses")->capture_default_str();
+  app.add_option("--seed", options.seed, "seed of the random poses")->capture_default_str();
+  app.add_option("--depths", options.most_depths, "overlaps whose depth is checked")
+      ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {
     return collision_monitor::compare(collision_monitor::describe(urdf, srdf), options);

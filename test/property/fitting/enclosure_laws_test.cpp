@@ -13,6 +13,7 @@
 #include "collision_monitor/fitting/fit_sphere.h"
 #include "collision_monitor/fitting/proof.h"
 #include "support/extended_distance.h"
+#include "support/fixed_seed.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor {

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "collision_monitor/geometry/convex_hull.h"
+#include "support/fixed_seed.h"
 
 namespace collision_monitor {
 namespace {

@@ -10,6 +10,7 @@
 #include "model/merge_capsules.h"
 #include "model/mesh_store.h"
 #include "model/triangulate.h"
+#include "support/fixed_seed.h"
 #include "support/urdf_text.h"
 
 namespace collision_monitor {
