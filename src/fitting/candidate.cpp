@@ -5,15 +5,12 @@
 namespace collision_monitor {
 namespace {
 
-constexpr double kWeightOfMax = 0.1;
-// A costlier shape has to be this much tighter.
-constexpr double kWorthwhile = 0.98;
+// Why these: docs/decisions/choice-of-shape.md. A costlier shape has to be this much tighter.
+constexpr double kWorthwhile = 0.97;
 
 }  // namespace
 
-double coarseness(const Overshoot& overshoot) noexcept {
-  return overshoot.mean + kWeightOfMax * overshoot.max;
-}
+double coarseness(const Overshoot& overshoot) noexcept { return overshoot.fourth_power_mean; }
 
 Enclosure chooseTightest(const std::vector<Enclosure>& candidates) {
   const Enclosure* best = nullptr;

@@ -12,12 +12,11 @@ namespace collision_monitor {
 /// Samples of a shape's surface when candidates are compared and when the result is reported.
 constexpr int kSampleCount = 1000;
 
-/// What makes a shape coarse: the mean overshoot, which decides how often a near miss is taken for
-/// a hit, and a part of the largest one, which decides how badly. Units: metres.
+/// What the choice goes by. Units: metres.
 double coarseness(const Overshoot& overshoot) noexcept;
 
 /// The least coarse of candidates; at nearly the same coarseness the one whose distances cost
-/// least. The reasons stand in docs/decisions.
+/// least.
 Enclosure chooseTightest(const std::vector<Enclosure>& candidates);
 
 /// The candidates, proven and measured.

@@ -29,8 +29,8 @@ constexpr double kLastWeight = 1e6;
 constexpr double kWeightGrowth = 10.0;
 constexpr int kMaxNewtonSteps = 12;
 
-double volumeOf(const PlacedCore& core) {
-  return collision_monitor::volumeOf(RoundedBox{core.half_extents, core.radius});
+double volumeOf(const PlacedCore& core, double growth) {
+  return collision_monitor::volumeOf(RoundedBox{core.half_extents, core.radius + growth});
 }
 
 /// Where a point lies relative to the core.
@@ -47,11 +47,11 @@ Offset offsetOf(const PlacedCore& core, const Vector3d& point) {
   return offset;
 }
 
-double barrierValue(const Points& points, const FreeExtents& free, double weight,
+double barrierValue(const Points& points, const DescentGoal& goal, double weight,
                     const PlacedCore& core) {
-  double value = weight * std::log(volumeOf(core));
+  double value = weight * std::log(volumeOf(core, goal.growth));
   for (int k = 0; k < 3; ++k) {
-    value -= free[k] ? std::log(core.half_extents[k]) : 0.0;
+    value -= goal.free_extents[k] ? std::log(core.half_extents[k]) : 0.0;
   }
   double product = 1.0;  // one logarithm for many slacks
   for (const auto& point : points) {
@@ -69,9 +69,9 @@ double barrierValue(const Points& points, const FreeExtents& free, double weight
 }
 
 /// d volume / d (half extents, radius).
-Eigen::Vector4d volumeGradient(const PlacedCore& core) {
+Eigen::Vector4d volumeGradient(const PlacedCore& core, double growth) {
   const Vector3d& h = core.half_extents;
-  const double r = core.radius;
+  const double r = core.radius + growth;
   constexpr double kPi = 3.14159265358979323846;
   const double sum = h.sum();
   const double pairs = h.x() * h.y() + h.y() * h.z() + h.z() * h.x();
@@ -86,13 +86,13 @@ Eigen::Vector4d volumeGradient(const PlacedCore& core) {
 }
 
 /// Gradient and a positive semidefinite model of the Hessian of the barrier function.
-void differentiate(const Points& points, const FreeExtents& free, double weight,
+void differentiate(const Points& points, const DescentGoal& goal, double weight,
                    const PlacedCore& core, Step& gradient, Hessian& hessian) {
   gradient.setZero();
   hessian.setZero();
-  gradient.tail<4>() = weight / volumeOf(core) * volumeGradient(core);
+  gradient.tail<4>() = weight / volumeOf(core, goal.growth) * volumeGradient(core, goal.growth);
   for (int k = 0; k < 3; ++k) {
-    if (free[k]) {
+    if (goal.free_extents[k]) {
       gradient[kExtents + k] -= 1.0 / core.half_extents[k];
       hessian(kExtents + k, kExtents + k) += 1.0 / (core.half_extents[k] * core.half_extents[k]);
     }
@@ -133,9 +133,9 @@ PlacedCore moved(const PlacedCore& core, const Step& step) {
   return result;
 }
 
-bool isLegal(const PlacedCore& core, const FreeExtents& free) {
+bool isLegal(const PlacedCore& core, const DescentGoal& goal) {
   for (int k = 0; k < 3; ++k) {
-    if (free[k] && !(core.half_extents[k] > 0.0)) {
+    if (goal.free_extents[k] && !(core.half_extents[k] > 0.0)) {
       return false;
     }
   }
@@ -143,7 +143,7 @@ bool isLegal(const PlacedCore& core, const FreeExtents& free) {
 }
 
 /// Leaves the variables that are fixed, or that change nothing, where they are.
-void fixVariables(const FreeExtents& free, Step& gradient, Hessian& hessian) {
+void fixVariables(const DescentGoal& goal, Step& gradient, Hessian& hessian) {
   const auto fix = [&](int i) {
     gradient[i] = 0.0;
     hessian.row(i).setZero();
@@ -151,23 +151,23 @@ void fixVariables(const FreeExtents& free, Step& gradient, Hessian& hessian) {
     hessian(i, i) = 1.0;
   };
   for (int k = 0; k < 3; ++k) {
-    if (!free[k]) {
+    if (!goal.free_extents[k]) {
       fix(kExtents + k);
     }
     // A turn about axis k changes nothing when the core has no extent across it.
-    if (!free[(k + 1) % 3] && !free[(k + 2) % 3]) {
+    if (!goal.free_extents[(k + 1) % 3] && !goal.free_extents[(k + 2) % 3]) {
       fix(kRotation + k);
     }
   }
 }
 
 /// One damped Newton step; false when no step lowers the function any more.
-bool improve(const Points& points, const FreeExtents& free, double weight, PlacedCore& core,
+bool improve(const Points& points, const DescentGoal& goal, double weight, PlacedCore& core,
              double& value) {
   Step gradient;
   Hessian hessian;
-  differentiate(points, free, weight, core, gradient, hessian);
-  fixVariables(free, gradient, hessian);
+  differentiate(points, goal, weight, core, gradient, hessian);
+  fixVariables(goal, gradient, hessian);
   hessian.diagonal() *= 1.0 + 1e-9;
   const Step newton = -hessian.ldlt().solve(gradient);
   const double slope = newton.dot(gradient);
@@ -177,7 +177,7 @@ bool improve(const Points& points, const FreeExtents& free, double weight, Place
   const double limit = std::min(1.0, 0.5 / newton.cwiseAbs().maxCoeff());
   for (double length = limit; length > 1e-6; length *= 0.5) {
     const PlacedCore next = moved(core, length * newton);
-    const double next_value = isLegal(next, free) ? barrierValue(points, free, weight, next)
+    const double next_value = isLegal(next, goal) ? barrierValue(points, goal, weight, next)
                                                   : std::numeric_limits<double>::infinity();
     if (next_value < value + 0.1 * length * slope) {
       core = next;
@@ -202,10 +202,10 @@ double enclosingRadius(const PlacedCore& core, const Points& points) noexcept {
   return std::sqrt(squared);
 }
 
-void descend(const Points& points, const FreeExtents& free_extents, PlacedCore& core) {
+void descend(const Points& points, const DescentGoal& goal, PlacedCore& core) {
   for (double weight = kFirstWeight; weight <= kLastWeight; weight *= kWeightGrowth) {
-    double value = barrierValue(points, free_extents, weight, core);
-    for (int i = 0; i < kMaxNewtonSteps && improve(points, free_extents, weight, core, value);) {
+    double value = barrierValue(points, goal, weight, core);
+    for (int i = 0; i < kMaxNewtonSteps && improve(points, goal, weight, core, value);) {
       ++i;
     }
   }

@@ -27,6 +27,14 @@ double distanceToCore(const PlacedCore& core, const Eigen::Vector3d& point) noex
 /// The distance of the farthest point from the core: the radius that encloses all.
 double enclosingRadius(const PlacedCore& core, const Points& points) noexcept;
 
+/// What a descent may change and what it minimises.
+struct DescentGoal {
+  FreeExtents free_extents{true, true, true};
+  /// The volume that counts is that of the shape with its radius larger by this. Growth makes
+  /// corners count for more: the least shape sticks out less far, though it may be larger.
+  double growth{0.0};
+};
+
 /// Moves a core that encloses the points towards a local minimum of the volume.
 ///
 /// An interior-point method: with x the centre, half extents, radius and rotation vector, it
@@ -37,6 +45,6 @@ double enclosingRadius(const PlacedCore& core, const Points& points) noexcept;
 /// Units: any; sizes near 1 are best conditioned.
 /// Source: Boyd, Vandenberghe, "Convex Optimization" (2004), section 11.3 (barrier method) and
 /// 11.6 (second-order cones: for a fixed rotation the feasible set is convex).
-void descend(const Points& points, const FreeExtents& free_extents, PlacedCore& core);
+void descend(const Points& points, const DescentGoal& goal, PlacedCore& core);
 
 }  // namespace collision_monitor

@@ -40,21 +40,20 @@ double addLeftOut(const Points& points, const PlacedCore& core, Points& subset) 
 
 }  // namespace
 
-double volumeOf(const PlacedCore& core) noexcept {
-  return volumeOf(RoundedBox{core.half_extents, core.radius});
+double volumeOf(const PlacedCore& core, double growth) noexcept {
+  return volumeOf(RoundedBox{core.half_extents, core.radius + growth});
 }
 
-PlacedCore descended(const PlacedCore& start, const Points& points,
-                     const FreeExtents& free_extents) {
+PlacedCore descended(const PlacedCore& start, const Points& points, const DescentGoal& goal) {
   PlacedCore enclosing = start;
   enclosing.radius = enclosingRadius(start, points);
-  PlacedCore core = withRoom(start, free_extents, points);
-  descend(points, free_extents, core);
-  return std::min(enclosing, core, isSmaller);
+  PlacedCore core = withRoom(start, goal.free_extents, points);
+  descend(points, goal, core);
+  return std::min(enclosing, core, IsSmaller{goal.growth});
 }
 
 PlacedCore refineCore(const PlacedCore& start, Points representatives, const Points& points,
-                      const FreeExtents& free_extents) {
+                      const DescentGoal& goal) {
   constexpr int kMaxRounds = 5;
   constexpr double kHair = 5e-4;  // of the size, which is 1
   PlacedCore core = start;
@@ -64,34 +63,35 @@ PlacedCore refineCore(const PlacedCore& start, Points representatives, const Poi
     if (addLeftOut(points, core, representatives) < kHair) {
       break;
     }
-    core = descended(core, representatives, free_extents);
+    core = descended(core, representatives, goal);
     PlacedCore enclosing = core;
     enclosing.radius = enclosingRadius(core, points);
-    best = std::min(best, enclosing, isSmaller);
+    best = std::min(best, enclosing, IsSmaller{goal.growth});
   }
   return best;
 }
 
 std::vector<PlacedCore> descendAll(std::vector<PlacedCore> starts, const Points& points,
-                                   const FreeExtents& free_extents) {
+                                   const DescentGoal& goal) {
   const Points representatives = representativesOf(points);
   for (auto& core : starts) {
-    core = descended(core, representatives, free_extents);
+    core = descended(core, representatives, goal);
   }
-  std::sort(starts.begin(), starts.end(), isSmaller);
+  std::sort(starts.begin(), starts.end(), IsSmaller{goal.growth});
   std::vector<PlacedCore> fits;
   for (const auto& core : starts) {
     // Starts in one valley end at one volume; the same fit twice is of no use.
     constexpr double kSame = 1.001;
     if (fits.size() < kMaxFits &&
-        (fits.empty() || volumeOf(core) > kSame * volumeOf(fits.back()))) {
+        (fits.empty() ||
+         volumeOf(core, goal.growth) > kSame * volumeOf(fits.back(), goal.growth))) {
       fits.push_back(core);
     }
   }
   for (auto& core : fits) {
-    core = refineCore(core, representatives, points, free_extents);
+    core = refineCore(core, representatives, points, goal);
   }
-  std::sort(fits.begin(), fits.end(), isSmaller);
+  std::sort(fits.begin(), fits.end(), IsSmaller{goal.growth});
   return fits;
 }
 

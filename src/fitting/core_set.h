@@ -9,26 +9,29 @@
 
 namespace collision_monitor {
 
-double volumeOf(const PlacedCore& core) noexcept;
+double volumeOf(const PlacedCore& core, double growth = 0.0) noexcept;
 
-inline bool isSmaller(const PlacedCore& a, const PlacedCore& b) noexcept {
-  return volumeOf(a) < volumeOf(b);
-}
+/// Orders cores by the volume that counts.
+struct IsSmaller {
+  double growth{0.0};
+  bool operator()(const PlacedCore& a, const PlacedCore& b) const noexcept {
+    return volumeOf(a, growth) < volumeOf(b, growth);
+  }
+};
 
-/// descend, from any core: made to enclose first, and never for a larger volume.
-PlacedCore descended(const PlacedCore& start, const Points& points,
-                     const FreeExtents& free_extents);
+/// descend, from any core: made to enclose first, and never for a larger grown volume.
+PlacedCore descended(const PlacedCore& start, const Points& points, const DescentGoal& goal);
 
 /// Descends on the representatives, adds the points that the fit leaves out, and repeats until none
 /// is left out by more than a hair. The radius returned holds all points.
 /// Source: Agarwal, Har-Peled, Varadarajan, "Geometric Approximation via Coresets" (2005).
 PlacedCore refineCore(const PlacedCore& start, Points representatives, const Points& points,
-                      const FreeExtents& free_extents);
+                      const DescentGoal& goal);
 
 /// Descends from every start on the representatives of the cloud and refines the best few; least
 /// volume first.
 std::vector<PlacedCore> descendAll(std::vector<PlacedCore> starts, const Points& points,
-                                   const FreeExtents& free_extents);
+                                   const DescentGoal& goal);
 
 /// The placed core back in the frame and size of the original points.
 PosedShape placedInCloud(const PlacedCore& core, const NormalisedPoints& cloud);

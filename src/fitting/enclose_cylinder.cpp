@@ -13,19 +13,16 @@ namespace {
 constexpr int kSearchSamples = 150;
 constexpr int kGridSteps = 8;
 
+double positivePart(double value) { return value > 0.0 ? value : 0.0; }
+
 Overshoot measureOvershoot(const Shape& shape, const Cylinder& cylinder, int count) {
-  Overshoot overshoot;
-  double area = 0.0;
+  OvershootSum sum;
   for (const auto& sample : sampleSurface(shape, count)) {
-    const double across = std::hypot(sample.point.x(), sample.point.y()) - cylinder.radius;
-    const double along = std::abs(sample.point.z()) - cylinder.half_length;
-    const double distance = std::hypot(std::max(across, 0.0), std::max(along, 0.0));
-    overshoot.max = std::max(overshoot.max, distance);
-    overshoot.mean += sample.area * distance;
-    area += sample.area;
+    const double across = positivePart(sample.point.head<2>().norm() - cylinder.radius);
+    const double along = positivePart(std::abs(sample.point.z()) - cylinder.half_length);
+    sum.add(std::sqrt(across * across + along * along), sample.area);
   }
-  overshoot.mean = area > 0.0 ? overshoot.mean / area : overshoot.max;
-  return overshoot;
+  return sum.total();
 }
 
 /// The rounded box whose core has a square section and which touches the rims.

@@ -48,7 +48,7 @@ std::vector<PosedShape> smallBoxes(const Points& points) {
   for (const auto& axes : smallBoxRotations(representatives, kMaxFits)) {
     cores.push_back(refineBox(axes, representatives, cloud.points));
   }
-  std::sort(cores.begin(), cores.end(), isSmaller);
+  std::sort(cores.begin(), cores.end(), IsSmaller{});
   std::vector<PosedShape> fits;
   for (const auto& core : cores) {
     const PosedShape fit = placedInCloud(core, cloud);

@@ -25,6 +25,8 @@ constexpr std::size_t kDescents = 6;
 constexpr double kSameAxis = 0.94;  // cosine of 20 degrees
 
 const FreeExtents kOnlyLength{false, false, true};
+// Capsules of least grown volume have shorter caps than those of least volume: see DescentGoal.
+constexpr double kGrowths[] = {0.1, 0.3};
 
 /// A nearly smallest circle around 2-D points.
 /// Source: Badoiu, Clarkson, "Smaller Core-Sets for Balls" (2003), section 3.
@@ -78,7 +80,7 @@ std::vector<PlacedCore> startCapsules(const Points& points) {
       all.push_back(capsuleAlong(axis, points));
     }
   }
-  std::sort(all.begin(), all.end(), isSmaller);
+  std::sort(all.begin(), all.end(), IsSmaller{});
   std::vector<PlacedCore> chosen;
   for (const auto& candidate : all) {
     const Vector3d axis = candidate.rotation.col(2);
@@ -101,8 +103,12 @@ std::vector<PosedShape> smallCapsules(const Points& points) {
     return {{Capsule{}, {Eigen::Matrix3d::Identity(), points[0]}}};
   }
   const auto starts = startCapsules(representativesOf(cloud.points));
+  auto cores = descendAll(starts, cloud.points, {kOnlyLength, 0.0});
+  for (const double growth : kGrowths) {
+    cores.push_back(descendAll({cores.front()}, cloud.points, {kOnlyLength, growth}).front());
+  }
   std::vector<PosedShape> fits;
-  for (const auto& core : descendAll(starts, cloud.points, kOnlyLength)) {
+  for (const auto& core : cores) {
     const PosedShape fit = placedInCloud(core, cloud);
     fits.push_back(
         {Capsule{coreHalfExtents(fit.shape).z(), radiusOf(fit.shape)}, fit.geometry_from_body});

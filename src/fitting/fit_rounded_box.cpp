@@ -14,6 +14,10 @@ namespace {
 // different minima.
 constexpr double kStartExtents[] = {0.85, 0.5};
 
+// Of the size of the set. Without growth a box wins wherever it fills its corners no worse than the
+// rest; with growth its corners have to be worth it.
+constexpr double kGrowths[] = {0.0, 0.1, 0.3};
+
 PlacedCore startFrom(const PosedShape& fit, double fraction, const NormalisedPoints& cloud) {
   PlacedCore core;
   core.rotation = fit.geometry_from_body.rotation;
@@ -39,8 +43,11 @@ std::vector<PosedShape> smallRoundedBoxes(const Points& points,
   }
   starts.push_back(startFrom(capsules.front(), 1.0, cloud));
   std::vector<PosedShape> fits;
-  for (const auto& core : descendAll(starts, cloud.points, {true, true, true})) {
-    fits.push_back(placedInCloud(core, cloud));
+  for (const double growth : kGrowths) {
+    const DescentGoal goal{{true, true, true}, growth};
+    for (const auto& core : descendAll(starts, cloud.points, goal)) {
+      fits.push_back(placedInCloud(core, cloud));
+    }
   }
   return fits;
 }

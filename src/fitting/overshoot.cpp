@@ -133,9 +133,24 @@ std::vector<SurfaceSample> sampleSurface(const Shape& shape, int count) {
   return SurfaceSampler(shape, count).sample();
 }
 
+void OvershootSum::add(double distance, double area) noexcept {
+  max_ = std::max(max_, distance);
+  area_ += area;
+  first_moment_ += area * distance;
+  const double squared = distance * distance;
+  fourth_moment_ += area * squared * squared;
+}
+
+Overshoot OvershootSum::total() const noexcept {
+  // A shape without area is its few samples; the worst of them speaks for all.
+  if (!(area_ > 0.0)) {
+    return {max_, max_, max_};
+  }
+  return {max_, first_moment_ / area_, std::sqrt(std::sqrt(fourth_moment_ / area_))};
+}
+
 Overshoot measureOvershoot(const PosedShape& fit, const TriangleBvh& mesh, int count) {
-  Overshoot overshoot;
-  double area = 0.0;
+  OvershootSum sum;
   NearestPoint nearest;
   for (const auto& sample : sampleSurface(fit.shape, count)) {
     const Vector3d point = fit.geometry_from_body * sample.point;
@@ -144,12 +159,9 @@ Overshoot measureOvershoot(const PosedShape& fit, const TriangleBvh& mesh, int c
                                    ? NearestPoint{}
                                    : mesh.nearestOn(nearest.leaf_triangle, point);
     nearest = mesh.nearestTo(point, start, kTolerance);
-    overshoot.max = std::max(overshoot.max, nearest.distance);
-    overshoot.mean += sample.area * nearest.distance;
-    area += sample.area;
+    sum.add(nearest.distance, sample.area);
   }
-  overshoot.mean = area > 0.0 ? overshoot.mean / area : overshoot.max;
-  return overshoot;
+  return sum.total();
 }
 
 }  // namespace collision_monitor

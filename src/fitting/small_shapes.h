@@ -8,17 +8,19 @@
 
 namespace collision_monitor {
 
-/// Locally least shapes around the points, least volume first, at most `kMaxFits` of them. The
-/// first is the result of fitBox, fitCapsule; the others may overshoot less.
+/// At most this many local minima of one goal are looked at.
+constexpr std::size_t kMaxFits = 3;
+
+/// Locally least shapes around the points. The first has the least volume of all and is the result
+/// of fitBox or fitCapsule; the others may overshoot less.
 /// @pre at least one point; all finite.
 std::vector<PosedShape> smallBoxes(const Points& points);
 std::vector<PosedShape> smallCapsules(const Points& points);
 
-/// Rounded boxes proper, which start from boxes and capsules and are not compared with them.
+/// Rounded boxes proper, least volume first, which start from boxes and capsules and are not
+/// compared with them.
 std::vector<PosedShape> smallRoundedBoxes(const Points& points,
                                           const std::vector<PosedShape>& boxes,
                                           const std::vector<PosedShape>& capsules);
-
-constexpr std::size_t kMaxFits = 3;
 
 }  // namespace collision_monitor

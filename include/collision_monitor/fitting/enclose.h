@@ -17,16 +17,21 @@ struct Enclosure {
   bool is_exact{false};  ///< the shape is the geometry: distances to it are exact
 };
 
-/// The tightest of sphere, capsule, oriented box and rounded box (least mean
-/// overshoot, then least volume) that encloses the geometry. Spheres, capsules
-/// and boxes are returned as they are.
+/// The tightest of sphere, capsule, oriented box and rounded box that encloses the geometry.
+/// Spheres, capsules and boxes are returned as they are.
+///
+/// Tightest means: least fourth-power mean of the overshoot; a costlier kind (in the order above)
+/// has to be 3 % better. docs/decisions/choice-of-shape.md says why.
 ///
 /// Error: containment of every vertex (for curved geometry: of the geometry by
-/// its support function) is proven with rounding taken into account; a fit that
+/// its farthest points) is proven with rounding taken into account; a fit that
 /// cannot be proven is widened until it can.
-/// Limits: flat, one-segment and one-point meshes are legal.
+/// Vertices that no triangle uses are enclosed too.
+/// Limits: flat, one-segment and one-point meshes are legal, with or without triangles; so are
+/// open, inverted and self-intersecting ones. Coordinates and dimensions up to 1e100 m.
 /// @throws std::invalid_argument with a sentence that names the fault: no
-/// vertices, a non-finite vertex or dimension, a negative dimension.
+/// vertices, a non-finite or too large vertex or dimension, a negative dimension, a triangle that
+/// names a vertex that is not there.
 Enclosure encloseTightly(const Geometry& geometry);
 
 }  // namespace collision_monitor

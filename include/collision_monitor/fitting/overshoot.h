@@ -14,16 +14,31 @@ namespace collision_monitor {
 /// lies outside the geometry because the shape encloses it, so this needs no inside and outside of
 /// the mesh: open, inverted and self-intersecting meshes are measured like any other.
 ///
-/// Units: metres. `mean` is over the area of the shape.
+/// Units: metres. Means are over the area of the shape.
 struct Overshoot {
   double max{0.0};
   double mean{0.0};
+  /// Fourth root of the mean of the fourth power: between mean and max, by area and by height.
+  double fourth_power_mean{0.0};
 };
 
 /// A point of a shape's surface and the area it stands for.
 struct SurfaceSample {
   Eigen::Vector3d point;  ///< body frame
   double area{0.0};       ///< [m^2]
+};
+
+/// Gathers overshoot sample by sample.
+class OvershootSum {
+ public:
+  void add(double distance, double area) noexcept;
+  Overshoot total() const noexcept;
+
+ private:
+  double max_{0.0};
+  double area_{0.0};
+  double first_moment_{0.0};
+  double fourth_moment_{0.0};
 };
 
 /// Points on a grid over the shape's faces, edges and corners, borders included; the same ones

@@ -41,11 +41,11 @@ TEST(EncloseCylinder, everyProportion_isHeldAndTouched) {
 }
 
 TEST(EncloseCylinder, longAndThin_isACapsuleALittleLongerThanTheCylinder) {
-  const Enclosure enclosure = encloseTightly(Cylinder{0.5, 0.02});
+  const Enclosure enclosure = encloseTightly(Cylinder{0.5, 0.008});
   const auto* capsule = std::get_if<Capsule>(&enclosure.shape);
   ASSERT_NE(capsule, nullptr);
   EXPECT_LT(capsule->half_length, 0.5);
-  EXPECT_NEAR(capsule->radius, std::hypot(0.02, 0.5 - capsule->half_length), 1e-12);
+  EXPECT_NEAR(capsule->radius, std::hypot(0.008, 0.5 - capsule->half_length), 1e-12);
   EXPECT_LT(enclosure.overshoot.mean, 0.001);
 }
 

@@ -81,7 +81,7 @@ TEST(Enclose, fineSphereMesh_isASphere) {
 }
 
 TEST(Enclose, longRoundTube_isACapsule) {
-  const TriangleMesh mesh = prismMesh(0.03, 0.6, 24);
+  const TriangleMesh mesh = prismMesh(0.01, 0.6, 24);
   const Enclosure enclosure = encloseTightly(mesh);
   expectEncloses(mesh, enclosure);
   EXPECT_STREQ(kindName(enclosure.shape), "capsule");

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "collision_monitor/fitting/posed_shape.h"
+#include "collision_monitor/geometry/bounds.h"
+#include "collision_monitor/geometry/triangle_mesh.h"
+
+namespace collision_monitor {
+
+/// A part of a surface: triangles that are whole, by their number, and convex polygons that are
+/// left of others.
+struct MeshPart {
+  std::vector<std::uint32_t> triangles;
+  Points corners;                  ///< of all polygons, one after the other
+  std::vector<std::uint32_t> end;  ///< polygon i ends before corners[end[i]]
+};
+
+/// A plane across an axis.
+struct AxisPlane {
+  Eigen::Index axis{0};
+  double position{0.0};
+};
+
+/// A surface that is cut into parts.
+class PartedSurface {
+ public:
+  /// Vertices of no triangle become triangles of one point.
+  /// @pre the mesh is sound; it is referred to and must stay.
+  explicit PartedSurface(const TriangleMesh& mesh);
+
+  MeshPart whole() const;
+
+  /// Vertices of the part, each once, and corners of its polygons: the part is in their hull, and a
+  /// ball that holds them holds the part.
+  Points cornersOf(const MeshPart& part);
+
+  /// Cuts a part in two. Triangles in the plane go below.
+  ///
+  /// Error: both sides get the same corner for an edge that is cut. It lies within
+  /// `cutError()` of a point of the edge; with that point in its place the two sides cover the
+  /// polygon exactly, wherever on the edge it is. So a ball that holds the corners of a part and
+  /// is grown by cutError() for each cut that led to it holds the exact part.
+  void split(const MeshPart& part, const AxisPlane& plane, MeshPart& below, MeshPart& above) const;
+
+  /// [m] a bound of the rounding in one cut.
+  double cutError() const noexcept { return cut_error_; }
+
+ private:
+  const Points& vertices_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+  std::vector<std::uint32_t> seen_;  ///< the number of the last call that met the vertex
+  std::uint32_t calls_{0};
+  double cut_error_{0.0};
+};
+
+}  // namespace collision_monitor

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/geometry/geometry.h"
+
+namespace collision_monitor {
+
+/// A closed polyhedron, outward, that holds the shape: of a box its own surface, of round shapes
+/// one that is up to 1 % wider.
+/// Frames: that of the geometry. Units: metres. @pre the shape is sound; see checkGeometry.
+TriangleMesh surroundingMesh(const Box& box);
+TriangleMesh surroundingMesh(const Cylinder& cylinder);
+TriangleMesh surroundingMesh(const Capsule& capsule);
+
+}  // namespace collision_monitor
