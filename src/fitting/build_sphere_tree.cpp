@@ -20,7 +20,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kUnitRoundOff = 0.5 * std::numeric_limits<double>::epsilon();
-constexpr int kSamples = 32;         // of a node's sphere
+constexpr int kSamples = 32;        // of a node's sphere
 constexpr double kTolerance = 0.1;  // of a sample's distance
 
 // Below it a square underflows, and a computed length may be 0 where the true one is not. [m]
@@ -56,9 +56,9 @@ class SphereTreeBuilder {
   SphereTree build() {
     add(surface_.whole(), 0);
     std::size_t leaves = 1;
-    while (leaves < limits_.max_leaves && !worst_.empty()) {
-      const std::uint32_t node = worst_.top().second;
-      worst_.pop();
+    while (leaves < limits_.max_leaves && !largest_.empty()) {
+      const std::uint32_t node = largest_.top().second;
+      largest_.pop();
       divide(node);
       ++leaves;
     }
@@ -77,7 +77,7 @@ class SphereTreeBuilder {
     if (division.is_possible && level < limits_.max_level && node.radius > limits_.min_radius &&
         node.overshoot > limits_.min_overshoot) {
       // Of equal ones the first, hence the complement.
-      worst_.push({node.radius, id});
+      largest_.push({node.radius, id});
     }
     nodes_.push_back(node);
     parts_.push_back(std::move(part));
@@ -145,7 +145,7 @@ class SphereTreeBuilder {
   std::vector<SphereNode> nodes_;
   std::vector<MeshPart> parts_;
   std::vector<AxisPlane> planes_;
-  std::priority_queue<std::pair<double, std::uint32_t>> worst_;
+  std::priority_queue<std::pair<double, std::uint32_t>> largest_;
 };
 
 struct Build {

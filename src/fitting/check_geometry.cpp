@@ -38,8 +38,8 @@ struct Check {
       const Eigen::Vector3d& vertex = mesh.vertices[i];
       if (!(vertex.array().abs() <= kMaxLength).all()) {
         std::ostringstream message;
-        message << "mesh: vertex " << i << " is (" << vertex.transpose()
-                << "); coordinates up to " << kMaxLength << " are accepted";
+        message << "mesh: vertex " << i << " is (" << vertex.transpose() << "); coordinates up to "
+                << kMaxLength << " are accepted";
         throw std::invalid_argument(message.str());
       }
     }

@@ -14,8 +14,8 @@ constexpr double kAllowance = 1e-14;
 
 using Index = std::uint32_t;
 
-/// A convex body of revolution about z: rings of vertices, from the lowest to the highest, closed by
-/// fans at both ends.
+/// A convex body of revolution about z: rings of vertices, from the lowest to the highest, closed
+/// by fans at both ends.
 struct Ring {
   double radius;
   double z;
@@ -80,8 +80,8 @@ TriangleMesh surroundingMesh(const Capsule& capsule) {
     // Corners lie half a step beside the poles and never on the equator.
     const double latitude = -0.5 * kPi + half_step * (2 * i + 1);
     const double shift = latitude < 0.0 ? -capsule.half_length : capsule.half_length;
-    rings.push_back({corner * std::cos(latitude) * cornerRadius(),
-                     corner * std::sin(latitude) + shift});
+    rings.push_back(
+        {corner * std::cos(latitude) * cornerRadius(), corner * std::sin(latitude) + shift});
   }
   return revolve(rings);
 }

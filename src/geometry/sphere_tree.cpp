@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/geometry/sphere_tree.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace collision_monitor {
+namespace {
+
+constexpr double kUnitRoundOff = 0.5 * std::numeric_limits<double>::epsilon();
+
+/// The nodes at which the way down from the root ends.
+template <class Ends>
+std::vector<SphereNode> cut(const SphereTree& tree, const Ends& ends) {
+  std::vector<SphereNode> result;
+  std::vector<std::uint32_t> waiting;
+  if (!tree.nodes.empty()) {
+    waiting.push_back(0);
+  }
+  for (std::size_t i = 0; i < waiting.size(); ++i) {
+    const SphereNode& node = tree.nodes[waiting[i]];
+    if (node.child_count == 0 || ends(node)) {
+      result.push_back(node);
+      continue;
+    }
+    for (std::uint32_t child = 0; child < node.child_count; ++child) {
+      waiting.push_back(node.first_child + child);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::uint32_t levelCount(const SphereTree& tree) noexcept {
+  std::uint32_t count = 0;
+  for (const auto& node : tree.nodes) {
+    count = std::max(count, node.level + 1);
+  }
+  return count;
+}
+
+std::vector<SphereNode> spheresOfLevel(const SphereTree& tree, std::uint32_t level) {
+  return cut(tree, [&](const SphereNode& node) { return node.level >= level; });
+}
+
+std::vector<SphereNode> spheresWithin(const SphereTree& tree, double max_overshoot) {
+  return cut(tree, [&](const SphereNode& node) { return node.overshoot <= max_overshoot; });
+}
+
+SphereTree placed(const SphereTree& tree, const Pose& link_from_geometry) {
+  const Eigen::Matrix3d& rotation = link_from_geometry.rotation;
+  // |R| <= 1 + |R^T R - I|, which itself is computed within 12 u.
+  const double stretch =
+      (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).norm() + 16.0 * kUnitRoundOff;
+  SphereTree result = tree;
+  for (auto& node : result.nodes) {
+    const double lengths = node.centre.norm() + link_from_geometry.translation.norm();
+    node.centre = link_from_geometry * node.centre;
+    // A centre whose terms cancel errs by a few u of them.
+    const double allowance = 16.0 * kUnitRoundOff * (1.0 + stretch) * lengths;
+    node.radius = node.radius * (1.0 + stretch) + allowance;
+  }
+  return result;
+}
+
+}  // namespace collision_monitor
