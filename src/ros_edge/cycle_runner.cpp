@@ -88,12 +88,15 @@ void CycleRunner::takeOverSetup() {
 
 void CycleRunner::waitForNext() {
   const Parameters& parameters = watch_->fixed->parameters;
-  // A cycle that came late shifts those after it; they do not catch up in a burst.
-  planned_start_ = std::max(planned_start_ + seconds(periodOf(parameters)), Clock::now());
+  const Clock::duration period = seconds(periodOf(parameters));
+  // A cycle that came late shifts those after it; they do not catch up in a burst. Poses may
+  // come early after one that came late, so they may be one period ahead.
+  const Clock::time_point now = Clock::now();
+  const bool is_by_pose = parameters.trigger == Trigger::pose;
+  planned_start_ = std::max(planned_start_ + period, is_by_pose ? now - period : now);
   std::this_thread::sleep_until(planned_start_);
-  if (parameters.trigger == Trigger::pose) {
+  if (is_by_pose) {
     store_.waitForNews(seen_data_, Clock::now() + seconds(idlePeriodOf(parameters)));
-    planned_start_ = Clock::now();
   }
 }
 

@@ -71,11 +71,13 @@ bool PoseReader::read(const ros::Time& now, LinkPoses& poses) {
     is_new = readRobot(robot, stamp_ns) || is_new;
     oldest_ns = stamp_ns > 0 ? std::min(oldest_ns, stamp_ns) : oldest_ns;
   }
-  const std::int64_t stamp_ns =
-      oldest_ns == std::numeric_limits<std::int64_t>::max() ? now_ns : oldest_ns;
+  if (oldest_ns == std::numeric_limits<std::int64_t>::max()) {
+    // Nothing moves, or nothing that moves is known: then the last stamp stays.
+    oldest_ns = isAllKnown() ? now_ns : poses.stamp_ns;
+  }
   const bool has_status_changed = placeLinks(poses);
-  is_new = is_new || has_status_changed || stamp_ns != poses.stamp_ns;
-  poses.stamp_ns = stamp_ns;
+  is_new = is_new || has_status_changed || oldest_ns != poses.stamp_ns;
+  poses.stamp_ns = oldest_ns;
   return is_new;
 }
 
@@ -168,6 +170,12 @@ std::int64_t PoseReader::commonStamp(const Robot& robot) const {
     }
   }
   return stamp_ns == std::numeric_limits<std::int64_t>::max() ? 0 : stamp_ns;
+}
+
+bool PoseReader::isAllKnown() const {
+  return std::all_of(edges_.begin(), edges_.end(), [](const Edge& edge) {
+    return !edge.is_needed || edge.status == LinkStatus::known;
+  });
 }
 
 /// @return true when a transform was looked up.

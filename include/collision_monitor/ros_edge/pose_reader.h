@@ -27,8 +27,9 @@ struct PoseReaderOptions {
 /// then. Links that only static transforms place have age 0. Links that neither have geometry
 /// nor lead to a link that has stay `missing` and hold nobody back.
 ///
-/// Robots keep their own stamps; LinkPoses::stamp_ns is the oldest of them, and the time of
-/// the call when nothing moves. Ages of `missing` links are infinite.
+/// Robots keep their own stamps; LinkPoses::stamp_ns is the oldest of them, the time of the
+/// call when nothing moves, and left alone when nothing that moves is known. Ages of `missing`
+/// links are infinite.
 class PoseReader {
  public:
   /// @pre `model` and `store` outlive the reader.
@@ -67,6 +68,7 @@ class PoseReader {
   std::vector<std::string> chainAbove(const std::string& frame) const;
   void judge(std::int64_t now_ns, Edge& edge) const;
   std::int64_t commonStamp(const Robot& robot) const;
+  bool isAllKnown() const;
   bool readRobot(const Robot& robot, std::int64_t stamp_ns);
   void look(std::int64_t stamp_ns, Edge& edge) const;
   bool hasGapAt(const Edge& edge, std::int64_t stamp_ns) const;

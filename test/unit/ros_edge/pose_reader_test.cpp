@@ -80,6 +80,7 @@ TEST_F(PoseReaderTest, nothingReceived_onlyTheWorldItselfIsKnown) {
   EXPECT_EQ(status("arm"), LinkStatus::missing);
   EXPECT_EQ(status("hand"), LinkStatus::missing);
   EXPECT_EQ(explain("hand"), "no transform from 'base' to 'arm' yet");
+  EXPECT_EQ(poses_.stamp_ns, 0) << "there are no data";
 }
 
 TEST_F(PoseReaderTest, chainIsComposedFromTheRoot) {
@@ -146,6 +147,7 @@ TEST_F(PoseReaderTest, staticChain_hasNoAge) {
   EXPECT_EQ(status("hand"), LinkStatus::known);
   EXPECT_EQ(age("hand"), 0.0);
   EXPECT_DOUBLE_EQ(x("hand"), 3.0);
+  EXPECT_EQ(poses_.stamp_ns, 1'000'000'000'000) << "static transforms are of every time";
 }
 
 TEST_F(PoseReaderTest, staticTransformSentAgain_isReadAgain) {
