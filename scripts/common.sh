@@ -18,11 +18,12 @@ fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 # Debian's packages; where /opt/ros/noetic is sourced, ROS itself comes from there.
 library_packages=(
   build-essential cmake ninja-build pkg-config
-  libeigen3-dev libassimp-dev libqhull-dev libtinyxml2-dev libyaml-cpp-dev libboost-all-dev
+  libeigen3-dev libassimp-dev libqhull-dev libtinyxml2-dev libboost-all-dev
+  libcli11-dev libfcl-dev
   python3-yaml
 )
 test_packages=(
-  libgtest-dev librapidcheck-dev libfcl-dev libcli11-dev liburdfdom-dev liburdfdom-headers-dev
+  libgtest-dev librapidcheck-dev liburdfdom-dev liburdfdom-headers-dev
   nlohmann-json3-dev libbenchmark-dev
 )
 debian_ros_packages=(
