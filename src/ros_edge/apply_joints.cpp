@@ -92,7 +92,7 @@ NamedPositions readPositions(const RobotModel& model, const sensor_msgs::JointSt
 
 std::vector<std::string> applyJoints(const RobotModel& model, const sensor_msgs::JointState& joints,
                                      LinkPoses& poses) {
-  const std::vector<std::string> faults = findFaults(model, joints);
+  std::vector<std::string> faults = findFaults(model, joints);
   if (!faults.empty()) {
     return faults;
   }

@@ -14,9 +14,8 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-/// XmlRpcValue has no const access to its scalars; a copy is cheap at set-up.
 template <class T>
-T valueAs(XmlRpcValue value) {
+T valueAs(const XmlRpcValue& value) {
   return static_cast<T>(value);
 }
 
