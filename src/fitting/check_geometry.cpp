@@ -4,6 +4,7 @@
 
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace collision_monitor {
 namespace {
@@ -15,6 +16,18 @@ void checkLength(const char* name, double value) {
     std::ostringstream message;
     message << name << " is " << value << "; a number from 0 to " << kMaxLength << " is accepted";
     throw std::invalid_argument(message.str());
+  }
+}
+
+void checkIndices(const TriangleMesh& mesh) {
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (const auto corner : mesh.triangles[i]) {
+      if (corner >= mesh.vertices.size()) {
+        throw std::invalid_argument("mesh: triangle " + std::to_string(i) + " names vertex " +
+                                    std::to_string(corner) + "; there are " +
+                                    std::to_string(mesh.vertices.size()) + ", counted from 0");
+      }
+    }
   }
 }
 
@@ -34,6 +47,9 @@ struct Check {
     checkLength("cylinder radius", cylinder.radius);
   }
   void operator()(const TriangleMesh& mesh) const {
+    if (mesh.vertices.empty()) {
+      throw std::invalid_argument("mesh: no vertices; at least one is needed");
+    }
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
       const Eigen::Vector3d& vertex = mesh.vertices[i];
       if (!(vertex.array().abs() <= kMaxLength).all()) {
@@ -43,6 +59,7 @@ struct Check {
         throw std::invalid_argument(message.str());
       }
     }
+    checkIndices(mesh);
   }
 };
 

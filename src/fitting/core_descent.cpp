@@ -24,7 +24,6 @@ constexpr int kVariables = 10;
 using Step = Eigen::Matrix<double, kVariables, 1>;
 using Hessian = Eigen::Matrix<double, kVariables, kVariables>;
 
-constexpr double kFirstWeight = 10.0;
 constexpr double kLastWeight = 1e6;
 constexpr double kWeightGrowth = 10.0;
 constexpr int kMaxNewtonSteps = 12;
@@ -203,7 +202,7 @@ double enclosingRadius(const PlacedCore& core, const Points& points) noexcept {
 }
 
 void descend(const Points& points, const DescentGoal& goal, PlacedCore& core) {
-  for (double weight = kFirstWeight; weight <= kLastWeight; weight *= kWeightGrowth) {
+  for (double weight = goal.first_weight; weight <= kLastWeight; weight *= kWeightGrowth) {
     double value = barrierValue(points, goal, weight, core);
     for (int i = 0; i < kMaxNewtonSteps && improve(points, goal, weight, core, value);) {
       ++i;

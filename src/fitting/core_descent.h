@@ -33,6 +33,9 @@ struct DescentGoal {
   /// The volume that counts is that of the shape with its radius larger by this. Growth makes
   /// corners count for more: the least shape sticks out less far, though it may be larger.
   double growth{0.0};
+  /// Of the volume against the barrier, at first. A high one keeps the core in the valley where it
+  /// starts; with a low one the barrier carries it to a broader valley, as a rule a rounder core.
+  double first_weight{300.0};
 };
 
 /// Moves a core that encloses the points towards a local minimum of the volume.

@@ -21,8 +21,8 @@ using Eigen::Vector3d;
 
 constexpr int kStartDirections =
     300;  // over the whole sphere: half of them count, 13 degrees apart
-constexpr std::size_t kDescents = 6;
-constexpr double kSameAxis = 0.94;  // cosine of 20 degrees
+constexpr std::size_t kDescents = 12;
+constexpr double kSameAxis = 0.97;  // cosine of 14 degrees
 
 const FreeExtents kOnlyLength{false, false, true};
 // Capsules of least grown volume have shorter caps than those of least volume: see DescentGoal.
@@ -103,9 +103,12 @@ std::vector<PosedShape> smallCapsules(const Points& points) {
     return {{Capsule{}, {Eigen::Matrix3d::Identity(), points[0]}}};
   }
   const auto starts = startCapsules(representativesOf(cloud.points));
-  auto cores = descendAll(starts, cloud.points, {kOnlyLength, 0.0});
+  DescentGoal goal;
+  goal.free_extents = kOnlyLength;
+  auto cores = descendAll(starts, cloud.points, goal);
   for (const double growth : kGrowths) {
-    cores.push_back(descendAll({cores.front()}, cloud.points, {kOnlyLength, growth}).front());
+    goal.growth = growth;
+    cores.push_back(descendAll({cores.front()}, cloud.points, goal).front());
   }
   std::vector<PosedShape> fits;
   for (const auto& core : cores) {

@@ -14,9 +14,11 @@ namespace {
 // different minima.
 constexpr double kStartExtents[] = {0.85, 0.5};
 
-// Of the size of the set. Without growth a box wins wherever it fills its corners no worse than the
-// rest; with growth its corners have to be worth it.
-constexpr double kGrowths[] = {0.0, 0.1, 0.3};
+// Growths are of the size of the set. Without growth a box wins wherever it fills its corners no
+// worse than the rest; with growth its corners have to be worth it. The low weights look elsewhere.
+const FreeExtents kAllFree{true, true, true};
+const DescentGoal kGoals[] = {
+    {kAllFree, 0.0, 300.0}, {kAllFree, 0.0, 10.0}, {kAllFree, 0.1, 300.0}, {kAllFree, 0.3, 10.0}};
 
 PlacedCore startFrom(const PosedShape& fit, double fraction, const NormalisedPoints& cloud) {
   PlacedCore core;
@@ -43,8 +45,7 @@ std::vector<PosedShape> smallRoundedBoxes(const Points& points,
   }
   starts.push_back(startFrom(capsules.front(), 1.0, cloud));
   std::vector<PosedShape> fits;
-  for (const double growth : kGrowths) {
-    const DescentGoal goal{{true, true, true}, growth};
+  for (const DescentGoal& goal : kGoals) {
     for (const auto& core : descendAll(starts, cloud.points, goal)) {
       fits.push_back(placedInCloud(core, cloud));
     }

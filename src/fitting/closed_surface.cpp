@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fitting/closed_surface.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace collision_monitor {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kFlat = 1e-12;  // volume over cubed size
+
+/// For each vertex the first one that equals it.
+std::vector<std::uint32_t> firstEquals(const std::vector<Vector3d>& vertices) {
+  std::vector<std::uint32_t> order(vertices.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto key = [&](std::uint32_t i) {
+    return std::make_tuple(vertices[i].x(), vertices[i].y(), vertices[i].z());
+  };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tuple_cat(key(a), std::make_tuple(a)) < std::tuple_cat(key(b), std::make_tuple(b));
+  });
+  std::vector<std::uint32_t> first(vertices.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool equals_last = i > 0 && key(order[i]) == key(order[i - 1]);
+    first[order[i]] = equals_last ? first[order[i - 1]] : order[i];
+  }
+  return first;
+}
+
+TriangleMesh welded(const TriangleMesh& mesh) {
+  const std::vector<std::uint32_t> first = firstEquals(mesh.vertices);
+  TriangleMesh result;
+  result.vertices = mesh.vertices;
+  result.triangles.reserve(mesh.triangles.size());
+  for (const auto& t : mesh.triangles) {
+    const std::array<std::uint32_t, 3> triangle{first[t[0]], first[t[1]], first[t[2]]};
+    if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0]) {
+      result.triangles.push_back(triangle);
+    }
+  }
+  return result;
+}
+
+/// Every edge has one triangle in each direction.
+bool isClosed(const TriangleMesh& mesh) {
+  // An edge as a number, smaller vertex first, then the direction.
+  std::vector<std::array<std::uint32_t, 3>> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = t[i];
+      const std::uint32_t to = t[(i + 1) % 3];
+      edges.push_back({std::min(from, to), std::max(from, to), from < to ? 0u : 1u});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    // Sorted, a closed surface reads: forward, backward, forward, backward, no pair twice.
+    const auto& edge = edges[i];
+    if (edge[2] != i % 2 ||
+        (i % 2 == 1 && (edge[0] != edges[i - 1][0] || edge[1] != edges[i - 1][1]))) {
+      return false;
+    }
+  }
+  return !edges.empty() && edges.size() % 2 == 0;
+}
+
+double volumeOf(const TriangleMesh& mesh, const Vector3d& centre) {
+  double volume = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const Vector3d a = mesh.vertices[t[0]] - centre;
+    const Vector3d b = mesh.vertices[t[1]] - centre;
+    const Vector3d c = mesh.vertices[t[2]] - centre;
+    volume += a.dot(b.cross(c)) / 6.0;
+  }
+  return volume;
+}
+
+}  // namespace
+
+std::optional<TriangleMesh> closedSurface(const TriangleMesh& mesh) {
+  TriangleMesh surface = welded(mesh);
+  if (!isClosed(surface)) {
+    return std::nullopt;
+  }
+  Vector3d low = surface.vertices[surface.triangles[0][0]];
+  Vector3d high = low;
+  for (const auto& triangle : surface.triangles) {
+    for (const auto corner : triangle) {
+      low = low.cwiseMin(surface.vertices[corner]);
+      high = high.cwiseMax(surface.vertices[corner]);
+    }
+  }
+  const double size = (high - low).norm();
+  const double volume = volumeOf(surface, 0.5 * low + 0.5 * high);
+  if (!(std::abs(volume) > kFlat * size * size * size)) {
+    return std::nullopt;
+  }
+  if (volume < 0.0) {
+    for (auto& triangle : surface.triangles) {
+      std::swap(triangle[1], triangle[2]);
+    }
+  }
+  return surface;
+}
+
+double windingNumber(const TriangleBvh& surface, const Vector3d& point) noexcept {
+  double half_angles = 0.0;
+  for (const auto& triangle : surface.triangles()) {
+    const Vector3d a = triangle[0] - point;
+    const Vector3d b = triangle[1] - point;
+    const Vector3d c = triangle[2] - point;
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    half_angles +=
+        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return half_angles / (2.0 * kPi);
+}
+
+}  // namespace collision_monitor
