@@ -10,7 +10,7 @@ namespace collision_monitor {
 
 std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node) {
   SetupReport report;
-  const std::string where = private_node.getNamespace();
+  const std::string& where = private_node.getNamespace();
   XmlRpc::XmlRpcValue values;
   private_node.getParam(where, values);
   auto made = std::make_shared<MonitorSetup>();
