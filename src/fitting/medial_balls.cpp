@@ -14,7 +14,8 @@ using Eigen::Vector3d;
 using Triangle = TriangleBvh::Triangle;
 
 constexpr int kMaxRounds = 30;
-constexpr double kTolerance = 1e-3;  // of the radius
+// Of a distance; with less, a look from the middle of a round body takes thousands of triangles.
+constexpr double kTolerance = 0.1;
 
 struct SurfacePoint {
   Vector3d point;
@@ -60,9 +61,9 @@ std::optional<EmptyBall> shrink(const TriangleBvh& surface, const SurfacePoint& 
   double radius = first_radius;
   for (int i = 0; i < kMaxRounds; ++i) {
     const Vector3d centre = from.point + radius * from.inward;
-    const NearestPoint nearest = surface.nearestTo(centre);
+    const NearestPoint nearest = surface.nearestTo(centre, NearestPoint{}, kTolerance);
     if (nearest.distance >= radius * (1.0 - kTolerance)) {
-      return EmptyBall{centre, nearest.distance};
+      return EmptyBall{centre, nearest.distance / (1.0 + kTolerance)};
     }
     // The ball through both points that touches the surface in the first.
     const Vector3d gap = nearest.point - from.point;
