@@ -16,6 +16,16 @@ bool isRelative(const std::string& name) {
   return name.find("://") == std::string::npos && name.front() != '/';
 }
 
+UpAxis declaredUpAxis(const std::string& bytes) {
+  const auto declares = [&](const char* element) {
+    return bytes.find(element) != std::string::npos;
+  };
+  if (declares("<up_axis>Y_UP")) {
+    return UpAxis::y;
+  }
+  return declares("<up_axis>X_UP") ? UpAxis::x : UpAxis::z;
+}
+
 }  // namespace
 
 MeshStore::MeshStore(const ResourceLoader& load_resource) : load_resource_(load_resource) {}
@@ -47,7 +57,7 @@ const StoredMesh& MeshStore::load(const std::string& uri) {
     try {
       const std::string bytes = load_resource_(uri);
       stored.mesh = readMesh(bytes, uri);
-      stored.says_y_up = bytes.find("<up_axis>Y_UP") != std::string::npos;
+      stored.up_axis = declaredUpAxis(bytes);
     } catch (const std::exception& error) {
       stored.fault = error.what();
     }
@@ -83,6 +93,18 @@ bool MeshStore::hasPackageXml(const std::string& folder) {
   } catch (const std::exception&) {
     return false;
   }
+}
+
+TriangleMesh turnedUp(const TriangleMesh& mesh, UpAxis up_axis) {
+  TriangleMesh result = mesh;
+  for (Eigen::Vector3d& v : result.vertices) {
+    if (up_axis == UpAxis::y) {
+      v = Eigen::Vector3d(v.x(), -v.z(), v.y());
+    } else if (up_axis == UpAxis::x) {
+      v = Eigen::Vector3d(-v.y(), -v.z(), v.x());
+    }
+  }
+  return result;
 }
 
 TriangleMesh scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale) {

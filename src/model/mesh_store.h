@@ -12,9 +12,12 @@
 
 namespace collision_monitor {
 
+/// What a DAE file declares; other formats declare nothing and count as z.
+enum class UpAxis : unsigned char { x, y, z };
+
 struct StoredMesh {
-  TriangleMesh mesh;
-  bool says_y_up{false};  ///< a DAE that declares Y_UP, which is not acted upon
+  TriangleMesh mesh;  ///< in the axes of the file
+  UpAxis up_axis{UpAxis::z};
   std::string fault;      ///< why there is no mesh, empty if there is one
 };
 
@@ -42,6 +45,10 @@ class MeshStore {
   std::map<std::string, StoredMesh> meshes_;                 ///< by URI
   std::map<std::string, std::vector<std::string>> folders_;  ///< by directory
 };
+
+/// The mesh turned so that its up axis becomes z and its right axis x.
+/// Source: COLLADA 1.4.1 specification, `<up_axis>`: the right, up and inward axes of each kind.
+TriangleMesh turnedUp(const TriangleMesh& mesh, UpAxis up_axis);
 
 /// Every vertex times `scale`, axis by axis. A mirroring scale turns triangles
 /// inside out, so their winding is turned back.

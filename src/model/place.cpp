@@ -31,9 +31,9 @@ OddityText textOf(Oddity oddity) {
               "both; as URDF has it they are 0 and these joints are locked"};
     case Oddity::no_speed_limit:
       return {"velocity limit of 0 or less", "greater than 0; these are taken as unlimited"};
-    case Oddity::y_up_mesh:
-      return {"meshes that declare Y_UP",
-              "axes as rviz and MoveIt show them: the declaration is not acted upon"};
+    case Oddity::other_up_axis:
+      return {"meshes that declare another up axis than z",
+              "axes as rviz and MoveIt show them; obey_up_axis turns them as declared"};
   }
   return {"", ""};
 }

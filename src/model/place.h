@@ -20,7 +20,7 @@ enum class Oddity : unsigned char {
   no_limit,
   limit_without_range,
   no_speed_limit,
-  y_up_mesh,
+  other_up_axis,
 };
 
 using Oddities = std::map<Oddity, std::vector<std::string>>;

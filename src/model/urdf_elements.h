@@ -45,7 +45,7 @@ struct UrdfRobot {
 /// What reading the geometry of a robot needs beside its XML.
 struct MeshSource {
   MeshStore& store;
-  const std::string& directory;  ///< of the URDF, "" if unknown
+  const RobotDescription& description;  ///< whose folder and up axis rule apply
 };
 
 /// Readers add an error for every fault and return what can be used to look for more.

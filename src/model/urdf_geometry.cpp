@@ -102,14 +102,16 @@ std::optional<Geometry> readMeshElement(const XMLElement& element, const MeshSou
   }
   try {
     // Read even if the scale is at fault: a missing file is then reported too.
-    const StoredMesh& stored = meshes.store.find(*name, meshes.directory);
+    const StoredMesh& stored = meshes.store.find(*name, meshes.description.directory);
     if (!scale) {
       return std::nullopt;
     }
-    if (stored.says_y_up) {
-      place.note(Oddity::y_up_mesh);
+    const bool obeys_up_axis = meshes.description.obeys_up_axis;
+    if (stored.up_axis != UpAxis::z && !obeys_up_axis) {
+      place.note(Oddity::other_up_axis);
     }
-    TriangleMesh result = scaled(stored.mesh, *scale);
+    TriangleMesh result =
+        scaled(obeys_up_axis ? turnedUp(stored.mesh, stored.up_axis) : stored.mesh, *scale);
     for (const Eigen::Vector3d& vertex : result.vertices) {
       if (!vertex.allFinite()) {
         throw std::runtime_error("vertices are not finite once they are scaled");

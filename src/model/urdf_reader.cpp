@@ -31,7 +31,7 @@ std::optional<ReadRobot> readRobot(const RobotDescription& description, MeshStor
     return std::nullopt;
   }
   ReadRobot read;
-  read.robot = readUrdfRobot(*root, {store, description.directory}, place);
+  read.robot = readUrdfRobot(*root, {store, description}, place);
   std::optional<LinkTree> tree = sortLinks(read.robot, place);
   read.mimics = resolveMimics(read.robot, place);
   reportOddities(description.source, oddities, report);

@@ -111,6 +111,8 @@ Parameters readParameters(const XmlRpcValue& values, const std::string& where,
   if (const XmlRpcValue* limits = fields.find("limits")) {
     readLimits(*limits, fields.pathOf("limits"), parameters.setup.limits, report);
   }
+  fields.read("mesh_directory", parameters.mesh_directory);
+  fields.read("obey_up_axis", parameters.obey_up_axis);
   fields.read("world_frame", parameters.world_frame);
   readTiming(fields, parameters);
   fields.read("padding", {0.0, 1e3}, parameters.setup.padding);

@@ -109,6 +109,10 @@ std::vector<RobotDescription> loadDescriptions(const ros::NodeHandle& private_no
           readFile(robot.semantic_file, "semantic_file", robot.name, load_resource, report);
     }
     description.tf_prefix = robot.tf_prefix;
+    description.obeys_up_axis = parameters.obey_up_axis;
+    if (robot.file.empty()) {
+      description.directory = parameters.mesh_directory;
+    }
     descriptions.push_back(std::move(description));
   }
   return descriptions;

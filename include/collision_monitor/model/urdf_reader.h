@@ -19,6 +19,9 @@ struct RobotDescription {
   std::string tf_prefix;  ///< "" or "left": tf frames and link names become "left/NAME";
                           ///< slashes around it do not count, and no name gets it twice
   std::string directory;  ///< for relative mesh names: the URDF's folder, "" if unknown
+  /// Turn meshes that declare another up axis than z; docs/decisions/mesh-up-axis.md says why
+  /// this is not the rule.
+  bool obeys_up_axis{false};
 };
 
 /// Returns the bytes behind a URI (package://, file://, a plain path).

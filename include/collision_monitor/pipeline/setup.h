@@ -70,8 +70,6 @@ struct CycleSetup {
   SetupReport report;  ///< warnings only
 };
 
-using Setup = CycleSetup;  // until all callers say CycleSetup
-
 struct SetupOptions {
   Limits limits;
   double padding{0.0};  ///< [m] added to the radius or extents of every shape, >= 0

@@ -31,6 +31,8 @@ enum class Trigger : unsigned char {
 /// The private parameters of the node; config/monitor.yaml explains each.
 struct Parameters {
   std::vector<RobotSource> robots;  ///< empty: robot_description
+  std::string mesh_directory;       ///< for relative mesh names of URDFs that are not files
+  bool obey_up_axis{false};         ///< as RobotDescription::obeys_up_axis
   std::string world_frame;          ///< empty: the root link of the first robot
   double rate{100.0};               ///< [Hz]
   Trigger trigger{Trigger::timer};

@@ -77,25 +77,57 @@ TEST(MeshStore, everyFile_isReadOnce) {
   EXPECT_EQ(files.asked["/missing.obj"], 1);
 }
 
+/// One triangle: (0, 0, 0), (1, 0, 0), (0, 1, 0).
+std::string daeTriangle(const std::string& up_axis) {
+  return "<COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' version='1.4.1'><asset>"
+         "<up_axis>" +
+         up_axis +
+         "</up_axis></asset><library_geometries><geometry id='g'><mesh><source id='p'>"
+         "<float_array id='a' count='9'>0 0 0 1 0 0 0 1 0</float_array><technique_common><accessor "
+         "source='#a' count='3' stride='3'><param name='X' type='float'/><param name='Y' "
+         "type='float'/><param name='Z' type='float'/></accessor></technique_common></source>"
+         "<vertices id='v'><input semantic='POSITION' source='#p'/></vertices><triangles count='1'>"
+         "<input semantic='VERTEX' source='#v' offset='0'/><p>0 1 "
+         "2</p></triangles></mesh></geometry>"
+         "</library_geometries><library_visual_scenes><visual_scene "
+         "id='s'><node><instance_geometry "
+         "url='#g'/></node></visual_scene></library_visual_scenes><scene><instance_visual_scene "
+         "url='#s'/></scene></COLLADA>";
+}
+
 TEST(MeshStore, meshThatDeclaresYUp_isAWarningOfTheRobot) {
-  const std::string dae_file =
-      "<COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' version='1.4.1'><asset>"
-      "<up_axis>Y_UP</up_axis></asset><library_geometries><geometry id='g'><mesh><source id='p'>"
-      "<float_array id='a' count='9'>0 0 0 1 0 0 0 1 0</float_array><technique_common><accessor "
-      "source='#a' count='3' stride='3'><param name='X' type='float'/><param name='Y' "
-      "type='float'/><param name='Z' type='float'/></accessor></technique_common></source>"
-      "<vertices id='v'><input semantic='POSITION' source='#p'/></vertices><triangles count='1'>"
-      "<input semantic='VERTEX' source='#v' offset='0'/><p>0 1 2</p></triangles></mesh></geometry>"
-      "</library_geometries><library_visual_scenes><visual_scene id='s'><node><instance_geometry "
-      "url='#g'/></node></visual_scene></library_visual_scenes><scene><instance_visual_scene "
-      "url='#s'/></scene></COLLADA>";
-  const test::ReadText read = test::readText(
-      test::robotXml(test::linkXml("a", "<mesh filename='/a.dae'/>")), {{"/a.dae", dae_file}});
+  const test::ReadText read =
+      test::readText(test::robotXml(test::linkXml("a", "<mesh filename='/a.dae'/>")),
+                     {{"/a.dae", daeTriangle("Y_UP")}});
   EXPECT_EQ(read.errors(), std::vector<std::string>());
   EXPECT_EQ(read.warnings(),
             std::vector<std::string>{
-                "test.urdf: meshes that declare Y_UP: link 'a', collision 1; accepted: axes as "
-                "rviz and MoveIt show them: the declaration is not acted upon"});
+                "test.urdf: meshes that declare another up axis than z: link 'a', collision 1; "
+                "accepted: axes as rviz and MoveIt show them; obey_up_axis turns them as "
+                "declared"});
+}
+
+TEST(TurnedUp, theDeclaredUpAxisBecomesZAndTheRightAxisBecomesX) {
+  const TriangleMesh mesh{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, {{0, 1, 2}}};
+  using Vertices = std::vector<Eigen::Vector3d>;
+  // Y_UP: right x, up y, inward z. X_UP: right -y, up x, inward z. Z_UP: inward is -y.
+  EXPECT_EQ(turnedUp(mesh, UpAxis::y).vertices, (Vertices{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}));
+  EXPECT_EQ(turnedUp(mesh, UpAxis::x).vertices, (Vertices{{0, 0, 1}, {-1, 0, 0}, {0, -1, 0}}));
+  EXPECT_EQ(turnedUp(mesh, UpAxis::z).vertices, mesh.vertices);
+}
+
+TEST(TurnedUp, robotThatObeysTheUpAxis_hasItsMeshTurnedAndNoWarning) {
+  const std::string file = daeTriangle("Y_UP");
+  RobotDescription description;
+  description.source = "test.urdf";
+  description.urdf_xml = test::robotXml(test::linkXml("a", "<mesh filename='/a.dae'/>"));
+  description.obeys_up_axis = true;
+  SetupReport report;
+  const RobotModel model = readRobots(
+      {description}, [&](const std::string&) { return file; }, report);
+  ASSERT_TRUE(report.errors.empty() && report.warnings.empty());
+  const auto& mesh = std::get<TriangleMesh>(model.links[0].collisions[0].geometry);
+  EXPECT_EQ(mesh.vertices[2], Eigen::Vector3d(0.0, 0.0, 1.0));
 }
 
 }  // namespace
