@@ -27,6 +27,7 @@ using Hessian = Eigen::Matrix<double, kVariables, kVariables>;
 constexpr double kLastWeight = 1e6;
 constexpr double kWeightGrowth = 10.0;
 constexpr int kMaxNewtonSteps = 12;
+constexpr int kMaxHalvings = 20;
 
 double volumeOf(const PlacedCore& core, double growth) {
   return collision_monitor::volumeOf(RoundedBox{core.half_extents, core.radius + growth});
@@ -173,8 +174,9 @@ bool improve(const Points& points, const DescentGoal& goal, double weight, Place
   if (!newton.allFinite() || !(slope < -1e-3)) {
     return false;
   }
-  const double limit = std::min(1.0, 0.5 / newton.cwiseAbs().maxCoeff());
-  for (double length = limit; length > 1e-6; length *= 0.5) {
+  double length = 2.0 * std::min(1.0, 0.5 / newton.cwiseAbs().maxCoeff());
+  for (int halvings = 0; halvings < kMaxHalvings; ++halvings) {
+    length *= 0.5;
     const PlacedCore next = moved(core, length * newton);
     const double next_value = isLegal(next, goal) ? barrierValue(points, goal, weight, next)
                                                   : std::numeric_limits<double>::infinity();
@@ -202,11 +204,12 @@ double enclosingRadius(const PlacedCore& core, const Points& points) noexcept {
 }
 
 void descend(const Points& points, const DescentGoal& goal, PlacedCore& core) {
-  for (double weight = goal.first_weight; weight <= kLastWeight; weight *= kWeightGrowth) {
+  double weight = goal.first_weight;
+  while (weight <= kLastWeight) {
     double value = barrierValue(points, goal, weight, core);
-    for (int i = 0; i < kMaxNewtonSteps && improve(points, goal, weight, core, value);) {
-      ++i;
+    for (int i = 0; i < kMaxNewtonSteps && improve(points, goal, weight, core, value); ++i) {
     }
+    weight *= kWeightGrowth;
   }
   core.radius = enclosingRadius(core, points);
 }

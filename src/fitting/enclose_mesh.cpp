@@ -20,6 +20,7 @@ PosedShape leastCoarse(const std::vector<PosedShape>& fits, const TriangleBvh& m
     return fits.front();
   }
   std::vector<double> costs;
+  costs.reserve(fits.size());
   for (const auto& fit : fits) {
     costs.push_back(coarseness(measureOvershoot(fit, mesh, kFewSamples)));
   }

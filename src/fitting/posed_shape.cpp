@@ -7,7 +7,7 @@
 
 namespace collision_monitor {
 
-Shape grown(const Shape& shape, double growth) noexcept {
+Shape grown(const Shape& shape, double growth) {
   struct {
     double growth;
     Shape operator()(const Sphere& s) const { return Sphere{s.radius + growth}; }

@@ -32,7 +32,7 @@ double upperBound(const PosedShape& fit, double computed_excess, double extent) 
 
 /// Grows the fit until the bound says that it encloses.
 template <class Bound>
-double widenUntil(PosedShape& fit, const Bound& bound) noexcept {
+double widenUntil(PosedShape& fit, const Bound& bound) {
   double widening = 0.0;
   double excess = bound(fit);
   const Shape tight = fit.shape;
@@ -66,12 +66,12 @@ double provenExcess(const PosedShape& fit, const Cylinder& cylinder) noexcept {
   return upperBound(fit, reach, std::hypot(cylinder.radius, cylinder.half_length));
 }
 
-double widenUntilProven(const Points& points, PosedShape& fit) noexcept {
+double widenUntilProven(const Points& points, PosedShape& fit) {
   return widenUntil(fit,
                     [&](const PosedShape& candidate) { return provenExcess(candidate, points); });
 }
 
-double widenUntilProven(const Cylinder& cylinder, PosedShape& fit) noexcept {
+double widenUntilProven(const Cylinder& cylinder, PosedShape& fit) {
   return widenUntil(fit,
                     [&](const PosedShape& candidate) { return provenExcess(candidate, cylinder); });
 }

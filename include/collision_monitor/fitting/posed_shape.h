@@ -22,7 +22,7 @@ struct PosedShape {
 
 /// The shape with its radius, or the half extents of a box, larger by `growth` [m]: it reaches at
 /// least that much farther in every direction.
-Shape grown(const Shape& shape, double growth) noexcept;
+Shape grown(const Shape& shape, double growth);
 
 /// The largest signed distance of a point to the posed shape: the growth that would enclose all,
 /// negative when they are inside with room to spare. Error: rounding; see provenExcess for a bound.

@@ -32,7 +32,7 @@ double provenExcess(const PosedShape& fit, const Cylinder& cylinder) noexcept;
 
 /// Grows the radius (of a box: the half extents) until provenExcess <= 0.
 /// @return the growth [m]; about 1e-15 of the size for a fit that was tight up to rounding.
-double widenUntilProven(const Points& points, PosedShape& fit) noexcept;
-double widenUntilProven(const Cylinder& cylinder, PosedShape& fit) noexcept;
+double widenUntilProven(const Points& points, PosedShape& fit);
+double widenUntilProven(const Cylinder& cylinder, PosedShape& fit);
 
 }  // namespace collision_monitor
