@@ -77,10 +77,10 @@ class Probe:
 class JointSource:
     """Publishes the same joint positions over and over, until told others."""
 
-    def __init__(self, positions, rate=50.0):
+    def __init__(self, positions, rate=50.0, topic="/joint_states"):
         self.positions = dict(positions)
         self.is_on = True
-        self.publisher = rospy.Publisher("/joint_states", JointState, queue_size=1)
+        self.publisher = rospy.Publisher(topic, JointState, queue_size=1)
         self.end = threading.Event()
         self.thread = threading.Thread(target=self._run, args=(1.0 / rate,), daemon=True)
         self.thread.start()
