@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
+# shellcheck shell=bash
 # What the scripts share: install what is missing, build, bring the workspace into
 # the environment. Sourced, not run. Every step says what it does and costs nothing
 # when there is nothing to do.

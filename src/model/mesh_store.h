@@ -18,7 +18,7 @@ enum class UpAxis : unsigned char { x, y, z };
 struct StoredMesh {
   TriangleMesh mesh;  ///< in the axes of the file
   UpAxis up_axis{UpAxis::z};
-  std::string fault;      ///< why there is no mesh, empty if there is one
+  std::string fault;  ///< why there is no mesh, empty if there is one
 };
 
 /// The meshes of a set of robots: finds the file behind a name, and reads each
