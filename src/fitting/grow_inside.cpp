@@ -17,10 +17,18 @@ using Eigen::Vector3d;
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kCoarse = 0.1;  // tolerance of distances, at first and for segments
-constexpr double kFine = 0.01;
+constexpr double kFine = 0.02;
 constexpr double kReach = 0.8;  // of a ball known to be empty; less than 1 / (1 + kCoarse)
-constexpr double kGain = 1e-4;  // a round that gains less, and meets nothing new, is the last
+constexpr double kGain = 1e-4;  // less, and nothing new met, makes a round idle
 constexpr int kRounds = 12;
+constexpr int kIdleRounds = 2;  // in a row end the search
+
+/// A simplex loses its shape in a crease; each round starts from a fresh one, by turns to both
+/// sides and of several sizes.
+double firstStep(int round) {
+  constexpr double kSteps[] = {0.3, -0.3, 0.1, -0.1};
+  return kSteps[round % 4];
+}
 
 /// Looks around a point, away from the middle, where looking is cheap.
 void lookAround(const Vector3d& point, double radius, NearTriangles& near) {
@@ -32,24 +40,21 @@ void lookAround(const Vector3d& point, double radius, NearTriangles& near) {
 
 /// Rounds of a search among the known triangles, each followed by a look at all.
 void growBall(double tolerance, NearTriangles& near, EmptyBall& ball) {
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0, idle = 0; round < kRounds && idle < kIdleRounds; ++round) {
     const EmptyBall start = ball;
     const auto cost = [&](const Vector3d& step) {
       return step.norm() < kReach
                  ? -near.nearestKnown(start.centre + start.radius * step).distance / start.radius
                  : 0.0;
     };
-    const double first_step = round == 0 ? 0.3 : 0.1;
-    const Vector3d step = searchSimplex<3>({first_step, 1e-6, 120}, cost);
+    const Vector3d step = searchSimplex<3>({firstStep(round), 1e-6, 120}, cost);
     const Vector3d centre = start.centre + start.radius * step;
     const double hoped = near.nearestKnown(centre).distance;
     const double found = near.nearestOfAll(centre, tolerance).distance;
     if (found > start.radius) {
       ball = {centre, found};
     }
-    if (found >= hoped && found <= start.radius * (1.0 + kGain)) {
-      return;
-    }
+    idle = found >= hoped && found <= start.radius * (1.0 + kGain) ? idle + 1 : 0;
   }
 }
 
@@ -115,7 +120,7 @@ InnerSegment growSegment(const TriangleBvh& surface, const InnerSegment& segment
   for (const double place : {0.0, 0.5, 1.0}) {
     lookAround(best.a + place * (best.b - best.a), best.radius, near);
   }
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0, idle = 0; round < kRounds && idle < kIdleRounds; ++round) {
     const InnerSegment start = best;
     const auto moved = [&](const Step& step) -> std::pair<Vector3d, Vector3d> {
       return {start.a + start.radius * step.head<3>(), start.b + start.radius * step.tail<3>()};
@@ -125,14 +130,13 @@ InnerSegment growSegment(const TriangleBvh& surface, const InnerSegment& segment
       const bool is_known = step.head<3>().norm() < kReach && step.tail<3>().norm() < 2.0;
       return is_known ? -volumeOf(amongKnown(near, a, b)) / volumeOf(start) : 0.0;
     };
-    const auto [a, b] = moved(searchSimplex<6>({round == 0 ? 0.3 : 0.1, 1e-5, 180}, cost));
+    const auto [a, b] = moved(searchSimplex<6>({firstStep(round), 1e-5, 200}, cost));
     const double hoped = volumeOf(amongKnown(near, a, b));
     const InnerSegment found = amongAll(near, a, b, kWorse * start.radius);
     const double volume = volumeOf(found);
     best = volume > volumeOf(start) ? found : start;
-    if (volume >= 0.999 * hoped && volume <= volumeOf(start) * (1.0 + 10.0 * kGain)) {
-      break;
-    }
+    const bool is_idle = volume >= 0.99 * hoped && volume <= volumeOf(start) * (1.0 + 10.0 * kGain);
+    idle = is_idle ? idle + 1 : 0;
   }
   return best;
 }

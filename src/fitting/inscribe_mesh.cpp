@@ -16,10 +16,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kSurfacePoints = 200;
+constexpr int kSurfacePoints = 150;
 constexpr std::size_t kBalls = 10;  // that stand for the inside
-constexpr std::size_t kSphereStarts = 4;
-constexpr std::size_t kCapsuleStarts = 3;
+constexpr std::size_t kSphereStarts = 3;
+constexpr std::size_t kCapsuleStarts = 2;
 constexpr double kNear = 0.1;  // of the largest ball: a capsule so thin is not worth looking at
 constexpr double kAllowance = 1e-9;  // of the mesh's size
 
@@ -59,9 +59,15 @@ class Inscriber {
   /// Segments between the balls, and short ones in the largest along the axes of the mesh.
   std::vector<InnerSegment> capsuleStarts() const {
     std::vector<InnerSegment> starts;
+    double best_volume = 0.0;
     for (std::size_t i = 0; i < balls_.size(); ++i) {
       for (std::size_t j = i + 1; j < balls_.size(); ++j) {
-        starts.push_back(segmentBetween(balls_[i].centre, balls_[j].centre));
+        // Balls come largest first, so the second bounds the radius; a look at the mesh is dear.
+        const InnerSegment hoped{balls_[i].centre, balls_[j].centre, balls_[j].radius};
+        if (volumeOf(hoped) > best_volume) {
+          starts.push_back(segmentBetween(hoped.a, hoped.b));
+          best_volume = std::max(best_volume, volumeOf(starts.back()));
+        }
       }
     }
     const EmptyBall& largest = balls_.front();

@@ -56,14 +56,30 @@ std::vector<SurfacePoint> spreadOver(const std::vector<Triangle>& triangles, int
   return points;
 }
 
-std::optional<EmptyBall> shrink(const TriangleBvh& surface, const SurfacePoint& from,
-                                double first_radius) {
-  double radius = first_radius;
+NearestPoint nearestToCentre(const TriangleBvh& surface, const SurfacePoint& from, double radius) {
+  return surface.nearestTo(from.point + radius * from.inward, NearestPoint{}, kTolerance);
+}
+
+/// The first radius, of a series up to `largest`, at which something is in the ball. From small to
+/// large, because in a thin wall a large ball's centre is outside, and both faces are about as far.
+double radiusToShrink(const TriangleBvh& surface, const SurfacePoint& from, double largest) {
+  constexpr double kFirst = 1.0 / 4096.0;
+  constexpr double kGrowth = 4.0;
+  double radius = kFirst * largest;
+  while (radius < largest &&
+         nearestToCentre(surface, from, radius).distance >= radius * (1.0 - kTolerance)) {
+    radius *= kGrowth;
+  }
+  return std::min(radius, largest);
+}
+
+std::optional<EmptyBall> emptyBallAt(const TriangleBvh& surface, const SurfacePoint& from,
+                                     double largest) {
+  double radius = radiusToShrink(surface, from, largest);
   for (int i = 0; i < kMaxRounds; ++i) {
-    const Vector3d centre = from.point + radius * from.inward;
-    const NearestPoint nearest = surface.nearestTo(centre, NearestPoint{}, kTolerance);
+    const NearestPoint nearest = nearestToCentre(surface, from, radius);
     if (nearest.distance >= radius * (1.0 - kTolerance)) {
-      return EmptyBall{centre, nearest.distance / (1.0 + kTolerance)};
+      return EmptyBall{from.point + radius * from.inward, nearest.distance / (1.0 + kTolerance)};
     }
     // The ball through both points that touches the surface in the first.
     const Vector3d gap = nearest.point - from.point;
@@ -84,7 +100,7 @@ std::vector<EmptyBall> medialBalls(const TriangleBvh& surface, int count) {
   std::vector<EmptyBall> balls;
   for (const auto& point : spreadOver(surface.triangles(), count)) {
     // No ball in the surface is larger than this.
-    if (const auto ball = shrink(surface, point, largest)) {
+    if (const auto ball = emptyBallAt(surface, point, largest)) {
       balls.push_back(*ball);
     }
   }

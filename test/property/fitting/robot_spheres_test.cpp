@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "collision_monitor/fitting/build_sphere_tree.h"
+#include "collision_monitor/fitting/inner_shape.h"
+#include "collision_monitor/model/urdf_reader.h"
+#include "support/file_loader.h"
+
+namespace collision_monitor {
+namespace {
+
+/// What is outside of all spheres, over vertices and centroids of every triangle. [m]
+double farthestOutside(const TriangleMesh& mesh, const std::vector<SphereNode>& spheres) {
+  double farthest = -1.0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles[i];
+    const Eigen::Vector3d& corner = mesh.vertices[t[i % 3]];
+    const Eigen::Vector3d centroid =
+        (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3.0;
+    for (const Eigen::Vector3d& point : {corner, centroid}) {
+      double nearest = 1e300;
+      for (const auto& sphere : spheres) {
+        nearest = std::min(nearest, (point - sphere.centre).norm() - sphere.radius);
+      }
+      farthest = std::max(farthest, nearest);
+    }
+  }
+  return farthest;
+}
+
+struct Counts {
+  int meshes{0};
+  int with_inner{0};
+};
+
+void check(const TriangleMesh& mesh, const std::string& name, Counts& counts) {
+  ++counts.meshes;
+  SphereTreeLimits limits;
+  limits.max_leaves = 32;
+  const SphereTree tree = buildSphereTree(mesh, limits);
+  EXPECT_LE(farthestOutside(mesh, spheresOfLevel(tree, 99)), 1e-15) << name;
+  EXPECT_LE(farthestOutside(mesh, spheresOfLevel(tree, 2)), 1e-15) << name;
+  const InnerShapes inner = inscribeShapes(mesh);
+  EXPECT_EQ(inner.sphere.has_value(), inner.capsule.has_value()) << name;
+  if (!inner.sphere) {
+    return;
+  }
+  ++counts.with_inner;
+  for (const auto& fit : {*inner.sphere, *inner.capsule}) {
+    const Pose body_from_geometry = inverse(fit.geometry_from_body);
+    for (const auto& vertex : mesh.vertices) {
+      // Vertices of triangles without area have no surface.
+      EXPECT_GT(signedDistanceTo(fit.shape, body_from_geometry * vertex), -1e-12) << name;
+    }
+  }
+}
+
+TEST(RobotMeshes, everySphereHierarchyEncloses_andEveryInnerShapeIsInside) {
+  if (!test::sharedDataDir()) {
+    GTEST_SKIP() << test::kNoSharedData;
+  }
+  Counts counts;
+  for (const auto& robot : test::allRobotFiles()) {
+    SetupReport report;
+    const RobotModel model =
+        readRobots({test::describe(robot)}, test::fileLoader(robot.package_root), report);
+    for (const auto& link : model.links) {
+      for (const auto& element : link.collisions) {
+        const auto* mesh = std::get_if<TriangleMesh>(&element.geometry);
+        if (mesh != nullptr && !mesh->vertices.empty()) {
+          check(*mesh, robot.name + " " + link.name, counts);
+        }
+      }
+    }
+  }
+  RecordProperty("meshes", counts.meshes);
+  RecordProperty("with_inner_shapes", counts.with_inner);
+  EXPECT_GT(counts.meshes, 50);
+  EXPECT_GT(counts.with_inner, 10);
+}
+
+}  // namespace
+}  // namespace collision_monitor
