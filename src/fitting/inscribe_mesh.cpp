@@ -96,7 +96,7 @@ class Inscriber {
     }
     sortByVolume(segments);
     for (const auto& segment : segments) {
-      if (const auto capsule = proven(segment, false)) {
+      if (auto capsule = proven(segment, false)) {
         return capsule;
       }
     }

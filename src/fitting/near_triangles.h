@@ -28,7 +28,7 @@ class NearTriangles {
 
   /// Among all, and known from now on. Error: up to the fraction `tolerance` too far.
   NearestPoint nearestOfAll(const Eigen::Vector3d& point, double tolerance) {
-    const NearestPoint nearest = mesh_.nearestTo(point, nearestKnown(point), tolerance);
+    NearestPoint nearest = mesh_.nearestTo(point, nearestKnown(point), tolerance);
     if (std::find(known_.begin(), known_.end(), nearest.leaf_triangle) == known_.end()) {
       known_.push_back(nearest.leaf_triangle);
     }
