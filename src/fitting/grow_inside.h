@@ -22,9 +22,8 @@ double volumeOf(const InnerSegment& segment);
 InnerSegment innerSegment(const TriangleBvh& surface, const Eigen::Vector3d& a,
                           const Eigen::Vector3d& b, double least_radius);
 
-/// Moves a ball, or both ends of a segment, to where it can be larger: a local maximum within about
-/// 0.1 % for the ball, 1 % for the segment. Steps stay in balls that are known to be empty, and so
-/// on the same side of the surface.
+/// Moves a ball, or both ends of a segment, to where it can be larger, by local search. Steps stay
+/// in balls that are known to be empty, and so on the same side of the surface.
 EmptyBall growBall(const TriangleBvh& surface, const EmptyBall& ball);
 InnerSegment growSegment(const TriangleBvh& surface, const InnerSegment& segment);
 

@@ -24,14 +24,14 @@ struct InnerShapes {
 /// in common with another, where the mesh contradicts itself unless parts overlap on purpose.
 ///
 /// Frames: geometry_from_body places the shapes in the geometry's frame. Units: metres.
-/// Error: both are inside in exact arithmetic. The centre has winding number 1, and no point of the
-/// core is nearer to a triangle than the radius: the computed distance, less 1e-9 of the mesh's
-/// size and of the largest coordinate, which is far above what rounding can do. That they are the
-/// largest is not proven: each is the best of several local searches. Limits: none for an open,
-/// inconsistent or flat mesh and for primitives without volume. Source: centres to start from are
-/// medial: Ma, Bae, Choi, "3D medial axis point approximation using nearest neighbors and the
-/// normal field" (2012). Solid angles: van Oosterom, Strackee, "The Solid Angle of a Plane
-/// Triangle" (1983).
+/// Error: both are inside in exact arithmetic: one end of the core has winding number 1, and no
+/// point of the core is nearer to a triangle than the radius, which is a lower bound that allows
+/// for rounding, less 1e-9 of the mesh's size. That they are the largest is not proven: each is
+/// the best of several local searches.
+/// Limits: none for an open, inconsistent or flat mesh and for primitives without volume.
+/// Source: centres to start from are medial: Ma, Bae, Choi, "3D medial axis point approximation
+/// using nearest neighbors and the normal field" (2012). Solid angles: van Oosterom, Strackee,
+/// "The Solid Angle of a Plane Triangle" (1983).
 /// @throws std::invalid_argument with a sentence: no vertices, a vertex that is not finite or
 /// beyond 1e100, a triangle without its vertices, a dimension that is negative or not finite.
 InnerShapes inscribeShapes(const Geometry& geometry);
