@@ -26,16 +26,16 @@ struct SphereTreeLimits {
 ///
 /// Frames: that of the geometry. Units: metres.
 /// Error: every node's sphere encloses its part in exact arithmetic; its radius exceeds the least
-/// one by about 1e-12 of it and 4e-15 of the largest coordinate a level. `overshoot` is the largest
-/// of 32 samples, each up to 10 % too large; samples inside a closed surface count too. Cylinders
-/// and capsules are replaced by polyhedra with 48 sides that hold them, up to 1 % wider. A sphere
-/// is one node. Limits: flat meshes and single points are legal. A vertex of no triangle counts as
-/// a point of the surface. Source: Hubbard, "Collision Detection for Interactive Graphics
-/// Applications" (1995), and Quinlan, "Efficient Distance Computation between Non-Convex Objects"
-/// (1994), for spheres that each hold a part of the surface and the bounds this gives; Bradshaw,
-/// O'Sullivan, "Adaptive Medial-Axis Approximation for Sphere-Tree Construction" (2004), for
-/// dividing one sphere at a time. Departs from Quinlan in cutting triangles instead of covering
-/// them with small balls.
+/// one by about 1e-12 of it and 4e-15 of the largest coordinate a level. `overshoot` is the
+/// largest of 32 samples, each up to 10 % too large; samples inside a closed surface count too.
+/// Cylinders and capsules are replaced by polyhedra with 48 sides that hold them, up to 1 % wider.
+/// Limits: flat meshes and single points are legal. A vertex of no triangle counts as a point of
+/// the surface. A sphere is one node.
+/// Source: Hubbard, "Collision Detection for Interactive Graphics Applications" (1995), and
+/// Quinlan, "Efficient Distance Computation between Non-Convex Objects" (1994), for spheres that
+/// each hold a part of the surface and the bounds this gives; Bradshaw, O'Sullivan, "Adaptive
+/// Medial-Axis Approximation for Sphere-Tree Construction" (2004), for dividing one sphere at a
+/// time. Departs from Quinlan in cutting triangles instead of covering them with small balls.
 /// @throws std::invalid_argument with a sentence: no vertices, a vertex that is not finite or
 /// beyond 1e100, a triangle without its vertices, a dimension that is negative or not finite, or a
 /// `max_leaves` of 0.
