@@ -12,6 +12,7 @@
 #include "collision_monitor/fitting/inner_shape.h"
 #include "collision_monitor/geometry/convex_hull.h"
 #include "support/extended_distance.h"
+#include "support/fixed_seed.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor {
