@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "collision_monitor/fitting/fit_sphere.h"
+#include "fitting/box_rotations.h"
 #include "fitting/core_descent.h"
 #include "fitting/core_set.h"
 #include "fitting/point_cloud.h"
@@ -72,7 +73,7 @@ PlacedCore capsuleAlong(const Vector3d& axis, const Points& points) {
   return core;
 }
 
-/// The best capsules of which no two have nearly the same axis.
+/// The best capsules of which no two have nearly the same axis, and some along natural axes.
 std::vector<PlacedCore> startCapsules(const Points& points) {
   std::vector<PlacedCore> all;
   for (const auto& axis : spreadDirections(kStartDirections)) {
@@ -91,7 +92,14 @@ std::vector<PlacedCore> startCapsules(const Points& points) {
       chosen.push_back(candidate);
     }
   }
-  chosen.push_back(capsuleAlong(principalAxes(points).col(2), points));
+  // Made parts have axes, along which the valley can be narrower than the directions are apart.
+  for (const Eigen::Matrix3d& axes :
+       {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), principalAxes(points),
+        smallBoxRotations(points, 1).front()}) {
+    for (int k = 0; k < 3; ++k) {
+      chosen.push_back(capsuleAlong(axes.col(k), points));
+    }
+  }
   return chosen;
 }
 
