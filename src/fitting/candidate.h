@@ -9,9 +9,6 @@
 
 namespace collision_monitor {
 
-/// Samples of a shape's surface when candidates are compared and when the result is reported.
-constexpr int kSampleCount = 1000;
-
 /// What the choice goes by. Units: metres.
 double coarseness(const Overshoot& overshoot) noexcept;
 

@@ -74,7 +74,7 @@ std::vector<Enclosure> encloseCylinder(const Cylinder& cylinder) {
     Enclosure enclosure;
     enclosure.widening = widenUntilProven(cylinder, fit);
     enclosure.shape = fit.shape;
-    enclosure.overshoot = measureOvershoot(fit.shape, cylinder, kSampleCount);
+    enclosure.overshoot = measureOvershoot(fit.shape, cylinder, OvershootSampling{}.count);
     candidates.push_back(enclosure);
   }
   return candidates;

@@ -13,16 +13,16 @@
 namespace collision_monitor {
 namespace {
 
-/// Of several fits of one kind, the one that overshoots least, judged on few samples.
+/// Of several fits of one kind, the one that overshoots least, judged roughly.
 PosedShape leastCoarse(const std::vector<PosedShape>& fits, const TriangleBvh& mesh) {
-  constexpr int kFewSamples = 300;
+  constexpr OvershootSampling kRough{200, 0.05};
   if (fits.size() == 1) {
     return fits.front();
   }
   std::vector<double> costs;
   costs.reserve(fits.size());
   for (const auto& fit : fits) {
-    costs.push_back(coarseness(measureOvershoot(fit, mesh, kFewSamples)));
+    costs.push_back(coarseness(measureOvershoot(fit, mesh, kRough)));
   }
   const auto least = std::min_element(costs.begin(), costs.end()) - costs.begin();
   return fits[static_cast<std::size_t>(least)];
@@ -45,7 +45,7 @@ std::vector<Enclosure> encloseMesh(const TriangleMesh& mesh) {
   for (auto& fit : fits) {
     // All vertices, not only the hull's: the proof must not rest on the hull.
     const double widening = widenUntilProven(mesh.vertices, fit);
-    const Overshoot overshoot = measureOvershoot(fit, bvh, kSampleCount);
+    const Overshoot overshoot = measureOvershoot(fit, bvh);
     candidates.push_back({fit.shape, fit.geometry_from_body, overshoot, widening, false});
   }
   return candidates;

@@ -12,7 +12,6 @@ using Eigen::Vector3d;
 
 constexpr double kHalfPi = 1.57079632679489661923;
 constexpr double kLeastSteps = 2.0;
-constexpr double kTolerance = 0.01;  // of a distance to the mesh
 
 /// Visits the grid of a patch with parameters in [0, 1]^2, borders included, with the weights of
 /// the trapezoid rule, whose sum is 1.
@@ -149,16 +148,17 @@ Overshoot OvershootSum::total() const noexcept {
   return {max_, first_moment_ / area_, std::sqrt(std::sqrt(fourth_moment_ / area_))};
 }
 
-Overshoot measureOvershoot(const PosedShape& fit, const TriangleBvh& mesh, int count) {
+Overshoot measureOvershoot(const PosedShape& fit, const TriangleBvh& mesh,
+                           const OvershootSampling& sampling) {
   OvershootSum sum;
   NearestPoint nearest;
-  for (const auto& sample : sampleSurface(fit.shape, count)) {
+  for (const auto& sample : sampleSurface(fit.shape, sampling.count)) {
     const Vector3d point = fit.geometry_from_body * sample.point;
     // The triangle nearest to the last sample bounds the search: neighbours follow each other.
     const NearestPoint start = nearest.leaf_triangle == NearestPoint::kNone
                                    ? NearestPoint{}
                                    : mesh.nearestOn(nearest.leaf_triangle, point);
-    nearest = mesh.nearestTo(point, start, kTolerance);
+    nearest = mesh.nearestTo(point, start, sampling.tolerance);
     sum.add(nearest.distance, sample.area);
   }
   return sum.total();

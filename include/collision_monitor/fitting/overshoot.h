@@ -46,8 +46,16 @@ class OvershootSum {
 /// there are about `count`, and never fewer than one a corner.
 std::vector<SurfaceSample> sampleSurface(const Shape& shape, int count);
 
-/// Overshoot over a mesh on about `count` samples.
-/// Error: `max` is a lower bound, too small by at most the distance between samples over sqrt(2).
-Overshoot measureOvershoot(const PosedShape& fit, const TriangleBvh& mesh, int count);
+/// How closely overshoot is measured.
+struct OvershootSampling {
+  int count{1000};         ///< samples, about
+  double tolerance{0.01};  ///< a distance to the mesh may come out too large by this fraction
+};
+
+/// Overshoot over a mesh.
+/// Error: `max` may be too small by the distance between samples over sqrt(2), and everything too
+/// large by the fraction `tolerance`.
+Overshoot measureOvershoot(const PosedShape& fit, const TriangleBvh& mesh,
+                           const OvershootSampling& sampling = {});
 
 }  // namespace collision_monitor

@@ -53,7 +53,7 @@ TEST(SampleSurface, needlesPointsAndSheets_haveAFewSamples) {
 
 TEST(MeasureOvershoot, boxAroundASmallerBox_isTheGapAndItsDiagonal) {
   const TriangleBvh mesh(boxMesh({0.5, 0.5, 0.5}));
-  const Overshoot overshoot = measureOvershoot({Box{{0.6, 0.6, 0.6}}, {}}, mesh, 3000);
+  const Overshoot overshoot = measureOvershoot({Box{{0.6, 0.6, 0.6}}, {}}, mesh, {3000, 0.01});
   EXPECT_NEAR(overshoot.max, 0.1 * std::sqrt(3.0), 1e-3 * 0.1);
   EXPECT_GT(overshoot.mean, 0.1);
   EXPECT_LT(overshoot.mean, 0.115);
@@ -62,7 +62,7 @@ TEST(MeasureOvershoot, boxAroundASmallerBox_isTheGapAndItsDiagonal) {
 TEST(MeasureOvershoot, sphereAroundACube_isFarthestAboveTheFaces) {
   const TriangleBvh mesh(boxMesh({1, 1, 1}));
   const double radius = std::sqrt(3.0);
-  const Overshoot overshoot = measureOvershoot({Sphere{radius}, {}}, mesh, 3000);
+  const Overshoot overshoot = measureOvershoot({Sphere{radius}, {}}, mesh, {3000, 0.01});
   EXPECT_NEAR(overshoot.max, radius - 1.0, 0.01 * radius);
 }
 
@@ -70,9 +70,10 @@ TEST(MeasureOvershoot, placedShape_isMeasuredWhereItIs) {
   const TriangleMesh box = boxMesh({0.5, 0.5, 0.5});
   PosedShape fit{Box{{0.5, 0.5, 0.5}}, {}};
   fit.geometry_from_body.translation = {3, 0, 0};
-  const Overshoot overshoot = measureOvershoot(fit, TriangleBvh(moved(box, {}, {3, 0, 0})), 100);
+  const Overshoot overshoot =
+      measureOvershoot(fit, TriangleBvh(moved(box, {}, {3, 0, 0})), {100, 0.0});
   EXPECT_LT(overshoot.max, 1e-15);
-  EXPECT_NEAR(measureOvershoot(fit, TriangleBvh(box), 100).max, 3.0, 0.031);
+  EXPECT_NEAR(measureOvershoot(fit, TriangleBvh(box), {100, 0.0}).max, 3.0, 1e-12);
 }
 
 }  // namespace
