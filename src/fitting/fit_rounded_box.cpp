@@ -70,6 +70,7 @@ std::vector<PosedShape> smallRoundedBoxes(const Points& points,
   }
   std::sort(cores.begin(), cores.end(), IsSmaller{});
   std::vector<PosedShape> fits;
+  fits.reserve(cores.size());
   for (const auto& core : cores) {
     fits.push_back(placedInCloud(core, cloud));
   }
