@@ -8,6 +8,9 @@
 
 package_dir="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 build_dir="${BUILD_DIR:-$package_dir/build}"
+# As CMakeLists.txt has it.
+devel_dir="$build_dir/devel"
+[[ "$build_dir" != "$package_dir/build" ]] || devel_dir="$package_dir/devel"
 
 # ROS's Python programs need the system's interpreter, whatever else is installed.
 export PATH="/usr/bin:$PATH"
@@ -86,6 +89,6 @@ build_package() {
 source_workspace() {
   set +u
   # shellcheck disable=SC1091
-  source "$build_dir/devel/setup.bash"
+  source "$devel_dir/setup.bash"
   set -u
 }
