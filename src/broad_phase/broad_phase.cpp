@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/broad_phase/broad_phase.h"
 
+#include "collision_monitor/geometry/visit_held.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -27,8 +29,8 @@ void findCandidatesOf(SweepAndPrune& sweep_and_prune, const BodyBounds& bounds,
 
 void findCandidates(BroadPhase& broad_phase, const BodyBounds& bounds, const PairTable& table,
                     std::vector<PairId>& candidates) noexcept {
-  std::visit([&](auto& chosen) { findCandidatesOf(chosen, bounds, table, candidates); },
-             broad_phase);
+  visitHeld([&](auto& chosen) { findCandidatesOf(chosen, bounds, table, candidates); },
+            broad_phase);
 }
 
 }  // namespace collision_monitor

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_monitor/geometry/visit_held.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -21,7 +23,7 @@ Eigen::Vector3d coreHalfExtents(const Shape& shape) noexcept {
     Eigen::Vector3d operator()(const Box& s) const { return s.half_extents; }
     Eigen::Vector3d operator()(const RoundedBox& s) const { return s.half_extents; }
   } half_extents;
-  return std::visit(half_extents, shape);
+  return visitHeld(half_extents, shape);
 }
 
 double radiusOf(const Shape& shape) noexcept {
@@ -31,7 +33,7 @@ double radiusOf(const Shape& shape) noexcept {
     double operator()(const Box&) const { return 0.0; }
     double operator()(const RoundedBox& s) const { return s.radius; }
   } radius;
-  return std::visit(radius, shape);
+  return visitHeld(radius, shape);
 }
 
 CoreKind coreKindOf(const Shape& shape) noexcept {
@@ -41,7 +43,7 @@ CoreKind coreKindOf(const Shape& shape) noexcept {
     CoreKind operator()(const Box&) const { return CoreKind::box; }
     CoreKind operator()(const RoundedBox&) const { return CoreKind::box; }
   } kind;
-  return std::visit(kind, shape);
+  return visitHeld(kind, shape);
 }
 
 const char* kindName(const Shape& shape) noexcept {
@@ -51,7 +53,7 @@ const char* kindName(const Shape& shape) noexcept {
     const char* operator()(const Box&) const { return "box"; }
     const char* operator()(const RoundedBox&) const { return "rounded_box"; }
   } name;
-  return std::visit(name, shape);
+  return visitHeld(name, shape);
 }
 
 double volumeOf(const Shape& shape) noexcept {

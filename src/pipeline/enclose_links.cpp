@@ -3,30 +3,19 @@
 #include <stdexcept>
 #include <string>
 
+#include "collision_monitor/fitting/posed_shape.h"
 #include "collision_monitor/geometry/bounds.h"
 #include "setup_parts.h"
 
 namespace collision_monitor {
 namespace {
 
-struct AddPadding {
-  double padding;
-  Shape operator()(const Sphere& s) const { return Sphere{s.radius + padding}; }
-  Shape operator()(const Capsule& s) const { return Capsule{s.half_length, s.radius + padding}; }
-  Shape operator()(const Box& s) const {
-    return Box{s.half_extents + Eigen::Vector3d::Constant(padding)};
-  }
-  Shape operator()(const RoundedBox& s) const {
-    return RoundedBox{s.half_extents, s.radius + padding};
-  }
-};
-
 void addBody(LinkId link, const CollisionElement& element, double padding, CycleSetup& setup) {
   const Enclosure enclosure = encloseTightly(element.geometry);
   Body body;
   body.link = link;
   body.link_from_body = element.link_from_geometry * enclosure.geometry_from_body;
-  body.shape = padding > 0.0 ? std::visit(AddPadding{padding}, enclosure.shape) : enclosure.shape;
+  body.shape = padding > 0.0 ? grown(enclosure.shape, padding) : enclosure.shape;
   body.bounding_radius = boundingRadius(body.shape);
   body.is_exact = enclosure.is_exact && padding == 0.0;
   setup.bodies.push_back(body);
