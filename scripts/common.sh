@@ -74,7 +74,7 @@ install_missing() {
   install_packages "${packages[@]}"
 }
 
-# build_package [CMAKE OPTION...]: configures and builds; nothing is done twice.
+# build_package [CMAKE OPTION...]: configures and builds, all or BUILD_TARGET; nothing is done twice.
 build_package() {
   say "building in $build_dir"
   local log="$build_dir/build.log"
@@ -82,7 +82,7 @@ build_package() {
   cmake -S "$package_dir" -B "$build_dir" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DPYTHON_EXECUTABLE=/usr/bin/python3 "$@" >"$log" 2>&1 ||
     { tail -n 40 "$log" >&2; fail "configuring failed; all of it is in $log"; }
-  cmake --build "$build_dir" || fail "the build failed"
+  cmake --build "$build_dir" ${BUILD_TARGET:+--target "$BUILD_TARGET"} || fail "the build failed"
 }
 
 # source_workspace: makes rosrun, roslaunch and rostest find the package just built.
