@@ -84,18 +84,14 @@ int compare(const RobotDescription& robot, const ComparisonOptions& options) {
   return printResult(comparison) ? 0 : 1;
 }
 
-}  // namespace
-}  // namespace collision_monitor
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   CLI::App app{
       "Measures every checked pair of a robot's enclosing shapes at random poses, with this "
-      "package "
-      "and with FCL, and lets a slow exact reference decide where they differ. Exits 1 if the "
-      "reference is against us, 2 if the robot cannot be read."};
+      "package and with FCL, and lets a slow exact reference decide where they differ. Exits 1 "
+      "if the reference is against us, 2 if the robot cannot be read."};
   std::string urdf;
   std::string srdf;
-  collision_monitor::ComparisonOptions options;
+  ComparisonOptions options;
   app.add_option("urdf", urdf, "URDF file; package:// names are looked up as rospack does")
       ->required();
   app.add_option("--srdf", srdf, "SRDF file with the pairs to ignore");
@@ -104,8 +100,15 @@ int main(int argc, char** argv) {
   app.add_option("--depths", options.most_depths, "overlaps whose depth is checked")
       ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
+  return compare(describe(urdf, srdf), options);
+}
+
+}  // namespace
+}  // namespace collision_monitor
+
+int main(int argc, char** argv) {
   try {
-    return collision_monitor::compare(collision_monitor::describe(urdf, srdf), options);
+    return collision_monitor::run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;
