@@ -34,7 +34,9 @@ debian_ros_packages=(
   ros-base-dev ros-robot-dev catkin rosbash python3-rosgraph python3-roslaunch python3-rospy
   python3-rostopic python3-rosservice python3-rostest python3-tf2-ros librostest-dev
   libtf2-ros-dev libtf2-eigen-dev libresource-retriever-dev libdiagnostic-updater-dev
-  libnodelet-dev libnodeletlib-dev libnodeletlib-tools ros-robot-state-publisher
+  libnodelet-dev libnodeletlib-dev libnodeletlib-tools python3-nodelet ros-robot-state-publisher
+  python3-diagnostic-msgs python3-geometry-msgs python3-rosgraph-msgs python3-sensor-msgs
+  python3-std-msgs python3-std-srvs python3-tf2-msgs python3-visualization-msgs
 )
 
 has_ros_noetic() { [[ "${ROS_DISTRO:-}" == noetic && -d /opt/ros/noetic ]]; }
