@@ -28,7 +28,7 @@ constexpr double kUnderflow = 1e-150;
 
 /// Where the part of a node can be cut, and whether it has any extent to be cut.
 struct Division {
-  AxisPlane plane;
+  CutPlane plane;
   bool is_possible{false};
 };
 
@@ -40,11 +40,11 @@ Division divisionOf(const Points& corners) {
     high = high.cwiseMax(corner);
   }
   Division division;
-  (high - low).maxCoeff(&division.plane.axis);
-  const Eigen::Index axis = division.plane.axis;
-  division.plane.position = 0.5 * low[axis] + 0.5 * high[axis];
-  division.is_possible =
-      low[axis] < division.plane.position && division.plane.position < high[axis];
+  Eigen::Index axis = 0;
+  (high - low).maxCoeff(&axis);
+  division.plane.normal = Vector3d::Unit(axis);
+  division.plane.offset = 0.5 * low[axis] + 0.5 * high[axis];
+  division.is_possible = low[axis] < division.plane.offset && division.plane.offset < high[axis];
   return division;
 }
 
@@ -144,7 +144,7 @@ class SphereTreeBuilder {
   Points directions_;
   std::vector<SphereNode> nodes_;
   std::vector<MeshPart> parts_;
-  std::vector<AxisPlane> planes_;
+  std::vector<CutPlane> planes_;
   std::priority_queue<std::pair<double, std::uint32_t>> largest_;
 };
 

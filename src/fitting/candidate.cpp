@@ -12,12 +12,12 @@ constexpr double kWorthwhile = 0.97;
 
 double coarseness(const Overshoot& overshoot) noexcept { return overshoot.fourth_power_mean; }
 
-Enclosure chooseTightest(const std::vector<Enclosure>& candidates) {
+Enclosure chooseTightest(const std::vector<Enclosure>& candidates, const ShapeKinds& kinds) {
   const Enclosure* best = nullptr;
   // Shapes stand in the variant in the order of what their distances cost.
   for (std::size_t kind = 0; kind < std::variant_size_v<Shape>; ++kind) {
     for (const auto& candidate : candidates) {
-      if (candidate.shape.index() != kind) {
+      if (candidate.shape.index() != kind || !isAmong(kinds, candidate.shape)) {
         continue;
       }
       const bool is_costlier = best != nullptr && best->shape.index() < kind;

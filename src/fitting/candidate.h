@@ -13,10 +13,11 @@ namespace collision_monitor {
 double coarseness(const Overshoot& overshoot) noexcept;
 
 /// The least coarse of candidates; at nearly the same coarseness the one whose distances cost
-/// least.
-Enclosure chooseTightest(const std::vector<Enclosure>& candidates);
+/// least. @pre one of them is of an allowed kind.
+Enclosure chooseTightest(const std::vector<Enclosure>& candidates, const ShapeKinds& kinds);
 
-/// The candidates, proven and measured.
+/// The candidates, one of each kind, proven and measured.
+std::vector<Enclosure> encloseCapsule(const Capsule& capsule);
 std::vector<Enclosure> encloseCylinder(const Cylinder& cylinder);
 std::vector<Enclosure> encloseMesh(const TriangleMesh& mesh);
 

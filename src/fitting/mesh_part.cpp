@@ -15,12 +15,10 @@ constexpr double kUnitRoundOff = 0.5 * std::numeric_limits<double>::epsilon();
 
 /// The point of the edge at the plane. Always reckoned from the end below, so that both
 /// polygons of an edge get the same point.
-Vector3d crossing(const Vector3d& below, const Vector3d& above, const AxisPlane& plane) {
-  const double length = above[plane.axis] - below[plane.axis];
-  const double t = std::clamp((plane.position - below[plane.axis]) / length, 0.0, 1.0);
-  Vector3d point = below + t * (above - below);
-  point[plane.axis] = plane.position;
-  return point;
+Vector3d crossing(const Vector3d& below, const Vector3d& above, const CutPlane& plane) {
+  const double low = plane.heightOf(below);
+  const double t = std::clamp(low / (low - plane.heightOf(above)), 0.0, 1.0);
+  return below + t * (above - below);
 }
 
 void addPolygon(const Points& corners, MeshPart& part) {
@@ -32,7 +30,7 @@ void addPolygon(const Points& corners, MeshPart& part) {
 /// sides at once.
 class PolygonCutter {
  public:
-  PolygonCutter(const AxisPlane& plane, MeshPart& below, MeshPart& above)
+  PolygonCutter(const CutPlane& plane, MeshPart& below, MeshPart& above)
       : plane_(plane), below_(below), above_(above) {}
 
   void cut(const Vector3d* corners, std::size_t count) {
@@ -41,8 +39,8 @@ class PolygonCutter {
     for (std::size_t i = 0; i < count; ++i) {
       const Vector3d& corner = corners[i];
       const Vector3d& next = corners[(i + 1) % count];
-      const double height = corner[plane_.axis] - plane_.position;
-      const double next_height = next[plane_.axis] - plane_.position;
+      const double height = plane_.heightOf(corner);
+      const double next_height = plane_.heightOf(next);
       if (height <= 0.0) {
         low_.push_back(corner);
       }
@@ -60,7 +58,7 @@ class PolygonCutter {
   }
 
  private:
-  AxisPlane plane_;
+  CutPlane plane_;
   MeshPart& below_;
   MeshPart& above_;
   Points low_;
@@ -84,8 +82,8 @@ PartedSurface::PartedSurface(const TriangleMesh& mesh)
     }
   }
   calls_ = 1;
-  // Whatever t came out as, the crossing errs in each coordinate by less than 5 u of the larger
-  // end, across the axis; along it by 6 u more, for t is rounded and the plane is not.
+  // Whatever t came out as, a number from 0 to 1, the crossing errs in each coordinate by less than
+  // 5 u of the larger end.
   cut_error_ = 32.0 * kUnitRoundOff * extent;
 }
 
@@ -110,17 +108,18 @@ Points PartedSurface::cornersOf(const MeshPart& part) {
   return points;
 }
 
-void PartedSurface::split(const MeshPart& part, const AxisPlane& plane, MeshPart& below,
+void PartedSurface::split(const MeshPart& part, const CutPlane& plane, MeshPart& below,
                           MeshPart& above) const {
   PolygonCutter cutter(plane, below, above);
   const auto sort = [&](const Vector3d* corners, std::size_t count) {
-    double low = corners[0][plane.axis];
+    double low = plane.heightOf(corners[0]);
     double high = low;
     for (std::size_t i = 1; i < count; ++i) {
-      low = std::min(low, corners[i][plane.axis]);
-      high = std::max(high, corners[i][plane.axis]);
+      const double height = plane.heightOf(corners[i]);
+      low = std::min(low, height);
+      high = std::max(high, height);
     }
-    return high <= plane.position ? -1 : (low >= plane.position ? 1 : 0);
+    return high <= 0.0 ? -1 : (low >= 0.0 ? 1 : 0);
   };
   for (const auto triangle : part.triangles) {
     const auto& t = triangles_[triangle];

@@ -20,10 +20,14 @@ struct MeshPart {
   std::vector<std::uint32_t> end;  ///< polygon i ends before corners[end[i]]
 };
 
-/// A plane across an axis.
-struct AxisPlane {
-  Eigen::Index axis{0};
-  double position{0.0};
+/// The points x with normal . x = offset; below are those with less.
+struct CutPlane {
+  Eigen::Vector3d normal{Eigen::Vector3d::UnitX()};
+  double offset{0.0};
+
+  double heightOf(const Eigen::Vector3d& point) const noexcept {
+    return normal.dot(point) - offset;
+  }
 };
 
 /// A surface that is cut into parts.
@@ -44,8 +48,9 @@ class PartedSurface {
   /// Error: both sides get the same corner for an edge that is cut. It lies within
   /// `cutError()` of a point of the edge; with that point in its place the two sides cover the
   /// polygon exactly, wherever on the edge it is. So a ball that holds the corners of a part and
-  /// is grown by cutError() for each cut that led to it holds the exact part.
-  void split(const MeshPart& part, const AxisPlane& plane, MeshPart& below, MeshPart& above) const;
+  /// is grown by cutError() for each cut that led to it holds the exact part. Which side a corner
+  /// is said to be on may be wrong by rounding, and does not matter to that.
+  void split(const MeshPart& part, const CutPlane& plane, MeshPart& below, MeshPart& above) const;
 
   /// [m] a bound of the rounding in one cut.
   double cutError() const noexcept { return cut_error_; }

@@ -66,6 +66,12 @@ double provenExcess(const PosedShape& fit, const Cylinder& cylinder) noexcept {
   return upperBound(fit, reach, std::hypot(cylinder.radius, cylinder.half_length));
 }
 
+double provenExcess(const PosedShape& fit, const Capsule& capsule) noexcept {
+  const Points ends{{0.0, 0.0, capsule.half_length}, {0.0, 0.0, -capsule.half_length}};
+  const double excess = excessOver(fit, ends) + capsule.radius;
+  return upperBound(fit, excess, capsule.half_length + capsule.radius);
+}
+
 double widenUntilProven(const Points& points, PosedShape& fit) {
   return widenUntil(fit,
                     [&](const PosedShape& candidate) { return provenExcess(candidate, points); });
@@ -74,6 +80,11 @@ double widenUntilProven(const Points& points, PosedShape& fit) {
 double widenUntilProven(const Cylinder& cylinder, PosedShape& fit) {
   return widenUntil(fit,
                     [&](const PosedShape& candidate) { return provenExcess(candidate, cylinder); });
+}
+
+double widenUntilProven(const Capsule& capsule, PosedShape& fit) {
+  return widenUntil(fit,
+                    [&](const PosedShape& candidate) { return provenExcess(candidate, capsule); });
 }
 
 }  // namespace collision_monitor

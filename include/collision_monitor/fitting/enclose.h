@@ -17,8 +17,19 @@ struct Enclosure {
   bool is_exact{false};  ///< the shape is the geometry: distances to it are exact
 };
 
+/// Kinds of shape that may be chosen.
+struct ShapeKinds {
+  bool sphere{true};
+  bool capsule{true};
+  bool box{true};
+  bool rounded_box{true};
+};
+
+/// Whether a shape is of one of the kinds.
+bool isAmong(const ShapeKinds& kinds, const Shape& shape) noexcept;
+
 /// The tightest of sphere, capsule, oriented box and rounded box that encloses the geometry.
-/// Spheres, capsules and boxes are returned as they are.
+/// Spheres, capsules and boxes are returned as they are, where their kind is allowed.
 ///
 /// Tightest means: least fourth-power mean of the overshoot; a costlier kind (in the order above)
 /// has to be 3 % better. docs/decisions/choice-of-shape.md says why.
@@ -31,7 +42,7 @@ struct Enclosure {
 /// open, inverted and self-intersecting ones. Coordinates and dimensions up to 1e100 m.
 /// @throws std::invalid_argument with a sentence that names the fault: no
 /// vertices, a non-finite or too large vertex or dimension, a negative dimension, a triangle that
-/// names a vertex that is not there.
-Enclosure encloseTightly(const Geometry& geometry);
+/// names a vertex that is not there, no kind that is allowed.
+Enclosure encloseTightly(const Geometry& geometry, const ShapeKinds& kinds = {});
 
 }  // namespace collision_monitor

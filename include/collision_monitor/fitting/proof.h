@@ -30,9 +30,15 @@ double provenExcess(const PosedShape& fit, const Points& points) noexcept;
 /// @pre the fit is placed by the identity.
 double provenExcess(const PosedShape& fit, const Cylinder& cylinder) noexcept;
 
+/// The same for a capsule in the body's place: a ball lies in a convex shape if its centre does,
+/// with the ball's radius to spare.
+/// @pre the fit is placed by the identity.
+double provenExcess(const PosedShape& fit, const Capsule& capsule) noexcept;
+
 /// Grows the radius (of a box: the half extents) until provenExcess <= 0.
 /// @return the growth [m]; about 1e-15 of the size for a fit that was tight up to rounding.
 double widenUntilProven(const Points& points, PosedShape& fit);
 double widenUntilProven(const Cylinder& cylinder, PosedShape& fit);
+double widenUntilProven(const Capsule& capsule, PosedShape& fit);
 
 }  // namespace collision_monitor
