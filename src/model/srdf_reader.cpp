@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "model/frame_names.h"
+#include "model/srdf_groups.h"
 #include "model/xml_document.h"
 
 namespace collision_monitor {
@@ -132,6 +133,7 @@ SrdfPairs readSrdf(const RobotDescription& description, RobotId robot, const Rob
     readRule(*e, place, links, pairs);
   }
   reportUnknownLinks(links, place);
+  pairs.groups = readGroups(*root, robot, model, place);
   reportContradictions(pairs, model, place);
   return pairs;
 }

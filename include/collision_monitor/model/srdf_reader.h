@@ -10,7 +10,13 @@
 
 namespace collision_monitor {
 
-/// What an SRDF says about pairs, with names resolved to links of the model.
+/// A `<group>`: links that a name stands for.
+struct LinkGroup {
+  std::string name;           ///< as written, without the robot's prefix
+  std::vector<LinkId> links;  ///< sorted, each once
+};
+
+/// What an SRDF says about pairs and groups, with names resolved to links of the model.
 struct SrdfPairs {
   struct Entry {
     LinkId a{};
@@ -21,13 +27,20 @@ struct SrdfPairs {
   std::vector<Entry> disabled;              ///< `<disable_collisions>`
   std::vector<Entry> enabled;               ///< `<enable_collisions>`
   std::vector<LinkId> disabled_by_default;  ///< `<disable_default_collisions>`
+  std::vector<LinkGroup> groups;            ///< `<group>`, in the order of the file
 };
 
 /// Reads the SRDF of one robot of the model, `description.srdf_xml`. Names in it are those
 /// of the URDF; the robot's prefix is put before them.
 ///
+/// Groups hold what MoveIt moves with them: of a `<joint>` its child link, of a `<chain>` the
+/// links from base_link to tip_link without base_link itself, or, where base_link is no ancestor of
+/// tip_link, all from one over the link at which they meet to the other; of a `<group>` its links,
+/// wherever in the file it stands. A `<virtual_joint>` stands for the link that it moves.
+///
 /// Warnings: links that are unknown, listed together, whose lines are ignored (SRDFs are shared
-/// by variants of a robot); pairs that are both enabled and disabled; a link with itself.
+/// by variants of a robot); the same for names in groups; pairs that are both enabled and
+/// disabled; a link with itself.
 /// Errors: XML that cannot be parsed, a line without its links, and an SRDF none of whose
 /// links is known, for that one belongs to another robot.
 /// Limits: after an error the result holds what could be read. If `model` does not have the

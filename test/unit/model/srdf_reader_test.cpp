@@ -80,6 +80,76 @@ TEST(SrdfReader, srdfOfAnotherRobot_isAnError) {
                                      "SRDF of this robot; not one of its links is named"});
 }
 
+/// "name: a b" for each group of a robot whose root carries the branches a-b-c and x-y.
+std::vector<std::string> groupsOf(const std::string& srdf_xml, const std::string& prefix = "") {
+  RobotDescription description = test::describeText(
+      robotXml("<link name='root'/><link name='a'/><link name='b'/><link name='c'/><link name='x'/>"
+               "<link name='y'/>" +
+               jointXml("ra", "fixed", "root", "a") + jointXml("ab", "continuous", "a", "b") +
+               jointXml("bc", "continuous", "b", "c") + jointXml("rx", "continuous", "root", "x") +
+               jointXml("xy", "continuous", "x", "y")));
+  description.srdf_xml = robotXml(srdf_xml);
+  description.tf_prefix = prefix;
+  SetupReport report;
+  const RobotModel model = readRobots({description}, test::textLoader({}), report);
+  SetupReport srdf_report;
+  std::vector<std::string> texts;
+  for (const LinkGroup& group : readSrdf(description, RobotId{0}, model, srdf_report).groups) {
+    texts.push_back(group.name + ":");
+    for (const LinkId link : group.links) {
+      texts.back() += " " + model.link(link).name;
+    }
+  }
+  for (const Problem& warning : srdf_report.warnings) {
+    texts.push_back(toString(warning));
+  }
+  EXPECT_TRUE(srdf_report.errors.empty());
+  return texts;
+}
+
+using Texts = std::vector<std::string>;
+
+TEST(SrdfGroups, linksAndJoints_holdLinksAndChildLinks) {
+  EXPECT_EQ(groupsOf("<group name='g'><link name='/a'/><joint name='xy'/></group>"),
+            Texts{"g: a y"});
+  EXPECT_EQ(groupsOf("<group name='g'><link name='a'/><joint name='xy'/></group>", "left"),
+            Texts{"g: left/a left/y"});
+}
+
+TEST(SrdfGroups, virtualJoint_standsForTheLinkItMoves) {
+  EXPECT_EQ(groupsOf("<virtual_joint name='v' type='fixed' parent_frame='w' child_link='root'/>"
+                     "<group name='g'><joint name='v'/></group>"),
+            Texts{"g: root"});
+}
+
+TEST(SrdfGroups, chain_leavesItsBaseOut) {
+  EXPECT_EQ(groupsOf("<group name='g'><chain base_link='root' tip_link='b'/></group>"),
+            Texts{"g: a b"});
+  EXPECT_EQ(groupsOf("<group name='g'><chain base_link='b' tip_link='b'/></group>"), Texts{"g:"});
+}
+
+TEST(SrdfGroups, chainOverTwoBranches_holdsTheLinkWhereTheyMeet) {
+  EXPECT_EQ(groupsOf("<group name='g'><chain base_link='b' tip_link='y'/></group>"),
+            Texts{"g: root a b x y"});
+  EXPECT_EQ(groupsOf("<group name='g'><chain base_link='c' tip_link='a'/></group>"),
+            Texts{"g: a b c"});
+}
+
+TEST(SrdfGroups, subgroups_mayStandAfterAndInACircle) {
+  EXPECT_EQ(groupsOf("<group name='all'><group name='one'/><link name='x'/></group>"
+                     "<group name='one'><link name='a'/><group name='all'/></group>"),
+            (Texts{"all: a x", "one: a x"}));
+}
+
+TEST(SrdfGroups, unknownMembers_areOneWarningAndLeftOut) {
+  EXPECT_EQ(groupsOf("<group name='g'><link name='a'/><link name='q'/><joint name='aq'/>"
+                     "<group name='h'/><chain base_link='a' tip_link='z'/></group>"),
+            (Texts{"g: a",
+                   "test.urdf (SRDF): groups with unknown members: group 'h', joint 'aq', link "
+                   "'q' and link 'z'; accepted: names of the URDF and of groups; these members "
+                   "are left out"}));
+}
+
 TEST(SrdfReader, srdfWithoutPairs_isFine) {
   const ReadSrdf srdf = read(robotXml("<group name='arm'/>"));
   EXPECT_TRUE(srdf.errors.empty());
