@@ -22,7 +22,8 @@ fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 # Debian's packages; where /opt/ros/noetic is sourced, ROS itself comes from there.
 library_packages=(
   build-essential cmake ninja-build pkg-config
-  libeigen3-dev libassimp-dev libqhull-dev libtinyxml2-dev libboost-all-dev
+  libeigen3-dev libassimp-dev libqhull-dev libtinyxml2-dev libyaml-cpp-dev libssl-dev
+  libboost-all-dev
   libcli11-dev libfcl-dev
   python3-yaml
 )

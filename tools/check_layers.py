@@ -28,6 +28,8 @@ RESERVED = {
     re.compile(r"^(geometry|sensor|std|visualization)_(msgs|srvs)/"): {"ros_edge"},
     re.compile(r"^assimp/"): {"model"},
     re.compile(r"^tinyxml2\.h$"): {"model"},
+    re.compile(r"^yaml-cpp/"): {"model"},
+    re.compile(r"^openssl/"): {"pipeline"},
     re.compile(r"^libqhull"): {"geometry"},
     re.compile(r"^fcl/"): set(),
 }

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision_monitor/model/srdf_reader.h"
+#include "model/place.h"
+
+namespace collision_monitor {
+
+/// Whether the whole name fits a pattern: * stands for any characters, also none, ? for one.
+bool matches(const std::string& pattern, const std::string& name);
+
+/// The link's name without its robot's prefix.
+std::string urdfNameOf(const RobotModel& model, LinkId link);
+
+/// Links whose name in messages or in the URDF fits.
+std::vector<LinkId> findMatching(const std::string& pattern, const RobotModel& model);
+
+/// Links of every group of this name, which may have the robot's prefix before it; nothing
+/// where no SRDF has such a group.
+std::optional<std::vector<LinkId>> findGroup(const std::string& name, const RobotModel& model,
+                                             const std::vector<SrdfPairs>& srdfs);
+
+/// "'arm' and 'hand'", for messages; a few of them where there are many.
+std::string groupNames(const std::vector<SrdfPairs>& srdfs);
+std::string linkNames(const RobotModel& model);
+
+}  // namespace collision_monitor
