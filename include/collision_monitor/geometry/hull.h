@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "collision_monitor/geometry/triangle_mesh.h"
+
+namespace collision_monitor {
+
+/// The convex hull of points as a solid: its corners, its faces, its edges and the graph they make.
+///
+/// Built once; queries neither allocate nor throw and may run at the same time.
+/// Frames: that of the points. Units: metres.
+/// Limits: flat hulls are legal and have two opposite faces, collinear and coincident points too
+/// and have none; see convexHullOf.
+class ConvexHull {
+ public:
+  /// The solid lies where normal . x <= offset; every vertex does, in floating point too.
+  struct Face {
+    Eigen::Vector3d normal;  ///< unit, outward
+    double offset;
+  };
+
+  /// Between two faces that are not in one plane.
+  struct Edge {
+    std::uint32_t from, to;     ///< vertices
+    std::uint32_t left, right;  ///< faces, seen from outside along the edge
+  };
+
+  /// @throws std::invalid_argument when there is no point or one is not finite.
+  explicit ConvexHull(const std::vector<Eigen::Vector3d>& points);
+
+  const std::vector<Eigen::Vector3d>& vertices() const noexcept { return vertices_; }
+  const std::vector<Face>& faces() const noexcept { return faces_; }
+  const std::vector<Edge>& edges() const noexcept { return edges_; }
+  bool hasVolume() const noexcept { return has_volume_; }
+
+  /// Radius about the origin of the frame that holds the hull.
+  double boundingRadius() const noexcept { return bounding_radius_; }
+
+  /// Index of a vertex that is farthest in `direction` (need not be unit). `start` is a vertex
+  /// to begin at; the last answer for a similar direction makes the climb short.
+  ///
+  /// Error: large hulls climb from neighbour to neighbour, which rounding may stop short of the
+  /// farthest vertex by about 1e-10 of the hull's extent; small hulls, and those with edges so
+  /// short that it could be more, look at every vertex.
+  /// Source: Gilbert, Foo, "Computing the distance between general convex objects in
+  /// three-dimensional space" (1990), and Cameron, "Enhancing GJK" (1997), for climbing.
+  /// @pre `start` names a vertex.
+  std::uint32_t supportVertex(const Eigen::Vector3d& direction,
+                              std::uint32_t start) const noexcept {
+    return climbs_ ? climb(direction, start) : lookAtAll(direction);
+  }
+
+ private:
+  std::uint32_t climb(const Eigen::Vector3d& direction, std::uint32_t start) const noexcept;
+  std::uint32_t lookAtAll(const Eigen::Vector3d& direction) const noexcept;
+
+  std::vector<Eigen::Vector3d> vertices_;
+  std::vector<Face> faces_;
+  std::vector<Edge> edges_;
+  // The neighbours of vertex i are neighbours_[first_neighbour_[i]] up to the next one's first.
+  std::vector<std::uint32_t> first_neighbour_;
+  std::vector<std::uint32_t> neighbours_;
+  double bounding_radius_{0.0};
+  bool has_volume_{false};
+  bool climbs_{false};
+};
+
+}  // namespace collision_monitor

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+/// Memory of the searches for the distance of two convex cores: plain data of fixed size, so that
+/// no search allocates.
+namespace collision_monitor {
+
+/// A point of the difference B - A, and where it comes from.
+struct SupportVertex {
+  Eigen::Vector3d difference{Eigen::Vector3d::Zero()};  ///< on_b - on_a, in A's frame
+  Eigen::Vector3d on_a{Eigen::Vector3d::Zero()};        ///< in A's frame
+  Eigen::Vector3d on_b{Eigen::Vector3d::Zero()};        ///< in B's frame
+};
+
+/// What the last search of a pair found: points of A and B whose differences were nearest to the
+/// origin, and the vertices where the hulls were last climbed. It may be stale, never wrong.
+struct ConvexWarmStart {
+  std::array<Eigen::Vector3d, 4> on_a;  ///< in A's frame
+  std::array<Eigen::Vector3d, 4> on_b;  ///< in B's frame
+  std::uint32_t size{0};
+  std::uint32_t vertex_of_a{0};  ///< of a hull; 0 for other cores
+  std::uint32_t vertex_of_b{0};
+};
+
+/// A polytope inside of the difference B - A, grown by EPA until a face of it is one of the
+/// difference's own.
+struct ConvexWorkspace {
+  static constexpr std::size_t kMaxVertices = 512;
+  static constexpr std::size_t kMaxFaces = 2 * kMaxVertices;
+
+  struct Face {
+    Eigen::Vector3d normal;  ///< unit, outward
+    double offset;           ///< normal . x of the face's plane
+    std::array<std::uint16_t, 3> corners;
+    std::array<std::uint16_t, 3> neighbours;  ///< across the edge from corner k to corner k + 1
+    bool is_visible;
+    bool is_gone;
+  };
+
+  std::array<SupportVertex, kMaxVertices> vertices;
+  std::array<Face, kMaxFaces> faces;
+  std::array<double, kMaxFaces> keys;  ///< what a face says of the depth; infinity: none, or gone
+  std::size_t vertex_count{0};
+  std::size_t face_count{0};
+  std::array<std::uint16_t, kMaxFaces> free_faces;
+  std::size_t free_count{0};
+  std::array<std::uint16_t, kMaxFaces> visible;       ///< stack and list of one growth
+  std::array<std::uint16_t, kMaxVertices> face_from;  ///< by vertex: the new face that starts there
+};
+
+}  // namespace collision_monitor

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/hull_faces.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace collision_monitor {
+namespace {
+
+constexpr double kFlat = 1e-13;  // of the extent: corners this near to a plane lie in it
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
+using TriangleOfEdge = std::map<DirectedEdge, std::uint32_t>;
+
+Eigen::Vector3d crossOf(const TriangleMesh& mesh, std::uint32_t triangle) {
+  const auto& corners = mesh.triangles[triangle];
+  const Eigen::Vector3d& a = mesh.vertices[corners[0]];
+  return (mesh.vertices[corners[1]] - a).cross(mesh.vertices[corners[2]] - a);
+}
+
+TriangleOfEdge mapEdges(const TriangleMesh& mesh) {
+  TriangleOfEdge triangle_of;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& corners = mesh.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      triangle_of[{corners[k], corners[(k + 1) % 3]}] = t;
+    }
+  }
+  return triangle_of;
+}
+
+ConvexHull::Face supportingFace(const TriangleMesh& mesh, const Eigen::Vector3d& normal) {
+  ConvexHull::Face face{normal, -std::numeric_limits<double>::infinity()};
+  for (const auto& vertex : mesh.vertices) {
+    face.offset = std::max(face.offset, normal.dot(vertex));
+  }
+  return face;
+}
+
+bool liesIn(const ConvexHull::Face& face, const TriangleMesh& mesh, std::uint32_t triangle,
+            double slack) {
+  // A flat hull has two faces in one plane.
+  const auto& corners = mesh.triangles[triangle];
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](std::uint32_t corner) {
+                       return face.normal.dot(mesh.vertices[corner]) >= face.offset - slack;
+                     }) &&
+         crossOf(mesh, triangle).dot(face.normal) >= 0.0;
+}
+
+// Gives every triangle in the plane of `face` that is reached from `seed` the number `id`.
+void floodFace(const TriangleMesh& mesh, const TriangleOfEdge& triangle_of, std::uint32_t seed,
+               const ConvexHull::Face& face, double slack, std::uint32_t id,
+               std::vector<std::uint32_t>& face_of) {
+  std::vector<std::uint32_t> open{seed};
+  face_of[seed] = id;
+  while (!open.empty()) {
+    const auto corners = mesh.triangles[open.back()];
+    open.pop_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto next = triangle_of.find({corners[(k + 1) % 3], corners[k]});
+      if (next != triangle_of.end() && face_of[next->second] == kNone &&
+          liesIn(face, mesh, next->second, slack)) {
+        face_of[next->second] = id;
+        open.push_back(next->second);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+HullFaces gatherFaces(const TriangleMesh& mesh, double extent) {
+  HullFaces gathered;
+  const TriangleOfEdge triangle_of = mapEdges(mesh);
+  std::vector<double> areas(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < areas.size(); ++t) {
+    areas[t] = crossOf(mesh, t).norm();
+  }
+  std::vector<std::uint32_t> order(areas.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
+  std::vector<std::uint32_t> face_of(areas.size(), kNone);
+  for (const std::uint32_t seed : order) {
+    if (face_of[seed] == kNone && areas[seed] > 0.0) {
+      const auto id = static_cast<std::uint32_t>(gathered.faces.size());
+      gathered.faces.push_back(supportingFace(mesh, crossOf(mesh, seed) / areas[seed]));
+      floodFace(mesh, triangle_of, seed, gathered.faces.back(), kFlat * extent, id, face_of);
+    }
+  }
+  for (const auto& [edge, triangle] : triangle_of) {
+    const auto other = triangle_of.find({edge.second, edge.first});
+    if (edge.first < edge.second && other != triangle_of.end()) {
+      const std::uint32_t left = face_of[triangle];
+      const std::uint32_t right = face_of[other->second];
+      if (left != right && left != kNone && right != kNone) {
+        gathered.edges.push_back({edge.first, edge.second, left, right});
+      }
+    }
+  }
+  return gathered;
+}
+
+}  // namespace collision_monitor

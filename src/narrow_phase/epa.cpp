@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "narrow_phase/epa.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "narrow_phase/core_distance.h"
+#include "narrow_phase/polytope.h"
+
+namespace collision_monitor {
+namespace {
+
+using Face = ConvexWorkspace::Face;
+
+SupportVertex farthestAlong(const Eigen::Vector3d& direction, ConvexPair& pair) noexcept {
+  return leastAlong(-direction, pair);
+}
+
+// Four points of the difference, as far from each other's span as its support goes.
+struct Tetrahedron {
+  std::array<SupportVertex, 4> corners;
+  int size{0};
+  Eigen::Vector3d across{Eigen::Vector3d::UnitX()};  ///< unit, perpendicular to what they span
+};
+
+// Adds the support point farthest from the span of those there, which `distance` measures, if it
+// is off the span by more than rounding.
+template <class Distance>
+bool addFarthest(const std::array<Eigen::Vector3d, 3>& directions, const Distance& distance,
+                 ConvexPair& pair, Tetrahedron& found) noexcept {
+  double farthest = 8.0 * roundingOf(pair);
+  const int before = found.size;
+  for (const Eigen::Vector3d& direction : directions) {
+    for (const double sign : {1.0, -1.0}) {
+      const SupportVertex vertex = farthestAlong(sign * direction, pair);
+      const double away = distance(vertex.difference);
+      if (away > farthest) {
+        farthest = away;
+        found.corners[static_cast<std::size_t>(before)] = vertex;
+        found.size = before + 1;
+      }
+    }
+  }
+  return found.size > before;
+}
+
+// False when the difference has no volume; `across` is then a direction in which it is flat.
+bool span(ConvexPair& pair, Tetrahedron& found) noexcept {
+  const auto point = [&](std::size_t i) -> const Eigen::Vector3d& {
+    return found.corners[i].difference;
+  };
+  if (found.size == 1) {
+    const auto away = [&](const Eigen::Vector3d& p) { return (p - point(0)).norm(); };
+    if (!addFarthest({Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()},
+                     away, pair, found)) {
+      return false;
+    }
+  }
+  if (found.size == 2) {
+    const Eigen::Vector3d along = (point(1) - point(0)).normalized();
+    found.across = perpendicularTo(along);
+    const auto away = [&](const Eigen::Vector3d& p) { return along.cross(p - point(0)).norm(); };
+    const Eigen::Vector3d other = along.cross(found.across);
+    if (!addFarthest({found.across, other, (found.across + other) * std::sqrt(0.5)}, away, pair,
+                     found)) {
+      return false;
+    }
+  }
+  if (found.size == 3) {
+    found.across = (point(1) - point(0)).cross(point(2) - point(0)).normalized();
+    const auto away = [&](const Eigen::Vector3d& p) {
+      return std::abs(found.across.dot(p - point(0)));
+    };
+    return addFarthest({found.across, found.across, found.across}, away, pair, found);
+  }
+  return true;
+}
+
+Penetration flatContact(const Simplex& simplex, const Eigen::Vector3d& across) noexcept {
+  Penetration flat;
+  flat.depth = 0.0;
+  flat.outward = across;
+  flat.on_a = simplex.pointOnA();
+  flat.on_b = simplex.pointOnB();
+  flat.is_settled = true;
+  return flat;
+}
+
+std::size_t nearestFace(const ConvexWorkspace& polytope) noexcept {
+  const auto first = polytope.keys.begin();
+  const auto last = first + static_cast<std::ptrdiff_t>(polytope.face_count);
+  return static_cast<std::size_t>(std::min_element(first, last) - first);
+}
+
+// Rounding may call for a vertex that is there already.
+bool isVertex(const SupportVertex& vertex, const ConvexWorkspace& polytope) noexcept {
+  const auto last = polytope.vertices.begin() + static_cast<std::ptrdiff_t>(polytope.vertex_count);
+  return std::any_of(polytope.vertices.begin(), last, [&](const SupportVertex& known) {
+    return known.difference == vertex.difference;
+  });
+}
+
+// Grows until the bounds meet.
+void refine(ConvexPair& pair, ConvexWorkspace& polytope, Penetration& best) noexcept {
+  const double tolerance = toleranceOf(pair);
+  // A vertex beyond this is new for sure.
+  const double certain = 1e-9 * pair.size;
+  for (;;) {
+    const std::size_t nearest = nearestFace(polytope);
+    if (polytope.keys[nearest] >= best.depth - tolerance) {
+      best.is_settled = true;
+      return;
+    }
+    const Face& face = polytope.faces[nearest];
+    const SupportVertex vertex = farthestAlong(face.normal, pair);
+    const double plane = face.normal.dot(vertex.difference);
+    if (plane < best.depth) {
+      best.depth = plane;
+      best.outward = face.normal;
+    }
+    const double beyond = plane - face.offset;
+    if (beyond <= tolerance || (beyond < certain && isVertex(vertex, polytope))) {
+      polytope.keys[nearest] = plane;
+      continue;
+    }
+    const Growth growth = grow(vertex, nearest, roundingOf(pair), polytope);
+    if (growth == Growth::full) {
+      return;
+    }
+    if (growth == Growth::refused) {
+      polytope.keys[nearest] = plane;
+    }
+  }
+}
+
+// Weights of the corners at the foot of the perpendicular from the origin, none negative.
+Eigen::Vector3d weightsOf(const Face& face, const ConvexWorkspace& polytope) noexcept {
+  const Eigen::Vector3d& p = polytope.vertices[face.corners[0]].difference;
+  const Eigen::Vector3d first = polytope.vertices[face.corners[1]].difference - p;
+  const Eigen::Vector3d second = polytope.vertices[face.corners[2]].difference - p;
+  const Eigen::Vector3d normal = first.cross(second);
+  const double squared = normal.squaredNorm();
+  if (!(squared > 0.0)) {
+    return Eigen::Vector3d::Constant(1.0 / 3.0);
+  }
+  const double u = -p.cross(second).dot(normal) / squared;
+  const double v = -first.cross(p).dot(normal) / squared;
+  const Eigen::Vector3d weights = Eigen::Vector3d(1.0 - u - v, u, v).cwiseMax(0.0);
+  return weights / weights.sum();
+}
+
+// Of the faces in the plane that was found, the foot of the perpendicular lies in one: the one
+// whose weighed corners come nearest to it.
+void findPoints(const ConvexWorkspace& polytope, Penetration& best) noexcept {
+  const Eigen::Vector3d foot = best.depth * best.outward;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t f = 0; f < polytope.face_count; ++f) {
+    const Face& face = polytope.faces[f];
+    if (face.is_gone || face.normal.dot(best.outward) < 0.9) {
+      continue;
+    }
+    const Eigen::Vector3d weights = weightsOf(face, polytope);
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    Eigen::Vector3d on_a = Eigen::Vector3d::Zero();
+    Eigen::Vector3d on_b = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const SupportVertex& corner = polytope.vertices[face.corners[k]];
+      const double weight = weights[static_cast<Eigen::Index>(k)];
+      point += weight * corner.difference;
+      on_a += weight * corner.on_a;
+      on_b += weight * corner.on_b;
+    }
+    const double defect = (point - foot).squaredNorm();
+    if (defect < least) {
+      least = defect;
+      best.on_a = on_a;
+      best.on_b = on_b;
+    }
+  }
+}
+
+}  // namespace
+
+Penetration searchDepth(ConvexPair& pair, const Simplex& simplex,
+                        ConvexWorkspace& polytope) noexcept {
+  Tetrahedron start;
+  start.corners = simplex.vertices;
+  start.size = simplex.size;
+  if (!span(pair, start)) {
+    return flatContact(simplex, start.across);
+  }
+  startPolytope(start.corners, polytope);
+  Penetration best;
+  refine(pair, polytope, best);
+  findPoints(polytope, best);
+  return best;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "narrow_phase/search_cores.h"
+
+#include <algorithm>
+
+#include "narrow_phase/core_distance.h"
+#include "narrow_phase/distance_parallel_axes.h"
+#include "narrow_phase/epa.h"
+#include "narrow_phase/gjk.h"
+
+namespace collision_monitor {
+namespace {
+
+// Bounds nearer than this count as one value: what convex_distance.h promises, and for larger
+// sizes what doubles leave of it.
+double promiseApart(const ConvexPair& pair) noexcept { return 1e-9 + 1e-11 * pair.size; }
+
+ConvexDistance answer(double distance, const Eigen::Vector3d& normal,
+                      const Eigen::Vector3d& point_on_a, DistanceQuality quality) noexcept {
+  return {{distance, point_on_a, point_on_a + distance * normal, normal}, quality};
+}
+
+ConvexDistance answerApart(const ConvexPair& pair, const GjkResult& found) noexcept {
+  const Simplex& simplex = found.simplex;
+  if (simplex.distance - found.lower <= promiseApart(pair)) {
+    return answer(simplex.distance, found.lower_direction, simplex.pointOnA(),
+                  DistanceQuality::exact);
+  }
+  return answer(found.lower, found.lower_direction, simplex.pointOnA(),
+                DistanceQuality::lower_bound);
+}
+
+ConvexDistance answerOverlap(ConvexPair& pair, const GjkResult& found,
+                             ConvexWorkspace& workspace) noexcept {
+  const Penetration deep = searchDepth(pair, found.simplex, workspace);
+  return answer(-deep.depth, -deep.outward, deep.on_a,
+                deep.is_settled ? DistanceQuality::exact : DistanceQuality::lower_bound);
+}
+
+bool isPoint(const ConvexCore& core) noexcept {
+  return core.kind == ConvexCore::Kind::box && core.half_extents.isZero(0.0);
+}
+
+// The nearest face is the way out. `point` in the frame of the hull, which is B.
+ConvexDistance pointInHull(const Eigen::Vector3d& point, const ConvexHull& hull) noexcept {
+  double distance = -std::numeric_limits<double>::infinity();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
+  for (const ConvexHull::Face& face : hull.faces()) {
+    const double beyond = face.normal.dot(point) - face.offset;
+    if (beyond > distance) {
+      distance = beyond;
+      normal = face.normal;
+    }
+  }
+  return answer(distance, -normal, point, DistanceQuality::exact);
+}
+
+bool holdsPoint(const ConvexCore& hull, const ConvexCore& point) noexcept {
+  return hull.kind == ConvexCore::Kind::hull && hull.hull->hasVolume() && isPoint(point);
+}
+
+}  // namespace
+
+ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept {
+  ConvexDistance closed{SignedDistance{}, DistanceQuality::exact};
+  if (distanceOfParallelAxes(pair, closed.measured)) {
+    return closed;
+  }
+  const GjkResult found = searchNearest(pair, search.warm, search.enough);
+  keepWarm(found, pair, search.warm);
+  const bool is_apart =
+      found.state != GjkResult::State::overlapping && found.lower > touchingDistance(pair);
+  if (is_apart || found.state == GjkResult::State::settled) {
+    return answerApart(pair, found);
+  }
+  if (holdsPoint(pair.b, pair.a)) {
+    closed = pointInHull(inverse(pair.a_from_b).translation, *pair.b.hull);
+    closed.measured = placed(pair.a_from_b, closed.measured);
+    return closed;
+  }
+  if (holdsPoint(pair.a, pair.b)) {
+    closed = pointInHull(pair.a_from_b.translation, *pair.a.hull);
+    closed.measured = swapped(closed.measured);
+    return closed;
+  }
+  return answerOverlap(pair, found, search.workspace);
+}
+
+}  // namespace collision_monitor

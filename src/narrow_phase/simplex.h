@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <limits>
+
+#include "collision_monitor/narrow_phase/convex_workspace.h"
+
+namespace collision_monitor {
+
+/// Up to four points of the difference B - A, reduced to those that span the nearest point of
+/// their hull to the origin.
+struct Simplex {
+  std::array<SupportVertex, 4> vertices;
+  std::array<double, 4> weights;  ///< of the nearest point; positive, sum 1
+  int size{0};
+  bool contains_origin{false};
+  Eigen::Vector3d nearest{Eigen::Vector3d::Zero()};
+  double distance{std::numeric_limits<double>::infinity()};  ///< of `nearest`
+  /// Unit, from the origin to the nearest point. Where that is nearer than the feature is wide, it
+  /// is the feature's own normal, which is sharp however near the origin is.
+  Eigen::Vector3d normal{Eigen::Vector3d::UnitX()};
+
+  Eigen::Vector3d pointOnA() const noexcept;  ///< in A's frame
+  Eigen::Vector3d pointOnB() const noexcept;  ///< in B's frame
+};
+
+/// Adds a vertex, finds the new nearest point and drops what does not span it.
+///
+/// The point is chosen among all features that the new vertex takes part in by the length of
+/// what is really a combination of vertices, so that a sliver's wrong normal cannot pass for a
+/// short distance, and a step that brings nothing is seen as one.
+/// Source: Ericson, "Real-Time Collision Detection" (2005), section 5.1.5 and 9.5. Departs from it
+/// in comparing features instead of walking Voronoi regions, whose planes slivers spoil.
+/// @return false, with the simplex as it was, when the vertex brings nothing nearer.
+bool insert(const SupportVertex& vertex, Simplex& simplex) noexcept;
+
+}  // namespace collision_monitor

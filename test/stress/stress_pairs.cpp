@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+
+#include "support/convex_cases.h"
+
+// stress_pairs COUNT SEED: random and degenerate pairs of every two kinds of convex geometry, each
+// answer held to what proves it. Prints a table; exits 1 when an answer was NaN, inconsistent, or
+// claimed to be exact or a bound and was not by its own certificate.
+namespace collision_monitor::test {
+namespace {
+
+constexpr std::size_t kPool = 24;
+
+struct Tally {
+  long count{0};
+  long not_finite{0};
+  long bounds{0};  ///< lower bounds: searches that could not settle
+  long wrong{0};
+  double gap_error{0.0};     ///< exact answers against the gap along their own normal
+  double outside{0.0};       ///< of witness points, relative to sizes
+  double joined_error{0.0};  ///< point_on_b - point_on_a against distance * normal
+};
+
+double allowedError(double size) { return 1e-9 + 1e-11 * size; }
+
+bool isFiniteAnswer(const SignedDistance& found) {
+  return std::isfinite(found.distance) && found.point_on_a.allFinite() &&
+         found.point_on_b.allFinite() && found.normal_a_to_b.allFinite();
+}
+
+void judge(const PosedConvexPair& pair, const ConvexDistance& answer, Tally& tally) {
+  const SignedDistance& found = answer.measured;
+  ++tally.count;
+  if (!isFiniteAnswer(found)) {
+    ++tally.not_finite;
+    return;
+  }
+  const double size = extentOf(*pair.a) + extentOf(*pair.b) +
+                      (pair.world_from_b.translation - pair.world_from_a.translation).norm() + 10.0;
+  const ConvexCertificate proof = certify(pair, found);
+  const double joined =
+      (found.point_on_b - found.point_on_a - found.distance * found.normal_a_to_b).norm();
+  tally.joined_error = std::max(tally.joined_error, joined);
+  const bool is_exact = answer.quality == DistanceQuality::exact;
+  tally.bounds += is_exact ? 0 : 1;
+  const double error = std::abs(found.distance - proof.gap_along_normal);
+  const double outside = is_exact ? std::max({proof.a_outside, proof.b_outside, 0.0}) : 0.0;
+  tally.gap_error = std::max(tally.gap_error, error);
+  tally.outside = std::max(tally.outside, outside);
+  const double allowed = allowedError(size) + (found.distance < 0.0 ? 1e-7 : 0.0);
+  if (error > allowed || outside > allowed || joined > allowedError(size)) {
+    ++tally.wrong;
+    if (std::getenv("STRESS_PRINT") != nullptr &&
+        std::max({error, outside, joined}) > std::atof(std::getenv("STRESS_PRINT"))) {
+      std::printf("distance %.17g, gap %.17g, outside %.3g %.3g, quality %d\n%s", found.distance,
+                  proof.gap_along_normal, proof.a_outside, proof.b_outside,
+                  static_cast<int>(answer.quality), describe(pair).c_str());
+    }
+  }
+}
+
+struct Scene {
+  ConvexKind a;
+  ConvexKind b;
+  long count;
+  ConvexPoolRecipe recipe;
+};
+
+Tally run(const Scene& scene, Random& random) {
+  const auto pool_a = makeConvexPool(scene.a, kPool, scene.recipe, random);
+  const auto pool_b = makeConvexPool(scene.b, kPool, scene.recipe, random);
+  static ConvexWorkspace workspace;
+  Tally tally;
+  for (long i = 0; i < scene.count; ++i) {
+    const auto pick = static_cast<std::size_t>(i);
+    const PosedConvexPair pair =
+        placeConvexPair(pool_a[random() % kPool], pool_b[random() % kPool], kNearnesses[pick % 4],
+                        kAlignments[(pick / 4) % 3], random);
+    ConvexWarmStart warm;
+    ConvexSearch search{workspace, warm};
+    judge(pair,
+          signedDistanceBetween(*pair.a, pair.world_from_a, *pair.b, pair.world_from_b, search),
+          tally);
+  }
+  return tally;
+}
+
+int runAll(long count, std::uint64_t seed) {
+  Random random(seed);
+  const ConvexPoolRecipe recipes[] = {
+      {1e-3, 5.0, false}, {1e-3, 5.0, true}, {1e-6, 1e-3, true}, {1e-6, 1e3, true}};
+  constexpr const char* kNames[] = {"links", "degenerate", "tiny", "mixed"};
+  constexpr long kScenes = 4 * 27;
+  long faults = 0;
+  std::printf("%-24s %-10s %9s %7s %7s %7s %9s %9s %9s\n", "pair", "sizes", "count", "NaN",
+              "bounds", "wrong", "gap", "outside", "joined");
+  for (const ConvexKind a : kConvexKinds) {
+    for (const ConvexKind b : kConvexKinds) {
+      if (b < a || a == ConvexKind::half_space) {
+        continue;
+      }
+      for (std::size_t r = 0; r < 4; ++r) {
+        const Tally tally = run({a, b, std::max(1L, count / kScenes), recipes[r]}, random);
+        faults += tally.not_finite + tally.wrong;
+        std::printf("%-11s %-12s %-10s %9ld %7ld %7ld %7ld %9.1e %9.1e %9.1e\n", nameOf(a),
+                    nameOf(b), kNames[r], tally.count, tally.not_finite, tally.bounds, tally.wrong,
+                    tally.gap_error, tally.outside, tally.joined_error);
+      }
+    }
+  }
+  std::printf("%ld faults\n", faults);
+  return faults == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: stress_pairs COUNT SEED\n");
+    return 2;
+  }
+  return collision_monitor::test::runAll(std::atol(argv[1]),
+                                         static_cast<std::uint64_t>(std::atoll(argv[2])));
+}
