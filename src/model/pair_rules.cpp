@@ -19,10 +19,6 @@ std::optional<LinkId> parentOf(const RobotModel& model, LinkId link) {
   return joint ? std::optional<LinkId>(model.joint(*joint).parent) : std::nullopt;
 }
 
-bool hasGeometry(const RobotModel& model, LinkId link) {
-  return !model.link(link).collisions.empty();
-}
-
 /// For every link the first link of the rigid group it belongs to. Parents stand before children.
 std::vector<LinkId> findRigidGroups(const RobotModel& model) {
   std::vector<LinkId> group_of(model.links.size());
@@ -39,7 +35,7 @@ std::set<LinkIds> findAdjacent(const RobotModel& model) {
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const LinkId link = idAt<LinkId>(i);
     std::optional<LinkId> ancestor = parentOf(model, link);
-    while (ancestor && !hasGeometry(model, *ancestor)) {
+    while (ancestor && !hasShapes(model.link(*ancestor))) {
       ancestor = parentOf(model, *ancestor);
     }
     if (ancestor) {
@@ -122,17 +118,17 @@ bool isChecked(PairReason reason) noexcept {
 std::vector<LinkPair> decideLinkPairs(const RobotModel& model,
                                       const std::vector<SrdfPairs>& srdfs) {
   const Rules rules = gatherRules(model, srdfs);
-  std::vector<LinkId> with_geometry;
+  std::vector<LinkId> with_shapes;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    if (hasGeometry(model, idAt<LinkId>(i))) {
-      with_geometry.push_back(idAt<LinkId>(i));
+    if (hasShapes(model.links[i])) {
+      with_shapes.push_back(idAt<LinkId>(i));
     }
   }
   std::vector<LinkPair> pairs;
-  for (std::size_t i = 0; i < with_geometry.size(); ++i) {
-    for (std::size_t j = i + 1; j < with_geometry.size(); ++j) {
-      const LinkId a = with_geometry[i];
-      const LinkId b = with_geometry[j];
+  for (std::size_t i = 0; i < with_shapes.size(); ++i) {
+    for (std::size_t j = i + 1; j < with_shapes.size(); ++j) {
+      const LinkId a = with_shapes[i];
+      const LinkId b = with_shapes[j];
       pairs.push_back({a, b, decide(model, rules, a, b)});
     }
   }

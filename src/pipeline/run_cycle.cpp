@@ -22,7 +22,7 @@ void countUnknown(const CycleSetup& setup, const BodyPoses& body_poses,
   counters.unknown_links = 0;
   counters.unknown_pairs = 0;
   for (std::size_t link = 0; link < setup.model.links.size(); ++link) {
-    if (!setup.model.links[link].collisions.empty() && body_poses.link_known[link] == 0) {
+    if (hasShapes(setup.model.links[link]) && body_poses.link_known[link] == 0) {
       ++counters.unknown_links;
     }
   }

@@ -58,6 +58,10 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   SetupReport report;
   checkLimits(options.limits, report);
   checkLimit("padding", options.padding, 0.0, report);
+  checkLimit("target_overshoot", options.default_limits.target_overshoot, 0.0, report);
+  if (options.default_limits.max_shapes == 0) {
+    report.errors.push_back({"limits of fits, max_shapes", "0", "at least 1 shape a link"});
+  }
   if (robots.empty()) {
     report.errors.push_back({"robots", "none", "at least one robot description"});
   }
@@ -66,7 +70,11 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   throwIfErrors(report);
 
   const std::vector<SrdfPairs> srdfs = readSrdfs(robots, setup.model, report);
-  encloseLinks(options.padding, setup, report);
+  const FitSettings settings{options.default_limits, options.padding,
+                             readShapeRules(options.shape_rules, setup.model, srdfs, report),
+                             options.fit_cache};
+  throwIfErrors(report);
+  makeBodies(fitLinks(setup.model, settings, {}, report), setup);
   throwIfErrors(report);
 
   setup.link_pairs = decideLinkPairs(setup.model, srdfs);

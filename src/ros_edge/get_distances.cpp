@@ -29,7 +29,7 @@ LinkSet findLinks(const CycleSetup& setup, const std::vector<std::string>& names
     if (!link) {
       faults.push_back(std::string(field) + ": there is no link '" + name + "'" +
                        suggestion(name, known));
-    } else if (model.link(*link).collisions.empty()) {
+    } else if (!hasShapes(model.link(*link))) {
       faults.push_back(std::string(field) + ": link '" + name +
                        "' has no collision geometry; leave it out");
     } else {

@@ -51,7 +51,7 @@ void PoseReader::makeEdges() {
   // Children stand behind their parents.
   for (std::size_t i = edges_.size(); i-- > 0;) {
     const Link& link = model_.links[i];
-    edges_[i].is_needed = edges_[i].is_needed || !link.collisions.empty();
+    edges_[i].is_needed = edges_[i].is_needed || hasShapes(link);
     if (edges_[i].is_needed && link.parent_joint) {
       edges_[index(model_.joint(*link.parent_joint).parent)].is_needed = true;
     }

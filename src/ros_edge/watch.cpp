@@ -23,7 +23,7 @@ void findUnknownLinks(const Watch& watch, std::vector<LinkId>& links) {
   links.clear();
   const RobotModel& model = watch.setup().model;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    if (!model.links[i].collisions.empty() && watch.poses.status[i] != LinkStatus::known) {
+    if (hasShapes(model.links[i]) && watch.poses.status[i] != LinkStatus::known) {
       links.push_back(idAt<LinkId>(i));
     }
   }

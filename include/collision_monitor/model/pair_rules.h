@@ -21,14 +21,14 @@ enum class PairReason : unsigned char {
 const char* reasonText(PairReason reason) noexcept;
 bool isChecked(PairReason reason) noexcept;
 
-/// a < b; only links with geometry stand in pairs.
+/// a < b; only links with shapes stand in pairs.
 struct LinkPair {
   LinkId a{};
   LinkId b{};
   PairReason reason{PairReason::checked};
 };
 
-/// Every pair of links that have geometry, each with its reason, sorted by (a, b).
+/// Every pair of links that have shapes, each with its reason, sorted by (a, b).
 /// The first of these rules that says something decides:
 ///
 /// 1. Links of different robots are checked.

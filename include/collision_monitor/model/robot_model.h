@@ -58,7 +58,13 @@ struct Link {
   RobotId robot{};
   std::optional<JointId> parent_joint;  ///< none for a root
   std::vector<CollisionElement> collisions;
+  bool has_given_shapes{false};  ///< shapes that a rule gives, in place of those of `collisions`
 };
+
+/// Whether the link can touch anything: it has geometry, or shapes that a rule gives.
+inline bool hasShapes(const Link& link) noexcept {
+  return link.has_given_shapes || !link.collisions.empty();
+}
 
 struct Robot {
   std::string name;
@@ -70,7 +76,8 @@ struct Robot {
 
 /// Every robot that is watched, as one forest of links. Links and joints of a robot are
 /// contiguous and every parent stands before its children, so that one pass
-/// computes all poses. Built by readRobots and not changed after.
+/// computes all poses. Built by readRobots; buildSetup notes given
+/// shapes, and nothing changes after.
 struct RobotModel {
   std::vector<Robot> robots;
   std::vector<Link> links;

@@ -3,13 +3,15 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "collision_monitor/broad_phase/pair_table.h"
-#include "collision_monitor/fitting/enclose.h"
+#include "collision_monitor/fitting/fit_parts.h"
 #include "collision_monitor/model/pair_rules.h"
 #include "collision_monitor/model/robot_model.h"
+#include "collision_monitor/model/shape_rules.h"
 #include "collision_monitor/model/urdf_reader.h"
 
 namespace collision_monitor {
@@ -36,8 +38,9 @@ struct Body {
 /// What messages and reports say of a body; never read in a cycle.
 struct BodyLabel {
   std::string shape_name;  ///< unique within its link
-  Overshoot overshoot;
-  double widening{0.0};  ///< [m]
+  Overshoot overshoot;     ///< NaN for shapes that a rule gives: not measured
+  double widening{0.0};    ///< [m]
+  bool is_proven{true};    ///< false: given shapes of a link that may stick out of them
 };
 
 /// A pair of links that is checked.
@@ -72,7 +75,10 @@ struct CycleSetup {
 
 struct SetupOptions {
   Limits limits;
-  double padding{0.0};  ///< [m] added to the radius or extents of every shape, >= 0
+  double padding{0.0};                ///< [m] added to the radius or extents of every shape, >= 0
+  FitLimits default_limits{4, 0.01, {}};  ///< of links for which the rules say nothing else
+  ShapeRulesText shape_rules;
+  std::filesystem::path fit_cache;  ///< directory that keeps fits, empty for none
   bool ignore_default_overlap{
       true};  ///< for robots without SRDF: ignore pairs that overlap in the default pose
 };

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_monitor/fitting/fit_parts.h"
+
+namespace collision_monitor {
+
+/// Hash of everything that fits depend on: the version of the method, the geometries to the last
+/// bit, the limits. Where a geometry sits on its link does not matter.
+std::string fitKey(const std::vector<Geometry>& geometries, const FitLimits& limits);
+
+/// Fits of earlier set-ups, one file a link in a directory, and those of this set-up in memory.
+///
+/// Files are never trusted: what is damaged, of another version, or does not provably enclose
+/// the geometry is none, counted, and overwritten by what is fitted instead. They are written
+/// under another name and renamed, so that programs that start at once never see half a file.
+/// Any file may be deleted at any time.
+/// Limits: for one thread; other programs may use the directory at the same time.
+class FitCache {
+ public:
+  /// An empty directory means memory alone.
+  explicit FitCache(std::filesystem::path directory);
+
+  /// Fits of this set-up, by a key that was kept before.
+  const std::vector<Fit>* findRepeated(const std::string& key) const;
+
+  /// Fits from the directory, proven to enclose the geometries.
+  std::optional<std::vector<Fit>> load(const std::string& key,
+                                       const std::vector<Geometry>& geometries);
+
+  /// Keeps fits in memory, and in the directory if they are not from there.
+  void keep(const std::string& key, const std::vector<Fit>& fits, bool is_from_file);
+
+  /// Files that were there and of no use.
+  std::size_t rejectedCount() const { return rejected_count_; }
+  /// Why the directory could not be written, once; empty if it could.
+  const std::string& writeFault() const { return write_fault_; }
+
+ private:
+  std::filesystem::path fileOf(const std::string& key) const;
+  void write(const std::string& key, const std::vector<Fit>& fits);
+
+  std::filesystem::path directory_;
+  std::map<std::string, std::vector<Fit>> kept_;
+  std::size_t rejected_count_{0};
+  std::string write_fault_;
+};
+
+}  // namespace collision_monitor
