@@ -31,7 +31,7 @@ void sortByVolume(std::vector<InnerSegment>& segments) {
 class Inscriber {
  public:
   explicit Inscriber(const TriangleMesh& closed_surface) : bvh_(closed_surface) {
-    const Aabb& bounds = bvh_.nodes()[0].bounds;
+    const Aabb& bounds = bvh_.bounds();
     size_ = (bounds.max - bounds.min).norm();
     balls_ = separateBalls(medialBalls(bvh_, kSurfacePoints), kBalls);
   }

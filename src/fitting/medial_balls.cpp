@@ -95,7 +95,7 @@ std::optional<EmptyBall> emptyBallAt(const TriangleBvh& surface, const SurfacePo
 }  // namespace
 
 std::vector<EmptyBall> medialBalls(const TriangleBvh& surface, int count) {
-  const Aabb& bounds = surface.nodes()[0].bounds;
+  const Aabb& bounds = surface.bounds();
   const double largest = 0.5 * (bounds.max - bounds.min).minCoeff();
   std::vector<EmptyBall> balls;
   for (const auto& point : spreadOver(surface.triangles(), count)) {

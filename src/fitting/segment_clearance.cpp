@@ -3,11 +3,11 @@
 #include "fitting/segment_clearance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "collision_monitor/geometry/point_triangle.h"
+#include "geometry/visit_near.h"
 
 namespace collision_monitor {
 namespace {
@@ -18,7 +18,6 @@ using Triangle = TriangleBvh::Triangle;
 constexpr double kUnitRoundOff = 0.5 * std::numeric_limits<double>::epsilon();
 constexpr int kMaxCuts = 40;
 constexpr double kConverged = 1e-13;
-constexpr std::size_t kMaxDepth = 34;  // as in TriangleBvh
 
 /// A lower bound that is linear along the segment, by its values at both ends.
 struct Line {
@@ -68,47 +67,14 @@ double largestCoordinate(const Triangle& triangle, const Vector3d& a, const Vect
   return largest;
 }
 
-Aabb boundsOf(const Vector3d& a, const Vector3d& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
-
-double distanceBetween(const Aabb& a, const Aabb& b) {
-  return (a.min - b.max).cwiseMax(b.min - a.max).cwiseMax(0.0).norm();
-}
-
 /// The least of `enough` and the bounds of all triangles.
 double clearanceOfPiece(const TriangleBvh& mesh, const Vector3d& a, const Vector3d& b,
                         double enough) {
-  struct Waiting {
-    std::uint32_t node;
-    double distance;
-  };
-  const auto& nodes = mesh.nodes();
-  const Aabb bounds = boundsOf(a, b);
-  // A hair less than computed, so that no triangle is passed over by rounding.
-  const auto distanceTo = [&](std::uint32_t node) {
-    return distanceBetween(nodes[node].bounds, bounds) * (1.0 - 8.0 * kUnitRoundOff);
-  };
-  std::array<Waiting, kMaxDepth> stack;
-  std::size_t size = 0;
-  stack[size++] = {0, distanceTo(0)};
-  while (size > 0) {
-    const Waiting next = stack[--size];
-    if (next.distance >= enough) {
-      continue;
-    }
-    const auto& node = nodes[next.node];
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      enough = std::min(enough, clearanceBound(mesh.triangles()[i], a, b, enough));
-    }
-    if (node.count == 0) {
-      Waiting near{node.first, distanceTo(node.first)};
-      Waiting far{node.first + 1, distanceTo(node.first + 1)};
-      if (far.distance < near.distance) {
-        std::swap(near, far);
-      }
-      stack[size++] = far;
-      stack[size++] = near;
-    }
-  }
+  visitNear(mesh, unitQuery(mesh.unitFrame(), a.cwiseMin(b), a.cwiseMax(b)), enough,
+            [&](std::uint32_t triangle) {
+              enough = std::min(enough, clearanceBound(mesh.triangles()[triangle], a, b, enough));
+              return enough;
+            });
   return enough;
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
 namespace collision_monitor {
 namespace {
@@ -14,28 +15,35 @@ using Eigen::Vector3d;
 // nearer to every point of the triangle than that.
 constexpr double kSliver = 1e-20;
 
-/// The foot of the perpendicular from `point`, where it lies inside the triangle.
-/// As a weighted mean of the corners, so that it is on the triangle whatever the normal's error.
-bool footInside(const Vector3d& point, const Vector3d (&corners)[3], Vector3d& foot) {
+/// Where the foot of the perpendicular lies.
+struct Foot {
+  Vector3d point;
+  bool is_inside{false};
+  bool is_beyond[3] = {true, true, true};  ///< edge i, which is opposite to corner i
+};
+
+/// The foot is a weighted mean of the corners, so that it is on the triangle whatever the normal's
+/// error. When it is not inside, the nearest point is on an edge that it lies beyond.
+Foot footOf(const Vector3d& point, const Vector3d (&corners)[3]) {
+  Foot foot;
   const Vector3d ab = corners[1] - corners[0];
   const Vector3d ac = corners[2] - corners[0];
   const Vector3d normal = ab.cross(ac);
   const double longest_squared = std::max(ab.squaredNorm(), ac.squaredNorm());
   if (!(normal.squaredNorm() > kSliver * longest_squared * longest_squared)) {
-    return false;
+    return foot;
   }
   double weights[3];
   for (int i = 0; i < 3; ++i) {
     const Vector3d& from = corners[(i + 1) % 3];
     const Vector3d& to = corners[(i + 2) % 3];
     weights[i] = normal.dot((to - from).cross(point - from));
-    if (weights[i] < 0.0) {
-      return false;
-    }
+    foot.is_beyond[i] = weights[i] < 0.0;
   }
+  foot.is_inside = !foot.is_beyond[0] && !foot.is_beyond[1] && !foot.is_beyond[2];
   const double sum = weights[0] + weights[1] + weights[2];
-  foot = corners[0] + weights[1] / sum * ab + weights[2] / sum * ac;
-  return true;
+  foot.point = corners[0] + weights[1] / sum * ab + weights[2] / sum * ac;
+  return foot;
 }
 
 }  // namespace
@@ -54,16 +62,25 @@ Vector3d closestPointOnSegment(const Vector3d& point, const Vector3d& a,
 
 Vector3d closestPointOnTriangle(const Vector3d& point, const Vector3d& a, const Vector3d& b,
                                 const Vector3d& c) noexcept {
-  Vector3d foot;
-  if (footInside(point, {a, b, c}, foot)) {
-    return foot;
+  const Vector3d corners[3] = {a, b, c};
+  const Foot foot = footOf(point, corners);
+  if (foot.is_inside) {
+    return foot.point;
   }
-  const Vector3d candidates[3] = {closestPointOnSegment(point, a, b),
-                                  closestPointOnSegment(point, b, c),
-                                  closestPointOnSegment(point, c, a)};
-  return *std::min_element(candidates, candidates + 3, [&](const auto& p, const auto& q) {
-    return (p - point).squaredNorm() < (q - point).squaredNorm();
-  });
+  Vector3d nearest = a;
+  double least_squared = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    if (foot.is_beyond[i]) {
+      const Vector3d candidate =
+          closestPointOnSegment(point, corners[(i + 1) % 3], corners[(i + 2) % 3]);
+      const double squared = (candidate - point).squaredNorm();
+      if (squared < least_squared) {
+        least_squared = squared;
+        nearest = candidate;
+      }
+    }
+  }
+  return nearest;
 }
 
 }  // namespace collision_monitor

@@ -70,8 +70,8 @@ TEST(MeasureOvershoot, placedShape_isMeasuredWhereItIs) {
   const TriangleMesh box = boxMesh({0.5, 0.5, 0.5});
   PosedShape fit{Box{{0.5, 0.5, 0.5}}, {}};
   fit.geometry_from_body.translation = {3, 0, 0};
-  const Overshoot overshoot =
-      measureOvershoot(fit, TriangleBvh(moved(box, {}, {3, 0, 0})), {100, 0.0});
+  const Overshoot overshoot = measureOvershoot(
+      fit, TriangleBvh(moved(box, Eigen::Vector3d::Zero(), {3, 0, 0})), {100, 0.0});
   EXPECT_LT(overshoot.max, 1e-15);
   EXPECT_NEAR(measureOvershoot(fit, TriangleBvh(box), {100, 0.0}).max, 3.0, 1e-12);
 }

@@ -52,6 +52,16 @@ TEST(PointTriangle, needle_isNotMissed) {
   EXPECT_NEAR((found - Vector3d(1.0, 0.0, 0.0)).norm(), 0.0, 1e-9);
 }
 
+TEST(PointTriangle, obtuseTriangle_beyondTwoEdges_takesTheNearer) {
+  // Beyond the edges at the far corner b of a triangle that is obtuse in a.
+  const Vector3d b(4, 0, 0);
+  const Vector3d c(-3, 1, 0);
+  EXPECT_EQ(closestPointOnTriangle({4.5, 0.1, 1}, kA, b, c), b);
+  EXPECT_TRUE(closestPointOnTriangle({0.5, 2.5, 0}, kA, b, c)
+                  .isApprox(closestPointOnSegment({0.5, 2.5, 0}, b, c), 1e-14));
+  EXPECT_EQ(closestPointOnTriangle({-0.2, -1, 0}, kA, b, c), kA);
+}
+
 TEST(PointSegment, threeCases) {
   EXPECT_EQ(closestPointOnSegment({-1, 1, 0}, kA, kB), kA);
   EXPECT_EQ(closestPointOnSegment({3, 1, 0}, kA, kB), kB);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -72,18 +73,91 @@ TEST(TriangleBvh, meshWithoutTriangles_isItsVertices) {
   EXPECT_DOUBLE_EQ(bvh.nearestTo({4, 3, 0}).distance, std::sqrt(10.0));
 }
 
-TEST(TriangleBvh, everyNodeHoldsItsTriangles) {
-  const TriangleBvh bvh(randomSoup(333, 9));
-  std::size_t in_leaves = 0;
-  for (const auto& node : bvh.nodes()) {
-    in_leaves += node.count;
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      for (const auto& corner : bvh.triangles()[i]) {
-        EXPECT_EQ(squaredDistance(node.bounds, corner), 0.0);
+/// The largest distance at which a node's boxes miss a corner that is in them; counts the leaves.
+double worstMiss(const TriangleBvh& bvh, std::uint32_t id, std::size_t& leaves) {
+  const auto& node = bvh.nodes()[id];
+  double worst = 0.0;
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const auto l = static_cast<Eigen::Index>(lane);
+    if (!std::isfinite(node.low[0][l])) {
+      continue;  // no child
+    }
+    std::vector<std::uint32_t> below{node.child[lane]};
+    while (!below.empty()) {
+      const std::uint32_t child = below.back();
+      below.pop_back();
+      if ((child & TriangleBvh::Node::kLeaf) == 0) {
+        for (std::size_t i = 0; i < 4; ++i) {
+          if (std::isfinite(bvh.nodes()[child].low[0][static_cast<Eigen::Index>(i)])) {
+            below.push_back(bvh.nodes()[child].child[i]);
+          }
+        }
+        continue;
+      }
+      for (const auto& corner : bvh.triangles()[child - TriangleBvh::Node::kLeaf]) {
+        const Vector3d unit = (corner - bvh.unitFrame().centre) / bvh.unitFrame().scale;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double value = unit[static_cast<Eigen::Index>(k)];
+          worst = std::max({worst, node.low[k][l] - value, value - node.high[k][l]});
+        }
       }
     }
+    if ((node.child[lane] & TriangleBvh::Node::kLeaf) != 0) {
+      ++leaves;
+    } else {
+      worst = std::max(worst, worstMiss(bvh, node.child[lane], leaves));
+    }
   }
-  EXPECT_EQ(in_leaves, 333u);
+  return worst;
+}
+
+TEST(TriangleBvh, everyNodeHoldsItsTriangles) {
+  const TriangleBvh bvh(randomSoup(333, 9));
+  std::size_t leaves = 0;
+  EXPECT_EQ(worstMiss(bvh, 0, leaves), 0.0);
+  EXPECT_EQ(leaves, 333u);
+}
+
+TEST(TriangleBvh, trianglesInOnePlace_areAllFound) {
+  TriangleMesh mesh = randomSoup(1, 3);
+  mesh.triangles.assign(1000, mesh.triangles[0]);
+  const TriangleBvh bvh(mesh);
+  std::size_t leaves = 0;
+  EXPECT_EQ(worstMiss(bvh, 0, leaves), 0.0);
+  EXPECT_EQ(leaves, 1000u);
+}
+
+TEST(TriangleBvh, geometricSizes_stayWithinTheStack) {
+  // Each triangle is a tenth of the one before: splits by area take them off one by one.
+  TriangleMesh mesh;
+  double size = 1.0;
+  for (std::uint32_t i = 0; i < 90; ++i, size *= 0.1) {
+    mesh.vertices.insert(mesh.vertices.end(), {{size, 0, 0}, {size, size, 0}, {size, 0, size}});
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  const TriangleBvh bvh(mesh);
+  std::size_t leaves = 0;
+  EXPECT_EQ(worstMiss(bvh, 0, leaves), 0.0);
+  EXPECT_EQ(leaves, 90u);
+  EXPECT_NEAR(bvh.nearestTo({1e-3, 0, 0}).distance, 0.0, 1e-15);
+  EXPECT_NEAR(bvh.nearestTo({-1, 0, 0}).distance, 1.0, 1e-14);
+}
+
+TEST(TriangleBvh, anySizeAndPlace_givesTheSameDistances) {
+  const TriangleMesh soup = randomSoup(300, 21);
+  const TriangleBvh bvh(soup);
+  const Vector3d query(0.3, 1.4, -0.6);
+  const double expected = bvh.nearestTo(query).distance;
+  for (const double scale : {1e-160, 1e-30, 1e-6, 1e6, 1e30, 1e99}) {
+    TriangleMesh mesh = soup;
+    for (auto& vertex : mesh.vertices) {
+      vertex *= scale;
+    }
+    // Below 1e-154 m squares underflow.
+    const double tolerance = scale < 1e-150 ? 1e-150 : 1e-12 * scale;
+    EXPECT_NEAR(TriangleBvh(mesh).nearestTo(scale * query).distance, scale * expected, tolerance);
+  }
+  EXPECT_NEAR(bvh.nearestTo({1e90, 0, 0}).distance, 1e90, 1e76);
 }
 
 TEST(TriangleBvh, badInput_isAnErrorThatNamesThePlace) {
