@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "collision_monitor/geometry/mesh_tree.h"
+#include "collision_monitor/geometry/pose.h"
+#include "collision_monitor/geometry/shapes.h"
+#include "collision_monitor/narrow_phase/signed_distance.h"
+
+/// Exact questions about meshes: do they overlap, how far are they apart, and where?
+///
+/// A mesh is its surface, and the solid within if MeshTree::isClosed. Shapes are solid.
+/// Frames: answers in the world frame. Units: metres.
+/// Source: Larsen, Gottschalk, Lin, Manocha, "Fast Proximity Queries with Swept Sphere Volumes"
+/// (1999), for branch and bound over pairs of nodes; Johnson, Cohen, "A framework for efficient
+/// minimum distance computations" (1998), for starting from the last nearest pair.
+/// @pre rotations are orthonormal up to rounding. A pose with an entry that is not finite is
+/// legal: the answer is then MeshState::unknown.
+namespace collision_monitor {
+
+/// What an answer is worth.
+enum class MeshState : unsigned char {
+  exact,        ///< apart (or touching) by this distance, between these points
+  lower_bound,  ///< at least this far apart: a limit or the budget was reached; points mean nothing
+  overlapping,  ///< the distance is 0 or, for a shape's radius, a proven upper bound below it
+  unknown,      ///< a pose is not finite: nothing is known, and certainly not that they are apart
+};
+
+/// Two triangles, by position in their trees. Survives from one query to the next.
+struct TrianglePair {
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  std::uint32_t a{kNone};
+  std::uint32_t b{kNone};
+};
+
+struct MeshDistance {
+  MeshState state{MeshState::unknown};
+  SignedDistance measured;  ///< NaN-free in every state
+  TrianglePair nearest;     ///< kNone where none was found; a start for the next query
+  std::uint32_t visits{0};  ///< nodes opened and triangles measured
+};
+
+/// When a query may stop early. The defaults never do.
+struct MeshQueryLimits {
+  /// Farther apart is not measured: the answer is then lower_bound with this distance.
+  double stop_beyond{std::numeric_limits<double>::infinity()};
+  /// Nodes opened and triangles measured at most; after that the answer is what is proven.
+  std::uint32_t visit_budget{std::numeric_limits<std::uint32_t>::max()};
+};
+
+/// What a query needs to remember on its way. One for each thread; its content means nothing
+/// between queries. Large: keep it with the buffers of a cycle, not on a small stack.
+struct MeshQueryMemory {
+  /// Each opened node leaves seven others behind, on each level of both trees.
+  static constexpr std::size_t kCapacity = 7 * 2 * (MeshTree::kMaxLevels + 1) + 8;
+
+  struct Waiting {
+    float squared_bound;
+    std::uint32_t a;
+    std::uint32_t b;
+  };
+  std::array<Waiting, kCapacity> waiting;
+};
+
+/// A mesh and where it is.
+struct PlacedMesh {
+  const MeshTree& tree;
+  const Pose& world_from_mesh;
+};
+
+/// A shape of the core + radius family and where it is.
+struct PlacedShape {
+  const Shape& shape;
+  const Pose& world_from_shape;
+};
+
+/// True when surfaces touch or cross, or one closed mesh holds a point of the other.
+///
+/// Error: surfaces within 1e-14 of the size may be called either way.
+/// Limits: of a mesh of several parts, none of which crosses the other mesh, one part is tried for
+/// being inside it. Poses that are not finite give `true`: unknown is not clear.
+bool overlap(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory) noexcept;
+
+/// Distance of two meshes, 0 when they overlap (see penetrationOf in mesh_depth.h).
+///
+/// Error: for meshes up to 10 m, the distance is exact to 1e-9 m for triangles however thin and
+/// to some ulps for others; both points are on the surfaces.
+/// Limits: as overlap(). Meshes nearer than 1e-14 of their size are overlapping.
+/// @param start the nearest pair of an earlier query of the same meshes, or none. It changes the
+/// time and, of points equally near, which are found; never the distance.
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory,
+                             const TrianglePair& start = TrianglePair{},
+                             const MeshQueryLimits& limits = MeshQueryLimits{}) noexcept;
+
+/// Signed distance of a mesh (A) and a solid shape (B).
+///
+/// Sign: > 0 apart. < 0 overlapping: a bound, for no shorter way than its length takes the shape
+/// off the nearest point of the surface, or out of a closed mesh. If the core itself meets the
+/// surface, the bound is minus the radius. Error: of distances > 0 as for two meshes. Limits: a
+/// core inside a closed mesh is seen when the surface does not cross it.
+/// @param start of which `a` counts.
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedShape& b, MeshQueryMemory& memory,
+                             const TrianglePair& start = TrianglePair{},
+                             const MeshQueryLimits& limits = MeshQueryLimits{}) noexcept;
+
+}  // namespace collision_monitor

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+
+/// How a range of triangles is divided in two: the inner loop of building a MeshTree.
+namespace collision_monitor {
+
+/// Four numbers, of which three are used, so that they fill one register.
+using Array4 = Eigen::Array4f;
+
+/// A box that may be empty. Single precision: it decides how triangles are grouped and proves
+/// nothing.
+struct RoughBox {
+  Array4 low{Array4::Constant(std::numeric_limits<float>::max())};
+  Array4 high{Array4::Constant(-std::numeric_limits<float>::max())};
+
+  void include(const RoughBox& other) noexcept {
+    low = low.min(other.low);
+    high = high.max(other.high);
+  }
+  void include(const Array4& point) noexcept {
+    low = low.min(point);
+    high = high.max(point);
+  }
+  /// Half the surface; 0 if empty.
+  float area() const noexcept;
+};
+
+struct SplitItem {
+  RoughBox box;
+  std::uint32_t triangle;
+
+  Array4 doubledCenter() const noexcept { return box.low + box.high; }
+};
+
+/// A range of items and what the next division asks of it.
+struct SplitRange {
+  std::uint32_t first{0};
+  std::uint32_t count{0};
+  RoughBox box;
+  RoughBox centers;  ///< of the items' doubled centres
+};
+
+SplitRange makeRange(const SplitItem* items, std::uint32_t first, std::uint32_t count) noexcept;
+
+/// Reorders the items of `range` and divides it where the surface area heuristic is least among
+/// planes across the longest axis of the centres; in halves when all centres are equal or
+/// `by_count` asks for it.
+/// @pre range.count >= 2. Neither part is empty.
+void splitRange(SplitItem* items, const SplitRange& range, bool by_count, SplitRange& lower,
+                SplitRange& upper) noexcept;
+
+}  // namespace collision_monitor

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "collision_monitor/geometry/mesh_tree.h"
+#include "collision_monitor/geometry/pose.h"
+
+/// Lower bounds of distances between the children of a MeshTree and a bound in another frame, in
+/// single precision and still proven.
+namespace collision_monitor {
+
+/// One number for each child of a node.
+using Lanes = Eigen::Array<float, static_cast<int>(MeshTreeNode::kWidth), 1>;
+
+/// A box and a slab, both of which hold what is bounded, in the frame in which they were made.
+struct Bound {
+  Eigen::Vector3f center;
+  Eigen::Vector3f half;
+  Eigen::Vector3f normal;  ///< at most of unit length
+  float slab_center;
+  float slab_half;
+};
+
+/// A bound in the frame of the node it is held against.
+struct PlacedBound {
+  Eigen::Vector3f center;
+  Eigen::Matrix3f sides;  ///< columns: half edges of the box
+  Eigen::Vector3f reach;  ///< half extents of the box about `sides`, and the slack
+  Eigen::Vector3f normal;
+  float slab_center;
+  float slab_half;  ///< and the slack
+  float slack;      ///< [m] of two heights along one direction
+};
+
+/// The way from one tree's frame to another's, for bounds.
+struct BoundPlacement {
+  Eigen::Matrix3f rotation;
+  Eigen::Vector3f translation;
+  /// [m] Taken from every gap. With u = 2^-24 and no coordinate beyond S, a placed centre is off by
+  /// less than 12 u S, a sum of half extents by as much, a height along a normal (three products
+  /// of numbers that each are off by 12 u of their size, twice) by less than 80 u S.
+  float slack;
+};
+
+/// @param size bounds every coordinate that either frame will see: both radii and the way between.
+BoundPlacement makePlacement(const Pose& a_from_b, double size) noexcept;
+
+/// The bound that stands in a slot.
+Bound boundOf(const MeshTreeNode& node, std::uint32_t slot) noexcept;
+
+PlacedBound place(const BoundPlacement& placement, const Bound& bound) noexcept;
+
+/// Squared lower bounds of the distances between the children and `other`, [m^2]; 0 where they may
+/// touch, 1e36 for empty slots.
+/// @param order [m] the gaps along the lines of centres, negative where shadows overlap: which
+/// child to look at first, also among those that may touch.
+void squaredLowerBounds(const MeshTreeNode& node, const PlacedBound& other, Lanes& squared,
+                        Lanes& order) noexcept;
+
+}  // namespace collision_monitor

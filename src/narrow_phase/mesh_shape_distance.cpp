@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "narrow_phase/core_distance.h"
+#include "narrow_phase/mesh_inside.h"
+#include "narrow_phase/mesh_search.h"
+#include "narrow_phase/triangle_core.h"
+#include "narrow_phase/triangle_edges.h"
+
+namespace collision_monitor {
+namespace {
+
+using Eigen::Vector3d;
+
+// A mesh and a core, seen from the core.
+struct MeshAndCore {
+  const MeshTree& mesh;
+  Pose core_from_mesh;
+  CoreKind kind;
+  Vector3d half_extents;
+  double rounding;  // [m] a core this near touches the surface
+};
+
+struct Search {
+  PointPair best;  // the mesh is A
+  std::uint32_t nearest{TrianglePair::kNone};
+  std::uint32_t visits{0};
+  double squared_open{std::numeric_limits<double>::infinity()};  // least bound left unopened
+};
+
+PlacedBound boundOfCore(const MeshAndCore& pair) noexcept {
+  const Pose mesh_from_core = inverse(pair.core_from_mesh);
+  const Pose centered{mesh_from_core.rotation, mesh_from_core.translation - pair.mesh.center()};
+  const double size = pair.mesh.radius() + pair.half_extents.norm() + centered.translation.norm();
+  constexpr float kUp = 1.0F + 1e-6F;
+  const Eigen::Vector3f half = kUp * pair.half_extents.cast<float>();
+  return place(makePlacement(centered, size),
+               {Eigen::Vector3f::Zero(), half, {0.0F, 0.0F, 1.0F / kUp}, 0.0F, half.z()});
+}
+
+void measureTriangle(const MeshAndCore& pair, std::uint32_t triangle, Search& search) noexcept {
+  const Triangle& in_mesh = pair.mesh.triangles()[triangle];
+  const Triangle in_core = {pair.core_from_mesh * in_mesh[0], pair.core_from_mesh * in_mesh[1],
+                            pair.core_from_mesh * in_mesh[2]};
+  const double before = search.best.squared_distance;
+  search.best = nearestPoints(in_core, pair.kind, pair.half_extents, search.best);
+  if (search.best.squared_distance < before) {
+    search.nearest = triangle;
+  }
+}
+
+void searchNearest(const MeshAndCore& pair, std::uint32_t visit_budget, MeshQueryMemory& memory,
+                   Search& search) noexcept {
+  const PlacedBound core = boundOfCore(pair);
+  WaitingPairs waiting(memory);
+  waiting.push({0.0F, 0, 0});
+  while (!waiting.empty() && search.best.squared_distance > pair.rounding * pair.rounding) {
+    const MeshQueryMemory::Waiting next = waiting.pop();
+    const float limit = asLimit(search.best.squared_distance);
+    if (!(next.squared_bound < limit)) {
+      continue;
+    }
+    if (search.visits >= visit_budget) {
+      search.squared_open = waiting.leastBound(static_cast<double>(next.squared_bound));
+      return;
+    }
+    ++search.visits;
+    const std::uint32_t child = childOf(pair.mesh, next.a);
+    if (isTriangle(child)) {
+      measureTriangle(pair, triangleAt(child), search);
+      continue;
+    }
+    Lanes squared;
+    Lanes order;
+    squaredLowerBounds(pair.mesh.nodes()[child], core, squared, order);
+    waiting.pushNearer(squared, order, limit, [child](float bound, std::uint32_t slot) {
+      return MeshQueryMemory::Waiting{bound, (child << kSlotBits) + slot, 0};
+    });
+  }
+}
+
+// Cores: the mesh is A. A core inside the solid has the surface behind it, and the way out is
+// through the nearest point of it.
+SignedDistance coresOf(const MeshAndCore& pair, const Search& search, bool is_inside) noexcept {
+  const PointPair& best = search.best;
+  const double distance = std::sqrt(best.squared_distance);
+  if (distance > pair.rounding) {
+    const double sign = is_inside ? -1.0 : 1.0;
+    return {sign * distance, best.on_a, best.on_b, sign / distance * (best.on_b - best.on_a)};
+  }
+  const Vector3d normal = anyNormalOf(prepare(pair.mesh.triangles()[search.nearest]));
+  return {0.0, best.on_a, best.on_a, pair.core_from_mesh.rotation * normal};
+}
+
+bool isCoreInside(const MeshAndCore& pair, const Search& search, MeshQueryMemory& memory) noexcept {
+  return pair.mesh.isClosed() &&
+         isInside(pair.mesh, inverse(pair.core_from_mesh) * search.best.on_b, memory);
+}
+
+// @param radius of the shape about its core.
+void report(const MeshAndCore& pair, const Search& search, bool is_inside, double radius,
+            MeshDistance& answer) noexcept {
+  answer.nearest.a = search.nearest;
+  const bool is_complete = search.best.squared_distance <= search.squared_open;
+  const double core_distance =
+      std::sqrt(std::min(search.best.squared_distance, search.squared_open));
+  const bool meets = search.best.squared_distance <= radius * radius;
+  if (search.nearest != TrianglePair::kNone && (is_complete || (meets && !is_inside))) {
+    answer.measured = swept(coresOf(pair, search, is_inside), 0.0, radius);
+    answer.state = answer.measured.distance > 0.0 ? MeshState::exact : MeshState::overlapping;
+  } else if (is_inside) {
+    answer.measured.distance = -core_distance - radius;
+    answer.state = MeshState::overlapping;
+  } else {
+    answer.measured.distance = core_distance - radius;
+    answer.state = MeshState::lower_bound;
+  }
+}
+
+}  // namespace
+
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedShape& b, MeshQueryMemory& memory,
+                             const TrianglePair& start, const MeshQueryLimits& limits) noexcept {
+  MeshDistance answer;
+  if (!isFinite(a.world_from_mesh) || !isFinite(b.world_from_shape)) {
+    return answer;
+  }
+  const Pose core_from_mesh = inverse(b.world_from_shape) * a.world_from_mesh;
+  const double radius = radiusOf(b.shape);
+  const double size = a.tree.radius() + a.tree.center().norm() + core_from_mesh.translation.norm();
+  const MeshAndCore pair{a.tree, core_from_mesh, coreKindOf(b.shape), coreHalfExtents(b.shape),
+                         kTouchingShare * size};
+  Search search;
+  const double core_limit = std::max(limits.stop_beyond + radius, 0.0);
+  search.best.squared_distance = core_limit * core_limit;
+  if (start.a < a.tree.triangles().size()) {
+    measureTriangle(pair, start.a, search);
+  }
+  searchNearest(pair, limits.visit_budget, memory, search);
+  answer.visits = search.visits;
+  report(pair, search, isCoreInside(pair, search, memory), radius, answer);
+  answer.measured = placed(b.world_from_shape, answer.measured);
+  return answer;
+}
+
+}  // namespace collision_monitor

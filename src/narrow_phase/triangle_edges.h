@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "collision_monitor/geometry/triangle.h"
+#include "collision_monitor/narrow_phase/triangle_triangle.h"
+
+/// The pieces that every query about a triangle is made of. One frame for all; metres.
+namespace collision_monitor {
+
+/// An edge as start + t * along with 0 <= t <= 1. May have no length.
+struct Edge {
+  Eigen::Vector3d start;
+  Eigen::Vector3d along;
+  double squared_length;
+};
+
+inline Edge makeEdge(const Eigen::Vector3d& start, const Eigen::Vector3d& end) noexcept {
+  const Eigen::Vector3d along = end - start;
+  return {start, along, along.squaredNorm()};
+}
+
+/// A triangle with what its queries share: its longest edge is the base, which the foot of the
+/// apex divides at `apex_parameter`. Needles keep their precision so: base and height are known
+/// well also where the other edges are nearly parallel to the base.
+struct PreparedTriangle {
+  Triangle corners;
+  Edge edges[3];  ///< edge i runs from corner i to corner i + 1
+  Edge base;
+  Eigen::Vector3d apex;
+  double apex_parameter;
+  Eigen::Vector3d normal;  ///< unit; 0 for a triangle too thin to have a plane
+
+  bool hasPlane() const noexcept { return normal.squaredNorm() > 0.0; }
+};
+
+PreparedTriangle prepare(const Triangle& triangle) noexcept;
+
+/// Replaces `best` by the nearest points of two edges if they are nearer.
+void improveByEdges(const Edge& a, const Edge& b, PointPair& best) noexcept;
+
+/// Replaces `best` by `point` and its foot on the triangle, if they are nearer. The triangle is A.
+/// The foot is the nearest point where that is inside the triangle; what is nearest to its
+/// boundary is left to the edges.
+void improveByFace(const PreparedTriangle& triangle, const Eigen::Vector3d& point,
+                   PointPair& best) noexcept;
+
+/// Replaces `best` by the point where a straight line passes through the plane and its foot on the
+/// triangle, if they are nearer. The triangle is A.
+void improveByPiercing(const PreparedTriangle& triangle, const Eigen::Vector3d& from,
+                       const Eigen::Vector3d& to, PointPair& best) noexcept;
+
+/// Signed height over the triangle's plane; 0 if it has none.
+inline double heightOver(const PreparedTriangle& triangle, const Eigen::Vector3d& point) noexcept {
+  return triangle.normal.dot(point - triangle.corners[0]);
+}
+
+/// The triangle's normal, or any unit vector where it has no plane.
+inline Eigen::Vector3d anyNormalOf(const PreparedTriangle& triangle) noexcept {
+  return triangle.hasPlane() ? triangle.normal : Eigen::Vector3d(Eigen::Vector3d::UnitX());
+}
+
+}  // namespace collision_monitor

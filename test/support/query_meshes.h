@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/geometry/triangle_mesh.h"
+#include "support/random_poses.h"
+
+/// Meshes for tests of mesh queries that no simpler test would break.
+namespace collision_monitor::test {
+
+/// A closed body with hills and hollows, `length` [m] long along x, 0.7 of it across.
+TriangleMesh bumpyMesh(double length, int sectors);
+
+/// Triangles without order: `count` of them, with needles, segments and points among them.
+TriangleMesh triangleSoup(double reach, int count, Random& random);
+
+}  // namespace collision_monitor::test
