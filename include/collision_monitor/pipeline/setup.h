@@ -75,7 +75,7 @@ struct CycleSetup {
 
 struct SetupOptions {
   Limits limits;
-  double padding{0.0};                ///< [m] added to the radius or extents of every shape, >= 0
+  double padding{0.0};  ///< [m] added to the radius or extents of every shape, >= 0
   FitLimits default_limits{4, 0.01, {}};  ///< of links for which the rules say nothing else
   ShapeRulesText shape_rules;
   std::filesystem::path fit_cache;  ///< directory that keeps fits, empty for none
