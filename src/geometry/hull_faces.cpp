@@ -16,7 +16,8 @@ constexpr double kFlat = 1e-13;  // of the extent: corners this near to a plane 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
-using TriangleOfEdge = std::map<DirectedEdge, std::uint32_t>;
+// The diagonals of a flat hull belong to a triangle on either side.
+using TriangleOfEdge = std::multimap<DirectedEdge, std::uint32_t>;
 
 Eigen::Vector3d crossOf(const TriangleMesh& mesh, std::uint32_t triangle) {
   const auto& corners = mesh.triangles[triangle];
@@ -29,7 +30,7 @@ TriangleOfEdge mapEdges(const TriangleMesh& mesh) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& corners = mesh.triangles[t];
     for (std::size_t k = 0; k < 3; ++k) {
-      triangle_of[{corners[k], corners[(k + 1) % 3]}] = t;
+      triangle_of.insert({{corners[k], corners[(k + 1) % 3]}, t});
     }
   }
   return triangle_of;
@@ -64,14 +65,32 @@ void floodFace(const TriangleMesh& mesh, const TriangleOfEdge& triangle_of, std:
     const auto corners = mesh.triangles[open.back()];
     open.pop_back();
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto next = triangle_of.find({corners[(k + 1) % 3], corners[k]});
-      if (next != triangle_of.end() && face_of[next->second] == kNone &&
-          liesIn(face, mesh, next->second, slack)) {
-        face_of[next->second] = id;
-        open.push_back(next->second);
+      const auto [first, last] = triangle_of.equal_range({corners[(k + 1) % 3], corners[k]});
+      for (auto next = first; next != last; ++next) {
+        if (face_of[next->second] == kNone && liesIn(face, mesh, next->second, slack)) {
+          face_of[next->second] = id;
+          open.push_back(next->second);
+        }
       }
     }
   }
+}
+
+std::vector<ConvexHull::Edge> edgesBetween(const TriangleOfEdge& triangle_of,
+                                           const std::vector<std::uint32_t>& face_of) {
+  std::vector<ConvexHull::Edge> edges;
+  for (const auto& [edge, triangle] : triangle_of) {
+    const auto other = triangle_of.find({edge.second, edge.first});
+    if (edge.first > edge.second || other == triangle_of.end() || triangle_of.count(edge) > 1) {
+      continue;
+    }
+    const std::uint32_t left = face_of[triangle];
+    const std::uint32_t right = face_of[other->second];
+    if (left != right && left != kNone && right != kNone) {
+      edges.push_back({edge.first, edge.second, left, right});
+    }
+  }
+  return edges;
 }
 
 }  // namespace
@@ -95,16 +114,7 @@ HullFaces gatherFaces(const TriangleMesh& mesh, double extent) {
       floodFace(mesh, triangle_of, seed, gathered.faces.back(), kFlat * extent, id, face_of);
     }
   }
-  for (const auto& [edge, triangle] : triangle_of) {
-    const auto other = triangle_of.find({edge.second, edge.first});
-    if (edge.first < edge.second && other != triangle_of.end()) {
-      const std::uint32_t left = face_of[triangle];
-      const std::uint32_t right = face_of[other->second];
-      if (left != right && left != kNone && right != kNone) {
-        gathered.edges.push_back({edge.first, edge.second, left, right});
-      }
-    }
-  }
+  gathered.edges = edgesBetween(triangle_of, face_of);
   return gathered;
 }
 
