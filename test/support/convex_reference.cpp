@@ -99,6 +99,28 @@ Real gapAlong(const Polyhedron& a, const Polyhedron& b, const Vector& direction)
   return start_of_b - end_of_a;
 }
 
+bool isFlat(const Polyhedron& p) {
+  return p.triangles.empty() ||
+         std::all_of(p.points.begin(), p.points.end(), [&](const Vector& point) {
+           const Vector normal = normalOf(p, p.triangles[0]).normalized();
+           return std::abs(normal.dot(point - p.points[p.triangles[0][0]])) < 1e-12L;
+         });
+}
+
+// Two flat pieces in one plane have a difference without volume, whose sides stand on that plane.
+template <class Offer>
+void offerSidesOfFlat(const Polyhedron& a, const Polyhedron& b, const Offer& offer) {
+  for (const Polyhedron* plane : {&a, &b}) {
+    for (const auto& t : plane->triangles) {
+      for (const Polyhedron* sides : {&a, &b}) {
+        for (const auto& [i, j] : sides->edges) {
+          offer(normalOf(*plane, t).cross(sides->points[j] - sides->points[i]));
+        }
+      }
+    }
+  }
+}
+
 Real largestGap(const Polyhedron& a, const Polyhedron& b) {
   Real largest = -kNone;
   const auto offer = [&](const Vector& normal) {
@@ -122,6 +144,9 @@ Real largestGap(const Polyhedron& a, const Polyhedron& b) {
         offer(along.cross(across.normalized()));
       }
     }
+  }
+  if (isFlat(a) && isFlat(b)) {
+    offerSidesOfFlat(a, b, offer);
   }
   return largest;
 }
