@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/narrow_phase/manifold.h"
+
+/// The pieces that manifolds are made of.
+namespace collision_monitor {
+
+/// Each side of a face adds one corner to what it cuts, at most.
+constexpr std::size_t kMaxClipped = 2 * ContactPatch::kMaxCorners;
+
+/// A convex polygon while it is being clipped; an edge is a polygon of two corners.
+struct ClippedPolygon {
+  std::array<Eigen::Vector3d, kMaxClipped> corners;
+  std::size_t size{0};
+
+  void add(const Eigen::Vector3d& corner) noexcept {
+    if (size < corners.size()) {
+      corners[size++] = corner;
+    }
+  }
+};
+
+/// Candidates for a manifold.
+struct ManifoldPoints {
+  std::array<ManifoldPoint, kMaxClipped> points;
+  std::size_t size{0};
+
+  void add(const ManifoldPoint& point) noexcept {
+    if (size < points.size()) {
+      points[size++] = point;
+    }
+  }
+};
+
+/// The feature of a shape that is extreme in `direction` (unit), on its surface. World frame.
+ContactPatch extremePatch(const Shape& shape, const Pose& world_from_shape,
+                          const Eigen::Vector3d& direction) noexcept;
+
+/// Keeps the part with outward . (x - through) <= 0.
+void cut(const Eigen::Vector3d& outward, const Eigen::Vector3d& through,
+         ClippedPolygon& polygon) noexcept;
+
+/// Keeps points with distance <= limit.
+void dropFarther(double limit, ManifoldPoints& points) noexcept;
+
+/// Keeps the nearest point, the one farthest from it, and those that widen the area most, one on
+/// either side; sets the centre. Points nearer to each other than a nanometre are one.
+/// @pre points.size >= 1
+void spreadOut(const ManifoldPoints& points, ContactManifold& manifold) noexcept;
+
+}  // namespace collision_monitor
