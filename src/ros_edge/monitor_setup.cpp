@@ -4,6 +4,7 @@
 
 #include "collision_monitor/ros_edge/resource_loader.h"
 #include "collision_monitor/ros_edge/transform_store.h"
+#include "ros_edge/fit_options.h"
 #include "ros_edge/robot_descriptions.h"
 
 namespace collision_monitor {
@@ -21,9 +22,10 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   const ResourceLoader load_resource = makeResourceLoader();
   const std::vector<RobotDescription> descriptions =
       loadDescriptions(private_node, made->parameters, load_resource, report);
+  const SetupOptions options = loadSetupOptions(made->parameters, load_resource, report);
   throwIfErrors(report);
 
-  made->setup = buildSetup(descriptions, load_resource, made->parameters.setup);
+  made->setup = buildSetup(descriptions, load_resource, options);
   const RobotModel& model = made->setup.model;
   made->world_frame = stripLeadingSlash(made->parameters.world_frame.empty()
                                             ? model.link(model.robots.front().root).frame

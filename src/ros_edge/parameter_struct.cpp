@@ -93,6 +93,16 @@ void ParameterStruct::read(const std::string& name, const NumberRange& range, do
   value = read_value;
 }
 
+void ParameterStruct::readWhole(const std::string& name, const NumberRange& range, double& value) {
+  double read_value = value;
+  read(name, range, read_value);
+  if (read_value != std::floor(read_value)) {
+    refuse(name, number(read_value), "a whole number");
+    return;
+  }
+  value = read_value;
+}
+
 void ParameterStruct::read(const std::string& name, bool& value) {
   const XmlRpcValue* found = find(name);
   if (found == nullptr) {

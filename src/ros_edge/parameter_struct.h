@@ -26,6 +26,8 @@ class ParameterStruct {
   ParameterStruct(const XmlRpc::XmlRpcValue& values, std::string where, SetupReport& report);
 
   void read(const std::string& name, const NumberRange& range, double& value);
+  /// A number without fraction.
+  void readWhole(const std::string& name, const NumberRange& range, double& value);
   void read(const std::string& name, bool& value);
   void read(const std::string& name, std::string& value);
   /// One of `words`; `position` is its place among them.

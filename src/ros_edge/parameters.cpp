@@ -90,6 +90,17 @@ void readBroadPhase(ParameterStruct& fields, Parameters& parameters) {
   }
 }
 
+/// How links get their shapes.
+void readFitting(ParameterStruct& fields, Parameters& parameters) {
+  fields.read("shape_rules", parameters.shape_rules);
+  double max_shapes = parameters.setup.default_limits.max_shapes;
+  fields.readWhole("max_shapes_per_link", {1.0, 1000.0}, max_shapes);
+  parameters.setup.default_limits.max_shapes = static_cast<std::uint32_t>(max_shapes);
+  fields.read("target_overshoot", kLength, parameters.setup.default_limits.target_overshoot);
+  fields.read("fit_cache", parameters.fit_cache);
+  fields.read("padding", {0.0, 1e3}, parameters.setup.padding);
+}
+
 /// Names that other software keeps in a node's private namespace.
 void tolerateForeign(ParameterStruct& fields) {
   for (const char* name :
@@ -115,7 +126,7 @@ Parameters readParameters(const XmlRpcValue& values, const std::string& where,
   fields.read("obey_up_axis", parameters.obey_up_axis);
   fields.read("world_frame", parameters.world_frame);
   readTiming(fields, parameters);
-  fields.read("padding", {0.0, 1e3}, parameters.setup.padding);
+  readFitting(fields, parameters);
   fields.read("ignore_default_overlap", parameters.setup.ignore_default_overlap);
   readBroadPhase(fields, parameters);
   tolerateForeign(fields);

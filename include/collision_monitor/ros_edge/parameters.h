@@ -39,7 +39,9 @@ struct Parameters {
   double max_age{0.5};         ///< [s]
   double heartbeat_rate{2.0};  ///< [Hz]
   double marker_rate{30.0};    ///< [Hz]
-  SetupOptions setup;
+  SetupOptions setup;          ///< its texts and folders are filled in when it is built
+  std::string shape_rules;     ///< file or package:// URI, "" for none
+  std::string fit_cache;       ///< folder; "": the usual one; "none": none
   std::optional<BroadPhaseKind> broad_phase;  ///< none: chosen for the number of pairs
   double disable_timeout{60.0};               ///< [s]
   double wait_for_description{5.0};           ///< [s]

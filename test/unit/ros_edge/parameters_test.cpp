@@ -96,6 +96,39 @@ TEST(Parameters, endsOfRanges) {
   EXPECT_EQ(faults(values).size(), 1U) << "slower than once a second";
 }
 
+TEST(Parameters, fitting_isRead) {
+  XmlRpcValue values;
+  values["max_shapes_per_link"] = 7;
+  values["target_overshoot"] = 0.02;
+  values["shape_rules"] = "package://robot/rules.yaml";
+  values["fit_cache"] = "none";
+  SetupReport report;
+  const Parameters parameters = readParameters(values, "/m", report);
+  EXPECT_TRUE(report.errors.empty());
+  EXPECT_EQ(parameters.setup.default_limits.max_shapes, 7U);
+  EXPECT_EQ(parameters.setup.default_limits.target_overshoot, 0.02);
+  EXPECT_EQ(parameters.shape_rules, "package://robot/rules.yaml");
+  EXPECT_EQ(parameters.fit_cache, "none");
+  const Parameters defaults = readParameters(emptyStruct(), "/m", report);
+  EXPECT_EQ(defaults.setup.default_limits.max_shapes, 4U);
+  EXPECT_EQ(defaults.setup.default_limits.target_overshoot, 0.01);
+}
+
+TEST(Parameters, fittingOutOfRange) {
+  for (const double count : {0.0, -1.0, 1001.0, 2.5}) {
+    XmlRpcValue values;
+    values["max_shapes_per_link"] = count;
+    EXPECT_EQ(faults(values), (std::set<std::string>{"parameter /m/max_shapes_per_link"})) << count;
+  }
+  XmlRpcValue values;
+  values["target_overshoot"] = -0.01;
+  values["shape_rules"] = 3;
+  values["fit_cache"] = false;
+  EXPECT_EQ(faults(values),
+            (std::set<std::string>{"parameter /m/target_overshoot", "parameter /m/shape_rules",
+                                   "parameter /m/fit_cache"}));
+}
+
 TEST(Parameters, limitsOutOfOrder) {
   XmlRpcValue values;
   values["limits"]["contact_distance"] = 0.1;
