@@ -3,6 +3,7 @@
 #include "narrow_phase/search_cores.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "narrow_phase/core_distance.h"
 #include "narrow_phase/distance_parallel_axes.h"
@@ -34,7 +35,10 @@ ConvexDistance answerApart(const ConvexPair& pair, const GjkResult& found) noexc
 ConvexDistance answerOverlap(ConvexPair& pair, const GjkResult& found,
                              ConvexWorkspace& workspace) noexcept {
   const Penetration deep = searchDepth(pair, found.simplex, workspace);
-  return answer(-deep.depth, -deep.outward, deep.on_a,
+  // Cores that touch have points that do; the faces about them, all equally shallow, need not.
+  const bool touch =
+      !found.simplex.contains_origin && std::abs(deep.depth) <= 2.0 * touchingDistance(pair);
+  return answer(-deep.depth, -deep.outward, touch ? found.simplex.pointOnA() : deep.on_a,
                 deep.is_settled ? DistanceQuality::exact : DistanceQuality::lower_bound);
 }
 

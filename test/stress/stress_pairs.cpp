@@ -28,6 +28,9 @@ struct Tally {
 
 double allowedError(double size) { return 1e-9 + 1e-11 * size; }
 
+// Points on curved surfaces are found to half the digits that distances are.
+double allowedOutside(double size) { return 1e-6 * size; }
+
 bool isFiniteAnswer(const SignedDistance& found) {
   return std::isfinite(found.distance) && found.point_on_a.allFinite() &&
          found.point_on_b.allFinite() && found.normal_a_to_b.allFinite();
@@ -52,15 +55,12 @@ void judge(const PosedConvexPair& pair, const ConvexDistance& answer, Tally& tal
   const double outside = is_exact ? std::max({proof.a_outside, proof.b_outside, 0.0}) : 0.0;
   tally.gap_error = std::max(tally.gap_error, error);
   tally.outside = std::max(tally.outside, outside);
-  const double allowed = allowedError(size) + (found.distance < 0.0 ? 1e-7 : 0.0);
-  if (error > allowed || outside > allowed || joined > allowedError(size)) {
+  const double allowed = allowedError(size);
+  if (error > allowed || joined > allowed || outside > allowedOutside(size)) {
     ++tally.wrong;
-    if (std::getenv("STRESS_PRINT") != nullptr &&
-        std::max({error, outside, joined}) > std::atof(std::getenv("STRESS_PRINT"))) {
-      std::printf("distance %.17g, gap %.17g, outside %.3g %.3g, quality %d\n%s", found.distance,
-                  proof.gap_along_normal, proof.a_outside, proof.b_outside,
-                  static_cast<int>(answer.quality), describe(pair).c_str());
-    }
+    std::printf("distance %.17g, gap %.17g, outside %.3g %.3g, quality %d\n%s", found.distance,
+                proof.gap_along_normal, proof.a_outside, proof.b_outside,
+                static_cast<int>(answer.quality), describe(pair).c_str());
   }
 }
 
@@ -95,14 +95,14 @@ int runAll(long count, std::uint64_t seed) {
   const ConvexPoolRecipe recipes[] = {
       {1e-3, 5.0, false}, {1e-3, 5.0, true}, {1e-6, 1e-3, true}, {1e-6, 1e3, true}};
   constexpr const char* kNames[] = {"links", "degenerate", "tiny", "mixed"};
-  constexpr long kScenes = 4 * 27;
+  constexpr long kScenes = 4 * 17;
   long faults = 0;
   std::printf("%-24s %-10s %9s %7s %7s %7s %9s %9s %9s\n", "pair", "sizes", "count", "NaN",
               "bounds", "wrong", "gap", "outside", "joined");
   for (const ConvexKind a : kConvexKinds) {
     for (const ConvexKind b : kConvexKinds) {
-      if (b < a || a == ConvexKind::half_space) {
-        continue;
+      if (b < a || a == ConvexKind::half_space || b < ConvexKind::cylinder) {
+        continue;  // the closed forms have tests of their own
       }
       for (std::size_t r = 0; r < 4; ++r) {
         const Tally tally = run({a, b, std::max(1L, count / kScenes), recipes[r]}, random);
