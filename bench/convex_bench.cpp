@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <benchmark/benchmark.h>
+#include <fcl/geometry/shape/convex.h>
+#include <fcl/geometry/shape/cylinder.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "collision_monitor/geometry/convex_hull.h"
+#include "support/convex_cases.h"
+#include "support_fcl/fcl_adapter.h"
+
+// Time of one signed distance of hulls and cylinders, cold and as a monitor meets them: the pair
+// turns by half a degree between two queries and keeps its warm start. FCL's distance and its
+// contact with depth run on the same pairs in the same run.
+namespace collision_monitor::test {
+namespace {
+
+constexpr std::size_t kSteps = 720;  // once around
+
+struct Scene {
+  ConvexGeometry a;
+  ConvexGeometry b;
+  double gap{0.0};  // [m] between them, about
+};
+
+// Points on a sphere of 10 cm, so that all of them are corners.
+ConvexGeometry ballHull(std::size_t corners) {
+  Random random(corners);
+  std::vector<Eigen::Vector3d> points;
+  while (points.size() < corners) {
+    const Eigen::Vector3d point = randomPoint(random, 1.0);
+    if (point.norm() > 0.1) {
+      points.push_back(0.1 * point.normalized());
+    }
+  }
+  return ConvexHull(points);
+}
+
+std::vector<PosedConvexPair> makePath(const Scene& scene) {
+  Random random(20260101);
+  const Eigen::Vector3d axis = randomPoint(random, 1.0).normalized();
+  static ConvexWorkspace workspace;
+  std::vector<PosedConvexPair> path;
+  for (std::size_t i = 0; i < kSteps; ++i) {
+    const double angle = 2.0 * M_PI * static_cast<double>(i) / kSteps;
+    PosedConvexPair pair{&scene.a, Pose{}, &scene.b,
+                         Pose{Eigen::AngleAxisd(angle, axis).toRotationMatrix(), {0.15, 0.1, 0.1}}};
+    ConvexWarmStart warm;
+    ConvexSearch search{workspace, warm};
+    const SignedDistance now =
+        signedDistanceBetween(*pair.a, pair.world_from_a, *pair.b, pair.world_from_b, search)
+            .measured;
+    pair.world_from_b.translation += (scene.gap - now.distance) * now.normal_a_to_b;
+    path.push_back(pair);
+  }
+  return path;
+}
+
+void measureOurs(benchmark::State& state, const Scene& scene, bool is_warm) {
+  const std::vector<PosedConvexPair> path = makePath(scene);
+  static ConvexWorkspace workspace;
+  ConvexWarmStart warm;
+  std::size_t next = 0;
+  for ([[maybe_unused]] const auto unused : state) {
+    const PosedConvexPair& pair = path[next++ % kSteps];
+    if (!is_warm) {
+      warm = ConvexWarmStart{};
+    }
+    ConvexSearch search{workspace, warm};
+    benchmark::DoNotOptimize(
+        signedDistanceBetween(*pair.a, pair.world_from_a, *pair.b, pair.world_from_b, search));
+  }
+}
+
+std::shared_ptr<fcl::CollisionGeometryd> toFclGeometry(const ConvexGeometry& geometry) {
+  if (const auto* cylinder = std::get_if<Cylinder>(&geometry)) {
+    return std::make_shared<fcl::Cylinderd>(cylinder->radius, 2.0 * cylinder->half_length);
+  }
+  const TriangleMesh mesh = convexHullOf(std::get<ConvexHull>(geometry).vertices());
+  auto faces = std::make_shared<std::vector<int>>();
+  for (const auto& triangle : mesh.triangles) {
+    faces->push_back(3);
+    faces->insert(faces->end(), triangle.begin(), triangle.end());
+  }
+  return std::make_shared<fcl::Convexd>(
+      std::make_shared<const std::vector<Eigen::Vector3d>>(mesh.vertices),
+      static_cast<int>(mesh.triangles.size()), faces);
+}
+
+template <class Query>
+void measureFcl(benchmark::State& state, const Scene& scene, const Query& query) {
+  const auto geometry_a = toFclGeometry(scene.a);
+  const auto geometry_b = toFclGeometry(scene.b);
+  std::vector<FclObject> objects_a;
+  std::vector<FclObject> objects_b;
+  for (const PosedConvexPair& pair : makePath(scene)) {
+    objects_a.emplace_back(geometry_a, pair.world_from_a.rotation, pair.world_from_a.translation);
+    objects_b.emplace_back(geometry_b, pair.world_from_b.rotation, pair.world_from_b.translation);
+  }
+  std::size_t next = 0;
+  for ([[maybe_unused]] const auto unused : state) {
+    const std::size_t i = next++ % kSteps;
+    benchmark::DoNotOptimize(query(objects_a[i], objects_b[i]));
+  }
+}
+
+void registerScene(const std::string& name, const Scene& scene) {
+  benchmark::RegisterBenchmark((name + "/warm").c_str(), measureOurs, scene, true);
+  benchmark::RegisterBenchmark((name + "/cold").c_str(), measureOurs, scene, false);
+  if (scene.gap > 0.0) {
+    benchmark::RegisterBenchmark(
+        (name + "/fcl_distance").c_str(),
+        [scene](benchmark::State& state) { measureFcl(state, scene, fclDistance); });
+  } else {
+    benchmark::RegisterBenchmark((name + "/fcl_depth").c_str(), [scene](benchmark::State& state) {
+      measureFcl(state, scene, fclDepth);
+    });
+  }
+}
+
+void registerAll() {
+  const ConvexGeometry can = Cylinder{0.1, 0.05};
+  const struct {
+    const char* name;
+    ConvexGeometry a;
+    ConvexGeometry b;
+  } kPairs[] = {{"hull16-hull16", ballHull(16), ballHull(16)},
+                {"hull64-hull64", ballHull(64), ballHull(64)},
+                {"hull256-hull256", ballHull(256), ballHull(256)},
+                {"cylinder-cylinder", can, can},
+                {"cylinder-hull64", can, ballHull(64)}};
+  for (const auto& pair : kPairs) {
+    registerScene(std::string(pair.name) + "/apart_1cm", {pair.a, pair.b, 0.01});
+    registerScene(std::string(pair.name) + "/deep_1cm", {pair.a, pair.b, -0.01});
+  }
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  collision_monitor::test::registerAll();
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
