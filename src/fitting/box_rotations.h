@@ -16,6 +16,9 @@ PlacedCore boxWithAxes(const Eigen::Matrix3d& axes, const Points& points);
 /// @pre the points are normalised; `count` >= 1.
 std::vector<Eigen::Matrix3d> smallBoxRotations(const Points& points, std::size_t count);
 
+/// One of them found with a tenth of the work, whose box has a side flush with an edge or face.
+Eigen::Matrix3d roughBoxRotation(const Points& points);
+
 /// The nearest locally least box.
 Eigen::Matrix3d refineBoxRotation(const Eigen::Matrix3d& axes, const Points& points);
 

@@ -33,17 +33,18 @@ struct DescentGoal {
   /// The volume that counts is that of the shape with its radius larger by this. Growth makes
   /// corners count for more: the least shape sticks out less far, though it may be larger.
   double growth{0.0};
-  /// Of the volume against the barrier, at first. A high one keeps the core in the valley where it
-  /// starts; with a low one the barrier carries it to a broader valley, as a rule a rounder core.
+  /// Of the volume against the barrier, at first and at last. The volume comes out too large by a
+  /// fraction of about ten over the last one.
   double first_weight{300.0};
+  double last_weight{3e5};
 };
 
-/// Moves a core that encloses the points towards a local minimum of the volume.
+/// Moves a core in which all points lie strictly inside, and whose free extents are positive,
+/// towards a local minimum of the volume; any other core stays where it is.
 ///
-/// An interior-point method: with x the centre, half extents, radius and rotation vector, it
-/// minimises weight * log(volume) - sum of log(radius^2 - distance^2 of a point to the core) by
-/// damped Newton steps for growing weights. All points but a few stay strictly inside on the way,
-/// so the result encloses without a repair; the last radius is the exact one of its core.
+/// An interior-point method: it minimises weight * log(volume) - sum of log(slack), see
+/// core_barrier.h, by damped Newton steps for growing weights. All points stay strictly inside on
+/// the way, so the result encloses without a repair; its radius leaves a little room.
 ///
 /// Units: any; sizes near 1 are best conditioned.
 /// Source: Boyd, Vandenberghe, "Convex Optimization" (2004), section 11.3 (barrier method) and

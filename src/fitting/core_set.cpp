@@ -3,21 +3,29 @@
 #include "fitting/core_set.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fitting/small_shapes.h"
 
 namespace collision_monitor {
 namespace {
 
+// Weights at which valleys are told from each other, and ranked, and from which a good core goes
+// on.
+constexpr double kRoughWeight = 300.0;
+constexpr double kRankingWeight = 3000.0;
+constexpr double kAlike = 0.03;  // of the size, which is 1
+
 /// A start for descend, which needs every point strictly inside and every free extent above zero.
-PlacedCore withRoom(PlacedCore core, const FreeExtents& free_extents, const Points& points) {
-  constexpr double kRoom = 0.02;  // of the size, which is 1
+PlacedCore withRoom(PlacedCore core, const DescentGoal& goal, const Points& points) {
+  // Of the size, which is 1: about what the first weight leaves.
+  const double room = goal.first_weight > kRoughWeight ? 0.005 : 0.02;
   for (int k = 0; k < 3; ++k) {
-    if (free_extents[k]) {
-      core.half_extents[k] = std::max(core.half_extents[k], kRoom);
+    if (goal.free_extents[k]) {
+      core.half_extents[k] = std::max(core.half_extents[k], room);
     }
   }
-  core.radius = enclosingRadius(core, points) + kRoom;
+  core.radius = enclosingRadius(core, points) + room;
   return core;
 }
 
@@ -38,17 +46,51 @@ double addLeftOut(const Points& points, const PlacedCore& core, Points& subset) 
   return outside.empty() ? 0.0 : -outside.front().first;
 }
 
+/// One weight of a descent for each core; least volume first.
+void descendTo(double weight, const Points& points, DescentGoal goal,
+               std::vector<PlacedCore>& cores) {
+  goal.first_weight = weight;
+  goal.last_weight = weight;
+  for (auto& core : cores) {
+    core = descended(core, points, goal);
+  }
+  std::sort(cores.begin(), cores.end(), IsSmaller{goal.growth});
+}
+
+/// Of cores that lie in one valley, and would end in one place, only the first.
+std::vector<PlacedCore> distinctOf(const std::vector<PlacedCore>& cores) {
+  std::vector<PlacedCore> distinct;
+  for (const auto& core : cores) {
+    if (std::none_of(distinct.begin(), distinct.end(),
+                     [&](const PlacedCore& other) { return areAlike(core, other, kAlike); })) {
+      distinct.push_back(core);
+    }
+  }
+  return distinct;
+}
+
 }  // namespace
 
 double volumeOf(const PlacedCore& core, double growth) noexcept {
   return volumeOf(RoundedBox{core.half_extents, core.radius + growth});
 }
 
+bool areAlike(const PlacedCore& a, const PlacedCore& b, double tolerance) noexcept {
+  const auto spread = [](const PlacedCore& core) -> Eigen::Matrix3d {
+    const Eigen::Matrix3d halves = core.rotation * core.half_extents.asDiagonal();
+    return halves * halves.transpose();
+  };
+  return (a.centre - b.centre).norm() + std::abs(a.radius - b.radius) +
+             (spread(a) - spread(b)).norm() <
+         tolerance;
+}
+
 PlacedCore descended(const PlacedCore& start, const Points& points, const DescentGoal& goal) {
   PlacedCore enclosing = start;
   enclosing.radius = enclosingRadius(start, points);
-  PlacedCore core = withRoom(start, goal.free_extents, points);
+  PlacedCore core = withRoom(start, goal, points);
   descend(points, goal, core);
+  core.radius = enclosingRadius(core, points);
   return std::min(enclosing, core, IsSmaller{goal.growth});
 }
 
@@ -60,7 +102,7 @@ PlacedCore refineCore(const PlacedCore& start, Points representatives, const Poi
   PlacedCore best = start;
   best.radius = enclosingRadius(start, points);
   for (int round = 0; round < kMaxRounds; ++round) {
-    if (addLeftOut(points, core, representatives) < kHair) {
+    if (addLeftOut(points, core, representatives) < kHair && round > 0) {
       break;
     }
     core = descended(core, representatives, goal);
@@ -74,22 +116,17 @@ PlacedCore refineCore(const PlacedCore& start, Points representatives, const Poi
 std::vector<PlacedCore> descendAll(std::vector<PlacedCore> starts, const Points& points,
                                    const DescentGoal& goal) {
   const Points representatives = representativesOf(points);
-  for (auto& core : starts) {
-    core = descended(core, representatives, goal);
+  descendTo(kRoughWeight, representatives, goal, starts);
+  std::vector<PlacedCore> fits = distinctOf(starts);
+  if (fits.size() > kMaxFits) {
+    descendTo(kRankingWeight, representatives, goal, fits);
+    fits = distinctOf(fits);
+    fits.resize(std::min(fits.size(), kMaxFits));
   }
-  std::sort(starts.begin(), starts.end(), IsSmaller{goal.growth});
-  std::vector<PlacedCore> fits;
-  for (const auto& core : starts) {
-    // Starts in one valley end at one volume; the same fit twice is of no use.
-    constexpr double kSame = 1.001;
-    if (fits.size() < kMaxFits &&
-        (fits.empty() ||
-         volumeOf(core, goal.growth) > kSame * volumeOf(fits.back(), goal.growth))) {
-      fits.push_back(core);
-    }
-  }
+  DescentGoal fine = goal;
+  fine.first_weight = kRankingWeight;
   for (auto& core : fits) {
-    core = refineCore(core, representatives, points, goal);
+    core = refineCore(core, representatives, points, fine);
   }
   std::sort(fits.begin(), fits.end(), IsSmaller{goal.growth});
   return fits;

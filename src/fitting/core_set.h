@@ -19,6 +19,10 @@ struct IsSmaller {
   }
 };
 
+/// Whether two cores have nearly the same centre, radius, and half extents along the same axes,
+/// whatever these are called.
+bool areAlike(const PlacedCore& a, const PlacedCore& b, double tolerance) noexcept;
+
 /// descend, from any core: made to enclose first, and never for a larger grown volume.
 PlacedCore descended(const PlacedCore& start, const Points& points, const DescentGoal& goal);
 
@@ -28,8 +32,8 @@ PlacedCore descended(const PlacedCore& start, const Points& points, const Descen
 PlacedCore refineCore(const PlacedCore& start, Points representatives, const Points& points,
                       const DescentGoal& goal);
 
-/// Descends from every start on the representatives of the cloud and refines the best few; least
-/// volume first.
+/// Descends from every start, at first only as far as it takes to tell valleys from each other, and
+/// to the bottom of the deepest few; least volume first.
 std::vector<PlacedCore> descendAll(std::vector<PlacedCore> starts, const Points& points,
                                    const DescentGoal& goal);
 

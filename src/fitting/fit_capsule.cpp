@@ -27,7 +27,7 @@ constexpr double kSameAxis = 0.97;  // cosine of 14 degrees
 
 const FreeExtents kOnlyLength{false, false, true};
 // Capsules of least grown volume have shorter caps than those of least volume: see DescentGoal.
-constexpr double kGrowths[] = {0.1, 0.3};
+constexpr double kGrowths[] = {0.1, 0.3, 1.0};
 
 /// A nearly smallest circle around 2-D points.
 /// Source: Badoiu, Clarkson, "Smaller Core-Sets for Balls" (2003), section 3.
@@ -93,9 +93,8 @@ std::vector<PlacedCore> startCapsules(const Points& points) {
     }
   }
   // Made parts have axes, along which the valley can be narrower than the directions are apart.
-  for (const Eigen::Matrix3d& axes :
-       {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), principalAxes(points),
-        smallBoxRotations(points, 1).front()}) {
+  for (const Eigen::Matrix3d& axes : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()),
+                                      principalAxes(points), roughBoxRotation(points)}) {
     for (int k = 0; k < 3; ++k) {
       chosen.push_back(capsuleAlong(axes.col(k), points));
     }

@@ -3,7 +3,6 @@
 #include "collision_monitor/fitting/fit_rounded_box.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "collision_monitor/fitting/fit_sphere.h"
 #include "fitting/core_set.h"
@@ -13,27 +12,15 @@
 namespace collision_monitor {
 namespace {
 
+// Goals often end in one place; judging the result twice is of no use.
+constexpr double kSame = 0.005;  // of the size, which is 1
 // Of a box's half extents. A start that is nearly a box and one that is nearly round find
 // different minima.
 constexpr double kStartExtents[] = {0.85, 0.5};
 
-Eigen::Vector3d sorted(Eigen::Vector3d v) {
-  std::sort(v.data(), v.data() + 3);
-  return v;
-}
-
-// Growths are of the size of the set. Without growth a box wins wherever it fills its corners no
-// worse than the rest; with growth its corners have to be worth it. The low weights look elsewhere.
-const FreeExtents kAllFree{true, true, true};
-const DescentGoal kGoals[] = {
-    {kAllFree, 0.0, 300.0}, {kAllFree, 0.0, 10.0}, {kAllFree, 0.1, 300.0}, {kAllFree, 0.3, 10.0}};
-
-/// Two goals often end in one place; judging the result twice is of no use.
-bool areAlike(const PlacedCore& a, const PlacedCore& b) {
-  constexpr double kAlike = 0.005;  // of the size, which is 1
-  const Eigen::Vector3d difference = sorted(a.half_extents) - sorted(b.half_extents);
-  return difference.norm() + (a.centre - b.centre).norm() + std::abs(a.radius - b.radius) < kAlike;
-}
+// Of the size of the set, which is 1. Without growth a box wins wherever it fills its corners no
+// worse than the rest; the more growth, the more its corners have to be worth.
+constexpr double kGrowths[] = {0.0, 0.1, 0.3, 1.0};
 
 PlacedCore startFrom(const PosedShape& fit, double fraction, const NormalisedPoints& cloud) {
   PlacedCore core;
@@ -60,10 +47,12 @@ std::vector<PosedShape> smallRoundedBoxes(const Points& points,
   }
   starts.push_back(startFrom(capsules.front(), 1.0, cloud));
   std::vector<PlacedCore> cores;
-  for (const DescentGoal& goal : kGoals) {
+  for (const double growth : kGrowths) {
+    DescentGoal goal;
+    goal.growth = growth;
     for (const auto& core : descendAll(starts, cloud.points, goal)) {
       if (std::none_of(cores.begin(), cores.end(),
-                       [&](const PlacedCore& other) { return areAlike(core, other); })) {
+                       [&](const PlacedCore& other) { return areAlike(core, other, kSame); })) {
         cores.push_back(core);
       }
     }
