@@ -7,13 +7,11 @@
 #include <cmath>
 #include <limits>
 
-#include "collision_monitor/fitting/proof.h"
+#include "fitting/shape_union.h"
 #include "fitting/surrounding_mesh.h"
 
 namespace collision_monitor {
 namespace {
-
-using Corners = std::array<Eigen::Vector3d, 3>;
 
 constexpr std::size_t kMaxParts = 4'000'000;
 // Growths that are tried, as parts of the greatest.
@@ -59,76 +57,66 @@ TriangleMesh meshOf(const PlacedGeometry& placed) {
   return mesh;
 }
 
-/// What bounds the error of a distance from a shape to any point between the given ones: the
-/// rounding that provenExcess allows for, twice, as the points were moved before, and that of
-/// halving a few dozen times.
-double slackOf(const PosedShape& shape, const Points& points) {
-  const double allowed = provenExcess(shape, points) - excessOver(shape, points);
-  double extent = 0.0;
-  for (const Eigen::Vector3d& point : points) {
-    extent = std::max(extent, point.norm());
-  }
-  return 2.0 * allowed + 64.0 * std::numeric_limits<double>::epsilon() * extent;
-}
-
-/// A union of shapes, held against points and triangles between given points.
-class Union {
- public:
-  Union(const std::vector<PosedShape>& shapes, double growth, const Points& points) {
-    for (const PosedShape& shape : shapes) {
-      shapes_.push_back({grown(shape.shape, growth), shape.geometry_from_body});
-      slacks_.push_back(slackOf(shapes_.back(), points));
-    }
-  }
-
-  /// Upper bound of the distance to the union; <= 0 proves the point inside.
-  double excessOf(const Eigen::Vector3d& point) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      least = std::min(least, excessOver(i, point));
-    }
-    return least;
-  }
-
-  bool holdInOne(const Corners& corners) const {
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      if (std::all_of(corners.begin(), corners.end(), [&](const Eigen::Vector3d& corner) {
-            return excessOver(i, corner) <= 0.0;
-          })) {
-        return true;
-      }
-    }
-    return false;
-  }
-
- private:
-  double excessOver(std::size_t i, const Eigen::Vector3d& point) const {
-    const Pose& pose = shapes_[i].geometry_from_body;
-    return signedDistanceTo(shapes_[i].shape,
-                            pose.rotation.transpose() * (point - pose.translation)) +
-           slacks_[i];
-  }
-
-  std::vector<PosedShape> shapes_;
-  std::vector<double> slacks_;
+/// A cut of a triangle through a point of an edge and the corner across.
+struct Cut {
+  std::size_t from{0};
+  std::size_t to{1};
+  double fraction{0.5};
 };
 
-/// The two halves, cut at the longest edge.
-std::array<Corners, 2> halvesOf(const Corners& corners, double& longest) {
-  std::size_t edge = 0;
-  longest = 0.0;
+double lengthOf(const Corners& corners, std::size_t i, std::size_t j) {
+  return (corners[i] - corners[j]).norm();
+}
+
+Cut halveLongestEdge(const Corners& corners) {
+  Cut cut;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double length = (corners[i] - corners[(i + 1) % 3]).norm();
-    if (length > longest) {
-      longest = length;
-      edge = i;
+    if (lengthOf(corners, i, (i + 1) % 3) > lengthOf(corners, cut.from, cut.to)) {
+      cut = {i, (i + 1) % 3, 0.5};
     }
   }
-  const Eigen::Vector3d& a = corners[edge];
-  const Eigen::Vector3d& b = corners[(edge + 1) % 3];
-  const Eigen::Vector3d& c = corners[(edge + 2) % 3];
-  const Eigen::Vector3d middle = 0.5 * (a + b);
-  return {Corners{a, middle, c}, Corners{middle, b, c}};
+  return cut;
+}
+
+/// Cuts where the shape that holds most corners ends: two such cuts leave one part in this shape
+/// and, where the next shape overlaps it, the rest in that one. Halving alone would need parts as
+/// small as the overlap, all along the seam.
+Cut chooseCut(const ShapeUnion& shapes, const Corners& corners) {
+  constexpr std::array<int, 8> kBitCount{0, 1, 1, 2, 1, 2, 2, 3};
+  std::size_t best = 0;
+  unsigned held = 0;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const unsigned mask = shapes.heldBy(i, corners);
+    if (kBitCount[mask] > kBitCount[held]) {
+      best = i;
+      held = mask;
+    }
+  }
+  Cut cut = halveLongestEdge(corners);
+  double longest = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const bool leaves = (held >> i & 1U) != 0 && (held >> j & 1U) == 0;
+      if (leaves && lengthOf(corners, i, j) > longest) {
+        const double reach = shapes.reachAlong(best, corners[i], corners[j]);
+        // A corner on the shape's surface gives no cut that helps.
+        constexpr double kLeastReach = 1e-3;
+        longest = reach > kLeastReach ? lengthOf(corners, i, j) : longest;
+        cut = reach > kLeastReach ? Cut{i, j, reach} : cut;
+      }
+    }
+  }
+  return cut;
+}
+
+bool holdInOne(const ShapeUnion& shapes, const Corners& corners) {
+  constexpr unsigned kAll = 7;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (shapes.heldBy(i, corners) == kAll) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Keeps the point if it lies farther outside than those before.
@@ -140,7 +128,7 @@ void note(const Eigen::Vector3d& point, double excess, Covering& covering) {
 }
 
 /// Whether every triangle lies in the union; parts below `least_size` are given up.
-bool coversTriangles(const Union& shapes, const TriangleMesh& mesh, double least_size,
+bool coversTriangles(const ShapeUnion& shapes, const TriangleMesh& mesh, double least_size,
                      Covering& covering) {
   std::size_t part_count = 0;
   std::vector<Corners> open;
@@ -150,18 +138,22 @@ bool coversTriangles(const Union& shapes, const TriangleMesh& mesh, double least
     while (!open.empty()) {
       const Corners part = open.back();
       open.pop_back();
-      if (shapes.holdInOne(part)) {
+      if (holdInOne(shapes, part)) {
         continue;
       }
-      double size = 0.0;
-      const std::array<Corners, 2> halves = halvesOf(part, size);
-      const Eigen::Vector3d& middle = halves[1][0];
+      const Cut cut = chooseCut(shapes, part);
+      const Eigen::Vector3d middle =
+          part[cut.from] + cut.fraction * (part[cut.to] - part[cut.from]);
       const double excess = shapes.excessOf(middle);
+      const Cut longest = halveLongestEdge(part);
+      const double size = lengthOf(part, longest.from, longest.to);
       if (excess > 0.0 || size < least_size || ++part_count > kMaxParts) {
         note(middle, excess > 0.0 ? excess : size, covering);
         return false;
       }
-      open.insert(open.end(), halves.begin(), halves.end());
+      const Eigen::Vector3d& across = part[3 - cut.from - cut.to];
+      open.push_back({part[cut.from], middle, across});
+      open.push_back({middle, part[cut.to], across});
     }
   }
   return true;
@@ -170,7 +162,7 @@ bool coversTriangles(const Union& shapes, const TriangleMesh& mesh, double least
 /// How far the vertices lie outside the shapes as they are.
 double worstVertex(const std::vector<PosedShape>& shapes, const TriangleMesh& mesh,
                    Covering& covering) {
-  const Union as_given(shapes, 0.0, mesh.vertices);
+  const ShapeUnion as_given(shapes, 0.0, mesh.vertices);
   double worst = 0.0;
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
     const double excess = as_given.excessOf(vertex);
@@ -219,7 +211,7 @@ Covering coverOne(const PlacedGeometry& placed, const std::vector<PosedShape>& s
     const double growth = fraction * max_widening;
     if (growth >= needed) {
       Covering attempt;
-      if (coversTriangles(Union(shapes, growth, mesh.vertices), mesh, 0.25 * max_widening,
+      if (coversTriangles(ShapeUnion(shapes, growth, mesh.vertices), mesh, 0.25 * max_widening,
                           attempt)) {
         return {true, growth, Eigen::Vector3d::Zero(), 0.0, 0};
       }
