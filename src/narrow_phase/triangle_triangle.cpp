@@ -101,6 +101,16 @@ double gapOf(const Heights& heights) noexcept {
              : 0.0;
 }
 
+// True when the direction between the nearest points so far separates the triangles by at least
+// as much as those are apart. Where surfaces are convex that holds for nearly all pairs.
+bool areBeyond(const Triangle& a, const Triangle& b, const PointPair& best) noexcept {
+  const Vector3d between = best.on_b - best.on_a;
+  const double end_of_a = std::max({between.dot(a[0]), between.dot(a[1]), between.dot(a[2])});
+  const double start_of_b = std::min({between.dot(b[0]), between.dot(b[1]), between.dot(b[2])});
+  const double gap = start_of_b - end_of_a;
+  return gap > 0.0 && gap * gap >= best.squared_distance * between.squaredNorm();
+}
+
 PointPair exchanged(const PointPair& pair) noexcept {
   return {pair.squared_distance, pair.on_b, pair.on_a};
 }
@@ -146,9 +156,11 @@ bool overlap(const Triangle& a, const Triangle& b) noexcept {
 }
 
 PointPair nearestPoints(const Triangle& a, const Triangle& b, const PointPair& start) noexcept {
+  if (areBeyond(a, b, start)) {
+    return start;
+  }
   const PreparedTriangle on_a = prepare(a);
   const PreparedTriangle on_b = prepare(b);
-  // Most pairs that two meshes ask about end here.
   const double gap = std::max(gapOf(heightsOver(on_a, b, 0.0)), gapOf(heightsOver(on_b, a, 0.0)));
   if (gap * gap >= start.squared_distance) {
     return start;
