@@ -60,7 +60,7 @@ inline double roundingOf(const ConvexPair& pair) noexcept { return 4e-15 * pair.
 /// The bounds from below and above that are to meet: as near as rounding allows for polytopes,
 /// which searches reach by finite steps. Smooth cores are approached only.
 inline double toleranceOf(const ConvexPair& pair) noexcept {
-  return pair.isSmooth() ? 1e-13 * pair.size : roundingOf(pair);
+  return pair.isSmooth() ? 1e-12 * pair.size : roundingOf(pair);
 }
 
 }  // namespace collision_monitor

@@ -102,9 +102,15 @@ bool isVertex(const SupportVertex& vertex, const ConvexWorkspace& polytope) noex
   });
 }
 
+// Faces on a curved surface shrink to a quarter of their sag at a time, so that every digit has
+// its price; depth is asked for less sharply than distance.
+double depthTolerance(const ConvexPair& pair) noexcept {
+  return pair.isSmooth() ? 1e-11 * pair.size : roundingOf(pair);
+}
+
 // Grows until the bounds meet.
 void refine(ConvexPair& pair, ConvexWorkspace& polytope, Penetration& best) noexcept {
-  const double tolerance = toleranceOf(pair);
+  const double tolerance = depthTolerance(pair);
   // A vertex beyond this is new for sure.
   const double certain = 1e-9 * pair.size;
   for (;;) {
@@ -151,34 +157,56 @@ Eigen::Vector3d weightsOf(const Face& face, const ConvexWorkspace& polytope) noe
   return weights / weights.sum();
 }
 
-// Of the faces in the plane that was found, the foot of the perpendicular lies in one: the one
-// whose weighed corners come nearest to it.
-void findPoints(const ConvexWorkspace& polytope, Penetration& best) noexcept {
+// The point of a face that is nearest to the foot of the perpendicular, and where it comes from.
+struct Foot {
+  double defect{std::numeric_limits<double>::infinity()};  // squared
+  Eigen::Vector3d on_a{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d on_b{Eigen::Vector3d::Zero()};
+  std::size_t face{0};
+};
+
+Foot footOn(std::size_t index, const Eigen::Vector3d& foot,
+            const ConvexWorkspace& polytope) noexcept {
+  const Face& face = polytope.faces[index];
+  const Eigen::Vector3d weights = weightsOf(face, polytope);
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Foot found;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SupportVertex& corner = polytope.vertices[face.corners[k]];
+    const double weight = weights[static_cast<Eigen::Index>(k)];
+    point += weight * corner.difference;
+    found.on_a += weight * corner.on_a;
+    found.on_b += weight * corner.on_b;
+  }
+  found.defect = (point - foot).squaredNorm();
+  found.face = index;
+  return found;
+}
+
+// Of the faces in the plane that was found, the foot of the perpendicular lies in one: mostly the
+// nearest, else the one that comes nearest to it.
+Foot findFoot(const ConvexPair& pair, const ConvexWorkspace& polytope,
+              const Penetration& best) noexcept {
   const Eigen::Vector3d foot = best.depth * best.outward;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t f = 0; f < polytope.face_count; ++f) {
+  Foot found = footOn(nearestFace(polytope), foot, polytope);
+  const double rounding = roundingOf(pair);
+  for (std::size_t f = 0; f < polytope.face_count && found.defect > rounding * rounding; ++f) {
     const Face& face = polytope.faces[f];
-    if (face.is_gone || face.normal.dot(best.outward) < 0.9) {
-      continue;
-    }
-    const Eigen::Vector3d weights = weightsOf(face, polytope);
-    Eigen::Vector3d point = Eigen::Vector3d::Zero();
-    Eigen::Vector3d on_a = Eigen::Vector3d::Zero();
-    Eigen::Vector3d on_b = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const SupportVertex& corner = polytope.vertices[face.corners[k]];
-      const double weight = weights[static_cast<Eigen::Index>(k)];
-      point += weight * corner.difference;
-      on_a += weight * corner.on_a;
-      on_b += weight * corner.on_b;
-    }
-    const double defect = (point - foot).squaredNorm();
-    if (defect < least) {
-      least = defect;
-      best.on_a = on_a;
-      best.on_b = on_b;
+    if (!face.is_gone && face.normal.dot(best.outward) > 0.9) {
+      const Foot candidate = footOn(f, foot, polytope);
+      found = candidate.defect < found.defect ? candidate : found;
     }
   }
+  return found;
+}
+
+void takePoints(const Foot& foot, const ConvexWorkspace& polytope, Penetration& best) noexcept {
+  best.on_a = foot.on_a;
+  best.on_b = foot.on_b;
+  for (std::size_t k = 0; k < 3; ++k) {
+    best.face[k] = polytope.vertices[polytope.faces[foot.face].corners[k]];
+  }
+  best.face_size = 3;
 }
 
 }  // namespace
@@ -194,7 +222,7 @@ Penetration searchDepth(ConvexPair& pair, const Simplex& simplex,
   startPolytope(start.corners, polytope);
   Penetration best;
   refine(pair, polytope, best);
-  findPoints(polytope, best);
+  takePoints(findFoot(pair, polytope, best), polytope, best);
   return best;
 }
 

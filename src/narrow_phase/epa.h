@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <limits>
 
 #include "narrow_phase/convex_pair.h"
@@ -18,6 +19,9 @@ struct Penetration {
   Eigen::Vector3d on_a{Eigen::Vector3d::Zero()};  ///< in A's frame
   Eigen::Vector3d on_b{Eigen::Vector3d::Zero()};  ///< in B's frame
   bool is_settled{false};                         ///< no face of the polytope says less
+  /// Corners of the face where the points are: where the next search may start. None when flat.
+  std::array<SupportVertex, 3> face;
+  int face_size{0};
 };
 
 /// Grows a polytope inside the difference from the simplex that holds or touches the origin, until
@@ -26,7 +30,8 @@ struct Penetration {
 /// The depth reported is always one that a support plane proves; the polytope, which is inside,
 /// says how much less it could be. A face that rounding keeps from being refined answers with
 /// its support plane.
-/// Error: settled means that both differ by toleranceOf(pair) at most.
+/// Error: settled means that both differ by 1e-11 of the pair's size at most with a cylinder, by
+/// rounding otherwise.
 /// Limits: a difference without volume (crossing segments, coplanar polygons) has depth 0.
 /// Source: van den Bergen, "Proximity Queries and Penetration Depth Computation on 3D Game
 /// Objects" (2001). Departs from it in the outline, which is checked before anything changes.

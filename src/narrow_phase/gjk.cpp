@@ -98,11 +98,12 @@ GjkResult searchNearest(ConvexPair& pair, const ConvexWarmStart& warm, double en
   return result;
 }
 
-void keepWarm(const GjkResult& result, const ConvexPair& pair, ConvexWarmStart& warm) noexcept {
-  warm.size = static_cast<std::uint32_t>(result.simplex.size);
+void keepWarm(const SupportVertex* vertices, int count, const ConvexPair& pair,
+              ConvexWarmStart& warm) noexcept {
+  warm.size = static_cast<std::uint32_t>(count);
   for (std::size_t i = 0; i < warm.size; ++i) {
-    warm.on_a[i] = result.simplex.vertices[i].on_a;
-    warm.on_b[i] = result.simplex.vertices[i].on_b;
+    warm.on_a[i] = vertices[i].on_a;
+    warm.on_b[i] = vertices[i].on_b;
   }
   warm.vertex_of_a = pair.vertex_of_a;
   warm.vertex_of_b = pair.vertex_of_b;

@@ -35,7 +35,8 @@ double touchingDistance(const ConvexPair& pair) noexcept;
 /// that the support plane proves; Cameron, "Enhancing GJK" (1997), for the warm start.
 GjkResult searchNearest(ConvexPair& pair, const ConvexWarmStart& warm, double enough) noexcept;
 
-/// What the next search of the pair may start from.
-void keepWarm(const GjkResult& result, const ConvexPair& pair, ConvexWarmStart& warm) noexcept;
+/// What the next search of the pair may start from: some points of the difference.
+void keepWarm(const SupportVertex* vertices, int count, const ConvexPair& pair,
+              ConvexWarmStart& warm) noexcept;
 
 }  // namespace collision_monitor

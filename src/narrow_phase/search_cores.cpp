@@ -33,8 +33,11 @@ ConvexDistance answerApart(const ConvexPair& pair, const GjkResult& found) noexc
 }
 
 ConvexDistance answerOverlap(ConvexPair& pair, const GjkResult& found,
-                             ConvexWorkspace& workspace) noexcept {
-  const Penetration deep = searchDepth(pair, found.simplex, workspace);
+                             ConvexSearch& search) noexcept {
+  const Penetration deep = searchDepth(pair, found.simplex, search.workspace);
+  if (deep.face_size > 0) {
+    keepWarm(deep.face.data(), deep.face_size, pair, search.warm);
+  }
   // Cores that touch have points that do; the faces about them, all equally shallow, need not.
   const bool touch =
       !found.simplex.contains_origin && std::abs(deep.depth) <= 2.0 * touchingDistance(pair);
@@ -72,7 +75,7 @@ ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept {
     return closed;
   }
   const GjkResult found = searchNearest(pair, search.warm, search.enough);
-  keepWarm(found, pair, search.warm);
+  keepWarm(found.simplex.vertices.data(), found.simplex.size, pair, search.warm);
   const bool is_apart =
       found.state != GjkResult::State::overlapping && found.lower > touchingDistance(pair);
   if (is_apart || found.state == GjkResult::State::settled) {
@@ -88,7 +91,7 @@ ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept {
     closed.measured = swapped(closed.measured);
     return closed;
   }
-  return answerOverlap(pair, found, search.workspace);
+  return answerOverlap(pair, found, search);
 }
 
 }  // namespace collision_monitor
