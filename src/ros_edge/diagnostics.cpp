@@ -4,6 +4,7 @@
 
 #include <collision_monitor/State.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace collision_monitor {
@@ -84,6 +85,10 @@ void Diagnostics::reportSetup(DiagnosticStatusWrapper& status) {
   }
   status.add("robots", current->setup.model.robots.size());
   status.add("shapes", current->setup.bodies.size());
+  const auto& labels = current->setup.labels;
+  status.add("shapes not proven to enclose",
+             std::count_if(labels.begin(), labels.end(),
+                           [](const BodyLabel& label) { return !label.is_proven; }));
   status.add("checked pairs of links", current->setup.checked.size());
   status.add("world frame", current->world_frame);
   for (const Problem& warning : warnings) {
