@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "collision_monitor/geometry/convex_hull.h"
 
@@ -25,6 +26,57 @@ std::size_t farthestAlong(const Points& points, const Eigen::Vector3d& direction
     }
   }
   return farthest;
+}
+
+/// n . x <= offset for the inside.
+struct FacePlane {
+  Eigen::Vector3d normal;
+  double offset;
+};
+
+/// The planes of a hull's faces; none when it is flat.
+std::vector<FacePlane> planesOf(const TriangleMesh& hull, double extent) {
+  constexpr double kFlat = 1e-6;  // of the extent
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const auto& corner : hull.vertices) {
+    middle += corner / static_cast<double>(hull.vertices.size());
+  }
+  std::vector<FacePlane> planes;
+  for (const auto& t : hull.triangles) {
+    const Eigen::Vector3d& corner = hull.vertices[t[0]];
+    const Eigen::Vector3d normal =
+        (hull.vertices[t[1]] - corner).cross(hull.vertices[t[2]] - corner).normalized();
+    if (!(normal.dot(corner - middle) > kFlat * extent)) {
+      return {};
+    }
+    planes.push_back({normal, normal.dot(corner)});
+  }
+  return planes;
+}
+
+/// The points that are beyond one of the planes by more than `hair`.
+Points beyondPlanes(const Points& points, const std::vector<FacePlane>& planes, double hair) {
+  constexpr std::size_t kBlock = 64;
+  Eigen::Array<double, kBlock, 3> block;
+  Eigen::Array<double, kBlock, 1> excess;
+  Points beyond;
+  for (std::size_t first = 0; first < points.size(); first += kBlock) {
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const std::size_t from = std::min(first + i, points.size() - 1);
+      block.row(static_cast<Eigen::Index>(i)) = points[from].transpose();
+    }
+    excess.setConstant(-std::numeric_limits<double>::infinity());
+    for (const auto& plane : planes) {
+      excess = excess.max(block.col(0) * plane.normal.x() + block.col(1) * plane.normal.y() +
+                          block.col(2) * plane.normal.z() - plane.offset);
+    }
+    for (std::size_t i = 0; i < std::min(kBlock, points.size() - first); ++i) {
+      if (excess[static_cast<Eigen::Index>(i)] > hair) {
+        beyond.push_back(points[first + i]);
+      }
+    }
+  }
+  return beyond;
 }
 
 }  // namespace
@@ -113,18 +165,21 @@ Points representativesOf(const Points& points) {
 }
 
 Points outerPoints(const Points& points) {
-  // Of 300 directions almost every one finds a corner of its own only on a hull with thousands of
-  // them. A part of the points shows that as well as all.
-  constexpr std::size_t kPart = 3000;
-  constexpr int kDirections = 300;
-  constexpr std::size_t kManyCorners = 280;
-  if (points.size() > kPart) {
-    Points part;
-    for (std::size_t i = 0; i < points.size(); i += points.size() / kPart) {
-      part.push_back(points[i]);
+  constexpr std::size_t kFew = 100;
+  constexpr double kHair = 1e-13;  // of the largest coordinates: what rounding does to a face
+  if (points.size() > kFew) {
+    double extent = 0.0;
+    double largest = 0.0;
+    for (const auto& point : points) {
+      extent = std::max(extent, (point - points.front()).cwiseAbs().maxCoeff());
+      largest = std::max(largest, point.cwiseAbs().maxCoeff());
     }
-    if (extremePoints(part, spreadDirections(kDirections)).size() > kManyCorners) {
-      return points;
+    const TriangleMesh inner = convexHullOf(representativesOf(points));
+    const auto planes = planesOf(inner, extent);
+    if (!planes.empty()) {
+      Points outer = beyondPlanes(points, planes, kHair * largest);
+      outer.insert(outer.end(), inner.vertices.begin(), inner.vertices.end());
+      return outer;
     }
   }
   return convexHullOf(points).vertices;

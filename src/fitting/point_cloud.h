@@ -36,8 +36,10 @@ Points extremePoints(const Points& points, const Points& directions);
 /// At most about a hundred of the points, which stand for all while a search is still coarse.
 Points representativesOf(const Points& points);
 
-/// The corners of the hull; or all points, when nearly all of them are corners of it and finding
-/// out would take longer than all fits together (a hull costs about 20 us a corner).
+/// Points among which all corners of the hull are, up to rounding: those outside a polytope with
+/// about a hundred corners, and these. Of flat sets, the corners of the hull.
+/// Source: Akl, Toussaint, "A Fast Convex Hull Algorithm" (1978), for throwing away what is inside;
+/// the hull itself is not worth its price (about 20 us a corner, more than all fits together).
 Points outerPoints(const Points& points);
 
 /// Any rotation whose third column is `axis` (unit).
