@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "collision_monitor/narrow_phase/mesh_distance.h"
@@ -109,13 +110,15 @@ void addFcl(const std::string& gap_name, double gap) {
 
 void registerAll() {
   benchmark::RegisterBenchmark("build", [](benchmark::State& state) {
+    const TriangleMesh& mesh = scene().mesh;
     for ([[maybe_unused]] const auto unused : state) {
-      benchmark::DoNotOptimize(MeshTree(scene().mesh, true).nodes().size());
+      benchmark::DoNotOptimize(MeshTree(mesh, true).nodes().size());
     }
   });
   benchmark::RegisterBenchmark("fcl_build", [](benchmark::State& state) {
+    const TriangleMesh& mesh = scene().mesh;
     for ([[maybe_unused]] const auto unused : state) {
-      benchmark::DoNotOptimize(toFcl(scene().mesh));
+      benchmark::DoNotOptimize(toFcl(mesh));
     }
   });
   for (const auto& [name, gap] : {std::pair<const char*, double>{"gap_1mm/", 1e-3},
