@@ -23,7 +23,7 @@ void seed(ConvexPair& pair, const ConvexWarmStart& warm, Simplex& simplex) noexc
 
 SupportVertex measureGap(const Eigen::Vector3d& direction, ConvexPair& pair,
                          GjkResult& result) noexcept {
-  const SupportVertex least = leastAlong(direction, pair);
+  SupportVertex least = leastAlong(direction, pair);
   const double gap = direction.dot(least.difference);
   if (gap > result.lower) {
     result.lower = gap;
