@@ -83,7 +83,8 @@ double enclosingRadius(const PlacedCore& core, const Points& points) noexcept {
 
 void descend(const Points& points, const DescentGoal& goal, PlacedCore& core) {
   CoreBarrier barrier(points, goal);
-  for (double weight = goal.first_weight; weight <= goal.last_weight; weight *= kWeightGrowth) {
+  double weight = goal.first_weight;
+  while (weight <= goal.last_weight) {
     // Again for each weight: the last step that was tried may have been turned down.
     if (!barrier.place(core)) {
       return;
@@ -91,6 +92,7 @@ void descend(const Points& points, const DescentGoal& goal, PlacedCore& core) {
     double value = barrier.value(weight);
     for (int i = 0; i < kMaxNewtonSteps && improve(barrier, weight, core, value); ++i) {
     }
+    weight *= kWeightGrowth;
   }
 }
 
