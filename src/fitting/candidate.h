@@ -20,5 +20,6 @@ Enclosure chooseTightest(const std::vector<Enclosure>& candidates, const ShapeKi
 std::vector<Enclosure> encloseCapsule(const Capsule& capsule);
 std::vector<Enclosure> encloseCylinder(const Cylinder& cylinder);
 std::vector<Enclosure> encloseMesh(const TriangleMesh& mesh);
+std::vector<Enclosure> encloseMesh(const TriangleMesh& mesh, const TriangleBvh& bvh);
 
 }  // namespace collision_monitor

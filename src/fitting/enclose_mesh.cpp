@@ -31,7 +31,10 @@ PosedShape leastCoarse(const std::vector<PosedShape>& fits, const TriangleBvh& m
 }  // namespace
 
 std::vector<Enclosure> encloseMesh(const TriangleMesh& mesh) {
-  const TriangleBvh bvh(mesh);
+  return encloseMesh(mesh, TriangleBvh(mesh));
+}
+
+std::vector<Enclosure> encloseMesh(const TriangleMesh& mesh, const TriangleBvh& bvh) {
   const Points corners = outerPoints(mesh.vertices);
   const auto boxes = smallBoxes(corners);
   const auto capsules = smallCapsules(corners);

@@ -140,6 +140,13 @@ void OvershootSum::add(double distance, double area) noexcept {
   fourth_moment_ += area * squared * squared;
 }
 
+void OvershootSum::add(const OvershootSum& other) noexcept {
+  max_ = std::max(max_, other.max_);
+  area_ += other.area_;
+  first_moment_ += other.first_moment_;
+  fourth_moment_ += other.fourth_moment_;
+}
+
 Overshoot OvershootSum::total() const noexcept {
   // A shape without area is its few samples; the worst of them speaks for all.
   if (!(area_ > 0.0)) {

@@ -72,9 +72,9 @@ double provenExcess(const PosedShape& fit, const Capsule& capsule) noexcept {
   return upperBound(fit, excess, capsule.half_length + capsule.radius);
 }
 
-double widenUntilProven(const Points& points, PosedShape& fit) {
-  return widenUntil(fit,
-                    [&](const PosedShape& candidate) { return provenExcess(candidate, points); });
+double widenUntilProven(const Points& points, PosedShape& fit, double margin) {
+  return widenUntil(
+      fit, [&](const PosedShape& candidate) { return provenExcess(candidate, points) + margin; });
 }
 
 double widenUntilProven(const Cylinder& cylinder, PosedShape& fit) {

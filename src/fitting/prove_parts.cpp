@@ -41,19 +41,21 @@ PosedShape placed(const Enclosure& enclosure) {
 double excessOfParts(const TriangleMesh& mesh, const Fit& fit) {
   PartedSurface surface(mesh);
   std::vector<MeshPart> parts{surface.whole()};
+  std::vector<double> slack{0.0};
   for (const auto& cut : fit.cuts) {
     MeshPart below;
     MeshPart above;
     surface.split(parts[cut.part], {cut.normal, cut.offset}, below, above);
     parts[cut.part] = std::move(below);
     parts.push_back(std::move(above));
+    slack[cut.part] += surface.cutError();
+    slack.push_back(slack[cut.part]);
   }
-  const double slack = static_cast<double>(fit.cuts.size()) * surface.cutError();
   double excess = -kInfinity;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Points corners = surface.cornersOf(parts[i]);
     if (!corners.empty()) {
-      excess = std::max(excess, provenExcess(placed(fit.shapes[i]), corners) + slack);
+      excess = std::max(excess, provenExcess(placed(fit.shapes[i]), corners) + slack[i]);
     }
   }
   return excess;

@@ -32,7 +32,9 @@ struct SurfaceSample {
 class OvershootSum {
  public:
   void add(double distance, double area) noexcept;
+  void add(const OvershootSum& other) noexcept;
   Overshoot total() const noexcept;
+  double fourthMoment() const noexcept { return fourth_moment_; }  ///< [m^6] over the area
 
  private:
   double max_{0.0};

@@ -35,9 +35,9 @@ double provenExcess(const PosedShape& fit, const Cylinder& cylinder) noexcept;
 /// @pre the fit is placed by the identity.
 double provenExcess(const PosedShape& fit, const Capsule& capsule) noexcept;
 
-/// Grows the radius (of a box: the half extents) until provenExcess <= 0.
+/// Grows the radius (of a box: the half extents) until provenExcess <= -margin.
 /// @return the growth [m]; about 1e-15 of the size for a fit that was tight up to rounding.
-double widenUntilProven(const Points& points, PosedShape& fit);
+double widenUntilProven(const Points& points, PosedShape& fit, double margin = 0.0);
 double widenUntilProven(const Cylinder& cylinder, PosedShape& fit);
 double widenUntilProven(const Capsule& capsule, PosedShape& fit);
 

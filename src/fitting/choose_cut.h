@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "fitting/mesh_part.h"
+#include "fitting/rough_fit.h"
+
+namespace collision_monitor {
+
+/// A cut and what it leads to.
+struct CutChoice {
+  CutPlane plane;
+  RoughFit below;
+  RoughFit above;
+  double cost{std::numeric_limits<double>::infinity()};  ///< [m]
+};
+
+/// The plane that leaves the least coarse pair of shapes, among planes across the axes of the
+/// frames at several places along each.
+/// @param samples points of the part's surface, close together against its size.
+/// @return nothing when the part has no extent along any axis.
+std::optional<CutChoice> chooseCut(const Points& samples, const Eigen::Matrix3d& frame,
+                                   const RoughGoal& goal);
+
+}  // namespace collision_monitor

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "collision_monitor/fitting/posed_shape.h"
+#include "collision_monitor/geometry/triangle_mesh.h"
+
+namespace collision_monitor {
+
+/// The distance to a surface on a grid around it, 0 inside: what a search asks for a thousand times
+/// where a query of the mesh would take a hundred times as long.
+///
+/// Units: metres. Error: about half a spacing, a hundredth of the mesh's size; results are measured
+/// on the mesh in the end. Farther out than 0.15 of the longest side, distances come out too large.
+/// Inside is what cannot be reached from without by steps of one
+/// spacing, so small holes do no harm and a mesh with a large one has no inside.
+/// Source: nearest points spread in eight sweeps as in Zhao, "A Fast Sweeping Method for Eikonal
+/// Equations" (2005); Danielsson, "Euclidean Distance Mapping" (1980).
+class DistanceGrid {
+ public:
+  /// @pre the mesh is sound; see checkGeometry.
+  explicit DistanceGrid(const TriangleMesh& mesh);
+
+  double distanceTo(const Eigen::Vector3d& point) const noexcept {
+    if (!(spacing_ > 0.0)) {
+      return (point - low_).norm();
+    }
+    const Eigen::Vector3d in_grid = (point - low_) / spacing_;
+    const Eigen::Vector3d at = in_grid.cwiseMax(0.0).cwiseMin(last_);
+    const double outside = (in_grid - at).squaredNorm();
+    const double beyond = outside > 0.0 ? spacing_ * std::sqrt(outside) : 0.0;
+    const Eigen::Vector3i cell = at.cast<int>();
+    const Eigen::Vector3d t = at - cell.cast<double>();
+    const double* corner = distance_.data() + indexOf(cell.x(), cell.y(), cell.z());
+    const auto next_y = static_cast<std::size_t>(size_[0]);
+    const auto next_z = static_cast<std::size_t>(size_[0] * size_[1]);
+    const auto along_x = [&](const double* d) { return d[0] + t.x() * (d[1] - d[0]); };
+    const auto along_y = [&](const double* d) {
+      const double near = along_x(d);
+      return near + t.y() * (along_x(d + next_y) - near);
+    };
+    const double near = along_y(corner);
+    return near + t.z() * (along_y(corner + next_z) - near) + beyond;
+  }
+
+  /// Points of the surface, about one spacing apart.
+  Points surface() const;
+  double spacing() const noexcept { return spacing_; }
+
+ private:
+  std::size_t indexOf(int x, int y, int z) const noexcept {
+    return static_cast<std::size_t>((z * size_[1] + y) * size_[0] + x);
+  }
+  Eigen::Vector3d nodeAt(int x, int y, int z) const noexcept {
+    return low_ + spacing_ * Eigen::Vector3d(x, y, z);
+  }
+  void layOut(const TriangleMesh& mesh);
+  void sampleSurface(const TriangleMesh& mesh);
+  void markSurface();
+  void sweep(const Eigen::Vector3i& direction);
+  void takeNearer(const Eigen::Vector3i& from, const Eigen::Vector3i& to);
+  void emptyInside();
+
+  Eigen::Vector3d low_{Eigen::Vector3d::Zero()};
+  double spacing_{0.0};
+  Eigen::Vector3d last_{Eigen::Vector3d::Zero()};  ///< just before the last node, in spacings
+  std::array<int, 3> size_{1, 1, 1};
+  Points surface_;
+  std::vector<std::uint32_t> nearest_;  ///< by node: into surface_
+  std::vector<double> distance_;        ///< by node
+};
+
+}  // namespace collision_monitor

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fitting/mesh_fitter.h"
+
+#include <algorithm>
+
+#include "collision_monitor/fitting/proof.h"
+#include "fitting/candidate.h"
+#include "fitting/point_cloud.h"
+#include "fitting/union_overshoot.h"
+
+namespace collision_monitor {
+namespace {
+
+constexpr int kRepresentatives = 120;
+
+constexpr OvershootSampling kSampling{600, 0.01};
+
+PlacedCore coreOf(const Enclosure& enclosure) {
+  const Pose& pose = enclosure.geometry_from_body;
+  return {pose.rotation, pose.translation, coreHalfExtents(enclosure.shape),
+          radiusOf(enclosure.shape)};
+}
+
+/// By which one set of parts is better than another. Units: metres.
+double costOf(const Overshoot& overshoot) { return overshoot.fourth_power_mean + overshoot.max; }
+
+}  // namespace
+
+MeshFitter::MeshFitter(const TriangleMesh& mesh, const Enclosure& whole, const ShapeKinds& kinds)
+    : kinds_(kinds), bvh_(mesh), surface_(mesh), grid_(mesh) {
+  Part part;
+  part.surface = surface_.whole();
+  part.samples = grid_.surface();
+  part.enclosure = whole;
+  parts_.push_back(std::move(part));
+  best_.shapes.push_back(whole);
+  best_.overshoot = whole.overshoot;
+}
+
+std::size_t MeshFitter::worstPart() const noexcept {
+  const auto rank = [](const Part& part) {
+    return part.can_be_cut ? part.enclosure.overshoot.max : -1.0;
+  };
+  const auto worst =
+      std::max_element(parts_.begin(), parts_.end(),
+                       [&](const Part& a, const Part& b) { return rank(a) < rank(b); });
+  return static_cast<std::size_t>(worst - parts_.begin());
+}
+
+double MeshFitter::worstOvershoot() const noexcept {
+  const Part& part = parts_[worstPart()];
+  return part.can_be_cut ? part.enclosure.overshoot.max : 0.0;
+}
+
+RoughGoal MeshFitter::goalBeside(std::size_t part) const {
+  RoughGoal goal{grid_, kinds_, {}, {}};
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (i != part) {
+      goal.others.push_back(coreOf(parts_[i].enclosure));
+    }
+  }
+  return goal;
+}
+
+void MeshFitter::encloseAs(const RoughFit& rough, Part& part) const {
+  PosedShape fit = placedShape(rough);
+  fit.shape = grown(fit.shape, std::max(excessOver(fit, part.corners), 0.0));
+  part.enclosure = Enclosure{};
+  part.enclosure.widening = widenUntilProven(part.corners, fit, part.slack);
+  part.enclosure.shape = fit.shape;
+  part.enclosure.geometry_from_body = fit.geometry_from_body;
+  part.measured = measureSamples(fit, bvh_, &grid_, kSampling);
+}
+
+/// Once the neighbours' shapes are known, what they hold counts no more.
+void MeshFitter::refit(std::size_t i) {
+  Part& part = parts_[i];
+  const Points points = part.corners.size() <= kRepresentatives
+                            ? part.corners
+                            : extremePoints(part.corners, spreadDirections(kRepresentatives));
+  const RoughGoal goal = goalBeside(i);
+  RoughFit now{coreOf(part.enclosure), part.enclosure.shape.index()};
+  now = polished(now, points, goal);
+  RoughFit other = fitRoughly(
+      points, {now.core.rotation, principalAxes(points), Eigen::Matrix3d::Identity()}, goal);
+  other = polished(other, points, goal);
+  encloseAs(other.cost < now.cost ? other : now, part);
+}
+
+void MeshFitter::measureParts() {
+  Fit fit;
+  fit.cuts = cuts_;
+  std::vector<PosedShape> shapes;
+  for (const auto& part : parts_) {
+    shapes.push_back({part.enclosure.shape, part.enclosure.geometry_from_body});
+  }
+  OvershootSum sum;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const OvershootSum part = sumOutsideOthers(parts_[i].measured, i, shapes);
+    parts_[i].enclosure.overshoot = part.total();
+    fit.shapes.push_back(parts_[i].enclosure);
+    sum.add(part);
+  }
+  fit.overshoot = sum.total();
+  if (costOf(fit.overshoot) < costOf(best_.overshoot)) {
+    best_ = std::move(fit);
+  }
+}
+
+void MeshFitter::cutWorst() {
+  const std::size_t worst = worstPart();
+  const auto cut =
+      chooseCut(parts_[worst].samples, parts_[worst].enclosure.geometry_from_body.rotation,
+                goalBeside(worst));
+  if (!cut) {
+    parts_[worst].can_be_cut = false;
+    return;
+  }
+  const std::size_t next = parts_.size();
+  divide(worst, cut->plane);
+  encloseAs(cut->below, parts_[worst]);
+  encloseAs(cut->above, parts_[next]);
+  refit(worst);
+  refit(next);
+  measureParts();
+}
+
+/// Cuts the surface of a part; both pieces still lack their shapes.
+void MeshFitter::divide(std::size_t i, const CutPlane& plane) {
+  Part below;
+  Part above;
+  surface_.split(parts_[i].surface, plane, below.surface, above.surface);
+  for (const auto& sample : parts_[i].samples) {
+    (plane.heightOf(sample) <= 0.0 ? below : above).samples.push_back(sample);
+  }
+  below.corners = surface_.cornersOf(below.surface);
+  above.corners = surface_.cornersOf(above.surface);
+  below.slack = parts_[i].slack + surface_.cutError();
+  above.slack = below.slack;
+  parts_[i] = std::move(below);
+  parts_.push_back(std::move(above));
+  cuts_.push_back({static_cast<std::uint32_t>(i), plane.normal, plane.offset});
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "collision_monitor/fitting/fit_parts.h"
+#include "collision_monitor/geometry/triangle_bvh.h"
+#include "fitting/choose_cut.h"
+#include "fitting/union_overshoot.h"
+
+namespace collision_monitor {
+
+/// A mesh that is being cut in parts, each with its shape.
+class MeshFitter {
+ public:
+  /// One part: the whole, in its shape. @pre the mesh is sound; it is referred to and must stay.
+  MeshFitter(const TriangleMesh& mesh, const Enclosure& whole, const ShapeKinds& kinds);
+
+  /// The overshoot of the part that sticks out farthest of those that can be cut; 0 if none can.
+  double worstOvershoot() const noexcept;
+  void cutWorst();
+  /// The least coarse of all fits on the way: a cut can make room for the next one only.
+  const Fit& best() const noexcept { return best_; }
+
+ private:
+  struct Part {
+    MeshPart surface;
+    Points samples;  ///< of the surface, close together
+    Points corners;  ///< whose hull holds the part
+    Enclosure enclosure;
+    std::vector<MeasuredSample> measured;
+    double slack{0.0};  ///< [m] what the cuts that led to it may have moved its corners by
+    bool can_be_cut{true};
+  };
+
+  std::size_t worstPart() const noexcept;
+  void divide(std::size_t part, const CutPlane& plane);
+  RoughGoal goalBeside(std::size_t part) const;
+  void encloseAs(const RoughFit& rough, Part& part) const;
+  void refit(std::size_t part);
+  void measureParts();
+
+  ShapeKinds kinds_;
+  TriangleBvh bvh_;
+  PartedSurface surface_;
+  DistanceGrid grid_;
+  std::vector<Part> parts_;
+  std::vector<PartCut> cuts_;
+  Fit best_;
+};
+
+}  // namespace collision_monitor

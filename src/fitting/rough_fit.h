@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "collision_monitor/fitting/enclose.h"
+#include "fitting/core_descent.h"
+#include "fitting/distance_grid.h"
+#include "fitting/mesh_part.h"
+#include "fitting/rough_overshoot.h"
+
+namespace collision_monitor {
+
+/// What a search goes by: shapes of the kinds allowed, and what they stick out over a mesh.
+struct RoughGoal {
+  const DistanceGrid& grid;
+  ShapeKinds kinds;
+  std::vector<PlacedCore> others;  ///< points in other shapes do not count
+  std::optional<CutPlane> plane;   ///< points near it do not count
+
+  OvershootSum overshootOf(const PlacedCore& core) const noexcept;
+  /// Between the mean and the maximum. Units: metres.
+  double costOf(const PlacedCore& core) const noexcept;
+};
+
+/// A shape that was found by search on a grid.
+struct RoughFit {
+  PlacedCore core;
+  std::size_t kind{0};                                   ///< index of the alternative of Shape
+  double cost{std::numeric_limits<double>::infinity()};  ///< [m]
+};
+
+/// The best of some shapes with axes along one of the frames. Encloses the points.
+RoughFit fitRoughly(const Points& points, const std::vector<Eigen::Matrix3d>& frames,
+                    const RoughGoal& goal);
+
+/// Moves the fit of the same kind towards a local minimum of its cost. Encloses the points.
+RoughFit polished(const RoughFit& fit, const Points& points, const RoughGoal& goal);
+
+/// The same shape as one of the kinds, exactly.
+PosedShape placedShape(const RoughFit& fit);
+
+}  // namespace collision_monitor

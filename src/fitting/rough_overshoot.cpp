@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fitting/rough_overshoot.h"
+
+#include <cmath>
+
+namespace collision_monitor {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kSteps = 5;  // along an edge of the core
+constexpr double kHalfPi = 1.57079632679489661923;
+
+double stepOf(int i) { return 2.0 * i / kSteps - 1.0; }
+double shareOf(int i) { return (i == 0 || i == kSteps ? 0.5 : 1.0) / kSteps; }
+
+void addFaces(int k, SurfacePattern& pattern) {
+  for (const double side : {-1.0, 1.0}) {
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; j <= kSteps; ++j) {
+        PatternPoint point{Vector3d::Zero(), side * Vector3d::Unit(k), shareOf(i) * shareOf(j)};
+        point.fraction[k] = side;
+        point.fraction[(k + 1) % 3] = stepOf(i);
+        point.fraction[(k + 2) % 3] = stepOf(j);
+        pattern[static_cast<std::size_t>(k)].push_back(point);
+      }
+    }
+  }
+}
+
+void addEdges(int k, SurfacePattern& pattern) {
+  constexpr int kAngles = 3;
+  for (int signs = 0; signs < 4; ++signs) {
+    Vector3d side = Vector3d::Zero();
+    side[(k + 1) % 3] = (signs & 1) != 0 ? 1.0 : -1.0;
+    side[(k + 2) % 3] = (signs & 2) != 0 ? 1.0 : -1.0;
+    for (int angle = 0; angle < kAngles; ++angle) {
+      const double azimuth = kHalfPi * (angle + 0.5) / kAngles;
+      Vector3d outward = side;
+      outward[(k + 1) % 3] *= std::cos(azimuth);
+      outward[(k + 2) % 3] *= std::sin(azimuth);
+      for (int i = 0; i <= kSteps; ++i) {
+        PatternPoint point{side, outward, shareOf(i) / kAngles};
+        point.fraction[k] = stepOf(i);
+        pattern[static_cast<std::size_t>(3 + k)].push_back(point);
+      }
+    }
+  }
+}
+
+void addCorners(SurfacePattern& pattern) {
+  for (int signs = 0; signs < 8; ++signs) {
+    const Vector3d side((signs & 1) != 0 ? 1.0 : -1.0, (signs & 2) != 0 ? 1.0 : -1.0,
+                        (signs & 4) != 0 ? 1.0 : -1.0);
+    for (const auto& inward :
+         {Vector3d(1, 1, 1), Vector3d(1, .3, .3), Vector3d(.3, 1, .3), Vector3d(.3, .3, 1),
+          Vector3d(1, 1, .3), Vector3d(1, .3, 1), Vector3d(.3, 1, 1)}) {
+      pattern[6].push_back({side, side.cwiseProduct(inward).normalized(), 1.0 / 7.0});
+    }
+  }
+}
+
+SurfacePattern makePattern() {
+  SurfacePattern pattern;
+  for (int k = 0; k < 3; ++k) {
+    addFaces(k, pattern);
+    addEdges(k, pattern);
+  }
+  addCorners(pattern);
+  return pattern;
+}
+
+}  // namespace
+
+const SurfacePattern& surfacePattern() {
+  static const SurfacePattern pattern = makePattern();
+  return pattern;
+}
+
+std::array<double, 7> patchAreas(const PlacedCore& core) noexcept {
+  const Vector3d& h = core.half_extents;
+  const double r = core.radius;
+  return {4 * h.y() * h.z(),       4 * h.z() * h.x(),       4 * h.x() * h.y(),
+          2 * kHalfPi * r * h.x(), 2 * kHalfPi * r * h.y(), 2 * kHalfPi * r * h.z(),
+          kHalfPi * r * r};
+}
+
+}  // namespace collision_monitor
