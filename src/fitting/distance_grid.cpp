@@ -71,62 +71,49 @@ void DistanceGrid::sampleSurface(const TriangleMesh& mesh) {
   }
 }
 
-/// The nodes around each point of the surface.
+/// The node nearest to each point of the surface; the sweeps bring it to the others.
 void DistanceGrid::markSurface() {
   const std::size_t count = indexOf(size_[0] - 1, size_[1] - 1, size_[2] - 1) + 1;
   last_ = Vector3d(size_[0] - 1.001, size_[1] - 1.001, size_[2] - 1.001);
   nearest_.assign(count, kNone);
   distance_.assign(count, kInfinity);
   for (std::uint32_t i = 0; i < surface_.size(); ++i) {
-    const Vector3i cell = spacing_ > 0.0 ? Vector3i(((surface_[i] - low_) / spacing_).cast<int>())
-                                         : Vector3i(Vector3i::Zero());
-    for (int corner = 0; corner < 8; ++corner) {
-      const int x = cell.x() + (corner & 1);
-      const int y = cell.y() + (corner >> 1 & 1);
-      const int z = cell.z() + (corner >> 2);
-      if (x >= size_[0] || y >= size_[1] || z >= size_[2]) {
-        continue;
-      }
-      const double squared = (nodeAt(x, y, z) - surface_[i]).squaredNorm();
-      const std::size_t node = indexOf(x, y, z);
-      if (squared < distance_[node]) {
-        distance_[node] = squared;
-        nearest_[node] = i;
-      }
+    Vector3i cell = Vector3i::Zero();
+    if (spacing_ > 0.0) {
+      cell = ((surface_[i] - low_) / spacing_ + Vector3d::Constant(0.5)).cast<int>();
     }
+    takeNearer(i, indexOf(cell.x(), cell.y(), cell.z()), nodeAt(cell.x(), cell.y(), cell.z()));
   }
 }
 
-void DistanceGrid::takeNearer(const Vector3i& from, const Vector3i& to) {
-  const std::size_t source = indexOf(from.x(), from.y(), from.z());
-  const std::size_t node = indexOf(to.x(), to.y(), to.z());
-  if (nearest_[source] == kNone || nearest_[source] == nearest_[node]) {
-    return;
-  }
-  const double squared =
-      (nodeAt(to.x(), to.y(), to.z()) - surface_[nearest_[source]]).squaredNorm();
+void DistanceGrid::takeNearer(std::uint32_t point, std::size_t node, const Vector3d& at) {
+  const double squared = (at - surface_[point]).squaredNorm();
   if (squared < distance_[node]) {
     distance_[node] = squared;
-    nearest_[node] = nearest_[source];
+    nearest_[node] = point;
   }
 }
 
+/// Every node looks at its three neighbours that were visited before it.
 void DistanceGrid::sweep(const Vector3i& direction) {
-  const auto first = [&](int k) {
-    return direction[k] > 0 ? 0 : size_[static_cast<std::size_t>(k)] - 1;
-  };
-  const auto inside = [&](int k, int i) {
-    return i >= 0 && i < size_[static_cast<std::size_t>(k)];
-  };
-  for (int z = first(2); inside(2, z); z += direction.z()) {
-    for (int y = first(1); inside(1, y); y += direction.y()) {
-      for (int x = first(0); inside(0, x); x += direction.x()) {
-        const Vector3i here(x, y, z);
+  const Vector3i size(size_[0], size_[1], size_[2]);
+  const std::array<std::ptrdiff_t, 3> back{
+      -direction.x(), -direction.y() * static_cast<std::ptrdiff_t>(size.x()),
+      -direction.z() * static_cast<std::ptrdiff_t>(size.x()) * size.y()};
+  const Vector3i first = (direction.array() > 0).select(Vector3i::Zero(), size.array() - 1);
+  Vector3i here;
+  for (here.z() = first.z(); here.z() >= 0 && here.z() < size.z(); here.z() += direction.z()) {
+    for (here.y() = first.y(); here.y() >= 0 && here.y() < size.y(); here.y() += direction.y()) {
+      for (here.x() = first.x(); here.x() >= 0 && here.x() < size.x(); here.x() += direction.x()) {
+        const std::size_t node = indexOf(here.x(), here.y(), here.z());
         for (int k = 0; k < 3; ++k) {
-          Vector3i before = here;
-          before[k] -= direction[k];
-          if (inside(k, before[k])) {
-            takeNearer(before, here);
+          if (here[k] == first[k]) {
+            continue;
+          }
+          const auto before = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(node) +
+                                                       back[static_cast<std::size_t>(k)]);
+          if (nearest_[before] != kNone && nearest_[before] != nearest_[node]) {
+            takeNearer(nearest_[before], node, nodeAt(here.x(), here.y(), here.z()));
           }
         }
       }
@@ -136,13 +123,15 @@ void DistanceGrid::sweep(const Vector3i& direction) {
 
 Points DistanceGrid::surface() const {
   std::vector<std::uint32_t> chosen;
-  for (std::size_t node = 0; node < distance_.size(); ++node) {
-    const Vector3d& nearest = surface_[nearest_[node]];
-    const auto z = static_cast<int>(node) / (size_[0] * size_[1]);
-    const auto y = static_cast<int>(node) / size_[0] % size_[1];
-    const auto x = static_cast<int>(node) % size_[0];
-    if ((nodeAt(x, y, z) - nearest).cwiseAbs().maxCoeff() <= 0.5 * spacing_) {
-      chosen.push_back(nearest_[node]);
+  for (int z = 0; z < size_[2]; ++z) {
+    for (int y = 0; y < size_[1]; ++y) {
+      for (int x = 0; x < size_[0]; ++x) {
+        const std::uint32_t nearest = nearest_[indexOf(x, y, z)];
+        const Vector3d offset = nodeAt(x, y, z) - surface_[nearest];
+        if (offset.cwiseAbs().maxCoeff() <= 0.5 * spacing_) {
+          chosen.push_back(nearest);
+        }
+      }
     }
   }
   std::sort(chosen.begin(), chosen.end());

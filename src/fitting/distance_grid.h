@@ -64,7 +64,7 @@ class DistanceGrid {
   void sampleSurface(const TriangleMesh& mesh);
   void markSurface();
   void sweep(const Eigen::Vector3i& direction);
-  void takeNearer(const Eigen::Vector3i& from, const Eigen::Vector3i& to);
+  void takeNearer(std::uint32_t point, std::size_t node, const Eigen::Vector3d& at);
   void emptyInside();
 
   Eigen::Vector3d low_{Eigen::Vector3d::Zero()};

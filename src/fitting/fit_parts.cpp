@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "fitting/candidate.h"
+#include "fitting/check_geometry.h"
 #include "fitting/mesh_fitter.h"
 #include "fitting/surrounding_mesh.h"
 
@@ -14,6 +16,7 @@ namespace collision_monitor {
 namespace {
 
 void checkLimits(const FitLimits& limits) {
+  checkKinds(limits.kinds);
   if (limits.max_shapes == 0) {
     throw std::invalid_argument("max_shapes is 0; at least 1 is accepted");
   }
@@ -25,16 +28,16 @@ void checkLimits(const FitLimits& limits) {
   }
 }
 
-/// One geometry with one shape, which becomes several once it is cut.
+/// One geometry and its shapes so far.
 struct GeometryFit {
-  Fit whole;
-  TriangleMesh polyhedron;  ///< of a round geometry
-  std::unique_ptr<MeshFitter> parts;
+  Fit whole;                           ///< when it is in one shape
+  TriangleMesh polyhedron;             ///< that stands for a round geometry
+  std::unique_ptr<MeshFitter> fitter;  ///< of a mesh from the start, of others once they are cut
 
-  double worstOvershoot() const { return parts ? parts->worstOvershoot() : whole.overshoot.max; }
+  double worstOvershoot() const { return fitter ? fitter->worstOvershoot() : whole.overshoot.max; }
 };
 
-const TriangleMesh& surfaceOf(const Geometry& geometry, TriangleMesh& polyhedron) {
+TriangleMesh surround(const Geometry& geometry) {
   struct {
     TriangleMesh operator()(const Sphere& sphere) {
       return surroundingMesh(Capsule{0.0, sphere.radius});
@@ -42,13 +45,20 @@ const TriangleMesh& surfaceOf(const Geometry& geometry, TriangleMesh& polyhedron
     TriangleMesh operator()(const Capsule& capsule) { return surroundingMesh(capsule); }
     TriangleMesh operator()(const Box& box) { return surroundingMesh(box); }
     TriangleMesh operator()(const Cylinder& cylinder) { return surroundingMesh(cylinder); }
-    TriangleMesh operator()(const TriangleMesh&) { return {}; }
-  } surround;
+    TriangleMesh operator()(const TriangleMesh& mesh) { return mesh; }
+  } visitor;
+  return std::visit(visitor, geometry);
+}
+
+GeometryFit fitInOne(const Geometry& geometry, const ShapeKinds& kinds) {
+  GeometryFit fit;
   if (const auto* mesh = std::get_if<TriangleMesh>(&geometry)) {
-    return *mesh;
+    fit.fitter = std::make_unique<MeshFitter>(*mesh, kinds);
+  } else {
+    fit.whole.shapes.push_back(encloseTightly(geometry, kinds));
+    fit.whole.overshoot = fit.whole.shapes.front().overshoot;
   }
-  polyhedron = std::visit(surround, geometry);
-  return polyhedron;
+  return fit;
 }
 
 /// Cuts the worst part of all geometries until the limits are reached.
@@ -62,12 +72,12 @@ void cutParts(const std::vector<Geometry>& geometries, const FitLimits& limits,
     if (worst == fits.end() || !(worst->worstOvershoot() > limits.target_overshoot)) {
       return;
     }
-    if (!worst->parts) {
-      const auto& geometry = geometries[static_cast<std::size_t>(worst - fits.begin())];
-      worst->parts = std::make_unique<MeshFitter>(surfaceOf(geometry, worst->polyhedron),
-                                                  worst->whole.shapes.front(), limits.kinds);
+    if (!worst->fitter) {
+      worst->polyhedron = surround(geometries[static_cast<std::size_t>(worst - fits.begin())]);
+      worst->fitter = std::make_unique<MeshFitter>(worst->polyhedron, worst->whole.shapes.front(),
+                                                   limits.kinds);
     }
-    worst->parts->cutWorst();
+    worst->fitter->cutWorst();
   }
 }
 
@@ -75,15 +85,15 @@ void cutParts(const std::vector<Geometry>& geometries, const FitLimits& limits,
 
 std::vector<Fit> fitGeometries(const std::vector<Geometry>& geometries, const FitLimits& limits) {
   checkLimits(limits);
-  std::vector<GeometryFit> fits(geometries.size());
-  for (std::size_t i = 0; i < geometries.size(); ++i) {
-    fits[i].whole.shapes.push_back(encloseTightly(geometries[i], limits.kinds));
-    fits[i].whole.overshoot = fits[i].whole.shapes.front().overshoot;
+  std::vector<GeometryFit> fits;
+  for (const auto& geometry : geometries) {
+    checkGeometry(geometry);
+    fits.push_back(fitInOne(geometry, limits.kinds));
   }
   cutParts(geometries, limits, fits);
   std::vector<Fit> result;
   for (auto& fit : fits) {
-    result.push_back(fit.parts ? fit.parts->best() : std::move(fit.whole));
+    result.push_back(fit.fitter ? fit.fitter->best() : std::move(fit.whole));
   }
   return result;
 }

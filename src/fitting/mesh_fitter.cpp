@@ -16,10 +16,8 @@ constexpr int kRepresentatives = 120;
 
 constexpr OvershootSampling kSampling{600, 0.01};
 
-PlacedCore coreOf(const Enclosure& enclosure) {
-  const Pose& pose = enclosure.geometry_from_body;
-  return {pose.rotation, pose.translation, coreHalfExtents(enclosure.shape),
-          radiusOf(enclosure.shape)};
+PosedShape placed(const Enclosure& enclosure) {
+  return {enclosure.shape, enclosure.geometry_from_body};
 }
 
 /// By which one set of parts is better than another. Units: metres.
@@ -27,8 +25,17 @@ double costOf(const Overshoot& overshoot) { return overshoot.fourth_power_mean +
 
 }  // namespace
 
+MeshFitter::MeshFitter(const TriangleMesh& mesh, const ShapeKinds& kinds)
+    : kinds_(kinds), bvh_(mesh), surface_(mesh), grid_(mesh) {
+  start(chooseTightest(encloseMesh(mesh, bvh_, grid_, kinds), kinds));
+}
+
 MeshFitter::MeshFitter(const TriangleMesh& mesh, const Enclosure& whole, const ShapeKinds& kinds)
     : kinds_(kinds), bvh_(mesh), surface_(mesh), grid_(mesh) {
+  start(whole);
+}
+
+void MeshFitter::start(const Enclosure& whole) {
   Part part;
   part.surface = surface_.whole();
   part.samples = grid_.surface();
@@ -57,7 +64,7 @@ RoughGoal MeshFitter::goalBeside(std::size_t part) const {
   RoughGoal goal{grid_, kinds_, {}, {}};
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     if (i != part) {
-      goal.others.push_back(coreOf(parts_[i].enclosure));
+      goal.others.push_back(coreOf(placed(parts_[i].enclosure)));
     }
   }
   return goal;
@@ -80,7 +87,7 @@ void MeshFitter::refit(std::size_t i) {
                             ? part.corners
                             : extremePoints(part.corners, spreadDirections(kRepresentatives));
   const RoughGoal goal = goalBeside(i);
-  RoughFit now{coreOf(part.enclosure), part.enclosure.shape.index()};
+  RoughFit now{coreOf(placed(part.enclosure)), part.enclosure.shape.index()};
   now = polished(now, points, goal);
   RoughFit other = fitRoughly(
       points, {now.core.rotation, principalAxes(points), Eigen::Matrix3d::Identity()}, goal);
@@ -93,7 +100,7 @@ void MeshFitter::measureParts() {
   fit.cuts = cuts_;
   std::vector<PosedShape> shapes;
   for (const auto& part : parts_) {
-    shapes.push_back({part.enclosure.shape, part.enclosure.geometry_from_body});
+    shapes.push_back(placed(part.enclosure));
   }
   OvershootSum sum;
   for (std::size_t i = 0; i < parts_.size(); ++i) {

@@ -14,7 +14,11 @@ namespace collision_monitor {
 /// A mesh that is being cut in parts, each with its shape.
 class MeshFitter {
  public:
-  /// One part: the whole, in its shape. @pre the mesh is sound; it is referred to and must stay.
+  /// One part: the whole, in the tightest shape. @pre the mesh is sound; it is referred to and must
+  /// stay.
+  MeshFitter(const TriangleMesh& mesh, const ShapeKinds& kinds);
+
+  /// In another shape, found before.
   MeshFitter(const TriangleMesh& mesh, const Enclosure& whole, const ShapeKinds& kinds);
 
   /// The overshoot of the part that sticks out farthest of those that can be cut; 0 if none can.
@@ -34,6 +38,7 @@ class MeshFitter {
     bool can_be_cut{true};
   };
 
+  void start(const Enclosure& whole);
   std::size_t worstPart() const noexcept;
   void divide(std::size_t part, const CutPlane& plane);
   RoughGoal goalBeside(std::size_t part) const;

@@ -184,4 +184,9 @@ PosedShape placedShape(const RoughFit& fit) {
   }
 }
 
+PlacedCore coreOf(const PosedShape& shape) noexcept {
+  const Pose& pose = shape.geometry_from_body;
+  return {pose.rotation, pose.translation, coreHalfExtents(shape.shape), radiusOf(shape.shape)};
+}
+
 }  // namespace collision_monitor

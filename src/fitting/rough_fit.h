@@ -40,7 +40,8 @@ RoughFit fitRoughly(const Points& points, const std::vector<Eigen::Matrix3d>& fr
 /// Moves the fit of the same kind towards a local minimum of its cost. Encloses the points.
 RoughFit polished(const RoughFit& fit, const Points& points, const RoughGoal& goal);
 
-/// The same shape as one of the kinds, exactly.
+/// The same shape as one of the kinds, exactly, and the other way round.
 PosedShape placedShape(const RoughFit& fit);
+PlacedCore coreOf(const PosedShape& shape) noexcept;
 
 }  // namespace collision_monitor

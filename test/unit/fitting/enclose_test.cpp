@@ -174,7 +174,8 @@ TEST(Enclose, badMeshes_areErrorsThatNameTheFault) {
   EXPECT_EQ(messageOf(mesh),
             "mesh: vertex 2 is (-1, nan, -1); coordinates up to 1e+100 are accepted");
   mesh.vertices[2].y() = 1e200;
-  EXPECT_EQ(messageOf(mesh), "mesh: vertex 2 has a coordinate of 1e+200; up to 1e+100 is accepted");
+  EXPECT_EQ(messageOf(mesh),
+            "mesh: vertex 2 is (-1, 1e+200, -1); coordinates up to 1e+100 are accepted");
 }
 
 TEST(Enclose, badDimensions_areErrorsThatNameTheFault) {
