@@ -7,15 +7,9 @@
 #include <string>
 
 #include "collision_monitor/fitting/enclose.h"
-#include "collision_monitor/fitting/fit_box.h"
-#include "collision_monitor/fitting/fit_capsule.h"
-#include "collision_monitor/fitting/fit_rounded_box.h"
-#include "collision_monitor/fitting/fit_sphere.h"
 #include "collision_monitor/fitting/proof.h"
 #include "collision_monitor/model/urdf_reader.h"
-#include "fitting/box_rotations.h"
-#include "fitting/core_set.h"
-#include "fitting/point_cloud.h"
+#include "fits_long_search.h"
 #include "support/file_loader.h"
 
 // For every mesh of every robot found: its size; the volume of each kind of fit over that of a long
@@ -26,59 +20,14 @@
 namespace collision_monitor::test {
 namespace {
 
-double longCapsule(const NormalisedPoints& cloud, int starts) {
-  double best = INFINITY;
-  const Points spread = spreadDirections(starts);
-  const Points representatives = representativesOf(cloud.points);
-  for (int i = 0; i < starts; ++i) {
-    PlacedCore core;
-    core.rotation = rotationWithAxis(spread[static_cast<std::size_t>(i)]);
-    core.half_extents.z() = 0.1 + 0.7 * (i % 7) / 7.0;
-    const DescentGoal goal{{false, false, true}, 0.0};
-    core = refineCore(descended(core, representatives, goal), representatives, cloud.points, goal);
-    best = std::min(best, volumeOf(core));
-  }
-  return best;
-}
-
-double longBox(const NormalisedPoints& cloud, int starts) {
-  double best = INFINITY;
-  for (const auto& rotation : spreadRotations(starts)) {
-    const auto axes = refineBoxRotation(rotation, cloud.points);
-    best = std::min(best, volumeOf(boxWithAxes(axes, cloud.points)));
-  }
-  return best;
-}
-
-double longRoundedBox(const NormalisedPoints& cloud, int starts) {
-  double best = INFINITY;
-  const Points representatives = representativesOf(cloud.points);
-  const DescentGoal goal{{true, true, true}, 0.0};
-  int i = 0;
-  for (const auto& rotation : spreadRotations(starts)) {
-    PlacedCore core = boxWithAxes(rotation, cloud.points);
-    core.half_extents *= 0.2 + 0.7 * (i++ % 5) / 5.0;
-    core = refineCore(descended(core, representatives, goal), representatives, cloud.points, goal);
-    best = std::min(best, volumeOf(core));
-  }
-  return best;
-}
-
 void printRatios(const TriangleMesh& mesh, int starts) {
-  const Points corners = outerPoints(mesh.vertices);
-  const NormalisedPoints cloud = normalise(corners);
-  const double cube = std::pow(cloud.scale, 3);
-  const double capsule = volumeOf(fitCapsule(corners).shape) / cube;
-  const double box = volumeOf(fitBox(corners).shape) / cube;
-  const double rounded = volumeOf(fitRoundedBox(corners).shape) / cube;
-  std::printf("%6zu ", corners.size());
-  if (starts == 0 || !(box > 1e-9)) {  // the ratio of two zeros says nothing
+  const VolumeRatios ratios = compareVolumes(mesh, starts);
+  std::printf("%6zu ", ratios.corners);
+  if (std::isnan(ratios.box)) {
     std::printf("%7s %7s %7s ", "-", "-", "-");
     return;
   }
-  std::printf("%7.4f %7.4f %7.4f ", capsule / longCapsule(cloud, starts),
-              box / longBox(cloud, starts),
-              rounded / std::min(rounded, longRoundedBox(cloud, starts)));
+  std::printf("%7.4f %7.4f %7.4f ", ratios.capsule, ratios.box, ratios.rounded_box);
 }
 
 std::size_t countOutside(const TriangleMesh& mesh, const Enclosure& enclosure) {
