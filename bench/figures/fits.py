@@ -12,11 +12,10 @@ import subprocess
 import tempfile
 import xml.etree.ElementTree as ElementTree
 
-from figure import PACKAGE, Figures, shared_data, shared_robots
+from figure import Figures, shared_data, shared_robots
 from fits_models import MODELS, WITHOUT_MESHES, read_links, write_urdf
 
-PROGRAM = (pathlib.Path(os.environ.get("BUILD_DIR", PACKAGE / "build")) /
-           "devel/lib/collision_monitor/collision_monitor_fits_figures")
+PROGRAM = ("rosrun", "collision_monitor", "collision_monitor_fits_figures")
 # [mm] maximum overshoot of one shape on each link of panda_moveit, to be no worse than.
 PANDA_SINGLE = {
     "panda_link0": 106, "panda_link1": 31, "panda_link2": 31, "panda_link3": 41,
@@ -61,7 +60,7 @@ def without(urdf, missing, file):
 
 def table(*arguments):
     """The rows that the program prints, each a dict."""
-    run = subprocess.run([str(PROGRAM), *map(str, arguments)], capture_output=True, text=True,
+    run = subprocess.run([*PROGRAM, *map(str, arguments)], capture_output=True, text=True,
                          check=False)
     if run.returncode != 0:
         raise SystemExit(run.stderr.strip())
