@@ -152,13 +152,14 @@ def published(robots, with_table, scratch, figures):
         write_urdf(read_links(shared_data() / "reference_models" / file), urdf)
         rows = [{key: value if key == "link" else float(value) for key, value in row.items()}
                 for row in table("published", *robots.arguments[robot], urdf)]
-        enclosing = [row for row in rows if row["miss"] <= ENCLOSES]
-        for name, some in (("where it encloses", enclosing), ("grown to enclose", rows)):
+        enclosing = [row for row in rows if row["miss_points"] <= ENCLOSES]
+        for name, some in (("where it encloses", enclosing), ("grown to hold vertices", rows)):
             tighter = sum(row["ours_max"] <= row["grown_max"] for row in some)
             means = sum(row["ours_mean"] <= row["grown_mean"] for row in some)
-            figures.add(f"{model}, {name}", f"{tighter} of {len(some)}",
-                        f"mean {means} of {len(some)}", "ours tighter in all",
-                        tighter == len(some))
+            if some:
+                figures.add(f"{model}, {name}", f"{tighter} of {len(some)}",
+                            f"mean {means} of {len(some)}", "ours tighter in all",
+                            tighter == len(some))
         if with_table:
             print_table(rows)
     if with_table:
@@ -166,10 +167,12 @@ def published(robots, with_table, scratch, figures):
 
 
 def print_table(rows):
-    print("    | link | shapes, ours | misses by | overshoot max, mean | grown | ours |")
+    print("| link | shapes | ours | vertices, surface outside | max, mean | grown | ours |")
+    print("|---|---|---|---|---|---|---|")
     for row in rows:
-        print(f"    | {row['link']} | {row['shapes']:.0f}, {row['ours_shapes']:.0f} "
-              f"| {row['miss']:.1f} | {row['max']:.1f}, {row['mean']:.1f} "
+        print(f"| {row['link']} | {row['shapes']:.0f} | {row['ours_shapes']:.0f} "
+              f"| {row['miss_vertices']:.1f}, {row['miss_points']:.1f} "
+              f"| {row['max']:.1f}, {row['mean']:.1f} "
               f"| {row['grown_max']:.1f}, {row['grown_mean']:.1f} "
               f"| {row['ours_max']:.1f}, {row['ours_mean']:.1f} |")
 

@@ -6,8 +6,7 @@ import json
 import math
 import xml.etree.ElementTree as ElementTree
 
-# Model: its file, the robots whose meshes it stands for, and what differs from the rest of its
-# kind. The safety distance of a model is part of it.
+# Model: its file and the robot whose meshes it stands for.
 MODELS = {
     "franka capsules": ("franka_manufacturer_capsules/capsules.json", "panda_moveit"),
     "franka capsules + 0.03": ("franka_capsules_expanded_003/primitives.json", "panda_moveit"),
@@ -85,6 +84,17 @@ def rai_links(capsules):
     return links
 
 
+def joined(primitives):
+    """A cylinder with two spheres of its radius behind it is a capsule, as good as rounding."""
+    shapes = list(primitives)
+    for i in range(len(shapes) - 3, -1, -1):
+        three = shapes[i:i + 3]
+        if ([entry["type"] for entry in three] == ["cylinder", "sphere", "sphere"] and
+                len({entry["radius"] for entry in three}) == 1):
+            shapes[i:i + 3] = [capsule(three[1]["xyz"], three[2]["xyz"], three[0]["radius"])]
+    return shapes
+
+
 def primitive(entry):
     if "p1" in entry:
         return capsule(entry["p1"], entry["p2"], entry["radius"])
@@ -102,8 +112,8 @@ def read_links(file):
         return franka_links(capsules) if "link" in capsules[0] else rai_links(capsules)
     links = {name: [primitive(entry) for entry in entries] for name, entries in data.items()}
     # cuRobo writes spheres that are switched off with a radius that is not positive.
-    return {name: [entry for entry in entries
-                   if entry["type"] != "mesh" and entry["radius"] > 0.0]
+    return {name: joined(entry for entry in entries
+                         if entry["type"] != "mesh" and entry["radius"] > 0.0)
             for name, entries in links.items()}
 
 
