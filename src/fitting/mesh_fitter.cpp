@@ -12,8 +12,8 @@
 namespace collision_monitor {
 namespace {
 
-constexpr int kRepresentatives = 120;
-
+constexpr int kRepresentatives = 120;  // of a part's corners, while a shape is being searched
+constexpr double kHopeful = 1.5;       // a search rarely takes off more than a third
 constexpr OvershootSampling kSampling{600, 0.01};
 
 PosedShape placed(const Enclosure& enclosure) {
@@ -77,7 +77,7 @@ void MeshFitter::encloseAs(const RoughFit& rough, Part& part) const {
   part.enclosure.widening = widenUntilProven(part.corners, fit, part.slack);
   part.enclosure.shape = fit.shape;
   part.enclosure.geometry_from_body = fit.geometry_from_body;
-  part.measured = measureSamples(fit, bvh_, &grid_, kSampling);
+  part.measured.clear();
 }
 
 /// Once the neighbours' shapes are known, what they hold counts no more.
@@ -91,7 +91,9 @@ void MeshFitter::refit(std::size_t i) {
   now = polished(now, points, goal);
   RoughFit other = fitRoughly(
       points, {now.core.rotation, principalAxes(points), Eigen::Matrix3d::Identity()}, goal);
-  other = polished(other, points, goal);
+  if (other.cost < kHopeful * now.cost) {
+    other = polished(other, points, goal);
+  }
   encloseAs(other.cost < now.cost ? other : now, part);
 }
 
@@ -104,6 +106,9 @@ void MeshFitter::measureParts() {
   }
   OvershootSum sum;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
+    if (parts_[i].measured.empty()) {
+      parts_[i].measured = measureSamples(shapes[i], bvh_, &grid_, kSampling);
+    }
     const OvershootSum part = sumOutsideOthers(parts_[i].measured, i, shapes);
     parts_[i].enclosure.overshoot = part.total();
     fit.shapes.push_back(parts_[i].enclosure);
@@ -120,12 +125,11 @@ void MeshFitter::cutWorst() {
   const auto cut =
       chooseCut(parts_[worst].samples, parts_[worst].enclosure.geometry_from_body.rotation,
                 goalBeside(worst));
-  if (!cut) {
+  if (!cut || !divide(worst, cut->plane)) {
     parts_[worst].can_be_cut = false;
     return;
   }
-  const std::size_t next = parts_.size();
-  divide(worst, cut->plane);
+  const std::size_t next = parts_.size() - 1;
   encloseAs(cut->below, parts_[worst]);
   encloseAs(cut->above, parts_[next]);
   refit(worst);
@@ -133,8 +137,9 @@ void MeshFitter::cutWorst() {
   measureParts();
 }
 
-/// Cuts the surface of a part; both pieces still lack their shapes.
-void MeshFitter::divide(std::size_t i, const CutPlane& plane) {
+/// Cuts the surface of a part; both pieces still lack their shapes. False, and nothing happens,
+/// when rounding leaves nothing on one side.
+bool MeshFitter::divide(std::size_t i, const CutPlane& plane) {
   Part below;
   Part above;
   surface_.split(parts_[i].surface, plane, below.surface, above.surface);
@@ -143,11 +148,15 @@ void MeshFitter::divide(std::size_t i, const CutPlane& plane) {
   }
   below.corners = surface_.cornersOf(below.surface);
   above.corners = surface_.cornersOf(above.surface);
+  if (below.corners.empty() || above.corners.empty()) {
+    return false;
+  }
   below.slack = parts_[i].slack + surface_.cutError();
   above.slack = below.slack;
   parts_[i] = std::move(below);
   parts_.push_back(std::move(above));
   cuts_.push_back({static_cast<std::uint32_t>(i), plane.normal, plane.offset});
+  return true;
 }
 
 }  // namespace collision_monitor

@@ -33,14 +33,14 @@ class MeshFitter {
     Points samples;  ///< of the surface, close together
     Points corners;  ///< whose hull holds the part
     Enclosure enclosure;
-    std::vector<MeasuredSample> measured;
+    std::vector<MeasuredSample> measured;  ///< none until the shape has been measured
     double slack{0.0};  ///< [m] what the cuts that led to it may have moved its corners by
     bool can_be_cut{true};
   };
 
   void start(const Enclosure& whole);
   std::size_t worstPart() const noexcept;
-  void divide(std::size_t part, const CutPlane& plane);
+  bool divide(std::size_t part, const CutPlane& plane);
   RoughGoal goalBeside(std::size_t part) const;
   void encloseAs(const RoughFit& rough, Part& part) const;
   void refit(std::size_t part);

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fitting/choose_cut.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "fitting/rough_fit.h"
+#include "support/sample_meshes.h"
+
+namespace collision_monitor {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+const auto kEverywhere = [](const Vector3d&) { return true; };
+
+RoughGoal plainGoal(const DistanceGrid& grid) { return {grid, {}, {}, {}}; }
+
+TEST(RoughOvershoot, boxAroundABall_sticksOutAtItsCorners) {
+  const DistanceGrid grid(test::sphereMesh(0.1, 48));
+  PlacedCore box;
+  box.half_extents = Vector3d::Constant(0.1);
+  const Overshoot overshoot = roughOvershoot(box, grid, kEverywhere).total();
+  EXPECT_NEAR(overshoot.max, 0.1 * (std::sqrt(3.0) - 1.0), grid.spacing());
+  EXPECT_LT(overshoot.mean, overshoot.fourth_power_mean);
+  EXPECT_LT(overshoot.fourth_power_mean, overshoot.max);
+}
+
+TEST(RoughOvershoot, pointsThatDoNotCount_areLeftOut) {
+  const DistanceGrid grid(test::sphereMesh(0.1, 48));
+  PlacedCore box;
+  box.half_extents = {0.1, 0.1, 0.3};  // half of it reaches far above and below the ball
+  const auto near = [](const Vector3d& point) { return std::abs(point.z()) < 0.1; };
+  EXPECT_GT(roughOvershoot(box, grid, kEverywhere).total().max, 0.2);
+  EXPECT_LT(roughOvershoot(box, grid, near).total().max, 0.08);
+}
+
+TEST(RoughGoal, pointsInOtherShapes_doNotCount) {
+  const DistanceGrid grid(test::boxMesh({0.1, 0.1, 0.1}));
+  PlacedCore wide;
+  wide.half_extents = {0.3, 0.1, 0.1};
+  RoughGoal goal = plainGoal(grid);
+  EXPECT_NEAR(goal.overshootOf(wide).total().max, 0.2, grid.spacing());
+  PlacedCore right = wide;
+  right.centre = {0.25, 0.0, 0.0};
+  right.half_extents = {0.15, 0.11, 0.11};
+  PlacedCore left = right;
+  left.centre.x() = -0.25;
+  goal.others = {right, left};
+  EXPECT_LT(goal.overshootOf(wide).total().max, grid.spacing());
+}
+
+TEST(FitRoughly, turnedBox_isThatBox) {
+  const TriangleMesh mesh = test::moved(test::boxMesh({0.3, 0.2, 0.1}), {0.3, 0.4, 0.5}, {1, 0, 0});
+  const DistanceGrid grid(mesh);
+  const Vector3d turn(0.3, 0.4, 0.5);
+  const Matrix3d frame = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+  const RoughFit fit = fitRoughly(mesh.vertices, {Matrix3d::Identity(), frame}, plainGoal(grid));
+  const PosedShape shape = placedShape(fit);
+  EXPECT_STREQ(kindName(shape.shape), "box");
+  EXPECT_NEAR(volumeOf(shape.shape), 8 * 0.3 * 0.2 * 0.1, 1e-9);
+  EXPECT_LE(excessOver(shape, mesh.vertices), 1e-12);
+}
+
+TEST(FitRoughly, oneKindAllowed_isTaken) {
+  const TriangleMesh mesh = test::boxMesh({0.3, 0.2, 0.1});
+  const DistanceGrid grid(mesh);
+  for (std::size_t kind = 0; kind < std::variant_size_v<Shape>; ++kind) {
+    RoughGoal goal = plainGoal(grid);
+    goal.kinds = {kind == 0, kind == 1, kind == 2, kind == 3};
+    const RoughFit fit = fitRoughly(mesh.vertices, {Matrix3d::Identity()}, goal);
+    EXPECT_EQ(fit.kind, kind);
+    EXPECT_LE(excessOver(placedShape(fit), mesh.vertices), 1e-12);
+  }
+}
+
+TEST(Polished, crookedBox_isStraightened) {
+  const TriangleMesh mesh = test::boxMesh({0.3, 0.2, 0.1});
+  const DistanceGrid grid(mesh);
+  const Matrix3d crooked =
+      Eigen::AngleAxisd(0.3, Vector3d(1, 1, 1).normalized()).toRotationMatrix();
+  RoughGoal goal = plainGoal(grid);
+  goal.kinds = {false, false, true, false};
+  const RoughFit before = fitRoughly(mesh.vertices, {crooked}, goal);
+  const RoughFit after = polished(before, mesh.vertices, goal);
+  EXPECT_LT(after.cost, 0.5 * before.cost);
+  EXPECT_LE(excessOver(placedShape(after), mesh.vertices), 1e-12);
+}
+
+TEST(ChooseCut, hammer_isCutBetweenHeadAndHandle) {
+  TriangleMesh mesh = test::boxMesh({0.2, 0.02, 0.02});
+  const TriangleMesh head =
+      test::moved(test::boxMesh({0.05, 0.12, 0.05}), Vector3d::Zero(), {0.25, 0.0, 0.0});
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), head.vertices.begin(), head.vertices.end());
+  for (const auto& t : head.triangles) {
+    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  const DistanceGrid grid(mesh);
+  const auto cut = chooseCut(grid.surface(), Matrix3d::Identity(), plainGoal(grid));
+  ASSERT_TRUE(cut.has_value());
+  EXPECT_NEAR(std::abs(cut->plane.normal.x()), 1.0, 1e-9);
+  EXPECT_NEAR(cut->plane.offset / cut->plane.normal.x(), 0.2, 0.02);
+  EXPECT_LT(cut->cost, 0.02);
+}
+
+TEST(ChooseCut, onePoint_cannotBeCut) {
+  const DistanceGrid grid(TriangleMesh{{{1, 2, 3}}, {}});
+  EXPECT_FALSE(chooseCut({{1, 2, 3}}, Matrix3d::Identity(), plainGoal(grid)).has_value());
+}
+
+}  // namespace
+}  // namespace collision_monitor
