@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "collision_monitor/fitting/export_spheres.h"
+#include "fit_robot.h"
+
+namespace collision_monitor::fit_tool {
+
+/// The shapes as rules that give them, to be edited and handed back: with the padding of each link
+/// and the user's word for shapes that are not proven, so that the same set-up comes out.
+std::string writeRules(const FittedRobot& robot);
+
+/// Sphere hierarchies of every collision element of the fitted links, in the link's frame.
+std::vector<LinkSpheres> buildSpheres(const FittedRobot& robot, std::size_t leaves);
+
+/// One level of them as an SRDF.
+std::string writeSphereSrdf(const FittedRobot& robot, const std::vector<LinkSpheres>& spheres,
+                            std::uint32_t level);
+
+/// The URDF with padded shapes; see write_urdf.h.
+std::string writeShapeUrdf(const FittedRobot& robot, const std::string& urdf_xml);
+
+}  // namespace collision_monitor::fit_tool

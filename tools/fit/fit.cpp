@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "exports.h"
+#include "options.h"
+#include "output_files.h"
+#include "progress.h"
+#include "read_robot.h"
+#include "ros_edge/fit_options.h"
+#include "table.h"
+#include "write_html.h"
+
+/// Encloses the links of a robot and says how well: `fit --help`.
+namespace collision_monitor::fit_tool {
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kInputFault = 1;
+
+void checkOutputs(const Options& options, SetupReport& report) {
+  const std::pair<const char*, const std::string&> outputs[] = {
+      {"option --yaml", options.yaml},
+      {"option --urdf", options.new_urdf},
+      {"option --html", options.html},
+      {"option --spheres-yaml", options.spheres_yaml},
+      {"option --spheres-srdf", options.spheres_srdf}};
+  for (const auto& [option, path] : outputs) {
+    if (!path.empty()) {
+      checkWritable(option, path, report);
+    }
+  }
+}
+
+std::vector<OutputFile> makeOutputs(const Options& options, const RobotDescription& description,
+                                    const FittedRobot& robot, const Progress& progress) {
+  std::vector<OutputFile> files;
+  if (!options.yaml.empty()) {
+    files.push_back({options.yaml, writeRules(robot)});
+  }
+  if (!options.new_urdf.empty()) {
+    files.push_back({options.new_urdf, writeShapeUrdf(robot, description.urdf_xml)});
+  }
+  if (!options.html.empty()) {
+    const auto show = [&](const std::string& link, std::size_t done, std::size_t total) {
+      progress.show("drawing", link, done, total);
+    };
+    files.push_back({options.html, writeHtml(robot, description.source, show)});
+  }
+  if (options.spheres_yaml.empty() && options.spheres_srdf.empty()) {
+    return files;
+  }
+  const std::vector<LinkSpheres> spheres = buildSpheres(robot, options.leaves);
+  if (!options.spheres_yaml.empty()) {
+    files.push_back({options.spheres_yaml, toYaml(spheres)});
+  }
+  if (!options.spheres_srdf.empty()) {
+    files.push_back({options.spheres_srdf, writeSphereSrdf(robot, spheres, options.sphere_level)});
+  }
+  return files;
+}
+
+int run(const Options& options) {
+  SetupReport report;
+  const RobotDescription description = readDescription(options, report);
+  FitRequest request{options.limits, options.padding, readRules(options.rules, report),
+                     fitCacheFolder(options.cache), options.link_pattern};
+  checkOutputs(options, report);
+  throwIfErrors(report);
+
+  const Progress progress(stderr, isatty(STDERR_FILENO) != 0);
+  const auto show = [&](const std::string& link, std::size_t done, std::size_t total) {
+    progress.show("fitting", link, done, total);
+  };
+  const FittedRobot robot = fitRobot(description, makeLoader(options.package_roots), request, show);
+  for (const Problem& warning : robot.report.warnings) {
+    std::fprintf(stderr, "warning: %s\n", toString(warning).c_str());
+  }
+  std::fputs(tableOf(robot).c_str(), stdout);
+  const std::vector<OutputFile> files = makeOutputs(options, description, robot, progress);
+  writeFiles(files);
+  for (const OutputFile& file : files) {
+    std::printf("wrote %s\n", file.path.c_str());
+  }
+  return kDone;
+}
+
+}  // namespace
+}  // namespace collision_monitor::fit_tool
+
+int main(int argc, char** argv) {
+  using namespace collision_monitor::fit_tool;
+  try {
+    const Parsed parsed = parseOptions(argc, argv);
+    return parsed.is_to_run ? run(parsed.options) : parsed.exit_code;
+  } catch (const std::exception& fault) {
+    std::fprintf(stderr, "fit: %s\n", fault.what());
+    return kInputFault;
+  }
+}

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "collision_monitor/pipeline/setup.h"
+
+namespace collision_monitor::fit_tool {
+
+/// The command line. Empty names mean: not asked for.
+struct Options {
+  std::string urdf;       ///< file, or "-" for standard input
+  std::string parameter;  ///< in place of the file
+  std::string srdf;
+  std::vector<std::string> package_roots;
+
+  FitLimits limits{SetupOptions().default_limits};  ///< as the node's
+  double padding{0.0};                              ///< [m]
+  std::string rules;
+  std::string link_pattern;
+  std::string cache;  ///< as the parameter fit_cache
+
+  std::string yaml, new_urdf, html, spheres_yaml, spheres_srdf;
+  std::uint32_t sphere_level{std::numeric_limits<std::uint32_t>::max()};  ///< the leaves
+  std::size_t leaves{64};
+};
+
+/// What the command line asks for: run, or end with this exit code.
+struct Parsed {
+  Options options;
+  bool is_to_run{false};
+  int exit_code{0};  ///< 0 after --help, 2 for a fault, which was printed
+};
+
+Parsed parseOptions(int argc, const char* const* argv);
+
+}  // namespace collision_monitor::fit_tool

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+namespace collision_monitor::fit_tool {
+
+/// Tells people how far long work has come: a bar that moves on a terminal, elsewhere a line a
+/// step.
+class Progress {
+ public:
+  Progress(std::FILE* stream, bool is_terminal) : stream_(stream), is_terminal_(is_terminal) {}
+
+  /// Before step `done` of `total`; at `done` == `total` the bar goes away.
+  void show(const std::string& work, const std::string& name, std::size_t done,
+            std::size_t total) const;
+
+ private:
+  std::FILE* stream_;
+  bool is_terminal_;
+};
+
+/// "[=====-----]  5/10 fitting hand"
+std::string barOf(const std::string& text, std::size_t done, std::size_t total);
+
+}  // namespace collision_monitor::fit_tool

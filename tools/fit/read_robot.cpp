@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "read_robot.h"
+
+#include <ros/init.h>
+#include <ros/param.h>
+#include <tinyxml2.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+
+#include "collision_monitor/ros_edge/resource_loader.h"
+
+namespace collision_monitor::fit_tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string textOf(std::istream& stream) { return {std::istreambuf_iterator<char>(stream), {}}; }
+
+std::string readInput(const std::string& what, const std::string& path, SetupReport& report) {
+  try {
+    return readFile(path);
+  } catch (const std::runtime_error& fault) {
+    report.errors.push_back(
+        {what, "'" + path + "' cannot be read: " + fault.what(), "a file that can be read"});
+    return "";
+  }
+}
+
+std::string readParameter(const std::string& name, SetupReport& report) {
+  // Nothing is subscribed to, and Ctrl-C stays what it is.
+  ros::init(ros::M_string(), "fit",
+            ros::init_options::AnonymousName | ros::init_options::NoSigintHandler);
+  std::string text;
+  if (!ros::param::get(name, text)) {
+    report.errors.push_back({"option --param", "no parameter '" + name + "', or no roscore",
+                             "a parameter that holds the text of a URDF"});
+  }
+  return text;
+}
+
+/// By its package.xml: a checkout may have any name.
+bool isPackage(const fs::path& folder, const std::string& name) {
+  tinyxml2::XMLDocument document;
+  if (document.LoadFile((folder / "package.xml").c_str()) != tinyxml2::XML_SUCCESS ||
+      document.RootElement() == nullptr) {
+    return false;
+  }
+  const tinyxml2::XMLElement* element = document.RootElement()->FirstChildElement("name");
+  return element != nullptr && element->GetText() != nullptr && element->GetText() == name;
+}
+
+std::optional<std::string> findInRoots(const std::string& uri,
+                                       const std::vector<std::string>& package_roots) {
+  const std::string scheme = "package://";
+  if (uri.compare(0, scheme.size(), scheme) != 0) {
+    return std::nullopt;
+  }
+  const std::string path = uri.substr(scheme.size());
+  const std::size_t slash = path.find('/');
+  if (slash == std::string::npos) {
+    return std::nullopt;
+  }
+  for (const fs::path root : package_roots) {
+    const bool is_it = isPackage(root, path.substr(0, slash));
+    const fs::path file = is_it ? root / path.substr(slash + 1) : root / path;
+    if (fs::exists(file)) {
+      return file.string();
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string readFile(const std::string& path) {
+  if (fs::is_directory(path)) {
+    throw std::runtime_error("it is a folder");
+  }
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    throw std::runtime_error(
+        std::error_code(errno == 0 ? EIO : errno, std::generic_category()).message());
+  }
+  return textOf(stream);
+}
+
+RobotDescription readDescription(const Options& options, SetupReport& report) {
+  RobotDescription description;
+  if (!options.parameter.empty()) {
+    description.source = "parameter " + options.parameter;
+    description.urdf_xml = readParameter(options.parameter, report);
+  } else if (options.urdf == "-") {
+    description.source = "standard input";
+    description.urdf_xml = textOf(std::cin);
+    description.directory = fs::current_path().string();
+  } else {
+    description.source = options.urdf;
+    description.urdf_xml = readInput("robot", options.urdf, report);
+    description.directory = fs::absolute(options.urdf).parent_path().string();
+  }
+  if (!options.srdf.empty()) {
+    description.srdf_xml = readInput("option --srdf", options.srdf, report);
+  }
+  return description;
+}
+
+ShapeRulesText readRules(const std::string& path, SetupReport& report) {
+  return path.empty() ? ShapeRulesText()
+                      : ShapeRulesText{path, readInput("option --rules", path, report)};
+}
+
+ResourceLoader makeLoader(const std::vector<std::string>& package_roots) {
+  return [package_roots, load = makeResourceLoader()](const std::string& uri) {
+    const std::optional<std::string> found = findInRoots(uri, package_roots);
+    return found ? readFile(*found) : load(uri);
+  };
+}
+
+}  // namespace collision_monitor::fit_tool

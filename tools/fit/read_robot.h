@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/model/urdf_reader.h"
+#include "options.h"
+
+namespace collision_monitor::fit_tool {
+
+/// The bytes of a file.
+/// @throws std::runtime_error with the reason when it cannot be read
+std::string readFile(const std::string& path);
+
+/// The robot's URDF and SRDF. What cannot be read is added to `report`.
+RobotDescription readDescription(const Options& options, SetupReport& report);
+
+/// The rules; empty where none are asked for. A file that cannot be read is added to `report`.
+ShapeRulesText readRules(const std::string& path, SetupReport& report);
+
+/// Looks for package:// names in folders that hold packages or are one, in their order, then where
+/// ROS does; takes other names as they are.
+ResourceLoader makeLoader(const std::vector<std::string>& package_roots);
+
+}  // namespace collision_monitor::fit_tool
