@@ -63,6 +63,10 @@ Row rowOf(const FittedRobot& robot, const FittedLink& link, const FittedPart& pa
           text.proof};
 }
 
+std::string counted(std::size_t count, const char* thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
 /// Characters, not bytes, of UTF-8.
 std::size_t lengthOf(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
@@ -126,8 +130,8 @@ Totals totalsOf(const FittedRobot& robot) {
 }
 
 std::string sentenceOf(const Totals& totals) {
-  std::string text = std::to_string(totals.links) + " links, " + std::to_string(totals.triangles) +
-                     " triangles, " + std::to_string(totals.shapes) + " shapes";
+  std::string text = counted(totals.links, "link") + ", " + counted(totals.triangles, "triangle") +
+                     ", " + counted(totals.shapes, "shape");
   if (totals.hull_volume > 0.0) {
     text += ", volume " + fixed(totals.shape_volume / totals.hull_volume, 2) + " of the hulls";
   }

@@ -34,7 +34,7 @@ struct Totals {
 
 Totals totalsOf(const FittedRobot& robot);
 
-/// "8 links, 10 collisions, 21 shapes, ..."
+/// "8 links, 2364 triangles, 21 shapes, ..."
 std::string sentenceOf(const Totals& totals);
 
 /// One line a part, numbers to the right, a header above and the totals below.

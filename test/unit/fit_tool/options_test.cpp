@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "options.h"
+
+#include <gtest/gtest.h>
+
+namespace collision_monitor::fit_tool {
+namespace {
+
+/// Parses; what is printed is kept in `said`.
+Parsed parse(std::vector<const char*> arguments, std::string* said = nullptr) {
+  arguments.insert(arguments.begin(), "fit");
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const Parsed parsed = parseOptions(static_cast<int>(arguments.size()), arguments.data());
+  const std::string text =
+      testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr();
+  if (said != nullptr) {
+    *said = text;
+  }
+  return parsed;
+}
+
+TEST(Options, byDefault_areTheMonitors) {
+  const Parsed parsed = parse({"robot.urdf"});
+  ASSERT_TRUE(parsed.is_to_run);
+  const FitLimits monitors = SetupOptions().default_limits;
+  EXPECT_EQ(parsed.options.urdf, "robot.urdf");
+  EXPECT_EQ(parsed.options.limits.max_shapes, monitors.max_shapes);
+  EXPECT_EQ(parsed.options.limits.target_overshoot, monitors.target_overshoot);
+  EXPECT_TRUE(parsed.options.limits.kinds.sphere && parsed.options.limits.kinds.rounded_box);
+  EXPECT_EQ(parsed.options.cache, "");
+}
+
+TEST(Options, kindsAndLimits) {
+  const Options options = parse({"--kinds", "box,capsule", "--max-shapes", "7", "--padding", "0.01",
+                                 "--target-overshoot", "0", "robot.urdf", "--no-cache"})
+                              .options;
+  EXPECT_EQ(options.urdf, "robot.urdf");
+  EXPECT_TRUE(options.limits.kinds.box && options.limits.kinds.capsule);
+  EXPECT_FALSE(options.limits.kinds.sphere || options.limits.kinds.rounded_box);
+  EXPECT_EQ(options.limits.max_shapes, 7U);
+  EXPECT_EQ(options.padding, 0.01);
+  EXPECT_EQ(options.limits.target_overshoot, 0.0);
+  EXPECT_EQ(options.cache, "none");
+}
+
+TEST(Options, help_endsWell_andNamesEveryOutput) {
+  std::string said;
+  const Parsed parsed = parse({"--help"}, &said);
+  EXPECT_FALSE(parsed.is_to_run);
+  EXPECT_EQ(parsed.exit_code, 0);
+  for (const char* option : {"--yaml", "--urdf", "--html", "--spheres-yaml", "--spheres-srdf"}) {
+    EXPECT_NE(said.find(option), std::string::npos) << option;
+  }
+}
+
+TEST(Options, faults_endWithTwo_andNameTheFault) {
+  const std::vector<std::pair<std::vector<const char*>, const char*>> cases{
+      {{}, "give one robot"},
+      {{"a.urdf", "--param", "/robot_description"}, "give one robot"},
+      {{"a.urdf", "--frobnicate"}, "--frobnicate"},
+      {{"a.urdf", "b.urdf"}, "b.urdf"},
+      {{"a.urdf", "--kinds", "cone"}, "cone"},
+      {{"a.urdf", "--max-shapes", "0"}, "--max-shapes"},
+      {{"a.urdf", "--max-shapes", "many"}, "--max-shapes"},
+      {{"a.urdf", "--padding", "-0.1"}, "'-0.1' is no length"},
+      {{"a.urdf", "--padding", "inf"}, "'inf' is no length"},
+      {{"a.urdf", "--target-overshoot", "nan"}, "'nan' is no length"},
+      {{"a.urdf", "--cache", "x", "--no-cache"}, "--no-cache"},
+      {{"a.urdf", "--yaml", "x", "--html", "x"}, "two options write 'x'"},
+      {{"a.urdf", "--urdf", "a.urdf"}, "would replace the robot"},
+  };
+  for (const auto& [arguments, expected] : cases) {
+    std::string said;
+    const Parsed parsed = parse(arguments, &said);
+    EXPECT_FALSE(parsed.is_to_run) << expected;
+    EXPECT_EQ(parsed.exit_code, 2) << expected;
+    EXPECT_NE(said.find(expected), std::string::npos) << said;
+  }
+}
+
+}  // namespace
+}  // namespace collision_monitor::fit_tool
