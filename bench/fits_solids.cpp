@@ -57,12 +57,13 @@ std::vector<SurfaceSample> samplesOfCylinder(const Solid& solid, int count) {
   for (std::size_t i = 0; i < profile.points.size(); ++i) {
     const double round = 2.0 * kPi * profile.points[i].x();
     const int steps = std::max(1, static_cast<int>(std::ceil(round / spacing)));
-    for (int k = 0; k < 2 * steps; ++k) {
-      const double angle = 2.0 * kPi * (k / 2) / steps;
-      const double height = (k % 2 == 0 ? 1.0 : -1.0) * profile.points[i].y();
-      samples.push_back({{profile.points[i].x() * std::cos(angle),
-                          profile.points[i].x() * std::sin(angle), height},
-                         round / steps * profile.lengths[i]});
+    for (int k = 0; k < steps; ++k) {
+      const double angle = 2.0 * kPi * k / steps;
+      for (const double side : {1.0, -1.0}) {
+        samples.push_back({{profile.points[i].x() * std::cos(angle),
+                            profile.points[i].x() * std::sin(angle), side * profile.points[i].y()},
+                           round / steps * profile.lengths[i]});
+      }
     }
   }
   return samples;
