@@ -59,9 +59,9 @@ std::vector<SurfaceSample> samplesOfCylinder(const Solid& solid, int count) {
     const int steps = std::max(1, static_cast<int>(std::ceil(round / spacing)));
     for (int k = 0; k < steps; ++k) {
       const double angle = 2.0 * kPi * k / steps;
-      for (const double side : {1.0, -1.0}) {
+      for (const double above : {1.0, -1.0}) {
         samples.push_back({{profile.points[i].x() * std::cos(angle),
-                            profile.points[i].x() * std::sin(angle), side * profile.points[i].y()},
+                            profile.points[i].x() * std::sin(angle), above * profile.points[i].y()},
                            round / steps * profile.lengths[i]});
       }
     }
