@@ -34,10 +34,10 @@ class RuleReader {
     if (rule.given) {
       rule.given->where = source + " line " + std::to_string(lineOf(node));
     }
-    if (!hasAny(fields,
-                {"kinds", "max_shapes", "target_overshoot", "padding", "shapes", "unproven"})) {
+    if (!hasAny(fields, {"kinds", "max_shapes", "target_overshoot", "padding", "refine", "shapes",
+                         "unproven"})) {
       place.addError(lineOf(node), "a rule that sets nothing",
-                     "kinds, max_shapes, target_overshoot, padding or shapes");
+                     "kinds, max_shapes, target_overshoot, padding, refine or shapes");
     }
     warnIfNothingToFit(links, rule, lineOf(node), place);
     for (const LinkId link : links) {
@@ -116,8 +116,26 @@ class RuleReader {
     }
     rule.target_overshoot = fields.readNumber("target_overshoot", 0.0, kMaxOvershoot);
     rule.padding = fields.readNumber("padding", 0.0, kMaxPadding);
+    rule.refine = readRefine(fields);
     rule.given = readGiven(fields, place);
     return rule;
+  }
+
+  static std::optional<RefineGeometry> readRefine(YamlFields& fields) {
+    const std::string accepted = "mesh, hull or none";
+    const std::optional<std::string> word = fields.readText("refine", accepted);
+    if (!word) {
+      return std::nullopt;
+    }
+    for (const auto& [name, geometry] :
+         {std::pair{"mesh", RefineGeometry::mesh}, std::pair{"hull", RefineGeometry::hull},
+          std::pair{"none", RefineGeometry::none}}) {
+      if (*word == name) {
+        return geometry;
+      }
+    }
+    fields.refuse("refine", accepted);
+    return std::nullopt;
   }
 
   static std::optional<ShapeKinds> readKinds(YamlFields& fields) {
@@ -153,7 +171,7 @@ class RuleReader {
       fields.refuse("shapes", "a list of one shape or more");
       return std::nullopt;
     }
-    for (const char* key : {"kinds", "max_shapes", "target_overshoot"}) {
+    for (const char* key : {"kinds", "max_shapes", "target_overshoot", "refine"}) {
       if (fields.find(key)) {
         fields.refuse(key, "no limits of fits in a rule that gives the shapes itself");
       }
@@ -188,6 +206,7 @@ class RuleReader {
         later.target_overshoot ? later.target_overshoot : rules.target_overshoot;
     rules.padding = later.padding ? later.padding : rules.padding;
     rules.given = later.given ? later.given : rules.given;
+    rules.refine = later.refine ? later.refine : rules.refine;
   }
 
   const RobotModel& model_;

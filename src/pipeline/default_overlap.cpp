@@ -18,10 +18,7 @@ BodyPoses placeInDefaultPose(const CycleSetup& setup) {
   placeLinks(setup.model, defaultPositions(setup.model),
              std::vector<Pose>(setup.model.robots.size()), poses.world_from_link);
   std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
-  BodyPoses body_poses;
-  body_poses.world_from_body.resize(setup.bodies.size());
-  body_poses.known.resize(setup.bodies.size());
-  body_poses.link_known.resize(setup.model.links.size());
+  BodyPoses body_poses = makeBodyPoses(setup);
   placeBodies(setup, poses, body_poses);
   return body_poses;
 }

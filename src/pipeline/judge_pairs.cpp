@@ -51,8 +51,11 @@ Verdict judgeLinkPair(const CycleSetup& setup, const BodyPoses& body_poses,
   if (closest == kNone) {
     return Verdict::clear;  // known, and out of reach of every threshold
   }
-  return verdictFor(distances.measured[closest].measured.distance, pair.limits,
-                    memory.reported[link_pair]);
+  const PairDistance& nearest = distances.measured[closest];
+  if (nearest.quality == Quality::estimate) {
+    return Verdict::contact;  // also where limits allow some depth: it may be deeper than estimated
+  }
+  return verdictFor(nearest.measured.distance, pair.limits, memory.reported[link_pair]);
 }
 
 }  // namespace

@@ -18,11 +18,12 @@ struct ListedPair {
   auto order() const { return std::make_tuple(kind_a, kind_b, bodies.a, bodies.b); }
 };
 
-/// Where the bodies of each link stand; bodies are in order of link.
-std::vector<std::size_t> firstBodies(const CycleSetup& setup) {
-  std::vector<std::size_t> first(setup.model.links.size() + 1, 0);
-  for (const Body& body : setup.bodies) {
-    ++first[index(body.link) + 1];
+/// Where the bodies or elements of each link stand; they are in order of link.
+template <class Part>
+std::vector<std::size_t> firstOfLinks(const std::vector<Part>& parts, std::size_t link_count) {
+  std::vector<std::size_t> first(link_count + 1, 0);
+  for (const Part& part : parts) {
+    ++first[index(part.link) + 1];
   }
   std::partial_sum(first.begin(), first.end(), first.begin());
   return first;
@@ -37,7 +38,7 @@ ListedPair listedPair(const CycleSetup& setup, std::size_t a, std::size_t b,
 }
 
 std::vector<ListedPair> listBodyPairs(const CycleSetup& setup) {
-  const std::vector<std::size_t> first = firstBodies(setup);
+  const std::vector<std::size_t> first = firstOfLinks(setup.bodies, setup.model.links.size());
   std::vector<ListedPair> listed;
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     const std::size_t link_a = index(setup.checked[i].a);
@@ -52,6 +53,42 @@ std::vector<ListedPair> listBodyPairs(const CycleSetup& setup) {
     return one.order() < other.order();
   });
   return listed;
+}
+
+/// Fills the element pairs of every checked pair of links.
+/// @return where those of each pair of links start.
+std::vector<std::size_t> listElementPairs(CycleSetup& setup) {
+  const std::vector<std::size_t> first = firstOfLinks(setup.elements, setup.model.links.size());
+  std::vector<std::size_t> starts;
+  setup.element_pairs.clear();
+  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+    starts.push_back(setup.element_pairs.size());
+    const std::size_t link_a = index(setup.checked[i].a);
+    const std::size_t link_b = index(setup.checked[i].b);
+    for (std::size_t a = first[link_a]; a < first[link_a + 1]; ++a) {
+      for (std::size_t b = first[link_b]; b < first[link_b + 1]; ++b) {
+        setup.element_pairs.push_back(
+            {idAt<ElementId>(a), idAt<ElementId>(b), static_cast<std::uint32_t>(i)});
+      }
+    }
+  }
+  return starts;
+}
+
+/// By PairId: the pair of elements that the bodies stand for.
+void linkBodiesToElements(CycleSetup& setup) {
+  const std::vector<std::size_t> starts = listElementPairs(setup);
+  setup.element_pair_of.clear();
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    const BodyPair& bodies = setup.table.pairs()[i];
+    const ElementId a = setup.bodies[index(bodies.a)].element;
+    const ElementId b = setup.bodies[index(bodies.b)].element;
+    std::size_t pair = starts[setup.link_pair_of[i]];
+    while (setup.element_pairs[pair].a != a || setup.element_pairs[pair].b != b) {
+      ++pair;
+    }
+    setup.element_pair_of.push_back(static_cast<ElementPairIndex>(pair));
+  }
 }
 
 void extendRanges(const ListedPair& pair, std::size_t position, std::vector<PairRange>& ranges) {
@@ -79,6 +116,7 @@ void listPairs(CycleSetup& setup) {
     setup.link_pair_of.push_back(pair.link_pair);
   }
   setup.table = PairTable(std::move(pairs), setup.bodies.size());
+  linkBodiesToElements(setup);
 }
 
 }  // namespace collision_monitor

@@ -56,12 +56,12 @@ bool guessClosest(const CycleSetup& setup, const BodyPoses& body_poses, PairId& 
   return found;
 }
 
+/// Measures what may be nearer than `best`, except what was refined: its distances are known.
 PairDistance searchClosest(const CycleSetup& setup, const BodyPoses& body_poses,
-                           PairId guess) noexcept {
-  PairDistance best = measurePair(setup, body_poses, guess);
+                           const RefineWork& refined, PairDistance best) noexcept {
   for (std::size_t i = 0; i < setup.table.size(); ++i) {
     const BodyPair& pair = setup.table.pairs()[i];
-    if (!isKnown(body_poses, pair) ||
+    if (!isKnown(body_poses, pair) || refined.is_measured[setup.element_pair_of[i]] != 0 ||
         boundDistance(setup, body_poses, pair) >= best.measured.distance) {
       continue;
     }
@@ -71,6 +71,10 @@ PairDistance searchClosest(const CycleSetup& setup, const BodyPoses& body_poses,
     }
   }
   return best;
+}
+
+bool isNearer(const PairDistance& one, const PairDistance& other) noexcept {
+  return one.measured.distance < other.measured.distance;
 }
 
 }  // namespace
@@ -83,17 +87,18 @@ void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
   }
 }
 
-void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, double reach,
-                    PairDistances& distances) noexcept {
+void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, const RefineWork& refined,
+                    double reach, PairDistances& distances) noexcept {
   auto& measured = distances.measured;
-  const bool is_among =
-      std::any_of(measured.begin(), measured.end(),
-                  [&](const PairDistance& pair) { return pair.measured.distance <= reach; });
+  const auto nearest = std::min_element(measured.begin(), measured.end(), isNearer);
   PairId guess{};
-  if (is_among || !guessClosest(setup, body_poses, guess)) {
+  if ((nearest != measured.end() && nearest->measured.distance <= reach) ||
+      (nearest == measured.end() && !guessClosest(setup, body_poses, guess))) {
     return;
   }
-  const PairDistance closest = searchClosest(setup, body_poses, guess);
+  const PairDistance start =
+      nearest != measured.end() ? *nearest : measurePair(setup, body_poses, guess);
+  const PairDistance closest = searchClosest(setup, body_poses, refined, start);
   const auto place = std::lower_bound(
       measured.begin(), measured.end(), closest.pair,
       [](const PairDistance& distance, PairId pair) { return distance.pair < pair; });

@@ -27,6 +27,22 @@ void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& bod
       body_poses.world_from_body[i] = poses.world_from_link[index(body.link)] * body.link_from_body;
     }
   }
+  for (std::size_t i = 0; i < setup.elements.size(); ++i) {
+    const Element& element = setup.elements[i];
+    if (body_poses.link_known[index(element.link)] != 0) {
+      body_poses.world_from_element[i] =
+          poses.world_from_link[index(element.link)] * element.link_from_element;
+    }
+  }
+}
+
+BodyPoses makeBodyPoses(const CycleSetup& setup) {
+  BodyPoses body_poses;
+  body_poses.world_from_body.resize(setup.bodies.size());
+  body_poses.known.resize(setup.bodies.size(), 0);
+  body_poses.link_known.resize(setup.model.links.size(), 0);
+  body_poses.world_from_element.resize(setup.elements.size());
+  return body_poses;
 }
 
 void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double reach,

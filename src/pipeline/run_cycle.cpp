@@ -44,19 +44,19 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   const std::size_t link_pairs = setup.checked.size();
   const std::size_t links = setup.model.links.size();
   CycleBuffers buffers;
-  buffers.body_poses.world_from_body.resize(bodies);
-  buffers.body_poses.known.resize(bodies, 0);
-  buffers.body_poses.link_known.resize(links, 0);
+  buffers.body_poses = makeBodyPoses(setup);
   buffers.bounds.boxes.resize(bodies);
   buffers.bounds.known.resize(bodies, 0);
   buffers.candidates.reserve(pairs);
   buffers.distances.measured.reserve(pairs);
+  buffers.refine = makeRefineWork(setup);
   buffers.events.verdicts.resize(link_pairs, Verdict::unknown);
   buffers.events.closest.resize(link_pairs, kNone);
   buffers.events.changes.reserve(link_pairs);
   buffers.events.island_of_link.resize(links, 0);
   buffers.events.island_forest.resize(links, 0);
   buffers.memory.reported.resize(link_pairs, Verdict::clear);
+  buffers.memory.refined.resize(setup.element_pairs.size());
   buffers.counters.pairs = pairs;
   buffers.broad_phase = makeBroadPhase(kind, bodies);
   return buffers;
@@ -64,6 +64,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
 
 void resetMemory(CycleBuffers& buffers) noexcept {
   std::fill(buffers.memory.reported.begin(), buffers.memory.reported.end(), Verdict::clear);
+  std::fill(buffers.memory.refined.begin(), buffers.memory.refined.end(), RefineMemory());
 }
 
 double reachOf(const Limits& limits) noexcept {
@@ -76,10 +77,14 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
   findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
-  measureClosest(setup, buffers.body_poses, reach, buffers.distances);
+  refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
+  measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
   judgePairs(setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
   buffers.counters.candidates = buffers.candidates.size();
   buffers.counters.measured = buffers.distances.measured.size();
+  buffers.counters.refined = buffers.refine.refined;
+  buffers.counters.left = buffers.refine.left;
+  buffers.counters.refine_steps = buffers.refine.steps;
   countUnknown(setup, buffers.body_poses, buffers.counters);
 }
 

@@ -65,7 +65,11 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   if (robots.empty()) {
     report.errors.push_back({"robots", "none", "at least one robot description"});
   }
+  checkLimit("refine_distance", options.refine.limits.distance, 0.0, report);
   setup.limits = options.limits;
+  setup.refine = options.refine.limits;
+  setup.refine.distance =
+      std::max(setup.refine.distance, options.limits.warning_distance + options.limits.hysteresis);
   setup.model = readRobots(robots, load_resource, report);
   throwIfErrors(report);
 
@@ -74,8 +78,10 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
                              readShapeRules(options.shape_rules, setup.model, srdfs, report),
                              options.fit_cache};
   throwIfErrors(report);
-  makeBodies(fitLinks(setup.model, settings, {}, report), setup);
+  const std::vector<LinkFit> fits = fitLinks(setup.model, settings, {}, report);
+  makeBodies(fits, setup);
   throwIfErrors(report);
+  makeElements(fits, {options.refine.geometry, settings.rules}, setup, report);
 
   setup.link_pairs = decideLinkPairs(setup.model, srdfs);
   ruleDefaultOverlaps(srdfs, options.ignore_default_overlap, setup, report);

@@ -14,7 +14,8 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 static_assert(LinkDistance::EXACT == static_cast<int>(Quality::exact) &&
               LinkDistance::LOWER_BOUND == static_cast<int>(Quality::lower_bound) &&
-              LinkDistance::UNKNOWN == static_cast<int>(Quality::unknown));
+              LinkDistance::UNKNOWN == static_cast<int>(Quality::unknown) &&
+              LinkDistance::ESTIMATE == static_cast<int>(Quality::estimate));
 
 void nameLinks(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance& message) {
   message.link_a = setup.model.link(a).name;
@@ -36,6 +37,11 @@ SignedDistance unknownDistance(double distance) {
 }
 
 }  // namespace
+
+const std::string& shapeName(const CycleSetup& setup, const PairDistance& distance, BodyId body) {
+  return distance.is_refined ? setup.elements[index(setup.bodies[index(body)].element)].name
+                             : setup.labels[index(body)].shape_name;
+}
 
 std_msgs::Header makeHeader(std::int64_t stamp_ns, const std::string& frame) {
   std_msgs::Header header;
@@ -68,8 +74,8 @@ void toMessage(const Pose& pose, geometry_msgs::Pose& message) {
 void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message) {
   const BodyPair& pair = setup.table[distance.pair];
   nameLinks(setup, setup.bodies[index(pair.a)].link, setup.bodies[index(pair.b)].link, message);
-  message.shape_a = setup.labels[index(pair.a)].shape_name;
-  message.shape_b = setup.labels[index(pair.b)].shape_name;
+  message.shape_a = shapeName(setup, distance, pair.a);
+  message.shape_b = shapeName(setup, distance, pair.b);
   message.quality = static_cast<std::uint8_t>(distance.quality);
   fillNumbers(distance.measured, message);
 }

@@ -20,6 +20,9 @@ void toMessage(const Eigen::Vector3d& point, geometry_msgs::Point& message);
 void toMessage(const Eigen::Vector3d& vector, geometry_msgs::Vector3& message);
 void toMessage(const Pose& pose, geometry_msgs::Pose& message);
 
+/// What a measured pair calls one of its bodies: the shape, or the element that was refined to.
+const std::string& shapeName(const CycleSetup& setup, const PairDistance& distance, BodyId body);
+
 /// A measured pair.
 void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message);
 /// No pair: no names, and numbers that are NaN.

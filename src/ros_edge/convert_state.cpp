@@ -22,7 +22,8 @@ void fillCounters(const CycleCounters& counters, const CycleFacts& facts, State&
   message.pairs_checked = static_cast<std::uint32_t>(counters.pairs);
   message.pairs_candidates = static_cast<std::uint32_t>(counters.candidates);
   message.pairs_measured = static_cast<std::uint32_t>(counters.measured);
-  message.pairs_refined = 0;
+  message.pairs_refined = static_cast<std::uint32_t>(counters.refined);
+  message.pairs_left = static_cast<std::uint32_t>(counters.left);
   message.pairs_unknown = static_cast<std::uint32_t>(counters.unknown_pairs);
   message.cycle_time = facts.cycle_time;
   message.cycles = facts.cycles;

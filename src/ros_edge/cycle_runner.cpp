@@ -173,6 +173,8 @@ void CycleRunner::summarize(const State& state) {
   summary.pairs = state.pairs_checked;
   summary.candidates = state.pairs_candidates;
   summary.measured = state.pairs_measured;
+  summary.refined = state.pairs_refined;
+  summary.left = state.pairs_left;
   summary.unknown_links = state.unknown_links;
   summary.cycles = state.cycles;
   summary.overruns = state.overruns;

@@ -18,6 +18,8 @@ struct CycleSummary {
   std::size_t pairs{0};
   std::size_t candidates{0};
   std::size_t measured{0};
+  std::size_t refined{0};
+  std::size_t left{0};
   std::vector<std::string> unknown_links;
   std::uint64_t cycles{0};
   std::uint64_t overruns{0};

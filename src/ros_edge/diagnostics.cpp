@@ -70,6 +70,8 @@ void Diagnostics::reportCycle(DiagnosticStatusWrapper& status) {
   status.add("pairs of shapes", summary.pairs);
   status.add("candidates", summary.candidates);
   status.add("measured", summary.measured);
+  status.add("refined", summary.refined);
+  status.add("left by the refine budget", summary.left);
   last_time_ = now;
   last_cycles_ = summary.cycles;
   last_overruns_ = summary.overruns;

@@ -149,10 +149,11 @@ void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
   placeBodies(setup, poses, buffers.body_poses);
   selectPairs(setup, selection, buffers.body_poses, buffers.candidates);
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
-
   response.distances.header = makeHeader(poses.stamp_ns, current.world_frame);
   const double limit =
       request.max_distance > 0.0 ? request.max_distance : std::numeric_limits<double>::infinity();
+  buffers.refine.limits = {limit, std::numeric_limits<std::uint32_t>::max()};
+  refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
   fillDistances(setup, selection, buffers, limit, response.distances);
   const bool is_explicit = !request.links_a.empty() && !request.links_b.empty();
   const std::string ignored = is_explicit ? ignoredText(setup, selection) : "";

@@ -101,6 +101,19 @@ void readFitting(ParameterStruct& fields, Parameters& parameters) {
   fields.read("padding", {0.0, 1e3}, parameters.setup.padding);
 }
 
+/// What is measured where enclosing shapes come near, and how much of it in one cycle.
+void readRefining(ParameterStruct& fields, RefineOptions& refine) {
+  std::size_t geometry = 0;
+  fields.read("refine_geometry", {"mesh", "hull", "none"}, geometry);
+  constexpr RefineGeometry kGeometries[] = {RefineGeometry::mesh, RefineGeometry::hull,
+                                            RefineGeometry::none};
+  refine.geometry = kGeometries[geometry];
+  fields.read("refine_distance", kLength, refine.limits.distance);
+  double budget = refine.limits.budget;
+  fields.readWhole("refine_budget", {0.0, 4e9}, budget);
+  refine.limits.budget = static_cast<std::uint32_t>(budget);
+}
+
 /// Names that other software keeps in a node's private namespace.
 void tolerateForeign(ParameterStruct& fields) {
   for (const char* name :
@@ -127,6 +140,7 @@ Parameters readParameters(const XmlRpcValue& values, const std::string& where,
   fields.read("world_frame", parameters.world_frame);
   readTiming(fields, parameters);
   readFitting(fields, parameters);
+  readRefining(fields, parameters.setup.refine);
   fields.read("ignore_default_overlap", parameters.setup.ignore_default_overlap);
   readBroadPhase(fields, parameters);
   tolerateForeign(fields);

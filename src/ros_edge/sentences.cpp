@@ -105,11 +105,16 @@ std::string distanceSentence(const CycleSetup& setup, const PairDistance& distan
   const double value = distance.measured.distance;
   const bool is_bound = distance.quality == Quality::lower_bound;
   const std::string of_shapes = is_bound ? " (enclosing shapes)" : "";
+  const bool is_estimate = distance.quality == Quality::estimate;
+  if (std::abs(value) < kTouching && is_estimate) {
+    return a + " overlaps " + b;
+  }
   if (std::abs(value) < kTouching) {
     return a + " touches " + b + of_shapes;
   }
   if (value < 0.0) {
-    return a + " overlaps " + b + " by " + lengthText(value) + of_shapes;
+    return a + " overlaps " + b + " by " + (is_estimate ? "at least " : "") + lengthText(value) +
+           of_shapes;
   }
   return a + " is " + (is_bound ? "at least " : "") + lengthText(value) + " from " + b;
 }

@@ -42,8 +42,18 @@ CycleSetup handMadeSetup(const std::vector<ShapeOnLink>& shapes, const Limits& l
     }
     Link& link = setup.model.links[placed.link];
     link.collisions.push_back({"collision_0", placed.link_from_body, Sphere{}});
-    setup.bodies.push_back({idAt<LinkId>(placed.link), placed.link_from_body, placed.shape,
-                            boundingRadius(placed.shape), true});
+    Element element;
+    element.link = idAt<LinkId>(placed.link);
+    element.name = "collision_0";
+    element.link_from_element = placed.link_from_body;
+    element.convex =
+        std::visit([](const auto& shape) { return ConvexGeometry(shape); }, placed.shape);
+    element.is_exact = true;
+    element.is_body = true;
+    setup.bodies.push_back({element.link, placed.link_from_body, placed.shape,
+                            boundingRadius(placed.shape), true,
+                            idAt<ElementId>(setup.elements.size())});
+    setup.elements.push_back(element);
     setup.labels.push_back({std::string("collision_0/") + kindName(placed.shape), {}, 0.0});
   }
   setup.model.robots[0].link_count = setup.model.links.size();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +9,7 @@
 
 #include "collision_monitor/ros_edge/resource_loader.h"
 #include "comparison.h"
+#include "exact_comparison.h"
 
 /// Compares our distances and verdicts with FCL's on the enclosing shapes of a robot.
 namespace collision_monitor {
@@ -74,7 +76,9 @@ bool printResult(const Comparison& comparison) {
 }
 
 int compare(const RobotDescription& robot, const ComparisonOptions& options) {
-  const CycleSetup setup = buildSetup({robot}, makeResourceLoader(), SetupOptions());
+  SetupOptions setup_options;
+  setup_options.refine.geometry = RefineGeometry::none;  // FCL is given the enclosing shapes
+  const CycleSetup setup = buildSetup({robot}, makeResourceLoader(), setup_options);
   std::printf("%s: %zu links, %zu shapes, %zu link pairs checked, %zu shape pairs\n",
               robot.source.c_str(), setup.model.links.size(), setup.bodies.size(),
               setup.checked.size(), setup.table.size());
@@ -82,6 +86,28 @@ int compare(const RobotDescription& robot, const ComparisonOptions& options) {
   printKinds(comparison);
   printDisagreements(comparison);
   return printResult(comparison) ? 0 : 1;
+}
+
+double percent(std::size_t part, std::size_t whole) {
+  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+int compareExact(const RobotDescription& robot, const ComparisonOptions& options) {
+  const CycleSetup setup = buildSetup({robot}, makeResourceLoader(), SetupOptions());
+  const ExactComparison found = compareExactly(setup, options);
+  for (const std::string& line : found.wrong) {
+    std::printf("wrong: %s\n", line.c_str());
+  }
+  const std::size_t wrong = found.missed + found.wrong_contacts;
+  std::printf(
+      "poses %zu, verdicts %zu, wrong %zu (%zu missed), contacts %zu; of %zu contacts of enclosing "
+      "shapes %.2f %% false, refined %.2f %%; left by the budget %.4f a pose: %s\n",
+      found.poses, found.pairs, wrong, found.missed, found.contacts, found.enclosing_contacts,
+      percent(found.enclosing_alarms, found.enclosing_contacts),
+      percent(found.refined_alarms, found.enclosing_contacts),
+      static_cast<double>(found.left) / static_cast<double>(std::max<std::size_t>(1, found.poses)),
+      wrong == 0 ? "agrees" : "DIFFERS");
+  return wrong == 0 ? 0 : 1;
 }
 
 int run(int argc, char** argv) {
@@ -99,8 +125,13 @@ int run(int argc, char** argv) {
   app.add_option("--seed", options.seed, "seed of the random poses")->capture_default_str();
   app.add_option("--depths", options.most_depths, "overlaps whose depth is checked")
       ->capture_default_str();
+  bool is_exact = false;
+  app.add_flag("--exact", is_exact,
+               "compare verdicts of the geometries themselves instead, and count false alarms of "
+               "enclosing shapes");
   CLI11_PARSE(app, argc, argv);
-  return compare(describe(urdf, srdf), options);
+  return is_exact ? compareExact(describe(urdf, srdf), options)
+                  : compare(describe(urdf, srdf), options);
 }
 
 }  // namespace

@@ -34,6 +34,13 @@ struct GivenShapes {
   std::string where;               ///< "rules.yaml line 12, rule 3"
 };
 
+/// What distances to a mesh are refined to where its enclosing shapes come near another link.
+enum class RefineGeometry : unsigned char {
+  mesh,  ///< its triangles, and what a closed surface holds
+  hull,  ///< its convex hull: faster, and never smaller than the mesh
+  none,  ///< the enclosing shapes themselves
+};
+
 /// What the rules say about one link; nothing where they are silent.
 struct LinkRules {
   std::optional<ShapeKinds> kinds;
@@ -41,6 +48,7 @@ struct LinkRules {
   std::optional<double> target_overshoot;  ///< [m]
   std::optional<double> padding;           ///< [m]
   std::optional<GivenShapes> given;
+  std::optional<RefineGeometry> refine;
 };
 
 /// Reads the rules and finds the links they mean.

@@ -8,6 +8,8 @@
 #include "collision_monitor/broad_phase/broad_phase.h"
 #include "collision_monitor/geometry/pose.h"
 #include "collision_monitor/model/robot_model.h"
+#include "collision_monitor/narrow_phase/convex_workspace.h"
+#include "collision_monitor/narrow_phase/mesh_distance.h"
 #include "collision_monitor/narrow_phase/signed_distance.h"
 
 /// What travels from stage to stage of one cycle: plain arrays sized at set-up,
@@ -36,22 +38,27 @@ struct BodyPoses {
   std::vector<Pose> world_from_body;
   std::vector<unsigned char> known;
   std::vector<unsigned char> link_known;  ///< by LinkId: the pose is known and rigid
+  std::vector<Pose> world_from_element;   ///< by ElementId; means nothing where the link is unknown
 };
 
 enum class Quality : unsigned char {
   exact,        ///< between the geometries of the URDF themselves
-  lower_bound,  ///< between enclosing shapes: the geometries are at least as far apart
+  lower_bound,  ///< the geometries are at least as far apart; below 0 they may touch, and this is
+                ///< how deep what encloses them overlaps
   unknown,      ///< a link's pose is unknown: the distance means nothing
+  estimate,     ///< the geometries overlap, proven; they are at least this deep, perhaps deeper
 };
 
 struct PairDistance {
   PairId pair{};
   Quality quality{Quality::unknown};
+  bool is_refined{false};  ///< measured between elements, of which the bodies are the nearest part
   SignedDistance measured;
 };
 
 /// Sorted by pair id. Holds every candidate and, when none is near, the closest
-/// pair all the same.
+/// pair all the same. A refined pair of elements stands once, in place of the nearest of its
+/// bodies.
 struct PairDistances {
   std::vector<PairDistance> measured;
 };
@@ -87,13 +94,25 @@ struct CycleCounters {
   std::size_t pairs{0};       ///< pairs of bodies in the table
   std::size_t candidates{0};  ///< of these, their bounds met
   std::size_t measured{0};  ///< of these, measured; with those the search for the closest asked for
+  std::size_t refined{0};   ///< pairs of elements that were measured to the end
+  std::size_t left{0};      ///< pairs of elements for which the budget did not suffice
+  std::size_t refine_steps{0};   ///< spent of the budget
   std::size_t unknown_pairs{0};  ///< pairs of bodies with an unknown link
   std::size_t unknown_links{0};  ///< links with geometry whose pose is unknown
 };
 
-/// What survives a cycle. Resetting it changes hysteresis and which verdicts count as changed.
+/// What the last measurement of a pair of elements found: where the next one starts.
+struct RefineMemory {
+  ConvexWarmStart warm;
+  TrianglePair nearest;
+  std::uint32_t waited{0};  ///< cycles in a row in which the budget was spent before its turn
+};
+
+/// What survives a cycle. Resetting it changes hysteresis, which verdicts count as changed, and of
+/// refinement the speed and the order.
 struct PairMemory {
-  std::vector<Verdict> reported;  ///< by LinkPairIndex: the verdict last reported
+  std::vector<Verdict> reported;      ///< by LinkPairIndex: the verdict last reported
+  std::vector<RefineMemory> refined;  ///< by ElementPairIndex
 };
 
 }  // namespace collision_monitor

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "collision_monitor/pipeline/cycle_data.h"
+#include "collision_monitor/pipeline/refine_pairs.h"
 #include "collision_monitor/pipeline/setup.h"
 
 namespace collision_monitor {
@@ -15,11 +16,15 @@ struct CycleBuffers {
   BodyBounds bounds;
   std::vector<PairId> candidates;
   PairDistances distances;
+  RefineWork refine;
   PairEvents events;
   PairMemory memory;
   CycleCounters counters;
   BroadPhase broad_phase;
 };
+
+/// Sized for the set-up, nothing known.
+BodyPoses makeBodyPoses(const CycleSetup& setup);
 
 CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind);
 
@@ -44,10 +49,11 @@ void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                   const std::vector<PairId>& pairs, PairDistances& distances) noexcept;
 
 /// Makes sure that the closest of all known pairs is among `distances`, which hold every
-/// pair within `reach`. Costs nothing when one is that near; otherwise visits all pairs
-/// and measures those whose bounding spheres are nearer than the best so far.
-void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, double reach,
-                    PairDistances& distances) noexcept;
+/// pair within `reach` and what `refined` made of them. Costs nothing when one is that near;
+/// otherwise visits all pairs and measures those whose bounding spheres are nearer than the best so
+/// far. What it adds is not refined.
+void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, const RefineWork& refined,
+                    double reach, PairDistances& distances) noexcept;
 
 void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                 const PairDistances& distances, PairMemory& memory, PairEvents& events) noexcept;

@@ -13,6 +13,7 @@
 #include "collision_monitor/model/robot_model.h"
 #include "collision_monitor/model/shape_rules.h"
 #include "collision_monitor/model/urdf_reader.h"
+#include "collision_monitor/pipeline/element.h"
 
 namespace collision_monitor {
 
@@ -33,6 +34,7 @@ struct Body {
   Shape shape;
   double bounding_radius{0.0};  ///< [m] about the body's origin
   bool is_exact{false};         ///< the shape is the geometry of the URDF
+  ElementId element{};          ///< that it encloses, alone or with others
 };
 
 /// What messages and reports say of a body; never read in a cycle.
@@ -62,14 +64,18 @@ struct PairRange {
 /// something builds a new one and swaps it in between two cycles.
 struct CycleSetup {
   RobotModel model;
-  std::vector<Body> bodies;                 ///< by BodyId, in order of link
-  std::vector<BodyLabel> labels;            ///< by BodyId
-  std::vector<LinkPair> link_pairs;         ///< all, with the reason why (not)
-  std::vector<CheckedLinkPair> checked;     ///< by LinkPairIndex, sorted by (a, b)
-  PairTable table;                          ///< by PairId, ordered by kind of core pair
-  std::vector<std::uint32_t> link_pair_of;  ///< by PairId: index into checked
-  std::vector<PairRange> ranges;            ///< one for each kind of core pair present
+  std::vector<Body> bodies;                       ///< by BodyId, in order of link
+  std::vector<BodyLabel> labels;                  ///< by BodyId
+  std::vector<LinkPair> link_pairs;               ///< all, with the reason why (not)
+  std::vector<CheckedLinkPair> checked;           ///< by LinkPairIndex, sorted by (a, b)
+  PairTable table;                                ///< by PairId, ordered by kind of core pair
+  std::vector<std::uint32_t> link_pair_of;        ///< by PairId: index into checked
+  std::vector<PairRange> ranges;                  ///< one for each kind of core pair present
+  std::vector<Element> elements;                  ///< by ElementId, in order of link
+  std::vector<ElementPair> element_pairs;         ///< by ElementPairIndex, grouped by pair of links
+  std::vector<ElementPairIndex> element_pair_of;  ///< by PairId
   Limits limits;
+  RefineLimits refine;
   SetupReport report;  ///< warnings only
 };
 
@@ -78,6 +84,7 @@ struct SetupOptions {
   double padding{0.0};  ///< [m] added to the radius or extents of every shape, >= 0
   FitLimits default_limits{4, 0.01, {}};  ///< of links for which the rules say nothing else
   ShapeRulesText shape_rules;
+  RefineOptions refine;
   std::filesystem::path fit_cache;  ///< directory that keeps fits, empty for none
   bool ignore_default_overlap{
       true};  ///< for robots without SRDF: ignore pairs that overlap in the default pose

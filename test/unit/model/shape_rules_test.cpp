@@ -228,7 +228,7 @@ TEST(ShapeRules, everyProblemOfTheFile_isReportedWithItsLine) {
           "robots: 'base', 'arm_1', 'arm_2', 'hand' and 'tool'",
           "rules.yaml line 5, rule 2: padding '-0.1'; accepted: a number from 0 to 1000",
           "rules.yaml line 6, rule 2: an unknown key, 'paddding'; accepted: group, kinds, link, "
-          "links, max_shapes, padding, shapes, target_overshoot and unproven",
+          "links, max_shapes, padding, refine, shapes, target_overshoot and unproven",
           "rules.yaml line 7, rule 3: group 'tail'; accepted: a group of an SRDF: 'tip' and "
           "'void'",
           "rules.yaml line 8, rule 3: kinds [ball]; accepted: a list of sphere, capsule, box and "
@@ -237,7 +237,7 @@ TEST(ShapeRules, everyProblemOfTheFile_isReportedWithItsLine) {
           "rules.yaml line 10, rule 5: two selections of links; accepted: one of link, links and "
           "group",
           "rules.yaml line 10, rule 5: a rule that sets nothing; accepted: kinds, max_shapes, "
-          "target_overshoot, padding or shapes",
+          "target_overshoot, padding, refine or shapes",
           "rules.yaml line 12, rule 6: group 'void'; accepted: a group that has links",
           "rules.yaml line 13, rule 6: target_overshoot '.nan'; accepted: a number from 0 to "
           "1e+06"}));

@@ -109,8 +109,12 @@ TEST_F(ConversionsTest, contacts_pointDepthNormalIsland) {
   EXPECT_EQ(contact.link_b, "tool");
   EXPECT_NEAR(contact.depth, 0.04, 1e-12);
   EXPECT_NEAR(contact.normal.x, 1.0, 1e-12);
-  ASSERT_EQ(contact.points.size(), 1U);
-  EXPECT_NEAR(contact.points[0].x, 0.08, 1e-12) << "middle of 0.06 and 0.1";
+  ASSERT_EQ(contact.points.size(), 4U) << "the corners of the faces that meet";
+  EXPECT_EQ(contact.feature, "face_face");
+  for (const auto& point : contact.points) {
+    EXPECT_NEAR(point.x, 0.08, 1e-12) << "middle of 0.06 and 0.1";
+    EXPECT_NEAR(std::abs(point.y), 0.1, 1e-12);
+  }
   EXPECT_EQ(contact.island, 1U);
   EXPECT_EQ(message.island_count, 1U);
   toMessage(*watchAt(0.0), message);

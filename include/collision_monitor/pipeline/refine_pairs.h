@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "collision_monitor/pipeline/cycle_data.h"
+#include "collision_monitor/pipeline/setup.h"
+
+namespace collision_monitor {
+
+/// Scratch of exact measurements. Large, and means nothing between them.
+struct RefineScratch {
+  ConvexWorkspace convex;
+  MeshQueryMemory mesh;
+};
+
+/// A pair of elements that is to be refined.
+struct RefineTask {
+  ElementPairIndex pair{0};
+  std::uint32_t place{0};   ///< in PairDistances: its nearest bodies
+  double bound{0.0};        ///< [m] their distance
+  std::uint32_t waited{0};  ///< as RefineMemory::waited
+};
+
+/// What refinePairs works with and tells, sized at set-up.
+struct RefineWork {
+  RefineLimits limits;
+  std::vector<RefineTask> tasks;
+  std::vector<std::uint32_t> task_of;      ///< by ElementPairIndex: into tasks, or kNone
+  std::vector<unsigned char> is_measured;  ///< by ElementPairIndex: in this cycle
+  std::vector<double> nearest;             ///< by LinkPairIndex: [m] the least refined distance
+  std::unique_ptr<RefineScratch> scratch;
+  std::size_t refined{0};  ///< these three as in CycleCounters
+  std::size_t left{0};
+  std::size_t steps{0};
+};
+
+RefineWork makeRefineWork(const CycleSetup& setup);
+
+/// Measures the geometries behind enclosing shapes that are within limits.distance of each other:
+/// each pair of elements once, however many bodies it has. Those that waited longest come first,
+/// then the nearest, until the budget is spent; the rest stay the lower bounds they are.
+///
+/// A pair of elements that is measured keeps one entry in `distances`. Of proven lower bounds the
+/// larger one stays. Pairs that cannot be the nearest of their links and are in no contact are
+/// passed over: what is refined is nearer.
+/// Error: as signedDistanceBetween and distanceBetween of meshes. Depths of meshes are estimates
+/// (Quality::estimate), except of convex ones, which are measured by their hulls.
+/// Limits: the last measurement may go beyond the budget by the depth of one pair.
+void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
+                 RefineWork& work, PairDistances& distances) noexcept;
+
+}  // namespace collision_monitor

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/measure_elements.h"
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+#include "collision_monitor/geometry/visit_held.h"
+#include "collision_monitor/narrow_phase/distance.h"
+#include "collision_monitor/narrow_phase/mesh_depth.h"
+#include "narrow_phase/core_distance.h"
+
+namespace collision_monitor {
+namespace {
+
+// Work other than opening nodes, in units of it.
+constexpr std::uint32_t kSetUpSteps = 8;   // poses and inner shapes
+constexpr std::uint32_t kApartSteps = 8;   // two convex geometries
+constexpr std::uint32_t kDepthSteps = 60;  // depth of two convex geometries
+constexpr std::uint32_t kPointSteps = 20;  // depth of one point in a mesh
+constexpr std::uint32_t kMostPoints = 60;  // of each mesh
+
+bool areExact(const PlacedElement& a, const PlacedElement& b) noexcept {
+  return a.element.is_exact && b.element.is_exact;
+}
+
+PlacedMesh meshOf(const PlacedElement& placed) noexcept {
+  return {*placed.element.mesh, placed.world_from_element};
+}
+
+/// False for geometries that are not of the family of shapes.
+bool findShape(const ConvexGeometry& geometry, Shape& shape) noexcept {
+  const auto take = [&](const auto& held) noexcept {
+    if constexpr (std::is_convertible_v<decltype(held), Shape>) {
+      shape = held;
+      return true;
+    } else {
+      return false;
+    }
+  };
+  return visitHeld(take, geometry);
+}
+
+/// Least signed distance of the inner shapes; false where an element has none.
+bool measureInside(const PlacedElement& a, const PlacedElement& b, SignedDistance& least) noexcept {
+  least.distance = std::numeric_limits<double>::infinity();
+  const InnerShapes& in_a = a.element.inner;
+  const InnerShapes& in_b = b.element.inner;
+  for (const auto* inner_a : {&in_a.sphere, &in_a.capsule}) {
+    for (const auto* inner_b : {&in_b.sphere, &in_b.capsule}) {
+      if (!*inner_a || !*inner_b) {
+        continue;
+      }
+      const SignedDistance found =
+          distanceBetween((*inner_a)->shape, a.world_from_element * (*inner_a)->geometry_from_body,
+                          (*inner_b)->shape, b.world_from_element * (*inner_b)->geometry_from_body);
+      least = found.distance < least.distance ? found : least;
+    }
+  }
+  return least.distance < std::numeric_limits<double>::infinity();
+}
+
+ElementDistance measureConvex(const PlacedElement& a, const PlacedElement& b,
+                              ElementSearch& search) noexcept {
+  ConvexSearch convex{search.scratch.convex, search.memory.warm};
+  const ConvexDistance found = signedDistanceBetween(
+      *a.element.convex, a.world_from_element, *b.element.convex, b.world_from_element, convex);
+  ElementDistance answer;
+  answer.steps = found.measured.distance > 0.0 ? kApartSteps : kDepthSteps;
+  answer.is_complete = true;
+  if (found.quality != DistanceQuality::unknown) {
+    answer.quality = found.quality == DistanceQuality::exact && areExact(a, b)
+                         ? Quality::exact
+                         : Quality::lower_bound;
+    answer.has_points = true;
+    answer.measured = found.measured;
+  }
+  return answer;
+}
+
+MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
+                          ElementSearch& search) noexcept {
+  const MeshQueryLimits limits{std::numeric_limits<double>::infinity(), search.budget};
+  TrianglePair& nearest = search.memory.nearest;
+  MeshDistance found;
+  Shape shape;
+  if (b.element.convex && findShape(*b.element.convex, shape)) {
+    found = distanceBetween(meshOf(a), PlacedShape{shape, b.world_from_element},
+                            search.scratch.mesh, nearest, limits);
+  } else if (a.element.convex && findShape(*a.element.convex, shape)) {
+    found = distanceBetween(meshOf(b), PlacedShape{shape, a.world_from_element},
+                            search.scratch.mesh, nearest, limits);
+    found.measured = swapped(found.measured);
+  } else {
+    found = distanceBetween(meshOf(a), meshOf(b), search.scratch.mesh, nearest, limits);
+  }
+  nearest = found.nearest.a == TrianglePair::kNone ? nearest : found.nearest;
+  return found;
+}
+
+/// Of surfaces around the geometries, the answer of the geometries: not so near, not so deep.
+SignedDistance withoutExcess(const PlacedElement& a, const PlacedElement& b,
+                             const SignedDistance& of_surfaces) noexcept {
+  return swept(of_surfaces, -a.element.mesh_excess, -b.element.mesh_excess);
+}
+
+/// A search that the budget ended within a solid has a depth and no points to show for it.
+void matchPoints(SignedDistance& overlap) noexcept {
+  const Eigen::Vector3d between = overlap.point_on_b - overlap.point_on_a;
+  constexpr double kRounding = 1e-9;
+  if ((between - overlap.distance * overlap.normal_a_to_b).norm() > kRounding) {
+    overlap.distance = 0.0;
+    overlap.point_on_b = overlap.point_on_a;
+  }
+}
+
+/// Meshes that overlap: the deepest of what is found is an estimate of the depth.
+void deepen(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
+            ElementDistance& answer) noexcept {
+  const std::uint32_t left = search.budget - std::min(search.budget, answer.steps);
+  const std::uint32_t points = std::min(kMostPoints, left / (2 * kPointSteps));
+  if (!a.element.mesh || !b.element.mesh || points == 0) {
+    return;
+  }
+  answer.steps += 2 * kPointSteps * points;
+  const MeshPenetration found = penetrationOf(meshOf(a), meshOf(b), search.scratch.mesh, points);
+  const SignedDistance deepest = withoutExcess(a, b, found.deepest);
+  if (deepest.distance < answer.measured.distance) {
+    answer.measured = deepest;
+  }
+}
+
+/// What surrounds a geometry may overlap where the geometry does not: then nothing is told.
+void reportOverlap(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
+                   ElementDistance& answer) noexcept {
+  deepen(a, b, search, answer);
+  answer.is_complete = true;
+  if (areExact(a, b) && answer.measured.distance <= 0.0) {
+    answer.quality = Quality::estimate;
+    answer.has_points = true;
+  }
+}
+
+ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
+                              ElementSearch& search) noexcept {
+  ElementDistance answer;
+  answer.steps = kSetUpSteps;
+  const bool is_inside = measureInside(a, b, answer.measured) && answer.measured.distance < 0.0;
+  if (is_inside && a.element.mesh && b.element.mesh) {
+    reportOverlap(a, b, search, answer);  // a search would say no more than that
+    return answer;
+  }
+  const MeshDistance found = searchMeshes(a, b, search);
+  answer.steps += found.visits;
+  if (found.state == MeshState::overlapping) {
+    SignedDistance of_geometries = found.measured;
+    matchPoints(of_geometries);
+    of_geometries = withoutExcess(a, b, of_geometries);
+    if (!is_inside || of_geometries.distance < answer.measured.distance) {
+      answer.measured = of_geometries;
+    }
+    reportOverlap(a, b, search, answer);
+  } else if (is_inside) {
+    reportOverlap(a, b, search, answer);
+  } else if (found.state != MeshState::unknown) {
+    const bool is_exact = areExact(a, b) && a.element.mesh_excess + b.element.mesh_excess == 0.0;
+    answer.measured = found.measured;
+    answer.has_points = answer.is_complete = found.state == MeshState::exact;
+    answer.quality = answer.is_complete && is_exact ? Quality::exact : Quality::lower_bound;
+  }
+  return answer;
+}
+
+}  // namespace
+
+ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
+                                ElementSearch& search) noexcept {
+  ElementDistance answer = a.element.convex && b.element.convex ? measureConvex(a, b, search)
+                                                                : measureMeshes(a, b, search);
+  const double padding = a.element.padding + b.element.padding;
+  if (padding > 0.0) {
+    answer.measured = swept(answer.measured, a.element.padding, b.element.padding);
+    answer.quality = answer.quality == Quality::exact ? Quality::lower_bound : answer.quality;
+  }
+  return answer;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/pipeline/refine_pairs.h"
+
+namespace collision_monitor {
+
+struct PlacedElement {
+  const Element& element;
+  const Pose& world_from_element;
+};
+
+/// What measureElements found. Quality::unknown: nothing that the enclosing shapes do not say.
+struct ElementDistance {
+  Quality quality{Quality::unknown};
+  bool has_points{false};  ///< false: a lower bound without points
+  SignedDistance measured;
+  std::uint32_t steps{0};   ///< spent of the budget
+  bool is_complete{false};  ///< false: a larger budget would have told more
+};
+
+/// What a search may use, and what it leaves for the next one.
+struct ElementSearch {
+  std::uint32_t budget;
+  RefineMemory& memory;
+  RefineScratch& scratch;
+};
+
+/// Signed distance of what two elements are, less their paddings.
+///
+/// Convex geometries are measured by signedDistanceBetween, a mesh and a shape or two meshes by
+/// branch and bound over their triangles. Inner shapes that overlap settle that two meshes do.
+/// Error: a cylinder and a mesh give a lower bound that is too small by Element::mesh_excess.
+ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
+                                ElementSearch& search) noexcept;
+
+}  // namespace collision_monitor

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/pipeline/refine_pairs.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+#include "pipeline/measure_elements.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Two bodies that are the geometry themselves are measured exactly already.
+bool isRefinable(const CycleSetup& setup, ElementPairIndex pair) noexcept {
+  const ElementPair& elements = setup.element_pairs[pair];
+  return !setup.elements[index(elements.a)].is_body || !setup.elements[index(elements.b)].is_body;
+}
+
+/// What every step needs.
+struct Refinement {
+  const CycleSetup& setup;
+  const BodyPoses& body_poses;
+  PairMemory& memory;
+  RefineWork& work;
+  PairDistances& distances;
+};
+
+void forgetLastCycle(const CycleSetup& setup, RefineWork& work) noexcept {
+  for (const RefineTask& task : work.tasks) {
+    work.task_of[task.pair] = kNone;
+    work.is_measured[task.pair] = 0;
+    work.nearest[setup.element_pairs[task.pair].link_pair] =
+        std::numeric_limits<double>::infinity();
+  }
+  work.tasks.clear();
+  work.refined = work.left = work.steps = 0;
+}
+
+/// One task a pair of elements, with its nearest bodies.
+void listTasks(const Refinement& all) noexcept {
+  RefineWork& work = all.work;
+  for (std::uint32_t i = 0; i < all.distances.measured.size(); ++i) {
+    const PairDistance& distance = all.distances.measured[i];
+    const ElementPairIndex pair = all.setup.element_pair_of[index(distance.pair)];
+    if (!(distance.measured.distance <= work.limits.distance) || !isRefinable(all.setup, pair)) {
+      continue;
+    }
+    if (work.task_of[pair] == kNone) {
+      work.task_of[pair] = static_cast<std::uint32_t>(work.tasks.size());
+      const std::uint32_t waited = all.memory.refined[pair].waited;
+      work.tasks.push_back({pair, i, distance.measured.distance, waited});
+    }
+    RefineTask& task = work.tasks[work.task_of[pair]];
+    if (distance.measured.distance < task.bound) {
+      task.place = i;
+      task.bound = distance.measured.distance;
+    }
+  }
+}
+
+void sortTasks(RefineWork& work) noexcept {
+  std::sort(work.tasks.begin(), work.tasks.end(), [](const RefineTask& x, const RefineTask& y) {
+    return std::tie(y.waited, x.bound, x.pair) < std::tie(x.waited, y.bound, y.pair);
+  });
+  for (std::uint32_t i = 0; i < work.tasks.size(); ++i) {
+    work.task_of[work.tasks[i].pair] = i;
+  }
+}
+
+/// Where a proven bound without points is larger, the points follow it along the normal.
+void raiseBound(double bound, PairDistance& distance) noexcept {
+  SignedDistance& measured = distance.measured;
+  if (bound > measured.distance) {
+    measured.distance = bound;
+    measured.point_on_b = measured.point_on_a + bound * measured.normal_a_to_b;
+  }
+}
+
+void takeOver(const ElementDistance& found, PairDistance& distance) noexcept {
+  const bool is_nearer = !(found.measured.distance > distance.measured.distance);
+  // Where shapes overlap, theirs is the depth of two of several shapes, which bounds nothing.
+  const bool is_depth = found.has_points && distance.measured.distance < 0.0;
+  if (found.quality == Quality::unknown ||
+      (found.quality == Quality::lower_bound && is_nearer && !is_depth)) {
+    return;  // the enclosing shapes know better
+  }
+  distance.quality = found.quality;
+  if (found.has_points) {
+    distance.measured = found.measured;
+    distance.is_refined = true;
+  } else {
+    raiseBound(found.measured.distance, distance);
+  }
+}
+
+/// Whether the pair is farther than what its links are known to be, and in no contact.
+bool isSettled(const Refinement& all, const RefineTask& task) noexcept {
+  const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
+  const Limits& limits = all.setup.checked[link_pair].limits;
+  return task.bound > all.work.nearest[link_pair] &&
+         task.bound > limits.contact_distance + limits.hysteresis;
+}
+
+void measureTask(const Refinement& all, const RefineTask& task) noexcept {
+  RefineWork& work = all.work;
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  const auto placed = [&](ElementId id) noexcept {
+    return PlacedElement{all.setup.elements[index(id)],
+                         all.body_poses.world_from_element[index(id)]};
+  };
+  ElementSearch search{work.limits.budget - static_cast<std::uint32_t>(work.steps),
+                       all.memory.refined[task.pair], *work.scratch};
+  const ElementDistance found = measureElements(placed(pair.a), placed(pair.b), search);
+  PairDistance& distance = all.distances.measured[task.place];
+  takeOver(found, distance);
+  work.steps += found.steps;
+  work.is_measured[task.pair] = 1;
+  ++(found.is_complete ? work.refined : work.left);
+  double& nearest = work.nearest[pair.link_pair];
+  if (found.is_complete) {
+    nearest = std::min(nearest, distance.measured.distance);
+  }
+}
+
+/// Leaves of every pair of elements that was measured the entry of its nearest bodies.
+void dropFarther(const Refinement& all) noexcept {
+  auto& measured = all.distances.measured;
+  std::size_t kept = 0;
+  for (std::uint32_t i = 0; i < measured.size(); ++i) {
+    const ElementPairIndex pair = all.setup.element_pair_of[index(measured[i].pair)];
+    if (all.work.is_measured[pair] == 0 || all.work.tasks[all.work.task_of[pair]].place == i) {
+      measured[kept++] = measured[i];
+    }
+  }
+  measured.resize(kept);
+}
+
+}  // namespace
+
+RefineWork makeRefineWork(const CycleSetup& setup) {
+  RefineWork work;
+  const std::size_t pairs = setup.element_pairs.size();
+  work.limits = setup.refine;
+  work.tasks.reserve(pairs);
+  work.task_of.resize(pairs, kNone);
+  work.is_measured.resize(pairs, 0);
+  work.nearest.resize(setup.checked.size(), std::numeric_limits<double>::infinity());
+  work.scratch = std::make_unique<RefineScratch>();
+  return work;
+}
+
+void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
+                 RefineWork& work, PairDistances& distances) noexcept {
+  const Refinement all{setup, body_poses, memory, work, distances};
+  forgetLastCycle(setup, work);
+  listTasks(all);
+  sortTasks(work);
+  for (const RefineTask& task : work.tasks) {
+    std::uint32_t& waited = memory.refined[task.pair].waited;
+    if (isSettled(all, task)) {
+      waited = 0;
+    } else if (work.steps < work.limits.budget) {
+      waited = 0;
+      measureTask(all, task);
+    } else {
+      ++waited;
+      ++work.left;
+    }
+  }
+  dropFarther(all);
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "collision_monitor/pipeline/run_cycle.h"
+#include "support/allocation_guard.h"
+#include "support/geometry_setup.h"
+#include "support/hand_made_setup.h"
+#include "support/query_meshes.h"
+#include "support/random_poses.h"
+#include "support/sample_meshes.h"
+
+namespace collision_monitor {
+namespace {
+
+using test::Random;
+
+constexpr unsigned kSeed = 11;
+
+std::vector<Geometry> mixedGeometries() {
+  return {test::bumpyMesh(0.2, 16), test::angleMesh(),        Cylinder{0.1, 0.05},
+          Box{{0.1, 0.04, 0.03}},   test::bumpyMesh(0.1, 12), test::prismMesh(0.06, 0.1, 9),
+          Capsule{0.08, 0.03}};
+}
+
+CycleSetup mixedSetup(const std::vector<Geometry>& geometries, std::uint32_t max_shapes = 2) {
+  SetupOptions options;
+  options.default_limits.max_shapes = max_shapes;
+  return test::geometrySetup(geometries, options);
+}
+
+void drift(Random& random, LinkPoses& poses) {
+  for (Pose& pose : poses.world_from_link) {
+    pose = random() % 100 == 0 ? test::randomPose(random, 0.25) : pose;
+    pose.translation += test::randomPoint(random, 0.005);
+  }
+  for (LinkStatus& status : poses.status) {
+    status = random() % 50 == 0 ? LinkStatus::stale : LinkStatus::known;
+  }
+}
+
+bool sameBytes(const PairDistance& one, const PairDistance& other) {
+  return one.pair == other.pair && one.quality == other.quality &&
+         one.is_refined == other.is_refined &&
+         std::memcmp(&one.measured, &other.measured, sizeof one.measured) == 0;
+}
+
+/// Whatever the budget, so that much of it is spent in the middle of searches.
+class RefineCycles : public testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(RefineCycles, allocateNothingAndEveryBroadPhaseGivesTheSameBytes) {
+  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  const CycleSetup setup = mixedSetup(mixedGeometries());
+  CycleBuffers brute_force = makeBuffers(setup, BroadPhaseKind::brute_force);
+  CycleBuffers sweep_and_prune = makeBuffers(setup, BroadPhaseKind::sweep_and_prune);
+  brute_force.refine.limits.budget = sweep_and_prune.refine.limits.budget = GetParam();
+  LinkPoses poses = test::randomLinkPoses(setup, 0.25, kSeed);
+  Random random(kSeed);
+  std::size_t allocations = 0;
+  std::size_t refined = 0;
+  std::size_t left = 0;
+  for (int cycle = 0; cycle < 2000; ++cycle) {
+    drift(random, poses);
+    {
+      const test::AllocationGuard guard;
+      runCycle(setup, poses, brute_force);
+      runCycle(setup, poses, sweep_and_prune);
+      allocations += guard.count();
+    }
+    const auto& one = brute_force.distances.measured;
+    const auto& other = sweep_and_prune.distances.measured;
+    ASSERT_TRUE(std::equal(one.begin(), one.end(), other.begin(), other.end(), sameBytes));
+    ASSERT_EQ(brute_force.events.verdicts, sweep_and_prune.events.verdicts);
+    refined += brute_force.counters.refined;
+    left += brute_force.counters.left;
+  }
+  EXPECT_EQ(allocations, 0U);
+  EXPECT_GT(refined, 1000U) << "the scenes are too sparse to prove anything";
+  EXPECT_EQ(left > 100U, GetParam() < 10000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Budgets, RefineCycles, testing::Values(50U, 500U, 1000000U));
+
+/// The distance of each pair of links, by LinkPairIndex; infinity where nothing was near.
+std::vector<PairDistance> nearestOf(const CycleBuffers& buffers) {
+  std::vector<PairDistance> nearest;
+  for (const std::uint32_t place : buffers.events.closest) {
+    nearest.push_back(place == kNone ? PairDistance() : buffers.distances.measured[place]);
+  }
+  return nearest;
+}
+
+/// One shape a link: its depth bounds that of the geometry. Of several shapes it does not, for to
+/// part two that overlap least may not part the others.
+class RefinedAndEnclosing : public testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(RefinedAndEnclosing, refinedDistancesAreNeverBelowThoseOfEnclosingShapes) {
+  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  const CycleSetup setup = mixedSetup(mixedGeometries(), GetParam());
+  for (const std::uint32_t budget : {30U, 300U, 1000000U}) {
+    CycleBuffers enclosing = makeBuffers(setup, BroadPhaseKind::brute_force);
+    CycleBuffers refined = makeBuffers(setup, BroadPhaseKind::brute_force);
+    enclosing.refine.limits.budget = 0;
+    refined.refine.limits.budget = budget;
+    for (unsigned round = 0; round < 500; ++round) {
+      const LinkPoses poses = test::randomLinkPoses(setup, 0.25, kSeed + round);
+      runCycle(setup, poses, enclosing);
+      runCycle(setup, poses, refined);
+      const std::vector<PairDistance> bounds = nearestOf(enclosing);
+      const std::vector<PairDistance> values = nearestOf(refined);
+      for (std::size_t i = 0; i < bounds.size(); ++i) {
+        if (bounds[i].quality == Quality::unknown || values[i].quality == Quality::unknown) {
+          continue;
+        }
+        if (GetParam() == 1 || bounds[i].measured.distance > 0.0) {
+          ASSERT_GE(values[i].measured.distance, bounds[i].measured.distance - 1e-7);
+        }
+        ASSERT_TRUE(values[i].quality != Quality::estimate || values[i].measured.distance <= 0.0);
+        const SignedDistance& found = values[i].measured;
+        const Eigen::Vector3d across = found.distance * found.normal_a_to_b;
+        ASSERT_LE((found.point_on_b - found.point_on_a - across).norm(), 1e-7)
+            << "quality " << static_cast<int>(values[i].quality) << ", distance " << found.distance
+            << ", round " << round << ", budget " << budget << ", pair " << i << " "
+            << found.point_on_a.transpose() << " / " << found.point_on_b.transpose();
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, RefinedAndEnclosing, testing::Values(1U, 2U));
+
+TEST(RefineProperty, linksInOtherOrder_sameDistancesAndOppositeNormals) {
+  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  std::vector<Geometry> geometries = mixedGeometries();
+  const CycleSetup setup = mixedSetup(geometries);
+  std::reverse(geometries.begin(), geometries.end());
+  const CycleSetup reversed = mixedSetup(geometries);
+  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
+  CycleBuffers of_reversed = makeBuffers(reversed, BroadPhaseKind::brute_force);
+  buffers.refine.limits.budget = of_reversed.refine.limits.budget = 1000000;
+  const std::size_t last = geometries.size() - 1;
+  for (unsigned round = 0; round < 300; ++round) {
+    LinkPoses poses = test::randomLinkPoses(setup, 0.25, kSeed + round);
+    runCycle(setup, poses, buffers);
+    std::reverse(poses.world_from_link.begin(), poses.world_from_link.end());
+    runCycle(reversed, poses, of_reversed);
+    for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+      const auto other = std::find_if(reversed.checked.begin(), reversed.checked.end(),
+                                      [&](const CheckedLinkPair& pair) {
+                                        return index(pair.a) == last - index(setup.checked[i].b) &&
+                                               index(pair.b) == last - index(setup.checked[i].a);
+                                      });
+      const auto place = static_cast<std::size_t>(other - reversed.checked.begin());
+      ASSERT_EQ(buffers.events.verdicts[i], of_reversed.events.verdicts[place]);
+      const PairDistance one = nearestOf(buffers)[i];
+      const PairDistance two = nearestOf(of_reversed)[place];
+      ASSERT_EQ(one.quality, two.quality);
+      if (one.quality == Quality::exact) {
+        ASSERT_NEAR(one.measured.distance, two.measured.distance, 1e-9);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace collision_monitor

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "exact_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "collision_monitor/model/kinematics.h"
+#include "collision_monitor/pipeline/run_cycle.h"
+#include "fitting/closed_surface.h"
+#include "random_positions.h"
+#include "support_fcl/fcl_adapter.h"
+#include "support_fcl/fcl_mesh.h"
+
+namespace collision_monitor {
+namespace {
+
+constexpr std::size_t kMostListed = 100;
+
+struct MakeFcl {
+  using Made = std::shared_ptr<fcl::CollisionGeometryd>;
+  Made operator()(const Sphere& s) const { return std::make_shared<fcl::Sphered>(s.radius); }
+  Made operator()(const Capsule& s) const {
+    return std::make_shared<fcl::Capsuled>(s.radius, 2.0 * s.half_length);
+  }
+  Made operator()(const Cylinder& s) const {
+    return std::make_shared<fcl::Cylinderd>(s.radius, 2.0 * s.half_length);
+  }
+  Made operator()(const Box& s) const { return std::make_shared<fcl::Boxd>(2.0 * s.half_extents); }
+  Made operator()(const TriangleMesh& mesh) const { return test::toFcl(mesh); }
+};
+
+/// A collision element as FCL has it, and what FCL does not know: its inside.
+struct Solid {
+  LinkId link;
+  Pose link_from_geometry;
+  Pose world_from_geometry;
+  std::unique_ptr<test::FclObject> object;
+  std::optional<TriangleBvh> closed_surface;
+  Eigen::Vector3d some_point{Eigen::Vector3d::Zero()};
+};
+
+Solid makeSolid(LinkId link, const CollisionElement& element) {
+  Solid solid{link, element.link_from_geometry, {}, nullptr, std::nullopt};
+  solid.object = std::make_unique<test::FclObject>(std::visit(MakeFcl{}, element.geometry));
+  if (const auto* mesh = std::get_if<TriangleMesh>(&element.geometry)) {
+    solid.some_point = mesh->vertices.front();
+    if (const auto surface = closedSurface(*mesh)) {
+      solid.closed_surface.emplace(*surface);
+    }
+  }
+  return solid;
+}
+
+bool holdsPointOf(const Solid& outer, const Solid& inner) {
+  if (!outer.closed_surface) {
+    return false;
+  }
+  const Eigen::Vector3d point =
+      inverse(outer.world_from_geometry) * (inner.world_from_geometry * inner.some_point);
+  return std::abs(windingNumber(*outer.closed_surface, point)) > 0.5;
+}
+
+/// One run over one robot.
+class ExactComparer {
+ public:
+  explicit ExactComparer(const CycleSetup& setup)
+      : setup_(setup),
+        enclosing_(makeBuffers(setup, BroadPhaseKind::sweep_and_prune)),
+        refined_(makeBuffers(setup, BroadPhaseKind::sweep_and_prune)),
+        solids_of_(setup.model.links.size()) {
+    enclosing_.refine.limits.budget = 0;
+    for (std::size_t i = 0; i < setup.model.links.size(); ++i) {
+      for (const CollisionElement& element : setup.model.links[i].collisions) {
+        solids_of_[i].push_back(makeSolid(idAt<LinkId>(i), element));
+      }
+    }
+  }
+
+  void comparePose(const LinkPoses& poses) {
+    resetMemory(enclosing_);
+    std::fill(refined_.memory.reported.begin(), refined_.memory.reported.end(), Verdict::clear);
+    runCycle(setup_, poses, enclosing_);
+    runCycle(setup_, poses, refined_);
+    place(poses);
+    for (std::size_t i = 0; i < setup_.checked.size(); ++i) {
+      comparePair(i);
+    }
+    result_.left += refined_.counters.left;
+    ++result_.poses;
+  }
+
+  const ExactComparison& result() const { return result_; }
+
+ private:
+  void place(const LinkPoses& poses) {
+    for (std::size_t i = 0; i < solids_of_.size(); ++i) {
+      for (Solid& solid : solids_of_[i]) {
+        solid.world_from_geometry = poses.world_from_link[i] * solid.link_from_geometry;
+        solid.object->setTransform(solid.world_from_geometry.rotation,
+                                   solid.world_from_geometry.translation);
+        solid.object->computeAABB();
+      }
+    }
+  }
+
+  bool isContact(const CheckedLinkPair& pair) const {
+    for (const Solid& a : solids_of_[index(pair.a)]) {
+      for (const Solid& b : solids_of_[index(pair.b)]) {
+        if (a.object->getAABB().overlap(b.object->getAABB()) &&
+            (test::fclOverlap(*a.object, *b.object).value_or(false) || holdsPointOf(a, b) ||
+             holdsPointOf(b, a))) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  void comparePair(std::size_t i) {
+    const CheckedLinkPair& pair = setup_.checked[i];
+    const bool is_contact = isContact(pair);
+    const bool of_shapes = enclosing_.events.verdicts[i] == Verdict::contact;
+    const bool ours = refined_.events.verdicts[i] == Verdict::contact;
+    const std::uint32_t place = refined_.events.closest[i];
+    const PairDistance nearest =
+        place == kNone ? PairDistance() : refined_.distances.measured[place];
+    const bool is_touch =
+        std::abs(nearest.measured.distance) <= kTolerance && nearest.quality == Quality::exact;
+    ++result_.pairs;
+    result_.contacts += is_contact ? 1 : 0;
+    result_.enclosing_contacts += of_shapes ? 1 : 0;
+    result_.enclosing_alarms += of_shapes && !is_contact ? 1 : 0;
+    if (ours == is_contact || is_touch) {
+      return;
+    }
+    if (ours && nearest.quality == Quality::lower_bound) {
+      ++result_.refined_alarms;
+      return;
+    }
+    ++(ours ? result_.wrong_contacts : result_.missed);
+    if (result_.wrong.size() < kMostListed) {
+      result_.wrong.push_back(setup_.model.link(pair.a).name + " - " +
+                              setup_.model.link(pair.b).name + ": ours " +
+                              std::to_string(nearest.measured.distance) + " m, quality " +
+                              std::to_string(static_cast<int>(nearest.quality)) + ", pose " +
+                              std::to_string(result_.poses));
+    }
+  }
+
+  const CycleSetup& setup_;
+  CycleBuffers enclosing_;
+  CycleBuffers refined_;
+  std::vector<std::vector<Solid>> solids_of_;  ///< by LinkId
+  ExactComparison result_;
+};
+
+}  // namespace
+
+ExactComparison compareExactly(const CycleSetup& setup, const ComparisonOptions& options) {
+  std::mt19937_64 random(options.seed);
+  ExactComparer comparer(setup);
+  LinkPoses poses = makeLinkPoses(setup.model);
+  std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
+  const std::vector<Pose> roots(setup.model.robots.size());
+  for (std::size_t i = 0; i < options.poses; ++i) {
+    placeLinks(setup.model, randomPositions(setup.model, random), roots, poses.world_from_link);
+    comparer.comparePose(poses);
+  }
+  return comparer.result();
+}
+
+}  // namespace collision_monitor
