@@ -85,7 +85,7 @@ void addShapes(const Link& link, const Pose& link_from_geometry,
     part.figures.hull_volume += hullVolumeOf(link.collisions[element].geometry);
   }
   part.figures.shape_volume = unionVolumeOf(part.shapes);
-  part.figures.inner_radius = innerRadiusOf(link, part.elements);
+  part.inner = innerShapesOf(link, part.elements);
 }
 
 FittedPart fittedPart(const Link& link, std::size_t element, const Fit& fit) {

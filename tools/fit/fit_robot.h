@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_monitor/fitting/inner_shape.h"
 #include "collision_monitor/pipeline/fit_links.h"
 
 /// The program `fit`: encloses the links of a robot, says how well, and writes the shapes down.
@@ -26,7 +27,6 @@ struct Figures {
   double hull_volume{0.0};   ///< of the convex hulls, each by itself; 0 where it is flat
   double shape_volume{0.0};  ///< of the union of the shapes
   Overshoot overshoot;       ///< of the union of the shapes
-  double inner_radius{0.0};  ///< of the largest inner sphere; 0: none, as in an open mesh
   bool is_proven{false};     ///< that the union of the shapes encloses
   double widening{0.0};      ///< the largest that the proof asked for
 };
@@ -36,6 +36,7 @@ struct FittedPart {
   std::string name;                   ///< of the collision element, or "given"
   std::vector<std::size_t> elements;  ///< into Link::collisions
   std::vector<PosedShape> shapes;     ///< in the link frame in place of the geometry's; no padding
+  InnerShapes inner;                  ///< in the link frame; none, as in an open mesh
   Figures figures;
 };
 

@@ -51,6 +51,13 @@ Aabb boundsOf(const std::vector<PosedShape>& shapes) {
   return bounds;
 }
 
+void keepLarger(const Pose& link_from_geometry, const std::optional<PosedShape>& shape,
+                std::optional<PosedShape>& largest) {
+  if (shape && (!largest || volumeOf(shape->shape) > volumeOf(largest->shape))) {
+    largest = {shape->shape, link_from_geometry * shape->geometry_from_body};
+  }
+}
+
 }  // namespace
 
 double hullVolumeOf(const Geometry& geometry) { return std::visit(HullVolume(), geometry); }
@@ -92,15 +99,15 @@ Overshoot unionOvershootOf(const std::vector<PosedShape>& shapes, const Triangle
   return sum.total();
 }
 
-double innerRadiusOf(const Link& link, const std::vector<std::size_t>& elements) {
-  double radius = 0.0;
+InnerShapes innerShapesOf(const Link& link, const std::vector<std::size_t>& elements) {
+  InnerShapes largest;
   for (const std::size_t element : elements) {
-    const InnerShapes inner = inscribeShapes(link.collisions[element].geometry);
-    if (inner.sphere) {
-      radius = std::max(radius, radiusOf(inner.sphere->shape));
-    }
+    const CollisionElement& collision = link.collisions[element];
+    const InnerShapes inner = inscribeShapes(collision.geometry);
+    keepLarger(collision.link_from_geometry, inner.sphere, largest.sphere);
+    keepLarger(collision.link_from_geometry, inner.capsule, largest.capsule);
   }
-  return radius;
+  return largest;
 }
 
 }  // namespace collision_monitor::fit_tool

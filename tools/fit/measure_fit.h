@@ -18,7 +18,8 @@ double unionVolumeOf(const std::vector<PosedShape>& shapes);
 /// Error: as measureOvershoot, with 1000 samples a shape.
 Overshoot unionOvershootOf(const std::vector<PosedShape>& shapes, const TriangleMesh& mesh);
 
-/// The largest radius that an inner sphere of one of the elements has, 0 for none. Units: metres.
-double innerRadiusOf(const Link& link, const std::vector<std::size_t>& elements);
+/// The inner sphere of largest radius and the inner capsule of largest volume that one of the
+/// elements has, each proven to lie in its element. Frames: the link's.
+InnerShapes innerShapesOf(const Link& link, const std::vector<std::size_t>& elements);
 
 }  // namespace collision_monitor::fit_tool

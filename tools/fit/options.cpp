@@ -11,19 +11,20 @@ namespace {
 constexpr int kUsageFault = 2;
 
 const char* const kAbout =
-    "Encloses the links of a robot in spheres, capsules, boxes and rounded boxes as the monitor "
-    "does, and prints for each collision element how tight they are and that they are proven to "
-    "enclose it. Changes nothing but the files that it is told to write.";
+    "Encloses the links of a robot in spheres, capsules, boxes and rounded boxes as the monitor\n"
+    "does, and prints for each collision element how tight they are and that they are proven to\n"
+    "enclose it. Changes nothing but the files that it is told to write.\n";
 
 const char* const kFooter =
-    "Columns: volume is that of the shapes over that of the convex hull; overshoot is how far the "
-    "shapes stick out; inner radius is that of the largest sphere found inside (-: the mesh is "
-    "open); proof says by how much shapes had to grow to enclose.\n"
-    "Exit code: 0 done; 1 something that was read or is to be written is at fault, all of it "
-    "listed; 2 the command line is.\n\n"
-    "  fit robot.urdf --html fit.html          look at every link\n"
-    "  fit robot.urdf --yaml rules.yaml        write the shapes down, edit them, then\n"
-    "  fit robot.urdf --rules rules.yaml       see how they do, and give the file to the monitor\n"
+    "Columns: volume is that of the shapes over that of the convex hull; overshoot, how far the\n"
+    "shapes stick out; inner radius, that of the largest sphere found inside (-: the mesh is\n"
+    "open or flat); proof, by how much shapes had to grow to enclose.\n\n"
+    "Exit code: 0, done. 1, something that was read or is to be written is at fault; all of it is\n"
+    "listed and no file is touched. 2, the command line is at fault.\n\n"
+    "Examples:\n"
+    "  fit robot.urdf --html fit.html        look at every link\n"
+    "  fit robot.urdf --yaml rules.yaml      write the shapes down, edit them, then\n"
+    "  fit robot.urdf --rules rules.yaml     see how they do, and give the file to the monitor\n"
     "  fit --param /robot_description --link '*_finger' --max-shapes 6";
 
 /// Lengths are finite and not negative; CLI11's own checks let infinity pass.
@@ -35,55 +36,90 @@ std::string faultOfLength(const std::string& text) {
 }
 
 void addInputs(CLI::App& app, Options& options) {
-  app.add_option("urdf", options.urdf, "URDF file, or - for standard input");
+  app.add_option("urdf", options.urdf, "the robot, or - for standard input")->type_name("FILE");
+  const char* const group = "Input";
   app.add_option("--param", options.parameter,
-                 "read the URDF from this parameter of a running roscore instead");
-  app.add_option("--srdf", options.srdf, "SRDF file, for rules that name its groups");
+                 "read the URDF from this parameter of a running roscore instead")
+      ->type_name("NAME")
+      ->group(group);
+  app.add_option("--srdf", options.srdf, "for rules that name its groups")
+      ->type_name("FILE")
+      ->group(group);
+  app.add_option("--rules", options.rules,
+                 "rules for single links, as config/shape_rules.yaml shows them")
+      ->type_name("FILE")
+      ->group(group);
+  app.add_option("--link", options.link_pattern,
+                 "only links of this name; * stands for any characters, ? for one")
+      ->type_name("PATTERN")
+      ->group(group);
   app.add_option("--package-root", options.package_roots,
-                 "folder that holds packages, or is one: looked at for package:// names before "
-                 "ROS_PACKAGE_PATH; may be given several times")
-      ->allow_extra_args(false);
+                 "holds packages, or is one: where package:// names are looked up first,\n"
+                 "before ROS_PACKAGE_PATH; may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("FOLDER")
+      ->group(group);
 }
 
 void addLimits(CLI::App& app, Options& options, std::vector<std::string>& kinds) {
   constexpr std::uint32_t kMostShapes = 1000;  // as max_shapes_per_link of the node
-  app.add_option("--max-shapes", options.limits.max_shapes, "shapes a link may have, 1 to 1000")
-      ->check(CLI::Range(1U, kMostShapes))
-      ->capture_default_str();
+  const char* const group = "Shapes, by default as the monitor's";
+  app.add_option("--max-shapes", options.limits.max_shapes, "that a link may have, 1 to 1000")
+      ->check(CLI::Range(1U, kMostShapes).description(""))
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(group);
   app.add_option("--target-overshoot", options.limits.target_overshoot,
-                 "[m] a link whose shapes stick out no farther gets no more of them")
+                 "a link whose shapes stick out no farther gets no more of them")
       ->check(faultOfLength)
-      ->capture_default_str();
-  app.add_option("--kinds", kinds,
-                 "kinds of shape that may be chosen, of sphere,capsule,box,rounded_box; default: "
-                 "all")
+      ->type_name("METRES")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--kinds", kinds, "that may be chosen: sphere,capsule,box,rounded_box or some")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"sphere", "capsule", "box", "rounded_box"}));
-  app.add_option("--padding", options.padding, "[m] that the monitor adds to every shape")
+      ->check(CLI::IsMember({"sphere", "capsule", "box", "rounded_box"}).description(""))
+      ->type_name("LIST")
+      ->group(group);
+  app.add_option("--padding", options.padding, "that the monitor adds to every shape")
       ->check(faultOfLength)
-      ->capture_default_str();
-  app.add_option("--rules", options.rules,
-                 "file with rules for single links, as config/shape_rules.yaml");
-  app.add_option("--link", options.link_pattern,
-                 "only links of this name; * stands for any characters, ? for one");
+      ->type_name("METRES")
+      ->capture_default_str()
+      ->group(group);
+}
+
+void addCache(CLI::App& app, Options& options, bool& has_no_cache) {
+  const char* const group = "Kept fits";
+  CLI::Option* cache = app.add_option("--cache", options.cache,
+                                      "where they are; default: the monitor's,\n"
+                                      "~/.ros/collision_monitor/fits")
+                           ->type_name("FOLDER")
+                           ->group(group);
+  app.add_flag("--no-cache", has_no_cache, "fit anew and keep nothing")
+      ->excludes(cache)
+      ->group(group);
 }
 
 void addOutputs(CLI::App& app, Options& options) {
-  app.add_option("--yaml", options.yaml, "write the shapes as rules, for --rules and the monitor");
-  app.add_option("--urdf", options.new_urdf,
-                 "write the robot with its shapes as <collision> and <visual>, for rviz");
-  app.add_option("--html", options.html, "write a page with a picture and figures of each link");
-  app.add_option("--spheres-yaml", options.spheres_yaml,
-                 "write sphere hierarchies about the links, every level");
-  app.add_option("--spheres-srdf", options.spheres_srdf,
-                 "write one level of them as <link_sphere_approximation> of an SRDF");
+  const auto add_file = [&](const char* name, std::string& file, const char* what) {
+    app.add_option(name, file, what)->type_name("FILE")->group("Output");
+  };
+  add_file("--html", options.html, "a page with a picture and figures of each link");
+  add_file("--yaml", options.yaml, "the shapes as rules, for --rules and the monitor");
+  add_file("--urdf", options.new_urdf, "the robot with its shapes as <collision> and <visual>");
+  add_file("--spheres-yaml", options.spheres_yaml, "sphere hierarchies about the links");
+  add_file("--spheres-srdf", options.spheres_srdf,
+           "one level of them as <link_sphere_approximation> of an SRDF");
   app.add_option("--sphere-level", options.sphere_level,
-                 "level for --spheres-srdf, 0 is one sphere an element; default: the leaves");
+                 "of --spheres-srdf; 0: one sphere an element; default: the leaves")
+      ->type_name("N")
+      ->group("Output");
   app.add_option("--leaves", options.leaves,
-                 "finest spheres a collision element may have, 1 to 100000")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}))
-      ->capture_default_str();
+                 "finest spheres that a collision element may have, 1 to 100000")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}).description(""))
+      ->type_name("N")
+      ->capture_default_str()
+      ->group("Output");
 }
 
 /// What one option cannot know of the others.
@@ -121,10 +157,7 @@ Parsed parseOptions(int argc, const char* const* argv) {
   bool has_no_cache = false;
   addInputs(app, parsed.options);
   addLimits(app, parsed.options, kinds);
-  CLI::Option* cache = app.add_option(
-      "--cache", parsed.options.cache,
-      "folder that keeps fits; default: the monitor's, ~/.ros/collision_monitor/fits");
-  app.add_flag("--no-cache", has_no_cache, "fit anew and keep nothing")->excludes(cache);
+  addCache(app, parsed.options, has_no_cache);
   addOutputs(app, parsed.options);
   try {
     app.parse(argc, argv);

@@ -103,7 +103,7 @@ PartText textOf(const FittedPart& part) {
   const bool is_measured = !part.elements.empty();
   text.overshoot_max = is_measured ? inMillimetres(figures.overshoot.max) : "-";
   text.overshoot_mean = is_measured ? inMillimetres(figures.overshoot.mean) : "-";
-  text.inner_radius = figures.inner_radius > 0.0 ? inMillimetres(figures.inner_radius) : "-";
+  text.inner_radius = part.inner.sphere ? inMillimetres(radiusOf(part.inner.sphere->shape)) : "-";
   text.proof = proofOf(figures);
   return text;
 }

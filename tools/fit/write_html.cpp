@@ -33,8 +33,9 @@ const char* const kHowDrawn =
 const char* const kHowMeasured =
     "Overshoot: how far the surface of the shapes is from the geometry; a distance between "
     "shapes is too short by no more than the overshoot of both. Volume: of the shapes, over the "
-    "convex hull's. Inner radius: of the largest sphere found inside a closed geometry; a dash "
-    "means that there is none. Proven: that the shapes enclose the geometry, rounding included.";
+    "convex hull's. Inner radius: of the largest sphere found inside the geometry; a dash means "
+    "that there is none, because a mesh is open or flat. Whatever overlaps what is called inside "
+    "overlaps the link. Proven: that the shapes enclose the geometry, rounding included.";
 
 std::string cell(const std::string& text) { return "<td>" + escaped(text) + "</td>"; }
 
@@ -81,15 +82,24 @@ std::string figuresOf(const FittedLink& link) {
   return text + "</table>\n";
 }
 
+std::string shapeRow(const std::string& name, const PosedShape& shape) {
+  return "<tr><td>" + name + "</td>" + cell(visitHeld(Dimensions(), shape.shape)) +
+         cell(inMillimetres(shape.geometry_from_body.translation, ", ")) + "</tr>\n";
+}
+
 std::string shapesOf(const FittedLink& link) {
   std::string text =
       "<table><tr><th>shape</th><th>size [mm]</th><th>centre in the link [mm]</th></tr>\n";
   int number = 0;
   for (const FittedPart& part : link.parts) {
     for (const PosedShape& shape : part.shapes) {
-      text += "<tr><td>" + swatchOf(number++) + kindName(shape.shape) + "</td>" +
-              cell(visitHeld(Dimensions(), shape.shape)) +
-              cell(inMillimetres(shape.geometry_from_body.translation, ", ")) + "</tr>\n";
+      text += shapeRow(swatchOf(number++) + kindName(shape.shape), shape);
+    }
+    for (const std::optional<PosedShape>* inner : {&part.inner.sphere, &part.inner.capsule}) {
+      if (*inner) {
+        text +=
+            shapeRow("inside " + escaped(part.name) + ": " + kindName((*inner)->shape), **inner);
+      }
     }
   }
   return text + "</table>\n";

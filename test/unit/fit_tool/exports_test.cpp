@@ -38,7 +38,7 @@ TEST(FitRobot, isProven_andMeasuresWhatIsThere) {
   for (const FittedLink& link : robot.links) {
     for (const FittedPart& part : link.parts) {
       EXPECT_TRUE(part.figures.is_proven);
-      EXPECT_GT(part.figures.inner_radius, 0.0);
+      EXPECT_TRUE(part.inner.sphere && part.inner.capsule);
       EXPECT_GT(part.figures.shape_volume, 0.9 * part.figures.hull_volume);
       EXPECT_LE(part.figures.overshoot.mean, part.figures.overshoot.max);
     }

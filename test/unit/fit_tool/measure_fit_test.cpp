@@ -54,16 +54,20 @@ TEST(UnionOvershoot, whatAnotherShapeHolds_doesNotCount) {
   EXPECT_DOUBLE_EQ(both.mean, large.mean);
 }
 
-TEST(InnerRadius, largestOfTheElements_zeroForOpenMeshes) {
+TEST(InnerShapes, largestOfTheElements_noneForOpenMeshes) {
+  const Pose pose{Eigen::Matrix3d::Identity(), {0.0, 0.0, 5.0}};
   Link link;
-  link.collisions.push_back({"cube", Pose(), test::boxMesh({0.2, 0.3, 0.4})});
+  link.collisions.push_back({"cube", pose, test::boxMesh({0.2, 0.3, 0.4})});
   link.collisions.push_back({"ball", Pose(), Sphere{0.1}});
   TriangleMesh open_cube = test::boxMesh({1, 1, 1});
   open_cube.triangles.pop_back();
   link.collisions.push_back({"open", Pose(), open_cube});
-  EXPECT_NEAR(innerRadiusOf(link, {0, 1}), 0.2, 1e-4);
-  EXPECT_NEAR(innerRadiusOf(link, {1}), 0.1, 1e-6);
-  EXPECT_EQ(innerRadiusOf(link, {2}), 0.0);
+  const InnerShapes both = innerShapesOf(link, {0, 1});
+  EXPECT_NEAR(radiusOf(both.sphere->shape), 0.2, 1e-4);
+  EXPECT_NEAR(both.sphere->geometry_from_body.translation.z(), 5.0, 0.2 + 1e-4);  // of 0.4
+  EXPECT_GE(volumeOf(both.capsule->shape), volumeOf(both.sphere->shape));
+  EXPECT_NEAR(radiusOf(innerShapesOf(link, {1}).sphere->shape), 0.1, 1e-6);
+  EXPECT_FALSE(innerShapesOf(link, {2}).sphere);
 }
 
 /// The volume that a closed surface bounds, outward triangles.

@@ -44,7 +44,7 @@ FittedPart boxPart() {
   part.figures.hull_volume = 2.0;
   part.figures.shape_volume = 2.5;
   part.figures.overshoot = {0.0123, 0.004, 0.005};
-  part.figures.inner_radius = 0.02;
+  part.inner.sphere = PosedShape{Sphere{0.02}, Pose()};
   part.figures.is_proven = true;
   return part;
 }
@@ -64,6 +64,7 @@ TEST(PartText, unknownIsADash_andUnprovenIsLoud) {
   FittedPart part = boxPart();
   part.elements.clear();
   part.figures = Figures();
+  part.inner = InnerShapes();
   PartText text = textOf(part);
   EXPECT_EQ(text.triangles + text.volume_ratio + text.overshoot_max + text.inner_radius, "----");
   EXPECT_EQ(text.proof, "NOT PROVEN");
@@ -118,6 +119,8 @@ TEST(Html, namesAreEscaped_andEveryLinkHasAPicture) {
   EXPECT_NE(page.find("Shapes of a&amp;b.urdf"), std::string::npos);
   EXPECT_NE(page.find("src=\"data:image/png;base64,iVBORw0KGgo"), std::string::npos);
   EXPECT_NE(page.find("padding of 5.0 mm"), std::string::npos);
+  EXPECT_NE(page.find("<td>inside collision_0: sphere</td><td>radius 20.0</td>"),
+            std::string::npos);
   EXPECT_EQ(steps, (std::vector<std::size_t>{0, 1}));
 }
 
