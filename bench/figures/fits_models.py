@@ -63,6 +63,13 @@ AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 RAI_AXES = {"": AXES["z"], "d(90 0 1 0)": AXES["x"], "d(90 1 0 0)": (0.0, -1.0, 0.0)}
 RAI_LINKS = {"panda_hand_joint(hand)": "panda_hand"}
 
+# Of kinova: links whose names are spelt otherwise in the URDF with the meshes.
+KINOVA_LINKS = {
+    "Shoulder_Link": "shoulder_link", "HalfArm1_Link": "half_arm_1_link",
+    "HalfArm2_Link": "half_arm_2_link", "ForeArm_Link": "forearm_link",
+    "SphericalWrist1_Link": "spherical_wrist_1_link",
+    "SphericalWrist2_Link": "spherical_wrist_2_link", "Bracelet_Link": "bracelet_link"}
+
 
 def franka_links(capsules):
     links = {}
@@ -110,7 +117,8 @@ def read_links(file):
     if isinstance(data.get("capsules"), list):
         capsules = data["capsules"]
         return franka_links(capsules) if "link" in capsules[0] else rai_links(capsules)
-    links = {name: [primitive(entry) for entry in entries] for name, entries in data.items()}
+    links = {KINOVA_LINKS.get(name, name): [primitive(entry) for entry in entries]
+             for name, entries in data.items()}
     # cuRobo writes spheres that are switched off with a radius that is not positive.
     return {name: joined(entry for entry in entries
                          if entry["type"] != "mesh" and entry["radius"] > 0.0)
