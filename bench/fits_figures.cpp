@@ -124,7 +124,7 @@ void printRatios(const Arguments& arguments) {
 }
 
 void printBrute(const Arguments& arguments) {
-  std::printf("link\tshapes\tours\tbrute\tspacing\n");
+  std::printf("link\tmax_shapes\tours\tbrute\tspacing\n");
   forMeshes(readModel(arguments), [&](const std::string& name, const TriangleMesh& mesh) {
     if (mesh.triangles.empty() ||
         mesh.triangles.size() > static_cast<std::size_t>(arguments.number())) {
@@ -144,7 +144,7 @@ void printBrute(const Arguments& arguments) {
         }
         spacing = std::max(spacing, std::sqrt(area / 600.0));
       }
-      std::printf("%s\t%zu\t%.3f\t%.3f\t%.3f\n", name.c_str(), solids.size(),
+      std::printf("%s\t%u\t%.3f\t%.3f\t%.3f\n", name.c_str(), n,
                   kMillimetres * fits.front().overshoot.max,
                   kMillimetres * bruteOvershoot(solids, TriangleBvh(mesh), kSamples),
                   kMillimetres * spacing);
