@@ -109,7 +109,8 @@ def brute(robots, figures):
         rows = [[float(row[name]) for name in ("ours", "brute", "spacing")]
                 for _, row in table_rows if int(row["max_shapes"]) == shapes]
         if rows:
-            ours, other, spacing = max(rows, key=lambda row: (row[1] - row[0]) / row[2])
+            ours, other, spacing = max(
+                rows, key=lambda row: (row[1] - row[0]) / max(row[2], 1e-3))
             figures.add(f"overshoot by brute force, {shapes} a link, {len(rows)} fits",
                         f"{ours:.1f} mm", f"{other:.1f} mm",
                         f"no more than a spacing ({spacing:.1f} mm) larger",
