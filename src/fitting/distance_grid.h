@@ -39,7 +39,7 @@ class DistanceGrid {
     const Eigen::Vector3d t = at - cell.cast<double>();
     const double* corner = distance_.data() + indexOf(cell.x(), cell.y(), cell.z());
     const auto next_y = static_cast<std::size_t>(size_[0]);
-    const auto next_z = static_cast<std::size_t>(size_[0] * size_[1]);
+    const auto next_z = static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]);
     const auto along_x = [&](const double* d) { return d[0] + t.x() * (d[1] - d[0]); };
     const auto along_y = [&](const double* d) {
       const double near = along_x(d);
@@ -55,7 +55,9 @@ class DistanceGrid {
 
  private:
   std::size_t indexOf(int x, int y, int z) const noexcept {
-    return static_cast<std::size_t>((z * size_[1] + y) * size_[0] + x);
+    const auto row = static_cast<std::size_t>(z) * static_cast<std::size_t>(size_[1]) +
+                     static_cast<std::size_t>(y);
+    return row * static_cast<std::size_t>(size_[0]) + static_cast<std::size_t>(x);
   }
   Eigen::Vector3d nodeAt(int x, int y, int z) const noexcept {
     return low_ + spacing_ * Eigen::Vector3d(x, y, z);

@@ -92,8 +92,9 @@ std::vector<Fit> fitGeometries(const std::vector<Geometry>& geometries, const Fi
   }
   cutParts(geometries, limits, fits);
   std::vector<Fit> result;
-  for (auto& fit : fits) {
-    result.push_back(fit.fitter ? fit.fitter->best() : std::move(fit.whole));
+  result.reserve(fits.size());
+  for (const auto& fit : fits) {
+    result.push_back(fit.fitter ? fit.fitter->best() : fit.whole);
   }
   return result;
 }

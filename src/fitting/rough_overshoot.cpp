@@ -43,7 +43,7 @@ void addEdges(int k, SurfacePattern& pattern) {
       for (int i = 0; i <= kSteps; ++i) {
         PatternPoint point{side, outward, shareOf(i) / kAngles};
         point.fraction[k] = stepOf(i);
-        pattern[static_cast<std::size_t>(3 + k)].push_back(point);
+        pattern[3 + static_cast<std::size_t>(k)].push_back(point);
       }
     }
   }
