@@ -71,8 +71,9 @@ double unionVolumeOf(const std::vector<PosedShape>& shapes) {
   const Eigen::Vector3d step = (bounds.max - bounds.min) / kSteps;
   std::size_t inside = 0;
   for (int i = 0; i < kSteps * kSteps * kSteps; ++i) {
-    const Eigen::Vector3d place(i % kSteps, i / kSteps % kSteps, i / (kSteps * kSteps));
-    const Eigen::Vector3d point = bounds.min + ((place.array() + 0.5) * step.array()).matrix();
+    const Eigen::Array3i place(i % kSteps, i / kSteps % kSteps, i / (kSteps * kSteps));
+    const Eigen::Vector3d point =
+        bounds.min + ((place.cast<double>() + 0.5) * step.array()).matrix();
     inside += std::any_of(shapes.begin(), shapes.end(),
                           [&](const PosedShape& shape) { return isInside(shape, point); })
                   ? 1
