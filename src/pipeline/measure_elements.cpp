@@ -107,6 +107,7 @@ SignedDistance withoutExcess(const PlacedElement& a, const PlacedElement& b,
 
 /// A search that the budget ended within a solid has a depth and no points to show for it.
 void matchPoints(SignedDistance& overlap) noexcept {
+  overlap.distance = std::min(overlap.distance, 0.0);  // surfaces touch but for rounding
   const Eigen::Vector3d between = overlap.point_on_b - overlap.point_on_a;
   constexpr double kRounding = 1e-9;
   if ((between - overlap.distance * overlap.normal_a_to_b).norm() > kRounding) {
@@ -115,26 +116,9 @@ void matchPoints(SignedDistance& overlap) noexcept {
   }
 }
 
-/// Meshes that overlap: the deepest of what is found is an estimate of the depth.
-void deepen(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
-            ElementDistance& answer) noexcept {
-  const std::uint32_t left = search.budget - std::min(search.budget, answer.steps);
-  const std::uint32_t points = std::min(kMostPoints, left / (2 * kPointSteps));
-  if (!a.element.mesh || !b.element.mesh || points == 0) {
-    return;
-  }
-  answer.steps += 2 * kPointSteps * points;
-  const MeshPenetration found = penetrationOf(meshOf(a), meshOf(b), search.scratch.mesh, points);
-  const SignedDistance deepest = withoutExcess(a, b, found.deepest);
-  if (deepest.distance < answer.measured.distance) {
-    answer.measured = deepest;
-  }
-}
-
 /// What surrounds a geometry may overlap where the geometry does not: then nothing is told.
-void reportOverlap(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
+void reportOverlap(const PlacedElement& a, const PlacedElement& b,
                    ElementDistance& answer) noexcept {
-  deepen(a, b, search, answer);
   answer.is_complete = true;
   if (areExact(a, b) && answer.measured.distance <= 0.0) {
     answer.quality = Quality::estimate;
@@ -148,7 +132,7 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
   answer.steps = kSetUpSteps;
   const bool is_inside = measureInside(a, b, answer.measured) && answer.measured.distance < 0.0;
   if (is_inside && a.element.mesh && b.element.mesh) {
-    reportOverlap(a, b, search, answer);  // a search would say no more than that
+    reportOverlap(a, b, answer);  // a search would say no more than that
     return answer;
   }
   const MeshDistance found = searchMeshes(a, b, search);
@@ -160,9 +144,9 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
     if (!is_inside || of_geometries.distance < answer.measured.distance) {
       answer.measured = of_geometries;
     }
-    reportOverlap(a, b, search, answer);
+    reportOverlap(a, b, answer);
   } else if (is_inside) {
-    reportOverlap(a, b, search, answer);
+    reportOverlap(a, b, answer);
   } else if (found.state != MeshState::unknown) {
     const bool is_exact = areExact(a, b) && a.element.mesh_excess + b.element.mesh_excess == 0.0;
     answer.measured = found.measured;
@@ -184,6 +168,21 @@ ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
     answer.quality = answer.quality == Quality::exact ? Quality::lower_bound : answer.quality;
   }
   return answer;
+}
+
+std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
+                             SignedDistance& overlap) noexcept {
+  const std::uint32_t points = std::min(kMostPoints, search.budget / (2 * kPointSteps));
+  if (!a.element.mesh || !b.element.mesh || points == 0) {
+    return 0;
+  }
+  const MeshPenetration found = penetrationOf(meshOf(a), meshOf(b), search.scratch.mesh, points);
+  const SignedDistance deepest =
+      swept(withoutExcess(a, b, found.deepest), a.element.padding, b.element.padding);
+  if (deepest.distance < overlap.distance) {
+    overlap = deepest;
+  }
+  return 2 * kPointSteps * points;
 }
 
 }  // namespace collision_monitor

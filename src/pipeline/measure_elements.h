@@ -29,10 +29,19 @@ struct ElementSearch {
 
 /// Signed distance of what two elements are, less their paddings.
 ///
+/// Meshes that overlap are an estimate without depth, or with that of their inner shapes;
+/// deepenElements looks for more.
+///
 /// Convex geometries are measured by signedDistanceBetween, a mesh and a shape or two meshes by
 /// branch and bound over their triangles. Inner shapes that overlap settle that two meshes do.
 /// Error: a cylinder and a mesh give a lower bound that is too small by Element::mesh_excess.
 ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
                                 ElementSearch& search) noexcept;
+
+/// Of two elements known to overlap, a deeper estimate if one is found.
+/// @param overlap of quality estimate, changed if it can be bettered.
+/// @return steps spent.
+std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
+                             SignedDistance& overlap) noexcept;
 
 }  // namespace collision_monitor

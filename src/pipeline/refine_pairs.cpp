@@ -102,16 +102,21 @@ bool isSettled(const Refinement& all, const RefineTask& task) noexcept {
          task.bound > limits.contact_distance + limits.hysteresis;
 }
 
+PlacedElement placed(const Refinement& all, ElementId id) noexcept {
+  return {all.setup.elements[index(id)], all.body_poses.world_from_element[index(id)]};
+}
+
+ElementSearch searchWithinBudget(const Refinement& all, const RefineTask& task) noexcept {
+  const RefineWork& work = all.work;
+  return {work.limits.budget - static_cast<std::uint32_t>(work.steps),
+          all.memory.refined[task.pair], *work.scratch};
+}
+
 void measureTask(const Refinement& all, const RefineTask& task) noexcept {
   RefineWork& work = all.work;
   const ElementPair& pair = all.setup.element_pairs[task.pair];
-  const auto placed = [&](ElementId id) noexcept {
-    return PlacedElement{all.setup.elements[index(id)],
-                         all.body_poses.world_from_element[index(id)]};
-  };
-  ElementSearch search{work.limits.budget - static_cast<std::uint32_t>(work.steps),
-                       all.memory.refined[task.pair], *work.scratch};
-  const ElementDistance found = measureElements(placed(pair.a), placed(pair.b), search);
+  ElementSearch search = searchWithinBudget(all, task);
+  const ElementDistance found = measureElements(placed(all, pair.a), placed(all, pair.b), search);
   PairDistance& distance = all.distances.measured[task.place];
   takeOver(found, distance);
   work.steps += found.steps;
@@ -120,6 +125,21 @@ void measureTask(const Refinement& all, const RefineTask& task) noexcept {
   double& nearest = work.nearest[pair.link_pair];
   if (found.is_complete) {
     nearest = std::min(nearest, distance.measured.distance);
+  }
+}
+
+/// Depths of what overlaps change no verdict, so they come last and take what is left.
+void deepenOverlaps(const Refinement& all) noexcept {
+  RefineWork& work = all.work;
+  for (const RefineTask& task : work.tasks) {
+    PairDistance& distance = all.distances.measured[task.place];
+    if (work.is_measured[task.pair] != 0 && distance.quality == Quality::estimate &&
+        work.steps < work.limits.budget) {
+      const ElementPair& pair = all.setup.element_pairs[task.pair];
+      ElementSearch search = searchWithinBudget(all, task);
+      work.steps +=
+          deepenElements(placed(all, pair.a), placed(all, pair.b), search, distance.measured);
+    }
   }
 }
 
@@ -168,6 +188,7 @@ void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemor
       ++work.left;
     }
   }
+  deepenOverlaps(all);
   dropFarther(all);
 }
 

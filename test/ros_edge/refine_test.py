@@ -66,4 +66,5 @@ class Refine(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    rospy.init_node("refine_test")
     rostest.rosrun("collision_monitor", "refine", Refine, sys.argv)

@@ -49,7 +49,7 @@ struct RefineLimits {
   double distance{0.05};
   /// Nodes of hierarchies opened and triangles measured in one cycle; other work is converted.
   /// Independent of the clock, so that the same input gives the same output.
-  std::uint32_t budget{20000};
+  std::uint32_t budget{10000};
 };
 
 struct RefineOptions {

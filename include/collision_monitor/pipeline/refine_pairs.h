@@ -43,12 +43,14 @@ RefineWork makeRefineWork(const CycleSetup& setup);
 /// each pair of elements once, however many bodies it has. Those that waited longest come first,
 /// then the nearest, until the budget is spent; the rest stay the lower bounds they are.
 ///
+/// What budget is left then goes into depths of meshes that overlap.
+///
 /// A pair of elements that is measured keeps one entry in `distances`. Of proven lower bounds the
 /// larger one stays. Pairs that cannot be the nearest of their links and are in no contact are
 /// passed over: what is refined is nearer.
 /// Error: as signedDistanceBetween and distanceBetween of meshes. Depths of meshes are estimates
 /// (Quality::estimate), except of convex ones, which are measured by their hulls.
-/// Limits: the last measurement may go beyond the budget by the depth of one pair.
+/// Limits: the last measurement may go beyond the budget by that of two convex geometries.
 void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
                  RefineWork& work, PairDistances& distances) noexcept;
 
