@@ -102,6 +102,13 @@ TEST(ShapeRules, allLimits_areRead) {
   EXPECT_FALSE(rules.of("arm_2").kinds);
 }
 
+TEST(ShapeRules, refine_isOneOfThreeWords) {
+  EXPECT_EQ(readFields("refine: mesh").of("arm_1").refine, RefineGeometry::mesh);
+  EXPECT_EQ(readFields("refine: hull").of("arm_1").refine, RefineGeometry::hull);
+  EXPECT_EQ(readFields("refine: none").of("arm_1").refine, RefineGeometry::none);
+  EXPECT_EQ(readFields("padding: 1").of("arm_1").refine, std::nullopt);
+}
+
 TEST(ShapeRules, laterRules_overrideFieldByField) {
   const ReadRules rules = read(
       "shapes:\n"
@@ -248,7 +255,7 @@ TEST(ShapeRules, wrongValues_areRefused) {
        {"max_shapes: 0", "max_shapes: 1001", "max_shapes: -1", "max_shapes: many",
         "max_shapes: [1]", "padding: .inf", "padding: 1e999", "padding: 0x10", "padding: {a: 1}",
         "padding:", "target_overshoot: -1e-9", "kinds: []", "kinds: [[box]]", "kinds: Box",
-        "unproven: true", "shapes: []", "shapes: {kind: sphere, radius: 1}", "shapes: 3"}) {
+        "refine: exact", "refine: [mesh]", "unproven: true", "shapes: []", "shapes: {kind: sphere, radius: 1}", "shapes: 3"}) {
     EXPECT_EQ(readFields(fields).errors.size(), 1U) << fields;
   }
   EXPECT_EQ(readFields("padding: 1\n    padding: 2").errors,

@@ -100,6 +100,9 @@ TEST(Parameters, fitting_isRead) {
   XmlRpcValue values;
   values["max_shapes_per_link"] = 7;
   values["target_overshoot"] = 0.02;
+  values["refine_geometry"] = "hull";
+  values["refine_distance"] = 0.03;
+  values["refine_budget"] = 500;
   values["shape_rules"] = "package://robot/rules.yaml";
   values["fit_cache"] = "none";
   SetupReport report;
@@ -107,11 +110,15 @@ TEST(Parameters, fitting_isRead) {
   EXPECT_TRUE(report.errors.empty());
   EXPECT_EQ(parameters.setup.default_limits.max_shapes, 7U);
   EXPECT_EQ(parameters.setup.default_limits.target_overshoot, 0.02);
+  EXPECT_EQ(parameters.setup.refine.geometry, RefineGeometry::hull);
+  EXPECT_EQ(parameters.setup.refine.limits.distance, 0.03);
+  EXPECT_EQ(parameters.setup.refine.limits.budget, 500U);
   EXPECT_EQ(parameters.shape_rules, "package://robot/rules.yaml");
   EXPECT_EQ(parameters.fit_cache, "none");
   const Parameters defaults = readParameters(emptyStruct(), "/m", report);
   EXPECT_EQ(defaults.setup.default_limits.max_shapes, 4U);
   EXPECT_EQ(defaults.setup.default_limits.target_overshoot, 0.01);
+  EXPECT_EQ(defaults.setup.refine.geometry, RefineGeometry::mesh);
 }
 
 TEST(Parameters, fittingOutOfRange) {
