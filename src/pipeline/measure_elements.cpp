@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 #include "collision_monitor/geometry/visit_held.h"
@@ -29,17 +30,16 @@ PlacedMesh meshOf(const PlacedElement& placed) noexcept {
   return {*placed.element.mesh, placed.world_from_element};
 }
 
-/// False for geometries that are not of the family of shapes.
-bool findShape(const ConvexGeometry& geometry, Shape& shape) noexcept {
-  const auto take = [&](const auto& held) noexcept {
+/// Nothing for geometries that are not of the family of shapes, or none at all.
+std::optional<Shape> shapeOf(const std::optional<ConvexGeometry>& geometry) noexcept {
+  const auto take = [](const auto& held) noexcept -> std::optional<Shape> {
     if constexpr (std::is_convertible_v<decltype(held), Shape>) {
-      shape = held;
-      return true;
+      return Shape(held);
     } else {
-      return false;
+      return std::nullopt;
     }
   };
-  return visitHeld(take, geometry);
+  return geometry ? visitHeld(take, *geometry) : std::nullopt;
 }
 
 /// Least signed distance of the inner shapes; false where an element has none.
@@ -84,12 +84,13 @@ MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
   const MeshQueryLimits limits{std::numeric_limits<double>::infinity(), search.budget};
   TrianglePair& nearest = search.memory.nearest;
   MeshDistance found;
-  Shape shape;
-  if (b.element.convex && findShape(*b.element.convex, shape)) {
-    found = distanceBetween(meshOf(a), PlacedShape{shape, b.world_from_element},
+  const std::optional<Shape> shape_a = shapeOf(a.element.convex);
+  const std::optional<Shape> shape_b = shapeOf(b.element.convex);
+  if (shape_b) {
+    found = distanceBetween(meshOf(a), PlacedShape{*shape_b, b.world_from_element},
                             search.scratch.mesh, nearest, limits);
-  } else if (a.element.convex && findShape(*a.element.convex, shape)) {
-    found = distanceBetween(meshOf(b), PlacedShape{shape, a.world_from_element},
+  } else if (shape_a) {
+    found = distanceBetween(meshOf(b), PlacedShape{*shape_a, a.world_from_element},
                             search.scratch.mesh, nearest, limits);
     found.measured = swapped(found.measured);
   } else {
