@@ -251,11 +251,26 @@ TEST(ShapeRules, everyProblemOfTheFile_isReportedWithItsLine) {
 }
 
 TEST(ShapeRules, wrongValues_areRefused) {
-  for (const char* fields :
-       {"max_shapes: 0", "max_shapes: 1001", "max_shapes: -1", "max_shapes: many",
-        "max_shapes: [1]", "padding: .inf", "padding: 1e999", "padding: 0x10", "padding: {a: 1}",
-        "padding:", "target_overshoot: -1e-9", "kinds: []", "kinds: [[box]]", "kinds: Box",
-        "refine: exact", "refine: [mesh]", "unproven: true", "shapes: []", "shapes: {kind: sphere, radius: 1}", "shapes: 3"}) {
+  for (const char* fields : {"max_shapes: 0",
+                             "max_shapes: 1001",
+                             "max_shapes: -1",
+                             "max_shapes: many",
+                             "max_shapes: [1]",
+                             "padding: .inf",
+                             "padding: 1e999",
+                             "padding: 0x10",
+                             "padding: {a: 1}",
+                             "padding:",
+                             "target_overshoot: -1e-9",
+                             "kinds: []",
+                             "kinds: [[box]]",
+                             "kinds: Box",
+                             "refine: exact",
+                             "refine: [mesh]",
+                             "unproven: true",
+                             "shapes: []",
+                             "shapes: {kind: sphere, radius: 1}",
+                             "shapes: 3"}) {
     EXPECT_EQ(readFields(fields).errors.size(), 1U) << fields;
   }
   EXPECT_EQ(readFields("padding: 1\n    padding: 2").errors,
