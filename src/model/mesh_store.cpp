@@ -16,6 +16,18 @@ bool isRelative(const std::string& name) {
   return name.find("://") == std::string::npos && name.front() != '/';
 }
 
+/// Where the path begins in a URI: behind "scheme://", whose slashes are no folders.
+std::size_t pathStart(const std::string& name) {
+  const auto scheme = name.find("://");
+  return scheme == std::string::npos ? 0 : scheme + 3;
+}
+
+std::string normalised(const std::string& name) {
+  const std::size_t start = pathStart(name);
+  return name.substr(0, start) +
+         std::filesystem::path(name.substr(start)).lexically_normal().string();
+}
+
 UpAxis declaredUpAxis(const std::string& bytes) {
   const auto declares = [&](const char* element) {
     return bytes.find(element) != std::string::npos;
@@ -38,7 +50,7 @@ const StoredMesh& MeshStore::find(const std::string& name, const std::string& di
     throw std::runtime_error("a relative mesh name needs a description read from a file");
   } else {
     for (const std::string& folder : foldersOf(directory)) {
-      uris.push_back((std::filesystem::path(folder) / name).lexically_normal().string());
+      uris.push_back(normalised(folder + "/" + name));
     }
   }
   for (const std::string& uri : uris) {
@@ -69,9 +81,10 @@ std::vector<std::string> MeshStore::foldersOf(const std::string& directory) {
   const auto [found, is_new] = folders_.try_emplace(directory);
   if (is_new) {
     std::vector<std::string> folders;
-    for (std::filesystem::path folder = std::filesystem::path(directory).lexically_normal();;
+    const std::string scheme = directory.substr(0, pathStart(directory));
+    for (std::filesystem::path folder = normalised(directory).substr(scheme.size());;
          folder = folder.parent_path()) {
-      folders.push_back(folder.string());
+      folders.push_back(scheme + folder.string());
       if (hasPackageXml(folders.back())) {
         break;
       }
@@ -88,7 +101,7 @@ std::vector<std::string> MeshStore::foldersOf(const std::string& directory) {
 
 bool MeshStore::hasPackageXml(const std::string& folder) {
   try {
-    load_resource_((std::filesystem::path(folder) / "package.xml").string());
+    load_resource_(normalised(folder + "/package.xml"));
     return true;
   } catch (const std::exception&) {
     return false;

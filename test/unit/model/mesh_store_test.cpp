@@ -60,6 +60,19 @@ TEST(MeshStore, relativeName_isFoundUpToThePackageRootAndNotAbove) {
   EXPECT_FALSE(finds(files, "meshes/b.obj", "/ws/p/robots/urdf"));
 }
 
+TEST(MeshStore, descriptionFromAPackageUri_isSearchedTheSameWay) {
+  CountingLoader files{{{"package://p/package.xml", "<package/>"},
+                        {"package://p/meshes/a.obj", kObj},
+                        {"package://p/urdf/b.obj", kObj},
+                        {"file:///ws/urdf/c.obj", kObj}},
+                       {}};
+  EXPECT_TRUE(finds(files, "meshes/a.obj", "package://p/urdf"));
+  EXPECT_TRUE(finds(files, "../meshes/a.obj", "package://p/urdf/"));
+  EXPECT_TRUE(finds(files, "b.obj", "package://p/urdf"));
+  EXPECT_TRUE(finds(files, "c.obj", "file:///ws/urdf"));
+  EXPECT_FALSE(finds(files, "d.obj", "package://p/urdf"));
+}
+
 TEST(MeshStore, withoutPackage_foldersAboveAreNotSearched) {
   CountingLoader files{{{"/ws/meshes/a.obj", kObj}}, {}};
   EXPECT_FALSE(finds(files, "meshes/a.obj", "/ws/urdf"));
