@@ -10,11 +10,15 @@ namespace {
 thread_local bool is_counting = false;
 thread_local std::size_t allocations = 0;
 
-void* allocate(std::size_t size) {
+void* allocateIfPossible(std::size_t size) noexcept {
   if (is_counting) {
     ++allocations;
   }
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) {
+  return std::malloc(size == 0 ? 1 : size);
+}
+
+void* allocate(std::size_t size) {
+  if (void* memory = allocateIfPossible(size)) {
     return memory;
   }
   throw std::bad_alloc();
@@ -35,6 +39,13 @@ void* allocateAligned(std::size_t size, std::align_val_t alignment) {
 
 void* operator new(std::size_t size) { return allocate(size); }
 void* operator new[](std::size_t size) { return allocate(size); }
+// std::stable_sort takes its memory this way.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return allocateIfPossible(size);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+  return allocateIfPossible(size);
+}
 void* operator new(std::size_t size, std::align_val_t a) { return allocateAligned(size, a); }
 void* operator new[](std::size_t size, std::align_val_t a) { return allocateAligned(size, a); }
 void operator delete(void* memory) noexcept { std::free(memory); }
