@@ -18,7 +18,7 @@ MAY_INCLUDE = {
     "model": GEOMETRY | {"fitting", "model"},
     "broad_phase": GEOMETRY | {"broad_phase"},
     "narrow_phase": GEOMETRY | {"narrow_phase"},
-    "motion": GEOMETRY | {"motion"},
+    "motion": GEOMETRY | {"narrow_phase", "motion"},
     "pipeline": GEOMETRY | {"fitting", "model", "pipeline"} | PHASES,
     "ros_edge": GEOMETRY | {"fitting", "model", "pipeline", "ros_edge"} | PHASES,
 }

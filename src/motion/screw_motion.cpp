@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/motion/screw_motion.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace collision_monitor {
+namespace {
+
+/// Angles below this [rad] are taken from series: the next terms are beyond double precision.
+constexpr double kSmallAngle = 1e-4;
+
+Eigen::Vector3d turnBetween(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end) noexcept {
+  Eigen::Quaterniond turn(end * start.transpose());
+  if (turn.w() < 0.0) {
+    turn.coeffs() = -turn.coeffs();
+  }
+  const double sine = turn.vec().norm();
+  // The ratio of angle and sine, which is sharp for small angles too.
+  const double ratio = sine > 0.0 ? 2.0 * std::atan2(sine, turn.w()) / sine : 2.0;
+  return ratio * turn.vec();
+}
+
+Eigen::Matrix3d rotationBy(const Eigen::Vector3d& turn) noexcept {
+  const double angle = turn.norm();
+  const Eigen::Vector3d axis = angle > 0.0 ? Eigen::Vector3d(turn / angle) : turn;
+  return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+}
+
+/// Where a point gets that starts with this velocity and is turned along: the integral of the
+/// turned velocity.
+Eigen::Vector3d shiftOf(const Eigen::Vector3d& turn, const Eigen::Vector3d& velocity) noexcept {
+  const double angle = turn.norm();
+  const double square = angle * angle;
+  const bool is_small = angle < kSmallAngle;
+  const double half_sine = std::sin(0.5 * angle);
+  const double first = is_small ? 0.5 - square / 24.0 : 2.0 * half_sine * half_sine / square;
+  const double second =
+      is_small ? 1.0 / 6.0 - square / 120.0 : (angle - std::sin(angle)) / (square * angle);
+  const Eigen::Vector3d across = turn.cross(velocity);
+  return velocity + first * across + second * turn.cross(across);
+}
+
+/// The inverse of shiftOf.
+Eigen::Vector3d velocityOf(const Eigen::Vector3d& turn, const Eigen::Vector3d& shift) noexcept {
+  const double angle = turn.norm();
+  const double square = angle * angle;
+  const double factor = angle < kSmallAngle ? 1.0 / 12.0 + square / 720.0
+                                            : (1.0 - 0.5 * angle / std::tan(0.5 * angle)) / square;
+  const Eigen::Vector3d across = turn.cross(shift);
+  return shift - 0.5 * across + factor * turn.cross(across);
+}
+
+}  // namespace
+
+ScrewMotion screwBetween(const Pose& start, const Pose& end) noexcept {
+  ScrewMotion motion;
+  motion.start = start;
+  motion.turn = turnBetween(start.rotation, end.rotation);
+  motion.travel = velocityOf(motion.turn, end.translation - start.translation);
+  return motion;
+}
+
+Pose poseAt(const ScrewMotion& motion, double time) noexcept {
+  const Eigen::Vector3d turn = time * motion.turn;
+  return {rotationBy(turn) * motion.start.rotation,
+          motion.start.translation + shiftOf(turn, time * motion.travel)};
+}
+
+Eigen::Vector3d velocityAt(const ScrewMotion& motion, const Eigen::Vector3d& point) noexcept {
+  return motion.travel + motion.turn.cross(motion.start.rotation * point);
+}
+
+double arcHeight(const ScrewMotion& motion, const Eigen::Vector3d& point) noexcept {
+  return 0.125 * motion.turn.cross(velocityAt(motion, point)).norm();
+}
+
+Aabb sweptAabbOf(const Shape& shape, const ScrewMotion& motion, double margin) noexcept {
+  // Every point is within its arc's height of a chord, and the chords are in the hull of both ends.
+  const double arc = arcHeight(motion, Eigen::Vector3d::Zero()) +
+                     0.125 * motion.turn.squaredNorm() * boundingRadius(shape);
+  const Aabb first = aabbOf(shape, motion.start, margin + arc);
+  const Aabb last = aabbOf(shape, poseAt(motion, 1.0), margin + arc);
+  return {first.min.cwiseMin(last.min), first.max.cwiseMax(last.max)};
+}
+
+}  // namespace collision_monitor
