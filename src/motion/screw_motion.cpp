@@ -11,15 +11,19 @@ namespace {
 /// Angles below this [rad] are taken from series: the next terms are beyond double precision.
 constexpr double kSmallAngle = 1e-4;
 
+/// What poses that were turned alike differ by [rad], but for rounding.
+constexpr double kNoTurn = 1e-15;
+
 Eigen::Vector3d turnBetween(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end) noexcept {
   Eigen::Quaterniond turn(end * start.transpose());
   if (turn.w() < 0.0) {
     turn.coeffs() = -turn.coeffs();
   }
   const double sine = turn.vec().norm();
-  // The ratio of angle and sine, which is sharp for small angles too.
-  const double ratio = sine > 0.0 ? 2.0 * std::atan2(sine, turn.w()) / sine : 2.0;
-  return ratio * turn.vec();
+  if (!(sine > 0.5 * kNoTurn)) {
+    return Eigen::Vector3d::Zero();
+  }
+  return 2.0 * std::atan2(sine, turn.w()) / sine * turn.vec();
 }
 
 Eigen::Matrix3d rotationBy(const Eigen::Vector3d& turn) noexcept {

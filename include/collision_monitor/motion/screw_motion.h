@@ -23,7 +23,7 @@ struct ScrewMotion {
 /// The screw motion from one pose to the other that turns least, by at most half a turn.
 ///
 /// Error: reaches `end` to 1e-14 of the coordinates.
-/// Limits: of half a turn, either direction.
+/// Limits: of half a turn, either direction. Turns below 1e-15 rad count as none.
 /// Source: the logarithm of SE(3): Murray, Li, Sastry, "A Mathematical Introduction to Robotic
 /// Manipulation" (1994), chapter 2; with the velocity of the body's origin in place of that of the
 /// world's, so that bodies far out lose no digits.

@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motion/advance.h"
+#include "narrow_phase/core_distance.h"
+#include "narrow_phase/mesh_search.h"
+#include "narrow_phase/triangle_edges.h"
+
+namespace collision_monitor {
+namespace {
+
+using Waiting = MeshQueryMemory::Waiting;
+
+/// Both meshes at one time, in the frame of A, and what is looked for: the earliest time at which
+/// two of their triangles may have come as near as asked for.
+struct Sweep {
+  const MeshPair& pair;
+  Approach approach;
+  const SweepLimits& limits;
+  double soonest;  ///< from now on
+  TrianglePair nearest;
+  PointPair contact;  ///< of `nearest`, when it is in contact
+  bool is_contact{false};
+};
+
+/// Of surfaces: there is nothing nearer than touching.
+double nearestOf(const SweepLimits& limits) noexcept {
+  return std::max(0.0, limits.contact_distance);
+}
+
+/// In the frame of A.
+Approach placedInA(const Approach& in_world, const Pose& world_from_a) noexcept {
+  const Eigen::Matrix3d a_from_world = world_from_a.rotation.transpose();
+  Approach in_a = in_world;
+  in_a.center = a_from_world * (in_world.center - world_from_a.translation);
+  in_a.velocity = a_from_world * in_world.velocity;
+  in_a.turn = a_from_world * in_world.turn;
+  return in_a;
+}
+
+void measureTriangles(std::uint32_t a, std::uint32_t b, Sweep& sweep) noexcept {
+  const Triangle in_a = triangleOfB(sweep.pair, b);
+  const PointPair points = nearestPoints(sweep.pair.a.triangles()[a], in_a);
+  const double distance = std::sqrt(points.squared_distance);
+  const double gap = distance - nearestOf(sweep.limits);
+  if (gap <= sweep.limits.tolerance) {
+    sweep.is_contact = true;
+    sweep.nearest = {a, b};
+    sweep.contact = points;
+    return;
+  }
+  const Eigen::Vector3d normal = (points.on_b - points.on_a) / distance;
+  // A linear field is fastest at a corner.
+  double rate = -std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& corner : in_a) {
+    rate = std::max(rate, -normal.dot(sweep.approach.velocityAt(corner)));
+  }
+  const double time = timeToConsume(gap, {rate, sweep.approach.plane_growth});
+  if (time < sweep.soonest) {
+    sweep.soonest = time;
+    sweep.nearest = {a, b};
+  }
+}
+
+/// The ball about what stands in a slot of B, in the frame of A; a triangle's is its node's.
+Ball ballAt(const MeshPair& pair, Slot slot) noexcept {
+  const Bound bound = boundAt(pair.b, slot);
+  return {pair.a_from_b * (pair.b.center() + bound.center.cast<double>()),
+          bound.half.cast<double>().norm()};
+}
+
+/// [m^2] Bounds this far apart cannot meet before `soonest`.
+double squaredReach(const Sweep& sweep, Slot slot_of_b) noexcept {
+  const Ball ball = ballAt(sweep.pair, slot_of_b);
+  const double reach = nearestOf(sweep.limits) + sweep.limits.tolerance +
+                       ofBall(sweep.approach, ball.center, ball.radius).within(sweep.soonest);
+  return reach * reach;
+}
+
+/// @return nodes opened and triangles measured; more than `budget` if it was spent.
+std::uint32_t search(MeshQueryMemory& memory, std::uint32_t budget, Sweep& sweep) noexcept {
+  std::uint32_t steps = 0;
+  WaitingPairs waiting(memory);
+  waiting.push({0.0F, 0, 0});
+  while (!waiting.empty() && !sweep.is_contact) {
+    const Waiting next = waiting.pop();
+    const float limit = asLimit(squaredReach(sweep, next.b));
+    if (!(next.squared_bound < limit)) {
+      continue;
+    }
+    if (++steps > budget) {
+      return steps;
+    }
+    const std::uint32_t child_a = childOf(sweep.pair.a, next.a);
+    const std::uint32_t child_b = childOf(sweep.pair.b, next.b);
+    if (isTriangle(child_a) && isTriangle(child_b)) {
+      measureTriangles(triangleAt(child_a), triangleAt(child_b), sweep);
+    } else {
+      openLarger(sweep.pair, next, limit, waiting);
+    }
+  }
+  return steps;
+}
+
+SignedDistance contactOf(const Sweep& sweep, const Pose& world_from_a) noexcept {
+  const double distance = std::sqrt(sweep.contact.squared_distance);
+  const Eigen::Vector3d normal =
+      distance > kTouching ? Eigen::Vector3d((sweep.contact.on_b - sweep.contact.on_a) / distance)
+                           : anyNormalOf(prepare(sweep.pair.a.triangles()[sweep.nearest.a]));
+  return placed(world_from_a, {distance, sweep.contact.on_a, sweep.contact.on_b, normal});
+}
+
+/// What one step leaves for the next.
+struct Progress {
+  SweptContact found;
+  TrianglePair last;  ///< that the last step stopped before
+};
+
+/// @return false when the budget ended the step.
+bool advanceOnce(const MovingMesh& a, const MovingMesh& b, const SweepLimits& limits,
+                 MeshQueryMemory& memory, Progress& progress) noexcept {
+  SweptContact& found = progress.found;
+  const Pose world_from_a = poseAt(a.motion, found.time);
+  const Pose world_from_b = poseAt(b.motion, found.time);
+  const MeshPair pair = makeMeshPair({a.tree, world_from_a}, {b.tree, world_from_b});
+  const Approach approach = approachAt(a.motion, b.motion, ballOf(b.tree), found.time);
+  Sweep sweep{pair, placedInA(approach, world_from_a), limits, 1.0 - found.time, {}, {}, false};
+  if (progress.last.a != TrianglePair::kNone) {
+    measureTriangles(progress.last.a, progress.last.b, sweep);
+  }
+  const std::uint32_t left = limits.budget - found.steps;
+  const std::uint32_t steps = search(memory, left, sweep);
+  found.steps += steps;
+  progress.last = sweep.nearest;
+  if (sweep.is_contact) {
+    found.state = SweepState::contact;
+    found.measured = contactOf(sweep, world_from_a);
+  } else if (steps <= left && sweep.nearest.a == TrianglePair::kNone) {
+    found.state = SweepState::clear;
+    found.time = 1.0;
+  } else if (steps <= left) {
+    found.time += sweep.soonest;
+  }
+  return steps <= left;
+}
+
+Sighting sight(const MeshDistance& found, const SweepLimits& limits) noexcept {
+  Sighting seen;
+  seen.steps = found.visits + 1;
+  seen.measured = found.measured;
+  seen.gap = found.measured.distance - nearestOf(limits);
+  const bool is_near = found.state == MeshState::overlapping || seen.gap <= limits.tolerance;
+  if (found.state == MeshState::unknown) {
+    seen.state = SweepState::unknown;
+  } else if (!is_near) {
+    seen.state = SweepState::clear;
+  } else {
+    seen.state =
+        found.state == MeshState::lower_bound ? SweepState::undecided : SweepState::contact;
+  }
+  return seen;
+}
+
+}  // namespace
+
+Ball ballOf(const MeshTree& tree) noexcept { return {tree.center(), tree.radius()}; }
+
+SweptContact firstContact(const MovingMesh& a, const MovingMesh& b, const SweepLimits& limits,
+                          MeshQueryMemory& memory) noexcept {
+  // The points of the smaller body stand for both: their speeds differ least.
+  if (a.tree.radius() < b.tree.radius()) {
+    SweptContact found = firstContact(b, a, limits, memory);
+    found.measured = swapped(found.measured);
+    return found;
+  }
+  SweptContact found;
+  if (!isFinite(a.motion) || !isFinite(b.motion)) {
+    return found;
+  }
+  found.state = SweepState::undecided;
+  found.time = limits.from;
+  Progress progress{found, {}};
+  while (progress.found.state == SweepState::undecided && progress.found.steps < limits.budget &&
+         advanceOnce(a, b, limits, memory, progress)) {
+  }
+  return progress.found;
+}
+
+SweptContact firstContact(const MovingMesh& a, const MovingShape& b, const SweepLimits& limits,
+                          MeshQueryMemory& memory) noexcept {
+  const Ball ball_a = ballOf(a.tree);
+  const Ball ball_b = ballOf(b.shape);
+  const double nearest = nearestOf(limits);
+  TrianglePair start;
+  const auto look = [&](double time, std::uint32_t budget) noexcept {
+    const Approach approach = approachAt(a.motion, b.motion, ball_b, time);
+    MeshQueryLimits query;
+    query.visit_budget = budget;
+    // What is farther cannot come so near any more.
+    query.stop_beyond = nearest + 2.0 * limits.tolerance +
+                        ofBall(approach, approach.center, approach.radius).within(1.0 - time);
+    const Pose world_from_a = poseAt(a.motion, time);
+    const Pose world_from_b = poseAt(b.motion, time);
+    const MeshDistance found = distanceBetween(
+        PlacedMesh{a.tree, world_from_a}, PlacedShape{b.shape, world_from_b}, memory, start, query);
+    start = found.nearest;
+    return sight(found, limits);
+  };
+  return advance({ball_a, a.motion}, {ball_b, b.motion}, limits, look);
+}
+
+}  // namespace collision_monitor
