@@ -4,6 +4,7 @@
 deadline, and a source of joint states."""
 import threading
 import time
+import unittest
 
 import rospy
 from sensor_msgs.msg import JointState
@@ -11,13 +12,14 @@ from std_msgs.msg import Bool
 
 from collision_monitor.msg import Contacts, Distances, State, Warning as WarningMessage
 
+NODE = "/collision_monitor"
 DEADLINE = 20.0  # wall seconds; far more than anything takes, so a failure is a failure
 
 
 class Probe:
     """Keeps the newest message of each topic and every warning."""
 
-    def __init__(self, name="/collision_monitor"):
+    def __init__(self, name=NODE):
         self.condition = threading.Condition()
         self.state = None
         self.state_count = 0
@@ -99,3 +101,20 @@ class JointSource:
     def stop(self):
         self.end.set()
         self.thread.join()
+
+
+class TwoBoxes(unittest.TestCase):
+    """A monitor of urdf/two_boxes.urdf, whose joints are 0.3 m and 0 rad when tests begin."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.probe = Probe()
+        cls.joints = JointSource({"slide": 0.3, "turn": 0.0})
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.joints.stop()
+
+    def service(self, name, kind):
+        rospy.wait_for_service(NODE + "/" + name, timeout=DEADLINE)
+        return rospy.ServiceProxy(NODE + "/" + name, kind)

@@ -6,33 +6,21 @@ urdf/two_boxes.urdf gives the distances by hand: 0.1 m + slide, between two boxe
 import pathlib
 import sys
 import tempfile
-import unittest
 
 import rospy
 import rostest
 from std_srvs.srv import Trigger
 
-from monitor_probe import JointSource, Probe
-
-NODE = "/collision_monitor"
+from monitor_probe import NODE, TwoBoxes
 
 
-class ShapeRules(unittest.TestCase):
-
-    @classmethod
-    def setUpClass(cls):
-        cls.probe = Probe()
-        cls.joints = JointSource({"slide": 0.3, "turn": 0.0})
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.joints.stop()
+class ShapeRules(TwoBoxes):
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        rospy.wait_for_service(NODE + "/reload", timeout=20.0)
+        self.reload = self.service("reload", Trigger)
         self.addCleanup(rospy.set_param, NODE + "/fit_cache", "none")
         self.addCleanup(rospy.set_param, NODE + "/shape_rules", "")
 
@@ -40,7 +28,7 @@ class ShapeRules(unittest.TestCase):
         path = self.folder / "rules.yaml"
         path.write_text(rules, encoding="utf-8")
         rospy.set_param(NODE + "/shape_rules", str(path))
-        return rospy.ServiceProxy(NODE + "/reload", Trigger)()
+        return self.reload()
 
     def test_padding_isReadAnewWithEachReload(self):
         self.assertTrue(self.reload_with("shapes: [{link: box_a, padding: 0.05}]").success)
@@ -67,7 +55,7 @@ class ShapeRules(unittest.TestCase):
 
     def test_missingFile_isNamed(self):
         rospy.set_param(NODE + "/shape_rules", "/nowhere/rules.yaml")
-        answer = rospy.ServiceProxy(NODE + "/reload", Trigger)()
+        answer = self.reload()
         self.assertFalse(answer.success)
         self.assertIn("/nowhere/rules.yaml", answer.message)
 

@@ -4,7 +4,6 @@
 """Two boxes meet and part; urdf/two_boxes.urdf gives the distances by hand: 0.1 m + slide."""
 import math
 import sys
-import unittest
 
 import rospy
 import rostest
@@ -14,22 +13,11 @@ from std_srvs.srv import SetBool, Trigger
 from collision_monitor.msg import LinkDistance, State, Warning as WarningMessage
 from collision_monitor.srv import GetDistances
 from diagnostic_msgs.msg import DiagnosticArray
-from monitor_probe import JointSource, Probe
+from monitor_probe import NODE, Probe, TwoBoxes
 from visualization_msgs.msg import Marker, MarkerArray
 
-NODE = "/collision_monitor"
 
-
-class Verdicts(unittest.TestCase):
-
-    @classmethod
-    def setUpClass(cls):
-        cls.probe = Probe()
-        cls.joints = JointSource({"slide": 0.3, "turn": 0.0})
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.joints.stop()
+class Verdicts(TwoBoxes):
 
     def setUp(self):
         self.joints.is_on = True
@@ -37,10 +25,6 @@ class Verdicts(unittest.TestCase):
         self.probe.wait_for_distance(0.4)
         with self.probe.condition:
             self.probe.warnings = []
-
-    def service(self, name, kind):
-        rospy.wait_for_service(NODE + "/" + name, timeout=20.0)
-        return rospy.ServiceProxy(NODE + "/" + name, kind)
 
     def test_path_clearWarningContactClear(self):
         state = self.probe.wait_for_level(State.OK)
