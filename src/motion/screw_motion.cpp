@@ -80,12 +80,18 @@ double arcHeight(const ScrewMotion& motion, const Eigen::Vector3d& point) noexce
   return 0.125 * motion.turn.cross(velocityAt(motion, point)).norm();
 }
 
-Aabb sweptAabbOf(const Shape& shape, const ScrewMotion& motion, double margin) noexcept {
+ScrewMotion carriedBy(const ScrewMotion& link_motion, const Pose& link_from_body) noexcept {
+  return {link_motion.start * link_from_body, link_motion.turn,
+          velocityAt(link_motion, link_from_body.translation)};
+}
+
+Aabb sweptAabbOf(const Shape& shape, const ScrewMotion& motion, const Pose& end,
+                 double margin) noexcept {
   // Every point is within its arc's height of a chord, and the chords are in the hull of both ends.
   const double arc = arcHeight(motion, Eigen::Vector3d::Zero()) +
                      0.125 * motion.turn.squaredNorm() * boundingRadius(shape);
   const Aabb first = aabbOf(shape, motion.start, margin + arc);
-  const Aabb last = aabbOf(shape, poseAt(motion, 1.0), margin + arc);
+  const Aabb last = aabbOf(shape, end, margin + arc);
   return {first.min.cwiseMin(last.min), first.max.cwiseMax(last.max)};
 }
 

@@ -25,6 +25,7 @@ Verdict verdictFor(double distance, const Limits& limits, Verdict before) noexce
 void findClosest(const CycleSetup& setup, const PairDistances& distances,
                  PairEvents& events) noexcept {
   std::fill(events.closest.begin(), events.closest.end(), kNone);
+  std::fill(events.passed.begin(), events.passed.end(), kNone);
   events.closest_of_all = kNone;
   const auto& measured = distances.measured;
   const auto is_nearer = [&](std::uint32_t one, std::uint32_t other) {
@@ -37,6 +38,13 @@ void findClosest(const CycleSetup& setup, const PairDistances& distances,
     }
     if (is_nearer(i, events.closest_of_all)) {
       events.closest_of_all = i;
+    }
+  }
+  const auto& passed = distances.passed;
+  for (std::uint32_t i = 0; i < passed.size(); ++i) {
+    std::uint32_t& first = events.passed[setup.link_pair_of[index(passed[i].pair)]];
+    if (first == kNone || passed[i].time < passed[first].time) {
+      first = i;
     }
   }
 }
@@ -67,8 +75,10 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
   // A link that stands in no checked pair can be unknown without harm.
   events.overall = Verdict::clear;
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
-    const Verdict verdict =
-        judgeLinkPair(setup, body_poses, distances, memory, i, events.closest[i]);
+    Verdict verdict = judgeLinkPair(setup, body_poses, distances, memory, i, events.closest[i]);
+    if (events.passed[i] != kNone) {
+      verdict = Verdict::contact;
+    }
     events.verdicts[i] = verdict;
     events.overall = std::max(events.overall, verdict);
     Verdict& reported = memory.reported[i];

@@ -30,18 +30,6 @@ PlacedMesh meshOf(const PlacedElement& placed) noexcept {
   return {*placed.element.mesh, placed.world_from_element};
 }
 
-/// Nothing for geometries that are not of the family of shapes, or none at all.
-std::optional<Shape> shapeOf(const std::optional<ConvexGeometry>& geometry) noexcept {
-  const auto take = [](const auto& held) noexcept -> std::optional<Shape> {
-    if constexpr (std::is_convertible_v<decltype(held), Shape>) {
-      return Shape(held);
-    } else {
-      return std::nullopt;
-    }
-  };
-  return geometry ? visitHeld(take, *geometry) : std::nullopt;
-}
-
 /// Least signed distance of the inner shapes; false where an element has none.
 bool measureInside(const PlacedElement& a, const PlacedElement& b, SignedDistance& least) noexcept {
   least.distance = std::numeric_limits<double>::infinity();
@@ -158,6 +146,17 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
 }
 
 }  // namespace
+
+std::optional<Shape> shapeOf(const std::optional<ConvexGeometry>& geometry) noexcept {
+  const auto take = [](const auto& held) noexcept -> std::optional<Shape> {
+    if constexpr (std::is_convertible_v<decltype(held), Shape>) {
+      return Shape(held);
+    } else {
+      return std::nullopt;
+    }
+  };
+  return geometry ? visitHeld(take, *geometry) : std::nullopt;
+}
 
 ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
                                 ElementSearch& search) noexcept {

@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "collision_monitor/pipeline/refine_pairs.h"
 
 namespace collision_monitor {
+
+/// Nothing for geometries that are not of the family of shapes, or none at all.
+std::optional<Shape> shapeOf(const std::optional<ConvexGeometry>& geometry) noexcept;
 
 struct PlacedElement {
   const Element& element;

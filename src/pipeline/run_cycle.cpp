@@ -49,14 +49,19 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.bounds.known.resize(bodies, 0);
   buffers.candidates.reserve(pairs);
   buffers.distances.measured.reserve(pairs);
+  buffers.distances.passed.reserve(pairs);
   buffers.refine = makeRefineWork(setup);
+  buffers.sweep = makeSweepWork(setup);
   buffers.events.verdicts.resize(link_pairs, Verdict::unknown);
   buffers.events.closest.resize(link_pairs, kNone);
+  buffers.events.passed.resize(link_pairs, kNone);
   buffers.events.changes.reserve(link_pairs);
   buffers.events.island_of_link.resize(links, 0);
   buffers.events.island_forest.resize(links, 0);
   buffers.memory.reported.resize(link_pairs, Verdict::clear);
   buffers.memory.refined.resize(setup.element_pairs.size());
+  buffers.memory.last.world_from_link.resize(links);
+  buffers.memory.last.known.resize(links, 0);
   buffers.counters.pairs = pairs;
   buffers.broad_phase = makeBroadPhase(kind, bodies);
   return buffers;
@@ -65,6 +70,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
 void resetMemory(CycleBuffers& buffers) noexcept {
   std::fill(buffers.memory.reported.begin(), buffers.memory.reported.end(), Verdict::clear);
   std::fill(buffers.memory.refined.begin(), buffers.memory.refined.end(), RefineMemory());
+  std::fill(buffers.memory.last.known.begin(), buffers.memory.last.known.end(), 0);
 }
 
 double reachOf(const Limits& limits) noexcept {
@@ -75,16 +81,26 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   const double reach = reachOf(setup.limits);
   placeBodies(setup, poses, buffers.body_poses);
   boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
+  if (setup.is_continuous) {
+    findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
+    sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
+  }
   findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
   measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
+  if (setup.is_continuous) {
+    sweepPairs(setup, buffers.refine, buffers.sweep, buffers.distances);
+    keepPoses(poses, buffers.body_poses, buffers.memory.last);
+  }
   judgePairs(setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
   buffers.counters.candidates = buffers.candidates.size();
   buffers.counters.measured = buffers.distances.measured.size();
   buffers.counters.refined = buffers.refine.refined;
   buffers.counters.left = buffers.refine.left;
   buffers.counters.refine_steps = buffers.refine.steps;
+  buffers.counters.swept = buffers.sweep.swept;
+  buffers.counters.swept_left = buffers.sweep.left;
   countUnknown(setup, buffers.body_poses, buffers.counters);
 }
 

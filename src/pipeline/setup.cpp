@@ -67,6 +67,7 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   }
   checkLimit("refine_distance", options.refine.limits.distance, 0.0, report);
   setup.limits = options.limits;
+  setup.is_continuous = options.is_continuous;
   setup.refine = options.refine.limits;
   setup.refine.distance =
       std::max(setup.refine.distance, options.limits.warning_distance + options.limits.hysteresis);

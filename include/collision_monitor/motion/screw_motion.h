@@ -40,7 +40,12 @@ Eigen::Vector3d velocityAt(const ScrewMotion& motion, const Eigen::Vector3d& poi
 /// the same time if it moves straight and evenly: at most this. Frames: body.
 double arcHeight(const ScrewMotion& motion, const Eigen::Vector3d& point) noexcept;
 
+/// The motion of a body that is fixed to a link, from that of the link.
+ScrewMotion carriedBy(const ScrewMotion& link_motion, const Pose& link_from_body) noexcept;
+
 /// A box that holds the shape at every time, grown by `margin`. See aabbOf.
-Aabb sweptAabbOf(const Shape& shape, const ScrewMotion& motion, double margin) noexcept;
+/// @param end poseAt(motion, 1.0), which the caller knows.
+Aabb sweptAabbOf(const Shape& shape, const ScrewMotion& motion, const Pose& end,
+                 double margin) noexcept;
 
 }  // namespace collision_monitor

@@ -56,11 +56,24 @@ struct PairDistance {
   SignedDistance measured;
 };
 
-/// Sorted by pair id. Holds every candidate and, when none is near, the closest
+/// A contact between the last cycle and this one, of links that are apart in both.
+struct PassedContact {
+  PairId pair{};  ///< bodies that met
+  /// exact: the geometries touched. lower_bound: what encloses them did, and they may have.
+  Quality quality{Quality::unknown};
+  bool is_refined{false};   ///< measured between elements
+  double time{0.0};         ///< share of the way from the last poses to these
+  SignedDistance measured;  ///< at that time
+  Pose world_from_link_a;   ///< at that time
+  Pose world_from_link_b;
+};
+
+/// `measured` is sorted by pair id. It holds every candidate and, when none is near, the closest
 /// pair all the same. A refined pair of elements stands once, in place of the nearest of its
 /// bodies.
 struct PairDistances {
   std::vector<PairDistance> measured;
+  std::vector<PassedContact> passed;
 };
 
 /// Ordered by urgency: the state of the whole is the largest of its parts.
@@ -79,6 +92,7 @@ struct VerdictChange {
 struct PairEvents {
   std::vector<Verdict> verdicts;       ///< by LinkPairIndex
   std::vector<std::uint32_t> closest;  ///< by LinkPairIndex: index into measured, or kNone
+  std::vector<std::uint32_t> passed;   ///< by LinkPairIndex: the first in `passed`, or kNone
   /// Against the verdict last reported, in order of link pair. A clear pair that becomes
   /// unknown is no change of its own (the links that are unknown say it once for all their
   /// pairs); a pair that was near or touching and becomes unknown is one.
@@ -97,6 +111,9 @@ struct CycleCounters {
   std::size_t refined{0};   ///< pairs of elements that were measured to the end
   std::size_t left{0};      ///< pairs of elements for which the budget did not suffice
   std::size_t refine_steps{0};   ///< spent of the budget
+  std::size_t swept{0};          ///< pairs near enough for their speed to have met since the last
+                                 ///< cycle, which were followed on their way
+  std::size_t swept_left{0};     ///< pairs of elements for which the budget did not suffice
   std::size_t unknown_pairs{0};  ///< pairs of bodies with an unknown link
   std::size_t unknown_links{0};  ///< links with geometry whose pose is unknown
 };
@@ -108,11 +125,19 @@ struct RefineMemory {
   std::uint32_t waited{0};  ///< cycles in a row in which the budget was spent before its turn
 };
 
+/// Where the links were.
+struct LastPoses {
+  std::int64_t stamp_ns{0};
+  std::vector<Pose> world_from_link;
+  std::vector<unsigned char> known;
+};
+
 /// What survives a cycle. Resetting it changes hysteresis, which verdicts count as changed, and of
-/// refinement the speed and the order.
+/// refinement the speed and the order; contacts since the last cycle are then not looked for.
 struct PairMemory {
   std::vector<Verdict> reported;      ///< by LinkPairIndex: the verdict last reported
   std::vector<RefineMemory> refined;  ///< by ElementPairIndex
+  LastPoses last;
 };
 
 }  // namespace collision_monitor

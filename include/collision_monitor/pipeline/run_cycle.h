@@ -5,6 +5,7 @@
 #include "collision_monitor/pipeline/cycle_data.h"
 #include "collision_monitor/pipeline/refine_pairs.h"
 #include "collision_monitor/pipeline/setup.h"
+#include "collision_monitor/pipeline/sweep_pairs.h"
 
 namespace collision_monitor {
 
@@ -17,6 +18,7 @@ struct CycleBuffers {
   std::vector<PairId> candidates;
   PairDistances distances;
   RefineWork refine;
+  SweepWork sweep;
   PairEvents events;
   PairMemory memory;
   CycleCounters counters;
@@ -28,7 +30,8 @@ BodyPoses makeBodyPoses(const CycleSetup& setup);
 
 CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind);
 
-/// Forgets what earlier cycles left: after a jump in time or a gap in data.
+/// Forgets what earlier cycles left: after a jump in time or a gap in data. What happened between
+/// the last cycle and the next one is then not looked into.
 void resetMemory(CycleBuffers& buffers) noexcept;
 
 /// One cycle: poses in, events out. Same input and memory, same bytes out,

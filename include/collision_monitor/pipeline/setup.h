@@ -76,7 +76,8 @@ struct CycleSetup {
   std::vector<ElementPairIndex> element_pair_of;  ///< by PairId
   Limits limits;
   RefineLimits refine;
-  SetupReport report;  ///< warnings only
+  bool is_continuous{false};  ///< contacts between two cycles are looked for
+  SetupReport report;         ///< warnings only
 };
 
 struct SetupOptions {
@@ -85,6 +86,7 @@ struct SetupOptions {
   FitLimits default_limits{4, 0.01, {}};  ///< of links for which the rules say nothing else
   ShapeRulesText shape_rules;
   RefineOptions refine;
+  bool is_continuous{true};         ///< as in CycleSetup
   std::filesystem::path fit_cache;  ///< directory that keeps fits, empty for none
   bool ignore_default_overlap{
       true};  ///< for robots without SRDF: ignore pairs that overlap in the default pose

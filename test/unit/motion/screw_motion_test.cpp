@@ -76,8 +76,16 @@ TEST(ScrewMotion, arcHeight_isAnEighthOfTheAcceleration) {
   EXPECT_NEAR(arcHeight(quarterTurn(), {1, 0, 5}), 0.0, kExact);
 }
 
+TEST(ScrewMotion, bodyOnALink_goesRoundWithIt) {
+  const ScrewMotion body = carriedBy(quarterTurn(), at(3, 0, 0));
+  expectNear(body.start.translation, {3, 0, 0}, "start");
+  expectNear(body.travel, {0, kPi, 4}, "velocity of its origin");
+  expectNear(poseAt(body, 1.0).translation, {1, 2, 4}, "end");
+}
+
 TEST(ScrewMotion, straightMotion_sweptBoxIsThatOfBothEnds) {
-  const Aabb box = sweptAabbOf(Sphere{0.5}, screwBetween(at(1, 2, 3), at(4, 2, 1)), 0.25);
+  const Aabb box =
+      sweptAabbOf(Sphere{0.5}, screwBetween(at(1, 2, 3), at(4, 2, 1)), at(4, 2, 1), 0.25);
   expectNear(box.min, {0.25, 1.25, 0.25}, "least corner");
   expectNear(box.max, {4.75, 2.75, 3.75}, "greatest corner");
 }

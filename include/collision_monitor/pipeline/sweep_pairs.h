@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "collision_monitor/motion/conservative_advancement.h"
+#include "collision_monitor/pipeline/cycle_data.h"
+#include "collision_monitor/pipeline/refine_pairs.h"
+#include "collision_monitor/pipeline/setup.h"
+
+/// What happens between two cycles: each link's last pose and this one are joined by a screw
+/// motion, and pairs that are apart in both are followed on the way.
+namespace collision_monitor {
+
+/// The longest step between two cycles in which nothing can pass through anything unseen, even
+/// without looking between them.
+struct StepLimit {
+  double step{0.0};     ///< [s] between the stamps of the last poses and these; 0: not known
+  double longest{0.0};  ///< [s] the thinnest body over the greatest speeds; infinity at rest
+  double speed{0.0};    ///< [m/s] of the fastest point of any body
+  bool is_exceeded{false};
+};
+
+/// A pair of elements whose bodies met on the way.
+struct SweepTask {
+  ElementPairIndex pair{0};
+  PairId bodies{};          ///< that met first
+  double from{0.0};         ///< then; the elements were apart before
+  SignedDistance measured;  ///< of the bodies
+};
+
+/// What sweepPairs works with and tells, sized at set-up.
+struct SweepWork {
+  // By LinkId.
+  std::vector<unsigned char> has_motion;  ///< known in the last cycle and in this one
+  std::vector<ScrewMotion> link_motions;
+  // [m] how far any point may have come since the last cycle.
+  std::vector<double> body_reach;     ///< by BodyId
+  std::vector<double> element_reach;  ///< by ElementId
+  std::vector<Ball> element_balls;    ///< by ElementId: of what is measured
+  double thinnest{0.0};               ///< [m] of all bodies
+  StepLimit step;
+  std::vector<SweepTask> tasks;
+  std::vector<std::uint32_t> task_of;  ///< by ElementPairIndex: into tasks, or kNone
+  std::uint32_t budget{0};             ///< of steps, as RefineLimits::budget
+  std::size_t swept{0};                ///< these two as in CycleCounters
+  std::size_t left{0};
+};
+
+SweepWork makeSweepWork(const CycleSetup& setup);
+
+/// Joins the last poses with these.
+/// @pre body_poses are placed from `poses`.
+void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
+                 const PairMemory& memory, SweepWork& work) noexcept;
+
+/// Makes each box hold its body on the whole way.
+/// @pre `bounds` are those of boundBodies with this `reach`.
+void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const SweepWork& work,
+                 double reach, BodyBounds& bounds) noexcept;
+
+/// Fills `distances.passed`: contacts on the way of pairs that are not in contact now. A contact at
+/// the very start of the way is that of the last cycle, and not told again.
+///
+/// Pairs farther apart than they can have come nearer are passed over; then moving spheres, then
+/// the bodies, then the elements are asked, the last within a budget. What the budget leaves open
+/// is told as a contact of enclosing shapes: a budget that is too small can raise false
+/// alarms and hides nothing.
+/// Error: contacts deeper than rounding are found; what is told as exact is within 1e-7 m of
+/// contact_distance.
+/// Limits: of meshes, surfaces count. Contacts of negative contact_distance are told at touch.
+/// @param refined what refinePairs did to `distances`; its scratch is used.
+void sweepPairs(const CycleSetup& setup, const RefineWork& refined, SweepWork& work,
+                PairDistances& distances) noexcept;
+
+/// Keeps the poses for the next cycle.
+void keepPoses(const LinkPoses& poses, const BodyPoses& body_poses, LastPoses& last) noexcept;
+
+}  // namespace collision_monitor

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <limits>
+
+#include "collision_monitor/geometry/bounds.h"
+#include "collision_monitor/pipeline/sweep_pairs.h"
+
+namespace collision_monitor {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double thicknessOf(const Shape& shape) noexcept {
+  const Eigen::Vector3d half = coreHalfExtents(shape);
+  return 2.0 * (half.minCoeff() + radiusOf(shape));
+}
+
+Ball ballOf(const Element& element) {
+  return element.convex ? collision_monitor::ballOf(*element.convex)
+                        : collision_monitor::ballOf(*element.mesh);
+}
+
+bool isSame(const Pose& one, const Pose& other) noexcept {
+  return one.rotation == other.rotation && one.translation == other.translation;
+}
+
+double reachOf(const Body& body, const ScrewMotion& link_motion) noexcept {
+  return velocityAt(link_motion, body.link_from_body.translation).norm() +
+         link_motion.turn.norm() * body.bounding_radius;
+}
+
+/// Of the bodies, the two largest speeds that two links may close with.
+StepLimit limitStep(const CycleSetup& setup, const SweepWork& work, double step) noexcept {
+  std::vector<double>::size_type fastest_body = 0;
+  double second = 0.0;
+  for (std::size_t i = 1; i < work.body_reach.size(); ++i) {
+    fastest_body = work.body_reach[i] > work.body_reach[fastest_body] ? i : fastest_body;
+  }
+  for (std::size_t i = 0; i < work.body_reach.size(); ++i) {
+    if (setup.bodies[i].link != setup.bodies[fastest_body].link) {
+      second = std::max(second, work.body_reach[i]);
+    }
+  }
+  const double fastest = work.body_reach.empty() ? 0.0 : work.body_reach[fastest_body];
+  StepLimit limit;
+  limit.longest = kInfinity;
+  limit.step = step;
+  if (step > 0.0 && fastest > 0.0) {
+    limit.speed = fastest / step;
+    limit.longest = work.thinnest / (fastest + second) * step;
+    limit.is_exceeded = step > limit.longest;
+  }
+  return limit;
+}
+
+}  // namespace
+
+SweepWork makeSweepWork(const CycleSetup& setup) {
+  SweepWork work;
+  work.has_motion.resize(setup.model.links.size(), 0);
+  work.link_motions.resize(setup.model.links.size());
+  work.body_reach.resize(setup.bodies.size(), 0.0);
+  work.element_reach.resize(setup.elements.size(), 0.0);
+  for (const Element& element : setup.elements) {
+    work.element_balls.push_back(ballOf(element));
+  }
+  work.thinnest = kInfinity;
+  for (const Body& body : setup.bodies) {
+    work.thinnest = std::min(work.thinnest, thicknessOf(body.shape));
+  }
+  work.tasks.reserve(setup.element_pairs.size());
+  work.task_of.resize(setup.element_pairs.size(), kNone);
+  work.budget = setup.refine.budget;
+  return work;
+}
+
+void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
+                 const PairMemory& memory, SweepWork& work) noexcept {
+  const LastPoses& last = memory.last;
+  for (std::size_t i = 0; i < setup.model.links.size(); ++i) {
+    work.has_motion[i] = last.known[i] & body_poses.link_known[i];
+    if (work.has_motion[i] == 0 || isSame(last.world_from_link[i], poses.world_from_link[i])) {
+      work.link_motions[i] = {last.world_from_link[i]};
+    } else {
+      work.link_motions[i] = screwBetween(last.world_from_link[i], poses.world_from_link[i]);
+    }
+  }
+  std::fill(work.element_reach.begin(), work.element_reach.end(), 0.0);
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+    const Body& body = setup.bodies[i];
+    work.body_reach[i] = reachOf(body, work.link_motions[index(body.link)]);
+    double& of_element = work.element_reach[index(body.element)];
+    of_element = std::max(of_element, work.body_reach[i]);
+  }
+  const double step = 1e-9 * static_cast<double>(poses.stamp_ns - last.stamp_ns);
+  work.step = limitStep(setup, work, last.stamp_ns > 0 ? std::max(0.0, step) : 0.0);
+}
+
+void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const SweepWork& work,
+                 double reach, BodyBounds& bounds) noexcept {
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+    if (bounds.known[i] != 0 && work.body_reach[i] > 0.0) {
+      const Body& body = setup.bodies[i];
+      const ScrewMotion motion =
+          carriedBy(work.link_motions[index(body.link)], body.link_from_body);
+      bounds.boxes[i] = sweptAabbOf(body.shape, motion, body_poses.world_from_body[i], 0.5 * reach);
+    }
+  }
+}
+
+void keepPoses(const LinkPoses& poses, const BodyPoses& body_poses, LastPoses& last) noexcept {
+  last.stamp_ns = poses.stamp_ns;
+  std::copy(poses.world_from_link.begin(), poses.world_from_link.end(),
+            last.world_from_link.begin());
+  std::copy(body_poses.link_known.begin(), body_poses.link_known.end(), last.known.begin());
+}
+
+}  // namespace collision_monitor

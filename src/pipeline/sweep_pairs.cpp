@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/pipeline/sweep_pairs.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "collision_monitor/motion/moving_sphere.h"
+#include "pipeline/sweep_elements.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Distances of two bodies on their way: more than any of them needed in a million random pairs.
+constexpr std::uint32_t kBodySteps = 500;
+
+/// What every step needs.
+struct Sweeping {
+  const CycleSetup& setup;
+  const RefineWork& refined;
+  SweepWork& work;
+  PairDistances& distances;
+
+  /// Whether an entry stands for two elements and all of their bodies.
+  bool isOfElements(PairId pair) const noexcept {
+    return refined.is_measured[setup.element_pair_of[index(pair)]] != 0;
+  }
+  const CheckedLinkPair& linksOf(PairId pair) const noexcept {
+    return setup.checked[setup.link_pair_of[index(pair)]];
+  }
+  const ScrewMotion& motionOf(LinkId link) const noexcept { return work.link_motions[index(link)]; }
+  ScrewMotion motionOf(const Body& body) const noexcept {
+    return carriedBy(motionOf(body.link), body.link_from_body);
+  }
+};
+
+/// Whether two bodies, or elements if they were refined, may have met on their way, as far as their
+/// distance now and their speeds say.
+bool mayHaveMet(const Sweeping& all, const PairDistance& distance) noexcept {
+  const SweepWork& work = all.work;
+  const CheckedLinkPair& links = all.linksOf(distance.pair);
+  const double gap = distance.measured.distance - links.limits.contact_distance;
+  if (work.has_motion[index(links.a)] == 0 || work.has_motion[index(links.b)] == 0 || gap <= 0.0 ||
+      distance.quality == Quality::estimate) {
+    return false;
+  }
+  const BodyPair& bodies = all.setup.table[distance.pair];
+  if (all.isOfElements(distance.pair)) {
+    const ElementPair& pair =
+        all.setup.element_pairs[all.setup.element_pair_of[index(distance.pair)]];
+    return gap <= work.element_reach[index(pair.a)] + work.element_reach[index(pair.b)];
+  }
+  return gap <= work.body_reach[index(bodies.a)] + work.body_reach[index(bodies.b)];
+}
+
+/// Moving spheres first, then the shapes themselves.
+SweptContact sweepBodies(const Sweeping& all, PairId pair) noexcept {
+  const Body& a = all.setup.bodies[index(all.setup.table[pair].a)];
+  const Body& b = all.setup.bodies[index(all.setup.table[pair].b)];
+  const ScrewMotion motion_a = all.motionOf(a);
+  const ScrewMotion motion_b = all.motionOf(b);
+  SweepLimits limits;
+  limits.contact_distance = all.linksOf(pair).limits.contact_distance;
+  limits.budget = kBodySteps;
+  const double margin = limits.contact_distance + limits.tolerance;
+  const MovingSphere sphere_a =
+      movingSphereOf(motion_a, Eigen::Vector3d::Zero(), a.bounding_radius);
+  const MovingSphere sphere_b =
+      movingSphereOf(motion_b, Eigen::Vector3d::Zero(), b.bounding_radius);
+  if (!mayMeetBySpeed(sphere_a, sphere_b, margin) ||
+      !mayMeetByClosing(sphere_a, sphere_b, margin)) {
+    SweptContact clear;
+    clear.state = SweepState::clear;
+    return clear;
+  }
+  return firstContact({a.shape, motion_a}, {b.shape, motion_b}, limits);
+}
+
+/// What touched at the start touched in the last cycle.
+bool isNew(const SweptContact& found) noexcept {
+  return found.state == SweepState::undecided ||
+         (found.state == SweepState::contact && found.time > 0.0);
+}
+
+void tell(const Sweeping& all, PairId pair, const SweptContact& found, Quality quality,
+          bool is_refined) noexcept {
+  const CheckedLinkPair& links = all.linksOf(pair);
+  all.distances.passed.push_back({pair, quality, is_refined, found.time, found.measured,
+                                  poseAt(all.motionOf(links.a), found.time),
+                                  poseAt(all.motionOf(links.b), found.time)});
+}
+
+void addTask(const Sweeping& all, const SweepTask& task) noexcept {
+  SweepWork& work = all.work;
+  std::uint32_t& place = work.task_of[task.pair];
+  if (place == kNone) {
+    place = static_cast<std::uint32_t>(work.tasks.size());
+    work.tasks.push_back(task);
+  } else if (task.from < work.tasks[place].from) {
+    work.tasks[place] = task;
+  }
+}
+
+/// Bodies that did not meet settle the matter; of those that did, what they enclose is asked.
+void sweepDistance(const Sweeping& all, const PairDistance& distance) noexcept {
+  const CycleSetup& setup = all.setup;
+  const ElementPairIndex pair = setup.element_pair_of[index(distance.pair)];
+  ++all.work.swept;
+  if (all.isOfElements(distance.pair)) {
+    addTask(all, {pair, distance.pair, 0.0, distance.measured});  // stands for all of their bodies
+    return;
+  }
+  const SweptContact found = sweepBodies(all, distance.pair);
+  if (found.state == SweepState::clear) {
+    return;
+  }
+  const ElementPair& elements = setup.element_pairs[pair];
+  if (!setup.elements[index(elements.a)].is_body || !setup.elements[index(elements.b)].is_body) {
+    addTask(all, {pair, distance.pair, found.time, found.measured});
+  } else if (isNew(found)) {
+    const bool is_exact = distance.quality == Quality::exact && found.state == SweepState::contact;
+    tell(all, distance.pair, found, is_exact ? Quality::exact : Quality::lower_bound, false);
+  }
+}
+
+MovingElement movingElement(const Sweeping& all, ElementId id, const ScrewMotion& motion) noexcept {
+  return {all.setup.elements[index(id)], all.work.element_balls[index(id)], motion};
+}
+
+void sweepTask(const Sweeping& all, const SweepTask& task, std::uint32_t& steps_left) noexcept {
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  const Element& a = all.setup.elements[index(pair.a)];
+  const Element& b = all.setup.elements[index(pair.b)];
+  const ScrewMotion motion_a = carriedBy(all.motionOf(a.link), a.link_from_element);
+  const ScrewMotion motion_b = carriedBy(all.motionOf(b.link), b.link_from_element);
+  SweepLimits limits;
+  limits.contact_distance = all.linksOf(task.bodies).limits.contact_distance;
+  limits.from = task.from;
+  limits.budget = steps_left;
+  SweptContact found =
+      sweepElements(movingElement(all, pair.a, motion_a), movingElement(all, pair.b, motion_b),
+                    limits, *all.refined.scratch);
+  steps_left -= std::min(steps_left, found.steps);
+  if (!isNew(found)) {
+    return;
+  }
+  const bool is_contact = found.state == SweepState::contact;
+  const bool is_exact = a.is_exact && b.is_exact && a.padding + b.padding == 0.0;
+  if (!is_contact) {
+    ++all.work.left;
+    found.measured = task.measured;  // of the bodies: the elements have none that is settled
+  }
+  const Quality quality = is_contact && is_exact ? Quality::exact : Quality::lower_bound;
+  tell(all, task.bodies, found, quality, is_contact);
+}
+
+}  // namespace
+
+void sweepPairs(const CycleSetup& setup, const RefineWork& refined, SweepWork& work,
+                PairDistances& distances) noexcept {
+  const Sweeping all{setup, refined, work, distances};
+  for (const SweepTask& task : work.tasks) {
+    work.task_of[task.pair] = kNone;
+  }
+  work.tasks.clear();
+  work.swept = work.left = 0;
+  distances.passed.clear();
+  for (const PairDistance& distance : distances.measured) {
+    if (mayHaveMet(all, distance)) {
+      sweepDistance(all, distance);
+    }
+  }
+  std::sort(work.tasks.begin(), work.tasks.end(), [](const SweepTask& x, const SweepTask& y) {
+    return std::tie(x.from, x.pair) < std::tie(y.from, y.pair);
+  });
+  std::uint32_t steps_left = work.budget;
+  for (const SweepTask& task : work.tasks) {
+    sweepTask(all, task, steps_left);
+  }
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/random_motions.h"
+
+#include <memory>
+
+#include "support/convex_measure.h"
+
+namespace collision_monitor::test {
+namespace {
+
+Eigen::Vector3d randomSize(Random& random, double least, double greatest) {
+  return {uniform(random, least, greatest), uniform(random, least, greatest),
+          uniform(random, least, greatest)};
+}
+
+ConvexHull randomHull(Random& random) {
+  const double size = uniform(random, 0.05, 0.3);
+  std::vector<Eigen::Vector3d> points(12);
+  for (Eigen::Vector3d& point : points) {
+    point = randomPoint(random, size);
+  }
+  return ConvexHull(points);
+}
+
+/// Through the plate z = 0 around the origin, by 0.1 m from 0.03 to 0.07 m above it.
+ScrewMotion crossingMotion(Random& random) {
+  Pose start{randomRotation(random), randomPoint(random, 0.1)};
+  start.translation.z() = uniform(random, 0.03, 0.07);
+  const Eigen::Vector3d aside = randomPoint(random, 0.05);
+  const Eigen::Vector3d travel = 0.1 * Eigen::Vector3d(aside.x(), aside.y(), -0.1).normalized();
+  const Eigen::Vector3d axis = randomPoint(random, 1.0).normalized();
+  const Pose turn{Eigen::AngleAxisd(uniform(random, 0.0, 0.5), axis).toRotationMatrix(),
+                  Eigen::Vector3d::Zero()};
+  Pose end = turn * start;
+  end.translation = start.translation + travel;
+  return screwBetween(start, end);
+}
+
+}  // namespace
+
+Shape randomShape(Random& random) {
+  const Eigen::Vector3d size = randomSize(random, 0.01, 0.2);
+  switch (random() % 4) {
+    case 0:
+      return Sphere{size.x()};
+    case 1:
+      return Capsule{size.x(), size.y()};
+    case 2:
+      return Box{size};
+    default:
+      return RoundedBox{size, 0.3 * size.x()};
+  }
+}
+
+ConvexGeometry randomGeometry(Random& random) {
+  const Eigen::Vector3d size = randomSize(random, 0.001, 0.3);
+  switch (random() % 6) {
+    case 0:
+      return Sphere{size.x()};
+    case 1:
+      return Capsule{size.x(), size.y()};
+    case 2:
+      return Box{size};
+    case 3:
+      return RoundedBox{size, 0.3 * size.x()};
+    case 4:
+      return Cylinder{size.x(), size.y()};
+    default:
+      return randomHull(random);
+  }
+}
+
+ScrewMotion randomMotion(Random& random, double reach, double travel, double turn) {
+  ScrewMotion motion;
+  motion.start = randomPose(random, reach);
+  motion.travel = randomPoint(random, travel);
+  motion.turn = uniform(random, 0.0, turn) * randomPoint(random, 1.0).normalized();
+  return motion;
+}
+
+SweptContact meetConvex(const ConvexGeometry& a, const ScrewMotion& motion_a,
+                        const ConvexGeometry& b, const ScrewMotion& motion_b,
+                        double contact_distance) {
+  static thread_local const auto workspace = std::make_unique<ConvexWorkspace>();
+  ConvexWarmStart warm;
+  ConvexSearch search{*workspace, warm};
+  SweepLimits limits;
+  limits.contact_distance = contact_distance;
+  limits.budget = 100000;
+  return firstContact(MovingConvex{a, ballOf(a), motion_a}, MovingConvex{b, ballOf(b), motion_b},
+                      limits, search);
+}
+
+PlateCrossing randomCrossing(Random& random) {
+  PlateCrossing scene;
+  scene.plate = Box{{0.3, 0.3, uniform(random, 0.0005, 0.0025)}};
+  scene.still = screwBetween(Pose(), Pose());
+  do {
+    const Eigen::Vector3d size(uniform(random, 0.005, 0.05), uniform(random, 0.005, 0.05),
+                               uniform(random, 0.0005, 0.0025));
+    scene.body = random() % 2 == 0 ? ConvexGeometry(Box{size})
+                                   : ConvexGeometry(Cylinder{size.z(), size.x()});
+    scene.crossing = crossingMotion(random);
+  } while (
+      measureCold(scene.plate, Pose(), scene.body, poseAt(scene.crossing, 0.0)).measured.distance <=
+          1e-4 ||
+      measureCold(scene.plate, Pose(), scene.body, poseAt(scene.crossing, 1.0)).measured.distance <=
+          1e-4 ||
+      poseAt(scene.crossing, 1.0).translation.z() >= 0.0);
+  return scene;
+}
+
+}  // namespace collision_monitor::test

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/pipeline/sweep_pairs.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "collision_monitor/pipeline/run_cycle.h"
+#include "support/geometry_setup.h"
+#include "support/hand_made_setup.h"
+
+namespace collision_monitor::test {
+namespace {
+
+constexpr double kPi = 3.141592653589793;
+
+/// Cycles 20 ms apart.
+struct Scene {
+  CycleSetup setup;
+  CycleBuffers buffers;
+  LinkPoses poses;
+
+  explicit Scene(CycleSetup made, bool is_continuous = true) : setup(std::move(made)) {
+    setup.is_continuous = is_continuous;
+    buffers = makeBuffers(setup, BroadPhaseKind::sweep_and_prune);
+    poses = knownPoses(setup);
+    poses.stamp_ns = 1'000'000'000;
+  }
+  Pose& link(std::size_t i) { return poses.world_from_link[i]; }
+  void run() {
+    runCycle(setup, poses, buffers);
+    poses.stamp_ns += 20'000'000;
+  }
+  Verdict verdict() const { return buffers.events.verdicts[0]; }
+  const std::vector<PassedContact>& passed() const { return buffers.distances.passed; }
+};
+
+/// A plate 2 mm thick across x at the origin, and a ball of radius 1 cm on its left.
+Scene plateAndBall(const Limits& limits = Limits(), bool is_continuous = true) {
+  Scene scene(handMadeSetup({{0, Box{{0.001, 0.3, 0.3}}}, {1, Sphere{0.01}}}, limits),
+              is_continuous);
+  scene.link(1).translation = {-0.091, 0.1, 0.0};
+  scene.run();
+  return scene;
+}
+
+TEST(SweepPairs, ballPassesAPlate_contactInThatCycleAtItsTime) {
+  Scene scene = plateAndBall();
+  EXPECT_EQ(scene.verdict(), Verdict::clear);
+  scene.link(1).translation.x() = 0.229;  // 16 m/s
+  scene.run();
+  EXPECT_EQ(scene.verdict(), Verdict::contact);
+  EXPECT_EQ(scene.buffers.events.overall, Verdict::contact);
+  ASSERT_EQ(scene.passed().size(), 1U);
+  const PassedContact& contact = scene.passed()[0];
+  EXPECT_NEAR(contact.time, 0.25, 1e-9);  // 0.08 m of 0.32 m
+  EXPECT_EQ(contact.quality, Quality::exact);
+  EXPECT_TRUE(contact.measured.point_on_a.isApprox(Eigen::Vector3d(-0.001, 0.1, 0), 1e-9));
+  EXPECT_NEAR(contact.world_from_link_b.translation.x(), -0.011, 1e-9);
+  EXPECT_EQ(contact.world_from_link_a.translation.norm(), 0.0);
+  EXPECT_EQ(scene.buffers.events.passed[0], 0U);
+  ASSERT_EQ(scene.buffers.events.changes.size(), 1U);
+  EXPECT_EQ(scene.buffers.events.changes[0].after, Verdict::contact);
+}
+
+TEST(SweepPairs, nextCycle_isClearAgain) {
+  Scene scene = plateAndBall();
+  scene.link(1).translation.x() = 0.229;
+  scene.run();
+  scene.run();
+  EXPECT_EQ(scene.verdict(), Verdict::clear);
+  EXPECT_TRUE(scene.passed().empty());
+  EXPECT_EQ(scene.buffers.counters.swept, 0U);
+}
+
+TEST(SweepPairs, passesBeside_isClear) {
+  Scene scene = plateAndBall();
+  scene.link(1).translation = {-0.091, 0.0, 0.311};
+  scene.run();
+  scene.link(1).translation.x() = 0.229;
+  scene.run();
+  EXPECT_EQ(scene.buffers.counters.swept, 1U);
+  EXPECT_TRUE(scene.passed().empty());
+}
+
+TEST(SweepPairs, switchedOff_seesNothing) {
+  Scene scene = plateAndBall(Limits(), false);
+  scene.link(1).translation.x() = 0.229;
+  scene.run();
+  EXPECT_EQ(scene.verdict(), Verdict::clear);
+}
+
+TEST(SweepPairs, afterAResetOrAGapInTheData_nothingIsJoined) {
+  Scene scene = plateAndBall();
+  resetMemory(scene.buffers);
+  scene.link(1).translation.x() = 0.229;
+  scene.run();
+  EXPECT_EQ(scene.verdict(), Verdict::clear);
+  scene.poses.status[1] = LinkStatus::stale;
+  scene.run();
+  scene.poses.status[1] = LinkStatus::known;
+  scene.link(1).translation.x() = -0.091;
+  scene.run();
+  EXPECT_EQ(scene.verdict(), Verdict::clear);
+  scene.link(1).translation.x() = 0.229;
+  scene.run();
+  EXPECT_EQ(scene.verdict(), Verdict::contact);
+}
+
+TEST(SweepPairs, inContactNow_isToldOnceAsThat) {
+  Scene scene = plateAndBall();
+  scene.link(1).translation.x() = 0.0;
+  scene.run();
+  EXPECT_EQ(scene.verdict(), Verdict::contact);
+  EXPECT_TRUE(scene.passed().empty());
+  scene.link(1).translation.x() = 0.229;
+  scene.run();
+  EXPECT_TRUE(scene.passed().empty()) << "it left the contact that was told";
+}
+
+TEST(SweepPairs, contactDistance_countsOnTheWay) {
+  Limits limits;
+  limits.contact_distance = 0.02;
+  Scene scene = plateAndBall(limits);
+  scene.link(1).translation = {-0.1, 0.0, 0.325};  // 15 mm above the edge when it passes
+  scene.run();
+  scene.link(1).translation.x() = 0.1;
+  scene.run();
+  ASSERT_EQ(scene.passed().size(), 1U);
+  EXPECT_NEAR(scene.passed()[0].measured.distance, 0.02, 2e-7);
+}
+
+TEST(SweepPairs, rodTurnsThroughABall_isFoundOnItsArc) {
+  // Half a turn about the origin by a rod from x = 0.2 to 0.4; the ball on the y axis.
+  const Pose along_x{Eigen::AngleAxisd(0.5 * kPi, Eigen::Vector3d::UnitY()).toRotationMatrix(),
+                     {0.3, 0.0, 0.0}};
+  Scene scene(handMadeSetup({{0, Capsule{0.1, 0.01}, along_x}, {1, Sphere{0.01}}}));
+  scene.link(1).translation = {0.0, 0.3, 0.0};
+  scene.run();
+  scene.link(0).rotation =
+      Eigen::AngleAxisd(0.9 * kPi, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  scene.run();
+  ASSERT_EQ(scene.passed().size(), 1U);
+  EXPECT_NEAR(scene.passed()[0].time, (0.5 * kPi - std::asin(0.02 / 0.3)) / (0.9 * kPi), 1e-6);
+}
+
+TEST(SweepPairs, stepLimit_isTheThinnestOverTheSpeeds) {
+  Scene scene = plateAndBall();
+  EXPECT_EQ(scene.buffers.sweep.step.step, 0.0);
+  scene.link(0).translation.x() += 0.01;  // 0.5 m/s, and 1.5 m/s
+  scene.link(1).translation.x() -= 0.03;
+  scene.run();
+  const StepLimit& step = scene.buffers.sweep.step;
+  EXPECT_NEAR(step.step, 0.02, 1e-12);
+  EXPECT_NEAR(step.speed, 1.5, 1e-12);
+  EXPECT_NEAR(step.longest, 0.002 / 2.0, 1e-12);
+  EXPECT_TRUE(step.is_exceeded);
+  scene.run();
+  EXPECT_TRUE(std::isinf(scene.buffers.sweep.step.longest)) << "nothing moves";
+  EXPECT_FALSE(scene.buffers.sweep.step.is_exceeded);
+}
+
+/// Two angles of bars 0.1 m thick (see geometry_setup.h), the second moved.
+Scene angles(const RefineLimits& refine) {
+  SetupOptions options;
+  options.default_limits.max_shapes = 1;  // one shape holds the hollow of the angle too
+  options.refine.limits = refine;
+  return Scene(geometrySetup({angleMesh(), Sphere{0.02}}, options));
+}
+
+TEST(SweepPairs, throughTheHollowOfAMesh_onlyItsShapeIsMet) {
+  Scene scene = angles(RefineLimits());
+  scene.link(1).translation = {0.2, 0.2, -0.2};  // beside both bars, within the shape
+  scene.run();
+  scene.link(1).translation.z() = 0.2;
+  scene.run();
+  EXPECT_EQ(scene.buffers.counters.swept, 1U);
+  EXPECT_TRUE(scene.passed().empty());
+  EXPECT_EQ(scene.verdict(), Verdict::clear);
+}
+
+TEST(SweepPairs, throughABarOfAMesh_isFoundOnTheMesh) {
+  Scene scene = angles(RefineLimits());
+  scene.link(1).translation = {0.2, 0.05, -0.2};
+  scene.run();
+  scene.link(1).translation.z() = 0.2;
+  scene.run();
+  ASSERT_EQ(scene.passed().size(), 1U);
+  const PassedContact& contact = scene.passed()[0];
+  EXPECT_TRUE(contact.is_refined);
+  EXPECT_EQ(contact.quality, Quality::exact);
+  EXPECT_NEAR(contact.time, (0.2 - 0.07) / 0.4, 1e-6);
+  EXPECT_NEAR(contact.measured.point_on_a.z(), -0.05, 1e-6);
+}
+
+TEST(SweepPairs, budgetSpent_aContactOfEnclosingShapes) {
+  Scene scene = angles({0.05, 0});
+  scene.link(1).translation = {0.2, 0.2, -0.2};
+  scene.run();
+  scene.link(1).translation.z() = 0.2;
+  scene.run();
+  ASSERT_EQ(scene.passed().size(), 1U);
+  EXPECT_EQ(scene.passed()[0].quality, Quality::lower_bound);
+  EXPECT_EQ(scene.buffers.counters.swept_left, 1U);
+  EXPECT_EQ(scene.verdict(), Verdict::contact);
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
