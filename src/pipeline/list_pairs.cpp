@@ -109,6 +109,10 @@ void listPairs(CycleSetup& setup) {
   }
   setup.ranges.clear();
   setup.link_pair_of.clear();
+  setup.cores.clear();
+  for (const Body& body : setup.bodies) {
+    setup.cores.push_back(coreOf(body.shape));
+  }
   std::vector<BodyPair> pairs;
   for (const ListedPair& pair : listBodyPairs(setup)) {
     extendRanges(pair, pairs.size(), setup.ranges);

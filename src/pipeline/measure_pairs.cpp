@@ -4,21 +4,67 @@
 #include <limits>
 
 #include "collision_monitor/narrow_phase/distance.h"
+#include "collision_monitor/narrow_phase/pair_rows.h"
 #include "collision_monitor/pipeline/run_cycle.h"
+#include "narrow_phase/core_distance.h"
 
 namespace collision_monitor {
 namespace {
 
+PairDistance pairDistance(const CycleSetup& setup, PairId id,
+                          const SignedDistance& measured) noexcept {
+  const BodyPair& pair = setup.table[id];
+  const bool is_exact =
+      setup.bodies[index(pair.a)].is_exact && setup.bodies[index(pair.b)].is_exact;
+  return {id, is_exact ? Quality::exact : Quality::lower_bound, false, measured};
+}
+
 PairDistance measurePair(const CycleSetup& setup, const BodyPoses& body_poses, PairId id) noexcept {
   const BodyPair& pair = setup.table[id];
-  const Body& a = setup.bodies[index(pair.a)];
-  const Body& b = setup.bodies[index(pair.b)];
-  PairDistance distance;
-  distance.pair = id;
-  distance.quality = a.is_exact && b.is_exact ? Quality::exact : Quality::lower_bound;
-  distance.measured = distanceBetween(a.shape, body_poses.world_from_body[index(pair.a)], b.shape,
-                                      body_poses.world_from_body[index(pair.b)]);
-  return distance;
+  const std::size_t a = index(pair.a);
+  const std::size_t b = index(pair.b);
+  return pairDistance(setup, id,
+                      distanceBetween(setup.bodies[a].shape, body_poses.world_from_body[a],
+                                      setup.bodies[b].shape, body_poses.world_from_body[b]));
+}
+
+/// Rows hold the simpler core first, the table the body of the lower id.
+bool isSwapped(const CycleSetup& setup, const BodyPair& pair) noexcept {
+  return setup.cores[index(pair.a)].kind > setup.cores[index(pair.b)].kind;
+}
+
+void writePair(const CycleSetup& setup, const BodyPoses& body_poses, PairId id, std::size_t row,
+               PairRows& rows) noexcept {
+  const BodyPair& pair = setup.table[id];
+  const bool is_swapped = isSwapped(setup, pair);
+  const std::size_t a = index(pair.a);
+  const std::size_t b = index(pair.b);
+  writeRow(setup.cores[a], body_poses.world_from_body[a], row, is_swapped ? rows.b : rows.a);
+  writeRow(setup.cores[b], body_poses.world_from_body[b], row, is_swapped ? rows.a : rows.b);
+}
+
+/// Pairs of one kind, at most kRowCount of them.
+struct PairBatch {
+  CoreKind a;
+  CoreKind b;
+  const PairId* first;
+  std::size_t count;
+};
+
+void measureBatch(const CycleSetup& setup, const BodyPoses& body_poses, const PairBatch& batch,
+                  PairDistances& distances) noexcept {
+  PairRows rows;  // on the stack, and nothing of it is touched that a pair does not need
+  for (std::size_t row = 0; row < batch.count; ++row) {
+    writePair(setup, body_poses, batch.first[row], row, rows);
+  }
+  measureRows(batch.a, batch.b, batch.count, rows);
+  for (std::size_t row = 0; row < batch.count; ++row) {
+    const PairId id = batch.first[row];
+    const SignedDistance measured = readAnswer(rows, row);
+    const bool is_swapped = isSwapped(setup, setup.table[id]);
+    distances.measured.push_back(
+        pairDistance(setup, id, is_swapped ? swapped(measured) : measured));
+  }
 }
 
 /// Distance of the bounding spheres: a lower bound of the pair's.
@@ -82,8 +128,17 @@ bool isNearer(const PairDistance& one, const PairDistance& other) noexcept {
 void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                   const std::vector<PairId>& pairs, PairDistances& distances) noexcept {
   distances.measured.clear();
-  for (const PairId pair : pairs) {
-    distances.measured.push_back(measurePair(setup, body_poses, pair));
+  std::size_t next = 0;
+  for (const PairRange& range : setup.ranges) {
+    while (next < pairs.size() && index(pairs[next]) < range.last) {
+      const std::size_t end = std::min(pairs.size(), next + kRowCount);
+      std::size_t stop = next + 1;
+      while (stop < end && index(pairs[stop]) < range.last) {
+        ++stop;
+      }
+      measureBatch(setup, body_poses, {range.a, range.b, &pairs[next], stop - next}, distances);
+      next = stop;
+    }
   }
 }
 

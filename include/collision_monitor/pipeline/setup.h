@@ -13,6 +13,7 @@
 #include "collision_monitor/model/robot_model.h"
 #include "collision_monitor/model/shape_rules.h"
 #include "collision_monitor/model/urdf_reader.h"
+#include "collision_monitor/narrow_phase/pair_rows.h"
 #include "collision_monitor/pipeline/element.h"
 
 namespace collision_monitor {
@@ -65,6 +66,7 @@ struct PairRange {
 struct CycleSetup {
   RobotModel model;
   std::vector<Body> bodies;                       ///< by BodyId, in order of link
+  std::vector<Core> cores;                        ///< by BodyId: of its shape, for rows of pairs
   std::vector<BodyLabel> labels;                  ///< by BodyId
   std::vector<LinkPair> link_pairs;               ///< all, with the reason why (not)
   std::vector<CheckedLinkPair> checked;           ///< by LinkPairIndex, sorted by (a, b)

@@ -126,8 +126,8 @@ TEST(RunCycleProperty, verdictsAndClosestAreThoseOfMeasuringEveryPair) {
       ASSERT_EQ(buffers.events.verdicts[i], expected) << "distance " << least;
     }
     ASSERT_NE(buffers.events.closest_of_all, kNone);
-    EXPECT_EQ(buffers.distances.measured[buffers.events.closest_of_all].measured.distance,
-              least_of_all);
+    EXPECT_NEAR(buffers.distances.measured[buffers.events.closest_of_all].measured.distance,
+                least_of_all, 1e-12);
   }
 }
 

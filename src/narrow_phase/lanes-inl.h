@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Vectors of three numbers a lane, and shapes read from columns. Compiled once for each
+// instruction set, hence the guard that is undone and set again.
+#if defined(COLLISION_MONITOR_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COLLISION_MONITOR_LANES_INL_H_
+#undef COLLISION_MONITOR_LANES_INL_H_
+#else
+#define COLLISION_MONITOR_LANES_INL_H_
+#endif
+
+#include <cstddef>
+#include <limits>
+
+#include "collision_monitor/narrow_phase/pair_rows.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace collision_monitor {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Lanes = hn::ScalableTag<double>;
+using Number = hn::Vec<Lanes>;
+using Truth = hn::Mask<Lanes>;
+
+HWY_INLINE Number number(double value) { return hn::Set(Lanes(), value); }
+HWY_INLINE Number zero() { return hn::Zero(Lanes()); }
+
+struct Vector3 {
+  Number x, y, z;
+};
+
+HWY_INLINE Vector3 operator+(const Vector3& a, const Vector3& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+HWY_INLINE Vector3 operator-(const Vector3& a, const Vector3& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE Vector3 scaled(Number s, const Vector3& v) {
+  return {hn::Mul(s, v.x), hn::Mul(s, v.y), hn::Mul(s, v.z)};
+}
+HWY_INLINE Vector3 negated(const Vector3& v) { return {hn::Neg(v.x), hn::Neg(v.y), hn::Neg(v.z)}; }
+/// a + s b
+HWY_INLINE Vector3 along(const Vector3& a, Number s, const Vector3& b) { return a + scaled(s, b); }
+HWY_INLINE Number dot(const Vector3& a, const Vector3& b) {
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+HWY_INLINE Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
+          hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+HWY_INLINE Number norm(const Vector3& v) { return hn::Sqrt(dot(v, v)); }
+HWY_INLINE Number sumOf(const Vector3& v) { return hn::Add(hn::Add(v.x, v.y), v.z); }
+HWY_INLINE Vector3 absolute(const Vector3& v) { return {hn::Abs(v.x), hn::Abs(v.y), hn::Abs(v.z)}; }
+HWY_INLINE Vector3 select(Truth which, const Vector3& yes, const Vector3& no) {
+  return {hn::IfThenElse(which, yes.x, no.x), hn::IfThenElse(which, yes.y, no.y),
+          hn::IfThenElse(which, yes.z, no.z)};
+}
+/// Within [-half, half].
+HWY_INLINE Number clamped(Number half, Number value) {
+  return hn::Max(hn::Neg(half), hn::Min(half, value));
+}
+HWY_INLINE Vector3 clamped(const Vector3& half, const Vector3& v) {
+  return {clamped(half.x, v.x), clamped(half.y, v.y), clamped(half.z, v.z)};
+}
+/// -1 below zero, else 1.
+HWY_INLINE Number signOf(Number value) {
+  return hn::IfThenElse(hn::Lt(value, zero()), number(-1.0), number(1.0));
+}
+
+/// Three columns of a rotation.
+struct Axes {
+  Vector3 x, y, z;
+};
+/// From the frame of the axes.
+HWY_INLINE Vector3 out(const Axes& axes, const Vector3& v) {
+  return along(along(scaled(v.x, axes.x), v.y, axes.y), v.z, axes.z);
+}
+/// Into the frame of the axes.
+HWY_INLINE Vector3 into(const Axes& axes, const Vector3& v) {
+  return {dot(axes.x, v), dot(axes.y, v), dot(axes.z, v)};
+}
+
+/// Neighbouring shapes, one a lane: column c of the first stands at first[c * stride].
+struct ShapeLanes {
+  const double* first;
+  std::size_t stride;
+
+  HWY_INLINE Number at(std::size_t c) const { return hn::LoadU(Lanes(), first + c * stride); }
+};
+
+/// The same shape in every lane.
+struct OneShape {
+  const double* first;
+  std::size_t stride;
+
+  HWY_INLINE Number at(std::size_t c) const { return number(first[c * stride]); }
+};
+
+template <class Source>
+HWY_INLINE Vector3 vectorAt(const Source& source, std::size_t c) {
+  return {source.at(c), source.at(c + 1), source.at(c + 2)};
+}
+
+struct PointCore {
+  static constexpr CoreKind kKind = CoreKind::point;
+  Vector3 center;
+  Number radius;
+
+  template <class Source>
+  HWY_INLINE explicit PointCore(const Source& source)
+      : center(vectorAt(source, column::center)), radius(source.at(column::radius)) {}
+};
+
+struct SegmentCore {
+  static constexpr CoreKind kKind = CoreKind::segment;
+  Vector3 center;
+  Number radius;
+  Vector3 direction;
+  Number half_length;
+
+  template <class Source>
+  HWY_INLINE explicit SegmentCore(const Source& source)
+      : center(vectorAt(source, column::center)),
+        radius(source.at(column::radius)),
+        direction(vectorAt(source, column::axis_z)),
+        half_length(source.at(column::half_z)) {}
+};
+
+struct BoxCore {
+  static constexpr CoreKind kKind = CoreKind::box;
+  Vector3 center;
+  Number radius;
+  Axes axes;
+  Vector3 half_extents;
+
+  template <class Source>
+  HWY_INLINE explicit BoxCore(const Source& source)
+      : center(vectorAt(source, column::center)),
+        radius(source.at(column::radius)),
+        axes{vectorAt(source, column::axis_x), vectorAt(source, column::axis_y),
+             vectorAt(source, column::axis_z)},
+        half_extents{source.at(column::half_x), source.at(column::half_y),
+                     source.at(column::half_z)} {}
+};
+
+/// Of two bare cores: as SignedDistance, without the second point, which follows from the rest.
+/// A distance of NaN: the plain twin has to decide.
+struct CoreAnswer {
+  Number distance;
+  Vector3 point_on_a;
+  Vector3 normal;
+};
+
+HWY_INLINE Number sureWhere(Truth is_sure, Number distance) {
+  return hn::IfThenElse(is_sure, distance, number(std::numeric_limits<double>::quiet_NaN()));
+}
+
+// NOLINTNEXTLINE(google-readability-namespace-comments)
+}  // namespace HWY_NAMESPACE
+}  // namespace collision_monitor
+HWY_AFTER_NAMESPACE();
+
+#endif

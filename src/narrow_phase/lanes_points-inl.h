@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Points and segments in lanes: distance_point_point.cpp, distance_point_segment.cpp,
+// distance_segment_segment.cpp and distance_point_box.cpp with their cases as selections.
+#if defined(COLLISION_MONITOR_LANES_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COLLISION_MONITOR_LANES_POINTS_INL_H_
+#undef COLLISION_MONITOR_LANES_POINTS_INL_H_
+#else
+#define COLLISION_MONITOR_LANES_POINTS_INL_H_
+#endif
+
+#include "narrow_phase/core_distance.h"
+#include "narrow_phase/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace collision_monitor {
+namespace HWY_NAMESPACE {
+
+/// From two nearest points, sure where they are more than `least` apart.
+HWY_INLINE CoreAnswer answerOfPoints(const Vector3& on_a, const Vector3& on_b, double least) {
+  const Vector3 between = on_b - on_a;
+  const Number distance = norm(between);
+  return {sureWhere(hn::Gt(distance, number(least)), distance), on_a,
+          scaled(hn::Div(number(1.0), distance), between)};
+}
+
+HWY_INLINE CoreAnswer coreDistance(const PointCore& a, const PointCore& b) {
+  return answerOfPoints(a.center, b.center, kTouching);
+}
+
+HWY_INLINE CoreAnswer coreDistance(const PointCore& a, const SegmentCore& b) {
+  const Number parameter = clamped(b.half_length, dot(b.direction, a.center - b.center));
+  return answerOfPoints(a.center, along(b.center, parameter, b.direction), kNear);
+}
+
+struct LaneParameters {
+  Number on_a, on_b;
+};
+
+/// closestParameters of closest_points.h.
+HWY_INLINE LaneParameters closestInLanes(const Vector3& between, const Vector3& u, Number half_a,
+                                         const Vector3& v, Number half_b) {
+  const Vector3 n = cross(u, v);
+  const Number sine_squared = dot(n, n);
+  const Number cosine = dot(u, v);
+  const Number b_on_a = dot(u, between);
+  const Number a_on_b = hn::Neg(dot(v, between));
+  const Number crossing = hn::Div(dot(cross(between, v), n), sine_squared);
+  const Number low = hn::Max(hn::Neg(half_a), hn::Sub(b_on_a, half_b));
+  const Number high = hn::Min(half_a, hn::Add(b_on_a, half_b));
+  const Number beside = hn::Mul(number(0.5), hn::Add(low, high));
+  const Truth is_crossing = hn::Gt(sine_squared, number(kParallel * kParallel));
+  const Number first = clamped(half_a, hn::IfThenElse(is_crossing, crossing, beside));
+  const Number on_b = clamped(half_b, hn::Add(a_on_b, hn::Mul(first, cosine)));
+  return {clamped(half_a, hn::Add(b_on_a, hn::Mul(on_b, cosine))), on_b};
+}
+
+HWY_INLINE CoreAnswer coreDistance(const SegmentCore& a, const SegmentCore& b) {
+  const LaneParameters closest =
+      closestInLanes(b.center - a.center, a.direction, a.half_length, b.direction, b.half_length);
+  return answerOfPoints(along(a.center, closest.on_a, a.direction),
+                        along(b.center, closest.on_b, b.direction), kNear);
+}
+
+/// Where one of three numbers is the largest; of equal ones the first.
+struct LargestOfThree {
+  Number value;
+  Truth is_y, is_z;
+};
+
+HWY_INLINE LargestOfThree largestOf(const Vector3& v) {
+  const Truth is_y = hn::Gt(v.y, v.x);
+  const Number of_two = hn::IfThenElse(is_y, v.y, v.x);
+  const Truth is_z = hn::Gt(v.z, of_two);
+  return {hn::IfThenElse(is_z, v.z, of_two), hn::AndNot(is_z, is_y), is_z};
+}
+
+/// `value` at the place of the largest, zero elsewhere.
+HWY_INLINE Vector3 atPlaceOf(const LargestOfThree& largest, const Vector3& value) {
+  return {hn::IfThenZeroElse(hn::Or(largest.is_y, largest.is_z), value.x),
+          hn::IfThenElseZero(largest.is_y, value.y), hn::IfThenElseZero(largest.is_z, value.z)};
+}
+
+HWY_INLINE CoreAnswer coreDistance(const PointCore& a, const BoxCore& b) {
+  const Vector3 here = into(b.axes, a.center - b.center);
+  const Vector3 outward = here - clamped(b.half_extents, here);
+  const Number outside = norm(outward);
+  const Truth is_outside = hn::Gt(outside, number(kTouching));
+  // Inside: the nearest face is the way out.
+  const LargestOfThree face = largestOf(absolute(here) - b.half_extents);
+  const Vector3 inward =
+      atPlaceOf(face, {hn::Neg(signOf(here.x)), hn::Neg(signOf(here.y)), hn::Neg(signOf(here.z))});
+  const Vector3 normal =
+      select(is_outside, scaled(hn::Div(number(-1.0), outside), outward), inward);
+  const Number distance = hn::IfThenElse(is_outside, outside, face.value);
+  // A number that is not one compares with nothing, which would read as inside.
+  const Truth is_number = hn::Eq(outside, outside);
+  return {sureWhere(is_number, distance), a.center, out(b.axes, normal)};
+}
+
+// NOLINTNEXTLINE(google-readability-namespace-comments)
+}  // namespace HWY_NAMESPACE
+}  // namespace collision_monitor
+HWY_AFTER_NAMESPACE();
+
+#endif
