@@ -19,8 +19,9 @@ ConvexCore coreOf(const Sphere&) noexcept { return {}; }
 ConvexCore coreOf(const Capsule& s) noexcept { return {Kind::box, {0.0, 0.0, s.half_length}}; }
 ConvexCore coreOf(const Box& s) noexcept { return {Kind::box, s.half_extents}; }
 ConvexCore coreOf(const RoundedBox& s) noexcept { return {Kind::box, s.half_extents}; }
+// Without width it is a segment, which has corners to end a search on.
 ConvexCore coreOf(const Cylinder& s) noexcept {
-  return {Kind::cylinder, {s.radius, s.radius, s.half_length}};
+  return {s.radius > 0.0 ? Kind::cylinder : Kind::box, {s.radius, s.radius, s.half_length}};
 }
 ConvexCore coreOf(const ConvexHull& hull) noexcept {
   return {Kind::hull, Eigen::Vector3d::Zero(), &hull};

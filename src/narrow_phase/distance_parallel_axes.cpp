@@ -10,12 +10,6 @@
 namespace collision_monitor {
 namespace {
 
-bool isRound(const ConvexCore& core) noexcept {
-  const bool is_segment = core.kind == ConvexCore::Kind::box && core.half_extents.x() == 0.0 &&
-                          core.half_extents.y() == 0.0;
-  return core.kind == ConvexCore::Kind::cylinder || is_segment;
-}
-
 bool isPoint(const ConvexCore& core) noexcept {
   return core.kind == ConvexCore::Kind::box && core.half_extents.isZero(0.0);
 }
@@ -53,6 +47,12 @@ HalfPlane makeHalfPlane(const Eigen::Vector3d& axis, const Eigen::Vector3d& cent
 }
 
 }  // namespace
+
+bool isRound(const ConvexCore& core) noexcept {
+  const bool is_segment = core.kind == ConvexCore::Kind::box && core.half_extents.x() == 0.0 &&
+                          core.half_extents.y() == 0.0;
+  return core.kind == ConvexCore::Kind::cylinder || is_segment;
+}
 
 bool distanceOfParallelAxes(const ConvexPair& pair, SignedDistance& cores) noexcept {
   if (!isRound(pair.a) || !isRound(pair.b)) {

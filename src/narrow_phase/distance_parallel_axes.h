@@ -7,6 +7,9 @@
 
 namespace collision_monitor {
 
+/// A cylinder or a segment.
+bool isRound(const ConvexCore& core) noexcept;
+
 /// Two cylinders whose axes are parallel; a segment is one of radius 0, a point one of length 0
 /// too, whose axis is parallel to any.
 ///

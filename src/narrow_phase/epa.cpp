@@ -105,34 +105,41 @@ bool isVertex(const SupportVertex& vertex, const ConvexWorkspace& polytope) noex
 // Faces on a curved surface shrink to a quarter of their sag at a time, so that every digit has
 // its price; depth is asked for less sharply than distance.
 double depthTolerance(const ConvexPair& pair) noexcept {
-  return pair.isSmooth() ? 1e-11 * pair.size : roundingOf(pair);
+  return pair.isSmooth() ? 1e-10 * pair.size : roundingOf(pair);
 }
 
-// Grows until the bounds meet.
+// Grows until the bounds meet: at a face that the difference hardly passes, or, where rounding
+// keeps the nearest face from being refined, at the best plane.
 void refine(ConvexPair& pair, ConvexWorkspace& polytope, Penetration& best) noexcept {
   const double tolerance = depthTolerance(pair);
+  // On a curved surface a plane elsewhere may be as good, but its normal would not go with the
+  // points of the nearest face.
+  const double tie = pair.isSmooth() ? 0.0 : tolerance;
   // A vertex beyond this is new for sure.
   const double certain = 1e-9 * pair.size;
   for (;;) {
     const std::size_t nearest = nearestFace(polytope);
-    if (polytope.keys[nearest] >= best.depth - tolerance) {
+    if (polytope.keys[nearest] >= best.depth - tie) {
       best.is_settled = true;
       return;
     }
     const Face& face = polytope.faces[nearest];
     const SupportVertex vertex = farthestAlong(face.normal, pair);
     const double plane = face.normal.dot(vertex.difference);
-    if (plane < best.depth) {
+    const double beyond = plane - face.offset;
+    if (plane < best.depth || beyond <= tolerance) {
       best.depth = plane;
       best.outward = face.normal;
     }
-    const double beyond = plane - face.offset;
-    if (beyond <= tolerance || (beyond < certain && isVertex(vertex, polytope))) {
-      polytope.keys[nearest] = plane;
-      continue;
+    if (beyond <= tolerance) {
+      best.is_settled = true;
+      return;
     }
-    const Growth growth = grow(vertex, nearest, roundingOf(pair), polytope);
+    const bool is_known = beyond < certain && isVertex(vertex, polytope);
+    const Growth growth =
+        is_known ? Growth::refused : grow(vertex, nearest, roundingOf(pair), polytope);
     if (growth == Growth::full) {
+      best.at_least = polytope.keys[nearest];
       return;
     }
     if (growth == Growth::refused) {
@@ -141,20 +148,45 @@ void refine(ConvexPair& pair, ConvexWorkspace& polytope, Penetration& best) noex
   }
 }
 
-// Weights of the corners at the foot of the perpendicular from the origin, none negative.
-Eigen::Vector3d weightsOf(const Face& face, const ConvexWorkspace& polytope) noexcept {
-  const Eigen::Vector3d& p = polytope.vertices[face.corners[0]].difference;
-  const Eigen::Vector3d first = polytope.vertices[face.corners[1]].difference - p;
-  const Eigen::Vector3d second = polytope.vertices[face.corners[2]].difference - p;
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+// Weights of the corners at the foot of the perpendicular from the origin, none negative; false if
+// it lies outside.
+bool weighInside(const Corners& p, Eigen::Vector3d& weights) noexcept {
+  const Eigen::Vector3d first = p[1] - p[0];
+  const Eigen::Vector3d second = p[2] - p[0];
   const Eigen::Vector3d normal = first.cross(second);
   const double squared = normal.squaredNorm();
-  if (!(squared > 0.0)) {
-    return Eigen::Vector3d::Constant(1.0 / 3.0);
+  const double u = -p[0].cross(second).dot(normal);
+  const double v = -first.cross(p[0]).dot(normal);
+  if (!(squared > 0.0) || u < 0.0 || v < 0.0 || u + v > squared) {
+    return false;
   }
-  const double u = -p.cross(second).dot(normal) / squared;
-  const double v = -first.cross(p).dot(normal) / squared;
-  const Eigen::Vector3d weights = Eigen::Vector3d(1.0 - u - v, u, v).cwiseMax(0.0);
-  return weights / weights.sum();
+  weights = {(squared - u - v) / squared, u / squared, v / squared};
+  return true;
+}
+
+// Weights of the corners at the point of a triangle that is nearest to the origin.
+Eigen::Vector3d weightsOf(const Corners& p) noexcept {
+  Eigen::Vector3d weights;
+  if (weighInside(p, weights)) {
+    return weights;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t other = (k + 1) % 3;
+    const Eigen::Vector3d edge = p[other] - p[k];
+    const double squared = edge.squaredNorm();
+    const double share = squared > 0.0 ? std::clamp(-p[k].dot(edge) / squared, 0.0, 1.0) : 0.0;
+    const double away = (p[k] + share * edge).squaredNorm();
+    if (away < least) {
+      least = away;
+      weights.setZero();
+      weights[static_cast<Eigen::Index>(k)] = 1.0 - share;
+      weights[static_cast<Eigen::Index>(other)] = share;
+    }
+  }
+  return weights;
 }
 
 // The point of a face that is nearest to the foot of the perpendicular, and where it comes from.
@@ -168,31 +200,33 @@ struct Foot {
 Foot footOn(std::size_t index, const Eigen::Vector3d& foot,
             const ConvexWorkspace& polytope) noexcept {
   const Face& face = polytope.faces[index];
-  const Eigen::Vector3d weights = weightsOf(face, polytope);
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Corners corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    corners[k] = polytope.vertices[face.corners[k]].difference - foot;
+  }
+  const Eigen::Vector3d weights = weightsOf(corners);
+  Eigen::Vector3d away = Eigen::Vector3d::Zero();
   Foot found;
   for (std::size_t k = 0; k < 3; ++k) {
-    const SupportVertex& corner = polytope.vertices[face.corners[k]];
     const double weight = weights[static_cast<Eigen::Index>(k)];
-    point += weight * corner.difference;
-    found.on_a += weight * corner.on_a;
-    found.on_b += weight * corner.on_b;
+    away += weight * corners[k];
+    found.on_a += weight * polytope.vertices[face.corners[k]].on_a;
+    found.on_b += weight * polytope.vertices[face.corners[k]].on_b;
   }
-  found.defect = (point - foot).squaredNorm();
+  found.defect = away.squaredNorm();
   found.face = index;
   return found;
 }
 
-// Of the faces in the plane that was found, the foot of the perpendicular lies in one: mostly the
-// nearest, else the one that comes nearest to it.
+// The foot of the perpendicular lies in a face: mostly the nearest, else the one that comes nearest
+// to it. Any face's points will do, whichever way it looks.
 Foot findFoot(const ConvexPair& pair, const ConvexWorkspace& polytope,
               const Penetration& best) noexcept {
   const Eigen::Vector3d foot = best.depth * best.outward;
   Foot found = footOn(nearestFace(polytope), foot, polytope);
-  const double rounding = roundingOf(pair);
-  for (std::size_t f = 0; f < polytope.face_count && found.defect > rounding * rounding; ++f) {
-    const Face& face = polytope.faces[f];
-    if (!face.is_gone && face.normal.dot(best.outward) > 0.9) {
+  const double tolerance = depthTolerance(pair);
+  for (std::size_t f = 0; f < polytope.face_count && found.defect > tolerance * tolerance; ++f) {
+    if (!polytope.faces[f].is_gone) {
       const Foot candidate = footOn(f, foot, polytope);
       found = candidate.defect < found.defect ? candidate : found;
     }

@@ -14,6 +14,7 @@ namespace collision_monitor {
 struct Penetration {
   /// [m] of a support plane, so the cores are at most this deep. Negative: they are apart.
   double depth{std::numeric_limits<double>::infinity()};
+  double at_least{0.0};  ///< [m] of the polytope, when the search ended before it was settled
   /// Unit, in A's frame: moving B against it by the depth separates the cores.
   Eigen::Vector3d outward{Eigen::Vector3d::UnitX()};
   Eigen::Vector3d on_a{Eigen::Vector3d::Zero()};  ///< in A's frame
@@ -30,7 +31,7 @@ struct Penetration {
 /// The depth reported is always one that a support plane proves; the polytope, which is inside,
 /// says how much less it could be. A face that rounding keeps from being refined answers with
 /// its support plane.
-/// Error: settled means that both differ by 1e-11 of the pair's size at most with a cylinder, by
+/// Error: settled means that both differ by 1e-10 of the pair's size at most with a cylinder, by
 /// rounding otherwise.
 /// Limits: a difference without volume (crossing segments, coplanar polygons) has depth 0.
 /// Source: van den Bergen, "Proximity Queries and Penetration Depth Computation on 3D Game

@@ -62,6 +62,7 @@ GjkResult::State walk(ConvexPair& pair, double enough, GjkResult& result) noexce
       return State::overlapping;
     }
     const SupportVertex next = measureGap(simplex.normal, pair, result);
+    result.gap = simplex.normal.dot(next.difference);
     if (hasMet(pair, result)) {
       return State::settled;
     }

@@ -20,6 +20,7 @@ struct GjkResult {
 
   State state{State::stalled};
   Simplex simplex;
+  double gap{-std::numeric_limits<double>::infinity()};  ///< along the simplex's normal
   double lower{-std::numeric_limits<double>::infinity()};
   Eigen::Vector3d lower_direction{Eigen::Vector3d::UnitX()};  ///< unit, from A to B, in A's frame
 };

@@ -9,6 +9,7 @@
 #include "narrow_phase/distance_parallel_axes.h"
 #include "narrow_phase/epa.h"
 #include "narrow_phase/gjk.h"
+#include "narrow_phase/round_depth.h"
 
 namespace collision_monitor {
 namespace {
@@ -24,9 +25,12 @@ ConvexDistance answer(double distance, const Eigen::Vector3d& normal,
 
 ConvexDistance answerApart(const ConvexPair& pair, const GjkResult& found) noexcept {
   const Simplex& simplex = found.simplex;
-  if (simplex.distance - found.lower <= promiseApart(pair)) {
-    return answer(simplex.distance, found.lower_direction, simplex.pointOnA(),
-                  DistanceQuality::exact);
+  const double promise = promiseApart(pair);
+  if (simplex.distance - found.lower <= promise) {
+    // On curved surfaces the best plane's normal and the points may differ by half the digits.
+    const bool is_proven = pair.isSmooth() && simplex.distance - found.gap <= 0.5 * promise;
+    return answer(simplex.distance, is_proven ? simplex.normal : found.lower_direction,
+                  simplex.pointOnA(), DistanceQuality::exact);
   }
   return answer(found.lower, found.lower_direction, simplex.pointOnA(),
                 DistanceQuality::lower_bound);
@@ -38,9 +42,14 @@ ConvexDistance answerOverlap(ConvexPair& pair, const GjkResult& found,
   if (deep.face_size > 0) {
     keepWarm(deep.face.data(), deep.face_size, pair, search.warm);
   }
+  ConvexDistance closed{SignedDistance{}, DistanceQuality::exact};
+  if (!deep.is_settled && depthOfRound(pair, 0.5 * deep.at_least, closed.measured)) {
+    return closed;  // half of it: slivers of the polytope may have been passed over
+  }
   // Cores that touch have points that do; the faces about them, all equally shallow, need not.
-  const bool touch =
-      !found.simplex.contains_origin && std::abs(deep.depth) <= 2.0 * touchingDistance(pair);
+  const bool touch = found.state == GjkResult::State::overlapping &&
+                     !found.simplex.contains_origin &&
+                     std::abs(deep.depth) <= 2.0 * touchingDistance(pair);
   return answer(-deep.depth, -deep.outward, touch ? found.simplex.pointOnA() : deep.on_a,
                 deep.is_settled ? DistanceQuality::exact : DistanceQuality::lower_bound);
 }
