@@ -75,8 +75,15 @@ bool printResult(const Comparison& comparison) {
   return agrees;
 }
 
+/// Random poses are no motion.
+SetupOptions optionsForPoses() {
+  SetupOptions options;
+  options.is_continuous = false;
+  return options;
+}
+
 int compare(const RobotDescription& robot, const ComparisonOptions& options) {
-  SetupOptions setup_options;
+  SetupOptions setup_options = optionsForPoses();
   setup_options.refine.geometry = RefineGeometry::none;  // FCL is given the enclosing shapes
   const CycleSetup setup = buildSetup({robot}, makeResourceLoader(), setup_options);
   std::printf("%s: %zu links, %zu shapes, %zu link pairs checked, %zu shape pairs\n",
@@ -93,7 +100,7 @@ double percent(std::size_t part, std::size_t whole) {
 }
 
 int compareExact(const RobotDescription& robot, const ComparisonOptions& options) {
-  const CycleSetup setup = buildSetup({robot}, makeResourceLoader(), SetupOptions());
+  const CycleSetup setup = buildSetup({robot}, makeResourceLoader(), optionsForPoses());
   const ExactComparison found = compareExactly(setup, options);
   for (const std::string& line : found.wrong) {
     std::printf("wrong: %s\n", line.c_str());
