@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/plane_axes.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -15,19 +17,6 @@ Pose rotationAbout(const Eigen::Vector3d& axis, double angle) noexcept {
 
 Pose translationBy(const Eigen::Vector3d& translation) noexcept {
   return {Eigen::Matrix3d::Identity(), translation};
-}
-
-/// The least rotation that turns z onto the unit vector `axis`.
-/// Source: Rodrigues' formula with sin and cos taken from z x axis and z . axis.
-Eigen::Matrix3d rotationFromZTo(const Eigen::Vector3d& axis) noexcept {
-  const double cosine = axis.z();
-  if (cosine < -1.0 + 1e-12) {
-    // Straight back every axis in the plane is as good; x stays where it is.
-    return Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
-  }
-  Eigen::Matrix3d cross;  // [z x axis]
-  cross << 0.0, 0.0, axis.x(), 0.0, 0.0, axis.y(), -axis.x(), -axis.y(), 0.0;
-  return Eigen::Matrix3d::Identity() + cross + cross * cross / (1.0 + cosine);
 }
 
 Pose planarMotion(const Eigen::Vector3d& axis, const double* variables) noexcept {
@@ -49,6 +38,18 @@ double positionOf(const Joint& joint, const JointPositions& positions) noexcept 
 }
 
 }  // namespace
+
+/// Source: Rodrigues' formula with sin and cos taken from z x axis and z . axis.
+Eigen::Matrix3d rotationFromZTo(const Eigen::Vector3d& axis) noexcept {
+  const double cosine = axis.z();
+  if (cosine < -1.0 + 1e-12) {
+    // Straight back every axis in the plane is as good; x stays where it is.
+    return Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
+  }
+  Eigen::Matrix3d cross;  // [z x axis]
+  cross << 0.0, 0.0, axis.x(), 0.0, 0.0, axis.y(), -axis.x(), -axis.y(), 0.0;
+  return Eigen::Matrix3d::Identity() + cross + cross * cross / (1.0 + cosine);
+}
 
 JointPositions defaultPositions(const RobotModel& model) {
   JointPositions positions(model.variable_count, 0.0);

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "islands.h"
@@ -8,14 +10,23 @@
 namespace collision_monitor {
 namespace {
 
-/// A verdict is raised at its threshold and left only `hysteresis` beyond it.
-Verdict verdictFor(double distance, const Limits& limits, Verdict before) noexcept {
-  const double keep_contact = before == Verdict::contact ? limits.hysteresis : 0.0;
-  if (distance <= limits.contact_distance + keep_contact) {
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// False for a time that is unknown and for a threshold that is switched off.
+bool isSoon(double time, double threshold, double hysteresis) noexcept {
+  return threshold > 0.0 && time <= threshold + hysteresis;
+}
+
+/// A verdict is raised at its thresholds and left only `hysteresis` beyond them.
+Verdict verdictFor(double distance, double time, const Limits& limits, Verdict before) noexcept {
+  const bool was_touching = before == Verdict::contact;
+  if (distance <= limits.contact_distance + (was_touching ? limits.hysteresis : 0.0) ||
+      isSoon(time, limits.contact_time, was_touching ? limits.time_hysteresis : 0.0)) {
     return Verdict::contact;
   }
-  const bool was_near = before == Verdict::contact || before == Verdict::warning;
-  if (distance <= limits.warning_distance + (was_near ? limits.hysteresis : 0.0)) {
+  const bool was_near = was_touching || before == Verdict::warning;
+  if (distance <= limits.warning_distance + (was_near ? limits.hysteresis : 0.0) ||
+      isSoon(time, limits.warning_time, was_near ? limits.time_hysteresis : 0.0)) {
     return Verdict::warning;
   }
   // Also where the distance is NaN, which would be a fault of ours: never "clear".
@@ -25,7 +36,6 @@ Verdict verdictFor(double distance, const Limits& limits, Verdict before) noexce
 void findClosest(const CycleSetup& setup, const PairDistances& distances,
                  PairEvents& events) noexcept {
   std::fill(events.closest.begin(), events.closest.end(), kNone);
-  std::fill(events.passed.begin(), events.passed.end(), kNone);
   events.closest_of_all = kNone;
   const auto& measured = distances.measured;
   const auto is_nearer = [&](std::uint32_t one, std::uint32_t other) {
@@ -40,6 +50,27 @@ void findClosest(const CycleSetup& setup, const PairDistances& distances,
       events.closest_of_all = i;
     }
   }
+}
+
+/// A time that is unknown is not sooner than any.
+void findSoonest(const CycleSetup& setup, const PairDistances& distances,
+                 PairEvents& events) noexcept {
+  std::fill(events.soonest.begin(), events.soonest.end(), kNone);
+  events.time_to_contact = kNever;
+  const auto& measured = distances.measured;
+  for (std::uint32_t i = 0; i < measured.size(); ++i) {
+    const double time = measured[i].time_to_contact;
+    std::uint32_t& soonest = events.soonest[setup.link_pair_of[index(measured[i].pair)]];
+    if (time < (soonest == kNone ? kNever : measured[soonest].time_to_contact)) {
+      soonest = i;
+    }
+    events.time_to_contact = std::fmin(events.time_to_contact, time);
+  }
+}
+
+void findPassed(const CycleSetup& setup, const PairDistances& distances,
+                PairEvents& events) noexcept {
+  std::fill(events.passed.begin(), events.passed.end(), kNone);
   const auto& passed = distances.passed;
   for (std::uint32_t i = 0; i < passed.size(); ++i) {
     std::uint32_t& first = events.passed[setup.link_pair_of[index(passed[i].pair)]];
@@ -49,12 +80,16 @@ void findClosest(const CycleSetup& setup, const PairDistances& distances,
   }
 }
 
-Verdict judgeLinkPair(const CycleSetup& setup, const BodyPoses& body_poses,
-                      const PairDistances& distances, const PairMemory& memory,
-                      std::size_t link_pair, std::uint32_t closest) noexcept {
-  const CheckedLinkPair& pair = setup.checked[link_pair];
-  if (body_poses.link_known[index(pair.a)] == 0 || body_poses.link_known[index(pair.b)] == 0) {
-    return Verdict::unknown;
+bool isKnown(const BodyPoses& body_poses, const CheckedLinkPair& pair) noexcept {
+  return body_poses.link_known[index(pair.a)] != 0 && body_poses.link_known[index(pair.b)] != 0;
+}
+
+/// @pre both links are known
+Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
+                      const PairEvents& events, std::size_t link_pair, Verdict before) noexcept {
+  const std::uint32_t closest = events.closest[link_pair];
+  if (events.passed[link_pair] != kNone) {
+    return Verdict::contact;
   }
   if (closest == kNone) {
     return Verdict::clear;  // known, and out of reach of every threshold
@@ -63,7 +98,9 @@ Verdict judgeLinkPair(const CycleSetup& setup, const BodyPoses& body_poses,
   if (nearest.quality == Quality::estimate) {
     return Verdict::contact;  // also where limits allow some depth: it may be deeper than estimated
   }
-  return verdictFor(nearest.measured.distance, pair.limits, memory.reported[link_pair]);
+  const std::uint32_t soonest = events.soonest[link_pair];
+  const double time = soonest == kNone ? kNever : distances.measured[soonest].time_to_contact;
+  return verdictFor(nearest.measured.distance, time, setup.checked[link_pair].limits, before);
 }
 
 }  // namespace
@@ -71,22 +108,30 @@ Verdict judgeLinkPair(const CycleSetup& setup, const BodyPoses& body_poses,
 void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                 const PairDistances& distances, PairMemory& memory, PairEvents& events) noexcept {
   findClosest(setup, distances, events);
+  findSoonest(setup, distances, events);
+  findPassed(setup, distances, events);
   events.changes.clear();
+  bool has_unknown = std::any_of(
+      distances.measured.begin(), distances.measured.end(),
+      [](const PairDistance& distance) { return std::isnan(distance.time_to_contact); });
   // A link that stands in no checked pair can be unknown without harm.
   events.overall = Verdict::clear;
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
-    Verdict verdict = judgeLinkPair(setup, body_poses, distances, memory, i, events.closest[i]);
-    if (events.passed[i] != kNone) {
-      verdict = Verdict::contact;
-    }
+    Verdict& reported = memory.reported[i];
+    const Verdict verdict = isKnown(body_poses, setup.checked[i])
+                                ? judgeLinkPair(setup, distances, events, i, reported)
+                                : Verdict::unknown;
     events.verdicts[i] = verdict;
     events.overall = std::max(events.overall, verdict);
-    Verdict& reported = memory.reported[i];
+    has_unknown = has_unknown || verdict == Verdict::unknown;
     const bool is_silent = reported == Verdict::clear && verdict == Verdict::unknown;
     if (verdict != reported && !is_silent) {
       events.changes.push_back({static_cast<LinkPairIndex>(i), reported, verdict});
       reported = verdict;
     }
+  }
+  if (has_unknown && events.time_to_contact == kNever) {
+    events.time_to_contact = kUnknown;
   }
   findIslands(setup.checked, events);
 }

@@ -10,6 +10,9 @@ LinkPoses makeLinkPoses(const RobotModel& model) {
   poses.world_from_link.resize(model.links.size());
   poses.status.resize(model.links.size(), LinkStatus::missing);
   poses.age.resize(model.links.size(), 0.0);
+  poses.robot_stamp_ns.resize(model.robots.size(), 0);
+  poses.velocities.of_link.resize(model.links.size());
+  poses.velocities.known.resize(model.links.size(), 0);
   return poses;
 }
 

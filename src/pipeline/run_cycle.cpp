@@ -55,6 +55,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.events.verdicts.resize(link_pairs, Verdict::unknown);
   buffers.events.closest.resize(link_pairs, kNone);
   buffers.events.passed.resize(link_pairs, kNone);
+  buffers.events.soonest.resize(link_pairs, kNone);
   buffers.events.changes.reserve(link_pairs);
   buffers.events.island_of_link.resize(links, 0);
   buffers.events.island_forest.resize(links, 0);
@@ -62,6 +63,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.memory.refined.resize(setup.element_pairs.size());
   buffers.memory.last.world_from_link.resize(links);
   buffers.memory.last.known.resize(links, 0);
+  buffers.memory.speed.stopped.resize(link_pairs, 0);
   buffers.counters.pairs = pairs;
   buffers.broad_phase = makeBroadPhase(kind, bodies);
   return buffers;
@@ -71,6 +73,9 @@ void resetMemory(CycleBuffers& buffers) noexcept {
   std::fill(buffers.memory.reported.begin(), buffers.memory.reported.end(), Verdict::clear);
   std::fill(buffers.memory.refined.begin(), buffers.memory.refined.end(), RefineMemory());
   std::fill(buffers.memory.last.known.begin(), buffers.memory.last.known.end(), 0);
+  SpeedScale& speed = buffers.memory.speed;
+  std::fill(speed.stopped.begin(), speed.stopped.end(), 0);
+  speed.scale = 1.0;
 }
 
 double reachOf(const Limits& limits) noexcept {
@@ -85,6 +90,7 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
     findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
     sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
   }
+  growBounds(setup, poses, setup.ahead.horizon, buffers.bounds);
   findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
@@ -93,7 +99,9 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
     sweepPairs(setup, buffers.refine, buffers.sweep, buffers.distances);
     keepPoses(poses, buffers.body_poses, buffers.memory.last);
   }
+  findClosings(setup, poses, buffers.distances);
   judgePairs(setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
+  scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed);
   buffers.counters.candidates = buffers.candidates.size();
   buffers.counters.measured = buffers.distances.measured.size();
   buffers.counters.refined = buffers.refine.refined;

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "collision_monitor/geometry/bounds.h"
+#include "collision_monitor/model/kinematics.h"
 #include "default_overlap.h"
 #include "setup_parts.h"
 
@@ -15,11 +17,42 @@ namespace {
 
 std::string inMetres(double value) { return std::to_string(value) + " m"; }
 
-void checkLimit(const char* name, double value, double least, SetupReport& report) {
+/// `unit` stands behind the numbers, as in " m".
+void checkNumber(const std::string& name, double value, double least, const char* unit,
+                 SetupReport& report) {
   if (!std::isfinite(value) || value < least) {
     report.errors.push_back(
-        {std::string("limits, ") + name, inMetres(value), "a finite number >= " + inMetres(least)});
+        {name, std::to_string(value) + unit, "a finite number >= " + std::to_string(least) + unit});
   }
+}
+
+void checkLimit(const char* name, double value, double least, SetupReport& report) {
+  checkNumber(std::string("limits, ") + name, value, least, " m", report);
+}
+
+void checkTime(const char* name, double value, double least, SetupReport& report) {
+  checkNumber(std::string("limits, ") + name, value, least, " s", report);
+}
+
+void checkLookAhead(const LookAhead& ahead, SetupReport& report) {
+  constexpr double kShortest = 1e-3;
+  const StopRule& stop = ahead.stop;
+  const double lowest = std::numeric_limits<double>::lowest();
+  checkNumber("look_ahead, horizon", ahead.horizon, 0.0, " s", report);
+  checkNumber("look_ahead, stop_distance", stop.stop_distance, lowest, " m", report);
+  checkNumber("look_ahead, stop_time", stop.stop_time, kShortest, " s", report);
+  checkNumber("look_ahead, release_time", stop.release_time, kShortest, " s", report);
+  checkNumber("look_ahead, rest_speed", stop.rest_speed, 0.0, " m/s", report);
+  checkNumber("look_ahead, creep_scale", stop.creep_scale, 0.0, "", report);
+}
+
+/// Pairs that a threshold of time or the speed scale may be about are within the horizon.
+LookAhead lookAheadFor(const SetupOptions& options) {
+  LookAhead ahead = options.ahead;
+  ahead.horizon =
+      std::max({ahead.horizon, options.limits.warning_time + options.limits.time_hysteresis,
+                ahead.stop.stop_time});
+  return ahead;
 }
 
 std::vector<SrdfPairs> readSrdfs(const std::vector<RobotDescription>& robots,
@@ -50,6 +83,9 @@ void checkLimits(const Limits& limits, SetupReport& report) {
   checkLimit("warning_distance", limits.warning_distance, limits.contact_distance, report);
   checkLimit("report_distance", limits.report_distance, limits.warning_distance, report);
   checkLimit("hysteresis", limits.hysteresis, 0.0, report);
+  checkTime("contact_time", limits.contact_time, 0.0, report);
+  checkTime("warning_time", limits.warning_time, limits.contact_time, report);
+  checkTime("time_hysteresis", limits.time_hysteresis, 0.0, report);
 }
 
 CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
@@ -66,6 +102,8 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
     report.errors.push_back({"robots", "none", "at least one robot description"});
   }
   checkLimit("refine_distance", options.refine.limits.distance, 0.0, report);
+  checkLookAhead(options.ahead, report);
+  setup.ahead = lookAheadFor(options);
   setup.limits = options.limits;
   setup.is_continuous = options.is_continuous;
   setup.refine = options.refine.limits;
@@ -87,6 +125,7 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   setup.link_pairs = decideLinkPairs(setup.model, srdfs);
   ruleDefaultOverlaps(srdfs, options.ignore_default_overlap, setup, report);
   listPairs(setup);
+  setup.velocity_names = velocityNames(setup.model);
   warnIfNothingChecked(setup, report);
   setup.report = std::move(report);
   return setup;

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "collision_monitor/geometry/twist.h"
 #include "collision_monitor/model/robot_model.h"
 
 namespace collision_monitor {
@@ -41,5 +43,24 @@ Pose parentFromChild(const Joint& joint, const JointPositions& positions) noexce
 /// @pre `positions` has RobotModel::variable_count entries, `world_from_root` one a robot.
 void placeLinks(const RobotModel& model, const JointPositions& positions,
                 const std::vector<Pose>& world_from_root, std::vector<Pose>& world_from_link);
+
+/// In how many ways the joint's child can move: revolute, continuous, prismatic 1 (mimic joints
+/// too: with their source); planar 3; floating 6; fixed 0.
+std::size_t freedomOf(const Joint& joint) noexcept;
+
+/// How the child moves against its parent for a unit of one velocity of the joint; the velocities
+/// are those of its variables, and the k-th belongs to variable `first_variable + k`. A floating
+/// joint has, in place of its quaternion's derivatives, turns about x, y and z of the joint frame
+/// through the child's origin, as variables 3 to 5. A mimic joint moves by its multiplier for a
+/// unit of its source.
+/// Frames: world, for given poses of the joint's links.
+/// Source: Featherstone (2008), section 3.5: the columns of a joint's motion subspace.
+/// @pre k < freedomOf(joint)
+Twist jointTwist(const Joint& joint, std::size_t k, const Pose& world_from_parent,
+                 const Pose& world_from_child) noexcept;
+
+/// What messages call each velocity, by the index of its variable: the joint's name, with an
+/// ending for planar (x, y, theta) and floating joints (trans_x to trans_z, turn_x to turn_z).
+std::vector<std::string> velocityNames(const RobotModel& model);
 
 }  // namespace collision_monitor

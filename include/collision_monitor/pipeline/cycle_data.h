@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "collision_monitor/broad_phase/broad_phase.h"
 #include "collision_monitor/geometry/pose.h"
+#include "collision_monitor/geometry/twist.h"
 #include "collision_monitor/model/robot_model.h"
 #include "collision_monitor/narrow_phase/convex_workspace.h"
 #include "collision_monitor/narrow_phase/mesh_distance.h"
@@ -23,15 +25,23 @@ enum class LinkStatus : unsigned char {
   not_finite,  ///< the pose holds NaN or infinity, or its rotation is none
 };
 
-/// One stamp for all links that are known.
+/// How fast the links move, as far as it is known.
+struct LinkVelocities {
+  std::vector<Twist> of_link;        ///< by LinkId
+  std::vector<unsigned char> known;  ///< by LinkId
+};
+
+/// One stamp for all links of a robot that are known.
 struct LinkPoses {
-  std::int64_t stamp_ns{0};
+  std::int64_t stamp_ns{0};                  ///< the oldest of the robots' stamps
+  std::vector<std::int64_t> robot_stamp_ns;  ///< by RobotId; 0: none yet
   std::vector<Pose> world_from_link;
   std::vector<LinkStatus> status;
   std::vector<double> age;  ///< [s]; 0 for a link that only static transforms place
+  LinkVelocities velocities;
 };
 
-/// Links all `missing`, sized for the model.
+/// Links all `missing`, their velocities unknown, sized for the model.
 LinkPoses makeLinkPoses(const RobotModel& model);
 
 struct BodyPoses {
@@ -49,11 +59,15 @@ enum class Quality : unsigned char {
   estimate,     ///< the geometries overlap, proven; they are at least this deep, perhaps deeper
 };
 
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
 struct PairDistance {
   PairId pair{};
   Quality quality{Quality::unknown};
   bool is_refined{false};  ///< measured between elements, of which the bodies are the nearest part
   SignedDistance measured;
+  double closing_speed{kUnknown};    ///< [m/s] at the two points; > 0: the distance shrinks
+  double time_to_contact{kUnknown};  ///< [s] as timeToContact, down to contact_distance
 };
 
 /// A contact between the last cycle and this one, of links that are apart in both.
@@ -93,6 +107,9 @@ struct PairEvents {
   std::vector<Verdict> verdicts;       ///< by LinkPairIndex
   std::vector<std::uint32_t> closest;  ///< by LinkPairIndex: index into measured, or kNone
   std::vector<std::uint32_t> passed;   ///< by LinkPairIndex: the first in `passed`, or kNone
+  /// By LinkPairIndex: index into measured of what touches first, kNone if nothing does within
+  /// the horizon.
+  std::vector<std::uint32_t> soonest;
   /// Against the verdict last reported, in order of link pair. A clear pair that becomes
   /// unknown is no change of its own (the links that are unknown say it once for all their
   /// pairs); a pair that was near or touching and becomes unknown is one.
@@ -101,6 +118,9 @@ struct PairEvents {
   std::uint32_t island_count{0};
   std::vector<std::uint32_t> island_forest;  ///< by LinkId: scratch of the grouping
   std::uint32_t closest_of_all{kNone};       ///< index into measured
+  /// [s] Of all pairs, the least; infinity if nothing meets within the horizon, unknown if nothing
+  /// is known to and a pair is not known.
+  double time_to_contact{kUnknown};
   Verdict overall{Verdict::unknown};
 };
 
@@ -132,10 +152,20 @@ struct LastPoses {
   std::vector<unsigned char> known;
 };
 
-/// What survives a cycle. Resetting it changes hysteresis, which verdicts count as changed, and of
-/// refinement the speed and the order; contacts since the last cycle are then not looked for.
+/// The speed scale, and what it needs to be steady.
+struct SpeedScale {
+  double scale{1.0};                   ///< 0 stop .. 1 full speed
+  std::int64_t stamp_ns{0};            ///< of the poses that it was found for
+  std::vector<unsigned char> stopped;  ///< by LinkPairIndex: closed at stop_distance, and has not
+                                       ///< parted since
+};
+
+/// What survives a cycle. Resetting it changes hysteresis, which verdicts count as changed, how
+/// the speed scale grows, and of refinement the speed and the order; contacts since the last cycle
+/// are then not looked for.
 struct PairMemory {
-  std::vector<Verdict> reported;      ///< by LinkPairIndex: the verdict last reported
+  std::vector<Verdict> reported;  ///< by LinkPairIndex: the verdict last reported
+  SpeedScale speed;
   std::vector<RefineMemory> refined;  ///< by ElementPairIndex
   LastPoses last;
 };

@@ -47,6 +47,12 @@ void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& bod
 void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double reach,
                  BodyBounds& bounds) noexcept;
 
+/// Grows the boxes by as far as their bodies can get in `duration` [s], so that bodies that may be
+/// within reach by then have boxes that meet, too. What all links share, the first robot's root
+/// moving with them, counts for nothing.
+void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration,
+                BodyBounds& bounds) noexcept;
+
 /// @pre `pairs` is sorted by id and joins known bodies only; `distances` has room for every pair.
 void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                   const std::vector<PairId>& pairs, PairDistances& distances) noexcept;
@@ -58,8 +64,17 @@ void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
 void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, const RefineWork& refined,
                     double reach, PairDistances& distances) noexcept;
 
+/// Fills closing speeds and times to contact; unknown where a link's velocity is.
+void findClosings(const CycleSetup& setup, const LinkPoses& poses,
+                  PairDistances& distances) noexcept;
+
 void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                 const PairDistances& distances, PairMemory& memory, PairEvents& events) noexcept;
+
+/// The speed scale of all pairs: the least that one asks for; 0 while a link is unknown, and where
+/// links met since the last cycle.
+void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistances& distances,
+                const PairEvents& events, SpeedScale& speed) noexcept;
 
 /// Pairs at this distance or nearer matter to a cycle: to be published, warned of or kept by
 /// hysteresis. Units: metres.

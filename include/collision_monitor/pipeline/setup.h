@@ -13,19 +13,30 @@
 #include "collision_monitor/model/robot_model.h"
 #include "collision_monitor/model/shape_rules.h"
 #include "collision_monitor/model/urdf_reader.h"
+#include "collision_monitor/motion/speed_scale.h"
 #include "collision_monitor/narrow_phase/pair_rows.h"
 #include "collision_monitor/pipeline/element.h"
 
 namespace collision_monitor {
 
-/// Thresholds of the verdicts. Units: metres.
-/// @pre finite; contact_distance <= warning_distance <= report_distance; hysteresis >= 0.
+/// Thresholds of the verdicts. Units: metres and seconds.
+/// @pre finite; contact_distance <= warning_distance <= report_distance; hysteresis >= 0;
+/// 0 <= contact_time <= warning_time; time_hysteresis >= 0.
 struct Limits {
   double contact_distance{0.0};   ///< at or below: contact
   double warning_distance{0.05};  ///< at or below: warning
   double hysteresis{
       0.005};  ///< a verdict is left only this far beyond the threshold that raised it
-  double report_distance{0.2};  ///< pairs this near are published
+  double report_distance{0.2};   ///< pairs this near are published
+  double contact_time{0.0};      ///< a pair that will touch this soon is in contact; 0: none is
+  double warning_time{0.1};      ///< a pair that will touch this soon is a warning; 0: none is
+  double time_hysteresis{0.05};  ///< as hysteresis, for times
+};
+
+/// How far ahead a cycle looks, and what it makes of it.
+struct LookAhead {
+  double horizon{0.5};  ///< [s] raised to what the thresholds and the rule need
+  StopRule stop;
 };
 
 /// One enclosing shape, fixed to a link.
@@ -79,7 +90,9 @@ struct CycleSetup {
   Limits limits;
   RefineLimits refine;
   bool is_continuous{false};  ///< contacts between two cycles are looked for
-  SetupReport report;         ///< warnings only
+  LookAhead ahead;
+  std::vector<std::string> velocity_names;  ///< as velocityNames; never read in a cycle
+  SetupReport report;                       ///< warnings only
 };
 
 struct SetupOptions {
@@ -88,7 +101,8 @@ struct SetupOptions {
   FitLimits default_limits{4, 0.01, {}};  ///< of links for which the rules say nothing else
   ShapeRulesText shape_rules;
   RefineOptions refine;
-  bool is_continuous{true};         ///< as in CycleSetup
+  bool is_continuous{true};  ///< as in CycleSetup
+  LookAhead ahead;
   std::filesystem::path fit_cache;  ///< directory that keeps fits, empty for none
   bool ignore_default_overlap{
       true};  ///< for robots without SRDF: ignore pairs that overlap in the default pose

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "collision_monitor/narrow_phase/distance.h"
+#include "collision_monitor/pipeline/link_velocities.h"
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "support/allocation_guard.h"
 #include "support/hand_made_setup.h"
@@ -17,8 +18,10 @@ using test::Random;
 
 constexpr unsigned kSeed = 7;
 
-/// Moves every link a little and now and then takes one away or gives it NaN.
+/// 10 ms later: moves every link a little and now and then takes one away or gives it NaN.
 void disturb(Random& random, LinkPoses& poses) {
+  poses.stamp_ns += 10'000'000;
+  poses.robot_stamp_ns[0] = poses.stamp_ns;
   for (std::size_t link = 0; link < poses.status.size(); ++link) {
     Pose& pose = poses.world_from_link[link];
     if (!isFinite(pose)) {
@@ -34,7 +37,9 @@ void disturb(Random& random, LinkPoses& poses) {
 
 bool sameBytes(const PairDistance& one, const PairDistance& other) {
   return one.pair == other.pair && one.quality == other.quality &&
-         std::memcmp(&one.measured, &other.measured, sizeof one.measured) == 0;
+         std::memcmp(&one.measured, &other.measured, sizeof one.measured) == 0 &&
+         std::memcmp(&one.closing_speed, &other.closing_speed, sizeof(double)) == 0 &&
+         std::memcmp(&one.time_to_contact, &other.time_to_contact, sizeof(double)) == 0;
 }
 
 void expectSameBytes(const CycleBuffers& one, const CycleBuffers& other) {
@@ -54,6 +59,8 @@ void expectSameBytes(const CycleBuffers& one, const CycleBuffers& other) {
   ASSERT_EQ(one.events.changes.size(), other.events.changes.size());
   ASSERT_EQ(one.events.island_of_link, other.events.island_of_link);
   ASSERT_EQ(one.events.closest_of_all, other.events.closest_of_all);
+  ASSERT_EQ(one.events.soonest, other.events.soonest);
+  ASSERT_EQ(one.memory.speed.scale, other.memory.speed.scale);
 }
 
 TEST(RunCycleProperty, tenThousandCyclesAllocateNothingAndEveryBroadPhaseGivesTheSameBytes) {
@@ -63,14 +70,17 @@ TEST(RunCycleProperty, tenThousandCyclesAllocateNothingAndEveryBroadPhaseGivesTh
   CycleBuffers brute_force = makeBuffers(setup, BroadPhaseKind::brute_force);
   CycleBuffers sweep_and_prune = makeBuffers(setup, BroadPhaseKind::sweep_and_prune);
   LinkPoses poses = test::randomLinkPoses(setup, 0.4, kSeed);
+  VelocityTracker tracker = makeVelocityTracker(setup.model);
   Random random(kSeed);
   std::size_t allocations = 0;
   std::size_t contacts = 0;
   std::size_t passed = 0;
+  std::size_t slowed = 0;
   for (int cycle = 0; cycle < 10000; ++cycle) {
     disturb(random, poses);
     {
       const test::AllocationGuard guard;
+      trackVelocities(setup.model, VelocityOptions(), tracker, poses);
       runCycle(setup, poses, brute_force);
       runCycle(setup, poses, sweep_and_prune);
       allocations += guard.count();
@@ -78,9 +88,11 @@ TEST(RunCycleProperty, tenThousandCyclesAllocateNothingAndEveryBroadPhaseGivesTh
     expectSameBytes(brute_force, sweep_and_prune);
     contacts += brute_force.events.island_count;
     passed += brute_force.distances.passed.size();
+    slowed += brute_force.memory.speed.scale < 1.0 ? 1 : 0;
   }
   EXPECT_EQ(allocations, 0U);
   EXPECT_GT(contacts, 1000U) << "the scenes are too sparse to prove anything";
+  EXPECT_GT(slowed, 1000U) << "nothing closes";
   EXPECT_GT(passed, 10U) << "links move too little to pass each other";
 }
 

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace collision_monitor {
+
+/// How a rigid body moves at one moment. The point of the body that is at `p` moves with
+/// `linear + angular x p`, so two bodies that move as one have the same twist.
+///
+/// Frames: world. Units: [m/s] and [rad/s].
+/// Source: Featherstone, "Rigid Body Dynamics Algorithms" (2008), section 2.2.
+struct Twist {
+  Eigen::Vector3d linear{Eigen::Vector3d::Zero()};  ///< of the body's point at the world's origin
+  Eigen::Vector3d angular{Eigen::Vector3d::Zero()};
+};
+
+inline Twist operator+(const Twist& a, const Twist& b) noexcept {
+  return {a.linear + b.linear, a.angular + b.angular};
+}
+
+inline Twist operator-(const Twist& a, const Twist& b) noexcept {
+  return {a.linear - b.linear, a.angular - b.angular};
+}
+
+inline Twist operator*(double factor, const Twist& twist) noexcept {
+  return {factor * twist.linear, factor * twist.angular};
+}
+
+/// Velocity of the body's point at `point`.
+inline Eigen::Vector3d velocityAt(const Twist& twist, const Eigen::Vector3d& point) noexcept {
+  return twist.linear + twist.angular.cross(point);
+}
+
+/// The twist of a body that turns with `angular` while its point at `point` moves with
+/// `velocity`.
+inline Twist twistAbout(const Eigen::Vector3d& point, const Eigen::Vector3d& velocity,
+                        const Eigen::Vector3d& angular) noexcept {
+  return {velocity - angular.cross(point), angular};
+}
+
+inline bool isFinite(const Twist& twist) noexcept {
+  return twist.linear.allFinite() && twist.angular.allFinite();
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/motion/closing.h"
+
+#include <cmath>
+#include <limits>
+
+namespace collision_monitor {
+
+double distanceRate(const SignedDistance& measured, const Twist& twist_a,
+                    const Twist& twist_b) noexcept {
+  return measured.normal_a_to_b.dot(velocityAt(twist_b, measured.point_on_b) -
+                                    velocityAt(twist_a, measured.point_on_a));
+}
+
+double timeToContact(double gap, double closing_speed, double horizon) noexcept {
+  if (std::isnan(gap) || gap <= 0.0) {
+    return std::isnan(gap) ? gap : 0.0;
+  }
+  if (std::isnan(closing_speed)) {
+    return closing_speed;
+  }
+  return gap <= closing_speed * horizon ? gap / closing_speed
+                                        : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace collision_monitor
