@@ -7,6 +7,7 @@ Exit code: 0 if the monitor spoke until the end and measured distances; 1 if it 
 2 if it spoke but no distance was ever known; 3 if the path did not come to its end.
 """
 import argparse
+import math
 import sys
 import threading
 import time
@@ -19,7 +20,8 @@ from std_msgs.msg import Float64
 LEVELS = {State.OK: "ok", State.WARNING: "warning", State.UNKNOWN: "unknown", State.CONTACT: "contact"}
 VERDICTS = {VerdictChange.CLEAR: "clear", VerdictChange.WARNING: "WARNING",
             VerdictChange.UNKNOWN: "UNKNOWN", VerdictChange.CONTACT: "CONTACT"}
-QUALITIES = {LinkDistance.EXACT: "exact", LinkDistance.LOWER_BOUND: "or more", LinkDistance.UNKNOWN: "unknown"}
+QUALITIES = {LinkDistance.EXACT: "exact", LinkDistance.LOWER_BOUND: "or more", LinkDistance.UNKNOWN: "unknown",
+             LinkDistance.ESTIMATE: "or deeper"}
 COLOURS = {"clear": "32", "WARNING": "33", "CONTACT": "31", "UNKNOWN": "90"}
 LONGEST_SILENCE = 3.0  # [s]; the monitor promises a state at least once a second
 
@@ -33,6 +35,7 @@ class Record:
         self.changes = {name: 0 for name in VERDICTS.values()}
         self.depths = {}
         self.oldest, self.slowest = 0.0, 0.0
+        self.soonest, self.least_scale = math.inf, 1.0
         self.first_cycle = self.last = None
         self.overruns_before = 0
 
@@ -44,6 +47,9 @@ class Record:
             self.closest = state.closest
         if not self.levels or self.levels[-1] != LEVELS[state.level]:
             self.levels.append(LEVELS[state.level])
+        if not math.isnan(state.time_to_contact):
+            self.soonest = min(self.soonest, state.time_to_contact)
+        self.least_scale = min(self.least_scale, state.speed_scale)
         self.oldest = max(self.oldest, state.age)
         self.slowest = max(self.slowest, state.cycle_time)
 
@@ -61,6 +67,8 @@ class Record:
         else:
             lines.append(f"closest pair       {self.closest.link_a} and {self.closest.link_b}: "
                          f"{1000 * self.closest.distance:.1f} mm ({QUALITIES[self.closest.quality]})")
+        soonest = "none foretold" if math.isinf(self.soonest) else f"at least {1000 * self.soonest:.0f} ms"
+        lines.append(f"time to contact    {soonest}; speed scale at least {self.least_scale:.2f}")
         counted = ", ".join(f"{count} to {name}" for name, count in self.changes.items() if count)
         lines.append(f"changes of verdict {counted or 'none'}")
         contacts = [f"{a} and {b}, {1000 * depth:.1f} mm deep" for (a, b), depth in self.depths.items()]

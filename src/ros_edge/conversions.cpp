@@ -5,12 +5,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "ros_edge/sentences.h"
 
 namespace collision_monitor {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 static_assert(LinkDistance::EXACT == static_cast<int>(Quality::exact) &&
               LinkDistance::LOWER_BOUND == static_cast<int>(Quality::lower_bound) &&
@@ -24,7 +23,12 @@ void nameLinks(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance& messag
   message.shape_b.clear();
 }
 
+/// The row is filled by those who publish it.
 void fillNumbers(const SignedDistance& measured, LinkDistance& message) {
+  message.closing_speed = kUnknown;
+  message.time_to_contact = kUnknown;
+  message.gradient_joints.clear();
+  message.gradient_values.clear();
   message.distance = measured.distance;
   toMessage(measured.point_on_a, message.point_on_a);
   toMessage(measured.point_on_b, message.point_on_b);
@@ -32,7 +36,7 @@ void fillNumbers(const SignedDistance& measured, LinkDistance& message) {
 }
 
 SignedDistance unknownDistance(double distance) {
-  const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(kNaN);
+  const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(kUnknown);
   return {distance, nowhere, nowhere, nowhere};
 }
 
@@ -78,12 +82,23 @@ void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistan
   message.shape_b = shapeName(setup, distance, pair.b);
   message.quality = static_cast<std::uint8_t>(distance.quality);
   fillNumbers(distance.measured, message);
+  message.closing_speed = distance.closing_speed;
+  message.time_to_contact = distance.time_to_contact;
+}
+
+void toMessage(const CycleSetup& setup, const GradientRow& row, LinkDistance& message) {
+  message.gradient_joints.resize(row.size());
+  message.gradient_values.resize(row.size());
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    message.gradient_joints[i] = setup.velocity_names[row[i].variable];
+    message.gradient_values[i] = row[i].value;
+  }
 }
 
 void toUnknownMessage(LinkDistance& message) {
   message = LinkDistance();
   message.quality = LinkDistance::UNKNOWN;
-  fillNumbers(unknownDistance(kNaN), message);
+  fillNumbers(unknownDistance(kUnknown), message);
 }
 
 void toUnknownMessage(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance& message) {
@@ -97,12 +112,13 @@ void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& messag
   const PairEvents& events = watch.buffers.events;
   if (events.verdicts[link_pair] == Verdict::unknown) {
     toUnknownMessage(setup, pair.a, pair.b, message);
-  } else if (events.closest[link_pair] == kNone) {
+  } else if (speakerOf(setup, watch.buffers, link_pair) == kNone) {
     nameLinks(setup, pair.a, pair.b, message);
     message.quality = LinkDistance::LOWER_BOUND;
     fillNumbers(unknownDistance(reachOf(setup.limits)), message);
   } else {
-    toMessage(setup, watch.buffers.distances.measured[events.closest[link_pair]], message);
+    const std::uint32_t speaker = speakerOf(setup, watch.buffers, link_pair);
+    toMessage(setup, watch.buffers.distances.measured[speaker], message);
   }
 }
 
@@ -115,6 +131,7 @@ void toMessage(const Watch& watch, Distances& message) {
   message.pairs_unknown = static_cast<std::uint32_t>(
       std::count(events.verdicts.begin(), events.verdicts.end(), Verdict::unknown));
   message.truncated = 0;
+  GradientRow row = makeGradientRow(setup.model);
   std::size_t count = 0;
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     const std::uint32_t place = events.closest[i];
@@ -126,7 +143,10 @@ void toMessage(const Watch& watch, Distances& message) {
     }
     message.closest = is_closest ? static_cast<std::int32_t>(count) : message.closest;
     message.pairs.resize(std::max(message.pairs.size(), count + 1));
-    toMessage(setup, watch.buffers.distances.measured[place], message.pairs[count]);
+    const PairDistance& distance = watch.buffers.distances.measured[place];
+    toMessage(setup, distance, message.pairs[count]);
+    gradientRow(setup, watch.poses, distance, row);
+    toMessage(setup, row, message.pairs[count]);
     ++count;
   }
   message.pairs.resize(count);

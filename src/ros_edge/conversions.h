@@ -8,6 +8,7 @@
 #include <collision_monitor/Warning.h>
 #include <geometry_msgs/Pose.h>
 
+#include "collision_monitor/pipeline/gradient_row.h"
 #include "ros_edge/watch.h"
 
 /// Results of a cycle as messages. Ids become names here and nowhere else. Messages are
@@ -23,20 +24,26 @@ void toMessage(const Pose& pose, geometry_msgs::Pose& message);
 /// What a measured pair calls one of its bodies: the shape, or the element that was refined to.
 const std::string& shapeName(const CycleSetup& setup, const PairDistance& distance, BodyId body);
 
-/// A measured pair.
+/// A measured pair, without its gradient row.
 void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message);
+void toMessage(const CycleSetup& setup, const GradientRow& row, LinkDistance& message);
 /// No pair: no names, and numbers that are NaN.
 void toUnknownMessage(LinkDistance& message);
 /// A pair of links of which one is unknown: numbers are NaN.
 void toUnknownMessage(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance& message);
-/// A checked pair: its nearest shapes, or NaN where nothing was measured. A known pair that is
-/// out of reach was not measured; its distance is the reach then, a lower bound without points.
+/// A checked pair: the shapes that speak for it (speakerOf), or NaN where nothing was measured. A
+/// known pair that is out of reach was not measured; its distance is the reach then, a lower bound
+/// without points.
 void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& message);
 
 void toMessage(const Watch& watch, Contacts& message);
 void toMessage(const Watch& watch, Distances& message);
 void toMessage(const Watch& watch, const VerdictChange& change, Warning& message);
 void toMessage(const Watch& watch, const CycleFacts& facts, State& message);
+
+/// What a controller may multiply its speed by: 0 while the monitor does not know or is switched
+/// off.
+double speedScaleOf(const Watch& watch, const CycleFacts& facts);
 
 /// The level of a state: that of its worst pair, UNKNOWN if nothing is checked or there is
 /// no time yet, at least WARNING while switched off.

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <limits>
 
 #include "ros_edge/conversions.h"
 #include "ros_edge/sentences.h"
@@ -47,12 +46,19 @@ void fillLinks(const Watch& watch, State& message) {
   }
 }
 
+bool isBlind(const Watch& watch, const CycleFacts& facts) {
+  return facts.now.isZero() || watch.setup().checked.empty();
+}
+
 }  // namespace
 
+double speedScaleOf(const Watch& watch, const CycleFacts& facts) {
+  return isBlind(watch, facts) || !facts.is_enabled ? 0.0 : watch.buffers.memory.speed.scale;
+}
+
 std::uint8_t levelOf(const Watch& watch, const CycleFacts& facts) {
-  const bool is_blind = facts.now.isZero() || watch.setup().checked.empty();
   const auto verdict = static_cast<std::uint8_t>(watch.buffers.events.overall);
-  const std::uint8_t level = is_blind ? std::uint8_t{State::UNKNOWN} : verdict;
+  const std::uint8_t level = isBlind(watch, facts) ? std::uint8_t{State::UNKNOWN} : verdict;
   return facts.is_enabled ? level : std::max(level, std::uint8_t{State::WARNING});
 }
 
@@ -77,10 +83,8 @@ void toMessage(const Watch& watch, const CycleFacts& facts, State& message) {
   } else {
     toUnknownMessage(message.closest);
   }
-  // Both need closing speeds, which no stage computes; a value made up from the verdict
-  // would slow a robot down that moves out of a contact.
-  message.time_to_contact = std::numeric_limits<double>::quiet_NaN();
-  message.speed_scale = std::numeric_limits<double>::quiet_NaN();
+  message.time_to_contact = isBlind(watch, facts) ? kUnknown : watch.buffers.events.time_to_contact;
+  message.speed_scale = speedScaleOf(watch, facts);
   fillLinks(watch, message);
   fillCounters(watch.buffers.counters, facts, message);
 }

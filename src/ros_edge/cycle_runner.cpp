@@ -33,9 +33,9 @@ double idlePeriodOf(const Parameters& parameters) {
 
 }  // namespace
 
-CycleRunner::CycleRunner(const ros::NodeHandle& private_node, TransformStore& store,
+CycleRunner::CycleRunner(const ros::NodeHandle& private_node, Inputs inputs,
                          std::shared_ptr<const MonitorSetup> setup)
-    : store_(store), publishers_(private_node) {
+    : store_(inputs.transforms), joints_(inputs.joints), publishers_(private_node) {
   replaceSetup(std::move(setup));
   thread_ = std::thread([this] { run(); });
 }
@@ -48,7 +48,7 @@ CycleRunner::~CycleRunner() {
 
 void CycleRunner::replaceSetup(std::shared_ptr<const MonitorSetup> setup) {
   // Made here, outside the lock and off the cycle's thread: it allocates.
-  auto next = std::make_unique<Watch>(setup, store_);
+  auto next = std::make_unique<Watch>(setup, store_, joints_);
   const std::lock_guard<std::mutex> lock(mutex_);
   current_ = std::move(setup);
   next_ = std::move(next);
@@ -130,15 +130,11 @@ bool CycleRunner::readPoses(const ros::Time& now) {
   seen_data_ = version.data;
   if (version.jumps != seen_jumps_) {
     seen_jumps_ = version.jumps;
-    resetMemory(watch_->buffers);
+    joints_.forget();
+    watch_->forget();
     ROS_WARN("time jumped back; poses are unknown until new transforms come");
   }
-  LinkPoses& poses = watch_->poses;
-  if (!now.isZero()) {
-    return watch_->reader.read(now, poses);
-  }
-  std::fill(poses.status.begin(), poses.status.end(), LinkStatus::missing);
-  return false;
+  return watch_->read(now);
 }
 
 void CycleRunner::publish(bool is_new) {
@@ -170,6 +166,8 @@ void CycleRunner::summarize(const State& state) {
   summary.level = state.level;
   summary.sentence = state.sentence;
   summary.age = state.age;
+  summary.time_to_contact = state.time_to_contact;
+  summary.speed_scale = state.speed_scale;
   summary.pairs = state.pairs_checked;
   summary.candidates = state.pairs_candidates;
   summary.measured = state.pairs_measured;

@@ -18,8 +18,14 @@ namespace collision_monitor {
 /// paces it, so that it speaks also while a simulated clock stands still.
 class CycleRunner {
  public:
-  /// @pre `store` outlives the runner.
-  CycleRunner(const ros::NodeHandle& private_node, TransformStore& store,
+  /// Where poses and joint states come from.
+  struct Inputs {
+    TransformStore& transforms;
+    JointStore& joints;
+  };
+
+  /// @pre the inputs outlive the runner.
+  CycleRunner(const ros::NodeHandle& private_node, Inputs inputs,
               std::shared_ptr<const MonitorSetup> setup);
   ~CycleRunner();
   CycleRunner(const CycleRunner&) = delete;
@@ -43,6 +49,7 @@ class CycleRunner {
   void summarize(const State& state);
 
   TransformStore& store_;
+  JointStore& joints_;
   Publishers publishers_;
   CycleStatistics statistics_;
   Enabling enabling_;

@@ -14,7 +14,9 @@ namespace collision_monitor {
 struct CycleSummary {
   std::uint8_t level{0};  ///< as in State
   std::string sentence;
-  double age{0.0};  ///< [s]
+  double age{0.0};              ///< [s]
+  double time_to_contact{0.0};  ///< [s] as in State
+  double speed_scale{0.0};      ///< as in State
   std::size_t pairs{0};
   std::size_t candidates{0};
   std::size_t measured{0};

@@ -17,21 +17,37 @@ std::string seconds(double value) {
 /// Old by more than any hiccup: most likely two clocks.
 constexpr double kSuspiciousAge = 60.0;
 
-std::string explainAge(double age, double max_age, const std::string& to) {
+/// @param what the data: "transform to 'hand'", "state of joint 'elbow'"
+std::string explainAge(double age, double max_age, const std::string& what) {
   if (std::abs(age) <= max_age) {
-    return "transforms" + to + " resumed after a gap and are not complete yet";
+    return what + " resumed after a gap and is not complete yet";
   }
   if (age < 0.0) {
-    return "the newest transform" + to + " is " + seconds(-age) +
+    return "the newest " + what + " is " + seconds(-age) +
            " in the future; the clocks of two machines differ, or use_sim_time is set for one node "
            "only";
   }
   const bool is_suspicious = age > kSuspiciousAge;
-  return "no transform" + to + " for " + seconds(age) +
+  return "no " + what + " for " + seconds(age) +
          (is_suspicious ? "; if this is a recording, is use_sim_time set?" : "");
 }
 
 }  // namespace
+
+/// Of a link that a joint places, or should.
+std::string PoseReader::explainJoint(const Edge& edge) const {
+  // A mimic joint waits for its source.
+  const Joint& joint = edge.joint->mimic ? model_.joint(edge.joint->mimic->source) : *edge.joint;
+  const std::string what = "state of joint '" + joint.name + "'";
+  switch (edge.status) {
+    case LinkStatus::stale:
+      return explainAge(edge.age, max_age_, what);
+    case LinkStatus::not_finite:
+      return "the position of joint '" + joint.name + "' is not finite";
+    default:
+      return "no " + what + " yet";
+  }
+}
 
 std::string PoseReader::explain(LinkId link) const {
   // The topmost fault is the cause; what is below it inherits it.
@@ -51,9 +67,12 @@ std::string PoseReader::explain(LinkId link) const {
   }
   const bool is_own = cause == &edges_[index(link)];
   const std::string to = is_own ? "" : " to '" + cause->child_frame + "'";
+  if (cause->joint != nullptr) {
+    return explainJoint(*cause);
+  }
   switch (cause->status) {
     case LinkStatus::stale:
-      return explainAge(cause->age, max_age_, to);
+      return explainAge(cause->age, max_age_, "transform" + to);
     case LinkStatus::not_finite:
       return "the transform to '" + cause->child_frame + "' is not finite or no rotation";
     default:

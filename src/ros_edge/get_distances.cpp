@@ -84,17 +84,24 @@ void selectPairs(const CycleSetup& setup, const Selection& selection, const Body
   }
 }
 
+/// What was measured, and where the links were.
+struct Scene {
+  LinkPoses poses;
+  CycleBuffers buffers;
+};
+
 /// One entry a pair of links, its nearest shapes; nearest pairs first, then the unknown ones.
-void fillDistances(const CycleSetup& setup, const Selection& selection, const CycleBuffers& buffers,
+void fillDistances(const CycleSetup& setup, const Selection& selection, const Scene& scene,
                    double max_distance, Distances& message) {
   std::vector<const PairDistance*> nearest(setup.checked.size(), nullptr);
-  for (const PairDistance& distance : buffers.distances.measured) {
+  for (const PairDistance& distance : scene.buffers.distances.measured) {
     const PairDistance*& best = nearest[setup.link_pair_of[index(distance.pair)]];
     if (best == nullptr || distance.measured.distance < best->measured.distance) {
       best = &distance;
     }
   }
   std::vector<LinkDistance> unknown;
+  GradientRow row = makeGradientRow(setup.model);
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     const CheckedLinkPair& pair = setup.checked[i];
     if (!selection.has(pair.a, pair.b)) {
@@ -107,6 +114,8 @@ void fillDistances(const CycleSetup& setup, const Selection& selection, const Cy
     } else if (nearest[i]->measured.distance <= max_distance) {
       message.pairs.emplace_back();
       toMessage(setup, *nearest[i], message.pairs.back());
+      gradientRow(setup, scene.poses, *nearest[i], row);
+      toMessage(setup, row, message.pairs.back());
     }
   }
   std::stable_sort(message.pairs.begin(), message.pairs.end(),
@@ -135,9 +144,10 @@ void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
   if (std::isnan(request.max_distance)) {
     faults.emplace_back("max_distance is not a number; give metres, or 0 for no limit");
   }
-  LinkPoses poses = newest;
+  Scene scene{newest, makeBuffers(setup, BroadPhaseKind::brute_force)};
   if (!request.joints.name.empty() || !request.joints.position.empty()) {
-    const std::vector<std::string> joint_faults = applyJoints(setup.model, request.joints, poses);
+    const std::vector<std::string> joint_faults =
+        applyJoints(setup.model, request.joints, scene.poses);
     faults.insert(faults.end(), joint_faults.begin(), joint_faults.end());
   }
   response.success = 0;
@@ -145,16 +155,16 @@ void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
     response.message = join(faults);
     return;
   }
-  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
-  placeBodies(setup, poses, buffers.body_poses);
+  CycleBuffers& buffers = scene.buffers;
+  placeBodies(setup, scene.poses, buffers.body_poses);
   selectPairs(setup, selection, buffers.body_poses, buffers.candidates);
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
-  response.distances.header = makeHeader(poses.stamp_ns, current.world_frame);
+  response.distances.header = makeHeader(scene.poses.stamp_ns, current.world_frame);
   const double limit =
       request.max_distance > 0.0 ? request.max_distance : std::numeric_limits<double>::infinity();
   buffers.refine.limits = {limit, std::numeric_limits<std::uint32_t>::max()};
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
-  fillDistances(setup, selection, buffers, limit, response.distances);
+  fillDistances(setup, selection, scene, limit, response.distances);
   const bool is_explicit = !request.links_a.empty() && !request.links_b.empty();
   const std::string ignored = is_explicit ? ignoredText(setup, selection) : "";
   response.success = response.distances.pairs_checked > 0 ? 1 : 0;

@@ -3,10 +3,12 @@
 #include "collision_monitor/ros_edge/monitor.h"
 
 #include <ros/console.h>
+#include <ros/names.h>
 
 #include "collision_monitor/ros_edge/transform_feed.h"
 #include "ros_edge/cycle_runner.h"
 #include "ros_edge/diagnostics.h"
+#include "ros_edge/joint_feed.h"
 #include "ros_edge/services.h"
 #include "ros_edge/startup_report.h"
 
@@ -17,10 +19,14 @@ class Monitor::Parts {
  public:
   Parts(const ros::NodeHandle& private_node, const std::string& node_name)
       : feed_(private_node, store_),
-        runner_(private_node, store_, makeLoggedSetup(private_node)),
+        runner_(private_node, {store_, joints_}, makeLoggedSetup(private_node)),
+        joint_feed_(ros::NodeHandle(ros::names::parentNamespace(private_node.getNamespace())),
+                    joints_, [this] { wakeForJoints(); }),
         diagnostics_(ros::NodeHandle(), private_node, node_name, runner_.statistics(),
                      [this] { return runner_.currentSetup(); }),
-        services_(private_node, store_, makeHooks()) {}
+        services_(private_node, store_, joints_, makeHooks()) {
+    joint_feed_.listenTo(jointTopics(*runner_.currentSetup()));
+  }
 
  private:
   static std::shared_ptr<const MonitorSetup> makeLoggedSetup(const ros::NodeHandle& private_node) {
@@ -29,10 +35,18 @@ class Monitor::Parts {
     return setup;
   }
 
+  /// Joint states are news for who waits for poses only where they place links.
+  void wakeForJoints() {
+    if (runner_.currentSetup()->parameters.pose_source == PoseSource::joint_states) {
+      store_.wake();
+    }
+  }
+
   ServiceHooks makeHooks() {
     ServiceHooks hooks;
     hooks.current_setup = [this] { return runner_.currentSetup(); };
     hooks.replace_setup = [this](std::shared_ptr<const MonitorSetup> setup) {
+      joint_feed_.listenTo(jointTopics(*setup));
       runner_.replaceSetup(std::move(setup));
     };
     hooks.set_enabled = [this](bool is_enabled) { runner_.setEnabled(is_enabled); };
@@ -41,7 +55,9 @@ class Monitor::Parts {
 
   TransformStore store_;
   TransformFeed feed_;
+  JointStore joints_;
   CycleRunner runner_;
+  JointFeed joint_feed_;
   Diagnostics diagnostics_;
   Services services_;
 };

@@ -9,6 +9,16 @@
 
 namespace collision_monitor {
 
+std::vector<std::string> jointTopics(const MonitorSetup& setup) {
+  std::vector<std::string> topics(setup.setup.model.robots.size(), setup.parameters.joint_states);
+  // Without a list there is one robot.
+  for (std::size_t i = 0; i < setup.parameters.robots.size(); ++i) {
+    const std::string& own = setup.parameters.robots[i].joint_states;
+    topics[i] = own.empty() ? topics[i] : own;
+  }
+  return topics;
+}
+
 std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node) {
   SetupReport report;
   const std::string& where = private_node.getNamespace();

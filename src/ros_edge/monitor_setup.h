@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "collision_monitor/pipeline/setup.h"
 #include "collision_monitor/ros_edge/parameters.h"
@@ -18,6 +19,9 @@ struct MonitorSetup {
   CycleSetup setup;
   std::string world_frame;
 };
+
+/// The topic of each robot's joint states, by RobotId; "": none.
+std::vector<std::string> jointTopics(const MonitorSetup& setup);
 
 /// Reads parameters and descriptions anew and builds the set-up. May wait for descriptions.
 /// @throws SetupError with every problem of parameters, URDFs and SRDFs.

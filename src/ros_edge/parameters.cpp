@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/ros_edge/parameters.h"
 
+#include <ros/names.h>
+
 #include "ros_edge/parameter_struct.h"
 
 namespace collision_monitor {
@@ -12,6 +14,7 @@ using XmlRpc::XmlRpcValue;
 constexpr NumberRange kAnyLength{-1e6, 1e6};
 constexpr NumberRange kLength{0.0, 1e6};
 constexpr NumberRange kTime{0.0, 1e6, true};
+constexpr NumberRange kDuration{0.0, 1e3};
 
 void readLimits(const XmlRpcValue& values, const std::string& where, Limits& limits,
                 SetupReport& report) {
@@ -20,8 +23,35 @@ void readLimits(const XmlRpcValue& values, const std::string& where, Limits& lim
   fields.read("warning_distance", kAnyLength, limits.warning_distance);
   fields.read("hysteresis", kLength, limits.hysteresis);
   fields.read("report_distance", kAnyLength, limits.report_distance);
+  fields.read("contact_time", kDuration, limits.contact_time);
+  fields.read("warning_time", kDuration, limits.warning_time);
+  fields.read("time_hysteresis", kDuration, limits.time_hysteresis);
   fields.refuseOthers();
   checkLimits(limits, report);
+}
+
+void readLookAhead(const XmlRpcValue& values, const std::string& where, LookAhead& ahead,
+                   SetupReport& report) {
+  constexpr NumberRange kReaction{1e-3, 1e3};
+  ParameterStruct fields(values, where, report);
+  fields.read("horizon", kDuration, ahead.horizon);
+  fields.read("stop_distance", kAnyLength, ahead.stop.stop_distance);
+  fields.read("stop_time", kReaction, ahead.stop.stop_time);
+  fields.read("release_time", kReaction, ahead.stop.release_time);
+  fields.read("rest_speed", {0.0, 1e3}, ahead.stop.rest_speed);
+  fields.read("creep_scale", {0.0, 1.0}, ahead.stop.creep_scale);
+  fields.refuseOthers();
+}
+
+void readTopic(ParameterStruct& fields, const std::string& name, std::string& topic,
+               SetupReport& report) {
+  fields.read(name, topic);
+  std::string fault;
+  if (!topic.empty() && !ros::names::validate(topic, fault)) {
+    report.errors.push_back(
+        {"parameter " + fields.pathOf(name), "'" + topic + "': " + fault, "the name of a topic"});
+    topic.clear();
+  }
 }
 
 RobotSource readRobot(const XmlRpcValue& values, const std::string& where, SetupReport& report) {
@@ -33,6 +63,7 @@ RobotSource readRobot(const XmlRpcValue& values, const std::string& where, Setup
   fields.read("file", robot.file);
   fields.read("semantic_file", robot.semantic_file);
   fields.read("tf_prefix", robot.tf_prefix);
+  readTopic(fields, "joint_states", robot.joint_states, report);
   fields.refuseOthers();
   if (robot.description.empty() == robot.file.empty()) {
     report.errors.push_back({where, robot.file.empty() ? "no source" : "two sources",
@@ -73,7 +104,11 @@ void readTiming(ParameterStruct& fields, Parameters& parameters) {
   std::size_t trigger = 0;
   fields.read("trigger", {"timer", "pose"}, trigger);
   parameters.trigger = trigger == 0 ? Trigger::timer : Trigger::pose;
+  std::size_t source = 0;
+  fields.read("pose_source", {"tf", "joint_states"}, source);
+  parameters.pose_source = source == 0 ? PoseSource::tf : PoseSource::joint_states;
   fields.read("max_age", kTime, parameters.max_age);
+  fields.read("velocity_filter", kDuration, parameters.velocity_filter);
   fields.read("heartbeat_rate", {1.0, 1000.0}, parameters.heartbeat_rate);
   fields.read("marker_rate", {0.0, 1000.0, true}, parameters.marker_rate);
   fields.read("disable_timeout", kTime, parameters.disable_timeout);
@@ -135,10 +170,14 @@ Parameters readParameters(const XmlRpcValue& values, const std::string& where,
   if (const XmlRpcValue* limits = fields.find("limits")) {
     readLimits(*limits, fields.pathOf("limits"), parameters.setup.limits, report);
   }
+  if (const XmlRpcValue* ahead = fields.find("look_ahead")) {
+    readLookAhead(*ahead, fields.pathOf("look_ahead"), parameters.setup.ahead, report);
+  }
   fields.read("mesh_directory", parameters.mesh_directory);
   fields.read("obey_up_axis", parameters.obey_up_axis);
   fields.read("world_frame", parameters.world_frame);
   readTiming(fields, parameters);
+  readTopic(fields, "joint_states", parameters.joint_states, report);
   readFitting(fields, parameters);
   readRefining(fields, parameters.setup.refine);
   fields.read("ignore_default_overlap", parameters.setup.ignore_default_overlap);

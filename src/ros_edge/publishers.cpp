@@ -3,6 +3,7 @@
 #include "ros_edge/publishers.h"
 
 #include <std_msgs/Bool.h>
+#include <std_msgs/Float64.h>
 
 #include "ros_edge/sentences.h"
 
@@ -25,6 +26,8 @@ Publishers::Publishers(ros::NodeHandle private_node)
     : state_publisher_(private_node.advertise<State>("state", kQueueSize, true)),
       is_valid_publisher_(
           private_node.advertise<std_msgs::Bool>("state_is_valid", kQueueSize, true)),
+      speed_scale_publisher_(
+          private_node.advertise<std_msgs::Float64>("speed_scale", kQueueSize, true)),
       contacts_publisher_(private_node.advertise<Contacts>("contacts", kQueueSize)),
       distances_publisher_(private_node.advertise<Distances>("distances", kQueueSize)),
       warnings_publisher_(private_node.advertise<Warning>("warnings", kWarningQueueSize)),
@@ -52,6 +55,9 @@ const State& Publishers::publishState(const Watch& watch, const CycleFacts& fact
   std_msgs::Bool is_valid;
   is_valid.data = isValid(state_) ? 1 : 0;
   is_valid_publisher_.publish(is_valid);
+  std_msgs::Float64 speed_scale;
+  speed_scale.data = state_.speed_scale;
+  speed_scale_publisher_.publish(speed_scale);
   return state_;
 }
 

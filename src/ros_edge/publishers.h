@@ -24,7 +24,7 @@ class Publishers {
 
   /// Changes of verdict, on the topic and in the log.
   void publishChanges(const Watch& watch);
-  /// state and state_is_valid.
+  /// state, state_is_valid and speed_scale.
   const State& publishState(const Watch& watch, const CycleFacts& facts);
   /// contacts and distances.
   void publishResults(const Watch& watch);
@@ -34,6 +34,7 @@ class Publishers {
  private:
   ros::Publisher state_publisher_;
   ros::Publisher is_valid_publisher_;
+  ros::Publisher speed_scale_publisher_;
   ros::Publisher contacts_publisher_;
   ros::Publisher distances_publisher_;
   ros::Publisher warnings_publisher_;

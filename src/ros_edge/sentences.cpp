@@ -11,6 +11,9 @@ namespace {
 /// Nearer than can be told from touching in print.
 constexpr double kTouching = 0.5e-4;
 
+/// [m/s] Slower than can be told from rest in print.
+constexpr double kResting = 0.005;
+
 std::string format(const char* pattern, double value) {
   char text[64];
   std::snprintf(text, sizeof text, pattern, value);
@@ -21,17 +24,60 @@ const std::string& nameOf(const CycleSetup& setup, BodyId body) {
   return setup.model.link(setup.bodies[index(body)].link).name;
 }
 
+std::string placeText(const CycleSetup& setup, const PairDistance& distance) {
+  const BodyPair& pair = setup.table[distance.pair];
+  const std::string& a = nameOf(setup, pair.a);
+  const std::string& b = nameOf(setup, pair.b);
+  const double value = distance.measured.distance;
+  const bool is_bound = distance.quality == Quality::lower_bound;
+  const std::string of_shapes = is_bound ? " (enclosing shapes)" : "";
+  const bool is_estimate = distance.quality == Quality::estimate;
+  if (std::abs(value) < kTouching && is_estimate) {
+    return a + " overlaps " + b;
+  }
+  if (std::abs(value) < kTouching) {
+    return a + " touches " + b + of_shapes;
+  }
+  if (value < 0.0) {
+    return a + " overlaps " + b + " by " + (is_estimate ? "at least " : "") + lengthText(value) +
+           of_shapes;
+  }
+  return a + " is " + (is_bound ? "at least " : "") + lengthText(value) + " from " + b;
+}
+
+/// ", closing at 0.20 m/s, contact in 0.06 s"; empty for a pair that rests or is not known to move.
+std::string motionText(const PairDistance& distance) {
+  const double closing = distance.closing_speed;
+  if (!(std::abs(closing) >= kResting)) {
+    return "";
+  }
+  const std::string speed = format(" at %.2f m/s", std::abs(closing));
+  if (closing < 0.0) {
+    return ", moving apart" + speed;
+  }
+  if (distance.measured.distance < 0.0) {
+    return ", going deeper" + speed;
+  }
+  const double time = distance.time_to_contact;
+  const bool is_bound = distance.quality == Quality::lower_bound;
+  return ", closing" + speed +
+         (std::isfinite(time) && time > 0.0
+              ? ", contact in " + format("%.2f s", time) + (is_bound ? " at the earliest" : "")
+              : "");
+}
+
 /// Of the pairs with this verdict, the one with the least distance; kNone if none was measured.
-std::uint32_t nearestWith(Verdict verdict, const PairEvents& events, const PairDistances& distances,
-                          std::size_t& count) {
+std::uint32_t nearestWith(Verdict verdict, const Watch& watch, std::size_t& count) {
+  const PairDistances& distances = watch.buffers.distances;
+  const std::vector<Verdict>& verdicts = watch.buffers.events.verdicts;
   std::uint32_t nearest = kNone;
   count = 0;
-  for (std::size_t i = 0; i < events.verdicts.size(); ++i) {
-    if (events.verdicts[i] != verdict) {
+  for (LinkPairIndex i = 0; i < verdicts.size(); ++i) {
+    if (verdicts[i] != verdict) {
       continue;
     }
     ++count;
-    const std::uint32_t place = events.closest[i];
+    const std::uint32_t place = speakerOf(watch.setup(), watch.buffers, i);
     const bool is_nearer =
         place != kNone && (nearest == kNone || distances.measured[place].measured.distance <
                                                    distances.measured[nearest].measured.distance);
@@ -47,12 +93,12 @@ std::string andMore(std::size_t count, const char* what) {
 }
 
 std::string pairsSentence(Verdict verdict, const Watch& watch) {
-  const CycleBuffers& buffers = watch.buffers;
   std::size_t count = 0;
-  const std::uint32_t nearest = nearestWith(verdict, buffers.events, buffers.distances, count);
-  return nearest == kNone ? std::to_string(count) + " pairs of links are near each other"
-                          : distanceSentence(watch.setup(), buffers.distances.measured[nearest]) +
-                                andMore(count, "pair");
+  const std::uint32_t nearest = nearestWith(verdict, watch, count);
+  return nearest == kNone
+             ? std::to_string(count) + " pairs of links are near each other"
+             : distanceSentence(watch.setup(), watch.buffers.distances.measured[nearest]) +
+                   andMore(count, "pair");
 }
 
 std::string unknownLinksSentence(const Watch& watch) {
@@ -99,24 +145,17 @@ std::string lengthText(double length) {
 }
 
 std::string distanceSentence(const CycleSetup& setup, const PairDistance& distance) {
-  const BodyPair& pair = setup.table[distance.pair];
-  const std::string& a = nameOf(setup, pair.a);
-  const std::string& b = nameOf(setup, pair.b);
-  const double value = distance.measured.distance;
-  const bool is_bound = distance.quality == Quality::lower_bound;
-  const std::string of_shapes = is_bound ? " (enclosing shapes)" : "";
-  const bool is_estimate = distance.quality == Quality::estimate;
-  if (std::abs(value) < kTouching && is_estimate) {
-    return a + " overlaps " + b;
-  }
-  if (std::abs(value) < kTouching) {
-    return a + " touches " + b + of_shapes;
-  }
-  if (value < 0.0) {
-    return a + " overlaps " + b + " by " + (is_estimate ? "at least " : "") + lengthText(value) +
-           of_shapes;
-  }
-  return a + " is " + (is_bound ? "at least " : "") + lengthText(value) + " from " + b;
+  return placeText(setup, distance) + motionText(distance);
+}
+
+std::uint32_t speakerOf(const CycleSetup& setup, const CycleBuffers& buffers,
+                        LinkPairIndex link_pair) {
+  const Limits& limits = setup.checked[link_pair].limits;
+  const std::uint32_t closest = buffers.events.closest[link_pair];
+  const std::uint32_t soonest = buffers.events.soonest[link_pair];
+  const bool is_near = closest != kNone && buffers.distances.measured[closest].measured.distance <=
+                                               limits.warning_distance + limits.hysteresis;
+  return is_near || soonest == kNone ? closest : soonest;
 }
 
 std::string changeSentence(const Watch& watch, const VerdictChange& change) {
@@ -128,12 +167,12 @@ std::string changeSentence(const Watch& watch, const VerdictChange& change) {
     const LinkId other = unknown == pair.a ? pair.b : pair.a;
     return unknownSentence(watch, unknown) + ", near " + setup.model.link(other).name + " before";
   }
-  const std::uint32_t closest = watch.buffers.events.closest[change.link_pair];
-  if (closest == kNone) {
+  const std::uint32_t speaker = speakerOf(setup, watch.buffers, change.link_pair);
+  if (speaker == kNone) {
     return setup.model.link(pair.a).name + " is clear of " + setup.model.link(pair.b).name +
            " by more than " + lengthText(reachOf(pair.limits));
   }
-  const std::string measured = distanceSentence(setup, watch.buffers.distances.measured[closest]);
+  const std::string measured = distanceSentence(setup, watch.buffers.distances.measured[speaker]);
   return change.after == Verdict::clear ? measured + ", clear again" : measured;
 }
 

@@ -12,9 +12,15 @@ namespace collision_monitor {
 /// "4.2 mm", "120 mm", "1.23 m"; without sign.
 std::string lengthText(double length);
 
-/// "a is 12 mm from b" or "a overlaps b by 3.0 mm". Says where the number is that of the
-/// enclosing shapes: "a is at least 12 mm from b".
+/// "a is 12 mm from b" or "a overlaps b by 3.0 mm", and how they move: "a is 12 mm from b, closing
+/// at 0.20 m/s, contact in 0.06 s". Says where the number is that of the enclosing shapes: "a is at
+/// least 12 mm from b".
 std::string distanceSentence(const CycleSetup& setup, const PairDistance& distance);
+
+/// The measured shapes that a pair of links is judged by, as an index into the measured pairs: the
+/// nearest, or those that touch first if that is why they matter; kNone if none was measured.
+std::uint32_t speakerOf(const CycleSetup& setup, const CycleBuffers& buffers,
+                        LinkPairIndex link_pair);
 
 /// What a pair's change of verdict means.
 std::string changeSentence(const Watch& watch, const VerdictChange& change);

@@ -4,15 +4,18 @@
 
 #include <utility>
 
-#include "collision_monitor/ros_edge/pose_reader.h"
 #include "ros_edge/get_distances.h"
 #include "ros_edge/startup_report.h"
+#include "ros_edge/watch.h"
 
 namespace collision_monitor {
 
 Services::Services(const ros::NodeHandle& private_node, const TransformStore& store,
-                   ServiceHooks hooks)
-    : private_node_(private_node), store_(store), hooks_(std::move(hooks)) {
+                   const JointStore& joint_store, ServiceHooks hooks)
+    : private_node_(private_node),
+      store_(store),
+      joint_store_(joint_store),
+      hooks_(std::move(hooks)) {
   get_distances_ = private_node_.advertiseService("get_distances", &Services::getDistances, this);
   set_enabled_ = private_node_.advertiseService("set_enabled", &Services::setEnabled, this);
   reload_ = private_node_.advertiseService("reload", &Services::reload, this);
@@ -24,8 +27,8 @@ bool Services::getDistances(GetDistances::Request& request, GetDistances::Respon
   LinkPoses poses = makeLinkPoses(model);
   const ros::Time now = ros::Time::now();
   if (!now.isZero()) {
-    PoseReader reader(model, store_, {current->world_frame, current->parameters.max_age});
-    reader.read(now, poses);
+    JointReader joints(model, joint_store_, jointTopics(*current));
+    makePoseReader(*current, store_, joints).read(now, poses);
   }
   answerGetDistances(*current, poses, request, response);
   return true;

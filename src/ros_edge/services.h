@@ -12,6 +12,7 @@
 #include <memory>
 #include <mutex>
 
+#include "collision_monitor/ros_edge/joint_store.h"
 #include "collision_monitor/ros_edge/transform_store.h"
 #include "ros_edge/monitor_setup.h"
 
@@ -28,8 +29,9 @@ struct ServiceHooks {
 /// cycle and without touching its data.
 class Services {
  public:
-  /// @pre `store` outlives the services.
-  Services(const ros::NodeHandle& private_node, const TransformStore& store, ServiceHooks hooks);
+  /// @pre the stores outlive the services.
+  Services(const ros::NodeHandle& private_node, const TransformStore& store,
+           const JointStore& joint_store, ServiceHooks hooks);
 
  private:
   bool getDistances(GetDistances::Request& request, GetDistances::Response& response);
@@ -38,6 +40,7 @@ class Services {
 
   ros::NodeHandle private_node_;
   const TransformStore& store_;
+  const JointStore& joint_store_;
   ServiceHooks hooks_;
   std::mutex reload_mutex_;
   ros::ServiceServer get_distances_;

@@ -5,31 +5,18 @@
 namespace collision_monitor {
 
 TransformFeed::TransformFeed(const ros::NodeHandle& node, TransformStore& store)
-    : store_(store), node_(node) {
-  node_.setCallbackQueue(&queue_);
+    : store_(store), thread_(node) {
   constexpr std::uint32_t kQueueSize = 100;
   const auto subscribe = [&](const char* topic, bool is_static) {
     const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> callback =
         [this, is_static](const tf2_msgs::TFMessageConstPtr& message) {
           store_.accept(message->transforms, is_static);
         };
-    return node_.subscribe<tf2_msgs::TFMessage>(topic, kQueueSize, callback, ros::VoidConstPtr(),
-                                                ros::TransportHints().tcpNoDelay());
+    return thread_.node().subscribe<tf2_msgs::TFMessage>(
+        topic, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   };
   moving_ = subscribe("/tf", false);
   static_ = subscribe("/tf_static", true);
-  thread_ = std::thread([this] {
-    constexpr double kLongestWait = 0.05;
-    while (is_running_) {
-      queue_.callAvailable(ros::WallDuration(kLongestWait));
-    }
-  });
-}
-
-TransformFeed::~TransformFeed() {
-  is_running_ = false;
-  queue_.disable();
-  thread_.join();
 }
 
 }  // namespace collision_monitor

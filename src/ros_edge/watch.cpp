@@ -2,16 +2,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/watch.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace collision_monitor {
 
-Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformStore& store)
+Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformStore& store,
+             const JointStore& joint_store)
     : fixed(std::move(fixed_parts)),
-      reader(fixed->setup.model, store, {fixed->world_frame, fixed->parameters.max_age}),
+      joints(fixed->setup.model, joint_store, jointTopics(*fixed)),
+      reader(makePoseReader(*fixed, store, joints)),
       poses(makeLinkPoses(fixed->setup.model)),
+      tracker(makeVelocityTracker(fixed->setup.model)),
+      joint_velocities(fixed->setup.model.variable_count),
       buffers(makeBuffers(
           fixed->setup, fixed->parameters.broad_phase.value_or(chooseBroadPhase(fixed->setup)))) {}
+
+PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
+                          JointReader& joints) {
+  const bool reads_joints = setup.parameters.pose_source == PoseSource::joint_states;
+  return {setup.setup.model,
+          store,
+          {setup.world_frame, setup.parameters.max_age},
+          reads_joints ? &joints : nullptr};
+}
+
+bool Watch::read(const ros::Time& now) {
+  if (now.isZero()) {
+    std::fill(poses.status.begin(), poses.status.end(), LinkStatus::missing);
+    std::fill(poses.velocities.known.begin(), poses.velocities.known.end(), 0);
+    return false;
+  }
+  const Parameters& parameters = fixed->parameters;
+  const bool is_new = reader.read(now, poses);
+  trackVelocities(setup().model, {parameters.velocity_filter, parameters.max_age}, tracker, poses);
+  joints.refresh();
+  joints.readVelocities(now, parameters.max_age, joint_velocities);
+  applyJointVelocities(setup().model, joint_velocities, poses);
+  return is_new;
+}
+
+void Watch::forget() {
+  resetMemory(buffers);
+  resetTracker(tracker);
+}
 
 BroadPhaseKind chooseBroadPhase(const CycleSetup& setup) noexcept {
   constexpr std::size_t kManyPairs = 500;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "collision_monitor/pipeline/link_velocities.h"
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "collision_monitor/ros_edge/pose_reader.h"
 #include "ros_edge/monitor_setup.h"
@@ -13,15 +14,31 @@ namespace collision_monitor {
 
 /// One set-up and what changes while it is watched. Belongs to the thread of the cycle.
 struct Watch {
-  Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformStore& store);
+  /// @pre the stores outlive the watch
+  Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformStore& store,
+        const JointStore& joint_store);
+
+  /// Brings poses and velocities up to date. Does not throw: what cannot be read is unknown.
+  /// @return true when a stamp or the status of a link changed.
+  bool read(const ros::Time& now);
+  /// Forgets what was remembered of earlier cycles: time jumped, or nobody listened.
+  void forget();
 
   std::shared_ptr<const MonitorSetup> fixed;
-  PoseReader reader;
+  JointReader joints;
+  PoseReader reader;  ///< reads `joints`, too
   LinkPoses poses;
+  VelocityTracker tracker;
+  JointVelocities joint_velocities;
   CycleBuffers buffers;
 
   const CycleSetup& setup() const noexcept { return fixed->setup; }
 };
+
+/// Reads poses as the parameters say: from tf, or from joint states where they can place links.
+/// @pre all outlive the reader
+PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
+                          JointReader& joints);
 
 /// What messages say beside the result of the cycle.
 struct CycleFacts {

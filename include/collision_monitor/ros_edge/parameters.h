@@ -21,11 +21,17 @@ struct RobotSource {
   std::string file;           ///< URDF file or package:// URI, instead of `description`
   std::string semantic_file;  ///< SRDF file or package:// URI, instead of `semantic`
   std::string tf_prefix;      ///< as in RobotDescription
+  std::string joint_states;   ///< topic of its joint states; "": that of all robots
 };
 
 enum class Trigger : unsigned char {
   timer,  ///< `rate` times a second
   pose,   ///< as soon as a robot has a new complete stamp, at most `rate` times a second
+};
+
+enum class PoseSource : unsigned char {
+  tf,            ///< all links
+  joint_states,  ///< links behind fixed joints and joints with one variable; tf places the others
 };
 
 /// The private parameters of the node; config/monitor.yaml explains each.
@@ -36,12 +42,15 @@ struct Parameters {
   std::string world_frame;          ///< empty: the root link of the first robot
   double rate{100.0};               ///< [Hz]
   Trigger trigger{Trigger::timer};
-  double max_age{0.5};         ///< [s]
-  double heartbeat_rate{2.0};  ///< [Hz]
-  double marker_rate{30.0};    ///< [Hz]
-  SetupOptions setup;          ///< its texts and folders are filled in when it is built
-  std::string shape_rules;     ///< file or package:// URI, "" for none
-  std::string fit_cache;       ///< folder; "": the usual one; "none": none
+  PoseSource pose_source{PoseSource::tf};
+  double max_age{0.5};                       ///< [s]
+  std::string joint_states{"joint_states"};  ///< topic; "": none
+  double velocity_filter{0.02};              ///< [s] as VelocityOptions::time_constant
+  double heartbeat_rate{2.0};                ///< [Hz]
+  double marker_rate{30.0};                  ///< [Hz]
+  SetupOptions setup;       ///< its texts and folders are filled in when it is built
+  std::string shape_rules;  ///< file or package:// URI, "" for none
+  std::string fit_cache;    ///< folder; "": the usual one; "none": none
   std::optional<BroadPhaseKind> broad_phase;  ///< none: chosen for the number of pairs
   double disable_timeout{60.0};               ///< [s]
   double wait_for_description{5.0};           ///< [s]

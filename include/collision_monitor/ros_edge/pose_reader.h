@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "collision_monitor/pipeline/cycle_data.h"
+#include "collision_monitor/ros_edge/joint_reader.h"
 #include "collision_monitor/ros_edge/transform_store.h"
 
 namespace collision_monitor {
@@ -18,26 +19,34 @@ struct PoseReaderOptions {
   double max_age{0.5};      ///< [s] data older, or as far in the future, are stale
 };
 
-/// Reads the poses of all links from a transform store.
+/// Reads the poses of all links from a transform store or, where joints place
+/// them, from joint states.
 ///
-/// Each link is looked up from its parent link, once, and the chain is composed here; what
-/// stands between the two in tf does not matter. All moving links of a robot are read at one
-/// stamp: the newest that all of them have whose data are not older than `max_age`. Between
-/// two samples tf2 interpolates, unless they are more than `max_age` apart: the link is stale
-/// then. Links that only static transforms place have age 0. Links that neither have geometry
-/// nor lead to a link that has stay `missing` and hold nobody back.
+/// Each link is looked up from its parent link, once, and the chain is composed
+/// here; what stands between the two in tf does not matter. All moving links of
+/// a robot are read at one stamp: the newest that all of them have whose data
+/// are not older than `max_age`. Between two samples tf2 interpolates, unless
+/// they are more than `max_age` apart: the link is stale then. With joint
+/// states, links behind fixed joints and joints with one variable are placed by
+/// the model's kinematics, at the same stamp and by the same rules; tf places
+/// roots and links behind planar and floating joints. Links that only static
+/// transforms place have age 0. Links that neither have geometry nor lead to a
+/// link that has stay `missing` and hold nobody back.
 ///
-/// Robots keep their own stamps; LinkPoses::stamp_ns is the oldest of them, the time of the
-/// call when nothing moves, and left alone when nothing that moves is known. Ages of `missing`
+/// Robots keep their own stamps; LinkPoses::stamp_ns is the oldest of them, the
+/// time of the call when nothing moves, and left alone when nothing that moves
+/// is known. So it stands for robots of which nothing moves. Ages of `missing`
 /// links are infinite.
 class PoseReader {
  public:
-  /// @pre `model` and `store` outlive the reader.
-  PoseReader(const RobotModel& model, const TransformStore& store,
-             const PoseReaderOptions& options);
+  /// @param joints nullptr: all from tf
+  /// @pre `model`, `store` and `joints` outlive the reader.
+  PoseReader(const RobotModel& model, const TransformStore& store, const PoseReaderOptions& options,
+             JointReader* joints = nullptr);
 
-  /// Brings `poses` (sized for the model) up to date; looks nothing up when no message came
-  /// since the last call. Does not throw: what cannot be looked up is unknown.
+  /// Brings `poses` (sized for the model) up to date; looks nothing up when no
+  /// message came since the last call. Does not throw: what cannot be looked up
+  /// is unknown.
   /// @return true when a stamp or the status of a link changed.
   bool read(const ros::Time& now, LinkPoses& poses);
 
@@ -47,12 +56,14 @@ class PoseReader {
   const std::string& worldFrame() const noexcept { return world_frame_; }
 
  private:
-  /// What places one link: the transform from its parent link, or from the world for a root.
+  /// What places one link: the transform from its parent link, or from the
+  /// world for a root.
   struct Edge {
+    const Joint* joint{nullptr};  ///< that places the link; nullptr: tf does
     std::string parent_frame;
     std::string child_frame;
     bool is_needed{false};                 ///< the link or one below it has geometry
-    bool is_connected{false};              ///< tf joins the two frames
+    bool is_connected{false};              ///< the joint, or tf, joins the two frames
     std::vector<std::size_t> path;         ///< frames between them, as indices of records
     std::vector<std::size_t> moving_path;  ///< of these, not static
     std::int64_t newest_ns{0};             ///< newest stamp that the whole path has
@@ -62,6 +73,9 @@ class PoseReader {
     double age{0.0};
   };
 
+  static bool isMoving(const Edge& edge);
+  std::int64_t newestOf(const Edge& edge) const;
+  bool isBad(const Edge& edge) const;
   void makeEdges();
   void refresh();
   void connect(Edge& edge) const;
@@ -71,14 +85,18 @@ class PoseReader {
   bool isAllKnown() const;
   bool readRobot(const Robot& robot, std::int64_t stamp_ns);
   void look(std::int64_t stamp_ns, Edge& edge) const;
+  void lookUpTransform(std::int64_t stamp_ns, Edge& edge) const;
   bool hasGapAt(const Edge& edge, std::int64_t stamp_ns) const;
   bool placeLinks(LinkPoses& poses) const;
+  std::string explainJoint(const Edge& edge) const;
 
   const RobotModel& model_;
   const TransformStore& store_;
   std::string world_frame_;
   double max_age_;
-  std::vector<Edge> edges_;  ///< by LinkId
+  JointReader* joints_;
+  JointPositions positions_;  ///< of all joints at the stamp that is being read
+  std::vector<Edge> edges_;   ///< by LinkId
   std::vector<FrameRecord> records_;
   std::unordered_map<std::string, std::size_t> places_;  ///< of records, by frame
   TransformStore::Version seen_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "edge_scene.h"
 #include "ros_edge/markers.h"
@@ -19,6 +20,13 @@ class ConversionsTest : public testing::Test {
   /// base and tool are 0.3 m + reach apart.
   std::unique_ptr<Watch> watchAt(double reach) {
     return judged(setup_, store_, slidingPoses(setup_->setup.model, 0.0, reach));
+  }
+  /// The tool goes along x at `speed` [m/s], all else stands still.
+  std::unique_ptr<Watch> watchMoving(double reach, double speed) {
+    LinkPoses poses = slidingPoses(setup_->setup.model, 0.0, reach);
+    std::fill(poses.velocities.known.begin(), poses.velocities.known.end(), 1);
+    poses.velocities.of_link[index(linkNamed(setup_->setup.model, "tool"))].linear.x() = speed;
+    return judged(setup_, store_, poses);
   }
   std::unique_ptr<Watch> watchWithout(const std::string& link) {
     LinkPoses poses = slidingPoses(setup_->setup.model, 0.0, -0.4);
@@ -49,8 +57,72 @@ TEST_F(ConversionsTest, clearState) {
   EXPECT_NEAR(state.closest.distance, 0.55, 1e-12);
   EXPECT_EQ(state.closest.shape_a, "collision_0/box");
   EXPECT_TRUE(state.unknown_links.empty());
-  EXPECT_TRUE(std::isnan(state.time_to_contact));
-  EXPECT_TRUE(std::isnan(state.speed_scale));
+  EXPECT_TRUE(std::isnan(state.time_to_contact)) << "no velocity is known";
+  EXPECT_EQ(state.speed_scale, 1.0);
+}
+
+TEST_F(ConversionsTest, closingPair_sentenceTimeAndScale) {
+  const auto watch = watchMoving(-0.26, -0.2);
+  const State state = stateOf(*watch, facts());
+  EXPECT_EQ(state.sentence, "base is 40 mm from tool, closing at 0.20 m/s, contact in 0.20 s");
+  EXPECT_NEAR(state.closest.closing_speed, 0.2, 1e-12);
+  EXPECT_NEAR(state.closest.time_to_contact, 0.2, 1e-12);
+  EXPECT_NEAR(state.time_to_contact, 0.2, 1e-12);
+  EXPECT_NEAR(state.speed_scale, 0.6, 1e-12) << "30 mm to stop_distance, at 0.12 m/s in 0.25 s";
+}
+
+TEST_F(ConversionsTest, partingPair_isFree) {
+  const State state = stateOf(*watchMoving(-0.26, 0.2), facts());
+  EXPECT_EQ(state.sentence, "base is 40 mm from tool, moving apart at 0.20 m/s");
+  EXPECT_EQ(state.closest.time_to_contact, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(state.speed_scale, 1.0);
+}
+
+TEST_F(ConversionsTest, overlappingPair_goesDeeperOrApart) {
+  EXPECT_EQ(stateOf(*watchMoving(-0.303, -0.2), facts()).sentence,
+            "base overlaps tool by 3.0 mm, going deeper at 0.20 m/s");
+  EXPECT_EQ(stateOf(*watchMoving(-0.303, 0.2), facts()).sentence,
+            "base overlaps tool by 3.0 mm, moving apart at 0.20 m/s");
+  EXPECT_EQ(stateOf(*watchMoving(-0.303, 0.2), facts()).speed_scale, 1.0);
+}
+
+TEST_F(ConversionsTest, fastPairThatIsFar_warnsByItsTime) {
+  const auto watch = watchMoving(-0.15, -3.0);
+  EXPECT_EQ(stateOf(*watch, facts()).level, State::WARNING);
+  ASSERT_EQ(watch->buffers.events.changes.size(), 1U);
+  Warning warning;
+  toMessage(*watch, watch->buffers.events.changes[0], warning);
+  EXPECT_EQ(warning.sentence, "base is 150 mm from tool, closing at 3.00 m/s, contact in 0.05 s");
+}
+
+TEST_F(ConversionsTest, lowerBound_contactIsNotEarlier) {
+  const auto watch = watchMoving(-0.26, -0.2);
+  PairDistance distance = watch->buffers.distances.measured[0];
+  distance.quality = Quality::lower_bound;
+  EXPECT_EQ(distanceSentence(setup_->setup, distance),
+            "base is at least 40 mm from tool, closing at 0.20 m/s, contact in 0.20 s at the "
+            "earliest");
+}
+
+TEST_F(ConversionsTest, speedScale_isZeroWithoutKnowledge) {
+  EXPECT_EQ(stateOf(*watchWithout("tool"), facts()).speed_scale, 0.0);
+  CycleFacts off = facts();
+  off.is_enabled = false;
+  EXPECT_EQ(speedScaleOf(*watchAt(0.25), off), 0.0);
+  CycleFacts no_time = facts();
+  no_time.now = ros::Time();
+  EXPECT_EQ(speedScaleOf(*watchAt(0.25), no_time), 0.0);
+  EXPECT_TRUE(std::isnan(stateOf(*watchMoving(0.25, 1.0), no_time).time_to_contact));
+}
+
+TEST_F(ConversionsTest, distances_haveTheirGradientRows) {
+  Distances message;
+  toMessage(*watchMoving(-0.26, -0.2), message);
+  ASSERT_EQ(message.pairs.size(), 1U);
+  EXPECT_EQ(message.pairs[0].gradient_joints, (std::vector<std::string>{"slide", "reach"}));
+  ASSERT_EQ(message.pairs[0].gradient_values.size(), 2U);
+  EXPECT_NEAR(message.pairs[0].gradient_values[0], 1.0, 1e-12);
+  EXPECT_NEAR(message.pairs[0].gradient_values[1], 1.0, 1e-12);
 }
 
 TEST_F(ConversionsTest, warningAndContactStates) {

@@ -42,7 +42,8 @@ LinkPoses slidingPoses(const RobotModel& model, double slide, double reach) {
 
 std::unique_ptr<Watch> judged(const std::shared_ptr<const MonitorSetup>& setup,
                               const TransformStore& store, const LinkPoses& poses) {
-  auto watch = std::make_unique<Watch>(setup, store);
+  static const JointStore no_joint_states;
+  auto watch = std::make_unique<Watch>(setup, store, no_joint_states);
   watch->poses = poses;
   runCycle(watch->setup(), watch->poses, watch->buffers);
   return watch;

@@ -57,6 +57,38 @@ TEST(Parameters, valuesAreRead_integersAreNumbers) {
   EXPECT_FALSE(parameters.setup.ignore_default_overlap);
 }
 
+TEST(Parameters, lookAhead_isReadAndChecked) {
+  XmlRpcValue values;
+  values["limits"]["warning_time"] = 0.3;
+  values["limits"]["contact_time"] = 0.05;
+  values["look_ahead"]["horizon"] = 2;
+  values["look_ahead"]["stop_distance"] = 0.02;
+  values["look_ahead"]["creep_scale"] = 0.1;
+  values["joint_states"] = "/arm/joint_states";
+  values["pose_source"] = "joint_states";
+  SetupReport report;
+  const Parameters parameters = readParameters(values, "/m", report);
+  EXPECT_TRUE(report.errors.empty());
+  EXPECT_EQ(parameters.setup.limits.warning_time, 0.3);
+  EXPECT_EQ(parameters.setup.limits.contact_time, 0.05);
+  EXPECT_EQ(parameters.setup.ahead.horizon, 2.0);
+  EXPECT_EQ(parameters.setup.ahead.stop.stop_distance, 0.02);
+  EXPECT_EQ(parameters.setup.ahead.stop.creep_scale, 0.1);
+  EXPECT_EQ(parameters.joint_states, "/arm/joint_states");
+  EXPECT_EQ(parameters.pose_source, PoseSource::joint_states);
+
+  values["look_ahead"]["stop_time"] = 0.0;
+  values["look_ahead"]["creep_scale"] = 1.5;
+  values["look_ahead"]["stop_speed"] = 1.0;
+  values["joint_states"] = "no topic";
+  values["velocity_filter"] = -0.1;
+  EXPECT_EQ(faults(values),
+            (std::set<std::string>{"parameter /m/look_ahead/stop_time",
+                                   "parameter /m/look_ahead/creep_scale",
+                                   "parameter /m/look_ahead/stop_speed",
+                                   "parameter /m/joint_states", "parameter /m/velocity_filter"}));
+}
+
 TEST(Parameters, misspeltName_isNamedWithTheNearest) {
   XmlRpcValue values;
   values["max_agee"] = 0.2;

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sensor_msgs/JointState.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace collision_monitor {
+
+/// What one message said of one joint. Units: [rad] or [m], [rad/s] or [m/s]; NaN: it did not.
+struct JointSample {
+  std::int64_t stamp_ns{0};  ///< 0: no message yet
+  double position{std::numeric_limits<double>::quiet_NaN()};
+  double velocity{std::numeric_limits<double>::quiet_NaN()};
+};
+
+/// The last samples of every joint that was heard of, by topic and name. Messages without stamp
+/// are refused, and so are samples older than one that came before. Safe for several feeders and
+/// readers at once.
+class JointStore {
+ public:
+  /// Index of a joint's record; valid for the life of the store.
+  using Record = std::size_t;
+
+  /// Takes in one message of a topic.
+  void accept(const std::string& topic, const sensor_msgs::JointState& message);
+  /// Forgets all samples: time jumped back.
+  void forget();
+
+  /// How many joints were heard of; a joint that was not found may be once this changes.
+  std::size_t recordCount() const;
+  std::optional<Record> find(const std::string& topic, const std::string& joint) const;
+
+  /// A record that is to be read.
+  struct Wanted {
+    Record record{0};
+    bool wraps{false};  ///< an angle that may jump by whole turns, as of a continuous joint
+  };
+  /// The newest sample of each record.
+  void readNewest(const std::vector<Wanted>& wanted, std::vector<JointSample>& samples) const;
+  /// The samples at a stamp, between two that were received as the straight line has it, for an
+  /// angle that wraps the shorter way round. Such that are not known then have no stamp: the record
+  /// begins later, ends earlier, or has a gap there longer than `longest_gap` [s].
+  void readAt(const std::vector<Wanted>& wanted, std::int64_t stamp_ns, double longest_gap,
+              std::vector<JointSample>& samples) const;
+
+ private:
+  /// A ring of samples, newest first from `newest` backwards.
+  struct History {
+    static constexpr std::size_t kSize = 256;
+    std::array<JointSample, kSize> samples;
+    std::size_t newest{0};
+
+    const JointSample& back(std::size_t steps) const {
+      return samples[(newest + kSize - steps) % kSize];
+    }
+  };
+  using Key = std::pair<std::string, std::string>;
+
+  mutable std::mutex mutex_;
+  std::map<Key, Record> places_;
+  std::vector<History> histories_;
+};
+
+}  // namespace collision_monitor

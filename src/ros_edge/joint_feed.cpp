@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/joint_feed.h"
+
+#include <utility>
+
+namespace collision_monitor {
+
+JointFeed::JointFeed(const ros::NodeHandle& node, JointStore& store,
+                     std::function<void()> after_message)
+    : store_(store), after_message_(std::move(after_message)), thread_(node) {}
+
+void JointFeed::listenTo(const std::vector<std::string>& topics) {
+  std::map<std::string, ros::Subscriber> wanted;
+  constexpr std::uint32_t kQueueSize = 100;
+  for (const std::string& topic : topics) {
+    const auto known = subscribers_.find(topic);
+    if (known != subscribers_.end()) {
+      wanted.insert(*known);
+    }
+    if (topic.empty() || wanted.count(topic) > 0) {
+      continue;
+    }
+    const boost::function<void(const sensor_msgs::JointStateConstPtr&)> callback =
+        [this, topic](const sensor_msgs::JointStateConstPtr& message) {
+          store_.accept(topic, *message);
+          after_message_();
+        };
+    wanted[topic] = thread_.node().subscribe<sensor_msgs::JointState>(
+        topic, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+  }
+  subscribers_ = std::move(wanted);
+}
+
+}  // namespace collision_monitor

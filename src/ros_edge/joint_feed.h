@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/subscriber.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "collision_monitor/ros_edge/feed_thread.h"
+#include "collision_monitor/ros_edge/joint_store.h"
+
+namespace collision_monitor {
+
+/// Subscribes to topics of joint states on a thread of its own and feeds a store. Stops with its
+/// life.
+class JointFeed {
+ public:
+  /// Topics are resolved by `node`. `after_message` is called on the feed's thread.
+  JointFeed(const ros::NodeHandle& node, JointStore& store, std::function<void()> after_message);
+
+  /// Listens to these topics, and to no others any more; "" is none. From one thread at a time.
+  void listenTo(const std::vector<std::string>& topics);
+
+ private:
+  JointStore& store_;
+  std::function<void()> after_message_;
+  FeedThread thread_;  ///< ends after the subscribers, which wait for callbacks that run
+  std::map<std::string, ros::Subscriber> subscribers_;
+};
+
+}  // namespace collision_monitor

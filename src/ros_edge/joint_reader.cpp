@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/ros_edge/joint_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace collision_monitor {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// The name in the URDF, without the robot's prefix.
+std::string bareName(const Robot& robot, const std::string& name) {
+  const std::string front = robot.tf_prefix + "/";
+  return name.compare(0, front.size(), front) == 0 ? name.substr(front.size()) : name;
+}
+
+}  // namespace
+
+JointReader::JointReader(const RobotModel& model, const JointStore& store,
+                         std::vector<std::string> topics)
+    : model_(model), store_(store), topics_(std::move(topics)), newest_(model.variable_count) {
+  variables_.reserve(model.joints.size());
+  records_.reserve(model.joints.size());
+  samples_.reserve(model.joints.size());
+}
+
+void JointReader::findJoints() {
+  if (store_.recordCount() == known_records_) {
+    return;
+  }
+  known_records_ = store_.recordCount();
+  variables_.clear();
+  records_.clear();
+  for (std::size_t i = 0; i < model_.robots.size(); ++i) {
+    const Robot& robot = model_.robots[i];
+    for (std::size_t k = 0; k < robot.joint_count; ++k) {
+      const Joint& joint = model_.joints[robot.first_joint + k];
+      const bool has_own_variable = freedomOf(joint) == 1 && !joint.mimic;
+      const auto record = has_own_variable ? find(i, joint) : std::nullopt;
+      if (record) {
+        variables_.push_back(joint.first_variable);
+        records_.push_back({*record, joint.type == JointType::continuous});
+      }
+    }
+  }
+}
+
+std::optional<JointStore::Record> JointReader::find(std::size_t robot, const Joint& joint) const {
+  const auto record = store_.find(topics_[robot], joint.name);
+  const std::string bare = bareName(model_.robots[robot], joint.name);
+  return record || hasOtherRobotJoint(robot, bare) ? record : store_.find(topics_[robot], bare);
+}
+
+/// Whether a joint of another robot on the same topic has the same name but for
+/// the prefix.
+bool JointReader::hasOtherRobotJoint(std::size_t robot, const std::string& bare_name) const {
+  for (std::size_t i = 0; i < model_.robots.size(); ++i) {
+    const Robot& other = model_.robots[i];
+    for (std::size_t k = 0; k < other.joint_count; ++k) {
+      if (i != robot && topics_[i] == topics_[robot] &&
+          bareName(other, model_.joints[other.first_joint + k].name) == bare_name) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void JointReader::refresh() {
+  findJoints();
+  store_.readNewest(records_, samples_);
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    newest_[variables_[i]] = samples_[i];
+  }
+}
+
+void JointReader::readPositions(std::int64_t stamp_ns, double longest_gap,
+                                JointPositions& positions) {
+  std::fill(positions.begin(), positions.end(), kNaN);
+  store_.readAt(records_, stamp_ns, longest_gap, samples_);
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    positions[variables_[i]] = samples_[i].position;
+  }
+}
+
+void JointReader::readVelocities(const ros::Time& now, double max_age,
+                                 JointVelocities& velocities) const {
+  const auto now_ns = static_cast<std::int64_t>(now.toNSec());
+  for (std::size_t i = 0; i < newest_.size(); ++i) {
+    const double age = 1e-9 * static_cast<double>(now_ns - newest_[i].stamp_ns);
+    const bool is_fresh = std::abs(age) <= max_age && std::isfinite(newest_[i].velocity);
+    velocities[i] = is_fresh ? newest_[i].velocity : kNaN;
+  }
+}
+
+}  // namespace collision_monitor

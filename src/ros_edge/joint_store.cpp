@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/ros_edge/joint_store.h"
+
+#include <cmath>
+
+namespace collision_monitor {
+namespace {
+
+double valueOr(const std::vector<double>& values, std::size_t place) {
+  return place < values.size() ? values[place] : std::numeric_limits<double>::quiet_NaN();
+}
+
+double toSeconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
+
+struct Moment {
+  std::int64_t stamp_ns;
+  double longest_gap;
+  bool wraps;
+};
+
+/// Without stamp where the moment is not between the two, or these are too far apart.
+JointSample sampleBetween(const JointSample& before, const JointSample& after,
+                          const Moment& moment) {
+  const double gap = toSeconds(after.stamp_ns - before.stamp_ns);
+  const bool is_between =
+      before.stamp_ns > 0 && before.stamp_ns < moment.stamp_ns && moment.stamp_ns < after.stamp_ns;
+  if (!is_between || gap > moment.longest_gap) {
+    return {};
+  }
+  constexpr double kTurn = 6.283185307179586;
+  const double way = after.position - before.position;
+  const double share = toSeconds(moment.stamp_ns - before.stamp_ns) / gap;
+  return {moment.stamp_ns,
+          before.position + share * (moment.wraps ? std::remainder(way, kTurn) : way),
+          before.velocity + share * (after.velocity - before.velocity)};
+}
+
+}  // namespace
+
+void JointStore::accept(const std::string& topic, const sensor_msgs::JointState& message) {
+  if (message.header.stamp.isZero()) {
+    return;  // it would never grow old
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto stamp_ns = static_cast<std::int64_t>(message.header.stamp.toNSec());
+  for (std::size_t i = 0; i < message.name.size(); ++i) {
+    const auto [place, is_new] = places_.try_emplace({topic, message.name[i]}, histories_.size());
+    if (is_new) {
+      histories_.emplace_back();
+    }
+    History& history = histories_[place->second];
+    if (stamp_ns > history.back(0).stamp_ns) {
+      history.newest = (history.newest + 1) % History::kSize;
+      history.samples[history.newest] = {stamp_ns, valueOr(message.position, i),
+                                         valueOr(message.velocity, i)};
+    }
+  }
+}
+
+void JointStore::forget() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (History& history : histories_) {
+    history = History();
+  }
+}
+
+std::size_t JointStore::recordCount() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return histories_.size();
+}
+
+std::optional<JointStore::Record> JointStore::find(const std::string& topic,
+                                                   const std::string& joint) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto place = places_.find({topic, joint});
+  return place == places_.end() ? std::nullopt : std::optional<Record>(place->second);
+}
+
+void JointStore::readNewest(const std::vector<Wanted>& wanted,
+                            std::vector<JointSample>& samples) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  samples.clear();
+  for (const Wanted& one : wanted) {
+    samples.push_back(histories_[one.record].back(0));
+  }
+}
+
+void JointStore::readAt(const std::vector<Wanted>& wanted, std::int64_t stamp_ns,
+                        double longest_gap, std::vector<JointSample>& samples) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  samples.clear();
+  for (const Wanted& one : wanted) {
+    const History& history = histories_[one.record];
+    std::size_t steps = 0;
+    while (steps + 1 < History::kSize && history.back(steps).stamp_ns > stamp_ns) {
+      ++steps;
+    }
+    const JointSample& before = history.back(steps);
+    const JointSample& after = history.back(steps == 0 ? 0 : steps - 1);
+    samples.push_back(before.stamp_ns == stamp_ns
+                          ? before
+                          : sampleBetween(before, after, {stamp_ns, longest_gap, one.wraps}));
+  }
+}
+
+}  // namespace collision_monitor

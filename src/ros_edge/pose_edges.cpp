@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <tf2/exceptions.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "collision_monitor/ros_edge/pose_reader.h"
+
+/// What places each link: finding it in tf or among the joints, judging it,
+/// looking it up.
+namespace collision_monitor {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Pose toPose(const geometry_msgs::Transform& transform) {
+  const auto& q = transform.rotation;
+  Pose pose;
+  // The store lets quaternions pass that are a little off unit length.
+  pose.rotation = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+  pose.translation = {transform.translation.x, transform.translation.y, transform.translation.z};
+  return pose;
+}
+
+}  // namespace
+
+void PoseReader::makeEdges() {
+  edges_.resize(model_.links.size());
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Link& link = model_.links[i];
+    edges_[i].child_frame = stripLeadingSlash(link.frame);
+    edges_[i].parent_frame = world_frame_;
+    if (link.parent_joint) {
+      const Joint& joint = model_.joint(*link.parent_joint);
+      edges_[i].parent_frame = stripLeadingSlash(model_.link(joint.parent).frame);
+      edges_[i].joint = joints_ != nullptr && freedomOf(joint) <= 1 ? &joint : nullptr;
+    }
+  }
+  // Children stand behind their parents.
+  for (std::size_t i = edges_.size(); i-- > 0;) {
+    const Link& link = model_.links[i];
+    edges_[i].is_needed = edges_[i].is_needed || hasShapes(link);
+    if (edges_[i].is_needed && link.parent_joint) {
+      edges_[index(model_.joint(*link.parent_joint).parent)].is_needed = true;
+    }
+  }
+}
+
+void PoseReader::refresh() {
+  const TransformStore::Version version = store_.version();
+  if (!has_records_ || version.topology != seen_.topology || version.jumps != seen_.jumps) {
+    store_.copyRecords(records_);
+    places_.clear();
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      places_.emplace(records_[i].name, i);
+    }
+    for (Edge& edge : edges_) {
+      connect(edge);
+    }
+    has_records_ = true;
+  } else if (version.data != seen_.data) {
+    store_.refreshRecords(records_);
+  }
+  seen_ = version;
+  if (joints_ != nullptr) {
+    joints_->refresh();
+  }
+}
+
+/// The frame and what is above it, up to a frame without parent.
+std::vector<std::string> PoseReader::chainAbove(const std::string& frame) const {
+  std::vector<std::string> chain{frame};
+  // A loop in tf would be endless; no chain is longer than there are frames.
+  while (chain.size() <= records_.size()) {
+    const auto place = places_.find(chain.back());
+    if (place == places_.end() || records_[place->second].parent.empty()) {
+      break;
+    }
+    chain.push_back(records_[place->second].parent);
+  }
+  return chain;
+}
+
+void PoseReader::connect(Edge& edge) const {
+  edge.read_ns = -1;
+  edge.path.clear();
+  edge.moving_path.clear();
+  if (edge.joint != nullptr) {
+    edge.is_connected = true;
+    return;
+  }
+  std::vector<std::string> up = chainAbove(edge.child_frame);
+  std::vector<std::string> down = chainAbove(edge.parent_frame);
+  edge.is_connected = up.back() == down.back();
+  if (!edge.is_connected) {
+    return;
+  }
+  while (!up.empty() && !down.empty() && up.back() == down.back()) {
+    up.pop_back();
+    down.pop_back();
+  }
+  up.insert(up.end(), down.begin(), down.end());
+  for (const std::string& frame : up) {
+    const std::size_t place = places_.at(frame);
+    edge.path.push_back(place);
+    if (!records_[place].is_static) {
+      edge.moving_path.push_back(place);
+    }
+  }
+}
+
+bool PoseReader::isMoving(const Edge& edge) {
+  return edge.joint != nullptr ? edge.joint->type != JointType::fixed : !edge.moving_path.empty();
+}
+
+/// The largest number for what does not move, 0 if nothing came yet.
+std::int64_t PoseReader::newestOf(const Edge& edge) const {
+  std::int64_t newest_ns = std::numeric_limits<std::int64_t>::max();
+  if (edge.joint != nullptr) {
+    return isMoving(edge) ? joints_->newest(edge.joint->first_variable).stamp_ns : newest_ns;
+  }
+  for (const std::size_t frame : edge.moving_path) {
+    newest_ns = std::min(newest_ns, records_[frame].newest_ns);
+  }
+  return newest_ns;
+}
+
+bool PoseReader::isBad(const Edge& edge) const {
+  if (edge.joint != nullptr) {
+    return isMoving(edge) && !std::isfinite(joints_->newest(edge.joint->first_variable).position);
+  }
+  return std::any_of(edge.path.begin(), edge.path.end(),
+                     [&](std::size_t frame) { return records_[frame].is_bad; });
+}
+
+void PoseReader::judge(std::int64_t now_ns, Edge& edge) const {
+  edge.status = LinkStatus::missing;
+  edge.age = kInfinity;
+  if (!edge.is_needed || !edge.is_connected) {
+    return;
+  }
+  edge.newest_ns = newestOf(edge);
+  if (edge.newest_ns == 0) {
+    return;
+  }
+  edge.age = isMoving(edge) ? 1e-9 * static_cast<double>(now_ns - edge.newest_ns) : 0.0;
+  if (isBad(edge)) {
+    edge.status = LinkStatus::not_finite;
+  } else {
+    edge.status = std::abs(edge.age) <= max_age_ ? LinkStatus::known : LinkStatus::stale;
+  }
+}
+
+void PoseReader::look(std::int64_t stamp_ns, Edge& edge) const {
+  if (edge.joint == nullptr) {
+    lookUpTransform(stamp_ns, edge);
+    return;
+  }
+  const bool is_known = !isMoving(edge) || std::isfinite(positions_[edge.joint->first_variable]);
+  edge.read_ns = is_known ? stamp_ns : -1;
+  edge.status = is_known ? LinkStatus::known : LinkStatus::stale;
+  if (is_known) {
+    edge.parent_from_child = parentFromChild(*edge.joint, positions_);
+  }
+}
+
+/// At a stamp that is not the newest, the data may begin later or have a gap
+/// there; tf2 throws in the first case, which is slow, and bridges the second
+/// with invented poses.
+void PoseReader::lookUpTransform(std::int64_t stamp_ns, Edge& edge) const {
+  ros::Time stamp;
+  stamp.fromNSec(static_cast<std::uint64_t>(stamp_ns));
+  const bool is_newest = stamp_ns == 0 || stamp_ns == edge.newest_ns;
+  edge.read_ns = -1;
+  edge.status = LinkStatus::missing;
+  const tf2::BufferCore& buffer = store_.buffer();
+  if (!is_newest && hasGapAt(edge, stamp_ns)) {
+    edge.status = LinkStatus::stale;
+    return;
+  }
+  if (edge.path.empty()) {
+    edge.parent_from_child = Pose();
+  } else {
+    try {
+      if (!is_newest && !buffer.canTransform(edge.parent_frame, edge.child_frame, stamp)) {
+        return;
+      }
+      edge.parent_from_child =
+          toPose(buffer.lookupTransform(edge.parent_frame, edge.child_frame, stamp).transform);
+    } catch (const tf2::TransformException&) {
+      return;  // the data went away in between, as when time jumps
+    }
+  }
+  edge.read_ns = stamp_ns;
+  edge.status = LinkStatus::known;
+}
+
+bool PoseReader::hasGapAt(const Edge& edge, std::int64_t stamp_ns) const {
+  return std::any_of(edge.moving_path.begin(), edge.moving_path.end(), [&](std::size_t frame) {
+    const FrameRecord& record = records_[frame];
+    return record.previous_ns > 0 && record.previous_ns < stamp_ns && stamp_ns < record.newest_ns &&
+           1e-9 * static_cast<double>(record.newest_ns - record.previous_ns) > max_age_;
+  });
+}
+
+}  // namespace collision_monitor

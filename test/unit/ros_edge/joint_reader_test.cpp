@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/ros_edge/joint_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "support/urdf_text.h"
+
+namespace collision_monitor::test {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+sensor_msgs::JointState jointState(double stamp, const std::vector<std::string>& names,
+                                   const std::vector<double>& positions,
+                                   const std::vector<double>& velocities = {}) {
+  sensor_msgs::JointState message;
+  message.header.stamp = stamp > 0.0 ? ros::Time(stamp) : ros::Time();
+  message.name = names;
+  message.position = positions;
+  message.velocity = velocities;
+  return message;
+}
+
+TEST(JointStore, newestSampleStays) {
+  JointStore store;
+  store.accept("t", jointState(2.0, {"a", "b"}, {0.1, 0.2}, {1.0}));
+  store.accept("t", jointState(1.0, {"a"}, {0.7}, {7.0}));
+  std::vector<JointSample> samples;
+  store.readNewest({{*store.find("t", "a"), false}, {*store.find("t", "b"), false}}, samples);
+  EXPECT_EQ(samples[0].velocity, 1.0) << "an older message does not count";
+  EXPECT_EQ(samples[1].position, 0.2);
+  EXPECT_TRUE(std::isnan(samples[1].velocity)) << "velocity is shorter than name";
+  EXPECT_FALSE(store.find("other", "a"));
+  EXPECT_FALSE(store.find("t", "c"));
+}
+
+TEST(JointStore, withoutStamp_isRefused) {
+  JointStore store;
+  store.accept("t", jointState(0.0, {"a"}, {0.1}));
+  EXPECT_EQ(store.recordCount(), 0U);
+}
+
+TEST(JointStore, betweenTwoSamples_isTheStraightLine) {
+  JointStore store;
+  store.accept("t", jointState(1.0, {"a"}, {0.0}, {1.0}));
+  store.accept("t", jointState(1.4, {"a"}, {0.4}, {3.0}));
+  store.accept("t", jointState(3.0, {"a"}, {9.0}));
+  std::vector<JointSample> samples;
+  const std::vector<JointStore::Wanted> a{{*store.find("t", "a"), false}};
+  store.readAt(a, 1'100'000'000, 0.5, samples);
+  EXPECT_NEAR(samples[0].position, 0.1, 1e-9);
+  EXPECT_NEAR(samples[0].velocity, 1.5, 1e-9);
+  store.readAt(a, 1'400'000'000, 0.5, samples);
+  EXPECT_EQ(samples[0].position, 0.4) << "a stamp that was received is taken as it is";
+  for (const std::int64_t stamp_ns : {900'000'000LL, 2'000'000'000LL, 3'100'000'000LL}) {
+    store.readAt(a, stamp_ns, 0.5, samples);
+    EXPECT_EQ(samples[0].stamp_ns, 0) << "before all, in a gap, after all: " << stamp_ns;
+  }
+}
+
+TEST(JointStore, angleThatWraps_goesTheShorterWayRound) {
+  JointStore store;
+  store.accept("t", jointState(1.0, {"a"}, {3.1}));
+  store.accept("t", jointState(1.2, {"a"}, {-3.1}));
+  std::vector<JointSample> samples;
+  const JointStore::Record a = *store.find("t", "a");
+  store.readAt({{a, true}, {a, false}}, 1'100'000'000, 0.5, samples);
+  EXPECT_NEAR(samples[0].position, std::acos(-1.0), 1e-9);
+  EXPECT_NEAR(samples[1].position, 0.0, 1e-9);
+}
+
+TEST(JointStore, longHistory_forgetsItsBeginning) {
+  JointStore store;
+  for (int i = 1; i <= 1000; ++i) {
+    store.accept("t", jointState(i, {"a"}, {0.1 * i}));
+  }
+  std::vector<JointSample> samples;
+  const std::vector<JointStore::Wanted> a{{*store.find("t", "a"), false}};
+  store.readAt(a, 900'500'000'000, 2.0, samples);
+  EXPECT_NEAR(samples[0].position, 90.05, 1e-9);
+  store.readAt(a, 500'000'000'000, 2.0, samples);
+  EXPECT_EQ(samples[0].stamp_ns, 0);
+  store.forget();
+  store.readNewest(a, samples);
+  EXPECT_EQ(samples[0].stamp_ns, 0);
+}
+
+/// Two joints with a variable each and one that follows.
+RobotDescription armDescription(const std::string& prefix) {
+  const std::string limit = "<limit lower='-9' upper='9'/>";
+  RobotDescription description = describeText(
+      robotXml("<link name='base'/><link name='a'/><link name='b'/><link name='c'/>" +
+               jointXml("turn", "continuous", "base", "a") +
+               jointXml("slide", "prismatic", "a", "b", limit) +
+               jointXml("follow", "prismatic", "b", "c", limit + "<mimic joint='slide'/>")));
+  description.tf_prefix = prefix;
+  return description;
+}
+
+class JointReaderTest : public testing::Test {
+ protected:
+  void build(const std::vector<std::string>& prefixes, const std::vector<std::string>& topics) {
+    std::vector<RobotDescription> robots;
+    for (const std::string& prefix : prefixes) {
+      robots.push_back(armDescription(prefix));
+    }
+    SetupReport report;
+    model_ = readRobots(robots, textLoader({}), report);
+    ASSERT_TRUE(report.errors.empty());
+    reader_ = std::make_unique<JointReader>(model_, store_, topics);
+  }
+  double velocityOf(const std::string& joint, double now = 10.0) {
+    JointVelocities velocities(model_.variable_count);
+    reader_->refresh();
+    reader_->readVelocities(ros::Time(now), 0.5, velocities);
+    return velocities[model_.joint(*model_.findJoint(joint)).first_variable];
+  }
+
+  JointStore store_;
+  RobotModel model_;
+  std::unique_ptr<JointReader> reader_;
+};
+
+TEST_F(JointReaderTest, freshVelocitiesCount) {
+  build({""}, {"t"});
+  EXPECT_TRUE(std::isnan(velocityOf("turn"))) << "nothing came yet";
+  store_.accept("t", jointState(9.8, {"turn", "slide"}, {0, 0}, {0.3, kNaN}));
+  EXPECT_EQ(velocityOf("turn"), 0.3);
+  EXPECT_TRUE(std::isnan(velocityOf("slide")));
+  EXPECT_TRUE(std::isnan(velocityOf("turn", 10.4))) << "0.6 s old";
+}
+
+TEST_F(JointReaderTest, mimicJoint_followsItsSourceWhateverIsPublished) {
+  build({""}, {"t"});
+  store_.accept("t", jointState(9.9, {"slide", "follow"}, {0, 0}, {0.2, 7.0}));
+  EXPECT_EQ(velocityOf("follow"), 0.2);
+}
+
+TEST_F(JointReaderTest, namesWithoutPrefix_onATopicOfItsOwn) {
+  build({"left", "right"}, {"l", "r"});
+  store_.accept("l", jointState(9.9, {"turn"}, {0}, {1.0}));
+  store_.accept("r", jointState(9.9, {"turn"}, {0}, {2.0}));
+  EXPECT_EQ(velocityOf("left/turn"), 1.0);
+  EXPECT_EQ(velocityOf("right/turn"), 2.0);
+}
+
+TEST_F(JointReaderTest, namesOnASharedTopic_needTheirPrefix) {
+  build({"left", "right"}, {"t", "t"});
+  store_.accept("t", jointState(9.9, {"turn", "left/slide"}, {0, 0}, {1.0, 2.0}));
+  EXPECT_TRUE(std::isnan(velocityOf("left/turn"))) << "whose it is nobody knows";
+  EXPECT_EQ(velocityOf("left/slide"), 2.0);
+  EXPECT_TRUE(std::isnan(velocityOf("right/slide")));
+}
+
+TEST_F(JointReaderTest, noTopic_noVelocities) {
+  build({""}, {""});
+  store_.accept("t", jointState(9.9, {"turn"}, {0}, {1.0}));
+  EXPECT_TRUE(std::isnan(velocityOf("turn")));
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
