@@ -1,14 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <benchmark/benchmark.h>
-#include <fcl/geometry/shape/convex.h>
-#include <fcl/geometry/shape/cylinder.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "collision_monitor/geometry/convex_hull.h"
 #include "support/convex_cases.h"
 #include "support_fcl/fcl_adapter.h"
 
@@ -75,21 +71,6 @@ void measureOurs(benchmark::State& state, const Scene& scene, bool is_warm) {
   }
 }
 
-std::shared_ptr<fcl::CollisionGeometryd> toFclGeometry(const ConvexGeometry& geometry) {
-  if (const auto* cylinder = std::get_if<Cylinder>(&geometry)) {
-    return std::make_shared<fcl::Cylinderd>(cylinder->radius, 2.0 * cylinder->half_length);
-  }
-  const TriangleMesh mesh = convexHullOf(std::get<ConvexHull>(geometry).vertices());
-  auto faces = std::make_shared<std::vector<int>>();
-  for (const auto& triangle : mesh.triangles) {
-    faces->push_back(3);
-    faces->insert(faces->end(), triangle.begin(), triangle.end());
-  }
-  return std::make_shared<fcl::Convexd>(
-      std::make_shared<const std::vector<Eigen::Vector3d>>(mesh.vertices),
-      static_cast<int>(mesh.triangles.size()), faces);
-}
-
 template <class Query>
 void measureFcl(benchmark::State& state, const Scene& scene, const Query& query) {
   const auto geometry_a = toFclGeometry(scene.a);
@@ -115,8 +96,8 @@ void registerScene(const std::string& name, const Scene& scene) {
         (name + "/fcl_distance").c_str(),
         [scene](benchmark::State& state) { measureFcl(state, scene, fclDistance); });
   } else {
-    benchmark::RegisterBenchmark((name + "/fcl_depth").c_str(), [scene](benchmark::State& state) {
-      measureFcl(state, scene, fclDepth);
+    benchmark::RegisterBenchmark((name + "/fcl_signed").c_str(), [scene](benchmark::State& state) {
+      measureFcl(state, scene, fclSignedDistance);
     });
   }
 }

@@ -3,6 +3,7 @@
 #include "collision_monitor/geometry/hull.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -12,11 +13,11 @@
 namespace collision_monitor {
 namespace {
 
-constexpr std::size_t kFewVertices = 24;  // as many cost no more than a climb
+constexpr std::size_t kFewVertices = 24;    // as many cost no more than a climb
+constexpr std::size_t kManyVertices = 128;  // up to these, climbs cost no more than a map
 // A climb stops where no neighbour gains more than rounding, about 1e-16 of the extent; along an
 // edge this short that is a slope of 1e-11, which the rest of the hull might exploit.
 constexpr double kShortEdge = 1e-5;
-constexpr std::uint32_t kNowhere = 0xffffffffU;
 
 double extentOf(const std::vector<Eigen::Vector3d>& points) {
   Eigen::Vector3d low = points[0];
@@ -60,24 +61,83 @@ ConvexHull::ConvexHull(const std::vector<Eigen::Vector3d>& points) {
     first_neighbour_[from + 1] = static_cast<std::uint32_t>(neighbours_.size());
     climbs_ = climbs_ && (vertices_[to] - vertices_[from]).norm() > kShortEdge * extent;
   }
+  if (climbs_ && vertices_.size() > kManyVertices) {
+    mapDirections();
+  }
+}
+
+void ConvexHull::mapDirections() {
+  // More cells than vertices: then most climbs start at their end.
+  constexpr double kCellsAVertex = 4.0;
+  constexpr std::size_t kMostRows = 16;
+  const double cells_a_side = kCellsAVertex / 6.0 * static_cast<double>(vertices_.size());
+  rows_ = std::min(kMostRows, static_cast<std::size_t>(std::sqrt(cells_a_side)));
+  farthest_.resize(6 * rows_ * rows_);
+  const auto middleOf = [this](std::size_t row) {
+    return (2.0 * static_cast<double>(row) + 1.0) / static_cast<double>(rows_) - 1.0;
+  };
+  for (Eigen::Index side = 0; side < 6; ++side) {
+    Eigen::Vector3d direction;
+    direction[side / 2] = side % 2 == 0 ? 1.0 : -1.0;
+    for (std::size_t row = 0; row < rows_; ++row) {
+      direction[(side / 2 + 1) % 3] = middleOf(row);
+      for (std::size_t column = 0; column < rows_; ++column) {
+        direction[(side / 2 + 2) % 3] = middleOf(column);
+        farthest_[cellOf(direction)] = lookAtAll(direction);
+      }
+    }
+  }
+}
+
+std::size_t ConvexHull::cellOf(const Eigen::Vector3d& direction) const noexcept {
+  const Eigen::Vector3d size = direction.cwiseAbs();
+  const Eigen::Index of_xy = size.y() > size.x() ? 1 : 0;
+  const Eigen::Index axis = size.z() > size[of_xy] ? 2 : of_xy;
+  const auto rows = static_cast<double>(rows_);
+  const double cells_a_length = 0.5 * rows / size[axis];
+  const auto rowOf = [&](double across) {
+    // Written so that NaN, as of direction 0, falls into the first row.
+    const double place = std::max(0.0, across * cells_a_length + 0.5 * rows);
+    return static_cast<std::size_t>(std::min(place, rows - 1.0));
+  };
+  const auto side = static_cast<std::size_t>(2 * axis + (direction[axis] < 0.0 ? 1 : 0));
+  return (side * rows_ + rowOf(direction[(axis + 1) % 3])) * rows_ +
+         rowOf(direction[(axis + 2) % 3]);
+}
+
+std::uint32_t ConvexHull::stepUp(const Eigen::Vector3d& direction,
+                                 std::uint32_t from) const noexcept {
+  const auto reachOf = [&](std::uint32_t vertex) {
+    const Eigen::Vector3d& point = vertices_[vertex];
+    return direction.x() * point.x() + direction.y() * point.y() + direction.z() * point.z();
+  };
+  std::uint32_t best = from;
+  double farthest = reachOf(from);
+  const std::uint32_t end = first_neighbour_[from + 1];
+  for (std::uint32_t k = first_neighbour_[from]; k < end; ++k) {
+    const double reach = reachOf(neighbours_[k]);
+    if (reach > farthest) {
+      farthest = reach;
+      best = neighbours_[k];
+    }
+  }
+  return best;
 }
 
 std::uint32_t ConvexHull::climb(const Eigen::Vector3d& direction,
                                 std::uint32_t start) const noexcept {
-  std::uint32_t best = start;
-  double farthest = direction.dot(vertices_[start]);
-  for (std::uint32_t at = kNowhere; at != best;) {
-    at = best;
-    const std::uint32_t end = first_neighbour_[at + 1];
-    for (std::uint32_t k = first_neighbour_[at]; k < end; ++k) {
-      const double reach = direction.dot(vertices_[neighbours_[k]]);
-      if (reach > farthest) {
-        farthest = reach;
-        best = neighbours_[k];
-      }
-    }
+  std::uint32_t at = stepUp(direction, start);
+  if (at == start) {
+    return start;
   }
-  return best;
+  if (rows_ > 0) {
+    const std::uint32_t mapped = farthest_[cellOf(direction)];
+    at = direction.dot(vertices_[mapped]) > direction.dot(vertices_[at]) ? mapped : at;
+  }
+  for (std::uint32_t next = stepUp(direction, at); next != at; next = stepUp(direction, at)) {
+    at = next;
+  }
+  return at;
 }
 
 std::uint32_t ConvexHull::lookAtAll(const Eigen::Vector3d& direction) const noexcept {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 
 #include "narrow_phase/core_distance.h"
 
@@ -13,8 +14,15 @@ namespace {
 constexpr int kMaxSteps = 128;
 
 void seed(ConvexPair& pair, const ConvexWarmStart& warm, Simplex& simplex) noexcept {
+  for (std::size_t i = 0; i < warm.size; ++i) {
+    simplex.vertices[i] = differenceOf(pair, warm.on_a[i], warm.on_b[i]);
+  }
+  if (spanAll(static_cast<int>(warm.size), simplex)) {
+    return;
+  }
+  const std::array<SupportVertex, 4> last = simplex.vertices;
   for (std::size_t i = 0; i < warm.size && !simplex.contains_origin; ++i) {
-    insert(differenceOf(pair, warm.on_a[i], warm.on_b[i]), simplex);
+    insert(last[i], simplex);
   }
   if (simplex.size == 0) {
     insert(leastAlong(pair.a_from_b.translation, pair), simplex);

@@ -32,8 +32,8 @@ void setPlane(Index index, const Eigen::Vector3d& fallback, ConvexWorkspace& pol
   const Eigen::Vector3d normal = (b - a).cross(c - a);
   const double length = normal.norm();
   const bool has_area = length > 0.0;
-  face.normal = has_area ? Eigen::Vector3d(normal / length) : fallback;
-  face.offset = face.normal.dot((a + b + c) / 3.0);
+  face.normal = has_area ? Eigen::Vector3d(1.0 / length * normal) : fallback;
+  face.offset = face.normal.dot(a + b + c) / 3.0;
   face.is_visible = false;
   face.is_gone = false;
   polytope.keys[index] = has_area ? face.offset : kNever;

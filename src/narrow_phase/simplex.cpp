@@ -13,15 +13,15 @@ namespace {
 struct Nearest {
   double squared{std::numeric_limits<double>::infinity()};
   Eigen::Vector3d point;
-  Eigen::Vector3d outward;  // any length and sense: the point's own direction or the feature's
-  std::array<int, 3> corners;
+  Eigen::Vector3d outward;     // any length and sense: the point's own direction or the feature's
+  std::array<int, 3> corners;  // ascending
   std::array<double, 3> weights;
   int size{0};
 };
 
 using Points = std::array<Eigen::Vector3d, 4>;
 
-void offer(const Nearest& candidate, Nearest& best) noexcept {
+[[gnu::always_inline]] inline void offer(const Nearest& candidate, Nearest& best) noexcept {
   if (candidate.squared < best.squared) {
     best = candidate;
   }
@@ -32,7 +32,8 @@ void offerVertex(const Points& points, int i, Nearest& best) noexcept {
   offer({p.squaredNorm(), p, p, {i, 0, 0}, {1.0, 0.0, 0.0}, 1}, best);
 }
 
-void offerEdge(const Points& points, int i, int j, Nearest& best) noexcept {
+[[gnu::always_inline]] inline void offerEdge(const Points& points, int i, int j,
+                                             Nearest& best) noexcept {
   const Eigen::Vector3d& p = points[static_cast<std::size_t>(i)];
   const Eigen::Vector3d edge = points[static_cast<std::size_t>(j)] - p;
   const double length_squared = edge.squaredNorm();
@@ -51,8 +52,9 @@ void offerEdge(const Points& points, int i, int j, Nearest& best) noexcept {
   offer({squared, point, outward, {i, j, 0}, {1.0 - share, share, 0.0}, 2}, best);
 }
 
-void offerTriangle(const Points& points, const std::array<int, 3>& corners,
-                   Nearest& best) noexcept {
+[[gnu::always_inline]] inline void offerTriangle(const Points& points,
+                                                 const std::array<int, 3>& corners,
+                                                 Nearest& best) noexcept {
   const Eigen::Vector3d& p = points[static_cast<std::size_t>(corners[0])];
   const Eigen::Vector3d first = points[static_cast<std::size_t>(corners[1])] - p;
   const Eigen::Vector3d second = points[static_cast<std::size_t>(corners[2])] - p;
@@ -70,6 +72,15 @@ void offerTriangle(const Points& points, const std::array<int, 3>& corners,
   const double longest = std::max(first.squaredNorm(), second.squaredNorm());
   const bool is_near = distance_squared * longest < squared;  // nearer than the triangle is high
   offer({distance_squared, point, is_near ? normal : point, corners, {1.0 - u - v, u, v}, 3}, best);
+}
+
+// No sliver, whose normal could be mostly rounding.
+bool isFat(const Points& p) noexcept {
+  constexpr double kLeastSineSquared = 1e-6;
+  const Eigen::Vector3d first = p[1] - p[0];
+  const Eigen::Vector3d second = p[2] - p[0];
+  const double longest = std::max(first.squaredNorm(), second.squaredNorm());
+  return first.cross(second).squaredNorm() > kLeastSineSquared * longest * longest;
 }
 
 // Strictly inside all four faces; a flat tetrahedron holds nothing.
@@ -92,17 +103,17 @@ Nearest nearestWith(const Points& points, int newest) noexcept {
   for (int i = 0; i < newest; ++i) {
     offerEdge(points, i, newest, best);
     for (int j = 0; j < i; ++j) {
-      offerTriangle(points, {i, j, newest}, best);
+      offerTriangle(points, {j, i, newest}, best);
     }
   }
   return best;
 }
 
 void keep(const Nearest& nearest, Simplex& simplex) noexcept {
-  const std::array<SupportVertex, 4> before = simplex.vertices;
   for (int i = 0; i < nearest.size; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    simplex.vertices[k] = before[static_cast<std::size_t>(nearest.corners[k])];
+    // Corners ascend, so that none is overwritten before its turn.
+    simplex.vertices[k] = simplex.vertices[static_cast<std::size_t>(nearest.corners[k])];
     simplex.weights[k] = nearest.weights[k];
   }
   simplex.size = nearest.size;
@@ -115,15 +126,35 @@ void keep(const Nearest& nearest, Simplex& simplex) noexcept {
   }
 }
 
+Points pointsOf(const Simplex& simplex, int count) noexcept {
+  Points points;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    points[i] = simplex.vertices[i].difference;
+  }
+  return points;
+}
+
 }  // namespace
+
+bool spanAll(int count, Simplex& simplex) noexcept {
+  const Points points = pointsOf(simplex, count);
+  Nearest nearest;
+  if (count == 2) {
+    offerEdge(points, 0, 1, nearest);
+  } else if (count == 3 && isFat(points)) {
+    offerTriangle(points, {0, 1, 2}, nearest);
+  }
+  const bool is_inside = nearest.squared < std::numeric_limits<double>::infinity();
+  if (is_inside) {
+    keep(nearest, simplex);
+  }
+  return is_inside;
+}
 
 bool insert(const SupportVertex& vertex, Simplex& simplex) noexcept {
   const int newest = simplex.size;
   simplex.vertices[static_cast<std::size_t>(newest)] = vertex;
-  Points points;
-  for (int i = 0; i <= newest; ++i) {
-    points[static_cast<std::size_t>(i)] = simplex.vertices[static_cast<std::size_t>(i)].difference;
-  }
+  const Points points = pointsOf(simplex, newest + 1);
   if (newest == 3 && holdsOrigin(points)) {
     simplex.size = 4;
     simplex.contains_origin = true;

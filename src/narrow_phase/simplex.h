@@ -27,6 +27,12 @@ struct Simplex {
   Eigen::Vector3d pointOnB() const noexcept;  ///< in B's frame
 };
 
+/// Takes the first `count` vertices as they are, if there are two or three and the point nearest to
+/// the origin is inside what they span: where a search begins that moved little since the last.
+/// @return false, with the simplex still empty, when some of them are not needed or hardly span.
+/// @pre the simplex is empty but for these vertices.
+bool spanAll(int count, Simplex& simplex) noexcept;
+
 /// Adds a vertex, finds the new nearest point and drops what does not span it.
 ///
 /// The point is chosen among all features that the new vertex takes part in by the length of

@@ -4,6 +4,8 @@
 
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/capsule.h>
+#include <fcl/geometry/shape/convex.h>
+#include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
@@ -12,30 +14,60 @@
 #include <exception>
 #include <vector>
 
+#include "collision_monitor/geometry/convex_hull.h"
+
 namespace collision_monitor::test {
 namespace {
 
-using Geometry = std::shared_ptr<fcl::CollisionGeometryd>;
-
 struct ToGeometry {
-  Geometry operator()(const Sphere& shape) const {
+  FclGeometry operator()(const Sphere& shape) const {
     return std::make_shared<fcl::Sphered>(shape.radius);
   }
-  Geometry operator()(const Capsule& shape) const {
+  FclGeometry operator()(const Capsule& shape) const {
     return std::make_shared<fcl::Capsuled>(shape.radius, 2.0 * shape.half_length);
   }
-  Geometry operator()(const Box& shape) const {
+  FclGeometry operator()(const Box& shape) const {
     return std::make_shared<fcl::Boxd>(2.0 * shape.half_extents);
   }
-  Geometry operator()(const RoundedBox& shape) const {
+  FclGeometry operator()(const RoundedBox& shape) const {
     return shape.radius > 0.0 ? nullptr : (*this)(Box{shape.half_extents});
   }
+  FclGeometry operator()(const Cylinder& shape) const {
+    return std::make_shared<fcl::Cylinderd>(shape.radius, 2.0 * shape.half_length);
+  }
+  FclGeometry operator()(const ConvexHull& hull) const {
+    const TriangleMesh mesh = convexHullOf(hull.vertices());
+    auto faces = std::make_shared<std::vector<int>>();
+    for (const auto& triangle : mesh.triangles) {
+      faces->push_back(3);
+      faces->insert(faces->end(), triangle.begin(), triangle.end());
+    }
+    return std::make_shared<fcl::Convexd>(
+        std::make_shared<const std::vector<Eigen::Vector3d>>(mesh.vertices),
+        static_cast<int>(mesh.triangles.size()), faces);
+  }
+  FclGeometry operator()(const HalfSpace&) const { return nullptr; }
 };
+
+std::optional<double> distanceBy(const fcl::DistanceRequestd& request, const FclObject& a,
+                                 const FclObject& b) {
+  try {
+    fcl::DistanceResultd result;
+    fcl::distance(&a, &b, request, result);
+    return result.min_distance;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
 
 }  // namespace
 
+FclGeometry toFclGeometry(const ConvexGeometry& geometry) {
+  return std::visit(ToGeometry{}, geometry);
+}
+
 std::optional<FclObject> toFcl(const Shape& shape, const Pose& world_from_shape) {
-  const Geometry geometry = std::visit(ToGeometry{}, shape);
+  const FclGeometry geometry = std::visit(ToGeometry{}, shape);
   if (geometry == nullptr) {
     return std::nullopt;
   }
@@ -43,14 +75,11 @@ std::optional<FclObject> toFcl(const Shape& shape, const Pose& world_from_shape)
 }
 
 std::optional<double> fclDistance(const FclObject& a, const FclObject& b) {
-  try {
-    const fcl::DistanceRequestd request(false, false);
-    fcl::DistanceResultd result;
-    fcl::distance(&a, &b, request, result);
-    return result.min_distance;
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
+  return distanceBy(fcl::DistanceRequestd(false, false), a, b);
+}
+
+std::optional<double> fclSignedDistance(const FclObject& a, const FclObject& b) {
+  return distanceBy(fcl::DistanceRequestd(true, true), a, b);
 }
 
 std::optional<bool> fclOverlap(const FclObject& a, const FclObject& b) {

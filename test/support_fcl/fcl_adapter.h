@@ -9,12 +9,17 @@
 
 #include "collision_monitor/geometry/pose.h"
 #include "collision_monitor/geometry/shapes.h"
+#include "collision_monitor/narrow_phase/convex_distance.h"
 
 /// The flexible collision library as a peer to compare with. Nothing but tests, benchmarks and
 /// the comparison tool may use this.
 namespace collision_monitor::test {
 
 using FclObject = fcl::CollisionObject<double>;
+using FclGeometry = std::shared_ptr<fcl::CollisionGeometryd>;
+
+/// @return nullptr for what FCL has no shape for: a rounded box with a radius, a half space.
+FclGeometry toFclGeometry(const ConvexGeometry& geometry);
 
 /// @return nothing for a rounded box with a radius: FCL has no such shape.
 std::optional<FclObject> toFcl(const Shape& shape, const Pose& world_from_shape);
@@ -23,6 +28,10 @@ std::optional<FclObject> toFcl(const Shape& shape, const Pose& world_from_shape)
 /// value says nothing about the depth.
 /// @return nothing when FCL throws.
 std::optional<double> fclDistance(const FclObject& a, const FclObject& b);
+
+/// Distance, or minus the depth, by the only query of FCL's that tells both: libccd's GJK and EPA.
+/// @return nothing when FCL throws.
+std::optional<double> fclSignedDistance(const FclObject& a, const FclObject& b);
 
 /// @return nothing when FCL throws.
 std::optional<bool> fclOverlap(const FclObject& a, const FclObject& b);

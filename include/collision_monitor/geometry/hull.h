@@ -42,13 +42,16 @@ class ConvexHull {
   double boundingRadius() const noexcept { return bounding_radius_; }
 
   /// Index of a vertex that is farthest in `direction` (need not be unit). `start` is a vertex
-  /// to begin at; the last answer for a similar direction makes the climb short.
+  /// to begin at; the last answer for a similar direction makes the climb short. Of large
+  /// hulls a map of directions knows another, which is taken where it is farther.
   ///
   /// Error: large hulls climb from neighbour to neighbour, which rounding may stop short of the
   /// farthest vertex by about 1e-10 of the hull's extent; small hulls, and those with edges so
   /// short that it could be more, look at every vertex.
   /// Source: Gilbert, Foo, "Computing the distance between general convex objects in
-  /// three-dimensional space" (1990), and Cameron, "Enhancing GJK" (1997), for climbing.
+  /// three-dimensional space" (1990), and Cameron, "Enhancing GJK" (1997), for climbing; Ehmann,
+  /// Lin, "Accelerated proximity queries between convex polyhedra by multi-level Voronoi marching"
+  /// (2000), for starting from a table of directions.
   /// @pre `start` names a vertex.
   std::uint32_t supportVertex(const Eigen::Vector3d& direction,
                               std::uint32_t start) const noexcept {
@@ -56,6 +59,9 @@ class ConvexHull {
   }
 
  private:
+  void mapDirections();
+  std::size_t cellOf(const Eigen::Vector3d& direction) const noexcept;
+  std::uint32_t stepUp(const Eigen::Vector3d& direction, std::uint32_t from) const noexcept;
   std::uint32_t climb(const Eigen::Vector3d& direction, std::uint32_t start) const noexcept;
   std::uint32_t lookAtAll(const Eigen::Vector3d& direction) const noexcept;
 
@@ -65,6 +71,10 @@ class ConvexHull {
   // The neighbours of vertex i are neighbours_[first_neighbour_[i]] up to the next one's first.
   std::vector<std::uint32_t> first_neighbour_;
   std::vector<std::uint32_t> neighbours_;
+  // By cell of a cube about all directions, each side of which has rows_ by rows_ cells: where the
+  // climb along the middle of the cell ends. Empty where climbs are short.
+  std::vector<std::uint32_t> farthest_;
+  std::size_t rows_{0};
   double bounding_radius_{0.0};
   bool has_volume_{false};
   bool climbs_{false};

@@ -81,9 +81,7 @@ TEST(ConvexHull, collinearAndCoincidentPoints_haveNoFaces) {
   EXPECT_EQ(point.supportVertex(Eigen::Vector3d::UnitX(), 0), 0U);
 }
 
-TEST(ConvexHull, support_isFarthestWhereverTheClimbStarts) {
-  const ConvexHull hull(globe(8, 12));
-  ASSERT_GT(hull.vertices().size(), 60U);
+void expectFarthestFromEveryStart(const ConvexHull& hull) {
   for (int i = 0; i < 200; ++i) {
     const Eigen::Vector3d direction(std::cos(1.0 * i), std::sin(1.7 * i), std::cos(2.3 * i));
     double farthest = -std::numeric_limits<double>::infinity();
@@ -95,6 +93,34 @@ TEST(ConvexHull, support_isFarthestWhereverTheClimbStarts) {
       EXPECT_NEAR(direction.dot(hull.vertices()[found]), farthest, 1e-14);
     }
   }
+}
+
+TEST(ConvexHull, support_isFarthestWhereverTheClimbStarts) {
+  const ConvexHull hull(globe(8, 12));
+  ASSERT_GT(hull.vertices().size(), 60U);
+  expectFarthestFromEveryStart(hull);
+}
+
+TEST(ConvexHull, supportOfManyVertices_isFarthestWhereverTheClimbStarts) {
+  const ConvexHull hull(globe(20, 24));
+  ASSERT_GT(hull.vertices().size(), 400U);
+  expectFarthestFromEveryStart(hull);
+}
+
+TEST(ConvexHull, supportAlongAxesAndAlongNothing_isAVertex) {
+  const ConvexHull hull(globe(20, 24));
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double sign : {1.0, -1.0}) {
+      const Eigen::Vector3d direction = sign * Eigen::Vector3d::Unit(axis);
+      double farthest = -std::numeric_limits<double>::infinity();
+      for (const Eigen::Vector3d& vertex : hull.vertices()) {
+        farthest = std::max(farthest, direction.dot(vertex));
+      }
+      EXPECT_NEAR(direction.dot(hull.vertices()[hull.supportVertex(direction, 100)]), farthest,
+                  1e-14);
+    }
+  }
+  EXPECT_LT(hull.supportVertex(Eigen::Vector3d::Zero(), 100), hull.vertices().size());
 }
 
 // A needle-short edge would stop a climb that looks at slopes; such hulls look at every vertex.
