@@ -1,88 +1,152 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "narrow_phase/mesh_bounds.cpp"
+#include "hwy/foreach_target.h"
+// The order matters: Highway first includes this file once for each target.
+#include "hwy/highway.h"
 #include "narrow_phase/mesh_bounds.h"
 
+HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
-namespace {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
 
-using Eigen::Vector3f;
-using LanesOfNode = Eigen::Map<const Lanes, Eigen::Aligned32>;
+// Some children of a node: as many as a register has lanes. No fused multiply-add: every
+// instruction set rounds alike.
+using Some = hn::CappedTag<float, MeshTreeNode::kWidth>;
+using Number = hn::Vec<Some>;
 
-// Directions, one for each child, in which bounds are held against each other.
-struct Directions {
-  Lanes along[3];
+HWY_INLINE Number number(float value) { return hn::Set(Some(), value); }
+HWY_INLINE Number load(const float* from) { return hn::Load(Some(), from); }
 
-  Lanes dot(const Vector3f& v) const noexcept {
-    return along[0] * v[0] + along[1] * v[1] + along[2] * v[2];
-  }
+struct Vector {
+  Number at[3];
 };
 
-// What a bound covers along a direction.
+HWY_INLINE Vector vector(const float* xyz) {
+  return {{number(xyz[0]), number(xyz[1]), number(xyz[2])}};
+}
+HWY_INLINE Vector load(const float (&from)[3][MeshTreeNode::kWidth], std::size_t first) {
+  return {{load(from[0] + first), load(from[1] + first), load(from[2] + first)}};
+}
+HWY_INLINE Vector operator-(const Vector& a, const Vector& b) {
+  return {{hn::Sub(a.at[0], b.at[0]), hn::Sub(a.at[1], b.at[1]), hn::Sub(a.at[2], b.at[2])}};
+}
+HWY_INLINE Vector operator*(Number s, const Vector& v) {
+  return {{hn::Mul(s, v.at[0]), hn::Mul(s, v.at[1]), hn::Mul(s, v.at[2])}};
+}
+HWY_INLINE Vector absolute(const Vector& v) {
+  return {{hn::Abs(v.at[0]), hn::Abs(v.at[1]), hn::Abs(v.at[2])}};
+}
+HWY_INLINE Number dot(const Vector& a, const Vector& b) {
+  return hn::Add(hn::Add(hn::Mul(a.at[0], b.at[0]), hn::Mul(a.at[1], b.at[1])),
+                 hn::Mul(a.at[2], b.at[2]));
+}
+
+struct Children {
+  Vector center, half, normal;
+  Number slab_center, slab_half;
+};
+
+struct Other {
+  Vector center, sides[3], reach, normal;
+  Number slab_center, slab_half, slack;
+};
+
+HWY_INLINE Children childrenOf(const MeshTreeNode& node, std::size_t first) {
+  return {load(node.center, first), load(node.half, first), load(node.normal, first),
+          load(node.slab_center + first), load(node.slab_half + first)};
+}
+
+HWY_INLINE Other everywhere(const PlacedBound& bound) {
+  const float* sides = bound.sides.data();  // column after column
+  return {vector(bound.center.data()), {vector(sides), vector(sides + 3), vector(sides + 6)},
+          vector(bound.reach.data()),  vector(bound.normal.data()),
+          number(bound.slab_center),   number(bound.slab_half),
+          number(bound.slack)};
+}
+
+// What bounds cover along a direction.
 struct Shadow {
-  Lanes middle;
-  Lanes half;
+  Number middle, half;
 };
 
 // A direction u is split as u = c n + w, n the normal of the slab: the slab bounds c n.x and the
 // box bounds w.x. For directions near the normal w is small, and the shadow is as thin as the slab.
-Shadow shadowOfOther(const PlacedBound& other, const Directions& u, const Lanes& shared) noexcept {
-  const Directions rest{{u.along[0] - shared * other.normal[0],
-                         u.along[1] - shared * other.normal[1],
-                         u.along[2] - shared * other.normal[2]}};
-  return {shared * other.slab_center + rest.dot(other.center),
-          shared.abs() * other.slab_half + rest.dot(other.sides.col(0)).abs() +
-              rest.dot(other.sides.col(1)).abs() + rest.dot(other.sides.col(2)).abs()};
+HWY_INLINE Shadow shadowOf(const Other& other, const Vector& u, Number shared) {
+  const Vector rest = u - shared * other.normal;
+  const Number of_sides =
+      hn::Add(hn::Add(hn::Abs(dot(rest, other.sides[0])), hn::Abs(dot(rest, other.sides[1]))),
+              hn::Abs(dot(rest, other.sides[2])));
+  return {hn::Add(hn::Mul(shared, other.slab_center), dot(rest, other.center)),
+          hn::Add(hn::Mul(hn::Abs(shared), other.slab_half), of_sides)};
 }
 
-Shadow shadowOfChildren(const MeshTreeNode& node, const Directions& u,
-                        const Lanes& shared) noexcept {
-  Shadow shadow{shared * LanesOfNode(node.slab_center), shared.abs() * LanesOfNode(node.slab_half)};
-  for (int k = 0; k < 3; ++k) {
-    const Lanes rest = u.along[k] - shared * LanesOfNode(node.normal[k]);
-    shadow.middle += rest * LanesOfNode(node.center[k]);
-    shadow.half += rest.abs() * LanesOfNode(node.half[k]);
-  }
-  return shadow;
+HWY_INLINE Shadow shadowOf(const Children& children, const Vector& u, Number shared) {
+  const Vector rest = u - shared * children.normal;
+  return {
+      hn::Add(hn::Mul(shared, children.slab_center), dot(rest, children.center)),
+      hn::Add(hn::Mul(hn::Abs(shared), children.slab_half), dot(absolute(rest), children.half))};
 }
 
-Lanes gapBetween(const Shadow& a, const Shadow& b) noexcept {
-  return (a.middle - b.middle).abs() - (a.half + b.half);
-}
-
-// Along the children's normals, of which they know their extent.
-Lanes gapAlongChildren(const MeshTreeNode& node, const Directions& normals, const Lanes& shared,
-                       const PlacedBound& other) noexcept {
-  return gapBetween(shadowOfOther(other, normals, shared),
-                    {LanesOfNode(node.slab_center), LanesOfNode(node.slab_half)});
-}
-
-Lanes gapAlongOther(const MeshTreeNode& node, const Lanes& shared,
-                    const PlacedBound& other) noexcept {
-  const Directions normal{{Lanes::Constant(other.normal[0]), Lanes::Constant(other.normal[1]),
-                           Lanes::Constant(other.normal[2])}};
-  return gapBetween(shadowOfChildren(node, normal, shared),
-                    {Lanes::Constant(other.slab_center), Lanes::Constant(other.slab_half)});
+HWY_INLINE Number gapBetween(const Shadow& a, const Shadow& b) {
+  return hn::Sub(hn::Abs(hn::Sub(a.middle, b.middle)), hn::Add(a.half, b.half));
 }
 
 // Along the line of centres, which far bounds are apart by.
-Lanes gapAlongCenters(const MeshTreeNode& node, const Directions& normals,
-                      const PlacedBound& other) noexcept {
-  Directions u;
-  Lanes squared = Lanes::Constant(1e-30F);
-  for (int k = 0; k < 3; ++k) {
-    u.along[k] = other.center[k] - LanesOfNode(node.center[k]);
-    squared += u.along[k].square();
-  }
+HWY_INLINE Number gapAlongCenters(const Children& children, const Other& other) {
+  const Vector between = other.center - children.center;
+  const Number squared = hn::Add(dot(between, between), number(1e-30F));
   // A little less than unit, so that no gap comes out too large.
-  const Lanes shorten = (1.0F - 1e-6F) / squared.sqrt();
-  Lanes shared_with_children = Lanes::Zero();
-  for (int k = 0; k < 3; ++k) {
-    u.along[k] *= shorten;
-    shared_with_children += u.along[k] * normals.along[k];
-  }
-  return gapBetween(shadowOfOther(other, u, u.dot(other.normal)),
-                    shadowOfChildren(node, u, shared_with_children));
+  const Vector u = hn::Div(number(1.0F - 1e-6F), hn::Sqrt(squared)) * between;
+  return gapBetween(shadowOf(other, u, dot(u, other.normal)),
+                    shadowOf(children, u, dot(u, children.normal)));
 }
+
+HWY_INLINE Number squaredGapOfBoxes(const Children& children, const Other& other) {
+  const Vector between = absolute(children.center - other.center) - children.half - other.reach;
+  const Number zero = hn::Zero(Some());
+  const Vector gap{
+      {hn::Max(between.at[0], zero), hn::Max(between.at[1], zero), hn::Max(between.at[2], zero)}};
+  return dot(gap, gap);
+}
+
+std::uint32_t boundNode(const MeshTreeNode& node, const PlacedBound& bound, float limit,
+                        NodeBounds& bounds) {
+  std::uint32_t nearer = 0;
+  for (std::size_t first = 0; first < MeshTreeNode::kWidth; first += hn::Lanes(Some())) {
+    const Children children = childrenOf(node, first);
+    const Other other = everywhere(bound);
+    // Along their normals both know their extent.
+    const Number shared = dot(children.normal, other.normal);
+    const Number along_children = gapBetween(shadowOf(other, children.normal, shared),
+                                             {children.slab_center, children.slab_half});
+    const Number along_other =
+        gapBetween(shadowOf(children, other.normal, shared), {other.slab_center, other.slab_half});
+    const Number along_centers = gapAlongCenters(children, other);
+    const Number gap = hn::Max(hn::Max(along_children, along_other),
+                               hn::Max(hn::Sub(along_centers, other.slack), hn::Zero(Some())));
+    const Number squared = hn::Max(squaredGapOfBoxes(children, other), hn::Mul(gap, gap));
+    hn::Store(squared, Some(), bounds.squared + first);
+    hn::Store(along_centers, Some(), bounds.order + first);
+    std::uint8_t bits[8] = {};  // Highway may write eight bytes
+    hn::StoreMaskBits(Some(), hn::Lt(squared, number(limit)), bits);
+    nearer |= static_cast<std::uint32_t>(bits[0]) << first;
+  }
+  return nearer;
+}
+
+// NOLINTNEXTLINE(google-readability-namespace-comments)
+}  // namespace HWY_NAMESPACE
+}  // namespace collision_monitor
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace collision_monitor {
+namespace {
+
+HWY_EXPORT(boundNode);
 
 }  // namespace
 
@@ -112,24 +176,10 @@ PlacedBound place(const BoundPlacement& placement, const Bound& bound) noexcept 
   return placed;
 }
 
-void squaredLowerBounds(const MeshTreeNode& node, const PlacedBound& other, Lanes& squared,
-                        Lanes& order) noexcept {
-  Directions normals;
-  Lanes shared = Lanes::Zero();
-  squared.setZero();
-  for (int k = 0; k < 3; ++k) {
-    const Lanes gap = (LanesOfNode(node.center[k]) - other.center[k]).abs() -
-                      (LanesOfNode(node.half[k]) + other.reach[k]);
-    squared += gap.max(0.0F).square();
-    normals.along[k] = LanesOfNode(node.normal[k]);
-    shared += normals.along[k] * other.normal[k];
-  }
-  order = gapAlongCenters(node, normals, other);
-  const Lanes gap = gapAlongChildren(node, normals, shared, other)
-                        .max(gapAlongOther(node, shared, other))
-                        .max(order - other.slack)
-                        .max(0.0F);
-  squared = squared.max(gap.square());
+std::uint32_t boundNearer(const MeshTreeNode& node, const PlacedBound& other, float limit,
+                          NodeBounds& bounds) noexcept {
+  return HWY_DYNAMIC_DISPATCH(boundNode)(node, other, limit, bounds);
 }
 
 }  // namespace collision_monitor
+#endif

@@ -12,8 +12,13 @@
 /// single precision and still proven.
 namespace collision_monitor {
 
-/// One number for each child of a node.
-using Lanes = Eigen::Array<float, static_cast<int>(MeshTreeNode::kWidth), 1>;
+/// Of each child of a node.
+struct alignas(64) NodeBounds {
+  float squared[MeshTreeNode::kWidth];  ///< [m^2] of a lower bound; 0: may touch; 1e36: empty slot
+  /// [m] the gap along the line of centres, negative where shadows overlap: which child to look at
+  /// first, also among those that may touch.
+  float order[MeshTreeNode::kWidth];
+};
 
 /// A box and a slab, both of which hold what is bounded, in the frame in which they were made.
 struct Bound {
@@ -53,11 +58,10 @@ Bound boundOf(const MeshTreeNode& node, std::uint32_t slot) noexcept;
 
 PlacedBound place(const BoundPlacement& placement, const Bound& bound) noexcept;
 
-/// Squared lower bounds of the distances between the children and `other`, [m^2]; 0 where they may
-/// touch, 1e36 for empty slots.
-/// @param order [m] the gaps along the lines of centres, negative where shadows overlap: which
-/// child to look at first, also among those that may touch.
-void squaredLowerBounds(const MeshTreeNode& node, const PlacedBound& other, Lanes& squared,
-                        Lanes& order) noexcept;
+/// Lower bounds of the distances between the children and `other`, with the widest vector
+/// instructions the machine has; each of them gives the same bits.
+/// @return a bit for each child whose squared bound is below `limit`.
+std::uint32_t boundNearer(const MeshTreeNode& node, const PlacedBound& other, float limit,
+                          NodeBounds& bounds) noexcept;
 
 }  // namespace collision_monitor

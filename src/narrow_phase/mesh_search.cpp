@@ -46,18 +46,17 @@ void openLarger(const MeshPair& pair, const MeshQueryMemory::Waiting& bounds, fl
   const std::uint32_t child_b = childOf(pair.b, bounds.b);
   const bool opens_a = isTriangle(child_b) || (!isTriangle(child_a) &&
                                                sizeOf(pair.a, bounds.a) > sizeOf(pair.b, bounds.b));
-  Lanes squared;
-  Lanes order;
+  NodeBounds children;
   if (opens_a) {
     const PlacedBound other = place(pair.bounds_to_a, boundAt(pair.b, bounds.b));
-    squaredLowerBounds(pair.a.nodes()[child_a], other, squared, order);
-    waiting.pushNearer(squared, order, limit, [&](float bound, std::uint32_t slot) {
+    const std::uint32_t nearer = boundNearer(pair.a.nodes()[child_a], other, limit, children);
+    waiting.pushNearer(children, nearer, [&](float bound, std::uint32_t slot) {
       return MeshQueryMemory::Waiting{bound, (child_a << kSlotBits) + slot, bounds.b};
     });
   } else {
     const PlacedBound other = place(pair.bounds_to_b, boundAt(pair.a, bounds.a));
-    squaredLowerBounds(pair.b.nodes()[child_b], other, squared, order);
-    waiting.pushNearer(squared, order, limit, [&](float bound, std::uint32_t slot) {
+    const std::uint32_t nearer = boundNearer(pair.b.nodes()[child_b], other, limit, children);
+    waiting.pushNearer(children, nearer, [&](float bound, std::uint32_t slot) {
       return MeshQueryMemory::Waiting{bound, bounds.a, (child_b << kSlotBits) + slot};
     });
   }

@@ -60,25 +60,23 @@ class WaitingPairs {
   Waiting pop() noexcept { return memory_.waiting[--size_]; }
   void push(const Waiting& pair) noexcept { memory_.waiting[size_++] = pair; }
 
-  /// Adds the children whose bound is below `limit`, the first in `order` last. `makePair` turns a
+  /// Adds the children that `nearer` has a bit for, the first in order last. `makePair` turns a
   /// bound and a slot of the node into a pair.
   template <class MakePair>
-  void pushNearer(const Lanes& squared, const Lanes& order, float limit,
+  void pushNearer(const NodeBounds& bounds, std::uint32_t nearer,
                   const MakePair& makePair) noexcept {
     const std::size_t bottom = size_;
     std::array<float, MeshTreeNode::kWidth> orders;
-    for (std::uint32_t slot = 0; slot < MeshTreeNode::kWidth; ++slot) {
-      const float bound = squared[slot];
-      if (!(bound < limit)) {
-        continue;
-      }
+    for (; nearer != 0; nearer &= nearer - 1) {
+      const auto slot = static_cast<std::uint32_t>(__builtin_ctz(nearer));
+      const float order = bounds.order[slot];
       std::size_t place = size_++;
-      for (; place > bottom && orders[place - 1 - bottom] < order[slot]; --place) {
+      for (; place > bottom && orders[place - 1 - bottom] < order; --place) {
         memory_.waiting[place] = memory_.waiting[place - 1];
         orders[place - bottom] = orders[place - bottom - 1];
       }
-      orders[place - bottom] = order[slot];
-      memory_.waiting[place] = makePair(bound, slot);
+      orders[place - bottom] = order;
+      memory_.waiting[place] = makePair(bounds.squared[slot], slot);
     }
   }
 

@@ -72,10 +72,9 @@ void searchNearest(const MeshAndCore& pair, std::uint32_t visit_budget, MeshQuer
       measureTriangle(pair, triangleAt(child), search);
       continue;
     }
-    Lanes squared;
-    Lanes order;
-    squaredLowerBounds(pair.mesh.nodes()[child], core, squared, order);
-    waiting.pushNearer(squared, order, limit, [child](float bound, std::uint32_t slot) {
+    NodeBounds children;
+    const std::uint32_t nearer = boundNearer(pair.mesh.nodes()[child], core, limit, children);
+    waiting.pushNearer(children, nearer, [child](float bound, std::uint32_t slot) {
       return MeshQueryMemory::Waiting{bound, (child << kSlotBits) + slot, 0};
     });
   }
