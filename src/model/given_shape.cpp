@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/given_shape.h"
 
-#include <Eigen/Geometry>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <string>
 
+#include "collision_monitor/geometry/rpy.h"
 #include "collision_monitor/geometry/visit_held.h"
 #include "model/yaml_fields.h"
 
@@ -49,10 +48,7 @@ Pose readPose(YamlFields& fields) {
   Pose pose;
   pose.translation = fields.readNumbers("xyz", 3, -kMaxLength, kMaxLength).value_or(zero);
   const Eigen::Vector3d rpy = fields.readNumbers("rpy", 3, -kMaxAngle, kMaxAngle).value_or(zero);
-  pose.rotation = (Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
-                   Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX()))
-                      .toRotationMatrix();
+  pose.rotation = rotationOfRpy(rpy);
   return pose;
 }
 
@@ -68,18 +64,6 @@ std::string number(double value) {
 
 std::string list(const Eigen::Vector3d& values) {
   return "[" + number(values.x()) + ", " + number(values.y()) + ", " + number(values.z()) + "]";
-}
-
-/// Roll, pitch and yaw of a rotation; roll is 0 where pitch leaves it open.
-Eigen::Vector3d rpyOf(const Eigen::Matrix3d& rotation) {
-  constexpr double kUpright = 1e-9;
-  const double level = std::hypot(rotation(0, 0), rotation(1, 0));
-  const double pitch = std::atan2(-rotation(2, 0), level);
-  if (level < kUpright) {
-    return {0.0, pitch, std::atan2(-rotation(0, 1), rotation(1, 1))};
-  }
-  return {std::atan2(rotation(2, 1), rotation(2, 2)), pitch,
-          std::atan2(rotation(1, 0), rotation(0, 0))};
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/Geometry>
 #include <cstring>
 #include <exception>
 
+#include "collision_monitor/geometry/rpy.h"
 #include "model/urdf_elements.h"
 #include "model/xml_document.h"
 
@@ -195,10 +195,7 @@ Pose readOrigin(const XMLElement& parent, const Place& place) {
       zero, *origin, {"xyz", "three finite numbers separated by spaces, in metres"}, place);
   const Eigen::Vector3d rpy = readNumbersOr<3>(
       zero, *origin, {"rpy", "three finite numbers separated by spaces, in radians"}, place);
-  pose.rotation = (Eigen::AngleAxisd(rpy.z(), Eigen::Vector3d::UnitZ()) *
-                   Eigen::AngleAxisd(rpy.y(), Eigen::Vector3d::UnitY()) *
-                   Eigen::AngleAxisd(rpy.x(), Eigen::Vector3d::UnitX()))
-                      .toRotationMatrix();
+  pose.rotation = rotationOfRpy(rpy);
   return pose;
 }
 

@@ -7,8 +7,9 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <map>
+
+#include "collision_monitor/geometry/rpy.h"
 
 namespace collision_monitor::fit_tool {
 namespace {
@@ -25,18 +26,6 @@ std::string number(double value) {
 
 std::string numbers(const Eigen::Vector3d& values) {
   return number(values.x()) + " " + number(values.y()) + " " + number(values.z());
-}
-
-/// Roll, pitch and yaw of a rotation; roll is 0 where pitch leaves it open.
-Eigen::Vector3d rpyOf(const Eigen::Matrix3d& rotation) {
-  constexpr double kUpright = 1e-9;
-  const double level = std::hypot(rotation(0, 0), rotation(1, 0));
-  const double pitch = std::atan2(-rotation(2, 0), level);
-  if (level < kUpright) {
-    return {0.0, pitch, std::atan2(-rotation(0, 1), rotation(1, 1))};
-  }
-  return {std::atan2(rotation(2, 1), rotation(2, 2)), pitch,
-          std::atan2(rotation(1, 0), rotation(0, 0))};
 }
 
 /// Collects pieces given in the frame of one shape.

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision_monitor/model/shape_rules.h"
+
+namespace collision_monitor::test {
+
+/// Rules for shapes read from text, with all that was said about them, for robots that are all the
+/// same arm: base - arm_1 - arm_2 - hand - tool, of which the tool has no geometry. Its SRDF has
+/// the groups tip, of hand and tool, and void.
+struct ReadRules {
+  RobotModel model;
+  std::vector<LinkRules> rules;
+  std::vector<std::string> errors;
+  std::vector<std::string> warnings;
+
+  const LinkRules& of(const std::string& link) const;
+  /// Names of the links for which the rules set a maximum of shapes.
+  std::vector<std::string> withMaximum() const;
+};
+
+/// One robot for each prefix; the text is called "rules.yaml".
+ReadRules readRules(const std::string& yaml, const std::vector<std::string>& prefixes = {""});
+
+/// The same with one rule for the link "arm_1"; the fields stand from line 3 on.
+ReadRules readFields(const std::string& fields);
+
+}  // namespace collision_monitor::test
