@@ -15,9 +15,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr int kSlabs = 80;       // between the places where a part may be cut along an axis
-constexpr int kFirstStep = 16;   // of these, between the places that are looked at first
-constexpr int kDirections = 48;  // whose farthest points stand for a part
+constexpr int kSlabs = 80;               // between the places where a part may be cut along an axis
+constexpr int kFirstStep = 16;           // of these, between the places that are looked at first
+constexpr int kDirections = 48;          // whose farthest points stand for a part
+constexpr std::ptrdiff_t kPolished = 4;  // axes whose best cuts are compared closely
 constexpr double kSameAxis = 0.97;
 
 /// The farthest points of a slab in all directions.
@@ -157,34 +158,78 @@ std::optional<CutChoice> cutAt(const Slabs& slabs, int cut, const Matrix3d& fram
   return choice;
 }
 
+/// The best cut found along one axis.
+class AxisSearch {
+ public:
+  AxisSearch(const Points& samples, const Vector3d& axis) : slabs_(samples, axis) {}
+
+  bool hasFound() const { return best_cut_ > 0; }
+  const CutChoice& best() const { return best_; }
+
+  void searchAll(const Matrix3d& frame, const RoughGoal& goal) {
+    for (int cut = kFirstStep; slabs_.canBeCut() && cut < kSlabs; cut += kFirstStep) {
+      consider(cut, frame, goal);
+    }
+  }
+
+  void searchNearBest(const Matrix3d& frame, const RoughGoal& goal) {
+    for (int step = kFirstStep / 2; step > 0; step /= 2) {
+      const int middle = best_cut_;
+      consider(middle - step, frame, goal);
+      consider(middle + step, frame, goal);
+    }
+  }
+
+  /// Moves both shapes to where they stick out least beside each other: only then it shows what a
+  /// cut is worth.
+  void polish(const RoughGoal& goal) {
+    RoughGoal beside = goal;
+    beside.others.push_back(best_.above.core);
+    best_.below = polished(best_.below, slabs_.pointsOf(0, best_cut_), beside);
+    beside.others.back() = best_.below.core;
+    best_.above = polished(best_.above, slabs_.pointsOf(best_cut_, kSlabs), beside);
+    best_.cost = costOf(best_, goal);
+  }
+
+ private:
+  void consider(int cut, const Matrix3d& frame, const RoughGoal& goal) {
+    const auto choice = cutAt(slabs_, cut, frame, goal);
+    if (choice && choice->cost < best_.cost) {
+      best_ = *choice;
+      best_cut_ = cut;
+    }
+  }
+
+  Slabs slabs_;
+  CutChoice best_;
+  int best_cut_{0};  ///< 0: none
+};
+
+bool isBetter(const AxisSearch& a, const AxisSearch& b) { return a.best().cost < b.best().cost; }
+
 }  // namespace
 
 std::optional<CutChoice> chooseCut(const Points& samples, const Matrix3d& frame,
                                    const RoughGoal& goal) {
-  std::optional<CutChoice> best;
-  std::optional<Slabs> best_slabs;
-  int best_cut = 0;
-  const auto consider = [&](const Slabs& slabs, int cut) {
-    const auto choice = cutAt(slabs, cut, frame, goal);
-    if (choice && (!best || choice->cost < best->cost)) {
-      best = choice;
-      best_slabs = slabs;
-      best_cut = cut;
-    }
-  };
+  std::vector<AxisSearch> searches;
   for (const auto& axis : axesOf({frame, Matrix3d::Identity(), principalAxes(samples)})) {
-    const Slabs slabs(samples, axis);
-    for (int cut = kFirstStep; slabs.canBeCut() && cut < kSlabs; cut += kFirstStep) {
-      consider(slabs, cut);
+    AxisSearch search(samples, axis);
+    search.searchAll(frame, goal);
+    if (search.hasFound()) {
+      searches.push_back(std::move(search));
     }
   }
-  for (int step = kFirstStep / 2; best && step > 0; step /= 2) {
-    const Slabs slabs = *best_slabs;
-    const int middle = best_cut;
-    consider(slabs, middle - step);
-    consider(slabs, middle + step);
+  if (searches.empty()) {
+    return std::nullopt;
   }
-  return best;
+  std::sort(searches.begin(), searches.end(), isBetter);
+  searches.erase(searches.begin() + std::min(std::ptrdiff_t(searches.size()), kPolished),
+                 searches.end());
+  for (auto& search : searches) {
+    search.searchNearBest(frame, goal);
+    search.polish(goal);
+  }
+  return std::min_element(searches.begin(), searches.end(), isBetter)->best();
 }
 
 }  // namespace collision_monitor

@@ -18,7 +18,8 @@ struct CutChoice {
 };
 
 /// The plane that leaves the least coarse pair of shapes, among planes across the axes of the
-/// frames at several places along each.
+/// frames at several places along each. The best of a few axes are compared with both shapes moved
+/// to where they stick out least.
 /// @param samples points of the part's surface, close together against its size.
 /// @return nothing when the part has no extent along any axis.
 std::optional<CutChoice> chooseCut(const Points& samples, const Eigen::Matrix3d& frame,

@@ -113,9 +113,8 @@ PlacedCore refineCore(const PlacedCore& start, Points representatives, const Poi
   return best;
 }
 
-std::vector<PlacedCore> descendAll(std::vector<PlacedCore> starts, const Points& points,
-                                   const DescentGoal& goal) {
-  const Points representatives = representativesOf(points);
+std::vector<PlacedCore> descendAll(std::vector<PlacedCore> starts, const Points& representatives,
+                                   const Points& points, const DescentGoal& goal) {
   descendTo(kRoughWeight, representatives, goal, starts);
   std::vector<PlacedCore> fits = distinctOf(starts);
   if (fits.size() > kMaxFits) {

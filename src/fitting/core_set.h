@@ -34,8 +34,8 @@ PlacedCore refineCore(const PlacedCore& start, Points representatives, const Poi
 
 /// Descends from every start, at first only as far as it takes to tell valleys from each other, and
 /// to the bottom of the deepest few; least volume first.
-std::vector<PlacedCore> descendAll(std::vector<PlacedCore> starts, const Points& points,
-                                   const DescentGoal& goal);
+std::vector<PlacedCore> descendAll(std::vector<PlacedCore> starts, const Points& representatives,
+                                   const Points& points, const DescentGoal& goal);
 
 /// The placed core back in the frame and size of the original points.
 PosedShape placedInCloud(const PlacedCore& core, const NormalisedPoints& cloud);

@@ -16,7 +16,7 @@ constexpr double kNodes = 40000.0;
 constexpr double kMargin = 0.15;  // of the longest side, on every side
 constexpr int kMaxSteps = 128;    // along an edge, of samples on the surface
 constexpr std::uint32_t kNone = 0xffffffffU;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
@@ -41,6 +41,7 @@ void DistanceGrid::layOut(const TriangleMesh& mesh) {
   low_ = low - margin;
   const Vector3d extent = high - low + 2.0 * margin;
   spacing_ = std::cbrt(extent.prod() / kNodes);
+  nodes_per_metre_ = spacing_ > 0.0 ? 1.0 / spacing_ : 0.0;
   for (int k = 0; k < 3; ++k) {
     size_[static_cast<std::size_t>(k)] =
         spacing_ > 0.0 ? 2 + static_cast<int>(extent[k] / spacing_) : 2;
@@ -74,20 +75,23 @@ void DistanceGrid::sampleSurface(const TriangleMesh& mesh) {
 /// The node nearest to each point of the surface; the sweeps bring it to the others.
 void DistanceGrid::markSurface() {
   const std::size_t count = indexOf(size_[0] - 1, size_[1] - 1, size_[2] - 1) + 1;
-  last_ = Vector3d(size_[0] - 1.001, size_[1] - 1.001, size_[2] - 1.001);
+  for (std::size_t k = 0; k < 3; ++k) {
+    last_[static_cast<Eigen::Index>(k)] = static_cast<float>(size_[k]) - 1.001f;
+  }
   nearest_.assign(count, kNone);
   distance_.assign(count, kInfinity);
   for (std::uint32_t i = 0; i < surface_.size(); ++i) {
     Vector3i cell = Vector3i::Zero();
     if (spacing_ > 0.0) {
-      cell = ((surface_[i] - low_) / spacing_ + Vector3d::Constant(0.5)).cast<int>();
+      cell = ((surface_[i] - low_) * nodes_per_metre_ + Vector3d::Constant(0.5)).cast<int>();
     }
     takeNearer(i, indexOf(cell.x(), cell.y(), cell.z()), nodeAt(cell.x(), cell.y(), cell.z()));
   }
 }
 
 void DistanceGrid::takeNearer(std::uint32_t point, std::size_t node, const Vector3d& at) {
-  const double squared = (at - surface_[point]).squaredNorm();
+  const Vector3d offset = (at - surface_[point]) * nodes_per_metre_;
+  const auto squared = static_cast<float>(offset.squaredNorm());
   if (squared < distance_[node]) {
     distance_[node] = squared;
     nearest_[node] = point;
@@ -145,14 +149,14 @@ Points DistanceGrid::surface() const {
 
 /// Turns squares into distances, and into 0 where no way from without leads.
 void DistanceGrid::emptyInside() {
-  const double wall = 0.75 * spacing_ * spacing_;  // half a cell's diagonal, squared
+  constexpr float kWall = 0.75f;  // half a cell's diagonal, squared
   std::vector<unsigned char> reached(distance_.size(), 0);
   std::vector<Vector3i> open;
   const auto visit = [&](const Vector3i& at) {
     const std::size_t node = indexOf(at.x(), at.y(), at.z());
     if (reached[node] == 0) {
       reached[node] = 1;
-      if (distance_[node] > wall) {
+      if (distance_[node] > kWall) {
         open.push_back(at);
       }
     }
@@ -173,7 +177,7 @@ void DistanceGrid::emptyInside() {
     }
   }
   for (std::size_t node = 0; node < distance_.size(); ++node) {
-    distance_[node] = reached[node] != 0 ? std::sqrt(distance_[node]) : 0.0;
+    distance_[node] = reached[node] != 0 ? std::sqrt(distance_[node]) : 0.0f;
   }
 }
 

@@ -28,26 +28,39 @@ class DistanceGrid {
   explicit DistanceGrid(const TriangleMesh& mesh);
 
   double distanceTo(const Eigen::Vector3d& point) const noexcept {
-    if (!(spacing_ > 0.0)) {
-      return (point - low_).norm();
-    }
-    const Eigen::Vector3d in_grid = (point - low_) / spacing_;
-    const Eigen::Vector3d at = in_grid.cwiseMax(0.0).cwiseMin(last_);
-    const double outside = (in_grid - at).squaredNorm();
-    const double beyond = outside > 0.0 ? spacing_ * std::sqrt(outside) : 0.0;
-    const Eigen::Vector3i cell = at.cast<int>();
-    const Eigen::Vector3d t = at - cell.cast<double>();
-    const double* corner = distance_.data() + indexOf(cell.x(), cell.y(), cell.z());
+    return spacing_ > 0.0 ? spacing_ * static_cast<double>(distanceAt(inGrid(point)))
+                          : (point - low_).norm();
+  }
+
+  /// Coordinates in spacings, from the first node; the fourth is 0 and fills the register.
+  using Place = Eigen::Array4f;
+  Place inGrid(const Eigen::Vector3d& point) const noexcept {
+    Place place = Place::Zero();
+    place.head<3>() = ((point - low_) * nodes_per_metre_).cast<float>();
+    return place;
+  }
+  Eigen::Vector3d outOfGrid(const Place& place) const noexcept {
+    return low_ + spacing_ * place.head<3>().matrix().cast<double>();
+  }
+  /// The distance in spacings.
+  float distanceAt(const Place& place) const noexcept {
+    const Place at = place.max(0.0f).min(last_);
+    const float outside = (place - at).matrix().squaredNorm();
+    const Eigen::Array4i cell = at.cast<int>();
+    const Place t = at - cell.cast<float>();
+    const float* corner = distance_.data() + indexOf(cell[0], cell[1], cell[2]);
     const auto next_y = static_cast<std::size_t>(size_[0]);
     const auto next_z = static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]);
-    const auto along_x = [&](const double* d) { return d[0] + t.x() * (d[1] - d[0]); };
-    const auto along_y = [&](const double* d) {
-      const double near = along_x(d);
-      return near + t.y() * (along_x(d + next_y) - near);
+    const auto along_x = [&](const float* d) { return d[0] + t[0] * (d[1] - d[0]); };
+    const auto along_y = [&](const float* d) {
+      const float near = along_x(d);
+      return near + t[1] * (along_x(d + next_y) - near);
     };
-    const double near = along_y(corner);
-    return near + t.z() * (along_y(corner + next_z) - near) + beyond;
+    const float near = along_y(corner);
+    const float inner = near + t[2] * (along_y(corner + next_z) - near);
+    return outside > 0.0f ? inner + std::sqrt(outside) : inner;
   }
+  double nodesPerMetre() const noexcept { return nodes_per_metre_; }
 
   /// Points of the surface, about one spacing apart.
   Points surface() const;
@@ -71,11 +84,12 @@ class DistanceGrid {
 
   Eigen::Vector3d low_{Eigen::Vector3d::Zero()};
   double spacing_{0.0};
-  Eigen::Vector3d last_{Eigen::Vector3d::Zero()};  ///< just before the last node, in spacings
+  double nodes_per_metre_{0.0};
+  Place last_{Place::Zero()};  ///< just before the last node
   std::array<int, 3> size_{1, 1, 1};
   Points surface_;
   std::vector<std::uint32_t> nearest_;  ///< by node: into surface_
-  std::vector<double> distance_;        ///< by node
+  std::vector<float> distance_;         ///< by node, in spacings
 };
 
 }  // namespace collision_monitor

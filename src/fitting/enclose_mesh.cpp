@@ -29,7 +29,7 @@ struct Scene {
 
   /// By which kinds are compared. Units: metres.
   double coarsenessOf(const PlacedCore& core) const {
-    return coarseness(roughOvershoot(core, goal.grid, [](const auto&) { return true; }).total());
+    return coarseness(goal.overshootOf(core).total());
   }
 
   double coarsenessOnMesh(const PosedShape& fit) const {

@@ -109,13 +109,13 @@ std::vector<PosedShape> smallCapsules(const Points& points) {
   if (!(cloud.scale > 0.0)) {
     return {{Capsule{}, {Eigen::Matrix3d::Identity(), points[0]}}};
   }
-  const auto starts = startCapsules(representativesOf(cloud.points));
+  const Points representatives = representativesOf(cloud.points);
   DescentGoal goal;
   goal.free_extents = kOnlyLength;
-  auto cores = descendAll(starts, cloud.points, goal);
+  auto cores = descendAll(startCapsules(representatives), representatives, cloud.points, goal);
   for (const double growth : kGrowths) {
     goal.growth = growth;
-    cores.push_back(descendAll({cores.front()}, cloud.points, goal).front());
+    cores.push_back(descendAll({cores.front()}, representatives, cloud.points, goal).front());
   }
   std::vector<PosedShape> fits;
   for (const auto& core : cores) {

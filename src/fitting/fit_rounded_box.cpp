@@ -46,11 +46,12 @@ std::vector<PosedShape> smallRoundedBoxes(const Points& points,
     }
   }
   starts.push_back(startFrom(capsules.front(), 1.0, cloud));
+  const Points representatives = representativesOf(cloud.points);
   std::vector<PlacedCore> cores;
   for (const double growth : kGrowths) {
     DescentGoal goal;
     goal.growth = growth;
-    for (const auto& core : descendAll(starts, cloud.points, goal)) {
+    for (const auto& core : descendAll(starts, representatives, cloud.points, goal)) {
       if (std::none_of(cores.begin(), cores.end(),
                        [&](const PlacedCore& other) { return areAlike(core, other, kSame); })) {
         cores.push_back(core);

@@ -82,25 +82,37 @@ std::size_t farthestFrom(const Eigen::Vector3d& centre, const Points& points) {
   return farthest;
 }
 
-}  // namespace
-
-PosedShape fitSphere(const Points& points) {
-  Ball ball;
-  circumscribe({points[0]}, ball);
+/// Grows the ball until it holds all points; the farthest enters the support each time.
+void growOver(const Points& points, Ball& ball) {
   for (;;) {
     Points candidates = ball.support;
     candidates.push_back(points[farthestFrom(ball.centre, points)]);
     const double reach = (candidates.back() - ball.centre).norm();
     if (reach <= ball.radius * (1.0 + 1e-13)) {
-      break;
+      return;
     }
     const Ball larger = smallestBall(candidates);
     // Without rounding every round grows the ball; where it does not, this is as far as doubles go.
     if (!(larger.radius > ball.radius) || !std::isfinite(larger.radius)) {
-      break;
+      return;
     }
     ball = larger;
   }
+}
+
+}  // namespace
+
+PosedShape fitSphere(const Points& points) {
+  constexpr std::size_t kStride = 16;
+  Ball ball;
+  circumscribe({points[0]}, ball);
+  // Of many points most rounds can do with a few.
+  Points few;
+  for (std::size_t i = 0; i < points.size(); i += kStride) {
+    few.push_back(points[i]);
+  }
+  growOver(few, ball);
+  growOver(points, ball);
   const double radius = (points[farthestFrom(ball.centre, points)] - ball.centre).norm();
   return {Sphere{radius}, {Eigen::Matrix3d::Identity(), ball.centre}};
 }

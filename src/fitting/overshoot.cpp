@@ -132,14 +132,6 @@ std::vector<SurfaceSample> sampleSurface(const Shape& shape, int count) {
   return SurfaceSampler(shape, count).sample();
 }
 
-void OvershootSum::add(double distance, double area) noexcept {
-  max_ = std::max(max_, distance);
-  area_ += area;
-  first_moment_ += area * distance;
-  const double squared = distance * distance;
-  fourth_moment_ += area * squared * squared;
-}
-
 void OvershootSum::add(const OvershootSum& other) noexcept {
   max_ = std::max(max_, other.max_);
   area_ += other.area_;

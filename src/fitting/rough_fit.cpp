@@ -46,9 +46,15 @@ bool holds(const PlacedCore& core, const Vector3d& point) {
   return beyond.maxCoeff() < 0.0 || beyond.cwiseMax(0.0).squaredNorm() < core.radius * core.radius;
 }
 
+/// Between the mean and the maximum. Units: metres.
+double roughCost(const OvershootSum& sum) noexcept {
+  const Overshoot overshoot = sum.total();
+  return overshoot.fourth_power_mean + 0.3 * overshoot.max;
+}
+
 /// Keeps the better of the best so far and another core.
 void consider(const PlacedCore& core, Kind kind, const RoughGoal& goal, RoughFit& best) {
-  const double cost = goal.costOf(core);
+  const double cost = goal.costOf(core, best.cost);
   if (cost < best.cost) {
     best = {core, kind, cost};
   }
@@ -103,9 +109,10 @@ template <int N>
 RoughFit polishedIn(const RoughFit& fit, const Points& points, const RoughGoal& goal) {
   const double size = fit.core.half_extents.norm() + fit.core.radius;
   const SimplexLimits limits{0.1, 1e-3, 40 * N};
-  const auto best = searchSimplex<N>(limits, [&](const Eigen::Matrix<double, N, 1>& step) {
-    return goal.costOf(stepped<N>(fit, size, step, points));
-  });
+  const auto best =
+      searchSimplex<N>(limits, [&](const Eigen::Matrix<double, N, 1>& step, double bound) {
+        return goal.costOf(stepped<N>(fit, size, step, points), bound);
+      });
   RoughFit result = fit;
   result.core = stepped<N>(fit, size, best, points);
   result.cost = goal.costOf(result.core);
@@ -114,19 +121,20 @@ RoughFit polishedIn(const RoughFit& fit, const Points& points, const RoughGoal& 
 
 }  // namespace
 
-OvershootSum RoughGoal::overshootOf(const PlacedCore& core) const noexcept {
+OvershootSum RoughGoal::overshootOf(const PlacedCore& core, double bound) const noexcept {
   constexpr double kNear = 0.05;  // of the size: a shape's own face at the plane
   const double near = plane ? kNear * (core.half_extents.norm() + core.radius) : 0.0;
-  return roughOvershoot(core, grid, [&](const Vector3d& point) {
+  const auto counts = [&](const Vector3d& point) {
     return !(plane && std::abs(plane->heightOf(point)) < near) &&
            std::none_of(others.begin(), others.end(),
                         [&](const PlacedCore& other) { return holds(other, point); });
-  });
+  };
+  return roughOvershoot(core, grid, counts,
+                        [&](const OvershootSum& least) { return roughCost(least) >= bound; });
 }
 
-double RoughGoal::costOf(const PlacedCore& core) const noexcept {
-  const Overshoot overshoot = overshootOf(core).total();
-  return overshoot.fourth_power_mean + 0.3 * overshoot.max;
+double RoughGoal::costOf(const PlacedCore& core, double bound) const noexcept {
+  return roughCost(overshootOf(core, bound));
 }
 
 RoughFit fitRoughly(const Points& points, const std::vector<Matrix3d>& frames,

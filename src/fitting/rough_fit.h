@@ -16,14 +16,19 @@ namespace collision_monitor {
 
 /// What a search goes by: shapes of the kinds allowed, and what they stick out over a mesh.
 struct RoughGoal {
+  static constexpr double kNoBound = std::numeric_limits<double>::infinity();
+
   const DistanceGrid& grid;
   ShapeKinds kinds;
   std::vector<PlacedCore> others;  ///< points in other shapes do not count
   std::optional<CutPlane> plane;   ///< points near it do not count
 
-  OvershootSum overshootOf(const PlacedCore& core) const noexcept;
+  /// @param bound see costOf.
+  OvershootSum overshootOf(const PlacedCore& core, double bound = kNoBound) const noexcept;
   /// Between the mean and the maximum. Units: metres.
-  double costOf(const PlacedCore& core) const noexcept;
+  /// @param bound where the cost is not below it, the answer may be anything not below it: a part
+  /// of the work often tells.
+  double costOf(const PlacedCore& core, double bound = kNoBound) const noexcept;
 };
 
 /// A shape that was found by search on a grid.

@@ -8,18 +8,19 @@ namespace collision_monitor {
 namespace {
 
 using Eigen::Vector3d;
+using Eigen::Vector3f;
 
 constexpr int kSteps = 5;  // along an edge of the core
 constexpr double kHalfPi = 1.57079632679489661923;
 
-double stepOf(int i) { return 2.0 * i / kSteps - 1.0; }
+float stepOf(int i) { return 2.0f * static_cast<float>(i) / kSteps - 1.0f; }
 double shareOf(int i) { return (i == 0 || i == kSteps ? 0.5 : 1.0) / kSteps; }
 
 void addFaces(int k, SurfacePattern& pattern) {
-  for (const double side : {-1.0, 1.0}) {
+  for (const float side : {-1.0f, 1.0f}) {
     for (int i = 0; i <= kSteps; ++i) {
       for (int j = 0; j <= kSteps; ++j) {
-        PatternPoint point{Vector3d::Zero(), side * Vector3d::Unit(k), shareOf(i) * shareOf(j)};
+        PatternPoint point{Vector3f::Zero(), side * Vector3f::Unit(k), shareOf(i) * shareOf(j)};
         point.fraction[k] = side;
         point.fraction[(k + 1) % 3] = stepOf(i);
         point.fraction[(k + 2) % 3] = stepOf(j);
@@ -32,14 +33,14 @@ void addFaces(int k, SurfacePattern& pattern) {
 void addEdges(int k, SurfacePattern& pattern) {
   constexpr int kAngles = 3;
   for (int signs = 0; signs < 4; ++signs) {
-    Vector3d side = Vector3d::Zero();
-    side[(k + 1) % 3] = (signs & 1) != 0 ? 1.0 : -1.0;
-    side[(k + 2) % 3] = (signs & 2) != 0 ? 1.0 : -1.0;
+    Vector3f side = Vector3f::Zero();
+    side[(k + 1) % 3] = (signs & 1) != 0 ? 1.0f : -1.0f;
+    side[(k + 2) % 3] = (signs & 2) != 0 ? 1.0f : -1.0f;
     for (int angle = 0; angle < kAngles; ++angle) {
       const double azimuth = kHalfPi * (angle + 0.5) / kAngles;
-      Vector3d outward = side;
-      outward[(k + 1) % 3] *= std::cos(azimuth);
-      outward[(k + 2) % 3] *= std::sin(azimuth);
+      Vector3f outward = side;
+      outward[(k + 1) % 3] *= static_cast<float>(std::cos(azimuth));
+      outward[(k + 2) % 3] *= static_cast<float>(std::sin(azimuth));
       for (int i = 0; i <= kSteps; ++i) {
         PatternPoint point{side, outward, shareOf(i) / kAngles};
         point.fraction[k] = stepOf(i);
@@ -51,11 +52,11 @@ void addEdges(int k, SurfacePattern& pattern) {
 
 void addCorners(SurfacePattern& pattern) {
   for (int signs = 0; signs < 8; ++signs) {
-    const Vector3d side((signs & 1) != 0 ? 1.0 : -1.0, (signs & 2) != 0 ? 1.0 : -1.0,
-                        (signs & 4) != 0 ? 1.0 : -1.0);
+    const Vector3f side((signs & 1) != 0 ? 1.0f : -1.0f, (signs & 2) != 0 ? 1.0f : -1.0f,
+                        (signs & 4) != 0 ? 1.0f : -1.0f);
     for (const auto& inward :
-         {Vector3d(1, 1, 1), Vector3d(1, .3, .3), Vector3d(.3, 1, .3), Vector3d(.3, .3, 1),
-          Vector3d(1, 1, .3), Vector3d(1, .3, 1), Vector3d(.3, 1, 1)}) {
+         {Vector3f(1, 1, 1), Vector3f(1, .3f, .3f), Vector3f(.3f, 1, .3f), Vector3f(.3f, .3f, 1),
+          Vector3f(1, 1, .3f), Vector3f(1, .3f, 1), Vector3f(.3f, 1, 1)}) {
       pattern[6].push_back({side, side.cwiseProduct(inward).normalized(), 1.0 / 7.0});
     }
   }

@@ -38,10 +38,30 @@ struct Item {
   Vector middle() const { return box.low + box.high; }  // twice
 };
 
-struct Range {
-  std::size_t first;
-  std::size_t count;
+/// What bounds some triangles, and their middles.
+struct Bounds {
   Box box;
+  Box middles;
+  std::size_t count{0};
+
+  void add(const Item& item) {
+    const Vector middle = item.middle();
+    box.add(item.box);
+    middles.add({middle, middle});
+    ++count;
+  }
+  void add(const Bounds& other) {
+    box.add(other.box);
+    middles.add(other.middles);
+    count += other.count;
+  }
+};
+
+struct Range {
+  std::size_t first{0};
+  Bounds bounds;
+
+  std::size_t count() const { return bounds.count; }
 };
 
 Item itemOf(const TriangleBvh::UnitFrame& frame, const Triangle& triangle, std::uint32_t index) {
@@ -73,9 +93,9 @@ class BvhBuilder {
 
  private:
   Range rangeOf(std::size_t first, std::size_t count) const {
-    Range range{first, count, {}};
+    Range range{first, {}};
     for (std::size_t i = first; i < first + count; ++i) {
-      range.box.add(items_[i].box);
+      range.bounds.add(items_[i]);
     }
     return range;
   }
@@ -88,31 +108,30 @@ class BvhBuilder {
       const auto widest = std::max_element(
           parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(part_count),
           [&](const Range& a, const Range& b) { return worth(a, depth) < worth(b, depth); });
-      if (widest->count < 2) {
+      if (widest->count() < 2) {
         break;
       }
-      const std::size_t lower = splitOff(*widest, depth);
-      parts[part_count++] = rangeOf(widest->first + lower, widest->count - lower);
-      *widest = rangeOf(widest->first, lower);
+      parts[part_count++] = splitOff(*widest, depth);
     }
     const auto id = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
     for (std::size_t lane = 0; lane < 4; ++lane) {
-      setLane(id, lane, lane < part_count ? parts[lane] : Range{0, 0, {}}, depth);
+      setLane(id, lane, lane < part_count ? parts[lane] : Range{}, depth);
     }
     return id;
   }
 
   static float worth(const Range& range, std::size_t depth) {
-    const float size = depth < kSplitByArea ? range.box.area() : static_cast<float>(range.count);
-    return range.count < 2 ? -1.0f : size;
+    const float size =
+        depth < kSplitByArea ? range.bounds.box.area() : static_cast<float>(range.count());
+    return range.count() < 2 ? -1.0f : size;
   }
 
   void setLane(std::uint32_t id, std::size_t lane, const Range& part, std::size_t depth) {
     std::uint32_t child = 0;
-    if (part.count == 1) {
+    if (part.count() == 1) {
       child = Node::kLeaf + static_cast<std::uint32_t>(part.first);
-    } else if (part.count > 1) {
+    } else if (part.count() > 1) {
       child = build(part, depth + 1);
     }
     Node& node = nodes_[id];
@@ -120,68 +139,69 @@ class BvhBuilder {
     const auto l = static_cast<Eigen::Index>(lane);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto axis = static_cast<Eigen::Index>(k);
-      node.low[k][l] = part.count > 0 ? part.box.low[axis] : kInfinity;
-      node.high[k][l] = part.count > 0 ? part.box.high[axis] : kInfinity;
+      node.low[k][l] = part.count() > 0 ? part.bounds.box.low[axis] : kInfinity;
+      node.high[k][l] = part.count() > 0 ? part.bounds.box.high[axis] : kInfinity;
     }
   }
 
-  /// Sorts the range into two parts and returns the size of the first.
-  std::size_t splitOff(const Range& range, std::size_t depth) {
-    Box middles;
-    for (std::size_t i = range.first; i < range.first + range.count; ++i) {
-      const Vector middle = items_[i].middle();
-      middles.add({middle, middle});
-    }
+  /// Sorts the range into two parts, keeps the first and returns the second.
+  Range splitOff(Range& range, std::size_t depth) {
+    const Box& middles = range.bounds.middles;
     Eigen::Index axis = 0;
     const float width = (middles.high - middles.low).maxCoeff(&axis);
     Item* first = items_.data() + range.first;
-    if (range.count > kFewTriangles && depth < kSplitByArea && width > 0.0f) {
+    if (range.count() > kFewTriangles && depth < kSplitByArea && width > 0.0f) {
+      const float low = middles.low[axis];
       const float scale = static_cast<float>(kBins) / width;
       const auto binOf = [&](const Item& item) {
-        const float place = (item.middle()[axis] - middles.low[axis]) * scale;
-        return std::min(static_cast<int>(place), kBins - 1);
+        const float place = (item.middle()[axis] - low) * scale;
+        return static_cast<std::size_t>(std::min(static_cast<int>(place), kBins - 1));
       };
-      const int border = cheapestBorder(first, range.count, binOf);
-      const Item* second = std::partition(first, first + range.count,
-                                          [&](const Item& item) { return binOf(item) < border; });
-      return static_cast<std::size_t>(second - first);
+      std::array<Bounds, kBins> bins;
+      for (std::size_t i = 0; i < range.count(); ++i) {
+        bins[binOf(first[i])].add(first[i]);
+      }
+      const std::size_t border = cheapestBorder(bins);
+      std::partition(first, first + range.count(),
+                     [&](const Item& item) { return binOf(item) < border; });
+      Range second;
+      range.bounds = {};
+      for (std::size_t bin = 0; bin < kBins; ++bin) {
+        (bin < border ? range : second).bounds.add(bins[bin]);
+      }
+      second.first = range.first + range.count();
+      return second;
     }
-    std::nth_element(
-        first, first + range.count / 2, first + range.count,
-        [&](const Item& a, const Item& b) { return a.middle()[axis] < b.middle()[axis]; });
-    return range.count / 2;
+    const std::size_t half = range.count() / 2;
+    std::nth_element(first, first + half, first + range.count(), [&](const Item& a, const Item& b) {
+      return a.middle()[axis] < b.middle()[axis];
+    });
+    const Range second = rangeOf(range.first + half, range.count() - half);
+    range = rangeOf(range.first, half);
+    return second;
   }
 
   /// The first bin of the second part, by the surface area heuristic. Both parts get something:
   /// the first and the last bin hold the outermost middles.
-  template <class BinOf>
-  static int cheapestBorder(const Item* items, std::size_t count, const BinOf& binOf) {
-    std::array<Box, kBins> boxes;
-    std::array<float, kBins> counts{};
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto bin = static_cast<std::size_t>(binOf(items[i]));
-      boxes[bin].add(items[i].box);
-      counts[bin] += 1.0f;
-    }
+  static std::size_t cheapestBorder(const std::array<Bounds, kBins>& bins) {
+    const auto costOf = [](const Bounds& part) {
+      return part.box.area() * static_cast<float>(part.count);
+    };
     std::array<float, kBins> cost_above{};
-    Box above;
-    float count_above = 0.0f;
+    Bounds above;
     for (std::size_t bin = kBins - 1; bin > 0; --bin) {
-      above.add(boxes[bin]);
-      count_above += counts[bin];
-      cost_above[bin] = above.area() * count_above;
+      above.add(bins[bin]);
+      cost_above[bin] = costOf(above);
     }
-    Box below;
-    float count_below = 0.0f;
+    Bounds below;
     float least = kInfinity;
-    int border = 1;
+    std::size_t border = 1;
     for (std::size_t bin = 1; bin < kBins; ++bin) {
-      below.add(boxes[bin - 1]);
-      count_below += counts[bin - 1];
-      const float cost = below.area() * count_below + cost_above[bin];
+      below.add(bins[bin - 1]);
+      const float cost = costOf(below) + cost_above[bin];
       if (cost < least) {
         least = cost;
-        border = static_cast<int>(bin);
+        border = bin;
       }
     }
     return border;

@@ -67,10 +67,23 @@ NearestPoint TriangleBvh::nearestTo(const Vector3d& point, const NearestPoint& s
                                     double tolerance) const noexcept {
   NearestPoint best = start;
   const double needed = 1.0 / (1.0 + tolerance);
+  Vector3d way = best.point - point;
+  // What lies beyond the plane through the nearest point so far, across the way there, is no
+  // nearer.
+  const auto isBeyond = [&](const Triangle& triangle) {
+    const double reach = needed * way.squaredNorm();
+    return best.leaf_triangle != NearestPoint::kNone && way.dot(triangle[0] - point) >= reach &&
+           way.dot(triangle[1] - point) >= reach && way.dot(triangle[2] - point) >= reach;
+  };
   visitNear(*this, unitQuery(unit_frame_, point, point), needed * start.distance,
             [&](std::uint32_t triangle) {
-              const NearestPoint found = nearestOn(triangle, point);
-              best = found.distance < best.distance ? found : best;
+              if (!isBeyond(triangles_[triangle])) {
+                const NearestPoint found = nearestOn(triangle, point);
+                if (found.distance < best.distance) {
+                  best = found;
+                  way = best.point - point;
+                }
+              }
               return needed * best.distance;
             });
   return best;

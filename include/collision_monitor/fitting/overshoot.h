@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "collision_monitor/fitting/posed_shape.h"
@@ -31,7 +32,13 @@ struct SurfaceSample {
 /// Gathers overshoot sample by sample.
 class OvershootSum {
  public:
-  void add(double distance, double area) noexcept;
+  void add(double distance, double area) noexcept {
+    max_ = std::max(max_, distance);
+    area_ += area;
+    first_moment_ += area * distance;
+    const double squared = distance * distance;
+    fourth_moment_ += area * squared * squared;
+  }
   void add(const OvershootSum& other) noexcept;
   Overshoot total() const noexcept;
   double fourthMoment() const noexcept { return fourth_moment_; }  ///< [m^6] over the area

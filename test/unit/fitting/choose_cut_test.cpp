@@ -17,6 +17,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 const auto kEverywhere = [](const Vector3d&) { return true; };
+const auto kToTheEnd = [](const OvershootSum&) { return false; };
 
 RoughGoal plainGoal(const DistanceGrid& grid) { return {grid, {}, {}, {}}; }
 
@@ -24,7 +25,7 @@ TEST(RoughOvershoot, boxAroundABall_sticksOutAtItsCorners) {
   const DistanceGrid grid(test::sphereMesh(0.1, 48));
   PlacedCore box;
   box.half_extents = Vector3d::Constant(0.1);
-  const Overshoot overshoot = roughOvershoot(box, grid, kEverywhere).total();
+  const Overshoot overshoot = roughOvershoot(box, grid, kEverywhere, kToTheEnd).total();
   EXPECT_NEAR(overshoot.max, 0.1 * (std::sqrt(3.0) - 1.0), grid.spacing());
   EXPECT_LT(overshoot.mean, overshoot.fourth_power_mean);
   EXPECT_LT(overshoot.fourth_power_mean, overshoot.max);
@@ -35,8 +36,8 @@ TEST(RoughOvershoot, pointsThatDoNotCount_areLeftOut) {
   PlacedCore box;
   box.half_extents = {0.1, 0.1, 0.3};  // half of it reaches far above and below the ball
   const auto near = [](const Vector3d& point) { return std::abs(point.z()) < 0.1; };
-  EXPECT_GT(roughOvershoot(box, grid, kEverywhere).total().max, 0.2);
-  EXPECT_LT(roughOvershoot(box, grid, near).total().max, 0.08);
+  EXPECT_GT(roughOvershoot(box, grid, kEverywhere, kToTheEnd).total().max, 0.2);
+  EXPECT_LT(roughOvershoot(box, grid, near, kToTheEnd).total().max, 0.08);
 }
 
 TEST(RoughGoal, pointsInOtherShapes_doNotCount) {
@@ -52,6 +53,21 @@ TEST(RoughGoal, pointsInOtherShapes_doNotCount) {
   left.centre.x() = -0.25;
   goal.others = {right, left};
   EXPECT_LT(goal.overshootOf(wide).total().max, grid.spacing());
+}
+
+TEST(RoughGoal, boundedCost_isTheCostBelowTheBoundAndNotBelowItElse) {
+  const DistanceGrid grid(test::sphereMesh(0.1, 48));
+  const RoughGoal goal = plainGoal(grid);
+  PlacedCore core;
+  core.half_extents = {0.1, 0.08, 0.06};
+  core.radius = 0.03;
+  const double cost = goal.costOf(core);
+  EXPECT_GT(cost, 0.01);
+  EXPECT_EQ(goal.costOf(core, 1.0001 * cost), cost);
+  for (const double fraction : {0.01, 0.3, 0.9, 1.0}) {
+    EXPECT_GE(goal.costOf(core, fraction * cost), fraction * cost);
+    EXPECT_LE(goal.costOf(core, fraction * cost), cost * (1.0 + 1e-12));
+  }
 }
 
 TEST(FitRoughly, turnedBox_isThatBox) {

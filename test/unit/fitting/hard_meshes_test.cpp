@@ -10,6 +10,7 @@
 
 #include "collision_monitor/fitting/build_sphere_tree.h"
 #include "collision_monitor/fitting/enclose.h"
+#include "collision_monitor/fitting/fit_parts.h"
 #include "collision_monitor/fitting/inner_shape.h"
 #include "collision_monitor/fitting/proof.h"
 #include "support/sample_meshes.h"
@@ -106,6 +107,35 @@ TEST(HardMeshes, eachHasAShapeThatEnclosesIt) {
   }
 }
 
+TEST(HardMeshes, eachIsHeldBySeveralShapesToo) {
+  FitLimits limits;
+  limits.max_shapes = 3;
+  for (const auto& hard : hardMeshes()) {
+    for (const double scale : kScales) {
+      const TriangleMesh mesh = scaled(hard.mesh, scale);
+      const Fit fit = fitGeometries({mesh}, limits).front();
+      EXPECT_LE(provenExcess(mesh, fit), 0.0) << hard.name << ", scale " << scale;
+      EXPECT_LE(fit.shapes.size(), limits.max_shapes) << hard.name << ", scale " << scale;
+      EXPECT_TRUE(std::isfinite(fit.overshoot.max)) << hard.name << ", scale " << scale;
+    }
+  }
+}
+
+TEST(HardMeshes, aMillionTriangles_areOneMeshMore) {
+  const TriangleMesh mesh = test::sphereMesh(0.3, 1002);
+  ASSERT_GE(mesh.triangles.size(), 1000000u);
+  const Enclosure enclosure = encloseTightly(mesh);
+  EXPECT_LE(provenExcess({enclosure.shape, enclosure.geometry_from_body}, mesh.vertices), 0.0);
+  EXPECT_NEAR(radiusOf(enclosure.shape), 0.3, 1e-6);
+  EXPECT_LT(enclosure.overshoot.max, 1e-5);
+  SphereTreeLimits limits;
+  limits.max_leaves = 2;
+  const auto halves = spheresOfLevel(buildSphereTree(mesh, limits), 1);
+  ASSERT_EQ(halves.size(), 2u);
+  EXPECT_TRUE(std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
+                          [&](const auto& vertex) { return isInsideOne(halves, vertex); }));
+}
+
 TEST(HardMeshes, eachHasASphereTreeThatHoldsItOnEveryLevel) {
   for (const auto& hard : hardMeshes()) {
     for (const double scale : kScales) {
@@ -161,6 +191,7 @@ TEST(HardMeshes, whatCannotBeUsed_isTheSameErrorEverywhere) {
   };
   for (const auto& fault : faults) {
     EXPECT_EQ(faultOf([&] { encloseTightly(fault.mesh); }), fault.name);
+    EXPECT_EQ(faultOf([&] { fitGeometries({fault.mesh}, {}); }), fault.name);
     EXPECT_EQ(faultOf([&] { buildSphereTree(fault.mesh, {}); }), fault.name);
     EXPECT_EQ(faultOf([&] { inscribeShapes(fault.mesh); }), fault.name);
   }
