@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 
+#include "ros_edge/monitor_setup.h"
 #include "support/urdf_text.h"
 
 namespace collision_monitor::test {
@@ -155,6 +156,16 @@ TEST_F(JointReaderTest, namesOnASharedTopic_needTheirPrefix) {
   EXPECT_TRUE(std::isnan(velocityOf("left/turn"))) << "whose it is nobody knows";
   EXPECT_EQ(velocityOf("left/slide"), 2.0);
   EXPECT_TRUE(std::isnan(velocityOf("right/slide")));
+}
+
+TEST(JointTopics, topicOfARobotGoesBeforeThatOfAll) {
+  MonitorSetup setup;
+  setup.setup.model.robots.resize(2);
+  setup.parameters.robots.resize(2);
+  setup.parameters.robots[1].joint_states = "/right/joint_states";
+  EXPECT_EQ(jointTopics(setup), (std::vector<std::string>{"joint_states", "/right/joint_states"}));
+  setup.parameters.robots.clear();
+  EXPECT_EQ(jointTopics(setup), (std::vector<std::string>{"joint_states", "joint_states"}));
 }
 
 TEST_F(JointReaderTest, noTopic_noVelocities) {
