@@ -30,9 +30,9 @@ double reachOf(const Body& body, const ScrewMotion& link_motion) noexcept {
          link_motion.turn.norm() * body.bounding_radius;
 }
 
-/// Of the bodies, the two largest speeds that two links may close with.
-StepLimit limitStep(const CycleSetup& setup, const SweepWork& work, double step) noexcept {
-  std::vector<double>::size_type fastest_body = 0;
+/// The fastest bodies of two links may come at each other.
+StepLimit limitStep(const CycleSetup& setup, const SweepWork& work) noexcept {
+  std::size_t fastest_body = 0;
   double second = 0.0;
   for (std::size_t i = 1; i < work.body_reach.size(); ++i) {
     fastest_body = work.body_reach[i] > work.body_reach[fastest_body] ? i : fastest_body;
@@ -44,13 +44,10 @@ StepLimit limitStep(const CycleSetup& setup, const SweepWork& work, double step)
   }
   const double fastest = work.body_reach.empty() ? 0.0 : work.body_reach[fastest_body];
   StepLimit limit;
-  limit.longest = kInfinity;
-  limit.step = step;
-  if (step > 0.0 && fastest > 0.0) {
-    limit.speed = fastest / step;
-    limit.longest = work.thinnest / (fastest + second) * step;
-    limit.is_exceeded = step > limit.longest;
-  }
+  limit.step = work.elapsed;
+  limit.speed = fastest / work.elapsed;
+  limit.longest = fastest > 0.0 ? work.thinnest / (fastest + second) * work.elapsed : kInfinity;
+  limit.is_exceeded = limit.step > limit.longest;
   return limit;
 }
 
@@ -93,8 +90,11 @@ void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPose
     double& of_element = work.element_reach[index(body.element)];
     of_element = std::max(of_element, work.body_reach[i]);
   }
-  const double step = 1e-9 * static_cast<double>(poses.stamp_ns - last.stamp_ns);
-  work.step = limitStep(setup, work, last.stamp_ns > 0 ? std::max(0.0, step) : 0.0);
+  const bool is_known = last.stamp_ns > 0 && poses.stamp_ns > last.stamp_ns;
+  work.elapsed = is_known ? 1e-9 * static_cast<double>(poses.stamp_ns - last.stamp_ns) : 0.0;
+  if (is_known) {
+    work.step = limitStep(setup, work);
+  }
 }
 
 void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const SweepWork& work,

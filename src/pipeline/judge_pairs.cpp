@@ -73,7 +73,7 @@ void findPassed(const CycleSetup& setup, const PairDistances& distances,
   std::fill(events.passed.begin(), events.passed.end(), kNone);
   const auto& passed = distances.passed;
   for (std::uint32_t i = 0; i < passed.size(); ++i) {
-    std::uint32_t& first = events.passed[setup.link_pair_of[index(passed[i].pair)]];
+    std::uint32_t& first = events.passed[setup.link_pair_of[index(passed[i].distance.pair)]];
     if (first == kNone || passed[i].time < passed[first].time) {
       first = i;
     }

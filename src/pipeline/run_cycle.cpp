@@ -73,6 +73,7 @@ void resetMemory(CycleBuffers& buffers) noexcept {
   std::fill(buffers.memory.reported.begin(), buffers.memory.reported.end(), Verdict::clear);
   std::fill(buffers.memory.refined.begin(), buffers.memory.refined.end(), RefineMemory());
   std::fill(buffers.memory.last.known.begin(), buffers.memory.last.known.end(), 0);
+  buffers.memory.last.stamp_ns = 0;
   SpeedScale& speed = buffers.memory.speed;
   std::fill(speed.stopped.begin(), speed.stopped.end(), 0);
   speed.scale = 1.0;
@@ -86,8 +87,8 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   const double reach = reachOf(setup.limits);
   placeBodies(setup, poses, buffers.body_poses);
   boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
+  findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
   if (setup.is_continuous) {
-    findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
     sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
   }
   growBounds(setup, poses, setup.ahead.horizon, buffers.bounds);
@@ -97,8 +98,8 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
   if (setup.is_continuous) {
     sweepPairs(setup, buffers.refine, buffers.sweep, buffers.distances);
-    keepPoses(poses, buffers.body_poses, buffers.memory.last);
   }
+  keepPoses(poses, buffers.body_poses, buffers.memory.last);
   findClosings(setup, poses, buffers.distances);
   judgePairs(setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
   scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed);

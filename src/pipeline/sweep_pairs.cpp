@@ -85,7 +85,8 @@ bool isNew(const SweptContact& found) noexcept {
 void tell(const Sweeping& all, PairId pair, const SweptContact& found, Quality quality,
           bool is_refined) noexcept {
   const CheckedLinkPair& links = all.linksOf(pair);
-  all.distances.passed.push_back({pair, quality, is_refined, found.time, found.measured,
+  all.distances.passed.push_back({found.time,
+                                  {pair, quality, is_refined, found.measured},
                                   poseAt(all.motionOf(links.a), found.time),
                                   poseAt(all.motionOf(links.b), found.time)});
 }

@@ -42,6 +42,13 @@ SignedDistance unknownDistance(double distance) {
 
 }  // namespace
 
+double passedAt(const Watch& watch, LinkPairIndex link_pair) {
+  const std::uint32_t passed = watch.buffers.events.passed[link_pair];
+  return passed == kNone
+             ? kUnknown
+             : watch.buffers.distances.passed[passed].time * watch.buffers.sweep.elapsed;
+}
+
 const std::string& shapeName(const CycleSetup& setup, const PairDistance& distance, BodyId body) {
   return distance.is_refined ? setup.elements[index(setup.bodies[index(body)].element)].name
                              : setup.labels[index(body)].shape_name;
@@ -84,6 +91,7 @@ void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistan
   fillNumbers(distance.measured, message);
   message.closing_speed = distance.closing_speed;
   message.time_to_contact = distance.time_to_contact;
+  message.passed_at = kUnknown;
 }
 
 void toMessage(const CycleSetup& setup, const GradientRow& row, LinkDistance& message) {
@@ -99,6 +107,7 @@ void toUnknownMessage(LinkDistance& message) {
   message = LinkDistance();
   message.quality = LinkDistance::UNKNOWN;
   fillNumbers(unknownDistance(kUnknown), message);
+  message.passed_at = kUnknown;
 }
 
 void toUnknownMessage(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance& message) {
@@ -120,6 +129,7 @@ void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& messag
     const std::uint32_t speaker = speakerOf(setup, watch.buffers, link_pair);
     toMessage(setup, watch.buffers.distances.measured[speaker], message);
   }
+  message.passed_at = passedAt(watch, link_pair);
 }
 
 void toMessage(const Watch& watch, Distances& message) {
@@ -136,9 +146,9 @@ void toMessage(const Watch& watch, Distances& message) {
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     const std::uint32_t place = events.closest[i];
     const bool is_closest = place != kNone && place == events.closest_of_all;
-    if (place == kNone ||
-        (!is_closest && watch.buffers.distances.measured[place].measured.distance >
-                            setup.checked[i].limits.report_distance)) {
+    const bool is_listed = is_closest || events.passed[i] != kNone;
+    if (place == kNone || (!is_listed && watch.buffers.distances.measured[place].measured.distance >
+                                             setup.checked[i].limits.report_distance)) {
       continue;
     }
     message.closest = is_closest ? static_cast<std::int32_t>(count) : message.closest;
@@ -147,6 +157,7 @@ void toMessage(const Watch& watch, Distances& message) {
     toMessage(setup, distance, message.pairs[count]);
     gradientRow(setup, watch.poses, distance, row);
     toMessage(setup, row, message.pairs[count]);
+    message.pairs[count].passed_at = passedAt(watch, static_cast<LinkPairIndex>(i));
     ++count;
   }
   message.pairs.resize(count);

@@ -24,6 +24,9 @@ void toMessage(const Pose& pose, geometry_msgs::Pose& message);
 /// What a measured pair calls one of its bodies: the shape, or the element that was refined to.
 const std::string& shapeName(const CycleSetup& setup, const PairDistance& distance, BodyId body);
 
+/// [s] after the last cycle's data: when the links touched on their way to this one; NaN if never.
+double passedAt(const Watch& watch, LinkPairIndex link_pair);
+
 /// A measured pair, without its gradient row.
 void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message);
 void toMessage(const CycleSetup& setup, const GradientRow& row, LinkDistance& message);

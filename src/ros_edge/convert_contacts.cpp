@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <limits>
 
 #include "collision_monitor/pipeline/contact_manifold.h"
 #include "ros_edge/conversions.h"
@@ -8,21 +9,26 @@
 namespace collision_monitor {
 namespace {
 
-/// A pair that hysteresis keeps in contact is still listed.
+/// A pair that hysteresis keeps in contact is still listed; one that only passed is listed as that.
 bool isInContact(const Watch& watch, const PairDistance& distance) {
   const std::uint32_t link_pair = watch.setup().link_pair_of[index(distance.pair)];
   const Limits& limits = watch.setup().checked[link_pair].limits;
-  return watch.buffers.events.verdicts[link_pair] == Verdict::contact &&
-         distance.measured.distance <= limits.contact_distance + limits.hysteresis;
+  const PairEvents& events = watch.buffers.events;
+  const double kept = events.passed[link_pair] == kNone ? limits.hysteresis : 0.0;
+  return events.verdicts[link_pair] == Verdict::contact &&
+         distance.measured.distance <= limits.contact_distance + kept;
+}
+
+void fillOnePoint(const SignedDistance& measured, Contact& message) {
+  message.points.resize(1);
+  toMessage(0.5 * (measured.point_on_a + measured.point_on_b), message.points.front());
+  message.feature.clear();
 }
 
 void fillPoints(const Watch& watch, const PairDistance& distance, Contact& message) {
   const auto manifold = contactManifold(watch.setup(), watch.buffers.body_poses, distance);
   if (!manifold) {
-    message.points.resize(1);
-    toMessage(0.5 * (distance.measured.point_on_a + distance.measured.point_on_b),
-              message.points.front());
-    message.feature.clear();
+    fillOnePoint(distance.measured, message);
     return;
   }
   message.points.resize(manifold->size);
@@ -33,19 +39,37 @@ void fillPoints(const Watch& watch, const PairDistance& distance, Contact& messa
   message.feature = nameOf(manifold->feature);
 }
 
-void fill(const Watch& watch, const PairDistance& distance, Contact& message) {
+/// All but points and poses.
+void fillPair(const Watch& watch, const PairDistance& distance, Contact& message) {
   const CycleSetup& setup = watch.setup();
   const BodyPair& pair = setup.table[distance.pair];
-  const LinkId link_a = setup.bodies[index(pair.a)].link;
-  message.link_a = setup.model.link(link_a).name;
-  message.link_b = setup.model.link(setup.bodies[index(pair.b)].link).name;
+  const CheckedLinkPair& links = setup.checked[setup.link_pair_of[index(distance.pair)]];
+  message.link_a = setup.model.link(links.a).name;
+  message.link_b = setup.model.link(links.b).name;
   message.shape_a = shapeName(setup, distance, pair.a);
   message.shape_b = shapeName(setup, distance, pair.b);
   message.quality = static_cast<std::uint8_t>(distance.quality);
-  fillPoints(watch, distance, message);
   toMessage(distance.measured.normal_a_to_b, message.normal);
   message.depth = std::max(0.0, -distance.measured.distance);
-  message.island = watch.buffers.events.island_of_link[index(link_a)];
+  message.island = watch.buffers.events.island_of_link[index(links.a)];
+}
+
+void fill(const Watch& watch, const PairDistance& distance, Contact& message) {
+  const CycleSetup& setup = watch.setup();
+  const CheckedLinkPair& links = setup.checked[setup.link_pair_of[index(distance.pair)]];
+  fillPair(watch, distance, message);
+  fillPoints(watch, distance, message);
+  message.passed_at = std::numeric_limits<double>::quiet_NaN();
+  toMessage(watch.poses.world_from_link[index(links.a)], message.pose_a);
+  toMessage(watch.poses.world_from_link[index(links.b)], message.pose_b);
+}
+
+void fill(const Watch& watch, const PassedContact& passed, Contact& message) {
+  fillPair(watch, passed.distance, message);
+  fillOnePoint(passed.distance.measured, message);
+  message.passed_at = passed.time * watch.buffers.sweep.elapsed;
+  toMessage(passed.world_from_link_a, message.pose_a);
+  toMessage(passed.world_from_link_b, message.pose_b);
 }
 
 }  // namespace
@@ -59,6 +83,10 @@ void toMessage(const Watch& watch, Contacts& message) {
       message.contacts.emplace_back();
       fill(watch, distance, message.contacts.back());
     }
+  }
+  for (const PassedContact& passed : watch.buffers.distances.passed) {
+    message.contacts.emplace_back();
+    fill(watch, passed, message.contacts.back());
   }
 }
 

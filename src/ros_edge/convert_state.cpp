@@ -24,6 +24,7 @@ void fillCounters(const CycleCounters& counters, const CycleFacts& facts, State&
   message.pairs_refined = static_cast<std::uint32_t>(counters.refined);
   message.pairs_left = static_cast<std::uint32_t>(counters.left);
   message.pairs_unknown = static_cast<std::uint32_t>(counters.unknown_pairs);
+  message.pairs_swept = static_cast<std::uint32_t>(counters.swept);
   message.cycle_time = facts.cycle_time;
   message.cycles = facts.cycles;
   message.overruns = facts.overruns;
@@ -87,6 +88,9 @@ void toMessage(const Watch& watch, const CycleFacts& facts, State& message) {
   message.speed_scale = speedScaleOf(watch, facts);
   fillLinks(watch, message);
   fillCounters(watch.buffers.counters, facts, message);
+  message.pairs_passed = static_cast<std::uint32_t>(watch.buffers.distances.passed.size());
+  message.step = watch.buffers.sweep.step.step;
+  message.step_limit = watch.buffers.sweep.step.longest;
 }
 
 }  // namespace collision_monitor

@@ -173,6 +173,9 @@ void CycleRunner::summarize(const State& state) {
   summary.measured = state.pairs_measured;
   summary.refined = state.pairs_refined;
   summary.left = state.pairs_left;
+  summary.swept = state.pairs_swept;
+  summary.step = state.step;
+  summary.step_limit = state.step_limit;
   summary.unknown_links = state.unknown_links;
   summary.cycles = state.cycles;
   summary.overruns = state.overruns;

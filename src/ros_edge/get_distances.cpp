@@ -10,6 +10,7 @@
 #include "ros_edge/apply_joints.h"
 #include "ros_edge/conversions.h"
 #include "ros_edge/nearest_name.h"
+#include "ros_edge/sentences.h"
 
 namespace collision_monitor {
 namespace {
@@ -37,14 +38,6 @@ LinkSet findLinks(const CycleSetup& setup, const std::vector<std::string>& names
     }
   }
   return links;
-}
-
-std::string join(const std::vector<std::string>& texts) {
-  std::string joined;
-  for (const std::string& text : texts) {
-    joined += (joined.empty() ? "" : "; ") + text;
-  }
-  return joined;
 }
 
 /// Which pairs of links are asked for.

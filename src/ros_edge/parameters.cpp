@@ -180,6 +180,7 @@ Parameters readParameters(const XmlRpcValue& values, const std::string& where,
   readTopic(fields, "joint_states", parameters.joint_states, report);
   readFitting(fields, parameters);
   readRefining(fields, parameters.setup.refine);
+  fields.read("continuous", parameters.setup.is_continuous);
   fields.read("ignore_default_overlap", parameters.setup.ignore_default_overlap);
   readBroadPhase(fields, parameters);
   tolerateForeign(fields);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace collision_monitor {
 namespace {
@@ -66,11 +67,13 @@ std::string motionText(const PairDistance& distance) {
               : "");
 }
 
-/// Of the pairs with this verdict, the one with the least distance; kNone if none was measured.
-std::uint32_t nearestWith(Verdict verdict, const Watch& watch, std::size_t& count) {
+/// Of the pairs of links with this verdict, the one with the least distance; kNone if none was
+/// measured.
+LinkPairIndex nearestWith(Verdict verdict, const Watch& watch, std::size_t& count) {
   const PairDistances& distances = watch.buffers.distances;
   const std::vector<Verdict>& verdicts = watch.buffers.events.verdicts;
-  std::uint32_t nearest = kNone;
+  LinkPairIndex nearest = kNone;
+  double least = std::numeric_limits<double>::infinity();
   count = 0;
   for (LinkPairIndex i = 0; i < verdicts.size(); ++i) {
     if (verdicts[i] != verdict) {
@@ -78,10 +81,10 @@ std::uint32_t nearestWith(Verdict verdict, const Watch& watch, std::size_t& coun
     }
     ++count;
     const std::uint32_t place = speakerOf(watch.setup(), watch.buffers, i);
-    const bool is_nearer =
-        place != kNone && (nearest == kNone || distances.measured[place].measured.distance <
-                                                   distances.measured[nearest].measured.distance);
-    nearest = is_nearer ? place : nearest;
+    if (place != kNone && distances.measured[place].measured.distance < least) {
+      least = distances.measured[place].measured.distance;
+      nearest = i;
+    }
   }
   return nearest;
 }
@@ -92,13 +95,32 @@ std::string andMore(std::size_t count, const char* what) {
              : " (and " + std::to_string(count - 1) + " more " + what + (count == 2 ? ")" : "s)");
 }
 
+std::string passedSentence(const Watch& watch, const PassedContact& passed) {
+  const CycleSetup& setup = watch.setup();
+  const BodyPair& pair = setup.table[passed.distance.pair];
+  const bool is_bound = passed.distance.quality == Quality::lower_bound;
+  return nameOf(setup, pair.a) + " touched " + nameOf(setup, pair.b) +
+         (is_bound ? " (enclosing shapes)" : "") + " between two cycles, " +
+         format("%.1f ms", 1e3 * passed.time * watch.buffers.sweep.elapsed) +
+         " after the poses of the last one";
+}
+
+/// Of a pair that was measured: what it is now, or that it touched on its way.
+std::string pairSentence(const Watch& watch, LinkPairIndex link_pair) {
+  const PairEvents& events = watch.buffers.events;
+  const PairDistances& distances = watch.buffers.distances;
+  return events.passed[link_pair] != kNone
+             ? passedSentence(watch, distances.passed[events.passed[link_pair]])
+             : distanceSentence(
+                   watch.setup(),
+                   distances.measured[speakerOf(watch.setup(), watch.buffers, link_pair)]);
+}
+
 std::string pairsSentence(Verdict verdict, const Watch& watch) {
   std::size_t count = 0;
-  const std::uint32_t nearest = nearestWith(verdict, watch, count);
-  return nearest == kNone
-             ? std::to_string(count) + " pairs of links are near each other"
-             : distanceSentence(watch.setup(), watch.buffers.distances.measured[nearest]) +
-                   andMore(count, "pair");
+  const LinkPairIndex nearest = nearestWith(verdict, watch, count);
+  return nearest == kNone ? std::to_string(count) + " pairs of links are near each other"
+                          : pairSentence(watch, nearest) + andMore(count, "pair");
 }
 
 std::string unknownLinksSentence(const Watch& watch) {
@@ -144,6 +166,16 @@ std::string lengthText(double length) {
   return size < 0.9995 ? format("%.0f mm", 1000.0 * size) : format("%.2f m", size);
 }
 
+std::string secondsText(double time) { return format("%.3f s", time); }
+
+std::string join(const std::vector<std::string>& texts) {
+  std::string joined;
+  for (const std::string& text : texts) {
+    joined += (joined.empty() ? "" : "; ") + text;
+  }
+  return joined;
+}
+
 std::string distanceSentence(const CycleSetup& setup, const PairDistance& distance) {
   return placeText(setup, distance) + motionText(distance);
 }
@@ -172,7 +204,7 @@ std::string changeSentence(const Watch& watch, const VerdictChange& change) {
     return setup.model.link(pair.a).name + " is clear of " + setup.model.link(pair.b).name +
            " by more than " + lengthText(reachOf(pair.limits));
   }
-  const std::string measured = distanceSentence(setup, watch.buffers.distances.measured[speaker]);
+  const std::string measured = pairSentence(watch, change.link_pair);
   return change.after == Verdict::clear ? measured + ", clear again" : measured;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ros_edge/watch.h"
 
@@ -11,6 +12,12 @@ namespace collision_monitor {
 
 /// "4.2 mm", "120 mm", "1.23 m"; without sign.
 std::string lengthText(double length);
+
+/// "1.250 s"
+std::string secondsText(double time);
+
+/// With semicolons between.
+std::string join(const std::vector<std::string>& texts);
 
 /// "a is 12 mm from b" or "a overlaps b by 3.0 mm", and how they move: "a is 12 mm from b, closing
 /// at 0.20 m/s, contact in 0.06 s". Says where the number is that of the enclosing shapes: "a is at

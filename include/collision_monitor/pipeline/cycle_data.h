@@ -72,13 +72,11 @@ struct PairDistance {
 
 /// A contact between the last cycle and this one, of links that are apart in both.
 struct PassedContact {
-  PairId pair{};  ///< bodies that met
-  /// exact: the geometries touched. lower_bound: what encloses them did, and they may have.
-  Quality quality{Quality::unknown};
-  bool is_refined{false};   ///< measured between elements
-  double time{0.0};         ///< share of the way from the last poses to these
-  SignedDistance measured;  ///< at that time
-  Pose world_from_link_a;   ///< at that time
+  double time{0.0};  ///< share of the way from the last poses to these
+  /// At that time. exact: the geometries touched; lower_bound: what encloses them did, and they may
+  /// have.
+  PairDistance distance;
+  Pose world_from_link_a;  ///< at that time
   Pose world_from_link_b;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "collision_monitor/motion/conservative_advancement.h"
@@ -16,9 +17,10 @@ namespace collision_monitor {
 /// The longest step between two cycles in which nothing can pass through anything unseen, even
 /// without looking between them.
 struct StepLimit {
-  double step{0.0};     ///< [s] between the stamps of the last poses and these; 0: not known
-  double longest{0.0};  ///< [s] the thinnest body over the greatest speeds; infinity at rest
-  double speed{0.0};    ///< [m/s] of the fastest point of any body
+  double step{0.0};  ///< [s] between the last two stamps that differed; 0: not known
+  double longest{std::numeric_limits<double>::infinity()};  ///< [s] the thinnest body over the
+                                                            ///< greatest speeds; infinity at rest
+  double speed{0.0};  ///< [m/s] of the fastest point of any body
   bool is_exceeded{false};
 };
 
@@ -40,6 +42,7 @@ struct SweepWork {
   std::vector<double> element_reach;  ///< by ElementId
   std::vector<Ball> element_balls;    ///< by ElementId: of what is measured
   double thinnest{0.0};               ///< [m] of all bodies
+  double elapsed{0.0};                ///< [s] between the stamps of the last poses and these
   StepLimit step;
   std::vector<SweepTask> tasks;
   std::vector<std::uint32_t> task_of;  ///< by ElementPairIndex: into tasks, or kNone

@@ -55,8 +55,8 @@ TEST(SweepPairs, ballPassesAPlate_contactInThatCycleAtItsTime) {
   ASSERT_EQ(scene.passed().size(), 1U);
   const PassedContact& contact = scene.passed()[0];
   EXPECT_NEAR(contact.time, 0.25, 1e-9);  // 0.08 m of 0.32 m
-  EXPECT_EQ(contact.quality, Quality::exact);
-  EXPECT_TRUE(contact.measured.point_on_a.isApprox(Eigen::Vector3d(-0.001, 0.1, 0), 1e-9));
+  EXPECT_EQ(contact.distance.quality, Quality::exact);
+  EXPECT_TRUE(contact.distance.measured.point_on_a.isApprox(Eigen::Vector3d(-0.001, 0.1, 0), 1e-9));
   EXPECT_NEAR(contact.world_from_link_b.translation.x(), -0.011, 1e-9);
   EXPECT_EQ(contact.world_from_link_a.translation.norm(), 0.0);
   EXPECT_EQ(scene.buffers.events.passed[0], 0U);
@@ -128,7 +128,7 @@ TEST(SweepPairs, contactDistance_countsOnTheWay) {
   scene.link(1).translation.x() = 0.1;
   scene.run();
   ASSERT_EQ(scene.passed().size(), 1U);
-  EXPECT_NEAR(scene.passed()[0].measured.distance, 0.02, 2e-7);
+  EXPECT_NEAR(scene.passed()[0].distance.measured.distance, 0.02, 2e-7);
 }
 
 TEST(SweepPairs, rodTurnsThroughABall_isFoundOnItsArc) {
@@ -188,10 +188,10 @@ TEST(SweepPairs, throughABarOfAMesh_isFoundOnTheMesh) {
   scene.run();
   ASSERT_EQ(scene.passed().size(), 1U);
   const PassedContact& contact = scene.passed()[0];
-  EXPECT_TRUE(contact.is_refined);
-  EXPECT_EQ(contact.quality, Quality::exact);
+  EXPECT_TRUE(contact.distance.is_refined);
+  EXPECT_EQ(contact.distance.quality, Quality::exact);
   EXPECT_NEAR(contact.time, (0.2 - 0.07) / 0.4, 1e-6);
-  EXPECT_NEAR(contact.measured.point_on_a.z(), -0.05, 1e-6);
+  EXPECT_NEAR(contact.distance.measured.point_on_a.z(), -0.05, 1e-6);
 }
 
 TEST(SweepPairs, budgetSpent_aContactOfEnclosingShapes) {
@@ -201,7 +201,7 @@ TEST(SweepPairs, budgetSpent_aContactOfEnclosingShapes) {
   scene.link(1).translation.z() = 0.2;
   scene.run();
   ASSERT_EQ(scene.passed().size(), 1U);
-  EXPECT_EQ(scene.passed()[0].quality, Quality::lower_bound);
+  EXPECT_EQ(scene.passed()[0].distance.quality, Quality::lower_bound);
   EXPECT_EQ(scene.buffers.counters.swept_left, 1U);
   EXPECT_EQ(scene.verdict(), Verdict::contact);
 }

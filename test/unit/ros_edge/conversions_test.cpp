@@ -193,6 +193,49 @@ TEST_F(ConversionsTest, contacts_pointDepthNormalIsland) {
   EXPECT_TRUE(message.contacts.empty());
 }
 
+TEST_F(ConversionsTest, contactBetweenCycles_isToldWithItsTimeAndPoses) {
+  // The tool goes from x = 0.75 to -0.75 in 30 ms, through the base; they touch at 0.2.
+  const auto watch = watchAt(0.25);
+  watch->poses = slidingPoses(setup_->setup.model, 0.0, -1.25);
+  watch->poses.stamp_ns += 30'000'000;
+  runCycle(watch->setup(), watch->poses, watch->buffers);
+  const State state = stateOf(*watch, facts());
+  EXPECT_EQ(state.level, State::CONTACT);
+  EXPECT_EQ(state.sentence,
+            "base touched tool between two cycles, 11.0 ms after the poses of the last one");
+  EXPECT_EQ(state.pairs_passed, 1U);
+  EXPECT_NEAR(state.step, 0.03, 1e-12);
+  EXPECT_NEAR(state.step_limit, 0.2 / 50.0, 1e-12);
+  Contacts contacts;
+  toMessage(*watch, contacts);
+  ASSERT_EQ(contacts.contacts.size(), 1U);
+  const Contact& contact = contacts.contacts[0];
+  EXPECT_NEAR(contact.passed_at, 0.011, 1e-9);
+  EXPECT_NEAR(contact.points[0].x, 0.1, 1e-9);
+  EXPECT_NEAR(contact.pose_a.position.x, 0.0, 1e-12);
+  EXPECT_NEAR(contact.pose_b.position.x, 0.2, 1e-9);
+  EXPECT_NEAR(contact.depth, 0.0, 1e-9);
+  Distances distances;
+  toMessage(*watch, distances);
+  ASSERT_EQ(distances.pairs.size(), 1U);
+  EXPECT_NEAR(distances.pairs[0].passed_at, 0.011, 1e-9);
+  EXPECT_NEAR(distances.pairs[0].distance, 0.55, 1e-12);
+  ASSERT_EQ(watch->buffers.events.changes.size(), 1U);
+  Warning warning;
+  toMessage(*watch, watch->buffers.events.changes[0], warning);
+  EXPECT_EQ(warning.after, Warning::CONTACT);
+  EXPECT_EQ(warning.sentence, state.sentence);
+  EXPECT_NEAR(warning.pair.passed_at, 0.011, 1e-9);
+}
+
+TEST_F(ConversionsTest, contactNow_hasNoTimeAndThePosesOfNow) {
+  Contacts message;
+  toMessage(*watchAt(-0.34), message);
+  ASSERT_EQ(message.contacts.size(), 1U);
+  EXPECT_TRUE(std::isnan(message.contacts[0].passed_at));
+  EXPECT_NEAR(message.contacts[0].pose_b.position.x, 0.16, 1e-12);
+}
+
 TEST_F(ConversionsTest, changes_sayWhatHappened) {
   const auto watch = watchAt(-0.26);
   ASSERT_EQ(watch->buffers.events.changes.size(), 1U);

@@ -135,6 +135,7 @@ TEST(Parameters, fitting_isRead) {
   values["refine_geometry"] = "hull";
   values["refine_distance"] = 0.03;
   values["refine_budget"] = 500;
+  values["continuous"] = false;
   values["shape_rules"] = "package://robot/rules.yaml";
   values["fit_cache"] = "none";
   SetupReport report;
@@ -145,12 +146,14 @@ TEST(Parameters, fitting_isRead) {
   EXPECT_EQ(parameters.setup.refine.geometry, RefineGeometry::hull);
   EXPECT_EQ(parameters.setup.refine.limits.distance, 0.03);
   EXPECT_EQ(parameters.setup.refine.limits.budget, 500U);
+  EXPECT_FALSE(parameters.setup.is_continuous);
   EXPECT_EQ(parameters.shape_rules, "package://robot/rules.yaml");
   EXPECT_EQ(parameters.fit_cache, "none");
   const Parameters defaults = readParameters(emptyStruct(), "/m", report);
   EXPECT_EQ(defaults.setup.default_limits.max_shapes, 4U);
   EXPECT_EQ(defaults.setup.default_limits.target_overshoot, 0.01);
   EXPECT_EQ(defaults.setup.refine.geometry, RefineGeometry::mesh);
+  EXPECT_TRUE(defaults.setup.is_continuous);
 }
 
 TEST(Parameters, fittingOutOfRange) {
