@@ -37,7 +37,8 @@ debian_ros_packages=(
   libtf2-ros-dev libtf2-eigen-dev libresource-retriever-dev libdiagnostic-updater-dev
   libnodelet-dev libnodeletlib-dev libnodeletlib-tools python3-nodelet ros-robot-state-publisher
   python3-diagnostic-msgs python3-geometry-msgs python3-rosgraph-msgs python3-sensor-msgs
-  python3-std-msgs python3-std-srvs python3-tf2-msgs python3-visualization-msgs
+  python3-std-msgs python3-std-srvs python3-tf2-msgs python3-trajectory-msgs
+  python3-visualization-msgs libtrajectory-msgs-dev
 )
 
 has_ros_noetic() { [[ "${ROS_DISTRO:-}" == noetic && -d /opt/ros/noetic ]]; }

@@ -25,7 +25,7 @@ MAY_INCLUDE = {
 # Headers that only the named rooms may know; all other third-party headers are free.
 RESERVED = {
     re.compile(r"^(ros|tf2|tf2_ros|nodelet|pluginlib|diagnostic_\w+|resource_retriever)/"): {"ros_edge"},
-    re.compile(r"^(geometry|sensor|std|visualization)_(msgs|srvs)/"): {"ros_edge"},
+    re.compile(r"^(geometry|sensor|std|trajectory|visualization)_(msgs|srvs)/"): {"ros_edge"},
     re.compile(r"^assimp/"): {"model"},
     re.compile(r"^tinyxml2\.h$"): {"model"},
     re.compile(r"^yaml-cpp/"): {"model"},

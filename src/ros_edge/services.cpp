@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/services.h"
 
+#include <ros/console.h>
+
+#include <cmath>
 #include <utility>
 
+#include "ros_edge/check_trajectory.h"
 #include "ros_edge/get_distances.h"
 #include "ros_edge/startup_report.h"
 #include "ros_edge/watch.h"
@@ -17,20 +21,38 @@ Services::Services(const ros::NodeHandle& private_node, const TransformStore& st
       joint_store_(joint_store),
       hooks_(std::move(hooks)) {
   get_distances_ = private_node_.advertiseService("get_distances", &Services::getDistances, this);
+  check_trajectory_ =
+      private_node_.advertiseService("check_trajectory", &Services::checkTrajectory, this);
   set_enabled_ = private_node_.advertiseService("set_enabled", &Services::setEnabled, this);
   reload_ = private_node_.advertiseService("reload", &Services::reload, this);
 }
 
-bool Services::getDistances(GetDistances::Request& request, GetDistances::Response& response) {
-  const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
-  const RobotModel& model = current->setup.model;
+LinkPoses Services::newestPoses(const MonitorSetup& current) const {
+  const RobotModel& model = current.setup.model;
   LinkPoses poses = makeLinkPoses(model);
   const ros::Time now = ros::Time::now();
   if (!now.isZero()) {
-    JointReader joints(model, joint_store_, jointTopics(*current));
-    makePoseReader(*current, store_, joints).read(now, poses);
+    JointReader joints(model, joint_store_, jointTopics(current));
+    makePoseReader(current, store_, joints).read(now, poses);
   }
-  answerGetDistances(*current, poses, request, response);
+  return poses;
+}
+
+bool Services::getDistances(GetDistances::Request& request, GetDistances::Response& response) {
+  const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
+  answerGetDistances(*current, newestPoses(*current), request, response);
+  return true;
+}
+
+bool Services::checkTrajectory(CheckTrajectory::Request& request,
+                               CheckTrajectory::Response& response) {
+  const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
+  const auto tell = [](double done) {
+    ROS_INFO_STREAM_DELAYED_THROTTLE(
+        2.0, "check_trajectory: " << std::lround(100.0 * done) << " % checked");
+    return ros::ok();
+  };
+  answerCheckTrajectory(*current, newestPoses(*current), tell, request, response);
   return true;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <collision_monitor/CheckTrajectory.h>
 #include <collision_monitor/GetDistances.h>
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
@@ -12,6 +13,7 @@
 #include <memory>
 #include <mutex>
 
+#include "collision_monitor/pipeline/cycle_data.h"
 #include "collision_monitor/ros_edge/joint_store.h"
 #include "collision_monitor/ros_edge/transform_store.h"
 #include "ros_edge/monitor_setup.h"
@@ -25,8 +27,8 @@ struct ServiceHooks {
   std::function<void(bool)> set_enabled;
 };
 
-/// get_distances, set_enabled and reload. Run on the callback queue of the node handle, beside the
-/// cycle and without touching its data.
+/// get_distances, check_trajectory, set_enabled and reload. Run on the callback queue of the node
+/// handle, beside the cycle and without touching its data.
 class Services {
  public:
   /// @pre the stores outlive the services.
@@ -34,7 +36,9 @@ class Services {
            const JointStore& joint_store, ServiceHooks hooks);
 
  private:
+  LinkPoses newestPoses(const MonitorSetup& current) const;
   bool getDistances(GetDistances::Request& request, GetDistances::Response& response);
+  bool checkTrajectory(CheckTrajectory::Request& request, CheckTrajectory::Response& response);
   bool setEnabled(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool reload(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
@@ -44,6 +48,7 @@ class Services {
   ServiceHooks hooks_;
   std::mutex reload_mutex_;
   ros::ServiceServer get_distances_;
+  ros::ServiceServer check_trajectory_;
   ros::ServiceServer set_enabled_;
   ros::ServiceServer reload_;
 };

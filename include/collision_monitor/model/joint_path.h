@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "collision_monitor/model/kinematics.h"
+
+namespace collision_monitor {
+
+/// Positions of some joints over time, by way-points. Between two of them joints move evenly or,
+/// where velocities are given, on the cubic that has both positions and both velocities.
+///
+/// Units: radians, metres, seconds.
+struct JointPath {
+  std::vector<JointId> joints;     ///< revolute, continuous or prismatic; none follows another
+  std::vector<double> times;       ///< of the way-points, increasing
+  std::vector<double> positions;   ///< by way-point, then by joint
+  std::vector<double> velocities;  ///< likewise, or empty
+
+  double positionAt(std::size_t waypoint, std::size_t joint) const noexcept {
+    return positions[waypoint * joints.size() + joint];
+  }
+};
+
+/// Whether every number is finite, times increase and sizes agree; there must be a way-point.
+bool isSound(const JointPath& path) noexcept;
+
+/// A part of the way from way-point `segment` to the next: shares of its time, 0 to 1.
+struct PathPart {
+  std::size_t segment{0};
+  double from{0.0};
+  double to{1.0};
+};
+
+double timeAt(const JointPath& path, std::size_t segment, double share) noexcept;
+
+/// Fills in the variables of the path's joints.
+/// @pre the path is sound and has the segment; `positions` has all variables of the model.
+void setPositions(const RobotModel& model, const JointPath& path, std::size_t segment, double share,
+                  JointPositions& positions) noexcept;
+
+/// How far a joint of the path goes in this part, to and fro added up: [rad] or [m], exact.
+double wayOf(const JointPath& path, const PathPart& part, std::size_t joint) noexcept;
+
+}  // namespace collision_monitor

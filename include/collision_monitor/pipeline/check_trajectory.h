@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "collision_monitor/model/joint_path.h"
+#include "collision_monitor/pipeline/cycle_data.h"
+#include "collision_monitor/pipeline/setup.h"
+
+/// Whether links touch on a way that joints are to go, and how near they come: for the whole way,
+/// not for samples of it.
+namespace collision_monitor {
+
+struct TrajectoryOptions {
+  /// [m] Pairs that come nearer are near misses, whose nearest approach is searched for; of the
+  /// others it is only proven that they stay farther apart.
+  double margin{0.05};
+  double resolution{1e-3};  ///< [m] so much nearer than found may a near miss come
+  double tolerance{1e-6};   ///< [m] this much beyond contact_distance is contact
+  /// Steps, as RefineLimits::budget.
+  std::uint64_t budget{std::numeric_limits<std::uint64_t>::max()};
+  /// Told the share that is done after each way-point; false ends the search. May be empty.
+  std::function<bool(double done)> progress;
+};
+
+enum class ApproachState : unsigned char {
+  clear,      ///< no contact on the whole way: proven
+  contact,    ///< first at `time`, clear before: proven
+  undecided,  ///< the budget or `progress` ended the search; clear up to `time`
+  unknown,    ///< a link's pose is unknown, or the path is not sound
+};
+
+/// Of one pair of links.
+struct PairApproach {
+  ApproachState state{ApproachState::unknown};
+  double time{0.0};  ///< [s] of `nearest`; undecided: up to where it is clear
+  /// The nearest that was measured; in contact, the first. Points are those of that time.
+  PairDistance nearest;
+  double at_least{0.0};  ///< [m] proven: at no time nearer, up to the contact if there is one
+};
+
+struct TrajectoryReport {
+  std::vector<PairApproach> pairs;     ///< by LinkPairIndex
+  LinkPairIndex first_contact{kNone};  ///< the pair that touches first, or kNone
+  std::vector<Pose> world_from_link;   ///< then
+  std::uint64_t steps{0};              ///< spent
+};
+
+/// Follows every checked pair of links along the path.
+///
+/// Where two links stand at both ends of a part of the way, and how far they can come nearer in
+/// between (boundMotion), bounds their distance on all of it; a part that leaves open what is asked
+/// is halved. Balls, enclosing shapes and the geometries themselves are asked in this order.
+///
+/// Error: `time` of a contact is where the pair is within `tolerance` of contact_distance, and up
+/// to there nothing was nearer. `at_least` holds but for rounding.
+/// Limits: meshes inside each other without touching surfaces are contacts if they are closed.
+/// Source: Schwarzer, Saha, Latombe (2005), section III, for the bound of both ends and the
+/// halving.
+/// @param start poses of all links, the path's joints at its first way-point: they say where links
+/// are that the path does not move.
+TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
+                                 const LinkPoses& start, const TrajectoryOptions& options);
+
+}  // namespace collision_monitor

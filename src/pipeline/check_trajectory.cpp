@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/pipeline/check_trajectory.h"
+
+#include <utility>
+
+#include "pipeline/trajectory_search.h"
+
+namespace collision_monitor {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Halves of halves ...: parts of 1e-15 of the way from one point to the next.
+constexpr std::size_t kMostHalvings = 50;
+
+Halving& halvingAt(TrajectorySearch& search, std::size_t depth) {
+  while (search.halvings.size() <= depth) {
+    search.halvings.emplace_back();
+    search.halvings.back().ways.resize(search.path.joints.size());
+  }
+  return search.halvings[depth];
+}
+
+/// Settles pairs in the part of the way between two instants of one segment, earlier halves first.
+void explore(TrajectorySearch& search, Instant& begin, Instant& end,
+             const std::vector<LinkPairIndex>& pairs, std::size_t depth) {
+  Halving& halving = halvingAt(search, depth);
+  for (std::size_t i = 0; i < halving.ways.size(); ++i) {
+    halving.ways[i] = wayOf(search.path, {begin.segment, begin.share, end.share}, i);
+  }
+  halving.open.clear();
+  for (const LinkPairIndex pair : pairs) {
+    if (!settle(search, pair, begin, end, halving.ways)) {
+      halving.open.push_back(pair);
+    }
+  }
+  if (halving.open.empty()) {
+    return;
+  }
+  if (search.measures.steps >= search.options.budget || depth == kMostHalvings) {
+    for (const LinkPairIndex pair : halving.open) {
+      giveUp(search, pair, begin);
+    }
+    return;
+  }
+  Instant& middle = halving.middle;
+  middle.segment = begin.segment;
+  middle.share = 0.5 * (begin.share + end.share);
+  search.poses.place(middle.segment, middle.share, middle.world_from_link);
+  sampleBalls(search, halving.open, middle);
+  explore(search, begin, middle, halving.open, depth + 1);
+  explore(search, middle, end, halving.open, depth + 1);
+}
+
+/// Pairs that the path does not move, and all pairs where there is one way-point only.
+void checkStanding(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs, Instant& at) {
+  for (const LinkPairIndex pair : pairs) {
+    settle(search, pair, at, at, std::vector<double>(search.path.joints.size(), 0.0));
+  }
+}
+
+void followPath(TrajectorySearch& search, const std::vector<LinkPairIndex>& moving,
+                Instant& begin) {
+  Instant end;
+  const std::size_t segments = search.path.times.size() - 1;
+  for (std::size_t segment = 0; segment < segments; ++segment) {
+    begin.segment = end.segment = segment;
+    begin.share = 0.0;
+    end.share = 1.0;
+    search.poses.place(segment, 1.0, end.world_from_link);
+    sampleBalls(search, moving, end);
+    explore(search, begin, end, moving, 0);
+    std::swap(begin, end);
+    const double done = static_cast<double>(segment + 1) / static_cast<double>(segments);
+    if (search.options.progress && !search.options.progress(done) && segment + 1 < segments) {
+      for (const LinkPairIndex pair : moving) {
+        if (search.report.pairs[pair].state == ApproachState::clear) {
+          giveUp(search, pair, begin);
+        }
+      }
+      return;
+    }
+  }
+}
+
+/// Pairs that were far by their balls are measured where these were nearest.
+void measureFarPairs(TrajectorySearch& search) {
+  Instant at;
+  for (LinkPairIndex pair = 0; pair < search.chains.size(); ++pair) {
+    PairApproach& approach = search.report.pairs[pair];
+    if (approach.state == ApproachState::clear && approach.nearest.measured.distance == kInfinity) {
+      at.segment = search.far[pair].segment;
+      at.share = search.far[pair].share;
+      search.poses.place(at.segment, at.share, at.world_from_link);
+      keepNearest(search, pair, bodyDistance(search.measures, pair, at.world_from_link), at, false);
+    }
+  }
+}
+
+bool isKnown(const LinkPoses& start, LinkId link) noexcept {
+  return start.status[index(link)] == LinkStatus::known &&
+         isRigid(start.world_from_link[index(link)]);
+}
+
+}  // namespace
+
+TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
+                                 const LinkPoses& start, const TrajectoryOptions& options) {
+  const std::size_t count = setup.checked.size();
+  TrajectorySearch search{setup,
+                          path,
+                          options,
+                          PathPoses(setup.model, path, start),
+                          LinkPairMeasures(setup),
+                          std::vector<LinkChain>(count),
+                          std::vector<unsigned char>(count, 0),
+                          std::vector<FarPlace>(count),
+                          {},
+                          {}};
+  search.report.pairs.resize(count);
+  if (!isSound(path)) {
+    return search.report;
+  }
+  std::vector<LinkPairIndex> standing;
+  std::vector<LinkPairIndex> moving;
+  for (LinkPairIndex pair = 0; pair < count; ++pair) {
+    const CheckedLinkPair& links = setup.checked[pair];
+    if (!isKnown(start, links.a) || !isKnown(start, links.b)) {
+      continue;
+    }
+    PairApproach& approach = search.report.pairs[pair];
+    approach.state = ApproachState::clear;
+    approach.at_least = approach.nearest.measured.distance = kInfinity;
+    search.chains[pair] = chainBetween(setup.model, path, links.a, links.b);
+    const bool is_moving = path.times.size() > 1 && !search.chains[pair].joints.empty();
+    (is_moving ? moving : standing).push_back(pair);
+  }
+  Instant begin;
+  search.poses.place(0, 0.0, begin.world_from_link);
+  sampleBalls(search, standing, begin);
+  sampleBalls(search, moving, begin);
+  checkStanding(search, standing, begin);
+  followPath(search, moving, begin);
+  measureFarPairs(search);
+  search.report.steps = search.measures.steps;
+  return std::move(search.report);
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/link_pair_distance.h"
+
+#include <limits>
+
+#include "collision_monitor/narrow_phase/distance.h"
+#include "collision_monitor/pipeline/motion_bound.h"
+#include "pipeline/measure_elements.h"
+
+namespace collision_monitor {
+namespace {
+
+PairDistance nothingNear() noexcept {
+  PairDistance distance;
+  distance.measured.distance = std::numeric_limits<double>::infinity();
+  return distance;
+}
+
+/// Replaces `nearest` by the distance of two bodies if that is less.
+void improveByBodies(LinkPairMeasures& measures, PairId pair,
+                     const std::vector<Pose>& world_from_link, PairDistance& nearest) noexcept {
+  const CycleSetup& setup = measures.setup;
+  const Body& a = setup.bodies[index(setup.table[pair].a)];
+  const Body& b = setup.bodies[index(setup.table[pair].b)];
+  const Pose& world_from_a = world_from_link[index(a.link)];
+  const Pose& world_from_b = world_from_link[index(b.link)];
+  const double reach = nearest.measured.distance + a.bounding_radius + b.bounding_radius;
+  const double between =
+      (world_from_a * a.link_from_body.translation - world_from_b * b.link_from_body.translation)
+          .squaredNorm();
+  if (reach < 0.0 || between > reach * reach) {
+    return;
+  }
+  ++measures.steps;
+  const SignedDistance measured = distanceBetween(a.shape, world_from_a * a.link_from_body, b.shape,
+                                                  world_from_b * b.link_from_body);
+  if (measured.distance < nearest.measured.distance) {
+    nearest = {pair, a.is_exact && b.is_exact ? Quality::exact : Quality::lower_bound, false,
+               measured};
+  }
+}
+
+/// What is known of two elements, from their bodies and their own distance.
+PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pair,
+                                const std::vector<Pose>& world_from_link) noexcept {
+  const CycleSetup& setup = measures.setup;
+  PairDistance distance = measures.nearest_bodies[pair];
+  const Element& a = setup.elements[index(setup.element_pairs[pair].a)];
+  const Element& b = setup.elements[index(setup.element_pairs[pair].b)];
+  if (a.is_body && b.is_body) {
+    return distance;
+  }
+  const Pose world_from_a = world_from_link[index(a.link)] * a.link_from_element;
+  const Pose world_from_b = world_from_link[index(b.link)] * b.link_from_element;
+  ElementSearch search{std::numeric_limits<std::uint32_t>::max(), measures.memory[pair],
+                       *measures.scratch};
+  const ElementDistance found = measureElements({a, world_from_a}, {b, world_from_b}, search);
+  measures.steps += found.steps;
+  const bool is_bound = found.quality == Quality::lower_bound;
+  if (found.quality == Quality::unknown ||
+      (is_bound && !(found.measured.distance > distance.measured.distance))) {
+    return distance;  // the enclosing shapes know better
+  }
+  if (found.has_points) {
+    return {distance.pair, found.quality, true, found.measured};
+  }
+  distance.measured.distance = found.measured.distance;
+  return distance;
+}
+
+bool isNearer(const PairDistance& one, const PairDistance& other) noexcept {
+  return one.measured.distance < other.measured.distance;
+}
+
+}  // namespace
+
+LinkPairMeasures::LinkPairMeasures(const CycleSetup& cycle_setup)
+    : setup(cycle_setup),
+      balls(linkBalls(cycle_setup)),
+      body_pairs(cycle_setup.checked.size()),
+      element_pairs(cycle_setup.checked.size()),
+      memory(cycle_setup.element_pairs.size()),
+      nearest_bodies(cycle_setup.element_pairs.size()),
+      scratch(std::make_unique<RefineScratch>()) {
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    body_pairs[setup.link_pair_of[i]].push_back(idAt<PairId>(i));
+  }
+  for (std::size_t i = 0; i < setup.element_pairs.size(); ++i) {
+    element_pairs[setup.element_pairs[i].link_pair].push_back(static_cast<ElementPairIndex>(i));
+  }
+}
+
+double ballDistance(const LinkPairMeasures& measures, LinkPairIndex pair,
+                    const std::vector<Pose>& world_from_link) noexcept {
+  const CheckedLinkPair& links = measures.setup.checked[pair];
+  const Ball& a = measures.balls[index(links.a)];
+  const Ball& b = measures.balls[index(links.b)];
+  return (world_from_link[index(links.a)] * a.center - world_from_link[index(links.b)] * b.center)
+             .norm() -
+         a.radius - b.radius;
+}
+
+PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
+                          const std::vector<Pose>& world_from_link) noexcept {
+  PairDistance nearest = nothingNear();
+  for (const PairId bodies : measures.body_pairs[pair]) {
+    improveByBodies(measures, bodies, world_from_link, nearest);
+  }
+  return nearest;
+}
+
+PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
+                             const std::vector<Pose>& world_from_link) noexcept {
+  for (const ElementPairIndex elements : measures.element_pairs[pair]) {
+    measures.nearest_bodies[elements] = nothingNear();
+  }
+  for (const PairId bodies : measures.body_pairs[pair]) {
+    improveByBodies(measures, bodies, world_from_link,
+                    measures.nearest_bodies[measures.setup.element_pair_of[index(bodies)]]);
+  }
+  PairDistance nearest = nothingNear();
+  for (const ElementPairIndex elements : measures.element_pairs[pair]) {
+    if (isNearer(measures.nearest_bodies[elements], nearest)) {
+      const PairDistance distance = measureElementPair(measures, elements, world_from_link);
+      nearest = isNearer(distance, nearest) ? distance : nearest;
+    }
+  }
+  return nearest;
+}
+
+}  // namespace collision_monitor

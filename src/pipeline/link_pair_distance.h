@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "collision_monitor/motion/conservative_advancement.h"
+#include "collision_monitor/pipeline/refine_pairs.h"
+
+/// The distance of two links, in three steps that cost more and say more.
+namespace collision_monitor {
+
+/// What the steps share; made for one search.
+struct LinkPairMeasures {
+  explicit LinkPairMeasures(const CycleSetup& setup);
+
+  const CycleSetup& setup;
+  std::vector<Ball> balls;                                   ///< by LinkId
+  std::vector<std::vector<PairId>> body_pairs;               ///< by LinkPairIndex
+  std::vector<std::vector<ElementPairIndex>> element_pairs;  ///< by LinkPairIndex
+  std::vector<RefineMemory> memory;                          ///< by ElementPairIndex
+  std::vector<PairDistance> nearest_bodies;                  ///< by ElementPairIndex: scratch
+  std::unique_ptr<RefineScratch> scratch;
+  std::uint64_t steps{0};  ///< as RefineLimits::budget counts them; a pair of bodies is one
+};
+
+/// [m] A lower bound, by one ball a link.
+double ballDistance(const LinkPairMeasures& measures, LinkPairIndex pair,
+                    const std::vector<Pose>& world_from_link) noexcept;
+
+/// Of the enclosing shapes.
+PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
+                          const std::vector<Pose>& world_from_link) noexcept;
+
+/// Of the elements.
+PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
+                             const std::vector<Pose>& world_from_link) noexcept;
+
+}  // namespace collision_monitor

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <collision_monitor/CheckTrajectory.h>
+
+#include "collision_monitor/pipeline/check_trajectory.h"
+#include "ros_edge/monitor_setup.h"
+
+namespace collision_monitor {
+
+/// Answers the service of that name; joints that the trajectory does not name stay as `newest` has
+/// them. Works with buffers of its own.
+/// @param progress as TrajectoryOptions::progress
+void answerCheckTrajectory(const MonitorSetup& current, const LinkPoses& newest,
+                           const std::function<bool(double)>& progress,
+                           const CheckTrajectory::Request& request,
+                           CheckTrajectory::Response& response);
+
+}  // namespace collision_monitor

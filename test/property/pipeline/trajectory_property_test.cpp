@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <map>
+
+#include "collision_monitor/pipeline/check_trajectory.h"
+#include "collision_monitor/pipeline/motion_bound.h"
+#include "pipeline/link_pair_distance.h"
+#include "pipeline/path_poses.h"
+#include "support/file_loader.h"
+#include "support/fixed_seed.h"
+
+namespace collision_monitor::test {
+namespace {
+
+/// A shipped robot, read and fitted once.
+const CycleSetup& setupOf(const std::string& name) {
+  static std::map<std::string, CycleSetup> setups;
+  auto found = setups.find(name);
+  if (found == setups.end()) {
+    for (const RobotFile& robot : allRobotFiles()) {
+      if (robot.name == name) {
+        found = setups
+                    .emplace(name, buildSetup({describe(robot)}, fileLoader(robot.package_root),
+                                              SetupOptions()))
+                    .first;
+      }
+    }
+  }
+  return found->second;
+}
+
+double within(double low, double high) {
+  return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0;
+}
+
+/// Every joint of its own that turns or slides, over two parts of the way.
+JointPath anyPath(const RobotModel& model) {
+  JointPath path;
+  path.times = {0.0, 1.0, 1.5};
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const JointType type = model.joints[i].type;
+    if (!model.joints[i].mimic && (type == JointType::revolute || type == JointType::continuous ||
+                                   type == JointType::prismatic)) {
+      path.joints.push_back(idAt<JointId>(i));
+    }
+  }
+  const bool is_cubic = *rc::gen::arbitrary<bool>();
+  for (std::size_t k = 0; k < path.times.size(); ++k) {
+    for (const JointId joint : path.joints) {
+      const double lower = std::max(-2.0, model.joint(joint).lower);
+      const double upper = std::min(2.0, model.joint(joint).upper);
+      path.positions.push_back(within(lower, upper));
+      if (is_cubic) {
+        path.velocities.push_back(within(-1.0, 1.0));
+      }
+    }
+  }
+  return path;
+}
+
+LinkPoses poseAtZero(const RobotModel& model) {
+  LinkPoses poses = makeLinkPoses(model);
+  placeLinks(model, defaultPositions(model), std::vector<Pose>(model.robots.size()),
+             poses.world_from_link);
+  std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
+  return poses;
+}
+
+const char* const kRobots[] = {"urdf/arm6.urdf", "urdf/dual_arm.urdf"};
+
+/// The ways of all joints in a part, and how far the distance of two links may change at most.
+RC_GTEST_PROP(TrajectoryLaws, distancesChangeByNoMoreThanTheBound, ()) {
+  const CycleSetup& setup = setupOf(
+      *rc::gen::elementOf(std::vector<std::string>(std::begin(kRobots), std::end(kRobots))));
+  const JointPath path = anyPath(setup.model);
+  const LinkPoses start = poseAtZero(setup.model);
+  PathPoses poses(setup.model, path, start);
+  LinkPairMeasures measures(setup);
+  const double from = within(0.0, 1.0);
+  const double to = from + (1.0 - from) * within(0.0, 1.0);
+  std::vector<Pose> at_start;
+  std::vector<Pose> at_end;
+  poses.place(0, from, at_start);
+  poses.place(0, to, at_end);
+  std::vector<double> ways;
+  for (std::size_t i = 0; i < path.joints.size(); ++i) {
+    ways.push_back(wayOf(path, {0, from, to}, i));
+  }
+  for (LinkPairIndex pair = 0; pair < setup.checked.size(); ++pair) {
+    const CheckedLinkPair& links = setup.checked[pair];
+    const LinkChain chain = chainBetween(setup.model, path, links.a, links.b);
+    const double bound = boundMotion(chain, measures.balls, at_start, ways);
+    const double change = bodyDistance(measures, pair, at_end).measured.distance -
+                          bodyDistance(measures, pair, at_start).measured.distance;
+    RC_ASSERT(std::abs(change) <= bound + 1e-9);
+  }
+}
+
+RC_GTEST_PROP(TrajectoryLaws, samplesShowNothingThatWasNotTold, ()) {
+  const CycleSetup& setup = setupOf(
+      *rc::gen::elementOf(std::vector<std::string>(std::begin(kRobots), std::end(kRobots))));
+  const JointPath path = anyPath(setup.model);
+  const LinkPoses start = poseAtZero(setup.model);
+  const TrajectoryReport report = checkTrajectory(setup, path, start, TrajectoryOptions());
+  PathPoses poses(setup.model, path, start);
+  LinkPairMeasures measures(setup);
+  std::vector<Pose> world_from_link;
+  constexpr int kSamples = 40;
+  for (int i = 0; i <= kSamples; ++i) {
+    const std::size_t segment = i < kSamples / 2 ? 0 : 1;
+    const double share = 2.0 * i / kSamples - static_cast<double>(segment);
+    poses.place(segment, share, world_from_link);
+    for (LinkPairIndex pair = 0; pair < report.pairs.size(); ++pair) {
+      const PairApproach& approach = report.pairs[pair];
+      RC_ASSERT(approach.state == ApproachState::clear || approach.state == ApproachState::contact);
+      if (approach.state == ApproachState::clear ||
+          timeAt(path, segment, share) < approach.time - 1e-4) {
+        const PairDistance found = elementDistance(measures, pair, world_from_link);
+        RC_ASSERT(found.quality != Quality::estimate);
+        RC_ASSERT(found.measured.distance >= approach.at_least - 1e-9);
+        RC_ASSERT(found.measured.distance > 0.0);
+      }
+    }
+  }
+}
+
+RC_GTEST_PROP(TrajectoryLaws, contactsAndNearMisses_areThereAtTheTimeTold, ()) {
+  const CycleSetup& setup = setupOf(kRobots[0]);
+  const JointPath path = anyPath(setup.model);
+  const LinkPoses start = poseAtZero(setup.model);
+  const TrajectoryOptions options;
+  const TrajectoryReport report = checkTrajectory(setup, path, start, options);
+  PathPoses poses(setup.model, path, start);
+  LinkPairMeasures measures(setup);
+  std::vector<Pose> world_from_link;
+  for (LinkPairIndex pair = 0; pair < report.pairs.size(); ++pair) {
+    const PairApproach& approach = report.pairs[pair];
+    const std::size_t segment = approach.time < path.times[1] ? 0 : 1;
+    const double share =
+        (approach.time - path.times[segment]) / (path.times[segment + 1] - path.times[segment]);
+    poses.place(segment, share, world_from_link);
+    const double distance = elementDistance(measures, pair, world_from_link).measured.distance;
+    if (approach.state == ApproachState::contact) {
+      RC_ASSERT(distance <= options.tolerance + 1e-9);
+    } else if (approach.nearest.measured.distance <= options.margin) {
+      RC_ASSERT(std::abs(distance - approach.nearest.measured.distance) <= 1e-9);
+      RC_ASSERT(approach.nearest.measured.distance - approach.at_least <=
+                options.resolution + 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace collision_monitor::test

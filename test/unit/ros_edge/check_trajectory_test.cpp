@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/check_trajectory.h"
+
+#include <collision_monitor/State.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "edge_scene.h"
+
+namespace collision_monitor::test {
+namespace {
+
+/// base and tool are 0.3 m + slide + reach apart; see edge_scene.h.
+class CheckTrajectoryTest : public testing::Test {
+ protected:
+  CheckTrajectory::Response ask() {
+    CheckTrajectory::Response response;
+    answerCheckTrajectory(*setup_, poses_, {}, request_, response);
+    return response;
+  }
+  void addPoint(double time, double position) {
+    request_.trajectory.points.emplace_back();
+    request_.trajectory.points.back().time_from_start = ros::Duration(time);
+    request_.trajectory.points.back().positions = {position};
+  }
+  static const LinkApproach* find(const CheckTrajectory::Response& response, const std::string& a,
+                                  const std::string& b) {
+    for (const LinkApproach& pair : response.pairs) {
+      if (pair.nearest.link_a == a && pair.nearest.link_b == b) {
+        return &pair;
+      }
+    }
+    return nullptr;
+  }
+
+  std::shared_ptr<const MonitorSetup> setup_ = slidingSetup();
+  LinkPoses poses_ = slidingPoses(setup_->setup.model, 0.0, 0.25);
+  CheckTrajectory::Request request_;
+};
+
+TEST_F(CheckTrajectoryTest, contact_firstPairTimeAndPoints) {
+  request_.trajectory.joint_names = {"reach"};
+  addPoint(1.0, 0.25);
+  addPoint(3.0, -1.25);  // through the base, which it touches at -0.3
+  const auto response = ask();
+  ASSERT_TRUE(response.success) << response.message;
+  EXPECT_EQ(response.level, State::CONTACT);
+  EXPECT_NEAR(response.contact_time, 1.0 + 2.0 * 0.55 / 1.5, 1e-5);
+  EXPECT_EQ(response.message, "first contact after 1.733 s: base touches tool");
+  ASSERT_EQ(response.pairs.size(), 3U);
+  EXPECT_EQ(response.pairs_checked, 3U);
+  const LinkApproach& first = response.pairs[0];
+  EXPECT_EQ(first.state, LinkApproach::CONTACT);
+  EXPECT_EQ(first.nearest.link_b, "tool");
+  EXPECT_EQ(first.nearest.quality, LinkDistance::EXACT);
+  EXPECT_NEAR(first.nearest.point_on_a.x, 0.1, 1e-5);
+  EXPECT_EQ(find(response, "base", "finger")->state, LinkApproach::CLEAR);
+}
+
+TEST_F(CheckTrajectoryTest, nearMiss_isAWarningWithItsNearestApproach) {
+  request_.trajectory.joint_names = {"slide"};
+  request_.margin = 0.3;
+  addPoint(0.0, 0.0);
+  addPoint(1.0, -0.3);  // base to tool 0.55 - 0.3; base to finger stays beside
+  addPoint(2.0, 0.0);
+  const auto response = ask();
+  ASSERT_TRUE(response.success) << response.message;
+  EXPECT_EQ(response.level, State::WARNING);
+  EXPECT_TRUE(std::isnan(response.contact_time));
+  const LinkApproach& nearest = response.pairs[0];
+  EXPECT_EQ(nearest.nearest.link_b, "tool");
+  EXPECT_NEAR(nearest.nearest.distance, 0.25, 1e-12);
+  EXPECT_EQ(nearest.time, 1.0);
+  EXPECT_GE(nearest.at_least, 0.249);
+  EXPECT_EQ(response.message, "no contact; nearest after 1.000 s, base 250 mm from tool");
+  request_.margin = 0.1;
+  EXPECT_EQ(ask().level, State::OK);
+}
+
+TEST_F(CheckTrajectoryTest, mimicJointsFollow) {
+  // The finger goes by 2 slide + 0.1 beside the slider, so it is at x = 3 slide + 0.1: the base
+  // stays 1 m aside of it whatever it does, and nothing of it touches.
+  request_.trajectory.joint_names = {"slide"};
+  addPoint(0.0, 0.0);
+  addPoint(1.0, 0.3);
+  request_.margin = 2.0;
+  const LinkApproach finger = *find(ask(), "base", "finger");
+  EXPECT_NEAR(finger.nearest.distance, 0.8, 1e-12);
+  EXPECT_LE(finger.time, 0.2) << "while 3 slide + 0.1 is within 0.2";
+}
+
+TEST_F(CheckTrajectoryTest, unknownLink_pairsAreUnknownAndSoIsTheWhole) {
+  poses_.status[index(linkNamed(setup_->setup.model, "finger"))] = LinkStatus::stale;
+  request_.trajectory.joint_names = {"reach"};
+  addPoint(0.0, 0.25);
+  addPoint(1.0, 0.5);
+  const auto response = ask();
+  ASSERT_TRUE(response.success);
+  EXPECT_EQ(response.level, State::UNKNOWN);
+  EXPECT_EQ(response.pairs_unknown, 2U);
+  EXPECT_EQ(find(response, "base", "finger")->state, LinkApproach::UNKNOWN);
+  EXPECT_EQ(find(response, "base", "tool")->state, LinkApproach::CLEAR);
+}
+
+TEST_F(CheckTrajectoryTest, everyFaultIsNamed) {
+  request_.margin = std::nan("");
+  request_.trajectory.joint_names = {"reac"};
+  addPoint(0.0, 0.0);
+  addPoint(0.0, 1.0);
+  addPoint(1.0, 1.0);
+  request_.trajectory.points[1].velocities = {0.0};
+  request_.trajectory.points[2].positions = {0.0, 1.0};
+  const auto response = ask();
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.level, State::UNKNOWN);
+  for (const char* text :
+       {"margin is not finite", "did you mean 'reach'", "points[1].velocities is not empty",
+        "points[1].time_from_start is not later",
+        "points[2].positions has 2 numbers for 1 joints"}) {
+    EXPECT_NE(response.message.find(text), std::string::npos) << text << " in " << response.message;
+  }
+}
+
+TEST_F(CheckTrajectoryTest, numberThatIsNotFinite_namesJointAndPoint) {
+  request_.trajectory.joint_names = {"reach"};
+  addPoint(0.0, 0.0);
+  addPoint(1.0, std::numeric_limits<double>::infinity());
+  const auto response = ask();
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.message, "points[1].positions of joint 'reach' is not finite");
+  request_.trajectory = trajectory_msgs::JointTrajectory();
+  EXPECT_FALSE(ask().success) << "nothing is named";
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
