@@ -6,9 +6,9 @@
 //   motion_bench crossings COUNT SUBDIVIDED
 //   motion_bench trajectory [ROBOT]      a name within that of a robot of the shared data or urdf/
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,17 +26,16 @@
 namespace collision_monitor::test {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+/// Of the processor, so that what else runs on the machine does not count.
+double millisecondsSince(std::clock_t start) {
+  return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 template <class Run>
 double medianTime(int runs, const Run& run) {
   std::vector<double> times;
   for (int i = 0; i < runs; ++i) {
-    const Clock::time_point start = Clock::now();
+    const std::clock_t start = std::clock();
     run();
     times.push_back(millisecondsSince(start));
   }
@@ -134,7 +133,7 @@ TriangleMesh meshOf(const Geometry& geometry) {
 /// left out, which only makes FCL faster.
 struct FclRobot {
   explicit FclRobot(const CycleSetup& cycle_setup) : setup(cycle_setup) {
-    meshes.resize(setup.model.links.size());
+    objects.resize(setup.model.links.size());
     for (std::size_t i = 0; i < setup.model.links.size(); ++i) {
       for (const CollisionElement& element : setup.model.links[i].collisions) {
         TriangleMesh mesh = meshOf(element.geometry);
@@ -142,19 +141,26 @@ struct FclRobot {
           vertex = element.link_from_geometry * vertex;
         }
         if (!mesh.triangles.empty()) {
-          meshes[i].push_back(toFcl(mesh));
+          objects[i].emplace_back(toFcl(mesh));
         }
       }
     }
   }
 
-  bool overlaps(const CheckedLinkPair& pair, const std::vector<Pose>& world_from_link) const {
-    for (const auto& a : meshes[index(pair.a)]) {
-      const fcl::CollisionObjectd object_a = fclObject(a, world_from_link[index(pair.a)]);
-      for (const auto& b : meshes[index(pair.b)]) {
-        const fcl::CollisionObjectd object_b = fclObject(b, world_from_link[index(pair.b)]);
-        // As MoveIt's checks do: bounding boxes first.
-        if (object_a.getAABB().overlap(object_b.getAABB()) && fclMeshOverlap(object_a, object_b)) {
+  void place(const std::vector<Pose>& world_from_link) {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      for (fcl::CollisionObjectd& object : objects[i]) {
+        object.setTransform(world_from_link[i].rotation, world_from_link[i].translation);
+        object.computeAABB();
+      }
+    }
+  }
+
+  bool overlaps(const CheckedLinkPair& pair) const {
+    for (const fcl::CollisionObjectd& a : objects[index(pair.a)]) {
+      for (const fcl::CollisionObjectd& b : objects[index(pair.b)]) {
+        // As FCL's managers do: bounding boxes first.
+        if (a.getAABB().overlap(b.getAABB()) && fclMeshOverlap(a, b)) {
           return true;
         }
       }
@@ -163,7 +169,7 @@ struct FclRobot {
   }
 
   const CycleSetup& setup;
-  std::vector<std::vector<std::shared_ptr<FclMesh>>> meshes;  ///< by LinkId
+  std::vector<std::vector<fcl::CollisionObjectd>> objects;  ///< by LinkId
 };
 
 /// Samples for which nothing goes farther than `step` [m] against anything else from one to the
@@ -194,17 +200,18 @@ std::vector<std::size_t> countSamples(const CycleSetup& setup, const JointPath& 
 }
 
 /// @return milliseconds; counts the pairs that touch in any sample.
-double runFcl(const FclRobot& robot, PathPoses& poses, const std::vector<std::size_t>& samples,
+double runFcl(FclRobot& robot, PathPoses& poses, const std::vector<std::size_t>& samples,
               std::size_t& contacts) {
   std::vector<Pose> world_from_link;
   contacts = 0;
-  const Clock::time_point start = Clock::now();
+  const std::clock_t start = std::clock();
   for (std::size_t segment = 0; segment < samples.size(); ++segment) {
     for (std::size_t i = 0; i < samples[segment]; ++i) {
       poses.place(segment, static_cast<double>(i) / static_cast<double>(samples[segment]),
                   world_from_link);
+      robot.place(world_from_link);
       for (const CheckedLinkPair& pair : robot.setup.checked) {
-        contacts += robot.overlaps(pair, world_from_link) ? 1 : 0;
+        contacts += robot.overlaps(pair) ? 1 : 0;
       }
     }
   }
@@ -225,12 +232,16 @@ int runTrajectory(const std::string& name) {
   placeLinks(setup.model, defaultPositions(setup.model), {Pose()}, start.world_from_link);
   std::fill(start.status.begin(), start.status.end(), LinkStatus::known);
   const TrajectoryOptions options;
+  TrajectoryOptions contacts_only;
+  contacts_only.margin = 0.0;
   TrajectoryReport report;
   const double ours = medianTime(5, [&] { report = checkTrajectory(setup, path, start, options); });
+  const double ours_of_contacts =
+      medianTime(5, [&] { checkTrajectory(setup, path, start, contacts_only); });
   PathPoses poses(setup.model, path, start);
   // A sample sees what is deeper than half the step to the next.
   const auto samples = countSamples(setup, path, poses, 2.0 * options.resolution);
-  const FclRobot fcl(setup);
+  FclRobot fcl(setup);
   std::size_t contacts = 0;
   const double theirs = runFcl(fcl, poses, samples, contacts);
   std::size_t sample_count = 0;
@@ -249,6 +260,8 @@ int runTrajectory(const std::string& name) {
   print("undecided", count_of(ApproachState::undecided) + count_of(ApproachState::unknown));
   print("steps", static_cast<double>(report.steps));
   print("ours_ms", ours);
+  print("ours_contacts_ms", ours_of_contacts);
+  print("tolerance_m", options.tolerance);
   print("fcl_resolution_m", options.resolution);
   print("fcl_samples", static_cast<double>(sample_count));
   print("fcl_contacts", static_cast<double>(contacts));

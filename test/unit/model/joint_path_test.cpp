@@ -61,13 +61,13 @@ TEST_F(JointPathTest, cubicThatTurnsBack_wayThereAndBack) {
 }
 
 TEST_F(JointPathTest, cubicWithTwoTurns_allThreeWays) {
-  // 3 s - 9 s^2 + 6 s^3: turns where 3 - 18 s + 18 s^2 = 0, s = (3 -+ sqrt(3)) / 6, by 1 / sqrt(3)
-  // either side of the middle, where it is 0.
+  // 3 s - 9 s^2 + 6 s^3: turns where 3 - 18 s + 18 s^2 = 0, s = (3 -+ sqrt(3)) / 6, by
+  // 1 / sqrt(12) either side of the middle, where it is 0.
   path_.times = {0.0, 1.0};
   path_.positions = {0.0, 0.0};
   path_.velocities = {3.0, 3.0};
-  EXPECT_NEAR(positionAt(0, (3.0 - std::sqrt(3.0)) / 6.0), 1.0 / std::sqrt(3.0), 1e-12);
-  EXPECT_NEAR(wayOf(path_, {0, 0.0, 1.0}, 0), 4.0 / std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(positionAt(0, (3.0 - std::sqrt(3.0)) / 6.0), 1.0 / std::sqrt(12.0), 1e-12);
+  EXPECT_NEAR(wayOf(path_, {0, 0.0, 1.0}, 0), 4.0 / std::sqrt(12.0), 1e-12);
 }
 
 TEST_F(JointPathTest, whatIsNotSound) {
