@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "ros_edge/conversions.h"
@@ -16,7 +15,6 @@
 namespace collision_monitor {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// Some ten seconds of search: a service must come to an end.
 constexpr std::uint64_t kBudget = 100'000'000;
 
@@ -65,7 +63,7 @@ void fill(const CycleSetup& setup, const CheckedLinkPair& links, const PairAppro
           LinkApproach& message) {
   message.state = static_cast<std::uint8_t>(pair.state);
   if (pair.state == ApproachState::unknown) {
-    message.time = message.at_least = kNaN;
+    message.time = message.at_least = kUnknown;
     toUnknownMessage(setup, links.a, links.b, message.nearest);
     return;
   }
@@ -134,7 +132,7 @@ void answerCheckTrajectory(const MonitorSetup& current, const LinkPoses& newest,
   faults.insert(faults.end(), of_path.begin(), of_path.end());
   response.success = faults.empty() ? 1 : 0;
   response.level = State::UNKNOWN;
-  response.contact_time = kNaN;
+  response.contact_time = kUnknown;
   if (!faults.empty()) {
     response.message = join(faults);
     return;

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <limits>
 
 #include "collision_monitor/pipeline/contact_manifold.h"
 #include "ros_edge/conversions.h"
@@ -59,7 +58,7 @@ void fill(const Watch& watch, const PairDistance& distance, Contact& message) {
   const CheckedLinkPair& links = setup.checked[setup.link_pair_of[index(distance.pair)]];
   fillPair(watch, distance, message);
   fillPoints(watch, distance, message);
-  message.passed_at = std::numeric_limits<double>::quiet_NaN();
+  message.passed_at = kUnknown;
   toMessage(watch.poses.world_from_link[index(links.a)], message.pose_a);
   toMessage(watch.poses.world_from_link[index(links.b)], message.pose_b);
 }
