@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/ros_edge/transform_store.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -25,6 +26,15 @@ bool isUsable(const geometry_msgs::Transform& transform) {
 std::int64_t nanoseconds(const ros::Time& time) { return static_cast<std::int64_t>(time.toNSec()); }
 
 }  // namespace
+
+Pose toPose(const geometry_msgs::Transform& transform) noexcept {
+  const auto& q = transform.rotation;
+  Pose pose;
+  // The store lets quaternions pass that are a little off unit length.
+  pose.rotation = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+  pose.translation = {transform.translation.x, transform.translation.y, transform.translation.z};
+  return pose;
+}
 
 std::string stripLeadingSlash(const std::string& frame) {
   return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
@@ -82,7 +92,12 @@ void TransformStore::acceptOne(geometry_msgs::TransformStamped transform, bool i
   if (is_static || record.is_static || record.parent != parent) {
     record.is_static = is_static;
     record.parent = parent;
+    record.pose_ns = -1;
     ++version_.topology;
+  }
+  if (is_static || stamp > record.newest_ns) {
+    record.parent_from_frame = toPose(transform.transform);
+    record.pose_ns = stamp;
   }
   if (!is_static && stamp > record.newest_ns) {
     record.previous_ns = record.newest_ns;
@@ -106,6 +121,7 @@ ros::Time TransformStore::readTimeLocked() {
     for (FrameRecord& record : records_) {
       record.newest_ns = 0;
       record.previous_ns = 0;
+      record.pose_ns = record.is_static ? record.pose_ns : -1;
       record.is_bad = false;
     }
     ++version_.jumps;
@@ -145,6 +161,8 @@ void TransformStore::refreshRecords(std::vector<FrameRecord>& records) const {
     records[i].is_bad = records_[i].is_bad;
     records[i].newest_ns = records_[i].newest_ns;
     records[i].previous_ns = records_[i].previous_ns;
+    records[i].parent_from_frame = records_[i].parent_from_frame;
+    records[i].pose_ns = records_[i].pose_ns;
   }
 }
 

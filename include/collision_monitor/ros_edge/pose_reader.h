@@ -25,8 +25,9 @@ struct PoseReaderOptions {
 /// Each link is looked up from its parent link, once, and the chain is composed
 /// here; what stands between the two in tf does not matter. All moving links of
 /// a robot are read at one stamp: the newest that all of them have whose data
-/// are not older than `max_age`. Between two samples tf2 interpolates, unless
-/// they are more than `max_age` apart: the link is stale then. With joint
+/// are not older than `max_age`. At a link's newest stamp its pose stands in the
+/// store's records. Between two samples tf2 interpolates, unless they are more
+/// than `max_age` apart: the link is stale then. With joint
 /// states, links behind fixed joints and joints with one variable are placed by
 /// the model's kinematics, at the same stamp and by the same rules; tf places
 /// roots and links behind planar and floating joints. Links that only static
@@ -62,9 +63,11 @@ class PoseReader {
     const Joint* joint{nullptr};  ///< that places the link; nullptr: tf does
     std::string parent_frame;
     std::string child_frame;
-    bool is_needed{false};                 ///< the link or one below it has geometry
-    bool is_connected{false};              ///< the joint, or tf, joins the two frames
-    std::vector<std::size_t> path;         ///< frames between them, as indices of records
+    bool is_needed{false};     ///< the link or one below it has geometry
+    bool is_connected{false};  ///< the joint, or tf, joins the two frames
+    /// Frames between them, as indices of records: from the child up, then from the parent up.
+    std::vector<std::size_t> path;
+    std::size_t up_count{0};               ///< of these, above the child
     std::vector<std::size_t> moving_path;  ///< of these, not static
     std::int64_t newest_ns{0};             ///< newest stamp that the whole path has
     std::int64_t read_ns{-1};              ///< stamp of parent_from_child; -1: not read
@@ -86,6 +89,8 @@ class PoseReader {
   bool readRobot(const Robot& robot, std::int64_t stamp_ns);
   void look(std::int64_t stamp_ns, Edge& edge) const;
   void lookUpTransform(std::int64_t stamp_ns, Edge& edge) const;
+  bool compose(std::int64_t stamp_ns, Edge& edge) const;
+  bool askBuffer(std::int64_t stamp_ns, bool is_newest, Edge& edge) const;
   bool hasGapAt(const Edge& edge, std::int64_t stamp_ns) const;
   bool placeLinks(LinkPoses& poses) const;
   std::string explainJoint(const Edge& edge) const;

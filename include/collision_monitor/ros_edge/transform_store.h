@@ -14,6 +14,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "collision_monitor/geometry/pose.h"
+
 namespace collision_monitor {
 
 /// What is known of the transforms that name one frame as their child.
@@ -24,10 +26,14 @@ struct FrameRecord {
   bool is_bad{false};           ///< the last transform was NaN, infinite or no rotation
   std::int64_t newest_ns{0};    ///< stamp; 0 until a transform with a stamp came
   std::int64_t previous_ns{0};  ///< the stamp before the newest one
+  /// As of pose_ns, which is the newest stamp unless data came out of order. Static: at all times.
+  Pose parent_from_frame;
+  std::int64_t pose_ns{-1};  ///< -1: no pose
 };
 
-/// tf2's buffer, and beside it what the buffer does not tell: how new each frame's
-/// data are, where they have a gap, which were no transforms at all.
+/// tf2's buffer, and beside it what the buffer does not tell: how new each frame's data are, where
+/// they have a gap, which were no transforms at all. The newest pose of each frame stands there,
+/// too, so that poses at the newest stamp need no look-up by name.
 ///
 /// A transform that is not finite, no rotation or (unless static) without stamp never enters the
 /// buffer. Frame names lose a leading slash. When time jumps back, all moving data are forgotten.
@@ -60,7 +66,7 @@ class TransformStore {
   /// A copy of all records, in the order in which their frames were first seen; indices
   /// stay valid for the life of the store.
   void copyRecords(std::vector<FrameRecord>& records) const;
-  /// Stamps and faults only, for records copied before with the same topology.
+  /// Poses, stamps and faults only, for records copied before with the same topology.
   void refreshRecords(std::vector<FrameRecord>& records) const;
 
   const tf2::BufferCore& buffer() const noexcept { return buffer_; }
@@ -82,6 +88,9 @@ class TransformStore {
   ros::Time last_time_;
   std::uint64_t without_stamp_{0};
 };
+
+/// Of a quaternion that may be a little off unit length.
+Pose toPose(const geometry_msgs::Transform& transform) noexcept;
 
 /// As tf2 does: "/base" and "base" are the same frame.
 std::string stripLeadingSlash(const std::string& frame);

@@ -94,6 +94,23 @@ TEST_F(PoseReaderTest, chainIsComposedFromTheRoot) {
   EXPECT_EQ(poses_.stamp_ns, 10'000'000'000);
 }
 
+TEST_F(PoseReaderTest, parentBelowItsChildInTf_isWalkedDownwards) {
+  send("arm", "base", 10.0, -0.5);
+  send("arm", "wrist", 10.0, 0.25);
+  send("wrist", "hand", 10.0, 0.25);
+  read(10.0);
+  EXPECT_DOUBLE_EQ(x("arm"), 0.5);
+  EXPECT_DOUBLE_EQ(x("hand"), 1.0);
+}
+
+TEST_F(PoseReaderTest, olderDataBringAnotherParent_posesOfTheTwoAreNotMixed) {
+  sendArm(10.0, 0.25);
+  sendStatic("base", "torso", 1.0);
+  send("torso", "arm", 9.9, 0.5);
+  read(10.0);
+  EXPECT_DOUBLE_EQ(x("arm"), 0.25) << "at 10.0 the arm hung on the base";
+}
+
 TEST_F(PoseReaderTest, noNews_nothingIsNew) {
   sendArm(10.0, 0.25);
   read(10.1);
