@@ -67,9 +67,15 @@ ElementDistance measureConvex(const PlacedElement& a, const PlacedElement& b,
   return answer;
 }
 
+/// What is left of it after the paddings is still enough.
+double stopBeyond(const PlacedElement& a, const PlacedElement& b,
+                  const ElementSearch& search) noexcept {
+  return search.enough + a.element.padding + b.element.padding;
+}
+
 MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
                           ElementSearch& search) noexcept {
-  const MeshQueryLimits limits{std::numeric_limits<double>::infinity(), search.budget};
+  const MeshQueryLimits limits{stopBeyond(a, b, search), search.budget};
   TrianglePair& nearest = search.memory.nearest;
   MeshDistance found;
   const std::optional<Shape> shape_a = shapeOf(a.element.convex);
@@ -139,8 +145,9 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
   } else if (found.state != MeshState::unknown) {
     const bool is_exact = areExact(a, b) && a.element.mesh_excess + b.element.mesh_excess == 0.0;
     answer.measured = found.measured;
-    answer.has_points = answer.is_complete = found.state == MeshState::exact;
-    answer.quality = answer.is_complete && is_exact ? Quality::exact : Quality::lower_bound;
+    answer.has_points = found.state == MeshState::exact;
+    answer.is_complete = answer.has_points || found.measured.distance >= stopBeyond(a, b, search);
+    answer.quality = answer.has_points && is_exact ? Quality::exact : Quality::lower_bound;
   }
   return answer;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "collision_monitor/pipeline/refine_pairs.h"
@@ -30,6 +31,8 @@ struct ElementSearch {
   std::uint32_t budget;
   RefineMemory& memory;
   RefineScratch& scratch;
+  /// [m] > 0. How far meshes are apart need not be known beyond: a lower bound is then complete.
+  double enough{std::numeric_limits<double>::infinity()};
 };
 
 /// Signed distance of what two elements are, less their paddings.

@@ -106,10 +106,19 @@ PlacedElement placed(const Refinement& all, ElementId id) noexcept {
   return {all.setup.elements[index(id)], all.body_poses.world_from_element[index(id)]};
 }
 
+/// Beyond this a pair is not the nearest of its links, and in no contact.
+double enoughFor(const Refinement& all, const RefineTask& task) noexcept {
+  constexpr double kNotTouching = 1e-3;
+  const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
+  const Limits& limits = all.setup.checked[link_pair].limits;
+  return std::max(
+      {all.work.nearest[link_pair], limits.contact_distance + limits.hysteresis, kNotTouching});
+}
+
 ElementSearch searchWithinBudget(const Refinement& all, const RefineTask& task) noexcept {
   const RefineWork& work = all.work;
   return {work.limits.budget - static_cast<std::uint32_t>(work.steps),
-          all.memory.refined[task.pair], *work.scratch};
+          all.memory.refined[task.pair], *work.scratch, enoughFor(all, task)};
 }
 
 void measureTask(const Refinement& all, const RefineTask& task) noexcept {
