@@ -52,15 +52,17 @@ class RefineCycles : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(RefineCycles, allocateNothingAndEveryBroadPhaseGivesTheSameBytes) {
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
-  const CycleSetup setup = mixedSetup(mixedGeometries());
+  CycleSetup setup = mixedSetup(mixedGeometries());
+  setup.is_continuous = true;
+  setup.refine.budget = GetParam();
   CycleBuffers brute_force = makeBuffers(setup, BroadPhaseKind::brute_force);
   CycleBuffers sweep_and_prune = makeBuffers(setup, BroadPhaseKind::sweep_and_prune);
-  brute_force.refine.limits.budget = sweep_and_prune.refine.limits.budget = GetParam();
   LinkPoses poses = test::randomLinkPoses(setup, 0.25, kSeed);
   Random random(kSeed);
   std::size_t allocations = 0;
   std::size_t refined = 0;
   std::size_t left = 0;
+  std::size_t passed = 0;
   for (int cycle = 0; cycle < 2000; ++cycle) {
     drift(random, poses);
     {
@@ -72,6 +74,13 @@ TEST_P(RefineCycles, allocateNothingAndEveryBroadPhaseGivesTheSameBytes) {
     const auto& one = brute_force.distances.measured;
     const auto& other = sweep_and_prune.distances.measured;
     ASSERT_TRUE(std::equal(one.begin(), one.end(), other.begin(), other.end(), sameBytes));
+    const auto& passed_one = brute_force.distances.passed;
+    const auto& passed_other = sweep_and_prune.distances.passed;
+    ASSERT_TRUE(std::equal(passed_one.begin(), passed_one.end(), passed_other.begin(),
+                           passed_other.end(), [](const auto& x, const auto& y) {
+                             return x.time == y.time && sameBytes(x.distance, y.distance);
+                           }));
+    passed += passed_one.size();
     ASSERT_EQ(brute_force.events.verdicts, sweep_and_prune.events.verdicts);
     refined += brute_force.counters.refined;
     left += brute_force.counters.left;
@@ -79,6 +88,7 @@ TEST_P(RefineCycles, allocateNothingAndEveryBroadPhaseGivesTheSameBytes) {
   EXPECT_EQ(allocations, 0U);
   EXPECT_GT(refined, 1000U) << "the scenes are too sparse to prove anything";
   EXPECT_EQ(left > 100U, GetParam() < 10000U);
+  EXPECT_GT(passed, 5U) << "links move too little to pass each other";
 }
 
 INSTANTIATE_TEST_SUITE_P(Budgets, RefineCycles, testing::Values(50U, 500U, 1000000U));
