@@ -1,9 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
 """One line a figure: its name, ours, the peer or reference, the goal, met or NOT MET."""
+import argparse
 import json
 import os
 import pathlib
+import subprocess
 import sys
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[2]
@@ -46,6 +48,32 @@ def shared_robots():
             srdf = description.parent / robot["srdf"][0] if robot["srdf"] and i == 0 else None
             yield (label, description.parent, description.parent / urdf, srdf,
                    robot["missing_collision_meshes"])
+
+
+def compare_with_fcl(robot, options):
+    """Runs the comparison on one of shared_robots()."""
+    _, folder, urdf, srdf, _ = robot
+    command = ["rosrun", "collision_monitor", "compare_with_fcl", str(urdf), *options]
+    if srdf:
+        command += ["--srdf", str(srdf)]
+    return subprocess.run(command, env=package_path(folder), capture_output=True, text=True,
+                          check=False)
+
+
+def first_line(run):
+    """What a program that failed said first."""
+    return ((run.stderr or run.stdout).strip().splitlines() or ["no output"])[0]
+
+
+def robot_arguments(description, poses):
+    """The options of figures about every shared robot, and those robots that are asked for."""
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--poses", type=int, default=poses)
+    parser.add_argument("--robot", help="only robots whose name holds this")
+    arguments = parser.parse_args()
+    robots = [robot for robot in shared_robots()
+              if not arguments.robot or arguments.robot in robot[0]]
+    return arguments.poses, robots
 
 
 def package_path(folder):

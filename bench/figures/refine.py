@@ -2,46 +2,37 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every shared robot at random poses: contacts by the geometries themselves against FCL's, and the
 share of false alarms among the contacts of enclosing shapes, without and with refinement."""
-import argparse
 import re
-import subprocess
 
-from figure import Figures, package_path, shared_robots
+from figure import Figures, compare_with_fcl, first_line, robot_arguments
 
-RESULT = re.compile(r"wrong (\d+) \((\d+) missed\), contacts (\d+); of (\d+) contacts of enclosing "
-                    r"shapes (\S+) % false, refined (\S+) %; left by the budget (\S+) a pose")
-
-
-def compare(folder, urdf, srdf, poses):
-    command = ["rosrun", "collision_monitor", "compare_with_fcl", str(urdf), "--exact",
-               "--poses", str(poses)]
-    if srdf:
-        command += ["--srdf", str(srdf)]
-    return subprocess.run(command, env=package_path(folder), capture_output=True, text=True,
-                          check=False)
+RESULT = re.compile(r"poses (\d+), verdicts (\d+), wrong (\d+) \((\d+) missed\), contacts (\d+); "
+                    r"of (\d+) contacts of enclosing shapes (\S+) % false, refined (\S+) %; "
+                    r"left by the budget (\S+) a pose")
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--poses", type=int, default=10000)
-    parser.add_argument("--robot", help="only robots whose name holds this")
-    arguments = parser.parse_args()
+    poses, robots = robot_arguments(__doc__, 10000)
     figures = Figures()
-    for label, folder, urdf, srdf, missing in shared_robots():
-        if missing or (arguments.robot and arguments.robot not in label):
+    total = wrong_total = 0
+    for robot in robots:
+        label, missing = robot[0], robot[4]
+        if missing:
             continue
-        run = compare(folder, urdf, srdf, arguments.poses)
+        run = compare_with_fcl(robot, ["--exact", "--poses", str(poses)])
         result = RESULT.search(run.stdout)
         if not result:
-            first = (run.stderr or run.stdout).strip().splitlines() or ["no output"]
-            figures.add(label, "failed", "-", f"loads ({first[0]})", False)
+            figures.add(label, "failed", "-", f"loads ({first_line(run)})", False)
             continue
-        wrong, missed, contacts, _, of_shapes, refined, left = result.groups()
+        _, verdicts, wrong, missed, contacts, _, of_shapes, refined, left = result.groups()
+        total += int(verdicts)
+        wrong_total += int(wrong)
         figures.add(f"{label}: wrong verdicts", wrong, f"{contacts} contacts",
                     f"0 ({missed} missed)", wrong == "0")
         figures.add(f"{label}: false alarms", f"{refined} %", f"{of_shapes} % shapes",
                     f"fewer than the shapes' or none ({left} pairs left a pose)",
                     float(refined) < float(of_shapes) or float(of_shapes) == 0.0)
+    figures.add("all: wrong verdicts", wrong_total, f"{total} verdicts", "0", wrong_total == 0)
     figures.finish()
 
 

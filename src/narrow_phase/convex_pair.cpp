@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "narrow_phase/convex_pair.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "narrow_phase/core_distance.h"
@@ -24,6 +25,19 @@ Eigen::Vector3d rimPointOf(const Eigen::Vector3d& half_extents,
           std::copysign(half_extents.z(), direction.z())};
 }
 
+const Eigen::Vector3d& cornerOf(const Triangle& triangle,
+                                const Eigen::Vector3d& direction) noexcept {
+  return *std::max_element(triangle.begin(), triangle.end(),
+                           [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+                             return direction.dot(p) < direction.dot(q);
+                           });
+}
+
+double reachOf(const Triangle& triangle) noexcept {
+  return std::sqrt(
+      std::max({triangle[0].squaredNorm(), triangle[1].squaredNorm(), triangle[2].squaredNorm()}));
+}
+
 }  // namespace
 
 double reachOf(const ConvexCore& core) noexcept {
@@ -34,6 +48,8 @@ double reachOf(const ConvexCore& core) noexcept {
       return core.half_extents.tail<2>().norm();
     case ConvexCore::Kind::hull:
       return core.hull->boundingRadius();
+    case ConvexCore::Kind::triangle:
+      return reachOf(*core.triangle);
   }
   return 0.0;
 }
@@ -48,6 +64,8 @@ Eigen::Vector3d supportPoint(const ConvexCore& core, const Eigen::Vector3d& dire
     case ConvexCore::Kind::hull:
       vertex = core.hull->supportVertex(direction, vertex);
       return core.hull->vertices()[vertex];
+    case ConvexCore::Kind::triangle:
+      return cornerOf(*core.triangle, direction);
   }
   return Eigen::Vector3d::Zero();
 }

@@ -6,6 +6,7 @@
 
 #include "collision_monitor/geometry/hull.h"
 #include "collision_monitor/geometry/pose.h"
+#include "collision_monitor/geometry/triangle.h"
 #include "collision_monitor/narrow_phase/convex_workspace.h"
 
 /// Two convex cores as GJK and EPA see them: by their support functions alone.
@@ -13,11 +14,12 @@ namespace collision_monitor {
 
 /// A point and a segment are boxes without width.
 struct ConvexCore {
-  enum class Kind : unsigned char { box, cylinder, hull };
+  enum class Kind : unsigned char { box, cylinder, hull, triangle };
 
   Kind kind{Kind::box};
   Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};  ///< of a cylinder: radius, radius, half
   const ConvexHull* hull{nullptr};                        ///< of a hull
+  const Triangle* triangle{nullptr};                      ///< of a triangle
 };
 
 /// [m] radius about the core's origin that holds it.

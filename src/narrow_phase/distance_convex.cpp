@@ -6,33 +6,13 @@
 #include "collision_monitor/geometry/visit_held.h"
 #include "collision_monitor/narrow_phase/convex_distance.h"
 #include "collision_monitor/narrow_phase/distance.h"
+#include "narrow_phase/convex_core.h"
 #include "narrow_phase/core_distance.h"
 #include "narrow_phase/distance_half_space.h"
 #include "narrow_phase/search_cores.h"
 
 namespace collision_monitor {
 namespace {
-
-using Kind = ConvexCore::Kind;
-
-ConvexCore coreOf(const Sphere&) noexcept { return {}; }
-ConvexCore coreOf(const Capsule& s) noexcept { return {Kind::box, {0.0, 0.0, s.half_length}}; }
-ConvexCore coreOf(const Box& s) noexcept { return {Kind::box, s.half_extents}; }
-ConvexCore coreOf(const RoundedBox& s) noexcept { return {Kind::box, s.half_extents}; }
-// Without width it is a segment, which has corners to end a search on.
-ConvexCore coreOf(const Cylinder& s) noexcept {
-  return {s.radius > 0.0 ? Kind::cylinder : Kind::box, {s.radius, s.radius, s.half_length}};
-}
-ConvexCore coreOf(const ConvexHull& hull) noexcept {
-  return {Kind::hull, Eigen::Vector3d::Zero(), &hull};
-}
-
-double sweepOf(const Sphere& s) noexcept { return s.radius; }
-double sweepOf(const Capsule& s) noexcept { return s.radius; }
-double sweepOf(const Box&) noexcept { return 0.0; }
-double sweepOf(const RoundedBox& s) noexcept { return s.radius; }
-double sweepOf(const Cylinder&) noexcept { return 0.0; }
-double sweepOf(const ConvexHull&) noexcept { return 0.0; }
 
 /// Measured by the closed forms of distance.h.
 template <class Geometry>
@@ -49,19 +29,21 @@ struct Posed {
 
 template <class A>
 SignedDistance toHalfSpace(const Posed<A>& a, const Pose& world_from_half_space) noexcept {
-  return swept(distanceToHalfSpace(coreOf(a.geometry), a.world_from_body, world_from_half_space),
-               sweepOf(a.geometry), 0.0);
+  const SweptCore swept_a = sweptCoreOf(a.geometry);
+  return swept(distanceToHalfSpace(swept_a.core, a.world_from_body, world_from_half_space),
+               swept_a.radius, 0.0);
 }
 
 template <class A, class B>
 ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
-  const double radius_a = sweepOf(a.geometry);
-  const double radius_b = sweepOf(b.geometry);
+  const SweptCore swept_a = sweptCoreOf(a.geometry);
+  const SweptCore swept_b = sweptCoreOf(b.geometry);
   ConvexPair pair =
-      makeConvexPair(coreOf(a.geometry), a.world_from_body, coreOf(b.geometry), b.world_from_body);
-  ConvexSearch of_cores{search.workspace, search.warm, search.enough + radius_a + radius_b};
+      makeConvexPair(swept_a.core, a.world_from_body, swept_b.core, b.world_from_body);
+  ConvexSearch of_cores{search.workspace, search.warm,
+                        search.enough + swept_a.radius + swept_b.radius};
   ConvexDistance found = searchCores(pair, of_cores);
-  found.measured = swept(placed(a.world_from_body, found.measured), radius_a, radius_b);
+  found.measured = swept(placed(a.world_from_body, found.measured), swept_a.radius, swept_b.radius);
   return found;
 }
 

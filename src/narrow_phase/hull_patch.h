@@ -3,6 +3,7 @@
 #pragma once
 
 #include "collision_monitor/geometry/hull.h"
+#include "collision_monitor/geometry/shapes.h"
 #include "collision_monitor/narrow_phase/manifold.h"
 
 namespace collision_monitor {
@@ -13,6 +14,13 @@ namespace collision_monitor {
 /// Limits: of a face with more corners than a patch has, some are left out, evenly. Looks at every
 /// face, and at every edge for each corner of the face: for messages, not for inner loops.
 ContactPatch extremePatch(const ConvexHull& hull, const Pose& world_from_hull,
+                          const Eigen::Vector3d& direction) noexcept;
+
+/// The same of a cylinder: a cap, a line of its side, or a point of a rim.
+///
+/// Limits: of a cap there are as many points of the rim as a patch has corners, evenly spread; what
+/// lies between two of them and the rim is 2 % of the radius high.
+ContactPatch extremePatch(const Cylinder& cylinder, const Pose& world_from_cylinder,
                           const Eigen::Vector3d& direction) noexcept;
 
 }  // namespace collision_monitor

@@ -114,7 +114,7 @@ bool findDeepest(const PlacedMesh& corners_of, const PlacedMesh& solid, std::uin
 // How far B has to go along a unit direction to be off A.
 void tryWayOut(const PlacedMesh& a, const PlacedMesh& b, const Vector3d& direction,
                MeshPenetration& found) noexcept {
-  const double length = extentAlong(a, direction) + extentAlong(b, -direction);
+  const double length = direction.dot(farthestAlong(a, direction) - farthestAlong(b, -direction));
   if (length < found.at_most) {
     found.at_most = length;
     found.way_out = direction;

@@ -1,11 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
+#include "collision_monitor/geometry/visit_held.h"
+#include "narrow_phase/convex_core.h"
 #include "narrow_phase/core_distance.h"
 #include "narrow_phase/mesh_inside.h"
 #include "narrow_phase/mesh_search.h"
+#include "narrow_phase/mesh_support.h"
 #include "narrow_phase/triangle_core.h"
 #include "narrow_phase/triangle_edges.h"
 
@@ -18,8 +23,8 @@ using Eigen::Vector3d;
 struct MeshAndCore {
   const MeshTree& mesh;
   Pose core_from_mesh;
-  CoreKind kind;
-  Vector3d half_extents;
+  ConvexCore core;
+  double radius;    // [m] of the shape about its core
   double rounding;  // [m] a core this near touches the surface
 };
 
@@ -30,12 +35,26 @@ struct Search {
   double squared_open{std::numeric_limits<double>::infinity()};  // least bound left unopened
 };
 
+// The box that holds the core, in its frame.
+Eigen::AlignedBox3d boxOf(const ConvexCore& core) noexcept {
+  if (core.kind != ConvexCore::Kind::hull) {
+    return {-core.half_extents, core.half_extents};
+  }
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& vertex : core.hull->vertices()) {
+    box.extend(vertex);
+  }
+  return box;
+}
+
 PlacedBound boundOfCore(const MeshAndCore& pair) noexcept {
+  const Eigen::AlignedBox3d box = boxOf(pair.core);
+  const Vector3d half_extents = 0.5 * box.sizes();
   const Pose mesh_from_core = inverse(pair.core_from_mesh);
-  const Pose centered{mesh_from_core.rotation, mesh_from_core.translation - pair.mesh.center()};
-  const double size = pair.mesh.radius() + pair.half_extents.norm() + centered.translation.norm();
+  const Pose centered{mesh_from_core.rotation, mesh_from_core * box.center() - pair.mesh.center()};
+  const double size = pair.mesh.radius() + half_extents.norm() + centered.translation.norm();
   constexpr float kUp = 1.0F + 1e-6F;
-  const Eigen::Vector3f half = kUp * pair.half_extents.cast<float>();
+  const Eigen::Vector3f half = kUp * half_extents.cast<float>();
   return place(makePlacement(centered, size),
                {Eigen::Vector3f::Zero(), half, {0.0F, 0.0F, 1.0F / kUp}, 0.0F, half.z()});
 }
@@ -45,7 +64,7 @@ void measureTriangle(const MeshAndCore& pair, std::uint32_t triangle, Search& se
   const Triangle in_core = {pair.core_from_mesh * in_mesh[0], pair.core_from_mesh * in_mesh[1],
                             pair.core_from_mesh * in_mesh[2]};
   const double before = search.best.squared_distance;
-  search.best = nearestPoints(in_core, pair.kind, pair.half_extents, search.best);
+  search.best = nearestPoints(in_core, pair.core, search.best);
   if (search.best.squared_distance < before) {
     search.nearest = triangle;
   }
@@ -98,9 +117,9 @@ bool isCoreInside(const MeshAndCore& pair, const Search& search, MeshQueryMemory
          isInside(pair.mesh, inverse(pair.core_from_mesh) * search.best.on_b, memory);
 }
 
-// @param radius of the shape about its core.
-void report(const MeshAndCore& pair, const Search& search, bool is_inside, double radius,
+void report(const MeshAndCore& pair, const Search& search, bool is_inside,
             MeshDistance& answer) noexcept {
+  const double radius = pair.radius;
   answer.nearest.a = search.nearest;
   const bool is_complete = search.best.squared_distance <= search.squared_open;
   const double core_distance =
@@ -118,30 +137,62 @@ void report(const MeshAndCore& pair, const Search& search, bool is_inside, doubl
   }
 }
 
-}  // namespace
-
-MeshDistance distanceBetween(const PlacedMesh& a, const PlacedShape& b, MeshQueryMemory& memory,
-                             const TrianglePair& start, const MeshQueryLimits& limits) noexcept {
-  MeshDistance answer;
-  if (!isFinite(a.world_from_mesh) || !isFinite(b.world_from_shape)) {
-    return answer;
-  }
-  const Pose core_from_mesh = inverse(b.world_from_shape) * a.world_from_mesh;
-  const double radius = radiusOf(b.shape);
+MeshDistance measureCore(const PlacedMesh& a, const SweptCore& b, const Pose& world_from_b,
+                         MeshQueryMemory& memory, const TrianglePair& start,
+                         const MeshQueryLimits& limits) noexcept {
+  const Pose core_from_mesh = inverse(world_from_b) * a.world_from_mesh;
   const double size = a.tree.radius() + a.tree.center().norm() + core_from_mesh.translation.norm();
-  const MeshAndCore pair{a.tree, core_from_mesh, coreKindOf(b.shape), coreHalfExtents(b.shape),
-                         kTouchingShare * size};
+  const MeshAndCore pair{a.tree, core_from_mesh, b.core, b.radius, kTouchingShare * size};
+  MeshDistance answer;
   Search search;
-  const double core_limit = std::max(limits.stop_beyond + radius, 0.0);
+  const double core_limit = std::max(limits.stop_beyond + b.radius, 0.0);
   search.best.squared_distance = core_limit * core_limit;
   if (start.a < a.tree.triangles().size()) {
     measureTriangle(pair, start.a, search);
   }
   searchNearest(pair, limits.visit_budget, memory, search);
   answer.visits = search.visits;
-  report(pair, search, isCoreInside(pair, search, memory), radius, answer);
-  answer.measured = placed(b.world_from_shape, answer.measured);
+  report(pair, search, isCoreInside(pair, search, memory), answer);
+  answer.measured = placed(world_from_b, answer.measured);
   return answer;
+}
+
+MeshDistance measureHalfSpace(const PlacedMesh& a, const Pose& world_from_half_space) noexcept {
+  const Vector3d normal = -world_from_half_space.rotation.col(2);  // from the mesh down
+  MeshDistance answer;
+  SignedDistance& measured = answer.measured;
+  measured.point_on_a = farthestAlong(a, normal);
+  measured.normal_a_to_b = normal;
+  measured.distance = normal.dot(world_from_half_space.translation - measured.point_on_a);
+  measured.point_on_b = measured.point_on_a + measured.distance * normal;
+  answer.state = measured.distance > 0.0 ? MeshState::exact : MeshState::overlapping;
+  return answer;
+}
+
+}  // namespace
+
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedShape& b, MeshQueryMemory& memory,
+                             const TrianglePair& start, const MeshQueryLimits& limits) noexcept {
+  if (!isFinite(a.world_from_mesh) || !isFinite(b.world_from_shape)) {
+    return {};
+  }
+  const ConvexCore core{ConvexCore::Kind::box, coreHalfExtents(b.shape)};
+  return measureCore(a, {core, radiusOf(b.shape)}, b.world_from_shape, memory, start, limits);
+}
+
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedConvex& b, MeshQueryMemory& memory,
+                             const TrianglePair& start, const MeshQueryLimits& limits) noexcept {
+  if (!isFinite(a.world_from_mesh) || !isFinite(b.world_from_body)) {
+    return {};
+  }
+  const auto measure = [&](const auto& geometry) noexcept {
+    if constexpr (std::is_same_v<decltype(geometry), const HalfSpace&>) {
+      return measureHalfSpace(a, b.world_from_body);
+    } else {
+      return measureCore(a, sweptCoreOf(geometry), b.world_from_body, memory, start, limits);
+    }
+  };
+  return visitHeld(measure, b.geometry);
 }
 
 }  // namespace collision_monitor

@@ -20,11 +20,12 @@ double heightOf(const Bound& bound, const Vector3d& direction) noexcept {
 
 }  // namespace
 
-double extentAlong(const PlacedMesh& mesh, const Vector3d& direction) noexcept {
+Vector3d farthestAlong(const PlacedMesh& mesh, const Vector3d& direction) noexcept {
   const MeshTree& tree = mesh.tree;
   const Vector3d in_mesh = mesh.world_from_mesh.rotation.transpose() * direction;
   const double base = in_mesh.dot(tree.center());
   double highest = -std::numeric_limits<double>::infinity();
+  Vector3d farthest = tree.center();
   std::array<Slot, MeshQueryMemory::kCapacity> waiting;
   std::size_t size = 0;
   waiting[size++] = 0;
@@ -36,7 +37,10 @@ double extentAlong(const PlacedMesh& mesh, const Vector3d& direction) noexcept {
     const std::uint32_t child = childOf(tree, slot);
     if (isTriangle(child)) {
       for (const Vector3d& corner : tree.triangles()[triangleAt(child)]) {
-        highest = std::max(highest, in_mesh.dot(corner));
+        if (in_mesh.dot(corner) > highest) {
+          highest = in_mesh.dot(corner);
+          farthest = corner;
+        }
       }
       continue;
     }
@@ -46,7 +50,7 @@ double extentAlong(const PlacedMesh& mesh, const Vector3d& direction) noexcept {
       }
     }
   }
-  return highest + direction.dot(mesh.world_from_mesh.translation);
+  return mesh.world_from_mesh * farthest;
 }
 
 }  // namespace collision_monitor

@@ -6,7 +6,7 @@
 
 namespace collision_monitor {
 
-/// The largest height of a mesh's corners along a unit direction. World frame.
-double extentAlong(const PlacedMesh& mesh, const Eigen::Vector3d& direction) noexcept;
+/// The corner of a mesh that is farthest along a unit direction. World frame.
+Eigen::Vector3d farthestAlong(const PlacedMesh& mesh, const Eigen::Vector3d& direction) noexcept;
 
 }  // namespace collision_monitor

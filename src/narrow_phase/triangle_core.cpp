@@ -2,9 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "narrow_phase/triangle_core.h"
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "collision_monitor/geometry/point_triangle.h"
 #include "narrow_phase/closest_points.h"
+#include "narrow_phase/gjk.h"
 #include "narrow_phase/triangle_edges.h"
 
 namespace collision_monitor {
@@ -122,18 +128,107 @@ PointPair nearestToBox(const Triangle& triangle, const Vector3d& half_extents,
   return best;
 }
 
+// A point of the triangle that the core holds.
+Vector3d sharedPoint(const Simplex& touching) noexcept {
+  if (!touching.contains_origin) {
+    return touching.pointOnA();
+  }
+  const auto& corners = touching.vertices;
+  Eigen::Matrix3d edges;
+  for (std::size_t k = 0; k < 3; ++k) {
+    edges.col(static_cast<Eigen::Index>(k)) = corners[k + 1].difference - corners[0].difference;
+  }
+  const Vector3d weights = -edges.inverse() * corners[0].difference;
+  return (1.0 - weights.sum()) * corners[0].on_a + weights[0] * corners[1].on_a +
+         weights[1] * corners[2].on_a + weights[2] * corners[3].on_a;
+}
+
+Vector3d closestInCylinder(const Vector3d& half_extents, const Vector3d& point) noexcept {
+  const double across = point.head<2>().norm();
+  const double scale = across > half_extents.x() ? half_extents.x() / across : 1.0;
+  return {scale * point.x(), scale * point.y(),
+          std::clamp(point.z(), -half_extents.z(), half_extents.z())};
+}
+
+void offerPoint(const Vector3d& half_extents, const Vector3d& on_triangle,
+                PointPair& best) noexcept {
+  const Vector3d in_cylinder = closestInCylinder(half_extents, on_triangle);
+  const double squared_distance = (on_triangle - in_cylinder).squaredNorm();
+  if (squared_distance < best.squared_distance) {
+    best = {squared_distance, on_triangle, in_cylinder};
+  }
+}
+
+// The distance to a convex solid is convex along an edge: golden sections find its least place.
+void improveOnEdge(const Vector3d& half_extents, const Vector3d& from, const Vector3d& to,
+                   PointPair& best) noexcept {
+  constexpr double kGolden = 0.6180339887498949;
+  const auto squaredAt = [&](double share) {
+    const Vector3d point = from + share * (to - from);
+    return (point - closestInCylinder(half_extents, point)).squaredNorm();
+  };
+  double low = 0.0;
+  double high = 1.0;
+  for (int step = 0; step < 90; ++step) {
+    const double left = high - kGolden * (high - low);
+    const double right = low + kGolden * (high - low);
+    const bool is_left = squaredAt(left) <= squaredAt(right);
+    (is_left ? high : low) = is_left ? right : left;
+  }
+  offerPoint(half_extents, from + 0.5 * (low + high) * (to - from), best);
+}
+
+// Where GJK stalls, a triangle that all but touches a cylinder: its edges and its face one by one.
+void improveByFeatures(const Triangle& triangle, const ConvexCore& cylinder,
+                       PointPair& best) noexcept {
+  const Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  std::uint32_t vertex = 0;
+  for (const double sign : {1.0, -1.0}) {
+    const Vector3d extreme = supportPoint(cylinder, sign * normal, vertex);
+    offerPoint(cylinder.half_extents,
+               closestPointOnTriangle(extreme, triangle[0], triangle[1], triangle[2]), best);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    improveOnEdge(cylinder.half_extents, triangle[k], triangle[(k + 1) % 3], best);
+  }
+}
+
+// By GJK: whatever the bounds say, its points are points of both.
+PointPair nearestBySearch(const Triangle& triangle, const ConvexCore& core,
+                          const PointPair& start) noexcept {
+  ConvexCore corners;
+  corners.kind = ConvexCore::Kind::triangle;
+  corners.triangle = &triangle;
+  ConvexPair pair = makeConvexPair(corners, Pose{}, core, Pose{});
+  const GjkResult found = searchNearest(pair, ConvexWarmStart{}, std::sqrt(start.squared_distance));
+  if (found.state == GjkResult::State::overlapping) {
+    const Vector3d shared = sharedPoint(found.simplex);
+    return {0.0, shared, shared};
+  }
+  PointPair best = start;
+  if (found.state == GjkResult::State::stopped) {
+    return best;
+  }
+  const double squared_distance = found.simplex.distance * found.simplex.distance;
+  if (squared_distance < best.squared_distance) {
+    best = {squared_distance, found.simplex.pointOnA(), found.simplex.pointOnB()};
+  }
+  if (found.state == GjkResult::State::stalled && core.kind == ConvexCore::Kind::cylinder) {
+    improveByFeatures(triangle, core, best);
+  }
+  return best;
+}
+
 }  // namespace
 
-PointPair nearestPoints(const Triangle& triangle, CoreKind kind, const Vector3d& half_extents,
+PointPair nearestPoints(const Triangle& triangle, const ConvexCore& core,
                         const PointPair& start) noexcept {
-  switch (kind) {
-    case CoreKind::point:
-    case CoreKind::segment:
-      return nearestToSegment(triangle, half_extents, start);
-    case CoreKind::box:
-      return nearestToBox(triangle, half_extents, start);
+  if (core.kind != ConvexCore::Kind::box) {
+    return nearestBySearch(triangle, core, start);
   }
-  return start;
+  const Vector3d& half = core.half_extents;
+  return half.x() == 0.0 && half.y() == 0.0 ? nearestToSegment(triangle, half, start)
+                                            : nearestToBox(triangle, half, start);
 }
 
 }  // namespace collision_monitor

@@ -22,7 +22,7 @@ std::optional<ContactPatch> patchOf(const Element& element, const Pose& world_fr
   const auto find = [&](const auto& geometry) noexcept -> std::optional<ContactPatch> {
     if constexpr (std::is_convertible_v<decltype(geometry), Shape>) {
       return extremePatch(Shape(geometry), world_from_element, direction);
-    } else if constexpr (std::is_same_v<decltype(geometry), const ConvexHull&>) {
+    } else if constexpr (!std::is_same_v<decltype(geometry), const HalfSpace&>) {
       return extremePatch(geometry, world_from_element, direction);
     } else {
       return std::nullopt;

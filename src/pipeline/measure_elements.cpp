@@ -30,6 +30,16 @@ PlacedMesh meshOf(const PlacedElement& placed) noexcept {
   return {*placed.element.mesh, placed.world_from_element};
 }
 
+/// Cheaper to measure than triangles around it. A hull is not, and has its mesh.
+bool isSimple(const PlacedElement& placed) noexcept {
+  const std::optional<ConvexGeometry>& convex = placed.element.convex;
+  return convex && !std::holds_alternative<ConvexHull>(*convex);
+}
+
+PlacedConvex convexOf(const PlacedElement& placed) noexcept {
+  return {*placed.element.convex, placed.world_from_element};
+}
+
 /// Least signed distance of the inner shapes; false where an element has none.
 bool measureInside(const PlacedElement& a, const PlacedElement& b, SignedDistance& least) noexcept {
   least.distance = std::numeric_limits<double>::infinity();
@@ -78,14 +88,10 @@ MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
   const MeshQueryLimits limits{stopBeyond(a, b, search), search.budget};
   TrianglePair& nearest = search.memory.nearest;
   MeshDistance found;
-  const std::optional<Shape> shape_a = shapeOf(a.element.convex);
-  const std::optional<Shape> shape_b = shapeOf(b.element.convex);
-  if (shape_b) {
-    found = distanceBetween(meshOf(a), PlacedShape{*shape_b, b.world_from_element},
-                            search.scratch.mesh, nearest, limits);
-  } else if (shape_a) {
-    found = distanceBetween(meshOf(b), PlacedShape{*shape_a, a.world_from_element},
-                            search.scratch.mesh, nearest, limits);
+  if (isSimple(b)) {
+    found = distanceBetween(meshOf(a), convexOf(b), search.scratch.mesh, nearest, limits);
+  } else if (isSimple(a)) {
+    found = distanceBetween(meshOf(b), convexOf(a), search.scratch.mesh, nearest, limits);
     found.measured = swapped(found.measured);
   } else {
     found = distanceBetween(meshOf(a), meshOf(b), search.scratch.mesh, nearest, limits);
@@ -135,7 +141,6 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
   if (found.state == MeshState::overlapping) {
     SignedDistance of_geometries = found.measured;
     matchPoints(of_geometries);
-    of_geometries = withoutExcess(a, b, of_geometries);
     if (!is_inside || of_geometries.distance < answer.measured.distance) {
       answer.measured = of_geometries;
     }
@@ -143,11 +148,10 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
   } else if (is_inside) {
     reportOverlap(a, b, answer);
   } else if (found.state != MeshState::unknown) {
-    const bool is_exact = areExact(a, b) && a.element.mesh_excess + b.element.mesh_excess == 0.0;
     answer.measured = found.measured;
     answer.has_points = found.state == MeshState::exact;
     answer.is_complete = answer.has_points || found.measured.distance >= stopBeyond(a, b, search);
-    answer.quality = answer.has_points && is_exact ? Quality::exact : Quality::lower_bound;
+    answer.quality = answer.has_points && areExact(a, b) ? Quality::exact : Quality::lower_bound;
   }
   return answer;
 }

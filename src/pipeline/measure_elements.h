@@ -40,9 +40,8 @@ struct ElementSearch {
 /// Meshes that overlap are an estimate without depth, or with that of their inner shapes;
 /// deepenElements looks for more.
 ///
-/// Convex geometries are measured by signedDistanceBetween, a mesh and a shape or two meshes by
-/// branch and bound over their triangles. Inner shapes that overlap settle that two meshes do.
-/// Error: a cylinder and a mesh give a lower bound that is too small by Element::mesh_excess.
+/// Convex geometries are measured by signedDistanceBetween, a mesh and whatever it is near by
+/// branch and bound over its triangles. Inner shapes that overlap settle that two meshes do.
 ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
                                 ElementSearch& search) noexcept;
 

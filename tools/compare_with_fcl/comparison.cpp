@@ -7,9 +7,8 @@
 #include <limits>
 #include <optional>
 
-#include "collision_monitor/model/kinematics.h"
 #include "collision_monitor/pipeline/run_cycle.h"
-#include "random_positions.h"
+#include "random_poses.h"
 #include "support/reference_distance.h"
 #include "support_fcl/fcl_adapter.h"
 
@@ -184,15 +183,8 @@ class Comparer {
 }  // namespace
 
 Comparison compareWithFcl(const CycleSetup& setup, const ComparisonOptions& options) {
-  std::mt19937_64 random(options.seed);
   Comparer comparer(setup, options);
-  LinkPoses poses = makeLinkPoses(setup.model);
-  std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
-  const std::vector<Pose> roots(setup.model.robots.size());
-  for (std::size_t i = 0; i < options.poses; ++i) {
-    placeLinks(setup.model, randomPositions(setup.model, random), roots, poses.world_from_link);
-    comparer.comparePose(poses);
-  }
+  forRandomPoses(setup, options, [&](const LinkPoses& poses) { comparer.comparePose(poses); });
   return comparer.result();
 }
 

@@ -7,10 +7,9 @@
 #include <memory>
 #include <optional>
 
-#include "collision_monitor/model/kinematics.h"
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "fitting/closed_surface.h"
-#include "random_positions.h"
+#include "random_poses.h"
 #include "support_fcl/fcl_adapter.h"
 #include "support_fcl/fcl_mesh.h"
 
@@ -20,16 +19,11 @@ namespace {
 constexpr std::size_t kMostListed = 100;
 
 struct MakeFcl {
-  using Made = std::shared_ptr<fcl::CollisionGeometryd>;
-  Made operator()(const Sphere& s) const { return std::make_shared<fcl::Sphered>(s.radius); }
-  Made operator()(const Capsule& s) const {
-    return std::make_shared<fcl::Capsuled>(s.radius, 2.0 * s.half_length);
+  template <class Primitive>
+  test::FclGeometry operator()(const Primitive& primitive) const {
+    return test::toFclGeometry(primitive);
   }
-  Made operator()(const Cylinder& s) const {
-    return std::make_shared<fcl::Cylinderd>(s.radius, 2.0 * s.half_length);
-  }
-  Made operator()(const Box& s) const { return std::make_shared<fcl::Boxd>(2.0 * s.half_extents); }
-  Made operator()(const TriangleMesh& mesh) const { return test::toFcl(mesh); }
+  test::FclGeometry operator()(const TriangleMesh& mesh) const { return test::toFcl(mesh); }
 };
 
 /// A collision element as FCL has it, and what FCL does not know: its inside.
@@ -160,15 +154,8 @@ class ExactComparer {
 }  // namespace
 
 ExactComparison compareExactly(const CycleSetup& setup, const ComparisonOptions& options) {
-  std::mt19937_64 random(options.seed);
   ExactComparer comparer(setup);
-  LinkPoses poses = makeLinkPoses(setup.model);
-  std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
-  const std::vector<Pose> roots(setup.model.robots.size());
-  for (std::size_t i = 0; i < options.poses; ++i) {
-    placeLinks(setup.model, randomPositions(setup.model, random), roots, poses.world_from_link);
-    comparer.comparePose(poses);
-  }
+  forRandomPoses(setup, options, [&](const LinkPoses& poses) { comparer.comparePose(poses); });
   return comparer.result();
 }
 

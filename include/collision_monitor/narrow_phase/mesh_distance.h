@@ -9,6 +9,7 @@
 #include "collision_monitor/geometry/mesh_tree.h"
 #include "collision_monitor/geometry/pose.h"
 #include "collision_monitor/geometry/shapes.h"
+#include "collision_monitor/narrow_phase/convex_distance.h"
 #include "collision_monitor/narrow_phase/signed_distance.h"
 
 /// Exact questions about meshes: do they overlap, how far are they apart, and where?
@@ -79,6 +80,12 @@ struct PlacedShape {
   const Pose& world_from_shape;
 };
 
+/// A convex geometry and where it is.
+struct PlacedConvex {
+  const ConvexGeometry& geometry;
+  const Pose& world_from_body;
+};
+
 /// True when surfaces touch or cross, or one closed mesh holds a point of the other.
 ///
 /// Error: surfaces within 1e-14 of the size may be called either way.
@@ -105,6 +112,15 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
 /// core inside a closed mesh is seen when the surface does not cross it.
 /// @param start of which `a` counts.
 MeshDistance distanceBetween(const PlacedMesh& a, const PlacedShape& b, MeshQueryMemory& memory,
+                             const TrianglePair& start = TrianglePair{},
+                             const MeshQueryLimits& limits = MeshQueryLimits{}) noexcept;
+
+/// The same for any convex geometry. Error: 1e-9 m with cylinders and hulls.
+///
+/// Of a half space the distance is exact in either sign, at the corner that is lowest, and no limit
+/// applies. A hull costs a search for each triangle near it: a mesh of its surface has less to do
+/// where it has many corners.
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedConvex& b, MeshQueryMemory& memory,
                              const TrianglePair& start = TrianglePair{},
                              const MeshQueryLimits& limits = MeshQueryLimits{}) noexcept;
 

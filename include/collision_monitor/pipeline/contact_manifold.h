@@ -13,8 +13,8 @@ namespace collision_monitor {
 /// All the places where a measured pair is as near as it gets: of the bodies or, when it is
 /// refined, of the elements.
 /// Frames: world.
-/// @return nothing where one of the two is round or a mesh that is not convex: the pair's own
-/// points are all that is known.
+/// @return nothing where one of the two is a mesh that is not convex: the pair's own points are all
+/// that is known.
 /// @pre the pair is of this set-up, and known.
 std::optional<ContactManifold> contactManifold(const CycleSetup& setup, const BodyPoses& body_poses,
                                                const PairDistance& distance) noexcept;

@@ -26,7 +26,7 @@ struct Element {
   std::string name;  ///< as messages call it; never read in a cycle
   Pose link_from_element;
   std::optional<ConvexGeometry> convex;
-  /// A mesh. Beside `convex`, a closed surface that holds it, for pairs with a mesh.
+  /// A mesh. Beside `convex`, a closed surface that holds it, for how deep it is in a mesh.
   std::optional<MeshTree> mesh;
   double mesh_excess{0.0};  ///< [m] how far `mesh` may stick out of `convex`
   InnerShapes inner;        ///< of what is_exact; none otherwise

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <memory>
 
 #include "collision_monitor/narrow_phase/mesh_distance.h"
 #include "support/allocation_guard.h"
+#include "support/convex_reference.h"
 #include "support/expect_distance.h"
 #include "support/query_meshes.h"
 #include "support/random_pairs.h"
@@ -93,6 +95,33 @@ TEST_F(MeshLaws, distanceOfShape_isThatOfAllTriangles) {
     worst = std::max(worst, std::abs(found.measured.distance - (core - radiusOf(shape))));
   }
   std::printf("mesh-shape: worst error %.1e m\n", worst);
+}
+
+// Slow, so few scenes: the reference searches for every triangle.
+TEST_F(MeshLaws, distanceOfConvex_isThatOfAllTriangles) {
+  double worst = 0.0;
+  for (int i = 0; i < 40; ++i) {
+    const TriangleMesh mesh = triangleSoup(0.5, 1 + i % 12, random_);
+    const MeshTree tree(mesh);
+    const Pose world_from_a = randomPose(random_, 1.0);
+    const Pose world_from_b = randomPose(random_, uniform(random_, 0.0, 3.0));
+    const auto pool = makeConvexPool(i % 2 == 0 ? ConvexKind::cylinder : ConvexKind::hull, 1,
+                                     {0.01, 0.5, true}, random_);
+    double truth = std::numeric_limits<double>::infinity();
+    for (const auto& t : mesh.triangles) {
+      const ConvexGeometry triangle =
+          ConvexHull({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
+      long double distance = 0;
+      ASSERT_TRUE(convexReference({&triangle, world_from_a, &pool[0], world_from_b}, distance));
+      truth = std::min(truth, std::max(0.0, static_cast<double>(distance)));
+    }
+    const MeshDistance found =
+        distanceBetween({tree, world_from_a}, PlacedConvex{pool[0], world_from_b}, *memory_);
+    ASSERT_NEAR(found.measured.distance, truth, 1e-9) << i;
+    expectConsistent(found.measured);
+    worst = std::max(worst, std::abs(found.measured.distance - truth));
+  }
+  std::printf("mesh-convex: worst error %.1e m\n", worst);
 }
 
 TEST_F(MeshLaws, warmStart_changesNoDistance) {

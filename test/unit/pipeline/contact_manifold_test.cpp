@@ -78,9 +78,60 @@ TEST(ContactManifoldOfPair, padding_movesThePointsOut) {
   EXPECT_NEAR(manifold->points[0].point_on_b.z(), 0.097, 1e-7);
 }
 
-TEST(ContactManifoldOfPair, concaveMeshOrCylinder_none) {
+TEST(ContactManifoldOfPair, concaveMesh_none) {
   EXPECT_FALSE(manifoldAt({test::angleMesh(), kCube}, at(0.05, 0.05, 0.14)).has_value());
-  EXPECT_FALSE(manifoldAt({Cylinder{0.1, 0.05}, kCube}, at(0.0, 0.0, 0.19)).has_value());
+}
+
+TEST(ContactManifoldOfPair, cylinderStandingOnBox_fourPointsAroundTheRim) {
+  const auto manifold = manifoldAt({kCube, Cylinder{0.1, 0.05}}, at(0.02, 0.0, 0.19));
+  ASSERT_TRUE(manifold.has_value());
+  EXPECT_EQ(manifold->feature, ContactFeature::face_face);
+  ASSERT_EQ(manifold->size, 4U);
+  const Eigen::Vector3d middle(0.02, 0.0, 0.1);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const ManifoldPoint& point : manifold->points) {
+    EXPECT_NEAR(point.distance, -0.01, 1e-7);
+    EXPECT_NEAR((point.point_on_a - middle).norm(), 0.05, 1e-7);
+    sum += point.point_on_a - middle;
+  }
+  EXPECT_LE(sum.norm(), 1e-7) << "a quarter turn apart";
+  EXPECT_LE((manifold->center.point_on_a - middle).norm(), 1e-7);
+}
+
+TEST(ContactManifoldOfPair, cylinderLyingOnBox_twoEndsOfTheSharedLine) {
+  Pose lying = at(0.05, 0.0, 0.14);
+  lying.rotation = Eigen::AngleAxisd(0.5 * M_PI, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  const auto manifold = manifoldAt({kCube, Cylinder{0.1, 0.05}}, lying);
+  ASSERT_TRUE(manifold.has_value());
+  EXPECT_EQ(manifold->feature, ContactFeature::edge_face);
+  ASSERT_EQ(manifold->size, 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(manifold->points[i].distance, -0.01, 1e-7);
+    EXPECT_NEAR(std::abs(manifold->points[i].point_on_a.x() - 0.025), 0.075, 1e-7);
+    EXPECT_NEAR(manifold->points[i].point_on_a.y(), 0.0, 1e-7);
+  }
+}
+
+TEST(ContactManifoldOfPair, cylinderOnCylinder_capsShareFourPointsAndCrossedSidesOne) {
+  const Cylinder cylinder{0.1, 0.05};
+  const auto caps = manifoldAt({cylinder, cylinder}, at(0.0, 0.0, 0.199));
+  ASSERT_TRUE(caps.has_value());
+  EXPECT_EQ(caps->size, 4U);
+  Pose crossed = at(0.0, 0.099, 0.0);
+  crossed.rotation = Eigen::AngleAxisd(0.5 * M_PI, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  const auto sides = manifoldAt({cylinder, cylinder}, crossed);
+  ASSERT_TRUE(sides.has_value());
+  EXPECT_EQ(sides->feature, ContactFeature::edge_edge);
+  EXPECT_EQ(sides->size, 1U);
+}
+
+TEST(ContactManifoldOfPair, cylinderOnItsRim_onePoint) {
+  Pose leaning = at(0.0, 0.0, 0.1 + (0.1 + 0.05) * std::sqrt(0.5) - 0.001);
+  leaning.rotation = Eigen::AngleAxisd(0.25 * M_PI, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  const auto manifold = manifoldAt({kCube, Cylinder{0.1, 0.05}}, leaning);
+  ASSERT_TRUE(manifold.has_value());
+  EXPECT_EQ(manifold->feature, ContactFeature::vertex_face);
+  EXPECT_EQ(manifold->size, 1U);
 }
 
 }  // namespace

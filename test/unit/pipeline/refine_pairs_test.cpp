@@ -133,14 +133,12 @@ TEST(RefinePairs, convexMesh_isMeasuredExactlyAlsoInDepth) {
   EXPECT_NEAR(scene.closest().measured.distance, -0.01, 1e-7);
 }
 
-TEST(RefinePairs, cylinderAndConcaveMesh_lowerBoundWithinTheExcess) {
+TEST(RefinePairs, cylinderAndConcaveMesh_isMeasuredExactly) {
   Scene scene({test::angleMesh(), Cylinder{0.1, 0.05}});
   scene.poses.world_from_link[1].translation = Eigen::Vector3d(0.17, 0.17, 0.0);
   scene.run();
-  EXPECT_EQ(scene.closest().quality, Quality::lower_bound);
-  EXPECT_LE(scene.closest().measured.distance, 0.02);
-  EXPECT_GE(scene.closest().measured.distance, 0.02 - scene.setup.elements[1].mesh_excess);
-  EXPECT_LT(scene.setup.elements[1].mesh_excess, 0.003 * 0.05);
+  EXPECT_EQ(scene.closest().quality, Quality::exact);
+  EXPECT_NEAR(scene.closest().measured.distance, 0.02, 1e-9);
 }
 
 TEST(RefinePairs, padding_isTakenOffAndMakesALowerBound) {

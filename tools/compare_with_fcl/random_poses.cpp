@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "random_positions.h"
+#include "random_poses.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
+
+#include "collision_monitor/model/kinematics.h"
 
 namespace collision_monitor {
 namespace {
@@ -55,8 +59,6 @@ void drawJoint(const Joint& joint, std::mt19937_64& random, double* variables) {
   }
 }
 
-}  // namespace
-
 JointPositions randomPositions(const RobotModel& model, std::mt19937_64& random) {
   JointPositions positions = defaultPositions(model);
   for (const Joint& joint : model.joints) {
@@ -65,6 +67,20 @@ JointPositions randomPositions(const RobotModel& model, std::mt19937_64& random)
     }
   }
   return positions;
+}
+
+}  // namespace
+
+void forRandomPoses(const CycleSetup& setup, const ComparisonOptions& options,
+                    const std::function<void(const LinkPoses&)>& use) {
+  std::mt19937_64 random(options.seed);
+  LinkPoses poses = makeLinkPoses(setup.model);
+  std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
+  const std::vector<Pose> roots(setup.model.robots.size());
+  for (std::size_t i = 0; i < options.poses; ++i) {
+    placeLinks(setup.model, randomPositions(setup.model, random), roots, poses.world_from_link);
+    use(poses);
+  }
 }
 
 }  // namespace collision_monitor

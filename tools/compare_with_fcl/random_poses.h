@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+
+#include "collision_monitor/pipeline/cycle_data.h"
+#include "comparison.h"
+
+namespace collision_monitor {
+
+/// Calls `use` with each of `options.poses` random poses of the robots, their roots at the origin.
+///
+/// Joint values are drawn uniformly within the limits; without limits within half a turn or 1 m.
+/// Rotations of floating joints are uniform over all rotations.
+void forRandomPoses(const CycleSetup& setup, const ComparisonOptions& options,
+                    const std::function<void(const LinkPoses&)>& use);
+
+}  // namespace collision_monitor
