@@ -125,8 +125,9 @@ std::uint32_t boundNode(const MeshTreeNode& node, const PlacedBound& bound, floa
     const Number along_other =
         gapBetween(shadowOf(children, other.normal, shared), {other.slab_center, other.slab_half});
     const Number along_centers = gapAlongCenters(children, other);
-    const Number gap = hn::Max(hn::Max(along_children, along_other),
-                               hn::Max(hn::Sub(along_centers, other.slack), hn::Zero(Some())));
+    // The slack of the slabs is not enough: it counts for the part along their normals only.
+    const Number widest = hn::Max(hn::Max(along_children, along_other), along_centers);
+    const Number gap = hn::Max(hn::Sub(widest, other.slack), hn::Zero(Some()));
     const Number squared = hn::Max(squaredGapOfBoxes(children, other), hn::Mul(gap, gap));
     hn::Store(squared, Some(), bounds.squared + first);
     hn::Store(along_centers, Some(), bounds.order + first);

@@ -155,8 +155,15 @@ Vector3d farthest(const Round& round, const Vector3d& normal) noexcept {
   return point;
 }
 
+// True when the normal is all but across both axes, so that whole sides are extreme and a rim is
+// no better than what is above it.
+bool isAcross(const Round& a, const Round& b, const Vector3d& normal) noexcept {
+  constexpr double kSlope = 1e-9;
+  return std::abs(a.axis.dot(normal)) <= kSlope && std::abs(b.axis.dot(normal)) <= kSlope;
+}
+
 Vector3d pointOnA(const Round& a, const Round& b, const Candidate& best) noexcept {
-  switch (best.kind) {
+  switch (isAcross(a, b, best.normal) ? Candidate::Kind::both_sides : best.kind) {
     case Candidate::Kind::cap_or_side_of_a:
       return farthest(b, -best.normal) + best.depth * best.normal;
     case Candidate::Kind::cap_or_side_of_b:

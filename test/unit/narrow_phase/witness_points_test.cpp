@@ -57,5 +57,22 @@ TEST(WitnessPoints, discTouchingAPrism_pointsAreInBoth) {
   EXPECT_LE(worstOutside({&disc, {}, &prism, pose_b}), 1e-12);
 }
 
+TEST(WitnessPoints, besideEachOtherAlongOneAxis_pointsAreInWhatBothShare) {
+  // Parallel but for rounding; of each, one end is beyond the other, and a point was taken there.
+  Pose pose_a;
+  pose_a.rotation << -0.72726364110388619, -0.67216364980869625, 0.13886548960836215,
+      -0.1884283968827048, 0.00098072478215105452, -0.98208644091399389, 0.65998661772533818,
+      -0.74040196248710333, -0.1273679644522685;
+  pose_a.translation << -2.832608823622615, -3.3978457528074526, 2.6909633722587909;
+  Pose pose_b;
+  pose_b.rotation << -0.72726364110385999, -0.67216364980872811, 0.13886548960834535,
+      -0.1884283968827051, 0.00098072478216852492, -0.98208644091399377, 0.65998661772536704,
+      -0.74040196248707435, -0.12736796445228737;
+  pose_b.translation << -2.8325702803625461, -3.3981183389856962, 2.6909280202315005;
+  const ConvexGeometry capsule = Capsule{0.00025402465354495556, 2.2563152579300191e-05};
+  const ConvexGeometry cylinder = Cylinder{0.00034062606624669456, 4.4065500465759982e-06};
+  EXPECT_LE(worstOutside({&capsule, pose_a, &cylinder, pose_b}), 1e-12);  // it was 1e-5
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
