@@ -11,7 +11,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Distances of two bodies on their way: more than any of them needed in a million random pairs.
+/// Distances of two bodies on their way: some six are usual, and a graze shall not hold up a cycle.
 constexpr std::uint32_t kBodySteps = 500;
 
 /// What every step needs.

@@ -72,7 +72,8 @@ void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const Swe
 /// alarms and hides nothing.
 /// Error: contacts deeper than rounding are found; what is told as exact is within 1e-7 m of
 /// contact_distance.
-/// Limits: of meshes, surfaces count. Contacts of negative contact_distance are told at touch.
+/// Limits: of meshes, surfaces count, and a contact is told at touch where contact_distance is
+/// negative.
 /// @param refined what refinePairs did to `distances`; its scratch is used.
 void sweepPairs(const CycleSetup& setup, const RefineWork& refined, SweepWork& work,
                 PairDistances& distances) noexcept;
