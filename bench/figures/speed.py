@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: 2026 The collision_monitor authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Times beside peers in the same run, as ratios: how many times faster, and the goal. Each group is
+one benchmark, pinned to one core; medians of several repetitions, of processor time where the
+benchmark measures it."""
+import argparse
+import json
+import subprocess
+
+from figure import Figures, shared_data
+
+HUMANOIDS = ("atlas", "icub", "anymal_kinova", "stretch")
+
+# Of each group: its program, then (figure, ours, peer, goal).
+GROUPS = {
+    "hulls": ("convex_bench", [
+        (f"hulls of {n} vertices, {words}", f"hull{n}-hull{n}/{case}/warm",
+         f"hull{n}-hull{n}/{case}/{peer}", goal)
+        for n, case, words, peer, goal in (
+            (64, "apart_1cm", "1 cm apart", "fcl_distance", 5.0),
+            (256, "apart_1cm", "1 cm apart", "fcl_distance", 4.9),
+            (64, "deep_1cm", "1 cm deep", "fcl_signed", 6.9),
+            (256, "deep_1cm", "1 cm deep", "fcl_signed", 7.7))]),
+    "meshes": ("mesh_bench", [
+        ("meshes of 50,000, build", "build", "fcl_build", 7.1),
+        ("meshes, overlap test at 1 cm", "gap_1cm/overlap", "gap_1cm/fcl_overlap", 5.7),
+        ("meshes, distance at 1 cm, cold", "gap_1cm/distance_cold", "gap_1cm/fcl_distance", 10.1),
+        ("meshes, distance at 1 cm, coherent", "gap_1cm/distance_warm", "gap_1cm/fcl_distance",
+         21.8)]),
+    "robots": ("robots_bench", [
+        (f"{robot}: {words}", f"{robot}/{what}/ours", f"{robot}/{what}/fcl",
+         goals[robot in HUMANOIDS])
+        for robot in ("panda_moveit",) + HUMANOIDS
+        for what, words, goals in (
+            ("least_distance", "least distance", (19.5, 37.0)),
+            ("contacts", "all contacts", (2.0, 4.6)),
+            ("hulls", "every pair of hulls", (10.0, 12.0)))]),
+    "poses": ("poses_bench", [
+        ("poses of 11 links, peer tf2", "arm_11_links/read/manual_time",
+         "arm_11_links/tf2/manual_time", 1.5),
+        ("poses of 60 links, peer tf2", "humanoid_60_links/read/manual_time",
+         "humanoid_60_links/tf2/manual_time", 1.8)]),
+}
+
+
+def measure(program, names, repetitions):
+    """Median nanoseconds of each benchmark of the program."""
+    command = ["taskset", "-c", "1", "rosrun", "collision_monitor", f"collision_monitor_{program}",
+               "--benchmark_filter=^(" + "|".join(names) + ")$", "--benchmark_format=json",
+               "--benchmark_min_time=0.2", f"--benchmark_repetitions={repetitions}",
+               "--benchmark_report_aggregates_only=true"]
+    run = subprocess.run(command, capture_output=True, text=True, check=True)
+    scale = {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}
+    times = {}
+    for entry in json.loads(run.stdout)["benchmarks"]:
+        if entry["aggregate_name"] == "median":
+            kind = "real_time" if entry["run_name"].endswith("/manual_time") else "cpu_time"
+            times[entry["run_name"]] = entry[kind] * scale[entry["time_unit"]]
+    return times
+
+
+def text(nanoseconds):
+    for unit, size in (("ms", 1e6), ("us", 1e3)):
+        if nanoseconds >= size:
+            return f"{nanoseconds / size:.3g} {unit}"
+    return f"{nanoseconds:.3g} ns"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--group", choices=GROUPS, help="one group only")
+    parser.add_argument("--repetitions", type=int, default=5)
+    arguments = parser.parse_args()
+    figures = Figures()
+    for group, (program, rows) in GROUPS.items():
+        if arguments.group not in (None, group):
+            continue
+        if group == "robots":
+            shared_data()
+        names = {name for row in rows for name in row[1:3]}
+        times = measure(program, sorted(names), arguments.repetitions)
+        for figure, ours, peer, goal in rows:
+            ratio = times[peer] / times[ours]
+            figures.add(figure, text(times[ours]), f"{text(times[peer])}, {ratio:.3g}x",
+                        f"{goal:.3g}x", ratio >= goal)
+    figures.finish()
+
+
+if __name__ == "__main__":
+    main()

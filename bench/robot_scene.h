@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "collision_monitor/pipeline/run_cycle.h"
+#include "support/file_loader.h"
+#include "support_fcl/fcl_adapter.h"
+
+/// A robot of the shared data that moves through random configurations, for us and for FCL.
+namespace collision_monitor::test {
+
+constexpr std::size_t kStates = 400;  ///< a hundredth of the way between two configurations apart
+
+/// The first description of an arm and of four robots with many links; none without shared data.
+std::vector<RobotFile> benchRobots();
+
+/// Of its folder.
+std::string robotNameOf(const RobotFile& robot);
+
+struct RobotScene {
+  CycleSetup setup;               ///< one enclosing shape an element
+  std::vector<LinkPoses> states;  ///< kStates
+  BodyPoses poses;                ///< of the last state that was placed
+  BodyBounds boxes;
+  BroadPhase broad_phase;
+  std::vector<PairId> candidates;
+  PairDistances distances;
+  std::vector<std::pair<double, ElementPairIndex>> bounds;  ///< [m] of the last state
+  std::vector<RefineMemory> memory;                         ///< by ElementPairIndex
+  ElementPairIndex nearest{0};                              ///< in the last state
+  std::unique_ptr<RefineScratch> scratch;
+  std::vector<std::optional<ConvexGeometry>> hulls;   ///< by ElementId
+  std::vector<std::vector<Pose>> world_from_element;  ///< by state and ElementId
+  std::vector<ConvexWarmStart> warm;                  ///< of hulls, by ElementPairIndex
+  using Objects = std::vector<std::unique_ptr<FclObject>>;
+  std::vector<Objects> fcl_states;  ///< by state and ElementId: the geometries
+  std::vector<Objects> fcl_hulls;
+};
+
+std::unique_ptr<RobotScene> makeRobotScene(const RobotFile& robot);
+
+/// Places the robot and fills `bounds` with the distances of enclosing shapes whose boxes meet.
+void boundPairs(RobotScene& scene, std::size_t state);
+
+/// False when the bodies are shown to be `distance` apart.
+/// @pre the robot is placed.
+bool mayBeNearer(const RobotScene& scene, const BodyPair& pair, double distance);
+
+/// [m] Distance of the geometries, or a proven bound not below `enough`.
+/// @pre the robot is placed.
+double measurePair(RobotScene& scene, ElementPairIndex pair, double enough);
+
+/// Whether the geometries touch.
+bool touch(RobotScene& scene, ElementPairIndex pair);
+
+/// [m] Signed distance of the hulls of two geometries.
+double measureHulls(RobotScene& scene, std::size_t state, ElementPairIndex pair);
+
+}  // namespace collision_monitor::test

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <benchmark/benchmark.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include "robot_scene.h"
+
+// One state of a robot, poses given, at a time: least distance and all contacts of the collision
+// geometries, and the distance of every pair of their hulls. FCL runs on the same states in the
+// same run; it is given what it is fastest with, which is to pass over pairs by their boxes.
+// Robots come from the folder that COLLISION_MONITOR_SHARED_DATA names.
+namespace collision_monitor::test {
+namespace {
+
+/// Runs `query` on state after state.
+template <class Query>
+void forStates(benchmark::State& state, const Query& query) {
+  std::size_t next = 0;
+  for ([[maybe_unused]] const auto unused : state) {
+    benchmark::DoNotOptimize(query(next++ % kStates));
+  }
+}
+
+/// First the pair that was nearest in the last state, then all that bounding spheres and enclosing
+/// shapes do not show to be farther.
+double leastDistance(RobotScene& scene, std::size_t state) {
+  placeBodies(scene.setup, scene.states[state], scene.poses);
+  const ElementPairIndex first = scene.nearest;
+  double least = measurePair(scene, first, std::numeric_limits<double>::infinity());
+  const std::vector<BodyPair>& pairs = scene.setup.table.pairs();
+  for (std::size_t i = 0; i < pairs.size() && least > 0.0; ++i) {
+    const ElementPairIndex elements = scene.setup.element_pair_of[i];
+    if (elements != first && mayBeNearer(scene, pairs[i], least)) {
+      const double distance = measurePair(scene, elements, least);
+      scene.nearest = distance < least ? elements : scene.nearest;
+      least = std::min(least, distance);
+    }
+  }
+  return std::max(least, 0.0);
+}
+
+/// Of pairs whose enclosing shapes touch.
+std::size_t countContacts(RobotScene& scene, std::size_t state) {
+  boundPairs(scene, state);
+  std::size_t contacts = 0;
+  for (const auto& [bound, pair] : scene.bounds) {
+    contacts += bound <= 0.0 && touch(scene, pair) ? 1 : 0;
+  }
+  return contacts;
+}
+
+double sumOfHulls(RobotScene& scene, std::size_t state) {
+  double sum = 0.0;
+  for (ElementPairIndex pair = 0; pair < scene.setup.element_pairs.size(); ++pair) {
+    sum += measureHulls(scene, state, pair);
+  }
+  return sum;
+}
+
+double fclLeast(const RobotScene& scene, std::size_t state) {
+  const fcl::DistanceRequestd request(true);
+  fcl::DistanceResultd result;
+  for (const ElementPair& pair : scene.setup.element_pairs) {
+    const FclObject& a = *scene.fcl_states[state][index(pair.a)];
+    const FclObject& b = *scene.fcl_states[state][index(pair.b)];
+    if (a.getAABB().distance(b.getAABB()) < result.min_distance) {
+      fcl::distance(&a, &b, request, result);
+    }
+    if (result.min_distance <= 0.0) {
+      break;
+    }
+  }
+  return result.min_distance;
+}
+
+std::size_t fclContacts(const RobotScene& scene, std::size_t state) {
+  std::size_t contacts = 0;
+  for (const ElementPair& pair : scene.setup.element_pairs) {
+    const FclObject& a = *scene.fcl_states[state][index(pair.a)];
+    const FclObject& b = *scene.fcl_states[state][index(pair.b)];
+    contacts += a.getAABB().overlap(b.getAABB()) && fclOverlap(a, b).value_or(false) ? 1 : 0;
+  }
+  return contacts;
+}
+
+double fclHulls(const RobotScene& scene, std::size_t state) {
+  double sum = 0.0;
+  for (const ElementPair& pair : scene.setup.element_pairs) {
+    sum +=
+        fclDistance(*scene.fcl_hulls[state][index(pair.a)], *scene.fcl_hulls[state][index(pair.b)])
+            .value_or(0.0);
+  }
+  return sum;
+}
+
+void registerRobot(const RobotFile& robot) {
+  const auto scene = std::make_shared<std::unique_ptr<RobotScene>>();
+  const auto add = [&](const std::string& what, auto query) {
+    benchmark::RegisterBenchmark(
+        (robotNameOf(robot) + "/" + what).c_str(), [=](benchmark::State& state) {
+          if (*scene == nullptr) {
+            *scene = makeRobotScene(robot);
+          }
+          forStates(state, [&](std::size_t i) { return query(**scene, i); });
+        });
+  };
+  add("least_distance/ours", leastDistance);
+  add("least_distance/fcl", fclLeast);
+  add("contacts/ours", countContacts);
+  add("contacts/fcl", fclContacts);
+  add("hulls/ours", sumOfHulls);
+  add("hulls/fcl", fclHulls);
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
+
+int main(int argc, char** argv) {
+  namespace test = collision_monitor::test;
+  benchmark::Initialize(&argc, argv);
+  for (const test::RobotFile& robot : test::benchRobots()) {
+    test::registerRobot(robot);
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
