@@ -30,6 +30,7 @@ RESERVED = {
     re.compile(r"^tinyxml2\.h$"): {"model"},
     re.compile(r"^yaml-cpp/"): {"model"},
     re.compile(r"^openssl/"): {"pipeline"},
+    re.compile(r"^hwy/"): {"geometry", "model", "broad_phase", "narrow_phase", "motion", "pipeline"},
     re.compile(r"^libqhull"): {"geometry"},
     re.compile(r"^fcl/"): set(),
 }

@@ -11,7 +11,7 @@
 #endif
 
 #include "narrow_phase/core_distance.h"
-#include "narrow_phase/lanes-inl.h"
+#include "narrow_phase/shape_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/geometry/lane_targets.h"
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "narrow_phase/measure_rows.cpp"
 #include "hwy/foreach_target.h"
 // The order matters: Highway first includes this file once for each target.
 #include <algorithm>
 
-#include "narrow_phase/finish_rows.h"
 #include "narrow_phase/lanes_box_box-inl.h"
 #include "narrow_phase/lanes_points-inl.h"
 #include "narrow_phase/lanes_segment_box-inl.h"
+#include "narrow_phase/plain_twin.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {

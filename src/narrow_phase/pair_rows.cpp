@@ -4,17 +4,14 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 
 #include "collision_monitor/narrow_phase/distance.h"
 #include "narrow_phase/core_distance.h"
-#include "narrow_phase/finish_rows.h"
+#include "narrow_phase/plain_twin.h"
 
 namespace collision_monitor {
 namespace {
-
-Eigen::Vector3d vectorAt(const ShapeRows& rows, std::size_t c, std::size_t row) noexcept {
-  return {rows.at[c][row], rows.at[c + 1][row], rows.at[c + 2][row]};
-}
 
 void writeVector(const Eigen::Vector3d& v, std::size_t c, std::size_t row,
                  ShapeRows& rows) noexcept {
@@ -23,32 +20,16 @@ void writeVector(const Eigen::Vector3d& v, std::size_t c, std::size_t row,
   rows.at[c + 2][row] = v.z();
 }
 
-/// A shape read back for the plain twin. A segment's other axes may be any.
-struct PosedShape {
-  Shape shape;
-  Pose pose;
-};
-
-PosedShape readShape(CoreKind kind, const ShapeRows& rows, std::size_t row) noexcept {
-  PosedShape read;
-  read.pose.translation = vectorAt(rows, column::center, row);
-  const double radius = rows.at[column::radius][row];
-  if (kind == CoreKind::point) {
-    read.shape = Sphere{radius};
-    return read;
+Shape shapeOf(const Core& core) noexcept {
+  switch (core.kind) {
+    case CoreKind::point:
+      return Sphere{core.radius};
+    case CoreKind::segment:
+      return Capsule{core.half_extents.z(), core.radius};
+    case CoreKind::box:
+      break;
   }
-  const double half_z = rows.at[column::half_z][row];
-  const Eigen::Vector3d z = vectorAt(rows, column::axis_z, row);
-  if (kind == CoreKind::segment) {
-    const Eigen::Vector3d x = perpendicularTo(z);
-    read.pose.rotation << x, z.cross(x), z;
-    read.shape = Capsule{half_z, radius};
-    return read;
-  }
-  read.pose.rotation << vectorAt(rows, column::axis_x, row), vectorAt(rows, column::axis_y, row), z;
-  read.shape =
-      RoundedBox{{rows.at[column::half_x][row], rows.at[column::half_y][row], half_z}, radius};
-  return read;
+  return RoundedBox{core.half_extents, core.radius};
 }
 
 void writeAnswer(const SignedDistance& measured, std::size_t row, PairRows& rows) noexcept {
@@ -87,14 +68,50 @@ void writeRow(const Core& core, const Pose& world_from_body, std::size_t row,
   rows.at[column::half_y][row] = core.half_extents.y();
 }
 
+PosedCore readCore(CoreKind kind, const double* first, std::size_t stride) noexcept {
+  const auto vectorAt = [&](std::size_t c) {
+    return Eigen::Vector3d(first[c * stride], first[(c + 1) * stride], first[(c + 2) * stride]);
+  };
+  PosedCore read;
+  read.core = {kind, Eigen::Vector3d::Zero(), first[column::radius * stride]};
+  read.pose.translation = vectorAt(column::center);
+  if (kind != CoreKind::point) {
+    read.core.half_extents.z() = first[column::half_z * stride];
+    read.pose = poseAlong(vectorAt(column::axis_z), read.pose.translation);
+  }
+  if (kind == CoreKind::box) {
+    read.core.half_extents.x() = first[column::half_x * stride];
+    read.core.half_extents.y() = first[column::half_y * stride];
+    read.pose.rotation.col(0) = vectorAt(column::axis_x);
+    read.pose.rotation.col(1) = vectorAt(column::axis_y);
+  }
+  return read;
+}
+
+Pose poseAlong(const Eigen::Vector3d& axis_z, const Eigen::Vector3d& translation) noexcept {
+  const Eigen::Vector3d x = perpendicularTo(axis_z);
+  Pose pose;
+  pose.rotation << x, axis_z.cross(x), axis_z;
+  pose.translation = translation;
+  return pose;
+}
+
+SignedDistance plainDistance(const Core& a, const Pose& world_from_a, const Core& b,
+                             const Pose& world_from_b) noexcept {
+  if (!isFinite(world_from_a) || !isFinite(world_from_b)) {
+    SignedDistance unknown;
+    unknown.distance = std::numeric_limits<double>::quiet_NaN();
+    return unknown;
+  }
+  return distanceBetween(shapeOf(a), world_from_a, shapeOf(b), world_from_b);
+}
+
 void finishRows(CoreKind a, CoreKind b, std::size_t count, PairRows& rows) noexcept {
   for (std::size_t row = 0; row < count; ++row) {
     if (std::isnan(rows.answers.at[answer::distance][row])) {
-      const PosedShape on_a = readShape(a, rows.a, row);
-      const PosedShape on_b = readShape(b, rows.b, row);
-      if (isFinite(on_a.pose) && isFinite(on_b.pose)) {
-        writeAnswer(distanceBetween(on_a.shape, on_a.pose, on_b.shape, on_b.pose), row, rows);
-      }
+      const PosedCore on_a = readCore(a, &rows.a.at[0][row], kRowCount);
+      const PosedCore on_b = readCore(b, &rows.b.at[0][row], kRowCount);
+      writeAnswer(plainDistance(on_a.core, on_a.pose, on_b.core, on_b.pose), row, rows);
     }
   }
 }

@@ -25,17 +25,12 @@ BodyPoses placeInDefaultPose(const CycleSetup& setup) {
 
 /// Signed distance of each checked pair of links, by LinkPairIndex.
 std::vector<double> measureLinkPairs(const CycleSetup& setup) {
-  std::vector<PairId> all;
-  for (std::size_t i = 0; i < setup.table.size(); ++i) {
-    all.push_back(idAt<PairId>(i));
-  }
-  PairDistances distances;
-  distances.measured.reserve(all.size());
-  measurePairs(setup, placeInDefaultPose(setup), all, distances);
+  std::vector<double> distances(setup.table.size());
+  measureBlocks(setup.blocks, placeInDefaultPose(setup).rows, distances);
   std::vector<double> least(setup.checked.size(), INFINITY);
-  for (const PairDistance& pair : distances.measured) {
-    double& nearest = least[setup.link_pair_of[index(pair.pair)]];
-    nearest = std::min(nearest, pair.measured.distance);
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    double& nearest = least[setup.link_pair_of[i]];
+    nearest = std::min(nearest, distances[i]);
   }
   return least;
 }

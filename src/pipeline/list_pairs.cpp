@@ -120,6 +120,7 @@ void listPairs(CycleSetup& setup) {
     setup.link_pair_of.push_back(pair.link_pair);
   }
   setup.table = PairTable(std::move(pairs), setup.bodies.size());
+  setup.blocks = makeBlocks(setup.table, setup.cores);
   linkBodiesToElements(setup);
 }
 

@@ -67,58 +67,6 @@ void measureBatch(const CycleSetup& setup, const BodyPoses& body_poses, const Pa
   }
 }
 
-/// Distance of the bounding spheres: a lower bound of the pair's.
-double boundDistance(const CycleSetup& setup, const BodyPoses& body_poses,
-                     const BodyPair& pair) noexcept {
-  const std::size_t a = index(pair.a);
-  const std::size_t b = index(pair.b);
-  const double centres =
-      (body_poses.world_from_body[b].translation - body_poses.world_from_body[a].translation)
-          .norm();
-  return centres - setup.bodies[a].bounding_radius - setup.bodies[b].bounding_radius;
-}
-
-bool isKnown(const BodyPoses& body_poses, const BodyPair& pair) noexcept {
-  return body_poses.known[index(pair.a)] != 0 && body_poses.known[index(pair.b)] != 0;
-}
-
-/// Among the known pairs, the one whose bounding spheres are nearest: a good first guess
-/// makes the search that follows measure few pairs. False if no pair is known.
-bool guessClosest(const CycleSetup& setup, const BodyPoses& body_poses, PairId& guess) noexcept {
-  double least = std::numeric_limits<double>::infinity();
-  bool found = false;
-  for (std::size_t i = 0; i < setup.table.size(); ++i) {
-    const BodyPair& pair = setup.table.pairs()[i];
-    if (!isKnown(body_poses, pair)) {
-      continue;
-    }
-    const double bound = boundDistance(setup, body_poses, pair);
-    if (bound < least) {
-      least = bound;
-      guess = idAt<PairId>(i);
-      found = true;
-    }
-  }
-  return found;
-}
-
-/// Measures what may be nearer than `best`, except what was refined: its distances are known.
-PairDistance searchClosest(const CycleSetup& setup, const BodyPoses& body_poses,
-                           const RefineWork& refined, PairDistance best) noexcept {
-  for (std::size_t i = 0; i < setup.table.size(); ++i) {
-    const BodyPair& pair = setup.table.pairs()[i];
-    if (!isKnown(body_poses, pair) || refined.is_measured[setup.element_pair_of[i]] != 0 ||
-        boundDistance(setup, body_poses, pair) >= best.measured.distance) {
-      continue;
-    }
-    const PairDistance candidate = measurePair(setup, body_poses, idAt<PairId>(i));
-    if (candidate.measured.distance < best.measured.distance) {
-      best = candidate;
-    }
-  }
-  return best;
-}
-
 bool isNearer(const PairDistance& one, const PairDistance& other) noexcept {
   return one.measured.distance < other.measured.distance;
 }
@@ -146,19 +94,22 @@ void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, const 
                     double reach, PairDistances& distances) noexcept {
   auto& measured = distances.measured;
   const auto nearest = std::min_element(measured.begin(), measured.end(), isNearer);
-  PairId guess{};
-  if ((nearest != measured.end() && nearest->measured.distance <= reach) ||
-      (nearest == measured.end() && !guessClosest(setup, body_poses, guess))) {
+  if (nearest != measured.end() && nearest->measured.distance <= reach) {
     return;
   }
-  const PairDistance start =
-      nearest != measured.end() ? *nearest : measurePair(setup, body_poses, guess);
-  const PairDistance closest = searchClosest(setup, body_poses, refined, start);
+  NearestPair found;
+  if (nearest != measured.end()) {
+    found = {nearest->pair, nearest->measured.distance};
+  }
+  searchBlocks(setup.blocks, body_poses.rows, {setup.element_pair_of, refined.is_measured}, found);
+  if (!(found.distance < std::numeric_limits<double>::infinity())) {
+    return;
+  }
   const auto place = std::lower_bound(
-      measured.begin(), measured.end(), closest.pair,
+      measured.begin(), measured.end(), found.pair,
       [](const PairDistance& distance, PairId pair) { return distance.pair < pair; });
-  if (place == measured.end() || place->pair != closest.pair) {
-    measured.insert(place, closest);
+  if (place == measured.end() || place->pair != found.pair) {
+    measured.insert(place, measurePair(setup, body_poses, found.pair));
   }
 }
 

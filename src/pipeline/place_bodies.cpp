@@ -30,6 +30,8 @@ void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& bod
       body_poses.world_from_body[i] = poses.world_from_link[index(body.link)] * body.link_from_body;
     }
   }
+  fillBodyRows(setup.blocks, setup.cores, body_poses.world_from_body, body_poses.known,
+               body_poses.rows);
   for (std::size_t i = 0; i < setup.elements.size(); ++i) {
     const Element& element = setup.elements[i];
     if (body_poses.link_known[index(element.link)] != 0) {
@@ -42,6 +44,11 @@ void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& bod
 BodyPoses makeBodyPoses(const CycleSetup& setup) {
   BodyPoses body_poses;
   body_poses.world_from_body.resize(setup.bodies.size());
+  std::vector<double> bounding_radii;
+  for (const Body& body : setup.bodies) {
+    bounding_radii.push_back(body.bounding_radius);
+  }
+  body_poses.rows = makeBodyRows(setup.blocks, setup.cores, bounding_radii);
   body_poses.known.resize(setup.bodies.size(), 0);
   body_poses.link_known.resize(setup.model.links.size(), 0);
   body_poses.world_from_element.resize(setup.elements.size());

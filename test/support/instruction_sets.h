@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "collision_monitor/geometry/lane_targets.h"
+// Above first.
 #include <hwy/targets.h>
 
 #include <cstdint>

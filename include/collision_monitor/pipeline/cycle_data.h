@@ -13,6 +13,7 @@
 #include "collision_monitor/narrow_phase/convex_workspace.h"
 #include "collision_monitor/narrow_phase/mesh_distance.h"
 #include "collision_monitor/narrow_phase/signed_distance.h"
+#include "collision_monitor/pipeline/pair_blocks.h"
 
 /// What travels from stage to stage of one cycle: plain arrays sized at set-up,
 /// world frame, metres and seconds. Ids here, names only at the ROS edge.
@@ -46,6 +47,7 @@ LinkPoses makeLinkPoses(const RobotModel& model);
 
 struct BodyPoses {
   std::vector<Pose> world_from_body;
+  BodyRows rows;  ///< the same in columns, NaN where the body is not known
   std::vector<unsigned char> known;
   std::vector<unsigned char> link_known;  ///< by LinkId: the pose is known and rigid
   std::vector<Pose> world_from_element;   ///< by ElementId; means nothing where the link is unknown

@@ -59,8 +59,7 @@ void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
 
 /// Makes sure that the closest of all known pairs is among `distances`, which hold every
 /// pair within `reach` and what `refined` made of them. Costs nothing when one is that near;
-/// otherwise visits all pairs and measures those whose bounding spheres are nearer than the best so
-/// far. What it adds is not refined.
+/// otherwise searches all pairs, except those that were refined. What it adds is not refined.
 void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, const RefineWork& refined,
                     double reach, PairDistances& distances) noexcept;
 

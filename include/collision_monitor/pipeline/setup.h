@@ -16,6 +16,7 @@
 #include "collision_monitor/motion/speed_scale.h"
 #include "collision_monitor/narrow_phase/pair_rows.h"
 #include "collision_monitor/pipeline/element.h"
+#include "collision_monitor/pipeline/pair_blocks.h"
 
 namespace collision_monitor {
 
@@ -84,6 +85,7 @@ struct CycleSetup {
   PairTable table;                                ///< by PairId, ordered by kind of core pair
   std::vector<std::uint32_t> link_pair_of;        ///< by PairId: index into checked
   std::vector<PairRange> ranges;                  ///< one for each kind of core pair present
+  PairBlocks blocks;                              ///< the table again, for all pairs of a pose
   std::vector<Element> elements;                  ///< by ElementId, in order of link
   std::vector<ElementPair> element_pairs;         ///< by ElementPairIndex, grouped by pair of links
   std::vector<ElementPairIndex> element_pair_of;  ///< by PairId

@@ -1,19 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Vectors of three numbers a lane, and shapes read from columns. Compiled once for each
-// instruction set, hence the guard that is undone and set again.
-#if defined(COLLISION_MONITOR_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef COLLISION_MONITOR_LANES_INL_H_
-#undef COLLISION_MONITOR_LANES_INL_H_
+// Numbers and vectors of three of them, as many at once as a vector register has lanes. Compiled
+// once for each instruction set, hence the guard that is undone and set again. No fused
+// multiply-add: every instruction set rounds alike.
+#if defined(COLLISION_MONITOR_GEOMETRY_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COLLISION_MONITOR_GEOMETRY_LANES_INL_H_
+#undef COLLISION_MONITOR_GEOMETRY_LANES_INL_H_
 #else
-#define COLLISION_MONITOR_LANES_INL_H_
+#define COLLISION_MONITOR_GEOMETRY_LANES_INL_H_
 #endif
 
-#include <cstddef>
-#include <limits>
-
-#include "collision_monitor/narrow_phase/pair_rows.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -82,81 +79,6 @@ HWY_INLINE Vector3 out(const Axes& axes, const Vector3& v) {
 /// Into the frame of the axes.
 HWY_INLINE Vector3 into(const Axes& axes, const Vector3& v) {
   return {dot(axes.x, v), dot(axes.y, v), dot(axes.z, v)};
-}
-
-/// Neighbouring shapes, one a lane: column c of the first stands at first[c * stride].
-struct ShapeLanes {
-  const double* first;
-  std::size_t stride;
-
-  HWY_INLINE Number at(std::size_t c) const { return hn::LoadU(Lanes(), first + c * stride); }
-};
-
-/// The same shape in every lane.
-struct OneShape {
-  const double* first;
-  std::size_t stride;
-
-  HWY_INLINE Number at(std::size_t c) const { return number(first[c * stride]); }
-};
-
-template <class Source>
-HWY_INLINE Vector3 vectorAt(const Source& source, std::size_t c) {
-  return {source.at(c), source.at(c + 1), source.at(c + 2)};
-}
-
-struct PointCore {
-  static constexpr CoreKind kKind = CoreKind::point;
-  Vector3 center;
-  Number radius;
-
-  template <class Source>
-  HWY_INLINE explicit PointCore(const Source& source)
-      : center(vectorAt(source, column::center)), radius(source.at(column::radius)) {}
-};
-
-struct SegmentCore {
-  static constexpr CoreKind kKind = CoreKind::segment;
-  Vector3 center;
-  Number radius;
-  Vector3 direction;
-  Number half_length;
-
-  template <class Source>
-  HWY_INLINE explicit SegmentCore(const Source& source)
-      : center(vectorAt(source, column::center)),
-        radius(source.at(column::radius)),
-        direction(vectorAt(source, column::axis_z)),
-        half_length(source.at(column::half_z)) {}
-};
-
-struct BoxCore {
-  static constexpr CoreKind kKind = CoreKind::box;
-  Vector3 center;
-  Number radius;
-  Axes axes;
-  Vector3 half_extents;
-
-  template <class Source>
-  HWY_INLINE explicit BoxCore(const Source& source)
-      : center(vectorAt(source, column::center)),
-        radius(source.at(column::radius)),
-        axes{vectorAt(source, column::axis_x), vectorAt(source, column::axis_y),
-             vectorAt(source, column::axis_z)},
-        half_extents{source.at(column::half_x), source.at(column::half_y),
-                     source.at(column::half_z)} {}
-};
-
-/// Of two bare cores: as SignedDistance, without the second point, which follows from the rest.
-/// A distance of NaN: the plain twin has to decide.
-struct CoreAnswer {
-  Number distance;
-  Vector3 point_on_a;
-  Vector3 normal;
-};
-
-HWY_INLINE Number sureWhere(Truth is_sure, Number distance) {
-  return hn::IfThenElse(is_sure, distance, number(std::numeric_limits<double>::quiet_NaN()));
 }
 
 // NOLINTNEXTLINE(google-readability-namespace-comments)

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "collision_monitor/broad_phase/pair_table.h"
+#include "collision_monitor/narrow_phase/pair_rows.h"
+
+/// All pairs of a table in one pose, without a broad phase: bodies stand in columns, those of one
+/// kind next to each other, and a body is measured against several neighbours at once. Nothing is
+/// gathered pair by pair, which would cost more than the measuring.
+namespace collision_monitor {
+
+/// Neighbours that a block joins with one body, a multiple of the lanes of every instruction set.
+constexpr std::size_t kBlockLanes = 8;
+
+/// The body in slot `one` and those from slot `first` on, as far as they are pairs of the table.
+struct PairBlock {
+  std::uint32_t one{0};
+  std::uint32_t first{0};
+  std::uint32_t is_pair{0};  ///< bit by lane
+  PairId pairs[kBlockLanes]{};
+};
+
+/// Blocks [first, last) join a body of kind `one` with bodies of kind `row`.
+struct BlockRange {
+  CoreKind one{};
+  CoreKind row{};
+  std::size_t first{0};
+  std::size_t last{0};
+};
+
+/// Made at set-up.
+struct PairBlocks {
+  std::vector<std::uint32_t> slot_of;  ///< by BodyId: ordered by kind, then by id
+  std::vector<PairBlock> blocks;
+  std::vector<BlockRange> ranges;
+};
+
+PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores);
+
+/// Columns of all bodies, as those of pair_rows.h, and the radii of their bounding spheres.
+struct BodyRows {
+  std::size_t stride{0};
+  std::vector<double> numbers;  ///< column c of slot s: [c * stride + s]
+
+  double* at(std::size_t c) noexcept { return numbers.data() + c * stride; }
+  const double* at(std::size_t c) const noexcept { return numbers.data() + c * stride; }
+};
+
+constexpr std::size_t kBoundingColumn = column::count;
+
+/// Sized for the bodies, with what does not move filled in. `bounding_radii` by BodyId.
+BodyRows makeBodyRows(const PairBlocks& blocks, const std::vector<Core>& cores,
+                      const std::vector<double>& bounding_radii);
+
+/// @param known by BodyId; the others are no part of any pair.
+void fillBodyRows(const PairBlocks& blocks, const std::vector<Core>& cores,
+                  const std::vector<Pose>& world_from_body, const std::vector<unsigned char>& known,
+                  BodyRows& rows) noexcept;
+
+/// Signed distances of all pairs, by PairId; NaN where a body is not known.
+/// Error: as distanceBetween; the same bytes with every instruction set.
+/// @pre `distances` has the size of the table.
+void measureBlocks(const PairBlocks& blocks, const BodyRows& rows,
+                   std::vector<double>& distances) noexcept;
+
+struct NearestPair {
+  PairId pair{};
+  double distance{std::numeric_limits<double>::infinity()};  ///< [m]
+};
+
+/// Pairs that a search passes over: those whose group is marked.
+struct PassedPairs {
+  const std::vector<std::uint32_t>& group_of;   ///< by PairId
+  const std::vector<unsigned char>& is_passed;  ///< by group
+};
+
+/// The nearest pair that is not passed over, if it is nearer than `best`. Of equal distances the
+/// pair that stands first. Bounding spheres spare most of the measuring.
+void searchBlocks(const PairBlocks& blocks, const BodyRows& rows, const PassedPairs& passed,
+                  NearestPair& best) noexcept;
+
+}  // namespace collision_monitor

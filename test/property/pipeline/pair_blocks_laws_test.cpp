@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "collision_monitor/narrow_phase/distance.h"
+#include "collision_monitor/pipeline/run_cycle.h"
+#include "support/hand_made_setup.h"
+#include "support/instruction_sets.h"
+
+namespace collision_monitor::test {
+namespace {
+
+constexpr unsigned kSeed = 20260101;
+
+TEST(PairBlocksLaws, distancesAndNearestPairAreThoseOfThePlainTwin_onEveryInstructionSet) {
+  for (unsigned round = 0; round < 200; ++round) {
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed + round);
+    const CycleSetup setup = randomSetup(2 + round % 20, kSeed + round);
+    const LinkPoses poses = randomLinkPoses(setup, round % 2 == 0 ? 0.4 : 4.0, kSeed + round);
+    BodyPoses body_poses = makeBodyPoses(setup);
+    placeBodies(setup, poses, body_poses);
+    std::vector<double> first;
+    for (const std::int64_t target : instructionSets()) {
+      SCOPED_TRACE(hwy::TargetName(target));
+      const OnlyInstructionSet only(target);
+      std::vector<double> distances(setup.table.size());
+      measureBlocks(setup.blocks, body_poses.rows, distances);
+      ASSERT_TRUE(first.empty() ||
+                  std::memcmp(first.data(), distances.data(), first.size() * sizeof(double)) == 0);
+      first = distances;
+      NearestPair nearest;
+      searchBlocks(
+          setup.blocks, body_poses.rows,
+          {setup.element_pair_of, std::vector<unsigned char>(setup.element_pairs.size(), 0)},
+          nearest);
+      const auto least = std::min_element(distances.begin(), distances.end());
+      ASSERT_EQ(nearest.distance, *least);
+      ASSERT_EQ(index(nearest.pair), static_cast<std::size_t>(least - distances.begin()));
+    }
+    for (std::size_t i = 0; i < setup.table.size(); ++i) {
+      const std::size_t a = index(setup.table.pairs()[i].a);
+      const std::size_t b = index(setup.table.pairs()[i].b);
+      ASSERT_NEAR(first[i],
+                  distanceBetween(setup.bodies[a].shape, body_poses.world_from_body[a],
+                                  setup.bodies[b].shape, body_poses.world_from_body[b])
+                      .distance,
+                  1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace collision_monitor::test

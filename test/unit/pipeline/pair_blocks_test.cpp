@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/pipeline/pair_blocks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "collision_monitor/pipeline/run_cycle.h"
+#include "support/hand_made_setup.h"
+#include "support/instruction_sets.h"
+
+namespace collision_monitor::test {
+namespace {
+
+BodyPoses placed(const CycleSetup& setup, const LinkPoses& poses) {
+  BodyPoses body_poses = makeBodyPoses(setup);
+  placeBodies(setup, poses, body_poses);
+  return body_poses;
+}
+
+TEST(MakeBlocks, onePairStandsInOneLane_neighboursShareABlock) {
+  std::vector<ShapeOnLink> shapes;
+  for (std::size_t link = 0; link < 12; ++link) {
+    shapes.push_back({link, Sphere{0.1}});
+  }
+  const CycleSetup setup = handMadeSetup(shapes);
+  std::vector<int> times(setup.table.size(), 0);
+  for (const PairBlock& block : setup.blocks.blocks) {
+    for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
+      if ((block.is_pair >> lane & 1U) != 0) {
+        const BodyPair& pair = setup.table[block.pairs[lane]];
+        EXPECT_EQ(setup.blocks.slot_of[index(pair.a)], block.one);
+        EXPECT_EQ(setup.blocks.slot_of[index(pair.b)], block.first + lane);
+        ++times[index(block.pairs[lane])];
+      }
+    }
+  }
+  EXPECT_EQ(times, std::vector<int>(66, 1));
+  // Body 0 has 11 partners, body 1 ten, body 2 nine: two blocks each; the other eight have one.
+  EXPECT_EQ(setup.blocks.blocks.size(), 14U);
+  EXPECT_EQ(setup.blocks.ranges.size(), 1U);
+}
+
+/// A ball at the origin, a capsule along z from (3, 0, -1) to (3, 0, 1), a cube about (0, 5, 0).
+class BlocksTest : public testing::TestWithParam<std::int64_t> {
+ protected:
+  CycleSetup setup_ =
+      handMadeSetup({{0, Box{{0.5, 0.5, 0.5}}}, {1, Sphere{0.5}}, {2, Capsule{1.0, 0.25}}});
+  LinkPoses poses_ = [this] {
+    LinkPoses poses = knownPoses(setup_);
+    poses.world_from_link[0].translation = {0, 5, 0};
+    poses.world_from_link[2].translation = {3, 0, 0};
+    return poses;
+  }();
+  std::vector<unsigned char> passed_ = std::vector<unsigned char>(3, 0);
+  std::vector<std::uint32_t> groups_ = {0, 1, 2};
+
+  std::vector<double> distances() const {
+    std::vector<double> found(setup_.table.size());
+    measureBlocks(setup_.blocks, placed(setup_, poses_).rows, found);
+    return found;
+  }
+  NearestPair nearest(NearestPair best = {}) const {
+    searchBlocks(setup_.blocks, placed(setup_, poses_).rows, {groups_, passed_}, best);
+    return best;
+  }
+
+ private:
+  OnlyInstructionSet only_{GetParam()};
+};
+
+TEST_P(BlocksTest, everyDistance) {
+  // By kind: ball and capsule, ball and cube, capsule and cube.
+  const std::vector<double> found = distances();
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_NEAR(found[0], 3.0 - 0.5 - 0.25, 1e-12);
+  EXPECT_NEAR(found[1], 4.5 - 0.5, 1e-12);
+  EXPECT_NEAR(found[2], std::hypot(2.5, 4.5) - 0.25, 1e-12);
+}
+
+TEST_P(BlocksTest, nearestPair) {
+  const NearestPair found = nearest();
+  EXPECT_EQ(found.pair, PairId{0});
+  EXPECT_NEAR(found.distance, 2.25, 1e-12);
+}
+
+TEST_P(BlocksTest, pairThatIsPassedOver_isNotFound) {
+  passed_[0] = 1;
+  EXPECT_EQ(nearest().pair, PairId{1});
+}
+
+TEST_P(BlocksTest, nothingNearerThanTheBest_bestStays) {
+  const NearestPair found = nearest({PairId{2}, 2.0});
+  EXPECT_EQ(found.pair, PairId{2});
+  EXPECT_EQ(found.distance, 2.0);
+}
+
+TEST_P(BlocksTest, unknownBody_itsDistancesAreNotNumbersAndItIsNeverNearest) {
+  poses_.status[1] = LinkStatus::stale;
+  const std::vector<double> found = distances();
+  EXPECT_TRUE(std::isnan(found[0]));
+  EXPECT_TRUE(std::isnan(found[1]));
+  EXPECT_EQ(nearest().pair, PairId{2});
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryInstructionSet, BlocksTest, testing::ValuesIn(instructionSets()),
+                         [](const auto& target) { return hwy::TargetName(target.param); });
+
+}  // namespace
+}  // namespace collision_monitor::test
