@@ -58,22 +58,6 @@ std::string fault(const RobotModel& model, const sensor_msgs::JointState& joints
              : "";
 }
 
-std::vector<std::string> findFaults(const RobotModel& model,
-                                    const sensor_msgs::JointState& joints) {
-  if (joints.name.size() != joints.position.size()) {
-    return {"joints has " + std::to_string(joints.name.size()) + " names and " +
-            std::to_string(joints.position.size()) + " positions; give one position for each name"};
-  }
-  std::vector<std::string> faults;
-  for (std::size_t i = 0; i < joints.name.size(); ++i) {
-    const std::string text = fault(model, joints, i);
-    if (!text.empty() && std::find(faults.begin(), faults.end(), text) == faults.end()) {
-      faults.push_back(text);
-    }
-  }
-  return faults;
-}
-
 NamedPositions readPositions(const RobotModel& model, const sensor_msgs::JointState& joints) {
   NamedPositions named{JointPositions(model.variable_count, 0.0),
                        std::vector<unsigned char>(model.variable_count, 0)};
@@ -90,9 +74,25 @@ NamedPositions readPositions(const RobotModel& model, const sensor_msgs::JointSt
 
 }  // namespace
 
+std::vector<std::string> jointFaults(const RobotModel& model,
+                                     const sensor_msgs::JointState& joints) {
+  if (joints.name.size() != joints.position.size()) {
+    return {"joints has " + std::to_string(joints.name.size()) + " names and " +
+            std::to_string(joints.position.size()) + " positions; give one position for each name"};
+  }
+  std::vector<std::string> faults;
+  for (std::size_t i = 0; i < joints.name.size(); ++i) {
+    const std::string text = fault(model, joints, i);
+    if (!text.empty() && std::find(faults.begin(), faults.end(), text) == faults.end()) {
+      faults.push_back(text);
+    }
+  }
+  return faults;
+}
+
 std::vector<std::string> applyJoints(const RobotModel& model, const sensor_msgs::JointState& joints,
                                      LinkPoses& poses) {
-  std::vector<std::string> faults = findFaults(model, joints);
+  std::vector<std::string> faults = jointFaults(model, joints);
   if (!faults.empty()) {
     return faults;
   }

@@ -11,10 +11,14 @@
 
 namespace collision_monitor {
 
+/// What is wrong with `joints`, one sentence each.
+std::vector<std::string> jointFaults(const RobotModel& model,
+                                     const sensor_msgs::JointState& joints);
+
 /// Moves the named joints, and those that mimic them, to the given positions; all other joints
 /// stay where `poses` has them. Fixed joints are taken from the model where `poses` does not
 /// know them, so that a robot whose moving joints are all named is known behind its root.
-/// @return what is wrong with `joints`, one sentence each: `poses` are unchanged then.
+/// @return as jointFaults: `poses` are unchanged if there are any.
 std::vector<std::string> applyJoints(const RobotModel& model, const sensor_msgs::JointState& joints,
                                      LinkPoses& poses);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ros_edge/check_states.h"
 #include "ros_edge/check_trajectory.h"
 #include "ros_edge/get_distances.h"
 #include "ros_edge/startup_report.h"
@@ -23,6 +24,7 @@ Services::Services(const ros::NodeHandle& private_node, const TransformStore& st
   get_distances_ = private_node_.advertiseService("get_distances", &Services::getDistances, this);
   check_trajectory_ =
       private_node_.advertiseService("check_trajectory", &Services::checkTrajectory, this);
+  check_states_ = private_node_.advertiseService("check_states", &Services::checkStates, this);
   set_enabled_ = private_node_.advertiseService("set_enabled", &Services::setEnabled, this);
   reload_ = private_node_.advertiseService("reload", &Services::reload, this);
 }
@@ -53,6 +55,12 @@ bool Services::checkTrajectory(CheckTrajectory::Request& request,
     return ros::ok();
   };
   answerCheckTrajectory(*current, newestPoses(*current), tell, request, response);
+  return true;
+}
+
+bool Services::checkStates(CheckStates::Request& request, CheckStates::Response& response) {
+  const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
+  answerCheckStates(*current, newestPoses(*current), request, response);
   return true;
 }
 

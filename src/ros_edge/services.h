@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <collision_monitor/CheckStates.h>
 #include <collision_monitor/CheckTrajectory.h>
 #include <collision_monitor/GetDistances.h>
 #include <ros/node_handle.h>
@@ -27,8 +28,8 @@ struct ServiceHooks {
   std::function<void(bool)> set_enabled;
 };
 
-/// get_distances, check_trajectory, set_enabled and reload. Run on the callback queue of the node
-/// handle, beside the cycle and without touching its data.
+/// get_distances, check_trajectory, check_states, set_enabled and reload. Run on the callback queue
+/// of the node handle, beside the cycle and without touching its data.
 class Services {
  public:
   /// @pre the stores outlive the services.
@@ -39,6 +40,7 @@ class Services {
   LinkPoses newestPoses(const MonitorSetup& current) const;
   bool getDistances(GetDistances::Request& request, GetDistances::Response& response);
   bool checkTrajectory(CheckTrajectory::Request& request, CheckTrajectory::Response& response);
+  bool checkStates(CheckStates::Request& request, CheckStates::Response& response);
   bool setEnabled(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool reload(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
@@ -49,6 +51,7 @@ class Services {
   std::mutex reload_mutex_;
   ros::ServiceServer get_distances_;
   ros::ServiceServer check_trajectory_;
+  ros::ServiceServer check_states_;
   ros::ServiceServer set_enabled_;
   ros::ServiceServer reload_;
 };

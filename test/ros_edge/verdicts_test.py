@@ -11,7 +11,7 @@ from sensor_msgs.msg import JointState
 from std_srvs.srv import SetBool, Trigger
 
 from collision_monitor.msg import LinkDistance, State, Warning as WarningMessage
-from collision_monitor.srv import GetDistances
+from collision_monitor.srv import CheckStates, GetDistances
 from diagnostic_msgs.msg import DiagnosticArray
 from monitor_probe import NODE, Probe, TwoBoxes
 from visualization_msgs.msg import Marker, MarkerArray
@@ -111,6 +111,17 @@ class Verdicts(TwoBoxes):
         answer = self.service("get_distances", GetDistances)(["rail"], ["box_a"], JointState(), 0.0)
         self.assertFalse(answer.success)
         self.assertIn("rail and box_a (", answer.message)
+
+    def test_checkStates_judgesEveryState_andLeavesTheMonitorAlone(self):
+        answer = self.service("check_states", CheckStates)(
+            ["slide"], [0.3, -0.07, -0.13, float("nan")], False, False)
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual(list(answer.levels),
+                         [State.OK, State.WARNING, State.CONTACT, State.UNKNOWN])
+        for found, expected in zip(answer.distances, [0.4, 0.03, -0.03]):
+            self.assertAlmostEqual(found, expected, places=9)
+        self.assertEqual((answer.links_a[2], answer.links_b[2]), ("box_a", "box_b"))
+        self.assertEqual(self.probe.state.level, State.OK)
 
     def test_setEnabled_warningWhileOff_andOnAgainByItself(self):
         answer = self.service("set_enabled", SetBool)(False)

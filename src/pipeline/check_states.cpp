@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/pipeline/check_states.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "narrow_phase/plain_twin.h"
+#include "pipeline/states_block.h"
+
+namespace collision_monitor {
+namespace {
+
+StatePair statePair(const CycleSetup& setup, std::size_t id) {
+  const BodyPair& bodies = setup.table.pairs()[id];
+  const Limits& limits = setup.checked[setup.link_pair_of[id]].limits;
+  StatePair pair;
+  pair.a = static_cast<std::uint32_t>(index(bodies.a));
+  pair.b = static_cast<std::uint32_t>(index(bodies.b));
+  pair.bounding_radii = setup.bodies[pair.a].bounding_radius + setup.bodies[pair.b].bounding_radius;
+  pair.contact_distance = limits.contact_distance;
+  pair.warning_distance = limits.warning_distance;
+  if (setup.cores[pair.a].kind > setup.cores[pair.b].kind) {
+    std::swap(pair.a, pair.b);
+  }
+  return pair;
+}
+
+void fill(const Eigen::Vector3d& v, StateNumber (&numbers)[3]) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::fill(std::begin(numbers[k].of), std::end(numbers[k].of), v[static_cast<Eigen::Index>(k)]);
+  }
+}
+
+/// The same pose in every state: of a body that no joint moves.
+StatePose everywhere(const Pose& pose) {
+  StatePose state_pose;
+  fill(pose.translation, state_pose.translation);
+  fill(pose.rotation.col(0), state_pose.axis_x);
+  fill(pose.rotation.col(1), state_pose.axis_y);
+  fill(pose.rotation.col(2), state_pose.axis_z);
+  return state_pose;
+}
+
+/// A body's pose; of points and segments only what their kind needs was placed.
+Pose bodyPose(CoreKind kind, const StatePose& pose, std::size_t lane) noexcept {
+  const Pose one = poseOf(pose, lane);
+  return kind == CoreKind::box       ? one
+         : kind == CoreKind::segment ? poseAlong(one.rotation.col(2), one.translation)
+                                     : Pose{Eigen::Matrix3d::Identity(), one.translation};
+}
+
+/// The states from `first` on, as many as a block holds; behind the last one it is repeated.
+void fillVariables(const JointPositions& positions, std::size_t first, StatesWork& work) noexcept {
+  const std::size_t variables = work.plan.variable_count;
+  const std::size_t last = positions.size() / variables - 1;
+  for (std::size_t lane = 0; lane < kStateCount; ++lane) {
+    const double* state = positions.data() + std::min(first + lane, last) * variables;
+    for (std::size_t i = 0; i < variables; ++i) {
+      work.variables[i].of[lane] = state[i];
+    }
+  }
+}
+
+bool isFiniteState(const StatesWork& work, std::size_t lane) noexcept {
+  return std::all_of(work.variables.begin(), work.variables.end(),
+                     [&](const StateNumber& variable) { return std::isfinite(variable.of[lane]); });
+}
+
+StateCheck checkOf(const CycleSetup& setup, const StatesBlock& block, std::size_t lane) noexcept {
+  StateCheck check;
+  check.distance = block.distance.of[lane];
+  check.has_pair = check.distance < std::numeric_limits<double>::infinity();
+  check.pair = idAt<PairId>(static_cast<std::size_t>(block.pair.of[lane]));
+  if (check.has_pair) {
+    const BodyPair& pair = setup.table[check.pair];
+    check.quality = setup.bodies[index(pair.a)].is_exact && setup.bodies[index(pair.b)].is_exact
+                        ? Quality::exact
+                        : Quality::lower_bound;
+  }
+  check.verdict = block.is_contact.of[lane] > 0.0   ? Verdict::contact
+                  : block.is_unknown.of[lane] > 0.0 ? Verdict::unknown
+                  : block.is_warning.of[lane] > 0.0 ? Verdict::warning
+                                                    : Verdict::clear;
+  return check;
+}
+
+/// Poses of all links in state 0 of the block.
+void readLinkPoses(const StatesWork& work, LinkPoses& poses) noexcept {
+  for (std::size_t i = 0; i < work.plan.links.size(); ++i) {
+    const LinkPlace& place = work.plan.links[i];
+    poses.world_from_link[i] = place.frame == MovingFrame::kWorld
+                                   ? place.frame_from_link
+                                   : poseOf(work.frames[place.frame], 0) * place.frame_from_link;
+  }
+}
+
+/// One state as a cycle sees it, with nothing before it.
+StateCheck checkByCycle(const CycleSetup& setup, const JointPositions& positions, std::size_t state,
+                        StatesWork& work) {
+  fillVariables(positions, state, work);
+  placeFrames(work.plan, work.variables, work.frames);
+  readLinkPoses(work, work.poses);
+  resetMemory(work.buffers);
+  runCycle(setup, work.poses, work.buffers);
+  const PairEvents& events = work.buffers.events;
+  StateCheck check;
+  check.verdict = events.overall;
+  if (events.closest_of_all != kNone) {
+    const PairDistance& nearest = work.buffers.distances.measured[events.closest_of_all];
+    check.has_pair = true;
+    check.quality = nearest.quality;
+    check.pair = nearest.pair;
+    check.distance = nearest.measured.distance;
+  }
+  return check;
+}
+
+}  // namespace
+
+StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing) {
+  StatesWork work;
+  work.plan = planKinematics(setup.model, standing);
+  for (const Body& body : setup.bodies) {
+    LinkPlace place = work.plan.links[index(body.link)];
+    place.frame_from_link = place.frame_from_link * body.link_from_body;
+    work.body_places.push_back(place);
+    work.bodies.push_back(everywhere(place.frame_from_link));
+  }
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    work.pairs.push_back(statePair(setup, i));
+  }
+  work.variables.resize(work.plan.variable_count);
+  work.frames.resize(work.plan.frames.size());
+  work.poses = makeLinkPoses(setup.model);
+  std::fill(work.poses.status.begin(), work.poses.status.end(), LinkStatus::known);
+  work.buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
+  work.buffers.refine.limits.budget = std::numeric_limits<std::uint32_t>::max();
+  return work;
+}
+
+double plainStateDistance(const CycleSetup& setup, const StatesWork& work, const StatePair& pair,
+                          std::size_t lane) noexcept {
+  const Core& a = setup.cores[pair.a];
+  const Core& b = setup.cores[pair.b];
+  return plainDistance(a, bodyPose(a.kind, work.bodies[pair.a], lane), b,
+                       bodyPose(b.kind, work.bodies[pair.b], lane))
+      .distance;
+}
+
+void checkStates(const CycleSetup& setup, const JointPositions& positions, StateQuestion question,
+                 StatesWork& work, std::vector<StateCheck>& checks) {
+  const std::size_t variables = work.plan.variable_count;
+  const std::size_t count = variables == 0 ? 0 : positions.size() / variables;
+  checks.resize(count);
+  StatesBlock block;
+  for (std::size_t first = 0; first < count; first += kStateCount) {
+    fillVariables(positions, first, work);
+    placeFrames(work.plan, work.variables, work.frames);
+    judgeBlock(setup, question, work, block);
+    for (std::size_t lane = 0; lane < std::min(kStateCount, count - first); ++lane) {
+      checks[first + lane] = isFiniteState(work, lane) ? checkOf(setup, block, lane) : StateCheck{};
+    }
+  }
+}
+
+void checkStatesExactly(const CycleSetup& setup, const JointPositions& positions,
+                        StateQuestion question, StatesWork& work, std::vector<StateCheck>& checks) {
+  checkStates(setup, positions, question, work, checks);
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    StateCheck& check = checks[i];
+    const bool is_near = check.verdict == Verdict::contact || check.verdict == Verdict::warning;
+    if (is_near && check.quality != Quality::exact) {
+      check = checkByCycle(setup, positions, i, work);
+      if (question == StateQuestion::contact && check.verdict == Verdict::warning) {
+        check.verdict = Verdict::clear;
+      }
+    }
+  }
+}
+
+}  // namespace collision_monitor

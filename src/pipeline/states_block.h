@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/pipeline/check_states.h"
+
+namespace collision_monitor {
+
+/// What a block of states was found to be. Truths are 1 and 0.
+struct StatesBlock {
+  StateNumber distance;  ///< [m] of `pair`; infinite where there is none
+  StateNumber pair;      ///< a PairId
+  StateNumber is_contact;
+  StateNumber is_warning;
+  StateNumber is_unknown;  ///< a pose is not finite
+};
+
+/// Judges the states whose frames stand in `work`.
+void judgeBlock(const CycleSetup& setup, StateQuestion question, StatesWork& work,
+                StatesBlock& block) noexcept;
+
+/// Where the kernel is not sure: state `lane` of a pair of bodies by the plain twin.
+double plainStateDistance(const CycleSetup& setup, const StatesWork& work, const StatePair& pair,
+                          std::size_t lane) noexcept;
+
+}  // namespace collision_monitor

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+#include "collision_monitor/model/kinematics.h"
+#include "collision_monitor/narrow_phase/distance.h"
+#include "collision_monitor/pipeline/check_states.h"
+#include "support/allocation_guard.h"
+#include "support/hand_made_setup.h"
+#include "support/instruction_sets.h"
+#include "support/random_model.h"
+
+// Many states against each state alone, measured pair by pair with the plain routines.
+namespace collision_monitor::test {
+namespace {
+
+constexpr std::uint64_t kSeed = 20260101;
+constexpr std::size_t kStates = 3 * kStateCount + 5;
+
+/// A random tree of any joints, with the shapes of randomSetup on its links.
+CycleSetup randomRobot(unsigned seed) {
+  Random random(seed);
+  CycleSetup setup = randomSetup(3 + random() % 8, seed);
+  const std::size_t links = setup.model.links.size();
+  do {
+    setup.model = randomModel(links, random);
+  } while (setup.model.variable_count == 0);
+  for (Link& link : setup.model.links) {
+    link.has_given_shapes = true;
+  }
+  for (Joint& joint : setup.model.joints) {
+    joint.parent_from_joint.translation *= 0.4;  // crowded
+  }
+  return setup;
+}
+
+JointPositions randomPositions(const CycleSetup& setup, Random& random) {
+  JointPositions positions;
+  for (std::size_t i = 0; i < kStates * setup.model.variable_count; ++i) {
+    positions.push_back(uniform(random, -0.5, 0.5));
+  }
+  return positions;
+}
+
+double leastByPlainTwins(const CycleSetup& setup, const JointPositions& state,
+                         const std::vector<Pose>& roots) {
+  std::vector<Pose> links;
+  placeLinks(setup.model, state, roots, links);
+  double least = std::numeric_limits<double>::infinity();
+  for (const BodyPair& pair : setup.table.pairs()) {
+    const Body& a = setup.bodies[index(pair.a)];
+    const Body& b = setup.bodies[index(pair.b)];
+    least = std::min(least, distanceBetween(a.shape, links[index(a.link)] * a.link_from_body,
+                                            b.shape, links[index(b.link)] * b.link_from_body)
+                                .distance);
+  }
+  return least;
+}
+
+Verdict verdictOf(double distance, const Limits& limits) {
+  return distance <= limits.contact_distance   ? Verdict::contact
+         : distance <= limits.warning_distance ? Verdict::warning
+                                               : Verdict::clear;
+}
+
+bool isSame(const StateCheck& one, const StateCheck& other) {
+  return one.verdict == other.verdict && one.has_pair == other.has_pair && one.pair == other.pair &&
+         std::memcmp(&one.distance, &other.distance, sizeof one.distance) == 0;
+}
+
+TEST(CheckStatesLaws, verdictsAndDistancesAreThoseOfEveryStateAlone_onEveryInstructionSet) {
+  std::size_t contacts = 0;
+  std::size_t clear = 0;
+  for (unsigned round = 0; round < 60; ++round) {
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed + round);
+    const CycleSetup setup = randomRobot(kSeed + round);
+    Random random(kSeed + round);
+    const std::vector<Pose> roots{randomPose(random, 1.0)};
+    const JointPositions positions = randomPositions(setup, random);
+    StatesWork work = makeStatesWork(setup, standingAt(setup.model, roots));
+    std::vector<StateCheck> first;
+    for (const std::int64_t target : instructionSets()) {
+      const OnlyInstructionSet only(target);
+      std::vector<StateCheck> nearest;
+      std::vector<StateCheck> contact;
+      checkStates(setup, positions, StateQuestion::nearest, work, nearest);
+      checkStates(setup, positions, StateQuestion::contact, work, contact);
+      for (std::size_t i = 0; i < kStates; ++i) {
+        ASSERT_EQ(contact[i].verdict == Verdict::contact, nearest[i].verdict == Verdict::contact);
+        ASSERT_TRUE(first.empty() || isSame(first[i], nearest[i])) << hwy::TargetName(target);
+      }
+      first = nearest;
+    }
+    for (std::size_t i = 0; i < kStates; ++i) {
+      const auto begin = positions.begin() + static_cast<long>(i * setup.model.variable_count);
+      const JointPositions state(begin, begin + static_cast<long>(setup.model.variable_count));
+      const double least = leastByPlainTwins(setup, state, roots);
+      ASSERT_NEAR(first[i].distance, least, 1e-12);
+      ASSERT_EQ(first[i].verdict, verdictOf(least, setup.limits));
+      contacts += first[i].verdict == Verdict::contact ? 1 : 0;
+      clear += first[i].verdict == Verdict::clear ? 1 : 0;
+    }
+  }
+  EXPECT_GT(contacts, 100U);
+  EXPECT_GT(clear, 100U);
+}
+
+TEST(CheckStatesLaws, checkingAllocatesNothing) {
+  const CycleSetup setup = randomRobot(kSeed);
+  Random random(kSeed);
+  const JointPositions positions = randomPositions(setup, random);
+  StatesWork work = makeStatesWork(setup, standingAt(setup.model, {Pose{}}));
+  std::vector<StateCheck> checks(kStates);
+  const AllocationGuard guard;
+  checkStates(setup, positions, StateQuestion::nearest, work, checks);
+  checkStatesExactly(setup, positions, StateQuestion::contact, work, checks);
+  EXPECT_EQ(guard.count(), 0U);
+}
+
+}  // namespace
+}  // namespace collision_monitor::test

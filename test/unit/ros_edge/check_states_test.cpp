@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/check_states.h"
+
+#include <collision_monitor/LinkDistance.h>
+#include <collision_monitor/State.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "edge_scene.h"
+
+namespace collision_monitor::test {
+namespace {
+
+class CheckStatesServiceTest : public testing::Test {
+ protected:
+  CheckStates::Response ask() {
+    CheckStates::Response response;
+    answerCheckStates(*setup_, poses_, request_, response);
+    return response;
+  }
+
+  std::shared_ptr<const MonitorSetup> setup_ = slidingSetup();
+  LinkPoses poses_ = slidingPoses(setup_->setup.model, 0.0, 0.25);
+  CheckStates::Request request_;
+};
+
+TEST_F(CheckStatesServiceTest, everyStateIsJudged) {
+  request_.joint_names = {"reach"};
+  request_.positions = {0.0, -0.28, -0.4, std::nan("")};
+  const auto response = ask();
+  ASSERT_TRUE(response.success) << response.message;
+  EXPECT_EQ(response.levels,
+            (std::vector<std::uint8_t>{State::OK, State::WARNING, State::CONTACT, State::UNKNOWN}));
+  EXPECT_NEAR(response.distances[0], 0.3, 1e-12);
+  EXPECT_NEAR(response.distances[1], 0.02, 1e-12);
+  EXPECT_NEAR(response.distances[2], -0.1, 1e-12);
+  EXPECT_TRUE(std::isnan(response.distances[3]));
+  EXPECT_EQ(response.qualities[2], LinkDistance::EXACT);
+  EXPECT_EQ(response.qualities[3], LinkDistance::UNKNOWN);
+  EXPECT_EQ(response.links_a[2], "base");
+  EXPECT_EQ(response.links_b[2], "tool");
+  EXPECT_EQ(response.links_a[3], "");
+  EXPECT_EQ(response.message, "4 states: 1 in contact, 1 unknown");
+}
+
+TEST_F(CheckStatesServiceTest, jointsThatAreNotNamedStayWhereTheyAre) {
+  request_.joint_names = {"slide"};
+  request_.positions = {-0.5, 0.05};
+  const auto response = ask();
+  EXPECT_NEAR(response.distances[0], 0.05, 1e-12) << "reach is at 0.25";
+  EXPECT_NEAR(response.distances[1], 0.6, 1e-12);
+}
+
+TEST_F(CheckStatesServiceTest, statesHoldTheJointsInTheOrderOfTheNames) {
+  request_.joint_names = {"reach", "slide"};
+  request_.positions = {0.1, 0.0, -0.1, 0.0};
+  const auto response = ask();
+  ASSERT_EQ(response.levels.size(), 2U);
+  EXPECT_NEAR(response.distances[0], 0.4, 1e-12);
+  EXPECT_NEAR(response.distances[1], 0.2, 1e-12);
+}
+
+TEST_F(CheckStatesServiceTest, onlyContacts_saysNothingOfTheRest) {
+  request_.joint_names = {"reach"};
+  request_.positions = {-0.28, -0.4};
+  request_.only_contacts = 1;
+  request_.enclosing_shapes = 1;
+  const auto response = ask();
+  EXPECT_EQ(response.levels, (std::vector<std::uint8_t>{State::OK, State::CONTACT}));
+  EXPECT_TRUE(std::isnan(response.distances[0]));
+  EXPECT_EQ(response.links_b[1], "tool");
+}
+
+TEST_F(CheckStatesServiceTest, linkThatCannotBePlaced_isUnknown) {
+  poses_.status[index(linkNamed(setup_->setup.model, "tool"))] = LinkStatus::stale;
+  request_.joint_names = {"slide"};
+  request_.positions = {0.0};
+  EXPECT_EQ(ask().levels[0], State::UNKNOWN);
+  request_.joint_names = {"slide", "reach"};
+  request_.positions = {0.0, 0.25};
+  EXPECT_EQ(ask().levels[0], State::OK) << "a joint that is named needs no pose";
+}
+
+TEST_F(CheckStatesServiceTest, faults_areNamedAndNothingIsChecked) {
+  EXPECT_NE(ask().message.find("joint_names is empty"), std::string::npos);
+  request_.joint_names = {"reach", "slyde", "follow"};
+  request_.positions = {0.0, 1.0};
+  const auto response = ask();
+  EXPECT_FALSE(response.success);
+  EXPECT_NE(response.message.find("there is no joint 'slyde'"), std::string::npos);
+  EXPECT_NE(response.message.find("'follow' follows 'slide'"), std::string::npos);
+  EXPECT_NE(response.message.find("positions has 2 values for 3 joints"), std::string::npos);
+  EXPECT_TRUE(response.levels.empty());
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
