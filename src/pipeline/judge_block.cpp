@@ -111,7 +111,7 @@ void judgeRange(const BlockSearch& search, const PairRange& range, JudgedLanes& 
     const CoreB b(BodyInStates{work.bodies[pair.b], cores[pair.b], search.lane});
     Number distance = coreDistance(a, b).distance;
     distance = hn::Sub(hn::Sub(distance, a.radius), b.radius);
-    if (HWY_UNLIKELY(!hn::AllFalse(Lanes(), hn::And(counts, hn::Ne(distance, distance))))) {
+    if (HWY_UNLIKELY(!hn::AllFalse(Lanes(), hn::AndNot(hn::Eq(distance, distance), counts)))) {
       distance = finished(search, pair, distance);
     }
     judge(search, id, counts, distance, judged);

@@ -112,6 +112,22 @@ TEST_P(CheckStatesTest, unknownHeldJoint_pairsBehindItAreUnknown) {
       << "base and slider are known and touch";
 }
 
+TEST_P(CheckStatesTest, parallelBoxes_areLeftToThePlainTwin) {
+  const std::string cube = "<box size='0.2 0.2 0.2'/>";
+  const CycleSetup setup =
+      buildSetup({describeText(robotXml(rail() + linkXml("a", cube) + linkXml("b", cube) +
+                                        slider("move_a", "a", "0 0 0", "1 0 0") +
+                                        slider("move_b", "b", "1 0 0", "1 0 0")))},
+                 textLoader({}), SetupOptions());
+  StatesWork work = makeStatesWork(setup, standingAt(setup.model, {Pose{}}));
+  std::vector<StateCheck> checks;
+  checkStates(setup, {0, 0, 0, -0.9}, StateQuestion::nearest, work, checks);
+  EXPECT_NEAR(checks[0].distance, 0.8, 1e-12);
+  EXPECT_EQ(checks[0].verdict, Verdict::clear);
+  EXPECT_NEAR(checks[1].distance, -0.1, 1e-12);
+  EXPECT_EQ(checks[1].verdict, Verdict::contact);
+}
+
 TEST_P(CheckStatesTest, noStates_noAnswers) {
   EXPECT_TRUE(check({}, StateQuestion::nearest).empty());
 }
