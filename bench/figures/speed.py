@@ -5,14 +5,24 @@ one benchmark, pinned to one core; medians of several repetitions, of processor 
 benchmark measures it."""
 import argparse
 import json
+import os
 import subprocess
 
 from figure import Figures, shared_data
 
 HUMANOIDS = ("atlas", "icub", "anymal_kinova", "stretch")
 
+INSTRUCTION_SETS = {"AVX3": 1.0, "AVX2": 0.5}  # the share of a goal that each has to reach
+
 # Of each group: its program, then (figure, ours, peer, goal).
 GROUPS = {
+    # Mixed pairs with points, against FCL's distance of separated ones.
+    "pairs": ("pairs_bench", [
+        (f"{pair}, batches, {instructions}", f"{pair}/mixed/batch_{instructions}",
+         f"{pair}/separated/fcl_distance", goal * share)
+        for pair, goal in (("sphere-box", 11.4), ("capsule-capsule", 13.2), ("capsule-box", 61.5),
+                           ("box-box", 21.6))
+        for instructions, share in INSTRUCTION_SETS.items()]),
     "hulls": ("convex_bench", [
         (f"hulls of {n} vertices, {words}", f"hull{n}-hull{n}/{case}/warm",
          f"hull{n}-hull{n}/{case}/{peer}", goal)
@@ -42,6 +52,30 @@ GROUPS = {
          "humanoid_60_links/tf2/manual_time", 1.8)]),
 }
 
+# Goals of collision_monitor_states_bench, which prints a table: of panda, of humanoids.
+STATE_GOALS = {"capsules/one_state_every_distance": (6.0, 20.0),
+               "boxes/one_state_every_distance": (9.0, 10.7),
+               "capsules/many_states_contact": (23.0, None),
+               "capsules/many_states_nearest": (8.0, None)}
+
+
+def add_states(figures):
+    """All distances of one state, and many states with their kinematics."""
+    for instructions, share in INSTRUCTION_SETS.items():
+        run = subprocess.run(
+            ["taskset", "-c", "1", "rosrun", "collision_monitor", "collision_monitor_states_bench",
+             "panda_moveit", "atlas", "icub", "--only", instructions],
+            capture_output=True, text=True, check=False,
+            env=dict(os.environ, COLLISION_MONITOR_SHARED_DATA=str(shared_data())))
+        for line in run.stdout.splitlines():
+            robot, _, figure = line.split()[0].partition("/")
+            goal = STATE_GOALS.get(figure, (None, None))[robot in HUMANOIDS]
+            if goal:
+                ours, peer = (float(time) * 1e3 for time in line.split()[1:])
+                figures.add(f"{robot}: {figure.replace('_', ' ')}, {instructions}", text(ours),
+                            f"{text(peer)}, {peer / ours:.3g}x", f"{goal * share:.3g}x",
+                            peer / ours >= goal * share)
+
 
 def measure(program, names, repetitions):
     """Median nanoseconds of each benchmark of the program."""
@@ -55,7 +89,9 @@ def measure(program, names, repetitions):
     for entry in json.loads(run.stdout)["benchmarks"]:
         if entry["aggregate_name"] == "median":
             kind = "real_time" if entry["run_name"].endswith("/manual_time") else "cpu_time"
-            times[entry["run_name"]] = entry[kind] * scale[entry["time_unit"]]
+            times[entry["run_name"]] = (1e9 / entry["items_per_second"]
+                                        if "items_per_second" in entry
+                                        else entry[kind] * scale[entry["time_unit"]])
     return times
 
 
@@ -68,7 +104,7 @@ def text(nanoseconds):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--group", choices=GROUPS, help="one group only")
+    parser.add_argument("--group", choices=[*GROUPS, "states"], help="one group only")
     parser.add_argument("--repetitions", type=int, default=5)
     arguments = parser.parse_args()
     figures = Figures()
@@ -80,9 +116,13 @@ def main():
         names = {name for row in rows for name in row[1:3]}
         times = measure(program, sorted(names), arguments.repetitions)
         for figure, ours, peer, goal in rows:
+            if ours not in times:
+                continue  # this machine does not have the instruction set
             ratio = times[peer] / times[ours]
             figures.add(figure, text(times[ours]), f"{text(times[peer])}, {ratio:.3g}x",
                         f"{goal:.3g}x", ratio >= goal)
+    if arguments.group in (None, "states"):
+        add_states(figures)
     figures.finish()
 
 

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <ctime>
+#include <vector>
+
+namespace collision_monitor::test {
+
+/// Asks `query` of one item after another, again and again.
+template <class Item, class Query>
+void askInTurn(benchmark::State& state, const std::vector<Item>& items, const Query& query) {
+  std::size_t next = 0;
+  for ([[maybe_unused]] const auto unused : state) {
+    benchmark::DoNotOptimize(query(items[next]));
+    next = next + 1 == items.size() ? 0 : next + 1;
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
+/// The thread's own time [ns], so that what else runs counts little.
+inline double threadTime() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+}
+
+/// Median over several runs of the time of one call of `work` [ns].
+template <class Work>
+double medianTime(const Work& work) {
+  constexpr double kRun = 1e7;  // [ns]
+  constexpr int kRuns = 9;
+  const auto timeOf = [&](int calls) {
+    const double start = threadTime();
+    for (int i = 0; i < calls; ++i) {
+      work();
+    }
+    return threadTime() - start;
+  };
+  const int calls = std::max(1, static_cast<int>(kRun / std::max(1.0, timeOf(1))));
+  std::vector<double> times;
+  for (int run = 0; run < kRuns; ++run) {
+    times.push_back(timeOf(calls) / calls);
+  }
+  std::nth_element(times.begin(), times.begin() + kRuns / 2, times.end());
+  return times[kRuns / 2];
+}
+
+}  // namespace collision_monitor::test
