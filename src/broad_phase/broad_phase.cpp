@@ -2,35 +2,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/broad_phase/broad_phase.h"
 
+#include <algorithm>
+
 #include "collision_monitor/geometry/visit_held.h"
 
 namespace collision_monitor {
 namespace {
 
-void findCandidatesOf(BruteForce&, const BodyBounds& bounds, const PairTable& table,
-                      std::vector<PairId>& candidates) noexcept {
-  candidates.clear();
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const BodyPair& pair = table.pairs()[i];
-    const std::size_t a = index(pair.a);
-    const std::size_t b = index(pair.b);
-    if (bounds.known[a] != 0 && bounds.known[b] != 0 && meets(bounds.boxes[a], bounds.boxes[b])) {
-      candidates.push_back(idAt<PairId>(i));
-    }
+/// Where hashed bins overtake sweep and prune in motion that is not very small.
+constexpr std::size_t kManyBodies = 1000;
+
+using Method = decltype(BroadPhase::method);
+
+Method makeMethod(BroadPhaseKind kind, std::size_t body_count) {
+  switch (kind) {
+    case BroadPhaseKind::automatic:
+      return Automatic(body_count);
+    case BroadPhaseKind::brute_force:
+      return BruteForce(body_count);
+    case BroadPhaseKind::sweep_and_prune:
+      return SweepAndPrune(body_count);
+    case BroadPhaseKind::hashed_bins:
+      return HashedBins(body_count);
+    case BroadPhaseKind::aabb_tree:
+      return AabbTree(body_count);
+    case BroadPhaseKind::neighbour_list:
+      return NeighbourList(body_count);
+    case BroadPhaseKind::combination:
+      if (body_count < kManyBodies) {
+        return SweepAndPrune(body_count);
+      }
+      return HashedBins(body_count);
   }
+  return Automatic(body_count);
 }
 
-void findCandidatesOf(SweepAndPrune& sweep_and_prune, const BodyBounds& bounds,
-                      const PairTable& table, std::vector<PairId>& candidates) noexcept {
-  sweep_and_prune.findCandidates(bounds, table, candidates);
+void fillMeetings(BroadPhase& broad_phase, const BodyBounds& bounds) noexcept {
+  fillSmallBoxes(bounds, broad_phase.boxes);
+  visitHeld([&](auto& method) { method.findMeetings(broad_phase.boxes, broad_phase.meetings); },
+            broad_phase.method);
 }
 
 }  // namespace
 
+BroadPhase makeBroadPhase(BroadPhaseKind kind, std::size_t body_count, std::size_t pair_count) {
+  BroadPhase broad_phase{makeMethod(kind, body_count), {}, {}, {}, {}};
+  broad_phase.boxes.resize(body_count, emptyBox());
+  broad_phase.meetings.reserve(roomForPairs(body_count));
+  broad_phase.scratch.reserve(roomForPairs(body_count));
+  broad_phase.marks.resize(pair_count / 64 + 1, 0);
+  return broad_phase;
+}
+
+void findMeetings(BroadPhase& broad_phase, const BodyBounds& bounds,
+                  std::vector<BodyPair>& meetings) noexcept {
+  fillMeetings(broad_phase, bounds);
+  sortPairs(bounds.boxes.size(), broad_phase.meetings, broad_phase.scratch);
+  meetings.resize(broad_phase.meetings.size());
+  for (std::size_t i = 0; i < meetings.size(); ++i) {
+    const PairKey pair = broad_phase.meetings[i];
+    meetings[i] = {BodyId{lowerBody(pair)}, BodyId{upperBody(pair)}};
+  }
+}
+
+/// Marks are read from the first to the last, which sorts them.
 void findCandidates(BroadPhase& broad_phase, const BodyBounds& bounds, const PairTable& table,
                     std::vector<PairId>& candidates) noexcept {
-  visitHeld([&](auto& chosen) { findCandidatesOf(chosen, bounds, table, candidates); },
-            broad_phase);
+  fillMeetings(broad_phase, bounds);
+  for (const PairKey meeting : broad_phase.meetings) {
+    PairId pair{};
+    if (table.find(BodyId{lowerBody(meeting)}, BodyId{upperBody(meeting)}, pair)) {
+      broad_phase.marks[index(pair) / 64] |= std::uint64_t{1} << (index(pair) % 64);
+    }
+  }
+  candidates.clear();
+  for (std::size_t word = 0; word < broad_phase.marks.size(); ++word) {
+    for (std::uint64_t marks = broad_phase.marks[word]; marks != 0; marks &= marks - 1) {
+      const auto bit = static_cast<std::size_t>(__builtin_ctzll(marks));
+      candidates.push_back(idAt<PairId>(64 * word + bit));
+    }
+    broad_phase.marks[word] = 0;
+  }
 }
 
 }  // namespace collision_monitor

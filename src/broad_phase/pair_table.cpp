@@ -7,6 +7,12 @@
 #include <utility>
 
 namespace collision_monitor {
+namespace {
+
+constexpr std::size_t kMostDenseBodies = 1000;
+constexpr PairId kNoPair{0xffffffffU};
+
+}  // namespace
 
 PairTable::PairTable(std::vector<BodyPair> pairs, std::size_t body_count)
     : pairs_(std::move(pairs)), first_partner_(body_count + 1, 0), body_count_(body_count) {
@@ -27,11 +33,22 @@ PairTable::PairTable(std::vector<BodyPair> pairs, std::size_t body_count)
               partners_.begin() + first_partner_[body + 1],
               [](const Partner& one, const Partner& other) { return one.body < other.body; });
   }
+  if (body_count <= kMostDenseBodies) {
+    dense_.resize(body_count * body_count, kNoPair);
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      dense_[index(pairs_[i].a) * body_count + index(pairs_[i].b)] = idAt<PairId>(i);
+    }
+  }
 }
 
 bool PairTable::find(BodyId one, BodyId other, PairId& id) const noexcept {
   const BodyId a = std::min(one, other);
   const BodyId b = std::max(one, other);
+  if (!dense_.empty()) {
+    const PairId found = dense_[index(a) * body_count_ + index(b)];
+    id = found != kNoPair ? found : id;
+    return found != kNoPair;
+  }
   const auto last = partners_.begin() + first_partner_[index(a) + 1];
   const auto found =
       std::lower_bound(partners_.begin() + first_partner_[index(a)], last, b,

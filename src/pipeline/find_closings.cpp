@@ -15,6 +15,7 @@ void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration
   for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
     const Body& body = setup.bodies[i];
     const std::size_t link = index(body.link);
+    bounds.ahead[i] = 0.0;
     if (bounds.known[i] == 0 || velocities.known[link] == 0) {
       continue;
     }
@@ -22,8 +23,9 @@ void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration
     const Eigen::Vector3d center = poses.world_from_link[link] * body.link_from_body.translation;
     const double speed = velocityAt(own, center).norm() + own.angular.norm() * body.bounding_radius;
     if (std::isfinite(speed)) {
-      bounds.boxes[i].min.array() -= speed * duration;
-      bounds.boxes[i].max.array() += speed * duration;
+      bounds.ahead[i] = speed * duration;
+      bounds.boxes[i].min.array() -= bounds.ahead[i];
+      bounds.boxes[i].max.array() += bounds.ahead[i];
     }
   }
 }

@@ -7,16 +7,6 @@
 namespace collision_monitor {
 namespace {
 
-BroadPhase makeBroadPhase(BroadPhaseKind kind, std::size_t body_count) {
-  switch (kind) {
-    case BroadPhaseKind::brute_force:
-      return BruteForce{};
-    case BroadPhaseKind::sweep_and_prune:
-      return SweepAndPrune(body_count);
-  }
-  return BruteForce{};
-}
-
 void countUnknown(const CycleSetup& setup, const BodyPoses& body_poses,
                   CycleCounters& counters) noexcept {
   counters.unknown_links = 0;
@@ -47,6 +37,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.body_poses = makeBodyPoses(setup);
   buffers.bounds.boxes.resize(bodies);
   buffers.bounds.known.resize(bodies, 0);
+  buffers.bounds.ahead.resize(bodies, 0.0);
   buffers.candidates.reserve(pairs);
   buffers.distances.measured.reserve(pairs);
   buffers.distances.passed.reserve(pairs);
@@ -65,7 +56,8 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.memory.last.known.resize(links, 0);
   buffers.memory.speed.stopped.resize(link_pairs, 0);
   buffers.counters.pairs = pairs;
-  buffers.broad_phase = makeBroadPhase(kind, bodies);
+  buffers.broad_phase = makeBroadPhase(kind, bodies, pairs);
+  buffers.culls_candidates = kind == BroadPhaseKind::combination;
   return buffers;
 }
 
@@ -93,6 +85,10 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   }
   growBounds(setup, poses, setup.ahead.horizon, buffers.bounds);
   findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
+  buffers.counters.candidates = buffers.candidates.size();
+  if (buffers.culls_candidates) {
+    cullCandidates(setup, buffers);
+  }
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
   measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
@@ -103,7 +99,6 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   findClosings(setup, poses, buffers.distances);
   judgePairs(setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
   scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed);
-  buffers.counters.candidates = buffers.candidates.size();
   buffers.counters.measured = buffers.distances.measured.size();
   buffers.counters.refined = buffers.refine.refined;
   buffers.counters.left = buffers.refine.left;

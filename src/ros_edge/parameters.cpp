@@ -117,12 +117,11 @@ void readTiming(ParameterStruct& fields, Parameters& parameters) {
 
 void readBroadPhase(ParameterStruct& fields, Parameters& parameters) {
   std::size_t choice = 0;
-  fields.read("broad_phase", {"auto", "brute_force", "sweep_and_prune"}, choice);
-  if (choice == 1) {
-    parameters.broad_phase = BroadPhaseKind::brute_force;
-  } else if (choice == 2) {
-    parameters.broad_phase = BroadPhaseKind::sweep_and_prune;
-  }
+  fields.read("broad_phase",
+              {"auto", "brute_force", "sweep_and_prune", "hashed_bins", "aabb_tree",
+               "neighbour_list", "combination"},
+              choice);
+  parameters.broad_phase = static_cast<BroadPhaseKind>(choice);
 }
 
 /// How links get their shapes.

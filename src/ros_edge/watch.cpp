@@ -15,8 +15,7 @@ Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformSto
       poses(makeLinkPoses(fixed->setup.model)),
       tracker(makeVelocityTracker(fixed->setup.model)),
       joint_velocities(fixed->setup.model.variable_count),
-      buffers(makeBuffers(
-          fixed->setup, fixed->parameters.broad_phase.value_or(chooseBroadPhase(fixed->setup)))) {}
+      buffers(makeBuffers(fixed->setup, fixed->parameters.broad_phase)) {}
 
 PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
                           JointReader& joints) {
@@ -45,12 +44,6 @@ bool Watch::read(const ros::Time& now) {
 void Watch::forget() {
   resetMemory(buffers);
   resetTracker(tracker);
-}
-
-BroadPhaseKind chooseBroadPhase(const CycleSetup& setup) noexcept {
-  constexpr std::size_t kManyPairs = 500;
-  return setup.table.size() < kManyPairs ? BroadPhaseKind::brute_force
-                                         : BroadPhaseKind::sweep_and_prune;
 }
 
 void findUnknownLinks(const Watch& watch, std::vector<LinkId>& links) {

@@ -50,10 +50,6 @@ struct CycleFacts {
   double cycle_time{0.0};  ///< [s]
 };
 
-/// The broad phase a set-up gets when none is asked for. Below some hundred pairs a pass over the
-/// list costs less than keeping end points sorted.
-BroadPhaseKind chooseBroadPhase(const CycleSetup& setup) noexcept;
-
 /// Links with geometry whose pose is unknown, into `links`.
 void findUnknownLinks(const Watch& watch, std::vector<LinkId>& links);
 

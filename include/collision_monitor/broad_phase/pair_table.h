@@ -42,6 +42,7 @@ class PairTable {
   std::vector<std::uint32_t>
       first_partner_;              ///< by body a: where its partners start; one more at the end
   std::vector<Partner> partners_;  ///< grouped by body a, sorted by body b
+  std::vector<PairId> dense_;  ///< by a and b, for as many bodies as a robot has; empty for more
   std::size_t body_count_{0};
 };
 

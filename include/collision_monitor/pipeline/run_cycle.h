@@ -9,8 +9,6 @@
 
 namespace collision_monitor {
 
-enum class BroadPhaseKind : unsigned char { brute_force, sweep_and_prune };
-
 /// All arrays of one cycle, sized so that no cycle allocates.
 struct CycleBuffers {
   BodyPoses body_poses;
@@ -23,6 +21,7 @@ struct CycleBuffers {
   PairMemory memory;
   CycleCounters counters;
   BroadPhase broad_phase;
+  bool culls_candidates{false};  ///< BroadPhaseKind::combination
 };
 
 /// Sized for the set-up, nothing known.
@@ -52,6 +51,12 @@ void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double re
 /// moving with them, counts for nothing.
 void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration,
                 BodyBounds& bounds) noexcept;
+
+/// Takes out candidates that are farther apart than any stage asks for, also on their way since the
+/// last cycle and within the horizon: by bounding spheres, which do not turn, and what is left by
+/// the separating axes of the boxes about their cores. Counts both. The last two steps of a
+/// combined run.
+void cullCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept;
 
 /// @pre `pairs` is sorted by id and joins known bodies only; `distances` has room for every pair.
 void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,

@@ -51,9 +51,9 @@ struct Parameters {
   SetupOptions setup;       ///< its texts and folders are filled in when it is built
   std::string shape_rules;  ///< file or package:// URI, "" for none
   std::string fit_cache;    ///< folder; "": the usual one; "none": none
-  std::optional<BroadPhaseKind> broad_phase;  ///< none: chosen for the number of pairs
-  double disable_timeout{60.0};               ///< [s]
-  double wait_for_description{5.0};           ///< [s]
+  BroadPhaseKind broad_phase{BroadPhaseKind::automatic};
+  double disable_timeout{60.0};      ///< [s]
+  double wait_for_description{5.0};  ///< [s]
 };
 
 /// Reads the parameters from the struct that the parameter server holds for a namespace.

@@ -63,12 +63,44 @@ void expectSameBytes(const CycleBuffers& one, const CycleBuffers& other) {
   ASSERT_EQ(one.memory.speed.scale, other.memory.speed.scale);
 }
 
+/// A combined run leaves out pairs beyond reach, and nothing else.
+void expectSameWithin(double reach, const CycleBuffers& one, const CycleBuffers& other) {
+  auto next = other.distances.measured.begin();
+  const auto skip_far = [&] {
+    while (next != other.distances.measured.end() && next->measured.distance > reach) {
+      ++next;
+    }
+  };
+  for (const PairDistance& distance : one.distances.measured) {
+    skip_far();
+    if (distance.measured.distance <= reach) {
+      ASSERT_NE(next, other.distances.measured.end());
+      ASSERT_TRUE(sameBytes(distance, *next));
+      ++next;
+    }
+  }
+  skip_far();
+  ASSERT_EQ(next, other.distances.measured.end());
+  ASSERT_EQ(one.events.verdicts, other.events.verdicts);
+  ASSERT_EQ(one.events.changes.size(), other.events.changes.size());
+  ASSERT_EQ(one.events.island_of_link, other.events.island_of_link);
+  ASSERT_EQ(one.distances.passed.size(), other.distances.passed.size());
+  ASSERT_EQ(one.counters.candidates, other.counters.candidates);
+}
+
 TEST(RunCycleProperty, tenThousandCyclesAllocateNothingAndEveryBroadPhaseGivesTheSameBytes) {
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   CycleSetup setup = test::randomSetup(14, kSeed);
   setup.is_continuous = true;
   CycleBuffers brute_force = makeBuffers(setup, BroadPhaseKind::brute_force);
-  CycleBuffers sweep_and_prune = makeBuffers(setup, BroadPhaseKind::sweep_and_prune);
+  std::vector<CycleBuffers> others;
+  for (const BroadPhaseKind kind :
+       {BroadPhaseKind::automatic, BroadPhaseKind::sweep_and_prune, BroadPhaseKind::hashed_bins,
+        BroadPhaseKind::aabb_tree, BroadPhaseKind::neighbour_list}) {
+    others.push_back(makeBuffers(setup, kind));
+  }
+  CycleBuffers combination = makeBuffers(setup, BroadPhaseKind::combination);
+  std::size_t culled = 0;
   LinkPoses poses = test::randomLinkPoses(setup, 0.4, kSeed);
   VelocityTracker tracker = makeVelocityTracker(setup.model);
   Random random(kSeed);
@@ -82,15 +114,23 @@ TEST(RunCycleProperty, tenThousandCyclesAllocateNothingAndEveryBroadPhaseGivesTh
       const test::AllocationGuard guard;
       trackVelocities(setup.model, VelocityOptions(), tracker, poses);
       runCycle(setup, poses, brute_force);
-      runCycle(setup, poses, sweep_and_prune);
+      for (CycleBuffers& other : others) {
+        runCycle(setup, poses, other);
+      }
+      runCycle(setup, poses, combination);
       allocations += guard.count();
     }
-    expectSameBytes(brute_force, sweep_and_prune);
+    for (const CycleBuffers& other : others) {
+      expectSameBytes(brute_force, other);
+    }
+    expectSameWithin(reachOf(setup.limits), brute_force, combination);
+    culled += combination.counters.culled_by_spheres * combination.counters.culled_by_boxes;
     contacts += brute_force.events.island_count;
     passed += brute_force.distances.passed.size();
     slowed += brute_force.memory.speed.scale < 1.0 ? 1 : 0;
   }
   EXPECT_EQ(allocations, 0U);
+  EXPECT_GT(culled, 1000U) << "the combined run culls too little to prove anything";
   EXPECT_GT(contacts, 1000U) << "the scenes are too sparse to prove anything";
   EXPECT_GT(slowed, 1000U) << "nothing closes";
   EXPECT_GT(passed, 10U) << "links move too little to pass each other";

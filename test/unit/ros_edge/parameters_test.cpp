@@ -35,7 +35,7 @@ TEST(Parameters, nothingSet_defaultsAreLegal) {
   EXPECT_TRUE(report.errors.empty());
   EXPECT_EQ(parameters.rate, 100.0);
   EXPECT_EQ(parameters.trigger, Trigger::timer);
-  EXPECT_FALSE(parameters.broad_phase);
+  EXPECT_EQ(parameters.broad_phase, BroadPhaseKind::automatic);
 }
 
 TEST(Parameters, valuesAreRead_integersAreNumbers) {
@@ -44,7 +44,7 @@ TEST(Parameters, valuesAreRead_integersAreNumbers) {
   values["trigger"] = "pose";
   values["max_age"] = 0.2;
   values["limits"]["warning_distance"] = 0.1;
-  values["broad_phase"] = "sweep_and_prune";
+  values["broad_phase"] = "combination";
   values["ignore_default_overlap"] = false;
   SetupReport report;
   const Parameters parameters = readParameters(values, "/m", report);
@@ -53,7 +53,7 @@ TEST(Parameters, valuesAreRead_integersAreNumbers) {
   EXPECT_EQ(parameters.trigger, Trigger::pose);
   EXPECT_EQ(parameters.max_age, 0.2);
   EXPECT_EQ(parameters.setup.limits.warning_distance, 0.1);
-  EXPECT_EQ(parameters.broad_phase, BroadPhaseKind::sweep_and_prune);
+  EXPECT_EQ(parameters.broad_phase, BroadPhaseKind::combination);
   EXPECT_FALSE(parameters.setup.ignore_default_overlap);
 }
 

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/broad_phase/brute_force.h"
+#include "collision_monitor/broad_phase/neighbour_list.h"
+#include "collision_monitor/broad_phase/sweep_and_prune.h"
+
+namespace collision_monitor {
+
+/// Chooses by number of bodies, motion and density: the neighbour list, which says how
+/// coherent the motion is and how many boxes its sweep looks at; brute force for few bodies in
+/// disordered motion; sweep and prune for coherent motion in scenes so crowded that a sweep sees
+/// very many boxes for each body. Looks again after some calls. The rule counts work and not
+/// time, so that the same input takes the same way.
+/// docs/decisions/broad-phase.md has the measurements behind it.
+class Automatic {
+ public:
+  explicit Automatic(std::size_t body_count = 0);
+
+  /// Every pair of boxes that meet, sorted.
+  void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
+
+ private:
+  enum class Way : unsigned char { neighbour_list, brute_force, sweep_and_prune };
+
+  Way chooseWay(std::size_t body_count, std::size_t pair_count) const noexcept;
+
+  NeighbourList neighbour_list_;
+  BruteForce brute_force_;
+  SweepAndPrune sweep_and_prune_;
+  Way way_{Way::neighbour_list};
+  std::size_t calls_{0};  ///< on this way
+};
+
+}  // namespace collision_monitor

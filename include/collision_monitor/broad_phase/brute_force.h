@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/broad_phase/box_rows.h"
+#include "collision_monitor/broad_phase/pair_keys.h"
+
+namespace collision_monitor {
+
+/// Tests every pair, many at a time. The best choice for a robot, where most bodies are near each
+/// other anyway; nothing is kept from call to call.
+class BruteForce {
+ public:
+  explicit BruteForce(std::size_t body_count);
+
+  /// Every pair of boxes that meet, sorted.
+  void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
+
+ private:
+  BoxRows rows_;
+  std::vector<std::uint32_t> hits_;
+};
+
+}  // namespace collision_monitor

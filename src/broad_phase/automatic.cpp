@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/broad_phase/automatic.h"
+
+namespace collision_monitor {
+namespace {
+
+// Measured: docs/decisions/broad-phase.md.
+constexpr std::size_t kVeryFewBodies = 40;
+constexpr std::size_t kFewBodies = 600;
+constexpr std::size_t kMuchWork = 250;  ///< rows seen for each body
+constexpr std::size_t kManyPairs = 4;   ///< for each body
+
+/// The first calls of the list know nothing of the motion.
+constexpr std::size_t kTrialCalls = 3;
+constexpr std::size_t kCallsUntilNextTrial = 100;
+
+}  // namespace
+
+Automatic::Automatic(std::size_t body_count)
+    : neighbour_list_(body_count), brute_force_(body_count), sweep_and_prune_(body_count) {}
+
+Automatic::Way Automatic::chooseWay(std::size_t body_count, std::size_t pair_count) const noexcept {
+  if (!neighbour_list_.isCoherent()) {
+    return body_count <= kFewBodies ? Way::brute_force : Way::neighbour_list;
+  }
+  const bool is_crowded =
+      neighbour_list_.work() > kMuchWork * body_count && pair_count > kManyPairs * body_count;
+  return is_crowded ? Way::sweep_and_prune : Way::neighbour_list;
+}
+
+void Automatic::findMeetings(const std::vector<SmallBox>& boxes,
+                             std::vector<PairKey>& found) noexcept {
+  const Way way = boxes.size() <= kVeryFewBodies ? Way::brute_force : way_;
+  ++calls_;
+  switch (way) {
+    case Way::brute_force:
+      brute_force_.findMeetings(boxes, found);
+      break;
+    case Way::sweep_and_prune:
+      sweep_and_prune_.findMeetings(boxes, found);
+      break;
+    case Way::neighbour_list:
+      neighbour_list_.findMeetings(boxes, found);
+      if (calls_ >= kTrialCalls) {
+        way_ = chooseWay(boxes.size(), found.size());
+        calls_ = way_ == way ? calls_ : 0;
+      }
+      return;
+  }
+  const bool is_disordered = way == Way::sweep_and_prune && calls_ > 1 && sweep_and_prune_.isAnew();
+  if (calls_ >= kCallsUntilNextTrial || is_disordered) {
+    way_ = Way::neighbour_list;
+    calls_ = 0;
+  }
+}
+
+}  // namespace collision_monitor
