@@ -176,7 +176,7 @@ class BvhBuilder {
     std::nth_element(first, first + half, first + range.count(), [&](const Item& a, const Item& b) {
       return a.middle()[axis] < b.middle()[axis];
     });
-    const Range second = rangeOf(range.first + half, range.count() - half);
+    Range second = rangeOf(range.first + half, range.count() - half);
     range = rangeOf(range.first, half);
     return second;
   }
