@@ -4,7 +4,6 @@
 
 #include <BulletCollision/BroadphaseCollision/btAxisSweep3.h>
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
-#include <fcl/broadphase/broadphase_SSaP.h>
 #include <fcl/broadphase/broadphase_SaP.h>
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/broadphase/broadphase_spatialhash.h>
@@ -114,20 +113,20 @@ class BulletContender : public Contender {
 }  // namespace
 
 std::vector<std::string> peerNames() {
-  return {"fcl_tree",         "fcl_tree_anew", "fcl_sap",     "fcl_sap_anew",
+  return {"fcl_tree",         "fcl_tree_anew", "fcl_sap",
           "fcl_spatial_hash", "bullet_dbvt",   "bullet_sweep"};
 }
 
 std::unique_ptr<Contender> makePeer(const std::string& name, const BoxScene& scene) {
   const double far = 0.5 * scene.side() + 40.0;
-  const bool is_anew = name == "fcl_tree_anew" || name == "fcl_sap_anew";
   if (name == "fcl_tree" || name == "fcl_tree_anew") {
     return std::make_unique<FclContender>(
-        std::make_unique<fcl::DynamicAABBTreeCollisionManager<double>>(), scene, is_anew);
+        std::make_unique<fcl::DynamicAABBTreeCollisionManager<double>>(), scene,
+        name == "fcl_tree_anew");
   }
-  if (name == "fcl_sap" || name == "fcl_sap_anew") {
+  if (name == "fcl_sap") {
     return std::make_unique<FclContender>(std::make_unique<fcl::SaPCollisionManager<double>>(),
-                                          scene, is_anew);
+                                          scene, false);
   }
   if (name == "fcl_spatial_hash") {
     const auto corner = Eigen::Vector3d::Constant(far).eval();

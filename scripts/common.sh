@@ -29,7 +29,7 @@ library_packages=(
 )
 test_packages=(
   libgtest-dev librapidcheck-dev liburdfdom-dev liburdfdom-headers-dev
-  nlohmann-json3-dev libbenchmark-dev
+  nlohmann-json3-dev libbenchmark-dev libbullet-dev
 )
 debian_ros_packages=(
   ros-base-dev ros-robot-dev catkin rosbash python3-rosgraph python3-roslaunch python3-rospy

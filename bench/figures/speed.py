@@ -8,6 +8,7 @@ import json
 import os
 import subprocess
 
+import broad_phase
 from figure import Figures, shared_data
 
 HUMANOIDS = ("atlas", "icub", "anymal_kinova", "stretch")
@@ -104,7 +105,7 @@ def text(nanoseconds):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--group", choices=[*GROUPS, "states"], help="one group only")
+    parser.add_argument("--group", choices=[*GROUPS, "states", "broad_phase"], help="one group only")
     parser.add_argument("--repetitions", type=int, default=5)
     arguments = parser.parse_args()
     figures = Figures()
@@ -123,6 +124,8 @@ def main():
                         f"{goal:.3g}x", ratio >= goal)
     if arguments.group in (None, "states"):
         add_states(figures)
+    if arguments.group in (None, "broad_phase"):
+        broad_phase.add_rows(figures)
     figures.finish()
 
 
