@@ -50,7 +50,7 @@ const StoredMesh& MeshStore::find(const std::string& name, const std::string& di
     throw std::runtime_error("a relative mesh name needs a description read from a file");
   } else {
     for (const std::string& folder : foldersOf(directory)) {
-      uris.push_back(normalised(folder + "/" + name));
+      uris.push_back(normalised(std::string(folder).append("/").append(name)));
     }
   }
   for (const std::string& uri : uris) {
