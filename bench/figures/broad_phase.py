@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """All pairs of boxes that meet, a frame: `automatic` against FCL.
 
-The measure of all rows is FCL at its best, which is coherent motion: in random motion its time
-depends on whether one knows to register all objects anew, and at 100,000 there is none."""
+FCL is taken at its best in the same scene: updated, or with all objects registered anew. With
+100,000 boxes in random motion nothing of it ends in time, and its coherent motion stands in."""
 import argparse
+import math
 import subprocess
 
 from figure import Figures
@@ -12,10 +13,10 @@ from figure import Figures
 PROGRAM = ["taskset", "-c", "1", "rosrun", "collision_monitor",
            "collision_monitor_broad_phase_bench"]
 FCL = ("fcl_tree", "fcl_tree_anew", "fcl_sap")
-# How many times as fast as FCL with coherent motion.
+# How many times as fast as FCL.
 GOALS = {("coherent", 100): 3.9, ("coherent", 1000): 4.4, ("coherent", 10000): 3.1,
-         ("coherent", 100000): 3.7, ("random", 100): 1.9, ("random", 1000): 2.2,
-         ("random", 10000): 1.7, ("random", 100000): 2.0}
+         ("coherent", 100000): 3.7, ("random", 100): 6.7, ("random", 1000): 7.9,
+         ("random", 10000): 24.7, ("random", 100000): 2.0}
 STYLES = {"fcl_tree": "--", "fcl_tree_anew": "--", "fcl_sap": "--",
           "fcl_spatial_hash": "--", "bullet_dbvt": ":", "bullet_sweep": ":"}
 
@@ -34,11 +35,10 @@ def add_rows(figures):
     times = {**measure("coherent"), **measure("random")}
     for (scene, number), goal in GOALS.items():
         ours = times[(scene, number)]["automatic"]
-        coherent = times[("coherent", number)]
-        fcl = min(coherent[method] for method in FCL if method in coherent)
+        peers = {method: time for method, time in times[(scene, number)].items() if method in FCL}
+        fcl = min((peers or times[("coherent", number)]).get(method, math.inf) for method in FCL)
         figures.add(f"broad phase, {scene}, {number} boxes", f"{ours:.1f} us", f"{fcl:.1f} us",
-                    f"{fcl / ours:.1f} times as fast as FCL coherent, {goal} wanted",
-                    fcl / ours >= goal)
+                    f"{fcl / ours:.1f} times as fast as FCL, {goal} wanted", fcl / ours >= goal)
 
 
 def plot(file):
