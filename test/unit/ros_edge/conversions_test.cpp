@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "edge_scene.h"
-#include "ros_edge/markers.h"
 #include "ros_edge/sentences.h"
 
 namespace collision_monitor::test {
@@ -279,53 +278,6 @@ TEST_F(ConversionsTest, boundsAreCalledBounds) {
   distance.measured.distance = -0.003;
   EXPECT_EQ(distanceSentence(setup_->setup, distance),
             "base overlaps tool by 3.0 mm (enclosing shapes)");
-}
-
-/// The markers of one array with this namespace and action.
-std::size_t count(const visualization_msgs::MarkerArray& array, const std::string& name_space,
-                  int action) {
-  return static_cast<std::size_t>(std::count_if(
-      array.markers.begin(), array.markers.end(), [&](const visualization_msgs::Marker& marker) {
-        return marker.ns == name_space && marker.action == action;
-      }));
-}
-
-TEST_F(ConversionsTest, markers_ofAContact_areDeletedWhenItEnds) {
-  using visualization_msgs::Marker;
-  const auto watch = watchAt(-0.34);
-  Markers markers(*watch);
-  const auto first = markers.draw(*watch);
-  EXPECT_EQ(first.markers.front().action, Marker::DELETEALL);
-  EXPECT_EQ(count(first, "shapes", Marker::ADD), 4U);
-  EXPECT_EQ(count(first, "contacts", Marker::ADD), 2U);
-  EXPECT_EQ(count(first, "distances", Marker::ADD), 1U);
-  EXPECT_EQ(count(first, "labels", Marker::ADD), 1U);
-  for (const Marker& marker : first.markers) {
-    EXPECT_EQ(marker.header.stamp, ros::Time(12.5));
-    EXPECT_EQ(marker.header.frame_id, "base");
-  }
-  const auto second = markers.draw(*watchAt(0.25));
-  EXPECT_EQ(count(second, "contacts", Marker::DELETE), 2U);
-  EXPECT_EQ(count(second, "contacts", Marker::ADD), 0U);
-  const auto third = markers.draw(*watchAt(0.25));
-  EXPECT_EQ(count(third, "contacts", Marker::DELETE), 0U) << "once is enough";
-}
-
-TEST_F(ConversionsTest, markers_ofAnUnknownLink_areGreyWhereItWasSeen) {
-  const auto known = watchAt(0.25);
-  Markers markers(*known);
-  markers.draw(*known);
-  const auto array = markers.draw(*watchWithout("tool"));
-  const std::size_t tool = 2;  // base, slider, tool, finger
-  std::size_t seen = 0;
-  for (const auto& marker : array.markers) {
-    if (marker.ns == "shapes" && marker.id == static_cast<int>(tool)) {
-      EXPECT_EQ(marker.color.r, marker.color.g);
-      EXPECT_NEAR(marker.pose.position.x, 0.75, 1e-12);
-      ++seen;
-    }
-  }
-  EXPECT_EQ(seen, 1U);
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/markers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "edge_scene.h"
+
+namespace collision_monitor::test {
+namespace {
+
+class MarkersTest : public testing::Test {
+ protected:
+  /// base and tool are 0.3 m + reach apart.
+  LinkPoses posesAt(double reach) const { return slidingPoses(setup_->setup.model, 0.0, reach); }
+  std::unique_ptr<Watch> watch(const LinkPoses& poses) { return judged(setup_, store_, poses); }
+
+  TransformStore store_;
+  std::shared_ptr<const MonitorSetup> setup_ = slidingSetup();
+};
+
+/// The markers of one array with this namespace and action.
+std::size_t count(const visualization_msgs::MarkerArray& array, const std::string& name_space,
+                  int action) {
+  return static_cast<std::size_t>(std::count_if(
+      array.markers.begin(), array.markers.end(), [&](const visualization_msgs::Marker& marker) {
+        return marker.ns == name_space && marker.action == action;
+      }));
+}
+
+TEST_F(MarkersTest, ofAContact_areDeletedWhenItEnds) {
+  using visualization_msgs::Marker;
+  const auto touching = watch(posesAt(-0.34));
+  Markers markers(*touching);
+  const auto first = markers.draw(*touching);
+  EXPECT_EQ(first.markers.front().action, Marker::DELETEALL);
+  EXPECT_EQ(count(first, "shapes", Marker::ADD), 4U);
+  EXPECT_EQ(count(first, "contacts", Marker::ADD), 2U);
+  EXPECT_EQ(count(first, "distances", Marker::ADD), 1U);
+  EXPECT_EQ(count(first, "labels", Marker::ADD), 1U);
+  for (const Marker& marker : first.markers) {
+    EXPECT_EQ(marker.header.stamp, ros::Time(12.5));
+    EXPECT_EQ(marker.header.frame_id, "base");
+  }
+  const auto second = markers.draw(*watch(posesAt(0.25)));
+  EXPECT_EQ(count(second, "contacts", Marker::DELETE), 2U);
+  EXPECT_EQ(count(second, "contacts", Marker::ADD), 0U);
+  const auto third = markers.draw(*watch(posesAt(0.25)));
+  EXPECT_EQ(count(third, "contacts", Marker::DELETE), 0U) << "once is enough";
+}
+
+TEST_F(MarkersTest, ofAnUnknownLink_areGreyWhereItWasSeen) {
+  const auto known = watch(posesAt(0.25));
+  Markers markers(*known);
+  markers.draw(*known);
+  LinkPoses poses = posesAt(0.25);
+  poses.status[index(linkNamed(setup_->setup.model, "tool"))] = LinkStatus::missing;
+  poses.world_from_link[index(linkNamed(setup_->setup.model, "tool"))].translation.x() = 9.0;
+  const auto array = markers.draw(*watch(poses));
+  const std::size_t tool = 2;  // base, slider, tool, finger
+  std::size_t seen = 0;
+  for (const auto& marker : array.markers) {
+    if (marker.ns == "shapes" && marker.id == static_cast<int>(tool)) {
+      EXPECT_EQ(marker.color.r, marker.color.g);
+      EXPECT_NEAR(marker.pose.position.x, 0.75, 1e-12);
+      ++seen;
+    }
+  }
+  EXPECT_EQ(seen, 1U);
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
