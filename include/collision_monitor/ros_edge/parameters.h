@@ -4,7 +4,6 @@
 
 #include <xmlrpcpp/XmlRpcValue.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
