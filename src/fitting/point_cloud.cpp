@@ -15,14 +15,37 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-std::size_t farthestAlong(const Points& points, const Eigen::Vector3d& direction) {
-  std::size_t farthest = 0;
-  double reach = points[0].dot(direction);
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const double value = points[i].dot(direction);
-    if (value > reach) {
-      reach = value;
-      farthest = i;
+constexpr std::size_t kBlock = 64;
+
+/// Some of the points in columns of x, y and z. Those beyond the last repeat it.
+using Block = Eigen::Array<double, kBlock, 3>;
+
+Block blockOf(const Points& points, std::size_t first) {
+  Block block;
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const std::size_t from = std::min(first + i, points.size() - 1);
+    block.row(static_cast<Eigen::Index>(i)) = points[from].transpose();
+  }
+  return block;
+}
+
+auto reachesAlong(const Eigen::Vector3d& direction, const Block& block) {
+  return block.col(0) * direction.x() +
+         (block.col(1) * direction.y() + block.col(2) * direction.z());
+}
+
+/// For each direction the first point that is farthest along it.
+std::vector<std::size_t> farthestPoints(const Points& points, const Points& directions) {
+  std::vector<std::size_t> farthest(directions.size(), 0);
+  std::vector<double> reach(directions.size(), -std::numeric_limits<double>::infinity());
+  for (std::size_t first = 0; first < points.size(); first += kBlock) {
+    const Block block = blockOf(points, first);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      if (reachesAlong(directions[i], block).maxCoeff() > reach[i]) {
+        Eigen::Index place = 0;
+        reach[i] = reachesAlong(directions[i], block).maxCoeff(&place);
+        farthest[i] = first + static_cast<std::size_t>(place);
+      }
     }
   }
   return farthest;
@@ -56,15 +79,10 @@ std::vector<FacePlane> planesOf(const TriangleMesh& hull, double extent) {
 
 /// The points that are beyond one of the planes by more than `hair`.
 Points beyondPlanes(const Points& points, const std::vector<FacePlane>& planes, double hair) {
-  constexpr std::size_t kBlock = 64;
-  Eigen::Array<double, kBlock, 3> block;
   Eigen::Array<double, kBlock, 1> excess;
   Points beyond;
   for (std::size_t first = 0; first < points.size(); first += kBlock) {
-    for (std::size_t i = 0; i < kBlock; ++i) {
-      const std::size_t from = std::min(first + i, points.size() - 1);
-      block.row(static_cast<Eigen::Index>(i)) = points[from].transpose();
-    }
+    const Block block = blockOf(points, first);
     excess.setConstant(-std::numeric_limits<double>::infinity());
     for (const auto& plane : planes) {
       excess = excess.max(block.col(0) * plane.normal.x() + block.col(1) * plane.normal.y() +
@@ -146,10 +164,7 @@ Eigen::Matrix3d principalAxes(const Points& points) {
 }
 
 Points extremePoints(const Points& points, const Points& directions) {
-  std::vector<std::size_t> chosen;
-  for (const auto& direction : directions) {
-    chosen.push_back(farthestAlong(points, direction));
-  }
+  std::vector<std::size_t> chosen = farthestPoints(points, directions);
   std::sort(chosen.begin(), chosen.end());
   chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   Points result;
