@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/markers.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "ros_edge/conversions.h"
 #include "ros_edge/marker_shapes.h"
 #include "ros_edge/sentences.h"
@@ -16,6 +19,34 @@ constexpr double kLineWidth = 0.004;
 constexpr double kPointSize = 0.015;
 constexpr double kNormalLength = 0.08;
 constexpr double kTextHeight = 0.035;
+constexpr double kTextWidth = 8.0 * kTextHeight;  // of ">= 35 mm", with some room
+
+/// As in docs/interfaces.md: a lower bound may be less than the distance, an estimate more.
+std::string labelOf(const PairDistance& distance) {
+  const char* relation = distance.quality == Quality::lower_bound ? ">= "
+                         : distance.quality == Quality::estimate  ? "<= "
+                                                                  : "";
+  const double value = distance.measured.distance;
+  return relation + std::string(value < 0.0 ? "-" : "") + lengthText(value);
+}
+
+bool hides(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
+  return std::abs(one.z() - other.z()) < kTextHeight && (one - other).head<2>().norm() < kTextWidth;
+}
+
+/// Where a label can be read: above those that it would lie on. Takes the place.
+Eigen::Vector3d takePlace(const Eigen::Vector3d& wanted, std::vector<Eigen::Vector3d>& taken) {
+  std::sort(taken.begin(), taken.end(),
+            [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.z() < b.z(); });
+  Eigen::Vector3d place = wanted;
+  for (const Eigen::Vector3d& other : taken) {
+    if (hides(place, other)) {
+      place.z() = other.z() + 1.2 * kTextHeight;
+    }
+  }
+  taken.push_back(place);
+  return place;
+}
 
 }  // namespace
 
@@ -105,12 +136,14 @@ void Markers::addContacts(const Watch& watch) {
 void Markers::addDistances(const Watch& watch) {
   const CycleSetup& setup = watch.setup();
   const PairEvents& events = watch.buffers.events;
+  label_places_.clear();
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     const std::uint32_t place = events.closest[i];
     if (place == kNone) {
       continue;
     }
-    const SignedDistance& measured = watch.buffers.distances.measured[place].measured;
+    const PairDistance& distance = watch.buffers.distances.measured[place];
+    const SignedDistance& measured = distance.measured;
     if (place != events.closest_of_all &&
         measured.distance > setup.checked[i].limits.report_distance) {
       continue;
@@ -121,11 +154,15 @@ void Markers::addDistances(const Watch& watch) {
     toMessage(measured.point_on_b, line.points[1]);
     line.scale.x = kLineWidth;
     line.color = colourOf(events.verdicts[i], 1.0F);
+    if (events.verdicts[i] == Verdict::clear && place != events.closest_of_all) {
+      continue;
+    }
     Marker& label = add("labels", static_cast<int>(i), Marker::TEXT_VIEW_FACING);
-    toMessage(0.5 * (measured.point_on_a + measured.point_on_b), label.pose.position);
+    toMessage(takePlace(0.5 * (measured.point_on_a + measured.point_on_b), label_places_),
+              label.pose.position);
     label.scale.z = kTextHeight;
-    label.color.r = label.color.g = label.color.b = label.color.a = 1.0F;
-    label.text = (measured.distance < 0.0 ? "-" : "") + lengthText(measured.distance);
+    label.color = colourOf(events.verdicts[i], 1.0F);  // of its line
+    label.text = labelOf(distance);
   }
 }
 

@@ -17,8 +17,9 @@ namespace collision_monitor {
 ///
 /// Namespaces: `shapes` (id = body; green clear, yellow warning, red contact, grey
 /// unknown where the link was last seen), `contacts` (ids 2 n and 2 n + 1 = point and normal of
-/// pair n of bodies), `distances` and `labels` (id = pair of links). A marker whose reason is gone
-/// is deleted. Shapes are triangulated once, at set-up.
+/// pair n of bodies), `distances` (id = pair of links) and `labels` (the same; of pairs that
+/// are not clear and of the closest; ">= " stands before a lower bound, "<= " before an estimate).
+/// A marker whose reason is gone is deleted. Shapes are triangulated once, at set-up.
 class Markers {
  public:
   /// The first array deletes what another set-up may have left.
@@ -40,6 +41,7 @@ class Markers {
   std::vector<unsigned char> was_seen_;             ///< by BodyId
   visualization_msgs::MarkerArray array_;
   std_msgs::Header header_;
+  std::vector<Eigen::Vector3d> label_places_;  ///< of this array, in the world
   std::set<Key> shown_;
   std::set<Key> drawn_;
   bool is_first_{true};

@@ -9,7 +9,7 @@
 
 namespace collision_monitor::test {
 
-std::shared_ptr<const MonitorSetup> slidingSetup() {
+std::shared_ptr<const MonitorSetup> slidingSetup(const SetupOptions& options) {
   const std::string cube = "<box size='0.2 0.2 0.2'/>";
   const std::string along_x =
       "<axis xyz='1 0 0'/><limit lower='-9' upper='9' velocity='1' effort='1'/>";
@@ -23,7 +23,7 @@ std::shared_ptr<const MonitorSetup> slidingSetup() {
                    "<mimic joint='slide' multiplier='2' offset='0.1'/>") +
       jointXml("mast", "fixed", "base", "antenna");
   auto made = std::make_shared<MonitorSetup>();
-  made->setup = buildSetup({describeText(robotXml(xml))}, textLoader({}), SetupOptions());
+  made->setup = buildSetup({describeText(robotXml(xml))}, textLoader({}), options);
   made->world_frame = "base";
   return made;
 }

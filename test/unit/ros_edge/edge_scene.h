@@ -16,7 +16,7 @@ namespace collision_monitor::test {
 /// and an antenna without geometry on the base.
 /// base to tool: 0.3 + slide + reach. base to finger: 0.8 while 3 * slide + 0.1 is within 0.2.
 /// Checked pairs: base and tool, base and finger, tool and finger.
-std::shared_ptr<const MonitorSetup> slidingSetup();
+std::shared_ptr<const MonitorSetup> slidingSetup(const SetupOptions& options = SetupOptions());
 
 /// All links known, with the stamp 12.5 s.
 LinkPoses slidingPoses(const RobotModel& model, double slide, double reach);

@@ -71,5 +71,48 @@ TEST_F(MarkersTest, ofAnUnknownLink_areGreyWhereItWasSeen) {
   EXPECT_EQ(seen, 1U);
 }
 
+/// base, tool and finger side by side at x = 0, 0.16 and 0.1: the labels of finger's two pairs, 0.8
+/// m wide, would lie on each other.
+TEST_F(MarkersTest, ofPairsSideBySide_haveLabelsAboveEachOther) {
+  SetupOptions options;
+  options.limits.report_distance = options.limits.warning_distance = 1.0;
+  setup_ = slidingSetup(options);
+  const auto near = watch(posesAt(-0.34));
+  Markers markers(*near);
+  std::vector<visualization_msgs::Marker> labels;
+  for (const auto& marker : markers.draw(*near).markers) {
+    if (marker.ns == "labels") {
+      labels.push_back(marker);
+    }
+  }
+  ASSERT_EQ(labels.size(), 3U);
+  EXPECT_EQ(labels[0].text, "-40 mm");
+  EXPECT_EQ(labels[1].text, "800 mm");
+  EXPECT_EQ(labels[2].text, "800 mm");
+  EXPECT_GE(std::abs(labels[1].pose.position.z - labels[2].pose.position.z),
+            0.99 * labels[1].scale.z);
+}
+
+TEST_F(MarkersTest, ofClearPairs_haveNoLabelButTheClosest) {
+  SetupOptions options;
+  options.limits.report_distance = 1.0;
+  setup_ = slidingSetup(options);
+  const auto near = watch(posesAt(-0.34));
+  const auto array = Markers(*near).draw(*near);
+  EXPECT_EQ(count(array, "distances", visualization_msgs::Marker::ADD), 3U);
+  EXPECT_EQ(count(array, "labels", visualization_msgs::Marker::ADD), 1U);
+}
+
+TEST_F(MarkersTest, ofABound_sayThatItIsOne) {
+  const auto near = watch(posesAt(-0.25));
+  const auto labelText = [&](Quality quality) {
+    near->buffers.distances.measured.front().quality = quality;
+    return Markers(*near).draw(*near).markers.back().text;
+  };
+  EXPECT_EQ(labelText(Quality::exact), "50 mm");
+  EXPECT_EQ(labelText(Quality::lower_bound), ">= 50 mm");
+  EXPECT_EQ(labelText(Quality::estimate), "<= 50 mm");
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
