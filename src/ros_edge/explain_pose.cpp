@@ -32,6 +32,14 @@ std::string explainAge(double age, double max_age, const std::string& what) {
          (is_suspicious ? "; if this is a recording, is use_sim_time set?" : "");
 }
 
+/// Whoever sends transforms without a stamp wonders why none arrives.
+std::string refused(const TransformStore& store) {
+  const std::uint64_t count = store.refusedWithoutStamp();
+  return count == 0 ? ""
+                    : "; refused for want of a stamp: " + std::to_string(count) +
+                          (count == 1 ? " transform" : " transforms");
+}
+
 }  // namespace
 
 /// Of a link that a joint places, or should.
@@ -77,7 +85,7 @@ std::string PoseReader::explain(LinkId link) const {
       return "the transform to '" + cause->child_frame + "' is not finite or no rotation";
     default:
       return std::string(cause->is_connected ? "no usable" : "no") + " transform from '" +
-             cause->parent_frame + "' to '" + cause->child_frame + "' yet";
+             cause->parent_frame + "' to '" + cause->child_frame + "' yet" + refused(store_);
   }
 }
 
