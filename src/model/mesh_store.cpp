@@ -47,7 +47,9 @@ const StoredMesh& MeshStore::find(const std::string& name, const std::string& di
   if (!isRelative(name)) {
     uris.push_back(name);
   } else if (directory.empty()) {
-    throw std::runtime_error("a relative mesh name needs a description read from a file");
+    throw std::runtime_error(
+        "a relative mesh name needs a description read from a file, or the monitor's "
+        "mesh_directory");
   } else {
     for (const std::string& folder : foldersOf(directory)) {
       uris.push_back(normalised(std::string(folder).append("/").append(name)));

@@ -154,7 +154,10 @@ TEST(UrdfFaults, meshes) {
        {at + "mesh 'package://p/x.stl': no file package://p/x.stl" + readable}},
       {"relative",
        robotXml(linkXml("a", "<mesh filename='x.stl'/>")),
-       {at + "mesh 'x.stl': a relative mesh name needs a description read from a file" + readable}},
+       {at +
+        "mesh 'x.stl': a relative mesh name needs a description read from a "
+        "file, or the monitor's mesh_directory" +
+        readable}},
       {"no name",
        robotXml(linkXml("a", "<mesh/>")),
        {at + "<mesh> without filename; accepted: filename=\"...\" that is not blank"}},
