@@ -145,4 +145,20 @@ RobotDescription describe(const RobotFile& robot) {
   return description;
 }
 
+void forAllMeshes(
+    const std::function<void(const TriangleMesh& mesh, const std::string& name)>& visit) {
+  for (const RobotFile& robot : allRobotFiles()) {
+    SetupReport report;
+    const RobotModel model = readRobots({describe(robot)}, fileLoader(robot.package_root), report);
+    for (const Link& link : model.links) {
+      for (const CollisionElement& element : link.collisions) {
+        const auto* mesh = std::get_if<TriangleMesh>(&element.geometry);
+        if (mesh != nullptr && !mesh->vertices.empty()) {
+          visit(*mesh, robot.name + " " + link.name);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace collision_monitor::test

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,5 +47,10 @@ std::vector<RobotFile> allRobotFiles();
 
 /// The description as a node would get it; the first SRDF if there are any.
 RobotDescription describe(const RobotFile& robot);
+
+/// Visits each mesh of allRobotFiles() that has vertices, as the node reads it; with the names of
+/// its robot and link.
+void forAllMeshes(
+    const std::function<void(const TriangleMesh& mesh, const std::string& name)>& visit);
 
 }  // namespace collision_monitor::test

@@ -6,7 +6,6 @@
 
 #include "collision_monitor/fitting/build_sphere_tree.h"
 #include "collision_monitor/fitting/inner_shape.h"
-#include "collision_monitor/model/urdf_reader.h"
 #include "support/file_loader.h"
 
 namespace collision_monitor {
@@ -63,19 +62,8 @@ TEST(RobotMeshes, everySphereHierarchyEncloses_andEveryInnerShapeIsInside) {
     GTEST_SKIP() << test::kNoSharedData;
   }
   Counts counts;
-  for (const auto& robot : test::allRobotFiles()) {
-    SetupReport report;
-    const RobotModel model =
-        readRobots({test::describe(robot)}, test::fileLoader(robot.package_root), report);
-    for (const auto& link : model.links) {
-      for (const auto& element : link.collisions) {
-        const auto* mesh = std::get_if<TriangleMesh>(&element.geometry);
-        if (mesh != nullptr && !mesh->vertices.empty()) {
-          check(*mesh, robot.name + " " + link.name, counts);
-        }
-      }
-    }
-  }
+  test::forAllMeshes(
+      [&](const TriangleMesh& mesh, const std::string& name) { check(mesh, name, counts); });
   RecordProperty("meshes", counts.meshes);
   RecordProperty("with_inner_shapes", counts.with_inner);
   EXPECT_GT(counts.meshes, 50);
