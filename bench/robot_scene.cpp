@@ -7,9 +7,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "collision_monitor/model/kinematics.h"
 #include "collision_monitor/narrow_phase/distance.h"
 #include "pipeline/measure_elements.h"
+#include "robot_moves.h"
 #include "support_fcl/fcl_mesh.h"
 
 namespace collision_monitor::test {
@@ -17,37 +17,16 @@ namespace {
 
 constexpr std::size_t kStatesAMove = 100;
 
-JointPositions drawPositions(const RobotModel& model, std::mt19937_64& random) {
-  JointPositions positions = defaultPositions(model);
-  for (const Joint& joint : model.joints) {
-    const bool moves = joint.type == JointType::revolute || joint.type == JointType::continuous ||
-                       joint.type == JointType::prismatic;
-    if (moves && !joint.mimic) {
-      const double reach = joint.type == JointType::prismatic ? 1.0 : 3.0;
-      positions[joint.first_variable] = std::uniform_real_distribution<double>(
-          std::max(joint.lower, -reach), std::min(joint.upper, reach))(random);
-    }
-  }
-  return positions;
-}
-
 /// From one random configuration straight to the next.
 std::vector<LinkPoses> moveThrough(const RobotModel& model) {
   std::mt19937_64 random(20260101);
-  const std::vector<Pose> roots(model.robots.size());
   std::vector<LinkPoses> states;
   JointPositions from = drawPositions(model, random);
   while (states.size() < kStates) {
     const JointPositions to = drawPositions(model, random);
     for (std::size_t step = 0; step < kStatesAMove; ++step) {
       const double share = static_cast<double>(step) / kStatesAMove;
-      JointPositions positions = from;
-      for (std::size_t i = 0; i < positions.size(); ++i) {
-        positions[i] += share * (to[i] - from[i]);
-      }
-      LinkPoses& poses = states.emplace_back(makeLinkPoses(model));
-      std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
-      placeLinks(model, positions, roots, poses.world_from_link);
+      states.push_back(posesAt(model, between(from, to, share)));
     }
     from = to;
   }

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What happens between poses: thin plates that cross at 5 m/s between two cycles at 50 Hz, and a
-trajectory of 7 joints and 100 way-points checked for all of its way beside samples of it checked
-with FCL, so dense that these see what is 1 mm deep."""
+"""What happens between poses: thin plates that cross at 5 m/s between two cycles at 50 Hz, each held
+to a subdivision of its cycle into 10,000 steps; and a trajectory of 7 joints and 100 way-points
+checked for all of its way, beside FCL on the same way."""
 import argparse
 import statistics
 import subprocess
@@ -19,50 +19,69 @@ def numbers(*arguments):
     return {name: float(value) for name, value in map(str.split, output.splitlines())}
 
 
-def crossings(figures, count, subdivided):
-    found = numbers("crossings", count, subdivided)
-    figures.add("crossings at 5 m/s, 50 Hz: caught", f"{found['caught']:.0f}", f"{count}", "all",
-                found["caught"] == count)
-    figures.add("  distance at the time told", f"{found['farthest_m']:.1e} m",
-                f"{found['distances_each']:.1f} looks", "1e-6 m", found["farthest_m"] <= 1e-6)
-    figures.add("  later than 10,000 steps show", f"{found['late_s']:.1e} s",
-                f"{found['subdivided']:.0f} pairs", "1e-6 s", found["late_s"] <= 1e-6)
+def crossings(figures, arguments):
+    """Of the subdivision those steps are looked at that a step before does not settle: nothing
+    goes faster than its greatest speed. Some are looked at step by step, to see that this is the
+    same."""
+    found = numbers("crossings", arguments.crossings, arguments.passes, arguments.looked_through)
+
+    def add(name, ours, reference, goal, is_met):
+        figures.add(name, f"{found[ours]:.0f}", f"{found[reference]:.0f}", goal, is_met)
+
+    add("crossings at 5 m/s, 50 Hz: caught", "crossing_told", "crossing_count", "all",
+        found["crossing_told"] == found["crossing_count"])
+    add("  shown by 10,000 steps, and not told in time", "crossing_missed", "crossing_shown",
+        "0, to 1e-6 s", found["crossing_missed"] == 0)
+    figures.add("  distance at the time told, at most", f"{found['crossing_farthest_m']:.1e} m",
+                f"{found['crossing_looks']:.1f} looks", "1e-6 m", found["crossing_unfounded"] == 0)
+    add("passes of a small plate: contacts told", "passing_told", "passing_shown",
+        "none missed, to 1e-6 s", found["passing_missed"] == 0)
+    figures.add("  distance at the time told, at most", f"{found['passing_farthest_m']:.1e} m",
+                f"{found['passing_count']:.0f} passes", "1e-6 m", found["passing_unfounded"] == 0)
+    add("subdivisions as looking at every step shows", "agreeing", "looked_through", "all",
+        found["agreeing"] == found["looked_through"])
 
 
-def trajectory(figures, robot):
-    """FCL sees in samples what is deeper than half of the motion between two of them. For the
-    guarantee of ours, 1e-6 m, it needs a thousand times the samples that it needs for 1 mm; their
-    time is reckoned from that of these."""
-    runs = [numbers("trajectory", robot) for _ in range(RUNS)]
+def trajectory(figures, robot, part):
+    """FCL sees in samples what is deeper than half of the motion between two of them. As many as
+    1e-6 m asks for, the guarantee of ours, are taken between every PARTth way-point and the next;
+    the time of all is that times their number. With its distances FCL can pass over what is far,
+    by our bounds of the motion; that is no use of FCL that it offers, and shown as a reference."""
+    runs = [numbers("trajectory", robot, part) for _ in range(RUNS)]
     first = runs[0]
 
     def median(name):
         return statistics.median(run[name] for run in runs)
 
+    ours, contacts_only = median("ours_ms"), median("ours_contacts_ms")
     figures.add(f"{robot}: {first['joints']:.0f} joints, {first['waypoints']:.0f} way-points",
-                f"{median('ours_ms'):.1f} ms", f"{first['pairs']:.0f} pairs",
-                "20 ms with nearest approaches", median("ours_ms") <= 20.0
-                and first["undecided"] == 0)
-    fcl = median("fcl_ms")
-    finer = first["fcl_resolution_m"] / first["tolerance_m"]
-    ratio = fcl * finer / median("ours_ms")
-    figures.add("  FCL, samples for the same guarantee", f"{ratio:.0f} x", f"{fcl * finer:.0f} ms",
-                f"20 x ({first['fcl_samples'] * finer:.0f} samples, extrapolated)", ratio >= 20.0)
-    ratio = fcl / median("ours_contacts_ms")
-    figures.add("  FCL, samples for 1 mm; ours contacts only", f"{ratio:.1f} x", f"{fcl:.0f} ms",
-                f"faster, proven ({median('ours_contacts_ms'):.1f} ms)", ratio > 1.0)
+                f"{ours:.1f} ms", f"{first['pairs']:.0f} pairs", "20 ms with nearest approaches",
+                ours <= 20.0 and first["undecided"] == 0)
+    fcl = median("fcl_taken_ms") * first["fcl_samples"] / first["fcl_taken"]
+    figures.add("  FCL, samples for the same guarantee", f"{fcl / ours:.0f} x", f"{fcl:.0f} ms",
+                f"20 x ({first['fcl_taken']:.0f} of {first['fcl_samples']:.0f} samples taken)",
+                fcl / ours >= 20.0)
+    fcl = median("fcl_distances_ms")
+    figures.add("  FCL's distances with our bounds; ours contacts only", f"{fcl / contacts_only:.0f} x",
+                f"{fcl:.0f} ms", f"faster ({contacts_only:.1f} ms)",
+                fcl > contacts_only and first["fcl_contacts"] == first["contacts"])
+    fcl = median("fcl_coarse_taken_ms")
+    figures.add("  FCL, samples for 1 mm; ours contacts only", f"{fcl / contacts_only:.1f} x",
+                f"{fcl:.0f} ms", f"faster ({contacts_only:.1f} ms)", fcl > contacts_only)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--crossings", type=int, default=100000)
-    parser.add_argument("--subdivided", type=int, default=1000, help="crossings held to 10,000 steps")
+    parser.add_argument("--passes", type=int, default=100000, help="that cross a small plate or pass it")
+    parser.add_argument("--looked-through", type=int, default=100, help="step by step")
     parser.add_argument("--robot", default="panda_moveit", help="of the shared data")
+    parser.add_argument("--part", type=int, default=10, help="of the way-points, for FCL")
     arguments = parser.parse_args()
     shared_data()
     figures = Figures()
-    crossings(figures, arguments.crossings, arguments.subdivided)
-    trajectory(figures, arguments.robot)
+    crossings(figures, arguments)
+    trajectory(figures, arguments.robot, arguments.part)
     figures.finish()
 
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/random_motions.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "support/convex_measure.h"
@@ -92,9 +93,9 @@ SweptContact meetConvex(const ConvexGeometry& a, const ScrewMotion& motion_a,
                       limits, search);
 }
 
-PlateCrossing randomCrossing(Random& random) {
+PlateCrossing randomCrossing(Random& random, double half_width) {
   PlateCrossing scene;
-  scene.plate = Box{{0.3, 0.3, uniform(random, 0.0005, 0.0025)}};
+  scene.plate = Box{{half_width, half_width, uniform(random, 0.0005, 0.0025)}};
   scene.still = screwBetween(Pose(), Pose());
   do {
     const Eigen::Vector3d size(uniform(random, 0.005, 0.05), uniform(random, 0.005, 0.05),
@@ -102,13 +103,38 @@ PlateCrossing randomCrossing(Random& random) {
     scene.body = random() % 2 == 0 ? ConvexGeometry(Box{size})
                                    : ConvexGeometry(Cylinder{size.z(), size.x()});
     scene.crossing = crossingMotion(random);
-  } while (
-      measureCold(scene.plate, Pose(), scene.body, poseAt(scene.crossing, 0.0)).measured.distance <=
-          1e-4 ||
-      measureCold(scene.plate, Pose(), scene.body, poseAt(scene.crossing, 1.0)).measured.distance <=
-          1e-4 ||
-      poseAt(scene.crossing, 1.0).translation.z() >= 0.0);
+  } while (distanceAt(scene, 0.0) <= 1e-4 || distanceAt(scene, 1.0) <= 1e-4 ||
+           poseAt(scene.crossing, 1.0).translation.z() >= 0.0);
   return scene;
+}
+
+double distanceAt(const PlateCrossing& scene, double time) {
+  return measureCold(scene.plate, poseAt(scene.still, time), scene.body,
+                     poseAt(scene.crossing, time))
+      .measured.distance;
+}
+
+std::optional<int> firstOverlap(const PlateCrossing& scene, int count) {
+  constexpr double kRounding = 1e-9;
+  const Ball ball = ballOf(scene.body);
+  const double speed =
+      velocityAt(scene.crossing, ball.center).norm() + scene.crossing.turn.norm() * ball.radius;
+  for (int step = 0; step <= count;) {
+    const double distance = distanceAt(scene, static_cast<double>(step) / count);
+    if (distance <= 0.0) {
+      return step;
+    }
+    step += 1 + static_cast<int>(std::max(0.0, distance - kRounding) / speed * count);
+  }
+  return std::nullopt;
+}
+
+bool isAsEveryStepShows(const PlateCrossing& scene, int count) {
+  int step = 0;
+  while (step <= count && distanceAt(scene, static_cast<double>(step) / count) > 0.0) {
+    ++step;
+  }
+  return firstOverlap(scene, count).value_or(count + 1) == step;
 }
 
 }  // namespace collision_monitor::test

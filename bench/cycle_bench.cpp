@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Whole cycles of robots that move, and what each stage of them takes. The joints go from one
+// random configuration to the next, the fastest at SPEED rad/s, and poses come at a rate; half a
+// second of each of 20 such moves. Set up as a monitor is by default, then without the look at the
+// way between two cycles.
+//   cycle_bench RATE_HZ SPEED [ROBOT...]    robots by a part of their names; panda_moveit and atlas
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <numeric>
+#include <string>
+
+#include "collision_monitor/pipeline/link_velocities.h"
+#include "collision_monitor/pipeline/run_cycle.h"
+#include "robot_moves.h"
+#include "support/file_loader.h"
+
+namespace collision_monitor::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Move = std::vector<LinkPoses>;
+
+double microsecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+}
+
+std::vector<Move> makeMoves(const RobotModel& model, double rate, double speed) {
+  constexpr int kMoves = 20;
+  constexpr double kDuration = 0.5;  // [s]
+  std::mt19937_64 random(20260101);
+  std::vector<Move> moves(kMoves);
+  std::int64_t stamp_ns = 1'000'000'000;
+  for (Move& move : moves) {
+    const JointPositions from = drawPositions(model, random);
+    const JointPositions to = drawPositions(model, random);
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      farthest = std::max(farthest, std::abs(to[i] - from[i]));
+    }
+    VelocityTracker tracker = makeVelocityTracker(model);
+    for (double time = 0.0; time < kDuration; time += 1.0 / rate) {
+      LinkPoses& poses =
+          move.emplace_back(posesAt(model, between(from, to, speed * time / farthest)));
+      stamp_ns += static_cast<std::int64_t>(1e9 / rate);
+      poses.stamp_ns = stamp_ns;
+      std::fill(poses.robot_stamp_ns.begin(), poses.robot_stamp_ns.end(), stamp_ns);
+      trackVelocities(model, {}, tracker, poses);
+    }
+  }
+  return moves;
+}
+
+/// Mean times of the stages of runCycle [us].
+class Stages {
+ public:
+  /// As runCycle, but for what counts.
+  void run(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) {
+    const double reach = reachOf(setup.limits);
+    last_ = Clock::now();
+    placeBodies(setup, poses, buffers.body_poses);
+    end("1 placeBodies");
+    boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
+    end("2 boundBodies");
+    findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
+    end("3 findMotions");
+    if (setup.is_continuous) {
+      sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
+      end("4 sweepBounds");
+    }
+    growBounds(setup, poses, setup.ahead.horizon, buffers.bounds);
+    end("5 growBounds");
+    findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
+    end("6 findCandidates");
+    measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
+    end("7 measurePairs");
+    refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
+    end("8 refinePairs");
+    measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
+    end("9 measureClosest");
+    if (setup.is_continuous) {
+      sweepPairs(setup, buffers.refine, buffers.sweep, buffers.distances);
+      end("a sweepPairs");
+    }
+    keepPoses(poses, buffers.body_poses, buffers.memory.last);
+    end("b keepPoses");
+    findClosings(setup, poses, buffers.distances);
+    judgePairs(setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
+    scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed);
+    end("c findClosings, judgePairs, scaleSpeed");
+  }
+
+  void print(double cycles) const {
+    for (const auto& [name, time] : times_) {
+      std::printf("    %-40s %8.2f us\n", name.c_str(), time / cycles);
+    }
+  }
+
+ private:
+  void end(const std::string& stage) {
+    times_[stage] += microsecondsSince(last_);
+    last_ = Clock::now();
+  }
+
+  Clock::time_point last_;
+  std::map<std::string, double> times_;
+};
+
+void timeCycles(const std::string& what, const CycleSetup& setup, const std::vector<Move>& moves) {
+  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::automatic);
+  CycleBuffers staged = makeBuffers(setup, BroadPhaseKind::automatic);
+  Stages stages;
+  std::vector<double> times;
+  double candidates = 0.0;
+  double refined = 0.0;
+  double swept = 0.0;
+  int exceeded = 0;
+  for (const Move& move : moves) {
+    resetMemory(buffers);
+    resetMemory(staged);
+    for (const LinkPoses& poses : move) {
+      const Clock::time_point start = Clock::now();
+      runCycle(setup, poses, buffers);
+      times.push_back(microsecondsSince(start));
+      stages.run(setup, poses, staged);
+      if (staged.events.verdicts != buffers.events.verdicts) {
+        std::printf("the stages differ from runCycle: mend the benchmark\n");
+        std::exit(1);
+      }
+      candidates += static_cast<double>(buffers.counters.candidates);
+      refined += static_cast<double>(buffers.counters.refined);
+      swept += static_cast<double>(buffers.counters.swept);
+      exceeded += buffers.sweep.step.is_exceeded ? 1 : 0;
+    }
+  }
+  const auto cycles = static_cast<double>(times.size());
+  std::sort(times.begin(), times.end());
+  const double mean = std::accumulate(times.begin(), times.end(), 0.0) / cycles;
+  std::printf(
+      "  %s: median %.1f us, mean %.1f, 99 %% %.1f; candidates %.0f, refined %.1f, "
+      "followed %.1f a cycle; step too long in %.0f %%\n",
+      what.c_str(), times[times.size() / 2], mean, times[times.size() * 99 / 100],
+      candidates / cycles, refined / cycles, swept / cycles, 100.0 * exceeded / cycles);
+  stages.print(cycles);
+}
+
+void timeRobot(const RobotFile& robot, double rate, double speed) {
+  CycleSetup setup = buildSetup({describe(robot)}, fileLoader(robot.package_root), SetupOptions());
+  const std::vector<Move> moves = makeMoves(setup.model, rate, speed);
+  std::printf("%s at %.0f Hz, %g rad/s: %zu shapes, %zu pairs of %zu pairs of links\n",
+              robot.name.c_str(), rate, speed, setup.bodies.size(), setup.table.size(),
+              setup.checked.size());
+  timeCycles("by default", setup, moves);
+  setup.is_continuous = false;
+  timeCycles("not continuous", setup, moves);
+}
+
+int runBench(double rate, double speed, const std::vector<std::string>& names) {
+  const std::vector<RobotFile> robots = allRobotFiles();
+  for (const std::string& name : names) {
+    const auto robot = std::find_if(robots.begin(), robots.end(), [&](const RobotFile& one) {
+      return one.name.find(name) != std::string::npos;
+    });
+    if (robot == robots.end()) {
+      std::fprintf(stderr, "no robot '%s' among the shared data and urdf/\n", name.c_str());
+      return 1;
+    }
+    timeRobot(*robot, rate, speed);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
+
+int main(int argc, char** argv) {
+  std::vector<std::string> names(argv + std::min(argc, 3), argv + argc);
+  const double rate = argc > 2 ? std::atof(argv[1]) : 0.0;
+  if (!(rate > 0.0)) {
+    std::fprintf(stderr, "cycle_bench RATE_HZ SPEED [ROBOT...]\n");
+    return 2;
+  }
+  if (names.empty()) {
+    names = {"panda_moveit", "atlas"};
+  }
+  return collision_monitor::test::runBench(rate, std::atof(argv[2]), names);
+}

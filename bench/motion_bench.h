@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <string>
+#include <vector>
+
+/// The parts of motion_bench, which print one line a number, as figures/motion.py reads them.
+namespace collision_monitor::test {
+
+/// @param passes plates that pass a small one, or cross it.
+/// @param looked_through crossings of which every step is looked at.
+void runCrossings(int crossings, int passes, int looked_through);
+
+/// @param part FCL's samples are taken between every `part`-th way-point and the next.
+/// @return the program's exit code.
+int runTrajectory(const std::string& robot, std::size_t part);
+
+inline void print(const char* name, double value) { std::printf("%s %.9g\n", name, value); }
+
+/// Of the processor, so that what else runs on the machine does not count.
+inline double millisecondsSince(std::clock_t start) {
+  return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+/// [ms] Median of several runs.
+template <class Run>
+double medianMilliseconds(int runs, const Run& run) {
+  std::vector<double> times;
+  for (int i = 0; i < runs; ++i) {
+    const std::clock_t start = std::clock();
+    run();
+    times.push_back(millisecondsSince(start));
+  }
+  std::sort(times.begin(), times.end());
+  return times[times.size() / 2];
+}
+
+}  // namespace collision_monitor::test
