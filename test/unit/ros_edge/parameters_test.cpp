@@ -106,11 +106,13 @@ TEST(Parameters, allProblemsAreReported) {
   values["max_age"] = "old";
   values["ignore_default_overlap"] = 1;
   values["limits"]["hysteresis"] = -0.1;
+  values["look_ahead"] = "{horizon: 1}";
   values["nonsense"] = 3;
   EXPECT_EQ(faults(values),
             (std::set<std::string>{"parameter /m/rate", "parameter /m/trigger",
                                    "parameter /m/max_age", "parameter /m/ignore_default_overlap",
-                                   "parameter /m/limits/hysteresis", "parameter /m/nonsense"}));
+                                   "parameter /m/limits/hysteresis", "parameter /m/look_ahead",
+                                   "parameter /m/nonsense"}));
 }
 
 TEST(Parameters, endsOfRanges) {
