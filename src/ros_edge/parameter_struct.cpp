@@ -63,7 +63,8 @@ std::string toText(const XmlRpcValue& value) {
 ParameterStruct::ParameterStruct(const XmlRpcValue& values, std::string where, SetupReport& report)
     : values_(values), where_(std::move(where)), report_(report) {
   if (values_.valid() && values_.getType() != XmlRpcValue::TypeStruct) {
-    report_.errors.push_back({"parameter " + where_, toText(values_), "a struct of named parameters"});
+    report_.errors.push_back(
+        {"parameter " + where_, toText(values_), "a struct of named parameters"});
   }
 }
 
