@@ -1,21 +1,19 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The running node beside robot_state_publisher, at 100 Hz on moving robots: the CPU it takes,
-the time until UNKNOWN when joint states stop, and whether it comes back when they do."""
+"""The running node beside robot_state_publisher, at 100 Hz on moving robots: whether it keeps the
+rate, the time until UNKNOWN when joint states stop, and whether it comes back when they do. What it
+costs is a group of speed (node_cost.py)."""
 import argparse
 import math
-import os
-import subprocess
 import time
 import xml.etree.ElementTree as ElementTree
-import xmlrpc.client
 
 import rospy
-from rosgraph import Master
 from sensor_msgs.msg import JointState
 
+import running
 from collision_monitor.msg import State
-from figure import Figures, package_path, shared_robots
+from figure import Figures, shared_robots
 
 ROBOTS = ("panda_moveit", "ur5_robotiq", "fetch", "atlas")
 RATE = 100.0
@@ -74,71 +72,31 @@ class Watcher:
         return math.inf
 
 
-def node_pid(name):
-    uri = Master("/figures").lookupNode(name)
-    return xmlrpc.client.ServerProxy(uri).getPid("/figures")[2]
-
-
-def cpu_seconds(pid):
-    with open(f"/proc/{pid}/stat", encoding="ascii") as stat:
-        fields = stat.read().rsplit(")", 1)[1].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
-
-
-def resident_megabytes(pid):
-    with open(f"/proc/{pid}/status", encoding="ascii") as status:
-        for line in status:
-            if line.startswith("VmRSS:"):
-                return int(line.split()[1]) / 1024.0
-    return math.nan
-
-
-def measure(label, folder, urdf, srdf, seconds, figures):
-    environment = package_path(folder)
-    rospy.set_param("robot_description", urdf.read_text(encoding="utf-8"))
-    # From the file, not from the parameter: some of these robots name meshes relative to it.
-    robot = {"name": label, "file": str(urdf)}
-    if srdf:
-        robot["semantic_file"] = str(srdf)
-    rospy.set_param("collision_monitor/robots", [robot])
-    processes = [subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL,
-                                  stderr=subprocess.DEVNULL) for command in (
-        ["rosrun", "robot_state_publisher", "robot_state_publisher",
-         f"_publish_frequency:={RATE}"],
-        ["rosrun", "collision_monitor", "monitor", f"_rate:={RATE}", f"_max_age:={MAX_AGE}"])]
-    watcher = Watcher()
-    source = JointSource(urdf)
-    try:
-        started = watcher.wait(lambda state: state.level != State.UNKNOWN, 60.0)
-        if math.isinf(started):
-            why = watcher.state.sentence if watcher.state else "no state was published"
-            figures.add(f"{label}: start", "-", "-", f"leaves UNKNOWN ({why})", False)
-            return
-        report(label, watcher, source, seconds, figures)
-    finally:
-        source.timer.shutdown()
-        for process in processes:
-            process.terminate()
-        for process in processes:
-            process.wait()
-        rospy.delete_param("robot_description")
-        rospy.delete_param("collision_monitor")
+def measure(robot, seconds, figures):
+    label, _, urdf, _, _ = robot
+    publisher = ["rosrun", "robot_state_publisher", "robot_state_publisher",
+                 f"_publish_frequency:={RATE}"]
+    with running.monitor(robot, {"rate": RATE, "max_age": MAX_AGE}, [publisher]):
+        watcher = Watcher()
+        source = JointSource(urdf)
+        try:
+            started = watcher.wait(lambda state: state.level != State.UNKNOWN, 60.0)
+            if math.isinf(started):
+                why = watcher.state.sentence if watcher.state else "no state was published"
+                figures.add(f"{label}: start", "-", "-", f"leaves UNKNOWN ({why})", False)
+            else:
+                report(label, watcher, source, seconds, figures)
+        finally:
+            source.timer.shutdown()
 
 
 def report(label, watcher, source, seconds, figures):
-    pid = node_pid("/collision_monitor")
     time.sleep(1.0)
-    cpu, cycles, start = cpu_seconds(pid), watcher.state.cycles, time.monotonic()
+    cycles, start = watcher.state.cycles, time.monotonic()
     time.sleep(seconds)
-    elapsed = time.monotonic() - start
-    percent = 100.0 * (cpu_seconds(pid) - cpu) / elapsed
-    rate = (watcher.state.cycles - cycles) / elapsed
-    figures.add(f"{label}: CPU at {RATE:.0f} Hz", f"{percent:.1f} %", "-", "< 10 % of a core",
-                percent < 10.0)
+    rate = (watcher.state.cycles - cycles) / (time.monotonic() - start)
     figures.add(f"{label}: cycles", f"{rate:.1f} Hz", f"{RATE:.0f} Hz", "within 5 %",
                 abs(rate - RATE) <= 0.05 * RATE)
-    figures.add(f"{label}: memory", f"{resident_megabytes(pid):.0f} MB", "-", "< 150 MB",
-                resident_megabytes(pid) < 150.0)
     source.is_on = False
     silent = watcher.wait(lambda state: state.level == State.UNKNOWN, 10.0)
     # A period of the source and one of the cycle lie between the last stamp and the verdict.
@@ -155,19 +113,11 @@ def main():
     parser.add_argument("--seconds", type=float, default=10.0, help="of measuring, each robot")
     parser.add_argument("--robot", help="only robots whose name holds this")
     arguments = parser.parse_args()
-    port = 11411
-    os.environ["ROS_MASTER_URI"] = f"http://localhost:{port}"
-    core = subprocess.Popen(["roscore", "-p", str(port)], stdout=subprocess.DEVNULL,
-                            stderr=subprocess.DEVNULL)
     figures = Figures()
-    try:
-        rospy.init_node("figures", disable_signals=True)
-        for label, folder, urdf, srdf, _ in shared_robots():
-            if label in ROBOTS and (not arguments.robot or arguments.robot in label):
-                measure(label, folder, urdf, srdf, arguments.seconds, figures)
-    finally:
-        core.terminate()
-        core.wait()
+    with running.master():
+        for robot in shared_robots():
+            if robot[0] in ROBOTS and (not arguments.robot or arguments.robot in robot[0]):
+                measure(robot, arguments.seconds, figures)
     figures.finish()
 
 

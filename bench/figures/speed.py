@@ -9,6 +9,7 @@ import os
 import subprocess
 
 import broad_phase
+import node_cost
 from figure import Figures, shared_data
 
 HUMANOIDS = ("atlas", "icub", "anymal_kinova", "stretch")
@@ -105,7 +106,7 @@ def text(nanoseconds):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--group", choices=[*GROUPS, "states", "broad_phase"], help="one group only")
+    parser.add_argument("--group", choices=[*GROUPS, "states", "broad_phase", "node"], help="one group only")
     parser.add_argument("--repetitions", type=int, default=5)
     arguments = parser.parse_args()
     figures = Figures()
@@ -126,6 +127,8 @@ def main():
         add_states(figures)
     if arguments.group in (None, "broad_phase"):
         broad_phase.add_rows(figures)
+    if arguments.group in (None, "node"):
+        node_cost.add_rows(figures)
     figures.finish()
 
 

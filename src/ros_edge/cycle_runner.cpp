@@ -94,10 +94,11 @@ void CycleRunner::waitForNext() {
   const Clock::time_point now = Clock::now();
   const bool is_by_pose = parameters.trigger == Trigger::pose;
   planned_start_ = std::max(planned_start_ + period, is_by_pose ? now - period : now);
-  std::this_thread::sleep_until(planned_start_);
   if (is_by_pose) {
-    store_.waitForNews(seen_data_, Clock::now() + seconds(idlePeriodOf(parameters)));
+    // News first: where they come no faster than `rate`, there is nothing left to sleep.
+    store_.waitForNews(seen_data_, now + seconds(idlePeriodOf(parameters)));
   }
+  std::this_thread::sleep_until(planned_start_);
 }
 
 void CycleRunner::runOnce() {
@@ -151,8 +152,7 @@ void CycleRunner::publish(bool is_new) {
   }
   last_level_ = level;
   last_state_ = now;
-  const State& state = publishers_.publishState(watch, facts_);
-  publishers_.publishResults(watch);
+  const State& state = publishers_.publishCycle(watch, facts_);
   publishers_.publishMarkers(watch);
   constexpr double kSummaryPeriod = 0.2;
   if (toSeconds(now - last_summary_) >= kSummaryPeriod) {

@@ -6,9 +6,10 @@
 
 namespace collision_monitor {
 
-JointFeed::JointFeed(const ros::NodeHandle& node, JointStore& store,
-                     std::function<void()> after_message)
-    : store_(store), after_message_(std::move(after_message)), thread_(node) {}
+JointFeed::JointFeed(ros::NodeHandle node, JointStore& store, std::function<void()> after_message)
+    : store_(store), after_message_(std::move(after_message)), node_(std::move(node)) {
+  node_.setCallbackQueue(&queue_);
+}
 
 void JointFeed::listenTo(const std::vector<std::string>& topics) {
   std::map<std::string, ros::Subscriber> wanted;
@@ -26,7 +27,7 @@ void JointFeed::listenTo(const std::vector<std::string>& topics) {
           store_.accept(topic, *message);
           after_message_();
         };
-    wanted[topic] = thread_.node().subscribe<sensor_msgs::JointState>(
+    wanted[topic] = node_.subscribe<sensor_msgs::JointState>(
         topic, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   }
   subscribers_ = std::move(wanted);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ros/node_handle.h>
 #include <ros/subscriber.h>
 
 #include <functional>
@@ -9,17 +10,17 @@
 #include <string>
 #include <vector>
 
-#include "collision_monitor/ros_edge/feed_thread.h"
+#include "collision_monitor/ros_edge/direct_queue.h"
 #include "collision_monitor/ros_edge/joint_store.h"
 
 namespace collision_monitor {
 
-/// Subscribes to topics of joint states on a thread of its own and feeds a store. Stops with its
+/// Subscribes to topics of joint states and feeds a store with what comes, at once. Stops with its
 /// life.
 class JointFeed {
  public:
-  /// Topics are resolved by `node`. `after_message` is called on the feed's thread.
-  JointFeed(const ros::NodeHandle& node, JointStore& store, std::function<void()> after_message);
+  /// Topics are resolved by `node`. `after_message` is called on the thread that brought it.
+  JointFeed(ros::NodeHandle node, JointStore& store, std::function<void()> after_message);
 
   /// Listens to these topics, and to no others any more; "" is none. From one thread at a time.
   void listenTo(const std::vector<std::string>& topics);
@@ -27,7 +28,8 @@ class JointFeed {
  private:
   JointStore& store_;
   std::function<void()> after_message_;
-  FeedThread thread_;  ///< ends after the subscribers, which wait for callbacks that run
+  DirectQueue queue_;  ///< ends after the subscribers
+  ros::NodeHandle node_;
   std::map<std::string, ros::Subscriber> subscribers_;
 };
 

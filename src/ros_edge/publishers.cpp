@@ -20,6 +20,18 @@ bool isValid(const State& state) {
   return state.enabled != 0 && (state.level == State::OK || state.level == State::WARNING);
 }
 
+/// Who comes late gets the last message sent: while nobody listens, only another value is sent.
+template <class Message, class Value>
+void publishLatched(Value value, const ros::Publisher& publisher, std::optional<Value>& last) {
+  if (last == value && publisher.getNumSubscribers() == 0) {
+    return;
+  }
+  last = value;
+  Message message;
+  message.data = value;
+  publisher.publish(message);
+}
+
 }  // namespace
 
 Publishers::Publishers(ros::NodeHandle private_node)
@@ -49,27 +61,28 @@ void Publishers::publishChanges(const Watch& watch) {
   log_.logUnknownLinks(watch);
 }
 
-const State& Publishers::publishState(const Watch& watch, const CycleFacts& facts) {
+/// First all is computed and then all is sent: each message wakes roscpp's network thread unless it
+/// is still awake from the one before.
+const State& Publishers::publishCycle(const Watch& watch, const CycleFacts& facts) {
+  const bool sends_contacts = contacts_publisher_.getNumSubscribers() > 0;
+  const bool sends_distances = distances_publisher_.getNumSubscribers() > 0;
   toMessage(watch, facts, state_);
-  state_publisher_.publish(state_);
-  std_msgs::Bool is_valid;
-  is_valid.data = isValid(state_) ? 1 : 0;
-  is_valid_publisher_.publish(is_valid);
-  std_msgs::Float64 speed_scale;
-  speed_scale.data = state_.speed_scale;
-  speed_scale_publisher_.publish(speed_scale);
-  return state_;
-}
-
-void Publishers::publishResults(const Watch& watch) {
-  if (contacts_publisher_.getNumSubscribers() > 0) {
+  if (sends_contacts) {
     toMessage(watch, contacts_);
+  }
+  if (sends_distances) {
+    toMessage(watch, distances_);
+  }
+  state_publisher_.publish(state_);
+  publishLatched<std_msgs::Bool>(isValid(state_), is_valid_publisher_, is_valid_);
+  publishLatched<std_msgs::Float64>(state_.speed_scale, speed_scale_publisher_, speed_scale_);
+  if (sends_contacts) {
     contacts_publisher_.publish(contacts_);
   }
-  if (distances_publisher_.getNumSubscribers() > 0) {
-    toMessage(watch, distances_);
+  if (sends_distances) {
     distances_publisher_.publish(distances_);
   }
+  return state_;
 }
 
 void Publishers::publishMarkers(const Watch& watch) {

@@ -6,6 +6,7 @@
 #include <ros/publisher.h>
 
 #include <memory>
+#include <optional>
 
 #include "ros_edge/conversions.h"
 #include "ros_edge/markers.h"
@@ -24,10 +25,8 @@ class Publishers {
 
   /// Changes of verdict, on the topic and in the log.
   void publishChanges(const Watch& watch);
-  /// state, state_is_valid and speed_scale.
-  const State& publishState(const Watch& watch, const CycleFacts& facts);
-  /// contacts and distances.
-  void publishResults(const Watch& watch);
+  /// state, state_is_valid and speed_scale; contacts and distances.
+  const State& publishCycle(const Watch& watch, const CycleFacts& facts);
   /// markers, at most `marker_rate` times a wall second.
   void publishMarkers(const Watch& watch);
 
@@ -41,6 +40,8 @@ class Publishers {
   ros::Publisher markers_publisher_;
   std::unique_ptr<Markers> markers_;
   ros::SteadyTime last_markers_;
+  std::optional<bool> is_valid_;       ///< as last sent
+  std::optional<double> speed_scale_;  ///< as last sent
   WarningLog log_;
   State state_;
   Contacts contacts_;

@@ -8,6 +8,7 @@ import sys
 import rospy
 import rostest
 from sensor_msgs.msg import JointState
+from std_msgs.msg import Float64
 from std_srvs.srv import SetBool, Trigger
 
 from collision_monitor.msg import LinkDistance, State, Warning as WarningMessage
@@ -74,6 +75,8 @@ class Verdicts(TwoBoxes):
         state = self.probe.wait_for_level(State.UNKNOWN, "link box_b is unknown: no transform")
         self.assertEqual(state.unknown_links, ["box_b (stale)"])
         self.probe.wait(lambda: self.probe.is_valid.data is False, "state_is_valid false")
+        # Nobody listened when the scale fell.
+        self.assertEqual(rospy.wait_for_message(NODE + "/speed_scale", Float64, 20.0).data, 0.0)
         self.joints.is_on = True
         self.probe.wait_for_level(State.OK)
 

@@ -2,22 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ros/node_handle.h>
 #include <ros/subscriber.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include "collision_monitor/ros_edge/feed_thread.h"
+#include "collision_monitor/ros_edge/direct_queue.h"
 #include "collision_monitor/ros_edge/transform_store.h"
 
 namespace collision_monitor {
 
-/// Subscribes to tf and tf_static on a thread of its own and feeds a store. Stops with its life.
+/// Subscribes to tf and tf_static and feeds a store with what comes, at once. Stops with its life.
 class TransformFeed {
  public:
-  TransformFeed(const ros::NodeHandle& node, TransformStore& store);
+  TransformFeed(ros::NodeHandle node, TransformStore& store);
 
  private:
   TransformStore& store_;
-  FeedThread thread_;  ///< ends after the subscribers, which wait for callbacks that run
+  DirectQueue queue_;  ///< ends after the subscribers
   ros::Subscriber moving_;
   ros::Subscriber static_;
 };

@@ -1,0 +1,58 @@
+# SPDX-FileCopyrightText: 2026 The collision_monitor authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the running node costs: joint states and tf come 1000 times a second, state, contacts and
+distances go out as often. Processor time, the way from tf to state and back, memory. The reference
+is a node that answers each tf message with such messages and does nothing else: roscpp's share."""
+import subprocess
+
+import running
+from figure import shared_robots
+
+SECONDS = 8.0
+RATE = 1000
+# Of robots: most of a core that is allowed [%], and memory [MB].
+GOALS = {"panda_moveit": (8.0, 50.0), "atlas": (15.0, 150.0), "stretch": (None, 150.0)}
+
+
+def measure(label, *options):
+    """Processor time [%], states a second [Hz], median and 99th percentile of the way [us], memory
+    [MB] of the node that runs."""
+    command = ["rosrun", "collision_monitor", "collision_monitor_node_bench", label,
+               str(running.process_id(60.0)), str(SECONDS), *options]
+    run = subprocess.run(command, capture_output=True, text=True, check=True)
+    return [float(word) for word in run.stdout.splitlines()[-1].split()]
+
+
+def measure_relay(label):
+    with running.running([["rosrun", "collision_monitor", "collision_monitor_relay_node"]]):
+        return measure(label)
+
+
+def add_robot(robot, figures):
+    label = robot[0]
+    most_of_core, most_memory = GOALS[label]
+    relay = measure_relay(label)
+    with running.monitor(robot, {"rate": RATE, "trigger": "pose"}):
+        node = measure(label)
+        markers = measure(label, "markers")[0] - node[0]
+
+    def add(what, place, unit, goal):
+        figures.add(f"node, {label}: {what}", f"{node[place]:.3g} {unit}",
+                    f"{relay[place]:.3g} {unit}", f"< {goal:.0f} {unit}", node[place] < goal)
+
+    if most_of_core:
+        add("of a core at 1 kHz", 0, "%", most_of_core)
+        figures.add(f"node, {label}: states a second", f"{node[1]:.0f}", f"{relay[1]:.0f}",
+                    "within 2 % of 1000", abs(node[1] - RATE) < 0.02 * RATE)
+        add("tf to state, median", 2, "us", 300.0)
+        add("tf to state, 99 of 100", 3, "us", 1000.0)
+        figures.add(f"node, {label}: markers at 30 Hz on top", f"{markers:.1f} %", "-", "< 5 %",
+                    markers < 5.0)
+    add("memory", 4, "MB", most_memory)
+
+
+def add_rows(figures):
+    with running.master():
+        for robot in shared_robots():
+            if robot[0] in GOALS:
+                add_robot(robot, figures)
