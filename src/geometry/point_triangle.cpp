@@ -6,18 +6,20 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/based_triangle.h"
+
 namespace collision_monitor {
 namespace {
 
 using Eigen::Vector3d;
 
-// Height over longest edge, squared: below it the normal is mostly rounding, and the edges are
-// nearer to every point of the triangle than that.
-constexpr double kSliver = 1e-20;
+// Height over longest edge, squared: thinner triangles lose digits of their normal.
+constexpr double kThin = 1e-6;
 
 /// Where the foot of the perpendicular lies.
 struct Foot {
   Vector3d point;
+  bool is_thin{false};  ///< then nothing else is known
   bool is_inside{false};
   bool is_beyond[3] = {true, true, true};  ///< edge i, which is opposite to corner i
 };
@@ -30,7 +32,8 @@ Foot footOf(const Vector3d& point, const Vector3d (&corners)[3]) {
   const Vector3d ac = corners[2] - corners[0];
   const Vector3d normal = ab.cross(ac);
   const double longest_squared = std::max(ab.squaredNorm(), ac.squaredNorm());
-  if (!(normal.squaredNorm() > kSliver * longest_squared * longest_squared)) {
+  foot.is_thin = !(normal.squaredNorm() > kThin * longest_squared * longest_squared);
+  if (foot.is_thin) {
     return foot;
   }
   double weights[3];
@@ -67,8 +70,9 @@ Vector3d closestPointOnTriangle(const Vector3d& point, const Vector3d& a, const 
   if (foot.is_inside) {
     return foot.point;
   }
-  Vector3d nearest = a;
-  double least_squared = std::numeric_limits<double>::infinity();
+  Vector3d nearest = foot.is_thin ? footOn(baseOf({a, b, c}), point) : a;
+  double least_squared =
+      foot.is_thin ? (nearest - point).squaredNorm() : std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
     if (foot.is_beyond[i]) {
       const Vector3d candidate =

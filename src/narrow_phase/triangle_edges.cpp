@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "narrow_phase/triangle_edges.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace collision_monitor {
@@ -15,8 +14,6 @@ constexpr double kSliver = 1e-24;
 // Squared sine of edges that count as parallel.
 constexpr double kParallelSquared = 1e-28;
 
-double clampToUnit(double parameter) noexcept { return std::max(0.0, std::min(1.0, parameter)); }
-
 // The stretch of edge A that runs beside a parallel edge B: its middle.
 double middleOfShared(const Edge& a, const Vector3d& from_a_to_b, double product) noexcept {
   if (!(a.squared_length > 0.0)) {
@@ -27,29 +24,6 @@ double middleOfShared(const Edge& a, const Vector3d& from_a_to_b, double product
   return 0.5 * (clampToUnit(first) + clampToUnit(last));
 }
 
-// Across the base at the foot of the point, a triangle is a short segment perpendicular to the
-// base, on which the nearest point is found by one more projection. No area is divided by.
-Vector3d footOn(const PreparedTriangle& triangle, const Vector3d& point) noexcept {
-  const Edge& base = triangle.base;
-  if (!(base.squared_length > 0.0)) {
-    return base.start;
-  }
-  const double parameter = clampToUnit(base.along.dot(point - base.start) / base.squared_length);
-  const Vector3d on_base = base.start + parameter * base.along;
-  const bool before_apex = parameter < triangle.apex_parameter;
-  const Vector3d end = before_apex ? base.start : Vector3d(base.start + base.along);
-  const double from_end = before_apex ? parameter / triangle.apex_parameter
-                                      : (1.0 - parameter) / (1.0 - triangle.apex_parameter);
-  // An apex over an end of the base makes 0 / 0: the section is then the edge at that end.
-  const Vector3d on_side =
-      from_end <= 1.0 ? Vector3d(end + from_end * (triangle.apex - end)) : triangle.apex;
-  const Vector3d across = on_side - on_base;
-  const double squared_width = across.squaredNorm();
-  return squared_width > 0.0
-             ? Vector3d(on_base + clampToUnit(across.dot(point - on_base) / squared_width) * across)
-             : on_base;
-}
-
 }  // namespace
 
 PreparedTriangle prepare(const Triangle& triangle) noexcept {
@@ -58,20 +32,11 @@ PreparedTriangle prepare(const Triangle& triangle) noexcept {
   for (std::size_t i = 0; i < 3; ++i) {
     prepared.edges[i] = makeEdge(triangle[i], triangle[(i + 1) % 3]);
   }
-  std::size_t longest = prepared.edges[1].squared_length > prepared.edges[0].squared_length ? 1 : 0;
-  longest = prepared.edges[2].squared_length > prepared.edges[longest].squared_length ? 2 : longest;
-  prepared.base = prepared.edges[longest];
-  prepared.apex = triangle[(longest + 2) % 3];
-  prepared.apex_parameter = 0.0;
+  prepared.based = baseOf(triangle);
   prepared.normal.setZero();
-  const Edge& base = prepared.base;
-  if (base.squared_length > 0.0) {
-    const Vector3d to_apex = prepared.apex - base.start;
-    prepared.apex_parameter = clampToUnit(base.along.dot(to_apex) / base.squared_length);
-    const Vector3d height = to_apex - prepared.apex_parameter * base.along;
-    if (height.squaredNorm() > kSliver * base.squared_length) {
-      prepared.normal = base.along.cross(height).normalized();
-    }
+  const Vector3d height = prepared.based.height();
+  if (height.squaredNorm() > kSliver * prepared.based.squared_length) {
+    prepared.normal = prepared.based.along.cross(height).normalized();
   }
   return prepared;
 }
@@ -114,7 +79,7 @@ void improveByFace(const PreparedTriangle& triangle, const Vector3d& point,
   if (height * height >= best.squared_distance) {
     return;
   }
-  const Vector3d foot = footOn(triangle, point);
+  const Vector3d foot = footOn(triangle.based, point);
   const double squared_distance = (point - foot).squaredNorm();
   if (squared_distance < best.squared_distance) {
     best = {squared_distance, foot, point};

@@ -7,6 +7,7 @@
 
 #include "collision_monitor/geometry/triangle.h"
 #include "collision_monitor/narrow_phase/triangle_triangle.h"
+#include "geometry/based_triangle.h"
 
 /// The pieces that every query about a triangle is made of. One frame for all; metres.
 namespace collision_monitor {
@@ -23,15 +24,11 @@ inline Edge makeEdge(const Eigen::Vector3d& start, const Eigen::Vector3d& end) n
   return {start, along, along.squaredNorm()};
 }
 
-/// A triangle with what its queries share: its longest edge is the base, which the foot of the
-/// apex divides at `apex_parameter`. Needles keep their precision so: base and height are known
-/// well also where the other edges are nearly parallel to the base.
+/// A triangle with what its queries share.
 struct PreparedTriangle {
   Triangle corners;
   Edge edges[3];  ///< edge i runs from corner i to corner i + 1
-  Edge base;
-  Eigen::Vector3d apex;
-  double apex_parameter;
+  BasedTriangle based;
   Eigen::Vector3d normal;  ///< unit; 0 for a triangle too thin to have a plane
 
   bool hasPlane() const noexcept { return normal.squaredNorm() > 0.0; }
