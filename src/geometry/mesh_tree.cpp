@@ -9,6 +9,7 @@
 #include <string>
 
 #include "geometry/bound_triangles.h"
+#include "geometry/mesh_pieces.h"
 #include "geometry/split_triangles.h"
 
 namespace collision_monitor {
@@ -228,6 +229,7 @@ MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed) : is_closed_(is_clo
     source_triangles_.push_back(item.triangle);
   }
   boundBySlabs(builder.extents(), triangles_, center_, nodes_);
+  pieces_ = piecesOf(mesh);
 }
 
 }  // namespace collision_monitor

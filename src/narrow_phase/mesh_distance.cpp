@@ -12,60 +12,36 @@
 namespace collision_monitor {
 namespace {
 
-using Waiting = MeshQueryMemory::Waiting;
-
-// The nearest points so far, in the frame of A.
-struct Search {
-  PointPair best;
-  TrianglePair nearest;
-  std::uint32_t visits{0};
-  double squared_open{std::numeric_limits<double>::infinity()};  // least bound left unopened
-};
-
-void measureTriangles(const MeshPair& pair, std::uint32_t a, std::uint32_t b,
-                      Search& search) noexcept {
-  const double before = search.best.squared_distance;
-  search.best = nearestPoints(pair.a.triangles()[a], triangleOfB(pair, b), search.best);
-  if (search.best.squared_distance < before) {
-    search.nearest = {a, b};
-  }
+void measureTriangles(const MeshPair& pair, const TrianglePair& triangles,
+                      NearestSearch& search) noexcept {
+  offer(triangles, search, [&](const PointPair& best) {
+    return nearestPoints(pair.a.triangles()[triangles.a], triangleOfB(pair, triangles.b), best);
+  });
 }
 
-void searchNearest(const MeshPair& pair, std::uint32_t visit_budget, MeshQueryMemory& memory,
-                   Search& search) noexcept {
-  const double squared_rounding = pair.rounding * pair.rounding;
-  WaitingPairs waiting(memory);
-  waiting.push({0.0F, 0, 0});
-  while (!waiting.empty() && search.best.squared_distance > squared_rounding) {
-    const Waiting next = waiting.pop();
-    const float limit = asLimit(search.best.squared_distance);
-    if (!(next.squared_bound < limit)) {
-      continue;
-    }
-    if (search.visits >= visit_budget) {
-      search.squared_open = waiting.leastBound(static_cast<double>(next.squared_bound));
-      return;
-    }
-    ++search.visits;
-    const std::uint32_t child_a = childOf(pair.a, next.a);
-    const std::uint32_t child_b = childOf(pair.b, next.b);
-    if (isTriangle(child_a) && isTriangle(child_b)) {
-      measureTriangles(pair, triangleAt(child_a), triangleAt(child_b), search);
-    } else {
-      openLarger(pair, next, limit, waiting);
-    }
-  }
+void searchFrom(const MeshPair& pair, std::uint32_t visit_budget, MeshQueryMemory& memory,
+                NearestSearch& search) noexcept {
+  searchNearest(pair.rounding, visit_budget, memory, search,
+                [&](const MeshQueryMemory::Waiting& next, float limit, WaitingPairs& waiting) {
+                  const std::uint32_t child_a = childOf(pair.a, next.a);
+                  const std::uint32_t child_b = childOf(pair.b, next.b);
+                  if (isTriangle(child_a) && isTriangle(child_b)) {
+                    measureTriangles(pair, {triangleAt(child_a), triangleAt(child_b)}, search);
+                  } else {
+                    openLarger(pair, next, limit, waiting);
+                  }
+                });
 }
 
 // Unit normal from A to B of two points that may be one.
-Eigen::Vector3d normalBetween(const MeshPair& pair, const Search& search, double distance) {
+Eigen::Vector3d normalBetween(const MeshPair& pair, const NearestSearch& search, double distance) {
   if (distance > kTouching) {
     return (search.best.on_b - search.best.on_a) / distance;
   }
   return anyNormalOf(prepare(pair.a.triangles()[search.nearest.a]));
 }
 
-void report(const MeshPair& pair, const Search& search, const Pose& world_from_a,
+void report(const MeshPair& pair, const NearestSearch& search, const Pose& world_from_a,
             MeshDistance& answer) noexcept {
   const double distance = std::sqrt(search.best.squared_distance);
   answer.state = distance > pair.rounding ? MeshState::exact : MeshState::overlapping;
@@ -79,7 +55,7 @@ bool isPairOf(const MeshPair& pair, const TrianglePair& triangles) noexcept {
 }
 
 // What is known when the search ended early: nothing that was left is nearer than its bound.
-void reportBound(const Search& search, double stop_beyond, MeshDistance& answer) noexcept {
+void reportBound(const NearestSearch& search, double stop_beyond, MeshDistance& answer) noexcept {
   const double squared = std::min(search.best.squared_distance, search.squared_open);
   answer.nearest = search.nearest;
   if (squared <= std::numeric_limits<double>::max()) {
@@ -89,15 +65,12 @@ void reportBound(const Search& search, double stop_beyond, MeshDistance& answer)
 }
 
 // Surfaces that do not meet may still be one inside the other.
-void reportContainment(const MeshPair& pair, const Search& search, const Pose& world_from_a,
-                       MeshQueryMemory& memory, MeshDistance& answer) noexcept {
-  const bool has_points = isPairOf(pair, search.nearest);
-  const Eigen::Vector3d on_a = has_points ? search.best.on_a : pair.a.triangles().front()[0];
-  const Eigen::Vector3d on_b = has_points ? search.best.on_b : triangleOfB(pair, 0)[0];
-  if (holdsOther(pair, on_a, on_b, memory)) {
+void reportContainment(const MeshPair& pair, const Pose& world_from_a, MeshQueryMemory& memory,
+                       MeshDistance& answer) noexcept {
+  if (const std::optional<Eigen::Vector3d> shared = pointHeld(pair, memory)) {
     answer.state = MeshState::overlapping;
     answer.measured.distance = 0.0;
-    answer.measured.point_on_a = world_from_a * on_a;
+    answer.measured.point_on_a = world_from_a * *shared;
     answer.measured.point_on_b = answer.measured.point_on_a;
   }
 }
@@ -111,20 +84,20 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
     return answer;
   }
   const MeshPair pair = makeMeshPair(a, b);
-  Search search;
+  NearestSearch search;
   search.best.squared_distance = limits.stop_beyond * limits.stop_beyond;
   if (isPairOf(pair, start)) {
-    measureTriangles(pair, start.a, start.b, search);
+    measureTriangles(pair, start, search);
   }
-  searchNearest(pair, limits.visit_budget, memory, search);
+  searchFrom(pair, limits.visit_budget, memory, search);
   answer.visits = search.visits;
-  if (isPairOf(pair, search.nearest) && search.best.squared_distance <= search.squared_open) {
+  if (isPairOf(pair, search.nearest) && search.isComplete()) {
     report(pair, search, a.world_from_mesh, answer);
   } else {
     reportBound(search, limits.stop_beyond, answer);
   }
   if (answer.state != MeshState::overlapping) {
-    reportContainment(pair, search, a.world_from_mesh, memory, answer);
+    reportContainment(pair, a.world_from_mesh, memory, answer);
   }
   return answer;
 }

@@ -27,10 +27,24 @@ bool surfacesMeet(const MeshPair& pair, MeshQueryMemory& memory) noexcept {
 
 }  // namespace
 
-bool holdsOther(const MeshPair& pair, const Eigen::Vector3d& point_on_a,
-                const Eigen::Vector3d& point_on_b, MeshQueryMemory& memory) noexcept {
-  return (pair.a.isClosed() && isInside(pair.a, point_on_b, memory)) ||
-         (pair.b.isClosed() && isInside(pair.b, inverse(pair.a_from_b) * point_on_a, memory));
+std::optional<Eigen::Vector3d> pointHeld(const MeshPair& pair, MeshQueryMemory& memory) noexcept {
+  if (pair.a.isClosed()) {
+    for (const Eigen::Vector3d& piece : pair.b.pieces()) {
+      const Eigen::Vector3d in_a = pair.a_from_b * piece;
+      if (isInside(pair.a, in_a, memory)) {
+        return in_a;
+      }
+    }
+  }
+  if (pair.b.isClosed()) {
+    const Pose b_from_a = inverse(pair.a_from_b);
+    for (const Eigen::Vector3d& piece : pair.a.pieces()) {
+      if (isInside(pair.b, b_from_a * piece, memory)) {
+        return piece;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 bool overlap(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory) noexcept {
@@ -38,8 +52,7 @@ bool overlap(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory) 
     return true;
   }
   const MeshPair pair = makeMeshPair(a, b);
-  return surfacesMeet(pair, memory) ||
-         holdsOther(pair, pair.a.triangles().front()[0], triangleOfB(pair, 0)[0], memory);
+  return surfacesMeet(pair, memory) || pointHeld(pair, memory).has_value();
 }
 
 }  // namespace collision_monitor

@@ -28,13 +28,6 @@ struct MeshAndCore {
   double rounding;  // [m] a core this near touches the surface
 };
 
-struct Search {
-  PointPair best;  // the mesh is A
-  std::uint32_t nearest{TrianglePair::kNone};
-  std::uint32_t visits{0};
-  double squared_open{std::numeric_limits<double>::infinity()};  // least bound left unopened
-};
-
 // The box that holds the core, in its frame.
 Eigen::AlignedBox3d boxOf(const ConvexCore& core) noexcept {
   if (core.kind != ConvexCore::Kind::hull) {
@@ -59,73 +52,67 @@ PlacedBound boundOfCore(const MeshAndCore& pair) noexcept {
                {Eigen::Vector3f::Zero(), half, {0.0F, 0.0F, 1.0F / kUp}, 0.0F, half.z()});
 }
 
-void measureTriangle(const MeshAndCore& pair, std::uint32_t triangle, Search& search) noexcept {
-  const Triangle& in_mesh = pair.mesh.triangles()[triangle];
-  const Triangle in_core = {pair.core_from_mesh * in_mesh[0], pair.core_from_mesh * in_mesh[1],
-                            pair.core_from_mesh * in_mesh[2]};
-  const double before = search.best.squared_distance;
-  search.best = nearestPoints(in_core, pair.core, search.best);
-  if (search.best.squared_distance < before) {
-    search.nearest = triangle;
-  }
+void measureTriangle(const MeshAndCore& pair, std::uint32_t triangle,
+                     NearestSearch& search) noexcept {
+  offer({triangle, TrianglePair::kNone}, search, [&](const PointPair& best) {
+    const Triangle& in_mesh = pair.mesh.triangles()[triangle];
+    const Triangle in_core = {pair.core_from_mesh * in_mesh[0], pair.core_from_mesh * in_mesh[1],
+                              pair.core_from_mesh * in_mesh[2]};
+    return nearestPoints(in_core, pair.core, best);
+  });
 }
 
-void searchNearest(const MeshAndCore& pair, std::uint32_t visit_budget, MeshQueryMemory& memory,
-                   Search& search) noexcept {
+void openNode(const MeshAndCore& pair, std::uint32_t node, const PlacedBound& core, float limit,
+              WaitingPairs& waiting) noexcept {
+  NodeBounds children;
+  const std::uint32_t nearer = boundNearer(pair.mesh.nodes()[node], core, limit, children);
+  waiting.pushNearer(children, nearer, [node](float bound, std::uint32_t slot) {
+    return MeshQueryMemory::Waiting{bound, (node << kSlotBits) + slot, 0};
+  });
+}
+
+void searchFrom(const MeshAndCore& pair, std::uint32_t visit_budget, MeshQueryMemory& memory,
+                NearestSearch& search) noexcept {
   const PlacedBound core = boundOfCore(pair);
-  WaitingPairs waiting(memory);
-  waiting.push({0.0F, 0, 0});
-  while (!waiting.empty() && search.best.squared_distance > pair.rounding * pair.rounding) {
-    const MeshQueryMemory::Waiting next = waiting.pop();
-    const float limit = asLimit(search.best.squared_distance);
-    if (!(next.squared_bound < limit)) {
-      continue;
-    }
-    if (search.visits >= visit_budget) {
-      search.squared_open = waiting.leastBound(static_cast<double>(next.squared_bound));
-      return;
-    }
-    ++search.visits;
-    const std::uint32_t child = childOf(pair.mesh, next.a);
-    if (isTriangle(child)) {
-      measureTriangle(pair, triangleAt(child), search);
-      continue;
-    }
-    NodeBounds children;
-    const std::uint32_t nearer = boundNearer(pair.mesh.nodes()[child], core, limit, children);
-    waiting.pushNearer(children, nearer, [child](float bound, std::uint32_t slot) {
-      return MeshQueryMemory::Waiting{bound, (child << kSlotBits) + slot, 0};
-    });
-  }
+  searchNearest(pair.rounding, visit_budget, memory, search,
+                [&](const MeshQueryMemory::Waiting& next, float limit, WaitingPairs& waiting) {
+                  const std::uint32_t child = childOf(pair.mesh, next.a);
+                  if (isTriangle(child)) {
+                    measureTriangle(pair, triangleAt(child), search);
+                  } else {
+                    openNode(pair, child, core, limit, waiting);
+                  }
+                });
 }
 
 // Cores: the mesh is A. A core inside the solid has the surface behind it, and the way out is
 // through the nearest point of it.
-SignedDistance coresOf(const MeshAndCore& pair, const Search& search, bool is_inside) noexcept {
+SignedDistance coresOf(const MeshAndCore& pair, const NearestSearch& search,
+                       bool is_inside) noexcept {
   const PointPair& best = search.best;
   const double distance = std::sqrt(best.squared_distance);
   if (distance > pair.rounding) {
     const double sign = is_inside ? -1.0 : 1.0;
     return {sign * distance, best.on_a, best.on_b, sign / distance * (best.on_b - best.on_a)};
   }
-  const Vector3d normal = anyNormalOf(prepare(pair.mesh.triangles()[search.nearest]));
+  const Vector3d normal = anyNormalOf(prepare(pair.mesh.triangles()[search.nearest.a]));
   return {0.0, best.on_a, best.on_a, pair.core_from_mesh.rotation * normal};
 }
 
-bool isCoreInside(const MeshAndCore& pair, const Search& search, MeshQueryMemory& memory) noexcept {
+bool isCoreInside(const MeshAndCore& pair, const NearestSearch& search,
+                  MeshQueryMemory& memory) noexcept {
   return pair.mesh.isClosed() &&
          isInside(pair.mesh, inverse(pair.core_from_mesh) * search.best.on_b, memory);
 }
 
-void report(const MeshAndCore& pair, const Search& search, bool is_inside,
+void report(const MeshAndCore& pair, const NearestSearch& search, bool is_inside,
             MeshDistance& answer) noexcept {
   const double radius = pair.radius;
-  answer.nearest.a = search.nearest;
-  const bool is_complete = search.best.squared_distance <= search.squared_open;
+  answer.nearest = search.nearest;
   const double core_distance =
       std::sqrt(std::min(search.best.squared_distance, search.squared_open));
   const bool meets = search.best.squared_distance <= radius * radius;
-  if (search.nearest != TrianglePair::kNone && (is_complete || (meets && !is_inside))) {
+  if (search.nearest.a != TrianglePair::kNone && (search.isComplete() || (meets && !is_inside))) {
     answer.measured = swept(coresOf(pair, search, is_inside), 0.0, radius);
     answer.state = answer.measured.distance > 0.0 ? MeshState::exact : MeshState::overlapping;
   } else if (is_inside) {
@@ -144,13 +131,13 @@ MeshDistance measureCore(const PlacedMesh& a, const SweptCore& b, const Pose& wo
   const double size = a.tree.radius() + a.tree.center().norm() + core_from_mesh.translation.norm();
   const MeshAndCore pair{a.tree, core_from_mesh, b.core, b.radius, kTouchingShare * size};
   MeshDistance answer;
-  Search search;
+  NearestSearch search;
   const double core_limit = std::max(limits.stop_beyond + b.radius, 0.0);
   search.best.squared_distance = core_limit * core_limit;
   if (start.a < a.tree.triangles().size()) {
     measureTriangle(pair, start.a, search);
   }
-  searchNearest(pair, limits.visit_budget, memory, search);
+  searchFrom(pair, limits.visit_budget, memory, search);
   answer.visits = search.visits;
   report(pair, search, isCoreInside(pair, search, memory), answer);
   answer.measured = placed(world_from_b, answer.measured);

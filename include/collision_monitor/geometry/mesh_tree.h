@@ -63,11 +63,15 @@ class MeshTree {
   /// About center(), [m]; holds all triangles.
   double radius() const noexcept { return radius_; }
   bool isClosed() const noexcept { return is_closed_; }
+  /// One corner of each connected piece of the surface: a piece that crosses no other surface is
+  /// inside a solid or outside with all of its points.
+  const std::vector<Eigen::Vector3d>& pieces() const noexcept { return pieces_; }
 
  private:
   std::vector<MeshTreeNode> nodes_;
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> source_triangles_;
+  std::vector<Eigen::Vector3d> pieces_;
   Eigen::Vector3d center_{Eigen::Vector3d::Zero()};
   double radius_{0.0};
   bool is_closed_{false};

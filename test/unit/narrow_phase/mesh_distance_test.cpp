@@ -52,6 +52,29 @@ TEST_F(Meshes, cornersApart_distanceBetweenThem) {
   expectNear(found.measured.point_on_b, {4, 5, 13}, "point on b");
 }
 
+TEST_F(Meshes, oneOfTwoPiecesInside_overlap) {
+  // The piece outside is nearer to the cube's surface than the one inside.
+  TriangleMesh two = moved(boxMesh({0.1, 0.1, 0.1}), {0, 0, 0}, {1.3, 0, 0});
+  const TriangleMesh inner = boxMesh({0.2, 0.2, 0.2});
+  const auto first = static_cast<std::uint32_t>(two.vertices.size());
+  two.vertices.insert(two.vertices.end(), inner.vertices.begin(), inner.vertices.end());
+  for (const auto& t : inner.triangles) {
+    two.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  const MeshTree pieces(two);
+  ASSERT_EQ(pieces.pieces().size(), 2U);
+  for (const bool swaps : {false, true}) {
+    const MeshTree& a = swaps ? pieces : cube_;
+    const MeshTree& b = swaps ? cube_ : pieces;
+    EXPECT_TRUE(meet(a, at(0, 0, 0), b, at(0, 0, 0)));
+    const MeshDistance found = distance(a, at(0, 0, 0), b, at(0, 0, 0));
+    EXPECT_EQ(found.state, MeshState::overlapping);
+    EXPECT_NEAR(found.measured.point_on_a.cwiseAbs().maxCoeff(), 0.2, kExact);
+  }
+  const MeshTree open_cube(boxMesh({1, 1, 1}));
+  EXPECT_NEAR(distance(open_cube, at(0, 0, 0), pieces, at(0, 0, 0)).measured.distance, 0.2, kExact);
+}
+
 TEST_F(Meshes, surfacesCross_overlap) {
   EXPECT_TRUE(meet(cube_, at(0, 0, 0), cube_, at(1.5, 0.3, 0.2)));
   const MeshDistance found = distance(cube_, at(0, 0, 0), cube_, at(1.5, 0.3, 0.2));
