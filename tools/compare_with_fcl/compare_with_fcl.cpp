@@ -108,11 +108,13 @@ int compareExact(const RobotDescription& robot, const ComparisonOptions& options
   const std::size_t wrong = found.missed + found.wrong_contacts;
   std::printf(
       "poses %zu, verdicts %zu, wrong %zu (%zu missed), contacts %zu; of %zu contacts of enclosing "
-      "shapes %.2f %% false, refined %.2f %%; left by the budget %.4f a pose: %s\n",
+      "shapes %.2f %% false, refined %.2f %%; left by the budget %.4f a pose, standing still "
+      "%.2f %% after at most %zu cycles: %s\n",
       found.poses, found.pairs, wrong, found.missed, found.contacts, found.enclosing_contacts,
       percent(found.enclosing_alarms, found.enclosing_contacts),
       percent(found.refined_alarms, found.enclosing_contacts),
       static_cast<double>(found.left) / static_cast<double>(std::max<std::size_t>(1, found.poses)),
+      percent(found.standing_alarms, found.enclosing_contacts), found.most_cycles,
       wrong == 0 ? "agrees" : "DIFFERS");
   return wrong == 0 ? 0 : 1;
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "collision_monitor/geometry/mesh_tree.h"
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "fitting/closed_surface.h"
 #include "random_poses.h"
@@ -17,6 +18,7 @@ namespace collision_monitor {
 namespace {
 
 constexpr std::size_t kMostListed = 100;
+constexpr std::size_t kMostCycles = 1000;
 
 struct MakeFcl {
   template <class Primitive>
@@ -33,14 +35,14 @@ struct Solid {
   Pose world_from_geometry;
   std::unique_ptr<test::FclObject> object;
   std::optional<TriangleBvh> closed_surface;
-  Eigen::Vector3d some_point{Eigen::Vector3d::Zero()};
+  std::vector<Eigen::Vector3d> pieces{Eigen::Vector3d::Zero()};  ///< a point of each
 };
 
 Solid makeSolid(LinkId link, const CollisionElement& element) {
   Solid solid{link, element.link_from_geometry, {}, nullptr, std::nullopt};
   solid.object = std::make_unique<test::FclObject>(std::visit(MakeFcl{}, element.geometry));
   if (const auto* mesh = std::get_if<TriangleMesh>(&element.geometry)) {
-    solid.some_point = mesh->vertices.front();
+    solid.pieces = MeshTree(*mesh).pieces();
     if (const auto surface = closedSurface(*mesh)) {
       solid.closed_surface.emplace(*surface);
     }
@@ -48,13 +50,17 @@ Solid makeSolid(LinkId link, const CollisionElement& element) {
   return solid;
 }
 
-bool holdsPointOf(const Solid& outer, const Solid& inner) {
-  if (!outer.closed_surface) {
-    return false;
-  }
-  const Eigen::Vector3d point =
-      inverse(outer.world_from_geometry) * (inner.world_from_geometry * inner.some_point);
-  return std::abs(windingNumber(*outer.closed_surface, point)) > 0.5;
+// Most points are not even in the box of the surface, all of whose triangles count.
+bool holds(const TriangleBvh& surface, const Eigen::Vector3d& point) {
+  return meets(surface.bounds(), {point, point}) && std::abs(windingNumber(surface, point)) > 0.5;
+}
+
+bool holdsPieceOf(const Solid& outer, const Solid& inner) {
+  const Pose outer_from_inner = inverse(outer.world_from_geometry) * inner.world_from_geometry;
+  return outer.closed_surface &&
+         std::any_of(inner.pieces.begin(), inner.pieces.end(), [&](const Eigen::Vector3d& piece) {
+           return holds(*outer.closed_surface, outer_from_inner * piece);
+         });
 }
 
 /// One run over one robot.
@@ -64,7 +70,8 @@ class ExactComparer {
       : setup_(setup),
         enclosing_(makeBuffers(setup, BroadPhaseKind::sweep_and_prune)),
         refined_(makeBuffers(setup, BroadPhaseKind::sweep_and_prune)),
-        solids_of_(setup.model.links.size()) {
+        solids_of_(setup.model.links.size()),
+        is_contact_(setup.checked.size()) {
     enclosing_.refine.limits.budget = 0;
     for (std::size_t i = 0; i < setup.model.links.size(); ++i) {
       for (const CollisionElement& element : setup.model.links[i].collisions) {
@@ -84,6 +91,7 @@ class ExactComparer {
     }
     result_.left += refined_.counters.left;
     ++result_.poses;
+    standStill(poses);
   }
 
   const ExactComparison& result() const { return result_; }
@@ -104,8 +112,8 @@ class ExactComparer {
     for (const Solid& a : solids_of_[index(pair.a)]) {
       for (const Solid& b : solids_of_[index(pair.b)]) {
         if (a.object->getAABB().overlap(b.object->getAABB()) &&
-            (test::fclOverlap(*a.object, *b.object).value_or(false) || holdsPointOf(a, b) ||
-             holdsPointOf(b, a))) {
+            (test::fclOverlap(*a.object, *b.object).value_or(false) || holdsPieceOf(a, b) ||
+             holdsPieceOf(b, a))) {
           return true;
         }
       }
@@ -113,21 +121,42 @@ class ExactComparer {
     return false;
   }
 
+  /// What the budget left comes first in the next cycles: until nothing is left.
+  void standStill(const LinkPoses& poses) {
+    std::size_t cycles = 1;
+    for (; refined_.counters.left > 0 && cycles < kMostCycles; ++cycles) {
+      std::fill(refined_.memory.reported.begin(), refined_.memory.reported.end(), Verdict::clear);
+      runCycle(setup_, poses, refined_);
+    }
+    result_.most_cycles = std::max(result_.most_cycles, cycles);
+    for (std::size_t i = 0; i < setup_.checked.size(); ++i) {
+      const bool ours = refined_.events.verdicts[i] == Verdict::contact;
+      result_.standing_alarms += ours && !is_contact_[i] && !isTouch(i) ? 1 : 0;
+    }
+  }
+
+  /// Right either way.
+  bool isTouch(std::size_t i) const {
+    const PairDistance nearest = nearestOf(i);
+    return std::abs(nearest.measured.distance) <= kTolerance && nearest.quality == Quality::exact;
+  }
+
+  PairDistance nearestOf(std::size_t i) const {
+    const std::uint32_t place = refined_.events.closest[i];
+    return place == kNone ? PairDistance() : refined_.distances.measured[place];
+  }
+
   void comparePair(std::size_t i) {
     const CheckedLinkPair& pair = setup_.checked[i];
-    const bool is_contact = isContact(pair);
+    const bool is_contact = is_contact_[i] = isContact(pair);
     const bool of_shapes = enclosing_.events.verdicts[i] == Verdict::contact;
     const bool ours = refined_.events.verdicts[i] == Verdict::contact;
-    const std::uint32_t place = refined_.events.closest[i];
-    const PairDistance nearest =
-        place == kNone ? PairDistance() : refined_.distances.measured[place];
-    const bool is_touch =
-        std::abs(nearest.measured.distance) <= kTolerance && nearest.quality == Quality::exact;
+    const PairDistance nearest = nearestOf(i);
     ++result_.pairs;
     result_.contacts += is_contact ? 1 : 0;
     result_.enclosing_contacts += of_shapes ? 1 : 0;
     result_.enclosing_alarms += of_shapes && !is_contact ? 1 : 0;
-    if (ours == is_contact || is_touch) {
+    if (ours == is_contact || isTouch(i)) {
       return;
     }
     if (ours && nearest.quality == Quality::lower_bound) {
@@ -148,6 +177,7 @@ class ExactComparer {
   CycleBuffers enclosing_;
   CycleBuffers refined_;
   std::vector<std::vector<Solid>> solids_of_;  ///< by LinkId
+  std::vector<bool> is_contact_;               ///< in truth, by LinkPairIndex
   ExactComparison result_;
 };
 
