@@ -29,7 +29,7 @@ double extentOf(const std::vector<Eigen::Vector3d>& points) {
   return (high - low).maxCoeff();
 }
 
-std::set<std::pair<std::uint32_t, std::uint32_t>> neighboursOf(const TriangleMesh& mesh) {
+std::set<std::pair<std::uint32_t, std::uint32_t>> neighbourPairsOf(const TriangleMesh& mesh) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (const auto& corners : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -53,10 +53,15 @@ ConvexHull::ConvexHull(const std::vector<Eigen::Vector3d>& points) {
   faces_ = std::move(gathered.faces);
   edges_ = std::move(gathered.edges);
   has_volume_ = faces_.size() >= 4;
+  first_corner_.push_back(0);
+  for (const auto& ring : gathered.rings) {
+    ring_corners_.insert(ring_corners_.end(), ring.begin(), ring.end());
+    first_corner_.push_back(static_cast<std::uint32_t>(ring_corners_.size()));
+  }
 
   climbs_ = vertices_.size() > kFewVertices && !mesh.triangles.empty();
   first_neighbour_.assign(vertices_.size() + 1, 0);
-  for (const auto& [from, to] : neighboursOf(mesh)) {
+  for (const auto& [from, to] : neighbourPairsOf(mesh)) {
     neighbours_.push_back(to);
     first_neighbour_[from + 1] = static_cast<std::uint32_t>(neighbours_.size());
     climbs_ = climbs_ && (vertices_[to] - vertices_[from]).norm() > kShortEdge * extent;

@@ -93,6 +93,25 @@ std::vector<ConvexHull::Edge> edgesBetween(const TriangleOfEdge& triangle_of,
   return edges;
 }
 
+// A face walks each of its edges one way. Slivers without area may leave a gap: the ring ends
+// there.
+std::vector<std::vector<std::uint32_t>> ringsOf(const HullFaces& gathered) {
+  std::vector<std::map<std::uint32_t, std::uint32_t>> next(gathered.faces.size());
+  for (const ConvexHull::Edge& edge : gathered.edges) {
+    next[edge.left][edge.from] = edge.to;
+    next[edge.right][edge.to] = edge.from;
+  }
+  std::vector<std::vector<std::uint32_t>> rings(next.size());
+  for (std::size_t face = 0; face < next.size(); ++face) {
+    auto at = next[face].begin();
+    while (at != next[face].end() && rings[face].size() < next[face].size()) {
+      rings[face].push_back(at->first);
+      at = next[face].find(at->second);
+    }
+  }
+  return rings;
+}
+
 }  // namespace
 
 HullFaces gatherFaces(const TriangleMesh& mesh, double extent) {
@@ -115,6 +134,7 @@ HullFaces gatherFaces(const TriangleMesh& mesh, double extent) {
     }
   }
   gathered.edges = edgesBetween(triangle_of, face_of);
+  gathered.rings = ringsOf(gathered);
   return gathered;
 }
 

@@ -12,6 +12,7 @@ namespace collision_monitor {
 struct HullFaces {
   std::vector<ConvexHull::Face> faces;
   std::vector<ConvexHull::Edge> edges;
+  std::vector<std::vector<std::uint32_t>> rings;  ///< by face: its corners, counter-clockwise
 };
 
 /// Each face grows from its largest triangle over neighbours that lie in that one's plane, so

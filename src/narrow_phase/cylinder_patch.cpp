@@ -35,7 +35,7 @@ ContactPatch sideOf(const Cylinder& cylinder, const Vector3d& across) noexcept {
 }  // namespace
 
 ContactPatch extremePatch(const Cylinder& cylinder, const Pose& world_from_cylinder,
-                          const Vector3d& direction) noexcept {
+                          const Vector3d& direction, double flat_sine) noexcept {
   const Vector3d in_cylinder = world_from_cylinder.rotation.transpose() * direction;
   const double along = in_cylinder.z();
   const double sine = in_cylinder.head<2>().norm();
@@ -43,9 +43,9 @@ ContactPatch extremePatch(const Cylinder& cylinder, const Pose& world_from_cylin
   const double scale = sine > 0.0 ? cylinder.radius / sine : 0.0;
   const Vector3d across(scale * in_cylinder.x(), scale * in_cylinder.y(), 0.0);
   ContactPatch patch;
-  if (sine <= kFlatSine && cylinder.radius > 0.0) {
+  if (sine <= flat_sine && cylinder.radius > 0.0) {
     patch = capOf(cylinder, height);
-  } else if (std::abs(along) <= kFlatSine && cylinder.half_length > 0.0) {
+  } else if (std::abs(along) <= flat_sine && cylinder.half_length > 0.0) {
     patch = sideOf(cylinder, across);
   } else {
     patch.corners[patch.size++] = across + height * Vector3d::UnitZ();

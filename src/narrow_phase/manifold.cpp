@@ -14,10 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Edges whose directions differ by more than this sine cross at one point...
-constexpr double kParallelEdges = 1e-4;
-// ... and so do those that pass each other sideways by more than this [m].
-constexpr double kSideways = 1e-4;
+// Of edges that count as parallel; others cross at one point.
+constexpr EdgeSlack kParallelEdges{1e-4, 1e-4};
 
 std::size_t dimensionOf(std::size_t corner_count) noexcept {
   return std::min<std::size_t>(corner_count, 3) - 1;
@@ -79,10 +77,10 @@ void clipByFace(const ContactPatch& face, const ContactPatch& other, const Vecto
 
 // The two ends of the stretch that nearly parallel edges share.
 void clipEdges(const ContactPatch& a, const ContactPatch& b, const Vector3d& normal,
-               ManifoldPoints& points) noexcept {
+               const EdgeSlack& slack, ManifoldPoints& points) noexcept {
   const Vector3d along_a = a.corners[1] - a.corners[0];
   const Vector3d along_b = b.corners[1] - b.corners[0];
-  if (along_a.cross(along_b).norm() > kParallelEdges * along_a.norm() * along_b.norm()) {
+  if (along_a.cross(along_b).norm() > slack.sine * along_a.norm() * along_b.norm()) {
     return;
   }
   const double squared_length = along_a.squaredNorm();
@@ -94,7 +92,7 @@ void clipEdges(const ContactPatch& a, const ContactPatch& b, const Vector3d& nor
     const Vector3d on_a = a.corners[0] + parameter * along_a;
     const Vector3d on_b = b.corners[0] + (parameter - first) / (last - first) * along_b;
     const double distance = (on_b - on_a).dot(normal);
-    if (low < high && (on_b - on_a - distance * normal).norm() <= kSideways) {
+    if (low < high && (on_b - on_a - distance * normal).norm() <= slack.sideways) {
       points.add({on_a, on_b, distance});
     }
   }
@@ -102,22 +100,6 @@ void clipEdges(const ContactPatch& a, const ContactPatch& b, const Vector3d& nor
 
 ManifoldPoint swappedPoint(const ManifoldPoint& point) noexcept {
   return {point.point_on_b, point.point_on_a, point.distance};
-}
-
-// All candidates, A first whichever face clips.
-ManifoldPoints candidatesOf(const ContactPatch& a, const ContactPatch& b,
-                            const Vector3d& normal) noexcept {
-  ManifoldPoints points;
-  if (a.size == 2 && b.size == 2) {
-    clipEdges(a, b, normal, points);
-  } else if (a.size >= 2 && b.size >= 2) {
-    const bool is_a = clipsOther(a, b, normal);
-    clipByFace(is_a ? a : b, is_a ? b : a, is_a ? normal : Vector3d(-normal), points);
-    for (std::size_t i = 0; !is_a && i < points.size; ++i) {
-      points.points[i] = swappedPoint(points.points[i]);
-    }
-  }
-  return points;
 }
 
 // Names what is left of the features: a tilted face touches with an edge or a corner of it.
@@ -140,11 +122,26 @@ const char* nameOf(ContactFeature feature) noexcept {
   return kNames[static_cast<std::size_t>(feature)];
 }
 
+ManifoldPoints facingPoints(const ContactPatch& a, const ContactPatch& b, const Vector3d& normal,
+                            const EdgeSlack& slack) noexcept {
+  ManifoldPoints points;
+  if (a.size == 2 && b.size == 2) {
+    clipEdges(a, b, normal, slack, points);
+  } else if (a.size >= 2 && b.size >= 2) {
+    const bool is_a = clipsOther(a, b, normal);
+    clipByFace(is_a ? a : b, is_a ? b : a, is_a ? normal : Vector3d(-normal), points);
+    for (std::size_t i = 0; !is_a && i < points.size; ++i) {
+      points.points[i] = swappedPoint(points.points[i]);
+    }
+  }
+  return points;
+}
+
 ContactManifold manifoldOf(const ContactPatch& on_a, const ContactPatch& on_b,
                            const SignedDistance& measured) noexcept {
   ContactManifold manifold;
   manifold.normal_a_to_b = measured.normal_a_to_b;
-  ManifoldPoints points = candidatesOf(on_a, on_b, measured.normal_a_to_b);
+  ManifoldPoints points = facingPoints(on_a, on_b, measured.normal_a_to_b, kParallelEdges);
   dropFarther(measured.distance + kPatchDepth, points);
   if (points.size == 0) {
     points.add({measured.point_on_a, measured.point_on_b, measured.distance});

@@ -50,7 +50,7 @@ void setCenter(ContactManifold& manifold) noexcept {
 }  // namespace
 
 ContactPatch extremePatch(const Shape& shape, const Pose& world_from_shape,
-                          const Vector3d& direction) noexcept {
+                          const Vector3d& direction, double flat_sine) noexcept {
   const Vector3d half_extents = coreHalfExtents(shape);
   Vector3d center = world_from_shape.translation + radiusOf(shape) * direction;
   std::array<Vector3d, 2> sides;
@@ -58,7 +58,7 @@ ContactPatch extremePatch(const Shape& shape, const Pose& world_from_shape,
   for (Eigen::Index k = 0; k < 3; ++k) {
     const Vector3d side = half_extents[k] * world_from_shape.rotation.col(k);
     const double slope = direction.dot(world_from_shape.rotation.col(k));
-    if (std::abs(slope) > kFlatSine || side_count == sides.size()) {
+    if (std::abs(slope) > flat_sine || side_count == sides.size()) {
       center += signOf(slope) * side;
     } else if (half_extents[k] > 0.0) {
       sides[side_count++] = side;

@@ -34,9 +34,21 @@ struct ManifoldPoints {
   }
 };
 
-/// The feature of a shape that is extreme in `direction` (unit), on its surface. World frame.
+/// The feature of a shape that is extreme in `direction` (unit), on its surface: a face or an edge
+/// that is flat to `flat_sine`, or a vertex. World frame.
 ContactPatch extremePatch(const Shape& shape, const Pose& world_from_shape,
-                          const Eigen::Vector3d& direction) noexcept;
+                          const Eigen::Vector3d& direction, double flat_sine = kFlatSine) noexcept;
+
+/// Edges run beside each other where neither is exceeded.
+struct EdgeSlack {
+  double sine;      ///< of the angle between them
+  double sideways;  ///< [m] how far they pass each other, seen along the normal
+};
+
+/// Where the features face each other along `normal`, A's point first: the corners of a polygon in
+/// turn, or two ends, in one plane with either feature; none where edges cross.
+ManifoldPoints facingPoints(const ContactPatch& on_a, const ContactPatch& on_b,
+                            const Eigen::Vector3d& normal, const EdgeSlack& slack) noexcept;
 
 /// Keeps the part with outward . (x - through) <= 0.
 void cut(const Eigen::Vector3d& outward, const Eigen::Vector3d& through,

@@ -49,33 +49,14 @@ Polygon cut(const Polygon& polygon, Eigen::Index axis, double side, double limit
   return kept;
 }
 
-Eigen::Vector2d middleOfBounds(const Polygon& polygon) noexcept {
-  Eigen::Vector2d low = polygon.corners[0];
-  Eigen::Vector2d high = polygon.corners[0];
-  for (std::size_t i = 1; i < polygon.size; ++i) {
-    low = low.cwiseMin(polygon.corners[i]);
-    high = high.cwiseMax(polygon.corners[i]);
+Eigen::Vector2d middleOfBounds(const Eigen::Vector2d* corners, std::size_t count) noexcept {
+  Eigen::Vector2d low = corners[0];
+  Eigen::Vector2d high = corners[0];
+  for (std::size_t i = 1; i < count; ++i) {
+    low = low.cwiseMin(corners[i]);
+    high = high.cwiseMax(corners[i]);
   }
   return 0.5 * (low + high);
-}
-
-// Triangles of a fan about the first corner, each weighed by its area. A polygon thinner than
-// rounding is a segment, whose middle is that of its bounds.
-Eigen::Vector2d centroid(const Polygon& polygon) noexcept {
-  const Eigen::Vector2d& apex = polygon.corners[0];
-  Eigen::Vector2d weighed = Eigen::Vector2d::Zero();
-  double area = 0.0;
-  double length_squared = 0.0;
-  for (std::size_t i = 1; i + 1 < polygon.size; ++i) {
-    const Eigen::Vector2d to = polygon.corners[i] - apex;
-    const Eigen::Vector2d next = polygon.corners[i + 1] - apex;
-    const double weight = std::max(cross(to, next), 0.0);
-    weighed += weight / 3.0 * (to + next);
-    area += weight;
-    length_squared = std::max({length_squared, to.squaredNorm(), next.squaredNorm()});
-  }
-  return area > kThin * length_squared ? Eigen::Vector2d(apex + weighed / area)
-                                       : middleOfBounds(polygon);
 }
 
 bool clippedSegmentCenter(const FlatFeature& feature, const Eigen::Vector2d& limits,
@@ -120,7 +101,7 @@ bool clippedPolygonCenter(const FlatFeature& feature, const Eigen::Vector2d& lim
   if (polygon.size == 0) {
     return false;
   }
-  center = centroid(polygon);
+  center = centroidOf(polygon.corners.data(), polygon.size);
   return true;
 }
 
@@ -138,6 +119,24 @@ bool clippedCenter(const FlatFeature& feature, const Eigen::Vector2d& limits,
 }
 
 }  // namespace
+
+// Triangles of a fan about the first corner, each weighed by its area.
+Eigen::Vector2d centroidOf(const Eigen::Vector2d* corners, std::size_t count) noexcept {
+  const Eigen::Vector2d& apex = corners[0];
+  Eigen::Vector2d weighed = Eigen::Vector2d::Zero();
+  double area = 0.0;
+  double length_squared = 0.0;
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    const Eigen::Vector2d to = corners[i] - apex;
+    const Eigen::Vector2d next = corners[i + 1] - apex;
+    const double weight = std::abs(cross(to, next));
+    weighed += weight / 3.0 * (to + next);
+    area += weight;
+    length_squared = std::max({length_squared, to.squaredNorm(), next.squaredNorm()});
+  }
+  return area > kThin * length_squared ? Eigen::Vector2d(apex + weighed / area)
+                                       : middleOfBounds(corners, count);
+}
 
 bool patchCenter(const FlatFeature& feature, const Eigen::Vector2d& half_extents, double tolerance,
                  Eigen::Vector2d& center) noexcept {

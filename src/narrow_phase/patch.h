@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 
 namespace collision_monitor {
 
@@ -22,5 +23,10 @@ struct FlatFeature {
 /// Source: Sutherland, Hodgman, "Reentrant polygon clipping" (1974).
 bool patchCenter(const FlatFeature& feature, const Eigen::Vector2d& half_extents, double tolerance,
                  Eigen::Vector2d& center) noexcept;
+
+/// The centroid of a convex polygon, whichever way it turns; of one thinner than rounding, which
+/// is a segment, the middle of its bounds.
+/// @pre count >= 1
+Eigen::Vector2d centroidOf(const Eigen::Vector2d* corners, std::size_t count) noexcept;
 
 }  // namespace collision_monitor

@@ -8,6 +8,7 @@
 #include "narrow_phase/core_distance.h"
 #include "narrow_phase/distance_parallel_axes.h"
 #include "narrow_phase/epa.h"
+#include "narrow_phase/flat_contact.h"
 #include "narrow_phase/gjk.h"
 #include "narrow_phase/round_depth.h"
 
@@ -76,13 +77,8 @@ bool holdsPoint(const ConvexCore& hull, const ConvexCore& point) noexcept {
   return hull.kind == ConvexCore::Kind::hull && hull.hull->hasVolume() && isPoint(point);
 }
 
-}  // namespace
-
-ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept {
-  ConvexDistance closed{SignedDistance{}, DistanceQuality::exact};
-  if (distanceOfParallelAxes(pair, closed.measured)) {
-    return closed;
-  }
+// By GJK, or where that finds an overlap by what settles its depth.
+ConvexDistance searchApartOrDeep(ConvexPair& pair, ConvexSearch& search) noexcept {
   const GjkResult found = searchNearest(pair, search.warm, search.enough);
   keepWarm(found.simplex.vertices.data(), found.simplex.size, pair, search.warm);
   const bool is_apart =
@@ -90,6 +86,7 @@ ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept {
   if (is_apart || found.state == GjkResult::State::settled) {
     return answerApart(pair, found);
   }
+  ConvexDistance closed;
   if (holdsPoint(pair.b, pair.a)) {
     closed = pointInHull(inverse(pair.a_from_b).translation, *pair.b.hull);
     closed.measured = placed(pair.a_from_b, closed.measured);
@@ -101,6 +98,20 @@ ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept {
     return closed;
   }
   return answerOverlap(pair, found, search);
+}
+
+}  // namespace
+
+ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept {
+  ConvexDistance found{SignedDistance{}, DistanceQuality::exact};
+  if (distanceOfParallelAxes(pair, found.measured)) {
+    return found;
+  }
+  found = searchApartOrDeep(pair, search);
+  if (found.quality == DistanceQuality::exact) {
+    centerOnPatch(pair, found.measured);
+  }
+  return found;
 }
 
 }  // namespace collision_monitor

@@ -30,6 +30,16 @@ class ConvexHull {
     std::uint32_t left, right;  ///< faces, seen from outside along the edge
   };
 
+  /// Numbers of vertices, as the hull keeps them.
+  struct Indices {
+    const std::uint32_t* first;
+    const std::uint32_t* last;  ///< beyond the last one
+
+    const std::uint32_t* begin() const noexcept { return first; }
+    const std::uint32_t* end() const noexcept { return last; }
+    std::size_t size() const noexcept { return static_cast<std::size_t>(last - first); }
+  };
+
   /// @throws std::invalid_argument when there is no point or one is not finite.
   explicit ConvexHull(const std::vector<Eigen::Vector3d>& points);
 
@@ -37,6 +47,17 @@ class ConvexHull {
   const std::vector<Face>& faces() const noexcept { return faces_; }
   const std::vector<Edge>& edges() const noexcept { return edges_; }
   bool hasVolume() const noexcept { return has_volume_; }
+
+  /// The corners of a face one after another, counter-clockwise seen from outside.
+  Indices ringOf(std::uint32_t face) const noexcept {
+    return {ring_corners_.data() + first_corner_[face],
+            ring_corners_.data() + first_corner_[face + 1]};
+  }
+  /// The other ends of a vertex's edges, and of diagonals that divide its faces.
+  Indices neighboursOf(std::uint32_t vertex) const noexcept {
+    return {neighbours_.data() + first_neighbour_[vertex],
+            neighbours_.data() + first_neighbour_[vertex + 1]};
+  }
 
   /// Radius about the origin of the frame that holds the hull.
   double boundingRadius() const noexcept { return bounding_radius_; }
@@ -68,6 +89,9 @@ class ConvexHull {
   std::vector<Eigen::Vector3d> vertices_;
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
+  // Those of face i are ring_corners_[first_corner_[i]] up to the next one's first.
+  std::vector<std::uint32_t> first_corner_;
+  std::vector<std::uint32_t> ring_corners_;
   // The neighbours of vertex i are neighbours_[first_neighbour_[i]] up to the next one's first.
   std::vector<std::uint32_t> first_neighbour_;
   std::vector<std::uint32_t> neighbours_;

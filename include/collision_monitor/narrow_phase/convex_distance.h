@@ -54,8 +54,8 @@ struct ConvexSearch {
 /// docs/accuracy.md has what was measured. An answer that iteration could not settle says
 /// `lower_bound` and is one.
 /// Limits: zero-size, flat, touching, concentric and parallel geometries are legal. Where the
-/// normal is not unique, one is chosen that realises the distance. Where faces are parallel the
-/// points are some of many; only the closed forms take the middle.
+/// normal is not unique, one is chosen that realises the distance. Where faces or edges are
+/// parallel, the points lie over the middle of what they share.
 /// Source: Gilbert, Johnson, Keerthi, "A fast procedure for computing the distance between
 /// complex objects in three-dimensional space" (1988); van den Bergen, "Collision Detection in
 /// Interactive 3D Environments" (2003), chapter 4. Departures are named in src/narrow_phase.

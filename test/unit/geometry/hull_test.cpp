@@ -65,6 +65,35 @@ TEST(ConvexHull, edgeOfCube_standsBetweenPerpendicularFaces) {
   }
 }
 
+void expectRingsTurnLeft(const ConvexHull& hull, std::size_t corner_count) {
+  for (std::uint32_t face = 0; face < hull.faces().size(); ++face) {
+    const ConvexHull::Indices ring = hull.ringOf(face);
+    ASSERT_EQ(ring.size(), corner_count);
+    for (std::size_t i = 0; i < corner_count; ++i) {
+      const Eigen::Vector3d& from = hull.vertices()[ring.first[i]];
+      const Eigen::Vector3d& at = hull.vertices()[ring.first[(i + 1) % corner_count]];
+      const Eigen::Vector3d& to = hull.vertices()[ring.first[(i + 2) % corner_count]];
+      EXPECT_GT((at - from).cross(to - at).dot(hull.faces()[face].normal), 0.0);
+    }
+  }
+}
+
+TEST(ConvexHull, ringsOfFaces_turnLeftSeenFromOutside) {
+  expectRingsTurnLeft(ConvexHull(cube()), 4);
+  expectRingsTurnLeft(ConvexHull({{0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}}), 4);
+  expectRingsTurnLeft(ConvexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), 3);
+}
+
+TEST(ConvexHull, neighboursOfACorner_areAtTheOtherEndsOfItsEdges) {
+  const ConvexHull hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(hull.neighboursOf(i).size(), 3U);
+    for (const std::uint32_t neighbour : hull.neighboursOf(i)) {
+      EXPECT_NE(neighbour, i);
+    }
+  }
+}
+
 TEST(ConvexHull, square_hasTwoFacesAndNoVolume) {
   const ConvexHull hull({{0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}});
   EXPECT_EQ(hull.faces().size(), 2U);
