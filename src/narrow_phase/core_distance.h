@@ -15,9 +15,9 @@ namespace collision_monitor {
 /// the normal is taken from the features that touch instead.
 constexpr double kTouching = 1e-13;
 
-/// Below this distance [m] the direction of a difference has lost half its digits or more, and
-/// what is known of the features is used to clean it.
-constexpr double kNear = 1e-8;
+/// Below this distance [m] the direction of a difference, which is known to about 1e-15 m over the
+/// distance, is worse than what is known of the features, and they are used to clean it.
+constexpr double kNear = 1e-3;
 
 /// Directions whose sine is below this are parallel: over 10 m they part by 1e-13 m.
 constexpr double kParallel = 1e-14;
