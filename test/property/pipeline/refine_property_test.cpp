@@ -102,6 +102,41 @@ std::vector<PairDistance> nearestOf(const CycleBuffers& buffers) {
   return nearest;
 }
 
+/// Searches that are cut short, resumed and begun from old triangles, against complete ones.
+class StarvedCycles : public testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(StarvedCycles, sayWhatCompleteOnesSay_orABoundOfIt) {
+  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  const CycleSetup setup = mixedSetup(mixedGeometries(), 1);
+  CycleBuffers starved = makeBuffers(setup, BroadPhaseKind::brute_force);
+  CycleBuffers complete = makeBuffers(setup, BroadPhaseKind::brute_force);
+  starved.refine.limits.budget = GetParam();
+  complete.refine.limits.budget = 1000000;
+  LinkPoses poses = test::randomLinkPoses(setup, 0.25, kSeed);
+  Random random(kSeed);
+  std::size_t exact = 0;
+  for (int cycle = 0; cycle < 2000; ++cycle) {
+    drift(random, poses);
+    runCycle(setup, poses, starved);
+    resetMemory(complete);
+    runCycle(setup, poses, complete);
+    const std::vector<PairDistance> found = nearestOf(starved);
+    const std::vector<PairDistance> truth = nearestOf(complete);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const double distance = found[i].measured.distance;
+      if (found[i].quality == Quality::exact && distance > 0.0) {
+        ASSERT_NEAR(distance, truth[i].measured.distance, 1e-9) << "cycle " << cycle;
+        ++exact;
+      } else if (found[i].quality == Quality::lower_bound && truth[i].quality == Quality::exact) {
+        ASSERT_LE(distance, truth[i].measured.distance + 1e-9) << "cycle " << cycle;
+      }
+    }
+  }
+  EXPECT_GT(exact, 1000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Budgets, StarvedCycles, testing::Values(50U, 200U, 500U, 2000U));
+
 /// One shape a link: its depth bounds that of the geometry. Of several shapes it does not, for to
 /// part two that overlap least may not part the others.
 class RefinedAndEnclosing : public testing::TestWithParam<std::uint32_t> {};
