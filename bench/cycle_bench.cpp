@@ -18,7 +18,6 @@
 #include "collision_monitor/pipeline/link_velocities.h"
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "robot_moves.h"
-#include "support/file_loader.h"
 
 namespace collision_monitor::test {
 namespace {
@@ -161,13 +160,9 @@ void timeRobot(const RobotFile& robot, double rate, double speed) {
 }
 
 int runBench(double rate, double speed, const std::vector<std::string>& names) {
-  const std::vector<RobotFile> robots = allRobotFiles();
   for (const std::string& name : names) {
-    const auto robot = std::find_if(robots.begin(), robots.end(), [&](const RobotFile& one) {
-      return one.name.find(name) != std::string::npos;
-    });
-    if (robot == robots.end()) {
-      std::fprintf(stderr, "no robot '%s' among the shared data and urdf/\n", name.c_str());
+    const std::optional<RobotFile> robot = findRobot(name);
+    if (!robot) {
       return 1;
     }
     timeRobot(*robot, rate, speed);

@@ -8,19 +8,9 @@
 #include "fcl_path.h"
 #include "motion_bench.h"
 #include "robot_moves.h"
-#include "support/file_loader.h"
 
 namespace collision_monitor::test {
 namespace {
-
-const RobotFile* findRobot(const std::vector<RobotFile>& robots, const std::string& name) {
-  for (const RobotFile& robot : robots) {
-    if (robot.name.find(name) != std::string::npos) {
-      return &robot;
-    }
-  }
-  return nullptr;
-}
 
 /// The first joints that move, up to seven, each on a sine of its own about the middle of its
 /// range: 100 way-points a tenth of a second apart.
@@ -87,10 +77,8 @@ std::vector<double> contactTimes(const TrajectoryReport& report) {
 }  // namespace
 
 int runTrajectory(const std::string& name, std::size_t part) {
-  const std::vector<RobotFile> robots = allRobotFiles();
-  const RobotFile* robot = findRobot(robots, name);
-  if (robot == nullptr) {
-    std::fprintf(stderr, "no robot '%s' among the shared data and urdf/\n", name.c_str());
+  const std::optional<RobotFile> robot = findRobot(name);
+  if (!robot) {
     return 1;
   }
   const CycleSetup setup =

@@ -3,8 +3,19 @@
 #include "robot_moves.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace collision_monitor::test {
+
+std::optional<RobotFile> findRobot(const std::string& name) {
+  for (const RobotFile& robot : allRobotFiles()) {
+    if (robot.name.find(name) != std::string::npos) {
+      return robot;
+    }
+  }
+  std::fprintf(stderr, "no robot '%s' among the shared data and urdf/\n", name.c_str());
+  return std::nullopt;
+}
 
 JointPositions drawPositions(const RobotModel& model, std::mt19937_64& random) {
   JointPositions positions = defaultPositions(model);

@@ -12,6 +12,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Halves of halves ...: parts of 1e-15 of the way from one point to the next.
 constexpr std::size_t kMostHalvings = 50;
+/// Progress is told after parts of 1/16 of the way from one point to the next, and longer ones.
+constexpr std::size_t kToldHalvings = 4;
 
 Halving& halvingAt(TrajectorySearch& search, std::size_t depth) {
   while (search.halvings.size() <= depth) {
@@ -19,6 +21,16 @@ Halving& halvingAt(TrajectorySearch& search, std::size_t depth) {
     search.halvings.back().ways.resize(search.path.joints.size());
   }
   return search.halvings[depth];
+}
+
+/// Tells how much is done; false once the search is to end.
+bool goesOn(TrajectorySearch& search, std::size_t segment, double share) {
+  const auto segments = static_cast<double>(search.path.times.size() - 1);
+  const double done = (static_cast<double>(segment) + share) / segments;
+  if (search.options.progress && !search.is_ended) {
+    search.is_ended = !search.options.progress(done) && done < 1.0;
+  }
+  return !search.is_ended;
 }
 
 /// Settles pairs in the part of the way between two instants of one segment, earlier halves first.
@@ -37,7 +49,7 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
   if (halving.open.empty()) {
     return;
   }
-  if (search.measures.steps >= search.options.budget || depth == kMostHalvings) {
+  if (search.is_ended || search.measures.steps >= search.options.budget || depth == kMostHalvings) {
     for (const LinkPairIndex pair : halving.open) {
       giveUp(search, pair, begin);
     }
@@ -49,6 +61,9 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
   search.poses.place(middle.segment, middle.share, middle.world_from_link);
   sampleBalls(search, halving.open, middle);
   explore(search, begin, middle, halving.open, depth + 1);
+  if (depth < kToldHalvings) {
+    goesOn(search, middle.segment, middle.share);
+  }
   explore(search, middle, end, halving.open, depth + 1);
 }
 
@@ -71,8 +86,7 @@ void followPath(TrajectorySearch& search, const std::vector<LinkPairIndex>& movi
     sampleBalls(search, moving, end);
     explore(search, begin, end, moving, 0);
     std::swap(begin, end);
-    const double done = static_cast<double>(segment + 1) / static_cast<double>(segments);
-    if (search.options.progress && !search.options.progress(done) && segment + 1 < segments) {
+    if (!goesOn(search, segment, 1.0)) {
       for (const LinkPairIndex pair : moving) {
         if (search.report.pairs[pair].state == ApproachState::clear) {
           giveUp(search, pair, begin);
@@ -116,7 +130,8 @@ TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
                           std::vector<unsigned char>(count, 0),
                           std::vector<FarPlace>(count),
                           {},
-                          {}};
+                          {},
+                          false};
   search.report.pairs.resize(count);
   if (!isSound(path)) {
     return search.report;

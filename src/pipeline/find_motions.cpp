@@ -1,20 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 #include "collision_monitor/geometry/bounds.h"
 #include "collision_monitor/pipeline/sweep_pairs.h"
+#include "pipeline/limit_step.h"
 
 namespace collision_monitor {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double thicknessOf(const Shape& shape) noexcept {
-  const Eigen::Vector3d half = coreHalfExtents(shape);
-  return 2.0 * (half.minCoeff() + radiusOf(shape));
-}
 
 Ball ballOf(const Element& element) {
   return element.convex ? collision_monitor::ballOf(*element.convex)
@@ -30,27 +24,6 @@ double reachOf(const Body& body, const ScrewMotion& link_motion) noexcept {
          link_motion.turn.norm() * body.bounding_radius;
 }
 
-/// The fastest bodies of two links may come at each other.
-StepLimit limitStep(const CycleSetup& setup, const SweepWork& work) noexcept {
-  std::size_t fastest_body = 0;
-  double second = 0.0;
-  for (std::size_t i = 1; i < work.body_reach.size(); ++i) {
-    fastest_body = work.body_reach[i] > work.body_reach[fastest_body] ? i : fastest_body;
-  }
-  for (std::size_t i = 0; i < work.body_reach.size(); ++i) {
-    if (setup.bodies[i].link != setup.bodies[fastest_body].link) {
-      second = std::max(second, work.body_reach[i]);
-    }
-  }
-  const double fastest = work.body_reach.empty() ? 0.0 : work.body_reach[fastest_body];
-  StepLimit limit;
-  limit.step = work.elapsed;
-  limit.speed = fastest / work.elapsed;
-  limit.longest = fastest > 0.0 ? work.thinnest / (fastest + second) * work.elapsed : kInfinity;
-  limit.is_exceeded = limit.step > limit.longest;
-  return limit;
-}
-
 }  // namespace
 
 SweepWork makeSweepWork(const CycleSetup& setup) {
@@ -62,10 +35,10 @@ SweepWork makeSweepWork(const CycleSetup& setup) {
   for (const Element& element : setup.elements) {
     work.element_balls.push_back(ballOf(element));
   }
-  work.thinnest = kInfinity;
-  for (const Body& body : setup.bodies) {
-    work.thinnest = std::min(work.thinnest, thicknessOf(body.shape));
-  }
+  work.extents = linkExtents(setup);
+  work.had_motion = work.has_motion;
+  work.last_motions = work.link_motions;
+  work.unseen.resize(setup.model.links.size());
   work.tasks.reserve(setup.element_pairs.size());
   work.task_of.resize(setup.element_pairs.size(), kNone);
   work.budget = setup.refine.budget;
@@ -75,6 +48,14 @@ SweepWork makeSweepWork(const CycleSetup& setup) {
 void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
                  const PairMemory& memory, SweepWork& work) noexcept {
   const LastPoses& last = memory.last;
+  if (work.elapsed > 0.0) {
+    std::swap(work.had_motion, work.has_motion);
+    std::swap(work.last_motions, work.link_motions);
+    work.last_elapsed = work.elapsed;
+  }
+  if (last.stamp_ns == 0) {
+    work.last_elapsed = 0.0;  // forgotten
+  }
   for (std::size_t i = 0; i < setup.model.links.size(); ++i) {
     work.has_motion[i] = last.known[i] & body_poses.link_known[i];
     if (work.has_motion[i] == 0 || isSame(last.world_from_link[i], poses.world_from_link[i])) {
@@ -93,7 +74,7 @@ void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPose
   const bool is_known = last.stamp_ns > 0 && poses.stamp_ns > last.stamp_ns;
   work.elapsed = is_known ? 1e-9 * static_cast<double>(poses.stamp_ns - last.stamp_ns) : 0.0;
   if (is_known) {
-    work.step = limitStep(setup, work);
+    limitStep(setup, work);
   }
 }
 

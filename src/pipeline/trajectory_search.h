@@ -55,6 +55,7 @@ struct TrajectorySearch {
   std::vector<FarPlace> far;            ///< by LinkPairIndex
   std::deque<Halving> halvings;         ///< by depth; a deque, for places in it stay
   TrajectoryReport report;
+  bool is_ended{false};  ///< by options.progress
 };
 
 /// Looks at the pairs by their balls.

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ros_edge/sentences.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -176,6 +178,7 @@ void CycleRunner::summarize(const State& state) {
   summary.swept = state.pairs_swept;
   summary.step = state.step;
   summary.step_limit = state.step_limit;
+  summary.step_sentence = stepSentence(*watch_);
   summary.unknown_links = state.unknown_links;
   summary.cycles = state.cycles;
   summary.overruns = state.overruns;

@@ -23,8 +23,9 @@ struct CycleSummary {
   std::size_t refined{0};
   std::size_t left{0};
   std::size_t swept{0};
-  double step{0.0};        ///< [s] as in State
-  double step_limit{0.0};  ///< [s]
+  double step{0.0};           ///< [s] as in State
+  double step_limit{0.0};     ///< [s]
+  std::string step_sentence;  ///< empty unless the step is too long
   std::vector<std::string> unknown_links;
   std::uint64_t cycles{0};
   std::uint64_t overruns{0};

@@ -60,14 +60,8 @@ void Diagnostics::reportCycle(DiagnosticStatusWrapper& status) {
     status.summaryf(DiagnosticStatus::WARN, "%llu of %llu cycles took longer than the period",
                     static_cast<unsigned long long>(overruns),
                     static_cast<unsigned long long>(cycles));
-  } else if (summary.step > summary.step_limit) {
-    status.summaryf(DiagnosticStatus::WARN,
-                    "links are so fast that they need poses every %.1f ms, not %.1f: between two "
-                    "cycles they could pass through the thinnest shape%s",
-                    1e3 * summary.step_limit, 1e3 * summary.step,
-                    current_setup_()->setup.is_continuous
-                        ? "; contacts are looked for on the way from pose to pose"
-                        : " unseen (parameter continuous is off)");
+  } else if (!summary.step_sentence.empty()) {
+    status.summary(DiagnosticStatus::WARN, summary.step_sentence);
   } else {
     status.summary(DiagnosticStatus::OK, "cycles keep their period");
   }
@@ -84,7 +78,7 @@ void Diagnostics::reportCycle(DiagnosticStatusWrapper& status) {
   status.add("left by the refine budget", summary.left);
   status.add("followed between cycles", summary.swept);
   status.add("step between poses [ms]", 1e3 * summary.step);
-  status.add("longest step in which nothing passes through the thinnest shape [ms]",
+  status.add("longest step in which no link can pass another unseen [ms]",
              1e3 * summary.step_limit);
   last_time_ = now;
   last_cycles_ = summary.cycles;

@@ -59,6 +59,7 @@ void Publishers::publishChanges(const Watch& watch) {
     log_.logChange(watch, change, warning.sentence);
   }
   log_.logUnknownLinks(watch);
+  log_.logStep(watch);
 }
 
 /// First all is computed and then all is sent: each message wakes roscpp's network thread unless it

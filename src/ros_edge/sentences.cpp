@@ -213,6 +213,21 @@ std::string unknownSentence(const Watch& watch, LinkId link) {
          " is unknown: " + watch.reader.explain(link);
 }
 
+std::string stepSentence(const Watch& watch) {
+  const CycleSetup& setup = watch.setup();
+  const StepLimit& step = watch.buffers.sweep.step;
+  if (!step.is_exceeded) {
+    return "";
+  }
+  const CheckedLinkPair& pair = setup.checked[step.pair];
+  return "poses every " + format("%.1f ms", 1e3 * step.step) + " are too few: in between, " +
+         setup.model.link(pair.a).name + " and " + setup.model.link(pair.b).name +
+         (setup.is_continuous
+              ? " may leave the way that is looked at by more than they are thick"
+              : " can pass through each other unseen (parameter continuous is off)") +
+         "; at these speeds they need them every " + format("%.1f ms", 1e3 * step.longest);
+}
+
 std::string stateSentence(const Watch& watch, const CycleFacts& facts) {
   const std::string sentence = verdictSentence(watch, facts);
   return facts.is_enabled ? sentence

@@ -35,6 +35,9 @@ std::string changeSentence(const Watch& watch, const VerdictChange& change);
 /// "link a is unknown: no transform for 0.52 s"
 std::string unknownSentence(const Watch& watch, LinkId link);
 
+/// Poses that come too seldom, and how often they are needed; empty if they do not.
+std::string stepSentence(const Watch& watch);
+
 /// The state of the whole.
 std::string stateSentence(const Watch& watch, const CycleFacts& facts);
 

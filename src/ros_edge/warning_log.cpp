@@ -14,8 +14,8 @@ namespace {
 /// Wall seconds between two lines of one cause.
 constexpr double kPeriod = 1.0;
 
-bool isTooSoon(const ros::SteadyTime& last, const ros::SteadyTime& now) {
-  return !last.isZero() && (now - last).toSec() < kPeriod;
+bool isTooSoon(const ros::SteadyTime& last, const ros::SteadyTime& now, double period = kPeriod) {
+  return !last.isZero() && (now - last).toSec() < period;
 }
 
 }  // namespace
@@ -67,6 +67,15 @@ void WarningLog::logUnknownLinks(const Watch& watch) {
   }
   for (const auto& [cause, links] : links_of_cause) {
     ROS_WARN_STREAM("unknown: " << links << ": " << cause);
+  }
+}
+
+void WarningLog::logStep(const Watch& watch) {
+  constexpr double kStepPeriod = 10.0;  // [s]
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if (watch.buffers.sweep.step.is_exceeded && !isTooSoon(last_step_, now, kStepPeriod)) {
+    last_step_ = now;
+    ROS_WARN_STREAM(stepSentence(watch));
   }
 }
 

@@ -23,7 +23,8 @@ struct TrajectoryOptions {
   double tolerance{1e-6};   ///< [m] this much beyond contact_distance is contact
   /// Steps, as RefineLimits::budget.
   std::uint64_t budget{std::numeric_limits<std::uint64_t>::max()};
-  /// Told the share that is done after each way-point; false ends the search. May be empty.
+  /// Told the share that is done, which grows, after each way-point and where there is much to do
+  /// between two; false ends the search. May be empty.
   std::function<bool(double done)> progress;
 };
 

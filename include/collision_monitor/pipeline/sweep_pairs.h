@@ -14,14 +14,18 @@
 /// motion, and pairs that are apart in both are followed on the way.
 namespace collision_monitor {
 
-/// The longest step between two cycles in which nothing can pass through anything unseen, even
-/// without looking between them.
+/// The longest step between two cycles in which no link can pass another unseen.
 struct StepLimit {
   double step{0.0};  ///< [s] between the last two stamps that differed; 0: not known
-  double longest{std::numeric_limits<double>::infinity()};  ///< [s] the thinnest body over the
-                                                            ///< greatest speeds; infinity at rest
-  double speed{0.0};  ///< [m/s] of the fastest point of any body
+  double longest{std::numeric_limits<double>::infinity()};  ///< [s] infinity where nothing may pass
+  LinkPairIndex pair{kNone};                                ///< that it is about
   bool is_exceeded{false};
+};
+
+/// What says whether a link can be passed.
+struct LinkExtent {
+  Ball ball;              ///< holds its bodies, in its frame
+  double thickness{0.0};  ///< [m] of the thinnest of them; infinity if there are none
 };
 
 /// A pair of elements whose bodies met on the way.
@@ -41,8 +45,13 @@ struct SweepWork {
   std::vector<double> body_reach;     ///< by BodyId
   std::vector<double> element_reach;  ///< by ElementId
   std::vector<Ball> element_balls;    ///< by ElementId: of what is measured
-  double thinnest{0.0};               ///< [m] of all bodies
   double elapsed{0.0};                ///< [s] between the stamps of the last poses and these
+  // For limitStep, by LinkId.
+  std::vector<LinkExtent> extents;
+  std::vector<unsigned char> had_motion;  ///< in the step before, of last_elapsed [s]
+  std::vector<ScrewMotion> last_motions;
+  std::vector<Twist> unseen;  ///< what of a link's motion nobody looks at, per step
+  double last_elapsed{0.0};   ///< 0: there was none
   StepLimit step;
   std::vector<SweepTask> tasks;
   std::vector<std::uint32_t> task_of;  ///< by ElementPairIndex: into tasks, or kNone

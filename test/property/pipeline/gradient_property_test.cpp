@@ -136,9 +136,16 @@ double valueOf(const GradientRow& row, std::size_t variable) {
 struct Counts {
   std::size_t apart{0};
   std::size_t overlapping{0};
+  std::size_t followed{0};  ///< of both, by a joint that mimic joints follow
   std::size_t kinks{0};
   double worst{0.0};  ///< difference from a slope
 };
+
+bool isFollowed(const RobotModel& model, const Joint& joint) {
+  return std::any_of(model.joints.begin(), model.joints.end(), [&](const Joint& other) {
+    return other.mimic && &model.joint(other.mimic->source) == &joint;
+  });
+}
 
 void checkRows(Scene& scene, const JointPositions& positions, Counts& counts) {
   const std::vector<double> here = scene.distancesAt(positions);
@@ -161,6 +168,7 @@ void checkRows(Scene& scene, const JointPositions& positions, Counts& counts) {
         RC_ASSERT(fault <= kAllowed);
         counts.worst = std::max(counts.worst, fault);
         ++(here[i] > 0.0 ? counts.apart : counts.overlapping);
+        counts.followed += isFollowed(scene.setup.model, joint) ? 1 : 0;
       }
     }
   }
@@ -175,11 +183,12 @@ TEST(GradientLaws, rowsAreCentralDifferencesOfTheDistance) {
     checkRows(scene, randomPositions(scene.setup.model, random), counts);
   });
   EXPECT_TRUE(holds);
-  std::cout << counts.apart << " slopes apart and " << counts.overlapping
-            << " overlapping, worst difference " << counts.worst << ", " << counts.kinks
-            << " kinks\n";
+  std::cout << counts.apart << " slopes apart and " << counts.overlapping << " overlapping, "
+            << counts.followed << " by followed joints, worst difference " << counts.worst << ", "
+            << counts.kinks << " kinks\n";
   EXPECT_GT(counts.apart, 1000U);
   EXPECT_GT(counts.overlapping, 1000U);
+  EXPECT_GT(counts.followed, 1000U);
   EXPECT_LT(10 * counts.kinks, counts.apart + counts.overlapping);
 }
 

@@ -172,13 +172,24 @@ TEST_F(CheckTrajectoryTest, budgetSpentOrCancelled_undecided) {
   std::vector<double> told;
   options_.progress = [&](double done) {
     told.push_back(done);
-    return false;
+    return done < 0.5;
   };
   const TrajectoryReport report = check();
-  EXPECT_EQ(told, std::vector<double>{0.5});
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GT(told.size(), 1U) << "between way-points, too";
+  EXPECT_EQ(told.back(), 0.5) << "and nothing after that";
   EXPECT_EQ(of(report, "hand", "post").state, ApproachState::contact) << "found before";
   EXPECT_EQ(of(report, "base", "hand").state, ApproachState::undecided);
   EXPECT_EQ(of(report, "base", "hand").time, 1.0);
+}
+
+TEST_F(CheckTrajectoryTest, cancelledBetweenTwoWaypoints_undecidedFromThereOn) {
+  go({{-0.25 * kPi, 0.5 * kPi}, {0.25 * kPi, 0.5 * kPi}});
+  options_.progress = [](double) { return false; };
+  const TrajectoryReport report = check();
+  EXPECT_EQ(of(report, "hand", "post").state, ApproachState::undecided);
+  EXPECT_GT(of(report, "hand", "post").time, 0.0);
+  EXPECT_LT(of(report, "hand", "post").time, 1.0);
 }
 
 TEST(BoundMotion, turnsAndSlides_byTheirLeverArms) {

@@ -145,20 +145,44 @@ TEST(SweepPairs, rodTurnsThroughABall_isFoundOnItsArc) {
   EXPECT_NEAR(scene.passed()[0].time, (0.5 * kPi - std::asin(0.02 / 0.3)) / (0.9 * kPi), 1e-6);
 }
 
-TEST(SweepPairs, stepLimit_isTheThinnestOverTheSpeeds) {
-  Scene scene = plateAndBall();
-  EXPECT_EQ(scene.buffers.sweep.step.step, 0.0);
+TEST(SweepPairs, stepLimit_switchedOff_isBothThicknessesOverTheSpeedAtEachOther) {
+  Scene scene = plateAndBall(Limits(), false);
+  const StepLimit& step = scene.buffers.sweep.step;
+  EXPECT_EQ(step.step, 0.0);
   scene.link(0).translation.x() += 0.01;  // 0.5 m/s, and 1.5 m/s
   scene.link(1).translation.x() -= 0.03;
   scene.run();
-  const StepLimit& step = scene.buffers.sweep.step;
   EXPECT_NEAR(step.step, 0.02, 1e-12);
-  EXPECT_NEAR(step.speed, 1.5, 1e-12);
-  EXPECT_NEAR(step.longest, 0.002 / 2.0, 1e-12);
+  EXPECT_NEAR(step.longest, (0.002 + 0.02) / 2.0, 1e-12);
+  EXPECT_EQ(step.pair, 0U);
   EXPECT_TRUE(step.is_exceeded);
+  scene.link(0).translation.x() += 0.5;
+  scene.link(1).translation.x() += 0.5;
   scene.run();
-  EXPECT_TRUE(std::isinf(scene.buffers.sweep.step.longest)) << "nothing moves";
-  EXPECT_FALSE(scene.buffers.sweep.step.is_exceeded);
+  EXPECT_GT(step.longest, 1e6) << "both go the same way";
+  EXPECT_FALSE(step.is_exceeded);
+}
+
+TEST(SweepPairs, stepLimit_isWhereThePathMayBendByBothThicknesses) {
+  Scene scene = plateAndBall();
+  const StepLimit& step = scene.buffers.sweep.step;
+  const Pose turn{Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()).toRotationMatrix(),
+                  Eigen::Vector3d(0.05, 0.0, 0.0)};
+  for (int i = 0; i < 3; ++i) {
+    scene.link(1) = turn * scene.link(1);
+    scene.run();
+    EXPECT_GT(step.longest, 1e3) << "an even screw is looked at as it is";
+  }
+  scene.link(1) = turn * scene.link(1);
+  scene.link(1).translation.x() += 0.32;
+  scene.run();
+  EXPECT_NEAR(step.longest, 0.02 * std::sqrt(0.022 / (0.32 / 8.0)), 1e-9);
+  EXPECT_TRUE(step.is_exceeded);
+  resetMemory(scene.buffers);
+  scene.run();
+  scene.link(1).translation.x() -= 0.32;
+  scene.run();
+  EXPECT_FALSE(step.is_exceeded) << "what was before is forgotten";
 }
 
 /// Two angles of bars 0.1 m thick (see geometry_setup.h), the second moved.
