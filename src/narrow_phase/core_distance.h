@@ -17,7 +17,7 @@ constexpr double kTouching = 1e-13;
 
 /// Below this distance [m] the direction of a difference, which is known to about 1e-15 m over the
 /// distance, is worse than what is known of the features, and they are used to clean it.
-constexpr double kNear = 1e-3;
+constexpr double kNear = 1e-2;
 
 /// Directions whose sine is below this are parallel: over 10 m they part by 1e-13 m.
 constexpr double kParallel = 1e-14;
