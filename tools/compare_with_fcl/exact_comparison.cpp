@@ -18,7 +18,7 @@ namespace collision_monitor {
 namespace {
 
 constexpr std::size_t kMostListed = 100;
-constexpr std::size_t kMostCycles = 1000;
+constexpr std::uint32_t kNoBudget = 1000000000;
 
 struct MakeFcl {
   template <class Primitive>
@@ -70,9 +70,11 @@ class ExactComparer {
       : setup_(setup),
         enclosing_(makeBuffers(setup, BroadPhaseKind::sweep_and_prune)),
         refined_(makeBuffers(setup, BroadPhaseKind::sweep_and_prune)),
+        complete_(makeBuffers(setup, BroadPhaseKind::sweep_and_prune)),
         solids_of_(setup.model.links.size()),
         is_contact_(setup.checked.size()) {
     enclosing_.refine.limits.budget = 0;
+    complete_.refine.limits.budget = kNoBudget;
     for (std::size_t i = 0; i < setup.model.links.size(); ++i) {
       for (const CollisionElement& element : setup.model.links[i].collisions) {
         solids_of_[i].push_back(makeSolid(idAt<LinkId>(i), element));
@@ -91,7 +93,7 @@ class ExactComparer {
     }
     result_.left += refined_.counters.left;
     ++result_.poses;
-    standStill(poses);
+    compareComplete(poses);
   }
 
   const ExactComparison& result() const { return result_; }
@@ -121,29 +123,27 @@ class ExactComparer {
     return false;
   }
 
-  /// What the budget left comes first in the next cycles: until nothing is left.
-  void standStill(const LinkPoses& poses) {
-    std::size_t cycles = 1;
-    for (; refined_.counters.left > 0 && cycles < kMostCycles; ++cycles) {
-      std::fill(refined_.memory.reported.begin(), refined_.memory.reported.end(), Verdict::clear);
-      runCycle(setup_, poses, refined_);
+  /// The same without a budget.
+  void compareComplete(const LinkPoses& poses) {
+    if (refined_.counters.left > 0) {
+      resetMemory(complete_);
+      runCycle(setup_, poses, complete_);
     }
-    result_.most_cycles = std::max(result_.most_cycles, cycles);
+    const CycleBuffers& complete = refined_.counters.left > 0 ? complete_ : refined_;
     for (std::size_t i = 0; i < setup_.checked.size(); ++i) {
-      const bool ours = refined_.events.verdicts[i] == Verdict::contact;
-      result_.standing_alarms += ours && !is_contact_[i] && !isTouch(i) ? 1 : 0;
+      const bool ours = complete.events.verdicts[i] == Verdict::contact;
+      result_.complete_wrong += ours != is_contact_[i] && !isTouch(nearestOf(complete, i)) ? 1 : 0;
     }
+  }
+
+  static PairDistance nearestOf(const CycleBuffers& buffers, std::size_t i) {
+    const std::uint32_t place = buffers.events.closest[i];
+    return place == kNone ? PairDistance() : buffers.distances.measured[place];
   }
 
   /// Right either way.
-  bool isTouch(std::size_t i) const {
-    const PairDistance nearest = nearestOf(i);
+  static bool isTouch(const PairDistance& nearest) {
     return std::abs(nearest.measured.distance) <= kTolerance && nearest.quality == Quality::exact;
-  }
-
-  PairDistance nearestOf(std::size_t i) const {
-    const std::uint32_t place = refined_.events.closest[i];
-    return place == kNone ? PairDistance() : refined_.distances.measured[place];
   }
 
   void comparePair(std::size_t i) {
@@ -151,12 +151,12 @@ class ExactComparer {
     const bool is_contact = is_contact_[i] = isContact(pair);
     const bool of_shapes = enclosing_.events.verdicts[i] == Verdict::contact;
     const bool ours = refined_.events.verdicts[i] == Verdict::contact;
-    const PairDistance nearest = nearestOf(i);
+    const PairDistance nearest = nearestOf(refined_, i);
     ++result_.pairs;
     result_.contacts += is_contact ? 1 : 0;
     result_.enclosing_contacts += of_shapes ? 1 : 0;
     result_.enclosing_alarms += of_shapes && !is_contact ? 1 : 0;
-    if (ours == is_contact || isTouch(i)) {
+    if (ours == is_contact || isTouch(nearest)) {
       return;
     }
     if (ours && nearest.quality == Quality::lower_bound) {
@@ -176,6 +176,7 @@ class ExactComparer {
   const CycleSetup& setup_;
   CycleBuffers enclosing_;
   CycleBuffers refined_;
+  CycleBuffers complete_;
   std::vector<std::vector<Solid>> solids_of_;  ///< by LinkId
   std::vector<bool> is_contact_;               ///< in truth, by LinkPairIndex
   ExactComparison result_;

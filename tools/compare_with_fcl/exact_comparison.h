@@ -21,8 +21,7 @@ struct ExactComparison {
   std::size_t missed{0};              ///< contacts that the monitor calls clear
   std::size_t wrong_contacts{0};      ///< called exact or certain, and none
   std::size_t left{0};                ///< pairs of elements beyond the budget of their cycle
-  std::size_t most_cycles{0};         ///< at one pose until none is left
-  std::size_t standing_alarms{0};     ///< false contacts after these cycles
+  std::size_t complete_wrong{0};      ///< verdicts of cycles without a budget that are not true
   std::vector<std::string> wrong;     ///< the first hundred
 };
 
