@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "collision_monitor/geometry/bounds.h"
+#include "collision_monitor/pipeline/motion_bound.h"
 #include "collision_monitor/pipeline/sweep_pairs.h"
 #include "pipeline/limit_step.h"
 
@@ -35,7 +36,8 @@ SweepWork makeSweepWork(const CycleSetup& setup) {
   for (const Element& element : setup.elements) {
     work.element_balls.push_back(ballOf(element));
   }
-  work.extents = linkExtents(setup);
+  work.thickness = thicknessOfPairs(setup);
+  work.link_balls = linkBalls(setup);
   work.had_motion = work.has_motion;
   work.last_motions = work.link_motions;
   work.unseen.resize(setup.model.links.size());

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "collision_monitor/geometry/twist.h"
-#include "collision_monitor/pipeline/motion_bound.h"
 
 namespace collision_monitor {
 namespace {
@@ -37,16 +36,16 @@ void findUnseen(const CycleSetup& setup, SweepWork& work) noexcept {
 
 }  // namespace
 
-std::vector<LinkExtent> linkExtents(const CycleSetup& setup) {
-  std::vector<LinkExtent> extents;
-  for (const Ball& ball : linkBalls(setup)) {
-    extents.push_back({ball, kInfinity});
+std::vector<double> thicknessOfPairs(const CycleSetup& setup) {
+  std::vector<double> least(setup.checked.size(), kInfinity);
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    const BodyPair& pair = setup.table.pairs()[i];
+    const double thickness = thicknessOf(setup.bodies[index(pair.a)].shape) +
+                             thicknessOf(setup.bodies[index(pair.b)].shape);
+    double& of_links = least[setup.link_pair_of[i]];
+    of_links = thickness > 0.0 ? std::min(of_links, thickness) : of_links;
   }
-  for (const Body& body : setup.bodies) {
-    double& thickness = extents[index(body.link)].thickness;
-    thickness = std::min(thickness, thicknessOf(body.shape));
-  }
-  return extents;
+  return least;
 }
 
 void limitStep(const CycleSetup& setup, SweepWork& work) noexcept {
@@ -56,11 +55,11 @@ void limitStep(const CycleSetup& setup, SweepWork& work) noexcept {
   for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
     const std::size_t a = index(setup.checked[i].a);
     const std::size_t b = index(setup.checked[i].b);
-    const LinkExtent& extent = work.extents[b];
+    const Ball& ball = work.link_balls[b];
     const Twist twist = work.unseen[b] - work.unseen[a];
-    const Eigen::Vector3d center = work.link_motions[b].start * extent.ball.center;
-    const double way = velocityAt(twist, center).norm() + twist.angular.norm() * extent.ball.radius;
-    const double share = (work.extents[a].thickness + extent.thickness) / way;
+    const Eigen::Vector3d center = work.link_motions[b].start * ball.center;
+    const double way = velocityAt(twist, center).norm() + twist.angular.norm() * ball.radius;
+    const double share = work.thickness[i] / way;
     // A way grows with the step, a bend with its square.
     const double longest = work.elapsed * (setup.is_continuous ? std::sqrt(share) : share);
     if (longest < limit.longest) {

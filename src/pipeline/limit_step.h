@@ -6,8 +6,9 @@
 
 namespace collision_monitor {
 
-/// By LinkId: how thick a link is where it is thinnest, and what holds it.
-std::vector<LinkExtent> linkExtents(const CycleSetup& setup);
+/// [m] By LinkPairIndex: how thick two bodies are together where they are thinnest, the least of
+/// all bodies of two links. Two without thickness overlap at no time, so they do not count.
+std::vector<double> thicknessOfPairs(const CycleSetup& setup);
 
 /// Fills work.step for a step of work.elapsed.
 ///

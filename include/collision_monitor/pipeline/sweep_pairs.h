@@ -22,12 +22,6 @@ struct StepLimit {
   bool is_exceeded{false};
 };
 
-/// What says whether a link can be passed.
-struct LinkExtent {
-  Ball ball;              ///< holds its bodies, in its frame
-  double thickness{0.0};  ///< [m] of the thinnest of them; infinity if there are none
-};
-
 /// A pair of elements whose bodies met on the way.
 struct SweepTask {
   ElementPairIndex pair{0};
@@ -46,8 +40,9 @@ struct SweepWork {
   std::vector<double> element_reach;  ///< by ElementId
   std::vector<Ball> element_balls;    ///< by ElementId: of what is measured
   double elapsed{0.0};                ///< [s] between the stamps of the last poses and these
-  // For limitStep, by LinkId.
-  std::vector<LinkExtent> extents;
+  // For limitStep, by LinkId but the first.
+  std::vector<double> thickness;          ///< [m] by LinkPairIndex: as thicknessOfPairs
+  std::vector<Ball> link_balls;           ///< as linkBalls
   std::vector<unsigned char> had_motion;  ///< in the step before, of last_elapsed [s]
   std::vector<ScrewMotion> last_motions;
   std::vector<Twist> unseen;  ///< what of a link's motion nobody looks at, per step

@@ -163,6 +163,15 @@ TEST(SweepPairs, stepLimit_switchedOff_isBothThicknessesOverTheSpeedAtEachOther)
   EXPECT_FALSE(step.is_exceeded);
 }
 
+TEST(SweepPairs, stepLimit_twoPointsDoNotCount) {
+  // The ball of 0.1 m and a point are 0.1 m thick together.
+  Scene scene(handMadeSetup({{0, Sphere{0.0}}, {0, Sphere{0.05}}, {1, Sphere{0.0}}}), false);
+  scene.run();
+  scene.link(0).translation.x() += 1.0;
+  scene.run();
+  EXPECT_NEAR(scene.buffers.sweep.step.longest, 0.02 * 0.1, 1e-9);
+}
+
 TEST(SweepPairs, stepLimit_isWhereThePathMayBendByBothThicknesses) {
   Scene scene = plateAndBall();
   const StepLimit& step = scene.buffers.sweep.step;
