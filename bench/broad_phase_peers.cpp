@@ -4,8 +4,11 @@
 
 #include <BulletCollision/BroadphaseCollision/btAxisSweep3.h>
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <fcl/broadphase/broadphase_SSaP.h>
 #include <fcl/broadphase/broadphase_SaP.h>
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
+#include <fcl/broadphase/broadphase_dynamic_AABB_tree_array.h>
+#include <fcl/broadphase/broadphase_interval_tree.h>
 #include <fcl/broadphase/broadphase_spatialhash.h>
 #include <fcl/geometry/shape/box.h>
 
@@ -110,29 +113,41 @@ class BulletContender : public Contender {
   std::vector<std::pair<btVector3, btVector3>> boxes_;
 };
 
+/// Null if FCL has none of that name. `far`: no box is farther out on any axis [m].
+std::unique_ptr<FclManager> makeManager(const std::string& name, double far) {
+  if (name == "fcl_tree" || name == "fcl_tree_anew") {
+    return std::make_unique<fcl::DynamicAABBTreeCollisionManager<double>>();
+  }
+  if (name == "fcl_tree_array") {
+    return std::make_unique<fcl::DynamicAABBTreeCollisionManager_Array<double>>();
+  }
+  if (name == "fcl_sap") {
+    return std::make_unique<fcl::SaPCollisionManager<double>>();
+  }
+  if (name == "fcl_ssap") {
+    return std::make_unique<fcl::SSaPCollisionManager<double>>();
+  }
+  if (name == "fcl_interval") {
+    return std::make_unique<fcl::IntervalTreeCollisionManager<double>>();
+  }
+  if (name == "fcl_spatial_hash") {
+    const auto corner = Eigen::Vector3d::Constant(far).eval();
+    return std::make_unique<fcl::SpatialHashingCollisionManager<double>>(2.0, -corner, corner);
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::vector<std::string> peerNames() {
-  return {"fcl_tree",         "fcl_tree_anew", "fcl_sap",
-          "fcl_spatial_hash", "bullet_dbvt",   "bullet_sweep"};
+  return {"fcl_tree",         "fcl_tree_array", "fcl_sap",     "fcl_ssap",    "fcl_interval",
+          "fcl_spatial_hash", "fcl_tree_anew",  "bullet_dbvt", "bullet_sweep"};
 }
 
 std::unique_ptr<Contender> makePeer(const std::string& name, const BoxScene& scene) {
   const double far = 0.5 * scene.side() + 40.0;
-  if (name == "fcl_tree" || name == "fcl_tree_anew") {
-    return std::make_unique<FclContender>(
-        std::make_unique<fcl::DynamicAABBTreeCollisionManager<double>>(), scene,
-        name == "fcl_tree_anew");
-  }
-  if (name == "fcl_sap") {
-    return std::make_unique<FclContender>(std::make_unique<fcl::SaPCollisionManager<double>>(),
-                                          scene, false);
-  }
-  if (name == "fcl_spatial_hash") {
-    const auto corner = Eigen::Vector3d::Constant(far).eval();
-    return std::make_unique<FclContender>(
-        std::make_unique<fcl::SpatialHashingCollisionManager<double>>(2.0, -corner, corner), scene,
-        true);
+  if (std::unique_ptr<FclManager> manager = makeManager(name, far)) {
+    return std::make_unique<FclContender>(std::move(manager), scene, name == "fcl_tree_anew");
   }
   const auto corner = toBullet(Eigen::Vector3d::Constant(far));
   if (name == "bullet_dbvt") {

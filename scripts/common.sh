@@ -64,7 +64,7 @@ install_packages() {
     fail "apt-get could not install: ${missing[*]}"
 }
 
-# install_missing [GROUP...]: what building needs, and the groups named: test, show.
+# install_missing [GROUP...]: what building needs, and the groups named: test, show, plot.
 install_missing() {
   local packages=("${library_packages[@]}") group
   has_ros_noetic || packages+=("${debian_ros_packages[@]}")
@@ -72,7 +72,8 @@ install_missing() {
     case "$group" in
       test) packages+=("${test_packages[@]}") ;;
       show) has_ros_noetic || packages+=(rviz) ;;
-      *) fail "install_missing: no group '$group'; there are: test, show" ;;
+      plot) packages+=(python3-matplotlib) ;;
+      *) fail "install_missing: no group '$group'; there are: test, show, plot" ;;
     esac
   done
   install_packages "${packages[@]}"

@@ -1,24 +1,25 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""All pairs of boxes that meet, a frame: `automatic` against FCL.
-
-FCL is taken at its best in the same scene: updated, or with all objects registered anew. With
-100,000 boxes in random motion nothing of it ends in time, and its coherent motion stands in."""
+"""All pairs of boxes that meet, a frame: `automatic` against the quickest of FCL's managers in the
+same scene, updated each frame as FCL means them to be used. In random motion one is quicker if all
+objects are registered anew; that is a row of its own. With 100,000 boxes in random motion nothing
+of FCL ends in time, and its coherent motion stands in."""
 import argparse
-import math
 import subprocess
 
 from figure import Figures
 
 PROGRAM = ["taskset", "-c", "1", "rosrun", "collision_monitor",
            "collision_monitor_broad_phase_bench"]
-FCL = ("fcl_tree", "fcl_tree_anew", "fcl_sap")
+FCL = ("fcl_tree", "fcl_tree_array", "fcl_sap", "fcl_ssap", "fcl_interval", "fcl_spatial_hash")
 # How many times as fast as FCL.
 GOALS = {("coherent", 100): 3.9, ("coherent", 1000): 4.4, ("coherent", 10000): 3.1,
          ("coherent", 100000): 3.7, ("random", 100): 6.7, ("random", 1000): 7.9,
          ("random", 10000): 24.7, ("random", 100000): 2.0}
-STYLES = {"fcl_tree": "--", "fcl_tree_anew": "--", "fcl_sap": "--",
-          "fcl_spatial_hash": "--", "bullet_dbvt": ":", "bullet_sweep": ":"}
+# Registering anew takes 0.69 and 0.25 of what the quickest manager (fcl_ssap) takes, so these come
+# to the same times of ours, twice that of a grid swept by hand.
+GOALS_ANEW = {("random", 1000): 5.5, ("random", 10000): 6.1}
+STYLES = {"fcl": "--", "bullet": ":"}
 
 
 def measure(*arguments):
@@ -33,12 +34,20 @@ def measure(*arguments):
 
 def add_rows(figures):
     times = {**measure("coherent"), **measure("random")}
-    for (scene, number), goal in GOALS.items():
+
+    def add(scene, number, what, fcl, goal):
         ours = times[(scene, number)]["automatic"]
-        peers = {method: time for method, time in times[(scene, number)].items() if method in FCL}
-        fcl = min((peers or times[("coherent", number)]).get(method, math.inf) for method in FCL)
-        figures.add(f"broad phase, {scene}, {number} boxes", f"{ours:.1f} us", f"{fcl:.1f} us",
-                    f"{fcl / ours:.1f} times as fast as FCL, {goal} wanted", fcl / ours >= goal)
+        figures.add(f"broad phase, {scene}, {number} boxes{what}", f"{ours:.1f} us",
+                    f"{fcl:.1f} us", f"{fcl / ours:.1f} times as fast as FCL, {goal} wanted",
+                    fcl / ours >= goal)
+
+    for (scene, number), goal in GOALS.items():
+        peers = [time for method, time in times[(scene, number)].items() if method in FCL]
+        coherent = times[("coherent", number)]
+        add(scene, number, "", min(peers or [coherent[method] for method in FCL
+                                             if method in coherent]), goal)
+    for (scene, number), goal in GOALS_ANEW.items():
+        add(scene, number, ", FCL anew", times[(scene, number)]["fcl_tree_anew"], goal)
 
 
 def plot(file):
@@ -56,14 +65,15 @@ def plot(file):
         for method in methods:
             numbers = sorted(number for number, row in rows.items() if method in row)
             axis.loglog(numbers, [rows[number][method] for number in numbers],
-                        STYLES.get(method, "-"), marker=".", label=method, color=colours[method],
+                        STYLES.get(method.partition("_")[0], "-"), marker=".", label=method, color=colours[method],
                         linewidth=3 if method == "automatic" else 1.2)
         axis.set_title(scene)
         axis.grid(True, which="major", alpha=0.4)
         axis.set_xlabel("boxes")
         axis.set_ylabel("us a frame")
-    axes.flat[0].legend(fontsize="small")
-    figure.tight_layout()
+    handles, labels = axes.flat[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="lower center", ncol=6, fontsize="small")
+    figure.tight_layout(rect=(0.0, 0.08, 1.0, 1.0))  # the legend stands below
     figure.savefig(file)
 
 

@@ -20,14 +20,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 // one that this machine cannot run.
 using Lanes = hn::CappedTag<float, kRowPadding>;
 
-std::size_t appendHits(std::size_t row, std::uint32_t bits, std::uint32_t* hits) {
-  std::size_t count = 0;
-  for (; bits != 0; bits &= bits - 1) {
-    hits[count++] = static_cast<std::uint32_t>(row + hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
-  }
-  return count;
-}
-
 template <class Mask>
 std::uint32_t bitsOf(Mask mask) {
   std::uint8_t bytes[8] = {};
@@ -46,35 +38,62 @@ HWY_INLINE hn::Mask<Lanes> meetOnAxis(const RowPointers& rows, std::size_t row, 
   return hn::And(begins, ends);
 }
 
-RowHits findAll(const RowPointers& rows, std::size_t row, std::size_t last, std::uint32_t* hits) {
-  RowHits found;
+HWY_INLINE void writePairs(std::size_t row, std::size_t other, std::uint32_t bits,
+                           PairedRows& paired, RowPair* hits) {
+  for (; bits != 0; bits &= bits - 1) {
+    hits[paired.count++] = {
+        static_cast<std::uint32_t>(row),
+        static_cast<std::uint32_t>(other + hwy::Num0BitsBelowLS1Bit_Nonzero32(bits))};
+  }
+}
+
+HWY_INLINE void pairRow(const RowPointers& rows, std::size_t row, std::size_t last,
+                        PairedRows& paired, RowPair* hits) {
   for (std::size_t other = row + 1; other < last; other += hn::Lanes(Lanes())) {
     const auto meet =
         hn::And(hn::And(meetOnAxis(rows, row, other, 0), meetOnAxis(rows, row, other, 1)),
                 meetOnAxis(rows, row, other, 2));
-    found.count += appendHits(other, bitsOf(meet), hits + found.count);
+    writePairs(row, other, bitsOf(meet), paired, hits);
   }
-  found.seen = last - row - 1;
-  return found;
+  paired.seen += last - row - 1;
 }
 
-RowHits findSorted(const RowPointers& rows, std::size_t row, std::size_t axis,
-                   std::uint32_t* hits) {
+HWY_INLINE void sweepRow(const RowPointers& rows, std::size_t row, std::size_t axis,
+                         PairedRows& paired, RowPair* hits) {
   const Lanes lanes;
   const std::size_t second = (axis + 1) % 3;
   const std::size_t third = (axis + 2) % 3;
   const auto end = hn::Set(lanes, rows.max[axis][row]);
-  RowHits found;
-  for (bool goes_on = true; goes_on;) {
-    const std::size_t other = row + 1 + found.seen;
+  std::size_t other = row + 1;
+  for (bool goes_on = true; goes_on; other += hn::Lanes(lanes)) {
     const auto begins = hn::Le(hn::LoadU(lanes, rows.min[axis] + other), end);
     const auto meet = hn::And(
         begins, hn::And(meetOnAxis(rows, row, other, second), meetOnAxis(rows, row, other, third)));
-    found.count += appendHits(other, bitsOf(meet), hits + found.count);
-    found.seen += hn::Lanes(lanes);
+    writePairs(row, other, bitsOf(meet), paired, hits);
     goes_on = hn::AllTrue(lanes, begins);
   }
-  return found;
+  paired.seen += other - row - 1;
+}
+
+PairedRows pairAll(const RowPointers& rows, const RowSpan& span, RowPair* hits, std::size_t room) {
+  PairedRows paired;
+  std::size_t row = span.first;
+  for (; row < span.last && paired.count + (span.last - row) <= room; ++row) {
+    pairRow(rows, row, span.last, paired, hits);
+  }
+  paired.next = row;
+  return paired;
+}
+
+PairedRows sweepSorted(const RowPointers& rows, const RowSpan& span, std::size_t axis,
+                       RowPair* hits, std::size_t room) {
+  PairedRows paired;
+  std::size_t row = span.first;
+  for (; row < span.last && paired.count + (span.last - row) <= room; ++row) {
+    sweepRow(rows, row, axis, paired, hits);
+  }
+  paired.next = row;
+  return paired;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -85,8 +104,8 @@ HWY_AFTER_NAMESPACE();
 namespace collision_monitor {
 namespace {
 
-HWY_EXPORT(findAll);
-HWY_EXPORT(findSorted);
+HWY_EXPORT(pairAll);
+HWY_EXPORT(sweepSorted);
 
 RowPointers pointersTo(const BoxRows& rows) noexcept {
   return {{rows.min[0].data(), rows.min[1].data(), rows.min[2].data()},
@@ -111,28 +130,21 @@ void resizeRows(std::size_t count, BoxRows& rows) noexcept {
   rows.bodies.resize(count);
 }
 
-void setRow(std::size_t row, std::uint32_t body, const SmallBox& box, BoxRows& rows) noexcept {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    rows.min[axis][row] = box.min[axis];
-    rows.max[axis][row] = box.max[axis];
-  }
-  rows.bodies[row] = body;
-}
-
 void padRows(std::size_t first, BoxRows& rows) noexcept {
   for (std::size_t row = first; row < first + kRowPadding; ++row) {
     setRow(row, 0, emptyBox(), rows);
   }
 }
 
-RowHits findBehind(const BoxRows& rows, std::size_t row, std::size_t last,
-                   std::uint32_t* hits) noexcept {
-  return HWY_DYNAMIC_DISPATCH(findAll)(pointersTo(rows), row, last, hits);
+PairedRows pairRows(const BoxRows& rows, std::size_t row, std::size_t last,
+                    std::vector<RowPair>& hits) noexcept {
+  return HWY_DYNAMIC_DISPATCH(pairAll)(pointersTo(rows), {row, last}, hits.data(), hits.size());
 }
 
-RowHits findBehindSorted(const BoxRows& rows, std::size_t row, std::size_t axis,
-                         std::uint32_t* hits) noexcept {
-  return HWY_DYNAMIC_DISPATCH(findSorted)(pointersTo(rows), row, axis, hits);
+PairedRows sweepRows(const BoxRows& rows, std::size_t row, std::size_t last, std::size_t axis,
+                     std::vector<RowPair>& hits) noexcept {
+  return HWY_DYNAMIC_DISPATCH(sweepSorted)(pointersTo(rows), {row, last}, axis, hits.data(),
+                                           hits.size());
 }
 
 }  // namespace collision_monitor

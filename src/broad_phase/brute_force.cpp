@@ -19,11 +19,11 @@ void BruteForce::findMeetings(const std::vector<SmallBox>& boxes,
     }
   }
   padRows(known, rows_);
-  for (std::size_t row = 0; row < known; ++row) {
-    const std::uint32_t body = rows_.bodies[row];
-    const RowHits hits = findBehind(rows_, row, known, hits_.data());
-    for (std::size_t hit = 0; hit < hits.count; ++hit) {
-      found.push_back(pairKey(body, rows_.bodies[hits_[hit]]));
+  for (std::size_t row = 0; row < known;) {
+    const PairedRows paired = pairRows(rows_, row, known, hits_);
+    row = paired.next;
+    for (std::size_t hit = 0; hit < paired.count; ++hit) {
+      found.push_back(pairKey(rows_.bodies[hits_[hit].row], rows_.bodies[hits_[hit].other]));
     }
   }
 }

@@ -43,7 +43,9 @@ std::size_t roomForPairs(std::size_t body_count) noexcept {
 
 void radixSort(BitRange bits, std::vector<std::uint64_t>& keys,
                std::vector<std::uint64_t>& scratch) noexcept {
-  const unsigned passes = (bits.count + kMostDigitBits - 1) / kMostDigitBits;
+  constexpr std::size_t kFewKeys = 512;  // counters of long digits would cost more than the keys
+  const unsigned digit_bits = keys.size() < kFewKeys ? 8 : kMostDigitBits;
+  const unsigned passes = (bits.count + digit_bits - 1) / digit_bits;
   for (unsigned pass = 0; pass < passes; ++pass) {
     const unsigned first = bits.count * pass / passes;
     const unsigned last = bits.count * (pass + 1) / passes;

@@ -34,23 +34,31 @@ float roundedUp(double value) noexcept {
   return rounded + stepOf(rounded);
 }
 
+constexpr SmallBox kEmpty{{kNan, kNan, kNan, kNan}, {kNan, kNan, kNan, kNan}};
+
+/// In here and not in smallBoxOf, so that it can become part of the loop over all bodies.
+SmallBox roundedOutward(const Aabb& box) noexcept {
+  SmallBox small;
+  bool is_box = true;  // not where a coordinate is NaN
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    small.min[static_cast<std::size_t>(axis)] = roundedDown(box.min[axis]);
+    small.max[static_cast<std::size_t>(axis)] = roundedUp(box.max[axis]);
+    is_box &= box.min[axis] <= box.max[axis];
+  }
+  return is_box ? small : kEmpty;
+}
+
 }  // namespace
 
-SmallBox emptyBox() noexcept { return {{kNan, kNan, kNan, kNan}, {kNan, kNan, kNan, kNan}}; }
+SmallBox emptyBox() noexcept { return kEmpty; }
 
 bool isEmpty(const SmallBox& box) noexcept { return std::isnan(box.min[0]); }
 
-SmallBox smallBoxOf(const Aabb& box) noexcept {
-  if (!(box.min.array() <= box.max.array()).all()) {  // also where one is NaN
-    return emptyBox();
-  }
-  return {{roundedDown(box.min.x()), roundedDown(box.min.y()), roundedDown(box.min.z()), 0.0F},
-          {roundedUp(box.max.x()), roundedUp(box.max.y()), roundedUp(box.max.z()), 0.0F}};
-}
+SmallBox smallBoxOf(const Aabb& box) noexcept { return roundedOutward(box); }
 
 void fillSmallBoxes(const BodyBounds& bounds, std::vector<SmallBox>& boxes) noexcept {
   for (std::size_t body = 0; body < boxes.size(); ++body) {
-    boxes[body] = bounds.known[body] != 0 ? smallBoxOf(bounds.boxes[body]) : emptyBox();
+    boxes[body] = bounds.known[body] != 0 ? roundedOutward(bounds.boxes[body]) : kEmpty;
   }
 }
 

@@ -23,23 +23,38 @@ constexpr std::size_t kRowPadding = 16;
 
 void reserveRows(std::size_t count, BoxRows& rows);
 void resizeRows(std::size_t count, BoxRows& rows) noexcept;
-void setRow(std::size_t row, std::uint32_t body, const SmallBox& box, BoxRows& rows) noexcept;
+inline void setRow(std::size_t row, std::uint32_t body, const SmallBox& box,
+                   BoxRows& rows) noexcept {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    rows.min[axis][row] = box.min[axis];
+    rows.max[axis][row] = box.max[axis];
+  }
+  rows.bodies[row] = body;
+}
 void padRows(std::size_t first, BoxRows& rows) noexcept;
 
-struct RowHits {
-  std::size_t count{0};  ///< rows written
+/// Two rows that meet, `row` before `other`.
+struct RowPair {
+  std::uint32_t row;
+  std::uint32_t other;
+};
+
+struct PairedRows {
+  std::size_t next{0};   ///< the first row whose partners were not looked for
+  std::size_t count{0};  ///< pairs written
   std::size_t seen{0};   ///< rows looked at
 };
 
-/// Writes the rows behind `row` and before `last` that meet it, in order. The instruction set is
-/// chosen at run time; all give the same.
-/// @pre padding begins at `last`; `hits` has room for all of them.
-RowHits findBehind(const BoxRows& rows, std::size_t row, std::size_t last,
-                   std::uint32_t* hits) noexcept;
+/// Writes the pairs that meet of the rows from `row` on and before `last`, in order. Stops before a
+/// row for which `hits` may have no room left. The instruction set is chosen at run time; all
+/// give the same.
+/// @pre padding begins at `last`; `hits` has room for last - row pairs.
+PairedRows pairRows(const BoxRows& rows, std::size_t row, std::size_t last,
+                    std::vector<RowPair>& hits) noexcept;
 
-/// The same for rows sorted by the lower end on `axis`: stops at the first that begins behind the
-/// row's upper end, or at padding.
-RowHits findBehindSorted(const BoxRows& rows, std::size_t row, std::size_t axis,
-                         std::uint32_t* hits) noexcept;
+/// The same for rows sorted by the lower end on `axis`: a row is left at the first that begins
+/// behind its upper end.
+PairedRows sweepRows(const BoxRows& rows, std::size_t row, std::size_t last, std::size_t axis,
+                     std::vector<RowPair>& hits) noexcept;
 
 }  // namespace collision_monitor

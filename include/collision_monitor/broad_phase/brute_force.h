@@ -18,7 +18,7 @@ class BruteForce {
 
  private:
   BoxRows rows_;
-  std::vector<std::uint32_t> hits_;
+  std::vector<RowPair> hits_;
 };
 
 }  // namespace collision_monitor

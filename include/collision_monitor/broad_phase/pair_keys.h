@@ -33,7 +33,7 @@ struct BitRange {
 };
 
 /// Sorts by those bits alone and keeps the order of keys that are equal in them: least
-/// significant digit first, digits of up to 11 bits.
+/// significant digit first, digits of up to 11 bits, or 8 for few keys.
 /// Source: Knuth, "The Art of Computer Programming" 3 (1998), section 5.2.5.
 /// @pre `scratch` has room for as many; nothing is allocated then.
 void radixSort(BitRange bits, std::vector<std::uint64_t>& keys,

@@ -25,12 +25,14 @@ TEST(BoxRows, rowsThatMeetComeInOrder) {
   for (const std::size_t count : {1U, 2U, 5U, 16U, 17U, 18U, 40U}) {  // full vectors and others
     BoxRows rows = cubesAlongX(count);
     setRow(0, 100, {{0, 0.5F, 0.5F, 0}, {100, 0.75F, 0.75F, 0}}, rows);
-    std::vector<std::uint32_t> hits(count);
-    for (const RowHits found :
-         {findBehind(rows, 0, count, hits.data()), findBehindSorted(rows, 0, 0, hits.data())}) {
-      ASSERT_EQ(found.count, count - 1);
+    std::vector<RowPair> hits(3 * count);  // the first meets all, others at most two behind them
+    for (const PairedRows found :
+         {pairRows(rows, 0, count, hits), sweepRows(rows, 0, count, 0, hits)}) {
+      ASSERT_EQ(found.next, count);
+      ASSERT_GE(found.count, count - 1);
       for (std::uint32_t i = 1; i < count; ++i) {
-        EXPECT_EQ(hits[i - 1], i);
+        EXPECT_EQ(hits[i - 1].row, 0U);
+        EXPECT_EQ(hits[i - 1].other, i);
       }
     }
   }
@@ -38,7 +40,7 @@ TEST(BoxRows, rowsThatMeetComeInOrder) {
 
 TEST(BoxRows, eachCoordinateCanPart) {
   BoxRows rows = cubesAlongX(2);
-  std::vector<std::uint32_t> hits(2);
+  std::vector<RowPair> hits(2);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     SmallBox above{{0, 0, 0, 0}, {1, 1, 1, 0}};
     above.min[axis] = 1.75F;
@@ -48,28 +50,52 @@ TEST(BoxRows, eachCoordinateCanPart) {
     below.max[axis] = -0.5F;
     for (const SmallBox& box : {above, below}) {
       setRow(0, 0, box, rows);
-      EXPECT_EQ(findBehind(rows, 0, 2, hits.data()).count, 0U);
+      EXPECT_EQ(pairRows(rows, 0, 2, hits).count, 0U);
     }
   }
 }
 
 TEST(BoxRows, sortedRowsAreLeftAtTheFirstThatBeginsBehind) {
   BoxRows rows = cubesAlongX(1000);
-  std::vector<std::uint32_t> hits(1000);
-  setRow(5, 0, {{2.5F, 0, 0, 0}, {4.0F, 1, 1, 0}}, rows);  // rows 6, 7 and 8 begin before 4
-  const RowHits found = findBehindSorted(rows, 5, 0, hits.data());
-  ASSERT_EQ(found.count, 3U);
-  EXPECT_EQ(hits[0], 6U);
-  EXPECT_EQ(hits[2], 8U);
-  EXPECT_LE(found.seen, kRowPadding);
+  std::vector<RowPair> hits(1000);
+  setRow(5, 0, {{2.5F, 0, 0, 0}, {4.0F, 1, 1, 0}},
+         rows);  // rows 6, 7 and 8 begin before 4 or at it
+  const PairedRows found = sweepRows(rows, 5, 1000, 0, hits);
+  ASSERT_GT(found.count, 3U);
+  EXPECT_EQ(hits[0].row, 5U);
+  EXPECT_EQ(hits[0].other, 6U);
+  EXPECT_EQ(hits[2].other, 8U);
+  EXPECT_EQ(hits[3].row, 6U);
+  EXPECT_LE(found.seen, kRowPadding * (found.next - 5));
+}
+
+TEST(BoxRows, whereRoomIsScarce_severalCallsFindAll) {
+  const BoxRows rows = cubesAlongX(20);  // each meets two behind it, the last two one and none
+  std::vector<RowPair> hits(20);
+  for (const bool sweeps : {false, true}) {
+    std::size_t count = 0;
+    std::size_t calls = 0;
+    for (std::size_t row = 0; row < 20; ++calls) {
+      const PairedRows found =
+          sweeps ? sweepRows(rows, row, 20, 0, hits) : pairRows(rows, row, 20, hits);
+      ASSERT_GT(found.next, row);
+      ASSERT_LE(found.count, hits.size());
+      count += found.count;
+      row = found.next;
+    }
+    EXPECT_EQ(count, 37U);
+    EXPECT_GT(calls, 1U);
+  }
 }
 
 TEST(BoxRows, paddingEndsRowsThatHaveNoEnd) {
   BoxRows rows = cubesAlongX(20);
-  std::vector<std::uint32_t> hits(20);
+  std::vector<RowPair> hits(100);
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   setRow(0, 0, {{-kInfinity, 0, 0, 0}, {kInfinity, 1, 1, 0}}, rows);
-  EXPECT_EQ(findBehindSorted(rows, 0, 0, hits.data()).count, 19U);
+  EXPECT_EQ(sweepRows(rows, 0, 20, 0, hits).next, 20U);
+  EXPECT_EQ(hits[18].row, 0U);
+  EXPECT_EQ(hits[18].other, 19U);
 }
 
 }  // namespace
