@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "broad_phase/round_outward.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -36,16 +38,9 @@ float roundedUp(double value) noexcept {
 
 constexpr SmallBox kEmpty{{kNan, kNan, kNan, kNan}, {kNan, kNan, kNan, kNan}};
 
-/// In here and not in smallBoxOf, so that it can become part of the loop over all bodies.
-SmallBox roundedOutward(const Aabb& box) noexcept {
-  SmallBox small;
-  bool is_box = true;  // not where a coordinate is NaN
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    small.min[static_cast<std::size_t>(axis)] = roundedDown(box.min[axis]);
-    small.max[static_cast<std::size_t>(axis)] = roundedUp(box.max[axis]);
-    is_box &= box.min[axis] <= box.max[axis];
-  }
-  return is_box ? small : kEmpty;
+/// Also false where a coordinate is NaN.
+bool isBox(const Aabb& box) noexcept {
+  return (box.min.x() <= box.max.x()) & (box.min.y() <= box.max.y()) & (box.min.z() <= box.max.z());
 }
 
 }  // namespace
@@ -54,11 +49,28 @@ SmallBox emptyBox() noexcept { return kEmpty; }
 
 bool isEmpty(const SmallBox& box) noexcept { return std::isnan(box.min[0]); }
 
-SmallBox smallBoxOf(const Aabb& box) noexcept { return roundedOutward(box); }
+SmallBox smallBoxOf(const Aabb& box) noexcept {
+  if (!isBox(box)) {
+    return kEmpty;
+  }
+  return {{roundedDown(box.min.x()), roundedDown(box.min.y()), roundedDown(box.min.z()), 0.0F},
+          {roundedUp(box.max.x()), roundedUp(box.max.y()), roundedUp(box.max.z()), 0.0F}};
+}
 
 void fillSmallBoxes(const BodyBounds& bounds, std::vector<SmallBox>& boxes) noexcept {
+  static_assert(sizeof(Aabb) == 6 * sizeof(double) && sizeof(SmallBox) == 8 * sizeof(float));
+  if (boxes.empty()) {
+    return;
+  }
+  // All but the last, behind which there is no number to read.
+  roundOutward(bounds.boxes.front().min.data(), boxes.size() - 1, boxes.front().min.data());
+  boxes.back() = smallBoxOf(bounds.boxes.back());
   for (std::size_t body = 0; body < boxes.size(); ++body) {
-    boxes[body] = bounds.known[body] != 0 ? roundedOutward(bounds.boxes[body]) : kEmpty;
+    if (bounds.known[body] == 0 || !isBox(bounds.boxes[body])) {
+      boxes[body] = kEmpty;
+    } else {
+      boxes[body].min[3] = boxes[body].max[3] = 0.0F;
+    }
   }
 }
 

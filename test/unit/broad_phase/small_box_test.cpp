@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "broad_phase/box_tests.h"
+#include "support/instruction_sets.h"
 
 namespace collision_monitor {
 namespace {
@@ -39,6 +41,29 @@ TEST(SmallBox, beyondSinglePrecisionBoxesOnlyGrow) {
   EXPECT_EQ(smallBoxOf(cube(-1e300, 1e300)).max[0], std::numeric_limits<float>::infinity());
   EXPECT_EQ(smallBoxOf(cube(1e300, kInfinity)).min[0], inward);
   EXPECT_EQ(smallBoxOf(cube(-kInfinity, -1e300)).max[0], -inward);
+}
+
+/// To the last bit, whatever the instruction set; the last box takes another way than the others.
+TEST(SmallBox, manyAtOnceAreAsOneByOne_onEveryInstructionSet) {
+  BodyBounds bounds;
+  for (const double min : {-kInfinity, -1e300, -1234.5678, -0.1, -1e-60, 0.0, 0.7, 1e30}) {
+    for (const double max : {-1e300, -0.1, 0.0, 0.3, 1e-20, 7.7, 1e300, kInfinity}) {
+      bounds.boxes.push_back({{min, 0.1, min}, {max, 0.3, max}});
+      bounds.known.push_back(bounds.boxes.size() % 7 == 0 ? 0 : 1);
+    }
+  }
+  bounds.boxes[5].max.y() = std::numeric_limits<double>::quiet_NaN();
+  for (const std::int64_t target : test::instructionSets()) {
+    const test::OnlyInstructionSet only(target);
+    std::vector<SmallBox> boxes(bounds.boxes.size());
+    fillSmallBoxes(bounds, boxes);
+    for (std::size_t body = 0; body < boxes.size(); ++body) {
+      const SmallBox expected =
+          bounds.known[body] != 0 ? smallBoxOf(bounds.boxes[body]) : emptyBox();
+      EXPECT_EQ(std::memcmp(&boxes[body], &expected, sizeof expected), 0)
+          << hwy::TargetName(target) << ", box " << body;
+    }
+  }
 }
 
 TEST(SmallBox, noBoxIsEmptyAndMeetsNothing) {
