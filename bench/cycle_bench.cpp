@@ -63,6 +63,7 @@ class Stages {
     const double reach = reachOf(setup.limits);
     last_ = Clock::now();
     placeBodies(setup, poses, buffers.body_poses);
+    placeElements(setup, poses, buffers.body_poses);
     end("1 placeBodies");
     boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
     end("2 boundBodies");

@@ -79,6 +79,7 @@ void addElements(RobotScene& scene) {
   }
   for (const LinkPoses& state : scene.states) {
     placeBodies(scene.setup, state, scene.poses);
+    placeElements(scene.setup, state, scene.poses);
     scene.world_from_element.push_back(scene.poses.world_from_element);
     scene.fcl_states.push_back(place(geometries, scene.poses.world_from_element));
     scene.fcl_hulls.push_back(place(hulls, scene.poses.world_from_element));
@@ -130,6 +131,7 @@ std::unique_ptr<RobotScene> makeRobotScene(const RobotFile& robot) {
 void boundPairs(RobotScene& scene, std::size_t state) {
   const CycleSetup& setup = scene.setup;
   placeBodies(setup, scene.states[state], scene.poses);
+  placeElements(setup, scene.states[state], scene.poses);
   boundBodies(setup, scene.poses, 0.0, scene.boxes);
   findCandidates(scene.broad_phase, scene.boxes, setup.table, scene.candidates);
   measurePairs(setup, scene.poses, scene.candidates, scene.distances);

@@ -30,6 +30,7 @@ void forStates(benchmark::State& state, const Query& query) {
 /// shapes do not show to be farther.
 double leastDistance(RobotScene& scene, std::size_t state) {
   placeBodies(scene.setup, scene.states[state], scene.poses);
+  placeElements(scene.setup, scene.states[state], scene.poses);
   const ElementPairIndex first = scene.nearest;
   double least = measurePair(scene, first, std::numeric_limits<double>::infinity());
   const std::vector<BodyPair>& pairs = scene.setup.table.pairs();

@@ -118,6 +118,15 @@ void benchScene(const std::string& name, const Scene& scene) {
   });
   print(name, "one_state_every_distance", all, fcl_all);
 
+  const ContactDistances limits = contactDistancesOf(scene.setup);
+  const double any = perState([&](std::size_t i) {
+    placeBodies(scene.setup, scene.poses[i], body_poses);
+    FoundContact found;
+    findContact(scene.setup.blocks, body_poses.rows, limits, found);
+    benchmark::DoNotOptimize(found);
+  });
+  print(name, "one_state_contact", any, fcl_any);
+
   StatesWork work = makeStatesWork(
       scene.setup,
       standingAt(scene.setup.model, std::vector<Pose>(scene.setup.model.robots.size())));

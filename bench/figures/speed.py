@@ -57,12 +57,14 @@ GROUPS = {
 # Goals of collision_monitor_states_bench, which prints a table: of panda, of humanoids.
 STATE_GOALS = {"capsules/one_state_every_distance": (6.0, 20.0),
                "boxes/one_state_every_distance": (9.0, 10.7),
+               "capsules/one_state_contact": (11.5, 8.2),
+               "boxes/one_state_contact": (4.9, 6.7),
                "capsules/many_states_contact": (23.0, None),
                "capsules/many_states_nearest": (8.0, None)}
 
 
 def add_states(figures):
-    """All distances of one state, and many states with their kinematics."""
+    """All distances and any contact of one state, and many states with their kinematics."""
     for instructions, share in INSTRUCTION_SETS.items():
         run = subprocess.run(
             ["taskset", "-c", "1", "rosrun", "collision_monitor", "collision_monitor_states_bench",

@@ -51,10 +51,15 @@ Pose bodyPose(CoreKind kind, const StatePose& pose, std::size_t lane) noexcept {
                                      : Pose{Eigen::Matrix3d::Identity(), one.translation};
 }
 
+std::size_t countStates(const JointPositions& positions, const StatesWork& work) noexcept {
+  const std::size_t variables = work.plan.variable_count;
+  return variables == 0 ? 1 : positions.size() / variables;
+}
+
 /// The states from `first` on, as many as a block holds; behind the last one it is repeated.
 void fillVariables(const JointPositions& positions, std::size_t first, StatesWork& work) noexcept {
   const std::size_t variables = work.plan.variable_count;
-  const std::size_t last = positions.size() / variables - 1;
+  const std::size_t last = countStates(positions, work) - 1;
   for (std::size_t lane = 0; lane < kStateCount; ++lane) {
     const double* state = positions.data() + std::min(first + lane, last) * variables;
     for (std::size_t i = 0; i < variables; ++i) {
@@ -84,6 +89,21 @@ StateCheck checkOf(const CycleSetup& setup, const StatesBlock& block, std::size_
                   : block.is_warning.of[lane] > 0.0 ? Verdict::warning
                                                     : Verdict::clear;
   return check;
+}
+
+/// Whether anything is in contact in state 0 of the block, faster than all states would be.
+void judgeAlone(const CycleSetup& setup, StatesWork& work, StatesBlock& block) noexcept {
+  for (std::size_t i = 0; i < work.bodies.size(); ++i) {
+    writeBody(setup.cores[i].kind, poseOf(work.bodies[i], 0), setup.blocks.slot_of[i], work.rows);
+  }
+  FoundContact found;
+  findContact(setup.blocks, work.rows, work.contact_distances, found);
+  block.distance.of[0] = found.contact.distance;
+  block.pair.of[0] = static_cast<double>(index(found.contact.pair));
+  const bool is_contact = found.contact.distance < std::numeric_limits<double>::infinity();
+  block.is_contact.of[0] = is_contact ? 1.0 : 0.0;
+  block.is_unknown.of[0] = found.has_unknown ? 1.0 : 0.0;
+  block.is_warning.of[0] = 0.0;
 }
 
 /// Poses of all links in state 0 of the block.
@@ -131,6 +151,8 @@ StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing
   for (std::size_t i = 0; i < setup.table.size(); ++i) {
     work.pairs.push_back(statePair(setup, i));
   }
+  work.contact_distances = contactDistancesOf(setup);
+  work.rows = makeBodyPoses(setup).rows;
   work.variables.resize(work.plan.variable_count);
   work.frames.resize(work.plan.frames.size());
   work.poses = makeLinkPoses(setup.model);
@@ -151,14 +173,17 @@ double plainStateDistance(const CycleSetup& setup, const StatesWork& work, const
 
 void checkStates(const CycleSetup& setup, const JointPositions& positions, StateQuestion question,
                  StatesWork& work, std::vector<StateCheck>& checks) {
-  const std::size_t variables = work.plan.variable_count;
-  const std::size_t count = variables == 0 ? 0 : positions.size() / variables;
+  const std::size_t count = countStates(positions, work);
   checks.resize(count);
   StatesBlock block;
   for (std::size_t first = 0; first < count; first += kStateCount) {
     fillVariables(positions, first, work);
-    placeFrames(work.plan, work.variables, work.frames);
-    judgeBlock(setup, question, work, block);
+    placeStates(setup, work);
+    if (question == StateQuestion::contact && count - first == 1) {
+      judgeAlone(setup, work, block);
+    } else {
+      judgeBlock(setup, question, work, block);
+    }
     for (std::size_t lane = 0; lane < std::min(kStateCount, count - first); ++lane) {
       checks[first + lane] = isFiniteState(work, lane) ? checkOf(setup, block, lane) : StateCheck{};
     }

@@ -152,19 +152,24 @@ void placeBody(const LinkPlace& place, const Core& core, std::size_t lane, const
   }
 }
 
+void placeInLanes(const CycleSetup& setup, StatesWork& work) {
+  for (std::size_t i = 0; i < work.bodies.size(); ++i) {
+    const LinkPlace& place = work.body_places[i];
+    if (place.frame != MovingFrame::kWorld) {
+      for (std::size_t lane = 0; lane < kStateCount; lane += hn::Lanes(Lanes())) {
+        placeBody(place, setup.cores[i], lane, work.frames[place.frame], work.bodies[i]);
+      }
+    }
+  }
+}
+
 HWY_INLINE void storeTruth(Truth truth, std::size_t lane, StateNumber& to) {
   hn::Store(hn::IfThenElseZero(truth, number(1.0)), Lanes(), to.of + lane);
 }
 
-void judgeLanes(const CycleSetup& setup, StateQuestion question, StatesWork& work,
+void judgeLanes(const CycleSetup& setup, StateQuestion question, const StatesWork& work,
                 StatesBlock& block) {
   for (std::size_t lane = 0; lane < kStateCount; lane += hn::Lanes(Lanes())) {
-    for (std::size_t i = 0; i < work.bodies.size(); ++i) {
-      const LinkPlace& place = work.body_places[i];
-      if (place.frame != MovingFrame::kWorld) {
-        placeBody(place, setup.cores[i], lane, work.frames[place.frame], work.bodies[i]);
-      }
-    }
     const Truth none = hn::Ne(zero(), zero());
     JudgedLanes judged{
         number(std::numeric_limits<double>::infinity()), zero(), none, none, none, hn::Not(none)};
@@ -190,10 +195,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace collision_monitor {
 namespace {
+HWY_EXPORT(placeInLanes);
 HWY_EXPORT(judgeLanes);
 }  // namespace
 
-void judgeBlock(const CycleSetup& setup, StateQuestion question, StatesWork& work,
+void placeStates(const CycleSetup& setup, StatesWork& work) noexcept {
+  placeFrames(work.plan, work.variables, work.frames);
+  HWY_DYNAMIC_DISPATCH(placeInLanes)(setup, work);
+}
+
+void judgeBlock(const CycleSetup& setup, StateQuestion question, const StatesWork& work,
                 StatesBlock& block) noexcept {
   HWY_DYNAMIC_DISPATCH(judgeLanes)(setup, question, work, block);
 }

@@ -28,12 +28,6 @@ void extendRanges(CoreKind one, CoreKind row, PairBlocks& blocks) {
   ++blocks.ranges.back().last;
 }
 
-void writeVector(const Eigen::Vector3d& v, std::size_t c, std::size_t slot, BodyRows& rows) {
-  rows.at(c)[slot] = v.x();
-  rows.at(c + 1)[slot] = v.y();
-  rows.at(c + 2)[slot] = v.z();
-}
-
 }  // namespace
 
 PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores) {
@@ -52,12 +46,10 @@ PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores) {
                         other >= blocks.blocks.back().first + kBlockLanes;
     if (is_new) {
       extendRanges(kind_one, kind_row, blocks);
-      blocks.blocks.push_back({one, other, 0, {}});
+      blocks.blocks.push_back({one, other, 0, static_cast<std::uint32_t>(i)});
     }
     PairBlock& block = blocks.blocks.back();
-    const std::uint32_t lane = other - block.first;
-    block.is_pair |= 1U << lane;
-    block.pairs[lane] = idAt<PairId>(i);
+    block.is_pair |= 1U << (other - block.first);
   }
   return blocks;
 }
@@ -77,27 +69,6 @@ BodyRows makeBodyRows(const PairBlocks& blocks, const std::vector<Core>& cores,
     rows.at(kBoundingColumn)[slot] = bounding_radii[i];
   }
   return rows;
-}
-
-void fillBodyRows(const PairBlocks& blocks, const std::vector<Core>& cores,
-                  const std::vector<Pose>& world_from_body, const std::vector<unsigned char>& known,
-                  BodyRows& rows) noexcept {
-  for (std::size_t i = 0; i < cores.size(); ++i) {
-    const std::size_t slot = blocks.slot_of[i];
-    const Pose& pose = world_from_body[i];
-    if (known[i] == 0) {
-      rows.at(column::center)[slot] = std::numeric_limits<double>::quiet_NaN();
-      continue;
-    }
-    writeVector(pose.translation, column::center, slot, rows);
-    if (cores[i].kind != CoreKind::point) {
-      writeVector(pose.rotation.col(2), column::axis_z, slot, rows);
-    }
-    if (cores[i].kind == CoreKind::box) {
-      writeVector(pose.rotation.col(0), column::axis_x, slot, rows);
-      writeVector(pose.rotation.col(1), column::axis_y, slot, rows);
-    }
-  }
 }
 
 }  // namespace collision_monitor

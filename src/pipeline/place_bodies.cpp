@@ -1,9 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "collision_monitor/geometry/bounds.h"
 #include "collision_monitor/pipeline/run_cycle.h"
 
 namespace collision_monitor {
+namespace {
+
+/// world_from_link * link_from_part. Written where it is to stand: the copy of a pose that was just
+/// written number by number stalls the processor for longer than the product takes.
+void place(const Pose& world_from_link, const Pose& link_from_part,
+           Pose& world_from_part) noexcept {
+  world_from_part.rotation.noalias() = world_from_link.rotation * link_from_part.rotation;
+  world_from_part.translation.noalias() = world_from_link.rotation * link_from_part.translation;
+  world_from_part.translation += world_from_link.translation;
+}
+
+}  // namespace
 
 LinkPoses makeLinkPoses(const RobotModel& model) {
   LinkPoses poses;
@@ -25,18 +39,25 @@ void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& bod
   }
   for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
     const Body& body = setup.bodies[i];
+    const std::size_t slot = setup.blocks.slot_of[i];
     body_poses.known[i] = body_poses.link_known[index(body.link)];
-    if (body_poses.known[i] != 0) {
-      body_poses.world_from_body[i] = poses.world_from_link[index(body.link)] * body.link_from_body;
+    if (body_poses.known[i] == 0) {
+      loseBody(slot, body_poses.rows);
+      continue;
     }
+    Pose& world_from_body = body_poses.world_from_body[i];
+    place(poses.world_from_link[index(body.link)], body.link_from_body, world_from_body);
+    writeBody(setup.cores[i].kind, world_from_body, slot, body_poses.rows);
   }
-  fillBodyRows(setup.blocks, setup.cores, body_poses.world_from_body, body_poses.known,
-               body_poses.rows);
+}
+
+void placeElements(const CycleSetup& setup, const LinkPoses& poses,
+                   BodyPoses& body_poses) noexcept {
   for (std::size_t i = 0; i < setup.elements.size(); ++i) {
     const Element& element = setup.elements[i];
     if (body_poses.link_known[index(element.link)] != 0) {
-      body_poses.world_from_element[i] =
-          poses.world_from_link[index(element.link)] * element.link_from_element;
+      place(poses.world_from_link[index(element.link)], element.link_from_element,
+            body_poses.world_from_element[i]);
     }
   }
 }
@@ -53,6 +74,15 @@ BodyPoses makeBodyPoses(const CycleSetup& setup) {
   body_poses.link_known.resize(setup.model.links.size(), 0);
   body_poses.world_from_element.resize(setup.elements.size());
   return body_poses;
+}
+
+ContactDistances contactDistancesOf(const CycleSetup& setup) {
+  ContactDistances limits;
+  for (const std::uint32_t link_pair : setup.link_pair_of) {
+    limits.of_pair.push_back(setup.checked[link_pair].limits.contact_distance);
+    limits.largest = std::max(limits.largest, limits.of_pair.back());
+  }
+  return limits;
 }
 
 void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double reach,

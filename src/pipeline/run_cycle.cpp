@@ -78,6 +78,7 @@ double reachOf(const Limits& limits) noexcept {
 void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   const double reach = reachOf(setup.limits);
   placeBodies(setup, poses, buffers.body_poses);
+  placeElements(setup, poses, buffers.body_poses);
   boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
   findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
   if (setup.is_continuous) {

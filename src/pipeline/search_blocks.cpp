@@ -5,6 +5,8 @@
 #define HWY_TARGET_INCLUDE "pipeline/search_blocks.cpp"
 #include "hwy/foreach_target.h"
 // The order matters: Highway first includes this file once for each target.
+#include <utility>
+
 #include "collision_monitor/pipeline/pair_blocks.h"
 #include "narrow_phase/lanes_box_box-inl.h"
 #include "narrow_phase/lanes_points-inl.h"
@@ -15,11 +17,14 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
+constexpr std::size_t kLanes = hn::MaxLanes(Lanes());
+
 /// Lanes of a block that one vector holds.
 struct BlockPart {
-  const PairBlock& block;
-  std::size_t lane;
-  std::uint32_t is_pair;  ///< bit by lane of the vector
+  std::uint32_t one;         ///< slot
+  std::size_t first;         ///< slot
+  std::uint32_t is_pair;     ///< bit by lane of the vector
+  std::uint32_t first_pair;  ///< of the lowest bit
 };
 
 HWY_INLINE std::uint32_t bitsOf(Truth truth) {
@@ -28,45 +33,70 @@ HWY_INLINE std::uint32_t bitsOf(Truth truth) {
   return bits[0];
 }
 
-template <class CoreOne, class CoreRow>
-HWY_INLINE Number distanceOf(const CoreOne& one, const CoreRow& row) {
-  Number distance;
-  if constexpr (CoreOne::kKind <= CoreRow::kKind) {
-    distance = coreDistance(one, row).distance;
+/// Lanes that are not numbers. Highway's Ne does not see them on every instruction set.
+HWY_INLINE std::uint32_t nansOf(Number value) { return bitsOf(hn::Not(hn::Eq(value, value))); }
+
+template <class CoreA, class CoreB>
+HWY_INLINE Number distanceOf(const CoreA& a, const CoreB& b) {
+  if constexpr (CoreA::kKind > CoreB::kKind) {
+    return distanceOf(b, a);
   } else {
-    distance = coreDistance(row, one).distance;
+    return hn::Sub(hn::Sub(coreDistance(a, b).distance, a.radius), b.radius);
   }
-  return hn::Sub(hn::Sub(distance, one.radius), row.radius);
 }
 
 /// Where bounding spheres leave a pair the chance to be as near as `best`.
 HWY_INLINE Truth mayBeNearer(const BodyRows& rows, const BlockPart& part, double best) {
-  const ShapeLanes row{rows.numbers.data() + part.block.first + part.lane, rows.stride};
-  const OneShape one{rows.numbers.data() + part.block.one, rows.stride};
+  const ShapeLanes row{rows.numbers.data() + part.first, rows.stride};
+  const OneShape one{rows.numbers.data() + part.one, rows.stride};
   const Vector3 between = vectorAt(row, column::center) - vectorAt(one, column::center);
   const Number radii = hn::Add(one.at(kBoundingColumn), row.at(kBoundingColumn));
   const Number allowed = hn::Add(radii, number(best));
   return hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed)));
 }
 
-/// Calls `take` with the pair and its distance.
-template <class CoreOne, class CoreRow, class Take>
-HWY_INLINE void measurePart(const BodyRows& rows, const BlockPart& part, std::uint32_t which,
-                            const Take& take) {
-  const double* first_one = rows.numbers.data() + part.block.one;
-  const double* first_row = rows.numbers.data() + part.block.first + part.lane;
-  HWY_ALIGN double distances[hn::MaxLanes(Lanes())];
-  hn::Store(distanceOf(CoreOne(OneShape{first_one, rows.stride}),
-                       CoreRow(ShapeLanes{first_row, rows.stride})),
-            Lanes(), distances);
+/// Has the plain twin measure the lanes `which`.
+template <class CoreOne, class CoreRow>
+HWY_NOINLINE Number finished(const BodyRows& rows, const BlockPart& part, std::uint32_t which,
+                             Number distance) {
+  HWY_ALIGN double distances[kLanes];
+  hn::Store(distance, Lanes(), distances);
   for (; which != 0; which &= which - 1) {
     const auto lane = static_cast<std::size_t>(__builtin_ctz(which));
-    if (HWY_UNLIKELY(!(distances[lane] == distances[lane]))) {
-      const PosedCore one = readCore(CoreOne::kKind, first_one, rows.stride);
-      const PosedCore row = readCore(CoreRow::kKind, first_row + lane, rows.stride);
-      distances[lane] = plainDistance(one.core, one.pose, row.core, row.pose).distance;
+    PosedCore a = readCore(CoreOne::kKind, rows.numbers.data() + part.one, rows.stride);
+    PosedCore b = readCore(CoreRow::kKind, rows.numbers.data() + part.first + lane, rows.stride);
+    if (CoreOne::kKind > CoreRow::kKind) {
+      std::swap(a, b);
     }
-    take(part.block.pairs[part.lane + lane], distances[lane]);
+    distances[lane] = plainDistance(a.core, a.pose, b.core, b.pose).distance;
+  }
+  return hn::Load(Lanes(), distances);
+}
+
+/// Right in the lanes `which`.
+template <class CoreOne, class CoreRow>
+HWY_INLINE Number measurePart(const BodyRows& rows, const BlockPart& part, std::uint32_t which) {
+  const Number distance =
+      distanceOf(CoreOne(OneShape{rows.numbers.data() + part.one, rows.stride}),
+                 CoreRow(ShapeLanes{rows.numbers.data() + part.first, rows.stride}));
+  const std::uint32_t open = nansOf(distance) & which;
+  return HWY_UNLIKELY(open != 0) ? finished<CoreOne, CoreRow>(rows, part, open, distance)
+                                 : distance;
+}
+
+/// Calls `take` with the pair and the distance of each lane `which`.
+template <class Take>
+HWY_INLINE void forLanes(const BlockPart& part, std::uint32_t which, Number distance,
+                         const Take& take) {
+  HWY_ALIGN double distances[kLanes];
+  hn::Store(distance, Lanes(), distances);
+  std::uint32_t pair = part.first_pair;
+  for (std::uint32_t left = part.is_pair; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
+    if ((which >> lane & 1U) != 0) {
+      take(pair, distances[lane]);
+    }
+    ++pair;
   }
 }
 
@@ -75,10 +105,18 @@ struct MeasureAll {
   std::vector<double>& distances;
 
   template <class CoreOne, class CoreRow>
-  HWY_INLINE void visit(const BodyRows& rows, const BlockPart& part) const {
-    measurePart<CoreOne, CoreRow>(rows, part, part.is_pair,
-                                  [&](PairId id, double distance)
-                                      HWY_ATTR { distances[index(id)] = distance; });
+  HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
+    const Number distance = measurePart<CoreOne, CoreRow>(rows, part, part.is_pair);
+    // Pairs without a gap are stored as they stand; what comes to lie behind them belongs to parts
+    // that follow.
+    const bool has_gaps = (part.is_pair & (part.is_pair + 1)) != 0;
+    if (!has_gaps && part.first_pair + kLanes <= distances.size()) {
+      hn::StoreU(distance, Lanes(), distances.data() + part.first_pair);
+    } else {
+      forLanes(part, part.is_pair, distance,
+               [&](std::uint32_t pair, double value) HWY_ATTR { distances[pair] = value; });
+    }
+    return true;
   }
 };
 
@@ -88,60 +126,87 @@ struct FindNearest {
   NearestPair& best;
 
   template <class CoreOne, class CoreRow>
-  HWY_INLINE void visit(const BodyRows& rows, const BlockPart& part) const {
-    const std::uint32_t which = bitsOf(mayBeNearer(rows, part, best.distance)) & part.is_pair;
+  HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
+    std::uint32_t which = bitsOf(mayBeNearer(rows, part, best.distance)) & part.is_pair;
     if (which == 0) {
-      return;
+      return true;
     }
-    measurePart<CoreOne, CoreRow>(rows, part, which, [&](PairId id, double distance) HWY_ATTR {
-      if (distance < best.distance && passed.is_passed[passed.group_of[index(id)]] == 0) {
-        best = {id, distance};
+    const Number distance = measurePart<CoreOne, CoreRow>(rows, part, which);
+    which &= bitsOf(hn::Lt(distance, number(best.distance)));
+    forLanes(part, which, distance, [&](std::uint32_t pair, double value) HWY_ATTR {
+      if (value < best.distance && passed.is_passed[passed.group_of[pair]] == 0) {
+        best = {idAt<PairId>(pair), value};
       }
     });
+    return true;
   }
 };
 
+/// The first contact.
+struct FindContact {
+  const ContactDistances& limits;
+  FoundContact& found;
+
+  template <class CoreOne, class CoreRow>
+  HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
+    std::uint32_t which = bitsOf(mayBeNearer(rows, part, limits.largest)) & part.is_pair;
+    if (which == 0) {
+      return true;
+    }
+    const Number distance = measurePart<CoreOne, CoreRow>(rows, part, which);
+    found.has_unknown = found.has_unknown || (nansOf(distance) & which) != 0;
+    which &= bitsOf(hn::Le(distance, number(limits.largest)));
+    if (which == 0) {
+      return true;
+    }
+    bool is_open = true;
+    forLanes(part, which, distance, [&](std::uint32_t pair, double value) HWY_ATTR {
+      if (is_open && value <= limits.of_pair[pair]) {
+        found.contact = {idAt<PairId>(pair), value};
+        is_open = false;
+      }
+    });
+    return is_open;
+  }
+};
+
+/// False when a visitor has seen enough.
 template <class CoreOne, class CoreRow, class Visitor>
-void visitRange(const PairBlocks& blocks, const BlockRange& range, const BodyRows& rows,
+bool visitRange(const PairBlocks& blocks, const BlockRange& range, const BodyRows& rows,
                 const Visitor& visitor) {
-  constexpr std::size_t kLanes = hn::MaxLanes(Lanes());
   for (std::size_t i = range.first; i < range.last; ++i) {
     const PairBlock& block = blocks.blocks[i];
+    std::uint32_t pair = block.first_pair;
     for (std::size_t lane = 0; lane < kBlockLanes; lane += kLanes) {
       const std::uint32_t is_pair = (block.is_pair >> lane) & ((1U << kLanes) - 1U);
-      if (is_pair != 0) {
-        visitor.template visit<CoreOne, CoreRow>(rows, {block, lane, is_pair});
+      const BlockPart part{block.one, block.first + lane, is_pair, pair};
+      if (is_pair != 0 && !visitor.template visit<CoreOne, CoreRow>(rows, part)) {
+        return false;
       }
+      pair += static_cast<std::uint32_t>(hwy::PopCount(is_pair));
     }
   }
+  return true;
 }
 
 template <class CoreOne, class Visitor>
-void visitKind(const PairBlocks& blocks, const BlockRange& range, const BodyRows& rows,
+bool visitKind(const PairBlocks& blocks, const BlockRange& range, const BodyRows& rows,
                const Visitor& visitor) {
-  switch (range.row) {
-    case CoreKind::point:
-      return visitRange<CoreOne, PointCore>(blocks, range, rows, visitor);
-    case CoreKind::segment:
-      return visitRange<CoreOne, SegmentCore>(blocks, range, rows, visitor);
-    case CoreKind::box:
-      return visitRange<CoreOne, BoxCore>(blocks, range, rows, visitor);
-  }
+  return range.row == CoreKind::point ? visitRange<CoreOne, PointCore>(blocks, range, rows, visitor)
+         : range.row == CoreKind::segment
+             ? visitRange<CoreOne, SegmentCore>(blocks, range, rows, visitor)
+             : visitRange<CoreOne, BoxCore>(blocks, range, rows, visitor);
 }
 
 template <class Visitor>
 void visitBlocks(const PairBlocks& blocks, const BodyRows& rows, const Visitor& visitor) {
   for (const BlockRange& range : blocks.ranges) {
-    switch (range.one) {
-      case CoreKind::point:
-        visitKind<PointCore>(blocks, range, rows, visitor);
-        break;
-      case CoreKind::segment:
-        visitKind<SegmentCore>(blocks, range, rows, visitor);
-        break;
-      case CoreKind::box:
-        visitKind<BoxCore>(blocks, range, rows, visitor);
-        break;
+    const bool goes_on =
+        range.one == CoreKind::point     ? visitKind<PointCore>(blocks, range, rows, visitor)
+        : range.one == CoreKind::segment ? visitKind<SegmentCore>(blocks, range, rows, visitor)
+                                         : visitKind<BoxCore>(blocks, range, rows, visitor);
+    if (!goes_on) {
+      return;
     }
   }
 }
@@ -156,6 +221,11 @@ void searchInLanes(const PairBlocks& blocks, const BodyRows& rows, const PassedP
   visitBlocks(blocks, rows, FindNearest{passed, best});
 }
 
+void findContactInLanes(const PairBlocks& blocks, const BodyRows& rows,
+                        const ContactDistances& limits, FoundContact& found) {
+  visitBlocks(blocks, rows, FindContact{limits, found});
+}
+
 // NOLINTNEXTLINE(google-readability-namespace-comments)
 }  // namespace HWY_NAMESPACE
 }  // namespace collision_monitor
@@ -166,6 +236,7 @@ namespace collision_monitor {
 namespace {
 HWY_EXPORT(measureInLanes);
 HWY_EXPORT(searchInLanes);
+HWY_EXPORT(findContactInLanes);
 }  // namespace
 
 void measureBlocks(const PairBlocks& blocks, const BodyRows& rows,
@@ -176,6 +247,11 @@ void measureBlocks(const PairBlocks& blocks, const BodyRows& rows,
 void searchBlocks(const PairBlocks& blocks, const BodyRows& rows, const PassedPairs& passed,
                   NearestPair& best) noexcept {
   HWY_DYNAMIC_DISPATCH(searchInLanes)(blocks, rows, passed, best);
+}
+
+void findContact(const PairBlocks& blocks, const BodyRows& rows, const ContactDistances& limits,
+                 FoundContact& found) noexcept {
+  HWY_DYNAMIC_DISPATCH(findContactInLanes)(blocks, rows, limits, found);
 }
 
 }  // namespace collision_monitor

@@ -15,8 +15,11 @@ struct StatesBlock {
   StateNumber is_unknown;  ///< a pose is not finite
 };
 
-/// Judges the states whose frames stand in `work`.
-void judgeBlock(const CycleSetup& setup, StateQuestion question, StatesWork& work,
+/// Places frames and bodies of the states whose variables stand in `work`.
+void placeStates(const CycleSetup& setup, StatesWork& work) noexcept;
+
+/// @pre the states are placed.
+void judgeBlock(const CycleSetup& setup, StateQuestion question, const StatesWork& work,
                 StatesBlock& block) noexcept;
 
 /// Where the kernel is not sure: state `lane` of a pair of bodies by the plain twin.

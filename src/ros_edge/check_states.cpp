@@ -30,6 +30,9 @@ std::size_t countStates(const RobotModel& model, const CheckStates::Request& req
   names.position.resize(names.name.size(), 0.0);
   faults = jointFaults(model, names);
   const std::size_t joints = request.joint_names.size();
+  if (model.variable_count == 0 && joints == 0 && request.positions.empty()) {
+    return 1;  // nothing moves: the one state there is
+  }
   if (joints == 0) {
     faults.emplace_back("joint_names is empty; name the joints that move");
   } else if (request.positions.empty() || request.positions.size() % joints != 0) {

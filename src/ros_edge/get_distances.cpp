@@ -150,6 +150,7 @@ void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
   }
   CycleBuffers& buffers = scene.buffers;
   placeBodies(setup, scene.poses, buffers.body_poses);
+  placeElements(setup, scene.poses, buffers.body_poses);
   selectPairs(setup, selection, buffers.body_poses, buffers.candidates);
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   response.distances.header = makeHeader(scene.poses.stamp_ns, current.world_frame);

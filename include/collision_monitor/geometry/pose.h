@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 namespace collision_monitor {
 
@@ -42,15 +41,26 @@ inline bool isFinite(const Pose& pose) noexcept {
   return pose.rotation.allFinite() && pose.translation.allFinite();
 }
 
-/// True when the pose is finite and its rotation is orthonormal and right-handed
-/// within `tolerance` (largest entry of R R^T - I).
+/// True when the pose is finite and its rotation is orthonormal and right-handed: the first two
+/// columns are unit and orthogonal and the third is their cross product, each defect squared and
+/// all added up within the square of `tolerance`.
 inline bool isRigid(const Pose& pose, double tolerance = 1e-6) noexcept {
-  if (!isFinite(pose)) {
-    return false;
+  // Asked of every link in every cycle: plain numbers and a single branch.
+  const double* x = pose.rotation.data();
+  const double* y = x + 3;
+  const double* z = x + 6;
+  const double defects[] = {x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0,
+                            y[0] * y[0] + y[1] * y[1] + y[2] * y[2] - 1.0,
+                            x[0] * y[0] + x[1] * y[1] + x[2] * y[2],
+                            x[1] * y[2] - x[2] * y[1] - z[0],
+                            x[2] * y[0] - x[0] * y[2] - z[1],
+                            x[0] * y[1] - x[1] * y[0] - z[2]};
+  // 0, or NaN where the translation is not finite.
+  double sum = (pose.translation - pose.translation).sum();
+  for (const double defect : defects) {
+    sum += defect * defect;
   }
-  const Eigen::Matrix3d defect =
-      pose.rotation * pose.rotation.transpose() - Eigen::Matrix3d::Identity();
-  return defect.cwiseAbs().maxCoeff() <= tolerance && pose.rotation.determinant() > 0.0;
+  return sum <= tolerance * tolerance;
 }
 
 }  // namespace collision_monitor

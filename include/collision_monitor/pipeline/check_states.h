@@ -40,9 +40,11 @@ struct StatesWork {
   KinematicsPlan plan;
   std::vector<LinkPlace> body_places;  ///< by BodyId: frame_from_link is frame_from_body here
   std::vector<StatePair> pairs;        ///< by PairId
+  ContactDistances contact_distances;
   std::vector<StateNumber> variables;  ///< of the states at hand
   std::vector<StatePose> frames;
   std::vector<StatePose> bodies;  ///< by BodyId
+  BodyRows rows;                  ///< of a state that is alone
   LinkPoses poses;                ///< these two of a state that is refined
   CycleBuffers buffers;
 };
@@ -50,7 +52,8 @@ struct StatesWork {
 StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing);
 
 /// Judges states by their enclosing shapes: each `variable_count` numbers of `positions` in a row
-/// are one state. Limits have no hysteresis here. Does not allocate when `checks` has room.
+/// are one state; a model without variables has one. Limits have no hysteresis here. Does not
+/// allocate when `checks` has room.
 ///
 /// Error: as distanceBetween; the same bytes with every instruction set.
 /// @pre positions.size() is a multiple of the model's variable_count.

@@ -50,7 +50,7 @@ struct BodyPoses {
   BodyRows rows;  ///< the same in columns, NaN where the body is not known
   std::vector<unsigned char> known;
   std::vector<unsigned char> link_known;  ///< by LinkId: the pose is known and rigid
-  std::vector<Pose> world_from_element;   ///< by ElementId; means nothing where the link is unknown
+  std::vector<Pose> world_from_element;   ///< by ElementId, of known links
 };
 
 enum class Quality : unsigned char {

@@ -21,8 +21,8 @@ constexpr std::size_t kBlockLanes = 8;
 struct PairBlock {
   std::uint32_t one{0};
   std::uint32_t first{0};
-  std::uint32_t is_pair{0};  ///< bit by lane
-  PairId pairs[kBlockLanes]{};
+  std::uint32_t is_pair{0};     ///< bit by lane
+  std::uint32_t first_pair{0};  ///< PairId of the lowest bit, from which the others count on
 };
 
 /// Blocks [first, last) join a body of kind `one` with bodies of kind `row`.
@@ -57,10 +57,30 @@ constexpr std::size_t kBoundingColumn = column::count;
 BodyRows makeBodyRows(const PairBlocks& blocks, const std::vector<Core>& cores,
                       const std::vector<double>& bounding_radii);
 
-/// @param known by BodyId; the others are no part of any pair.
-void fillBodyRows(const PairBlocks& blocks, const std::vector<Core>& cores,
-                  const std::vector<Pose>& world_from_body, const std::vector<unsigned char>& known,
-                  BodyRows& rows) noexcept;
+inline void writeVector(const Eigen::Vector3d& v, std::size_t c, std::size_t slot,
+                        BodyRows& rows) noexcept {
+  rows.at(c)[slot] = v.x();
+  rows.at(c + 1)[slot] = v.y();
+  rows.at(c + 2)[slot] = v.z();
+}
+
+/// Of a body's pose, what its kind needs.
+inline void writeBody(CoreKind kind, const Pose& world_from_body, std::size_t slot,
+                      BodyRows& rows) noexcept {
+  writeVector(world_from_body.translation, column::center, slot, rows);
+  if (kind != CoreKind::point) {
+    writeVector(world_from_body.rotation.col(2), column::axis_z, slot, rows);
+  }
+  if (kind == CoreKind::box) {
+    writeVector(world_from_body.rotation.col(0), column::axis_x, slot, rows);
+    writeVector(world_from_body.rotation.col(1), column::axis_y, slot, rows);
+  }
+}
+
+/// The body is not known.
+inline void loseBody(std::size_t slot, BodyRows& rows) noexcept {
+  rows.at(column::center)[slot] = std::numeric_limits<double>::quiet_NaN();
+}
 
 /// Signed distances of all pairs, by PairId; NaN where a body is not known.
 /// Error: as distanceBetween; the same bytes with every instruction set.
@@ -83,5 +103,21 @@ struct PassedPairs {
 /// pair that stands first. Bounding spheres spare most of the measuring.
 void searchBlocks(const PairBlocks& blocks, const BodyRows& rows, const PassedPairs& passed,
                   NearestPair& best) noexcept;
+
+/// [m] At or below these distances pairs are in contact.
+struct ContactDistances {
+  std::vector<double> of_pair;  ///< by PairId
+  double largest{-std::numeric_limits<double>::infinity()};
+};
+
+struct FoundContact {
+  NearestPair contact;      ///< the first in the table; infinitely far if there is none
+  bool has_unknown{false};  ///< a pair that was looked at has a body that is not known
+};
+
+/// Whether any pair is in contact. Ends at the first block of pairs that has one; bounding spheres
+/// spare most of the measuring.
+void findContact(const PairBlocks& blocks, const BodyRows& rows, const ContactDistances& limits,
+                 FoundContact& found) noexcept;
 
 }  // namespace collision_monitor

@@ -27,6 +27,9 @@ struct CycleBuffers {
 /// Sized for the set-up, nothing known.
 BodyPoses makeBodyPoses(const CycleSetup& setup);
 
+/// For findContact.
+ContactDistances contactDistancesOf(const CycleSetup& setup);
+
 CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind);
 
 /// Forgets what earlier cycles left: after a jump in time or a gap in data. What happened between
@@ -41,6 +44,10 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
 /// The stages of runCycle, in order, for those who need a part of it.
 
 void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept;
+
+/// What stands behind the bodies, for stages that refine.
+/// @pre the bodies are placed.
+void placeElements(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept;
 
 /// Boxes grown by `reach` / 2 [m], so that bodies within reach of each other have boxes that meet.
 void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double reach,

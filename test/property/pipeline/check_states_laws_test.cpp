@@ -66,6 +66,11 @@ Verdict verdictOf(double distance, const Limits& limits) {
                                                : Verdict::clear;
 }
 
+JointPositions stateOf(const CycleSetup& setup, const JointPositions& positions, std::size_t i) {
+  const auto begin = positions.begin() + static_cast<long>(i * setup.model.variable_count);
+  return {begin, begin + static_cast<long>(setup.model.variable_count)};
+}
+
 bool isSame(const StateCheck& one, const StateCheck& other) {
   return one.verdict == other.verdict && one.has_pair == other.has_pair && one.pair == other.pair &&
          std::memcmp(&one.distance, &other.distance, sizeof one.distance) == 0;
@@ -88,16 +93,17 @@ TEST(CheckStatesLaws, verdictsAndDistancesAreThoseOfEveryStateAlone_onEveryInstr
       std::vector<StateCheck> contact;
       checkStates(setup, positions, StateQuestion::nearest, work, nearest);
       checkStates(setup, positions, StateQuestion::contact, work, contact);
+      std::vector<StateCheck> alone;
       for (std::size_t i = 0; i < kStates; ++i) {
+        checkStates(setup, stateOf(setup, positions, i), StateQuestion::contact, work, alone);
+        ASSERT_TRUE(isSame(alone[0], contact[i])) << hwy::TargetName(target);
         ASSERT_EQ(contact[i].verdict == Verdict::contact, nearest[i].verdict == Verdict::contact);
         ASSERT_TRUE(first.empty() || isSame(first[i], nearest[i])) << hwy::TargetName(target);
       }
       first = nearest;
     }
     for (std::size_t i = 0; i < kStates; ++i) {
-      const auto begin = positions.begin() + static_cast<long>(i * setup.model.variable_count);
-      const JointPositions state(begin, begin + static_cast<long>(setup.model.variable_count));
-      const double least = leastByPlainTwins(setup, state, roots);
+      const double least = leastByPlainTwins(setup, stateOf(setup, positions, i), roots);
       ASSERT_NEAR(first[i].distance, least, 1e-12);
       ASSERT_EQ(first[i].verdict, verdictOf(least, setup.limits));
       contacts += first[i].verdict == Verdict::contact ? 1 : 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "collision_monitor/narrow_phase/distance.h"
 #include "collision_monitor/pipeline/run_cycle.h"
@@ -16,6 +17,7 @@ namespace {
 constexpr unsigned kSeed = 20260101;
 
 TEST(PairBlocksLaws, distancesAndNearestPairAreThoseOfThePlainTwin_onEveryInstructionSet) {
+  std::size_t contacts = 0;
   for (unsigned round = 0; round < 200; ++round) {
     SCOPED_TRACE(testing::Message() << "seed " << kSeed + round);
     const CycleSetup setup = randomSetup(2 + round % 20, kSeed + round);
@@ -39,6 +41,13 @@ TEST(PairBlocksLaws, distancesAndNearestPairAreThoseOfThePlainTwin_onEveryInstru
       const auto least = std::min_element(distances.begin(), distances.end());
       ASSERT_EQ(nearest.distance, *least);
       ASSERT_EQ(index(nearest.pair), static_cast<std::size_t>(least - distances.begin()));
+      FoundContact found;
+      findContact(setup.blocks, body_poses.rows, contactDistancesOf(setup), found);
+      const auto touching = std::find_if(distances.begin(), distances.end(),
+                                         [](double distance) { return distance <= 0.0; });
+      ASSERT_EQ(found.contact.distance,
+                touching == distances.end() ? std::numeric_limits<double>::infinity() : *touching);
+      contacts += touching == distances.end() ? 0 : 1;
     }
     for (std::size_t i = 0; i < setup.table.size(); ++i) {
       const std::size_t a = index(setup.table.pairs()[i].a);
@@ -50,6 +59,7 @@ TEST(PairBlocksLaws, distancesAndNearestPairAreThoseOfThePlainTwin_onEveryInstru
                   1e-12);
     }
   }
+  EXPECT_GT(contacts, 100U);
 }
 
 }  // namespace

@@ -46,9 +46,28 @@ TEST(IsRigid, tellsRotationsFromTheRest) {
   Pose scaled;
   scaled.rotation *= 1.001;
   EXPECT_FALSE(isRigid(scaled));
-  Pose nan;
-  nan.translation.z() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(isRigid(nan));
+  Pose skewed;
+  skewed.rotation(0, 1) = 2e-6;
+  EXPECT_FALSE(isRigid(skewed));
+  EXPECT_TRUE(isRigid(skewed, 1e-5));
+}
+
+TEST(IsRigid, anyNumberThatIsNotFinite_isNot) {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
+                           std::numeric_limits<double>::infinity(), -1e300}) {
+    for (int i = 0; i < 9; ++i) {
+      Pose turned;
+      turned.rotation.data()[i] = bad;
+      EXPECT_FALSE(isRigid(turned)) << i << " of the rotation is " << bad;
+    }
+  }
+  for (int i = 0; i < 3; ++i) {
+    Pose moved;
+    moved.translation[i] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(isRigid(moved));
+    moved.translation[i] = -std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(isRigid(moved));
+  }
 }
 
 }  // namespace

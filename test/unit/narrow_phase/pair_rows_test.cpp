@@ -31,6 +31,13 @@ SignedDistance measureOne(const Shape& a, const Pose& world_from_a, const Shape&
   return readAnswer(*rows, 1);
 }
 
+/// A rotation that turns a diagonal of a unit cube upright.
+Eigen::Matrix3d onItsCorner() {
+  const Vector3d x = Vector3d(2, 1, 1).normalized();
+  const Vector3d y = Vector3d(-1, 5, -3).normalized();
+  return axes(x, y);
+}
+
 /// Every answer below is asked of every instruction set.
 class PairRowsTest : public testing::TestWithParam<std::int64_t> {
   OnlyInstructionSet only_{GetParam()};
@@ -68,6 +75,22 @@ TEST_P(PairRowsTest, parallelCapsules_pointsInTheMiddleOfWhatTheyShare) {
   expectDistance(found, 2.25, {1, 0, 0}, {0.25, 0, 0.5});
 }
 
+TEST_P(PairRowsTest, longCapsulesThatCross_atEveryAngle) {
+  // Both axes lie along the faces of a slab as thick as the gap and cross off their middles.
+  const Eigen::Matrix3d tilted = onItsCorner();
+  for (const double sine : {1.0, 0.5, 0.11, 0.1, 0.0999, 0.01, 1e-4, 1e-9}) {
+    for (const double gap : {1.0, 2e-3, 1e-6}) {
+      const Vector3d u = tilted.col(0);
+      const Vector3d v = std::sqrt(1.0 - sine * sine) * tilted.col(0) + sine * tilted.col(1);
+      const Pose a{axes(tilted.col(1), tilted.col(2)), -7.0 * u};
+      const Pose b{axes(v.cross(tilted.col(2)), -tilted.col(2)), gap * tilted.col(2) + 8.0 * v};
+      const auto found = measureOne(Capsule{10.0, 0.25}, a, Capsule{10.0, 0.5}, b);
+      EXPECT_NEAR(found.distance, gap - 0.75, kExact) << "sine " << sine;
+      EXPECT_NEAR(found.normal_a_to_b.norm(), 1.0, kExact);
+    }
+  }
+}
+
 TEST_P(PairRowsTest, capsulesWhoseSegmentsCross_areLeftToThePlainTwin) {
   const auto found =
       measureOne(Capsule{1.0, 0.25}, Pose{}, Capsule{2.0, 0.5}, Pose{zToX(), {0.5, 0, 0.5}});
@@ -103,13 +126,6 @@ TEST_P(PairRowsTest, capsuleThroughABox_leavesByItsEnd) {
   expectNear(found.normal_a_to_b, {0, 0, -1}, "normal");
   expectNear(found.point_on_a, {0, 0, 2.25}, "point on a");
   expectConsistent(found);
-}
-
-/// A rotation that turns a diagonal of a unit cube upright.
-Eigen::Matrix3d onItsCorner() {
-  const Vector3d x = Vector3d(2, 1, 1).normalized();
-  const Vector3d y = Vector3d(-1, 5, -3).normalized();
-  return axes(x, y);
 }
 
 TEST_P(PairRowsTest, cornerOverAFace) {

@@ -132,6 +132,24 @@ TEST_P(CheckStatesTest, noStates_noAnswers) {
   EXPECT_TRUE(check({}, StateQuestion::nearest).empty());
 }
 
+TEST_P(CheckStatesTest, modelWithoutVariables_hasOneState) {
+  const auto ball = [](const std::string& robot) {
+    return describeText("<robot name='" + robot + "'>" + linkXml(robot, "<sphere radius='0.1'/>") +
+                        "</robot>");
+  };
+  const CycleSetup setup =
+      buildSetup({ball("left"), ball("right")}, textLoader({}), SetupOptions());
+  const Pose beside{Eigen::Matrix3d::Identity(), {0.15, 0, 0}};
+  StatesWork work = makeStatesWork(setup, standingAt(setup.model, {Pose{}, beside}));
+  std::vector<StateCheck> checks;
+  for (const StateQuestion question : {StateQuestion::contact, StateQuestion::nearest}) {
+    checkStates(setup, {}, question, work, checks);
+    ASSERT_EQ(checks.size(), 1U);
+    EXPECT_EQ(checks[0].verdict, Verdict::contact);
+    EXPECT_NEAR(checks[0].distance, -0.05, 1e-12);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(EveryInstructionSet, CheckStatesTest, testing::ValuesIn(instructionSets()),
                          [](const auto& target) { return hwy::TargetName(target.param); });
 

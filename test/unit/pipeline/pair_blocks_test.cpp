@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "support/hand_made_setup.h"
@@ -27,12 +28,14 @@ TEST(MakeBlocks, onePairStandsInOneLane_neighboursShareABlock) {
   const CycleSetup setup = handMadeSetup(shapes);
   std::vector<int> times(setup.table.size(), 0);
   for (const PairBlock& block : setup.blocks.blocks) {
+    std::size_t id = block.first_pair;
     for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
       if ((block.is_pair >> lane & 1U) != 0) {
-        const BodyPair& pair = setup.table[block.pairs[lane]];
+        const BodyPair& pair = setup.table.pairs()[id];
         EXPECT_EQ(setup.blocks.slot_of[index(pair.a)], block.one);
         EXPECT_EQ(setup.blocks.slot_of[index(pair.b)], block.first + lane);
-        ++times[index(block.pairs[lane])];
+        ++times[id];
+        ++id;
       }
     }
   }
@@ -64,6 +67,12 @@ class BlocksTest : public testing::TestWithParam<std::int64_t> {
   NearestPair nearest(NearestPair best = {}) const {
     searchBlocks(setup_.blocks, placed(setup_, poses_).rows, {groups_, passed_}, best);
     return best;
+  }
+  FoundContact contact(double contact_distance) {
+    setup_.checked[setup_.link_pair_of[2]].limits.contact_distance = contact_distance;
+    FoundContact found;
+    findContact(setup_.blocks, placed(setup_, poses_).rows, contactDistancesOf(setup_), found);
+    return found;
   }
 
  private:
@@ -102,6 +111,36 @@ TEST_P(BlocksTest, unknownBody_itsDistancesAreNotNumbersAndItIsNeverNearest) {
   EXPECT_TRUE(std::isnan(found[0]));
   EXPECT_TRUE(std::isnan(found[1]));
   EXPECT_EQ(nearest().pair, PairId{2});
+}
+
+TEST_P(BlocksTest, contact_byTheLimitOfThePair) {
+  // Capsule and cube are 4.9 m apart, ball and capsule, whose limit is 0, only 2.25 m.
+  EXPECT_EQ(contact(4.8).contact.distance, std::numeric_limits<double>::infinity());
+  const FoundContact found = contact(5.0);
+  EXPECT_EQ(found.contact.pair, PairId{2});
+  EXPECT_NEAR(found.contact.distance, std::hypot(2.5, 4.5) - 0.25, 1e-12);
+  EXPECT_FALSE(found.has_unknown);
+}
+
+TEST_P(BlocksTest, contactOfKnownBodies_isFoundBesideAnUnknownOne) {
+  poses_.status[1] = LinkStatus::stale;
+  EXPECT_TRUE(contact(0.0).has_unknown);
+  EXPECT_EQ(contact(0.0).contact.distance, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(contact(5.0).contact.pair, PairId{2});
+}
+
+TEST_P(BlocksTest, parallelCubes_areLeftToThePlainTwin) {
+  setup_ = handMadeSetup({{0, Box{{1, 1, 1}}}, {1, Box{{1, 1, 1}}}, {2, Box{{1, 1, 1}}}});
+  poses_ = knownPoses(setup_);
+  poses_.world_from_link[1].translation = {3.0, 0, 0};
+  poses_.world_from_link[2].translation = {1.5, 0, 9};
+  const std::vector<double> found = distances();
+  EXPECT_NEAR(found[0], 1.0, 1e-12);
+  EXPECT_NEAR(found[1], 7.0, 1e-12);
+  EXPECT_NEAR(found[2], 7.0, 1e-12);
+  EXPECT_EQ(nearest().pair, PairId{0});
+  EXPECT_EQ(contact(7.5).contact.pair, PairId{2}) << "the others have limits of 0";
+  EXPECT_FALSE(contact(0.0).has_unknown);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryInstructionSet, BlocksTest, testing::ValuesIn(instructionSets()),

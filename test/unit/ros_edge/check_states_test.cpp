@@ -6,9 +6,11 @@
 #include <collision_monitor/State.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "edge_scene.h"
+#include "support/urdf_text.h"
 
 namespace collision_monitor::test {
 namespace {
@@ -81,6 +83,23 @@ TEST_F(CheckStatesServiceTest, linkThatCannotBePlaced_isUnknown) {
   request_.joint_names = {"slide", "reach"};
   request_.positions = {0.0, 0.25};
   EXPECT_EQ(ask().levels[0], State::OK) << "a joint that is named needs no pose";
+}
+
+TEST_F(CheckStatesServiceTest, modelThatCannotMove_hasOneState) {
+  const auto ball = [](const std::string& name) {
+    return describeText("<robot name='" + name + "'>" + linkXml(name, "<sphere radius='0.1'/>") +
+                        "</robot>");
+  };
+  auto still = std::make_shared<MonitorSetup>();
+  still->setup = buildSetup({ball("left"), ball("right")}, textLoader({}), SetupOptions());
+  setup_ = still;
+  poses_ = makeLinkPoses(still->setup.model);
+  std::fill(poses_.status.begin(), poses_.status.end(), LinkStatus::known);
+  poses_.world_from_link[1].translation.x() = 0.15;
+  const auto response = ask();
+  ASSERT_TRUE(response.success) << response.message;
+  EXPECT_EQ(response.levels, std::vector<std::uint8_t>{State::CONTACT});
+  EXPECT_NEAR(response.distances[0], -0.05, 1e-12);
 }
 
 TEST_F(CheckStatesServiceTest, faults_areNamedAndNothingIsChecked) {
