@@ -96,6 +96,13 @@ HWY_INLINE BoxPairLanes boxPairInLanes(const BoxCore& a, const BoxCore& b) {
           toleranceInLanes(a.half_extents, b.half_extents, center)};
 }
 
+/// False where an axis shows that the boxes, radii counted, are farther apart than `distance`.
+HWY_INLINE Truth mayBeWithin(const BoxCore& a, const BoxCore& b, Number distance) {
+  const BoxPairLanes pair = boxPairInLanes(a, b);
+  const Number apart = hn::Add(hn::Add(hn::Add(distance, a.radius), b.radius), pair.tolerance);
+  return hn::Not(hn::Gt(bestAxis<false, LargestGap>(pair).numerator, hn::Max(apart, zero())));
+}
+
 HWY_INLINE CoreAnswer coreDistance(const BoxCore& a, const BoxCore& b) {
   const BoxPairLanes pair = boxPairInLanes(a, b);
   const AxisContact contact = contactAlong(pair, bestAxis<false>(pair));

@@ -90,6 +90,12 @@ struct CoreAnswer {
   Vector3 normal;
 };
 
+/// Asked before a distance that costs much: of the cores that have no overload it costs little.
+template <class CoreA, class CoreB>
+HWY_INLINE Truth mayBeWithin(const CoreA&, const CoreB&, Number) {
+  return hn::Eq(zero(), zero());
+}
+
 HWY_INLINE Number sureWhere(Truth is_sure, Number distance) {
   return hn::IfThenElse(is_sure, distance, number(std::numeric_limits<double>::quiet_NaN()));
 }

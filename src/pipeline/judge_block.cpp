@@ -53,17 +53,20 @@ struct BlockSearch {
   std::size_t lane;
 };
 
-/// Where bounding spheres leave a pair a chance to change the answer.
-HWY_INLINE Truth matters(const BlockSearch& search, const StatePair& pair,
-                         const JudgedLanes& judged) {
+/// [m] A pair that is farther apart does not change the answer.
+HWY_INLINE Number reachOfPair(const BlockSearch& search, const StatePair& pair,
+                              const JudgedLanes& judged) {
+  return search.question == StateQuestion::contact
+             ? number(pair.contact_distance)
+             : hn::Max(judged.distance, number(pair.warning_distance));
+}
+
+/// Where bounding spheres leave a pair a chance to be within `reach`.
+HWY_INLINE Truth spheresMeet(const BlockSearch& search, const StatePair& pair, Number reach) {
   const Vector3 between = load(search.work.bodies[pair.b].translation, search.lane) -
                           load(search.work.bodies[pair.a].translation, search.lane);
-  const Number reach = search.question == StateQuestion::contact
-                           ? number(pair.contact_distance)
-                           : hn::Max(judged.distance, number(pair.warning_distance));
   const Number allowed = hn::Add(number(pair.bounding_radii), reach);
-  const Truth is_apart = hn::Gt(dot(between, between), hn::Mul(allowed, allowed));
-  return hn::AndNot(is_apart, judged.is_open);
+  return hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed)));
 }
 
 /// Has the plain twin measure the lanes whose distance is NaN.
@@ -103,12 +106,17 @@ void judgeRange(const BlockSearch& search, const PairRange& range, JudgedLanes& 
   const std::vector<Core>& cores = search.setup.cores;
   for (std::size_t id = range.first; id < range.last; ++id) {
     const StatePair& pair = work.pairs[id];
-    const Truth counts = matters(search, pair, judged);
+    const Number reach = reachOfPair(search, pair, judged);
+    Truth counts = hn::And(judged.is_open, spheresMeet(search, pair, reach));
     if (hn::AllFalse(Lanes(), counts)) {
       continue;
     }
     const CoreA a(BodyInStates{work.bodies[pair.a], cores[pair.a], search.lane});
     const CoreB b(BodyInStates{work.bodies[pair.b], cores[pair.b], search.lane});
+    counts = hn::And(counts, mayBeWithin(a, b, reach));
+    if (hn::AllFalse(Lanes(), counts)) {
+      continue;
+    }
     Number distance = coreDistance(a, b).distance;
     distance = hn::Sub(hn::Sub(distance, a.radius), b.radius);
     if (HWY_UNLIKELY(!hn::AllFalse(Lanes(), hn::AndNot(hn::Eq(distance, distance), counts)))) {

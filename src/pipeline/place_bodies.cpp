@@ -31,23 +31,23 @@ LinkPoses makeLinkPoses(const RobotModel& model) {
 }
 
 void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept {
-  for (std::size_t link = 0; link < poses.status.size(); ++link) {
-    // Checked here as well as at the edge: a NaN that slips through must read as unknown.
-    const bool known =
-        poses.status[link] == LinkStatus::known && isRigid(poses.world_from_link[link]);
-    body_poses.link_known[link] = known ? 1 : 0;
-  }
-  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
-    const Body& body = setup.bodies[i];
+  const std::vector<Body>& bodies = setup.bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const std::size_t link = index(bodies[i].link);
+    const Pose& world_from_link = poses.world_from_link[link];
+    if (i == 0 || bodies[i - 1].link != bodies[i].link) {
+      // Checked here as well as at the edge: a NaN that slips through must read as unknown.
+      const bool known = poses.status[link] == LinkStatus::known && isRigid(world_from_link);
+      body_poses.link_known[link] = known ? 1 : 0;
+    }
     const std::size_t slot = setup.blocks.slot_of[i];
-    body_poses.known[i] = body_poses.link_known[index(body.link)];
+    body_poses.known[i] = body_poses.link_known[link];
     if (body_poses.known[i] == 0) {
       loseBody(slot, body_poses.rows);
       continue;
     }
-    Pose& world_from_body = body_poses.world_from_body[i];
-    place(poses.world_from_link[index(body.link)], body.link_from_body, world_from_body);
-    writeBody(setup.cores[i].kind, world_from_body, slot, body_poses.rows);
+    place(world_from_link, bodies[i].link_from_body, body_poses.world_from_body[i]);
+    writeBody(setup.cores[i].kind, body_poses.world_from_body[i], slot, body_poses.rows);
   }
 }
 

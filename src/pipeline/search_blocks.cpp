@@ -36,6 +36,18 @@ HWY_INLINE std::uint32_t bitsOf(Truth truth) {
 /// Lanes that are not numbers. Highway's Ne does not see them on every instruction set.
 HWY_INLINE std::uint32_t nansOf(Number value) { return bitsOf(hn::Not(hn::Eq(value, value))); }
 
+/// The core in slot `one` in every lane.
+template <class Core>
+HWY_INLINE Core coreOfOne(const BodyRows& rows, const BlockPart& part) {
+  return Core(OneShape{rows.numbers.data() + part.one, rows.stride});
+}
+
+/// A core from slot `first` on in each lane.
+template <class Core>
+HWY_INLINE Core coreOfRow(const BodyRows& rows, const BlockPart& part) {
+  return Core(ShapeLanes{rows.numbers.data() + part.first, rows.stride});
+}
+
 template <class CoreA, class CoreB>
 HWY_INLINE Number distanceOf(const CoreA& a, const CoreB& b) {
   if constexpr (CoreA::kKind > CoreB::kKind) {
@@ -77,8 +89,7 @@ HWY_NOINLINE Number finished(const BodyRows& rows, const BlockPart& part, std::u
 template <class CoreOne, class CoreRow>
 HWY_INLINE Number measurePart(const BodyRows& rows, const BlockPart& part, std::uint32_t which) {
   const Number distance =
-      distanceOf(CoreOne(OneShape{rows.numbers.data() + part.one, rows.stride}),
-                 CoreRow(ShapeLanes{rows.numbers.data() + part.first, rows.stride}));
+      distanceOf(coreOfOne<CoreOne>(rows, part), coreOfRow<CoreRow>(rows, part));
   const std::uint32_t open = nansOf(distance) & which;
   return HWY_UNLIKELY(open != 0) ? finished<CoreOne, CoreRow>(rows, part, open, distance)
                                  : distance;
@@ -150,6 +161,11 @@ struct FindContact {
   template <class CoreOne, class CoreRow>
   HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
     std::uint32_t which = bitsOf(mayBeNearer(rows, part, limits.largest)) & part.is_pair;
+    if (which == 0) {
+      return true;
+    }
+    which &= bitsOf(mayBeWithin(coreOfOne<CoreOne>(rows, part), coreOfRow<CoreRow>(rows, part),
+                                number(limits.largest)));
     if (which == 0) {
       return true;
     }

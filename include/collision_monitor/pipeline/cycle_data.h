@@ -49,7 +49,7 @@ struct BodyPoses {
   std::vector<Pose> world_from_body;
   BodyRows rows;  ///< the same in columns, NaN where the body is not known
   std::vector<unsigned char> known;
-  std::vector<unsigned char> link_known;  ///< by LinkId: the pose is known and rigid
+  std::vector<unsigned char> link_known;  ///< by LinkId, of links with bodies: known and rigid
   std::vector<Pose> world_from_element;   ///< by ElementId, of known links
 };
 
