@@ -77,8 +77,9 @@ SlabSweep::Layout SlabSweep::layOut(const std::vector<SmallBox>& boxes) noexcept
 
 std::size_t SlabSweep::columnAt(std::int32_t slab, std::int32_t other_slab) const noexcept {
   const auto& [slabs, others] = layout_.slabs;
-  return static_cast<std::size_t>((slab & slabs.mask) * (others.mask + 1) +
-                                  (other_slab & others.mask));
+  const auto across = static_cast<std::size_t>(others.mask) + 1;
+  return static_cast<std::size_t>(slab & slabs.mask) * across +
+         static_cast<std::size_t>(other_slab & others.mask);
 }
 
 template <class Visit>

@@ -40,7 +40,11 @@ constexpr SmallBox kEmpty{{kNan, kNan, kNan, kNan}, {kNan, kNan, kNan, kNan}};
 
 /// Also false where a coordinate is NaN.
 bool isBox(const Aabb& box) noexcept {
-  return (box.min.x() <= box.max.x()) & (box.min.y() <= box.max.y()) & (box.min.z() <= box.max.z());
+  bool is_box = true;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    is_box &= box.min[axis] <= box.max[axis];
+  }
+  return is_box;
 }
 
 }  // namespace
