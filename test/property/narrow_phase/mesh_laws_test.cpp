@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -198,6 +199,40 @@ TEST_F(MeshLaws, queries_allocateNothing) {
     overlap({tree, a}, {tree, b}, *memory_);
   }
   EXPECT_EQ(guard.count(), 0U);
+}
+
+/// Moved by a hair or by a centimetre and turned, from the last nearest pair on.
+TEST_F(MeshLaws, distance_changesNoFasterThanMeshesMove) {
+  for (int i = 0; i < 40; ++i) {
+    MeshScene scene = randomScene(random_);
+    const MeshTree a(scene.mesh_a);
+    const MeshTree b(scene.mesh_b);
+    double radius = 0.0;
+    for (const auto& vertex : scene.mesh_b.vertices) {
+      radius = std::max(radius, vertex.norm());
+    }
+    const auto ask = [&](const TrianglePair& start) {
+      return distanceBetween({a, scene.world_from_a}, {b, scene.world_from_b}, *memory_, start);
+    };
+    MeshDistance last = ask({});
+    for (int step = 0; step < 100; ++step) {
+      const double size = std::pow(10.0, uniform(random_, -9.0, -2.0));
+      const Pose turn = randomPose(random_, size);
+      const Eigen::AngleAxisd whole(turn.rotation);
+      const Pose before = scene.world_from_b;
+      scene.world_from_b.rotation =
+          Eigen::AngleAxisd(size * whole.angle(), whole.axis()) * before.rotation;
+      scene.world_from_b.translation += turn.translation;
+      const MeshDistance next = ask(last.nearest);
+      // A rotation by t has a Frobenius norm of sqrt(8) sin(t / 2) less the identity.
+      const double moved =
+          turn.translation.norm() +
+          radius * (scene.world_from_b.rotation - before.rotation).norm() / std::sqrt(2.0);
+      ASSERT_LE(std::abs(next.measured.distance - last.measured.distance), moved + kMeshExact)
+          << i << ", step " << step;
+      last = next;
+    }
+  }
 }
 
 }  // namespace
