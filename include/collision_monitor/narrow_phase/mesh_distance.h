@@ -89,15 +89,15 @@ struct PlacedConvex {
 /// True when surfaces touch or cross, or one closed mesh holds a point of the other.
 ///
 /// Error: surfaces within 1e-14 of the size may be called either way.
-/// Limits: of a mesh of several parts, none of which crosses the other mesh, one part is tried for
-/// being inside it. Poses that are not finite give `true`: unknown is not clear.
+/// Each connected piece of a mesh is asked for being inside the other. Poses that are not finite
+/// give `true`: unknown is not clear.
 bool overlap(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory) noexcept;
 
 /// Distance of two meshes, 0 when they overlap (see penetrationOf in mesh_depth.h).
 ///
 /// Error: for meshes up to 10 m, the distance is exact to 1e-9 m for triangles however thin and
 /// to some ulps for others; both points are on the surfaces.
-/// Limits: as overlap(). Meshes nearer than 1e-14 of their size are overlapping.
+/// Limits: meshes nearer than 1e-14 of their size are overlapping.
 /// @param start the nearest pair of an earlier query of the same meshes, or none. It changes the
 /// time and, of points equally near, which are found; never the distance.
 MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory,
