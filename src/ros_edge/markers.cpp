@@ -161,7 +161,7 @@ void Markers::addDistances(const Watch& watch) {
     toMessage(takePlace(0.5 * (measured.point_on_a + measured.point_on_b), label_places_),
               label.pose.position);
     label.scale.z = kTextHeight;
-    label.color = colourOf(events.verdicts[i], 1.0F);  // of its line
+    label.color.r = label.color.g = label.color.b = label.color.a = 1.0F;
     label.text = labelOf(distance);
   }
 }
