@@ -72,13 +72,34 @@ HWY_INLINE LaneParameters closestInLanes(const Vector3& between, const Vector3& 
   return {clamped(half_a, hn::Add(b_on_a, hn::Mul(on_b, cosine))), on_b};
 }
 
+/// Segments that nearly meet, each between its ends and at an angle: sure of the normal, which is
+/// perpendicular to both. normalOfNear's first case; the others are left to it.
+HWY_INLINE void sureOfCrossings(const SegmentCore& a, const SegmentCore& b,
+                                const LaneParameters& closest, const Vector3& way,
+                                CoreAnswer& answer) {
+  const Vector3 n = cross(a.direction, b.direction);
+  const Number sine_squared = dot(n, n);
+  const Number distance = norm(way);
+  const Truth is_crossing =
+      hn::And(hn::And(hn::Le(distance, number(kNear)), hn::Gt(sine_squared, number(kSteep))),
+              hn::And(hn::Lt(hn::Abs(closest.on_a), a.half_length),
+                      hn::Lt(hn::Abs(closest.on_b), b.half_length)));
+  const Number scale = hn::Div(signOf(dot(n, way)), hn::Sqrt(sine_squared));
+  answer.distance = hn::IfThenElse(is_crossing, distance, answer.distance);
+  answer.normal = select(is_crossing, scaled(scale, n), answer.normal);
+}
+
 HWY_INLINE CoreAnswer coreDistance(const SegmentCore& a, const SegmentCore& b) {
   const Vector3 between = b.center - a.center;
   const LaneParameters closest =
       closestInLanes(between, a.direction, a.half_length, b.direction, b.half_length);
   const Vector3 to_b = along(between, closest.on_b, b.direction);
-  return answerOfWay(along(a.center, closest.on_a, a.direction),
-                     to_b - scaled(closest.on_a, a.direction), kNear);
+  const Vector3 way = to_b - scaled(closest.on_a, a.direction);
+  CoreAnswer answer = answerOfWay(along(a.center, closest.on_a, a.direction), way, kNear);
+  if (HWY_UNLIKELY(!isSureEverywhere(answer))) {
+    sureOfCrossings(a, b, closest, way, answer);
+  }
+  return answer;
 }
 
 /// Where one of three numbers is the largest; of equal ones the first.

@@ -23,12 +23,15 @@ void storeVector(const Vector3& v, std::size_t first, std::size_t row,
   hn::Store(v.z, Lanes(), &answers.at[first + 2][row]);
 }
 
+/// @return whether every row is sure.
 template <class CoreA, class CoreB>
-void measureCores(std::size_t count, PairRows& rows) {
+bool measureCores(std::size_t count, PairRows& rows) {
+  bool is_sure = true;
   for (std::size_t row = 0; row < count; row += hn::Lanes(Lanes())) {
     const CoreA a(ShapeLanes{&rows.a.at[0][row], kRowCount});
     const CoreB b(ShapeLanes{&rows.b.at[0][row], kRowCount});
     const CoreAnswer cores = coreDistance(a, b);
+    is_sure &= isSureEverywhere(cores);
     const Number distance = hn::Sub(hn::Sub(cores.distance, a.radius), b.radius);
     const Vector3 on_a = along(cores.point_on_a, a.radius, cores.normal);
     hn::Store(distance, Lanes(), &rows.answers.at[answer::distance][row]);
@@ -36,20 +39,22 @@ void measureCores(std::size_t count, PairRows& rows) {
     storeVector(along(on_a, distance, cores.normal), answer::point_on_b, row, rows.answers);
     storeVector(cores.normal, answer::normal, row, rows.answers);
   }
+  return is_sure;
 }
 
-void measureLanes(CoreKind a, CoreKind b, std::size_t count, PairRows& rows) {
+bool measureLanes(CoreKind a, CoreKind b, std::size_t count, PairRows& rows) {
   if (a == CoreKind::box) {
-    measureCores<BoxCore, BoxCore>(count, rows);
-  } else if (a == CoreKind::segment) {
-    b == CoreKind::box ? measureCores<SegmentCore, BoxCore>(count, rows)
-                       : measureCores<SegmentCore, SegmentCore>(count, rows);
-  } else if (b == CoreKind::box) {
-    measureCores<PointCore, BoxCore>(count, rows);
-  } else {
-    b == CoreKind::segment ? measureCores<PointCore, SegmentCore>(count, rows)
-                           : measureCores<PointCore, PointCore>(count, rows);
+    return measureCores<BoxCore, BoxCore>(count, rows);
   }
+  if (a == CoreKind::segment) {
+    return b == CoreKind::box ? measureCores<SegmentCore, BoxCore>(count, rows)
+                              : measureCores<SegmentCore, SegmentCore>(count, rows);
+  }
+  if (b == CoreKind::box) {
+    return measureCores<PointCore, BoxCore>(count, rows);
+  }
+  return b == CoreKind::segment ? measureCores<PointCore, SegmentCore>(count, rows)
+                                : measureCores<PointCore, PointCore>(count, rows);
 }
 
 // NOLINTNEXTLINE(google-readability-namespace-comments)
@@ -67,6 +72,9 @@ HWY_EXPORT(measureLanes);
 void repeatLastRow(CoreKind kind, std::size_t count, ShapeRows& rows) noexcept {
   constexpr std::size_t kMostLanes = 8;
   const std::size_t end = (count + kMostLanes - 1) / kMostLanes * kMostLanes;
+  if (end == count) {
+    return;
+  }
   for (std::size_t c = 0; c < columnCountOf(kind); ++c) {
     std::fill(rows.at[c].begin() + count, rows.at[c].begin() + end, rows.at[c][count - 1]);
   }
@@ -80,8 +88,9 @@ void measureRows(CoreKind a, CoreKind b, std::size_t count, PairRows& rows) noex
   }
   repeatLastRow(a, count, rows.a);
   repeatLastRow(b, count, rows.b);
-  HWY_DYNAMIC_DISPATCH(measureLanes)(a, b, count, rows);
-  finishRows(a, b, count, rows);
+  if (!HWY_DYNAMIC_DISPATCH(measureLanes)(a, b, count, rows)) {
+    finishRows(a, b, count, rows);
+  }
 }
 
 }  // namespace collision_monitor

@@ -100,6 +100,10 @@ HWY_INLINE Number sureWhere(Truth is_sure, Number distance) {
   return hn::IfThenElse(is_sure, distance, number(std::numeric_limits<double>::quiet_NaN()));
 }
 
+HWY_INLINE bool isSureEverywhere(const CoreAnswer& answer) {
+  return hn::AllTrue(Lanes(), hn::Eq(answer.distance, answer.distance));
+}
+
 // NOLINTNEXTLINE(google-readability-namespace-comments)
 }  // namespace HWY_NAMESPACE
 }  // namespace collision_monitor
