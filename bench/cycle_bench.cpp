@@ -120,6 +120,7 @@ void timeCycles(const std::string& what, const CycleSetup& setup, const std::vec
   double refined = 0.0;
   double swept = 0.0;
   int exceeded = 0;
+  int over_cap = 0;
   for (const Move& move : moves) {
     resetMemory(buffers);
     resetMemory(staged);
@@ -135,7 +136,8 @@ void timeCycles(const std::string& what, const CycleSetup& setup, const std::vec
       candidates += static_cast<double>(buffers.counters.candidates);
       refined += static_cast<double>(buffers.counters.refined);
       swept += static_cast<double>(buffers.counters.swept);
-      exceeded += buffers.sweep.step.is_exceeded ? 1 : 0;
+      exceeded += buffers.sweep.step.on_way.is_exceeded ? 1 : 0;
+      over_cap += buffers.sweep.step.at_poses.is_exceeded ? 1 : 0;
     }
   }
   const auto cycles = static_cast<double>(times.size());
@@ -143,9 +145,10 @@ void timeCycles(const std::string& what, const CycleSetup& setup, const std::vec
   const double mean = std::accumulate(times.begin(), times.end(), 0.0) / cycles;
   std::printf(
       "  %s: median %.1f us, mean %.1f, 99 %% %.1f; candidates %.0f, refined %.1f, "
-      "followed %.1f a cycle; step too long in %.0f %%\n",
+      "followed %.1f a cycle; step too long in %.0f %%, over the cap in %.0f %%\n",
       what.c_str(), times[times.size() / 2], mean, times[times.size() * 99 / 100],
-      candidates / cycles, refined / cycles, swept / cycles, 100.0 * exceeded / cycles);
+      candidates / cycles, refined / cycles, swept / cycles, 100.0 * exceeded / cycles,
+      100.0 * over_cap / cycles);
   stages.print(cycles);
 }
 

@@ -40,7 +40,9 @@ SweepWork makeSweepWork(const CycleSetup& setup) {
   work.link_balls = linkBalls(setup);
   work.had_motion = work.has_motion;
   work.last_motions = work.link_motions;
-  work.unseen.resize(setup.model.links.size());
+  work.twists.resize(setup.model.links.size());
+  work.bends.resize(setup.model.links.size());
+  work.ball_centers.resize(setup.model.links.size());
   work.tasks.reserve(setup.element_pairs.size());
   work.task_of.resize(setup.element_pairs.size(), kNone);
   work.budget = setup.refine.budget;

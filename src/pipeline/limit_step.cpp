@@ -21,17 +21,51 @@ Twist twistOf(const ScrewMotion& motion) noexcept {
   return twistAbout(motion.start.translation, motion.travel, motion.turn);
 }
 
-/// What of the links' motion nobody looks at, per step.
-void findUnseen(const CycleSetup& setup, SweepWork& work) noexcept {
+/// Per step, by LinkId; an unknown link counts as one at rest.
+void findTwists(const CycleSetup& setup, SweepWork& work) noexcept {
   constexpr double kBend = 1.0 / 8.0;
   const double longer = work.last_elapsed > 0.0 ? work.elapsed / work.last_elapsed : 0.0;
-  for (std::size_t i = 0; i < work.unseen.size(); ++i) {
-    const Twist now = twistOf(work.link_motions[i]);
-    const bool is_known = work.has_motion[i] != 0 &&
-                          (!setup.is_continuous || (work.had_motion[i] != 0 && longer > 0.0));
-    const Twist seen = setup.is_continuous ? longer * twistOf(work.last_motions[i]) : Twist();
-    work.unseen[i] = is_known ? (setup.is_continuous ? kBend : 1.0) * (now - seen) : Twist();
+  for (std::size_t i = 0; i < work.twists.size(); ++i) {
+    const ScrewMotion& motion = work.link_motions[i];
+    work.ball_centers[i] = motion.start * work.link_balls[i].center;
+    work.twists[i] = work.has_motion[i] != 0 ? twistOf(motion) : Twist();
+    if (setup.is_continuous) {
+      const bool is_known = work.has_motion[i] != 0 && work.had_motion[i] != 0 && longer > 0.0;
+      work.bends[i] =
+          is_known ? kBend * (work.twists[i] - longer * twistOf(work.last_motions[i])) : Twist();
+    }
   }
+}
+
+/// The pair that goes farthest, measured by its thickness.
+struct Farthest {
+  double share{0.0};  ///< way / thickness
+  LinkPairIndex pair{kNone};
+};
+
+/// @param twists per step, by LinkId
+Farthest findFarthest(const CycleSetup& setup, const SweepWork& work,
+                      const std::vector<Twist>& twists) noexcept {
+  Farthest farthest;
+  for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
+    const std::size_t a = index(setup.checked[i].a);
+    const std::size_t b = index(setup.checked[i].b);
+    const Twist twist = twists[b] - twists[a];
+    const double radius = work.link_balls[b].radius;
+    const double moved = velocityAt(twist, work.ball_centers[b]).squaredNorm();
+    const double turned = twist.angular.squaredNorm() * radius * radius;
+    const double least = farthest.share * work.thickness[i];
+    // The way's square is at most twice that: most pairs need no root.
+    if (2.0 * (moved + turned) > least * least) {
+      const double share = (std::sqrt(moved) + std::sqrt(turned)) / work.thickness[i];
+      farthest = share > farthest.share ? Farthest{share, i} : farthest;
+    }
+  }
+  return farthest;
+}
+
+StepCap capOf(double step, double longest, LinkPairIndex pair) noexcept {
+  return {longest, pair, step > longest};
 }
 
 }  // namespace
@@ -49,25 +83,17 @@ std::vector<double> thicknessOfPairs(const CycleSetup& setup) {
 }
 
 void limitStep(const CycleSetup& setup, SweepWork& work) noexcept {
-  findUnseen(setup, work);
+  findTwists(setup, work);
   StepLimit& limit = work.step;
-  limit = {work.elapsed, kInfinity, kNone, false};
-  for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
-    const std::size_t a = index(setup.checked[i].a);
-    const std::size_t b = index(setup.checked[i].b);
-    const Ball& ball = work.link_balls[b];
-    const Twist twist = work.unseen[b] - work.unseen[a];
-    const Eigen::Vector3d center = work.link_motions[b].start * ball.center;
-    const double way = velocityAt(twist, center).norm() + twist.angular.norm() * ball.radius;
-    const double share = work.thickness[i] / way;
+  limit.step = work.elapsed;
+  const Farthest moved = findFarthest(setup, work, work.twists);
+  limit.at_poses = capOf(work.elapsed, work.elapsed / moved.share, moved.pair);
+  limit.on_way = limit.at_poses;
+  if (setup.is_continuous) {
     // A way grows with the step, a bend with its square.
-    const double longest = work.elapsed * (setup.is_continuous ? std::sqrt(share) : share);
-    if (longest < limit.longest) {
-      limit.longest = longest;
-      limit.pair = i;
-    }
+    const Farthest bent = findFarthest(setup, work, work.bends);
+    limit.on_way = capOf(work.elapsed, work.elapsed / std::sqrt(bent.share), bent.pair);
   }
-  limit.is_exceeded = limit.step > limit.longest;
 }
 
 }  // namespace collision_monitor

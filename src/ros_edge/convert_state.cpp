@@ -30,6 +30,7 @@ void fillCounters(const CycleCounters& counters, const CycleFacts& facts, State&
   message.cycle_time = facts.cycle_time;
   message.cycles = facts.cycles;
   message.overruns = facts.overruns;
+  message.steps_over_cap = facts.steps.over_cap;
 }
 
 void fillLinks(const Watch& watch, State& message) {
@@ -92,7 +93,9 @@ void toMessage(const Watch& watch, const CycleFacts& facts, State& message) {
   fillCounters(watch.buffers.counters, facts, message);
   message.pairs_passed = static_cast<std::uint32_t>(watch.buffers.distances.passed.size());
   message.step = watch.buffers.sweep.step.step;
-  message.step_limit = watch.buffers.sweep.step.longest;
+  message.step_limit = watch.buffers.sweep.step.on_way.longest;
+  message.step_cap = watch.buffers.sweep.step.at_poses.longest;
+  message.step_warning = stepSentence(watch);
 }
 
 }  // namespace collision_monitor

@@ -119,6 +119,7 @@ void CycleRunner::runOnce() {
   }
   runCycle(watch_->setup(), watch_->poses, watch_->buffers);
   ++facts_.cycles;
+  countStep(watch_->buffers.sweep, facts_.steps);
   facts_.cycle_time = toSeconds(Clock::now() - start);
   publish(is_new);
   statistics_.addCycle(facts_.cycle_time);
@@ -178,7 +179,9 @@ void CycleRunner::summarize(const State& state) {
   summary.swept = state.pairs_swept;
   summary.step = state.step;
   summary.step_limit = state.step_limit;
-  summary.step_sentence = stepSentence(*watch_);
+  summary.step_cap = state.step_cap;
+  summary.step_warning = state.step_warning;
+  summary.steps = facts_.steps;
   summary.unknown_links = state.unknown_links;
   summary.cycles = state.cycles;
   summary.overruns = state.overruns;

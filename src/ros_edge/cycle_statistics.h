@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "ros_edge/watch.h"
+
 namespace collision_monitor {
 
 /// What /diagnostics says of the last cycle; plain data, copied under a lock.
@@ -23,9 +25,11 @@ struct CycleSummary {
   std::size_t refined{0};
   std::size_t left{0};
   std::size_t swept{0};
-  double step{0.0};           ///< [s] as in State
-  double step_limit{0.0};     ///< [s]
-  std::string step_sentence;  ///< empty unless the step is too long
+  double step{0.0};        ///< [s] as in State
+  double step_limit{0.0};  ///< [s]
+  double step_cap{0.0};    ///< [s]
+  std::string step_warning;
+  StepCount steps;
   std::vector<std::string> unknown_links;
   std::uint64_t cycles{0};
   std::uint64_t overruns{0};

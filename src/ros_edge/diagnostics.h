@@ -15,8 +15,8 @@
 namespace collision_monitor {
 
 /// Publishes /diagnostics once a wall second, also while a simulated clock stands still.
-/// Three entries: the verdict with its data, the cycle with its times, the set-up with its
-/// warnings.
+/// Four entries: the verdict with its data, the cycle with its times, the step between poses with
+/// what it may be, the set-up with its warnings.
 class Diagnostics {
  public:
   using SetupGetter = std::function<std::shared_ptr<const MonitorSetup>()>;
@@ -29,6 +29,7 @@ class Diagnostics {
  private:
   void reportVerdict(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportCycle(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void reportStep(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportSetup(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   const CycleStatistics& statistics_;
@@ -36,6 +37,7 @@ class Diagnostics {
   diagnostic_updater::Updater updater_;
   std::uint64_t last_cycles_{0};
   std::uint64_t last_overruns_{0};
+  StepCount last_steps_;
   ros::SteadyTime last_time_;
   ros::WallTimer timer_;
 };

@@ -216,16 +216,20 @@ std::string unknownSentence(const Watch& watch, LinkId link) {
 std::string stepSentence(const Watch& watch) {
   const CycleSetup& setup = watch.setup();
   const StepLimit& step = watch.buffers.sweep.step;
-  if (!step.is_exceeded) {
+  const bool is_covered = !step.on_way.is_exceeded;
+  const StepCap& cap = is_covered ? step.at_poses : step.on_way;
+  if (!cap.is_exceeded) {
     return "";
   }
-  const CheckedLinkPair& pair = setup.checked[step.pair];
-  return "poses every " + format("%.1f ms", 1e3 * step.step) + " are too few: in between, " +
+  const CheckedLinkPair& pair = setup.checked[cap.pair];
+  return "poses every " + format("%.1f ms", 1e3 * step.step) + " are too few" +
+         (is_covered ? " by themselves: in between, " : ": in between, ") +
          setup.model.link(pair.a).name + " and " + setup.model.link(pair.b).name +
-         (setup.is_continuous
+         (is_covered ? " come farther than they are thick, which the look at the way covers"
+          : setup.is_continuous
               ? " may leave the way that is looked at by more than they are thick"
               : " can pass through each other unseen (parameter continuous is off)") +
-         "; at these speeds they need them every " + format("%.1f ms", 1e3 * step.longest);
+         "; at these speeds they need them every " + format("%.1f ms", 1e3 * cap.longest);
 }
 
 std::string stateSentence(const Watch& watch, const CycleFacts& facts) {

@@ -35,7 +35,8 @@ std::string changeSentence(const Watch& watch, const VerdictChange& change);
 /// "link a is unknown: no transform for 0.52 s"
 std::string unknownSentence(const Watch& watch, LinkId link);
 
-/// Poses that come too seldom, and how often they are needed; empty if they do not.
+/// Poses that come too seldom, how often they are needed, and whether the look at the way between
+/// them covers it; empty if they do not.
 std::string stepSentence(const Watch& watch);
 
 /// The state of the whole.

@@ -72,16 +72,23 @@ void WarningLog::logUnknownLinks(const Watch& watch) {
 
 void WarningLog::logStep(const Watch& watch) {
   constexpr double kStepPeriod = 10.0;  // [s]
+  const StepLimit& step = watch.buffers.sweep.step;
   const ros::SteadyTime now = ros::SteadyTime::now();
-  if (watch.buffers.sweep.step.is_exceeded && !isTooSoon(last_step_, now, kStepPeriod)) {
-    last_step_ = now;
-    ROS_WARN_STREAM(stepSentence(watch));
+  if (step.on_way.is_exceeded) {
+    if (!isTooSoon(last_step_, now, kStepPeriod)) {
+      last_step_ = now;
+      ROS_WARN_STREAM(stepSentence(watch));
+    }
+  } else if (step.at_poses.is_exceeded && !has_told_cap_) {
+    has_told_cap_ = true;
+    ROS_WARN_STREAM(stepSentence(watch) << " (said once; /diagnostics goes on)");
   }
 }
 
 void WarningLog::reset() {
   last_of_change_.clear();
   told_unknown_.clear();
+  has_told_cap_ = false;
 }
 
 }  // namespace collision_monitor

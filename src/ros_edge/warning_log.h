@@ -19,7 +19,8 @@ class WarningLog {
   void logChange(const Watch& watch, const VerdictChange& change, const std::string& sentence);
   /// Links that became unknown or known again since it was last said.
   void logUnknownLinks(const Watch& watch);
-  /// Poses that come too seldom for the speed of the links, at most every ten seconds.
+  /// Poses that come too seldom for the speed of the links, at most every ten seconds; once where
+  /// the look at the way covers it.
   void logStep(const Watch& watch);
   /// Another set-up: what was said does not count.
   void reset();
@@ -30,6 +31,7 @@ class WarningLog {
   std::vector<LinkId> unknown_;
   ros::SteadyTime last_unknown_;
   ros::SteadyTime last_step_;
+  bool has_told_cap_{false};
 };
 
 }  // namespace collision_monitor

@@ -46,6 +46,13 @@ void Watch::forget() {
   resetTracker(tracker);
 }
 
+void countStep(const SweepWork& work, StepCount& count) noexcept {
+  if (work.elapsed > 0.0) {
+    count.over_cap += work.step.at_poses.is_exceeded ? 1 : 0;
+    count.too_long += work.step.on_way.is_exceeded ? 1 : 0;
+  }
+}
+
 void findUnknownLinks(const Watch& watch, std::vector<LinkId>& links) {
   links.clear();
   const RobotModel& model = watch.setup().model;

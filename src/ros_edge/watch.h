@@ -40,6 +40,15 @@ struct Watch {
 PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
                           JointReader& joints);
 
+/// Steps between poses since start.
+struct StepCount {
+  std::uint64_t over_cap{0};  ///< longer than StepLimit::at_poses
+  std::uint64_t too_long{0};  ///< longer than StepLimit::on_way
+};
+
+/// Counts the step of the last cycle, if it came with one.
+void countStep(const SweepWork& work, StepCount& count) noexcept;
+
 /// What messages say beside the result of the cycle.
 struct CycleFacts {
   ros::Time now;
@@ -47,6 +56,7 @@ struct CycleFacts {
   double enabled_again_in{0.0};  ///< [s] while switched off
   std::uint64_t cycles{0};
   std::uint64_t overruns{0};
+  StepCount steps;
   double cycle_time{0.0};  ///< [s]
 };
 

@@ -179,10 +179,15 @@ class Verdicts(TwoBoxes):
                 entries.update({status.name: status for status in message.status})
                 self.probe.condition.notify_all()
         subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, keep)
-        for entry in ("verdict", "cycle", "setup"):
+        for entry in ("verdict", "cycle", "step", "setup"):
             self.probe.wait(lambda name="collision_monitor: " + entry: name in entries, entry)
         values = {value.key: value.value for value in entries["collision_monitor: cycle"].values}
         self.assertGreater(float(values["frequency [Hz]"]), 0.0)
+        # A metre in a step of the joint states: the boxes are 0.3 m thick together.
+        self.joints.set(slide=1.3)
+        self.probe.wait(lambda: "too few by themselves" in entries["collision_monitor: step"].message or
+                        "came too late" in entries["collision_monitor: step"].message, "the step over the cap")
+        self.assertGreater(self.probe.state.steps_over_cap, 0)
         subscriber.unregister()
 
 

@@ -15,11 +15,17 @@
 namespace collision_monitor {
 
 /// The longest step between two cycles in which no link can pass another unseen.
-struct StepLimit {
-  double step{0.0};  ///< [s] between the last two stamps that differed; 0: not known
+struct StepCap {
   double longest{std::numeric_limits<double>::infinity()};  ///< [s] infinity where nothing may pass
   LinkPairIndex pair{kNone};                                ///< that it is about
   bool is_exceeded{false};
+};
+
+/// Whether poses come often enough.
+struct StepLimit {
+  double step{0.0};  ///< [s] between the last two stamps that differed; 0: not known
+  StepCap at_poses;  ///< if poses alone were looked at: by the thinnest bodies and their speeds
+  StepCap on_way;    ///< with what is looked at: the same, unless CycleSetup::is_continuous
 };
 
 /// A pair of elements whose bodies met on the way.
@@ -45,8 +51,10 @@ struct SweepWork {
   std::vector<Ball> link_balls;           ///< as linkBalls
   std::vector<unsigned char> had_motion;  ///< in the step before, of last_elapsed [s]
   std::vector<ScrewMotion> last_motions;
-  std::vector<Twist> unseen;  ///< what of a link's motion nobody looks at, per step
-  double last_elapsed{0.0};   ///< 0: there was none
+  std::vector<Twist> twists;                  ///< per step
+  std::vector<Twist> bends;                   ///< per step: how far the way may leave the screw
+  std::vector<Eigen::Vector3d> ball_centers;  ///< of link_balls, in the world
+  double last_elapsed{0.0};                   ///< 0: there was none
   StepLimit step;
   std::vector<SweepTask> tasks;
   std::vector<std::uint32_t> task_of;  ///< by ElementPairIndex: into tasks, or kNone

@@ -153,14 +153,50 @@ TEST(SweepPairs, stepLimit_switchedOff_isBothThicknessesOverTheSpeedAtEachOther)
   scene.link(1).translation.x() -= 0.03;
   scene.run();
   EXPECT_NEAR(step.step, 0.02, 1e-12);
-  EXPECT_NEAR(step.longest, (0.002 + 0.02) / 2.0, 1e-12);
-  EXPECT_EQ(step.pair, 0U);
-  EXPECT_TRUE(step.is_exceeded);
+  EXPECT_NEAR(step.at_poses.longest, (0.002 + 0.02) / 2.0, 1e-12);
+  EXPECT_EQ(step.on_way.longest, step.at_poses.longest);
+  EXPECT_EQ(step.at_poses.pair, 0U);
+  EXPECT_TRUE(step.at_poses.is_exceeded && step.on_way.is_exceeded);
   scene.link(0).translation.x() += 0.5;
   scene.link(1).translation.x() += 0.5;
   scene.run();
-  EXPECT_GT(step.longest, 1e6) << "both go the same way";
-  EXPECT_FALSE(step.is_exceeded);
+  EXPECT_GT(step.at_poses.longest, 1e6) << "both go the same way";
+  EXPECT_FALSE(step.at_poses.is_exceeded || step.on_way.is_exceeded);
+}
+
+TEST(SweepPairs, stepCap_isShownWhereTheLookAtTheWayCoversIt) {
+  for (const bool is_continuous : {true, false}) {
+    Scene scene = plateAndBall(Limits(), is_continuous);
+    const StepLimit& step = scene.buffers.sweep.step;
+    for (int i = 0; i < 3; ++i) {
+      scene.link(1).translation.z() += 0.1;  // 5 m/s
+      scene.run();
+    }
+    EXPECT_NEAR(step.at_poses.longest, 0.022 / 5.0, 1e-12);
+    EXPECT_TRUE(step.at_poses.is_exceeded);
+    EXPECT_EQ(step.on_way.is_exceeded, !is_continuous) << "an even way is looked at";
+    for (int i = 0; i < 2; ++i) {
+      scene.link(1).translation.z() += 0.01;  // 0.5 m/s
+      scene.run();
+    }
+    EXPECT_NEAR(step.at_poses.longest, 0.022 / 0.5, 1e-12);
+    EXPECT_FALSE(step.at_poses.is_exceeded || step.on_way.is_exceeded);
+  }
+}
+
+TEST(SweepPairs, stepCap_isOfThePairThatNeedsPosesMostOften) {
+  // Each comes at the plate, link 0, and the last two at each other: the ball of 1 cm at 1 m/s
+  // needs 22 ms, that of 2 cm at 3 m/s 14 ms, and both 60 mm at 2 m/s 30 ms.
+  Scene scene(handMadeSetup({{0, Box{{0.001, 0.3, 0.3}}}, {1, Sphere{0.01}}, {2, Sphere{0.02}}}));
+  scene.run();
+  scene.link(1).translation.x() += 0.02;
+  scene.link(2).translation.x() += 0.06;
+  scene.run();
+  const StepCap& cap = scene.buffers.sweep.step.at_poses;
+  EXPECT_NEAR(cap.longest, 0.042 / 3.0, 1e-12);
+  EXPECT_EQ(index(scene.setup.checked[cap.pair].a), 0U);
+  EXPECT_EQ(index(scene.setup.checked[cap.pair].b), 2U);
+  EXPECT_TRUE(cap.is_exceeded);
 }
 
 TEST(SweepPairs, stepLimit_twoPointsDoNotCount) {
@@ -169,12 +205,12 @@ TEST(SweepPairs, stepLimit_twoPointsDoNotCount) {
   scene.run();
   scene.link(0).translation.x() += 1.0;
   scene.run();
-  EXPECT_NEAR(scene.buffers.sweep.step.longest, 0.02 * 0.1, 1e-9);
+  EXPECT_NEAR(scene.buffers.sweep.step.at_poses.longest, 0.02 * 0.1, 1e-9);
 }
 
 TEST(SweepPairs, stepLimit_isWhereThePathMayBendByBothThicknesses) {
   Scene scene = plateAndBall();
-  const StepLimit& step = scene.buffers.sweep.step;
+  const StepCap& step = scene.buffers.sweep.step.on_way;
   const Pose turn{Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()).toRotationMatrix(),
                   Eigen::Vector3d(0.05, 0.0, 0.0)};
   for (int i = 0; i < 3; ++i) {
