@@ -56,18 +56,6 @@ std::size_t countStates(const JointPositions& positions, const StatesWork& work)
   return variables == 0 ? 1 : positions.size() / variables;
 }
 
-/// The states from `first` on, as many as a block holds; behind the last one it is repeated.
-void fillVariables(const JointPositions& positions, std::size_t first, StatesWork& work) noexcept {
-  const std::size_t variables = work.plan.variable_count;
-  const std::size_t last = countStates(positions, work) - 1;
-  for (std::size_t lane = 0; lane < kStateCount; ++lane) {
-    const double* state = positions.data() + std::min(first + lane, last) * variables;
-    for (std::size_t i = 0; i < variables; ++i) {
-      work.variables[i].of[lane] = state[i];
-    }
-  }
-}
-
 bool isFiniteState(const StatesWork& work, std::size_t lane) noexcept {
   return std::all_of(work.variables.begin(), work.variables.end(),
                      [&](const StateNumber& variable) { return std::isfinite(variable.of[lane]); });
@@ -137,7 +125,34 @@ StateCheck checkByCycle(const CycleSetup& setup, const JointPositions& positions
   return check;
 }
 
+Pose unknownPose() {
+  Pose pose;
+  pose.translation.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return pose;
+}
+
 }  // namespace
+
+StandingPoses standingAs(const RobotModel& model, const LinkPoses& poses,
+                         const std::vector<bool>& moves) {
+  const auto is_known = [&](LinkId link) { return poses.status[index(link)] == LinkStatus::known; };
+  StandingPoses standing;
+  for (const Robot& robot : model.robots) {
+    standing.world_from_root.push_back(
+        is_known(robot.root) ? poses.world_from_link[index(robot.root)] : unknownPose());
+  }
+  for (const Joint& joint : model.joints) {
+    std::optional<Pose> held;
+    if (joint.type != JointType::fixed && !moves[joint.first_variable]) {
+      held = is_known(joint.parent) && is_known(joint.child)
+                 ? inverse(poses.world_from_link[index(joint.parent)]) *
+                       poses.world_from_link[index(joint.child)]
+                 : unknownPose();
+    }
+    standing.held.push_back(held);
+  }
+  return standing;
+}
 
 StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing) {
   StatesWork work;
@@ -160,6 +175,17 @@ StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing
   work.buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
   work.buffers.refine.limits.budget = std::numeric_limits<std::uint32_t>::max();
   return work;
+}
+
+void fillVariables(const JointPositions& positions, std::size_t first, StatesWork& work) noexcept {
+  const std::size_t variables = work.plan.variable_count;
+  const std::size_t last = countStates(positions, work) - 1;
+  for (std::size_t lane = 0; lane < kStateCount; ++lane) {
+    const double* state = positions.data() + std::min(first + lane, last) * variables;
+    for (std::size_t i = 0; i < variables; ++i) {
+      work.variables[i].of[lane] = state[i];
+    }
+  }
 }
 
 double plainStateDistance(const CycleSetup& setup, const StatesWork& work, const StatePair& pair,

@@ -12,6 +12,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Halves of halves ...: parts of 1e-15 of the way from one point to the next.
 constexpr std::size_t kMostHalvings = 50;
+/// [m] Two links are mostly no nearer between two way-points than by this less than at both.
+constexpr double kBeyondMargin = 0.1;
 /// Progress is told after parts of 1/16 of the way from one point to the next, and longer ones.
 constexpr std::size_t kToldHalvings = 4;
 
@@ -83,7 +85,7 @@ void followPath(TrajectorySearch& search, const std::vector<LinkPairIndex>& movi
     begin.share = 0.0;
     end.share = 1.0;
     search.poses.place(segment, 1.0, end.world_from_link);
-    sampleBalls(search, moving, end);
+    sampleWaypoint(search, moving, segment + 1, end);
     explore(search, begin, end, moving, 0);
     std::swap(begin, end);
     if (!goesOn(search, segment, 1.0)) {
@@ -97,14 +99,18 @@ void followPath(TrajectorySearch& search, const std::vector<LinkPairIndex>& movi
   }
 }
 
-/// Pairs that were far by their balls are measured where these were nearest.
+/// Pairs that were far are measured where their bodies were nearest at a way-point, or their balls.
 void measureFarPairs(TrajectorySearch& search) {
   Instant at;
   for (LinkPairIndex pair = 0; pair < search.chains.size(); ++pair) {
     PairApproach& approach = search.report.pairs[pair];
-    if (approach.state == ApproachState::clear && approach.nearest.measured.distance == kInfinity) {
-      at.segment = search.far[pair].segment;
-      at.share = search.far[pair].share;
+    const double found = approach.nearest.measured.distance;
+    const bool is_far = approach.state == ApproachState::clear && search.is_final[pair] == 0;
+    const bool is_by_waypoint = search.by_waypoints[pair].bound < found;
+    if (is_far && (is_by_waypoint || found == kInfinity)) {
+      const NearPlace& place = is_by_waypoint ? search.by_waypoints[pair] : search.by_balls[pair];
+      at.segment = place.segment;
+      at.share = place.share;
       search.poses.place(at.segment, at.share, at.world_from_link);
       keepNearest(search, pair, bodyDistance(search.measures, pair, at.world_from_link), at, false);
     }
@@ -128,10 +134,12 @@ TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
                           LinkPairMeasures(setup),
                           std::vector<LinkChain>(count),
                           std::vector<unsigned char>(count, 0),
-                          std::vector<FarPlace>(count),
+                          std::vector<NearPlace>(count),
+                          std::vector<NearPlace>(count),
                           {},
                           {},
-                          false};
+                          false,
+                          {}};
   search.report.pairs.resize(count);
   if (!isSound(path)) {
     return search.report;
@@ -150,10 +158,13 @@ TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
     const bool is_moving = path.times.size() > 1 && !search.chains[pair].joints.empty();
     (is_moving ? moving : standing).push_back(pair);
   }
+  if (path.times.size() >= kStateCount && !moving.empty()) {
+    search.waypoints = makeWaypointDistances(setup, path, start, options.margin + kBeyondMargin);
+  }
   Instant begin;
   search.poses.place(0, 0.0, begin.world_from_link);
   sampleBalls(search, standing, begin);
-  sampleBalls(search, moving, begin);
+  sampleWaypoint(search, moving, 0, begin);
   checkStanding(search, standing, begin);
   followPath(search, moving, begin);
   measureFarPairs(search);

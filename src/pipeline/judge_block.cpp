@@ -5,39 +5,11 @@
 #define HWY_TARGET_INCLUDE "pipeline/judge_block.cpp"
 #include "hwy/foreach_target.h"
 // The order matters: Highway first includes this file once for each target.
-#include "model/state_lanes-inl.h"
-#include "narrow_phase/lanes_box_box-inl.h"
-#include "narrow_phase/lanes_points-inl.h"
-#include "narrow_phase/lanes_segment_box-inl.h"
-#include "pipeline/states_block.h"
+#include "pipeline/state_bodies-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
-
-/// A body in several states, as the cores of shape_lanes-inl.h read it.
-struct BodyInStates {
-  const StatePose& pose;
-  const Core& core;
-  std::size_t lane;
-
-  HWY_INLINE Number at(std::size_t c) const {
-    switch (c) {
-      case column::radius:
-        return number(core.radius);
-      case column::half_x:
-        return number(core.half_extents[0]);
-      case column::half_y:
-        return number(core.half_extents[1]);
-      case column::half_z:
-        return number(core.half_extents[2]);
-      default:
-        break;
-    }
-    const StateNumber* columns[] = {pose.translation, pose.axis_z, pose.axis_x, pose.axis_y};
-    return load(columns[c / 4][c % 4], lane);
-  }
-};
 
 /// What is known so far of the states in the lanes.
 struct JudgedLanes {
@@ -47,43 +19,24 @@ struct JudgedLanes {
 };
 
 struct BlockSearch {
-  const CycleSetup& setup;
-  const StatesWork& work;
+  StateLanes states;
   StateQuestion question;
-  std::size_t lane;
+  JudgedLanes& judged;
+
+  template <class CoreA, class CoreB>
+  void visit(const PairRange& range);
 };
 
 /// [m] A pair that is farther apart does not change the answer.
-HWY_INLINE Number reachOfPair(const BlockSearch& search, const StatePair& pair,
-                              const JudgedLanes& judged) {
+HWY_INLINE Number reachOfPair(const BlockSearch& search, const StatePair& pair) {
   return search.question == StateQuestion::contact
              ? number(pair.contact_distance)
-             : hn::Max(judged.distance, number(pair.warning_distance));
+             : hn::Max(search.judged.distance, number(pair.warning_distance));
 }
 
-/// Where bounding spheres leave a pair a chance to be within `reach`.
-HWY_INLINE Truth spheresMeet(const BlockSearch& search, const StatePair& pair, Number reach) {
-  const Vector3 between = load(search.work.bodies[pair.b].translation, search.lane) -
-                          load(search.work.bodies[pair.a].translation, search.lane);
-  const Number allowed = hn::Add(number(pair.bounding_radii), reach);
-  return hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed)));
-}
-
-/// Has the plain twin measure the lanes whose distance is NaN.
-HWY_NOINLINE Number finished(const BlockSearch& search, const StatePair& pair, Number distance) {
-  HWY_ALIGN double distances[hn::MaxLanes(Lanes())];
-  hn::Store(distance, Lanes(), distances);
-  for (std::size_t i = 0; i < hn::Lanes(Lanes()); ++i) {
-    if (!(distances[i] == distances[i])) {
-      distances[i] = plainStateDistance(search.setup, search.work, pair, search.lane + i);
-    }
-  }
-  return hn::Load(Lanes(), distances);
-}
-
-HWY_INLINE void judge(const BlockSearch& search, std::size_t id, Truth counts, Number distance,
-                      JudgedLanes& judged) {
-  const StatePair& pair = search.work.pairs[id];
+HWY_INLINE void judge(const BlockSearch& search, std::size_t id, Truth counts, Number distance) {
+  const StatePair& pair = search.states.work.pairs[id];
+  JudgedLanes& judged = search.judged;
   const Truth is_contact = hn::And(counts, hn::Le(distance, number(pair.contact_distance)));
   const Truth is_taken = search.question == StateQuestion::contact
                              ? is_contact
@@ -101,45 +54,19 @@ HWY_INLINE void judge(const BlockSearch& search, std::size_t id, Truth counts, N
 }
 
 template <class CoreA, class CoreB>
-void judgeRange(const BlockSearch& search, const PairRange& range, JudgedLanes& judged) {
-  const StatesWork& work = search.work;
-  const std::vector<Core>& cores = search.setup.cores;
+void BlockSearch::visit(const PairRange& range) {
   for (std::size_t id = range.first; id < range.last; ++id) {
-    const StatePair& pair = work.pairs[id];
-    const Number reach = reachOfPair(search, pair, judged);
-    Truth counts = hn::And(judged.is_open, spheresMeet(search, pair, reach));
+    const StatePair& pair = states.work.pairs[id];
+    Truth counts = judged.is_open;
+    const Number distance =
+        distanceWithin<CoreA, CoreB>(states, pair, reachOfPair(*this, pair), counts);
     if (hn::AllFalse(Lanes(), counts)) {
       continue;
     }
-    const CoreA a(BodyInStates{work.bodies[pair.a], cores[pair.a], search.lane});
-    const CoreB b(BodyInStates{work.bodies[pair.b], cores[pair.b], search.lane});
-    counts = hn::And(counts, mayBeWithin(a, b, reach));
-    if (hn::AllFalse(Lanes(), counts)) {
-      continue;
-    }
-    Number distance = coreDistance(a, b).distance;
-    distance = hn::Sub(hn::Sub(distance, a.radius), b.radius);
-    if (HWY_UNLIKELY(!hn::AllFalse(Lanes(), hn::AndNot(hn::Eq(distance, distance), counts)))) {
-      distance = finished(search, pair, distance);
-    }
-    judge(search, id, counts, distance, judged);
+    judge(*this, id, counts, distance);
     if (hn::AllFalse(Lanes(), judged.is_open)) {
       return;
     }
-  }
-}
-
-void judgeKinds(const BlockSearch& search, const PairRange& range, JudgedLanes& judged) {
-  if (range.a == CoreKind::box) {
-    judgeRange<BoxCore, BoxCore>(search, range, judged);
-  } else if (range.a == CoreKind::segment) {
-    range.b == CoreKind::box ? judgeRange<SegmentCore, BoxCore>(search, range, judged)
-                             : judgeRange<SegmentCore, SegmentCore>(search, range, judged);
-  } else if (range.b == CoreKind::box) {
-    judgeRange<PointCore, BoxCore>(search, range, judged);
-  } else {
-    range.b == CoreKind::segment ? judgeRange<PointCore, SegmentCore>(search, range, judged)
-                                 : judgeRange<PointCore, PointCore>(search, range, judged);
   }
 }
 
@@ -181,8 +108,9 @@ void judgeLanes(const CycleSetup& setup, StateQuestion question, const StatesWor
     const Truth none = hn::Ne(zero(), zero());
     JudgedLanes judged{
         number(std::numeric_limits<double>::infinity()), zero(), none, none, none, hn::Not(none)};
+    BlockSearch search{{setup, work, lane}, question, judged};
     for (const PairRange& range : setup.ranges) {
-      judgeKinds({setup, work, question, lane}, range, judged);
+      visitKinds(range, search);
       if (hn::AllFalse(Lanes(), judged.is_open)) {
         break;
       }

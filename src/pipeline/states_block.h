@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "collision_monitor/pipeline/check_states.h"
 
 namespace collision_monitor {
@@ -15,12 +17,26 @@ struct StatesBlock {
   StateNumber is_unknown;  ///< a pose is not finite
 };
 
+/// The states from `first` on, as many as a block holds, of positions as those of checkStates;
+/// behind the last one it is repeated.
+void fillVariables(const JointPositions& positions, std::size_t first, StatesWork& work) noexcept;
+
 /// Places frames and bodies of the states whose variables stand in `work`.
 void placeStates(const CycleSetup& setup, StatesWork& work) noexcept;
 
 /// @pre the states are placed.
 void judgeBlock(const CycleSetup& setup, StateQuestion question, const StatesWork& work,
                 StatesBlock& block) noexcept;
+
+/// Of a pair that measureLinkPairs is to leave out, in every state.
+constexpr double kNotAsked = -std::numeric_limits<double>::infinity();
+
+/// Distances of the nearest bodies of pairs of links in each state.
+/// @pre the states are placed.
+/// @param nearest [m] by LinkPairIndex. Before: how far is asked for. Then: the distance, where it
+/// is less than that; NaN where a pose is not finite.
+void measureLinkPairs(const CycleSetup& setup, const StatesWork& work,
+                      std::vector<StateNumber>& nearest) noexcept;
 
 /// Where the kernel is not sure: state `lane` of a pair of bodies by the plain twin.
 double plainStateDistance(const CycleSetup& setup, const StatesWork& work, const StatePair& pair,

@@ -76,6 +76,12 @@ bool raiseOne(TrajectorySearch& search, LinkPairIndex pair, Instant& begin, Inst
   return false;
 }
 
+void keepNearer(double bound, const Instant& at, NearPlace& place) noexcept {
+  if (bound < place.bound) {
+    place = {bound, at.segment, at.share};
+  }
+}
+
 }  // namespace
 
 void keepNearest(TrajectorySearch& search, LinkPairIndex pair, const PairDistance& distance,
@@ -96,8 +102,24 @@ void sampleBalls(TrajectorySearch& search, const std::vector<LinkPairIndex>& pai
   for (const LinkPairIndex pair : pairs) {
     const double bound = ballDistance(search.measures, pair, at.world_from_link);
     at.samples[pair] = {bound, Level::balls};
-    if (bound < search.far[pair].bound) {
-      search.far[pair] = {bound, at.segment, at.share};
+    keepNearer(bound, at, search.by_balls[pair]);
+  }
+}
+
+void sampleWaypoint(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs,
+                    std::size_t waypoint, Instant& at) noexcept {
+  sampleBalls(search, pairs, at);
+  if (!search.waypoints) {
+    return;
+  }
+  search.measures.steps += measureWaypoint(search.setup, pairs, waypoint, *search.waypoints);
+  for (const LinkPairIndex pair : pairs) {
+    const double bound = distanceAt(*search.waypoints, waypoint, pair);
+    if (bound < search.waypoints->reach) {
+      at.samples[pair] = {bound, Level::bodies};
+      keepNearer(bound, at, search.by_waypoints[pair]);
+    } else if (bound > at.samples[pair].bound) {
+      at.samples[pair].bound = bound;
     }
   }
 }

@@ -4,12 +4,14 @@
 
 #include <deque>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "collision_monitor/pipeline/check_trajectory.h"
 #include "collision_monitor/pipeline/motion_bound.h"
 #include "pipeline/link_pair_distance.h"
 #include "pipeline/path_poses.h"
+#include "pipeline/waypoint_distances.h"
 
 /// How checkTrajectory settles one pair in one part of the way.
 namespace collision_monitor {
@@ -37,8 +39,8 @@ struct Halving {
   std::vector<double> ways;  ///< by path joint
 };
 
-/// The least bound by balls of a pair that was never measured, and where that is.
-struct FarPlace {
+/// Where a pair is nearest, as far as its balls or its bodies at the way-points tell.
+struct NearPlace {
   double bound{std::numeric_limits<double>::infinity()};
   std::size_t segment{0};
   double share{0.0};
@@ -52,15 +54,22 @@ struct TrajectorySearch {
   LinkPairMeasures measures;
   std::vector<LinkChain> chains;        ///< by LinkPairIndex
   std::vector<unsigned char> is_final;  ///< by LinkPairIndex: `nearest` is of elements
-  std::vector<FarPlace> far;            ///< by LinkPairIndex
+  std::vector<NearPlace> by_balls;      ///< by LinkPairIndex
+  std::vector<NearPlace> by_waypoints;  ///< by LinkPairIndex
   std::deque<Halving> halvings;         ///< by depth; a deque, for places in it stay
   TrajectoryReport report;
-  bool is_ended{false};  ///< by options.progress
+  bool is_ended{false};                        ///< by options.progress
+  std::optional<WaypointDistances> waypoints;  ///< where there are enough of them to pay
 };
 
 /// Looks at the pairs by their balls.
 void sampleBalls(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs,
                  Instant& at) noexcept;
+
+/// Looks at the pairs at a way-point by their bodies, or else by their balls.
+/// @param at begins or ends a segment there.
+void sampleWaypoint(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs,
+                    std::size_t waypoint, Instant& at) noexcept;
 
 /// Whether all is known of a pair in a part of the way, before which it was apart. Raises the
 /// levels of the samples at both ends as far as that helps.

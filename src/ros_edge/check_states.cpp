@@ -16,12 +16,6 @@ namespace {
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
-Pose unknownPose() {
-  Pose pose;
-  pose.translation.setConstant(kNotANumber);
-  return pose;
-}
-
 /// The number of states; a sentence for each thing that is wrong.
 std::size_t countStates(const RobotModel& model, const CheckStates::Request& request,
                         std::vector<std::string>& faults) {
@@ -53,30 +47,6 @@ std::vector<int> placesOf(const RobotModel& model, const std::vector<std::string
     }
   }
   return places;
-}
-
-/// Joints that no state moves are held where the newest poses have them.
-StandingPoses standingIn(const RobotModel& model, const LinkPoses& newest,
-                         const std::vector<int>& places) {
-  const auto is_known = [&](LinkId link) {
-    return newest.status[index(link)] == LinkStatus::known;
-  };
-  StandingPoses standing;
-  for (const Robot& robot : model.robots) {
-    standing.world_from_root.push_back(
-        is_known(robot.root) ? newest.world_from_link[index(robot.root)] : unknownPose());
-  }
-  for (const Joint& joint : model.joints) {
-    std::optional<Pose> held;
-    if (joint.type != JointType::fixed && places[joint.first_variable] < 0) {
-      held = is_known(joint.parent) && is_known(joint.child)
-                 ? inverse(newest.world_from_link[index(joint.parent)]) *
-                       newest.world_from_link[index(joint.child)]
-                 : unknownPose();
-    }
-    standing.held.push_back(held);
-  }
-  return standing;
 }
 
 JointPositions positionsOf(const CheckStates::Request& request, const std::vector<int>& places,
@@ -129,7 +99,11 @@ void answerCheckStates(const MonitorSetup& current, const LinkPoses& newest,
     return;
   }
   const std::vector<int> places = placesOf(setup.model, request.joint_names);
-  StatesWork work = makeStatesWork(setup, standingIn(setup.model, newest, places));
+  std::vector<bool> moves;
+  for (const int place : places) {
+    moves.push_back(place >= 0);
+  }
+  StatesWork work = makeStatesWork(setup, standingAs(setup.model, newest, moves));
   const JointPositions positions = positionsOf(request, places, count);
   const StateQuestion question =
       request.only_contacts != 0 ? StateQuestion::contact : StateQuestion::nearest;

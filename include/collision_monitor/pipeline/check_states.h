@@ -49,6 +49,11 @@ struct StatesWork {
   CycleBuffers buffers;
 };
 
+/// Roots, and joints whose first variable does not move, stand as in `poses`.
+/// @param moves by variable
+StandingPoses standingAs(const RobotModel& model, const LinkPoses& poses,
+                         const std::vector<bool>& moves);
+
 StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing);
 
 /// Judges states by their enclosing shapes: each `variable_count` numbers of `positions` in a row

@@ -55,7 +55,8 @@ struct TrajectoryReport {
 ///
 /// Where two links stand at both ends of a part of the way, and how far they can come nearer in
 /// between (boundMotion), bounds their distance on all of it; a part that leaves open what is asked
-/// is halved. Balls, enclosing shapes and the geometries themselves are asked in this order.
+/// is halved. Balls, enclosing shapes and the geometries themselves are asked in this order; of
+/// many way-points the shapes are, several way-points at once.
 ///
 /// Error: `time` of a contact is where the pair is within `tolerance` of contact_distance, and up
 /// to there nothing was nearer. `at_least` holds but for rounding.

@@ -8,6 +8,8 @@
 #include "collision_monitor/model/kinematics.h"
 #include "collision_monitor/narrow_phase/distance.h"
 #include "collision_monitor/pipeline/check_states.h"
+#include "pipeline/link_pair_distance.h"
+#include "pipeline/states_block.h"
 #include "support/allocation_guard.h"
 #include "support/hand_made_setup.h"
 #include "support/instruction_sets.h"
@@ -112,6 +114,37 @@ TEST(CheckStatesLaws, verdictsAndDistancesAreThoseOfEveryStateAlone_onEveryInstr
   }
   EXPECT_GT(contacts, 100U);
   EXPECT_GT(clear, 100U);
+}
+
+TEST(CheckStatesLaws, linkPairsAreAsFarApartAsTheirNearestBodies) {
+  constexpr double kReach = 0.3;
+  std::size_t within = 0;
+  for (unsigned round = 0; round < 20; ++round) {
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed + round);
+    const CycleSetup setup = randomRobot(kSeed + round);
+    Random random(kSeed + round);
+    const std::vector<Pose> roots{randomPose(random, 1.0)};
+    const JointPositions positions = randomPositions(setup, random);
+    StatesWork work = makeStatesWork(setup, standingAt(setup.model, roots));
+    fillVariables(positions, kStateCount, work);
+    placeStates(setup, work);
+    std::vector<StateNumber> nearest(setup.checked.size());
+    for (StateNumber& distances : nearest) {
+      std::fill(std::begin(distances.of), std::end(distances.of), kReach);
+    }
+    measureLinkPairs(setup, work, nearest);
+    LinkPairMeasures measures(setup);
+    for (std::size_t i = 0; i < kStateCount; ++i) {
+      std::vector<Pose> links;
+      placeLinks(setup.model, stateOf(setup, positions, kStateCount + i), roots, links);
+      for (LinkPairIndex pair = 0; pair < setup.checked.size(); ++pair) {
+        const double distance = bodyDistance(measures, pair, links).measured.distance;
+        ASSERT_NEAR(nearest[pair].of[i], std::min(distance, kReach), 1e-12);
+        within += distance < kReach ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(within, 100U);
 }
 
 TEST(CheckStatesLaws, checkingAllocatesNothing) {

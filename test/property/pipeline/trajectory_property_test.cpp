@@ -36,10 +36,10 @@ double within(double low, double high) {
   return low + (high - low) * *rc::gen::inRange(0, 1001) / 1000.0;
 }
 
-/// Every joint of its own that turns or slides, over two parts of the way.
-JointPath anyPath(const RobotModel& model) {
+/// Every joint of its own that turns or slides, over two parts of the way or more.
+JointPath anyPath(const RobotModel& model, std::vector<double> times = {0.0, 1.0, 1.5}) {
   JointPath path;
-  path.times = {0.0, 1.0, 1.5};
+  path.times = std::move(times);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     const JointType type = model.joints[i].type;
     if (!model.joints[i].mimic && (type == JointType::revolute || type == JointType::continuous ||
@@ -123,6 +123,47 @@ RC_GTEST_PROP(TrajectoryLaws, samplesShowNothingThatWasNotTold, ()) {
         RC_ASSERT(found.measured.distance >= approach.at_least - 1e-9);
         RC_ASSERT(found.measured.distance > 0.0);
       }
+    }
+  }
+}
+
+/// Way-points [first, last] of a path, as a path of its own.
+JointPath partOf(const JointPath& path, std::size_t first, std::size_t last) {
+  const auto cut = [&](const std::vector<double>& values, std::size_t size) {
+    return values.empty()
+               ? values
+               : std::vector<double>(values.begin() + static_cast<long>(first * size),
+                                     values.begin() + static_cast<long>((last + 1) * size));
+  };
+  const std::size_t joints = path.joints.size();
+  return {path.joints, cut(path.times, 1), cut(path.positions, joints),
+          cut(path.velocities, joints)};
+}
+
+/// Paths of few way-points are searched without blocks of states.
+RC_GTEST_PROP(TrajectoryLaws, manyWaypointsAtOnce_tellWhatTheirPartsTell, ()) {
+  const CycleSetup& setup = setupOf(
+      *rc::gen::elementOf(std::vector<std::string>(std::begin(kRobots), std::end(kRobots))));
+  const JointPath path =
+      anyPath(setup.model, {0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0});
+  const LinkPoses start = poseAtZero(setup.model);
+  const TrajectoryOptions options;
+  const TrajectoryReport whole = checkTrajectory(setup, path, start, options);
+  const TrajectoryReport parts[] = {checkTrajectory(setup, partOf(path, 0, 5), start, options),
+                                    checkTrajectory(setup, partOf(path, 5, 10), start, options)};
+  for (LinkPairIndex pair = 0; pair < setup.checked.size(); ++pair) {
+    const PairApproach& found = whole.pairs[pair];
+    const bool is_early = parts[0].pairs[pair].state == ApproachState::contact;
+    const PairApproach& expected = parts[is_early ? 0 : 1].pairs[pair];
+    RC_ASSERT(found.state == expected.state);
+    if (found.state == ApproachState::contact) {
+      RC_ASSERT(std::abs(found.time - expected.time) < 1e-4);
+    } else {
+      const double nearest = std::min(expected.nearest.measured.distance,
+                                      parts[0].pairs[pair].nearest.measured.distance);
+      RC_ASSERT(found.at_least <= nearest + 1e-9);
+      RC_ASSERT(nearest > options.margin ||
+                std::abs(found.nearest.measured.distance - nearest) <= options.resolution + 1e-9);
     }
   }
 }

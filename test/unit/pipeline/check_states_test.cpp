@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/states_block.h"
 #include "support/instruction_sets.h"
 #include "support/urdf_text.h"
 
@@ -53,6 +54,39 @@ class CheckStatesTest : public testing::TestWithParam<std::int64_t> {
  private:
   OnlyInstructionSet only_{GetParam()};
 };
+
+TEST_P(CheckStatesTest, linkPairsInEveryState_asFarAsIsAsked) {
+  // Balls at 0, 1 and 4; 0, 0.1 and 4; 0.5, 1 and 1.4; and one that nobody knows.
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  fillVariables({0, 0, 0, 0, -0.9, 0, 0.5, 0, -2.6, 0, nan, 0}, 0, work_);
+  placeStates(setup_, work_);
+  std::vector<StateNumber> nearest(setup_.checked.size());
+  const auto of = [&](const char* a, const char* b) -> StateNumber& {
+    for (std::size_t i = 0; i < setup_.checked.size(); ++i) {
+      if (setup_.model.link(setup_.checked[i].a).name == a &&
+          setup_.model.link(setup_.checked[i].b).name == b) {
+        return nearest[i];
+      }
+    }
+    throw std::out_of_range(std::string(a) + " and " + b);
+  };
+  for (StateNumber& distances : nearest) {
+    std::fill(std::begin(distances.of), std::end(distances.of), 1.0);
+  }
+  StateNumber& left_out = of("base", "tool");
+  std::fill(std::begin(left_out.of), std::end(left_out.of), kNotAsked);
+  measureLinkPairs(setup_, work_, nearest);
+  EXPECT_NEAR(of("base", "slider").of[0], 0.8, 1e-12);
+  EXPECT_NEAR(of("base", "slider").of[1], -0.1, 1e-12);
+  EXPECT_NEAR(of("base", "slider").of[2], 0.3, 1e-12);
+  EXPECT_TRUE(std::isnan(of("base", "slider").of[3]));
+  EXPECT_EQ(of("slider", "tool").of[0], 1.0) << "2.7 m are farther than is asked";
+  EXPECT_NEAR(of("slider", "tool").of[2], 0.1, 1e-12);
+  EXPECT_TRUE(std::isnan(of("slider", "tool").of[3]));
+  for (const double distance : left_out.of) {
+    EXPECT_EQ(distance, kNotAsked);
+  }
+}
 
 TEST_P(CheckStatesTest, nearestPairOfEveryState) {
   ASSERT_EQ(setup_.table.size(), 3U) << "all three pairs are checked";

@@ -47,6 +47,7 @@ class CheckTrajectoryTest : public testing::Test {
   TrajectoryReport check() {
     LinkPoses start = makeLinkPoses(setup_.model);
     JointPositions positions(setup_.model.variable_count, 0.0);
+    positions[setup_.model.joint(*setup_.model.findJoint("shoulder")).first_variable] = shoulder_;
     placeLinks(setup_.model, positions, {Pose()}, start.world_from_link);
     std::fill(start.status.begin(), start.status.end(), LinkStatus::known);
     if (!lost_.empty()) {
@@ -69,6 +70,7 @@ class CheckTrajectoryTest : public testing::Test {
   JointPath path_;
   TrajectoryOptions options_;
   std::string lost_;
+  double shoulder_{0.0};  ///< where it stands at the start
 };
 
 TEST_F(CheckTrajectoryTest, stretchedArmSweepsOverAPost_contactAtItsTime) {
@@ -99,6 +101,50 @@ TEST_F(CheckTrajectoryTest, nearMissAtAWaypoint_isFoundThere) {
   EXPECT_EQ(post.time, 1.0);
   EXPECT_LE(post.at_least, expected);
   EXPECT_GE(post.at_least, expected - options_.resolution);
+  EXPECT_EQ(report.first_contact, kNone);
+}
+
+/// Way-points of the elbow alone, a second and 0.2 rad apart; the shoulder points up, and the
+/// forearm at the post when the elbow is at a right angle.
+JointPath elbowPath(JointId elbow, const std::vector<int>& fifths) {
+  JointPath path;
+  path.joints = {elbow};
+  for (const int fifth : fifths) {
+    path.times.push_back(static_cast<double>(path.times.size()));
+    path.positions.push_back(-0.2 * fifth);
+  }
+  return path;
+}
+
+TEST_F(CheckTrajectoryTest, manyWaypoints_otherJointsStayAsTheyStand) {
+  shoulder_ = 0.5 * kPi;
+  path_ = elbowPath(path_.joints[1], {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+  const TrajectoryReport report = check();
+  const PairApproach& post = of(report, "hand", "post");
+  ASSERT_EQ(post.state, ApproachState::contact);
+  EXPECT_NEAR(post.time, (0.5 * kPi - 2.0 * std::asin(0.1)) / 0.2, 1e-5);
+  EXPECT_NEAR(post.nearest.measured.distance, 0.0, 1.1e-6);
+  EXPECT_EQ(of(report, "base", "hand").state, ApproachState::clear);
+}
+
+TEST_F(CheckTrajectoryTest, manyWaypoints_whatStaysBeyondTheMarginIsNearestAtOne) {
+  shoulder_ = 0.5 * kPi;
+  path_ = elbowPath(path_.joints[1], {0, 1, 2, 3, 4, 5, 6, 5, 4, 3, 2});
+  const TrajectoryReport report = check();
+  const PairApproach& post = of(report, "hand", "post");
+  ASSERT_EQ(post.state, ApproachState::clear);
+  const double expected = 2.0 * std::sin(0.5 * (0.5 * kPi - 1.2)) - 0.2;  // 0.169
+  EXPECT_NEAR(post.nearest.measured.distance, expected, 1e-12);
+  EXPECT_EQ(post.time, 6.0);
+  EXPECT_GE(post.at_least, options_.margin);
+  EXPECT_LE(post.at_least, expected);
+}
+
+TEST_F(CheckTrajectoryTest, manyWaypoints_lostLinkIsUnknownAndTheRestIsNot) {
+  lost_ = "hand";
+  path_ = elbowPath(path_.joints[1], {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+  const TrajectoryReport report = check();
+  EXPECT_EQ(of(report, "hand", "post").state, ApproachState::unknown);
   EXPECT_EQ(report.first_contact, kNone);
 }
 

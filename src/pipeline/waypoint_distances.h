@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision_monitor/model/joint_path.h"
+#include "pipeline/states_block.h"
+
+namespace collision_monitor {
+
+/// How far the enclosing shapes of links are apart at the way-points of a path, as many way-points
+/// at once as a block of states holds.
+struct WaypointDistances {
+  double reach;  ///< [m] farther apart is not measured
+  StatesWork work;
+  JointPositions positions;          ///< of all way-points, as for checkStates
+  std::vector<StateNumber> nearest;  ///< by LinkPairIndex, of the block at hand
+  std::size_t first{kNone};          ///< way-point of that block
+};
+
+/// @param start as for checkTrajectory
+WaypointDistances makeWaypointDistances(const CycleSetup& setup, const JointPath& path,
+                                        const LinkPoses& start, double reach);
+
+/// Measures these pairs in the block that has the way-point, unless it is at hand.
+/// @return steps, as RefineLimits::budget: a pair of bodies is one for the block.
+std::uint64_t measureWaypoint(const CycleSetup& setup, const std::vector<LinkPairIndex>& pairs,
+                              std::size_t waypoint, WaypointDistances& distances) noexcept;
+
+/// [m] The reach, where that is less; NaN where a link is not known.
+/// @pre the way-point's block is at hand.
+inline double distanceAt(const WaypointDistances& distances, std::size_t waypoint,
+                         LinkPairIndex pair) noexcept {
+  return distances.nearest[pair].of[waypoint - distances.first];
+}
+
+}  // namespace collision_monitor
