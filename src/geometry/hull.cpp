@@ -4,21 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "collision_monitor/geometry/convex_hull.h"
 #include "geometry/hull_faces.h"
+#include "geometry/hull_graph.h"
 
 namespace collision_monitor {
 namespace {
 
 constexpr std::size_t kFewVertices = 24;    // as many cost no more than a climb
 constexpr std::size_t kManyVertices = 128;  // up to these, climbs cost no more than a map
-// A climb stops where no neighbour gains more than rounding, about 1e-16 of the extent; along an
-// edge this short that is a slope of 1e-11, which the rest of the hull might exploit.
-constexpr double kShortEdge = 1e-5;
-
 double extentOf(const std::vector<Eigen::Vector3d>& points) {
   Eigen::Vector3d low = points[0];
   Eigen::Vector3d high = points[0];
@@ -27,17 +23,6 @@ double extentOf(const std::vector<Eigen::Vector3d>& points) {
     high = high.cwiseMax(point);
   }
   return (high - low).maxCoeff();
-}
-
-std::set<std::pair<std::uint32_t, std::uint32_t>> neighbourPairsOf(const TriangleMesh& mesh) {
-  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  for (const auto& corners : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      pairs.insert({corners[k], corners[(k + 1) % 3]});
-      pairs.insert({corners[(k + 1) % 3], corners[k]});
-    }
-  }
-  return pairs;
 }
 
 }  // namespace
@@ -59,16 +44,31 @@ ConvexHull::ConvexHull(const std::vector<Eigen::Vector3d>& points) {
     first_corner_.push_back(static_cast<std::uint32_t>(ring_corners_.size()));
   }
 
-  climbs_ = vertices_.size() > kFewVertices && !mesh.triangles.empty();
-  first_neighbour_.assign(vertices_.size() + 1, 0);
-  for (const auto& [from, to] : neighbourPairsOf(mesh)) {
-    neighbours_.push_back(to);
-    first_neighbour_[from + 1] = static_cast<std::uint32_t>(neighbours_.size());
-    climbs_ = climbs_ && (vertices_[to] - vertices_[from]).norm() > kShortEdge * extent;
-  }
+  addFans(neighboursToClimb(mesh, extent));
+  climbs_ = canClimb() && vertices_.size() > kFewVertices;
   if (climbs_ && vertices_.size() > kManyVertices) {
     mapDirections();
   }
+}
+
+void ConvexHull::addFans(const std::vector<std::vector<std::uint32_t>>& neighbours) {
+  first_fan_.push_back(0);
+  for (const std::vector<std::uint32_t>& around : neighbours) {
+    for (std::size_t first = 0; first < around.size(); first += Fan::kSize) {
+      Fan fan;
+      for (std::size_t i = 0; i < Fan::kSize; ++i) {
+        fan.vertex[i] = around[first + i < around.size() ? first + i : first];
+        const auto column = static_cast<Eigen::Index>(i);
+        const Eigen::Vector3d& point = vertices_[fan.vertex[i]];
+        fan.x[column] = point.x();
+        fan.y[column] = point.y();
+        fan.z[column] = point.z();
+      }
+      fans_.push_back(fan);
+    }
+    first_fan_.push_back(static_cast<std::uint32_t>(fans_.size()));
+  }
+  first_fan_.resize(vertices_.size() + 1, 0);
 }
 
 void ConvexHull::mapDirections() {
@@ -112,18 +112,17 @@ std::size_t ConvexHull::cellOf(const Eigen::Vector3d& direction) const noexcept 
 
 std::uint32_t ConvexHull::stepUp(const Eigen::Vector3d& direction,
                                  std::uint32_t from) const noexcept {
-  const auto reachOf = [&](std::uint32_t vertex) {
-    const Eigen::Vector3d& point = vertices_[vertex];
-    return direction.x() * point.x() + direction.y() * point.y() + direction.z() * point.z();
-  };
+  const Eigen::Vector3d& here = vertices_[from];
   std::uint32_t best = from;
-  double farthest = reachOf(from);
-  const std::uint32_t end = first_neighbour_[from + 1];
-  for (std::uint32_t k = first_neighbour_[from]; k < end; ++k) {
-    const double reach = reachOf(neighbours_[k]);
-    if (reach > farthest) {
-      farthest = reach;
-      best = neighbours_[k];
+  // Summed as those of the fans are, so that a climb cannot go in a circle.
+  double farthest = direction.x() * here.x() + direction.y() * here.y() + direction.z() * here.z();
+  for (const Fan& fan : fansOf(from)) {
+    const Eigen::Array<double, Fan::kSize, 1> reaches = fan.reaches(direction);
+    for (Eigen::Index i = 0; i < Fan::kSize; ++i) {
+      if (reaches[i] > farthest) {
+        farthest = reaches[i];
+        best = fan.vertex[static_cast<std::size_t>(i)];
+      }
     }
   }
   return best;

@@ -70,15 +70,20 @@ Eigen::Vector3d supportPoint(const ConvexCore& core, const Eigen::Vector3d& dire
   return Eigen::Vector3d::Zero();
 }
 
+Pose relativePose(const Pose& world_from_a, const Pose& world_from_b) noexcept {
+  Pose a_from_b;
+  a_from_b.rotation.noalias() = world_from_a.rotation.transpose() * world_from_b.rotation;
+  a_from_b.translation.noalias() =
+      world_from_a.rotation.transpose() * (world_from_b.translation - world_from_a.translation);
+  return a_from_b;
+}
+
 ConvexPair makeConvexPair(const ConvexCore& a, const Pose& world_from_a, const ConvexCore& b,
                           const Pose& world_from_b) noexcept {
   ConvexPair pair;
   pair.a = a;
   pair.b = b;
-  const Eigen::Matrix3d a_from_world = world_from_a.rotation.transpose();
-  pair.a_from_b.rotation.noalias() = a_from_world * world_from_b.rotation;
-  pair.a_from_b.translation.noalias() =
-      a_from_world * (world_from_b.translation - world_from_a.translation);
+  pair.a_from_b = relativePose(world_from_a, world_from_b);
   pair.size = reachOf(a) + reachOf(b) + pair.a_from_b.translation.norm();
   return pair;
 }

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 
 #include "collision_monitor/geometry/hull.h"
 #include "collision_monitor/geometry/pose.h"
 #include "collision_monitor/geometry/triangle.h"
 #include "collision_monitor/narrow_phase/convex_workspace.h"
+#include "narrow_phase/core_distance.h"
 
 /// Two convex cores as GJK and EPA see them: by their support functions alone.
 namespace collision_monitor {
@@ -21,6 +23,11 @@ struct ConvexCore {
   const ConvexHull* hull{nullptr};                        ///< of a hull
   const Triangle* triangle{nullptr};                      ///< of a triangle
 };
+
+/// A cylinder has no corners that a search could end on.
+inline bool isSmooth(const ConvexCore& core) noexcept {
+  return core.kind == ConvexCore::Kind::cylinder;
+}
 
 /// [m] radius about the core's origin that holds it.
 double reachOf(const ConvexCore& core) noexcept;
@@ -40,11 +47,13 @@ struct ConvexPair {
   std::uint32_t vertex_of_a{0};
   std::uint32_t vertex_of_b{0};
 
-  /// A cylinder has no corners that a search could end on.
   bool isSmooth() const noexcept {
-    return a.kind == ConvexCore::Kind::cylinder || b.kind == ConvexCore::Kind::cylinder;
+    return collision_monitor::isSmooth(a) || collision_monitor::isSmooth(b);
   }
 };
+
+/// Of two poses in the world. Unlike inverse(a) * b it subtracts the positions first.
+Pose relativePose(const Pose& world_from_a, const Pose& world_from_b) noexcept;
 
 ConvexPair makeConvexPair(const ConvexCore& a, const Pose& world_from_a, const ConvexCore& b,
                           const Pose& world_from_b) noexcept;
@@ -56,13 +65,26 @@ SupportVertex leastAlong(const Eigen::Vector3d& direction, ConvexPair& pair) noe
 SupportVertex differenceOf(const ConvexPair& pair, const Eigen::Vector3d& on_a,
                            const Eigen::Vector3d& on_b) noexcept;
 
-/// Rounding that a coordinate of the difference may carry, and some to spare.
-inline double roundingOf(const ConvexPair& pair) noexcept { return 4e-15 * pair.size; }
+/// [m] Rounding that a coordinate of the difference may carry, and some to spare.
+/// @param size see ConvexPair::size.
+inline double roundingOf(double size) noexcept { return 4e-15 * size; }
+inline double roundingOf(const ConvexPair& pair) noexcept { return roundingOf(pair.size); }
+
+/// [m] Below this distance two cores count as touching.
+inline double touchingDistance(double size) noexcept {
+  return std::max(kTouching, roundingOf(size));
+}
+inline double touchingDistance(const ConvexPair& pair) noexcept {
+  return touchingDistance(pair.size);
+}
+
+/// [m] The same for cores that searches only approach.
+inline double smoothTolerance(double size) noexcept { return 1e-12 * size; }
 
 /// The bounds from below and above that are to meet: as near as rounding allows for polytopes,
 /// which searches reach by finite steps. Smooth cores are approached only.
 inline double toleranceOf(const ConvexPair& pair) noexcept {
-  return pair.isSmooth() ? 1e-12 * pair.size : roundingOf(pair);
+  return pair.isSmooth() ? smoothTolerance(pair.size) : roundingOf(pair);
 }
 
 }  // namespace collision_monitor

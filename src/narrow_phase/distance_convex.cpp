@@ -6,6 +6,7 @@
 #include "collision_monitor/geometry/visit_held.h"
 #include "collision_monitor/narrow_phase/convex_distance.h"
 #include "collision_monitor/narrow_phase/distance.h"
+#include "narrow_phase/confirm_nearest.h"
 #include "narrow_phase/convex_core.h"
 #include "narrow_phase/core_distance.h"
 #include "narrow_phase/distance_half_space.h"
@@ -27,6 +28,11 @@ struct Posed {
   const Pose& world_from_body;
 };
 
+template <class A, class B>
+bool areFinite(const Posed<A>& a, const Posed<B>& b) noexcept {
+  return isFinite(a.world_from_body) && isFinite(b.world_from_body);
+}
+
 template <class A>
 SignedDistance toHalfSpace(const Posed<A>& a, const Pose& world_from_half_space) noexcept {
   const SweptCore swept_a = sweptCoreOf(a.geometry);
@@ -38,12 +44,20 @@ template <class A, class B>
 ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
   const SweptCore swept_a = sweptCoreOf(a.geometry);
   const SweptCore swept_b = sweptCoreOf(b.geometry);
-  ConvexPair pair =
-      makeConvexPair(swept_a.core, a.world_from_body, swept_b.core, b.world_from_body);
-  ConvexSearch of_cores{search.workspace, search.warm,
-                        search.enough + swept_a.radius + swept_b.radius};
-  ConvexDistance found = searchCores(pair, of_cores);
-  found.measured = swept(placed(a.world_from_body, found.measured), swept_a.radius, swept_b.radius);
+  ConvexDistance found{SignedDistance{}, DistanceQuality::exact};
+  if (!confirmNearest({swept_a.core, a.world_from_body}, {swept_b.core, b.world_from_body},
+                      search.warm, found.measured)) {
+    if (!areFinite(a, b)) {
+      return {};
+    }
+    ConvexPair pair =
+        makeConvexPair(swept_a.core, a.world_from_body, swept_b.core, b.world_from_body);
+    ConvexSearch of_cores{search.workspace, search.warm,
+                          search.enough + swept_a.radius + swept_b.radius};
+    found = searchCores(pair, of_cores);
+    found.measured = placed(a.world_from_body, found.measured);
+  }
+  found.measured = swept(found.measured, swept_a.radius, swept_b.radius);
   return found;
 }
 
@@ -52,15 +66,18 @@ template <class A, class B>
 ConvexDistance measure(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
   if constexpr (kIsHalfSpace<A> && kIsHalfSpace<B>) {
     return {};  // they overlap without end, or are apart by rounding alone
+  } else if constexpr (!kIsHalfSpace<A> && !kIsHalfSpace<B> &&
+                       !(kHasClosedForms<A> && kHasClosedForms<B>)) {
+    return byCores(a, b, search);
+  } else if (!areFinite(a, b)) {
+    return {};
   } else if constexpr (kIsHalfSpace<B>) {
     return {toHalfSpace(a, b.world_from_body), DistanceQuality::exact};
   } else if constexpr (kIsHalfSpace<A>) {
     return {swapped(toHalfSpace(b, a.world_from_body)), DistanceQuality::exact};
-  } else if constexpr (kHasClosedForms<A> && kHasClosedForms<B>) {
+  } else {
     return {distanceBetween(a.geometry, a.world_from_body, b.geometry, b.world_from_body),
             DistanceQuality::exact};
-  } else {
-    return byCores(a, b, search);
   }
 }
 
@@ -69,9 +86,6 @@ ConvexDistance measure(const Posed<A>& a, const Posed<B>& b, ConvexSearch& searc
 ConvexDistance signedDistanceBetween(const ConvexGeometry& a, const Pose& world_from_a,
                                      const ConvexGeometry& b, const Pose& world_from_b,
                                      ConvexSearch& search) noexcept {
-  if (!isFinite(world_from_a) || !isFinite(world_from_b)) {
-    return {};
-  }
   const auto with_a = [&](const auto& geometry_a) noexcept {
     const auto with_b = [&](const auto& geometry_b) noexcept {
       using A = std::decay_t<decltype(geometry_a)>;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "narrow_phase/core_distance.h"
+#include "narrow_phase/extreme_feature.h"
 #include "narrow_phase/hull_patch.h"
 #include "narrow_phase/manifold_points.h"
 #include "narrow_phase/patch.h"
@@ -16,62 +17,6 @@ namespace collision_monitor {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kLevelSine = 1e-11;
-
-// What of a core is level across a direction.
-struct LevelFeature {
-  int dimension{0};                  ///< 0 a vertex, 1 an edge, 2 a face
-  Vector3d along{Vector3d::Zero()};  ///< of an edge; any length
-};
-
-LevelFeature levelOfBox(const Vector3d& half_extents, const Vector3d& direction) noexcept {
-  LevelFeature level;
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    if (half_extents[k] > 0.0 && std::abs(direction[k]) <= kLevelSine) {
-      ++level.dimension;
-      level.along = Vector3d::Unit(k);
-    }
-  }
-  return level;
-}
-
-LevelFeature levelOfCylinder(const Vector3d& direction) noexcept {
-  if (direction.head<2>().norm() <= kLevelSine) {
-    return {2, Vector3d::Zero()};
-  }
-  return {std::abs(direction.z()) <= kLevelSine ? 1 : 0, Vector3d::UnitZ()};
-}
-
-LevelFeature levelOfHull(const ConvexHull& hull, std::uint32_t vertex,
-                         const Vector3d& direction) noexcept {
-  LevelFeature level;
-  for (const std::uint32_t neighbour : hull.neighboursOf(vertex)) {
-    const Vector3d along = hull.vertices()[neighbour] - hull.vertices()[vertex];
-    if (std::abs(along.dot(direction)) <= kLevelSine * along.norm()) {
-      level.dimension = std::min(level.dimension + 1, 2);
-      level.along = along;
-    }
-  }
-  return level;
-}
-
-// `vertex` is where a hull's climb starts and ends.
-LevelFeature levelOf(const ConvexCore& core, const Vector3d& direction,
-                     std::uint32_t& vertex) noexcept {
-  switch (core.kind) {
-    case ConvexCore::Kind::box:
-      return levelOfBox(core.half_extents, direction);
-    case ConvexCore::Kind::cylinder:
-      return levelOfCylinder(direction);
-    case ConvexCore::Kind::hull:
-      vertex = core.hull->supportVertex(direction, vertex);
-      return levelOfHull(*core.hull, vertex, direction);
-    case ConvexCore::Kind::triangle:
-      return {};
-  }
-  return {};
-}
 
 ContactPatch patchOf(const ConvexCore& core, const Pose& pose, const Vector3d& direction) noexcept {
   switch (core.kind) {
@@ -89,17 +34,9 @@ ContactPatch patchOf(const ConvexCore& core, const Pose& pose, const Vector3d& d
 }
 
 bool areLevel(ConvexPair& pair, const Vector3d& normal) noexcept {
-  const LevelFeature of_a = levelOf(pair.a, normal, pair.vertex_of_a);
-  if (of_a.dimension == 0) {
-    return false;
-  }
   const Vector3d in_b = pair.a_from_b.rotation.transpose() * -normal;
-  const LevelFeature of_b = levelOf(pair.b, in_b, pair.vertex_of_b);
-  if (of_a.dimension == 2 || of_b.dimension != 1) {
-    return of_b.dimension > 0;
-  }
-  const Vector3d along_b = pair.a_from_b.rotation * of_b.along;
-  return of_a.along.cross(along_b).norm() <= kLevelSine * of_a.along.norm() * along_b.norm();
+  return areLevel(extremeOf(pair.a, normal, pair.vertex_of_a), Eigen::Matrix3d::Identity(),
+                  extremeOf(pair.b, in_b, pair.vertex_of_b), pair.a_from_b.rotation);
 }
 
 // From the witness point of A, in the plane of the contact.

@@ -15,7 +15,7 @@ constexpr int kMaxSteps = 128;
 
 void seed(ConvexPair& pair, const ConvexWarmStart& warm, Simplex& simplex) noexcept {
   for (std::size_t i = 0; i < warm.size; ++i) {
-    simplex.vertices[i] = differenceOf(pair, warm.on_a[i], warm.on_b[i]);
+    simplex.vertices[i] = differenceOf(pair, warm.ends[i].on_a, warm.ends[i].on_b);
   }
   if (spanAll(static_cast<int>(warm.size), simplex)) {
     return;
@@ -94,10 +94,6 @@ GjkResult::State walk(ConvexPair& pair, double enough, GjkResult& result) noexce
 
 }  // namespace
 
-double touchingDistance(const ConvexPair& pair) noexcept {
-  return std::max(kTouching, roundingOf(pair));
-}
-
 GjkResult searchNearest(ConvexPair& pair, const ConvexWarmStart& warm, double enough) noexcept {
   GjkResult result;
   pair.vertex_of_a = warm.vertex_of_a;
@@ -111,8 +107,7 @@ void keepWarm(const SupportVertex* vertices, int count, const ConvexPair& pair,
               ConvexWarmStart& warm) noexcept {
   warm.size = static_cast<std::uint32_t>(count);
   for (std::size_t i = 0; i < warm.size; ++i) {
-    warm.on_a[i] = vertices[i].on_a;
-    warm.on_b[i] = vertices[i].on_b;
+    warm.ends[i] = {vertices[i].on_a, vertices[i].on_b};
   }
   warm.vertex_of_a = pair.vertex_of_a;
   warm.vertex_of_b = pair.vertex_of_b;

@@ -25,9 +25,6 @@ struct GjkResult {
   Eigen::Vector3d lower_direction{Eigen::Vector3d::UnitX()};  ///< unit, from A to B, in A's frame
 };
 
-/// [m] Below this distance two cores count as touching.
-double touchingDistance(const ConvexPair& pair) noexcept;
-
 /// Walks from the simplex of the last search to the one nearest to the origin.
 ///
 /// Error: settled means that the bounds differ by toleranceOf(pair) at most.

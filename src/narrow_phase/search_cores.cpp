@@ -84,6 +84,11 @@ ConvexDistance searchApartOrDeep(ConvexPair& pair, ConvexSearch& search) noexcep
   const bool is_apart =
       found.state != GjkResult::State::overlapping && found.lower > touchingDistance(pair);
   if (is_apart || found.state == GjkResult::State::settled) {
+    if (isSmooth(pair.a) && isSmooth(pair.b)) {
+      // Where they are nearest, and not where a step ended, tells rims from sides.
+      search.warm.size = 1;
+      search.warm.ends[0] = {found.simplex.pointOnA(), found.simplex.pointOnB()};
+    }
     return answerApart(pair, found);
   }
   ConvexDistance closed;

@@ -9,31 +9,23 @@
 namespace collision_monitor {
 namespace {
 
-// The point of one feature's inside that is nearest to the origin.
-struct Nearest {
-  double squared{std::numeric_limits<double>::infinity()};
-  Eigen::Vector3d point;
-  Eigen::Vector3d outward;     // any length and sense: the point's own direction or the feature's
-  std::array<int, 3> corners;  // ascending
-  std::array<double, 3> weights;
-  int size{0};
-};
-
 using Points = std::array<Eigen::Vector3d, 4>;
 
-[[gnu::always_inline]] inline void offer(const Nearest& candidate, Nearest& best) noexcept {
+[[gnu::always_inline]] inline void offer(const NearestPoint& candidate,
+                                         NearestPoint& best) noexcept {
   if (candidate.squared < best.squared) {
     best = candidate;
   }
 }
 
-void offerVertex(const Points& points, int i, Nearest& best) noexcept {
+[[gnu::always_inline]] inline void offerVertex(const Points& points, int i,
+                                               NearestPoint& best) noexcept {
   const Eigen::Vector3d& p = points[static_cast<std::size_t>(i)];
   offer({p.squaredNorm(), p, p, {i, 0, 0}, {1.0, 0.0, 0.0}, 1}, best);
 }
 
 [[gnu::always_inline]] inline void offerEdge(const Points& points, int i, int j,
-                                             Nearest& best) noexcept {
+                                             NearestPoint& best) noexcept {
   const Eigen::Vector3d& p = points[static_cast<std::size_t>(i)];
   const Eigen::Vector3d edge = points[static_cast<std::size_t>(j)] - p;
   const double length_squared = edge.squaredNorm();
@@ -54,7 +46,7 @@ void offerVertex(const Points& points, int i, Nearest& best) noexcept {
 
 [[gnu::always_inline]] inline void offerTriangle(const Points& points,
                                                  const std::array<int, 3>& corners,
-                                                 Nearest& best) noexcept {
+                                                 NearestPoint& best) noexcept {
   const Eigen::Vector3d& p = points[static_cast<std::size_t>(corners[0])];
   const Eigen::Vector3d first = points[static_cast<std::size_t>(corners[1])] - p;
   const Eigen::Vector3d second = points[static_cast<std::size_t>(corners[2])] - p;
@@ -97,8 +89,8 @@ bool holdsOrigin(const Points& p) noexcept {
   return true;
 }
 
-Nearest nearestWith(const Points& points, int newest) noexcept {
-  Nearest best;
+NearestPoint nearestWith(const Points& points, int newest) noexcept {
+  NearestPoint best;
   offerVertex(points, newest, best);
   for (int i = 0; i < newest; ++i) {
     offerEdge(points, i, newest, best);
@@ -109,7 +101,7 @@ Nearest nearestWith(const Points& points, int newest) noexcept {
   return best;
 }
 
-void keep(const Nearest& nearest, Simplex& simplex) noexcept {
+void keep(const NearestPoint& nearest, Simplex& simplex) noexcept {
   for (int i = 0; i < nearest.size; ++i) {
     const auto k = static_cast<std::size_t>(i);
     // Corners ascend, so that none is overwritten before its turn.
@@ -119,11 +111,8 @@ void keep(const Nearest& nearest, Simplex& simplex) noexcept {
   simplex.size = nearest.size;
   simplex.nearest = nearest.point;
   simplex.distance = std::sqrt(nearest.squared);
-  const double length = nearest.outward.norm();
-  if (length > 0.0) {
-    const double sense = nearest.outward.dot(nearest.point) < 0.0 ? -1.0 : 1.0;
-    simplex.normal = sense / length * nearest.outward;
-  }
+  const Eigen::Vector3d normal = normalOf(nearest);
+  simplex.normal = normal.isZero(0.0) ? simplex.normal : normal;
 }
 
 Points pointsOf(const Simplex& simplex, int count) noexcept {
@@ -136,15 +125,30 @@ Points pointsOf(const Simplex& simplex, int count) noexcept {
 
 }  // namespace
 
-bool spanAll(int count, Simplex& simplex) noexcept {
-  const Points points = pointsOf(simplex, count);
-  Nearest nearest;
-  if (count == 2) {
+bool nearestInside(const Points& points, int count, NearestPoint& nearest) noexcept {
+  nearest.squared = std::numeric_limits<double>::infinity();
+  if (count == 1) {
+    offerVertex(points, 0, nearest);
+  } else if (count == 2) {
     offerEdge(points, 0, 1, nearest);
   } else if (count == 3 && isFat(points)) {
     offerTriangle(points, {0, 1, 2}, nearest);
   }
-  const bool is_inside = nearest.squared < std::numeric_limits<double>::infinity();
+  return nearest.squared < std::numeric_limits<double>::infinity();
+}
+
+Eigen::Vector3d normalOf(const NearestPoint& nearest) noexcept {
+  const double length = nearest.outward.norm();
+  if (!(length > 0.0)) {
+    return Eigen::Vector3d::Zero();
+  }
+  const double sense = nearest.outward.dot(nearest.point) < 0.0 ? -1.0 : 1.0;
+  return sense / length * nearest.outward;
+}
+
+bool spanAll(int count, Simplex& simplex) noexcept {
+  NearestPoint nearest;
+  const bool is_inside = nearestInside(pointsOf(simplex, count), count, nearest);
   if (is_inside) {
     keep(nearest, simplex);
   }
@@ -160,7 +164,7 @@ bool insert(const SupportVertex& vertex, Simplex& simplex) noexcept {
     simplex.contains_origin = true;
     return true;
   }
-  const Nearest nearest = nearestWith(points, newest);
+  const NearestPoint nearest = nearestWith(points, newest);
   if (!(nearest.squared < simplex.distance * simplex.distance)) {
     return false;
   }

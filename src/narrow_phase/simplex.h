@@ -27,9 +27,27 @@ struct Simplex {
   Eigen::Vector3d pointOnB() const noexcept;  ///< in B's frame
 };
 
-/// Takes the first `count` vertices as they are, if there are two or three and the point nearest to
-/// the origin is inside what they span: where a search begins that moved little since the last.
-/// @return false, with the simplex still empty, when some of them are not needed or hardly span.
+/// The point of one feature's inside that is nearest to the origin.
+struct NearestPoint {
+  double squared{std::numeric_limits<double>::infinity()};  ///< its squared distance
+  Eigen::Vector3d point;
+  Eigen::Vector3d outward;     ///< any length and sense: the point's direction or the feature's own
+  std::array<int, 3> corners;  ///< ascending
+  std::array<double, 3> weights;
+  int size{0};
+};
+
+/// Of the vertex, edge or triangle that the first `count` points span.
+/// @return false when some of them are not needed or hardly span, or there are not one to three.
+bool nearestInside(const std::array<Eigen::Vector3d, 4>& points, int count,
+                   NearestPoint& nearest) noexcept;
+
+/// Unit; see Simplex::normal. Zero where there is none.
+Eigen::Vector3d normalOf(const NearestPoint& nearest) noexcept;
+
+/// Takes the first `count` vertices as they are, if the point nearest to the origin is inside what
+/// they span: where a search begins that moved little since the last.
+/// @return false, with the simplex still empty, when it is not.
 /// @pre the simplex is empty but for these vertices.
 bool spanAll(int count, Simplex& simplex) noexcept;
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "collision_monitor/geometry/triangle_mesh.h"
@@ -40,6 +42,27 @@ class ConvexHull {
     std::size_t size() const noexcept { return static_cast<std::size_t>(last - first); }
   };
 
+  /// Vertices that a climb looks at together, in columns.
+  struct Fan {
+    static constexpr int kSize = 8;
+
+    Eigen::Array<double, kSize, 1> x, y, z;
+    std::array<std::uint32_t, kSize> vertex;  ///< where there are fewer, again the first
+
+    /// `direction` . x of each.
+    Eigen::Array<double, kSize, 1> reaches(const Eigen::Vector3d& direction) const noexcept {
+      return direction.x() * x + direction.y() * y + direction.z() * z;
+    }
+  };
+
+  struct Fans {
+    const Fan* first;
+    const Fan* last;  ///< beyond the last one
+
+    const Fan* begin() const noexcept { return first; }
+    const Fan* end() const noexcept { return last; }
+  };
+
   /// @throws std::invalid_argument when there is no point or one is not finite.
   explicit ConvexHull(const std::vector<Eigen::Vector3d>& points);
 
@@ -53,22 +76,35 @@ class ConvexHull {
     return {ring_corners_.data() + first_corner_[face],
             ring_corners_.data() + first_corner_[face + 1]};
   }
-  /// The other ends of a vertex's edges, and of diagonals that divide its faces.
-  Indices neighboursOf(std::uint32_t vertex) const noexcept {
-    return {neighbours_.data() + first_neighbour_[vertex],
-            neighbours_.data() + first_neighbour_[vertex + 1]};
+  /// The other ends of a vertex's edges, of diagonals that divide its faces, and of those of
+  /// vertices all but coincident with it. None if !canClimb().
+  Fans fansOf(std::uint32_t vertex) const noexcept {
+    return {fans_.data() + first_fan_[vertex], fans_.data() + first_fan_[vertex + 1]};
   }
 
   /// Radius about the origin of the frame that holds the hull.
   double boundingRadius() const noexcept { return bounding_radius_; }
+
+  /// Whether a vertex none of whose fans' vertices is farther in some direction is the farthest
+  /// there, but for rounding. False of hulls without triangles.
+  bool canClimb() const noexcept { return !fans_.empty(); }
+
+  /// The greatest `direction` . x among the vertices of `vertex`'s fans; -infinity without any.
+  double reachBeside(const Eigen::Vector3d& direction, std::uint32_t vertex) const noexcept {
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (const Fan& fan : fansOf(vertex)) {
+      const double reach = fan.reaches(direction).maxCoeff();
+      farthest = reach > farthest ? reach : farthest;
+    }
+    return farthest;
+  }
 
   /// Index of a vertex that is farthest in `direction` (need not be unit). `start` is a vertex
   /// to begin at; the last answer for a similar direction makes the climb short. Of large
   /// hulls a map of directions knows another, which is taken where it is farther.
   ///
   /// Error: large hulls climb from neighbour to neighbour, which rounding may stop short of the
-  /// farthest vertex by about 1e-10 of the hull's extent; small hulls, and those with edges so
-  /// short that it could be more, look at every vertex.
+  /// farthest vertex by about 1e-10 of the hull's extent; small hulls look at every vertex.
   /// Source: Gilbert, Foo, "Computing the distance between general convex objects in
   /// three-dimensional space" (1990), and Cameron, "Enhancing GJK" (1997), for climbing; Ehmann,
   /// Lin, "Accelerated proximity queries between convex polyhedra by multi-level Voronoi marching"
@@ -80,6 +116,7 @@ class ConvexHull {
   }
 
  private:
+  void addFans(const std::vector<std::vector<std::uint32_t>>& neighbours);
   void mapDirections();
   std::size_t cellOf(const Eigen::Vector3d& direction) const noexcept;
   std::uint32_t stepUp(const Eigen::Vector3d& direction, std::uint32_t from) const noexcept;
@@ -92,9 +129,9 @@ class ConvexHull {
   // Those of face i are ring_corners_[first_corner_[i]] up to the next one's first.
   std::vector<std::uint32_t> first_corner_;
   std::vector<std::uint32_t> ring_corners_;
-  // The neighbours of vertex i are neighbours_[first_neighbour_[i]] up to the next one's first.
-  std::vector<std::uint32_t> first_neighbour_;
-  std::vector<std::uint32_t> neighbours_;
+  // Those of vertex i are fans_[first_fan_[i]] up to the next one's first.
+  std::vector<std::uint32_t> first_fan_;
+  std::vector<Fan> fans_;
   // By cell of a cube about all directions, each side of which has rows_ by rows_ cells: where the
   // climb along the middle of the cell ends. Empty where climbs are short.
   std::vector<std::uint32_t> farthest_;

@@ -20,11 +20,15 @@ struct SupportVertex {
 /// What the last search of a pair found: points of A and B whose differences were nearest to the
 /// origin, and the vertices where the hulls were last climbed. It may be stale, never wrong.
 struct ConvexWarmStart {
-  std::array<Eigen::Vector3d, 4> on_a;  ///< in A's frame
-  std::array<Eigen::Vector3d, 4> on_b;  ///< in B's frame
+  struct Ends {
+    Eigen::Vector3d on_a{Eigen::Vector3d::Zero()};  ///< in A's frame
+    Eigen::Vector3d on_b{Eigen::Vector3d::Zero()};  ///< in B's frame
+  };
+
   std::uint32_t size{0};
   std::uint32_t vertex_of_a{0};  ///< of a hull; 0 for other cores
   std::uint32_t vertex_of_b{0};
+  std::array<Ends, 4> ends;
 };
 
 /// A polytope inside of the difference B - A, grown by EPA until a face of it is one of the

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 namespace collision_monitor::test {
@@ -84,14 +85,26 @@ TEST(ConvexHull, ringsOfFaces_turnLeftSeenFromOutside) {
   expectRingsTurnLeft(ConvexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), 3);
 }
 
-TEST(ConvexHull, neighboursOfACorner_areAtTheOtherEndsOfItsEdges) {
+TEST(ConvexHull, fansOfACorner_holdTheOtherEndsOfItsEdges) {
   const ConvexHull hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   for (std::uint32_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(hull.neighboursOf(i).size(), 3U);
-    for (const std::uint32_t neighbour : hull.neighboursOf(i)) {
-      EXPECT_NE(neighbour, i);
-    }
+    const ConvexHull::Fans fans = hull.fansOf(i);
+    ASSERT_EQ(fans.end() - fans.begin(), 1);
+    std::set<std::uint32_t> others(fans.first->vertex.begin(), fans.first->vertex.end());
+    others.insert(i);
+    EXPECT_EQ(others.size(), 4U);
   }
+}
+
+TEST(ConvexHull, reachBesideACorner_isOfItsFarthestNeighbour) {
+  const ConvexHull hull({{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}});
+  const Eigen::Vector3d up(0.5, 0.25, 1.0);
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(hull.reachBeside(up, i), hull.vertices()[i].z() == 3.0 ? 0.5 : 3.0);
+  }
+  const ConvexHull line({{0, 0, 0}, {1, 0, 0}});
+  EXPECT_FALSE(line.canClimb());
+  EXPECT_EQ(line.reachBeside(up, 0), -std::numeric_limits<double>::infinity());
 }
 
 TEST(ConvexHull, square_hasTwoFacesAndNoVolume) {
@@ -152,7 +165,7 @@ TEST(ConvexHull, supportAlongAxesAndAlongNothing_isAVertex) {
   EXPECT_LT(hull.supportVertex(Eigen::Vector3d::Zero(), 100), hull.vertices().size());
 }
 
-// A needle-short edge would stop a climb that looks at slopes; such hulls look at every vertex.
+// A needle-short edge would stop a climb that looks at slopes: seen as one corner, the ends do not.
 TEST(ConvexHull, cornersAHairApart_doNotStopTheSearch) {
   Points points = globe(8, 12);
   const Points before = points;

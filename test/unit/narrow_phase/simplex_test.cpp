@@ -50,10 +50,16 @@ TEST(Simplex, sliver_isRefused) {
   EXPECT_FALSE(spanAll(3, simplex));
 }
 
-TEST(Simplex, onePointOrFour_areLeftToInsertion) {
+TEST(Simplex, onePoint_isTaken) {
+  Simplex simplex = simplexOf({{0, 3, 4}});
+  ASSERT_TRUE(spanAll(1, simplex));
+  EXPECT_EQ(simplex.distance, 5.0);
+  EXPECT_NEAR((simplex.normal - Vector3d(0, 0.6, 0.8)).norm(), 0.0, 1e-15);
+}
+
+TEST(Simplex, noPointOrFour_areLeftToInsertion) {
   Simplex simplex = simplexOf({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}});
   EXPECT_FALSE(spanAll(0, simplex));
-  EXPECT_FALSE(spanAll(1, simplex));
   EXPECT_FALSE(spanAll(4, simplex));
 }
 

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/narrow_phase/signed_distance.h"
+#include "narrow_phase/convex_pair.h"
+
+namespace collision_monitor {
+
+struct PlacedCore {
+  const ConvexCore& core;
+  const Pose& world_from_core;
+};
+
+/// Measures two cores by the corners that were nearest in the last search, if a support plane
+/// proves that they still are: one look at the neighbours of a corner each, where a search would
+/// take steps. Most pairs of a moving robot are settled so, near and far.
+///
+/// Frames: the world's. Error: as a search that is settled, see GjkResult.
+/// Limits: of polytopes that are apart and whose nearest features are not parallel; the others
+/// are left to the search.
+/// @return false, with nothing measured, when the search has to decide; always if a pose is not
+/// finite.
+/// Source: Lin, Canny, "A fast algorithm for incremental distance calculation" (1991), for the
+/// features of the last query and the look at their neighbours alone; departs from it in the proof
+/// by planes, as in gjk.h.
+bool confirmNearest(const PlacedCore& a, const PlacedCore& b, ConvexWarmStart& warm,
+                    SignedDistance& cores) noexcept;
+
+}  // namespace collision_monitor

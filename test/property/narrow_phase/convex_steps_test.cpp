@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <random>
+#include <tuple>
+
+#include "support/convex_cases.h"
+#include "support/convex_measure.h"
+
+// Convex pairs that move in small steps, each measured with what the last one left: every answer
+// proves itself, and is that of a cold search.
+namespace collision_monitor::test {
+namespace {
+
+constexpr std::uint64_t kSeed = 20260101;
+constexpr std::size_t kPool = 12;
+constexpr int kPairs = 30;
+constexpr int kSteps = 25;
+
+using Case = std::tuple<ConvexKind, ConvexKind, Nearness>;
+
+class ConvexInSteps : public testing::TestWithParam<Case> {};
+
+std::size_t anyBelow(std::size_t count, Random& random) {
+  return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
+}
+
+// Up to two degrees and 2 % of the lengths.
+Pose smallStep(double length, Random& random) {
+  const Eigen::Vector3d turn = randomPoint(random, 0.02);
+  const double angle = turn.norm();
+  const Eigen::Vector3d axis = turn.normalized();
+  return {Eigen::AngleAxisd(angle, axis).toRotationMatrix(), randomPoint(random, 0.02 * length)};
+}
+
+void check(const PosedConvexPair& pair, const ConvexDistance& found, const ConvexDistance& cold) {
+  const double size = 10.0 + extentOf(*pair.a) + extentOf(*pair.b);
+  const double slack = found.measured.distance > 0.0 ? 1e-9 + 1e-11 * size : 1e-7;
+  const ConvexCertificate proof = certify(pair, found.measured);
+  ASSERT_LE(found.measured.distance, proof.gap_along_normal + slack) << describe(pair);
+  if (found.quality == DistanceQuality::exact) {
+    ASSERT_LE(proof.a_outside, 1e-6) << describe(pair);
+    ASSERT_LE(proof.b_outside, 1e-6) << describe(pair);
+    if (cold.quality == DistanceQuality::exact) {
+      ASSERT_NEAR(found.measured.distance, cold.measured.distance, 2.0 * slack) << describe(pair);
+    }
+  }
+}
+
+TEST_P(ConvexInSteps, everyAnswer_isProvenAndThatOfAColdSearch) {
+  const auto [kind_a, kind_b, nearness] = GetParam();
+  Random random(kSeed);
+  const ConvexPoolRecipe recipe{1e-2, 1.0, true};
+  const std::vector<ConvexGeometry> pool_a = makeConvexPool(kind_a, kPool, recipe, random);
+  const std::vector<ConvexGeometry> pool_b = makeConvexPool(kind_b, kPool, recipe, random);
+  static ConvexWorkspace workspace;
+  for (int i = 0; i < kPairs; ++i) {
+    const Alignment alignment = kAlignments[anyBelow(3, random)];
+    PosedConvexPair pair =
+        placeConvexPair(pool_a[anyBelow(kPool, random)], pool_b[anyBelow(kPool, random)], nearness,
+                        alignment, random);
+    const double length = extentOf(*pair.a) + extentOf(*pair.b);
+    ConvexWarmStart warm;
+    ConvexSearch search{workspace, warm};
+    for (int step = 0; step < kSteps; ++step) {
+      const ConvexDistance found =
+          signedDistanceBetween(*pair.a, pair.world_from_a, *pair.b, pair.world_from_b, search);
+      check(pair, found, measureCold(*pair.a, pair.world_from_a, *pair.b, pair.world_from_b));
+      if (HasFatalFailure()) {
+        return;
+      }
+      pair.world_from_b = pair.world_from_b * smallStep(length, random);
+    }
+  }
+}
+
+constexpr ConvexKind kCores[] = {ConvexKind::sphere, ConvexKind::capsule, ConvexKind::box,
+                                 ConvexKind::cylinder, ConvexKind::hull};
+
+std::string nameOfCase(const testing::TestParamInfo<Case>& info) {
+  const auto [kind_a, kind_b, nearness] = info.param;
+  return std::string(nameOf(kind_a)) + "_" + nameOf(kind_b) + "_" + nameOf(nearness);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllPairs, ConvexInSteps,
+                         testing::Combine(testing::Values(ConvexKind::cylinder, ConvexKind::hull),
+                                          testing::ValuesIn(kCores),
+                                          testing::Values(Nearness::separated, Nearness::near)),
+                         nameOfCase);
+
+}  // namespace
+}  // namespace collision_monitor::test
