@@ -77,6 +77,9 @@ class Stages {
     end("5 growBounds");
     findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
     end("6 findCandidates");
+    findReaches(setup, poses, buffers.sweep, buffers.reaches);
+    cullCandidates(setup, buffers);
+    end("6b cullCandidates");
     measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
     end("7 measurePairs");
     refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);

@@ -23,7 +23,7 @@ bool spheresPart(const PosedPair& pair) noexcept {
   const double reach = pair.a.bounding_radius + pair.b.bounding_radius + pair.distance;
   const double squared_distance =
       (pair.world_from_b.translation - pair.world_from_a.translation).squaredNorm();
-  return reach < 0.0 || squared_distance > reach * reach * (1.0 + kRounding);
+  return (reach < 0.0) | (squared_distance > reach * reach * (1.0 + kRounding));
 }
 
 bool orientedBoxesPart(const PosedPair& pair) noexcept {
@@ -34,32 +34,36 @@ bool orientedBoxesPart(const PosedPair& pair) noexcept {
   return gap > pair.distance + toleranceOf(boxes);
 }
 
+/// No branch: which of the candidates are left is hard to predict.
+template <class IsFar>
+void keepUnless(const IsFar& is_far, std::vector<PairId>& candidates) noexcept {
+  std::size_t kept = 0;
+  for (const PairId id : candidates) {
+    candidates[kept] = id;
+    kept += is_far(id) ? 0 : 1;
+  }
+  candidates.resize(kept);
+}
+
 }  // namespace
 
 void cullCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   const std::vector<Pose>& poses = buffers.body_poses.world_from_body;
-  const std::vector<double>& ahead = buffers.bounds.ahead;
-  const std::vector<double>& way = buffers.sweep.body_reach;
-  CycleCounters& counters = buffers.counters;
-  counters.culled_by_spheres = 0;
-  counters.culled_by_boxes = 0;
-  const double reach = reachOf(setup.limits);
-  const auto is_out_of_reach = [&](PairId id) {
+  const auto pairOf = [&](PairId id) -> PosedPair {
     const std::size_t a = index(setup.table[id].a);
     const std::size_t b = index(setup.table[id].b);
-    const double passed = setup.is_continuous ? way[a] + way[b] : 0.0;
-    const double distance =
-        std::max(reach + ahead[a] + ahead[b], setup.limits.contact_distance + passed);
-    const PosedPair pair{setup.bodies[a], setup.bodies[b], poses[a], poses[b], distance};
-    const bool spheres_part = spheresPart(pair);
-    const bool boxes_part = !spheres_part && orientedBoxesPart(pair);
-    counters.culled_by_spheres += spheres_part ? 1 : 0;
-    counters.culled_by_boxes += boxes_part ? 1 : 0;
-    return spheres_part || boxes_part;
+    return {setup.bodies[a], setup.bodies[b], poses[a], poses[b],
+            buffers.reaches.of_pair[setup.link_pair_of[index(id)]]};
   };
   std::vector<PairId>& candidates = buffers.candidates;
-  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_out_of_reach),
-                   candidates.end());
+  const std::size_t found = candidates.size();
+  keepUnless([&](PairId id) { return spheresPart(pairOf(id)); }, candidates);
+  buffers.counters.culled_by_spheres = found - candidates.size();
+  if (buffers.culls_by_boxes) {
+    keepUnless([&](PairId id) { return orientedBoxesPart(pairOf(id)); }, candidates);
+  }
+  buffers.counters.culled_by_boxes =
+      found - buffers.counters.culled_by_spheres - candidates.size();
 }
 
 }  // namespace collision_monitor

@@ -33,39 +33,37 @@ Verdict verdictFor(double distance, double time, const Limits& limits, Verdict b
   return distance > limits.warning_distance ? Verdict::clear : Verdict::unknown;
 }
 
-void findClosest(const CycleSetup& setup, const PairDistances& distances,
-                 PairEvents& events) noexcept {
+/// Fills what is closest and what touches first, of each pair of links and of all. A time that is
+/// unknown is not sooner than any.
+/// @return whether a time is unknown.
+bool findClosestAndSoonest(const CycleSetup& setup, const PairDistances& distances,
+                           PairEvents& events) noexcept {
   std::fill(events.closest.begin(), events.closest.end(), kNone);
+  std::fill(events.soonest.begin(), events.soonest.end(), kNone);
   events.closest_of_all = kNone;
+  events.time_to_contact = kNever;
+  bool has_unknown = false;
   const auto& measured = distances.measured;
   const auto is_nearer = [&](std::uint32_t one, std::uint32_t other) {
     return other == kNone || measured[one].measured.distance < measured[other].measured.distance;
   };
   for (std::uint32_t i = 0; i < measured.size(); ++i) {
-    std::uint32_t& closest = events.closest[setup.link_pair_of[index(measured[i].pair)]];
-    if (is_nearer(i, closest)) {
-      closest = i;
+    const std::uint32_t link_pair = setup.link_pair_of[index(measured[i].pair)];
+    if (is_nearer(i, events.closest[link_pair])) {
+      events.closest[link_pair] = i;
     }
     if (is_nearer(i, events.closest_of_all)) {
       events.closest_of_all = i;
     }
-  }
-}
-
-/// A time that is unknown is not sooner than any.
-void findSoonest(const CycleSetup& setup, const PairDistances& distances,
-                 PairEvents& events) noexcept {
-  std::fill(events.soonest.begin(), events.soonest.end(), kNone);
-  events.time_to_contact = kNever;
-  const auto& measured = distances.measured;
-  for (std::uint32_t i = 0; i < measured.size(); ++i) {
     const double time = measured[i].time_to_contact;
-    std::uint32_t& soonest = events.soonest[setup.link_pair_of[index(measured[i].pair)]];
+    std::uint32_t& soonest = events.soonest[link_pair];
     if (time < (soonest == kNone ? kNever : measured[soonest].time_to_contact)) {
       soonest = i;
+      events.time_to_contact = std::min(events.time_to_contact, time);
     }
-    events.time_to_contact = std::fmin(events.time_to_contact, time);
+    has_unknown = has_unknown || std::isnan(time);
   }
+  return has_unknown;
 }
 
 void findPassed(const CycleSetup& setup, const PairDistances& distances,
@@ -107,13 +105,9 @@ Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
 
 void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                 const PairDistances& distances, PairMemory& memory, PairEvents& events) noexcept {
-  findClosest(setup, distances, events);
-  findSoonest(setup, distances, events);
+  bool has_unknown = findClosestAndSoonest(setup, distances, events);
   findPassed(setup, distances, events);
   events.changes.clear();
-  bool has_unknown = std::any_of(
-      distances.measured.begin(), distances.measured.end(),
-      [](const PairDistance& distance) { return std::isnan(distance.time_to_contact); });
   // A link that stands in no checked pair can be unknown without harm.
   events.overall = Verdict::clear;
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {

@@ -38,6 +38,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.bounds.boxes.resize(bodies);
   buffers.bounds.known.resize(bodies, 0);
   buffers.bounds.ahead.resize(bodies, 0.0);
+  buffers.reaches = makePairReaches(setup);
   buffers.candidates.reserve(pairs);
   buffers.distances.measured.reserve(pairs);
   buffers.distances.passed.reserve(pairs);
@@ -57,7 +58,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.memory.speed.stopped.resize(link_pairs, 0);
   buffers.counters.pairs = pairs;
   buffers.broad_phase = makeBroadPhase(kind, bodies, pairs);
-  buffers.culls_candidates = kind == BroadPhaseKind::combination;
+  buffers.culls_by_boxes = kind == BroadPhaseKind::combination;
   return buffers;
 }
 
@@ -87,9 +88,8 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   growBounds(setup, poses, setup.ahead.horizon, buffers.bounds);
   findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
   buffers.counters.candidates = buffers.candidates.size();
-  if (buffers.culls_candidates) {
-    cullCandidates(setup, buffers);
-  }
+  findReaches(setup, poses, buffers.sweep, buffers.reaches);
+  cullCandidates(setup, buffers);
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
   measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);

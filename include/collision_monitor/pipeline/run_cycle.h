@@ -9,10 +9,20 @@
 
 namespace collision_monitor {
 
+/// How near bodies must be to matter to any stage.
+struct PairReaches {
+  // By LinkId.
+  std::vector<Ball> link_balls;          ///< as linkBalls
+  std::vector<Eigen::Vector3d> centers;  ///< of them, in the world
+  std::vector<double> ways;              ///< [m] how far any point of them has come at most
+  std::vector<double> of_pair;           ///< [m] by LinkPairIndex
+};
+
 /// All arrays of one cycle, sized so that no cycle allocates.
 struct CycleBuffers {
   BodyPoses body_poses;
   BodyBounds bounds;
+  PairReaches reaches;
   std::vector<PairId> candidates;
   PairDistances distances;
   RefineWork refine;
@@ -21,7 +31,7 @@ struct CycleBuffers {
   PairMemory memory;
   CycleCounters counters;
   BroadPhase broad_phase;
-  bool culls_candidates{false};  ///< BroadPhaseKind::combination
+  bool culls_by_boxes{false};  ///< BroadPhaseKind::combination
 };
 
 /// Sized for the set-up, nothing known.
@@ -59,10 +69,21 @@ void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double re
 void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration,
                 BodyBounds& bounds) noexcept;
 
-/// Takes out candidates that are farther apart than any stage asks for, also on their way since the
-/// last cycle and within the horizon: by bounding spheres, which do not turn, and what is left by
-/// the separating axes of the boxes about their cores. Counts both. The last two steps of a
-/// combined run.
+PairReaches makePairReaches(const CycleSetup& setup);
+
+/// How near bodies of each pair of links must be to be reported, to touch within the horizon or to
+/// ask for less than full speed at today's velocities, or to have touched since the last cycle.
+/// Infinite where a velocity is not known.
+///
+/// A distance changes by the motion of one of the nearest points seen from the other link, so no
+/// faster than the ball of B's bodies moves seen from A.
+/// @pre `sweep` is that of findMotions.
+void findReaches(const CycleSetup& setup, const LinkPoses& poses, const SweepWork& sweep,
+                 PairReaches& reaches) noexcept;
+
+/// Takes out candidates that are farther apart than `reaches` says: by bounding spheres, which do
+/// not turn, and in a combined run what is left by the separating axes of the boxes about their
+/// cores. Counts both.
 void cullCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept;
 
 /// @pre `pairs` is sorted by id and joins known bodies only; `distances` has room for every pair.

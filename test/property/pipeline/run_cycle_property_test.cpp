@@ -136,6 +136,54 @@ TEST(RunCycleProperty, tenThousandCyclesAllocateNothingAndEveryBroadPhaseGivesTh
   EXPECT_GT(passed, 10U) << "links move too little to pass each other";
 }
 
+/// Every pair of known bodies.
+std::vector<PairId> knownPairs(const CycleSetup& setup, const BodyPoses& body_poses) {
+  std::vector<PairId> pairs;
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    const BodyPair& pair = setup.table.pairs()[i];
+    if (body_poses.known[index(pair.a)] != 0 && body_poses.known[index(pair.b)] != 0) {
+      pairs.push_back(idAt<PairId>(i));
+    }
+  }
+  return pairs;
+}
+
+TEST(RunCycleProperty, whatIsCulledMattersToNoVerdictTimeOrScale) {
+  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  CycleSetup setup = test::randomSetup(10, kSeed);
+  setup.ahead.stop.release_time = 1e-9;  // what is asked for shows at once
+  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
+  PairEvents events = buffers.events;
+  LinkPoses poses = test::randomLinkPoses(setup, 1.0, kSeed);
+  VelocityTracker tracker = makeVelocityTracker(setup.model);
+  Random random(kSeed);
+  std::size_t culled = 0;
+  std::size_t soon = 0;
+  std::size_t slowed = 0;
+  for (int cycle = 0; cycle < 3000; ++cycle) {
+    disturb(random, poses);
+    trackVelocities(setup.model, VelocityOptions(), tracker, poses);
+    PairMemory memory = buffers.memory;
+    runCycle(setup, poses, buffers);
+    PairDistances all;
+    measurePairs(setup, buffers.body_poses, knownPairs(setup, buffers.body_poses), all);
+    findClosings(setup, poses, all);
+    judgePairs(setup, buffers.body_poses, all, memory, events);
+    scaleSpeed(setup, poses.stamp_ns, all, events, memory.speed);
+    ASSERT_EQ(buffers.events.verdicts, events.verdicts);
+    ASSERT_EQ(buffers.memory.speed.scale, memory.speed.scale);
+    if (events.time_to_contact < std::numeric_limits<double>::infinity()) {
+      ASSERT_EQ(buffers.events.time_to_contact, events.time_to_contact);
+      ++soon;
+    }
+    culled += buffers.counters.culled_by_spheres;
+    slowed += memory.speed.scale < 1.0 ? 1 : 0;
+  }
+  EXPECT_GT(culled, 1000U);
+  EXPECT_GT(soon, 1000U);
+  EXPECT_GT(slowed, 1000U);
+}
+
 TEST(AllocationGuard, seesAnAllocation) {
   const test::AllocationGuard guard;
   std::vector<int> allocated(10);

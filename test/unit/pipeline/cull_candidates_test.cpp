@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
 
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "support/hand_made_setup.h"
@@ -16,7 +18,13 @@ using test::knownPoses;
 const Eigen::Matrix3d kEighthTurn =
     Eigen::AngleAxisd(0.25 * 3.14159265358979, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 
-/// One cycle with a combined run; the reach is 0.2 m. The second link stands at `translation`, and
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+void rest(LinkPoses& poses) {
+  std::fill(poses.velocities.known.begin(), poses.velocities.known.end(), 1);
+}
+
+/// One cycle with a combined run; everything rests, and the reach is 0.2 m. The second link stands at `translation`, and
 /// both are turned by `rotation`.
 CycleCounters runTwo(const Shape& shape, const Eigen::Vector3d& translation,
                      const Eigen::Matrix3d& rotation) {
@@ -25,6 +33,7 @@ CycleCounters runTwo(const Shape& shape, const Eigen::Vector3d& translation,
   LinkPoses poses = knownPoses(setup);
   poses.world_from_link[0].rotation = rotation;
   poses.world_from_link[1] = {rotation, translation};
+  rest(poses);
   runCycle(setup, poses, buffers);
   return buffers.counters;
 }
@@ -56,6 +65,70 @@ TEST(CullCandidates, withinReach_stays) {
     EXPECT_EQ(counters.culled_by_spheres + counters.culled_by_boxes, 0U);
     EXPECT_EQ(counters.measured, 1U);
   }
+}
+
+TEST(CullCandidates, everyRun_spheresPartWhatRests_andKeepWhatMayCome) {
+  const CycleSetup setup = handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}});
+  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
+  LinkPoses poses = knownPoses(setup);
+  poses.world_from_link[1].translation = {0.35, 0.35, 0.0};  // 0.295 m apart
+  runCycle(setup, poses, buffers);
+  EXPECT_EQ(buffers.counters.culled_by_spheres, 0U) << "nobody knows how they move";
+  rest(poses);
+  runCycle(setup, poses, buffers);
+  EXPECT_EQ(buffers.counters.culled_by_spheres, 1U);
+  poses.velocities.of_link[1].linear.z() = 1.0;
+  runCycle(setup, poses, buffers);
+  EXPECT_EQ(buffers.counters.culled_by_spheres, 0U) << "0.5 m within the horizon of 0.5 s";
+}
+
+/// Two balls of 0.1 m, each 0.3 m beside its link's origin; horizon 0.5 s, reach 0.2 m, hysteresis
+/// 0.005 m, stop at 0.01 m.
+class FindReachesTest : public testing::Test {
+ protected:
+  FindReachesTest() { rest(poses_); }
+  double reach() {
+    runCycle(setup_, poses_, buffers_);
+    return buffers_.reaches.of_pair[0];
+  }
+  Twist& twist(std::size_t link) { return poses_.velocities.of_link[link]; }
+
+  CycleSetup setup_ = handMadeSetup({{0, Sphere{0.1}, {Eigen::Matrix3d::Identity(), {0.3, 0, 0}}},
+                                     {1, Sphere{0.1}, {Eigen::Matrix3d::Identity(), {0.3, 0, 0}}}});
+  CycleBuffers buffers_ = makeBuffers(setup_, BroadPhaseKind::brute_force);
+  LinkPoses poses_ = knownPoses(setup_);
+};
+
+TEST_F(FindReachesTest, nothingMoves_orAllMovesAlike) {
+  EXPECT_NEAR(reach(), 0.2, 1e-12);
+  twist(0) = twist(1) = {{3.0, 0, 0}, {0, 0, 1.0}};
+  EXPECT_NEAR(reach(), 0.2, 1e-12);
+}
+
+TEST_F(FindReachesTest, oneMovesOrTurns_howFarItGetsWithinTheHorizon) {
+  twist(1).linear.y() = 2.0;
+  EXPECT_NEAR(reach(), 0.015 + 1.0, 1e-9);
+  // 2 rad/s: the ball's centre goes at 0.6 m/s, its surface 0.2 m/s faster.
+  twist(1) = {Eigen::Vector3d::Zero(), {0, 0, 2.0}};
+  EXPECT_NEAR(reach(), 0.015 + 0.4, 1e-9);
+}
+
+TEST_F(FindReachesTest, velocityNotKnownOrNotFinite_noBound) {
+  twist(0).angular.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(reach(), kInfinity);
+  twist(0).angular.x() = 0.0;
+  poses_.velocities.known[1] = 0;
+  EXPECT_EQ(reach(), kInfinity);
+}
+
+TEST_F(FindReachesTest, continuous_theWaySinceTheLastCycleCounts) {
+  setup_.is_continuous = true;
+  poses_.stamp_ns = 1000000000;
+  EXPECT_NEAR(reach(), 0.2, 1e-12);
+  poses_.world_from_link[0].translation.x() = 0.25;
+  poses_.world_from_link[1].translation.z() = 1.5;
+  poses_.stamp_ns += 10000000;
+  EXPECT_NEAR(reach(), 0.25 + 1.5, 1e-9);
 }
 
 TEST(CullCandidates, metOnTheWay_stays) {
