@@ -120,9 +120,8 @@ void benchScene(const std::string& name, const Scene& scene) {
 
   const ContactDistances limits = contactDistancesOf(scene.setup);
   const double any = perState([&](std::size_t i) {
-    placeBodies(scene.setup, scene.poses[i], body_poses);
     FoundContact found;
-    findContact(scene.setup.blocks, body_poses.rows, limits, found);
+    findContact(scene.setup, scene.poses[i], limits, body_poses.rows, found);
     benchmark::DoNotOptimize(found);
   });
   print(name, "one_state_contact", any, fcl_any);

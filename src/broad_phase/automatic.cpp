@@ -8,6 +8,7 @@ namespace {
 // Measured: docs/decisions/broad-phase.md.
 constexpr std::size_t kVeryFewBodies = 40;
 constexpr std::size_t kFewBodies = 600;
+constexpr std::size_t kFewBodiesOfTable = 200;
 constexpr std::size_t kMuchWork = 250;  ///< rows seen for each body
 constexpr std::size_t kManyPairs = 4;   ///< for each body
 
@@ -53,6 +54,15 @@ void Automatic::findMeetings(const std::vector<SmallBox>& boxes,
     way_ = Way::neighbour_list;
     calls_ = 0;
   }
+}
+
+bool Automatic::markPairs(const std::vector<SmallBox>& boxes, const PairTable& table,
+                          std::vector<std::uint64_t>& marks) noexcept {
+  const bool are_few = boxes.size() <= kFewBodiesOfTable;
+  if (are_few) {
+    brute_force_.markPairs(boxes, table, marks);
+  }
+  return are_few;
 }
 
 }  // namespace collision_monitor

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "broad_phase/row_pointers.h"
+#include "collision_monitor/broad_phase/pair_table.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "broad_phase/box_rows.cpp"
@@ -75,6 +76,37 @@ HWY_INLINE void sweepRow(const RowPointers& rows, std::size_t row, std::size_t a
   paired.seen += other - row - 1;
 }
 
+/// Of one row; returns how many ids it wrote.
+HWY_INLINE std::size_t pairRowOfTable(const RowPointers& rows, std::size_t row, std::size_t last,
+                                      const std::uint32_t* ids, std::uint32_t* found) {
+  const hn::Rebind<std::uint32_t, Lanes> integers;
+  std::size_t count = 0;
+  for (std::size_t other = row + 1; other < last; other += hn::Lanes(Lanes())) {
+    const auto meet =
+        hn::And(hn::And(meetOnAxis(rows, row, other, 0), meetOnAxis(rows, row, other, 1)),
+                meetOnAxis(rows, row, other, 2));
+    const auto id = hn::LoadU(integers, ids + row * last + other);
+    const auto is_pair =
+        hn::And(hn::RebindMask(integers, meet), hn::Ne(id, hn::Set(integers, kNoPair)));
+    // Not CompressStore, which some processors take very long for.
+    hn::StoreU(hn::Compress(id, is_pair), integers, found + count);
+    count += hn::CountTrue(integers, is_pair);
+  }
+  return count;
+}
+
+PairedRows pairAllOfTable(const RowPointers& rows, const RowSpan& span, const std::uint32_t* ids,
+                          std::uint32_t* found, std::size_t room) {
+  PairedRows paired;
+  std::size_t row = span.first;
+  for (; row < span.last && paired.count + (span.last - row) + kRowPadding <= room; ++row) {
+    paired.count += pairRowOfTable(rows, row, span.last, ids, found + paired.count);
+    paired.seen += span.last - row - 1;
+  }
+  paired.next = row;
+  return paired;
+}
+
 PairedRows pairAll(const RowPointers& rows, const RowSpan& span, RowPair* hits, std::size_t room) {
   PairedRows paired;
   std::size_t row = span.first;
@@ -106,6 +138,7 @@ namespace {
 
 HWY_EXPORT(pairAll);
 HWY_EXPORT(sweepSorted);
+HWY_EXPORT(pairAllOfTable);
 
 RowPointers pointersTo(const BoxRows& rows) noexcept {
   return {{rows.min[0].data(), rows.min[1].data(), rows.min[2].data()},
@@ -145,6 +178,12 @@ PairedRows sweepRows(const BoxRows& rows, std::size_t row, std::size_t last, std
                      std::vector<RowPair>& hits) noexcept {
   return HWY_DYNAMIC_DISPATCH(sweepSorted)(pointersTo(rows), {row, last}, axis, hits.data(),
                                            hits.size());
+}
+
+PairedRows pairRowsOfTable(const BoxRows& rows, std::size_t row, std::size_t last,
+                           const std::uint32_t* ids, std::vector<std::uint32_t>& found) noexcept {
+  return HWY_DYNAMIC_DISPATCH(pairAllOfTable)(pointersTo(rows), {row, last}, ids, found.data(),
+                                              found.size());
 }
 
 }  // namespace collision_monitor

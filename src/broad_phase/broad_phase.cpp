@@ -37,10 +37,34 @@ Method makeMethod(BroadPhaseKind kind, std::size_t body_count) {
   return Automatic(body_count);
 }
 
-void fillMeetings(BroadPhase& broad_phase, const BodyBounds& bounds) noexcept {
-  fillSmallBoxes(bounds, broad_phase.boxes);
+/// @pre the boxes are filled.
+void fillMeetings(BroadPhase& broad_phase) noexcept {
   visitHeld([&](auto& method) { method.findMeetings(broad_phase.boxes, broad_phase.meetings); },
             broad_phase.method);
+}
+
+/// Where looking at every pair of the table is the quickest way, or the one that was asked for.
+/// @return false for all other ways.
+bool markPairs(BroadPhase& broad_phase, const PairTable& table) noexcept {
+  if (table.idsOfAll() == nullptr) {
+    return false;
+  }
+  if (auto* brute_force = std::get_if<BruteForce>(&broad_phase.method)) {
+    brute_force->markPairs(broad_phase.boxes, table, broad_phase.marks);
+    return true;
+  }
+  auto* automatic = std::get_if<Automatic>(&broad_phase.method);
+  return automatic != nullptr && automatic->markPairs(broad_phase.boxes, table, broad_phase.marks);
+}
+
+void markMeetings(BroadPhase& broad_phase, const PairTable& table) noexcept {
+  fillMeetings(broad_phase);
+  for (const PairKey meeting : broad_phase.meetings) {
+    PairId pair{};
+    if (table.find(BodyId{lowerBody(meeting)}, BodyId{upperBody(meeting)}, pair)) {
+      broad_phase.marks[index(pair) / 64] |= std::uint64_t{1} << (index(pair) % 64);
+    }
+  }
 }
 
 }  // namespace
@@ -56,7 +80,8 @@ BroadPhase makeBroadPhase(BroadPhaseKind kind, std::size_t body_count, std::size
 
 void findMeetings(BroadPhase& broad_phase, const BodyBounds& bounds,
                   std::vector<BodyPair>& meetings) noexcept {
-  fillMeetings(broad_phase, bounds);
+  fillSmallBoxes(bounds, broad_phase.boxes);
+  fillMeetings(broad_phase);
   sortPairs(bounds.boxes.size(), broad_phase.meetings, broad_phase.scratch);
   meetings.resize(broad_phase.meetings.size());
   for (std::size_t i = 0; i < meetings.size(); ++i) {
@@ -68,12 +93,9 @@ void findMeetings(BroadPhase& broad_phase, const BodyBounds& bounds,
 /// Marks are read from the first to the last, which sorts them.
 void findCandidates(BroadPhase& broad_phase, const BodyBounds& bounds, const PairTable& table,
                     std::vector<PairId>& candidates) noexcept {
-  fillMeetings(broad_phase, bounds);
-  for (const PairKey meeting : broad_phase.meetings) {
-    PairId pair{};
-    if (table.find(BodyId{lowerBody(meeting)}, BodyId{upperBody(meeting)}, pair)) {
-      broad_phase.marks[index(pair) / 64] |= std::uint64_t{1} << (index(pair) % 64);
-    }
+  fillSmallBoxes(bounds, broad_phase.boxes);
+  if (!markPairs(broad_phase, table)) {
+    markMeetings(broad_phase, table);
   }
   candidates.clear();
   for (std::size_t word = 0; word < broad_phase.marks.size(); ++word) {

@@ -10,7 +10,6 @@ namespace collision_monitor {
 namespace {
 
 constexpr std::size_t kMostDenseBodies = 1000;
-constexpr PairId kNoPair{0xffffffffU};
 
 }  // namespace
 
@@ -34,9 +33,9 @@ PairTable::PairTable(std::vector<BodyPair> pairs, std::size_t body_count)
               [](const Partner& one, const Partner& other) { return one.body < other.body; });
   }
   if (body_count <= kMostDenseBodies) {
-    dense_.resize(body_count * body_count, kNoPair);
+    dense_.resize(body_count * body_count + kRowPadding, kNoPair);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      dense_[index(pairs_[i].a) * body_count + index(pairs_[i].b)] = idAt<PairId>(i);
+      dense_[index(pairs_[i].a) * body_count + index(pairs_[i].b)] = static_cast<std::uint32_t>(i);
     }
   }
 }
@@ -45,8 +44,8 @@ bool PairTable::find(BodyId one, BodyId other, PairId& id) const noexcept {
   const BodyId a = std::min(one, other);
   const BodyId b = std::max(one, other);
   if (!dense_.empty()) {
-    const PairId found = dense_[index(a) * body_count_ + index(b)];
-    id = found != kNoPair ? found : id;
+    const std::uint32_t found = dense_[index(a) * body_count_ + index(b)];
+    id = found != kNoPair ? PairId{found} : id;
     return found != kNoPair;
   }
   const auto last = partners_.begin() + first_partner_[index(a) + 1];

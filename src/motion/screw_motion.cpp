@@ -11,11 +11,31 @@ namespace {
 /// Angles below this [rad] are taken from series: the next terms are beyond double precision.
 constexpr double kSmallAngle = 1e-4;
 
+/// Below this [rad or its sine] inverse functions are: the next terms are beyond double precision.
+constexpr double kModestAngle = 0.02;
+
 /// What poses that were turned alike differ by [rad], but for rounding.
 constexpr double kNoTurn = 1e-15;
 
+/// asin(x) / x of a small x.
+double arcSineShare(double x_squared) noexcept {
+  return 1.0 + x_squared * (1.0 / 6.0 +
+                            x_squared * (3.0 / 40.0 +
+                                         x_squared * (5.0 / 112.0 + x_squared * (35.0 / 1152.0))));
+}
+
 Eigen::Vector3d turnBetween(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end) noexcept {
-  Eigen::Quaterniond turn(end * start.transpose());
+  const Eigen::Matrix3d between = end * start.transpose();
+  // Along the axis, as long as the sine of the angle.
+  const Eigen::Vector3d across(0.5 * (between(2, 1) - between(1, 2)),
+                               0.5 * (between(0, 2) - between(2, 0)),
+                               0.5 * (between(1, 0) - between(0, 1)));
+  const double square = across.squaredNorm();
+  if (square < kModestAngle * kModestAngle && between.trace() > 1.0) {
+    return square > kNoTurn * kNoTurn ? Eigen::Vector3d(arcSineShare(square) * across)
+                                      : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  }
+  Eigen::Quaterniond turn(between);
   if (turn.w() < 0.0) {
     turn.coeffs() = -turn.coeffs();
   }
@@ -50,8 +70,9 @@ Eigen::Vector3d shiftOf(const Eigen::Vector3d& turn, const Eigen::Vector3d& velo
 Eigen::Vector3d velocityOf(const Eigen::Vector3d& turn, const Eigen::Vector3d& shift) noexcept {
   const double angle = turn.norm();
   const double square = angle * angle;
-  const double factor = angle < kSmallAngle ? 1.0 / 12.0 + square / 720.0
-                                            : (1.0 - 0.5 * angle / std::tan(0.5 * angle)) / square;
+  const double factor = angle < kModestAngle
+                            ? 1.0 / 12.0 + square * (1.0 / 720.0 + square / 30240.0)
+                            : (1.0 - 0.5 * angle / std::tan(0.5 * angle)) / square;
   const Eigen::Vector3d across = turn.cross(shift);
   return shift - 0.5 * across + factor * turn.cross(across);
 }

@@ -116,13 +116,19 @@ void finishRows(CoreKind a, CoreKind b, std::size_t count, PairRows& rows) noexc
   }
 }
 
-SignedDistance readAnswer(const PairRows& rows, std::size_t row) noexcept {
+void readAnswer(const PairRows& rows, std::size_t row, bool is_swapped,
+                SignedDistance& measured) noexcept {
   const auto& at = rows.answers.at;
-  const auto vector = [&](std::size_t c) {
-    return Eigen::Vector3d(at[c][row], at[c + 1][row], at[c + 2][row]);
-  };
-  return {at[answer::distance][row], vector(answer::point_on_a), vector(answer::point_on_b),
-          vector(answer::normal)};
+  const std::size_t first = is_swapped ? answer::point_on_b : answer::point_on_a;
+  const std::size_t second = is_swapped ? answer::point_on_a : answer::point_on_b;
+  measured.distance = at[answer::distance][row];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    const double normal = at[answer::normal + k][row];
+    measured.point_on_a[i] = at[first + k][row];
+    measured.point_on_b[i] = at[second + k][row];
+    measured.normal_a_to_b[i] = is_swapped ? -normal : normal;
+  }
 }
 
 }  // namespace collision_monitor

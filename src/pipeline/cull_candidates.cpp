@@ -62,8 +62,7 @@ void cullCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   if (buffers.culls_by_boxes) {
     keepUnless([&](PairId id) { return orientedBoxesPart(pairOf(id)); }, candidates);
   }
-  buffers.counters.culled_by_boxes =
-      found - buffers.counters.culled_by_spheres - candidates.size();
+  buffers.counters.culled_by_boxes = found - buffers.counters.culled_by_spheres - candidates.size();
 }
 
 }  // namespace collision_monitor

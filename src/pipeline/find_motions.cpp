@@ -84,8 +84,16 @@ void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPose
 
 void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const SweepWork& work,
                  double reach, BodyBounds& bounds) noexcept {
+  constexpr double kShort = 0.1;  // of the reach: where a body went hardly matters
   for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
-    if (bounds.known[i] != 0 && work.body_reach[i] > 0.0) {
+    const double way = work.body_reach[i];
+    if (bounds.known[i] == 0 || !(way > 0.0)) {
+      continue;
+    }
+    if (way <= kShort * reach) {
+      bounds.boxes[i].min.array() -= way;
+      bounds.boxes[i].max.array() += way;
+    } else {
       const Body& body = setup.bodies[i];
       const ScrewMotion motion =
           carriedBy(work.link_motions[index(body.link)], body.link_from_body);

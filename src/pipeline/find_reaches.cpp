@@ -15,6 +15,11 @@ double wayOf(const ScrewMotion& motion, const Ball& ball) noexcept {
   return velocityAt(motion, ball.center).norm() + motion.turn.norm() * ball.radius;
 }
 
+/// As norm(), which would stall on reading back as vectors what was just written.
+double lengthOf(const Eigen::Vector3d& v) noexcept {
+  return std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z());
+}
+
 }  // namespace
 
 PairReaches makePairReaches(const CycleSetup& setup) {
@@ -40,17 +45,16 @@ void findReaches(const CycleSetup& setup, const LinkPoses& poses, const SweepWor
     const std::size_t a = index(pair.a);
     const std::size_t b = index(pair.b);
     const Twist twist = velocities.of_link[b] - velocities.of_link[a];
-    const double speed = velocityAt(twist, reaches.centers[b]).norm() +
-                         twist.angular.norm() * reaches.link_balls[b].radius;
+    const double speed = lengthOf(velocityAt(twist, reaches.centers[b])) +
+                         lengthOf(twist.angular) * reaches.link_balls[b].radius;
     const double contact = pair.limits.contact_distance;
     const double asked =
         std::max(contact, setup.ahead.stop.stop_distance + pair.limits.hysteresis) +
         speed * setup.ahead.horizon;
     const bool is_known = velocities.known[a] != 0 && velocities.known[b] != 0;
-    reaches.of_pair[i] =
-        is_known && std::isfinite(asked)
-            ? std::max({reach, asked, contact + reaches.ways[a] + reaches.ways[b]})
-            : std::numeric_limits<double>::infinity();
+    reaches.of_pair[i] = is_known && std::isfinite(asked)
+                             ? std::max({reach, asked, contact + reaches.ways[a] + reaches.ways[b]})
+                             : std::numeric_limits<double>::infinity();
   }
 }
 

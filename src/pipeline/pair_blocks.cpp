@@ -28,11 +28,35 @@ void extendRanges(CoreKind one, CoreKind row, PairBlocks& blocks) {
   ++blocks.ranges.back().last;
 }
 
+/// Lists the bodies of the last block that no block before it needs.
+void addArrivals(const std::vector<BodyId>& body_of, std::vector<unsigned char>& has_arrived,
+                 PairBlocks& blocks) {
+  PairBlock& block = blocks.blocks.back();
+  const auto arrive = [&](std::uint32_t slot) {
+    if (has_arrived[slot] == 0) {
+      has_arrived[slot] = 1;
+      blocks.arrivals.push_back(body_of[slot]);
+    }
+  };
+  arrive(block.one);
+  for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
+    if ((block.is_pair >> lane & 1U) != 0) {
+      arrive(block.first + lane);
+    }
+  }
+  block.arrived = static_cast<std::uint32_t>(blocks.arrivals.size());
+}
+
 }  // namespace
 
 PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores) {
   PairBlocks blocks;
   blocks.slot_of = slotsByKind(cores);
+  std::vector<BodyId> body_of(cores.size());
+  for (std::size_t i = 0; i < cores.size(); ++i) {
+    body_of[blocks.slot_of[i]] = idAt<BodyId>(i);
+  }
+  std::vector<unsigned char> has_arrived(cores.size(), 0);
   // Pairs stand ordered by kinds, then by body a, then by body b: those of a block in a row.
   for (std::size_t i = 0; i < table.size(); ++i) {
     const BodyPair& pair = table.pairs()[i];
@@ -46,10 +70,11 @@ PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores) {
                         other >= blocks.blocks.back().first + kBlockLanes;
     if (is_new) {
       extendRanges(kind_one, kind_row, blocks);
-      blocks.blocks.push_back({one, other, 0, static_cast<std::uint32_t>(i)});
+      blocks.blocks.push_back({one, other, 0, static_cast<std::uint32_t>(i), 0});
     }
     PairBlock& block = blocks.blocks.back();
     block.is_pair |= 1U << (other - block.first);
+    addArrivals(body_of, has_arrived, blocks);
   }
   return blocks;
 }

@@ -1,20 +1,63 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 
 #include "collision_monitor/geometry/bounds.h"
 #include "collision_monitor/pipeline/run_cycle.h"
+#include "pipeline/late_bodies.h"
 
 namespace collision_monitor {
 namespace {
 
-/// world_from_link * link_from_part. Written where it is to stand: the copy of a pose that was just
-/// written number by number stalls the processor for longer than the product takes.
+/// rotation * v
+std::array<double, 3> turned(const Eigen::Matrix3d& rotation, const double* v) noexcept {
+  const double* r = rotation.data();
+  return {r[0] * v[0] + r[3] * v[1] + r[6] * v[2], r[1] * v[0] + r[4] * v[1] + r[7] * v[2],
+          r[2] * v[0] + r[5] * v[1] + r[8] * v[2]};
+}
+
+/// pose * point
+std::array<double, 3> moved(const Pose& pose, const double* point) noexcept {
+  const std::array<double, 3> there = turned(pose.rotation, point);
+  const double* t = pose.translation.data();
+  return {there[0] + t[0], there[1] + t[1], there[2] + t[2]};
+}
+
+/// world_from_link * link_from_part. Number by number, and written where it is to stand: the copy
+/// of a pose that was just written so stalls the processor for longer than the product takes.
 void place(const Pose& world_from_link, const Pose& link_from_part,
            Pose& world_from_part) noexcept {
-  world_from_part.rotation.noalias() = world_from_link.rotation * link_from_part.rotation;
-  world_from_part.translation.noalias() = world_from_link.rotation * link_from_part.translation;
-  world_from_part.translation += world_from_link.translation;
+  for (std::size_t axis = 0; axis < 9; axis += 3) {
+    const auto column = turned(world_from_link.rotation, link_from_part.rotation.data() + axis);
+    std::copy(column.begin(), column.end(), world_from_part.rotation.data() + axis);
+  }
+  const auto translation = moved(world_from_link, link_from_part.translation.data());
+  std::copy(translation.begin(), translation.end(), world_from_part.translation.data());
+}
+
+/// Checked here as well as at the edge: a NaN that slips through must read as unknown.
+bool isKnown(const LinkPoses& poses, std::size_t link) noexcept {
+  return poses.status[link] == LinkStatus::known && isRigid(poses.world_from_link[link]);
+}
+
+/// As place and writeBody, to the last bit, without the pose.
+void placeInRows(CoreKind kind, const Pose& world_from_link, const Pose& link_from_body,
+                 std::size_t slot, BodyRows& rows) noexcept {
+  const auto write = [&](const std::array<double, 3>& v, std::size_t c) {
+    rows.at(c)[slot] = v[0];
+    rows.at(c + 1)[slot] = v[1];
+    rows.at(c + 2)[slot] = v[2];
+  };
+  const double* axes = link_from_body.rotation.data();
+  write(moved(world_from_link, link_from_body.translation.data()), column::center);
+  if (kind != CoreKind::point) {
+    write(turned(world_from_link.rotation, axes + 6), column::axis_z);
+  }
+  if (kind == CoreKind::box) {
+    write(turned(world_from_link.rotation, axes), column::axis_x);
+    write(turned(world_from_link.rotation, axes + 3), column::axis_y);
+  }
 }
 
 }  // namespace
@@ -36,9 +79,7 @@ void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& bod
     const std::size_t link = index(bodies[i].link);
     const Pose& world_from_link = poses.world_from_link[link];
     if (i == 0 || bodies[i - 1].link != bodies[i].link) {
-      // Checked here as well as at the edge: a NaN that slips through must read as unknown.
-      const bool known = poses.status[link] == LinkStatus::known && isRigid(world_from_link);
-      body_poses.link_known[link] = known ? 1 : 0;
+      body_poses.link_known[link] = isKnown(poses, link) ? 1 : 0;
     }
     const std::size_t slot = setup.blocks.slot_of[i];
     body_poses.known[i] = body_poses.link_known[link];
@@ -48,6 +89,20 @@ void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& bod
     }
     place(world_from_link, bodies[i].link_from_body, body_poses.world_from_body[i]);
     writeBody(setup.cores[i].kind, body_poses.world_from_body[i], slot, body_poses.rows);
+  }
+}
+
+void placeArrivals(std::uint32_t count, LateBodies& late) noexcept {
+  for (; late.placed < count; ++late.placed) {
+    const std::size_t i = index(late.setup.blocks.arrivals[late.placed]);
+    const Body& body = late.setup.bodies[i];
+    const std::size_t slot = late.setup.blocks.slot_of[i];
+    if (isKnown(late.poses, index(body.link))) {
+      placeInRows(late.setup.cores[i].kind, late.poses.world_from_link[index(body.link)],
+                  body.link_from_body, slot, late.rows);
+    } else {
+      loseBody(slot, late.rows);
+    }
   }
 }
 

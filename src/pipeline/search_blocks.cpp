@@ -7,11 +7,11 @@
 // The order matters: Highway first includes this file once for each target.
 #include <utility>
 
-#include "collision_monitor/pipeline/pair_blocks.h"
 #include "narrow_phase/lanes_box_box-inl.h"
 #include "narrow_phase/lanes_points-inl.h"
 #include "narrow_phase/lanes_segment_box-inl.h"
 #include "narrow_phase/plain_twin.h"
+#include "pipeline/late_bodies.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
@@ -115,6 +115,8 @@ HWY_INLINE void forLanes(const BlockPart& part, std::uint32_t which, Number dist
 struct MeasureAll {
   std::vector<double>& distances;
 
+  static void begin(const PairBlock&) {}
+
   template <class CoreOne, class CoreRow>
   HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
     const Number distance = measurePart<CoreOne, CoreRow>(rows, part, part.is_pair);
@@ -135,6 +137,8 @@ struct MeasureAll {
 struct FindNearest {
   const PassedPairs& passed;
   NearestPair& best;
+
+  static void begin(const PairBlock&) {}
 
   template <class CoreOne, class CoreRow>
   HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
@@ -157,6 +161,13 @@ struct FindNearest {
 struct FindContact {
   const ContactDistances& limits;
   FoundContact& found;
+  LateBodies* late;  ///< null: all bodies are placed
+
+  HWY_INLINE void begin(const PairBlock& block) const {
+    if (late != nullptr && late->placed < block.arrived) {
+      placeArrivals(block.arrived, *late);
+    }
+  }
 
   template <class CoreOne, class CoreRow>
   HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
@@ -192,6 +203,7 @@ bool visitRange(const PairBlocks& blocks, const BlockRange& range, const BodyRow
                 const Visitor& visitor) {
   for (std::size_t i = range.first; i < range.last; ++i) {
     const PairBlock& block = blocks.blocks[i];
+    visitor.begin(block);
     std::uint32_t pair = block.first_pair;
     for (std::size_t lane = 0; lane < kBlockLanes; lane += kLanes) {
       const std::uint32_t is_pair = (block.is_pair >> lane) & ((1U << kLanes) - 1U);
@@ -238,8 +250,8 @@ void searchInLanes(const PairBlocks& blocks, const BodyRows& rows, const PassedP
 }
 
 void findContactInLanes(const PairBlocks& blocks, const BodyRows& rows,
-                        const ContactDistances& limits, FoundContact& found) {
-  visitBlocks(blocks, rows, FindContact{limits, found});
+                        const ContactDistances& limits, LateBodies* late, FoundContact& found) {
+  visitBlocks(blocks, rows, FindContact{limits, found, late});
 }
 
 // NOLINTNEXTLINE(google-readability-namespace-comments)
@@ -267,7 +279,13 @@ void searchBlocks(const PairBlocks& blocks, const BodyRows& rows, const PassedPa
 
 void findContact(const PairBlocks& blocks, const BodyRows& rows, const ContactDistances& limits,
                  FoundContact& found) noexcept {
-  HWY_DYNAMIC_DISPATCH(findContactInLanes)(blocks, rows, limits, found);
+  HWY_DYNAMIC_DISPATCH(findContactInLanes)(blocks, rows, limits, nullptr, found);
+}
+
+void findContact(const CycleSetup& setup, const LinkPoses& poses, const ContactDistances& limits,
+                 BodyRows& rows, FoundContact& found) noexcept {
+  LateBodies late{setup, poses, rows, 0};
+  HWY_DYNAMIC_DISPATCH(findContactInLanes)(setup.blocks, rows, limits, &late, found);
 }
 
 }  // namespace collision_monitor

@@ -21,6 +21,11 @@ class Automatic {
   /// Every pair of boxes that meet, sorted.
   void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
 
+  /// As BruteForce::markPairs, for so few bodies that nothing is quicker.
+  /// @return false when they are more.
+  bool markPairs(const std::vector<SmallBox>& boxes, const PairTable& table,
+                 std::vector<std::uint64_t>& marks) noexcept;
+
  private:
   enum class Way : unsigned char { neighbour_list, brute_force, sweep_and_prune };
 

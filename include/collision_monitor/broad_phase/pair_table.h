@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "collision_monitor/broad_phase/box_rows.h"
 #include "collision_monitor/geometry/ids.h"
 
 namespace collision_monitor {
@@ -14,6 +15,9 @@ struct BodyPair {
   BodyId a{};
   BodyId b{};
 };
+
+/// No PairId.
+constexpr std::uint32_t kNoPair = 0xffffffffU;
 
 /// The fixed list of pairs that may touch, in the order given, and the way back from two
 /// bodies to their pair. Built at set-up, read-only after.
@@ -32,6 +36,11 @@ class PairTable {
   /// @return false when they may not touch; `id` is then left alone.
   bool find(BodyId one, BodyId other, PairId& id) const noexcept;
 
+  /// The pairs of body a with every body b, by a * bodyCount() + b: an id, or kNoPair where there
+  /// is none or b < a. Behind the last stands kRowPadding times kNoPair. Null for more than a
+  /// robot's bodies.
+  const std::uint32_t* idsOfAll() const noexcept { return dense_.empty() ? nullptr : &dense_[0]; }
+
  private:
   struct Partner {
     BodyId body;
@@ -40,9 +49,9 @@ class PairTable {
 
   std::vector<BodyPair> pairs_;
   std::vector<std::uint32_t>
-      first_partner_;              ///< by body a: where its partners start; one more at the end
-  std::vector<Partner> partners_;  ///< grouped by body a, sorted by body b
-  std::vector<PairId> dense_;  ///< by a and b, for as many bodies as a robot has; empty for more
+      first_partner_;                 ///< by body a: where its partners start; one more at the end
+  std::vector<Partner> partners_;     ///< grouped by body a, sorted by body b
+  std::vector<std::uint32_t> dense_;  ///< as idsOfAll; empty for more bodies than a robot's
   std::size_t body_count_{0};
 };
 

@@ -31,7 +31,12 @@ inline Twist operator*(double factor, const Twist& twist) noexcept {
 
 /// Velocity of the body's point at `point`.
 inline Eigen::Vector3d velocityAt(const Twist& twist, const Eigen::Vector3d& point) noexcept {
-  return twist.linear + twist.angular.cross(point);
+  // Plain numbers: Eigen would write the product down and stall on reading it back as vectors.
+  const Eigen::Vector3d& v = twist.linear;
+  const Eigen::Vector3d& w = twist.angular;
+  return {v.x() + (w.y() * point.z() - w.z() * point.y()),
+          v.y() + (w.z() * point.x() - w.x() * point.z()),
+          v.z() + (w.x() * point.y() - w.y() * point.x())};
 }
 
 /// The twist of a body that turns with `angular` while its point at `point` moves with

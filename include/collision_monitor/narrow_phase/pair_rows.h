@@ -84,6 +84,8 @@ void writeRow(const Core& core, const Pose& world_from_body, std::size_t row,
 /// @pre a <= b in the order of CoreKind; count <= kRowCount.
 void measureRows(CoreKind a, CoreKind b, std::size_t count, PairRows& rows) noexcept;
 
-SignedDistance readAnswer(const PairRows& rows, std::size_t row) noexcept;
+/// Of A with B, or the other way round.
+void readAnswer(const PairRows& rows, std::size_t row, bool is_swapped,
+                SignedDistance& measured) noexcept;
 
 }  // namespace collision_monitor

@@ -127,7 +127,7 @@ struct PairEvents {
 struct CycleCounters {
   std::size_t pairs{0};              ///< pairs of bodies in the table
   std::size_t candidates{0};         ///< of these, their bounds met
-  std::size_t culled_by_spheres{0};  ///< of these, bounding spheres parted: combination only
+  std::size_t culled_by_spheres{0};  ///< of these, too far apart by their bounding spheres
   std::size_t culled_by_boxes{0};    ///< of the rest, oriented boxes parted: combination only
   std::size_t measured{0};  ///< of these, measured; with those the search for the closest asked for
   std::size_t refined{0};   ///< pairs of elements that were measured to the end

@@ -23,6 +23,7 @@ struct PairBlock {
   std::uint32_t first{0};
   std::uint32_t is_pair{0};     ///< bit by lane
   std::uint32_t first_pair{0};  ///< PairId of the lowest bit, from which the others count on
+  std::uint32_t arrived{0};     ///< bodies that this block and those before it need
 };
 
 /// Blocks [first, last) join a body of kind `one` with bodies of kind `row`.
@@ -38,6 +39,7 @@ struct PairBlocks {
   std::vector<std::uint32_t> slot_of;  ///< by BodyId: ordered by kind, then by id
   std::vector<PairBlock> blocks;
   std::vector<BlockRange> ranges;
+  std::vector<BodyId> arrivals;  ///< bodies that stand in pairs, as the blocks come to need them
 };
 
 PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores);
@@ -117,6 +119,7 @@ struct FoundContact {
 
 /// Whether any pair is in contact. Ends at the first block of pairs that has one; bounding spheres
 /// spare most of the measuring.
+/// @pre the bodies are placed in `rows`.
 void findContact(const PairBlocks& blocks, const BodyRows& rows, const ContactDistances& limits,
                  FoundContact& found) noexcept;
 

@@ -55,6 +55,11 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
 
 void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept;
 
+/// Whether any pair is in contact when the links are in these poses: as placeBodies and then
+/// findContact of pair_blocks.h, but bodies are placed in `rows` only as the search comes to them.
+void findContact(const CycleSetup& setup, const LinkPoses& poses, const ContactDistances& limits,
+                 BodyRows& rows, FoundContact& found) noexcept;
+
 /// What stands behind the bodies, for stages that refine.
 /// @pre the bodies are placed.
 void placeElements(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept;

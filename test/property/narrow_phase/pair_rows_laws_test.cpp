@@ -57,9 +57,11 @@ void expectAgreement(const std::vector<ShapePair>& pairs) {
     const OnlyInstructionSet only(target);
     auto rows = rowsOf(pairs);
     for (std::size_t row = 0; row < pairs.size(); ++row) {
-      const SignedDistance found = readAnswer(*rows, row);
+      SignedDistance found;
+      readAnswer(*rows, row, false, found);
       if (first) {
-        const SignedDistance expected = readAnswer(*first, row);
+        SignedDistance expected;
+        readAnswer(*first, row, false, expected);
         ASSERT_EQ(std::memcmp(&found, &expected, sizeof found), 0) << describe(pairs[row]);
       } else {
         expectAsPlain(pairs[row], found);

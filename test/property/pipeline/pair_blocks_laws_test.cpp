@@ -24,6 +24,7 @@ TEST(PairBlocksLaws, distancesAndNearestPairAreThoseOfThePlainTwin_onEveryInstru
     const LinkPoses poses = randomLinkPoses(setup, round % 2 == 0 ? 0.4 : 4.0, kSeed + round);
     BodyPoses body_poses = makeBodyPoses(setup);
     placeBodies(setup, poses, body_poses);
+    BodyRows late_rows = makeBodyPoses(setup).rows;
     std::vector<double> first;
     for (const std::int64_t target : instructionSets()) {
       SCOPED_TRACE(hwy::TargetName(target));
@@ -48,6 +49,11 @@ TEST(PairBlocksLaws, distancesAndNearestPairAreThoseOfThePlainTwin_onEveryInstru
       ASSERT_EQ(found.contact.distance,
                 touching == distances.end() ? std::numeric_limits<double>::infinity() : *touching);
       contacts += touching == distances.end() ? 0 : 1;
+      FoundContact late;
+      findContact(setup, poses, contactDistancesOf(setup), late_rows, late);
+      ASSERT_EQ(late.contact.pair, found.contact.pair);
+      ASSERT_EQ(late.contact.distance, found.contact.distance);
+      ASSERT_EQ(late.has_unknown, found.has_unknown);
     }
     for (std::size_t i = 0; i < setup.table.size(); ++i) {
       const std::size_t a = index(setup.table.pairs()[i].a);

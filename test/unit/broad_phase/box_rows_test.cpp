@@ -6,6 +6,8 @@
 
 #include <limits>
 
+#include "collision_monitor/broad_phase/pair_table.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -35,6 +37,34 @@ TEST(BoxRows, rowsThatMeetComeInOrder) {
         EXPECT_EQ(hits[i - 1].other, i);
       }
     }
+  }
+}
+
+/// Cubes meet the two behind them; the table holds every pair of a cube with an even number, its
+/// id 10 times the lower and the upper one.
+TEST(BoxRows, ofATable_idsOfPairsThatMeet) {
+  for (const std::size_t count : {2U, 5U, 16U, 17U, 18U, 40U}) {
+    const BoxRows rows = cubesAlongX(count);
+    std::vector<std::uint32_t> ids(count * count + kRowPadding, kNoPair);
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t a = 0; a < count; a += 2) {
+      for (std::uint32_t b = a + 1; b < count; ++b) {
+        ids[a * count + b] = 10 * a + b;
+        if (b <= a + 2) {
+          expected.push_back(10 * a + b);
+        }
+      }
+    }
+    std::vector<std::uint32_t> found;
+    std::vector<std::uint32_t> room(count + kRowPadding);  // as little as may be
+    for (std::size_t row = 0; row < count;) {
+      const PairedRows paired = pairRowsOfTable(rows, row, count, ids.data(), room);
+      ASSERT_GT(paired.next, row);
+      row = paired.next;
+      found.insert(found.end(), room.begin(),
+                   room.begin() + static_cast<std::ptrdiff_t>(paired.count));
+    }
+    EXPECT_EQ(found, expected);
   }
 }
 

@@ -58,6 +58,17 @@ TEST(ScrewMotion, halfTurn_isOneOfBothAndArrives) {
   EXPECT_NEAR(std::abs(poseAt(motion, 0.5).translation.y()), 1.0, kExact);
 }
 
+TEST(ScrewMotion, smallTurns_asExactOnBothSidesOfTheSeries) {
+  for (const double angle : {1e-9, 1e-3, 0.019, 0.0199, 0.0201, 0.021, 0.1}) {
+    // On a circle of radius 2 about (2, 0): the origin starts along -y.
+    const double x = 2.0 * 2.0 * std::sin(0.5 * angle) * std::sin(0.5 * angle);
+    const ScrewMotion motion =
+        screwBetween(at(0, 0, 0), {aboutZ(angle), {x, -2.0 * std::sin(angle), 0}});
+    EXPECT_NEAR(motion.turn.z(), angle, 1e-15 * (1.0 + angle));
+    expectNear(motion.travel, {0, -2.0 * angle, 0}, "velocity of the origin");
+  }
+}
+
 TEST(ScrewMotion, tinyTurnsAboutAFarAxis_arriveToo) {
   for (const double angle : {1e-3, 1e-4, 0.99e-4, 1e-6, 1e-9, 1e-13}) {
     const Pose end{aboutZ(angle), {0.1, -0.2, 0.3}};

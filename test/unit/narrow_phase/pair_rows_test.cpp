@@ -28,7 +28,9 @@ SignedDistance measureOne(const Shape& a, const Pose& world_from_a, const Shape&
   writeRow(core_a, world_from_a, 1, rows->a);
   writeRow(core_b, world_from_b, 1, rows->b);
   measureRows(core_a.kind, core_b.kind, 2, *rows);
-  return readAnswer(*rows, 1);
+  SignedDistance measured;
+  readAnswer(*rows, 1, false, measured);
+  return measured;
 }
 
 /// A rotation that turns a diagonal of a unit cube upright.

@@ -24,8 +24,8 @@ void rest(LinkPoses& poses) {
   std::fill(poses.velocities.known.begin(), poses.velocities.known.end(), 1);
 }
 
-/// One cycle with a combined run; everything rests, and the reach is 0.2 m. The second link stands at `translation`, and
-/// both are turned by `rotation`.
+/// One cycle with a combined run; everything rests, and the reach is 0.2 m. The second link stands
+/// at `translation`, and both are turned by `rotation`.
 CycleCounters runTwo(const Shape& shape, const Eigen::Vector3d& translation,
                      const Eigen::Matrix3d& rotation) {
   const CycleSetup setup = handMadeSetup({{0, shape}, {1, shape}});

@@ -45,6 +45,28 @@ TEST(MakeBlocks, onePairStandsInOneLane_neighboursShareABlock) {
   EXPECT_EQ(setup.blocks.ranges.size(), 1U);
 }
 
+TEST(MakeBlocks, bodiesArriveBeforeTheBlockThatNeedsThem_eachOnce) {
+  const CycleSetup setup = randomSetup(15, 1);
+  const PairBlocks& blocks = setup.blocks;
+  std::vector<std::size_t> place(setup.bodies.size(), setup.bodies.size());  // by slot
+  for (std::size_t i = 0; i < blocks.arrivals.size(); ++i) {
+    std::size_t& of_body = place[blocks.slot_of[index(blocks.arrivals[i])]];
+    EXPECT_EQ(of_body, setup.bodies.size());
+    of_body = i;
+  }
+  for (const PairBlock& block : blocks.blocks) {
+    EXPECT_LT(place[block.one], block.arrived);
+    for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
+      if ((block.is_pair >> lane & 1U) != 0) {
+        EXPECT_LT(place[block.first + lane], block.arrived);
+      }
+    }
+  }
+  // Every link is checked against every other, so all bodies arrive, but not at once.
+  EXPECT_EQ(blocks.blocks.back().arrived, setup.bodies.size());
+  EXPECT_LE(blocks.blocks.front().arrived, 1 + kBlockLanes);
+}
+
 /// A ball at the origin, a capsule along z from (3, 0, -1) to (3, 0, 1), a cube about (0, 5, 0).
 class BlocksTest : public testing::TestWithParam<std::int64_t> {
  protected:
@@ -70,8 +92,15 @@ class BlocksTest : public testing::TestWithParam<std::int64_t> {
   }
   FoundContact contact(double contact_distance) {
     setup_.checked[setup_.link_pair_of[2]].limits.contact_distance = contact_distance;
+    const ContactDistances limits = contactDistancesOf(setup_);
     FoundContact found;
-    findContact(setup_.blocks, placed(setup_, poses_).rows, contactDistancesOf(setup_), found);
+    findContact(setup_.blocks, placed(setup_, poses_).rows, limits, found);
+    FoundContact late;
+    BodyRows rows = makeBodyPoses(setup_).rows;
+    findContact(setup_, poses_, limits, rows, late);
+    EXPECT_EQ(late.contact.pair, found.contact.pair);
+    EXPECT_EQ(late.contact.distance, found.contact.distance);
+    EXPECT_EQ(late.has_unknown, found.has_unknown);
     return found;
   }
 
