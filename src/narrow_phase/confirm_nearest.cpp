@@ -3,13 +3,92 @@
 #include "narrow_phase/confirm_nearest.h"
 
 #include <array>
+#include <cmath>
 
 #include "narrow_phase/confirm_cylinder.h"
-#include "narrow_phase/extreme_feature.h"
-#include "narrow_phase/gjk.h"
+#include "narrow_phase/confirm_depth.h"
 #include "narrow_phase/simplex.h"
 
 namespace collision_monitor {
+namespace {
+
+constexpr int kMaxSteps = 6;
+
+// The corners that are followed, as many as `warm` has.
+struct Followed {
+  ConvexWarmStart& warm;
+  std::array<Eigen::Vector3d, 4> on_a;
+  std::array<Eigen::Vector3d, 4> differences;
+
+  void place(std::size_t i, const PlacedPair& pair) noexcept {
+    const PlacedCorners placed = collision_monitor::place(warm.ends[i], pair);
+    on_a[i] = placed.on_a;
+    differences[i] = placed.difference;
+  }
+  // Corners ascend, so that none is overwritten before its turn.
+  void keep(const NearestPoint& nearest) noexcept {
+    warm.size = static_cast<std::uint32_t>(nearest.size);
+    for (std::size_t i = 0; i < warm.size; ++i) {
+      const auto from = static_cast<std::size_t>(nearest.corners[i]);
+      if (from != i) {
+        warm.ends[i] = warm.ends[from];
+        on_a[i] = on_a[from];
+        differences[i] = differences[from];
+      }
+    }
+  }
+};
+
+// Steps of GJK without what only a long search needs.
+bool stepToNearest(const PlacedPair& pair, Followed& followed, NearestPoint& nearest,
+                   Eigen::Vector3d& normal) noexcept {
+  for (int step = 0; step < kMaxSteps; ++step) {
+    followed.keep(nearest);
+    const double distance = std::sqrt(nearest.squared);
+    normal = normalOf(nearest);
+    if (!(distance > touchingDistance(pair.size))) {
+      return false;
+    }
+    if (isProven(pair, normal, distance, roundingOf(pair.size))) {
+      return true;
+    }
+    const std::uint32_t newest = followed.warm.size;
+    followed.warm.ends[newest] = supportEnds(pair, normal);
+    followed.place(newest, pair);
+    const NearestPoint next = nearestWith(followed.differences, static_cast<int>(newest));
+    if (!(next.squared < nearest.squared) || normal.dot(followed.differences[newest]) <= 0.0) {
+      return false;
+    }
+    nearest = next;
+  }
+  return false;
+}
+
+bool confirmCorners(const PlacedPair& pair, ConvexWarmStart& warm, SignedDistance& cores) noexcept {
+  Followed followed{warm, {}, {}};
+  for (std::size_t i = 0; i < warm.size; ++i) {
+    followed.place(i, pair);
+  }
+  const int count = static_cast<int>(warm.size);
+  NearestPoint nearest;
+  if (!nearestInside(followed.differences, count, nearest)) {
+    nearest = nearestOfAll(followed.differences, count);
+  }
+  Eigen::Vector3d normal;
+  if (!stepToNearest(pair, followed, nearest, normal)) {
+    return false;
+  }
+  cores.distance = std::sqrt(nearest.squared);
+  cores.normal_a_to_b = normal;
+  cores.point_on_a = pair.a.world_from_core.translation;
+  for (std::size_t i = 0; i < warm.size; ++i) {
+    cores.point_on_a += nearest.weights[i] * followed.on_a[i];
+  }
+  cores.point_on_b = cores.point_on_a + cores.distance * normal;
+  return true;
+}
+
+}  // namespace
 
 bool confirmNearest(const PlacedCore& a, const PlacedCore& b, ConvexWarmStart& warm,
                     SignedDistance& cores) noexcept {
@@ -19,41 +98,9 @@ bool confirmNearest(const PlacedCore& a, const PlacedCore& b, ConvexWarmStart& w
   if (isSmooth(a.core) || isSmooth(b.core)) {
     return confirmCylinder(a, b, warm, cores);
   }
-  // Along the world's axes, from A's origin.
-  const Eigen::Matrix3d& turn_a = a.world_from_core.rotation;
-  const Eigen::Matrix3d& turn_b = b.world_from_core.rotation;
-  const Eigen::Vector3d between = b.world_from_core.translation - a.world_from_core.translation;
-  std::array<Eigen::Vector3d, 3> on_a;
-  std::array<Eigen::Vector3d, 4> differences;
-  for (std::size_t i = 0; i < warm.size; ++i) {
-    on_a[i].noalias() = turn_a * warm.ends[i].on_a;
-    differences[i].noalias() = turn_b * warm.ends[i].on_b;
-    differences[i] += between - on_a[i];
-  }
-  NearestPoint nearest;
-  if (!nearestInside(differences, static_cast<int>(warm.size), nearest)) {
-    return false;
-  }
-  const double size = reachOf(a.core) + reachOf(b.core) + between.norm();
-  const double distance = std::sqrt(nearest.squared);
-  const Eigen::Vector3d normal = normalOf(nearest);
-  const ExtremeFeature of_a = extremeOf(a.core, turn_a.transpose() * normal, warm.vertex_of_a);
-  const ExtremeFeature of_b = extremeOf(b.core, -(turn_b.transpose() * normal), warm.vertex_of_b);
-  warm.vertex_of_a = of_a.vertex;
-  warm.vertex_of_b = of_b.vertex;
-  const double gap = normal.dot(between) - of_a.reach - of_b.reach;
-  const bool is_settled = distance > touchingDistance(size) && distance - gap <= roundingOf(size);
-  if (!is_settled || areLevel(of_a, turn_a, of_b, turn_b)) {
-    return false;
-  }
-  cores.distance = distance;
-  cores.normal_a_to_b = normal;
-  cores.point_on_a = a.world_from_core.translation;
-  for (std::size_t i = 0; i < warm.size; ++i) {
-    cores.point_on_a += nearest.weights[i] * on_a[i];
-  }
-  cores.point_on_b = cores.point_on_a + distance * normal;
-  return true;
+  const PlacedPair pair = makePlacedPair(a, b);
+  return warm.inside.face_count > 0 ? confirmDepth(pair, warm, cores)
+                                    : confirmCorners(pair, warm, cores);
 }
 
 }  // namespace collision_monitor

@@ -3,22 +3,18 @@
 #pragma once
 
 #include "collision_monitor/narrow_phase/signed_distance.h"
-#include "narrow_phase/convex_pair.h"
+#include "narrow_phase/support_plane.h"
 
 namespace collision_monitor {
 
-struct PlacedCore {
-  const ConvexCore& core;
-  const Pose& world_from_core;
-};
-
 /// Measures two cores by the corners that were nearest in the last search, if a support plane
-/// proves that they still are: one look at the neighbours of a corner each, where a search would
-/// take steps. Most pairs of a moving robot are settled so, near and far.
+/// proves that they still are: one look at the neighbours of a corner each. Where it does not, the
+/// corners that are farther towards each other are tried, a few times. Most pairs of a moving robot
+/// are settled so, near and far.
 ///
 /// Frames: the world's. Error: as a search that is settled, see GjkResult.
 /// Limits: of polytopes that are apart and whose nearest features are not parallel; the others
-/// are left to the search.
+/// are left to the search. Cylinders and overlaps have ways of their own.
 /// @return false, with nothing measured, when the search has to decide; always if a pose is not
 /// finite.
 /// Source: Lin, Canny, "A fast algorithm for incremental distance calculation" (1991), for the

@@ -45,15 +45,15 @@ ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& searc
   const SweptCore swept_a = sweptCoreOf(a.geometry);
   const SweptCore swept_b = sweptCoreOf(b.geometry);
   ConvexDistance found{SignedDistance{}, DistanceQuality::exact};
-  if (!confirmNearest({swept_a.core, a.world_from_body}, {swept_b.core, b.world_from_body},
-                      search.warm, found.measured)) {
+  ConvexWarmStart& warm = search.warm;
+  if (!confirmNearest({swept_a.core, a.world_from_body, warm.vertex_of_a},
+                      {swept_b.core, b.world_from_body, warm.vertex_of_b}, warm, found.measured)) {
     if (!areFinite(a, b)) {
       return {};
     }
     ConvexPair pair =
         makeConvexPair(swept_a.core, a.world_from_body, swept_b.core, b.world_from_body);
-    ConvexSearch of_cores{search.workspace, search.warm,
-                          search.enough + swept_a.radius + swept_b.radius};
+    ConvexSearch of_cores{search.workspace, warm, search.enough + swept_a.radius + swept_b.radius};
     found = searchCores(pair, of_cores);
     found.measured = placed(a.world_from_body, found.measured);
   }

@@ -75,7 +75,7 @@ void descend(const PlacedUnion& a, std::uint32_t index, const Placed<Other>& oth
   const bool is_leaf = node.child_count == 0;
   const ConvexGeometry sphere = Sphere{is_leaf ? node.radius : a.geometry.reach[index]};
   const Pose at{Eigen::Matrix3d::Identity(), a.world_from_body * node.centre};
-  search.convex.warm = ConvexWarmStart{};
+  forget(search.convex.warm);
   const ConvexDistance here = measure(PlacedSolid{sphere, at}, other, search);
   if (least.quality != DistanceQuality::unknown &&
       here.measured.distance >= least.measured.distance) {

@@ -26,10 +26,15 @@ bool findFace(const ConvexHull& hull, const Vector3d& direction, double flat_sin
               std::uint32_t& found) noexcept {
   double least = flat_sine;
   bool is_found = false;
+  // Few faces pass this, which costs less than their sine; its rounding is far below 1e-12.
+  const double least_cosine = std::sqrt(1.0 - flat_sine * flat_sine) - 1e-12;
   for (std::uint32_t i = 0; i < hull.faces().size(); ++i) {
     const Vector3d& normal = hull.faces()[i].normal;
+    if (normal.dot(direction) < least_cosine) {
+      continue;
+    }
     const double sine = normal.cross(direction).norm();
-    if (sine <= least && normal.dot(direction) > 0.0 && hull.ringOf(i).size() >= 3) {
+    if (sine <= least && hull.ringOf(i).size() >= 3) {
       least = sine;
       found = i;
       is_found = true;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "narrow_phase/confirm_depth.h"
 #include "narrow_phase/core_distance.h"
 #include "narrow_phase/distance_parallel_axes.h"
 #include "narrow_phase/epa.h"
@@ -42,6 +43,9 @@ ConvexDistance answerOverlap(ConvexPair& pair, const GjkResult& found,
   const Penetration deep = searchDepth(pair, found.simplex, search.workspace);
   if (deep.face_size > 0) {
     keepWarm(deep.face.data(), deep.face_size, pair, search.warm);
+    if (deep.is_settled && !pair.isSmooth()) {
+      keepInside(search.workspace, search.warm);
+    }
   }
   ConvexDistance closed{SignedDistance{}, DistanceQuality::exact};
   if (!deep.is_settled && depthOfRound(pair, 0.5 * deep.at_least, closed.measured)) {
@@ -79,6 +83,7 @@ bool holdsPoint(const ConvexCore& hull, const ConvexCore& point) noexcept {
 
 // By GJK, or where that finds an overlap by what settles its depth.
 ConvexDistance searchApartOrDeep(ConvexPair& pair, ConvexSearch& search) noexcept {
+  search.warm.inside.face_count = 0;
   const GjkResult found = searchNearest(pair, search.warm, search.enough);
   keepWarm(found.simplex.vertices.data(), found.simplex.size, pair, search.warm);
   const bool is_apart =

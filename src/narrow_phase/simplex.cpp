@@ -89,18 +89,6 @@ bool holdsOrigin(const Points& p) noexcept {
   return true;
 }
 
-NearestPoint nearestWith(const Points& points, int newest) noexcept {
-  NearestPoint best;
-  offerVertex(points, newest, best);
-  for (int i = 0; i < newest; ++i) {
-    offerEdge(points, i, newest, best);
-    for (int j = 0; j < i; ++j) {
-      offerTriangle(points, {j, i, newest}, best);
-    }
-  }
-  return best;
-}
-
 void keep(const NearestPoint& nearest, Simplex& simplex) noexcept {
   for (int i = 0; i < nearest.size; ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -135,6 +123,26 @@ bool nearestInside(const Points& points, int count, NearestPoint& nearest) noexc
     offerTriangle(points, {0, 1, 2}, nearest);
   }
   return nearest.squared < std::numeric_limits<double>::infinity();
+}
+
+NearestPoint nearestOfAll(const Points& points, int count) noexcept {
+  NearestPoint best;
+  for (int newest = 0; newest < count; ++newest) {
+    offer(nearestWith(points, newest), best);
+  }
+  return best;
+}
+
+NearestPoint nearestWith(const Points& points, int newest) noexcept {
+  NearestPoint best;
+  offerVertex(points, newest, best);
+  for (int i = 0; i < newest; ++i) {
+    offerEdge(points, i, newest, best);
+    for (int j = 0; j < i; ++j) {
+      offerTriangle(points, {j, i, newest}, best);
+    }
+  }
+  return best;
 }
 
 Eigen::Vector3d normalOf(const NearestPoint& nearest) noexcept {

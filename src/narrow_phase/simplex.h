@@ -42,6 +42,13 @@ struct NearestPoint {
 bool nearestInside(const std::array<Eigen::Vector3d, 4>& points, int count,
                    NearestPoint& nearest) noexcept;
 
+/// Of all that the first `count` points, three at most, span.
+NearestPoint nearestOfAll(const std::array<Eigen::Vector3d, 4>& points, int count) noexcept;
+
+/// Of all that the points up to `newest` span together with it. An origin inside of four points is
+/// not told from one outside.
+NearestPoint nearestWith(const std::array<Eigen::Vector3d, 4>& points, int newest) noexcept;
+
 /// Unit; see Simplex::normal. Zero where there is none.
 Eigen::Vector3d normalOf(const NearestPoint& nearest) noexcept;
 

@@ -200,7 +200,8 @@ PointPair nearestBySearch(const Triangle& triangle, const ConvexCore& core,
   corners.kind = ConvexCore::Kind::triangle;
   corners.triangle = &triangle;
   ConvexPair pair = makeConvexPair(corners, Pose{}, core, Pose{});
-  const GjkResult found = searchNearest(pair, ConvexWarmStart{}, std::sqrt(start.squared_distance));
+  static const ConvexWarmStart kNothing{};
+  const GjkResult found = searchNearest(pair, kNothing, std::sqrt(start.squared_distance));
   if (found.state == GjkResult::State::overlapping) {
     const Vector3d shared = sharedPoint(found.simplex);
     return {0.0, shared, shared};

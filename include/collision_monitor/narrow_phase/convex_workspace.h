@@ -25,11 +25,32 @@ struct ConvexWarmStart {
     Eigen::Vector3d on_b{Eigen::Vector3d::Zero()};  ///< in B's frame
   };
 
+  /// Of polytopes that overlap: one inside of their difference that held the origin.
+  struct Inside {
+    static constexpr std::size_t kMaxCorners = 24;
+    static constexpr std::size_t kMaxFaces = 2 * kMaxCorners - 4;
+    using Face = std::array<std::uint8_t, 3>;  ///< corners, counter-clockwise seen from outside
+
+    std::uint8_t corner_count{0};
+    std::uint8_t face_count{0};  ///< 0: there is none
+    std::array<Ends, kMaxCorners> corners;
+    std::array<Face, kMaxFaces> faces;
+  };
+
   std::uint32_t size{0};
   std::uint32_t vertex_of_a{0};  ///< of a hull; 0 for other cores
   std::uint32_t vertex_of_b{0};
   std::array<Ends, 4> ends;
+  Inside inside;
 };
+
+/// Makes it empty: for another pair.
+inline void forget(ConvexWarmStart& warm) noexcept {
+  warm.size = 0;
+  warm.vertex_of_a = 0;
+  warm.vertex_of_b = 0;
+  warm.inside.face_count = 0;
+}
 
 /// A polytope inside of the difference B - A, grown by EPA until a face of it is one of the
 /// difference's own.

@@ -87,7 +87,8 @@ std::string nameOfCase(const testing::TestParamInfo<Case>& info) {
 INSTANTIATE_TEST_SUITE_P(AllPairs, ConvexInSteps,
                          testing::Combine(testing::Values(ConvexKind::cylinder, ConvexKind::hull),
                                           testing::ValuesIn(kCores),
-                                          testing::Values(Nearness::separated, Nearness::near)),
+                                          testing::Values(Nearness::separated, Nearness::near,
+                                                          Nearness::overlapping)),
                          nameOfCase);
 
 }  // namespace

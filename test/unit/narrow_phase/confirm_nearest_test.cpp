@@ -27,7 +27,8 @@ Confirmed confirm(const A& a, const Pose& pose_a, const B& b, const Pose& pose_b
   const ConvexCore core_a = sweptCoreOf(a).core;
   const ConvexCore core_b = sweptCoreOf(b).core;
   Confirmed found;
-  found.is_proven = confirmNearest({core_a, pose_a}, {core_b, pose_b}, warm, found.cores);
+  found.is_proven = confirmNearest({core_a, pose_a, warm.vertex_of_a},
+                                   {core_b, pose_b, warm.vertex_of_b}, warm, found.cores);
   return found;
 }
 
@@ -74,13 +75,18 @@ TEST_F(CubesInSteps, edgeAndFaceOfTheLastStep_areProven) {
                {3, 0.5, 0.25});
 }
 
-TEST_F(CubesInSteps, otherCornersNearer_areLeftToTheSearch) {
-  EXPECT_FALSE(confirm(cube_, Pose{}, cube_, at(-4, 5, 5), corners_).is_proven);
-  EXPECT_FALSE(confirm(cube_, Pose{}, box_, at(4, 0, 5), corners_).is_proven);
+TEST_F(CubesInSteps, otherCornersNearer_areFound) {
+  expectProven(confirm(cube_, Pose{}, cube_, at(-4, 5, 5), corners_), std::sqrt(22.0), {-1, 1, 1},
+               {-3, 4, 4});
+  const ConvexWarmStart edge = endsAt({{{1, 1, -1}, {0, 0, 0}}, {{1, 1, 1}, {0, 0, 0}}});
+  expectProven(confirm(cube_, Pose{}, Sphere{1}, at(3, 4, 7), edge), 7.0, {1, 1, 1}, {3, 4, 7});
+  expectProven(confirm(cube_, Pose{}, Sphere{1}, at(0.25, 0.5, 4), edge), 3.0, {0.25, 0.5, 1},
+               {0.25, 0.5, 4});
 }
 
 TEST_F(CubesInSteps, parallelFeatures_areLeftToTheSearch) {
   EXPECT_FALSE(confirm(cube_, Pose{}, cube_, at(4, 2, 5), corners_).is_proven);
+  EXPECT_FALSE(confirm(cube_, Pose{}, box_, at(4, 0, 5), corners_).is_proven);
 }
 
 TEST_F(CubesInSteps, touchingAndOverlapping_areLeftToTheSearch) {

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/narrow_phase/signed_distance.h"
+#include "narrow_phase/support_plane.h"
+
+namespace collision_monitor {
+
+/// Keeps the polytope that a search for the depth has grown, if it has few enough faces.
+void keepInside(const ConvexWorkspace& polytope, ConvexWarmStart& warm) noexcept;
+
+/// Measures how deep two polytopes overlap by the one that the last search has grown inside of
+/// their difference. Its corners are points of the difference wherever the cores are now. Where
+/// every face still looks away from the origin, a ball as wide as the nearest one is far lies
+/// inside; where that face is one of the difference's own, which its support plane proves, the
+/// depth is its distance. Where a corner lies beyond that face, the face is raised to it.
+///
+/// Frames: the world's. Error: as a search that is settled, see Penetration.
+/// Limits: of polytopes that neither touch nor are level; the others are left to the search.
+/// @return false, with nothing measured, when the search has to decide; always if a pose is not
+/// finite.
+bool confirmDepth(const PlacedPair& pair, ConvexWarmStart& warm, SignedDistance& cores) noexcept;
+
+}  // namespace collision_monitor

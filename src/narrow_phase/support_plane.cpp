@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "narrow_phase/support_plane.h"
+
+#include <cmath>
+
+#include "narrow_phase/extreme_feature.h"
+
+namespace collision_monitor {
+
+PlacedPair makePlacedPair(const PlacedCore& a, const PlacedCore& b) noexcept {
+  const Eigen::Vector3d between = b.world_from_core.translation - a.world_from_core.translation;
+  return {a, b, between, reachOf(a.core) + reachOf(b.core) + between.norm()};
+}
+
+bool isProven(const PlacedPair& pair, const Eigen::Vector3d& normal, double distance,
+              double tolerance) noexcept {
+  const Eigen::Matrix3d& turn_a = pair.a.world_from_core.rotation;
+  const Eigen::Matrix3d& turn_b = pair.b.world_from_core.rotation;
+  const ExtremeFeature of_a = extremeOf(pair.a.core, turn_a.transpose() * normal, pair.a.vertex);
+  const ExtremeFeature of_b = extremeOf(pair.b.core, -(turn_b.transpose() * normal), pair.b.vertex);
+  pair.a.vertex = of_a.vertex;
+  pair.b.vertex = of_b.vertex;
+  const double gap = normal.dot(pair.between) - of_a.reach - of_b.reach;
+  return std::abs(distance - gap) <= tolerance && !areLevel(of_a, turn_a, of_b, turn_b);
+}
+
+PlacedCorners place(const ConvexWarmStart::Ends& ends, const PlacedPair& pair) noexcept {
+  PlacedCorners placed;
+  placed.on_a.noalias() = pair.a.world_from_core.rotation * ends.on_a;
+  placed.difference.noalias() = pair.b.world_from_core.rotation * ends.on_b;
+  placed.difference += pair.between - placed.on_a;
+  return placed;
+}
+
+ConvexWarmStart::Ends supportEnds(const PlacedPair& pair, const Eigen::Vector3d& normal) noexcept {
+  const Eigen::Vector3d in_a = pair.a.world_from_core.rotation.transpose() * normal;
+  const Eigen::Vector3d in_b = pair.b.world_from_core.rotation.transpose() * -normal;
+  return {supportPoint(pair.a.core, in_a, pair.a.vertex),
+          supportPoint(pair.b.core, in_b, pair.b.vertex)};
+}
+
+}  // namespace collision_monitor
