@@ -57,7 +57,7 @@ bool findFoot(const Inside& inside, const PlacedInside& placed, std::size_t& fac
               NearestPoint& foot) noexcept {
   constexpr double kSamePlane = 1.0 + 1e-12;
   const double most = kSamePlane * placed.squared[placed.nearest];
-  for (face = placed.nearest; face < inside.face_count; ++face) {
+  for (face = 0; face < inside.face_count; ++face) {
     const Inside::Face& ends = inside.faces[face];
     const std::array<Vector3d, 4> points{placed.corners[ends[0]], placed.corners[ends[1]],
                                          placed.corners[ends[2]], Vector3d::Zero()};

@@ -16,34 +16,37 @@ constexpr int kMaxSteps = 6;
 
 // The corners that are followed, as many as `warm` has.
 struct Followed {
+  explicit Followed(ConvexWarmStart& warm_start) noexcept : warm(warm_start) {}
+
   ConvexWarmStart& warm;
   std::array<Eigen::Vector3d, 4> on_a;
   std::array<Eigen::Vector3d, 4> differences;
+};
 
-  void place(std::size_t i, const PlacedPair& pair) noexcept {
-    const PlacedCorners placed = collision_monitor::place(warm.ends[i], pair);
-    on_a[i] = placed.on_a;
-    differences[i] = placed.difference;
-  }
-  // Corners ascend, so that none is overwritten before its turn.
-  void keep(const NearestPoint& nearest) noexcept {
-    warm.size = static_cast<std::uint32_t>(nearest.size);
-    for (std::size_t i = 0; i < warm.size; ++i) {
-      const auto from = static_cast<std::size_t>(nearest.corners[i]);
-      if (from != i) {
-        warm.ends[i] = warm.ends[from];
-        on_a[i] = on_a[from];
-        differences[i] = differences[from];
-      }
+void place(std::size_t i, const PlacedPair& pair, Followed& followed) noexcept {
+  const PlacedCorners placed = place(followed.warm.ends[i], pair);
+  followed.on_a[i] = placed.on_a;
+  followed.differences[i] = placed.difference;
+}
+
+// Corners ascend, so that none is overwritten before its turn.
+void keep(const NearestPoint& nearest, Followed& followed) noexcept {
+  followed.warm.size = static_cast<std::uint32_t>(nearest.size);
+  for (std::size_t i = 0; i < followed.warm.size; ++i) {
+    const auto from = static_cast<std::size_t>(nearest.corners[i]);
+    if (from != i) {
+      followed.warm.ends[i] = followed.warm.ends[from];
+      followed.on_a[i] = followed.on_a[from];
+      followed.differences[i] = followed.differences[from];
     }
   }
-};
+}
 
 // Steps of GJK without what only a long search needs.
 bool stepToNearest(const PlacedPair& pair, Followed& followed, NearestPoint& nearest,
                    Eigen::Vector3d& normal) noexcept {
   for (int step = 0; step < kMaxSteps; ++step) {
-    followed.keep(nearest);
+    keep(nearest, followed);
     const double distance = std::sqrt(nearest.squared);
     normal = normalOf(nearest);
     if (!(distance > touchingDistance(pair.size))) {
@@ -54,7 +57,7 @@ bool stepToNearest(const PlacedPair& pair, Followed& followed, NearestPoint& nea
     }
     const std::uint32_t newest = followed.warm.size;
     followed.warm.ends[newest] = supportEnds(pair, normal);
-    followed.place(newest, pair);
+    place(newest, pair, followed);
     const NearestPoint next = nearestWith(followed.differences, static_cast<int>(newest));
     if (!(next.squared < nearest.squared) || normal.dot(followed.differences[newest]) <= 0.0) {
       return false;
@@ -65,14 +68,17 @@ bool stepToNearest(const PlacedPair& pair, Followed& followed, NearestPoint& nea
 }
 
 bool confirmCorners(const PlacedPair& pair, ConvexWarmStart& warm, SignedDistance& cores) noexcept {
-  Followed followed{warm, {}, {}};
+  Followed followed(warm);
   for (std::size_t i = 0; i < warm.size; ++i) {
-    followed.place(i, pair);
+    place(i, pair, followed);
   }
   const int count = static_cast<int>(warm.size);
   NearestPoint nearest;
   if (!nearestInside(followed.differences, count, nearest)) {
     nearest = nearestOfAll(followed.differences, count);
+  }
+  if (nearest.size == 0) {
+    return false;  // not finite
   }
   Eigen::Vector3d normal;
   if (!stepToNearest(pair, followed, nearest, normal)) {

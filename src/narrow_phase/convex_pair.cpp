@@ -33,26 +33,7 @@ const Eigen::Vector3d& cornerOf(const Triangle& triangle,
                            });
 }
 
-double reachOf(const Triangle& triangle) noexcept {
-  return std::sqrt(
-      std::max({triangle[0].squaredNorm(), triangle[1].squaredNorm(), triangle[2].squaredNorm()}));
-}
-
 }  // namespace
-
-double reachOf(const ConvexCore& core) noexcept {
-  switch (core.kind) {
-    case ConvexCore::Kind::box:
-      return core.half_extents.norm();
-    case ConvexCore::Kind::cylinder:
-      return core.half_extents.tail<2>().norm();
-    case ConvexCore::Kind::hull:
-      return core.hull->boundingRadius();
-    case ConvexCore::Kind::triangle:
-      return reachOf(*core.triangle);
-  }
-  return 0.0;
-}
 
 Eigen::Vector3d supportPoint(const ConvexCore& core, const Eigen::Vector3d& direction,
                              std::uint32_t& vertex) noexcept {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 
 #include "collision_monitor/geometry/hull.h"
 #include "collision_monitor/geometry/pose.h"
@@ -30,7 +31,21 @@ inline bool isSmooth(const ConvexCore& core) noexcept {
 }
 
 /// [m] radius about the core's origin that holds it.
-double reachOf(const ConvexCore& core) noexcept;
+inline double reachOf(const ConvexCore& core) noexcept {
+  switch (core.kind) {
+    case ConvexCore::Kind::box:
+      return core.half_extents.norm();
+    case ConvexCore::Kind::cylinder:
+      return core.half_extents.tail<2>().norm();
+    case ConvexCore::Kind::hull:
+      return core.hull->boundingRadius();
+    case ConvexCore::Kind::triangle:
+      return std::sqrt(
+          std::max({(*core.triangle)[0].squaredNorm(), (*core.triangle)[1].squaredNorm(),
+                    (*core.triangle)[2].squaredNorm()}));
+  }
+  return 0.0;
+}
 
 /// The farthest point in `direction` (frame of the core, any length).
 /// `vertex` is where a hull's climb starts and ends.

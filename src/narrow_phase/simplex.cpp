@@ -116,7 +116,12 @@ Points pointsOf(const Simplex& simplex, int count) noexcept {
 bool nearestInside(const Points& points, int count, NearestPoint& nearest) noexcept {
   nearest.squared = std::numeric_limits<double>::infinity();
   if (count == 1) {
-    offerVertex(points, 0, nearest);
+    nearest.squared = points[0].squaredNorm();
+    nearest.point = points[0];
+    nearest.outward = points[0];
+    nearest.corners[0] = 0;
+    nearest.weights[0] = 1.0;
+    nearest.size = 1;
   } else if (count == 2) {
     offerEdge(points, 0, 1, nearest);
   } else if (count == 3 && isFat(points)) {
@@ -143,15 +148,6 @@ NearestPoint nearestWith(const Points& points, int newest) noexcept {
     }
   }
   return best;
-}
-
-Eigen::Vector3d normalOf(const NearestPoint& nearest) noexcept {
-  const double length = nearest.outward.norm();
-  if (!(length > 0.0)) {
-    return Eigen::Vector3d::Zero();
-  }
-  const double sense = nearest.outward.dot(nearest.point) < 0.0 ? -1.0 : 1.0;
-  return sense / length * nearest.outward;
 }
 
 bool spanAll(int count, Simplex& simplex) noexcept {

@@ -50,7 +50,14 @@ NearestPoint nearestOfAll(const std::array<Eigen::Vector3d, 4>& points, int coun
 NearestPoint nearestWith(const std::array<Eigen::Vector3d, 4>& points, int newest) noexcept;
 
 /// Unit; see Simplex::normal. Zero where there is none.
-Eigen::Vector3d normalOf(const NearestPoint& nearest) noexcept;
+inline Eigen::Vector3d normalOf(const NearestPoint& nearest) noexcept {
+  const double length = nearest.outward.norm();
+  if (!(length > 0.0)) {
+    return Eigen::Vector3d::Zero();
+  }
+  const double sense = nearest.outward.dot(nearest.point) < 0.0 ? -1.0 : 1.0;
+  return sense / length * nearest.outward;
+}
 
 /// Takes the first `count` vertices as they are, if the point nearest to the origin is inside what
 /// they span: where a search begins that moved little since the last.

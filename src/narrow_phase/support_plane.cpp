@@ -8,11 +8,6 @@
 
 namespace collision_monitor {
 
-PlacedPair makePlacedPair(const PlacedCore& a, const PlacedCore& b) noexcept {
-  const Eigen::Vector3d between = b.world_from_core.translation - a.world_from_core.translation;
-  return {a, b, between, reachOf(a.core) + reachOf(b.core) + between.norm()};
-}
-
 bool isProven(const PlacedPair& pair, const Eigen::Vector3d& normal, double distance,
               double tolerance) noexcept {
   const Eigen::Matrix3d& turn_a = pair.a.world_from_core.rotation;
@@ -23,14 +18,6 @@ bool isProven(const PlacedPair& pair, const Eigen::Vector3d& normal, double dist
   pair.b.vertex = of_b.vertex;
   const double gap = normal.dot(pair.between) - of_a.reach - of_b.reach;
   return std::abs(distance - gap) <= tolerance && !areLevel(of_a, turn_a, of_b, turn_b);
-}
-
-PlacedCorners place(const ConvexWarmStart::Ends& ends, const PlacedPair& pair) noexcept {
-  PlacedCorners placed;
-  placed.on_a.noalias() = pair.a.world_from_core.rotation * ends.on_a;
-  placed.difference.noalias() = pair.b.world_from_core.rotation * ends.on_b;
-  placed.difference += pair.between - placed.on_a;
-  return placed;
 }
 
 ConvexWarmStart::Ends supportEnds(const PlacedPair& pair, const Eigen::Vector3d& normal) noexcept {

@@ -26,7 +26,10 @@ struct PlacedCorners {
   Eigen::Vector3d difference;  ///< from there to B's
 };
 
-PlacedPair makePlacedPair(const PlacedCore& a, const PlacedCore& b) noexcept;
+inline PlacedPair makePlacedPair(const PlacedCore& a, const PlacedCore& b) noexcept {
+  const Eigen::Vector3d between = b.world_from_core.translation - a.world_from_core.translation;
+  return {a, b, between, reachOf(a.core) + reachOf(b.core) + between.norm()};
+}
 
 /// Whether the support planes across `normal` (unit, from A to B) prove a distance or, if it is
 /// negative, a depth: that their gap is this, up to `tolerance`.
@@ -34,7 +37,13 @@ PlacedPair makePlacedPair(const PlacedCore& a, const PlacedCore& b) noexcept;
 bool isProven(const PlacedPair& pair, const Eigen::Vector3d& normal, double distance,
               double tolerance) noexcept;
 
-PlacedCorners place(const ConvexWarmStart::Ends& ends, const PlacedPair& pair) noexcept;
+inline PlacedCorners place(const ConvexWarmStart::Ends& ends, const PlacedPair& pair) noexcept {
+  PlacedCorners placed;
+  placed.on_a.noalias() = pair.a.world_from_core.rotation * ends.on_a;
+  placed.difference.noalias() = pair.b.world_from_core.rotation * ends.on_b;
+  placed.difference += pair.between - placed.on_a;
+  return placed;
+}
 
 /// The corners that are nearest along `normal`: the farthest of A, and of B against it.
 ConvexWarmStart::Ends supportEnds(const PlacedPair& pair, const Eigen::Vector3d& normal) noexcept;
