@@ -121,7 +121,7 @@ std::unique_ptr<RobotScene> makeRobotScene(const RobotFile& robot) {
   scene->boxes.known.resize(scene->setup.bodies.size());
   scene->candidates.reserve(scene->setup.table.size());
   scene->distances.measured.reserve(scene->setup.table.size());
-  scene->memory.resize(scene->setup.element_pairs.size());
+  scene->memory = makeRefineMemory(scene->setup);
   scene->warm.resize(scene->setup.element_pairs.size());
   scene->scratch = std::make_unique<RefineScratch>();
   addElements(*scene);

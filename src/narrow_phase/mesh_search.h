@@ -99,51 +99,6 @@ void openLarger(const MeshPair& pair, const MeshQueryMemory::Waiting& bounds, fl
 /// are away.
 float asLimit(double squared_distance) noexcept;
 
-/// The nearest points so far, and how the search for them went.
-struct NearestSearch {
-  PointPair best;
-  TrianglePair nearest;
-  std::uint32_t visits{0};
-  double squared_open{std::numeric_limits<double>::infinity()};  ///< least bound left unopened
-
-  /// False when the budget ended the search before it was certain.
-  bool isComplete() const noexcept { return best.squared_distance <= squared_open; }
-};
-
-/// Replaces the nearest points by those that `measure(best)` gives for two triangles, if they are
-/// nearer.
-template <class Measure>
-void offer(const TrianglePair& triangles, NearestSearch& search, const Measure& measure) noexcept {
-  const PointPair found = measure(search.best);
-  if (found.squared_distance < search.best.squared_distance) {
-    search.best = found;
-    search.nearest = triangles;
-  }
-}
-
-/// Branch and bound from the roots, the nearest bound first. `open(pair, limit, waiting)` measures
-/// two triangles, or lets the children of one bound wait.
-/// @param rounding [m] nothing is nearer than that.
-template <class Open>
-void searchNearest(double rounding, std::uint32_t visit_budget, MeshQueryMemory& memory,
-                   NearestSearch& search, const Open& open) noexcept {
-  WaitingPairs waiting(memory);
-  waiting.push({0.0F, 0, 0});
-  while (!waiting.empty() && search.best.squared_distance > rounding * rounding) {
-    const MeshQueryMemory::Waiting next = waiting.pop();
-    const float limit = asLimit(search.best.squared_distance);
-    if (!(next.squared_bound < limit)) {
-      continue;
-    }
-    if (search.visits >= visit_budget) {
-      search.squared_open = waiting.leastBound(static_cast<double>(next.squared_bound));
-      return;
-    }
-    ++search.visits;
-    open(next, limit, waiting);
-  }
-}
-
 /// A point that both solids share: of a piece of one surface that the other, closed, holds. Meant
 /// for surfaces that do not cross, of which each piece is held as a whole or not at all.
 /// Frames: A's.

@@ -9,8 +9,8 @@
 #include "narrow_phase/convex_core.h"
 #include "narrow_phase/core_distance.h"
 #include "narrow_phase/mesh_inside.h"
-#include "narrow_phase/mesh_search.h"
 #include "narrow_phase/mesh_support.h"
+#include "narrow_phase/nearest_search.h"
 #include "narrow_phase/triangle_core.h"
 #include "narrow_phase/triangle_edges.h"
 
@@ -54,12 +54,15 @@ PlacedBound boundOfCore(const MeshAndCore& pair) noexcept {
 
 void measureTriangle(const MeshAndCore& pair, std::uint32_t triangle,
                      NearestSearch& search) noexcept {
-  offer({triangle, TrianglePair::kNone}, search, [&](const PointPair& best) {
-    const Triangle& in_mesh = pair.mesh.triangles()[triangle];
-    const Triangle in_core = {pair.core_from_mesh * in_mesh[0], pair.core_from_mesh * in_mesh[1],
-                              pair.core_from_mesh * in_mesh[2]};
-    return nearestPoints(in_core, pair.core, best);
-  });
+  offer({triangle, TrianglePair::kNone}, search.bounds, search,
+        [&](const PointPair& start, double) {
+          const Triangle& in_mesh = pair.mesh.triangles()[triangle];
+          const Triangle in_core = {pair.core_from_mesh * in_mesh[0],
+                                    pair.core_from_mesh * in_mesh[1],
+                                    pair.core_from_mesh * in_mesh[2]};
+          const PointPair found = nearestPoints(in_core, pair.core, start);
+          return TriangleDistance{found, found.squared_distance};
+        });
 }
 
 void openNode(const MeshAndCore& pair, std::uint32_t node, const PlacedBound& core, float limit,
@@ -74,7 +77,9 @@ void openNode(const MeshAndCore& pair, std::uint32_t node, const PlacedBound& co
 void searchFrom(const MeshAndCore& pair, std::uint32_t visit_budget, MeshQueryMemory& memory,
                 NearestSearch& search) noexcept {
   const PlacedBound core = boundOfCore(pair);
-  searchNearest(pair.rounding, visit_budget, memory, search,
+  WaitingPairs from_root(memory);
+  from_root.push({0.0F, 0, 0});
+  searchNearest(pair.rounding, visit_budget, from_root, search,
                 [&](const MeshQueryMemory::Waiting& next, float limit, WaitingPairs& waiting) {
                   const std::uint32_t child = childOf(pair.mesh, next.a);
                   if (isTriangle(child)) {

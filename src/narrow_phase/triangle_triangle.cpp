@@ -101,14 +101,14 @@ double gapOf(const Heights& heights) noexcept {
              : 0.0;
 }
 
-// True when the direction between the nearest points so far separates the triangles by at least
-// as much as those are apart. Where surfaces are convex that holds for nearly all pairs.
-bool areBeyond(const Triangle& a, const Triangle& b, const PointPair& best) noexcept {
-  const Vector3d between = best.on_b - best.on_a;
-  const double end_of_a = std::max({between.dot(a[0]), between.dot(a[1]), between.dot(a[2])});
-  const double start_of_b = std::min({between.dot(b[0]), between.dot(b[1]), between.dot(b[2])});
+// The square of how far a direction separates the triangles. Where surfaces are convex, that of the
+// nearest points so far separates nearly all pairs by more than these are apart.
+double squaredGapAlong(const Vector3d& direction, const Triangle& a, const Triangle& b) noexcept {
+  const double end_of_a = std::max({direction.dot(a[0]), direction.dot(a[1]), direction.dot(a[2])});
+  const double start_of_b =
+      std::min({direction.dot(b[0]), direction.dot(b[1]), direction.dot(b[2])});
   const double gap = start_of_b - end_of_a;
-  return gap > 0.0 && gap * gap >= best.squared_distance * between.squaredNorm();
+  return gap > 0.0 ? gap * gap / direction.squaredNorm() : 0.0;
 }
 
 PointPair exchanged(const PointPair& pair) noexcept {
@@ -155,15 +155,17 @@ bool overlap(const Triangle& a, const Triangle& b) noexcept {
   return of_a.low <= of_b.high + rounding && of_b.low <= of_a.high + rounding;
 }
 
-PointPair nearestPoints(const Triangle& a, const Triangle& b, const PointPair& start) noexcept {
-  if (areBeyond(a, b, start)) {
-    return start;
+TriangleDistance boundedDistance(const Triangle& a, const Triangle& b, const PointPair& start,
+                                 double squared_enough) noexcept {
+  const double squared_gap = squaredGapAlong(start.on_b - start.on_a, a, b);
+  if (squared_gap >= squared_enough) {
+    return {start, squared_gap};
   }
   const PreparedTriangle on_a = prepare(a);
   const PreparedTriangle on_b = prepare(b);
   const double gap = std::max(gapOf(heightsOver(on_a, b, 0.0)), gapOf(heightsOver(on_b, a, 0.0)));
-  if (gap * gap >= start.squared_distance) {
-    return start;
+  if (gap * gap >= squared_enough) {
+    return {start, gap * gap};
   }
   PointPair best = start;
   improveByFaces(on_a, b, gap == 0.0, best);
@@ -175,7 +177,11 @@ PointPair nearestPoints(const Triangle& a, const Triangle& b, const PointPair& s
       improveByEdges(edge_of_a, edge_of_b, best);
     }
   }
-  return best;
+  return {best, best.squared_distance};
+}
+
+PointPair nearestPoints(const Triangle& a, const Triangle& b, const PointPair& start) noexcept {
+  return boundedDistance(a, b, start, start.squared_distance).nearest;
 }
 
 }  // namespace collision_monitor

@@ -93,6 +93,8 @@ MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
   } else if (isSimple(a)) {
     found = distanceBetween(meshOf(b), convexOf(a), search.scratch.mesh, nearest, limits);
     found.measured = swapped(found.measured);
+  } else if (search.memory.front) {
+    return distanceBetween(meshOf(a), meshOf(b), search.scratch.mesh, *search.memory.front, limits);
   } else {
     found = distanceBetween(meshOf(a), meshOf(b), search.scratch.mesh, nearest, limits);
   }

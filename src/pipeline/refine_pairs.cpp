@@ -17,6 +17,10 @@ bool isRefinable(const CycleSetup& setup, ElementPairIndex pair) noexcept {
   return !setup.elements[index(elements.a)].is_body || !setup.elements[index(elements.b)].is_body;
 }
 
+bool isMeasuredAsMesh(const Element& element) noexcept {
+  return element.mesh && (!element.convex || std::holds_alternative<ConvexHull>(*element.convex));
+}
+
 /// What every step needs.
 struct Refinement {
   const CycleSetup& setup;
@@ -177,6 +181,30 @@ RefineWork makeRefineWork(const CycleSetup& setup) {
   work.nearest.resize(setup.checked.size(), std::numeric_limits<double>::infinity());
   work.scratch = std::make_unique<RefineScratch>();
   return work;
+}
+
+std::vector<RefineMemory> makeRefineMemory(const CycleSetup& setup) {
+  std::vector<RefineMemory> memory(setup.element_pairs.size());
+  for (std::size_t pair = 0; pair < memory.size(); ++pair) {
+    const Element& a = setup.elements[index(setup.element_pairs[pair].a)];
+    const Element& b = setup.elements[index(setup.element_pairs[pair].b)];
+    if (isMeasuredAsMesh(a) && isMeasuredAsMesh(b)) {
+      memory[pair].front = std::make_unique<MeshFront>();
+    }
+  }
+  return memory;
+}
+
+void forget(std::vector<RefineMemory>& memory) noexcept {
+  for (RefineMemory& pair : memory) {
+    std::unique_ptr<MeshFront> front = std::move(pair.front);
+    pair = RefineMemory();
+    pair.front = std::move(front);
+    if (pair.front) {
+      pair.front->a_from_b.reset();
+      pair.front->nearest.a = MeshFront::kNone;
+    }
+  }
 }
 
 void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,

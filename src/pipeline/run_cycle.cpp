@@ -52,7 +52,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.events.island_of_link.resize(links, 0);
   buffers.events.island_forest.resize(links, 0);
   buffers.memory.reported.resize(link_pairs, Verdict::clear);
-  buffers.memory.refined.resize(setup.element_pairs.size());
+  buffers.memory.refined = makeRefineMemory(setup);
   buffers.memory.last.world_from_link.resize(links);
   buffers.memory.last.known.resize(links, 0);
   buffers.memory.speed.stopped.resize(link_pairs, 0);
@@ -64,7 +64,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
 
 void resetMemory(CycleBuffers& buffers) noexcept {
   std::fill(buffers.memory.reported.begin(), buffers.memory.reported.end(), Verdict::clear);
-  std::fill(buffers.memory.refined.begin(), buffers.memory.refined.end(), RefineMemory());
+  forget(buffers.memory.refined);
   std::fill(buffers.memory.last.known.begin(), buffers.memory.last.known.end(), 0);
   buffers.memory.last.stamp_ns = 0;
   SpeedScale& speed = buffers.memory.speed;

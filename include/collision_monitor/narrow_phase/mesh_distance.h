@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "collision_monitor/geometry/mesh_tree.h"
 #include "collision_monitor/geometry/pose.h"
@@ -54,6 +55,39 @@ struct MeshQueryLimits {
   std::uint32_t visit_budget{std::numeric_limits<std::uint32_t>::max()};
 };
 
+/// What a query about two meshes leaves for the next one about the same: a front of pairs, of
+/// bounds or triangles, beyond which the search did not look, each with the motion before which it
+/// need not be looked at. Some thousands of bytes.
+///
+/// Between two poses no point of B comes farther, seen from A, than the ball about it does. What
+/// was at least d away is then at least d less these steps away, and stays unseen until that is
+/// less than the nearest distance. Pairs that were farther than the nearest by a margin are not
+/// kept; `cover` stands for all of them. When that is used up the search starts from the roots.
+/// Source: Verlet, "Computer 'experiments' on classical fluids I" (1967), for the margin; Ehmann,
+/// Lin, "Accurate and Fast Proximity Queries Between Polyhedra Using Convex Surface Decomposition"
+/// (2001), for the front of the tree of pairs, which is kept here with bounds.
+struct MeshFront {
+  static constexpr std::uint32_t kCapacity = 512;
+  static constexpr std::uint32_t kNone = 0xffffffffu;
+
+  /// Two bounds or triangles, as MeshQueryMemory::Waiting.
+  struct Kept {
+    float due;  ///< [m] of `moved` and the nearest distance together: from there on to be looked at
+    std::uint32_t a;
+    std::uint32_t b;
+  };
+
+  std::optional<Pose> a_from_b;   ///< of the last query; none: there was none
+  Kept nearest{0, kNone, kNone};  ///< the nearest triangles then
+  double moved{0.0};              ///< [m] all steps since the search from the roots
+  double cover{0.0};              ///< [m] as Kept::due, of all that is not kept
+  double margin{0.0};             ///< [m] how much farther than the nearest pairs are kept
+  double room{std::numeric_limits<double>::infinity()};  ///< [m] margin for which `kept` suffices
+  double apart{0.0};  ///< [m] the surfaces were, and neither inside the other
+  std::uint32_t size{0};
+  std::array<Kept, kCapacity> kept;
+};
+
 /// What a query needs to remember on its way. One for each thread; its content means nothing
 /// between queries. Large: keep it with the buffers of a cycle, not on a small stack.
 struct MeshQueryMemory {
@@ -65,7 +99,7 @@ struct MeshQueryMemory {
     std::uint32_t a;
     std::uint32_t b;
   };
-  std::array<Waiting, kCapacity> waiting;
+  std::array<Waiting, kCapacity + MeshFront::kCapacity> waiting;
 };
 
 /// A mesh and where it is.
@@ -102,6 +136,14 @@ bool overlap(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory) 
 /// time and, of points equally near, which are found; never the distance.
 MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory,
                              const TrianglePair& start = TrianglePair{},
+                             const MeshQueryLimits& limits = MeshQueryLimits{}) noexcept;
+
+/// The same from what the last query about the same two meshes left: where they have moved little,
+/// in a fraction of the time.
+/// @param front changes the time and, of points equally near, which are found; never the distance,
+/// but for rounding. A search that the budget ended goes on from there.
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory,
+                             MeshFront& front,
                              const MeshQueryLimits& limits = MeshQueryLimits{}) noexcept;
 
 /// Signed distance of a mesh (A) and a solid shape (B).

@@ -41,4 +41,16 @@ bool overlap(const Triangle& a, const Triangle& b) noexcept;
 PointPair nearestPoints(const Triangle& a, const Triangle& b,
                         const PointPair& start = PointPair{}) noexcept;
 
+/// The nearest points of two triangles, or that they are no nearer than the bound.
+struct TriangleDistance {
+  PointPair nearest;
+  double squared_bound;  ///< [m^2] of a lower bound of the distance
+};
+
+/// As nearestPoints, but looks no further where the direction of the start, or the plane of a
+/// triangle, shows them to be `squared_enough` apart.
+/// @param squared_enough [m^2] not more than the start.
+TriangleDistance boundedDistance(const Triangle& a, const Triangle& b, const PointPair& start,
+                                 double squared_enough) noexcept;
+
 }  // namespace collision_monitor

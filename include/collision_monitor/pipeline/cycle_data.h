@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "collision_monitor/broad_phase/broad_phase.h"
@@ -144,6 +145,7 @@ struct CycleCounters {
 struct RefineMemory {
   ConvexWarmStart warm;
   TrianglePair nearest;
+  std::unique_ptr<MeshFront> front;  ///< of two meshes; none: searches start from the roots
   std::uint32_t waited{0};  ///< cycles in a row in which the budget was spent before its turn
 };
 

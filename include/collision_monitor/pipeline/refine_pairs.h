@@ -39,6 +39,12 @@ struct RefineWork {
 
 RefineWork makeRefineWork(const CycleSetup& setup);
 
+/// By ElementPairIndex; with a front where two meshes are searched.
+std::vector<RefineMemory> makeRefineMemory(const CycleSetup& setup);
+
+/// Leaves it as new.
+void forget(std::vector<RefineMemory>& memory) noexcept;
+
 /// Measures the geometries behind enclosing shapes that are within limits.distance of each other:
 /// each pair of elements once, however many bodies it has. Those that waited longest come first,
 /// then the nearest, until the budget is spent; the rest stay the lower bounds they are.

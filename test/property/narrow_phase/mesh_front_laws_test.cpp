@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "collision_monitor/narrow_phase/mesh_distance.h"
+#include "support/allocation_guard.h"
+#include "support/query_meshes.h"
+#include "support/random_poses.h"
+#include "support/sample_meshes.h"
+
+// Meshes that walk at random: what a query finds from the front of the last one, and from the
+// roots.
+namespace collision_monitor::test {
+namespace {
+
+constexpr std::uint64_t kSeed = 20260101;
+constexpr double kRounding = 1e-13;  // [m], for coordinates of a metre or two
+
+/// By up to `shift` [m] along each axis and by as many rad, or ten times as many.
+Pose stepFrom(const Pose& pose, double shift, Random& random) {
+  const double turn = shift * (random() % 4 == 0 ? 10.0 : 1.0);
+  const Eigen::AngleAxisd whole(randomRotation(random));
+  return {Eigen::AngleAxisd(turn * whole.angle(), whole.axis()) * pose.rotation,
+          pose.translation + randomPoint(random, shift)};
+}
+
+/// Often slow, sometimes at rest, away in a jump or inside.
+Pose nextPose(const Pose& pose, double shift, Random& random) {
+  switch (random() % 40) {
+    case 0:
+      return randomPose(random, 1.5);
+    case 1:
+      return randomPose(random, 0.1);
+    case 2:
+    case 3:
+      return pose;
+    default:
+      return stepFrom(pose, shift, random);
+  }
+}
+
+class MeshFrontLaws : public testing::Test {
+ protected:
+  MeshFrontLaws() {
+    trees_.emplace_back(bumpyMesh(1.0, 24), true);
+    trees_.emplace_back(bumpyMesh(0.3, 16), true);
+    trees_.emplace_back(boxMesh({0.3, 0.1, 0.2}), true);
+    trees_.emplace_back(sphereMesh(0.4, 20), false);
+    trees_.emplace_back(triangleSoup(0.5, 60, random_), false);
+  }
+
+  const MeshTree& anyTree() { return trees_[random_() % trees_.size()]; }
+
+  MeshQueryLimits anyLimits() {
+    MeshQueryLimits limits;
+    if (random_() % 5 == 0) {
+      limits.stop_beyond = uniform(random_, 0.0, 0.5);
+    }
+    if (random_() % 10 == 0) {
+      limits.visit_budget = static_cast<std::uint32_t>(random_() % 60);
+    }
+    return limits;
+  }
+
+  Random random_{kSeed};
+  std::vector<MeshTree> trees_;
+  std::unique_ptr<MeshQueryMemory> memory_ = std::make_unique<MeshQueryMemory>();
+};
+
+TEST_F(MeshFrontLaws, answers_areThoseFromTheRoots) {
+  int inside = 0;
+  int bounded = 0;
+  double visits = 0.0;
+  double visits_from_roots = 0.0;
+  for (int walk = 0; walk < 60; ++walk) {
+    const MeshTree& a = anyTree();
+    const MeshTree& b = anyTree();
+    const auto front = std::make_unique<MeshFront>();
+    const double shift = std::pow(10.0, uniform(random_, -7.0, -2.0));
+    Pose world_from_a = randomPose(random_, 0.5);
+    Pose world_from_b = randomPose(random_, 1.0);
+    for (int step = 0; step < 150; ++step) {
+      SCOPED_TRACE(testing::Message() << "walk " << walk << ", step " << step);
+      world_from_a = nextPose(world_from_a, 0.1 * shift, random_);
+      world_from_b = nextPose(world_from_b, shift, random_);
+      const MeshQueryLimits limits = anyLimits();
+      const MeshQueryLimits unhurried{limits.stop_beyond};
+      const MeshDistance truth =
+          distanceBetween({a, world_from_a}, {b, world_from_b}, *memory_, {}, unhurried);
+      const MeshDistance found =
+          distanceBetween({a, world_from_a}, {b, world_from_b}, *memory_, *front, limits);
+      ASSERT_LE(found.visits, limits.visit_budget);
+      if (limits.visit_budget == unhurried.visit_budget) {
+        ASSERT_EQ(found.state, truth.state);
+        ASSERT_NEAR(found.measured.distance, truth.measured.distance, kRounding);
+        visits += found.visits;
+        visits_from_roots += truth.visits;
+      } else if (found.state == MeshState::lower_bound) {
+        ASSERT_LE(found.measured.distance, truth.measured.distance + kRounding);
+        ++bounded;
+      } else {
+        ASSERT_EQ(found.state, truth.state);
+        ASSERT_NEAR(found.measured.distance, truth.measured.distance, kRounding);
+      }
+      inside += truth.state == MeshState::overlapping ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inside, 200);
+  EXPECT_GT(bounded, 200);
+  EXPECT_LT(visits, 0.5 * visits_from_roots) << "most steps are small";
+}
+
+TEST_F(MeshFrontLaws, posesNotFiniteBetween_areUnknownAndLeaveNoTrace) {
+  const auto front = std::make_unique<MeshFront>();
+  Pose pose = randomPose(random_, 1.0);
+  for (int step = 0; step < 300; ++step) {
+    pose = nextPose(pose, 1e-3, random_);
+    if (random_() % 3 == 0) {
+      Pose bad = pose;
+      bad.rotation(1, 2) = random_() % 2 == 0 ? std::numeric_limits<double>::quiet_NaN()
+                                              : std::numeric_limits<double>::infinity();
+      ASSERT_EQ(distanceBetween({trees_[0], Pose{}}, {trees_[1], bad}, *memory_, *front).state,
+                MeshState::unknown);
+    }
+    const MeshDistance truth = distanceBetween({trees_[0], Pose{}}, {trees_[1], pose}, *memory_);
+    const MeshDistance found =
+        distanceBetween({trees_[0], Pose{}}, {trees_[1], pose}, *memory_, *front);
+    ASSERT_EQ(found.state, truth.state) << step;
+    ASSERT_NEAR(found.measured.distance, truth.measured.distance, kRounding) << step;
+  }
+}
+
+/// Where neighbours' distances differ least: faces side by side, whose pairs fill the front.
+TEST_F(MeshFrontLaws, moreThanTheFrontHolds_isFoundFromTheRoots) {
+  const MeshTree fine(sphereMesh(0.5, 80), true);
+  const MeshTree around(sphereMesh(0.51, 80), false);
+  const auto front = std::make_unique<MeshFront>();
+  Pose pose{};
+  for (int step = 0; step < 30; ++step) {
+    pose = stepFrom(pose, 1e-4, random_);
+    const MeshDistance truth = distanceBetween({fine, Pose{}}, {around, pose}, *memory_);
+    const MeshDistance found = distanceBetween({fine, Pose{}}, {around, pose}, *memory_, *front);
+    ASSERT_EQ(found.state, truth.state) << step;
+    ASSERT_NEAR(found.measured.distance, truth.measured.distance, kRounding) << step;
+  }
+}
+
+TEST_F(MeshFrontLaws, queries_allocateNothing) {
+  const auto front = std::make_unique<MeshFront>();
+  Pose pose = randomPose(random_, 1.0);
+  const AllocationGuard guard;
+  for (int i = 0; i < 100; ++i) {
+    pose = nextPose(pose, 1e-3, random_);
+    distanceBetween({trees_[0], Pose{}}, {trees_[1], pose}, *memory_, *front);
+  }
+  EXPECT_EQ(guard.count(), 0U);
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
