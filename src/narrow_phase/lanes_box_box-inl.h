@@ -103,11 +103,13 @@ HWY_INLINE Truth mayBeWithin(const BoxCore& a, const BoxCore& b, Number distance
   return hn::Not(hn::Gt(bestAxis<false, LargestGap>(pair).numerator, hn::Max(apart, zero())));
 }
 
-HWY_INLINE CoreAnswer coreDistance(const BoxCore& a, const BoxCore& b) {
-  const BoxPairLanes pair = boxPairInLanes(a, b);
-  const AxisContact contact = contactAlong(pair, bestAxis<false>(pair));
-  const Truth is_skew =
-      hn::And(hn::And(isSkew(pair.b_axes.x), isSkew(pair.b_axes.y)), isSkew(pair.b_axes.z));
+HWY_INLINE Truth isSkew(const BoxPairLanes& pair) {
+  return hn::And(hn::And(isSkew(pair.b_axes.x), isSkew(pair.b_axes.y)), isSkew(pair.b_axes.z));
+}
+
+/// In A's frame.
+HWY_INLINE CoreAnswer answerAlong(const BoxPairLanes& pair, const BestAxis& best) {
+  const AxisContact contact = contactAlong(pair, best);
   CoreAnswer cores{contact.gap, contact.point_on_a, contact.normal};
   const Truth by_corner = hn::AndNot(contact.holds, hn::Gt(contact.gap, number(kTouching)));
   if (!hn::AllFalse(Lanes(), by_corner)) {
@@ -116,9 +118,27 @@ HWY_INLINE CoreAnswer coreDistance(const BoxCore& a, const BoxCore& b) {
              select(by_corner, corner.point_on_a, cores.point_on_a),
              select(by_corner, corner.normal, cores.normal)};
   }
-  const Truth is_sure = hn::And(is_skew, hn::Or(contact.holds, by_corner));
-  return {sureWhere(is_sure, cores.distance), a.center + out(a.axes, cores.point_on_a),
-          out(a.axes, cores.normal)};
+  const Truth is_sure = hn::And(isSkew(pair), hn::Or(contact.holds, by_corner));
+  cores.distance = sureWhere(is_sure, cores.distance);
+  return cores;
+}
+
+HWY_INLINE CoreAnswer coreDistance(const BoxCore& a, const BoxCore& b) {
+  const BoxPairLanes pair = boxPairInLanes(a, b);
+  const CoreAnswer cores = answerAlong(pair, bestAxis<false>(pair));
+  return {cores.distance, a.center + out(a.axes, cores.point_on_a), out(a.axes, cores.normal)};
+}
+
+/// Of boxes that overlap the best axis says how deep, and no point needs to prove it.
+HWY_INLINE Number separationOf(const BoxCore& a, const BoxCore& b, Truth counts) {
+  const BoxPairLanes pair = boxPairInLanes(a, b);
+  const BestAxis best = bestAxis<false>(pair);
+  const Number gap = hn::Div(best.numerator, hn::Sqrt(best.sine_squared));
+  const Truth is_depth = hn::And(isSkew(pair), hn::Le(gap, zero()));
+  if (hn::AllFalse(Lanes(), hn::AndNot(is_depth, counts))) {
+    return gap;
+  }
+  return hn::IfThenElse(is_depth, gap, answerAlong(pair, best).distance);
 }
 
 // NOLINTNEXTLINE(google-readability-namespace-comments)

@@ -96,6 +96,12 @@ HWY_INLINE Truth mayBeWithin(const CoreA&, const CoreB&, Number) {
   return hn::Eq(zero(), zero());
 }
 
+/// The distance of coreDistance, right in the lanes that count: for those who need no points.
+template <class CoreA, class CoreB>
+HWY_INLINE Number separationOf(const CoreA& a, const CoreB& b, Truth) {
+  return coreDistance(a, b).distance;
+}
+
 HWY_INLINE Number sureWhere(Truth is_sure, Number distance) {
   return hn::IfThenElse(is_sure, distance, number(std::numeric_limits<double>::quiet_NaN()));
 }

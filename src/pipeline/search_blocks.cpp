@@ -5,111 +5,14 @@
 #define HWY_TARGET_INCLUDE "pipeline/search_blocks.cpp"
 #include "hwy/foreach_target.h"
 // The order matters: Highway first includes this file once for each target.
-#include <utility>
+#include <cmath>
 
-#include "narrow_phase/lanes_box_box-inl.h"
-#include "narrow_phase/lanes_points-inl.h"
-#include "narrow_phase/lanes_segment_box-inl.h"
-#include "narrow_phase/plain_twin.h"
+#include "pipeline/block_lanes-inl.h"
 #include "pipeline/late_bodies.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
-
-constexpr std::size_t kLanes = hn::MaxLanes(Lanes());
-
-/// Lanes of a block that one vector holds.
-struct BlockPart {
-  std::uint32_t one;         ///< slot
-  std::size_t first;         ///< slot
-  std::uint32_t is_pair;     ///< bit by lane of the vector
-  std::uint32_t first_pair;  ///< of the lowest bit
-};
-
-HWY_INLINE std::uint32_t bitsOf(Truth truth) {
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(Lanes(), truth, bits);
-  return bits[0];
-}
-
-/// Lanes that are not numbers. Highway's Ne does not see them on every instruction set.
-HWY_INLINE std::uint32_t nansOf(Number value) { return bitsOf(hn::Not(hn::Eq(value, value))); }
-
-/// The core in slot `one` in every lane.
-template <class Core>
-HWY_INLINE Core coreOfOne(const BodyRows& rows, const BlockPart& part) {
-  return Core(OneShape{rows.numbers.data() + part.one, rows.stride});
-}
-
-/// A core from slot `first` on in each lane.
-template <class Core>
-HWY_INLINE Core coreOfRow(const BodyRows& rows, const BlockPart& part) {
-  return Core(ShapeLanes{rows.numbers.data() + part.first, rows.stride});
-}
-
-template <class CoreA, class CoreB>
-HWY_INLINE Number distanceOf(const CoreA& a, const CoreB& b) {
-  if constexpr (CoreA::kKind > CoreB::kKind) {
-    return distanceOf(b, a);
-  } else {
-    return hn::Sub(hn::Sub(coreDistance(a, b).distance, a.radius), b.radius);
-  }
-}
-
-/// Where bounding spheres leave a pair the chance to be as near as `best`.
-HWY_INLINE Truth mayBeNearer(const BodyRows& rows, const BlockPart& part, double best) {
-  const ShapeLanes row{rows.numbers.data() + part.first, rows.stride};
-  const OneShape one{rows.numbers.data() + part.one, rows.stride};
-  const Vector3 between = vectorAt(row, column::center) - vectorAt(one, column::center);
-  const Number radii = hn::Add(one.at(kBoundingColumn), row.at(kBoundingColumn));
-  const Number allowed = hn::Add(radii, number(best));
-  return hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed)));
-}
-
-/// Has the plain twin measure the lanes `which`.
-template <class CoreOne, class CoreRow>
-HWY_NOINLINE Number finished(const BodyRows& rows, const BlockPart& part, std::uint32_t which,
-                             Number distance) {
-  HWY_ALIGN double distances[kLanes];
-  hn::Store(distance, Lanes(), distances);
-  for (; which != 0; which &= which - 1) {
-    const auto lane = static_cast<std::size_t>(__builtin_ctz(which));
-    PosedCore a = readCore(CoreOne::kKind, rows.numbers.data() + part.one, rows.stride);
-    PosedCore b = readCore(CoreRow::kKind, rows.numbers.data() + part.first + lane, rows.stride);
-    if (CoreOne::kKind > CoreRow::kKind) {
-      std::swap(a, b);
-    }
-    distances[lane] = plainDistance(a.core, a.pose, b.core, b.pose).distance;
-  }
-  return hn::Load(Lanes(), distances);
-}
-
-/// Right in the lanes `which`.
-template <class CoreOne, class CoreRow>
-HWY_INLINE Number measurePart(const BodyRows& rows, const BlockPart& part, std::uint32_t which) {
-  const Number distance =
-      distanceOf(coreOfOne<CoreOne>(rows, part), coreOfRow<CoreRow>(rows, part));
-  const std::uint32_t open = nansOf(distance) & which;
-  return HWY_UNLIKELY(open != 0) ? finished<CoreOne, CoreRow>(rows, part, open, distance)
-                                 : distance;
-}
-
-/// Calls `take` with the pair and the distance of each lane `which`.
-template <class Take>
-HWY_INLINE void forLanes(const BlockPart& part, std::uint32_t which, Number distance,
-                         const Take& take) {
-  HWY_ALIGN double distances[kLanes];
-  hn::Store(distance, Lanes(), distances);
-  std::uint32_t pair = part.first_pair;
-  for (std::uint32_t left = part.is_pair; left != 0; left &= left - 1) {
-    const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
-    if ((which >> lane & 1U) != 0) {
-      take(pair, distances[lane]);
-    }
-    ++pair;
-  }
-}
 
 /// Every distance of a part.
 struct MeasureAll {
@@ -127,7 +30,8 @@ struct MeasureAll {
       hn::StoreU(distance, Lanes(), distances.data() + part.first_pair);
     } else {
       forLanes(part, part.is_pair, distance,
-               [&](std::uint32_t pair, double value) HWY_ATTR { distances[pair] = value; });
+               [&](std::uint32_t pair, std::size_t, double value)
+                   HWY_ATTR { distances[pair] = value; });
     }
     return true;
   }
@@ -148,7 +52,7 @@ struct FindNearest {
     }
     const Number distance = measurePart<CoreOne, CoreRow>(rows, part, which);
     which &= bitsOf(hn::Lt(distance, number(best.distance)));
-    forLanes(part, which, distance, [&](std::uint32_t pair, double value) HWY_ATTR {
+    forLanes(part, which, distance, [&](std::uint32_t pair, std::size_t, double value) HWY_ATTR {
       if (value < best.distance && passed.is_passed[passed.group_of[pair]] == 0) {
         best = {idAt<PairId>(pair), value};
       }
@@ -180,19 +84,23 @@ struct FindContact {
     if (which == 0) {
       return true;
     }
-    const Number distance = measurePart<CoreOne, CoreRow>(rows, part, which);
-    found.has_unknown = found.has_unknown || (nansOf(distance) & which) != 0;
-    which &= bitsOf(hn::Le(distance, number(limits.largest)));
-    if (which == 0) {
-      return true;
-    }
+    const Number distance = measureInKernel<CoreOne, CoreRow>(rows, part, which);
+    which &= bitsOf(hn::Not(hn::Gt(distance, number(limits.largest))));
     bool is_open = true;
-    forLanes(part, which, distance, [&](std::uint32_t pair, double value) HWY_ATTR {
-      if (is_open && value <= limits.of_pair[pair]) {
-        found.contact = {idAt<PairId>(pair), value};
-        is_open = false;
-      }
-    });
+    forLanes(part, which, distance,
+             [&](std::uint32_t pair, std::size_t lane, double value) HWY_ATTR {
+               if (!is_open) {
+                 return;
+               }
+               if (std::isnan(value)) {
+                 value = plainAt<CoreOne, CoreRow>(rows, part, lane);
+                 found.has_unknown = found.has_unknown || std::isnan(value);
+               }
+               if (value <= limits.of_pair[pair]) {
+                 found.contact = {idAt<PairId>(pair), value};
+                 is_open = false;
+               }
+             });
     return is_open;
   }
 };

@@ -86,7 +86,7 @@ HWY_INLINE Number distanceWithin(const StateLanes& states, const StatePair& pair
   if (hn::AllFalse(Lanes(), counts)) {
     return zero();
   }
-  const Number distance = hn::Sub(hn::Sub(coreDistance(a, b).distance, a.radius), b.radius);
+  const Number distance = hn::Sub(hn::Sub(separationOf(a, b, counts), a.radius), b.radius);
   const bool is_sure = hn::AllFalse(Lanes(), hn::AndNot(hn::Eq(distance, distance), counts));
   return HWY_LIKELY(is_sure) ? distance : finished(states, pair, distance);
 }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
@@ -170,6 +171,20 @@ TEST_P(BlocksTest, parallelCubes_areLeftToThePlainTwin) {
   EXPECT_EQ(nearest().pair, PairId{0});
   EXPECT_EQ(contact(7.5).contact.pair, PairId{2}) << "the others have limits of 0";
   EXPECT_FALSE(contact(0.0).has_unknown);
+}
+
+TEST_P(BlocksTest, skewCubes_deepByTheFaceThatIsNearest) {
+  setup_ = handMadeSetup({{0, Box{{1, 1, 1}}}, {1, Box{{0.1, 0.1, 0.1}}}, {2, Box{{1, 1, 1}}}});
+  poses_ = knownPoses(setup_);
+  const Eigen::Matrix3d skew =
+      Eigen::AngleAxisd(1.0, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  poses_.world_from_link[1] = {skew, {0.95, 0.1, 0.2}};
+  poses_.world_from_link[2] = {skew, {9.0, 0, 0}};
+  // It has to go out along x by what of it is within x = 1.
+  const double depth = 0.05 + 0.1 * skew.row(0).cwiseAbs().sum();
+  EXPECT_NEAR(distances()[0], -depth, 1e-12);
+  EXPECT_NEAR(nearest().distance, -depth, 1e-12);
+  EXPECT_NEAR(contact(0.0).contact.distance, -depth, 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryInstructionSet, BlocksTest, testing::ValuesIn(instructionSets()),

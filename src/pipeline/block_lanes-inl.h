@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One body against several neighbours at once.
+#if defined(COLLISION_MONITOR_BLOCK_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef COLLISION_MONITOR_BLOCK_LANES_INL_H
+#undef COLLISION_MONITOR_BLOCK_LANES_INL_H
+#else
+#define COLLISION_MONITOR_BLOCK_LANES_INL_H
+#endif
+
+#include <utility>
+
+#include "collision_monitor/pipeline/pair_blocks.h"
+#include "narrow_phase/lanes_box_box-inl.h"
+#include "narrow_phase/lanes_points-inl.h"
+#include "narrow_phase/lanes_segment_box-inl.h"
+#include "narrow_phase/plain_twin.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace collision_monitor {
+namespace HWY_NAMESPACE {
+
+constexpr std::size_t kLanes = hn::MaxLanes(Lanes());
+
+/// Lanes of a block that one vector holds.
+struct BlockPart {
+  std::uint32_t one;         ///< slot
+  std::size_t first;         ///< slot
+  std::uint32_t is_pair;     ///< bit by lane of the vector
+  std::uint32_t first_pair;  ///< of the lowest bit
+};
+
+HWY_INLINE std::uint32_t bitsOf(Truth truth) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(Lanes(), truth, bits);
+  return bits[0];
+}
+
+/// Lanes that are not numbers. Highway's Ne does not see them on every instruction set.
+HWY_INLINE std::uint32_t nansOf(Number value) { return bitsOf(hn::Not(hn::Eq(value, value))); }
+
+HWY_INLINE Truth truthOf(std::uint32_t bits) {
+  const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
+  return hn::LoadMaskBits(Lanes(), bytes);
+}
+
+/// The core in slot `one` in every lane.
+template <class Core>
+HWY_INLINE Core coreOfOne(const BodyRows& rows, const BlockPart& part) {
+  return Core(OneShape{rows.numbers.data() + part.one, rows.stride});
+}
+
+/// A core from slot `first` on in each lane.
+template <class Core>
+HWY_INLINE Core coreOfRow(const BodyRows& rows, const BlockPart& part) {
+  return Core(ShapeLanes{rows.numbers.data() + part.first, rows.stride});
+}
+
+template <class CoreA, class CoreB>
+HWY_INLINE Number distanceOf(const CoreA& a, const CoreB& b, Truth counts) {
+  if constexpr (CoreA::kKind > CoreB::kKind) {
+    return distanceOf(b, a, counts);
+  } else {
+    return hn::Sub(hn::Sub(separationOf(a, b, counts), a.radius), b.radius);
+  }
+}
+
+/// Where bounding spheres leave a pair the chance to be as near as `best`.
+HWY_INLINE Truth mayBeNearer(const BodyRows& rows, const BlockPart& part, double best) {
+  const ShapeLanes row{rows.numbers.data() + part.first, rows.stride};
+  const OneShape one{rows.numbers.data() + part.one, rows.stride};
+  const Vector3 between = vectorAt(row, column::center) - vectorAt(one, column::center);
+  const Number radii = hn::Add(one.at(kBoundingColumn), row.at(kBoundingColumn));
+  const Number allowed = hn::Add(radii, number(best));
+  return hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed)));
+}
+
+/// What the plain twin says of one lane.
+template <class CoreOne, class CoreRow>
+HWY_NOINLINE double plainAt(const BodyRows& rows, const BlockPart& part, std::size_t lane) {
+  PosedCore a = readCore(CoreOne::kKind, rows.numbers.data() + part.one, rows.stride);
+  PosedCore b = readCore(CoreRow::kKind, rows.numbers.data() + part.first + lane, rows.stride);
+  if (CoreOne::kKind > CoreRow::kKind) {
+    std::swap(a, b);
+  }
+  return plainDistance(a.core, a.pose, b.core, b.pose).distance;
+}
+
+/// Has the plain twin measure the lanes `which`.
+template <class CoreOne, class CoreRow>
+HWY_NOINLINE Number finished(const BodyRows& rows, const BlockPart& part, std::uint32_t which,
+                             Number distance) {
+  HWY_ALIGN double distances[kLanes];
+  hn::Store(distance, Lanes(), distances);
+  for (; which != 0; which &= which - 1) {
+    const auto lane = static_cast<std::size_t>(__builtin_ctz(which));
+    distances[lane] = plainAt<CoreOne, CoreRow>(rows, part, lane);
+  }
+  return hn::Load(Lanes(), distances);
+}
+
+/// Right in the lanes `which`, or NaN where the plain twin has to decide.
+template <class CoreOne, class CoreRow>
+HWY_INLINE Number measureInKernel(const BodyRows& rows, const BlockPart& part,
+                                  std::uint32_t which) {
+  return distanceOf(coreOfOne<CoreOne>(rows, part), coreOfRow<CoreRow>(rows, part), truthOf(which));
+}
+
+/// Right in the lanes `which`.
+template <class CoreOne, class CoreRow>
+HWY_INLINE Number measurePart(const BodyRows& rows, const BlockPart& part, std::uint32_t which) {
+  const Number distance = measureInKernel<CoreOne, CoreRow>(rows, part, which);
+  const std::uint32_t open = nansOf(distance) & which;
+  return HWY_UNLIKELY(open != 0) ? finished<CoreOne, CoreRow>(rows, part, open, distance)
+                                 : distance;
+}
+
+/// Calls `take` with the pair, the lane and the distance of each lane `which`.
+template <class Take>
+HWY_INLINE void forLanes(const BlockPart& part, std::uint32_t which, Number distance,
+                         const Take& take) {
+  HWY_ALIGN double distances[kLanes];
+  hn::Store(distance, Lanes(), distances);
+  std::uint32_t pair = part.first_pair;
+  for (std::uint32_t left = part.is_pair; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(__builtin_ctz(left));
+    if ((which >> lane & 1U) != 0) {
+      take(pair, lane, distances[lane]);
+    }
+    ++pair;
+  }
+}
+
+// NOLINTNEXTLINE(google-readability-namespace-comments)
+}  // namespace HWY_NAMESPACE
+}  // namespace collision_monitor
+HWY_AFTER_NAMESPACE();
+
+#endif
