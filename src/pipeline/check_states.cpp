@@ -94,22 +94,12 @@ void judgeAlone(const CycleSetup& setup, StatesWork& work, StatesBlock& block) n
   block.is_warning.of[0] = 0.0;
 }
 
-/// Poses of all links in state 0 of the block.
-void readLinkPoses(const StatesWork& work, LinkPoses& poses) noexcept {
-  for (std::size_t i = 0; i < work.plan.links.size(); ++i) {
-    const LinkPlace& place = work.plan.links[i];
-    poses.world_from_link[i] = place.frame == MovingFrame::kWorld
-                                   ? place.frame_from_link
-                                   : poseOf(work.frames[place.frame], 0) * place.frame_from_link;
-  }
-}
-
 /// One state as a cycle sees it, with nothing before it.
 StateCheck checkByCycle(const CycleSetup& setup, const JointPositions& positions, std::size_t state,
                         StatesWork& work) {
   fillVariables(positions, state, work);
   placeFrames(work.plan, work.variables, work.frames);
-  readLinkPoses(work, work.poses);
+  readLinkPoses(work, 0, work.poses.world_from_link);
   resetMemory(work.buffers);
   runCycle(setup, work.poses, work.buffers);
   const PairEvents& events = work.buffers.events;
@@ -185,6 +175,16 @@ void fillVariables(const JointPositions& positions, std::size_t first, StatesWor
     for (std::size_t i = 0; i < variables; ++i) {
       work.variables[i].of[lane] = state[i];
     }
+  }
+}
+
+void readLinkPoses(const StatesWork& work, std::size_t lane, std::vector<Pose>& world_from_link) {
+  world_from_link.resize(work.plan.links.size());
+  for (std::size_t i = 0; i < work.plan.links.size(); ++i) {
+    const LinkPlace& place = work.plan.links[i];
+    world_from_link[i] = place.frame == MovingFrame::kWorld
+                             ? place.frame_from_link
+                             : poseOf(work.frames[place.frame], lane) * place.frame_from_link;
   }
 }
 

@@ -28,6 +28,9 @@ void placeStates(const CycleSetup& setup, StatesWork& work) noexcept;
 void judgeBlock(const CycleSetup& setup, StateQuestion question, const StatesWork& work,
                 StatesBlock& block) noexcept;
 
+/// Poses of all links in one state of the block that was placed.
+void readLinkPoses(const StatesWork& work, std::size_t lane, std::vector<Pose>& world_from_link);
+
 /// Of a pair that measureLinkPairs is to leave out, in every state.
 constexpr double kNotAsked = -std::numeric_limits<double>::infinity();
 

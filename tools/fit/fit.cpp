@@ -64,7 +64,8 @@ std::vector<OutputFile> makeOutputs(const Options& options, const RobotDescripti
 
 int run(const Options& options) {
   SetupReport report;
-  const RobotDescription description = readDescription(options, report);
+  RobotDescription description = readDescription(options.source, report);
+  description.srdf_xml = readInput("option --srdf", options.srdf, report);
   FitRequest request{options.limits, options.padding, readRules(options.rules, report),
                      fitCacheFolder(options.cache), options.link_pattern};
   checkOutputs(options, report);
@@ -74,7 +75,8 @@ int run(const Options& options) {
   const auto show = [&](const std::string& link, std::size_t done, std::size_t total) {
     progress.show("fitting", link, done, total);
   };
-  const FittedRobot robot = fitRobot(description, makeLoader(options.package_roots), request, show);
+  const FittedRobot robot =
+      fitRobot(description, makeLoader(options.source.package_roots), request, show);
   for (const Problem& warning : robot.report.warnings) {
     std::fprintf(stderr, "warning: %s\n", toString(warning).c_str());
   }

@@ -8,8 +8,6 @@
 namespace collision_monitor::fit_tool {
 namespace {
 
-constexpr int kUsageFault = 2;
-
 const char* const kAbout =
     "Encloses the links of a robot in spheres, capsules, boxes and rounded boxes as the monitor\n"
     "does, and prints for each collision element how tight they are and that they are proven to\n"
@@ -36,12 +34,7 @@ std::string faultOfLength(const std::string& text) {
 }
 
 void addInputs(CLI::App& app, Options& options) {
-  app.add_option("urdf", options.urdf, "the robot, or - for standard input")->type_name("FILE");
   const char* const group = "Input";
-  app.add_option("--param", options.parameter,
-                 "read the URDF from this parameter of a running roscore instead")
-      ->type_name("NAME")
-      ->group(group);
   app.add_option("--srdf", options.srdf, "for rules that name its groups")
       ->type_name("FILE")
       ->group(group);
@@ -52,12 +45,6 @@ void addInputs(CLI::App& app, Options& options) {
   app.add_option("--link", options.link_pattern,
                  "only links of this name; * stands for any characters, ? for one")
       ->type_name("PATTERN")
-      ->group(group);
-  app.add_option("--package-root", options.package_roots,
-                 "holds packages, or is one: where package:// names are looked up first,\n"
-                 "before ROS_PACKAGE_PATH; may be given several times")
-      ->allow_extra_args(false)
-      ->type_name("FOLDER")
       ->group(group);
 }
 
@@ -88,18 +75,6 @@ void addLimits(CLI::App& app, Options& options, std::vector<std::string>& kinds)
       ->group(group);
 }
 
-void addCache(CLI::App& app, Options& options, bool& has_no_cache) {
-  const char* const group = "Kept fits";
-  CLI::Option* cache = app.add_option("--cache", options.cache,
-                                      "where they are; default: the monitor's,\n"
-                                      "~/.ros/collision_monitor/fits")
-                           ->type_name("FOLDER")
-                           ->group(group);
-  app.add_flag("--no-cache", has_no_cache, "fit anew and keep nothing")
-      ->excludes(cache)
-      ->group(group);
-}
-
 void addOutputs(CLI::App& app, Options& options) {
   const auto add_file = [&](const char* name, std::string& file, const char* what) {
     app.add_option(name, file, what)->type_name("FILE")->group("Output");
@@ -124,9 +99,7 @@ void addOutputs(CLI::App& app, Options& options) {
 
 /// What one option cannot know of the others.
 void checkTogether(const Options& options) {
-  if (options.urdf.empty() == options.parameter.empty()) {
-    throw CLI::ValidationError("give one robot: a URDF file, - or --param NAME");
-  }
+  checkOneRobot(options.source);
   std::vector<std::string> outputs{options.yaml, options.new_urdf, options.html,
                                    options.spheres_yaml, options.spheres_srdf};
   std::sort(outputs.begin(), outputs.end());
@@ -135,7 +108,7 @@ void checkTogether(const Options& options) {
       throw CLI::ValidationError("two options write '" + outputs[i] + "'");
     }
   }
-  if (!options.new_urdf.empty() && options.new_urdf == options.urdf) {
+  if (!options.new_urdf.empty() && options.new_urdf == options.source.urdf) {
     throw CLI::ValidationError("--urdf would replace the robot that is read; name another file");
   }
 }
@@ -155,9 +128,10 @@ Parsed parseOptions(int argc, const char* const* argv) {
   app.footer(kFooter);
   std::vector<std::string> kinds;
   bool has_no_cache = false;
+  addRobotOptions(app, parsed.options.source);
   addInputs(app, parsed.options);
   addLimits(app, parsed.options, kinds);
-  addCache(app, parsed.options, has_no_cache);
+  addCacheOptions(app, parsed.options.cache, has_no_cache);
   addOutputs(app, parsed.options);
   try {
     app.parse(argc, argv);

@@ -7,15 +7,14 @@
 #include <vector>
 
 #include "collision_monitor/pipeline/setup.h"
+#include "robot_options.h"
 
 namespace collision_monitor::fit_tool {
 
 /// The command line. Empty names mean: not asked for.
 struct Options {
-  std::string urdf;       ///< file, or "-" for standard input
-  std::string parameter;  ///< in place of the file
+  RobotSource source;
   std::string srdf;
-  std::vector<std::string> package_roots;
 
   FitLimits limits{SetupOptions().default_limits};  ///< as the node's
   double padding{0.0};                              ///< [m]

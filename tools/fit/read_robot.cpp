@@ -24,19 +24,9 @@ namespace fs = std::filesystem;
 
 std::string textOf(std::istream& stream) { return {std::istreambuf_iterator<char>(stream), {}}; }
 
-std::string readInput(const std::string& what, const std::string& path, SetupReport& report) {
-  try {
-    return readFile(path);
-  } catch (const std::runtime_error& fault) {
-    report.errors.push_back(
-        {what, "'" + path + "' cannot be read: " + fault.what(), "a file that can be read"});
-    return "";
-  }
-}
-
 std::string readParameter(const std::string& name, SetupReport& report) {
   // Nothing is subscribed to, and Ctrl-C stays what it is.
-  ros::init(ros::M_string(), "fit",
+  ros::init(ros::M_string(), "robot_reader",
             ros::init_options::AnonymousName | ros::init_options::NoSigintHandler);
   std::string text;
   if (!ros::param::get(name, text)) {
@@ -93,29 +83,38 @@ std::string readFile(const std::string& path) {
   return textOf(stream);
 }
 
-RobotDescription readDescription(const Options& options, SetupReport& report) {
+std::string readInput(const std::string& what, const std::string& path, SetupReport& report) {
+  if (path.empty()) {
+    return "";
+  }
+  try {
+    return readFile(path);
+  } catch (const std::runtime_error& fault) {
+    report.errors.push_back(
+        {what, "'" + path + "' cannot be read: " + fault.what(), "a file that can be read"});
+    return "";
+  }
+}
+
+RobotDescription readDescription(const RobotSource& source, SetupReport& report) {
   RobotDescription description;
-  if (!options.parameter.empty()) {
-    description.source = "parameter " + options.parameter;
-    description.urdf_xml = readParameter(options.parameter, report);
-  } else if (options.urdf == "-") {
+  if (!source.parameter.empty()) {
+    description.source = "parameter " + source.parameter;
+    description.urdf_xml = readParameter(source.parameter, report);
+  } else if (source.urdf == "-") {
     description.source = "standard input";
     description.urdf_xml = textOf(std::cin);
     description.directory = fs::current_path().string();
   } else {
-    description.source = options.urdf;
-    description.urdf_xml = readInput("robot", options.urdf, report);
-    description.directory = fs::absolute(options.urdf).parent_path().string();
-  }
-  if (!options.srdf.empty()) {
-    description.srdf_xml = readInput("option --srdf", options.srdf, report);
+    description.source = source.urdf;
+    description.urdf_xml = readInput("robot", source.urdf, report);
+    description.directory = fs::absolute(source.urdf).parent_path().string();
   }
   return description;
 }
 
 ShapeRulesText readRules(const std::string& path, SetupReport& report) {
-  return path.empty() ? ShapeRulesText()
-                      : ShapeRulesText{path, readInput("option --rules", path, report)};
+  return {path, readInput("option --rules", path, report)};
 }
 
 ResourceLoader makeLoader(const std::vector<std::string>& package_roots) {

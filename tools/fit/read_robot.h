@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "collision_monitor/model/shape_rules.h"
 #include "collision_monitor/model/urdf_reader.h"
-#include "options.h"
+#include "robot_options.h"
 
 namespace collision_monitor::fit_tool {
 
@@ -11,8 +12,12 @@ namespace collision_monitor::fit_tool {
 /// @throws std::runtime_error with the reason when it cannot be read
 std::string readFile(const std::string& path);
 
-/// The robot's URDF and SRDF. What cannot be read is added to `report`.
-RobotDescription readDescription(const Options& options, SetupReport& report);
+/// The robot's URDF. What cannot be read is added to `report`.
+RobotDescription readDescription(const RobotSource& source, SetupReport& report);
+
+/// The text of a file; empty where none is asked for. What cannot be read is added to `report`.
+/// @param what messages call it: "option --srdf"
+std::string readInput(const std::string& what, const std::string& path, SetupReport& report);
 
 /// The rules; empty where none are asked for. A file that cannot be read is added to `report`.
 ShapeRulesText readRules(const std::string& path, SetupReport& report);

@@ -25,7 +25,7 @@ TEST(Options, byDefault_areTheMonitors) {
   const Parsed parsed = parse({"robot.urdf"});
   ASSERT_TRUE(parsed.is_to_run);
   const FitLimits monitors = SetupOptions().default_limits;
-  EXPECT_EQ(parsed.options.urdf, "robot.urdf");
+  EXPECT_EQ(parsed.options.source.urdf, "robot.urdf");
   EXPECT_EQ(parsed.options.limits.max_shapes, monitors.max_shapes);
   EXPECT_EQ(parsed.options.limits.target_overshoot, monitors.target_overshoot);
   EXPECT_TRUE(parsed.options.limits.kinds.sphere && parsed.options.limits.kinds.rounded_box);
@@ -36,7 +36,7 @@ TEST(Options, kindsAndLimits) {
   const Options options = parse({"--kinds", "box,capsule", "--max-shapes", "7", "--padding", "0.01",
                                  "--target-overshoot", "0", "robot.urdf", "--no-cache"})
                               .options;
-  EXPECT_EQ(options.urdf, "robot.urdf");
+  EXPECT_EQ(options.source.urdf, "robot.urdf");
   EXPECT_TRUE(options.limits.kinds.box && options.limits.kinds.capsule);
   EXPECT_FALSE(options.limits.kinds.sphere || options.limits.kinds.rounded_box);
   EXPECT_EQ(options.limits.max_shapes, 7U);

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/joint_ranges.h"
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace collision_monitor {
+namespace {
+
+constexpr double kHalfTurn = 3.141592653589793;
+constexpr double kMetre = 1.0;
+
+/// From -1 to 1; the standard library's distributions differ from one to another.
+double drawUnit(std::mt19937_64& random) {
+  constexpr int kDigits = 53;
+  return std::ldexp(static_cast<double>(random() >> (64 - kDigits)), 1 - kDigits) - 1.0;
+}
+
+void drawFree(const Joint& joint, std::mt19937_64& random, JointPositions& state) {
+  double* const variables = state.data() + joint.first_variable;
+  variables[0] = kMetre * drawUnit(random);
+  variables[1] = kMetre * drawUnit(random);
+  if (joint.type == JointType::planar) {
+    variables[2] = kHalfTurn * drawUnit(random);
+    return;
+  }
+  variables[2] = kMetre * drawUnit(random);
+  // Any turn with the same chance: what of a cube lies within the ball.
+  Eigen::Map<Eigen::Vector4d> quaternion(variables + 3);
+  do {
+    for (double& number : quaternion) {
+      number = drawUnit(random);
+    }
+  } while (quaternion.squaredNorm() > 1.0 || quaternion.squaredNorm() < 1e-4);
+  quaternion.normalize();
+}
+
+}  // namespace
+
+std::vector<JointRange> jointRanges(const RobotModel& model) {
+  std::vector<JointRange> ranges;
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Joint& joint = model.joints[i];
+    if (joint.mimic || freedomOf(joint) != 1) {
+      continue;
+    }
+    const bool has_limits = joint.type != JointType::continuous && std::isfinite(joint.lower) &&
+                            std::isfinite(joint.upper);
+    const double reach = joint.type == JointType::prismatic ? kMetre : kHalfTurn;
+    ranges.push_back({idAt<JointId>(i), has_limits ? joint.lower : -reach,
+                      has_limits ? joint.upper : reach,
+                      has_limits || joint.type == JointType::continuous});
+  }
+  return ranges;
+}
+
+JointPositions drawState(const RobotModel& model, const std::vector<JointRange>& ranges,
+                         std::mt19937_64& random) {
+  JointPositions state = defaultPositions(model);
+  for (const JointRange& range : ranges) {
+    const double share = 0.5 + 0.5 * drawUnit(random);
+    state[model.joint(range.joint).first_variable] =
+        range.lower + share * (range.upper - range.lower);
+  }
+  for (const Joint& joint : model.joints) {
+    if (!joint.mimic && freedomOf(joint) > 1) {
+      drawFree(joint, random, state);
+    }
+  }
+  return state;
+}
+
+}  // namespace collision_monitor

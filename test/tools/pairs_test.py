@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The collision_monitor authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program `pairs` as its users run it: what it prints and writes, and what it says about bad input.
+
+COLLISION_MONITOR_PAIRS and COLLISION_MONITOR_FIT name the programs; ctest sets them.
+"""
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("COLLISION_MONITOR_PAIRS")
+FIT = os.environ.get("COLLISION_MONITOR_FIT")
+BALL = "<collision><geometry><sphere radius='0.1'/></geometry></collision>"
+TWO_BALLS = ("<robot name='r'><link name='a'>" + BALL + "</link><link name='b'>" + BALL + "</link>"
+             "<joint name='j' type='fixed'><parent link='a'/><child link='b'/><origin xyz='1 0 0'/></joint></robot>")
+
+
+def run(*arguments, text=None, program=PROGRAM):
+    environment = dict(os.environ, ROS_MASTER_URI="http://127.0.0.1:1")  # nobody there
+    return subprocess.run([program, *map(str, arguments)], input=text, capture_output=True, text=True,
+                          timeout=300, check=False, env=environment)
+
+
+def pairs(robot, *arguments):
+    return run(ROOT / f"urdf/{robot}.urdf", "--package-root", ROOT, "--no-cache", "--states", 300, *arguments)
+
+
+def rows_of(output):
+    """By pair of links: how they touch, and why. Columns are two or more spaces apart."""
+    cells = [re.split(r"  +", line) for line in output.splitlines()[1:] if "  " in line]
+    return {(row[0], row[1]): (row[2], row[3]) for row in cells}
+
+
+def disabled_in(path):
+    root = ElementTree.parse(path).getroot()
+    return {(line.get("link1"), line.get("link2")): line.get("reason") for line in root.iter("disable_collisions")}
+
+
+@unittest.skipUnless(PROGRAM, "COLLISION_MONITOR_PAIRS names no program")
+class RobotsOfThisPackage(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.srdf = pathlib.Path(folder.name) / "robot.srdf"
+
+    def test_table_and_srdf_say_the_same(self):
+        for robot in ("arm6", "dual_arm", "humanoid"):
+            with self.subTest(robot):
+                result = pairs(robot, "--srdf", self.srdf)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                rows = rows_of(result.stdout)
+                root = ElementTree.parse(ROOT / f"urdf/{robot}.urdf").getroot()
+                links = sum(1 for link in root.findall("link") if link.find("collision") is not None)
+                self.assertEqual(len(rows), links * (links - 1) // 2)
+                expected = {pair for pair, (touch, why) in rows.items()
+                            if touch in ("adjacent", "always") or (touch == "never" and "proven" in why)}
+                self.assertEqual(set(disabled_in(self.srdf)), expected)
+                self.assertEqual(run(ROOT / f"urdf/{robot}.urdf", "--package-root", ROOT, "--srdf", self.srdf,
+                                     "--no-cache", "--max-shapes", 1, program=FIT).returncode, 0)
+
+    def test_samples_are_written_only_if_they_are_trusted(self):
+        careful = pairs("humanoid", "--srdf", self.srdf)
+        proven = disabled_in(self.srdf)
+        left_out = int(re.search(r"left out (\d+) pairs", careful.stdout).group(1))
+        self.assertGreater(left_out, 0)
+        trusting = pairs("humanoid", "--srdf", self.srdf, "--trust-samples")
+        self.assertNotIn("left out", trusting.stdout)
+        self.assertEqual(len(disabled_in(self.srdf)), len(proven) + left_out)
+
+    def test_same_seed_same_answer(self):
+        first = pairs("arm6")
+        self.assertEqual(first.stdout, pairs("arm6").stdout)
+        self.assertNotEqual(first.stdout, pairs("arm6", "--seed", 2).stdout)
+
+    def test_from_standard_input(self):
+        result = run("-", "--no-cache", text=TWO_BALLS)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(rows_of(result.stdout), {("a", "b"): ("never", "proven: fixed apart")})
+
+
+@unittest.skipUnless(PROGRAM, "COLLISION_MONITOR_PAIRS names no program")
+class BadInput(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def refused(self, *arguments, code=1, text=None):
+        """What is said; nothing may be printed as a result or written."""
+        result = run(*arguments, text=text)
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+        self.assertNotIn("because", result.stdout)
+        return result.stderr if code == 1 else result.stdout + result.stderr
+
+    def test_every_missing_file_at_once(self):
+        said = self.refused("missing.urdf", "--srdf", self.folder / "no" / "where.srdf")
+        self.assertIn("2 problems", said)
+        self.assertIn("missing.urdf'", said)
+        self.assertIn("where.srdf'", said)
+
+    def test_bad_robots(self):
+        for text in ("", "<robot", TWO_BALLS.replace("'0.1'", "'-1'"), "<robot name='r'/>"):
+            with self.subTest(text[:40]):
+                said = self.refused("-", "--no-cache", "--srdf", self.folder / "out.srdf", text=text)
+                self.assertIn("accepted: ", said)
+
+    def test_usage(self):
+        for arguments in ((), ("a.urdf", "--unknown"), ("a.urdf", "--states", "x"), ("a.urdf", "--trust-samples")):
+            self.assertTrue(self.refused(*arguments, code=2))
+
+
+if __name__ == "__main__":
+    unittest.main()

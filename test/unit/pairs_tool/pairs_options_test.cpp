@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pairs_options.h"
+
+#include <gtest/gtest.h>
+
+namespace collision_monitor::pairs_tool {
+namespace {
+
+/// Parses; what is printed is kept in `said`.
+Parsed parse(std::vector<const char*> arguments, std::string* said = nullptr) {
+  arguments.insert(arguments.begin(), "pairs");
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const Parsed parsed = parseOptions(static_cast<int>(arguments.size()), arguments.data());
+  const std::string text =
+      testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr();
+  if (said != nullptr) {
+    *said = text;
+  }
+  return parsed;
+}
+
+TEST(PairsOptions, defaultsAndAllThatIsSaid) {
+  EXPECT_EQ(parse({"robot.urdf"}).options.search.states, PairSearchOptions().states);
+  const Parsed parsed = parse({"robot.urdf", "--states", "50", "--seed", "7", "--cells", "9",
+                               "--srdf", "out.srdf", "--trust-samples", "--no-cache"});
+  ASSERT_TRUE(parsed.is_to_run);
+  EXPECT_EQ(parsed.options.source.urdf, "robot.urdf");
+  EXPECT_EQ(parsed.options.search.states, 50U);
+  EXPECT_EQ(parsed.options.search.seed, 7U);
+  EXPECT_EQ(parsed.options.search.most_cells, 9U);
+  EXPECT_EQ(parsed.options.srdf, "out.srdf");
+  EXPECT_TRUE(parsed.options.trusts_samples);
+  EXPECT_EQ(parsed.options.cache, "none");
+}
+
+TEST(PairsOptions, help_endsWell) {
+  std::string said;
+  const Parsed parsed = parse({"--help"}, &said);
+  EXPECT_FALSE(parsed.is_to_run);
+  EXPECT_EQ(parsed.exit_code, 0);
+  for (const char* option : {"--states", "--seed", "--srdf", "--trust-samples", "--param"}) {
+    EXPECT_NE(said.find(option), std::string::npos) << option;
+  }
+}
+
+TEST(PairsOptions, faults) {
+  for (const std::vector<const char*>& arguments :
+       std::vector<std::vector<const char*>>{{},
+                                             {"a.urdf", "--param", "b"},
+                                             {"a.urdf", "--states", "0"},
+                                             {"a.urdf", "--states", "-3"},
+                                             {"a.urdf", "--seed", "x"},
+                                             {"a.urdf", "--trust-samples"},
+                                             {"a.urdf", "--unknown"}}) {
+    const Parsed parsed = parse(arguments);
+    EXPECT_FALSE(parsed.is_to_run);
+    EXPECT_EQ(parsed.exit_code, 2);
+  }
+}
+
+}  // namespace
+}  // namespace collision_monitor::pairs_tool

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "robot_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace collision_monitor::fit_tool {
+
+void addRobotOptions(CLI::App& app, RobotSource& source) {
+  app.add_option("urdf", source.urdf, "the robot, or - for standard input")->type_name("FILE");
+  const char* const group = "Input";
+  app.add_option("--param", source.parameter,
+                 "read the URDF from this parameter of a running roscore instead")
+      ->type_name("NAME")
+      ->group(group);
+  app.add_option("--package-root", source.package_roots,
+                 "holds packages, or is one: where package:// names are looked up first,\n"
+                 "before ROS_PACKAGE_PATH; may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("FOLDER")
+      ->group(group);
+}
+
+void checkOneRobot(const RobotSource& source) {
+  if (source.urdf.empty() == source.parameter.empty()) {
+    throw CLI::ValidationError("give one robot: a URDF file, - or --param NAME");
+  }
+}
+
+void addCacheOptions(CLI::App& app, std::string& cache, bool& has_none) {
+  const char* const group = "Kept fits";
+  CLI::Option* option = app.add_option("--cache", cache,
+                                       "where they are; default: the monitor's,\n"
+                                       "~/.ros/collision_monitor/fits")
+                            ->type_name("FOLDER")
+                            ->group(group);
+  app.add_flag("--no-cache", has_none, "fit anew and keep nothing")->excludes(option)->group(group);
+}
+
+}  // namespace collision_monitor::fit_tool

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "collision_monitor/pipeline/search_pairs.h"
+#include "robot_options.h"
+
+namespace collision_monitor::pairs_tool {
+
+/// The command line. Empty names mean: not asked for.
+struct Options {
+  fit_tool::RobotSource source;
+  std::string cache;  ///< as the parameter fit_cache
+  PairSearchOptions search;
+  std::string srdf;  ///< to be written
+  bool trusts_samples{false};
+};
+
+/// What the command line asks for: run, or end with this exit code.
+struct Parsed {
+  Options options;
+  bool is_to_run{false};
+  int exit_code{0};  ///< 0 after --help, 2 for a fault, which was printed
+};
+
+Parsed parseOptions(int argc, const char* const* argv);
+
+}  // namespace collision_monitor::pairs_tool

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report.h"
+
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "table.h"
+
+namespace collision_monitor::pairs_tool {
+namespace {
+
+using Row = std::array<std::string, 4>;
+
+const char* wordOf(PairFinding finding) noexcept {
+  switch (finding) {
+    case PairFinding::adjacent:
+      return "adjacent";
+    case PairFinding::always:
+      return "always";
+    case PairFinding::sometimes:
+      return "sometimes";
+    case PairFinding::unclear:
+      return "perhaps";
+    case PairFinding::never:
+      return "never";
+  }
+  return "";
+}
+
+/// "at shoulder=0.5 elbow=-1.25", of the joints that matter to the pair, with all digits that it
+/// takes to see the same.
+std::string stateText(const RobotModel& model, const PairFound& pair) {
+  constexpr int kEnough = 32;
+  std::string text = "at";
+  for (const JointId id : pair.joints) {
+    const Joint& joint = model.joint(id);
+    std::array<char, kEnough> number{};
+    std::snprintf(number.data(), number.size(), "%.9g", pair.touching[joint.first_variable]);
+    text += " " + joint.name + "=" + number.data();
+  }
+  return text;
+}
+
+std::string reasonOf(const RobotModel& model, const PairFound& pair, std::size_t states) {
+  const std::string seen = " in all " + std::to_string(states) + " states";
+  switch (pair.finding) {
+    case PairFinding::adjacent:
+      return "the links meet at a joint";
+    case PairFinding::always:
+      return pair.is_proven ? "proven: fixed to each other" : "touch" + seen;
+    case PairFinding::sometimes:
+    case PairFinding::unclear:
+      return stateText(model, pair);
+    case PairFinding::never:
+      return pair.is_proven
+                 ? "proven" + std::string(pair.joints.empty() ? ": fixed apart" : "")
+                 : "apart" + seen + ", shapes by " + fit_tool::fixed(1e3 * pair.nearest, 1) + " mm";
+  }
+  return "";
+}
+
+std::string linesOf(const std::vector<Row>& rows) {
+  std::array<std::size_t, 4> widths{};
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths[i] = std::max(widths[i], row[i].size());
+    }
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+      text += row[i] + std::string(widths[i] - row[i].size() + 2, ' ');
+    }
+    text += row.back() + "\n";
+  }
+  return text;
+}
+
+std::string totalsOf(const std::vector<PairFound>& pairs) {
+  std::string text = std::to_string(pairs.size()) + " pairs";
+  for (const PairFinding finding :
+       {PairFinding::adjacent, PairFinding::always, PairFinding::sometimes, PairFinding::unclear,
+        PairFinding::never}) {
+    const auto count = [&](bool only_proven) {
+      return std::to_string(std::count_if(pairs.begin(), pairs.end(), [&](const PairFound& pair) {
+        return pair.finding == finding && (!only_proven || pair.is_proven);
+      }));
+    };
+    text += ", " + count(false) + " " + wordOf(finding);
+    if (finding == PairFinding::never || finding == PairFinding::always) {
+      text += " (" + count(true) + " proven)";
+    }
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string tableOf(const RobotModel& model, const std::vector<PairFound>& pairs,
+                    std::size_t states) {
+  std::vector<Row> rows{{"link", "link", "touch", "because"}};
+  for (const PairFound& pair : pairs) {
+    rows.push_back({model.link(pair.a).name, model.link(pair.b).name, wordOf(pair.finding),
+                    reasonOf(model, pair, states)});
+  }
+  return linesOf(rows) + totalsOf(pairs);
+}
+
+PairSrdf writeSrdf(const RobotModel& model, const std::vector<PairFound>& pairs,
+                   bool trusts_samples) {
+  PairSrdf srdf;
+  tinyxml2::XMLPrinter printer;
+  printer.PushHeader(false, true);
+  printer.OpenElement("robot");
+  printer.PushAttribute("name", model.robots.front().name.c_str());
+  for (const PairFound& pair : pairs) {
+    const bool is_never = pair.finding == PairFinding::never;
+    if (is_never && !pair.is_proven && !trusts_samples) {
+      ++srdf.left_out;
+    } else if (is_never || pair.finding == PairFinding::adjacent ||
+               pair.finding == PairFinding::always) {
+      printer.OpenElement("disable_collisions");
+      printer.PushAttribute("link1", model.link(pair.a).name.c_str());
+      printer.PushAttribute("link2", model.link(pair.b).name.c_str());
+      printer.PushAttribute("reason", is_never                                ? "Never"
+                                      : pair.finding == PairFinding::adjacent ? "Adjacent"
+                                                                              : "Always");
+      printer.CloseElement();
+    }
+  }
+  printer.CloseElement();
+  srdf.text = printer.CStr();
+  return srdf;
+}
+
+}  // namespace collision_monitor::pairs_tool
