@@ -7,14 +7,10 @@
 #include "collision_monitor/pipeline/motion_bound.h"
 #include "collision_monitor/pipeline/sweep_pairs.h"
 #include "pipeline/limit_step.h"
+#include "pipeline/recall_elements.h"
 
 namespace collision_monitor {
 namespace {
-
-Ball ballOf(const Element& element) {
-  return element.convex ? collision_monitor::ballOf(*element.convex)
-                        : collision_monitor::ballOf(*element.mesh);
-}
 
 bool isSame(const Pose& one, const Pose& other) noexcept {
   return one.rotation == other.rotation && one.translation == other.translation;

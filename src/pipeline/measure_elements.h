@@ -17,15 +17,6 @@ struct PlacedElement {
   const Pose& world_from_element;
 };
 
-/// What measureElements found. Quality::unknown: nothing that the enclosing shapes do not say.
-struct ElementDistance {
-  Quality quality{Quality::unknown};
-  bool has_points{false};  ///< false: a lower bound without points
-  SignedDistance measured;
-  std::uint32_t steps{0};   ///< spent of the budget
-  bool is_complete{false};  ///< false: a larger budget would have told more
-};
-
 /// What a search may use, and what it leaves for the next one.
 struct ElementSearch {
   std::uint32_t budget;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <tuple>
 
-#include "pipeline/measure_elements.h"
+#include "pipeline/recall_elements.h"
 
 namespace collision_monitor {
 namespace {
@@ -125,20 +125,66 @@ ElementSearch searchWithinBudget(const Refinement& all, const RefineTask& task) 
           all.memory.refined[task.pair], *work.scratch, enoughFor(all, task)};
 }
 
-void measureTask(const Refinement& all, const RefineTask& task) noexcept {
-  RefineWork& work = all.work;
+ElementDistance recallTask(const Refinement& all, const RefineTask& task) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
+  return recallElements(all.memory.refined[task.pair].last, placed(all, pair.a),
+                        placed(all, pair.b),
+                        {all.work.balls[index(pair.a)], all.work.balls[index(pair.b)]});
+}
+
+/// Whether there is nothing left to find.
+bool isEnough(const Refinement& all, const RefineTask& task,
+              const ElementDistance& found) noexcept {
+  return found.is_complete && (found.has_points || found.quality != Quality::lower_bound ||
+                               found.measured.distance >= enoughFor(all, task));
+}
+
+ElementDistance measureTask(const Refinement& all, const RefineTask& task,
+                            const ElementDistance& recalled) noexcept {
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  const PlacedElement a = placed(all, pair.a);
+  const PlacedElement b = placed(all, pair.b);
   ElementSearch search = searchWithinBudget(all, task);
-  const ElementDistance found = measureElements(placed(all, pair.a), placed(all, pair.b), search);
+  ElementDistance found = measureElements(a, b, search);
+  all.work.steps += found.steps;
+  if (!found.is_complete && recalled.quality == Quality::lower_bound &&
+      !(recalled.measured.distance < found.measured.distance)) {
+    found.quality = Quality::lower_bound;
+    found.measured.distance = recalled.measured.distance;
+  }
+  all.memory.refined[task.pair].last = {found, a.world_from_element, b.world_from_element};
+  return found;
+}
+
+void report(const Refinement& all, const RefineTask& task, const ElementDistance& found) noexcept {
+  RefineWork& work = all.work;
   PairDistance& distance = all.distances.measured[task.place];
   takeOver(found, distance);
-  work.steps += found.steps;
   work.is_measured[task.pair] = 1;
   ++(found.is_complete ? work.refined : work.left);
-  double& nearest = work.nearest[pair.link_pair];
   if (found.is_complete) {
+    double& nearest = work.nearest[all.setup.element_pairs[task.pair].link_pair];
     nearest = std::min(nearest, distance.measured.distance);
   }
+}
+
+void refine(const Refinement& all, const RefineTask& task) noexcept {
+  std::uint32_t& waited = all.memory.refined[task.pair].waited;
+  ElementDistance found = recallTask(all, task);
+  if (isEnough(all, task, found)) {
+    waited = 0;
+  } else if (all.work.steps < all.work.limits.budget) {
+    waited = 0;
+    found = measureTask(all, task, found);
+  } else {
+    ++waited;
+    found.is_complete = false;
+    if (found.quality == Quality::unknown) {
+      ++all.work.left;
+      return;
+    }
+  }
+  report(all, task, found);
 }
 
 /// Depths of what overlaps change no verdict, so they come last and take what is left.
@@ -179,6 +225,9 @@ RefineWork makeRefineWork(const CycleSetup& setup) {
   work.task_of.resize(pairs, kNone);
   work.is_measured.resize(pairs, 0);
   work.nearest.resize(setup.checked.size(), std::numeric_limits<double>::infinity());
+  for (const Element& element : setup.elements) {
+    work.balls.push_back(ballOf(element));
+  }
   work.scratch = std::make_unique<RefineScratch>();
   return work;
 }
@@ -214,15 +263,10 @@ void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemor
   listTasks(all);
   sortTasks(work);
   for (const RefineTask& task : work.tasks) {
-    std::uint32_t& waited = memory.refined[task.pair].waited;
     if (isSettled(all, task)) {
-      waited = 0;
-    } else if (work.steps < work.limits.budget) {
-      waited = 0;
-      measureTask(all, task);
+      memory.refined[task.pair].waited = 0;
     } else {
-      ++waited;
-      ++work.left;
+      refine(all, task);
     }
   }
   deepenOverlaps(all);

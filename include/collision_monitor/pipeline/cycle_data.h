@@ -141,10 +141,28 @@ struct CycleCounters {
   std::size_t unknown_links{0};  ///< links with geometry whose pose is unknown
 };
 
-/// What the last measurement of a pair of elements found: where the next one starts.
+/// What was found of two elements. Quality::unknown: nothing that the enclosing shapes do not say.
+struct ElementDistance {
+  Quality quality{Quality::unknown};
+  bool has_points{false};  ///< false: a lower bound without points
+  SignedDistance measured;
+  std::uint32_t steps{0};   ///< spent of the budget
+  bool is_complete{false};  ///< false: a larger budget would have told more
+};
+
+/// The last measurement of a pair of elements, and where they were.
+struct LastMeasurement {
+  ElementDistance found;
+  Pose world_from_a;
+  Pose world_from_b;
+};
+
+/// What is left of the last measurement of a pair of elements: where the next one starts, and what
+/// still holds where there is none.
 struct RefineMemory {
   ConvexWarmStart warm;
   TrianglePair nearest;
+  LastMeasurement last;
   std::unique_ptr<MeshFront> front;  ///< of two meshes; none: searches start from the roots
   std::uint32_t waited{0};  ///< cycles in a row in which the budget was spent before its turn
 };

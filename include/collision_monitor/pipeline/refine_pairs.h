@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "collision_monitor/motion/conservative_advancement.h"
 #include "collision_monitor/pipeline/cycle_data.h"
 #include "collision_monitor/pipeline/setup.h"
 
@@ -31,6 +32,7 @@ struct RefineWork {
   std::vector<std::uint32_t> task_of;      ///< by ElementPairIndex: into tasks, or kNone
   std::vector<unsigned char> is_measured;  ///< by ElementPairIndex: in this cycle
   std::vector<double> nearest;             ///< by LinkPairIndex: [m] the least refined distance
+  std::vector<Ball> balls;                 ///< by ElementId: of what is measured
   std::unique_ptr<RefineScratch> scratch;
   std::size_t refined{0};  ///< these three as in CycleCounters
   std::size_t left{0};
@@ -47,7 +49,9 @@ void forget(std::vector<RefineMemory>& memory) noexcept;
 
 /// Measures the geometries behind enclosing shapes that are within limits.distance of each other:
 /// each pair of elements once, however many bodies it has. Those that waited longest come first,
-/// then the nearest, until the budget is spent; the rest stay the lower bounds they are.
+/// then the nearest, until the budget is spent. What stands as it was measured to the end is not
+/// measured again; for the rest the last measurement holds less the motion since, as a lower bound,
+/// where that is more than the enclosing shapes say.
 ///
 /// What budget is left then goes into depths of meshes that overlap.
 ///

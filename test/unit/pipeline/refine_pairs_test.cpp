@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "collision_monitor/pipeline/run_cycle.h"
@@ -79,6 +80,56 @@ TEST(RefinePairs, hookedAngles_meshesAreClearByTheirExactDistance) {
   EXPECT_NEAR(std::abs(scene.closest().measured.normal_a_to_b.y()), 1.0, 1e-9);
   EXPECT_EQ(scene.buffers.counters.refined, 1U);
   EXPECT_EQ(scene.buffers.counters.left, 0U);
+}
+
+/// Two pairs of hooked angles far from each other, measured once; then the budget is spent at once.
+Scene twoHookedPairsWithoutBudget() {
+  const auto angle = test::angleMesh();
+  Scene scene({angle, angle, angle, angle});
+  const Pose away{Eigen::Matrix3d::Identity(), {5.0, 0.0, 0.0}};
+  scene.poses.world_from_link[1] = test::hookedPose();
+  scene.poses.world_from_link[2] = away;
+  scene.poses.world_from_link[3] = away * test::hookedPose();
+  scene.run();
+  scene.buffers.refine.limits.budget = 0;
+  return scene;
+}
+
+TEST(RefinePairs, budgetSpentAndNothingMoved_whatWasMeasuredStands) {
+  Scene scene = twoHookedPairsWithoutBudget();
+  const std::vector<PairDistance> before = scene.buffers.distances.measured;
+  ASSERT_EQ(before.size(), 2U);
+  scene.run();
+  ASSERT_EQ(scene.buffers.distances.measured.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const PairDistance& now = scene.buffers.distances.measured[i];
+    EXPECT_EQ(now.quality, Quality::exact);
+    EXPECT_TRUE(now.is_refined);
+    EXPECT_EQ(now.measured.distance, before[i].measured.distance);
+    EXPECT_EQ(now.measured.point_on_b, before[i].measured.point_on_b);
+  }
+  EXPECT_EQ(scene.buffers.counters.left, 0U);
+  EXPECT_EQ(scene.buffers.counters.refine_steps, 0U);
+}
+
+TEST(RefinePairs, budgetSpentAndOneMoved_lessByItsWayAndABound) {
+  Scene scene = twoHookedPairsWithoutBudget();
+  scene.poses.world_from_link[3].translation.z() += 0.003;
+  scene.run();
+  EXPECT_EQ(scene.buffers.events.overall, Verdict::clear);
+  EXPECT_EQ(scene.buffers.counters.left, 1U);
+  ASSERT_EQ(scene.buffers.distances.measured.size(), 2U);
+  const PairDistance& moved = scene.buffers.distances.measured[1];
+  EXPECT_EQ(moved.quality, Quality::lower_bound);
+  EXPECT_FALSE(moved.is_refined);
+  EXPECT_NEAR(moved.measured.distance, 0.017, 1e-9);
+}
+
+TEST(RefinePairs, budgetSpentAndOneMovedFar_theEnclosingShapesSpeak) {
+  Scene scene = twoHookedPairsWithoutBudget();
+  scene.poses.world_from_link[3].translation.z() += 0.03;
+  scene.run();
+  EXPECT_EQ(scene.buffers.events.overall, Verdict::contact);
 }
 
 TEST(RefinePairs, severalShapesPerLink_pairOfElementsKeepsOneEntry) {
@@ -185,14 +236,23 @@ TEST(RefinePairs, noBudget_lowerBoundsStay) {
   EXPECT_EQ(scene.buffers.counters.left, 1U);
 }
 
-TEST(RefinePairs, budgetOfOneSearch_thoseThatWaitedComeFirst) {
-  // Three cylinders side by side, their enclosing boxes in reach of each other.
+/// Three cylinders side by side, their enclosing boxes in reach of each other, and a budget that
+/// one of them spends.
+Scene threeCylinders() {
   Scene scene({Cylinder{0.1, 0.05}, Cylinder{0.1, 0.05}, Cylinder{0.1, 0.05}});
   scene.moveTo(1, 0.102);
   scene.poses.world_from_link[2].translation = Eigen::Vector3d(0.051, 0.09, 0.0);
   scene.buffers.refine.limits.budget = 1;
+  return scene;
+}
+
+TEST(RefinePairs, budgetOfOneSearch_thoseThatWaitedComeFirst) {
+  Scene scene = threeCylinders();
   std::vector<std::uint32_t> refined;
   for (int cycle = 0; cycle < 6; ++cycle) {
+    for (Pose& pose : scene.poses.world_from_link) {
+      pose.translation.z() += 1e-6;
+    }
     scene.run();
     ASSERT_EQ(scene.buffers.counters.refined, 1U);
     ASSERT_EQ(scene.buffers.counters.left, 2U);
@@ -207,6 +267,15 @@ TEST(RefinePairs, budgetOfOneSearch_thoseThatWaitedComeFirst) {
   EXPECT_NE(refined[1], refined[2]);
   EXPECT_NE(refined[0], refined[2]);
   EXPECT_EQ(refined[3], refined[0]);
+}
+
+TEST(RefinePairs, budgetOfOneSearchAtRest_isSpentOnWhatIsNotKnownYet) {
+  Scene scene = threeCylinders();
+  for (std::size_t cycle = 0; cycle < 5; ++cycle) {
+    scene.run();
+    EXPECT_EQ(scene.buffers.counters.refined, std::min<std::size_t>(cycle + 1, 3));
+  }
+  EXPECT_EQ(scene.buffers.counters.refine_steps, 0U);
 }
 
 TEST(RefinePairs, refinedOutOfReach_theClosestIsStillFound) {

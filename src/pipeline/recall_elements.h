@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pipeline/measure_elements.h"
+
+namespace collision_monitor {
+
+/// The ball about what is measured of an element, in its frame. For set-up.
+Ball ballOf(const Element& element);
+
+/// What the last measurement says of two elements now: where neither has moved the same, to the
+/// bit. Else distances are lower bounds, less by how far any point of one may have come, seen from
+/// the other; they are not complete, and overlaps say nothing.
+/// @param balls of a and b.
+ElementDistance recallElements(const LastMeasurement& last, const PlacedElement& a,
+                               const PlacedElement& b, const std::array<Ball, 2>& balls) noexcept;
+
+}  // namespace collision_monitor
