@@ -18,13 +18,16 @@ constexpr double kNear = 2e-9;
 
 /// What was seen of a pair of links.
 struct Seen {
+  bool is_fixed{false};  ///< nothing moves them: one state tells all
   bool is_apart{false};
   bool is_touching{false};
   bool is_unclear{false};
   JointPositions touching;  ///< the first such state, or the first that is unclear
   double nearest{std::numeric_limits<double>::infinity()};
 
-  bool isDecided() const noexcept { return is_apart && is_touching; }
+  bool isDecided() const noexcept {
+    return is_fixed ? is_apart || is_touching || is_unclear : is_apart && is_touching;
+  }
 };
 
 /// Every pair of links is checked but adjacent ones, whatever the rules say.
@@ -177,7 +180,12 @@ std::vector<PairFound> searchPairs(const CycleSetup& setup, const PairSearchOpti
   const CycleSetup all = checkingAll(setup);
   const std::vector<JointRange> ranges = jointRanges(all.model);
   LinkPairMeasures measures(all);
-  std::vector<Seen> seen(all.checked.size());
+  std::vector<Seen> seen;
+  for (const LinkPair& links : setup.link_pairs) {
+    if (links.reason != PairReason::adjacent) {
+      seen.emplace_back().is_fixed = links.reason == PairReason::same_rigid_group;
+    }
+  }
   drawStates(options, ranges, measures, seen);
   std::vector<PairFound> found;
   LinkPairIndex pair = 0;
@@ -189,7 +197,7 @@ std::vector<PairFound> searchPairs(const CycleSetup& setup, const PairSearchOpti
     }
     found.push_back(foundOf(all.checked[pair], seen[pair]));
     found.back().joints = jointsBetween(all.model, ranges, links);
-    if (setup.link_pairs[i].reason == PairReason::same_rigid_group) {
+    if (seen[pair].is_fixed) {
       found.back().is_proven =
           found.back().finding == PairFinding::always || found.back().finding == PairFinding::never;
     } else {
