@@ -59,7 +59,8 @@ HWY_INLINE Truth spheresMeet(const StateLanes& states, const StatePair& pair, Nu
 }
 
 /// Has the plain twin measure the lanes whose distance is NaN.
-inline HWY_NOINLINE Number finished(const StateLanes& states, const StatePair& pair, Number distance) {
+inline HWY_NOINLINE Number finished(const StateLanes& states, const StatePair& pair,
+                                    Number distance) {
   HWY_ALIGN double distances[hn::MaxLanes(Lanes())];
   hn::Store(distance, Lanes(), distances);
   for (std::size_t i = 0; i < hn::Lanes(Lanes()); ++i) {
