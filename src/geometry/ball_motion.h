@@ -8,6 +8,11 @@
 
 namespace collision_monitor {
 
+/// To the bit. What is NaN is not the same.
+inline bool isSame(const Pose& one, const Pose& other) noexcept {
+  return one.rotation == other.rotation && one.translation == other.translation;
+}
+
 /// [m] No point of a ball goes farther from one pose to the other, straight or on any other way on
 /// which centre and rotation go no farther than that.
 ///

@@ -6,15 +6,12 @@
 #include "collision_monitor/geometry/bounds.h"
 #include "collision_monitor/pipeline/motion_bound.h"
 #include "collision_monitor/pipeline/sweep_pairs.h"
+#include "geometry/ball_motion.h"
 #include "pipeline/limit_step.h"
 #include "pipeline/recall_elements.h"
 
 namespace collision_monitor {
 namespace {
-
-bool isSame(const Pose& one, const Pose& other) noexcept {
-  return one.rotation == other.rotation && one.translation == other.translation;
-}
 
 double reachOf(const Body& body, const ScrewMotion& link_motion) noexcept {
   return velocityAt(link_motion, body.link_from_body.translation).norm() +

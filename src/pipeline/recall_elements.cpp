@@ -9,10 +9,6 @@
 namespace collision_monitor {
 namespace {
 
-bool isSame(const Pose& one, const Pose& other) noexcept {
-  return one.rotation == other.rotation && one.translation == other.translation;
-}
-
 // [m] How far any point of one may have come, seen from the other.
 double motionSince(const LastMeasurement& last, const PlacedElement& a, const PlacedElement& b,
                    const std::array<Ball, 2>& balls) noexcept {

@@ -4,21 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/parse_arguments.h"
+
 namespace collision_monitor::pairs_tool {
 namespace {
 
-/// Parses; what is printed is kept in `said`.
-Parsed parse(std::vector<const char*> arguments, std::string* said = nullptr) {
-  arguments.insert(arguments.begin(), "pairs");
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  const Parsed parsed = parseOptions(static_cast<int>(arguments.size()), arguments.data());
-  const std::string text =
-      testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr();
-  if (said != nullptr) {
-    *said = text;
-  }
-  return parsed;
+Parsed parse(const std::vector<const char*>& arguments, std::string* said = nullptr) {
+  return test::parseArguments(parseOptions, arguments, said);
 }
 
 TEST(PairsOptions, defaultsAndAllThatIsSaid) {
