@@ -192,56 +192,6 @@ TEST_F(ConversionsTest, contacts_pointDepthNormalIsland) {
   EXPECT_TRUE(message.contacts.empty());
 }
 
-TEST_F(ConversionsTest, posesTooFewForTheAcceleration_namePairAndStep) {
-  const auto watch = watchAt(0.25);
-  for (const double reach : {-1.25, 3.0}) {  // 1.5 m there, and 4.25 m back
-    watch->poses = slidingPoses(setup_->setup.model, 0.0, reach);
-    watch->poses.stamp_ns = watch->buffers.memory.last.stamp_ns + 30'000'000;
-    runCycle(watch->setup(), watch->poses, watch->buffers);
-  }
-  // 5.75 m in a step bend the way by an eighth of it; both are 0.2 m thick.
-  EXPECT_EQ(stepSentence(*watch),
-            "poses every 30.0 ms are too few: in between, base and tool may leave the way that is "
-            "looked at by more than they are thick; at these speeds they need them every 22.4 ms");
-}
-
-TEST_F(ConversionsTest, stepOverTheCap_isAWarningThatSaysWhatCoversIt) {
-  // 0.15 m in 30 ms are 5 m/s; both are 0.2 m thick: poses every 80 ms do. 10 times that do not.
-  const auto moved = [&](const std::shared_ptr<const MonitorSetup>& setup, double way) {
-    const auto watch = judged(setup, store_, slidingPoses(setup->setup.model, 0.0, 0.25));
-    watch->poses = slidingPoses(setup->setup.model, 0.0, 0.25 + way);
-    watch->poses.stamp_ns += 30'000'000;
-    runCycle(watch->setup(), watch->poses, watch->buffers);
-    return stateOf(*watch, facts());
-  };
-  EXPECT_NEAR(moved(setup_, 0.15).step_cap, 0.4 / 5.0, 1e-9);
-  EXPECT_EQ(moved(setup_, 0.15).step_warning, "");
-  EXPECT_NEAR(moved(setup_, 1.5).step_cap, 0.4 / 50.0, 1e-9);
-  EXPECT_EQ(moved(setup_, 1.5).step_warning,
-            "poses every 30.0 ms are too few by themselves: in between, base and tool come farther "
-            "than they are thick, which the look at the way covers; at these speeds they need them "
-            "every 8.0 ms");
-  auto not_continuous = std::make_shared<MonitorSetup>(*setup_);
-  not_continuous->setup.is_continuous = false;
-  EXPECT_EQ(moved(not_continuous, 1.5).step_warning,
-            "poses every 30.0 ms are too few: in between, base and tool can pass through each "
-            "other unseen (parameter continuous is off); at these speeds they need them every "
-            "8.0 ms");
-}
-
-TEST_F(ConversionsTest, stepsAreCountedOnce) {
-  const auto watch = watchAt(0.25);
-  StepCount count;
-  watch->poses = slidingPoses(setup_->setup.model, 0.0, 1.75);
-  watch->poses.stamp_ns += 30'000'000;
-  for (int i = 0; i < 3; ++i) {  // the second and third cycle have no new poses
-    runCycle(watch->setup(), watch->poses, watch->buffers);
-    countStep(watch->buffers.sweep, count);
-  }
-  EXPECT_EQ(count.over_cap, 1U);
-  EXPECT_EQ(count.too_long, 0U);
-}
-
 TEST_F(ConversionsTest, contactBetweenCycles_isToldWithItsTimeAndPoses) {
   // The tool goes from x = 0.75 to -0.75 in 30 ms, through the base; they touch at 0.2.
   const auto watch = watchAt(0.25);
