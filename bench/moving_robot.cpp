@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 #include "support/file_loader.h"
@@ -30,10 +31,10 @@ double amplitudeOf(const Joint& joint) {
   return kReach * (std::isfinite(range) ? range : 2.0);
 }
 
-/// Zero, or as near to it as the swing stays within the limits.
-double middleOf(const Joint& joint) {
+/// The nearest to it about which the swing stays within the limits.
+double middleNear(const Joint& joint, double position) {
   const double swing = amplitudeOf(joint);
-  return std::min(std::max(0.0, joint.lower + swing), joint.upper - swing);
+  return std::min(std::max(position, joint.lower + swing), joint.upper - swing);
 }
 
 bool hasOwnVariable(const Joint& joint) { return freedomOf(joint) == 1 && !joint.mimic; }
@@ -65,10 +66,32 @@ MovingRobot::MovingRobot(const std::string& name)
       fixed_publisher_(node_.advertise<tf2_msgs::TFMessage>("/tf_static", 100, true)) {
   for (const Joint& joint : model_.joints) {
     if (hasOwnVariable(joint)) {
+      joints_.push_back(&joint);
       joint_states_.name.push_back(joint.name);
+      middle_.push_back(middleNear(joint, 0.0));
     }
   }
   publishFixed();
+}
+
+std::vector<double> MovingRobot::randomMiddle(unsigned seed) const {
+  std::mt19937 generator(seed);
+  std::vector<double> middle;
+  for (const Joint* joint : joints_) {
+    const double lower = std::max(joint->lower, -M_PI);  // joints without limits turn
+    const double upper = std::min(joint->upper, M_PI);
+    middle.push_back(
+        middleNear(*joint, std::uniform_real_distribution<double>(lower, upper)(generator)));
+  }
+  return middle;
+}
+
+std::vector<double> MovingRobot::swingFrom(const std::vector<double>& middle, double at) const {
+  std::vector<double> positions = middle;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    positions[i] += at * amplitudeOf(*joints_[i]);
+  }
+  return positions;
 }
 
 void MovingRobot::publishFixed() {
@@ -86,15 +109,11 @@ void MovingRobot::publish(const ros::Time& now) {
   start_ = start_.isZero() ? now : start_;
   const double phase = kFrequency * (now - start_).toSec();
   joint_states_.header.stamp = now;
-  joint_states_.position.clear();
+  joint_states_.position = swingFrom(middle_, std::sin(phase));
   joint_states_.velocity.clear();
-  for (const Joint& joint : model_.joints) {
-    if (hasOwnVariable(joint)) {
-      const double swing = amplitudeOf(joint);
-      positions_[joint.first_variable] = middleOf(joint) + swing * std::sin(phase);
-      joint_states_.position.push_back(positions_[joint.first_variable]);
-      joint_states_.velocity.push_back(kFrequency * swing * std::cos(phase));
-    }
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    positions_[joints_[i]->first_variable] = joint_states_.position[i];
+    joint_states_.velocity.push_back(kFrequency * amplitudeOf(*joints_[i]) * std::cos(phase));
   }
   transforms_.transforms.clear();
   for (const Joint& joint : model_.joints) {

@@ -8,17 +8,32 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <string>
+#include <vector>
 
 #include "collision_monitor/model/kinematics.h"
 
 namespace collision_monitor::bench {
 
-/// A robot of the shared data whose joints all swing slowly about zero: its joint states, and its
-/// tf as robot_state_publisher sends it, in one message for all joints that move.
+/// A robot of the shared data whose joints all swing slowly and together, each by a tenth of its
+/// range to both sides: its joint states, and its tf as robot_state_publisher sends it, in one
+/// message for all joints that move.
 class MovingRobot {
  public:
-  /// The first description in the folder of that name.
+  /// The first description in the folder of that name. It swings about zero, or as near to it as
+  /// the swing stays within the limits.
   explicit MovingRobot(const std::string& name);
+
+  /// The joints that swing, in the order of all positions below.
+  const std::vector<std::string>& jointNames() const { return joint_states_.name; }
+
+  /// @return where a swing can have its middle, at random, the same for the same seed.
+  std::vector<double> randomMiddle(unsigned seed) const;
+
+  /// @param at  from -1, one end of the swing, to 1, the other.
+  std::vector<double> swingFrom(const std::vector<double>& middle, double at) const;
+
+  /// @param middle  as randomMiddle() gives it.
+  void swingAbout(const std::vector<double>& middle) { middle_ = middle; }
 
   /// What it is at that time, dated with it.
   void publish(const ros::Time& now);
@@ -27,6 +42,8 @@ class MovingRobot {
   void publishFixed();
 
   RobotModel model_;
+  std::vector<const Joint*> joints_;  ///< those that swing
+  std::vector<double> middle_;
   JointPositions positions_;
   sensor_msgs::JointState joint_states_;
   tf2_msgs::TFMessage transforms_;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <collision_monitor/CheckStates.h>
 #include <collision_monitor/Contacts.h>
 #include <collision_monitor/Distances.h>
 #include <collision_monitor/State.h>
@@ -15,6 +16,7 @@
 #include <fstream>
 #include <iterator>
 #include <mutex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -25,10 +27,12 @@
 
 // What a running monitor costs: sends joint states and tf of a slowly moving robot of the shared
 // data, 1000 times a second each, listens to state, contacts and distances, and markers if told
-// so. Prints the processor time of the monitor's process [% of a core], states a second [Hz],
+// so. The robot swings about its zero, or, if told so, about the first of seeded random
+// configurations for which the monitor finds the whole swing free of contact, or all of it in
+// contact. Prints the processor time of the monitor's process [% of a core], states a second [Hz],
 // median and 99th percentile of the time from just before tf is published here until the state
 // with its stamp is back here [us], and the resident memory of the process [MB].
-//   node_bench ROBOT PROCESS_ID SECONDS [markers]
+//   node_bench ROBOT PROCESS_ID SECONDS [free|contact] [markers]
 namespace collision_monitor::bench {
 namespace {
 
@@ -122,11 +126,48 @@ void warmUp(MovingRobot& robot, Listener& listener) {
   listener.takeDelays();
 }
 
+/// Whether the running monitor finds the whole swing in contact, or free of it.
+bool isAll(bool in_contact, const MovingRobot& robot, const std::vector<double>& middle) {
+  constexpr int kSteps = 20;  // to each side
+  CheckStates check;
+  check.request.joint_names = robot.jointNames();
+  check.request.only_contacts = 1;
+  for (int step = -kSteps; step <= kSteps; ++step) {
+    const std::vector<double> state = robot.swingFrom(middle, static_cast<double>(step) / kSteps);
+    check.request.positions.insert(check.request.positions.end(), state.begin(), state.end());
+  }
+  if (!ros::service::call("collision_monitor/check_states", check) || !check.response.success) {
+    throw std::runtime_error("check_states failed: " + check.response.message);
+  }
+  const std::vector<std::uint8_t>& levels = check.response.levels;
+  return std::all_of(levels.begin(), levels.end(), [&](std::uint8_t level) {
+    return level == (in_contact ? State::CONTACT : State::OK);
+  });
+}
+
+void chooseSwing(bool in_contact, MovingRobot& robot) {
+  constexpr unsigned kMostSeeds = 2000;
+  for (unsigned seed = 1; seed <= kMostSeeds; ++seed) {
+    const std::vector<double> middle = robot.randomMiddle(seed);
+    if (isAll(in_contact, robot, middle)) {
+      robot.swingAbout(middle);
+      return;
+    }
+  }
+  throw std::runtime_error("no such swing was found");
+}
+
 void run(const std::string& robot_name, const std::string& process, double seconds,
-         bool with_markers) {
+         const std::set<std::string>& options) {
   MovingRobot robot(robot_name);
-  Listener listener(with_markers);
+  Listener listener(options.count("markers") > 0);
   warmUp(robot, listener);
+  for (const bool in_contact : {false, true}) {
+    if (options.count(in_contact ? "contact" : "free") > 0) {
+      chooseSwing(in_contact, robot);
+      warmUp(robot, listener);
+    }
+  }
   const double processor_time = processorTime(process);
   const Clock::time_point start = Clock::now();
   sendFor(seconds, robot);
@@ -148,10 +189,11 @@ void run(const std::string& robot_name, const std::string& process, double secon
 int main(int argc, char** argv) {
   ros::init(argc, argv, "node_bench", ros::init_options::AnonymousName);
   if (argc < 4) {
-    std::fprintf(stderr, "usage: node_bench ROBOT PROCESS_ID SECONDS [markers]\n");
+    std::fprintf(stderr, "usage: node_bench ROBOT PROCESS_ID SECONDS [free|contact] [markers]\n");
     return 2;
   }
   const ros::NodeHandle keeps_ros_running;
-  collision_monitor::bench::run(argv[1], argv[2], std::strtod(argv[3], nullptr), argc > 4);
+  collision_monitor::bench::run(argv[1], argv[2], std::strtod(argv[3], nullptr),
+                                {argv + 4, argv + argc});
   return 0;
 }
