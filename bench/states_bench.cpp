@@ -110,18 +110,18 @@ void benchScene(const std::string& name, const Scene& scene) {
     fclContact(scene, fcl);
   });
 
-  BodyPoses body_poses = makeBodyPoses(scene.setup);
+  BodyRows rows = makeBodyPoses(scene.setup).rows;
   std::vector<double> distances(scene.setup.table.size());
   const double all = perState([&](std::size_t i) {
-    placeBodies(scene.setup, scene.poses[i], body_poses);
-    measureBlocks(scene.setup.blocks, body_poses.rows, distances);
+    placeRows(scene.setup, scene.poses[i], rows);
+    measureBlocks(scene.setup.blocks, rows, distances);
   });
   print(name, "one_state_every_distance", all, fcl_all);
 
   const ContactDistances limits = contactDistancesOf(scene.setup);
   const double any = perState([&](std::size_t i) {
     FoundContact found;
-    findContact(scene.setup, scene.poses[i], limits, body_poses.rows, found);
+    findContact(scene.setup, scene.poses[i], limits, rows, found);
     benchmark::DoNotOptimize(found);
   });
   print(name, "one_state_contact", any, fcl_any);

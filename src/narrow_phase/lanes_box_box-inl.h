@@ -96,13 +96,6 @@ HWY_INLINE BoxPairLanes boxPairInLanes(const BoxCore& a, const BoxCore& b) {
           toleranceInLanes(a.half_extents, b.half_extents, center)};
 }
 
-/// False where an axis shows that the boxes, radii counted, are farther apart than `distance`.
-HWY_INLINE Truth mayBeWithin(const BoxCore& a, const BoxCore& b, Number distance) {
-  const BoxPairLanes pair = boxPairInLanes(a, b);
-  const Number apart = hn::Add(hn::Add(hn::Add(distance, a.radius), b.radius), pair.tolerance);
-  return hn::Not(hn::Gt(bestAxis<false, LargestGap>(pair).numerator, hn::Max(apart, zero())));
-}
-
 HWY_INLINE Truth isSkew(const BoxPairLanes& pair) {
   return hn::And(hn::And(isSkew(pair.b_axes.x), isSkew(pair.b_axes.y)), isSkew(pair.b_axes.z));
 }
@@ -130,9 +123,18 @@ HWY_INLINE CoreAnswer coreDistance(const BoxCore& a, const BoxCore& b) {
 }
 
 /// Of boxes that overlap the best axis says how deep, and no point needs to prove it.
-HWY_INLINE Number separationOf(const BoxCore& a, const BoxCore& b, Truth counts) {
+HWY_INLINE Number separationWithin(const BoxCore& a, const BoxCore& b, Number reach,
+                                   Truth& counts) {
   const BoxPairLanes pair = boxPairInLanes(a, b);
-  const BestAxis best = bestAxis<false>(pair);
+  const Number apart = hn::Max(hn::Add(reach, pair.tolerance), zero());
+  BestAxis best = bestOfFaces<false>(pair);
+  counts = hn::AndNot(hn::Gt(best.numerator, apart), counts);
+  if (hn::AllFalse(Lanes(), counts)) {
+    return best.numerator;
+  }
+  considerAllEdges<false>(pair, best);
+  // A numerator is no larger than its gap where that is positive.
+  counts = hn::AndNot(hn::Gt(best.numerator, apart), counts);
   const Number gap = hn::Div(best.numerator, hn::Sqrt(best.sine_squared));
   const Truth is_depth = hn::And(isSkew(pair), hn::Le(gap, zero()));
   if (hn::AllFalse(Lanes(), hn::AndNot(is_depth, counts))) {

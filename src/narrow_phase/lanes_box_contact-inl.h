@@ -55,22 +55,6 @@ HWY_INLINE void consider(Number numerator, Number sine_squared, const Vector3& a
   best.b = select(is_better, b, best.b);
 }
 
-/// Of the gaps the largest numerator, which is no larger than the gap where that is positive.
-struct LargestGap {
-  Number numerator;
-};
-
-HWY_INLINE void consider(Number numerator, Number, const Vector3&, const Vector3&,
-                         LargestGap& best) {
-  best.numerator = hn::Max(best.numerator, numerator);
-}
-
-HWY_INLINE void start(Number gap, const Vector3& a, BestAxis& best) {
-  best = {gap, hn::Mul(gap, hn::Abs(gap)), number(1.0), a, {zero(), zero(), zero()}};
-}
-
-HWY_INLINE void start(Number gap, const Vector3&, LargestGap& best) { best.numerator = gap; }
-
 HWY_INLINE Vector3 unitVector(int axis) {
   return {number(axis == 0 ? 1.0 : 0.0), number(axis == 1 ? 1.0 : 0.0),
           number(axis == 2 ? 1.0 : 0.0)};
@@ -78,9 +62,9 @@ HWY_INLINE Vector3 unitVector(int axis) {
 
 /// e_i of A crossed with every axis of B (or its z alone). Of each axis of B the components p and
 /// q, those that follow i in turn, of its center and A's half extents too.
-template <bool kBIsSegment, class Best>
+template <bool kBIsSegment>
 HWY_INLINE void considerEdges(int i, const Vector3& f_p, const Vector3& f_q, Number c_p, Number c_q,
-                              Number half_p, Number half_q, const Vector3& half_b, Best& best) {
+                              Number half_p, Number half_q, const Vector3& half_b, BestAxis& best) {
   const auto gap = [&](Number p, Number q, Number reach_b) HWY_ATTR {
     const Number reach =
         hn::Add(hn::Add(hn::Mul(half_p, hn::Abs(q)), hn::Mul(half_q, hn::Abs(p))), reach_b);
@@ -104,8 +88,9 @@ HWY_INLINE void considerEdges(int i, const Vector3& f_p, const Vector3& f_q, Num
   }
 }
 
-template <bool kBIsSegment, class Best = BestAxis>
-HWY_INLINE Best bestAxis(const BoxPairLanes& pair) {
+/// Of the axes across faces, which part most boxes.
+template <bool kBIsSegment>
+HWY_INLINE BestAxis bestOfFaces(const BoxPairLanes& pair) {
   const Axes& f = pair.b_axes;
   const Vector3& c = pair.center_of_b;
   Vector3 reach_a = along(pair.half_a, pair.half_b.z, absolute(f.z));
@@ -114,21 +99,35 @@ HWY_INLINE Best bestAxis(const BoxPairLanes& pair) {
   }
   const LargestOfThree of_a = largestOf(absolute(c) - reach_a);
   const Vector3 ones{number(1.0), number(1.0), number(1.0)};
-  Best best;
-  start(of_a.value, atPlaceOf(of_a, ones), best);
+  const Vector3 none{zero(), zero(), zero()};
+  BestAxis best{of_a.value, hn::Mul(of_a.value, hn::Abs(of_a.value)), number(1.0),
+                atPlaceOf(of_a, ones), none};
   if constexpr (!kBIsSegment) {
     const Vector3 reach_b{hn::Add(pair.half_b.x, dot(absolute(f.x), pair.half_a)),
                           hn::Add(pair.half_b.y, dot(absolute(f.y), pair.half_a)),
                           hn::Add(pair.half_b.z, dot(absolute(f.z), pair.half_a))};
     const LargestOfThree of_b = largestOf(absolute(into(f, c)) - reach_b);
-    const Vector3 none{zero(), zero(), zero()};
     consider(of_b.value, number(1.0), none, atPlaceOf(of_b, ones), best);
   }
+  return best;
+}
+
+/// With the axes across edges, too.
+template <bool kBIsSegment>
+HWY_INLINE void considerAllEdges(const BoxPairLanes& pair, BestAxis& best) {
+  const Axes& f = pair.b_axes;
+  const Vector3& c = pair.center_of_b;
   const Vector3 rows[3] = {{f.x.x, f.y.x, f.z.x}, {f.x.y, f.y.y, f.z.y}, {f.x.z, f.y.z, f.z.z}};
   const Vector3& half = pair.half_a;
   considerEdges<kBIsSegment>(0, rows[1], rows[2], c.y, c.z, half.y, half.z, pair.half_b, best);
   considerEdges<kBIsSegment>(1, rows[2], rows[0], c.z, c.x, half.z, half.x, pair.half_b, best);
   considerEdges<kBIsSegment>(2, rows[0], rows[1], c.x, c.y, half.x, half.y, pair.half_b, best);
+}
+
+template <bool kBIsSegment>
+HWY_INLINE BestAxis bestAxis(const BoxPairLanes& pair) {
+  BestAxis best = bestOfFaces<kBIsSegment>(pair);
+  considerAllEdges<kBIsSegment>(pair, best);
   return best;
 }
 

@@ -90,16 +90,22 @@ struct CoreAnswer {
   Vector3 normal;
 };
 
-/// Asked before a distance that costs much: of the cores that have no overload it costs little.
+/// The distance of coreDistance, right in the lanes that count: for those who need no points. Lanes
+/// in which it is beyond `reach` need not count any more, and do not where that is seen soon.
 template <class CoreA, class CoreB>
-HWY_INLINE Truth mayBeWithin(const CoreA&, const CoreB&, Number) {
-  return hn::Eq(zero(), zero());
+HWY_INLINE Number separationWithin(const CoreA& a, const CoreB& b, Number, Truth&) {
+  return coreDistance(a, b).distance;
 }
 
-/// The distance of coreDistance, right in the lanes that count: for those who need no points.
+/// The signed distance, in either order: separationWithin, radii counted.
 template <class CoreA, class CoreB>
-HWY_INLINE Number separationOf(const CoreA& a, const CoreB& b, Truth) {
-  return coreDistance(a, b).distance;
+HWY_INLINE Number distanceWithin(const CoreA& a, const CoreB& b, Number reach, Truth& counts) {
+  if constexpr (CoreA::kKind > CoreB::kKind) {
+    return distanceWithin(b, a, reach, counts);
+  } else {
+    const Number of_cores = hn::Add(hn::Add(reach, a.radius), b.radius);
+    return hn::Sub(hn::Sub(separationWithin(a, b, of_cores, counts), a.radius), b.radius);
+  }
 }
 
 HWY_INLINE Number sureWhere(Truth is_sure, Number distance) {

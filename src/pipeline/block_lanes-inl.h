@@ -57,15 +57,6 @@ HWY_INLINE Core coreOfRow(const BodyRows& rows, const BlockPart& part) {
   return Core(ShapeLanes{rows.numbers.data() + part.first, rows.stride});
 }
 
-template <class CoreA, class CoreB>
-HWY_INLINE Number distanceOf(const CoreA& a, const CoreB& b, Truth counts) {
-  if constexpr (CoreA::kKind > CoreB::kKind) {
-    return distanceOf(b, a, counts);
-  } else {
-    return hn::Sub(hn::Sub(separationOf(a, b, counts), a.radius), b.radius);
-  }
-}
-
 /// Where bounding spheres leave a pair the chance to be as near as `best`.
 HWY_INLINE Truth mayBeNearer(const BodyRows& rows, const BlockPart& part, double best) {
   const ShapeLanes row{rows.numbers.data() + part.first, rows.stride};
@@ -100,17 +91,23 @@ HWY_NOINLINE Number finished(const BodyRows& rows, const BlockPart& part, std::u
   return hn::Load(Lanes(), distances);
 }
 
-/// Right in the lanes `which`, or NaN where the plain twin has to decide.
+/// Right in the lanes `which`, or NaN where the plain twin has to decide. Takes out lanes that are
+/// seen to be farther apart than `reach`.
 template <class CoreOne, class CoreRow>
-HWY_INLINE Number measureInKernel(const BodyRows& rows, const BlockPart& part,
-                                  std::uint32_t which) {
-  return distanceOf(coreOfOne<CoreOne>(rows, part), coreOfRow<CoreRow>(rows, part), truthOf(which));
+HWY_INLINE Number measureInKernel(const BodyRows& rows, const BlockPart& part, double reach,
+                                  std::uint32_t& which) {
+  Truth counts = truthOf(which);
+  const Number distance = distanceWithin(coreOfOne<CoreOne>(rows, part),
+                                         coreOfRow<CoreRow>(rows, part), number(reach), counts);
+  which = bitsOf(counts);
+  return distance;
 }
 
-/// Right in the lanes `which`.
+/// Right in the lanes `which`, from which those are taken out that are farther apart than `reach`.
 template <class CoreOne, class CoreRow>
-HWY_INLINE Number measurePart(const BodyRows& rows, const BlockPart& part, std::uint32_t which) {
-  const Number distance = measureInKernel<CoreOne, CoreRow>(rows, part, which);
+HWY_INLINE Number measurePart(const BodyRows& rows, const BlockPart& part, double reach,
+                              std::uint32_t& which) {
+  const Number distance = measureInKernel<CoreOne, CoreRow>(rows, part, reach, which);
   const std::uint32_t open = nansOf(distance) & which;
   return HWY_UNLIKELY(open != 0) ? finished<CoreOne, CoreRow>(rows, part, open, distance)
                                  : distance;

@@ -13,20 +13,20 @@
 namespace collision_monitor {
 namespace {
 
-BodyPoses placeInDefaultPose(const CycleSetup& setup) {
+BodyRows placeInDefaultPose(const CycleSetup& setup) {
   LinkPoses poses = makeLinkPoses(setup.model);
   placeLinks(setup.model, defaultPositions(setup.model),
              std::vector<Pose>(setup.model.robots.size()), poses.world_from_link);
   std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
-  BodyPoses body_poses = makeBodyPoses(setup);
-  placeBodies(setup, poses, body_poses);
-  return body_poses;
+  BodyRows rows = makeBodyPoses(setup).rows;
+  placeRows(setup, poses, rows);
+  return rows;
 }
 
 /// Signed distance of each checked pair of links, by LinkPairIndex.
 std::vector<double> measureLinkPairs(const CycleSetup& setup) {
   std::vector<double> distances(setup.table.size());
-  measureBlocks(setup.blocks, placeInDefaultPose(setup).rows, distances);
+  measureBlocks(setup.blocks, placeInDefaultPose(setup), distances);
   std::vector<double> least(setup.checked.size(), INFINITY);
   for (std::size_t i = 0; i < distances.size(); ++i) {
     double& nearest = least[setup.link_pair_of[i]];

@@ -59,7 +59,7 @@ void BlockSearch::visit(const PairRange& range) {
     const StatePair& pair = states.work.pairs[id];
     Truth counts = judged.is_open;
     const Number distance =
-        distanceWithin<CoreA, CoreB>(states, pair, reachOfPair(*this, pair), counts);
+        stateDistanceWithin<CoreA, CoreB>(states, pair, reachOfPair(*this, pair), counts);
     if (hn::AllFalse(Lanes(), counts)) {
       continue;
     }

@@ -98,6 +98,27 @@ void extendRanges(const ListedPair& pair, std::size_t position, std::vector<Pair
   ranges.back().last = position + 1;
 }
 
+/// In empty slots stands the first link.
+std::vector<SlotGroup> groupSlots(const CycleSetup& setup) {
+  std::vector<SlotGroup> groups(groupCountOf(setup.bodies.size()));
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+    const std::size_t slot = setup.blocks.slot_of[i];
+    const std::size_t lane = slot % kBlockLanes;
+    SlotGroup& group = groups[slot / kBlockLanes];
+    const Pose& link_from_body = setup.bodies[i].link_from_body;
+    for (std::size_t c = 0; c < 9; ++c) {
+      group.link_from_body[c][lane] = link_from_body.rotation.data()[c];
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      group.link_from_body[9 + c][lane] = link_from_body.translation.data()[c];
+    }
+    group.link[lane] = static_cast<std::uint32_t>(index(setup.bodies[i].link));
+    group.pose_at[lane] = static_cast<std::int64_t>(kPoseNumbers * group.link[lane]);
+    group.kind = std::max(group.kind, setup.cores[i].kind);
+  }
+  return groups;
+}
+
 }  // namespace
 
 void listPairs(CycleSetup& setup) {
@@ -121,6 +142,7 @@ void listPairs(CycleSetup& setup) {
   }
   setup.table = PairTable(std::move(pairs), setup.bodies.size());
   setup.blocks = makeBlocks(setup.table, setup.cores);
+  setup.slot_groups = groupSlots(setup);
   linkBodiesToElements(setup);
 }
 

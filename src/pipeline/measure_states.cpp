@@ -26,7 +26,7 @@ struct LinkPairSearch {
       const Number least = hn::Load(Lanes(), of_links);
       Truth counts = hn::Eq(zero(), zero());
       const Number distance =
-          distanceWithin<CoreA, CoreB>(states, states.work.pairs[id], least, counts);
+          stateDistanceWithin<CoreA, CoreB>(states, states.work.pairs[id], least, counts);
       // What is not a number stays.
       const Truth is_taken = hn::Or(hn::Lt(distance, least), hn::Not(hn::Eq(distance, distance)));
       hn::Store(hn::IfThenElse(hn::And(counts, is_taken), distance, least), Lanes(), of_links);

@@ -28,14 +28,14 @@ void extendRanges(CoreKind one, CoreKind row, PairBlocks& blocks) {
   ++blocks.ranges.back().last;
 }
 
-/// Lists the bodies of the last block that no block before it needs.
-void addArrivals(const std::vector<BodyId>& body_of, std::vector<unsigned char>& has_arrived,
-                 PairBlocks& blocks) {
+/// Lists the groups of slots of the last block that no block before it needs.
+void addArrivals(std::vector<unsigned char>& has_arrived, PairBlocks& blocks) {
   PairBlock& block = blocks.blocks.back();
   const auto arrive = [&](std::uint32_t slot) {
-    if (has_arrived[slot] == 0) {
-      has_arrived[slot] = 1;
-      blocks.arrivals.push_back(body_of[slot]);
+    const auto group = static_cast<std::uint32_t>(slot / kBlockLanes);
+    if (has_arrived[group] == 0) {
+      has_arrived[group] = 1;
+      blocks.arrivals.push_back(group);
     }
   };
   arrive(block.one);
@@ -52,11 +52,7 @@ void addArrivals(const std::vector<BodyId>& body_of, std::vector<unsigned char>&
 PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores) {
   PairBlocks blocks;
   blocks.slot_of = slotsByKind(cores);
-  std::vector<BodyId> body_of(cores.size());
-  for (std::size_t i = 0; i < cores.size(); ++i) {
-    body_of[blocks.slot_of[i]] = idAt<BodyId>(i);
-  }
-  std::vector<unsigned char> has_arrived(cores.size(), 0);
+  std::vector<unsigned char> has_arrived(groupCountOf(cores.size()), 0);
   // Pairs stand ordered by kinds, then by body a, then by body b: those of a block in a row.
   for (std::size_t i = 0; i < table.size(); ++i) {
     const BodyPair& pair = table.pairs()[i];
@@ -74,7 +70,7 @@ PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores) {
     }
     PairBlock& block = blocks.blocks.back();
     block.is_pair |= 1U << (other - block.first);
-    addArrivals(body_of, has_arrived, blocks);
+    addArrivals(has_arrived, blocks);
   }
   return blocks;
 }
@@ -83,7 +79,7 @@ BodyRows makeBodyRows(const PairBlocks& blocks, const std::vector<Core>& cores,
                       const std::vector<double>& bounding_radii) {
   BodyRows rows;
   // A block may reach beyond the last slot.
-  rows.stride = (cores.size() + 2 * kBlockLanes - 1) / kBlockLanes * kBlockLanes;
+  rows.stride = (groupCountOf(cores.size()) + 1) * kBlockLanes;
   rows.numbers.resize((kBoundingColumn + 1) * rows.stride, 0.0);
   for (std::size_t i = 0; i < cores.size(); ++i) {
     const std::size_t slot = blocks.slot_of[i];

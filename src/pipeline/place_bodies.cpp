@@ -5,7 +5,6 @@
 
 #include "collision_monitor/geometry/bounds.h"
 #include "collision_monitor/pipeline/run_cycle.h"
-#include "pipeline/late_bodies.h"
 
 namespace collision_monitor {
 namespace {
@@ -41,25 +40,6 @@ bool isKnown(const LinkPoses& poses, std::size_t link) noexcept {
   return poses.status[link] == LinkStatus::known && isRigid(poses.world_from_link[link]);
 }
 
-/// As place and writeBody, to the last bit, without the pose.
-void placeInRows(CoreKind kind, const Pose& world_from_link, const Pose& link_from_body,
-                 std::size_t slot, BodyRows& rows) noexcept {
-  const auto write = [&](const std::array<double, 3>& v, std::size_t c) {
-    rows.at(c)[slot] = v[0];
-    rows.at(c + 1)[slot] = v[1];
-    rows.at(c + 2)[slot] = v[2];
-  };
-  const double* axes = link_from_body.rotation.data();
-  write(moved(world_from_link, link_from_body.translation.data()), column::center);
-  if (kind != CoreKind::point) {
-    write(turned(world_from_link.rotation, axes + 6), column::axis_z);
-  }
-  if (kind == CoreKind::box) {
-    write(turned(world_from_link.rotation, axes), column::axis_x);
-    write(turned(world_from_link.rotation, axes + 3), column::axis_y);
-  }
-}
-
 }  // namespace
 
 LinkPoses makeLinkPoses(const RobotModel& model) {
@@ -89,20 +69,6 @@ void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& bod
     }
     place(world_from_link, bodies[i].link_from_body, body_poses.world_from_body[i]);
     writeBody(setup.cores[i].kind, body_poses.world_from_body[i], slot, body_poses.rows);
-  }
-}
-
-void placeArrivals(std::uint32_t count, LateBodies& late) noexcept {
-  for (; late.placed < count; ++late.placed) {
-    const std::size_t i = index(late.setup.blocks.arrivals[late.placed]);
-    const Body& body = late.setup.bodies[i];
-    const std::size_t slot = late.setup.blocks.slot_of[i];
-    if (isKnown(late.poses, index(body.link))) {
-      placeInRows(late.setup.cores[i].kind, late.poses.world_from_link[index(body.link)],
-                  body.link_from_body, slot, late.rows);
-    } else {
-      loseBody(slot, late.rows);
-    }
   }
 }
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "pipeline/block_lanes-inl.h"
-#include "pipeline/late_bodies.h"
+#include "pipeline/place_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
@@ -22,7 +22,9 @@ struct MeasureAll {
 
   template <class CoreOne, class CoreRow>
   HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
-    const Number distance = measurePart<CoreOne, CoreRow>(rows, part, part.is_pair);
+    constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+    std::uint32_t which = part.is_pair;
+    const Number distance = measurePart<CoreOne, CoreRow>(rows, part, kAnywhere, which);
     // Pairs without a gap are stored as they stand; what comes to lie behind them belongs to parts
     // that follow.
     const bool has_gaps = (part.is_pair & (part.is_pair + 1)) != 0;
@@ -50,7 +52,7 @@ struct FindNearest {
     if (which == 0) {
       return true;
     }
-    const Number distance = measurePart<CoreOne, CoreRow>(rows, part, which);
+    const Number distance = measurePart<CoreOne, CoreRow>(rows, part, best.distance, which);
     which &= bitsOf(hn::Lt(distance, number(best.distance)));
     forLanes(part, which, distance, [&](std::uint32_t pair, std::size_t, double value) HWY_ATTR {
       if (value < best.distance && passed.is_passed[passed.group_of[pair]] == 0) {
@@ -61,6 +63,14 @@ struct FindNearest {
   }
 };
 
+/// Bodies that are placed as a search comes to need them.
+struct LateBodies {
+  const CycleSetup& setup;
+  const LinkPoses& poses;
+  BodyRows& rows;
+  std::uint32_t placed{0};  ///< of PairBlocks::arrivals
+};
+
 /// The first contact.
 struct FindContact {
   const ContactDistances& limits;
@@ -68,8 +78,9 @@ struct FindContact {
   LateBodies* late;  ///< null: all bodies are placed
 
   HWY_INLINE void begin(const PairBlock& block) const {
-    if (late != nullptr && late->placed < block.arrived) {
-      placeArrivals(block.arrived, *late);
+    for (; late != nullptr && late->placed < block.arrived; ++late->placed) {
+      placeGroup(late->setup.slot_groups, late->setup.blocks.arrivals[late->placed], late->poses,
+                 late->rows);
     }
   }
 
@@ -79,13 +90,11 @@ struct FindContact {
     if (which == 0) {
       return true;
     }
-    which &= bitsOf(mayBeWithin(coreOfOne<CoreOne>(rows, part), coreOfRow<CoreRow>(rows, part),
-                                number(limits.largest)));
+    const Number distance = measureInKernel<CoreOne, CoreRow>(rows, part, limits.largest, which);
+    which &= bitsOf(hn::Not(hn::Gt(distance, number(limits.largest))));
     if (which == 0) {
       return true;
     }
-    const Number distance = measureInKernel<CoreOne, CoreRow>(rows, part, which);
-    which &= bitsOf(hn::Not(hn::Gt(distance, number(limits.largest))));
     bool is_open = true;
     forLanes(part, which, distance,
              [&](std::uint32_t pair, std::size_t lane, double value) HWY_ATTR {
@@ -158,8 +167,20 @@ void searchInLanes(const PairBlocks& blocks, const BodyRows& rows, const PassedP
 }
 
 void findContactInLanes(const PairBlocks& blocks, const BodyRows& rows,
-                        const ContactDistances& limits, LateBodies* late, FoundContact& found) {
-  visitBlocks(blocks, rows, FindContact{limits, found, late});
+                        const ContactDistances& limits, FoundContact& found) {
+  visitBlocks(blocks, rows, FindContact{limits, found, nullptr});
+}
+
+void placeInRows(const CycleSetup& setup, const LinkPoses& poses, BodyRows& rows) {
+  for (std::size_t i = 0; i < setup.slot_groups.size(); ++i) {
+    placeGroup(setup.slot_groups, i, poses, rows);
+  }
+}
+
+void placeAndFindContact(const CycleSetup& setup, const LinkPoses& poses,
+                         const ContactDistances& limits, BodyRows& rows, FoundContact& found) {
+  LateBodies late{setup, poses, rows, 0};
+  visitBlocks(setup.blocks, rows, FindContact{limits, found, &late});
 }
 
 // NOLINTNEXTLINE(google-readability-namespace-comments)
@@ -173,6 +194,8 @@ namespace {
 HWY_EXPORT(measureInLanes);
 HWY_EXPORT(searchInLanes);
 HWY_EXPORT(findContactInLanes);
+HWY_EXPORT(placeInRows);
+HWY_EXPORT(placeAndFindContact);
 }  // namespace
 
 void measureBlocks(const PairBlocks& blocks, const BodyRows& rows,
@@ -187,13 +210,16 @@ void searchBlocks(const PairBlocks& blocks, const BodyRows& rows, const PassedPa
 
 void findContact(const PairBlocks& blocks, const BodyRows& rows, const ContactDistances& limits,
                  FoundContact& found) noexcept {
-  HWY_DYNAMIC_DISPATCH(findContactInLanes)(blocks, rows, limits, nullptr, found);
+  HWY_DYNAMIC_DISPATCH(findContactInLanes)(blocks, rows, limits, found);
 }
 
 void findContact(const CycleSetup& setup, const LinkPoses& poses, const ContactDistances& limits,
                  BodyRows& rows, FoundContact& found) noexcept {
-  LateBodies late{setup, poses, rows, 0};
-  HWY_DYNAMIC_DISPATCH(findContactInLanes)(setup.blocks, rows, limits, &late, found);
+  HWY_DYNAMIC_DISPATCH(placeAndFindContact)(setup, poses, limits, rows, found);
+}
+
+void placeRows(const CycleSetup& setup, const LinkPoses& poses, BodyRows& rows) noexcept {
+  HWY_DYNAMIC_DISPATCH(placeInRows)(setup, poses, rows);
 }
 
 }  // namespace collision_monitor

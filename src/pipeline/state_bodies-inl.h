@@ -71,11 +71,10 @@ inline HWY_NOINLINE Number finished(const StateLanes& states, const StatePair& p
   return hn::Load(Lanes(), distances);
 }
 
-/// The signed distance of a pair, right in the states that count; those in which it is beyond
-/// `reach` need not count any more, and do not where that is seen soon.
+/// The signed distance of a pair, as distanceWithin of its cores in the states that count.
 template <class CoreA, class CoreB>
-HWY_INLINE Number distanceWithin(const StateLanes& states, const StatePair& pair, Number reach,
-                                 Truth& counts) {
+HWY_INLINE Number stateDistanceWithin(const StateLanes& states, const StatePair& pair, Number reach,
+                                      Truth& counts) {
   counts = hn::And(counts, spheresMeet(states, pair, reach));
   if (hn::AllFalse(Lanes(), counts)) {
     return zero();
@@ -83,11 +82,7 @@ HWY_INLINE Number distanceWithin(const StateLanes& states, const StatePair& pair
   const std::vector<Core>& cores = states.setup.cores;
   const CoreA a(BodyInStates{states.work.bodies[pair.a], cores[pair.a], states.lane});
   const CoreB b(BodyInStates{states.work.bodies[pair.b], cores[pair.b], states.lane});
-  counts = hn::And(counts, mayBeWithin(a, b, reach));
-  if (hn::AllFalse(Lanes(), counts)) {
-    return zero();
-  }
-  const Number distance = hn::Sub(hn::Sub(separationOf(a, b, counts), a.radius), b.radius);
+  const Number distance = distanceWithin(a, b, reach, counts);
   const bool is_sure = hn::AllFalse(Lanes(), hn::AndNot(hn::Eq(distance, distance), counts));
   return HWY_LIKELY(is_sure) ? distance : finished(states, pair, distance);
 }

@@ -17,13 +17,18 @@ namespace collision_monitor {
 /// Neighbours that a block joins with one body, a multiple of the lanes of every instruction set.
 constexpr std::size_t kBlockLanes = 8;
 
+/// Groups of so many slots that so many bodies take.
+constexpr std::size_t groupCountOf(std::size_t bodies) noexcept {
+  return (bodies + kBlockLanes - 1) / kBlockLanes;
+}
+
 /// The body in slot `one` and those from slot `first` on, as far as they are pairs of the table.
 struct PairBlock {
   std::uint32_t one{0};
   std::uint32_t first{0};
   std::uint32_t is_pair{0};     ///< bit by lane
   std::uint32_t first_pair{0};  ///< PairId of the lowest bit, from which the others count on
-  std::uint32_t arrived{0};     ///< bodies that this block and those before it need
+  std::uint32_t arrived{0};     ///< groups of slots that this block and those before it need
 };
 
 /// Blocks [first, last) join a body of kind `one` with bodies of kind `row`.
@@ -39,7 +44,7 @@ struct PairBlocks {
   std::vector<std::uint32_t> slot_of;  ///< by BodyId: ordered by kind, then by id
   std::vector<PairBlock> blocks;
   std::vector<BlockRange> ranges;
-  std::vector<BodyId> arrivals;  ///< bodies that stand in pairs, as the blocks come to need them
+  std::vector<std::uint32_t> arrivals;  ///< groups with pairs, as the blocks come to need them
 };
 
 PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores);
@@ -54,6 +59,20 @@ struct BodyRows {
 };
 
 constexpr std::size_t kBoundingColumn = column::count;
+
+/// A pose is this many numbers in a row: the columns of its rotation, then the translation.
+constexpr std::size_t kPoseNumbers = sizeof(Pose) / sizeof(double);
+static_assert(kPoseNumbers == 12);
+
+/// How the bodies in kBlockLanes slots are fixed to their links, laid out to be placed together.
+/// Made at set-up.
+struct SlotGroup {
+  alignas(64) double link_from_body[kPoseNumbers][kBlockLanes] = {};
+  std::int64_t pose_at[kBlockLanes] =
+      {};                                ///< where among the numbers of all poses the link's start
+  std::uint32_t link[kBlockLanes] = {};  ///< LinkId
+  CoreKind kind{CoreKind::point};        ///< of the last of them, the largest
+};
 
 /// Sized for the bodies, with what does not move filled in. `bounding_radii` by BodyId.
 BodyRows makeBodyRows(const PairBlocks& blocks, const std::vector<Core>& cores,

@@ -55,6 +55,9 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
 
 void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept;
 
+/// The rows of placeBodies alone, to the last bit: for those who measure all pairs of one pose.
+void placeRows(const CycleSetup& setup, const LinkPoses& poses, BodyRows& rows) noexcept;
+
 /// Whether any pair is in contact when the links are in these poses: as placeBodies and then
 /// findContact of pair_blocks.h, but bodies are placed in `rows` only as the search comes to them.
 void findContact(const CycleSetup& setup, const LinkPoses& poses, const ContactDistances& limits,

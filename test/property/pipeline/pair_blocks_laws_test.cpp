@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -66,6 +67,57 @@ TEST(PairBlocksLaws, distancesAndNearestPairAreThoseOfThePlainTwin_onEveryInstru
     }
   }
   EXPECT_GT(contacts, 100U);
+}
+
+/// Poses of which each third is not known, not finite or not rigid.
+LinkPoses damagedPoses(const CycleSetup& setup, unsigned seed) {
+  LinkPoses poses = randomLinkPoses(setup, 1.0, seed);
+  for (std::size_t link = 0; link < poses.status.size(); link += 3) {
+    Pose& pose = poses.world_from_link[link];
+    switch ((link / 3 + seed) % 4) {
+      case 0:
+        poses.status[link] = LinkStatus::stale;
+        break;
+      case 1:
+        pose.translation.y() = std::numeric_limits<double>::quiet_NaN();
+        break;
+      case 2:
+        pose.rotation(1, 2) = std::numeric_limits<double>::infinity();
+        break;
+      default:
+        pose.rotation.col(0) *= 1.0 + 1e-5;
+    }
+  }
+  return poses;
+}
+
+TEST(PairBlocksLaws, rowsPlacedTogetherAreThoseOfEachBody_onEveryInstructionSet) {
+  std::size_t unknown = 0;
+  for (unsigned round = 0; round < 100; ++round) {
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed + round);
+    const CycleSetup setup = randomSetup(2 + round % 20, kSeed + round);
+    const LinkPoses poses = damagedPoses(setup, kSeed + round);
+    BodyPoses body_poses = makeBodyPoses(setup);
+    placeBodies(setup, poses, body_poses);
+    for (const std::int64_t target : instructionSets()) {
+      SCOPED_TRACE(hwy::TargetName(target));
+      const OnlyInstructionSet only(target);
+      BodyRows rows = makeBodyPoses(setup).rows;
+      placeRows(setup, poses, rows);
+      for (std::size_t body = 0; body < setup.bodies.size(); ++body) {
+        const std::size_t slot = setup.blocks.slot_of[body];
+        if (body_poses.known[body] == 0) {
+          ASSERT_TRUE(std::isnan(rows.at(column::center)[slot]));
+          ++unknown;
+          continue;
+        }
+        for (std::size_t c = 0; c < columnCountOf(setup.cores[body].kind); ++c) {
+          ASSERT_EQ(rows.at(c)[slot], body_poses.rows.at(c)[slot]) << "column " << c;
+        }
+      }
+    }
+  }
+  EXPECT_GT(unknown, 100U);
 }
 
 }  // namespace

@@ -46,26 +46,27 @@ TEST(MakeBlocks, onePairStandsInOneLane_neighboursShareABlock) {
   EXPECT_EQ(setup.blocks.ranges.size(), 1U);
 }
 
-TEST(MakeBlocks, bodiesArriveBeforeTheBlockThatNeedsThem_eachOnce) {
-  const CycleSetup setup = randomSetup(15, 1);
+TEST(MakeBlocks, groupsOfSlotsArriveBeforeTheBlockThatNeedsThem_eachOnce) {
+  const CycleSetup setup = randomSetup(30, 1);
   const PairBlocks& blocks = setup.blocks;
-  std::vector<std::size_t> place(setup.bodies.size(), setup.bodies.size());  // by slot
+  const std::size_t groups = setup.slot_groups.size();
+  ASSERT_EQ(groups, (setup.bodies.size() + kBlockLanes - 1) / kBlockLanes);
+  std::vector<std::size_t> place(groups, groups);
   for (std::size_t i = 0; i < blocks.arrivals.size(); ++i) {
-    std::size_t& of_body = place[blocks.slot_of[index(blocks.arrivals[i])]];
-    EXPECT_EQ(of_body, setup.bodies.size());
-    of_body = i;
+    EXPECT_EQ(place[blocks.arrivals[i]], groups);
+    place[blocks.arrivals[i]] = i;
   }
   for (const PairBlock& block : blocks.blocks) {
-    EXPECT_LT(place[block.one], block.arrived);
+    EXPECT_LT(place[block.one / kBlockLanes], block.arrived);
     for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
       if ((block.is_pair >> lane & 1U) != 0) {
-        EXPECT_LT(place[block.first + lane], block.arrived);
+        EXPECT_LT(place[(block.first + lane) / kBlockLanes], block.arrived);
       }
     }
   }
   // Every link is checked against every other, so all bodies arrive, but not at once.
-  EXPECT_EQ(blocks.blocks.back().arrived, setup.bodies.size());
-  EXPECT_LE(blocks.blocks.front().arrived, 1 + kBlockLanes);
+  EXPECT_EQ(blocks.blocks.back().arrived, groups);
+  EXPECT_LE(blocks.blocks.front().arrived, 3U);
 }
 
 /// A ball at the origin, a capsule along z from (3, 0, -1) to (3, 0, 1), a cube about (0, 5, 0).
