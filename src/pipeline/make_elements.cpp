@@ -67,9 +67,8 @@ struct FillElement {
       element.mesh.emplace(whole, is_closed);
       element.is_exact = true;
     }
-    if (is_convex || refine == RefineGeometry::hull) {
-      element.convex = std::move(hull);
-    }
+    const bool stands_for_it = is_convex || refine == RefineGeometry::hull;
+    (stands_for_it ? element.convex : element.hull) = std::move(hull);
   }
 
   void operator()(const Box& box) const {

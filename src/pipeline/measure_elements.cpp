@@ -11,6 +11,7 @@
 #include "collision_monitor/narrow_phase/distance.h"
 #include "collision_monitor/narrow_phase/mesh_depth.h"
 #include "narrow_phase/core_distance.h"
+#include "narrow_phase/mesh_hulls.h"
 
 namespace collision_monitor {
 namespace {
@@ -102,6 +103,30 @@ MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
   return found;
 }
 
+HeldSurface heldSurfaceOf(const PlacedElement& placed) noexcept {
+  const Element& element = placed.element;
+  return element.convex ? HeldSurface{*element.convex, nullptr, placed.world_from_element}
+                        : HeldSurface{*element.hull, &*element.mesh, placed.world_from_element};
+}
+
+/// Where the hulls tell the distance, or that it is enough.
+bool measureHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
+                  ElementDistance& answer) noexcept {
+  const double stop_beyond = stopBeyond(a, b, search);
+  const MeshDistance found =
+      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stop_beyond, search.scratch.mesh,
+                      {search.memory.warm, search.memory.nearest});
+  answer.steps += kApartSteps + found.visits;
+  if (found.state != MeshState::exact && !(found.measured.distance >= stop_beyond)) {
+    return false;
+  }
+  answer.measured = found.measured;
+  answer.has_points = found.state == MeshState::exact;
+  answer.is_complete = true;
+  answer.quality = answer.has_points && areExact(a, b) ? Quality::exact : Quality::lower_bound;
+  return true;
+}
+
 /// Of surfaces around the geometries, the answer of the geometries: not so near, not so deep.
 SignedDistance withoutExcess(const PlacedElement& a, const PlacedElement& b,
                              const SignedDistance& of_surfaces) noexcept {
@@ -133,6 +158,9 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
                               ElementSearch& search) noexcept {
   ElementDistance answer;
   answer.steps = kSetUpSteps;
+  if (measureHulls(a, b, search, answer)) {
+    return answer;
+  }
   const bool is_inside = measureInside(a, b, answer.measured) && answer.measured.distance < 0.0;
   if (is_inside && a.element.mesh && b.element.mesh) {
     reportOverlap(a, b, answer);  // a search would say no more than that

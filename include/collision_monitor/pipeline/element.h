@@ -28,6 +28,7 @@ struct Element {
   std::optional<ConvexGeometry> convex;
   /// A mesh. Beside `convex`, a closed surface that holds it, for how deep it is in a mesh.
   std::optional<MeshTree> mesh;
+  std::optional<ConvexGeometry> hull;  ///< around `mesh`, where there is no `convex`
   double mesh_excess{0.0};  ///< [m] how far `mesh` may stick out of `convex`
   InnerShapes inner;        ///< of what is_exact; none otherwise
   double padding{0.0};      ///< [m] to be taken off every distance
