@@ -32,7 +32,8 @@ struct ElementSearch {
 /// deepenElements looks for more.
 ///
 /// Convex geometries are measured by signedDistanceBetween, a mesh and whatever it is near by
-/// distanceByHulls or, where hulls do not tell, by branch and bound over its triangles. Inner shapes that overlap settle that two meshes do.
+/// distanceByHulls or, where hulls do not tell, by branch and bound over its triangles. Inner
+/// shapes that overlap settle that two meshes do.
 ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
                                 ElementSearch& search) noexcept;
 

@@ -29,11 +29,11 @@ struct Element {
   /// A mesh. Beside `convex`, a closed surface that holds it, for how deep it is in a mesh.
   std::optional<MeshTree> mesh;
   std::optional<ConvexGeometry> hull;  ///< around `mesh`, where there is no `convex`
-  double mesh_excess{0.0};  ///< [m] how far `mesh` may stick out of `convex`
-  InnerShapes inner;        ///< of what is_exact; none otherwise
-  double padding{0.0};      ///< [m] to be taken off every distance
-  bool is_exact{false};     ///< the geometry of the URDF, not something that encloses it
-  bool is_body{false};      ///< it has one body, which has the same shape and padding
+  double mesh_excess{0.0};             ///< [m] how far `mesh` may stick out of `convex`
+  InnerShapes inner;                   ///< of what is_exact; none otherwise
+  double padding{0.0};                 ///< [m] to be taken off every distance
+  bool is_exact{false};                ///< the geometry of the URDF, not something that encloses it
+  bool is_body{false};                 ///< it has one body, which has the same shape and padding
 };
 
 /// Two elements of a checked pair of links, a's link before b's.
