@@ -11,8 +11,6 @@ using Eigen::Vector3d;
 
 // Height over base, squared: below it the normal is mostly rounding.
 constexpr double kSliver = 1e-24;
-// Squared sine of edges that count as parallel.
-constexpr double kParallelSquared = 1e-28;
 
 // The stretch of edge A that runs beside a parallel edge B: its middle.
 double middleOfShared(const Edge& a, const Vector3d& from_a_to_b, double product) noexcept {

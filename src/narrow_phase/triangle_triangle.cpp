@@ -172,10 +172,9 @@ TriangleDistance boundedDistance(const Triangle& a, const Triangle& b, const Poi
   PointPair from_b = exchanged(best);
   improveByFaces(on_b, a, gap == 0.0, from_b);
   best = exchanged(from_b);
-  for (const Edge& edge_of_a : on_a.edges) {
-    for (const Edge& edge_of_b : on_b.edges) {
-      improveByEdges(edge_of_a, edge_of_b, best);
-    }
+  const EdgePair edges = nearestEdges(on_a, on_b);
+  if (edges.squared_distance < best.squared_distance) {
+    improveByEdges(on_a.edges[edges.a], on_b.edges[edges.b], best);
   }
   return {best, best.squared_distance};
 }

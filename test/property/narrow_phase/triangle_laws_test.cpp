@@ -7,8 +7,11 @@
 #include <cmath>
 #include <cstdio>
 #include <sstream>
+#include <vector>
 
 #include "collision_monitor/narrow_phase/triangle_triangle.h"
+#include "narrow_phase/triangle_edges.h"
+#include "support/instruction_sets.h"
 #include "support/random_poses.h"
 #include "support/reference_features.h"
 
@@ -124,6 +127,40 @@ TEST(TriangleLaws, distance_isThatOfTheReference) {
     worst = std::max(worst, error);
   });
   std::printf("triangle-triangle: worst error %.1e m of %d pairs\n", worst, kPairs);
+}
+
+double leastOfEdges(const PreparedTriangle& a, const PreparedTriangle& b) {
+  PointPair best;
+  for (const Edge& edge_of_a : a.edges) {
+    for (const Edge& edge_of_b : b.edges) {
+      improveByEdges(edge_of_a, edge_of_b, best);
+    }
+  }
+  return best.squared_distance;
+}
+
+TEST(TriangleLaws, nearestEdges_areThoseOfAllPairsOnEveryInstructionSet) {
+  std::vector<EdgePair> first;
+  for (const std::int64_t instruction_set : instructionSets()) {
+    const OnlyInstructionSet only(instruction_set);
+    std::size_t count = 0;
+    forManyPairs([&](const TrianglePairCase& pair) {
+      const PreparedTriangle a = prepare(pair.a);
+      const PreparedTriangle b = prepare(pair.b);
+      const EdgePair found = nearestEdges(a, b);
+      ASSERT_NEAR(std::sqrt(found.squared_distance), std::sqrt(leastOfEdges(a, b)), kExact);
+      PointPair between;
+      improveByEdges(a.edges[found.a], b.edges[found.b], between);
+      ASSERT_NEAR(std::sqrt(found.squared_distance), std::sqrt(between.squared_distance), kExact);
+      if (count == first.size()) {
+        first.push_back(found);
+      }
+      ASSERT_EQ(found.a, first[count].a);
+      ASSERT_EQ(found.b, first[count].b);
+      ASSERT_EQ(found.squared_distance, first[count].squared_distance);
+      ++count;
+    });
+  }
 }
 
 TEST(TriangleLaws, overlap_isADistanceOfZero) {
