@@ -114,11 +114,34 @@ class Stages {
   std::map<std::string, double> times_;
 };
 
+/// Of those cycles in which meshes overlap, and whose depth is therefore asked for, and of the
+/// rest.
+struct CycleTimes {
+  std::vector<double> deep;
+  std::vector<double> free;
+
+  void add(double time, const PairDistances& distances) {
+    const bool is_deep =
+        std::any_of(distances.measured.begin(), distances.measured.end(),
+                    [](const PairDistance& pair) { return pair.quality == Quality::estimate; });
+    (is_deep ? deep : free).push_back(time);
+  }
+};
+
+void printSpread(const char* what, std::vector<double> times) {
+  if (!times.empty()) {
+    std::sort(times.begin(), times.end());
+    std::printf("    %-40s %zu: median %.1f us, 99 %% %.1f, slowest %.1f\n", what, times.size(),
+                times[times.size() / 2], times[times.size() * 99 / 100], times.back());
+  }
+}
+
 void timeCycles(const std::string& what, const CycleSetup& setup, const std::vector<Move>& moves) {
   CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::automatic);
   CycleBuffers staged = makeBuffers(setup, BroadPhaseKind::automatic);
   Stages stages;
   std::vector<double> times;
+  CycleTimes split;
   double candidates = 0.0;
   double refined = 0.0;
   double swept = 0.0;
@@ -131,6 +154,7 @@ void timeCycles(const std::string& what, const CycleSetup& setup, const std::vec
       const Clock::time_point start = Clock::now();
       runCycle(setup, poses, buffers);
       times.push_back(microsecondsSince(start));
+      split.add(times.back(), buffers.distances);
       stages.run(setup, poses, staged);
       if (staged.events.verdicts != buffers.events.verdicts) {
         std::printf("the stages differ from runCycle: mend the benchmark\n");
@@ -152,6 +176,8 @@ void timeCycles(const std::string& what, const CycleSetup& setup, const std::vec
       what.c_str(), times[times.size() / 2], mean, times[times.size() * 99 / 100],
       candidates / cycles, refined / cycles, swept / cycles, 100.0 * exceeded / cycles,
       100.0 * over_cap / cycles);
+  printSpread("cycles with meshes in each other", split.deep);
+  printSpread("cycles without", split.free);
   stages.print(cycles);
 }
 

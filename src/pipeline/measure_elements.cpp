@@ -17,11 +17,11 @@ namespace collision_monitor {
 namespace {
 
 // Work other than opening nodes, in units of it.
-constexpr std::uint32_t kSetUpSteps = 8;   // poses and inner shapes
-constexpr std::uint32_t kApartSteps = 8;   // two convex geometries
-constexpr std::uint32_t kDepthSteps = 60;  // depth of two convex geometries
-constexpr std::uint32_t kPointSteps = 20;  // depth of one point in a mesh
-constexpr std::uint32_t kMostPoints = 60;  // of each mesh
+constexpr std::uint32_t kSetUpSteps = 8;    // poses and inner shapes
+constexpr std::uint32_t kApartSteps = 8;    // two convex geometries
+constexpr std::uint32_t kDepthSteps = 60;   // depth of two convex geometries
+constexpr std::uint32_t kPointSteps = 20;   // depth of one point in a mesh
+constexpr std::uint32_t kMostPoints = 120;  // of two meshes
 
 bool areExact(const PlacedElement& a, const PlacedElement& b) noexcept {
   return a.element.is_exact && b.element.is_exact;
@@ -213,17 +213,18 @@ ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
 
 std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
                              SignedDistance& overlap) noexcept {
-  const std::uint32_t points = std::min(kMostPoints, search.budget / (2 * kPointSteps));
-  if (!a.element.mesh || !b.element.mesh || points == 0) {
+  const std::uint32_t points = std::min(kMostPoints, search.budget / kPointSteps);
+  if (!search.memory.depth || points == 0) {
     return 0;
   }
-  const MeshPenetration found = penetrationOf(meshOf(a), meshOf(b), search.scratch.mesh, points);
+  const MeshDepth found =
+      depthOf(meshOf(a), meshOf(b), search.scratch.mesh, *search.memory.depth, points);
   const SignedDistance deepest =
       swept(withoutExcess(a, b, found.deepest), a.element.padding, b.element.padding);
   if (deepest.distance < overlap.distance) {
     overlap = deepest;
   }
-  return 2 * kPointSteps * points;
+  return kPointSteps * found.points;
 }
 
 }  // namespace collision_monitor

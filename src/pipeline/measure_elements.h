@@ -37,7 +37,7 @@ struct ElementSearch {
 ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
                                 ElementSearch& search) noexcept;
 
-/// Of two elements known to overlap, a deeper estimate if one is found.
+/// Of two elements known to overlap, a deeper estimate if one is found, by depthOf.
 /// @param overlap of quality estimate, changed if it can be bettered.
 /// @return steps spent.
 std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,

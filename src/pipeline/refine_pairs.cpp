@@ -240,6 +240,9 @@ std::vector<RefineMemory> makeRefineMemory(const CycleSetup& setup) {
     if (isMeasuredAsMesh(a) && isMeasuredAsMesh(b)) {
       memory[pair].front = std::make_unique<MeshFront>();
     }
+    if (a.mesh && b.mesh && !(a.convex && b.convex)) {
+      memory[pair].depth = std::make_unique<KeptDepth>();
+    }
   }
   return memory;
 }
@@ -247,11 +250,16 @@ std::vector<RefineMemory> makeRefineMemory(const CycleSetup& setup) {
 void forget(std::vector<RefineMemory>& memory) noexcept {
   for (RefineMemory& pair : memory) {
     std::unique_ptr<MeshFront> front = std::move(pair.front);
+    std::unique_ptr<KeptDepth> depth = std::move(pair.depth);
     pair = RefineMemory();
     pair.front = std::move(front);
+    pair.depth = std::move(depth);
     if (pair.front) {
       pair.front->a_from_b.reset();
       pair.front->nearest.a = MeshFront::kNone;
+    }
+    if (pair.depth) {
+      forget(*pair.depth);
     }
   }
 }

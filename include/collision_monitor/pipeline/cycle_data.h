@@ -12,6 +12,7 @@
 #include "collision_monitor/geometry/twist.h"
 #include "collision_monitor/model/robot_model.h"
 #include "collision_monitor/narrow_phase/convex_workspace.h"
+#include "collision_monitor/narrow_phase/mesh_depth.h"
 #include "collision_monitor/narrow_phase/mesh_distance.h"
 #include "collision_monitor/narrow_phase/signed_distance.h"
 #include "collision_monitor/pipeline/pair_blocks.h"
@@ -164,6 +165,7 @@ struct RefineMemory {
   TrianglePair nearest;
   LastMeasurement last;
   std::unique_ptr<MeshFront> front;  ///< of two meshes; none: searches start from the roots
+  std::unique_ptr<KeptDepth> depth;  ///< of two with meshes, of which one is not convex
   std::uint32_t waited{0};  ///< cycles in a row in which the budget was spent before its turn
 };
 
@@ -183,8 +185,8 @@ struct SpeedScale {
 };
 
 /// What survives a cycle. Resetting it changes hysteresis, which verdicts count as changed, how
-/// the speed scale grows, and of refinement the speed and the order; contacts since the last cycle
-/// are then not looked for.
+/// the speed scale grows, and of refinement the speed, the order and the estimates of depths;
+/// contacts since the last cycle are then not looked for.
 struct PairMemory {
   std::vector<Verdict> reported;  ///< by LinkPairIndex: the verdict last reported
   SpeedScale speed;

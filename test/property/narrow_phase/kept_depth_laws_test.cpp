@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "collision_monitor/narrow_phase/mesh_depth.h"
+#include "support/query_meshes.h"
+#include "support/random_poses.h"
+#include "support/sample_meshes.h"
+
+// Meshes that walk at random within each other: the depth kept from query to query, and that of a
+// complete search.
+namespace collision_monitor::test {
+namespace {
+
+constexpr std::uint64_t kSeed = 20260101;
+constexpr double kRounding = 1e-12;  // [m]
+
+class KeptDepthLaws : public testing::Test {
+ protected:
+  KeptDepthLaws() {
+    trees_.emplace_back(bumpyMesh(1.0, 24), true);
+    trees_.emplace_back(bumpyMesh(0.5, 16), true);
+    trees_.emplace_back(boxMesh({0.3, 0.1, 0.2}), true);
+    trees_.emplace_back(sphereMesh(0.4, 20), true);
+  }
+
+  const MeshTree& anyTree() { return trees_[random_() % trees_.size()]; }
+
+  Pose nextPose(const Pose& pose, double shift) {
+    switch (random_() % 60) {
+      case 0:
+        return randomPose(random_, 0.3);
+      case 1:
+        return pose;
+      default:
+        const Eigen::AngleAxisd whole(randomRotation(random_));
+        return {Eigen::AngleAxisd(shift * whole.angle(), whole.axis()) * pose.rotation,
+                pose.translation + randomPoint(random_, shift)};
+    }
+  }
+
+  double completeDepth(const PlacedMesh& a, const PlacedMesh& b) {
+    const MeshPenetration found = penetrationOf(a, b, *memory_, 1000000);
+    EXPECT_TRUE(found.is_complete);
+    return found.at_least;
+  }
+
+  Random random_{kSeed};
+  std::vector<MeshTree> trees_;
+  std::unique_ptr<MeshQueryMemory> memory_ = std::make_unique<MeshQueryMemory>();
+};
+
+// [m] By how much the point is outside of the mesh; negative inside.
+double outside(const PlacedMesh& mesh, const Eigen::Vector3d& point, MeshQueryMemory& memory) {
+  const Pose pose{Eigen::Matrix3d::Identity(), point};
+  const Shape shape = Sphere{0.0};
+  return distanceBetween(mesh, {shape, pose}, memory).measured.distance;
+}
+
+TEST_F(KeptDepthLaws, walks_neverDeeperThanAllCornersAndAsDeepOnceTheyStand) {
+  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  double kept_sum = 0.0;
+  double complete_sum = 0.0;
+  int deep = 0;
+  for (int walk = 0; walk < 40; ++walk) {
+    const auto kept = std::make_unique<KeptDepth>();
+    const auto twin = std::make_unique<KeptDepth>();
+    const double shift = std::pow(10.0, uniform(random_, -5.0, -2.0));
+    Pose world_from_a = randomPose(random_, 0.2);
+    Pose world_from_b = randomPose(random_, 0.2);
+    const PlacedMesh a{anyTree(), world_from_a};
+    const PlacedMesh b{anyTree(), world_from_b};
+    for (int step = 0; step < 100; ++step) {
+      SCOPED_TRACE(testing::Message() << "walk " << walk << ", step " << step);
+      world_from_a = nextPose(world_from_a, shift);
+      world_from_b = nextPose(world_from_b, shift);
+      const MeshDepth found = depthOf(a, b, *memory_, *kept, 60);
+      const double complete = completeDepth(a, b);
+      const double depth = -found.deepest.distance;
+      ASSERT_LE(depth, complete + kRounding);
+      ASSERT_TRUE(!found.is_complete || depth >= complete - kRounding);
+      if (depth > 0.0) {
+        const SignedDistance& deepest = found.deepest;
+        ASSERT_LE((deepest.point_on_b - deepest.point_on_a + depth * deepest.normal_a_to_b).norm(),
+                  kRounding);
+        // One of them is the corner of its mesh, that deep in the other mesh.
+        const double b_in_a = outside(a, deepest.point_on_b, *memory_);
+        const double a_in_b = outside(b, deepest.point_on_a, *memory_);
+        ASSERT_NEAR(std::min(b_in_a, a_in_b), -depth, kRounding);
+      }
+      const MeshDepth same = depthOf(a, b, *memory_, *twin, 60);
+      ASSERT_EQ(same.deepest.distance, found.deepest.distance);
+      ASSERT_EQ(same.deepest.point_on_a, found.deepest.point_on_a);
+      ASSERT_EQ(same.points, found.points);
+      kept_sum += depth;
+      complete_sum += complete;
+      deep += depth > 0.0 ? 1 : 0;
+    }
+    MeshDepth stands;
+    for (int query = 0; query < 1000 && !stands.is_complete; ++query) {
+      stands = depthOf(a, b, *memory_, *kept, 60);
+    }
+    ASSERT_TRUE(stands.is_complete);
+    ASSERT_NEAR(-stands.deepest.distance, completeDepth(a, b), kRounding);
+  }
+  EXPECT_GT(deep, 2000);
+  EXPECT_GT(kept_sum, 0.9 * complete_sum) << "what is kept is worth little";
+}
+
+}  // namespace
+}  // namespace collision_monitor::test

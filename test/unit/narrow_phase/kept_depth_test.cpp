@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+
+#include "collision_monitor/narrow_phase/mesh_depth.h"
+#include "support/allocation_guard.h"
+#include "support/expect_distance.h"
+#include "support/query_meshes.h"
+#include "support/sample_meshes.h"
+
+// The depth of meshes that move, from query to query.
+namespace collision_monitor::test {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::uint32_t kBudget = 1000;
+
+/// A cube from -1 to 1, and a bar of 0.2 x 0.4 x 0.6 that sticks in its face x = 1.
+class KeptDepthTest : public testing::Test {
+ protected:
+  MeshDepth depth(const Pose& world_from_bar, std::uint32_t budget = kBudget) {
+    return depthOf({cube_, world_from_cube_}, {bar_, world_from_bar}, *memory_, *kept_, budget);
+  }
+  MeshDepth standAt(const Pose& world_from_bar, int queries = 100) {
+    for (int i = 1; i < queries; ++i) {
+      depth(world_from_bar);
+    }
+    return depth(world_from_bar);
+  }
+
+  std::unique_ptr<MeshQueryMemory> memory_ = std::make_unique<MeshQueryMemory>();
+  std::unique_ptr<KeptDepth> kept_ = std::make_unique<KeptDepth>();
+  const MeshTree cube_{boxMesh({1, 1, 1}), true};
+  const MeshTree bar_{boxMesh({0.1, 0.2, 0.3}), true};
+  Pose world_from_cube_;
+};
+
+TEST_F(KeptDepthTest, barSlidesIn_depthFollowsExactly) {
+  for (int step = 0; step < 100; ++step) {
+    const double x = 1.09 - 0.001 * step;
+    const MeshDepth found = depth(at(x, 0, 0));
+    ASSERT_NEAR(found.deepest.distance, -(1.1 - x), kExact);
+    expectNear(found.deepest.normal_a_to_b, {1, 0, 0}, "normal");
+    EXPECT_NEAR(found.deepest.point_on_a.x(), 1.0, kExact);
+    EXPECT_NEAR(found.deepest.point_on_b.x(), x - 0.1, kExact);
+    expectConsistent(found.deepest);
+  }
+}
+
+TEST_F(KeptDepthTest, otherOrder_turnsTheNormal) {
+  for (const double x : {1.05, 1.049, 1.048}) {
+    const MeshDepth found =
+        depthOf({bar_, at(x, 0, 0)}, {cube_, Pose{}}, *memory_, *kept_, kBudget);
+    EXPECT_NEAR(found.deepest.distance, x - 1.1, kExact);
+    expectNear(found.deepest.normal_a_to_b, {-1, 0, 0}, "normal");
+    expectConsistent(found.deepest);
+  }
+}
+
+TEST_F(KeptDepthTest, slidesOut_isDeepNoMore) {
+  depth(at(1.05, 0, 0));
+  const MeshDepth touching = depth(at(1.101, 0, 0));
+  EXPECT_EQ(touching.deepest.distance, 0.0);
+  EXPECT_EQ(depth(at(1.5, 0, 0)).deepest.distance, 0.0);
+  EXPECT_NEAR(depth(at(1.08, 0, 0)).deepest.distance, -0.02, kExact) << "and back in";
+}
+
+TEST_F(KeptDepthTest, stands_nothingIsMeasuredAnew) {
+  const MeshDepth before = standAt(at(1.05, 0, 0));
+  const MeshDepth after = depth(at(1.05, 0, 0));
+  EXPECT_TRUE(after.is_complete);
+  EXPECT_EQ(after.points, 0U);
+  EXPECT_EQ(after.deepest.distance, before.deepest.distance);
+  EXPECT_EQ(after.deepest.point_on_a, before.deepest.point_on_a);
+  EXPECT_EQ(after.deepest.point_on_b, before.deepest.point_on_b);
+}
+
+TEST_F(KeptDepthTest, bothGoTheSameWay_theAnswerGoesWithThem) {
+  standAt(at(1.05, 0, 0));
+  world_from_cube_ = Pose{eighthTurn(), {3, 4, 5}};
+  const MeshDepth found = depth(world_from_cube_ * at(1.05, 0, 0));
+  EXPECT_TRUE(found.is_complete);
+  EXPECT_NEAR(found.deepest.distance, -0.05, kExact);
+  expectNear(found.deepest.normal_a_to_b, eighthTurn().col(0), "normal");
+  EXPECT_LE(found.points, 1U) << "the corner alone, where rounding moved it";
+}
+
+TEST_F(KeptDepthTest, jump_isSearchedAnew) {
+  standAt(at(1.05, 0, 0));
+  // Through the face y = 1, where other corners are in.
+  const MeshDepth found = depth(at(0, 1.17, 0));
+  EXPECT_TRUE(found.is_complete);
+  EXPECT_NEAR(found.deepest.distance, -0.03, kExact);
+  expectNear(found.deepest.normal_a_to_b, {0, 1, 0}, "normal");
+}
+
+TEST_F(KeptDepthTest, turnsSlowly_anotherCornerIsFoundOnceItStands) {
+  // The bar's corners at z = 0.3 go in, those at z = -0.3 out.
+  Pose pose = at(1.05, 0, 0);
+  standAt(pose);
+  for (const double turn : {0.05, -0.05}) {
+    for (int step = 1; step <= 50; ++step) {
+      const Eigen::AngleAxisd rotation(turn / 50.0 * step, Vector3d::UnitY());
+      pose.rotation = rotation.toRotationMatrix();
+      depth(pose);
+    }
+    const MeshDepth stands = standAt(pose);
+    EXPECT_TRUE(stands.is_complete);
+    // The corner (-0.1, 0.2, +-0.3), turned.
+    const double x = 1.05 - 0.1 * std::cos(0.05) - 0.3 * std::sin(0.05);
+    EXPECT_NEAR(stands.deepest.distance, x - 1.0, kExact);
+    EXPECT_EQ(stands.deepest.point_on_b.z() > 0.0, turn < 0.0);
+  }
+}
+
+TEST_F(KeptDepthTest, smallBudget_isCompleteInTime) {
+  const MeshTree body(bumpyMesh(1.0, 30), true);
+  const Pose turned{eighthTurn(), {0.5, 0.1, 0.05}};
+  const MeshPenetration all = penetrationOf({body, Pose{}}, {body, turned}, *memory_, 100000);
+  MeshDepth found;
+  double last = 0.0;
+  for (int query = 0; query < 1000 && !found.is_complete; ++query) {
+    found = depthOf({body, Pose{}}, {body, turned}, *memory_, *kept_, 4);
+    ASSERT_LE(found.points, 4U + 3U) << "a triangle has three corners";
+    ASSERT_LE(found.deepest.distance, last);
+    last = found.deepest.distance;
+  }
+  EXPECT_TRUE(found.is_complete);
+  EXPECT_NEAR(-found.deepest.distance, all.at_least, kExact);
+}
+
+TEST_F(KeptDepthTest, poseNotFiniteBetween_saysNothingAndLeavesNoTrace) {
+  standAt(at(1.05, 0, 0));
+  const MeshDepth bad = depth(at(std::numeric_limits<double>::quiet_NaN(), 0, 0));
+  EXPECT_FALSE(bad.is_complete);
+  EXPECT_EQ(bad.deepest.distance, 0.0);
+  EXPECT_EQ(bad.points, 0U);
+  EXPECT_NEAR(depth(at(1.05, 0, 0)).deepest.distance, -0.05, kExact);
+}
+
+TEST_F(KeptDepthTest, forgotten_isAsNew) {
+  standAt(at(1.05, 0, 0));
+  forget(*kept_);
+  const MeshDepth again = depth(at(1.04, 0, 0));
+  const auto fresh = std::make_unique<KeptDepth>();
+  const MeshDepth found =
+      depthOf({cube_, Pose{}}, {bar_, at(1.04, 0, 0)}, *memory_, *fresh, kBudget);
+  EXPECT_EQ(again.points, found.points);
+  EXPECT_EQ(again.deepest.distance, found.deepest.distance);
+  EXPECT_EQ(again.deepest.point_on_b, found.deepest.point_on_b);
+}
+
+TEST_F(KeptDepthTest, openMeshes_haveNoInside) {
+  const MeshTree open(boxMesh({1, 1, 1}), false);
+  const MeshDepth found = depthOf({open, Pose{}}, {open, at(1.9, 0, 0)}, *memory_, *kept_, kBudget);
+  EXPECT_TRUE(found.is_complete);
+  EXPECT_EQ(found.deepest.distance, 0.0);
+}
+
+TEST_F(KeptDepthTest, allocatesNothing) {
+  const AllocationGuard guard;
+  depth(at(1.05, 0, 0));
+  depth(at(1.04, 0, 0));
+  EXPECT_EQ(guard.count(), 0U);
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
