@@ -135,6 +135,9 @@ HWY_INLINE Number separationWithin(const BoxCore& a, const BoxCore& b, Number re
   considerAllEdges<false>(pair, best);
   // A numerator is no larger than its gap where that is positive.
   counts = hn::AndNot(hn::Gt(best.numerator, apart), counts);
+  if (hn::AllFalse(Lanes(), counts)) {
+    return best.numerator;
+  }
   const Number gap = hn::Div(best.numerator, hn::Sqrt(best.sine_squared));
   const Truth is_depth = hn::And(isSkew(pair), hn::Le(gap, zero()));
   if (hn::AllFalse(Lanes(), hn::AndNot(is_depth, counts))) {

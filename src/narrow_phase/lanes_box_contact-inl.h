@@ -38,11 +38,11 @@ HWY_INLINE Number toleranceInLanes(const Vector3& half_a, const Vector3& half_b,
 /// signed squares, so that one root and one quotient do for all.
 struct BestAxis {
   Number numerator, signed_square, sine_squared;
-  Vector3 a;  ///< along A's axes: 1 at the axis of A that takes part, else 0
-  Vector3 b;  ///< the same for B
+  Number of_a;  ///< 1, 2 or 3: the axis of A that takes part; 0: none
+  Number of_b;  ///< the same for B
 };
 
-HWY_INLINE void consider(Number numerator, Number sine_squared, const Vector3& a, const Vector3& b,
+HWY_INLINE void consider(Number numerator, Number sine_squared, Number of_a, Number of_b,
                          BestAxis& best) {
   const Number square = hn::Mul(numerator, hn::Abs(numerator));
   const Truth is_better =
@@ -51,20 +51,28 @@ HWY_INLINE void consider(Number numerator, Number sine_squared, const Vector3& a
   best.numerator = hn::IfThenElse(is_better, numerator, best.numerator);
   best.signed_square = hn::IfThenElse(is_better, square, best.signed_square);
   best.sine_squared = hn::IfThenElse(is_better, sine_squared, best.sine_squared);
-  best.a = select(is_better, a, best.a);
-  best.b = select(is_better, b, best.b);
+  best.of_a = hn::IfThenElse(is_better, of_a, best.of_a);
+  best.of_b = hn::IfThenElse(is_better, of_b, best.of_b);
 }
 
-HWY_INLINE Vector3 unitVector(int axis) {
-  return {number(axis == 0 ? 1.0 : 0.0), number(axis == 1 ? 1.0 : 0.0),
-          number(axis == 2 ? 1.0 : 0.0)};
+HWY_INLINE Number axisOf(const LargestOfThree& largest) {
+  return hn::IfThenElse(largest.is_z, number(3.0),
+                        hn::IfThenElse(largest.is_y, number(2.0), number(1.0)));
 }
 
-/// e_i of A crossed with every axis of B (or its z alone). Of each axis of B the components p and
-/// q, those that follow i in turn, of its center and A's half extents too.
+/// 1 at that axis, else 0.
+HWY_INLINE Vector3 unitVector(Number axis) {
+  return {hn::IfThenElseZero(hn::Eq(axis, number(1.0)), number(1.0)),
+          hn::IfThenElseZero(hn::Eq(axis, number(2.0)), number(1.0)),
+          hn::IfThenElseZero(hn::Eq(axis, number(3.0)), number(1.0))};
+}
+
+/// Axis i of A crossed with every axis of B (or its z alone). Of each axis of B the components p
+/// and q, those that follow i in turn, of its center and A's half extents too.
 template <bool kBIsSegment>
-HWY_INLINE void considerEdges(int i, const Vector3& f_p, const Vector3& f_q, Number c_p, Number c_q,
-                              Number half_p, Number half_q, const Vector3& half_b, BestAxis& best) {
+HWY_INLINE void considerEdges(double i, const Vector3& f_p, const Vector3& f_q, Number c_p,
+                              Number c_q, Number half_p, Number half_q, const Vector3& half_b,
+                              BestAxis& best) {
   const auto gap = [&](Number p, Number q, Number reach_b) HWY_ATTR {
     const Number reach =
         hn::Add(hn::Add(hn::Mul(half_p, hn::Abs(q)), hn::Mul(half_q, hn::Abs(p))), reach_b);
@@ -73,18 +81,17 @@ HWY_INLINE void considerEdges(int i, const Vector3& f_p, const Vector3& f_q, Num
   const auto sineSquared = [&](Number p, Number q)
                                HWY_ATTR { return hn::Add(hn::Mul(p, p), hn::Mul(q, q)); };
   if constexpr (kBIsSegment) {
-    consider(gap(f_p.z, f_q.z, zero()), sineSquared(f_p.z, f_q.z), unitVector(i), unitVector(2),
-             best);
+    consider(gap(f_p.z, f_q.z, zero()), sineSquared(f_p.z, f_q.z), number(i), number(3.0), best);
   } else {
     const Vector3 minors = absolute(cross(f_p, f_q));  // of the axes 1 2, 2 0 and 0 1
     const auto reach = [](Number h1, Number m1, Number h2, Number m2)
                            HWY_ATTR { return hn::Add(hn::Mul(h1, m1), hn::Mul(h2, m2)); };
     consider(gap(f_p.x, f_q.x, reach(half_b.y, minors.z, half_b.z, minors.y)),
-             sineSquared(f_p.x, f_q.x), unitVector(i), unitVector(0), best);
+             sineSquared(f_p.x, f_q.x), number(i), number(1.0), best);
     consider(gap(f_p.y, f_q.y, reach(half_b.x, minors.z, half_b.z, minors.x)),
-             sineSquared(f_p.y, f_q.y), unitVector(i), unitVector(1), best);
+             sineSquared(f_p.y, f_q.y), number(i), number(2.0), best);
     consider(gap(f_p.z, f_q.z, reach(half_b.x, minors.y, half_b.y, minors.x)),
-             sineSquared(f_p.z, f_q.z), unitVector(i), unitVector(2), best);
+             sineSquared(f_p.z, f_q.z), number(i), number(3.0), best);
   }
 }
 
@@ -98,16 +105,14 @@ HWY_INLINE BestAxis bestOfFaces(const BoxPairLanes& pair) {
     reach_a = along(along(reach_a, pair.half_b.x, absolute(f.x)), pair.half_b.y, absolute(f.y));
   }
   const LargestOfThree of_a = largestOf(absolute(c) - reach_a);
-  const Vector3 ones{number(1.0), number(1.0), number(1.0)};
-  const Vector3 none{zero(), zero(), zero()};
-  BestAxis best{of_a.value, hn::Mul(of_a.value, hn::Abs(of_a.value)), number(1.0),
-                atPlaceOf(of_a, ones), none};
+  BestAxis best{of_a.value, hn::Mul(of_a.value, hn::Abs(of_a.value)), number(1.0), axisOf(of_a),
+                zero()};
   if constexpr (!kBIsSegment) {
     const Vector3 reach_b{hn::Add(pair.half_b.x, dot(absolute(f.x), pair.half_a)),
                           hn::Add(pair.half_b.y, dot(absolute(f.y), pair.half_a)),
                           hn::Add(pair.half_b.z, dot(absolute(f.z), pair.half_a))};
     const LargestOfThree of_b = largestOf(absolute(into(f, c)) - reach_b);
-    consider(of_b.value, number(1.0), none, atPlaceOf(of_b, ones), best);
+    consider(of_b.value, number(1.0), zero(), axisOf(of_b), best);
   }
   return best;
 }
@@ -119,9 +124,9 @@ HWY_INLINE void considerAllEdges(const BoxPairLanes& pair, BestAxis& best) {
   const Vector3& c = pair.center_of_b;
   const Vector3 rows[3] = {{f.x.x, f.y.x, f.z.x}, {f.x.y, f.y.y, f.z.y}, {f.x.z, f.y.z, f.z.z}};
   const Vector3& half = pair.half_a;
-  considerEdges<kBIsSegment>(0, rows[1], rows[2], c.y, c.z, half.y, half.z, pair.half_b, best);
-  considerEdges<kBIsSegment>(1, rows[2], rows[0], c.z, c.x, half.z, half.x, pair.half_b, best);
-  considerEdges<kBIsSegment>(2, rows[0], rows[1], c.x, c.y, half.x, half.y, pair.half_b, best);
+  considerEdges<kBIsSegment>(1.0, rows[1], rows[2], c.y, c.z, half.y, half.z, pair.half_b, best);
+  considerEdges<kBIsSegment>(2.0, rows[2], rows[0], c.z, c.x, half.z, half.x, pair.half_b, best);
+  considerEdges<kBIsSegment>(3.0, rows[0], rows[1], c.x, c.y, half.x, half.y, pair.half_b, best);
 }
 
 template <bool kBIsSegment>
@@ -168,31 +173,33 @@ struct AxisContact {
 HWY_INLINE AxisContact contactAlong(const BoxPairLanes& pair, const BestAxis& best) {
   const Number sine = hn::Sqrt(best.sine_squared);
   const Number gap = hn::Div(best.numerator, sine);
-  const Truth has_a = hn::Gt(sumOf(best.a), zero());
-  const Truth has_b = hn::Gt(sumOf(best.b), zero());
+  const Truth has_a = hn::Gt(best.of_a, zero());
+  const Truth has_b = hn::Gt(best.of_b, zero());
   const Truth is_edges = hn::And(has_a, has_b);
-  const Vector3 axis_of_b = out(pair.b_axes, best.b);
-  Vector3 normal = select(is_edges, scaled(hn::Div(number(1.0), sine), cross(best.a, axis_of_b)),
-                          select(has_a, best.a, axis_of_b));
+  const Vector3 of_a = unitVector(best.of_a);
+  const Vector3 of_b = unitVector(best.of_b);
+  const Vector3 axis_of_b = out(pair.b_axes, of_b);
+  Vector3 normal = select(is_edges, scaled(hn::Div(number(1.0), sine), cross(of_a, axis_of_b)),
+                          select(has_a, of_a, axis_of_b));
   normal = scaled(signOf(dot(normal, pair.center_of_b)), normal);
 
   const Vector3 corner_of_a = cornerTowards(pair.half_a, normal);
   const Vector3 normal_in_b = into(pair.b_axes, normal);
   const Vector3 corner_in_b = negated(cornerTowards(pair.half_b, normal_in_b));
   // Edges: through the corners, along the axes that take part.
-  const Vector3 middle_a = without(best.a, corner_of_a);
-  const Vector3 middle_b = pair.center_of_b + out(pair.b_axes, without(best.b, corner_in_b));
-  const LaneParameters closest = closestInLanes(
-      middle_b - middle_a, best.a, dot(best.a, pair.half_a), axis_of_b, dot(best.b, pair.half_b));
-  const Vector3 on_edge_a = along(middle_a, closest.on_a, best.a);
+  const Vector3 middle_a = without(of_a, corner_of_a);
+  const Vector3 middle_b = pair.center_of_b + out(pair.b_axes, without(of_b, corner_in_b));
+  const LaneParameters closest = closestInLanes(middle_b - middle_a, of_a, dot(of_a, pair.half_a),
+                                                axis_of_b, dot(of_b, pair.half_b));
+  const Vector3 on_edge_a = along(middle_a, closest.on_a, of_a);
   const Vector3 on_edge_b = along(middle_b, closest.on_b, axis_of_b);
   const Number defect = norm(along(on_edge_a, gap, normal) - on_edge_b);
 
   const Vector3 corner_of_b = pair.center_of_b + out(pair.b_axes, corner_in_b);
   const Vector3 on_face_a = along(corner_of_b, hn::Neg(gap), normal);
-  const Truth in_face_a = liesInFace(on_face_a, pair.half_a, best.a, pair.tolerance);
+  const Truth in_face_a = liesInFace(on_face_a, pair.half_a, of_a, pair.tolerance);
   const Vector3 seen_from_b = into(pair.b_axes, corner_of_a - pair.center_of_b);
-  const Truth in_face_b = liesInFace(seen_from_b, pair.half_b, best.b, pair.tolerance);
+  const Truth in_face_b = liesInFace(seen_from_b, pair.half_b, of_b, pair.tolerance);
 
   const Truth holds = hn::Or(hn::And(is_edges, hn::Le(defect, pair.tolerance)),
                              hn::Or(hn::And(hn::AndNot(has_b, has_a), in_face_a),

@@ -10,6 +10,7 @@
 #endif
 
 #include <utility>
+#include <vector>
 
 #include "collision_monitor/pipeline/pair_blocks.h"
 #include "narrow_phase/lanes_box_box-inl.h"
@@ -30,6 +31,22 @@ struct BlockPart {
   std::uint32_t is_pair;     ///< bit by lane of the vector
   std::uint32_t first_pair;  ///< of the lowest bit
 };
+
+/// Calls `visit` with the first lane and the part of each vector of a block that holds pairs, until
+/// it returns false.
+/// @return whether it never did.
+template <class Visit>
+HWY_INLINE bool forParts(const PairBlock& block, const Visit& visit) {
+  std::uint32_t pair = block.first_pair;
+  for (std::size_t lane = 0; lane < kBlockLanes; lane += kLanes) {
+    const std::uint32_t is_pair = (block.is_pair >> lane) & ((1U << kLanes) - 1U);
+    if (is_pair != 0 && !visit(lane, BlockPart{block.one, block.first + lane, is_pair, pair})) {
+      return false;
+    }
+    pair += static_cast<std::uint32_t>(hwy::PopCount(is_pair));
+  }
+  return true;
+}
 
 HWY_INLINE std::uint32_t bitsOf(Truth truth) {
   std::uint8_t bits[8] = {};
@@ -126,6 +143,20 @@ HWY_INLINE void forLanes(const BlockPart& part, std::uint32_t which, Number dist
       take(pair, lane, distances[lane]);
     }
     ++pair;
+  }
+}
+
+/// Values of all pairs of a part to where they stand by pair.
+HWY_INLINE void storeByPair(const BlockPart& part, Number values, std::vector<double>& by_pair) {
+  // Pairs without a gap are stored as they stand; what comes to lie behind them belongs to parts
+  // that follow.
+  const bool has_gaps = (part.is_pair & (part.is_pair + 1)) != 0;
+  if (!has_gaps && part.first_pair + kLanes <= by_pair.size()) {
+    hn::StoreU(values, Lanes(), by_pair.data() + part.first_pair);
+  } else {
+    forLanes(part, part.is_pair, values,
+             [&](std::uint32_t pair, std::size_t, double value)
+                 HWY_ATTR { by_pair[pair] = value; });
   }
 }
 

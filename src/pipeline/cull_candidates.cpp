@@ -8,30 +8,24 @@
 namespace collision_monitor {
 namespace {
 
-/// What a pair of bodies is asked.
-struct PosedPair {
-  const Body& a;
-  const Body& b;
-  const Pose& world_from_a;
-  const Pose& world_from_b;
-  double distance;  ///< [m] nearer pairs must stay
-};
-
 /// Without a root.
-bool spheresPart(const PosedPair& pair) noexcept {
+/// @param distance [m] nearer pairs must stay
+bool ballsPart(const Ball& a, const Ball& b, double distance) noexcept {
   constexpr double kRounding = 1e-12;
-  const double reach = pair.a.bounding_radius + pair.b.bounding_radius + pair.distance;
-  const double squared_distance =
-      (pair.world_from_b.translation - pair.world_from_a.translation).squaredNorm();
+  const double reach = a.radius + b.radius + distance;
+  const double squared_distance = (b.center - a.center).squaredNorm();
   return (reach < 0.0) | (squared_distance > reach * reach * (1.0 + kRounding));
 }
 
-bool orientedBoxesPart(const PosedPair& pair) noexcept {
-  const BoxPair boxes = makeBoxPair(coreHalfExtents(pair.a.shape), pair.world_from_a,
-                                    coreHalfExtents(pair.b.shape), pair.world_from_b);
+bool orientedBoxesPart(const CycleSetup& setup, const BodyPoses& poses, const BodyPair& pair,
+                       double distance) noexcept {
+  const std::size_t a = index(pair.a);
+  const std::size_t b = index(pair.b);
+  const BoxPair boxes = makeBoxPair(setup.cores[a].half_extents, poses.world_from_body[a],
+                                    setup.cores[b].half_extents, poses.world_from_body[b]);
   const double gap =
-      separationsOfBoxes(boxes).largest - radiusOf(pair.a.shape) - radiusOf(pair.b.shape);
-  return gap > pair.distance + toleranceOf(boxes);
+      separationsOfBoxes(boxes).largest - setup.cores[a].radius - setup.cores[b].radius;
+  return gap > distance + toleranceOf(boxes);
 }
 
 /// No branch: which of the candidates are left is hard to predict.
@@ -48,19 +42,23 @@ void keepUnless(const IsFar& is_far, std::vector<PairId>& candidates) noexcept {
 }  // namespace
 
 void cullCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
-  const std::vector<Pose>& poses = buffers.body_poses.world_from_body;
-  const auto pairOf = [&](PairId id) -> PosedPair {
-    const std::size_t a = index(setup.table[id].a);
-    const std::size_t b = index(setup.table[id].b);
-    return {setup.bodies[a], setup.bodies[b], poses[a], poses[b],
-            buffers.reaches.of_pair[setup.link_pair_of[index(id)]]};
+  const std::vector<Ball>& balls = buffers.body_poses.balls;
+  const auto reachOfPair = [&](PairId id) {
+    return buffers.reaches.of_pair[setup.link_pair_of[index(id)]];
   };
   std::vector<PairId>& candidates = buffers.candidates;
   const std::size_t found = candidates.size();
-  keepUnless([&](PairId id) { return spheresPart(pairOf(id)); }, candidates);
+  const auto isFarByBalls = [&](PairId id) {
+    const BodyPair& pair = setup.table[id];
+    return ballsPart(balls[index(pair.a)], balls[index(pair.b)], reachOfPair(id));
+  };
+  keepUnless(isFarByBalls, candidates);
   buffers.counters.culled_by_spheres = found - candidates.size();
   if (buffers.culls_by_boxes) {
-    keepUnless([&](PairId id) { return orientedBoxesPart(pairOf(id)); }, candidates);
+    const auto isFarByBoxes = [&](PairId id) {
+      return orientedBoxesPart(setup, buffers.body_poses, setup.table[id], reachOfPair(id));
+    };
+    keepUnless(isFarByBoxes, candidates);
   }
   buffers.counters.culled_by_boxes = found - buffers.counters.culled_by_spheres - candidates.size();
 }

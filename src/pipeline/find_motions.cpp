@@ -4,10 +4,8 @@
 #include <utility>
 
 #include "collision_monitor/geometry/bounds.h"
-#include "collision_monitor/pipeline/motion_bound.h"
 #include "collision_monitor/pipeline/sweep_pairs.h"
 #include "geometry/ball_motion.h"
-#include "pipeline/limit_step.h"
 #include "pipeline/recall_elements.h"
 
 namespace collision_monitor {
@@ -29,13 +27,8 @@ SweepWork makeSweepWork(const CycleSetup& setup) {
   for (const Element& element : setup.elements) {
     work.element_balls.push_back(ballOf(element));
   }
-  work.thickness = thicknessOfPairs(setup);
-  work.link_balls = linkBalls(setup);
   work.had_motion = work.has_motion;
   work.last_motions = work.link_motions;
-  work.twists.resize(setup.model.links.size());
-  work.bends.resize(setup.model.links.size());
-  work.ball_centers.resize(setup.model.links.size());
   work.tasks.reserve(setup.element_pairs.size());
   work.task_of.resize(setup.element_pairs.size(), kNone);
   work.budget = setup.refine.budget;
@@ -70,9 +63,6 @@ void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPose
   }
   const bool is_known = last.stamp_ns > 0 && poses.stamp_ns > last.stamp_ns;
   work.elapsed = is_known ? 1e-9 * static_cast<double>(poses.stamp_ns - last.stamp_ns) : 0.0;
-  if (is_known) {
-    limitStep(setup, work);
-  }
 }
 
 void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const SweepWork& work,

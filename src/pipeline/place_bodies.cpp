@@ -68,6 +68,8 @@ void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& bod
       continue;
     }
     place(world_from_link, bodies[i].link_from_body, body_poses.world_from_body[i]);
+    const double* center = body_poses.world_from_body[i].translation.data();
+    std::copy(center, center + 3, body_poses.balls[i].center.data());
     writeBody(setup.cores[i].kind, body_poses.world_from_body[i], slot, body_poses.rows);
   }
 }
@@ -89,6 +91,7 @@ BodyPoses makeBodyPoses(const CycleSetup& setup) {
   std::vector<double> bounding_radii;
   for (const Body& body : setup.bodies) {
     bounding_radii.push_back(body.bounding_radius);
+    body_poses.balls.push_back({Eigen::Vector3d::Zero(), body.bounding_radius});
   }
   body_poses.rows = makeBodyRows(setup.blocks, setup.cores, bounding_radii);
   body_poses.known.resize(setup.bodies.size(), 0);

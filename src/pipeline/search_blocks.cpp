@@ -25,16 +25,7 @@ struct MeasureAll {
     constexpr double kAnywhere = std::numeric_limits<double>::infinity();
     std::uint32_t which = part.is_pair;
     const Number distance = measurePart<CoreOne, CoreRow>(rows, part, kAnywhere, which);
-    // Pairs without a gap are stored as they stand; what comes to lie behind them belongs to parts
-    // that follow.
-    const bool has_gaps = (part.is_pair & (part.is_pair + 1)) != 0;
-    if (!has_gaps && part.first_pair + kLanes <= distances.size()) {
-      hn::StoreU(distance, Lanes(), distances.data() + part.first_pair);
-    } else {
-      forLanes(part, part.is_pair, distance,
-               [&](std::uint32_t pair, std::size_t, double value)
-                   HWY_ATTR { distances[pair] = value; });
-    }
+    storeByPair(part, distance, distances);
     return true;
   }
 };
@@ -121,14 +112,11 @@ bool visitRange(const PairBlocks& blocks, const BlockRange& range, const BodyRow
   for (std::size_t i = range.first; i < range.last; ++i) {
     const PairBlock& block = blocks.blocks[i];
     visitor.begin(block);
-    std::uint32_t pair = block.first_pair;
-    for (std::size_t lane = 0; lane < kBlockLanes; lane += kLanes) {
-      const std::uint32_t is_pair = (block.is_pair >> lane) & ((1U << kLanes) - 1U);
-      const BlockPart part{block.one, block.first + lane, is_pair, pair};
-      if (is_pair != 0 && !visitor.template visit<CoreOne, CoreRow>(rows, part)) {
-        return false;
-      }
-      pair += static_cast<std::uint32_t>(hwy::PopCount(is_pair));
+    const bool goes_on = forParts(block, [&](std::size_t, const BlockPart& part) HWY_ATTR {
+      return visitor.template visit<CoreOne, CoreRow>(rows, part);
+    });
+    if (!goes_on) {
+      return false;
     }
   }
   return true;

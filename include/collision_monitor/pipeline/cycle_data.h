@@ -11,6 +11,7 @@
 #include "collision_monitor/geometry/pose.h"
 #include "collision_monitor/geometry/twist.h"
 #include "collision_monitor/model/robot_model.h"
+#include "collision_monitor/motion/conservative_advancement.h"
 #include "collision_monitor/narrow_phase/convex_workspace.h"
 #include "collision_monitor/narrow_phase/mesh_depth.h"
 #include "collision_monitor/narrow_phase/mesh_distance.h"
@@ -49,7 +50,8 @@ LinkPoses makeLinkPoses(const RobotModel& model);
 
 struct BodyPoses {
   std::vector<Pose> world_from_body;
-  BodyRows rows;  ///< the same in columns, NaN where the body is not known
+  std::vector<Ball> balls;  ///< that bound the bodies, in the world; next to each other for a cull
+  BodyRows rows;            ///< the same in columns, NaN where the body is not known
   std::vector<unsigned char> known;
   std::vector<unsigned char> link_known;  ///< by LinkId, of links with bodies: known and rigid
   std::vector<Pose> world_from_element;   ///< by ElementId, of known links

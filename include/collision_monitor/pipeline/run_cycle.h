@@ -3,20 +3,12 @@
 #pragma once
 
 #include "collision_monitor/pipeline/cycle_data.h"
+#include "collision_monitor/pipeline/link_walk.h"
 #include "collision_monitor/pipeline/refine_pairs.h"
 #include "collision_monitor/pipeline/setup.h"
 #include "collision_monitor/pipeline/sweep_pairs.h"
 
 namespace collision_monitor {
-
-/// How near bodies must be to matter to any stage.
-struct PairReaches {
-  // By LinkId.
-  std::vector<Ball> link_balls;          ///< as linkBalls
-  std::vector<Eigen::Vector3d> centers;  ///< of them, in the world
-  std::vector<double> ways;              ///< [m] how far any point of them has come at most
-  std::vector<double> of_pair;           ///< [m] by LinkPairIndex
-};
 
 /// All arrays of one cycle, sized so that no cycle allocates.
 struct CycleBuffers {
@@ -51,7 +43,8 @@ void resetMemory(CycleBuffers& buffers) noexcept;
 /// @pre buffers were made for this set-up; poses are sized for its model.
 void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept;
 
-/// The stages of runCycle, in order, for those who need a part of it.
+/// The stages of runCycle, in order, with those of sweep_pairs.h and link_walk.h, for those who
+/// need a part of it.
 
 void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept;
 
@@ -76,18 +69,6 @@ void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double re
 /// moving with them, counts for nothing.
 void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration,
                 BodyBounds& bounds) noexcept;
-
-PairReaches makePairReaches(const CycleSetup& setup);
-
-/// How near bodies of each pair of links must be to be reported, to touch within the horizon or to
-/// ask for less than full speed at today's velocities, or to have touched since the last cycle.
-/// Infinite where a velocity is not known.
-///
-/// A distance changes by the motion of one of the nearest points seen from the other link, so no
-/// faster than the ball of B's bodies moves seen from A.
-/// @pre `sweep` is that of findMotions.
-void findReaches(const CycleSetup& setup, const LinkPoses& poses, const SweepWork& sweep,
-                 PairReaches& reaches) noexcept;
 
 /// Takes out candidates that are farther apart than `reaches` says: by bounding spheres, which do
 /// not turn, and in a combined run what is left by the separating axes of the boxes about their

@@ -46,15 +46,10 @@ struct SweepWork {
   std::vector<double> element_reach;  ///< by ElementId
   std::vector<Ball> element_balls;    ///< by ElementId: of what is measured
   double elapsed{0.0};                ///< [s] between the stamps of the last poses and these
-  // For limitStep, by LinkId but the first.
-  std::vector<double> thickness;          ///< [m] by LinkPairIndex: as thicknessOfPairs
-  std::vector<Ball> link_balls;           ///< as linkBalls
-  std::vector<unsigned char> had_motion;  ///< in the step before, of last_elapsed [s]
+  // The step before, of last_elapsed [s], by LinkId.
+  std::vector<unsigned char> had_motion;
   std::vector<ScrewMotion> last_motions;
-  std::vector<Twist> twists;                  ///< per step
-  std::vector<Twist> bends;                   ///< per step: how far the way may leave the screw
-  std::vector<Eigen::Vector3d> ball_centers;  ///< of link_balls, in the world
-  double last_elapsed{0.0};                   ///< 0: there was none
+  double last_elapsed{0.0};  ///< 0: there was none
   StepLimit step;
   std::vector<SweepTask> tasks;
   std::vector<std::uint32_t> task_of;  ///< by ElementPairIndex: into tasks, or kNone

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "collision_monitor/pipeline/link_walk.h"
+#include "collision_monitor/pipeline/motion_bound.h"
+#include "collision_monitor/pipeline/run_cycle.h"
+#include "pipeline/setup_parts.h"
+#include "support/hand_made_setup.h"
+#include "support/instruction_sets.h"
+#include "support/random_poses.h"
+
+// The walk over pairs of links in lanes against one pair after the other.
+namespace collision_monitor::test {
+namespace {
+
+constexpr unsigned kSeed = 20260101;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Every fourth pair of links is left out, so that blocks have gaps.
+CycleSetup setupWithGaps(unsigned seed) {
+  CycleSetup setup = randomSetup(2 + seed % 25, seed);
+  for (std::size_t i = seed % 4; i < setup.link_pairs.size(); i += 4) {
+    setup.link_pairs[i].reason = PairReason::adjacent;
+  }
+  listPairs(setup);
+  setup.is_continuous = seed % 3 != 0;
+  return setup;
+}
+
+struct Scene {
+  CycleSetup setup;
+  LinkPoses poses;
+  SweepWork sweep;
+};
+
+/// Links that have come by some centimetres and move; of every seventh that is not known.
+Scene movingScene(unsigned seed) {
+  Random random(seed);
+  Scene scene{setupWithGaps(seed), {}, {}};
+  scene.poses = randomLinkPoses(scene.setup, 2.0, seed);
+  scene.sweep = makeSweepWork(scene.setup);
+  scene.sweep.elapsed = 0.01;
+  scene.sweep.last_elapsed = 0.02;
+  for (std::size_t link = 0; link < scene.poses.world_from_link.size(); ++link) {
+    scene.poses.velocities.known[link] = (link + seed) % 7 == 0 ? 0 : 1;
+    scene.poses.velocities.of_link[link] = {randomPoint(random, 2.0), randomPoint(random, 2.0)};
+    scene.sweep.has_motion[link] = scene.poses.velocities.known[link];
+    scene.sweep.had_motion[link] = (link + seed) % 5 == 0 ? 0 : 1;
+    for (ScrewMotion* motion : {&scene.sweep.link_motions[link], &scene.sweep.last_motions[link]}) {
+      *motion = {randomPose(random, 2.0), randomPoint(random, 0.1), randomPoint(random, 0.1)};
+    }
+  }
+  return scene;
+}
+
+Twist stepOf(const ScrewMotion& motion) {
+  return twistAbout(motion.start.translation, motion.travel, motion.turn);
+}
+
+double wayOf(const Twist& seen, const Eigen::Vector3d& center, double radius) {
+  return velocityAt(seen, center).norm() + seen.angular.norm() * radius;
+}
+
+double plainReach(const Scene& scene, const CheckedLinkPair& pair, const std::vector<Ball>& balls) {
+  const std::size_t a = index(pair.a);
+  const std::size_t b = index(pair.b);
+  const LinkVelocities& velocities = scene.poses.velocities;
+  if (velocities.known[a] == 0 || velocities.known[b] == 0) {
+    return kInfinity;
+  }
+  const double speed = wayOf(velocities.of_link[b] - velocities.of_link[a],
+                             scene.poses.world_from_link[b] * balls[b].center, balls[b].radius);
+  const auto came = [&](std::size_t link) {
+    const ScrewMotion& motion = scene.sweep.link_motions[link];
+    return velocityAt(motion, balls[link].center).norm() + motion.turn.norm() * balls[link].radius;
+  };
+  const double stop = scene.setup.ahead.stop.stop_distance + pair.limits.hysteresis;
+  const double asked =
+      std::max(pair.limits.contact_distance, stop) + scene.setup.ahead.horizon * speed;
+  const double way = scene.setup.is_continuous ? came(a) + came(b) : 0.0;
+  return std::max({reachOf(scene.setup.limits), asked, pair.limits.contact_distance + way});
+}
+
+/// The largest way of a pair for its thickness, of twists by LinkId.
+double plainShare(const Scene& scene, const std::vector<Twist>& twists) {
+  const std::vector<Ball> balls = linkBalls(scene.setup);
+  const std::vector<double> thickness = thicknessOfPairs(scene.setup);
+  double most = 0.0;
+  for (std::size_t i = 0; i < scene.setup.checked.size(); ++i) {
+    const std::size_t a = index(scene.setup.checked[i].a);
+    const std::size_t b = index(scene.setup.checked[i].b);
+    const Eigen::Vector3d center = scene.sweep.link_motions[b].start * balls[b].center;
+    most = std::max(most, wayOf(twists[b] - twists[a], center, balls[b].radius) / thickness[i]);
+  }
+  return most;
+}
+
+void expectStep(const Scene& scene, const StepLimit& step) {
+  std::vector<Twist> moved(scene.sweep.link_motions.size());
+  std::vector<Twist> bent(moved.size());
+  for (std::size_t link = 0; link < moved.size(); ++link) {
+    moved[link] =
+        scene.sweep.has_motion[link] != 0 ? stepOf(scene.sweep.link_motions[link]) : Twist();
+    if (scene.sweep.has_motion[link] != 0 && scene.sweep.had_motion[link] != 0) {
+      bent[link] = 0.125 * (moved[link] - 0.5 * stepOf(scene.sweep.last_motions[link]));
+    }
+  }
+  EXPECT_NEAR(scene.sweep.elapsed / step.at_poses.longest, plainShare(scene, moved), 1e-9);
+  const double on_way = scene.sweep.elapsed / step.on_way.longest;
+  if (scene.setup.is_continuous) {
+    EXPECT_NEAR(on_way * on_way, plainShare(scene, bent), 1e-9);
+  } else {
+    EXPECT_EQ(step.on_way.longest, step.at_poses.longest);
+  }
+}
+
+TEST(LinkWalkLaws, reachesAndStepsAreThoseOfEveryPairAlone_onEveryInstructionSet) {
+  for (unsigned seed = kSeed; seed < kSeed + 100; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Scene scene = movingScene(seed);
+    const std::vector<Ball> balls = linkBalls(scene.setup);
+    std::vector<double> first;
+    for (const std::int64_t target : instructionSets()) {
+      SCOPED_TRACE(hwy::TargetName(target));
+      const OnlyInstructionSet only(target);
+      PairReaches reaches = makePairReaches(scene.setup);
+      findReaches(scene.setup, scene.poses, scene.sweep, reaches);
+      ASSERT_EQ(reaches.of_pair.size(), scene.setup.checked.size());
+      for (std::size_t i = 0; i < reaches.of_pair.size(); ++i) {
+        const double expected = plainReach(scene, scene.setup.checked[i], balls);
+        ASSERT_TRUE(reaches.of_pair[i] == expected ||
+                    std::abs(reaches.of_pair[i] - expected) < 1e-12)
+            << i << ": " << reaches.of_pair[i] << " for " << expected;
+      }
+      ASSERT_TRUE(first.empty() || std::memcmp(first.data(), reaches.of_pair.data(),
+                                               first.size() * sizeof(double)) == 0);
+      first = reaches.of_pair;
+      expectStep(scene, scene.sweep.step);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
