@@ -120,11 +120,45 @@ struct CycleTimes {
   std::vector<double> deep;
   std::vector<double> free;
 
-  void add(double time, const PairDistances& distances) {
+  bool add(double time, const PairDistances& distances) {
     const bool is_deep =
         std::any_of(distances.measured.begin(), distances.measured.end(),
                     [](const PairDistance& pair) { return pair.quality == Quality::estimate; });
     (is_deep ? deep : free).push_back(time);
+    return is_deep;
+  }
+};
+
+/// Depths of overlapping meshes as they are followed from cycle to cycle, beside those of a cycle
+/// that remembers nothing.
+struct Depths {
+  double followed{0.0};  // [m] sums
+  double anew{0.0};
+  double worst{0.0};  // [m] by which one is less than anew
+  int count{0};
+
+  void add(const PairDistances& distances, const PairDistances& of_new) {
+    const std::size_t size = std::min(distances.measured.size(), of_new.measured.size());
+    for (std::size_t i = 0; i < size; ++i) {
+      const PairDistance& found = distances.measured[i];
+      const PairDistance& found_anew = of_new.measured[i];
+      if (found.pair == found_anew.pair && found.quality == Quality::estimate &&
+          found_anew.quality == Quality::estimate) {
+        const double depth = -found.measured.distance;
+        const double depth_anew = -found_anew.measured.distance;
+        followed += depth;
+        anew += depth_anew;
+        worst = std::max(worst, depth_anew - depth);
+        ++count;
+      }
+    }
+  }
+
+  void print() const {
+    if (count > 0) {
+      std::printf("    depths followed: mean %.2f mm; searched anew: %.2f; less by %.2f at most\n",
+                  1e3 * followed / count, 1e3 * anew / count, 1e3 * worst);
+    }
   }
 };
 
@@ -142,6 +176,8 @@ void timeCycles(const std::string& what, const CycleSetup& setup, const std::vec
   Stages stages;
   std::vector<double> times;
   CycleTimes split;
+  CycleBuffers anew = makeBuffers(setup, BroadPhaseKind::automatic);
+  Depths depths;
   double candidates = 0.0;
   double refined = 0.0;
   double swept = 0.0;
@@ -154,7 +190,11 @@ void timeCycles(const std::string& what, const CycleSetup& setup, const std::vec
       const Clock::time_point start = Clock::now();
       runCycle(setup, poses, buffers);
       times.push_back(microsecondsSince(start));
-      split.add(times.back(), buffers.distances);
+      if (split.add(times.back(), buffers.distances)) {
+        resetMemory(anew);
+        runCycle(setup, poses, anew);
+        depths.add(buffers.distances, anew.distances);
+      }
       stages.run(setup, poses, staged);
       if (staged.events.verdicts != buffers.events.verdicts) {
         std::printf("the stages differ from runCycle: mend the benchmark\n");
@@ -178,6 +218,7 @@ void timeCycles(const std::string& what, const CycleSetup& setup, const std::vec
       100.0 * over_cap / cycles);
   printSpread("cycles with meshes in each other", split.deep);
   printSpread("cycles without", split.free);
+  depths.print();
   stages.print(cycles);
 }
 
