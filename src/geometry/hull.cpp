@@ -118,11 +118,11 @@ std::uint32_t ConvexHull::stepUp(const Eigen::Vector3d& direction,
   double farthest = direction.x() * here.x() + direction.y() * here.y() + direction.z() * here.z();
   for (const Fan& fan : fansOf(from)) {
     const Eigen::Array<double, Fan::kSize, 1> reaches = fan.reaches(direction);
-    for (Eigen::Index i = 0; i < Fan::kSize; ++i) {
-      if (reaches[i] > farthest) {
-        farthest = reaches[i];
-        best = fan.vertex[static_cast<std::size_t>(i)];
-      }
+    const double most = reaches.maxCoeff();
+    if (most > farthest) {
+      farthest = most;
+      best = fan.vertex[static_cast<std::size_t>(
+          std::find(reaches.data(), reaches.data() + Fan::kSize, most) - reaches.data())];
     }
   }
   return best;

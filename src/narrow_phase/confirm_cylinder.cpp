@@ -51,7 +51,8 @@ NearestPair nearestPairOf(const CylinderFoot& foot) noexcept {
 
 bool isProven(const CylinderPair& pair, const NearestPair& found) noexcept {
   return found.distance > touchingDistance(pair.size) &&
-         isProven(pair, found.normal, found.distance, smoothTolerance(pair.size));
+         isProven(pair, supportPlanes(pair, found.normal), found.distance,
+                  smoothTolerance(pair.size));
 }
 
 // The rim's point that is farthest towards a face, if it lies over it.
@@ -202,18 +203,18 @@ bool follow(const Roles& roles, const CylinderPair& pair, ConvexWarmStart& warm,
 
 }  // namespace
 
-bool confirmCylinder(const PlacedCore& a, const PlacedCore& b, ConvexWarmStart& warm,
-                     SignedDistance& cores) noexcept {
+std::optional<SignedDistance> confirmCylinder(const PlacedCore& a, const PlacedCore& b,
+                                              ConvexWarmStart& warm) noexcept {
   const Roles roles = castRoles(a, b, warm);
   const Pose& world_from_cylinder = roles.cylinder.world_from_core;
   const Pose cylinder_from_other = relativePose(world_from_cylinder, roles.other.world_from_core);
   const Pose origin;
-  const CylinderPair pair =
-      makePlacedPair({roles.cylinder.core, origin, roles.cylinder.vertex},
-                     {roles.other.core, cylinder_from_other, roles.other.vertex});
+  const PlacedCore cylinder{roles.cylinder.core, origin, roles.cylinder.vertex};
+  const PlacedCore other{roles.other.core, cylinder_from_other, roles.other.vertex};
+  const CylinderPair pair = makePlacedPair(cylinder, other);
   NearestPair found;
   if (!follow(roles, pair, warm, found)) {
-    return false;
+    return std::nullopt;
   }
   for (std::size_t i = 0; i < warm.size; ++i) {
     warm.ends[i].*roles.on_cylinder = found.on_cylinder;
@@ -221,9 +222,8 @@ bool confirmCylinder(const PlacedCore& a, const PlacedCore& b, ConvexWarmStart& 
   const Vector3d on_cylinder = world_from_cylinder * found.on_cylinder;
   const Vector3d away = world_from_cylinder.rotation * found.normal;
   const Vector3d on_other = on_cylinder + found.distance * away;
-  cores = {found.distance, on_cylinder, on_other, away};
-  cores = roles.is_swapped ? swapped(cores) : cores;
-  return true;
+  const SignedDistance cores{found.distance, on_cylinder, on_other, away};
+  return roles.is_swapped ? swapped(cores) : cores;
 }
 
 }  // namespace collision_monitor

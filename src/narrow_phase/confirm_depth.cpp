@@ -3,7 +3,9 @@
 #include "narrow_phase/confirm_depth.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <limits>
 
@@ -19,9 +21,9 @@ using Inside = ConvexWarmStart::Inside;
 struct PlacedInside {
   std::array<Vector3d, Inside::kMaxCorners> on_a;
   std::array<Vector3d, Inside::kMaxCorners> corners;
-  std::array<double, Inside::kMaxFaces> squared;  // distance of each face's plane
-  std::size_t nearest{0};                         // the least of them
-  Vector3d outward;                               // its normal, of any length
+  std::array<Vector3d, Inside::kMaxFaces> outward;  // normals, of any length
+  // Of each face's plane the squared distance, negative where the face looks at the origin.
+  std::array<double, Inside::kMaxFaces> squared;
 };
 
 void placeCorner(std::size_t i, const PlacedPair& pair, const Inside& inside,
@@ -31,70 +33,119 @@ void placeCorner(std::size_t i, const PlacedPair& pair, const Inside& inside,
   placed.corners[i] = ends.difference;
 }
 
-// False if a face does not look away from the origin.
-bool placeFaces(const Inside& inside, PlacedInside& placed) noexcept {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t f = 0; f < inside.face_count; ++f) {
-    const Inside::Face& face = inside.faces[f];
-    const Vector3d& p = placed.corners[face[0]];
-    const Vector3d normal = (placed.corners[face[1]] - p).cross(placed.corners[face[2]] - p);
-    const double offset = normal.dot(p);
-    if (!(offset > 0.0)) {
-      return false;
-    }
-    placed.squared[f] = offset * offset / normal.squaredNorm();
-    if (placed.squared[f] < least) {
-      least = placed.squared[f];
-      placed.nearest = f;
-      placed.outward = normal;
-    }
-  }
-  return least < std::numeric_limits<double>::infinity();
+void placeFace(std::size_t f, const Inside& inside, PlacedInside& placed) noexcept {
+  const Inside::Face& face = inside.faces[f];
+  const Vector3d& p = placed.corners[face[0]];
+  const Vector3d normal = (placed.corners[face[1]] - p).cross(placed.corners[face[2]] - p);
+  const double offset = normal.dot(p);
+  const double squared = normal.squaredNorm();
+  placed.outward[f] = normal;
+  placed.squared[f] = squared > 0.0 ? offset * std::abs(offset) / squared
+                                    : -std::numeric_limits<double>::infinity();
+}
+
+std::size_t nearestFace(const ConvexWarmStart& warm, const PlacedInside& placed) noexcept {
+  const auto first = placed.squared.begin();
+  return static_cast<std::size_t>(std::min_element(first, first + warm.inside_faces) - first);
 }
 
 // Of the faces in the plane of the nearest one, that which holds the foot of the perpendicular.
-bool findFoot(const Inside& inside, const PlacedInside& placed, std::size_t& face,
-              NearestPoint& foot) noexcept {
+bool findFoot(const ConvexWarmStart& warm, const PlacedInside& placed, double nearest,
+              std::size_t& face, NearestPoint& foot) noexcept {
   constexpr double kSamePlane = 1.0 + 1e-12;
-  const double most = kSamePlane * placed.squared[placed.nearest];
-  for (face = 0; face < inside.face_count; ++face) {
-    const Inside::Face& ends = inside.faces[face];
-    const std::array<Vector3d, 4> points{placed.corners[ends[0]], placed.corners[ends[1]],
-                                         placed.corners[ends[2]], Vector3d::Zero()};
-    if (placed.squared[face] <= most && nearestInside(points, 3, foot)) {
-      return true;
+  for (face = 0; face < warm.inside_faces; ++face) {
+    if (placed.squared[face] <= kSamePlane * nearest) {
+      const Inside::Face& ends = warm.inside.faces[face];
+      const std::array<Vector3d, 4> points{placed.corners[ends[0]], placed.corners[ends[1]],
+                                           placed.corners[ends[2]], Vector3d::Zero()};
+      if (nearestInside(points, 3, foot)) {
+        return true;
+      }
     }
   }
   return false;
 }
 
-// Three faces for the nearest one, up to the corner beyond it. They need not make a convex edge
-// with those beside it.
-bool raiseNearest(const PlacedPair& pair, Inside& inside, PlacedInside& placed) noexcept {
-  if (inside.corner_count == Inside::kMaxCorners || inside.face_count + 2U > Inside::kMaxFaces) {
-    return false;
+struct Faces {
+  std::array<Inside::Face, Inside::kMaxFaces> list;
+  std::size_t size{0};
+
+  bool hasEdge(std::uint8_t from, std::uint8_t to) const noexcept {
+    return std::any_of(list.begin(), list.begin() + size, [&](const Inside::Face& f) {
+      return (f[0] == from && f[1] == to) || (f[1] == from && f[2] == to) ||
+             (f[2] == from && f[0] == to);
+    });
   }
-  const std::uint8_t apex = inside.corner_count++;
-  inside.corners[apex] = supportEnds(pair, -placed.outward.normalized());
-  placeCorner(apex, pair, inside, placed);
-  const Inside::Face base = inside.faces[placed.nearest];
-  inside.faces[placed.nearest] = {base[0], base[1], apex};
-  inside.faces[inside.face_count++] = {base[1], base[2], apex};
-  inside.faces[inside.face_count++] = {base[2], base[0], apex};
-  return true;
+};
+
+// Takes away the faces that see a corner; those that stay move up.
+Faces takeSeeing(const Vector3d& apex, ConvexWarmStart& warm, PlacedInside& placed) noexcept {
+  auto& faces = warm.inside.faces;
+  Faces seeing;
+  std::uint8_t kept = 0;
+  for (std::size_t f = 0; f < warm.inside_faces; ++f) {
+    if (placed.outward[f].dot(apex - placed.corners[faces[f][0]]) > 0.0) {
+      seeing.list[seeing.size++] = faces[f];
+    } else {
+      faces[kept] = faces[f];
+      placed.outward[kept] = placed.outward[f];
+      placed.squared[kept++] = placed.squared[f];
+    }
+  }
+  warm.inside_faces = kept;
+  return seeing;
 }
 
-bool settle(const PlacedPair& pair, Inside& inside, PlacedInside& placed) noexcept {
-  constexpr int kMaxRaised = 3;
-  for (int raised = 0; placeFaces(inside, placed); ++raised) {
-    const double depth = std::sqrt(placed.squared[placed.nearest]);
-    if (depth <= 2.0 * touchingDistance(pair.size)) {
+// Joins a corner to the outline of the faces that see it, which go. The surface stays closed, with
+// each edge between two faces, if the outline starts but once at each corner.
+// Returns false, with no polytope left, if it does not, or there is no room.
+bool growTo(const ConvexWarmStart::Ends& beyond, const PlacedPair& pair, ConvexWarmStart& warm,
+            PlacedInside& placed) noexcept {
+  if (warm.inside_corners == Inside::kMaxCorners) {
+    warm.inside_faces = 0;
+    return false;
+  }
+  std::bitset<Inside::kMaxCorners> starts;
+  const std::uint8_t apex = warm.inside_corners++;
+  warm.inside.corners[apex] = beyond;
+  placeCorner(apex, pair, warm.inside, placed);
+  const Faces seeing = takeSeeing(placed.corners[apex], warm, placed);
+  for (std::size_t i = 0; i < seeing.size; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint8_t from = seeing.list[i][k];
+      const std::uint8_t to = seeing.list[i][(k + 1) % 3];
+      if (seeing.hasEdge(to, from)) {
+        continue;
+      }
+      if (warm.inside_faces == Inside::kMaxFaces || starts[from]) {
+        warm.inside_faces = 0;
+        return false;
+      }
+      starts.set(from);
+      warm.inside.faces[warm.inside_faces] = {from, to, apex};
+      placeFace(warm.inside_faces++, warm.inside, placed);
+    }
+  }
+  return starts.any();
+}
+
+// The face that proves the depth. The polytope grows while the difference goes on beyond it.
+bool settle(const PlacedPair& pair, ConvexWarmStart& warm, PlacedInside& placed,
+            std::size_t& nearest) noexcept {
+  constexpr int kMaxGrown = 6;
+  const double touching = 2.0 * touchingDistance(pair.size);
+  for (int grown = 0; grown <= kMaxGrown; ++grown) {
+    nearest = nearestFace(warm, placed);
+    const double squared = placed.squared[nearest];
+    const SupportPlanes planes = supportPlanes(pair, -placed.outward[nearest].normalized());
+    if (!(planes.gap < -touching)) {
       return false;
     }
-    if (isProven(pair, -placed.outward.normalized(), -depth, roundingOf(pair.size))) {
+    if (squared > touching * touching &&
+        isProven(pair, planes, -std::sqrt(squared), roundingOf(pair.size))) {
       return true;
     }
-    if (raised == kMaxRaised || !raiseNearest(pair, inside, placed)) {
+    if (!growTo(cornersOf(pair, planes), pair, warm, placed)) {
       return false;
     }
   }
@@ -110,7 +161,7 @@ void keepInside(const ConvexWorkspace& polytope, ConvexWarmStart& warm) noexcept
   Inside& inside = warm.inside;
   std::size_t corner_count = 0;
   std::size_t face_count = 0;
-  inside.face_count = 0;
+  warm.inside_faces = 0;
   for (std::size_t f = 0; f < polytope.face_count; ++f) {
     if (polytope.faces[f].is_gone) {
       continue;
@@ -132,30 +183,32 @@ void keepInside(const ConvexWorkspace& polytope, ConvexWarmStart& warm) noexcept
     }
     ++face_count;
   }
-  inside.corner_count = static_cast<std::uint8_t>(corner_count);
-  inside.face_count = static_cast<std::uint8_t>(face_count);
+  warm.inside_corners = static_cast<std::uint8_t>(corner_count);
+  warm.inside_faces = static_cast<std::uint8_t>(face_count);
 }
 
-bool confirmDepth(const PlacedPair& pair, ConvexWarmStart& warm, SignedDistance& cores) noexcept {
-  Inside& inside = warm.inside;
+std::optional<SignedDistance> confirmDepth(const PlacedPair& pair, ConvexWarmStart& warm) noexcept {
   PlacedInside placed;
-  for (std::size_t i = 0; i < inside.corner_count; ++i) {
-    placeCorner(i, pair, inside, placed);
+  for (std::size_t i = 0; i < warm.inside_corners; ++i) {
+    placeCorner(i, pair, warm.inside, placed);
   }
+  for (std::size_t f = 0; f < warm.inside_faces; ++f) {
+    placeFace(f, warm.inside, placed);
+  }
+  std::size_t nearest = 0;
   std::size_t face = 0;
   NearestPoint foot;
-  if (!settle(pair, inside, placed) || !findFoot(inside, placed, face, foot)) {
-    return false;
+  if (!settle(pair, warm, placed, nearest) ||
+      !findFoot(warm, placed, placed.squared[nearest], face, foot)) {
+    return std::nullopt;
   }
-  const double depth = std::sqrt(placed.squared[placed.nearest]);
-  cores.distance = -depth;
-  cores.normal_a_to_b = -placed.outward.normalized();
-  cores.point_on_a = pair.a.world_from_core.translation;
+  const double depth = std::sqrt(placed.squared[nearest]);
+  const Vector3d normal = -placed.outward[nearest].normalized();
+  Vector3d on_a = pair.a.world_from_core.translation;
   for (std::size_t k = 0; k < 3; ++k) {
-    cores.point_on_a += foot.weights[k] * placed.on_a[inside.faces[face][k]];
+    on_a += foot.weights[k] * placed.on_a[warm.inside.faces[face][k]];
   }
-  cores.point_on_b = cores.point_on_a - depth * cores.normal_a_to_b;
-  return true;
+  return SignedDistance{-depth, on_a, on_a - depth * normal, normal};
 }
 
 }  // namespace collision_monitor

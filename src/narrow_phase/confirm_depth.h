@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "collision_monitor/narrow_phase/signed_distance.h"
 #include "narrow_phase/support_plane.h"
 
@@ -14,12 +16,13 @@ void keepInside(const ConvexWorkspace& polytope, ConvexWarmStart& warm) noexcept
 /// their difference. Its corners are points of the difference wherever the cores are now. Where
 /// every face still looks away from the origin, a ball as wide as the nearest one is far lies
 /// inside; where that face is one of the difference's own, which its support plane proves, the
-/// depth is its distance. Where a corner lies beyond that face, the face is raised to it.
+/// depth is its distance. Where a corner lies beyond that face, the polytope grows by it as EPA's
+/// does; its surface stays closed, which with faces that look away is all that the ball needs.
 ///
 /// Frames: the world's. Error: as a search that is settled, see Penetration.
 /// Limits: of polytopes that neither touch nor are level; the others are left to the search.
-/// @return false, with nothing measured, when the search has to decide; always if a pose is not
+/// @return nothing when the search has to decide; always if a pose is not
 /// finite.
-bool confirmDepth(const PlacedPair& pair, ConvexWarmStart& warm, SignedDistance& cores) noexcept;
+std::optional<SignedDistance> confirmDepth(const PlacedPair& pair, ConvexWarmStart& warm) noexcept;
 
 }  // namespace collision_monitor

@@ -46,28 +46,30 @@ void keep(const NearestPoint& nearest, Followed& followed) noexcept {
 bool stepToNearest(const PlacedPair& pair, Followed& followed, NearestPoint& nearest,
                    Eigen::Vector3d& normal) noexcept {
   for (int step = 0; step < kMaxSteps; ++step) {
-    keep(nearest, followed);
-    const double distance = std::sqrt(nearest.squared);
     normal = normalOf(nearest);
+    const double distance = normal.dot(nearest.point);
     if (!(distance > touchingDistance(pair.size))) {
       return false;
     }
-    if (isProven(pair, normal, distance, roundingOf(pair.size))) {
+    const SupportPlanes planes = supportPlanes(pair, normal);
+    if (isProven(pair, planes, distance, roundingOf(pair.size))) {
       return true;
     }
     const std::uint32_t newest = followed.warm.size;
-    followed.warm.ends[newest] = supportEnds(pair, normal);
+    followed.warm.ends[newest] = cornersOf(pair, planes);
     place(newest, pair, followed);
     const NearestPoint next = nearestWith(followed.differences, static_cast<int>(newest));
     if (!(next.squared < nearest.squared) || normal.dot(followed.differences[newest]) <= 0.0) {
       return false;
     }
     nearest = next;
+    keep(nearest, followed);
   }
   return false;
 }
 
-bool confirmCorners(const PlacedPair& pair, ConvexWarmStart& warm, SignedDistance& cores) noexcept {
+std::optional<SignedDistance> confirmCorners(const PlacedPair& pair,
+                                             ConvexWarmStart& warm) noexcept {
   Followed followed(warm);
   for (std::size_t i = 0; i < warm.size; ++i) {
     place(i, pair, followed);
@@ -76,37 +78,35 @@ bool confirmCorners(const PlacedPair& pair, ConvexWarmStart& warm, SignedDistanc
   NearestPoint nearest;
   if (!nearestInside(followed.differences, count, nearest)) {
     nearest = nearestOfAll(followed.differences, count);
-  }
-  if (nearest.size == 0) {
-    return false;  // not finite
+    if (nearest.size == 0) {
+      return std::nullopt;  // not finite
+    }
+    keep(nearest, followed);
   }
   Eigen::Vector3d normal;
   if (!stepToNearest(pair, followed, nearest, normal)) {
-    return false;
+    return std::nullopt;
   }
-  cores.distance = std::sqrt(nearest.squared);
-  cores.normal_a_to_b = normal;
-  cores.point_on_a = pair.a.world_from_core.translation;
+  const double distance = normal.dot(nearest.point);
+  Eigen::Vector3d on_a = pair.a.world_from_core.translation;
   for (std::size_t i = 0; i < warm.size; ++i) {
-    cores.point_on_a += nearest.weights[i] * followed.on_a[i];
+    on_a += nearest.weights[i] * followed.on_a[i];
   }
-  cores.point_on_b = cores.point_on_a + cores.distance * normal;
-  return true;
+  return SignedDistance{distance, on_a, on_a + distance * normal, normal};
 }
 
 }  // namespace
 
-bool confirmNearest(const PlacedCore& a, const PlacedCore& b, ConvexWarmStart& warm,
-                    SignedDistance& cores) noexcept {
+std::optional<SignedDistance> confirmNearest(const PlacedCore& a, const PlacedCore& b,
+                                             ConvexWarmStart& warm) noexcept {
   if (warm.size == 0 || warm.size > 3) {
-    return false;
+    return std::nullopt;
   }
   if (isSmooth(a.core) || isSmooth(b.core)) {
-    return confirmCylinder(a, b, warm, cores);
+    return confirmCylinder(a, b, warm);
   }
   const PlacedPair pair = makePlacedPair(a, b);
-  return warm.inside.face_count > 0 ? confirmDepth(pair, warm, cores)
-                                    : confirmCorners(pair, warm, cores);
+  return warm.inside_faces > 0 ? confirmDepth(pair, warm) : confirmCorners(pair, warm);
 }
 
 }  // namespace collision_monitor

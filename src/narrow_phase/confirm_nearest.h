@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "collision_monitor/narrow_phase/signed_distance.h"
 #include "narrow_phase/support_plane.h"
 
@@ -15,12 +17,12 @@ namespace collision_monitor {
 /// Frames: the world's. Error: as a search that is settled, see GjkResult.
 /// Limits: of polytopes that are apart and whose nearest features are not parallel; the others
 /// are left to the search. Cylinders and overlaps have ways of their own.
-/// @return false, with nothing measured, when the search has to decide; always if a pose is not
+/// @return nothing when the search has to decide; always if a pose is not
 /// finite.
 /// Source: Lin, Canny, "A fast algorithm for incremental distance calculation" (1991), for the
 /// features of the last query and the look at their neighbours alone; departs from it in the proof
 /// by planes, as in gjk.h.
-bool confirmNearest(const PlacedCore& a, const PlacedCore& b, ConvexWarmStart& warm,
-                    SignedDistance& cores) noexcept;
+std::optional<SignedDistance> confirmNearest(const PlacedCore& a, const PlacedCore& b,
+                                             ConvexWarmStart& warm) noexcept;
 
 }  // namespace collision_monitor

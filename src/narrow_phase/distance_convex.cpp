@@ -44,21 +44,21 @@ template <class A, class B>
 ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
   const SweptCore swept_a = sweptCoreOf(a.geometry);
   const SweptCore swept_b = sweptCoreOf(b.geometry);
-  ConvexDistance found{SignedDistance{}, DistanceQuality::exact};
   ConvexWarmStart& warm = search.warm;
-  if (!confirmNearest({swept_a.core, a.world_from_body, warm.vertex_of_a},
-                      {swept_b.core, b.world_from_body, warm.vertex_of_b}, warm, found.measured)) {
-    if (!areFinite(a, b)) {
-      return {};
-    }
-    ConvexPair pair =
-        makeConvexPair(swept_a.core, a.world_from_body, swept_b.core, b.world_from_body);
-    ConvexSearch of_cores{search.workspace, warm, search.enough + swept_a.radius + swept_b.radius};
-    found = searchCores(pair, of_cores);
-    found.measured = placed(a.world_from_body, found.measured);
+  const auto confirmed = confirmNearest({swept_a.core, a.world_from_body, warm.vertex_of_a},
+                                        {swept_b.core, b.world_from_body, warm.vertex_of_b}, warm);
+  if (confirmed) {
+    return {swept(*confirmed, swept_a.radius, swept_b.radius), DistanceQuality::exact};
   }
-  found.measured = swept(found.measured, swept_a.radius, swept_b.radius);
-  return found;
+  if (!areFinite(a, b)) {
+    return {};
+  }
+  ConvexPair pair =
+      makeConvexPair(swept_a.core, a.world_from_body, swept_b.core, b.world_from_body);
+  ConvexSearch of_cores{search.workspace, warm, search.enough + swept_a.radius + swept_b.radius};
+  const ConvexDistance found = searchCores(pair, of_cores);
+  return {swept(placed(a.world_from_body, found.measured), swept_a.radius, swept_b.radius),
+          found.quality};
 }
 
 // Every pair of kinds ends in one of these, or does not compile.

@@ -8,10 +8,10 @@
 #include <cmath>
 
 #include "narrow_phase/core_distance.h"
-#include "narrow_phase/extreme_feature.h"
 #include "narrow_phase/hull_patch.h"
 #include "narrow_phase/manifold_points.h"
 #include "narrow_phase/patch.h"
+#include "narrow_phase/support_plane.h"
 
 namespace collision_monitor {
 namespace {
@@ -34,9 +34,12 @@ ContactPatch patchOf(const ConvexCore& core, const Pose& pose, const Vector3d& d
 }
 
 bool areLevel(ConvexPair& pair, const Vector3d& normal) noexcept {
-  const Vector3d in_b = pair.a_from_b.rotation.transpose() * -normal;
-  return areLevel(extremeOf(pair.a, normal, pair.vertex_of_a), Eigen::Matrix3d::Identity(),
-                  extremeOf(pair.b, in_b, pair.vertex_of_b), pair.a_from_b.rotation);
+  const Pose origin;
+  const PlacedCore a{pair.a, origin, pair.vertex_of_a};
+  const PlacedCore b{pair.b, pair.a_from_b, pair.vertex_of_b};
+  const PlacedPair placed = makePlacedPair(a, b);
+  const SupportPlanes planes = supportPlanes(placed, normal);
+  return planes.may_be_level && areLevel(placed, planes);
 }
 
 // From the witness point of A, in the plane of the contact.

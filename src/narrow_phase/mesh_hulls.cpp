@@ -62,8 +62,8 @@ CoreGap searchGap(const PlacedCore& a, const PlacedCore& b, double enough,
 
 CoreGap gapBetween(const PlacedCore& a, const PlacedCore& b, double enough,
                    ConvexWarmStart& warm) noexcept {
-  CoreGap gap{MeshState::exact, {}};
-  return confirmNearest(a, b, warm, gap.cores) ? gap : searchGap(a, b, enough, warm);
+  const auto confirmed = confirmNearest(a, b, warm);
+  return confirmed ? CoreGap{MeshState::exact, *confirmed} : searchGap(a, b, enough, warm);
 }
 
 bool isOn(const MeshTree& mesh, std::uint32_t triangle, const Vector3d& point,

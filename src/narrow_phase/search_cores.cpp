@@ -83,7 +83,7 @@ bool holdsPoint(const ConvexCore& hull, const ConvexCore& point) noexcept {
 
 // By GJK, or where that finds an overlap by what settles its depth.
 ConvexDistance searchApartOrDeep(ConvexPair& pair, ConvexSearch& search) noexcept {
-  search.warm.inside.face_count = 0;
+  search.warm.inside_faces = 0;
   const GjkResult found = searchNearest(pair, search.warm, search.enough);
   keepWarm(found.simplex.vertices.data(), found.simplex.size, pair, search.warm);
   const bool is_apart =

@@ -113,16 +113,9 @@ Points pointsOf(const Simplex& simplex, int count) noexcept {
 
 }  // namespace
 
-bool nearestInside(const Points& points, int count, NearestPoint& nearest) noexcept {
+bool nearestInsideSpan(const Points& points, int count, NearestPoint& nearest) noexcept {
   nearest.squared = std::numeric_limits<double>::infinity();
-  if (count == 1) {
-    nearest.squared = points[0].squaredNorm();
-    nearest.point = points[0];
-    nearest.outward = points[0];
-    nearest.corners[0] = 0;
-    nearest.weights[0] = 1.0;
-    nearest.size = 1;
-  } else if (count == 2) {
+  if (count == 2) {
     offerEdge(points, 0, 1, nearest);
   } else if (count == 3 && isFat(points)) {
     offerTriangle(points, {0, 1, 2}, nearest);

@@ -37,10 +37,25 @@ struct NearestPoint {
   int size{0};
 };
 
+/// The same of two or three points.
+bool nearestInsideSpan(const std::array<Eigen::Vector3d, 4>& points, int count,
+                       NearestPoint& nearest) noexcept;
+
 /// Of the vertex, edge or triangle that the first `count` points span.
 /// @return false when some of them are not needed or hardly span, or there are not one to three.
-bool nearestInside(const std::array<Eigen::Vector3d, 4>& points, int count,
-                   NearestPoint& nearest) noexcept;
+inline bool nearestInside(const std::array<Eigen::Vector3d, 4>& points, int count,
+                          NearestPoint& nearest) noexcept {
+  if (count != 1) {
+    return nearestInsideSpan(points, count, nearest);
+  }
+  nearest.squared = points[0].squaredNorm();
+  nearest.point = points[0];
+  nearest.outward = points[0];
+  nearest.corners[0] = 0;
+  nearest.weights[0] = 1.0;
+  nearest.size = 1;
+  return nearest.squared < std::numeric_limits<double>::infinity();
+}
 
 /// Of all that the first `count` points, three at most, span.
 NearestPoint nearestOfAll(const std::array<Eigen::Vector3d, 4>& points, int count) noexcept;

@@ -2,9 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
+#include <cmath>
+
 #include "narrow_phase/convex_pair.h"
 
 namespace collision_monitor {
+
+/// Features count as level, and edges as parallel, up to this sine.
+constexpr double kLevelSine = 1e-11;
+
+/// What of a core is farthest in a direction.
+struct ExtremeFeature {
+  std::uint32_t vertex;  ///< of a hull
+  double reach;          ///< [m] along the direction, from the core's origin
+  bool may_be_level;     ///< false: nothing but a vertex for certain
+};
+
+/// The same of a core that is no hull.
+ExtremeFeature extremeOfPrimitive(const ConvexCore& core,
+                                  const Eigen::Vector3d& direction) noexcept;
+
+/// `direction` is unit and in the frame of the core, `vertex` where a hull's climb starts.
+/// Error: see ConvexHull::supportVertex.
+inline ExtremeFeature extremeOf(const ConvexCore& core, const Eigen::Vector3d& direction,
+                                std::uint32_t vertex) noexcept {
+  if (core.kind != ConvexCore::Kind::hull) {
+    return extremeOfPrimitive(core, direction);
+  }
+  const ConvexHull::Extreme found = core.hull->extreme(direction, vertex);
+  return {found.vertex, found.reach,
+          found.beside >= found.reach - 2.0 * kLevelSine * core.hull->boundingRadius()};
+}
 
 struct PlacedCore {
   const ConvexCore& core;
@@ -14,10 +43,10 @@ struct PlacedCore {
 
 /// Two cores seen from A's origin, along the world's axes.
 struct PlacedPair {
-  PlacedCore a;
-  PlacedCore b;
+  const PlacedCore& a;
+  const PlacedCore& b;
   Eigen::Vector3d between;  ///< from A's origin to B's
-  double size;              ///< [m] see ConvexPair
+  double size;              ///< [m] bounds every coordinate of the difference B - A
 };
 
 /// Corners of both cores, and the way from one to the other.
@@ -28,14 +57,52 @@ struct PlacedCorners {
 
 inline PlacedPair makePlacedPair(const PlacedCore& a, const PlacedCore& b) noexcept {
   const Eigen::Vector3d between = b.world_from_core.translation - a.world_from_core.translation;
-  return {a, b, between, reachOf(a.core) + reachOf(b.core) + between.norm()};
+  return {a, b, between, reachOf(a.core) + reachOf(b.core) + between.lpNorm<1>()};
 }
 
-/// Whether the support planes across `normal` (unit, from A to B) prove a distance or, if it is
-/// negative, a depth: that their gap is this, up to `tolerance`.
+/// A direction of the world as a core sees it.
+inline Eigen::Vector3d directionIn(const PlacedCore& core,
+                                   const Eigen::Vector3d& direction) noexcept {
+  const double* x = core.world_from_core.rotation.data();
+  const double* y = x + 3;
+  const double* z = y + 3;
+  // In plain numbers, as in along().
+  return {x[0] * direction.x() + x[1] * direction.y() + x[2] * direction.z(),
+          y[0] * direction.x() + y[1] * direction.y() + y[2] * direction.z(),
+          z[0] * direction.x() + z[1] * direction.y() + z[2] * direction.z()};
+}
+
+/// The planes across a direction that hold A and B between them. What touches them of hulls are
+/// then the vertices of the pair.
+struct SupportPlanes {
+  Eigen::Vector3d normal;  ///< unit, from A to B
+  double gap;              ///< [m] from A's plane to B's; negative where they overlap
+  bool may_be_level;       ///< false: areLevel() for certain does not hold
+};
+
+/// @param normal unit, from A to B.
+inline SupportPlanes supportPlanes(const PlacedPair& pair, const Eigen::Vector3d& normal) noexcept {
+  const ExtremeFeature of_a = extremeOf(pair.a.core, directionIn(pair.a, normal), pair.a.vertex);
+  const ExtremeFeature of_b = extremeOf(pair.b.core, -directionIn(pair.b, normal), pair.b.vertex);
+  pair.a.vertex = of_a.vertex;
+  pair.b.vertex = of_b.vertex;
+  return {normal, along(normal, pair.between) - of_a.reach - of_b.reach,
+          of_a.may_be_level && of_b.may_be_level};
+}
+
+/// Whether what touches the planes shares more than a point: a face and an edge or face, or two
+/// parallel edges.
+/// @pre planes.may_be_level.
+bool areLevel(const PlacedPair& pair, const SupportPlanes& planes) noexcept;
+
+/// Whether the planes prove a distance or, if it is negative, a depth: that their gap is this, up
+/// to `tolerance`.
 /// @return false also where faces or edges are level, and other points might do as well.
-bool isProven(const PlacedPair& pair, const Eigen::Vector3d& normal, double distance,
-              double tolerance) noexcept;
+inline bool isProven(const PlacedPair& pair, const SupportPlanes& planes, double distance,
+                     double tolerance) noexcept {
+  return std::abs(distance - planes.gap) <= tolerance &&
+         !(planes.may_be_level && areLevel(pair, planes));
+}
 
 inline PlacedCorners place(const ConvexWarmStart::Ends& ends, const PlacedPair& pair) noexcept {
   PlacedCorners placed;
@@ -45,7 +112,7 @@ inline PlacedCorners place(const ConvexWarmStart::Ends& ends, const PlacedPair& 
   return placed;
 }
 
-/// The corners that are nearest along `normal`: the farthest of A, and of B against it.
-ConvexWarmStart::Ends supportEnds(const PlacedPair& pair, const Eigen::Vector3d& normal) noexcept;
+/// The corners that touch the planes.
+ConvexWarmStart::Ends cornersOf(const PlacedPair& pair, const SupportPlanes& planes) noexcept;
 
 }  // namespace collision_monitor

@@ -12,6 +12,12 @@
 
 namespace collision_monitor {
 
+/// a . b, number by number: a product of vectors reads numbers in pairs, and processors wait where
+/// these were just written one by one.
+inline double along(const Eigen::Vector3d& a, const Eigen::Vector3d& b) noexcept {
+  return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();
+}
+
 /// The convex hull of points as a solid: its corners, its faces, its edges and the graph they make.
 ///
 /// Built once; queries neither allocate nor throw and may run at the same time.
@@ -53,6 +59,13 @@ class ConvexHull {
     Eigen::Array<double, kSize, 1> reaches(const Eigen::Vector3d& direction) const noexcept {
       return direction.x() * x + direction.y() * y + direction.z() * z;
     }
+  };
+
+  /// A vertex that is farthest in a direction.
+  struct Extreme {
+    std::uint32_t vertex;
+    double reach;   ///< direction . x of it
+    double beside;  ///< the greatest of its fans' vertices; -infinity without any
   };
 
   struct Fans {
@@ -115,6 +128,19 @@ class ConvexHull {
     return climbs_ ? climb(direction, start) : lookAtAll(direction);
   }
 
+  /// A vertex that is farthest in `direction`, and by how much; `start` as in supportVertex. Of
+  /// vertices that are, `start` itself is preferred.
+  /// Error: climbs in small hulls too, see supportVertex.
+  Extreme extreme(const Eigen::Vector3d& direction, std::uint32_t start) const noexcept {
+    Extreme found{start, along(direction, vertices_[start]), reachBeside(direction, start)};
+    if (found.beside > found.reach || !canClimb()) {
+      found.vertex = canClimb() ? climb(direction, start) : lookAtAll(direction);
+      found.reach = along(direction, vertices_[found.vertex]);
+      found.beside = reachBeside(direction, found.vertex);
+    }
+    return found;
+  }
+
  private:
   void addFans(const std::vector<std::vector<std::uint32_t>>& neighbours);
   void mapDirections();
@@ -123,20 +149,21 @@ class ConvexHull {
   std::uint32_t climb(const Eigen::Vector3d& direction, std::uint32_t start) const noexcept;
   std::uint32_t lookAtAll(const Eigen::Vector3d& direction) const noexcept;
 
+  // What every search reads stands together.
+  double bounding_radius_{0.0};
   std::vector<Eigen::Vector3d> vertices_;
+  // Those of vertex i are fans_[first_fan_[i]] up to the next one's first.
+  std::vector<std::uint32_t> first_fan_;
+  std::vector<Fan> fans_;
   std::vector<Face> faces_;
   std::vector<Edge> edges_;
   // Those of face i are ring_corners_[first_corner_[i]] up to the next one's first.
   std::vector<std::uint32_t> first_corner_;
   std::vector<std::uint32_t> ring_corners_;
-  // Those of vertex i are fans_[first_fan_[i]] up to the next one's first.
-  std::vector<std::uint32_t> first_fan_;
-  std::vector<Fan> fans_;
   // By cell of a cube about all directions, each side of which has rows_ by rows_ cells: where the
   // climb along the middle of the cell ends. Empty where climbs are short.
   std::vector<std::uint32_t> farthest_;
   std::size_t rows_{0};
-  double bounding_radius_{0.0};
   bool has_volume_{false};
   bool climbs_{false};
 };

@@ -107,6 +107,22 @@ TEST(ConvexHull, reachBesideACorner_isOfItsFarthestNeighbour) {
   EXPECT_EQ(line.reachBeside(up, 0), -std::numeric_limits<double>::infinity());
 }
 
+TEST(ConvexHull, extremeVertex_isFoundFromEachVertexWithWhatIsBesideIt) {
+  const Eigen::Vector3d up(0.5, 0.25, 1.0);
+  const ConvexHull hull({{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}});
+  const ConvexHull line({{0, 0, 0}, {1, 0, 0}});
+  for (std::uint32_t start = 0; start < 4; ++start) {
+    const ConvexHull::Extreme top = hull.extreme(up, start);
+    EXPECT_EQ(hull.vertices()[top.vertex].z(), 3.0);
+    EXPECT_EQ(top.reach, 3.0);
+    EXPECT_EQ(top.beside, 0.5);
+    const ConvexHull::Extreme end = line.extreme(up, start % 2);
+    EXPECT_EQ(line.vertices()[end.vertex].x(), 1.0);
+    EXPECT_EQ(end.reach, 0.5);
+    EXPECT_EQ(end.beside, -std::numeric_limits<double>::infinity());
+  }
+}
+
 TEST(ConvexHull, square_hasTwoFacesAndNoVolume) {
   const ConvexHull hull({{0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}});
   EXPECT_EQ(hull.faces().size(), 2U);

@@ -16,29 +16,24 @@ namespace {
 
 using Eigen::Vector3d;
 
-struct Confirmed {
-  bool is_proven{false};
-  SignedDistance cores;
-};
+using Confirmed = std::optional<SignedDistance>;
 
 template <class A, class B>
 Confirmed confirm(const A& a, const Pose& pose_a, const B& b, const Pose& pose_b,
                   ConvexWarmStart warm) {
   const ConvexCore core_a = sweptCoreOf(a).core;
   const ConvexCore core_b = sweptCoreOf(b).core;
-  Confirmed found;
-  found.is_proven = confirmNearest({core_a, pose_a, warm.vertex_of_a},
-                                   {core_b, pose_b, warm.vertex_of_b}, warm, found.cores);
-  return found;
+  return confirmNearest({core_a, pose_a, warm.vertex_of_a}, {core_b, pose_b, warm.vertex_of_b},
+                        warm);
 }
 
 void expectProven(const Confirmed& found, double distance, const Vector3d& on_a,
                   const Vector3d& on_b) {
-  ASSERT_TRUE(found.is_proven);
-  EXPECT_NEAR(found.cores.distance, distance, kExact);
-  expectNear(found.cores.point_on_a, on_a, "on a");
-  expectNear(found.cores.point_on_b, on_b, "on b");
-  expectConsistent(found.cores);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->distance, distance, kExact);
+  expectNear(found->point_on_a, on_a, "on a");
+  expectNear(found->point_on_b, on_b, "on b");
+  expectConsistent(*found);
 }
 
 ConvexWarmStart endsAt(std::initializer_list<ConvexWarmStart::Ends> ends) {
@@ -85,17 +80,17 @@ TEST_F(CubesInSteps, otherCornersNearer_areFound) {
 }
 
 TEST_F(CubesInSteps, parallelFeatures_areLeftToTheSearch) {
-  EXPECT_FALSE(confirm(cube_, Pose{}, cube_, at(4, 2, 5), corners_).is_proven);
-  EXPECT_FALSE(confirm(cube_, Pose{}, box_, at(4, 0, 5), corners_).is_proven);
+  EXPECT_FALSE(confirm(cube_, Pose{}, cube_, at(4, 2, 5), corners_));
+  EXPECT_FALSE(confirm(cube_, Pose{}, box_, at(4, 0, 5), corners_));
 }
 
 TEST_F(CubesInSteps, touchingAndOverlapping_areLeftToTheSearch) {
-  EXPECT_FALSE(confirm(cube_, Pose{}, cube_, at(2, 2, 2), corners_).is_proven);
-  EXPECT_FALSE(confirm(cube_, Pose{}, cube_, at(1, 1.5, 1.5), corners_).is_proven);
+  EXPECT_FALSE(confirm(cube_, Pose{}, cube_, at(2, 2, 2), corners_));
+  EXPECT_FALSE(confirm(cube_, Pose{}, cube_, at(1, 1.5, 1.5), corners_));
 }
 
 TEST_F(CubesInSteps, nothingFoundBefore_isLeftToTheSearch) {
-  EXPECT_FALSE(confirm(cube_, Pose{}, cube_, at(4, 5, 5), ConvexWarmStart{}).is_proven);
+  EXPECT_FALSE(confirm(cube_, Pose{}, cube_, at(4, 5, 5), ConvexWarmStart{}));
 }
 
 void setEntry(Pose& pose, Eigen::Index entry, double value) {
@@ -108,10 +103,10 @@ TEST_F(CubesInSteps, poseThatIsNotFinite_provesNothing) {
     for (Eigen::Index entry = 0; entry < 12; ++entry) {
       Pose pose = at(4, 5, 5);
       setEntry(pose, entry, bad);
-      EXPECT_FALSE(confirm(cube_, Pose{}, cube_, pose, corners_).is_proven) << entry;
-      EXPECT_FALSE(confirm(cube_, pose, Sphere{1}, at(9, 9, 9), corners_).is_proven) << entry;
-      EXPECT_FALSE(confirm(Cylinder{1, 1}, Pose{}, cube_, pose, of_can).is_proven) << entry;
-      EXPECT_FALSE(confirm(cube_, pose, Cylinder{1, 1}, Pose{}, corners_).is_proven) << entry;
+      EXPECT_FALSE(confirm(cube_, Pose{}, cube_, pose, corners_)) << entry;
+      EXPECT_FALSE(confirm(cube_, pose, Sphere{1}, at(9, 9, 9), corners_)) << entry;
+      EXPECT_FALSE(confirm(Cylinder{1, 1}, Pose{}, cube_, pose, of_can)) << entry;
+      EXPECT_FALSE(confirm(cube_, pose, Cylinder{1, 1}, Pose{}, corners_)) << entry;
     }
   }
 }
@@ -144,9 +139,9 @@ TEST_F(CanInSteps, rimUnderAFace_isProven) {
       endsAt({{{1, 0, 1}, {-1, -1, -1}}, {{1, 0, 1}, {1, -1, -1}}, {{1, 0, 1}, {1, 1, -1}}});
   const double top = std::sqrt(2.0);
   const Confirmed found = confirm(can_, tilted, cube_, at(0.25, 0.5, 4), warm);
-  ASSERT_TRUE(found.is_proven);
-  EXPECT_NEAR(found.cores.distance, 3.0 - top, kExact);
-  expectNear(found.cores.normal_a_to_b, Vector3d::UnitZ(), "normal");
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->distance, 3.0 - top, kExact);
+  expectNear(found->normal_a_to_b, Vector3d::UnitZ(), "normal");
 }
 
 TEST_F(CanInSteps, rimOfOneBesideAnother_isFollowed) {
@@ -168,12 +163,12 @@ TEST_F(CanInSteps, sidesOfTwo_areFollowed) {
 TEST_F(CanInSteps, sideThatHasBecomeARim_isLeftToTheSearch) {
   const Pose past_its_end{zToX(), {4, 3, 1.5}};
   const ConvexWarmStart warm = endsAt({{{1, 0, 0}, {0, 1, 0.2}}});
-  EXPECT_FALSE(confirm(can_, Pose{}, can_, past_its_end, warm).is_proven);
+  EXPECT_FALSE(confirm(can_, Pose{}, can_, past_its_end, warm));
 }
 
 TEST_F(CanInSteps, parallelSides_areLeftToTheSearch) {
   const ConvexWarmStart warm = endsAt({{{1, 0, 0.5}, {-1, 0, 0.5}}});
-  EXPECT_FALSE(confirm(can_, Pose{}, can_, at(4, 0, 0.5), warm).is_proven);
+  EXPECT_FALSE(confirm(can_, Pose{}, can_, at(4, 0, 0.5), warm));
 }
 
 }  // namespace
