@@ -22,7 +22,7 @@ constexpr double kStill = 1e-9;
 // Points that every query measures while there are any left, and one after a step that is a good
 // deal less than the depth, or than a share of the smaller mesh where that is more: as many, for a
 // step as long as that.
-constexpr std::uint32_t kFewestPoints = 8;
+constexpr std::uint32_t kFewestPoints = 4;
 constexpr double kPointsAStep = 120.0;
 constexpr double kLeastShare = 0.02;
 
