@@ -19,9 +19,8 @@ using Eigen::Vector3d;
 
 // [m] What has moved by less has not.
 constexpr double kStill = 1e-9;
-// Points that every query measures while there are any left, and one after a step that is a good
-// deal less than the depth, or than a share of the smaller mesh where that is more: as many, for a
-// step as long as that.
+// Points that a query measures while there are any left: as many after a step as long as the depth,
+// or as a share of the smaller mesh where that is more; fewer after a shorter one, but some always.
 constexpr std::uint32_t kFewestPoints = 4;
 constexpr double kPointsAStep = 120.0;
 constexpr double kLeastShare = 0.02;
