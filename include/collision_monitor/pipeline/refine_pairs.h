@@ -53,8 +53,8 @@ void forget(std::vector<RefineMemory>& memory) noexcept;
 /// measured again; for the rest the last measurement holds less the motion since, as a lower bound,
 /// where that is more than the enclosing shapes say.
 ///
-/// What budget is left then goes into depths of meshes that overlap, which are followed from cycle to
-/// cycle (depthOf).
+/// What budget is left then goes into depths of meshes that overlap, which are followed from cycle
+/// to cycle (depthOf).
 ///
 /// A pair of elements that is measured keeps one entry in `distances`. Of proven lower bounds the
 /// larger one stays. Pairs that cannot be the nearest of their links and are in no contact are
