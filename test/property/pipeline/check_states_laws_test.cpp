@@ -19,7 +19,7 @@
 namespace collision_monitor::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260101;
+constexpr unsigned kSeed = 20260101;
 constexpr std::size_t kStates = 3 * kStateCount + 5;
 
 /// A random tree of any joints, with the shapes of randomSetup on its links.
@@ -46,6 +46,21 @@ JointPositions randomPositions(const CycleSetup& setup, Random& random) {
   }
   return positions;
 }
+
+/// A robot somewhere, and positions of its joints.
+struct Scene {
+  explicit Scene(unsigned seed) : setup(randomRobot(seed)) {
+    Random random(seed);
+    roots = {randomPose(random, 1.0)};
+    positions = randomPositions(setup, random);
+    work = makeStatesWork(setup, standingAt(setup.model, roots));
+  }
+
+  CycleSetup setup;
+  std::vector<Pose> roots;
+  JointPositions positions;
+  StatesWork work;
+};
 
 double leastByPlainTwins(const CycleSetup& setup, const JointPositions& state,
                          const std::vector<Pose>& roots) {
@@ -83,11 +98,8 @@ TEST(CheckStatesLaws, verdictsAndDistancesAreThoseOfEveryStateAlone_onEveryInstr
   std::size_t clear = 0;
   for (unsigned round = 0; round < 60; ++round) {
     SCOPED_TRACE(testing::Message() << "seed " << kSeed + round);
-    const CycleSetup setup = randomRobot(kSeed + round);
-    Random random(kSeed + round);
-    const std::vector<Pose> roots{randomPose(random, 1.0)};
-    const JointPositions positions = randomPositions(setup, random);
-    StatesWork work = makeStatesWork(setup, standingAt(setup.model, roots));
+    Scene scene(kSeed + round);
+    auto& [setup, roots, positions, work] = scene;
     std::vector<StateCheck> first;
     for (const std::int64_t target : instructionSets()) {
       const OnlyInstructionSet only(target);
@@ -121,11 +133,8 @@ TEST(CheckStatesLaws, linkPairsAreAsFarApartAsTheirNearestBodies) {
   std::size_t within = 0;
   for (unsigned round = 0; round < 20; ++round) {
     SCOPED_TRACE(testing::Message() << "seed " << kSeed + round);
-    const CycleSetup setup = randomRobot(kSeed + round);
-    Random random(kSeed + round);
-    const std::vector<Pose> roots{randomPose(random, 1.0)};
-    const JointPositions positions = randomPositions(setup, random);
-    StatesWork work = makeStatesWork(setup, standingAt(setup.model, roots));
+    Scene scene(kSeed + round);
+    auto& [setup, roots, positions, work] = scene;
     fillVariables(positions, kStateCount, work);
     placeStates(setup, work);
     std::vector<StateNumber> nearest(setup.checked.size());
@@ -148,10 +157,8 @@ TEST(CheckStatesLaws, linkPairsAreAsFarApartAsTheirNearestBodies) {
 }
 
 TEST(CheckStatesLaws, checkingAllocatesNothing) {
-  const CycleSetup setup = randomRobot(kSeed);
-  Random random(kSeed);
-  const JointPositions positions = randomPositions(setup, random);
-  StatesWork work = makeStatesWork(setup, standingAt(setup.model, {Pose{}}));
+  Scene scene(kSeed);
+  auto& [setup, roots, positions, work] = scene;
   std::vector<StateCheck> checks(kStates);
   const AllocationGuard guard;
   checkStates(setup, positions, StateQuestion::nearest, work, checks);

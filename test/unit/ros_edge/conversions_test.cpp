@@ -14,12 +14,8 @@
 namespace collision_monitor::test {
 namespace {
 
-class ConversionsTest : public testing::Test {
+class ConversionsTest : public EdgeScene {
  protected:
-  /// base and tool are 0.3 m + reach apart.
-  std::unique_ptr<Watch> watchAt(double reach) {
-    return judged(setup_, store_, slidingPoses(setup_->setup.model, 0.0, reach));
-  }
   /// The tool goes along x at `speed` [m/s], all else stands still.
   std::unique_ptr<Watch> watchMoving(double reach, double speed) {
     LinkPoses poses = slidingPoses(setup_->setup.model, 0.0, reach);
@@ -32,19 +28,6 @@ class ConversionsTest : public testing::Test {
     poses.status[index(linkNamed(setup_->setup.model, link))] = LinkStatus::missing;
     return judged(setup_, store_, poses);
   }
-  static CycleFacts facts() {
-    CycleFacts facts;
-    facts.now = ros::Time(13.0);
-    return facts;
-  }
-  static State stateOf(const Watch& watch, const CycleFacts& facts) {
-    State state;
-    toMessage(watch, facts, state);
-    return state;
-  }
-
-  TransformStore store_;
-  std::shared_ptr<const MonitorSetup> setup_ = slidingSetup();
 };
 
 TEST_F(ConversionsTest, clearState) {

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <memory>
 #include <string>
 
+#include "ros_edge/conversions.h"
 #include "ros_edge/watch.h"
 
 namespace collision_monitor::test {
@@ -26,5 +29,27 @@ std::unique_ptr<Watch> judged(const std::shared_ptr<const MonitorSetup>& setup,
                               const TransformStore& store, const LinkPoses& poses);
 
 LinkId linkNamed(const RobotModel& model, const std::string& name);
+
+/// The sliding robot, watched with its slide at 0.
+class EdgeScene : public testing::Test {
+ protected:
+  /// base and tool are 0.3 m + reach apart.
+  std::unique_ptr<Watch> watchAt(double reach) {
+    return judged(setup_, store_, slidingPoses(setup_->setup.model, 0.0, reach));
+  }
+  static CycleFacts facts() {
+    CycleFacts facts;
+    facts.now = ros::Time(13.0);
+    return facts;
+  }
+  static State stateOf(const Watch& watch, const CycleFacts& facts) {
+    State state;
+    toMessage(watch, facts, state);
+    return state;
+  }
+
+  TransformStore store_;
+  std::shared_ptr<const MonitorSetup> setup_ = slidingSetup();
+};
 
 }  // namespace collision_monitor::test

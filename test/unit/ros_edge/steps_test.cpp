@@ -3,30 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "edge_scene.h"
-#include "ros_edge/conversions.h"
 #include "ros_edge/sentences.h"
 
 /// What is said of steps between poses that are too long.
 namespace collision_monitor::test {
 namespace {
 
-class StepsTest : public testing::Test {
- protected:
-  /// base and tool are 0.3 m + reach apart.
-  std::unique_ptr<Watch> watchAt(double reach) {
-    return judged(setup_, store_, slidingPoses(setup_->setup.model, 0.0, reach));
-  }
-  static State stateOf(const Watch& watch) {
-    CycleFacts facts;
-    facts.now = ros::Time(13.0);
-    State state;
-    toMessage(watch, facts, state);
-    return state;
-  }
-
-  TransformStore store_;
-  std::shared_ptr<const MonitorSetup> setup_ = slidingSetup();
-};
+class StepsTest : public EdgeScene {};
 
 TEST_F(StepsTest, posesTooFewForTheAcceleration_namePairAndStep) {
   const auto watch = watchAt(0.25);
@@ -48,7 +31,7 @@ TEST_F(StepsTest, stepOverTheCap_isAWarningThatSaysWhatCoversIt) {
     watch->poses = slidingPoses(setup->setup.model, 0.0, 0.25 + way);
     watch->poses.stamp_ns += 30'000'000;
     runCycle(watch->setup(), watch->poses, watch->buffers);
-    return stateOf(*watch);
+    return stateOf(*watch, facts());
   };
   EXPECT_NEAR(moved(setup_, 0.15).step_cap, 0.4 / 5.0, 1e-9);
   EXPECT_EQ(moved(setup_, 0.15).step_warning, "");
