@@ -61,16 +61,14 @@ ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& searc
           found.quality};
 }
 
-// Every pair of kinds ends in one of these, or does not compile.
+// Every pair of kinds ends in one of these or in byCores, or does not compile.
 template <class A, class B>
-ConvexDistance measure(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
+ConvexDistance inClosedForm(const Posed<A>& a, const Posed<B>& b) noexcept {
+  if (!areFinite(a, b)) {
+    return {};
+  }
   if constexpr (kIsHalfSpace<A> && kIsHalfSpace<B>) {
     return {};  // they overlap without end, or are apart by rounding alone
-  } else if constexpr (!kIsHalfSpace<A> && !kIsHalfSpace<B> &&
-                       !(kHasClosedForms<A> && kHasClosedForms<B>)) {
-    return byCores(a, b, search);
-  } else if (!areFinite(a, b)) {
-    return {};
   } else if constexpr (kIsHalfSpace<B>) {
     return {toHalfSpace(a, b.world_from_body), DistanceQuality::exact};
   } else if constexpr (kIsHalfSpace<A>) {
@@ -78,6 +76,16 @@ ConvexDistance measure(const Posed<A>& a, const Posed<B>& b, ConvexSearch& searc
   } else {
     return {distanceBetween(a.geometry, a.world_from_body, b.geometry, b.world_from_body),
             DistanceQuality::exact};
+  }
+}
+
+template <class A, class B>
+ConvexDistance measure(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
+  if constexpr (!kIsHalfSpace<A> && !kIsHalfSpace<B> &&
+                !(kHasClosedForms<A> && kHasClosedForms<B>)) {
+    return byCores(a, b, search);
+  } else {
+    return inClosedForm(a, b);
   }
 }
 
