@@ -44,17 +44,29 @@ void JointStore::accept(const std::string& topic, const sensor_msgs::JointState&
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto stamp_ns = static_cast<std::int64_t>(message.header.stamp.toNSec());
+  Topic& known = topics_[topic];
+  if (known.names != message.name) {
+    findRecords(message.name, known);
+  }
   for (std::size_t i = 0; i < message.name.size(); ++i) {
-    const auto [place, is_new] = places_.try_emplace({topic, message.name[i]}, histories_.size());
-    if (is_new) {
-      histories_.emplace_back();
-    }
-    History& history = histories_[place->second];
+    History& history = histories_[known.records[i]];
     if (stamp_ns > history.back(0).stamp_ns) {
       history.newest = (history.newest + 1) % History::kSize;
       history.samples[history.newest] = {stamp_ns, valueOr(message.position, i),
                                          valueOr(message.velocity, i)};
     }
+  }
+}
+
+void JointStore::findRecords(const std::vector<std::string>& names, Topic& topic) {
+  topic.names = names;
+  topic.records.clear();
+  for (const std::string& name : names) {
+    const auto [place, is_new] = topic.places.try_emplace(name, histories_.size());
+    if (is_new) {
+      histories_.emplace_back();
+    }
+    topic.records.push_back(place->second);
   }
 }
 
@@ -73,8 +85,12 @@ std::size_t JointStore::recordCount() const {
 std::optional<JointStore::Record> JointStore::find(const std::string& topic,
                                                    const std::string& joint) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto place = places_.find({topic, joint});
-  return place == places_.end() ? std::nullopt : std::optional<Record>(place->second);
+  const auto known = topics_.find(topic);
+  if (known == topics_.end()) {
+    return std::nullopt;
+  }
+  const auto place = known->second.places.find(joint);
+  return place == known->second.places.end() ? std::nullopt : std::optional(place->second);
 }
 
 void JointStore::readNewest(const std::vector<Wanted>& wanted,

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/monitor_setup.h"
 
+#include <malloc.h>
+
 #include "collision_monitor/ros_edge/resource_loader.h"
 #include "collision_monitor/ros_edge/transform_store.h"
 #include "ros_edge/fit_options.h"
@@ -40,6 +42,7 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   made->world_frame = stripLeadingSlash(made->parameters.world_frame.empty()
                                             ? model.link(model.robots.front().root).frame
                                             : made->parameters.world_frame);
+  malloc_trim(0);  // reading and fitting free more than what is left, and glibc would keep it
   return made;
 }
 

@@ -202,7 +202,7 @@ bool PoseReader::compose(std::int64_t stamp_ns, Edge& edge) const {
 bool PoseReader::askBuffer(std::int64_t stamp_ns, bool is_newest, Edge& edge) const {
   ros::Time stamp;
   stamp.fromNSec(static_cast<std::uint64_t>(stamp_ns));
-  const tf2::BufferCore& buffer = store_.buffer();
+  const tf2::BufferCore& buffer = store_.bufferOf(edge.moving_path);
   try {
     if (!is_newest && !buffer.canTransform(edge.parent_frame, edge.child_frame, stamp)) {
       return false;

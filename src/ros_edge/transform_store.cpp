@@ -14,6 +14,11 @@ namespace {
 /// time; here the frame becomes unknown instead.
 constexpr double kQuaternionTolerance = 1e-2;
 
+constexpr const char* kAuthority = "collision_monitor";
+
+/// [ns] What tf2's buffer keeps.
+constexpr std::int64_t kHistory = 1000000000LL * tf2::BufferCore::DEFAULT_CACHE_TIME;
+
 bool isUsable(const geometry_msgs::Transform& transform) {
   const auto& t = transform.translation;
   const auto& q = transform.rotation;
@@ -40,14 +45,15 @@ std::string stripLeadingSlash(const std::string& frame) {
   return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
 }
 
-FrameRecord& TransformStore::recordOf(const std::string& frame) {
+std::size_t TransformStore::recordOf(const std::string& frame) {
   const auto [place, is_new] = places_.try_emplace(frame, records_.size());
   if (is_new) {
     records_.emplace_back();
     records_.back().name = frame;
+    waiting_.emplace_back();
     ++version_.topology;
   }
-  return records_[place->second];
+  return place->second;
 }
 
 TransformStore::TransformStore(TimeSource time_source) : time_source_(std::move(time_source)) {}
@@ -77,19 +83,18 @@ void TransformStore::acceptOne(geometry_msgs::TransformStamped transform, bool i
     ++without_stamp_;
     return;
   }
-  FrameRecord& record = recordOf(transform.child_frame_id);
+  const std::size_t frame = recordOf(transform.child_frame_id);
+  FrameRecord& record = records_[frame];
   record.is_bad = !isUsable(transform.transform);
   if (record.is_bad) {
     return;
   }
   const std::int64_t stamp = nanoseconds(transform.header.stamp);
-  if (!is_static && stamp == record.newest_ns && parent == record.parent) {
-    return;  // sent again; tf2 would complain of it
-  }
-  if (!buffer_.setTransform(transform, "collision_monitor", is_static)) {
-    return;
+  if (!is_static && (stamp == record.newest_ns || stamp < record.newest_ns - kHistory)) {
+    return;  // sent again, or too old; tf2 would complain of it
   }
   if (is_static || record.is_static || record.parent != parent) {
+    fillBuffer(frame);
     record.is_static = is_static;
     record.parent = parent;
     record.pose_ns = -1;
@@ -99,12 +104,41 @@ void TransformStore::acceptOne(geometry_msgs::TransformStamped transform, bool i
     record.parent_from_frame = toPose(transform.transform);
     record.pose_ns = stamp;
   }
-  if (!is_static && stamp > record.newest_ns) {
-    record.previous_ns = record.newest_ns;
-    record.newest_ns = stamp;
-  } else if (!is_static) {
-    record.previous_ns = std::max(record.previous_ns, stamp);
+  if (is_static) {
+    buffer_.setTransform(transform, kAuthority, true);
+    return;
   }
+  record.previous_ns = std::max(record.previous_ns, std::min(stamp, record.newest_ns));
+  record.newest_ns = std::max(record.newest_ns, stamp);
+  keepSample(frame, {stamp, transform.transform});
+}
+
+void TransformStore::keepSample(std::size_t frame, const Sample& sample) {
+  std::deque<Sample>& waiting = waiting_[frame];
+  waiting.push_back(sample);
+  while (waiting.front().stamp_ns < records_[frame].newest_ns - kHistory) {
+    waiting.pop_front();
+  }
+}
+
+void TransformStore::fillBuffer(std::size_t frame) const {
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = records_[frame].parent;
+  transform.child_frame_id = records_[frame].name;
+  for (const Sample& sample : waiting_[frame]) {
+    transform.header.stamp.fromNSec(static_cast<std::uint64_t>(sample.stamp_ns));
+    transform.transform = sample.parent_from_frame;
+    buffer_.setTransform(transform, kAuthority, false);
+  }
+  waiting_[frame].clear();
+}
+
+const tf2::BufferCore& TransformStore::bufferOf(const std::vector<std::size_t>& frames) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const std::size_t frame : frames) {
+    fillBuffer(frame);
+  }
+  return buffer_;
 }
 
 ros::Time TransformStore::readTime() {
@@ -118,6 +152,9 @@ ros::Time TransformStore::readTimeLocked() {
   const ros::Time now = time_source_();
   if (now < last_time_) {
     buffer_.clear();
+    for (std::deque<Sample>& waiting : waiting_) {
+      waiting.clear();
+    }
     for (FrameRecord& record : records_) {
       record.newest_ns = 0;
       record.previous_ns = 0;

@@ -11,7 +11,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace collision_monitor {
@@ -64,10 +63,17 @@ class JointStore {
       return samples[(newest + kSize - steps) % kSize];
     }
   };
-  using Key = std::pair<std::string, std::string>;
+  struct Topic {
+    std::map<std::string, Record> places;  ///< by name
+    // Messages of a topic mostly name the same joints: what the last one named, and where they are.
+    std::vector<std::string> names;
+    std::vector<Record> records;
+  };
+
+  void findRecords(const std::vector<std::string>& names, Topic& topic);
 
   mutable std::mutex mutex_;
-  std::map<Key, Record> places_;
+  std::map<std::string, Topic> topics_;
   std::vector<History> histories_;
 };
 

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -33,7 +34,9 @@ struct FrameRecord {
 
 /// tf2's buffer, and beside it what the buffer does not tell: how new each frame's data are, where
 /// they have a gap, which were no transforms at all. The newest pose of each frame stands there,
-/// too, so that poses at the newest stamp need no look-up by name.
+/// too, so that poses at the newest stamp need no look-up by name; and as these are nearly all that
+/// is asked for, the buffer takes a frame's moving transforms in only when it is asked for the
+/// frame.
 ///
 /// A transform that is not finite, no rotation or (unless static) without stamp never enters the
 /// buffer. Frame names lose a leading slash. When time jumps back, all moving data are forgotten.
@@ -69,19 +72,29 @@ class TransformStore {
   /// Poses, stamps and faults only, for records copied before with the same topology.
   void refreshRecords(std::vector<FrameRecord>& records) const;
 
-  const tf2::BufferCore& buffer() const noexcept { return buffer_; }
+  /// tf2's buffer, with all that came of these frames, which are indices of records.
+  const tf2::BufferCore& bufferOf(const std::vector<std::size_t>& frames) const;
   /// Transforms that were refused because they had no stamp.
   std::uint64_t refusedWithoutStamp() const;
 
  private:
-  FrameRecord& recordOf(const std::string& frame);
+  /// A moving transform that the buffer did not take in yet.
+  struct Sample {
+    std::int64_t stamp_ns;
+    geometry_msgs::Transform parent_from_frame;
+  };
+
+  std::size_t recordOf(const std::string& frame);
   void acceptOne(geometry_msgs::TransformStamped transform, bool is_static);
+  void keepSample(std::size_t frame, const Sample& sample);
+  void fillBuffer(std::size_t frame) const;
   ros::Time readTimeLocked();
 
   TimeSource time_source_;
-  tf2::BufferCore buffer_;
   mutable std::mutex mutex_;
   mutable std::condition_variable news_;
+  mutable tf2::BufferCore buffer_;
+  mutable std::vector<std::deque<Sample>> waiting_;  ///< for the buffer; by record
   std::vector<FrameRecord> records_;
   std::unordered_map<std::string, std::size_t> places_;
   Version version_;

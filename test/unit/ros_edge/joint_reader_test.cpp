@@ -40,6 +40,21 @@ TEST(JointStore, newestSampleStays) {
   EXPECT_FALSE(store.find("t", "c"));
 }
 
+TEST(JointStore, messagesThatNameOtherJoints_keepToTheRecords) {
+  JointStore store;
+  store.accept("t", jointState(1.0, {"a", "b"}, {0.1, 0.2}));
+  store.accept("t", jointState(2.0, {"b", "c"}, {0.3, 0.4}));
+  store.accept("other", jointState(3.0, {"b", "c"}, {0.8, 0.9}));
+  store.accept("t", jointState(4.0, {"c", "a"}, {0.5, 0.6}));
+  std::vector<JointSample> samples;
+  store.readNewest({{*store.find("t", "a")}, {*store.find("t", "b")}, {*store.find("t", "c")}},
+                   samples);
+  EXPECT_EQ(samples[0].position, 0.6);
+  EXPECT_EQ(samples[1].position, 0.3);
+  EXPECT_EQ(samples[2].position, 0.5);
+  EXPECT_EQ(store.recordCount(), 5U);
+}
+
 TEST(JointStore, withoutStamp_isRefused) {
   JointStore store;
   store.accept("t", jointState(0.0, {"a"}, {0.1}));
