@@ -7,9 +7,11 @@
 #include <sensor_msgs/JointState.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include "collision_monitor/ros_edge/direct_queue.h"
+
 // What node_bench measures of the monitor, without the monitor: hears joint states and tf, answers
-// each tf message with state, contacts and distances of common size, and does nothing else. So
-// what it takes is roscpp's.
+// each tf message at once, on the thread that brings it, with state, contacts and distances of
+// common size, and does nothing else. So what it takes is roscpp's.
 namespace collision_monitor::bench {
 namespace {
 
@@ -25,8 +27,10 @@ class Relay {
       pair.gradient_values.assign(3, 0.0);
     }
     const ros::TransportHints at_once = ros::TransportHints().tcpNoDelay();
-    transforms_ = ros::NodeHandle().subscribe("/tf", 100, &Relay::answer, this, at_once);
-    joints_ = ros::NodeHandle().subscribe("joint_states", 100, &Relay::hear, this, at_once);
+    ros::NodeHandle direct;
+    direct.setCallbackQueue(&queue_);
+    transforms_ = direct.subscribe("/tf", 100, &Relay::answer, this, at_once);
+    joints_ = direct.subscribe("joint_states", 100, &Relay::hear, this, at_once);
   }
 
  private:
@@ -39,6 +43,7 @@ class Relay {
     distances_publisher_.publish(distances_);
   }
 
+  DirectQueue queue_;
   ros::NodeHandle node_;
   State state_;
   Distances distances_;

@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What the running node costs: joint states and tf come 1000 times a second, state, contacts and
-distances go out as often. Processor time, the way from tf to state and back, memory. The reference
-is a node that answers each tf message with such messages and does nothing else: roscpp's share."""
+distances go out as often. Processor time, the time from the arrival of tf to the state that is
+sent, memory. The reference is a node that answers each tf message at once with such messages and
+does nothing else: roscpp's share."""
 import subprocess
 
 import running
@@ -32,15 +33,17 @@ def add_motion(label, motion, relay, goal, figures):
     """Rows of a robot that swings "free" of contact, or in "contact" with itself all the time."""
     node = measure(label, motion)
 
-    def add(what, place, unit, most):
-        figures.add(f"node, {label}, {motion}: {what}", f"{node[place]:.3g} {unit}",
-                    f"{relay[place]:.3g} {unit}", f"< {most:.0f} {unit}", node[place] < most)
+    def add(what, place, unit, most, taken=0.0):
+        ours = node[place] - taken
+        figures.add(f"node, {label}, {motion}: {what}", f"{ours:.3g} {unit}",
+                    f"{relay[place]:.3g} {unit}", f"< {most:.0f} {unit}", ours < most)
 
     add("of a core at 1 kHz", 0, "%", goal)
     figures.add(f"node, {label}, {motion}: states a second", f"{node[1]:.0f}", f"{relay[1]:.0f}",
                 "within 2 % of 1000", abs(node[1] - RATE) < 0.02 * RATE)
-    add("tf to state, median", 2, "us", 300.0)
-    add("tf to state, 99 of 100", 3, "us", 1000.0)
+    # The bench times both ways through TCP, too. Without them: what the relay's way is shorter.
+    add("arrival of tf to state sent, median", 2, "us", 300.0, taken=relay[2])
+    add("tf sent to state received, 99 of 100", 3, "us", 1000.0)
     markers = measure(label, motion, "markers")[0] - node[0]
     figures.add(f"node, {label}, {motion}: markers at 30 Hz on top", f"{markers:.1f} %", "-",
                 "< 5 %", markers < 5.0)
