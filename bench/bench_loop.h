@@ -49,4 +49,12 @@ double medianTime(const Work& work) {
   return times[kRuns / 2];
 }
 
+/// The main program of a benchmark: runs of what is registered what the command line asks for.
+inline int runBenchmarks(int argc, char** argv, void (*register_all)()) {
+  benchmark::Initialize(&argc, argv);
+  register_all();
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
+
 }  // namespace collision_monitor::test

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench_loop.h"
 #include "support/convex_cases.h"
 #include "support_fcl/fcl_adapter.h"
 
@@ -123,8 +124,5 @@ void registerAll() {
 }  // namespace collision_monitor::test
 
 int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  collision_monitor::test::registerAll();
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  return collision_monitor::test::runBenchmarks(argc, argv, &collision_monitor::test::registerAll);
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench_loop.h"
 #include "collision_monitor/narrow_phase/mesh_distance.h"
 #include "support/query_meshes.h"
 #include "support_fcl/fcl_mesh.h"
@@ -161,8 +162,5 @@ void registerAll() {
 }  // namespace collision_monitor::test
 
 int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  collision_monitor::test::registerAll();
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  return collision_monitor::test::runBenchmarks(argc, argv, &collision_monitor::test::registerAll);
 }

@@ -121,8 +121,5 @@ void registerAll() {
 }  // namespace collision_monitor::test
 
 int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  collision_monitor::test::registerAll();
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  return collision_monitor::test::runBenchmarks(argc, argv, &collision_monitor::test::registerAll);
 }

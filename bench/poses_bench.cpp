@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bench_loop.h"
 #include "collision_monitor/ros_edge/pose_reader.h"
 #include "support/urdf_text.h"
 
@@ -148,13 +149,14 @@ void registerTree(const std::string& name, const Tree& tree) {
   add("/read_without_news", readNothing);
 }
 
+void registerAll() {
+  registerTree("arm_11_links", {1, 10});
+  registerTree("humanoid_60_links", {5, 12});
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
 
 int main(int argc, char** argv) {
-  benchmark::Initialize(&argc, argv);
-  collision_monitor::test::registerTree("arm_11_links", {1, 10});
-  collision_monitor::test::registerTree("humanoid_60_links", {5, 12});
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  return collision_monitor::test::runBenchmarks(argc, argv, &collision_monitor::test::registerAll);
 }

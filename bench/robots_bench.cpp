@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "bench_loop.h"
 #include "robot_scene.h"
 
 // One state of a robot, poses given, at a time: least distance and all contacts of the collision
@@ -118,15 +119,15 @@ void registerRobot(const RobotFile& robot) {
   add("hulls/fcl", fclHulls);
 }
 
+void registerAll() {
+  for (const RobotFile& robot : benchRobots()) {
+    registerRobot(robot);
+  }
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
 
 int main(int argc, char** argv) {
-  namespace test = collision_monitor::test;
-  benchmark::Initialize(&argc, argv);
-  for (const test::RobotFile& robot : test::benchRobots()) {
-    test::registerRobot(robot);
-  }
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
+  return collision_monitor::test::runBenchmarks(argc, argv, &collision_monitor::test::registerAll);
 }

@@ -15,6 +15,21 @@ Eigen::Vector3d randomSize(Random& random, double least, double greatest) {
           uniform(random, least, greatest)};
 }
 
+constexpr std::size_t kShapeKinds = 4;
+
+Shape shapeOf(std::size_t kind, const Eigen::Vector3d& size) {
+  switch (kind) {
+    case 0:
+      return Sphere{size.x()};
+    case 1:
+      return Capsule{size.x(), size.y()};
+    case 2:
+      return Box{size};
+    default:
+      return RoundedBox{size, 0.3 * size.x()};
+  }
+}
+
 ConvexHull randomHull(Random& random) {
   const double size = uniform(random, 0.05, 0.3);
   std::vector<Eigen::Vector3d> points(12);
@@ -42,34 +57,17 @@ ScrewMotion crossingMotion(Random& random) {
 
 Shape randomShape(Random& random) {
   const Eigen::Vector3d size = randomSize(random, 0.01, 0.2);
-  switch (random() % 4) {
-    case 0:
-      return Sphere{size.x()};
-    case 1:
-      return Capsule{size.x(), size.y()};
-    case 2:
-      return Box{size};
-    default:
-      return RoundedBox{size, 0.3 * size.x()};
-  }
+  return shapeOf(random() % kShapeKinds, size);
 }
 
 ConvexGeometry randomGeometry(Random& random) {
   const Eigen::Vector3d size = randomSize(random, 0.001, 0.3);
-  switch (random() % 6) {
-    case 0:
-      return Sphere{size.x()};
-    case 1:
-      return Capsule{size.x(), size.y()};
-    case 2:
-      return Box{size};
-    case 3:
-      return RoundedBox{size, 0.3 * size.x()};
-    case 4:
-      return Cylinder{size.x(), size.y()};
-    default:
-      return randomHull(random);
+  const std::size_t kind = random() % (kShapeKinds + 2);
+  if (kind < kShapeKinds) {
+    return std::visit([](const auto& shape) -> ConvexGeometry { return shape; },
+                      shapeOf(kind, size));
   }
+  return kind == kShapeKinds ? ConvexGeometry(Cylinder{size.x(), size.y()}) : randomHull(random);
 }
 
 ScrewMotion randomMotion(Random& random, double reach, double travel, double turn) {
