@@ -21,7 +21,6 @@ namespace HWY_NAMESPACE {
 
 /// isRigid, in the same order to the last bit.
 HWY_INLINE Truth isRigidInLanes(const PoseLanes& pose) {
-  constexpr double kTolerance = 1e-6;
   const Axes& axes = pose.axes;
   const Vector3 across = cross(axes.x, axes.y) - axes.z;
   const Number defects[] = {hn::Sub(dot(axes.x, axes.x), number(1.0)),
@@ -34,7 +33,7 @@ HWY_INLINE Truth isRigidInLanes(const PoseLanes& pose) {
   for (const Number defect : defects) {
     sum = hn::Add(sum, hn::Mul(defect, defect));
   }
-  return hn::Le(sum, number(kTolerance * kTolerance));
+  return hn::Le(sum, number(kRigid * kRigid));
 }
 
 /// Lanes of a vector whose links have the status `known`, from slot `lane` of the group on.

@@ -41,10 +41,13 @@ inline bool isFinite(const Pose& pose) noexcept {
   return pose.rotation.allFinite() && pose.translation.allFinite();
 }
 
+/// How far from rigid the poses that come from outside may be: as `tolerance` of isRigid.
+constexpr double kRigid = 1e-6;
+
 /// True when the pose is finite and its rotation is orthonormal and right-handed: the first two
 /// columns are unit and orthogonal and the third is their cross product, each defect squared and
 /// all added up within the square of `tolerance`.
-inline bool isRigid(const Pose& pose, double tolerance = 1e-6) noexcept {
+inline bool isRigid(const Pose& pose, double tolerance = kRigid) noexcept {
   // Asked of every link in every cycle: plain numbers and a single branch.
   const double* x = pose.rotation.data();
   const double* y = x + 3;
