@@ -73,7 +73,7 @@ MeasuredPlace measurePlace(DepthSearch& search, const Vector3d& center, double r
     return found;
   }
   const double enough = std::max(search.beyond - radius, 0.0);
-  found.nearest = nearestOnMesh(search.solid, center, start, enough, search.memory);
+  found.nearest = nearestOnMesh(search.solid, center, start, {enough}, search.memory);
   search.points += found.nearest.visits > 0 ? 1 : 0;
   found.distance = found.nearest.distance;
   if (!(radius + found.distance > search.beyond)) {

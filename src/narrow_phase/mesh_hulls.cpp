@@ -6,13 +6,12 @@
 #include <cmath>
 #include <optional>
 
-#include "collision_monitor/geometry/point_triangle.h"
 #include "collision_monitor/geometry/visit_held.h"
 #include "narrow_phase/confirm_nearest.h"
 #include "narrow_phase/convex_core.h"
 #include "narrow_phase/core_distance.h"
 #include "narrow_phase/gjk.h"
-#include "narrow_phase/mesh_search.h"
+#include "narrow_phase/point_on_mesh.h"
 
 namespace collision_monitor {
 namespace {
@@ -66,38 +65,6 @@ CoreGap gapBetween(const PlacedCore& a, const PlacedCore& b, double enough,
   return confirmed ? CoreGap{MeshState::exact, *confirmed} : searchGap(a, b, enough, warm);
 }
 
-bool isOn(const MeshTree& mesh, std::uint32_t triangle, const Vector3d& point,
-          double tolerance) noexcept {
-  const Triangle& corners = mesh.triangles()[triangle];
-  const Vector3d nearest = closestPointOnTriangle(point, corners[0], corners[1], corners[2]);
-  return (nearest - point).squaredNorm() <= tolerance * tolerance;
-}
-
-// The triangle that a point lies on; kNone where it is on none.
-std::uint32_t triangleBelow(const MeshTree& mesh, const Vector3d& point, double tolerance,
-                            MeshQueryMemory& memory, std::uint32_t& visits) noexcept {
-  const Pose to_point{Eigen::Matrix3d::Identity(), point - mesh.center()};
-  const Eigen::Vector3f none = Eigen::Vector3f::Zero();
-  const PlacedBound bound =
-      place(makePlacement(to_point, 2.0 * mesh.radius()), {none, none, none, 0.0F, 0.0F});
-  WaitingPairs waiting(memory);
-  waiting.push({0.0F, 0, 0});
-  for (; !waiting.empty(); ++visits) {
-    const std::uint32_t child = childOf(mesh, waiting.pop().a);
-    if (!isTriangle(child)) {
-      NodeBounds children;
-      const std::uint32_t nearer =
-          boundNearer(mesh.nodes()[child], bound, std::numeric_limits<float>::min(), children);
-      waiting.pushNearer(children, nearer, [child](float squared, std::uint32_t slot) {
-        return MeshQueryMemory::Waiting{squared, (child << kSlotBits) + slot, 0};
-      });
-    } else if (isOn(mesh, triangleAt(child), point, tolerance)) {
-      return triangleAt(child);
-    }
-  }
-  return TrianglePair::kNone;
-}
-
 // Whether a point of the solid is one of the surface. The triangle that it was last on goes first.
 bool holds(const HeldSurface& surface, const Vector3d& point, MeshQueryMemory& memory,
            std::uint32_t& last, std::uint32_t& visits) noexcept {
@@ -108,13 +75,14 @@ bool holds(const HeldSurface& surface, const Vector3d& point, MeshQueryMemory& m
   const Vector3d in_mesh = inverse(surface.world_from_body) * point;
   const double tolerance = kOnSurface * (mesh.radius() + mesh.center().norm() +
                                          surface.world_from_body.translation.norm());
-  ++visits;
-  if (last < mesh.triangles().size() && isOn(mesh, last, in_mesh, tolerance)) {
-    return true;
+  const PointOnMesh found =
+      nearestOnMesh(mesh, in_mesh, last, {0.5 * tolerance, tolerance}, memory);
+  visits += 1 + found.visits;
+  if (found.triangle == TrianglePair::kNone) {
+    return false;
   }
-  const std::uint32_t found = triangleBelow(mesh, in_mesh, tolerance, memory, visits);
-  last = found == TrianglePair::kNone ? last : found;
-  return found != TrianglePair::kNone;
+  last = found.triangle;
+  return true;
 }
 
 }  // namespace

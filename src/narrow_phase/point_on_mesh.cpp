@@ -12,6 +12,15 @@ namespace {
 
 using Eigen::Vector3d;
 
+PointOnMesh answerOf(const NearestSearch& search) noexcept {
+  if (search.nearest.a == TrianglePair::kNone) {
+    return {std::numeric_limits<double>::infinity(), Vector3d::Zero(), TrianglePair::kNone,
+            search.visits};
+  }
+  return {std::sqrt(search.best.squared_distance), search.best.on_a, search.nearest.a,
+          search.visits};
+}
+
 void measureTriangle(const MeshTree& mesh, std::uint32_t triangle, const Vector3d& point,
                      NearestSearch& search) noexcept {
   const Triangle& corners = mesh.triangles()[triangle];
@@ -33,19 +42,20 @@ PlacedBound boundOfPoint(const MeshTree& mesh, const Vector3d& point) noexcept {
 }  // namespace
 
 PointOnMesh nearestOnMesh(const MeshTree& mesh, const Vector3d& point, std::uint32_t start,
-                          double enough, MeshQueryMemory& memory) noexcept {
+                          const PointQueryLimits& limits, MeshQueryMemory& memory) noexcept {
   NearestSearch search;
+  search.best.squared_distance = limits.stop_beyond * limits.stop_beyond;
   if (start < mesh.triangles().size()) {
     measureTriangle(mesh, start, point, search);
   }
-  if (search.best.squared_distance <= enough * enough) {
-    return {std::sqrt(search.best.squared_distance), search.best.on_a, start, 0};
+  if (search.best.squared_distance <= limits.enough * limits.enough) {
+    return answerOf(search);
   }
   const PlacedBound bound = boundOfPoint(mesh, point);
   WaitingPairs from_root(memory);
   from_root.push({0.0F, 0, 0});
   constexpr std::uint32_t kNoBudget = std::numeric_limits<std::uint32_t>::max();
-  searchNearest(enough, kNoBudget, from_root, search,
+  searchNearest(limits.enough, kNoBudget, from_root, search,
                 [&](const MeshQueryMemory::Waiting& next, float limit, WaitingPairs& waiting) {
                   const std::uint32_t child = childOf(mesh, next.a);
                   if (isTriangle(child)) {
@@ -59,8 +69,7 @@ PointOnMesh nearestOnMesh(const MeshTree& mesh, const Vector3d& point, std::uint
                     return MeshQueryMemory::Waiting{below, (child << kSlotBits) + slot, 0};
                   });
                 });
-  return {std::sqrt(search.best.squared_distance), search.best.on_a, search.nearest.a,
-          search.visits};
+  return answerOf(search);
 }
 
 }  // namespace collision_monitor

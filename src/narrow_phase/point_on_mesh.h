@@ -15,10 +15,17 @@ struct PointOnMesh {
   std::uint32_t visits{0};  ///< nodes opened and triangles measured, but for the first
 };
 
+/// When a search for the nearest point may stop early. The defaults never do.
+struct PointQueryLimits {
+  double enough{0.0};  ///< [m] >= 0. Once a point this near is found, none nearer is looked for.
+  /// [m] Points this far or farther are not looked for.
+  double stop_beyond{std::numeric_limits<double>::infinity()};
+};
+
 /// Frames: the mesh's. Error: some ulps of the coordinates.
 /// @param start a triangle to begin with, or none.
-/// @param enough [m] >= 0. Once a point this near is found, none nearer is looked for.
+/// @return infinitely far and without a triangle where there is nothing within the limits.
 PointOnMesh nearestOnMesh(const MeshTree& mesh, const Eigen::Vector3d& point, std::uint32_t start,
-                          double enough, MeshQueryMemory& memory) noexcept;
+                          const PointQueryLimits& limits, MeshQueryMemory& memory) noexcept;
 
 }  // namespace collision_monitor

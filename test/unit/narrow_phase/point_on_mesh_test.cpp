@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include "collision_monitor/geometry/point_triangle.h"
@@ -22,8 +24,8 @@ constexpr std::uint32_t kNone = TrianglePair::kNone;
 class PointOnMeshTest : public testing::Test {
  protected:
   PointOnMesh nearest(const MeshTree& mesh, const Vector3d& point, std::uint32_t start = kNone,
-                      double enough = 0.0) {
-    return nearestOnMesh(mesh, point, start, enough, *memory_);
+                      const PointQueryLimits& limits = {}) {
+    return nearestOnMesh(mesh, point, start, limits, *memory_);
   }
 
   std::unique_ptr<MeshQueryMemory> memory_ = std::make_unique<MeshQueryMemory>();
@@ -48,10 +50,19 @@ TEST_F(PointOnMeshTest, onTheSurface_isZero) { EXPECT_EQ(nearest(box_, {1, 2, 3}
 
 TEST_F(PointOnMeshTest, startThatIsNearEnough_isAllThatIsLookedAt) {
   const PointOnMesh first = nearest(box_, {1.5, 0.3, 0.4});
-  const PointOnMesh again = nearest(box_, {1.5, 0.3, 0.4}, first.triangle, 0.6);
+  const PointOnMesh again = nearest(box_, {1.5, 0.3, 0.4}, first.triangle, {0.6});
   EXPECT_EQ(again.visits, 0U);
   EXPECT_EQ(again.triangle, first.triangle);
   EXPECT_NEAR(again.distance, 0.5, kExact);
+}
+
+TEST_F(PointOnMeshTest, fartherThanLookedFor_isNotFound) {
+  const PointOnMesh far = nearest(box_, {1.5, 0.3, 0.4}, kNone, {0.0, 0.499});
+  EXPECT_EQ(far.triangle, kNone);
+  EXPECT_EQ(far.distance, std::numeric_limits<double>::infinity());
+  const PointOnMesh from_far = nearest(box_, {1.5, 0.3, 0.4}, 0, {0.0, 0.499});
+  EXPECT_EQ(from_far.triangle, kNone) << "nor where the search begins";
+  EXPECT_NEAR(nearest(box_, {1.5, 0.3, 0.4}, kNone, {0.0, 0.501}).distance, 0.5, kExact);
 }
 
 TEST_F(PointOnMeshTest, anyPointAndStart_isTheNearestOfAllTriangles) {
@@ -69,9 +80,13 @@ TEST_F(PointOnMeshTest, anyPointAndStart_isTheNearestOfAllTriangles) {
     ASSERT_NEAR(found.distance, least, kExact);
     ASSERT_NEAR((found.point - point).norm(), least, kExact);
     const double enough = uniform(random, 0.0, 1.0);
-    const double rough = nearest(body, point, start, enough).distance;
+    const double rough = nearest(body, point, start, {enough}).distance;
     ASSERT_GE(rough, least - kExact);
     ASSERT_TRUE(rough <= enough || rough <= least + kExact);
+    const double limit = uniform(random, 0.0, 1.0);
+    const PointOnMesh within = nearest(body, point, start, {0.0, limit});
+    ASSERT_EQ(within.triangle != kNone, least < limit);
+    ASSERT_TRUE(within.triangle == kNone || std::abs(within.distance - least) <= kExact);
   }
 }
 
