@@ -8,6 +8,7 @@
 
 #include "collision_monitor/geometry/visit_held.h"
 #include "collision_monitor/narrow_phase/mesh_depth.h"
+#include "collision_monitor/narrow_phase/mesh_way_out.h"
 #include "narrow_phase/core_distance.h"
 
 namespace collision_monitor {
@@ -48,9 +49,12 @@ ConvexDistance measure(const PlacedTree& a, const PlacedTree& b, GeometrySearch&
   if (found.state != MeshState::overlapping) {
     return {found.measured, DistanceQuality::exact};
   }
-  const MeshPenetration deep = penetrationOf(mesh_a, mesh_b, search.mesh);
+  constexpr std::uint32_t kPoints = 200;
+  KeptDepth nothing;
+  const MeshDepth deep = depthOf(mesh_a, mesh_b, search.mesh, nothing, kPoints);
+  const WayOut out = wayOut(mesh_a, mesh_b, deep.deepest.normal_a_to_b);
   const Eigen::Vector3d& point = found.measured.point_on_a;
-  return {{-deep.at_most, point, point - deep.at_most * deep.way_out, deep.way_out},
+  return {{-out.length, point, point - out.length * out.direction, out.direction},
           DistanceQuality::lower_bound};
 }
 

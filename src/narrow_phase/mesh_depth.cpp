@@ -9,7 +9,6 @@
 #include "narrow_phase/core_distance.h"
 #include "narrow_phase/mesh_inside.h"
 #include "narrow_phase/mesh_search.h"
-#include "narrow_phase/mesh_support.h"
 #include "narrow_phase/point_on_mesh.h"
 
 namespace collision_monitor {
@@ -204,33 +203,6 @@ SignedDistance answerOf(const BothWays& ways, std::size_t side, const Pose& a_fr
   return side == 1 ? to_corner : swapped(placed(a_from_b, to_corner));
 }
 
-// How far B has to go along a unit direction to be off A.
-void tryWayOut(const PlacedMesh& a, const PlacedMesh& b, const Vector3d& direction,
-               MeshPenetration& found) noexcept {
-  const double length = direction.dot(farthestAlong(a, direction) - farthestAlong(b, -direction));
-  if (length < found.at_most) {
-    found.at_most = length;
-    found.way_out = direction;
-  }
-}
-
-void tryWaysOut(const PlacedMesh& a, const PlacedMesh& b, MeshPenetration& found) noexcept {
-  const Vector3d between =
-      b.world_from_mesh * b.tree.center() - a.world_from_mesh * a.tree.center();
-  if (between.norm() > kNear) {
-    tryWayOut(a, b, between.normalized(), found);
-  }
-  if (found.at_least > 0.0) {
-    tryWayOut(a, b, found.deepest.normal_a_to_b, found);
-  }
-  for (const Eigen::Matrix3d& axes : {a.world_from_mesh.rotation, b.world_from_mesh.rotation}) {
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      tryWayOut(a, b, axes.col(k), found);
-      tryWayOut(a, b, -axes.col(k), found);
-    }
-  }
-}
-
 }  // namespace
 
 MeshDepth depthOf(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory,
@@ -265,21 +237,6 @@ void forget(KeptDepth& kept) noexcept {
   kept.a_from_b.reset();
   kept.deepest = KeptDepth::Corner();
   kept.in_a = SignedDistance();
-}
-
-MeshPenetration penetrationOf(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory,
-                              std::uint32_t point_budget) noexcept {
-  MeshPenetration found;
-  if (!isFinite(a.world_from_mesh) || !isFinite(b.world_from_mesh)) {
-    return found;
-  }
-  KeptDepth nothing;
-  const MeshDepth depth = depthOf(a, b, memory, nothing, 2 * point_budget);
-  found.is_complete = depth.is_complete;
-  found.deepest = depth.deepest;
-  found.at_least = -found.deepest.distance;
-  tryWaysOut(a, b, found);
-  return found;
 }
 
 }  // namespace collision_monitor

@@ -15,6 +15,7 @@
 #include "collision_monitor/model/mesh_reader.h"
 #include "collision_monitor/narrow_phase/geometry_distance.h"
 #include "collision_monitor/narrow_phase/mesh_depth.h"
+#include "collision_monitor/narrow_phase/mesh_way_out.h"
 #include "support/convex_measure.h"
 #include "support/convex_reference.h"
 #include "support/file_loader.h"
@@ -166,9 +167,11 @@ TEST(PeerCases, sphereMeshesInEachOther_overlapAndDoNotThrow) {
     EXPECT_TRUE(overlap(small, large, *memory));
     EXPECT_EQ(distanceBetween(small, large, *memory).state, MeshState::overlapping);
     EXPECT_EQ(distanceBetween(large, small, *memory).state, MeshState::overlapping);
-    const MeshPenetration deep = penetrationOf(small, large, *memory, 2000);
-    EXPECT_LE(deep.at_least, deep.at_most);
-    EXPECT_NEAR(deep.at_most, 2.0, 0.05);  // one radius in, and out over its own two
+    KeptDepth nothing;
+    const MeshDepth deep = depthOf(small, large, *memory, nothing, 4000);
+    const WayOut out = wayOut(small, large, deep.deepest.normal_a_to_b);
+    EXPECT_LE(-deep.deepest.distance, out.length);
+    EXPECT_NEAR(out.length, 2.0, 0.05);  // one radius in, and out over its own two
   }
   EXPECT_EQ(spheres->cases.size(), 48U);
 }

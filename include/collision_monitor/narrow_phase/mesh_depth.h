@@ -9,27 +9,6 @@
 
 namespace collision_monitor {
 
-/// How deep two meshes are in each other, between two proven bounds.
-///
-/// The depth is the length of the least translation that separates the solids. For meshes that are
-/// not convex nobody computes it in a cycle; what is offered are the point of either surface that
-/// is deepest inside the other solid, which every separating translation has to bring out, and the
-/// best of several directions in which one mesh can be pulled off the other entirely.
-struct MeshPenetration {
-  /// [m] No shorter translation separates the solids. 0 when no corner of either is found inside
-  /// the other, or a mesh has no inside.
-  double at_least{0.0};
-  /// [m] Moving B by this along `way_out` separates them; may be far more than needed where one
-  /// hooks into the other. At most 0 when they are separated.
-  double at_most{std::numeric_limits<double>::infinity()};
-  Eigen::Vector3d way_out{Eigen::Vector3d::UnitX()};
-  /// The deepest corner found and the point of the other surface nearest to it: distance is
-  /// -at_least. An estimate of the contact as SignedDistance would give it; its normal is the
-  /// local way out.
-  SignedDistance deepest;
-  bool is_complete{false};  ///< false: the budget ended the search, or a pose is not finite
-};
-
 /// What a search for the deepest corner of two meshes leaves for the next one about the same: the
 /// corner, and the bounds at which the search stopped. Some thousands of bytes.
 struct KeptDepth {
@@ -59,40 +38,37 @@ struct KeptDepth {
   double moved{0.0};             ///< [m] since the search from the roots began
 };
 
-/// The deepest corner found, as MeshPenetration::deepest.
+/// How deep two meshes are in each other, at least: every translation that separates the solids
+/// has to bring out the corner of either that is deepest inside the other.
 struct MeshDepth {
+  /// The corner and the point of the other surface nearest to it, as a contact; its normal is the
+  /// local way out. Distance 0 where no corner of either is found inside the other, or a mesh has
+  /// no inside.
   SignedDistance deepest;
   std::uint32_t points{0};  ///< measured
-  bool is_complete{false};  ///< as in MeshPenetration
+  bool is_complete{false};  ///< all corners were looked at where they are now
 };
 
 /// The deepest corner of two meshes that move: that of the last query, measured anew, or a deeper
 /// one. The search for deeper ones goes on where it stopped, the further the more of the depth they
-/// have moved by since the last query, and begins anew after a step longer than that.
+/// have moved by since the last query, and begins anew after a step longer than that, or where
+/// nothing is kept.
 ///
-/// Frames: world. Error: as penetrationOf. While meshes move there may be deeper corners than those
-/// looked at, by twice the way since they last were at most; once they stand the answer becomes
-/// complete. Limits: the budget may be exceeded by three points. The same queries give the same
-/// answers.
-/// Source: docs/decisions/mesh-depth.md.
+/// Frames: world. Error: 1e-12 m for the corners looked at. While meshes move there may be deeper
+/// corners than those, by twice the way since they last were looked at at most; once they stand the
+/// answer becomes complete. A pose that is not finite gives distance 0, and leaves no trace.
+/// Limits: two solids may cross with no corner of one in the other (crossed bars): the distance is
+/// then 0 and says nothing. The budget counts points whose distance from the other mesh is searched
+/// for, and may be exceeded by three. The same queries give the same answers.
+/// Source: signed distance changes by no more than the way gone, so a node whose centre is not deep
+/// enough for its size is passed over: Guthe, Borodin, Klein, "Fast and accurate Hausdorff distance
+/// calculation between meshes" (2005), for such bounds; docs/decisions/mesh-depth.md.
+/// @pre as distanceBetween. @param memory its content means nothing afterwards.
 /// @param kept of the same meshes, or new. Changes the depth found, never that it is one.
 MeshDepth depthOf(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory,
                   KeptDepth& kept, std::uint32_t point_budget) noexcept;
 
 /// As new, for other places of the meshes.
 void forget(KeptDepth& kept) noexcept;
-
-/// Frames: world. Units: metres.
-/// Error: `at_least` exact to 1e-12 m for the corners looked at; when complete it is the largest
-/// over all corners of both meshes. `at_most` to 1e-12 m.
-/// Limits: two solids may cross with no corner of one in the other (crossed bars): `at_least` is
-/// then 0 and says nothing. The budget counts points whose distance from the other mesh is searched
-/// for, half of them for either mesh; a few more may be.
-/// Source: signed distance changes by no more than the way gone, so a node whose centre is not deep
-/// enough for its size is passed over: Guthe, Borodin, Klein, "Fast and accurate Hausdorff distance
-/// calculation between meshes" (2005), for such bounds.
-/// @pre as distanceBetween. @param memory its content means nothing afterwards.
-MeshPenetration penetrationOf(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory,
-                              std::uint32_t point_budget = 100) noexcept;
 
 }  // namespace collision_monitor

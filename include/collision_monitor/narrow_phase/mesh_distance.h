@@ -127,7 +127,7 @@ struct PlacedConvex {
 /// give `true`: unknown is not clear.
 bool overlap(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory) noexcept;
 
-/// Distance of two meshes, 0 when they overlap (see penetrationOf in mesh_depth.h).
+/// Distance of two meshes, 0 when they overlap (see mesh_depth.h and mesh_way_out.h).
 ///
 /// Error: for meshes up to 10 m, the distance is exact to 1e-9 m for triangles however thin and
 /// to some ulps for others; both points are on the surfaces.

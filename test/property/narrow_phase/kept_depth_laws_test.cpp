@@ -44,9 +44,10 @@ class KeptDepthLaws : public testing::Test {
   }
 
   double completeDepth(const PlacedMesh& a, const PlacedMesh& b) {
-    const MeshPenetration found = penetrationOf(a, b, *memory_, 1000000);
+    const auto nothing = std::make_unique<KeptDepth>();
+    const MeshDepth found = depthOf(a, b, *memory_, *nothing, 2000000);
     EXPECT_TRUE(found.is_complete);
-    return found.at_least;
+    return -found.deepest.distance;
   }
 
   Random random_{kSeed};

@@ -120,7 +120,8 @@ TEST_F(KeptDepthTest, turnsSlowly_anotherCornerIsFoundOnceItStands) {
 TEST_F(KeptDepthTest, smallBudget_isCompleteInTime) {
   const MeshTree body(bumpyMesh(1.0, 30), true);
   const Pose turned{eighthTurn(), {0.5, 0.1, 0.05}};
-  const MeshPenetration all = penetrationOf({body, Pose{}}, {body, turned}, *memory_, 100000);
+  const auto nothing = std::make_unique<KeptDepth>();
+  const MeshDepth all = depthOf({body, Pose{}}, {body, turned}, *memory_, *nothing, 200000);
   MeshDepth found;
   double last = 0.0;
   for (int query = 0; query < 1000 && !found.is_complete; ++query) {
@@ -130,7 +131,7 @@ TEST_F(KeptDepthTest, smallBudget_isCompleteInTime) {
     last = found.deepest.distance;
   }
   EXPECT_TRUE(found.is_complete);
-  EXPECT_NEAR(-found.deepest.distance, all.at_least, kExact);
+  EXPECT_NEAR(found.deepest.distance, all.deepest.distance, kExact);
 }
 
 TEST_F(KeptDepthTest, poseNotFiniteBetween_saysNothingAndLeavesNoTrace) {
