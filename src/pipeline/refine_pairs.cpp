@@ -17,10 +17,6 @@ bool isRefinable(const CycleSetup& setup, ElementPairIndex pair) noexcept {
   return !setup.elements[index(elements.a)].is_body || !setup.elements[index(elements.b)].is_body;
 }
 
-bool isMeasuredAsMesh(const Element& element) noexcept {
-  return element.mesh && (!element.convex || std::holds_alternative<ConvexHull>(*element.convex));
-}
-
 /// What every step needs.
 struct Refinement {
   const CycleSetup& setup;
@@ -98,11 +94,14 @@ void takeOver(const ElementDistance& found, PairDistance& distance) noexcept {
   }
 }
 
+const Limits& limitsOf(const Refinement& all, const RefineTask& task) noexcept {
+  return all.setup.checked[all.setup.element_pairs[task.pair].link_pair].limits;
+}
+
 /// Whether the pair is farther than what its links are known to be, and in no contact.
 bool isSettled(const Refinement& all, const RefineTask& task) noexcept {
-  const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
-  const Limits& limits = all.setup.checked[link_pair].limits;
-  return task.bound > all.work.nearest[link_pair] &&
+  const Limits& limits = limitsOf(all, task);
+  return task.bound > all.work.nearest[all.setup.element_pairs[task.pair].link_pair] &&
          task.bound > limits.contact_distance + limits.hysteresis;
 }
 
@@ -110,19 +109,28 @@ PlacedElement placed(const Refinement& all, ElementId id) noexcept {
   return {all.setup.elements[index(id)], all.body_poses.world_from_element[index(id)]};
 }
 
-/// Beyond this a pair is not the nearest of its links, and in no contact.
-double enoughFor(const Refinement& all, const RefineTask& task) noexcept {
+/// Beyond this a pair is in no contact.
+double clearBeyond(const Refinement& all, const RefineTask& task) noexcept {
   constexpr double kNotTouching = 1e-3;
-  const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
-  const Limits& limits = all.setup.checked[link_pair].limits;
-  return std::max(
-      {all.work.nearest[link_pair], limits.contact_distance + limits.hysteresis, kNotTouching});
+  const Limits& limits = limitsOf(all, task);
+  return std::max(limits.contact_distance + limits.hysteresis, kNotTouching);
 }
 
-ElementSearch searchWithinBudget(const Refinement& all, const RefineTask& task) noexcept {
-  const RefineWork& work = all.work;
-  return {work.limits.budget - static_cast<std::uint32_t>(work.steps),
-          all.memory.refined[task.pair], *work.scratch, enoughFor(all, task)};
+/// Beyond this a pair is not the nearest of its links, and in no contact.
+double enoughFor(const Refinement& all, const RefineTask& task) noexcept {
+  const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
+  return std::max(all.work.nearest[link_pair], clearBeyond(all, task));
+}
+
+/// How far searches go.
+struct Goal {
+  double enough;       ///< [m] how far elements are apart need not be known beyond
+  std::size_t budget;  ///< of all steps of the cycle
+};
+
+ElementSearch searchFor(const Refinement& all, const RefineTask& task, const Goal& goal) noexcept {
+  return {static_cast<std::uint32_t>(goal.budget - all.work.steps), all.memory.refined[task.pair],
+          *all.work.scratch, goal.enough};
 }
 
 ElementDistance recallTask(const Refinement& all, const RefineTask& task) noexcept {
@@ -132,19 +140,18 @@ ElementDistance recallTask(const Refinement& all, const RefineTask& task) noexce
                         {all.work.balls[index(pair.a)], all.work.balls[index(pair.b)]});
 }
 
-/// Whether there is nothing left to find.
-bool isEnough(const Refinement& all, const RefineTask& task,
-              const ElementDistance& found) noexcept {
+/// Whether there is nothing left to find nearer than `enough`.
+bool isEnough(const ElementDistance& found, double enough) noexcept {
   return found.is_complete && (found.has_points || found.quality != Quality::lower_bound ||
-                               found.measured.distance >= enoughFor(all, task));
+                               found.measured.distance >= enough);
 }
 
-ElementDistance measureTask(const Refinement& all, const RefineTask& task,
+ElementDistance measureTask(const Refinement& all, const RefineTask& task, const Goal& goal,
                             const ElementDistance& recalled) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   const PlacedElement a = placed(all, pair.a);
   const PlacedElement b = placed(all, pair.b);
-  ElementSearch search = searchWithinBudget(all, task);
+  ElementSearch search = searchFor(all, task, goal);
   ElementDistance found = measureElements(a, b, search);
   all.work.steps += found.steps;
   if (!found.is_complete && recalled.quality == Quality::lower_bound &&
@@ -168,14 +175,31 @@ void report(const Refinement& all, const RefineTask& task, const ElementDistance
   }
 }
 
+/// Tells contacts of enclosing shapes that are none of the geometries, and no more: a search for
+/// what is that near takes a part of the steps of one for the distance. Leaves a part of the budget
+/// for distances, so that every pair has its turn.
+void decideContact(const Refinement& all, const RefineTask& task) noexcept {
+  const Goal goal{clearBeyond(all, task), all.work.limits.budget / 4 * 3};
+  if (task.bound > goal.enough || !(all.work.steps < goal.budget)) {
+    return;
+  }
+  const ElementDistance recalled = recallTask(all, task);
+  const bool is_clear =
+      recalled.quality == Quality::lower_bound && recalled.measured.distance >= goal.enough;
+  if (!is_clear && !isEnough(recalled, goal.enough)) {
+    measureTask(all, task, goal, recalled);
+  }
+}
+
 void refine(const Refinement& all, const RefineTask& task) noexcept {
   std::uint32_t& waited = all.memory.refined[task.pair].waited;
+  const Goal goal{enoughFor(all, task), all.work.limits.budget};
   ElementDistance found = recallTask(all, task);
-  if (isEnough(all, task, found)) {
+  if (isEnough(found, goal.enough)) {
     waited = 0;
-  } else if (all.work.steps < all.work.limits.budget) {
+  } else if (all.work.steps < goal.budget) {
     waited = 0;
-    found = measureTask(all, task, found);
+    found = measureTask(all, task, goal, found);
   } else {
     ++waited;
     found.is_complete = false;
@@ -195,7 +219,7 @@ void deepenOverlaps(const Refinement& all) noexcept {
     if (work.is_measured[task.pair] != 0 && distance.quality == Quality::estimate &&
         work.steps < work.limits.budget) {
       const ElementPair& pair = all.setup.element_pairs[task.pair];
-      ElementSearch search = searchWithinBudget(all, task);
+      ElementSearch search = searchFor(all, task, {0.0, work.limits.budget});
       work.steps +=
           deepenElements(placed(all, pair.a), placed(all, pair.b), search, distance.measured);
     }
@@ -217,59 +241,15 @@ void dropFarther(const Refinement& all) noexcept {
 
 }  // namespace
 
-RefineWork makeRefineWork(const CycleSetup& setup) {
-  RefineWork work;
-  const std::size_t pairs = setup.element_pairs.size();
-  work.limits = setup.refine;
-  work.tasks.reserve(pairs);
-  work.task_of.resize(pairs, kNone);
-  work.is_measured.resize(pairs, 0);
-  work.nearest.resize(setup.checked.size(), std::numeric_limits<double>::infinity());
-  for (const Element& element : setup.elements) {
-    work.balls.push_back(ballOf(element));
-  }
-  work.scratch = std::make_unique<RefineScratch>();
-  return work;
-}
-
-std::vector<RefineMemory> makeRefineMemory(const CycleSetup& setup) {
-  std::vector<RefineMemory> memory(setup.element_pairs.size());
-  for (std::size_t pair = 0; pair < memory.size(); ++pair) {
-    const Element& a = setup.elements[index(setup.element_pairs[pair].a)];
-    const Element& b = setup.elements[index(setup.element_pairs[pair].b)];
-    if (isMeasuredAsMesh(a) && isMeasuredAsMesh(b)) {
-      memory[pair].front = std::make_unique<MeshFront>();
-    }
-    if (a.mesh && b.mesh && !(a.convex && b.convex)) {
-      memory[pair].depth = std::make_unique<KeptDepth>();
-    }
-  }
-  return memory;
-}
-
-void forget(std::vector<RefineMemory>& memory) noexcept {
-  for (RefineMemory& pair : memory) {
-    std::unique_ptr<MeshFront> front = std::move(pair.front);
-    std::unique_ptr<KeptDepth> depth = std::move(pair.depth);
-    pair = RefineMemory();
-    pair.front = std::move(front);
-    pair.depth = std::move(depth);
-    if (pair.front) {
-      pair.front->a_from_b.reset();
-      pair.front->nearest.a = MeshFront::kNone;
-    }
-    if (pair.depth) {
-      forget(*pair.depth);
-    }
-  }
-}
-
 void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
                  RefineWork& work, PairDistances& distances) noexcept {
   const Refinement all{setup, body_poses, memory, work, distances};
   forgetLastCycle(setup, work);
   listTasks(all);
   sortTasks(work);
+  for (const RefineTask& task : work.tasks) {
+    decideContact(all, task);
+  }
   for (const RefineTask& task : work.tasks) {
     if (isSettled(all, task)) {
       memory.refined[task.pair].waited = 0;

@@ -48,10 +48,12 @@ std::vector<RefineMemory> makeRefineMemory(const CycleSetup& setup);
 void forget(std::vector<RefineMemory>& memory) noexcept;
 
 /// Measures the geometries behind enclosing shapes that are within limits.distance of each other:
-/// each pair of elements once, however many bodies it has. Those that waited longest come first,
-/// then the nearest, until the budget is spent. What stands as it was measured to the end is not
-/// measured again; for the rest the last measurement holds less the motion since, as a lower bound,
-/// where that is more than the enclosing shapes say.
+/// each pair of elements, however many bodies it has. Those that waited longest come first,
+/// then the nearest, until the budget is spent. Where enclosing shapes are in contact it is first
+/// decided for all pairs whether the geometries are, too, which takes fewer steps than their
+/// distance; whatever budget is left then goes into distances. What stands as it was measured to
+/// the end is not measured again; for the rest the last measurement holds less the motion since, as
+/// a lower bound, where that is more than the enclosing shapes say.
 ///
 /// What budget is left then goes into depths of meshes that overlap, which are followed from cycle
 /// to cycle (depthOf).

@@ -83,6 +83,17 @@ TEST_F(RefineDepth, poseNotFiniteForACycle_isUnknownAndThenAsBefore) {
   EXPECT_EQ(runAt(kInside).measured.distance, before);
 }
 
+TEST_F(RefineDepth, budgetSpentBeforeItsTurn_overlapIsCertainAndNoDepthIsTold) {
+  runAt(kInside);
+  const std::uint32_t without_depth = buffers_.memory.refined.at(0).last.found.steps;
+  resetMemory(buffers_);
+  buffers_.refine.limits.budget = without_depth + 1;
+  const PairDistance& found = runAt(kInside);
+  EXPECT_EQ(buffers_.events.verdicts.at(0), Verdict::contact);
+  EXPECT_EQ(found.quality, Quality::estimate);
+  EXPECT_EQ(found.measured.distance, 0.0) << "at least: the depth is 0.03";
+}
+
 TEST_F(RefineDepth, memoryReset_isSearchedAnew) {
   standAt(kInside);
   resetMemory(buffers_);

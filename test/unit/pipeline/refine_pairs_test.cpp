@@ -232,6 +232,36 @@ TEST(RefinePairs, noBudget_lowerBoundsStay) {
   EXPECT_EQ(scene.buffers.counters.left, 1U);
 }
 
+/// A ball in a shell, twice, far from each other. Both surfaces have a hole and no inside: they are
+/// apart, and everywhere by nearly the same distance, which takes long to find.
+Scene ballsInShells() {
+  TriangleMesh ball = test::sphereMesh(0.1, 24);
+  TriangleMesh shell = test::sphereMesh(0.2, 24);
+  ball.triangles.pop_back();
+  shell.triangles.pop_back();
+  Scene scene({ball, shell, ball, shell});
+  scene.moveTo(2, 5.0);
+  scene.moveTo(3, 5.0);
+  return scene;
+}
+
+TEST(RefinePairs, budgetOfOneDistance_noContactOfEnclosingShapesIsLeft) {
+  Scene scene = ballsInShells();
+  scene.buffers.refine.limits.budget = 1000000;
+  scene.run();
+  ASSERT_EQ(scene.buffers.counters.left, 0U);
+  ASSERT_GT(scene.closest().measured.distance, 0.09);
+  resetMemory(scene.buffers);
+  scene.buffers.refine.limits.budget =
+      static_cast<std::uint32_t>(scene.buffers.counters.refine_steps / 2);
+  scene.run();
+  EXPECT_GT(scene.buffers.counters.left, 0U);
+  EXPECT_NE(scene.buffers.events.overall, Verdict::contact);
+  for (const PairDistance& pair : scene.buffers.distances.measured) {
+    EXPECT_GE(pair.measured.distance, 0.002) << "as much as it takes to be in no contact";
+  }
+}
+
 /// Three cylinders side by side, their enclosing boxes in reach of each other, and a budget that
 /// one of them spends.
 Scene threeCylinders() {
