@@ -7,39 +7,36 @@
 #include <string>
 
 #include "collision_monitor/model/kinematics.h"
-#include "collision_monitor/pipeline/run_cycle.h"
+#include "pipeline/prove_apart.h"
 #include "setup_parts.h"
 
 namespace collision_monitor {
 namespace {
 
-BodyRows placeInDefaultPose(const CycleSetup& setup) {
-  LinkPoses poses = makeLinkPoses(setup.model);
-  placeLinks(setup.model, defaultPositions(setup.model),
-             std::vector<Pose>(setup.model.robots.size()), poses.world_from_link);
-  std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
-  BodyRows rows = makeBodyPoses(setup).rows;
-  placeRows(setup, poses, rows);
-  return rows;
+std::vector<Pose> defaultPose(const RobotModel& model) {
+  std::vector<Pose> world_from_link(model.links.size());
+  placeLinks(model, defaultPositions(model), std::vector<Pose>(model.robots.size()),
+             world_from_link);
+  return world_from_link;
 }
 
-/// Signed distance of each checked pair of links, by LinkPairIndex.
-std::vector<double> measureLinkPairs(const CycleSetup& setup) {
-  std::vector<double> distances(setup.table.size());
-  measureBlocks(setup.blocks, placeInDefaultPose(setup), distances);
-  std::vector<double> least(setup.checked.size(), INFINITY);
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    double& nearest = least[setup.link_pair_of[i]];
-    nearest = std::min(nearest, distances[i]);
+std::string overlapText(const PairDistance& distance) {
+  const std::string by =
+      " overlap by " + std::to_string(std::lround(-1000.0 * distance.measured.distance)) + " mm";
+  switch (distance.quality) {
+    case Quality::exact:
+      return "the geometries" + by;
+    case Quality::estimate:
+      return "the geometries overlap";
+    default:
+      return "the enclosing shapes" + by;
   }
-  return least;
 }
 
-Problem overlapWarning(const RobotModel& model, const CheckedLinkPair& pair, double distance,
-                       bool is_ignored) {
-  const std::string millimetres = std::to_string(std::lround(-1000.0 * distance));
+Problem overlapWarning(const RobotModel& model, const CheckedLinkPair& pair,
+                       const PairDistance& distance, bool is_ignored) {
   return {"pair '" + model.link(pair.a).name + "' and '" + model.link(pair.b).name + "'",
-          "the shapes overlap by " + millimetres + " mm in the default pose" +
+          overlapText(distance) + " in the default pose" +
               (is_ignored ? ", so the pair is ignored" : ""),
           is_ignored ? "if it can collide, give the robot an SRDF that lists the pairs to ignore"
                      : "if the links always touch, add a disable_collisions line to the SRDF"};
@@ -50,17 +47,23 @@ Problem overlapWarning(const RobotModel& model, const CheckedLinkPair& pair, dou
 void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, bool ignore, CycleSetup& setup,
                          SetupReport& report) {
   listPairs(setup);
-  const std::vector<double> distances = measureLinkPairs(setup);
-  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+  LinkPairMeasures measures(setup);
+  const std::vector<Pose> world_from_link = defaultPose(setup.model);
+  for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
     const CheckedLinkPair& pair = setup.checked[i];
     const RobotId robot = setup.model.link(pair.a).robot;
-    if (distances[i] >= 0.0 || robot != setup.model.link(pair.b).robot) {
+    if (robot != setup.model.link(pair.b).robot ||
+        bodyDistance(measures, i, world_from_link).measured.distance > 0.0) {
+      continue;
+    }
+    const PairDistance distance = elementDistance(measures, i, world_from_link);
+    if (touchOf(distance) == Touch::apart) {
       continue;
     }
     const bool has_srdf = std::any_of(srdfs.begin(), srdfs.end(),
                                       [&](const SrdfPairs& srdf) { return srdf.robot == robot; });
     const bool is_ignored = ignore && !has_srdf;
-    report.warnings.push_back(overlapWarning(setup.model, pair, distances[i], is_ignored));
+    report.warnings.push_back(overlapWarning(setup.model, pair, distance, is_ignored));
     if (is_ignored) {
       const auto rule = std::find_if(
           setup.link_pairs.begin(), setup.link_pairs.end(),

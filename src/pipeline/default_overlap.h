@@ -9,9 +9,12 @@
 namespace collision_monitor {
 
 /// Measures all checked pairs of links of one robot in its default pose (see defaultPositions)
-/// and reports those whose shapes overlap, with advice. For robots without an SRDF such pairs
+/// and reports those that touch or overlap, with advice. For robots without an SRDF such pairs
 /// become ignored, if `ignore`: a pair that always touches would keep the monitor in contact for
 /// ever. With an SRDF somebody has decided which pairs count, so they stay checked.
+///
+/// A cycle refines, so the geometries decide, and not their enclosing shapes: what these hide is
+/// apart, and may come into contact. Only where nothing is refined do the shapes speak.
 ///
 /// Pairs of different robots are left alone: where the robots stand is known only to tf.
 void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, bool ignore, CycleSetup& setup,

@@ -15,7 +15,7 @@ enum class PairReason : unsigned char {
   same_rigid_group,  ///< ignored: only fixed joints between them
   adjacent,          ///< ignored: one joint, or joints and links without geometry, between them
   disabled_by_srdf,  ///< ignored: a disable_collisions or disable_default_collisions line
-  default_overlap,   ///< ignored: the shapes overlap in the default pose and there is no SRDF
+  default_overlap,   ///< ignored: the links touch in the default pose and there is no SRDF
 };
 
 const char* reasonText(PairReason reason) noexcept;
