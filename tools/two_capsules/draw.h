@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+
+#include "exercise.h"
+
+namespace collision_monitor::two_capsules {
+
+/// The whole picture for rviz: deletes what was there and draws what is. Namespaces: `board`, a
+/// thin plate to click on, its upper face at z = 0; `prompt`; `clicks`; `capsules`; and, once both
+/// stand, `distance` (id 0 = line, id 1 = its ends) and `label`. Frame: `frame` is the name of the
+/// board's.
+visualization_msgs::MarkerArray draw(const Exercise& exercise, const std::string& frame);
+
+}  // namespace collision_monitor::two_capsules

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <geometry_msgs/PointStamped.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+
+#include "draw.h"
+#include "keyboard.h"
+
+namespace collision_monitor::two_capsules {
+namespace {
+
+/// The exercise between rviz's Publish Point tool and its markers. Both are of one frame, the
+/// parameter `frame`.
+class Scene {
+ public:
+  Scene()
+      : frame_(private_node_.param<std::string>("frame", "world")),
+        markers_(private_node_.advertise<visualization_msgs::MarkerArray>("markers", 1, true)),
+        clicks_(ros::NodeHandle().subscribe("clicked_point", 10, &Scene::hear, this)),
+        reset_service_(private_node_.advertiseService("reset", &Scene::serveReset, this)) {
+    show();
+  }
+
+  void reset() {
+    exercise_ = {};
+    show();
+  }
+
+ private:
+  void hear(const geometry_msgs::PointStamped& click) {
+    if (click.header.frame_id == frame_) {
+      takeClick({click.point.x, click.point.y, click.point.z}, exercise_);
+    } else {
+      exercise_.refusal = "refused: the click is in frame '" + click.header.frame_id +
+                          "', the board in '" + frame_ + "'";
+    }
+    show();
+  }
+
+  bool serveReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+    reset();
+    response.success = 1;
+    response.message = promptOf(exercise_);
+    return true;
+  }
+
+  void show() {
+    markers_.publish(draw(exercise_, frame_));
+    if (const auto found = distanceOf(exercise_); found && exercise_.refusal.empty()) {
+      ROS_INFO_STREAM("distance: " << distanceText(found->distance));
+    }
+    ROS_INFO_STREAM(promptOf(exercise_));
+  }
+
+  ros::NodeHandle private_node_{"~"};
+  Exercise exercise_;
+  std::string frame_;
+  ros::Publisher markers_;
+  ros::Subscriber clicks_;
+  ros::ServiceServer reset_service_;
+};
+
+void run() {
+  const Keyboard keyboard;
+  ROS_INFO_STREAM((keyboard.isThere() ? "keys: R clears the board, Q ends"
+                                      : "no terminal to read keys from; clear the board by "
+                                        "rosservice call " +
+                                            ros::this_node::getName() + "/reset"));
+  Scene scene;
+  while (ros::ok()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
+    const char key = keyboard.read();
+    if (key == 'r' || key == 'R') {
+      scene.reset();
+    } else if (key == 'q' || key == 'Q') {
+      ros::shutdown();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace collision_monitor::two_capsules
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "two_capsules");
+  collision_monitor::two_capsules::run();
+  return 0;
+}
