@@ -112,5 +112,30 @@ TEST_F(KeptDepthLaws, walks_neverDeeperThanAllCornersAndAsDeepOnceTheyStand) {
   EXPECT_GT(kept_sum, 0.9 * complete_sum) << "what is kept is worth little";
 }
 
+// What a search looked at before the step may be the deepest after it.
+TEST_F(KeptDepthLaws, stepWithinASearch_standsForNothingUntilAllIsLookedAtAgain) {
+  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  int steps_within = 0;
+  for (int round = 0; round < 200; ++round) {
+    SCOPED_TRACE(testing::Message() << "round " << round);
+    const auto kept = std::make_unique<KeptDepth>();
+    const Pose world_from_a;
+    Pose world_from_b = randomPose(random_, 0.2);
+    const PlacedMesh a{anyTree(), world_from_a};
+    const PlacedMesh b{anyTree(), world_from_b};
+    const MeshDepth before = depthOf(a, b, *memory_, *kept, 30);
+    const Eigen::AngleAxisd turn(0.1, randomPoint(random_, 1.0).normalized());
+    world_from_b.rotation = world_from_b.rotation * turn;
+    MeshDepth found = depthOf(a, b, *memory_, *kept, 30);
+    steps_within += !before.is_complete && found.deepest.distance < 0.0 ? 1 : 0;
+    for (int query = 0; query < 1000 && !found.is_complete; ++query) {
+      found = depthOf(a, b, *memory_, *kept, 30);
+    }
+    ASSERT_TRUE(found.is_complete);
+    ASSERT_NEAR(-found.deepest.distance, completeDepth(a, b), kRounding);
+  }
+  EXPECT_GT(steps_within, 50);
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
