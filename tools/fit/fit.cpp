@@ -10,6 +10,7 @@
 #include "progress.h"
 #include "read_robot.h"
 #include "ros_edge/fit_options.h"
+#include "sphere_overlaps.h"
 #include "table.h"
 #include "write_html.h"
 
@@ -34,6 +35,12 @@ void checkOutputs(const Options& options, SetupReport& report) {
   }
 }
 
+void warn(const std::vector<Problem>& warnings) {
+  for (const Problem& warning : warnings) {
+    std::fprintf(stderr, "warning: %s\n", toString(warning).c_str());
+  }
+}
+
 std::vector<OutputFile> makeOutputs(const Options& options, const RobotDescription& description,
                                     const FittedRobot& robot, const Progress& progress) {
   std::vector<OutputFile> files;
@@ -53,6 +60,7 @@ std::vector<OutputFile> makeOutputs(const Options& options, const RobotDescripti
     return files;
   }
   const std::vector<LinkSpheres> spheres = buildSpheres(robot, options.leaves);
+  warn(sphereOverlaps(robot.model, spheres));
   if (!options.spheres_yaml.empty()) {
     files.push_back({options.spheres_yaml, toYaml(spheres)});
   }
@@ -77,9 +85,7 @@ int run(const Options& options) {
   };
   const FittedRobot robot =
       fitRobot(description, makeLoader(options.source.package_roots), request, show);
-  for (const Problem& warning : robot.report.warnings) {
-    std::fprintf(stderr, "warning: %s\n", toString(warning).c_str());
-  }
+  warn(robot.report.warnings);
   std::fputs(tableOf(robot).c_str(), stdout);
   const std::vector<OutputFile> files = makeOutputs(options, description, robot, progress);
   writeFiles(files);

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "collision_monitor/fitting/export_spheres.h"
+#include "collision_monitor/model/problems.h"
+#include "collision_monitor/model/robot_model.h"
+
+namespace collision_monitor::fit_tool {
+
+/// A warning for each pair of links that are not adjacent and whose finest spheres overlap in the
+/// default pose (see defaultPositions): whoever checks the robot by its spheres finds a contact
+/// there that is perhaps none of the links.
+std::vector<Problem> sphereOverlaps(const RobotModel& model,
+                                    const std::vector<LinkSpheres>& spheres);
+
+}  // namespace collision_monitor::fit_tool
