@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/recall_elements.h"
+
+#include <gtest/gtest.h>
+
+#include "support/expect_distance.h"
+
+namespace collision_monitor::test {
+namespace {
+
+/// Two balls of 0.1 m that were measured with their centres 0.5 m apart.
+class RecallElements : public testing::Test {
+ protected:
+  RecallElements() {
+    ball_.convex = Sphere{0.1};
+    last_.found.quality = Quality::exact;
+    last_.found.is_complete = last_.found.has_points = true;
+    last_.found.steps = 7;
+    last_.found.measured.distance = 0.3;
+    last_.world_from_b = at(0.5, 0, 0);
+  }
+
+  ElementDistance recall(const Pose& world_from_a, const Pose& world_from_b) const {
+    return recallElements(last_, {ball_, world_from_a}, {ball_, world_from_b},
+                          {ballOf(ball_), ballOf(ball_)});
+  }
+
+  Element ball_;
+  LastMeasurement last_;
+};
+
+TEST_F(RecallElements, nothingMoved_theSameAtNoCost) {
+  const ElementDistance recalled = recall(Pose(), at(0.5, 0, 0));
+  EXPECT_EQ(recalled.quality, Quality::exact);
+  EXPECT_TRUE(recalled.is_complete && recalled.has_points);
+  EXPECT_EQ(recalled.measured.distance, 0.3);
+  EXPECT_EQ(recalled.steps, 0U);
+}
+
+TEST_F(RecallElements, oneMoved_aBoundLessItsWay) {
+  const ElementDistance recalled = recall(Pose(), at(0.5, 0.03, 0.04));
+  EXPECT_EQ(recalled.quality, Quality::lower_bound);
+  EXPECT_FALSE(recalled.is_complete || recalled.has_points);
+  EXPECT_NEAR(recalled.measured.distance, 0.25, 1e-9);
+  EXPECT_LT(recalled.measured.distance, 0.25) << "rounding is allowed for";
+}
+
+TEST_F(RecallElements, bothMovedTheSameWay_nothingIsLostButRounding) {
+  EXPECT_NEAR(recall(at(1, 2, 3), at(1.5, 2, 3)).measured.distance, 0.3, 1e-9);
+}
+
+TEST_F(RecallElements, overlapThatMoved_saysNothing) {
+  last_.found.quality = Quality::estimate;
+  last_.found.measured.distance = -0.02;
+  EXPECT_EQ(recall(Pose(), at(0.5, 0, 0)).quality, Quality::estimate) << "while it stands";
+  const ElementDistance recalled = recall(Pose(), at(0.5, 0, 1e-6));
+  EXPECT_EQ(recalled.quality, Quality::unknown);
+  EXPECT_FALSE(recalled.is_complete || recalled.has_points);
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
