@@ -5,8 +5,14 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdio>
 #include <ctime>
+#include <memory>
+#include <string>
 #include <vector>
+
+#include "support/instruction_sets.h"
 
 namespace collision_monitor::test {
 
@@ -49,9 +55,41 @@ double medianTime(const Work& work) {
   return times[kRuns / 2];
 }
 
+/// Takes "--only INSTRUCTION_SET" out of a program's arguments; batched kernels keep to it while
+/// `only` lives.
+/// @return false, and says what is accepted, where this machine has no such set
+inline bool takeOnly(std::vector<std::string>& arguments,
+                     std::unique_ptr<OnlyInstructionSet>& only) {
+  const auto option = std::find(arguments.begin(), arguments.end(), "--only");
+  if (option == arguments.end()) {
+    return true;
+  }
+  std::string accepted;
+  for (const std::int64_t target : instructionSets()) {
+    if (arguments.end() - option > 1 && option[1] == hwy::TargetName(target)) {
+      only = std::make_unique<OnlyInstructionSet>(target);
+      arguments.erase(option, option + 2);
+      return true;
+    }
+    accepted += std::string(" ") + hwy::TargetName(target);
+  }
+  std::fprintf(stderr, "--only: this machine has%s\n", accepted.c_str());
+  return false;
+}
+
 /// The main program of a benchmark: runs of what is registered what the command line asks for.
+///   [--only INSTRUCTION_SET] [--benchmark_...]
 inline int runBenchmarks(int argc, char** argv, void (*register_all)()) {
   benchmark::Initialize(&argc, argv);
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  std::unique_ptr<OnlyInstructionSet> only;
+  if (!takeOnly(arguments, only)) {
+    return 2;
+  }
+  if (!arguments.empty()) {
+    std::fprintf(stderr, "unknown argument: %s\n", arguments.front().c_str());
+    return 2;
+  }
   register_all();
   benchmark::RunSpecifiedBenchmarks();
   return 0;

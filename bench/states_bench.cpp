@@ -150,25 +150,10 @@ void benchRobot(const RobotFile& robot) {
   }
 }
 
-bool chooseInstructionSet(const char* name, std::unique_ptr<OnlyInstructionSet>& only) {
-  for (const std::int64_t target : instructionSets()) {
-    if (std::strcmp(hwy::TargetName(target), name) == 0) {
-      only = std::make_unique<OnlyInstructionSet>(target);
-      return true;
-    }
-  }
-  return false;
-}
-
 int run(std::vector<std::string> robots) {
   std::unique_ptr<OnlyInstructionSet> only;
-  const auto option = std::find(robots.begin(), robots.end(), "--only");
-  if (option != robots.end()) {
-    if (robots.end() - option != 2 || !chooseInstructionSet((option + 1)->c_str(), only)) {
-      std::fprintf(stderr, "--only: this machine has no such instruction set\n");
-      return 2;
-    }
-    robots.erase(option, robots.end());
+  if (!takeOnly(robots, only)) {
+    return 2;
   }
   for (const std::string& name : robots) {
     for (const RobotFile& robot : allRobotFiles()) {

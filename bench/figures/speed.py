@@ -54,6 +54,8 @@ GROUPS = {
          "humanoid_60_links/tf2/manual_time", 1.8)]),
 }
 
+WITH_LANES = ("hulls", "meshes", "robots")  # measured once for each instruction set
+
 # Goals of collision_monitor_states_bench, which prints a table: of panda, of humanoids.
 STATE_GOALS = {"capsules/one_state_every_distance": (6.0, 20.0),
                "boxes/one_state_every_distance": (9.0, 10.7),
@@ -81,12 +83,12 @@ def add_states(figures):
                             peer / ours >= goal * share)
 
 
-def measure(program, names, repetitions):
+def measure(program, names, repetitions, *options):
     """Median nanoseconds of each benchmark of the program."""
     command = ["taskset", "-c", "1", "rosrun", "collision_monitor", f"collision_monitor_{program}",
                "--benchmark_filter=^(" + "|".join(names) + ")$", "--benchmark_format=json",
                "--benchmark_min_time=0.2", f"--benchmark_repetitions={repetitions}",
-               "--benchmark_report_aggregates_only=true"]
+               "--benchmark_report_aggregates_only=true", *options]
     run = subprocess.run(command, capture_output=True, text=True, check=True)
     scale = {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}
     times = {}
@@ -106,25 +108,34 @@ def text(nanoseconds):
     return f"{nanoseconds:.3g} ns"
 
 
+def add_group(group, repetitions, figures, instructions=None):
+    """Rows of a group, by one instruction set for all or by those that the rows name."""
+    program, rows = GROUPS[group]
+    names = {name for row in rows for name in row[1:3]}
+    times = measure(program, sorted(names), repetitions,
+                    *(("--only", instructions) if instructions else ()))
+    for figure, ours, peer, goal in rows:
+        if ours not in times:
+            continue  # this machine does not have the instruction set
+        ratio, goal = times[peer] / times[ours], goal * INSTRUCTION_SETS.get(instructions, 1.0)
+        figures.add(figure + (f", {instructions}" if instructions else ""), text(times[ours]),
+                    f"{text(times[peer])}, {ratio:.3g}x", f"{goal:.3g}x", ratio >= goal)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--group", choices=[*GROUPS, "states", "broad_phase", "node"], help="one group only")
+    parser.add_argument("--group", choices=[*GROUPS, "states", "broad_phase", "node"],
+                        help="one group only")
     parser.add_argument("--repetitions", type=int, default=5)
     arguments = parser.parse_args()
     figures = Figures()
-    for group, (program, rows) in GROUPS.items():
+    for group in GROUPS:
         if arguments.group not in (None, group):
             continue
         if group == "robots":
             shared_data()
-        names = {name for row in rows for name in row[1:3]}
-        times = measure(program, sorted(names), arguments.repetitions)
-        for figure, ours, peer, goal in rows:
-            if ours not in times:
-                continue  # this machine does not have the instruction set
-            ratio = times[peer] / times[ours]
-            figures.add(figure, text(times[ours]), f"{text(times[peer])}, {ratio:.3g}x",
-                        f"{goal:.3g}x", ratio >= goal)
+        for instructions in INSTRUCTION_SETS if group in WITH_LANES else [None]:
+            add_group(group, arguments.repetitions, figures, instructions)
     if arguments.group in (None, "states"):
         add_states(figures)
     if arguments.group in (None, "broad_phase"):
