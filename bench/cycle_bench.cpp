@@ -78,10 +78,13 @@ class Stages {
     findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
     end("6 findCandidates");
     findReaches(setup, poses, buffers.sweep, buffers.reaches);
+    end("6b findReaches");
+    followWays(setup, poses, buffers);
     cullCandidates(setup, buffers);
-    end("6b cullCandidates");
+    end("6c followWays, cullCandidates");
     measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
-    end("7 measurePairs");
+    keepNear(setup, buffers);
+    end("7 measurePairs, keepNear");
     refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
     end("8 refinePairs");
     measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);

@@ -9,6 +9,7 @@
 #define COLLISION_MONITOR_BLOCK_LANES_INL_H
 #endif
 
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -108,6 +109,17 @@ HWY_NOINLINE Number finished(const BodyRows& rows, const BlockPart& part, std::u
   return hn::Load(Lanes(), distances);
 }
 
+/// Has the plain twin measure those of the lanes `which` that it has to decide.
+template <class CoreOne, class CoreRow>
+HWY_INLINE Number settled(const BodyRows& rows, const BlockPart& part, std::uint32_t which,
+                          Number distance) {
+  if (HWY_LIKELY(hn::AllTrue(Lanes(), hn::Eq(distance, distance)))) {
+    return distance;
+  }
+  const std::uint32_t open = nansOf(distance) & which;
+  return open != 0 ? finished<CoreOne, CoreRow>(rows, part, open, distance) : distance;
+}
+
 /// Right in the lanes `which`, or NaN where the plain twin has to decide. Takes out lanes that are
 /// seen to be farther apart than `reach`.
 template <class CoreOne, class CoreRow>
@@ -125,9 +137,18 @@ template <class CoreOne, class CoreRow>
 HWY_INLINE Number measurePart(const BodyRows& rows, const BlockPart& part, double reach,
                               std::uint32_t& which) {
   const Number distance = measureInKernel<CoreOne, CoreRow>(rows, part, reach, which);
-  const std::uint32_t open = nansOf(distance) & which;
-  return HWY_UNLIKELY(open != 0) ? finished<CoreOne, CoreRow>(rows, part, open, distance)
-                                 : distance;
+  return settled<CoreOne, CoreRow>(rows, part, which, distance);
+}
+
+/// Right in all lanes that hold pairs. Without the bits that tell lanes apart, which take as long
+/// as a good part of the measuring where vectors are short.
+template <class CoreOne, class CoreRow>
+HWY_INLINE Number measureAllOfPart(const BodyRows& rows, const BlockPart& part) {
+  Truth counts = truthOf(part.is_pair);
+  const Number distance =
+      distanceWithin(coreOfOne<CoreOne>(rows, part), coreOfRow<CoreRow>(rows, part),
+                     number(std::numeric_limits<double>::infinity()), counts);
+  return settled<CoreOne, CoreRow>(rows, part, part.is_pair, distance);
 }
 
 /// Calls `take` with the pair, the lane and the distance of each lane `which`.

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <utility>
 
-#include "collision_monitor/pipeline/run_cycle.h"
 #include "narrow_phase/separating_axes.h"
+#include "pipeline/near_bodies.h"
 
 namespace collision_monitor {
 namespace {
@@ -28,7 +29,7 @@ bool orientedBoxesPart(const CycleSetup& setup, const BodyPoses& poses, const Bo
   return gap > distance + toleranceOf(boxes);
 }
 
-/// No branch: which of the candidates are left is hard to predict.
+/// Without a branch of its own: which of the candidates are left is hard to predict.
 template <class IsFar>
 void keepUnless(const IsFar& is_far, std::vector<PairId>& candidates) noexcept {
   std::size_t kept = 0;
@@ -39,28 +40,62 @@ void keepUnless(const IsFar& is_far, std::vector<PairId>& candidates) noexcept {
   candidates.resize(kept);
 }
 
+/// By the distances that were measured before, less the ways since.
+void cullByGaps(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  constexpr double kRounding = 1e-9;  // of what was measured then, and of what would be now
+  const KnownGaps& gaps = buffers.memory.gaps;
+  const NearBodies near = nearBodies(setup, buffers);
+  const auto isFar = [&](PairId id) {
+    const BodyWay& a = gaps.ways[index(setup.table[id].a)];
+    const BodyWay& b = gaps.ways[index(setup.table[id].b)];
+    const double gap = gaps.of_pair[index(id)] - (a.all + b.all);
+    const double nearest = gaps.nearest[setup.element_pair_of[index(id)]] + (a.of_link + b.of_link);
+    return gap > near.limitOf(id, nearest) + kRounding;
+  };
+  keepUnless(isFar, buffers.candidates);
+}
+
+void cullBySpheres(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  const std::vector<Ball>& balls = buffers.body_poses.balls;
+  const auto isFar = [&](PairId id) {
+    const BodyPair& pair = setup.table[id];
+    const Ball& a = balls[index(pair.a)];
+    const Ball& b = balls[index(pair.b)];
+    if (!ballsPart(a, b, buffers.reaches.of_pair[setup.link_pair_of[index(id)]])) {
+      return false;
+    }
+    const double gap = (b.center - a.center).norm() - a.radius - b.radius;
+    rememberGap(gap, pair, id, buffers.memory.gaps);
+    return true;
+  };
+  keepUnless(isFar, buffers.candidates);
+}
+
+void cullByBoxes(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  const auto isFar = [&](PairId id) {
+    return orientedBoxesPart(setup, buffers.body_poses, setup.table[id],
+                             buffers.reaches.of_pair[setup.link_pair_of[index(id)]]);
+  };
+  keepUnless(isFar, buffers.candidates);
+}
+
 }  // namespace
 
 void cullCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
-  const std::vector<Ball>& balls = buffers.body_poses.balls;
-  const auto reachOfPair = [&](PairId id) {
-    return buffers.reaches.of_pair[setup.link_pair_of[index(id)]];
+  CycleCounters& counters = buffers.counters;
+  std::size_t left = buffers.candidates.size();
+  const auto countCulled = [&] {
+    const std::size_t before = std::exchange(left, buffers.candidates.size());
+    return before - left;
   };
-  std::vector<PairId>& candidates = buffers.candidates;
-  const std::size_t found = candidates.size();
-  const auto isFarByBalls = [&](PairId id) {
-    const BodyPair& pair = setup.table[id];
-    return ballsPart(balls[index(pair.a)], balls[index(pair.b)], reachOfPair(id));
-  };
-  keepUnless(isFarByBalls, candidates);
-  buffers.counters.culled_by_spheres = found - candidates.size();
+  cullByGaps(setup, buffers);
+  counters.culled_by_gaps = countCulled();
+  cullBySpheres(setup, buffers);
+  counters.culled_by_spheres = countCulled();
   if (buffers.culls_by_boxes) {
-    const auto isFarByBoxes = [&](PairId id) {
-      return orientedBoxesPart(setup, buffers.body_poses, setup.table[id], reachOfPair(id));
-    };
-    keepUnless(isFarByBoxes, candidates);
+    cullByBoxes(setup, buffers);
   }
-  buffers.counters.culled_by_boxes = found - buffers.counters.culled_by_spheres - candidates.size();
+  counters.culled_by_boxes = countCulled();
 }
 
 }  // namespace collision_monitor

@@ -15,7 +15,7 @@ void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration
   for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
     const Body& body = setup.bodies[i];
     const std::size_t link = index(body.link);
-    bounds.ahead[i] = 0.0;
+    bounds.ahead[i] = kUnknown;
     if (bounds.known[i] == 0 || velocities.known[link] == 0) {
       continue;
     }

@@ -115,6 +115,9 @@ PairReaches makePairReaches(const CycleSetup& setup) {
   PairReaches reaches;
   reaches.links = linksInPairs(setup);
   reaches.blocks = makeLinkBlocks(setup, reaches.links);
+  for (const LinkBlock& block : reaches.blocks) {
+    reaches.stop = std::max(reaches.stop, *std::max_element(block.stop, block.stop + kBlockLanes));
+  }
   reaches.rows.stride = (groupCountOf(reaches.links.size()) + 1) * kBlockLanes;
   reaches.rows.numbers.resize(link_column::count * reaches.rows.stride, 0.0);
   const std::vector<Ball> balls = linkBalls(setup);
@@ -123,6 +126,7 @@ PairReaches makePairReaches(const CycleSetup& setup) {
     reaches.rows.at(link_column::radius)[slot] = reaches.balls.back().radius;
   }
   reaches.of_pair.resize(setup.checked.size(), kInfinity);
+  reaches.near_of_pair = reaches.of_pair;
   return reaches;
 }
 
@@ -145,8 +149,9 @@ void findReaches(const CycleSetup& setup, const LinkPoses& poses, SweepWork& swe
   if (has_step) {
     writeSteps(sweep, reaches);
   }
-  const Farthest farthest = walkLinkPairs(
-      {reachOf(setup.limits), setup.ahead.horizon, has_step, setup.is_continuous}, reaches);
+  const Farthest farthest = walkLinkPairs({reachOf(setup.limits), nearReachOf(setup),
+                                           setup.ahead.horizon, has_step, setup.is_continuous},
+                                          reaches);
   if (has_step) {
     StepLimit& limit = sweep.step;
     limit.step = sweep.elapsed;

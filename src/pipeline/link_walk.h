@@ -8,6 +8,7 @@ namespace collision_monitor {
 
 struct WalkQuestion {
   double reach;    ///< [m] as reachOf of the limits
+  double near;     ///< [m] what is refined, or warned of
   double horizon;  ///< [s]
   bool has_step;   ///< the columns of the last step are filled
   bool has_bends;
@@ -24,7 +25,7 @@ struct Farthest {
   FarthestPair bent;
 };
 
-/// Fills reaches.of_pair, and tells of the last step what is asked.
+/// Fills what reaches hold by pair, and tells of the last step what is asked.
 Farthest walkLinkPairs(const WalkQuestion& question, PairReaches& reaches) noexcept;
 
 }  // namespace collision_monitor

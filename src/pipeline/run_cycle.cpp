@@ -53,6 +53,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.events.island_forest.resize(links, 0);
   buffers.memory.reported.resize(link_pairs, Verdict::clear);
   buffers.memory.refined = makeRefineMemory(setup);
+  buffers.memory.gaps = makeKnownGaps(setup);
   buffers.memory.last.world_from_link.resize(links);
   buffers.memory.last.known.resize(links, 0);
   buffers.memory.speed.stopped.resize(link_pairs, 0);
@@ -76,6 +77,10 @@ double reachOf(const Limits& limits) noexcept {
   return std::max(limits.report_distance, limits.warning_distance + limits.hysteresis);
 }
 
+double nearReachOf(const CycleSetup& setup) noexcept {
+  return std::max(setup.refine.distance, setup.limits.warning_distance + setup.limits.hysteresis);
+}
+
 void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   const double reach = reachOf(setup.limits);
   placeBodies(setup, poses, buffers.body_poses);
@@ -89,8 +94,10 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
   buffers.counters.candidates = buffers.candidates.size();
   findReaches(setup, poses, buffers.sweep, buffers.reaches);
+  followWays(setup, poses, buffers);
   cullCandidates(setup, buffers);
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
+  keepNear(setup, buffers);
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
   measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
   if (setup.is_continuous) {
@@ -100,7 +107,7 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   findClosings(setup, poses, buffers.distances);
   judgePairs(setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
   scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed);
-  buffers.counters.measured = buffers.distances.measured.size();
+  buffers.counters.measured = buffers.candidates.size();
   buffers.counters.refined = buffers.refine.refined;
   buffers.counters.left = buffers.refine.left;
   buffers.counters.refine_steps = buffers.refine.steps;

@@ -22,10 +22,7 @@ struct MeasureAll {
 
   template <class CoreOne, class CoreRow>
   HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
-    constexpr double kAnywhere = std::numeric_limits<double>::infinity();
-    std::uint32_t which = part.is_pair;
-    const Number distance = measurePart<CoreOne, CoreRow>(rows, part, kAnywhere, which);
-    storeByPair(part, distance, distances);
+    storeByPair(part, measureAllOfPart<CoreOne, CoreRow>(rows, part), distances);
     return true;
   }
 };

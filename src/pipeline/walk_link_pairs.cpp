@@ -42,8 +42,8 @@ HWY_INLINE Number wayOf(const SeenMotion& motion) {
   return hn::Add(hn::Sqrt(motion.moved), hn::Mul(hn::Sqrt(motion.turned), motion.radius));
 }
 
-/// What is not known is not finite.
-HWY_INLINE Number reachOfPairs(const LinkLanes& pairs, const WalkQuestion& question) {
+/// How near pairs must be to matter to what lies ahead or behind. What is not known is not finite.
+HWY_INLINE Number reachByMotion(const LinkLanes& pairs, const WalkQuestion& question) {
   const Number speed = wayOf(motionSeen(pairs, link_column::velocity, link_column::center));
   const Number asked = hn::Add(hn::Load(Lanes(), pairs.block.stop + pairs.lane),
                                hn::Mul(speed, number(question.horizon)));
@@ -51,7 +51,7 @@ HWY_INLINE Number reachOfPairs(const LinkLanes& pairs, const WalkQuestion& quest
   const Number came =
       hn::Add(hn::Add(contact, pairs.one.at(link_column::way)), pairs.row.at(link_column::way));
   const Truth is_known = hn::Le(asked, number(std::numeric_limits<double>::max()));
-  return hn::IfThenElse(is_known, hn::Max(hn::Max(number(question.reach), asked), came),
+  return hn::IfThenElse(is_known, hn::Max(asked, came),
                         number(std::numeric_limits<double>::infinity()));
 }
 
@@ -81,7 +81,9 @@ void walkInLanes(const WalkQuestion& question, PairReaches& reaches, Farthest& f
                             block,
                             lane,
                             part};
-      storeByPair(part, reachOfPairs(pairs, question), reaches.of_pair);
+      const Number reach = reachByMotion(pairs, question);
+      storeByPair(part, hn::Max(number(question.reach), reach), reaches.of_pair);
+      storeByPair(part, hn::Max(number(question.near), reach), reaches.near_of_pair);
       if (question.has_step) {
         findFarther(pairs, link_column::moved, farthest.moved);
       }

@@ -20,8 +20,7 @@ static_assert(Warning::CLEAR == static_cast<int>(Verdict::clear) &&
 void fillCounters(const CycleCounters& counters, const CycleFacts& facts, State& message) {
   message.pairs_checked = static_cast<std::uint32_t>(counters.pairs);
   message.pairs_candidates = static_cast<std::uint32_t>(counters.candidates);
-  message.pairs_culled =
-      static_cast<std::uint32_t>(counters.culled_by_spheres + counters.culled_by_boxes);
+  message.pairs_culled = static_cast<std::uint32_t>(counters.candidates - counters.measured);
   message.pairs_measured = static_cast<std::uint32_t>(counters.measured);
   message.pairs_refined = static_cast<std::uint32_t>(counters.refined);
   message.pairs_left = static_cast<std::uint32_t>(counters.left);

@@ -14,7 +14,8 @@ namespace collision_monitor {
 struct BodyBounds {
   std::vector<Aabb> boxes;
   std::vector<unsigned char> known;  ///< 0: the pose is unknown and the box means nothing
-  std::vector<double> ahead{};  ///< [m] by which a box was grown beyond that, for motion to come
+  std::vector<double>
+      ahead{};  ///< [m] by which a box was grown beyond that, for motion to come; NaN: not known
 };
 
 }  // namespace collision_monitor

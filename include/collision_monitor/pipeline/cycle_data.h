@@ -16,6 +16,7 @@
 #include "collision_monitor/narrow_phase/mesh_depth.h"
 #include "collision_monitor/narrow_phase/mesh_distance.h"
 #include "collision_monitor/narrow_phase/signed_distance.h"
+#include "collision_monitor/pipeline/element.h"
 #include "collision_monitor/pipeline/pair_blocks.h"
 
 /// What travels from stage to stage of one cycle: plain arrays sized at set-up,
@@ -86,9 +87,10 @@ struct PassedContact {
   Pose world_from_link_b;
 };
 
-/// `measured` is sorted by pair id. It holds every candidate and, when none is near, the closest
-/// pair all the same. A refined pair of elements stands once, in place of the nearest of its
-/// bodies.
+/// `measured` is sorted by pair id. It holds every pair that matters to a verdict, a time or the
+/// speed scale, of each two elements within reach the nearest bodies and, when nothing is near, the
+/// closest pair all the same. A refined pair of elements stands once, in place of the nearest of
+/// its bodies.
 struct PairDistances {
   std::vector<PairDistance> measured;
   std::vector<PassedContact> passed;
@@ -131,12 +133,13 @@ struct PairEvents {
 struct CycleCounters {
   std::size_t pairs{0};              ///< pairs of bodies in the table
   std::size_t candidates{0};         ///< of these, their bounds met
-  std::size_t culled_by_spheres{0};  ///< of these, too far apart by their bounding spheres
+  std::size_t culled_by_gaps{0};     ///< of these, too far apart by what was measured before
+  std::size_t culled_by_spheres{0};  ///< of the rest, too far apart by their bounding spheres
   std::size_t culled_by_boxes{0};    ///< of the rest, oriented boxes parted: combination only
-  std::size_t measured{0};  ///< of these, measured; with those the search for the closest asked for
-  std::size_t refined{0};   ///< pairs of elements that were measured to the end
-  std::size_t left{0};      ///< pairs of elements for which the budget did not suffice
-  std::size_t refine_steps{0};   ///< spent of the budget
+  std::size_t measured{0};           ///< the rest; without what the search for the closest looks at
+  std::size_t refined{0};            ///< pairs of elements that were measured to the end
+  std::size_t left{0};               ///< pairs of elements for which the budget did not suffice
+  std::size_t refine_steps{0};       ///< spent of the budget
   std::size_t swept{0};          ///< pairs near enough for their speed to have met since the last
                                  ///< cycle, which were followed on their way
   std::size_t swept_left{0};     ///< pairs of elements for which the budget did not suffice
@@ -178,6 +181,27 @@ struct LastPoses {
   std::vector<unsigned char> known;
 };
 
+/// How far a body has come.
+struct BodyWay {
+  Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< of the body in the last cycle
+  double all{0.0};      ///< [m] no point of the body has come farther since this was 0
+  double of_link{0.0};  ///< [m] nor any of its link's bodies since the last cycle
+  double ahead{0.0};  ///< [m] nor does it within the horizon or, continuous, did it since the last
+                      ///< cycle; NaN: not known
+};
+
+/// What is still known of distances once measured.
+struct KnownGaps {
+  /// By PairId: [m] the distance when it was last measured, and what both ways were then; less
+  /// what they are now a lower bound of the distance. -infinity where there is none.
+  std::vector<double> of_pair;
+  std::vector<BodyWay> ways;  ///< by BodyId
+  /// By ElementPairIndex: [m] the least distance of their bodies in the last cycle; infinity where
+  /// none was measured.
+  std::vector<double> nearest;
+  std::vector<ElementPairIndex> measured;  ///< those with a `nearest`
+};
+
 /// The speed scale, and what it needs to be steady.
 struct SpeedScale {
   double scale{1.0};                   ///< 0 stop .. 1 full speed
@@ -188,11 +212,13 @@ struct SpeedScale {
 
 /// What survives a cycle. Resetting it changes hysteresis, which verdicts count as changed, how
 /// the speed scale grows, and of refinement the speed, the order and the estimates of depths;
-/// contacts since the last cycle are then not looked for.
+/// contacts since the last cycle are then not looked for. Gaps change nothing but the time it
+/// takes.
 struct PairMemory {
   std::vector<Verdict> reported;  ///< by LinkPairIndex: the verdict last reported
   SpeedScale speed;
   std::vector<RefineMemory> refined;  ///< by ElementPairIndex
+  KnownGaps gaps;
   LastPoses last;
 };
 

@@ -37,9 +37,13 @@ struct PairReaches {
   std::vector<LinkId> links;  ///< by slot: those that stand in checked pairs
   std::vector<Ball> balls;    ///< by slot: as linkBalls
   std::vector<LinkBlock> blocks;
+  double stop{0.0};  ///< [m] the largest of the blocks
 
   BodyRows rows;                ///< of the links
   std::vector<double> of_pair;  ///< [m] by LinkPairIndex
+  /// [m] By LinkPairIndex: the same without what is only reported. Farther bodies matter only if
+  /// they are the nearest of two elements.
+  std::vector<double> near_of_pair;
 };
 
 PairReaches makePairReaches(const CycleSetup& setup);
@@ -48,9 +52,9 @@ PairReaches makePairReaches(const CycleSetup& setup);
 /// all bodies of two links. Two without thickness overlap at no time, so they do not count.
 std::vector<double> thicknessOfPairs(const CycleSetup& setup);
 
-/// How near bodies of each pair of links must be to be reported, to touch within the horizon or to
-/// ask for less than full speed at today's velocities, or to have touched since the last cycle.
-/// Infinite where a velocity is not known.
+/// How near bodies of each pair of links must be to be reported, to be refined, to touch within the
+/// horizon or to ask for less than full speed at today's velocities, or to have touched since the
+/// last cycle. Infinite where a velocity is not known.
 ///
 /// A distance changes by the motion of one of the nearest points seen from the other link, so no
 /// faster than the ball of B's bodies moves seen from A.

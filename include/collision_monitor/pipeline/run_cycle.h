@@ -70,17 +70,30 @@ void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double re
 void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration,
                 BodyBounds& bounds) noexcept;
 
-/// Takes out candidates that are farther apart than `reaches` says: by bounding spheres, which do
-/// not turn, and in a combined run what is left by the separating axes of the boxes about their
-/// cores. Counts both.
+/// Nothing known.
+KnownGaps makeKnownGaps(const CycleSetup& setup);
+
+/// Follows how far bodies have come, so that gaps stay what they are.
+/// Where a link was not known in the last cycle all gaps are forgotten.
+/// @pre bodies are placed and bounded; motions are found; memory.last is that of the last cycle.
+void followWays(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept;
+
+/// Takes out candidates that are too far apart to matter: by the distances that were measured
+/// before, less the ways since, by bounding spheres, which do not turn, and in a combined run what
+/// is left by the separating axes of the boxes about their cores. Counts all three.
 void cullCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept;
 
 /// @pre `pairs` is sorted by id and joins known bodies only; `distances` has room for every pair.
 void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                   const std::vector<PairId>& pairs, PairDistances& distances) noexcept;
 
-/// Makes sure that the closest of all known pairs is among `distances`, which hold every
-/// pair within `reach` and what `refined` made of them. Costs nothing when one is that near;
+/// Keeps of what was measured the pairs that are near, and of each two elements within reach the
+/// nearest bodies: what is left does not depend on what was culled, nor by what. Remembers all
+/// distances as gaps.
+void keepNear(const CycleSetup& setup, CycleBuffers& buffers) noexcept;
+
+/// Makes sure that the closest of all known pairs is among `distances`, which hold the
+/// nearest within `reach` and what `refined` made of them. Costs nothing when one is that near;
 /// otherwise searches all pairs, except those that were refined. What it adds is not refined.
 void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, const RefineWork& refined,
                     double reach, PairDistances& distances) noexcept;
@@ -100,5 +113,8 @@ void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistan
 /// Pairs at this distance or nearer matter to a cycle: to be published, warned of or kept by
 /// hysteresis. Units: metres.
 double reachOf(const Limits& limits) noexcept;
+
+/// The same without what is only published: to be refined, warned of or kept by hysteresis.
+double nearReachOf(const CycleSetup& setup) noexcept;
 
 }  // namespace collision_monitor

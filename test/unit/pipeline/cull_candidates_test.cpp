@@ -75,6 +75,7 @@ TEST(CullCandidates, everyRun_spheresPartWhatRests_andKeepWhatMayCome) {
   runCycle(setup, poses, buffers);
   EXPECT_EQ(buffers.counters.culled_by_spheres, 0U) << "nobody knows how they move";
   rest(poses);
+  resetMemory(buffers);  // and with it their distance
   runCycle(setup, poses, buffers);
   EXPECT_EQ(buffers.counters.culled_by_spheres, 1U);
   poses.velocities.of_link[1].linear.z() = 1.0;
