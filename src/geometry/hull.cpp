@@ -25,6 +25,13 @@ double extentOf(const std::vector<Eigen::Vector3d>& points) {
   return (high - low).maxCoeff();
 }
 
+// One list more behind others, and where it ends.
+void append(const std::vector<std::uint32_t>& list, std::vector<std::uint32_t>& all,
+            std::vector<std::uint32_t>& ends) {
+  all.insert(all.end(), list.begin(), list.end());
+  ends.push_back(static_cast<std::uint32_t>(all.size()));
+}
+
 }  // namespace
 
 ConvexHull::ConvexHull(const std::vector<Eigen::Vector3d>& points) {
@@ -38,16 +45,26 @@ ConvexHull::ConvexHull(const std::vector<Eigen::Vector3d>& points) {
   faces_ = std::move(gathered.faces);
   edges_ = std::move(gathered.edges);
   has_volume_ = faces_.size() >= 4;
-  first_corner_.push_back(0);
-  for (const auto& ring : gathered.rings) {
-    ring_corners_.insert(ring_corners_.end(), ring.begin(), ring.end());
-    first_corner_.push_back(static_cast<std::uint32_t>(ring_corners_.size()));
-  }
-
+  addRings(gathered.rings);
   addFans(neighboursToClimb(mesh, extent));
   climbs_ = canClimb() && vertices_.size() > kFewVertices;
   if (climbs_ && vertices_.size() > kManyVertices) {
     mapDirections();
+  }
+}
+
+void ConvexHull::addRings(const std::vector<std::vector<std::uint32_t>>& rings) {
+  std::vector<std::vector<std::uint32_t>> faces_at(vertices_.size());
+  first_corner_.push_back(0);
+  for (std::uint32_t face = 0; face < rings.size(); ++face) {
+    append(rings[face], ring_corners_, first_corner_);
+    for (const std::uint32_t corner : rings[face]) {
+      faces_at[corner].push_back(face);
+    }
+  }
+  first_face_at_.push_back(0);
+  for (const std::vector<std::uint32_t>& faces : faces_at) {
+    append(faces, faces_at_, first_face_at_);
   }
 }
 

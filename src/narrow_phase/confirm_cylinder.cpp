@@ -203,8 +203,8 @@ bool follow(const Roles& roles, const CylinderPair& pair, ConvexWarmStart& warm,
 
 }  // namespace
 
-std::optional<SignedDistance> confirmCylinder(const PlacedCore& a, const PlacedCore& b,
-                                              ConvexWarmStart& warm) noexcept {
+std::optional<ConfirmedDistance> confirmCylinder(const PlacedCore& a, const PlacedCore& b,
+                                                 ConvexWarmStart& warm) noexcept {
   const Roles roles = castRoles(a, b, warm);
   const Pose& world_from_cylinder = roles.cylinder.world_from_core;
   const Pose cylinder_from_other = relativePose(world_from_cylinder, roles.other.world_from_core);
@@ -223,7 +223,7 @@ std::optional<SignedDistance> confirmCylinder(const PlacedCore& a, const PlacedC
   const Vector3d away = world_from_cylinder.rotation * found.normal;
   const Vector3d on_other = on_cylinder + found.distance * away;
   const SignedDistance cores{found.distance, on_cylinder, on_other, away};
-  return roles.is_swapped ? swapped(cores) : cores;
+  return ConfirmedDistance{roles.is_swapped ? swapped(cores) : cores, false};
 }
 
 }  // namespace collision_monitor

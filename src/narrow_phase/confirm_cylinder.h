@@ -16,7 +16,7 @@ namespace collision_monitor {
 /// Source: derivatives of the nearest point of a convex set by Rockafellar, Wets, "Variational
 /// Analysis" (1998), chapter 13; for a cylinder they follow from its coordinates.
 /// @pre one core at least is a cylinder, and the last search found something.
-std::optional<SignedDistance> confirmCylinder(const PlacedCore& a, const PlacedCore& b,
-                                              ConvexWarmStart& warm) noexcept;
+std::optional<ConfirmedDistance> confirmCylinder(const PlacedCore& a, const PlacedCore& b,
+                                                 ConvexWarmStart& warm) noexcept;
 
 }  // namespace collision_monitor

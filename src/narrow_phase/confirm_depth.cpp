@@ -187,7 +187,8 @@ void keepInside(const ConvexWorkspace& polytope, ConvexWarmStart& warm) noexcept
   warm.inside_faces = static_cast<std::uint8_t>(face_count);
 }
 
-std::optional<SignedDistance> confirmDepth(const PlacedPair& pair, ConvexWarmStart& warm) noexcept {
+std::optional<ConfirmedDistance> confirmDepth(const PlacedPair& pair,
+                                              ConvexWarmStart& warm) noexcept {
   PlacedInside placed;
   for (std::size_t i = 0; i < warm.inside_corners; ++i) {
     placeCorner(i, pair, warm.inside, placed);
@@ -208,7 +209,7 @@ std::optional<SignedDistance> confirmDepth(const PlacedPair& pair, ConvexWarmSta
   for (std::size_t k = 0; k < 3; ++k) {
     on_a += foot.weights[k] * placed.on_a[warm.inside.faces[face][k]];
   }
-  return SignedDistance{-depth, on_a, on_a - depth * normal, normal};
+  return ConfirmedDistance{{-depth, on_a, on_a - depth * normal, normal}, false};
 }
 
 }  // namespace collision_monitor

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
-
-#include "collision_monitor/narrow_phase/signed_distance.h"
-#include "narrow_phase/support_plane.h"
+#include "narrow_phase/confirm_nearest.h"
 
 namespace collision_monitor {
 
@@ -23,6 +20,7 @@ void keepInside(const ConvexWorkspace& polytope, ConvexWarmStart& warm) noexcept
 /// Limits: of polytopes that neither touch nor are level; the others are left to the search.
 /// @return nothing when the search has to decide; always if a pose is not
 /// finite.
-std::optional<SignedDistance> confirmDepth(const PlacedPair& pair, ConvexWarmStart& warm) noexcept;
+std::optional<ConfirmedDistance> confirmDepth(const PlacedPair& pair,
+                                              ConvexWarmStart& warm) noexcept;
 
 }  // namespace collision_monitor

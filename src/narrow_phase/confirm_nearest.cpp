@@ -44,7 +44,7 @@ void keep(const NearestPoint& nearest, Followed& followed) noexcept {
 
 // Steps of GJK without what only a long search needs.
 bool stepToNearest(const PlacedPair& pair, Followed& followed, NearestPoint& nearest,
-                   Eigen::Vector3d& normal) noexcept {
+                   Eigen::Vector3d& normal, bool& is_level) noexcept {
   for (int step = 0; step < kMaxSteps; ++step) {
     normal = normalOf(nearest);
     const double distance = normal.dot(nearest.point);
@@ -52,7 +52,8 @@ bool stepToNearest(const PlacedPair& pair, Followed& followed, NearestPoint& nea
       return false;
     }
     const SupportPlanes planes = supportPlanes(pair, normal);
-    if (isProven(pair, planes, distance, roundingOf(pair.size))) {
+    if (meet(planes, distance, roundingOf(pair.size))) {
+      is_level = planes.may_be_level && areLevel(pair, planes);
       return true;
     }
     const std::uint32_t newest = followed.warm.size;
@@ -68,8 +69,8 @@ bool stepToNearest(const PlacedPair& pair, Followed& followed, NearestPoint& nea
   return false;
 }
 
-std::optional<SignedDistance> confirmCorners(const PlacedPair& pair,
-                                             ConvexWarmStart& warm) noexcept {
+std::optional<ConfirmedDistance> confirmCorners(const PlacedPair& pair,
+                                                ConvexWarmStart& warm) noexcept {
   Followed followed(warm);
   for (std::size_t i = 0; i < warm.size; ++i) {
     place(i, pair, followed);
@@ -84,7 +85,8 @@ std::optional<SignedDistance> confirmCorners(const PlacedPair& pair,
     keep(nearest, followed);
   }
   Eigen::Vector3d normal;
-  if (!stepToNearest(pair, followed, nearest, normal)) {
+  bool is_level = false;
+  if (!stepToNearest(pair, followed, nearest, normal, is_level)) {
     return std::nullopt;
   }
   const double distance = normal.dot(nearest.point);
@@ -92,13 +94,13 @@ std::optional<SignedDistance> confirmCorners(const PlacedPair& pair,
   for (std::size_t i = 0; i < warm.size; ++i) {
     on_a += nearest.weights[i] * followed.on_a[i];
   }
-  return SignedDistance{distance, on_a, on_a + distance * normal, normal};
+  return ConfirmedDistance{{distance, on_a, on_a + distance * normal, normal}, is_level};
 }
 
 }  // namespace
 
-std::optional<SignedDistance> confirmNearest(const PlacedCore& a, const PlacedCore& b,
-                                             ConvexWarmStart& warm) noexcept {
+std::optional<ConfirmedDistance> confirmNearest(const PlacedCore& a, const PlacedCore& b,
+                                                ConvexWarmStart& warm) noexcept {
   if (warm.size == 0 || warm.size > 3) {
     return std::nullopt;
   }

@@ -10,6 +10,7 @@
 #include "narrow_phase/convex_core.h"
 #include "narrow_phase/core_distance.h"
 #include "narrow_phase/distance_half_space.h"
+#include "narrow_phase/flat_contact.h"
 #include "narrow_phase/search_cores.h"
 
 namespace collision_monitor {
@@ -45,10 +46,13 @@ ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& searc
   const SweptCore swept_a = sweptCoreOf(a.geometry);
   const SweptCore swept_b = sweptCoreOf(b.geometry);
   ConvexWarmStart& warm = search.warm;
-  const auto confirmed = confirmNearest({swept_a.core, a.world_from_body, warm.vertex_of_a},
-                                        {swept_b.core, b.world_from_body, warm.vertex_of_b}, warm);
-  if (confirmed) {
-    return {swept(*confirmed, swept_a.radius, swept_b.radius), DistanceQuality::exact};
+  const PlacedCore core_a{swept_a.core, a.world_from_body, warm.vertex_of_a};
+  const PlacedCore core_b{swept_b.core, b.world_from_body, warm.vertex_of_b};
+  if (auto confirmed = confirmNearest(core_a, core_b, warm)) {
+    if (confirmed->is_level) {
+      centerOnPatch(core_a, core_b, confirmed->cores);
+    }
+    return {swept(confirmed->cores, swept_a.radius, swept_b.radius), DistanceQuality::exact};
   }
   if (!areFinite(a, b)) {
     return {};

@@ -11,14 +11,15 @@
 #include "narrow_phase/hull_patch.h"
 #include "narrow_phase/manifold_points.h"
 #include "narrow_phase/patch.h"
-#include "narrow_phase/support_plane.h"
 
 namespace collision_monitor {
 namespace {
 
 using Eigen::Vector3d;
 
-ContactPatch patchOf(const ConvexCore& core, const Pose& pose, const Vector3d& direction) noexcept {
+ContactPatch patchOf(const PlacedCore& placed, const Vector3d& direction) noexcept {
+  const ConvexCore& core = placed.core;
+  const Pose& pose = placed.world_from_core;
   switch (core.kind) {
     case ConvexCore::Kind::box:
       return extremePatch(Box{core.half_extents}, pose, direction, kLevelSine);
@@ -26,20 +27,11 @@ ContactPatch patchOf(const ConvexCore& core, const Pose& pose, const Vector3d& d
       return extremePatch(Cylinder{core.half_extents.z(), core.half_extents.x()}, pose, direction,
                           kLevelSine);
     case ConvexCore::Kind::hull:
-      return extremePatch(*core.hull, pose, direction, kLevelSine);
+      return patchAt(placed.vertex, *core.hull, pose, direction, kLevelSine);
     case ConvexCore::Kind::triangle:
       return {};
   }
   return {};
-}
-
-bool areLevel(ConvexPair& pair, const Vector3d& normal) noexcept {
-  const Pose origin;
-  const PlacedCore a{pair.a, origin, pair.vertex_of_a};
-  const PlacedCore b{pair.b, pair.a_from_b, pair.vertex_of_b};
-  const PlacedPair placed = makePlacedPair(a, b);
-  const SupportPlanes planes = supportPlanes(placed, normal);
-  return planes.may_be_level && areLevel(placed, planes);
 }
 
 // From the witness point of A, in the plane of the contact.
@@ -57,16 +49,18 @@ Vector3d toMiddle(const ManifoldPoints& shared, const SignedDistance& cores) noe
 
 }  // namespace
 
-void centerOnPatch(ConvexPair& pair, SignedDistance& cores) noexcept {
+void centerOnPatch(const PlacedCore& a, const PlacedCore& b, SignedDistance& cores) noexcept {
   const Vector3d& normal = cores.normal_a_to_b;
-  if (!areLevel(pair, normal)) {
+  const PlacedPair pair = makePlacedPair(a, b);
+  const SupportPlanes planes = supportPlanes(pair, normal);
+  if (!planes.may_be_level || !areLevel(pair, planes)) {
     return;
   }
   // Of a curved core the normal is known less well, so that an edge may pass for level and a face
   // beside it not: edges that do not face each other are such.
   const EdgeSlack slack{kLevelSine, kLevelSine * pair.size};
-  const ManifoldPoints shared = facingPoints(
-      patchOf(pair.a, Pose{}, normal), patchOf(pair.b, pair.a_from_b, -normal), normal, slack);
+  const ManifoldPoints shared =
+      facingPoints(patchOf(a, normal), patchOf(b, -normal), normal, slack);
   if (shared.size > 0) {
     cores.point_on_a += toMiddle(shared, cores);
     cores.point_on_b = cores.point_on_a + cores.distance * normal;

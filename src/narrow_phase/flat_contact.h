@@ -3,7 +3,7 @@
 #pragma once
 
 #include "collision_monitor/narrow_phase/signed_distance.h"
-#include "narrow_phase/convex_pair.h"
+#include "narrow_phase/support_plane.h"
 
 namespace collision_monitor {
 
@@ -11,10 +11,11 @@ namespace collision_monitor {
 /// moves the witness points to the middle of it, the centroid of a polygon, so that they do not
 /// jump from corner to corner while the cores slide.
 ///
-/// Frames: A's. Error: features count as level up to a sine of 1e-11, and points leave their cores
-/// by no more than that times the sizes. Distance and normal stay.
+/// Frames: that of the poses.
+/// Error: features count as level up to a sine of 1e-11, and points leave their cores by no more
+/// than that times the sizes. Distance and normal stay.
 /// Limits: of faces with more than 16 corners, and of discs, some of the rim is left out.
 /// @param cores an exact answer.
-void centerOnPatch(ConvexPair& pair, SignedDistance& cores) noexcept;
+void centerOnPatch(const PlacedCore& a, const PlacedCore& b, SignedDistance& cores) noexcept;
 
 }  // namespace collision_monitor

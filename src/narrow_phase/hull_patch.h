@@ -12,9 +12,13 @@ namespace collision_monitor {
 /// `flat_sine`, or a vertex. World frame.
 ///
 /// Limits: of a face with more corners than a patch has, some are left out, evenly. Looks at every
-/// face, and at every edge if none is flat.
+/// face.
 ContactPatch extremePatch(const ConvexHull& hull, const Pose& world_from_hull,
                           const Eigen::Vector3d& direction, double flat_sine = kFlatSine) noexcept;
+
+/// The same of the faces and edges at a vertex that is known to be extreme, and no others.
+ContactPatch patchAt(std::uint32_t vertex, const ConvexHull& hull, const Pose& world_from_hull,
+                     const Eigen::Vector3d& direction, double flat_sine) noexcept;
 
 /// The same of a cylinder: a cap, a line of its side, or a point of a rim.
 ///

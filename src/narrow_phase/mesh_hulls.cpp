@@ -62,7 +62,7 @@ CoreGap searchGap(const PlacedCore& a, const PlacedCore& b, double enough,
 CoreGap gapBetween(const PlacedCore& a, const PlacedCore& b, double enough,
                    ConvexWarmStart& warm) noexcept {
   const auto confirmed = confirmNearest(a, b, warm);
-  return confirmed ? CoreGap{MeshState::exact, *confirmed} : searchGap(a, b, enough, warm);
+  return confirmed ? CoreGap{MeshState::exact, confirmed->cores} : searchGap(a, b, enough, warm);
 }
 
 // Whether a point of the solid is one of the surface. The triangle that it was last on goes first.

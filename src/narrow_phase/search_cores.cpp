@@ -119,7 +119,9 @@ ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept {
   }
   found = searchApartOrDeep(pair, search);
   if (found.quality == DistanceQuality::exact) {
-    centerOnPatch(pair, found.measured);
+    const Pose origin;
+    centerOnPatch({pair.a, origin, pair.vertex_of_a}, {pair.b, pair.a_from_b, pair.vertex_of_b},
+                  found.measured);
   }
   return found;
 }

@@ -97,11 +97,14 @@ bool areLevel(const PlacedPair& pair, const SupportPlanes& planes) noexcept;
 
 /// Whether the planes prove a distance or, if it is negative, a depth: that their gap is this, up
 /// to `tolerance`.
-/// @return false also where faces or edges are level, and other points might do as well.
+inline bool meet(const SupportPlanes& planes, double distance, double tolerance) noexcept {
+  return std::abs(distance - planes.gap) <= tolerance;
+}
+
+/// The same where no other points would do as well.
 inline bool isProven(const PlacedPair& pair, const SupportPlanes& planes, double distance,
                      double tolerance) noexcept {
-  return std::abs(distance - planes.gap) <= tolerance &&
-         !(planes.may_be_level && areLevel(pair, planes));
+  return meet(planes, distance, tolerance) && !(planes.may_be_level && areLevel(pair, planes));
 }
 
 inline PlacedCorners place(const ConvexWarmStart::Ends& ends, const PlacedPair& pair) noexcept {

@@ -89,6 +89,11 @@ class ConvexHull {
     return {ring_corners_.data() + first_corner_[face],
             ring_corners_.data() + first_corner_[face + 1]};
   }
+  /// The faces that have a vertex for a corner.
+  Indices facesAt(std::uint32_t vertex) const noexcept {
+    return {faces_at_.data() + first_face_at_[vertex],
+            faces_at_.data() + first_face_at_[vertex + 1]};
+  }
   /// The other ends of a vertex's edges, of diagonals that divide its faces, and of those of
   /// vertices all but coincident with it. None if !canClimb().
   Fans fansOf(std::uint32_t vertex) const noexcept {
@@ -142,6 +147,7 @@ class ConvexHull {
   }
 
  private:
+  void addRings(const std::vector<std::vector<std::uint32_t>>& rings);
   void addFans(const std::vector<std::vector<std::uint32_t>>& neighbours);
   void mapDirections();
   std::size_t cellOf(const Eigen::Vector3d& direction) const noexcept;
@@ -160,6 +166,9 @@ class ConvexHull {
   // Those of face i are ring_corners_[first_corner_[i]] up to the next one's first.
   std::vector<std::uint32_t> first_corner_;
   std::vector<std::uint32_t> ring_corners_;
+  // Those at vertex i are faces_at_[first_face_at_[i]] up to the next one's first.
+  std::vector<std::uint32_t> first_face_at_;
+  std::vector<std::uint32_t> faces_at_;
   // By cell of a cube about all directions, each side of which has rows_ by rows_ cells: where the
   // climb along the middle of the cell ends. Empty where climbs are short.
   std::vector<std::uint32_t> farthest_;

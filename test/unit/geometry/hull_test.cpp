@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -83,6 +84,19 @@ TEST(ConvexHull, ringsOfFaces_turnLeftSeenFromOutside) {
   expectRingsTurnLeft(ConvexHull(cube()), 4);
   expectRingsTurnLeft(ConvexHull({{0, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0, 1, 2}}), 4);
   expectRingsTurnLeft(ConvexHull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), 3);
+}
+
+TEST(ConvexHull, facesAtACorner_areThoseWithItInTheirRings) {
+  const ConvexHull hull(cube());
+  for (std::uint32_t corner = 0; corner < hull.vertices().size(); ++corner) {
+    const ConvexHull::Indices faces = hull.facesAt(corner);
+    EXPECT_EQ(faces.size(), 3U);
+    for (const std::uint32_t face : faces) {
+      const ConvexHull::Indices ring = hull.ringOf(face);
+      EXPECT_EQ(std::count(ring.begin(), ring.end(), corner), 1);
+    }
+  }
+  EXPECT_EQ(ConvexHull({{1, 2, 3}}).facesAt(0).size(), 0U);
 }
 
 TEST(ConvexHull, fansOfACorner_holdTheOtherEndsOfItsEdges) {

@@ -34,7 +34,7 @@ class OverlapInSteps : public testing::Test {
     return found.measured;
   }
 
-  std::optional<SignedDistance> confirm(const Pose& pose) {
+  std::optional<ConfirmedDistance> confirm(const Pose& pose) {
     const ConvexCore a = sweptCoreOf(box_).core;
     const ConvexCore b = sweptCoreOf(octahedron_).core;
     const Pose origin;
@@ -54,10 +54,10 @@ TEST_F(OverlapInSteps, faceOfTheLastStep_isProven) {
   for (const double x : {0.0, 0.1, -0.2, 0.45}) {
     const auto found = confirm(poseAt(x));
     ASSERT_TRUE(found) << x;
-    EXPECT_NEAR(found->distance, x - 0.5, kExact);
-    expectNear(found->normal_a_to_b, Vector3d::UnitX(), "normal");
-    expectNear(found->point_on_a, {2, 0.25, 0.125}, "on a");
-    expectNear(found->point_on_b, {1.5 + x, 0.25, 0.125}, "on b");
+    EXPECT_NEAR(found->cores.distance, x - 0.5, kExact);
+    expectNear(found->cores.normal_a_to_b, Vector3d::UnitX(), "normal");
+    expectNear(found->cores.point_on_a, {2, 0.25, 0.125}, "on a");
+    expectNear(found->cores.point_on_b, {1.5 + x, 0.25, 0.125}, "on b");
   }
 }
 
@@ -71,9 +71,9 @@ TEST_F(OverlapInSteps, apartOrTouching_isLeftToTheSearch) {
 TEST_F(OverlapInSteps, shorterWayOutElsewhere_isGrownTo) {
   const auto found = confirm(at(0.5, 2.75, 0.125));
   ASSERT_TRUE(found);
-  EXPECT_NEAR(found->distance, -0.25, kExact);
-  expectNear(found->normal_a_to_b, Vector3d::UnitY(), "normal");
-  expectNear(found->point_on_a, {0.5, 2.0, 0.125}, "on a");
+  EXPECT_NEAR(found->cores.distance, -0.25, kExact);
+  expectNear(found->cores.normal_a_to_b, Vector3d::UnitY(), "normal");
+  expectNear(found->cores.point_on_a, {0.5, 2.0, 0.125}, "on a");
 }
 
 TEST_F(OverlapInSteps, poseThatIsNotFinite_provesNothing) {

@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-using Confirmed = std::optional<SignedDistance>;
+using Confirmed = std::optional<ConfirmedDistance>;
 
 template <class A, class B>
 Confirmed confirm(const A& a, const Pose& pose_a, const B& b, const Pose& pose_b,
@@ -30,10 +30,11 @@ Confirmed confirm(const A& a, const Pose& pose_a, const B& b, const Pose& pose_b
 void expectProven(const Confirmed& found, double distance, const Vector3d& on_a,
                   const Vector3d& on_b) {
   ASSERT_TRUE(found);
-  EXPECT_NEAR(found->distance, distance, kExact);
-  expectNear(found->point_on_a, on_a, "on a");
-  expectNear(found->point_on_b, on_b, "on b");
-  expectConsistent(*found);
+  EXPECT_NEAR(found->cores.distance, distance, kExact);
+  expectNear(found->cores.point_on_a, on_a, "on a");
+  expectNear(found->cores.point_on_b, on_b, "on b");
+  expectConsistent(found->cores);
+  EXPECT_FALSE(found->is_level);
 }
 
 ConvexWarmStart endsAt(std::initializer_list<ConvexWarmStart::Ends> ends) {
@@ -79,9 +80,22 @@ TEST_F(CubesInSteps, otherCornersNearer_areFound) {
                {0.25, 0.5, 4});
 }
 
-TEST_F(CubesInSteps, parallelFeatures_areLeftToTheSearch) {
-  EXPECT_FALSE(confirm(cube_, Pose{}, cube_, at(4, 2, 5), corners_));
-  EXPECT_FALSE(confirm(cube_, Pose{}, box_, at(4, 0, 5), corners_));
+// Edges along y are nearest, and in the last case faces: any of their points would do.
+TEST_F(CubesInSteps, parallelFeatures_areProvenAndToldLevel) {
+  for (const Confirmed& found : {confirm(cube_, Pose{}, cube_, at(4, 2, 5), corners_),
+                                 confirm(cube_, Pose{}, box_, at(4, 0, 5), corners_)}) {
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->is_level);
+    EXPECT_NEAR(found->cores.distance, std::sqrt(13.0), kExact);
+    expectConsistent(found->cores);
+  }
+  // A corner of one face over the other face.
+  const ConvexWarmStart face =
+      endsAt({{{1, -1, -1}, {-1, -1, -1}}, {{1, 1, -1}, {-1, -1, -1}}, {{1, 1, 1}, {-1, -1, -1}}});
+  const Confirmed faces = confirm(cube_, Pose{}, cube_, at(4, 0.5, 0.25), face);
+  ASSERT_TRUE(faces);
+  EXPECT_TRUE(faces->is_level);
+  EXPECT_NEAR(faces->cores.distance, 2.0, kExact);
 }
 
 TEST_F(CubesInSteps, touchingAndOverlapping_areLeftToTheSearch) {
@@ -140,8 +154,8 @@ TEST_F(CanInSteps, rimUnderAFace_isProven) {
   const double top = std::sqrt(2.0);
   const Confirmed found = confirm(can_, tilted, cube_, at(0.25, 0.5, 4), warm);
   ASSERT_TRUE(found);
-  EXPECT_NEAR(found->distance, 3.0 - top, kExact);
-  expectNear(found->normal_a_to_b, Vector3d::UnitZ(), "normal");
+  EXPECT_NEAR(found->cores.distance, 3.0 - top, kExact);
+  expectNear(found->cores.normal_a_to_b, Vector3d::UnitZ(), "normal");
 }
 
 TEST_F(CanInSteps, rimOfOneBesideAnother_isFollowed) {

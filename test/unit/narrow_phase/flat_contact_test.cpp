@@ -52,6 +52,35 @@ TEST_F(FlatContacts, cubeOverATable_middleOfTheCube) {
                {0.3, -0.4, -0.0125}, -0.025);
 }
 
+// From the second step on the faces are known, and proven instead of searched.
+TEST_F(FlatContacts, cubeThatSlidesOverATable_middleOfTheCubeInEachStep) {
+  static ConvexWorkspace workspace;
+  ConvexWarmStart warm;
+  ConvexSearch search{workspace, warm};
+  for (const double x : {0.3, 0.35, 0.4, 0.95}) {
+    const ConvexDistance found =
+        signedDistanceBetween(table_, world_from_table_, cube_, at(x, -0.4, 0.35), search);
+    EXPECT_EQ(found.quality, DistanceQuality::exact);
+    const double middle = x < 0.9 ? x : 0.925;  // the cube sticks out by half of its half
+    expectBothAt(found.measured, {middle, -0.4, 0.125}, 0.25);
+  }
+}
+
+// The edge of a roof along y below the ridge of another, of which half lies over it.
+TEST_F(FlatContacts, ridgesThatSlide_middleOfWhatTheyShare) {
+  const ConvexGeometry roof =
+      ConvexHull({{-1, -1, -1}, {1, -1, -1}, {0, -1, 0}, {-1, 1, -1}, {1, 1, -1}, {0, 1, 0}});
+  const ConvexGeometry keel =
+      ConvexHull({{-1, -1, 1}, {1, -1, 1}, {0, -1, 0}, {-1, 1, 1}, {1, 1, 1}, {0, 1, 0}});
+  static ConvexWorkspace workspace;
+  ConvexWarmStart warm;
+  ConvexSearch search{workspace, warm};
+  for (const double y : {0.8, 0.9, 1.0}) {
+    const ConvexDistance found = signedDistanceBetween(roof, Pose{}, keel, at(0, y, 0.25), search);
+    expectBothAt(found.measured, {0, 0.5 * y, 0.125}, 0.25);
+  }
+}
+
 TEST_F(FlatContacts, swapped_theSamePoints) {
   const SignedDistance ab = measure(table_, world_from_table_, cube_, at(0.3, -0.4, 0.35));
   const SignedDistance ba = measure(cube_, at(0.3, -0.4, 0.35), table_, world_from_table_);
