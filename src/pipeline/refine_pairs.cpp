@@ -124,12 +124,12 @@ double enoughFor(const Refinement& all, const RefineTask& task) noexcept {
 
 /// How far searches go.
 struct Goal {
-  double enough;       ///< [m] how far elements are apart need not be known beyond
-  std::size_t budget;  ///< of all steps of the cycle
+  double enough;         ///< [m] how far elements are apart need not be known beyond
+  std::uint32_t budget;  ///< of all steps of the cycle
 };
 
 ElementSearch searchFor(const Refinement& all, const RefineTask& task, const Goal& goal) noexcept {
-  return {static_cast<std::uint32_t>(goal.budget - all.work.steps), all.memory.refined[task.pair],
+  return {goal.budget - static_cast<std::uint32_t>(all.work.steps), all.memory.refined[task.pair],
           *all.work.scratch, goal.enough};
 }
 
