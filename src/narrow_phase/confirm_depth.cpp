@@ -96,11 +96,40 @@ Faces takeSeeing(const Vector3d& apex, ConvexWarmStart& warm, PlacedInside& plac
   return seeing;
 }
 
+// Corners that no face has any more make room for others.
+void dropUnused(ConvexWarmStart& warm, PlacedInside& placed) noexcept {
+  std::bitset<Inside::kMaxCorners> used;
+  for (std::size_t f = 0; f < warm.inside_faces; ++f) {
+    for (const std::uint8_t corner : warm.inside.faces[f]) {
+      used.set(corner);
+    }
+  }
+  std::array<std::uint8_t, Inside::kMaxCorners> number{};
+  std::uint8_t kept = 0;
+  for (std::size_t i = 0; i < warm.inside_corners; ++i) {
+    if (used[i]) {
+      warm.inside.corners[kept] = warm.inside.corners[i];
+      placed.corners[kept] = placed.corners[i];
+      placed.on_a[kept] = placed.on_a[i];
+      number[i] = kept++;
+    }
+  }
+  warm.inside_corners = kept;
+  for (std::size_t f = 0; f < warm.inside_faces; ++f) {
+    for (std::uint8_t& corner : warm.inside.faces[f]) {
+      corner = number[corner];
+    }
+  }
+}
+
 // Joins a corner to the outline of the faces that see it, which go. The surface stays closed, with
 // each edge between two faces, if the outline starts but once at each corner.
 // Returns false, with no polytope left, if it does not, or there is no room.
 bool growTo(const ConvexWarmStart::Ends& beyond, const PlacedPair& pair, ConvexWarmStart& warm,
             PlacedInside& placed) noexcept {
+  if (warm.inside_corners == Inside::kMaxCorners) {
+    dropUnused(warm, placed);
+  }
   if (warm.inside_corners == Inside::kMaxCorners) {
     warm.inside_faces = 0;
     return false;
@@ -131,7 +160,7 @@ bool growTo(const ConvexWarmStart::Ends& beyond, const PlacedPair& pair, ConvexW
 
 // The face that proves the depth. The polytope grows while the difference goes on beyond it.
 bool settle(const PlacedPair& pair, ConvexWarmStart& warm, PlacedInside& placed,
-            std::size_t& nearest) noexcept {
+            std::size_t& nearest, bool& is_level) noexcept {
   constexpr int kMaxGrown = 6;
   const double touching = 2.0 * touchingDistance(pair.size);
   for (int grown = 0; grown <= kMaxGrown; ++grown) {
@@ -141,8 +170,8 @@ bool settle(const PlacedPair& pair, ConvexWarmStart& warm, PlacedInside& placed,
     if (!(planes.gap < -touching)) {
       return false;
     }
-    if (squared > touching * touching &&
-        isProven(pair, planes, -std::sqrt(squared), roundingOf(pair.size))) {
+    if (squared > touching * touching && meet(planes, -std::sqrt(squared), roundingOf(pair.size))) {
+      is_level = planes.may_be_level && areLevel(pair, planes);
       return true;
     }
     if (!growTo(cornersOf(pair, planes), pair, warm, placed)) {
@@ -199,7 +228,8 @@ std::optional<ConfirmedDistance> confirmDepth(const PlacedPair& pair,
   std::size_t nearest = 0;
   std::size_t face = 0;
   NearestPoint foot;
-  if (!settle(pair, warm, placed, nearest) ||
+  bool is_level = false;
+  if (!settle(pair, warm, placed, nearest, is_level) ||
       !findFoot(warm, placed, placed.squared[nearest], face, foot)) {
     return std::nullopt;
   }
@@ -209,7 +239,7 @@ std::optional<ConfirmedDistance> confirmDepth(const PlacedPair& pair,
   for (std::size_t k = 0; k < 3; ++k) {
     on_a += foot.weights[k] * placed.on_a[warm.inside.faces[face][k]];
   }
-  return ConfirmedDistance{{-depth, on_a, on_a - depth * normal, normal}, false};
+  return ConfirmedDistance{{-depth, on_a, on_a - depth * normal, normal}, is_level};
 }
 
 }  // namespace collision_monitor

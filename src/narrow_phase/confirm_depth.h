@@ -17,7 +17,7 @@ void keepInside(const ConvexWorkspace& polytope, ConvexWarmStart& warm) noexcept
 /// does; its surface stays closed, which with faces that look away is all that the ball needs.
 ///
 /// Frames: the world's. Error: as a search that is settled, see Penetration.
-/// Limits: of polytopes that neither touch nor are level; the others are left to the search.
+/// Limits: of polytopes that do more than touch; the others are left to the search.
 /// @return nothing when the search has to decide; always if a pose is not
 /// finite.
 std::optional<ConfirmedDistance> confirmDepth(const PlacedPair& pair,

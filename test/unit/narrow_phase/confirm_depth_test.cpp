@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -74,6 +75,57 @@ TEST_F(OverlapInSteps, shorterWayOutElsewhere_isGrownTo) {
   EXPECT_NEAR(found->cores.distance, -0.25, kExact);
   expectNear(found->cores.normal_a_to_b, Vector3d::UnitY(), "normal");
   expectNear(found->cores.point_on_a, {0.5, 2.0, 0.125}, "on a");
+}
+
+// Corners that no face has any more stand before those that one has.
+TEST_F(OverlapInSteps, polytopeThatHasNoRoomLeft_dropsCornersOfNoFace) {
+  ConvexWarmStart::Inside& inside = warm_.inside;
+  const auto unused =
+      static_cast<std::uint8_t>(ConvexWarmStart::Inside::kMaxCorners - warm_.inside_corners);
+  std::rotate(inside.corners.begin(), inside.corners.begin() + warm_.inside_corners,
+              inside.corners.end());
+  for (std::size_t f = 0; f < warm_.inside_faces; ++f) {
+    for (std::uint8_t& corner : inside.faces[f]) {
+      corner = static_cast<std::uint8_t>(corner + unused);
+    }
+  }
+  warm_.inside_corners = ConvexWarmStart::Inside::kMaxCorners;
+  const auto found = confirm(at(0.5, 2.75, 0.125));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->cores.distance, -0.25, kExact);
+  expectNear(found->cores.normal_a_to_b, Vector3d::UnitY(), "normal");
+  EXPECT_LT(warm_.inside_corners, ConvexWarmStart::Inside::kMaxCorners);
+}
+
+// A cube of half edge 1 behind the face x = 2, first by 0.25 and then by 0.3.
+TEST_F(OverlapInSteps, levelFaces_areProvenAndMeetInTheirMiddle) {
+  const ConvexHull cube({{-1, -1, -1},
+                         {1, -1, -1},
+                         {-1, 1, -1},
+                         {1, 1, -1},
+                         {-1, -1, 1},
+                         {1, -1, 1},
+                         {-1, 1, 1},
+                         {1, 1, 1}});
+  static ConvexWorkspace workspace;
+  ConvexWarmStart warm;
+  ConvexSearch search{workspace, warm};
+  signedDistanceBetween(box_, Pose{}, cube, at(2.75, 0.25, 0.125), search);
+  ASSERT_GT(warm.inside_faces, 3);
+  const Pose pose = at(2.7, 1.5, 0.1);
+  const Pose origin;
+  const ConvexCore a = sweptCoreOf(box_).core;
+  const ConvexCore b = sweptCoreOf(cube).core;
+  const PlacedCore placed_a{a, origin, warm.vertex_of_a};
+  const PlacedCore placed_b{b, pose, warm.vertex_of_b};
+  const auto found = confirmDepth(makePlacedPair(placed_a, placed_b), warm);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->is_level);
+  EXPECT_NEAR(found->cores.distance, -0.3, kExact);
+  // They share y from 0.5 to 2, and z from -0.9 to 1.1.
+  const SignedDistance measured = signedDistanceBetween(box_, Pose{}, cube, pose, search).measured;
+  expectNear(measured.point_on_a, {2, 1.25, 0.1}, "on a");
+  expectNear(measured.point_on_b, {1.7, 1.25, 0.1}, "on b");
 }
 
 TEST_F(OverlapInSteps, poseThatIsNotFinite_provesNothing) {
