@@ -109,6 +109,7 @@ void registerRobot(const RobotFile& robot) {
             *scene = makeRobotScene(robot);
           }
           forStates(state, [&](std::size_t i) { return query(**scene, i); });
+          state.counters["pairs"] = static_cast<double>((*scene)->setup.element_pairs.size());
         });
   };
   add("least_distance/ours", leastDistance);

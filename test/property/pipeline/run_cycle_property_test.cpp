@@ -163,17 +163,23 @@ TEST(RunCycleProperty, whatIsCulledMattersToNoVerdictTimeOrScale) {
   EXPECT_GT(slowed, 1000U);
 }
 
-/// Small steps, so that what was measured once holds for many cycles; now and then a link jumps.
+/// Small steps, so that what was measured once holds for many cycles: every second link drifts,
+/// the others spin where they are. Now and then a link jumps.
 void drift(Random& random, LinkPoses& poses) {
   poses.stamp_ns += 10'000'000;
   poses.robot_stamp_ns[0] = poses.stamp_ns;
-  for (Pose& pose : poses.world_from_link) {
+  const Eigen::Matrix3d spin =
+      Eigen::AngleAxisd(2e-3, Eigen::Vector3d(2.0, 3.0, 6.0) / 7.0).toRotationMatrix();
+  for (std::size_t link = 0; link < poses.world_from_link.size(); ++link) {
+    Pose& pose = poses.world_from_link[link];
     if (random() % 1000 == 0) {
       pose = test::randomPose(random, 0.6);
     }
-    pose.translation += test::randomPoint(random, 2e-4);
-    const Eigen::Vector3d axis = test::randomRotation(random).col(0);
-    pose.rotation = Eigen::AngleAxisd(test::uniform(random, 0.0, 1e-3), axis) * pose.rotation;
+    if (link % 2 == 0) {
+      pose.translation += test::randomPoint(random, 2e-4);
+    } else {
+      pose.rotation = spin * pose.rotation;
+    }
   }
 }
 
