@@ -7,49 +7,15 @@
 #include <algorithm>
 #include <limits>
 
-#include "collision_monitor/pipeline/run_cycle.h"
-#include "support/geometry_setup.h"
-#include "support/hand_made_setup.h"
+#include "refine_scene.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor {
 namespace {
 
-SetupOptions optionsFor(RefineGeometry geometry) {
-  SetupOptions options;
-  options.limits = {0.0, 0.01, 0.002, 0.2};
-  options.refine.geometry = geometry;
-  options.default_limits.max_shapes = 1;
-  return options;
-}
-
-/// A set-up whose links stand at the origin, and its cycles.
-struct Scene {
-  explicit Scene(CycleSetup made)
-      : setup(std::move(made)),
-        buffers(makeBuffers(setup, BroadPhaseKind::brute_force)),
-        poses(test::knownPoses(setup)) {}
-  explicit Scene(const std::vector<Geometry>& geometries,
-                 const SetupOptions& options = optionsFor(RefineGeometry::mesh))
-      : Scene(test::geometrySetup(geometries, options)) {}
-
-  void run() { runCycle(setup, poses, buffers); }
-  void moveTo(std::size_t link, double x) { poses.world_from_link[link].translation.x() = x; }
-  const PairDistance& closest() const {
-    return buffers.distances.measured.at(buffers.events.closest_of_all);
-  }
-  Verdict verdict() const { return buffers.events.verdicts.at(0); }
-
-  CycleSetup setup;
-  CycleBuffers buffers;
-  LinkPoses poses;
-};
-
-Scene hookedAngles(RefineGeometry geometry) {
-  Scene scene({test::angleMesh(), test::angleMesh()}, optionsFor(geometry));
-  scene.poses.world_from_link[1] = test::hookedPose();
-  return scene;
-}
+using test::hookedAngles;
+using test::optionsFor;
+using Scene = test::RefineScene;
 
 TEST(RefinePairs, hookedAngles_enclosingShapesSeeAContact) {
   Scene scene = hookedAngles(RefineGeometry::none);
@@ -77,55 +43,6 @@ TEST(RefinePairs, hookedAngles_meshesAreClearByTheirExactDistance) {
   EXPECT_NEAR(std::abs(scene.closest().measured.normal_a_to_b.y()), 1.0, 1e-9);
   EXPECT_EQ(scene.buffers.counters.refined, 1U);
   EXPECT_EQ(scene.buffers.counters.left, 0U);
-}
-
-/// Two pairs of hooked angles far from each other, measured once; then the budget is spent at once.
-Scene twoHookedPairsWithoutBudget() {
-  const auto angle = test::angleMesh();
-  Scene scene({angle, angle, angle, angle});
-  const Pose away{Eigen::Matrix3d::Identity(), {5.0, 0.0, 0.0}};
-  scene.poses.world_from_link[1] = test::hookedPose();
-  scene.poses.world_from_link[2] = away;
-  scene.poses.world_from_link[3] = away * test::hookedPose();
-  scene.run();
-  scene.buffers.refine.limits.budget = 0;
-  return scene;
-}
-
-TEST(RefinePairs, budgetSpentAndNothingMoved_whatWasMeasuredStands) {
-  Scene scene = twoHookedPairsWithoutBudget();
-  const std::vector<PairDistance> before = scene.buffers.distances.measured;
-  scene.run();
-  ASSERT_EQ(scene.buffers.distances.measured.size(), 2U);
-  for (std::size_t i = 0; i < 2; ++i) {
-    const PairDistance& now = scene.buffers.distances.measured[i];
-    EXPECT_EQ(now.quality, Quality::exact);
-    EXPECT_TRUE(now.is_refined);
-    EXPECT_EQ(now.measured.distance, before.at(i).measured.distance);
-    EXPECT_EQ(now.measured.point_on_b, before.at(i).measured.point_on_b);
-  }
-  EXPECT_EQ(scene.buffers.counters.left, 0U);
-  EXPECT_EQ(scene.buffers.counters.refine_steps, 0U);
-}
-
-TEST(RefinePairs, budgetSpentAndOneMoved_lessByItsWayAndABound) {
-  Scene scene = twoHookedPairsWithoutBudget();
-  scene.poses.world_from_link[3].translation.z() += 0.003;
-  scene.run();
-  EXPECT_EQ(scene.buffers.events.overall, Verdict::clear);
-  EXPECT_EQ(scene.buffers.counters.left, 1U);
-  ASSERT_EQ(scene.buffers.distances.measured.size(), 2U);
-  const PairDistance& moved = scene.buffers.distances.measured[1];
-  EXPECT_EQ(moved.quality, Quality::lower_bound);
-  EXPECT_FALSE(moved.is_refined);
-  EXPECT_NEAR(moved.measured.distance, 0.017, 1e-9);
-}
-
-TEST(RefinePairs, budgetSpentAndOneMovedFar_theEnclosingShapesSpeak) {
-  Scene scene = twoHookedPairsWithoutBudget();
-  scene.poses.world_from_link[3].translation.z() += 0.03;
-  scene.run();
-  EXPECT_EQ(scene.buffers.events.overall, Verdict::contact);
 }
 
 TEST(RefinePairs, severalShapesPerLink_pairOfElementsKeepsOneEntry) {
@@ -221,87 +138,6 @@ TEST(RefinePairs, nanPose_pairStaysUnknown) {
   scene.run();
   EXPECT_EQ(scene.verdict(), Verdict::unknown);
   EXPECT_EQ(scene.buffers.counters.refined, 0U);
-}
-
-TEST(RefinePairs, noBudget_lowerBoundsStay) {
-  Scene scene = hookedAngles(RefineGeometry::mesh);
-  scene.buffers.refine.limits.budget = 0;
-  scene.run();
-  EXPECT_EQ(scene.verdict(), Verdict::contact) << "what is not refined is not clear";
-  EXPECT_EQ(scene.closest().quality, Quality::lower_bound);
-  EXPECT_EQ(scene.buffers.counters.left, 1U);
-}
-
-/// A ball in a shell, twice, far from each other. Both surfaces have a hole and no inside: they are
-/// apart, and everywhere by nearly the same distance, which takes long to find.
-Scene ballsInShells() {
-  TriangleMesh ball = test::sphereMesh(0.1, 24);
-  TriangleMesh shell = test::sphereMesh(0.2, 24);
-  ball.triangles.pop_back();
-  shell.triangles.pop_back();
-  Scene scene({ball, shell, ball, shell});
-  scene.moveTo(2, 5.0);
-  scene.moveTo(3, 5.0);
-  return scene;
-}
-
-TEST(RefinePairs, budgetOfOneDistance_noContactOfEnclosingShapesIsLeft) {
-  Scene scene = ballsInShells();
-  scene.buffers.refine.limits.budget = 1000000;
-  scene.run();
-  ASSERT_EQ(scene.buffers.counters.left, 0U);
-  ASSERT_GT(scene.closest().measured.distance, 0.09);
-  resetMemory(scene.buffers);
-  scene.buffers.refine.limits.budget =
-      static_cast<std::uint32_t>(scene.buffers.counters.refine_steps / 2);
-  scene.run();
-  EXPECT_GT(scene.buffers.counters.left, 0U);
-  EXPECT_NE(scene.buffers.events.overall, Verdict::contact);
-  for (const PairDistance& pair : scene.buffers.distances.measured) {
-    EXPECT_GE(pair.measured.distance, 0.002) << "as much as it takes to be in no contact";
-  }
-}
-
-/// Three cylinders side by side, their enclosing boxes in reach of each other, and a budget that
-/// one of them spends.
-Scene threeCylinders() {
-  Scene scene({Cylinder{0.1, 0.05}, Cylinder{0.1, 0.05}, Cylinder{0.1, 0.05}});
-  scene.moveTo(1, 0.102);
-  scene.poses.world_from_link[2].translation = Eigen::Vector3d(0.051, 0.09, 0.0);
-  scene.buffers.refine.limits.budget = 1;
-  return scene;
-}
-
-TEST(RefinePairs, budgetOfOneSearch_thoseThatWaitedComeFirst) {
-  Scene scene = threeCylinders();
-  std::vector<std::uint32_t> refined;
-  for (int cycle = 0; cycle < 6; ++cycle) {
-    for (Pose& pose : scene.poses.world_from_link) {
-      pose.translation.z() += 1e-6;
-    }
-    scene.run();
-    ASSERT_EQ(scene.buffers.counters.refined, 1U);
-    ASSERT_EQ(scene.buffers.counters.left, 2U);
-    for (const PairDistance& pair : scene.buffers.distances.measured) {
-      if (pair.is_refined) {
-        refined.push_back(scene.setup.link_pair_of[index(pair.pair)]);
-      }
-    }
-  }
-  ASSERT_EQ(refined.size(), 6U);
-  EXPECT_NE(refined[0], refined[1]);
-  EXPECT_NE(refined[1], refined[2]);
-  EXPECT_NE(refined[0], refined[2]);
-  EXPECT_EQ(refined[3], refined[0]);
-}
-
-TEST(RefinePairs, budgetOfOneSearchAtRest_isSpentOnWhatIsNotKnownYet) {
-  Scene scene = threeCylinders();
-  for (std::size_t cycle = 0; cycle < 5; ++cycle) {
-    scene.run();
-    EXPECT_EQ(scene.buffers.counters.refined, std::min<std::size_t>(cycle + 1, 3));
-  }
-  EXPECT_EQ(scene.buffers.counters.refine_steps, 0U);
 }
 
 TEST(RefinePairs, refinedOutOfReach_theClosestIsStillFound) {
