@@ -94,11 +94,7 @@ void TransformStore::acceptOne(geometry_msgs::TransformStamped transform, bool i
     return;  // sent again, or too old; tf2 would complain of it
   }
   if (is_static || record.is_static || record.parent != parent) {
-    fillBuffer(frame);
-    record.is_static = is_static;
-    record.parent = parent;
-    record.pose_ns = -1;
-    ++version_.topology;
+    attach(frame, parent, is_static);
   }
   if (is_static || stamp > record.newest_ns) {
     record.parent_from_frame = toPose(transform.transform);
@@ -111,6 +107,15 @@ void TransformStore::acceptOne(geometry_msgs::TransformStamped transform, bool i
   record.previous_ns = std::max(record.previous_ns, std::min(stamp, record.newest_ns));
   record.newest_ns = std::max(record.newest_ns, stamp);
   keepSample(frame, {stamp, transform.transform});
+}
+
+/// What came before is of the former parent.
+void TransformStore::attach(std::size_t frame, const std::string& parent, bool is_static) {
+  fillBuffer(frame);
+  records_[frame].is_static = is_static;
+  records_[frame].parent = parent;
+  records_[frame].pose_ns = -1;
+  ++version_.topology;
 }
 
 void TransformStore::keepSample(std::size_t frame, const Sample& sample) {

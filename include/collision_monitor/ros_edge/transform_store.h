@@ -86,6 +86,7 @@ class TransformStore {
 
   std::size_t recordOf(const std::string& frame);
   void acceptOne(geometry_msgs::TransformStamped transform, bool is_static);
+  void attach(std::size_t frame, const std::string& parent, bool is_static);
   void keepSample(std::size_t frame, const Sample& sample);
   void fillBuffer(std::size_t frame) const;
   ros::Time readTimeLocked();
