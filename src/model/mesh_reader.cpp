@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "model/mesh_builder.h"
+#include "model/obj_text.h"
 #include "model/ply_check.h"
 #include "model/stl_check.h"
 #include "model/triangulate.h"
@@ -79,6 +80,9 @@ class PartPlacer {
 };
 
 TriangleMesh collect(const aiScene& scene) {
+  if (scene.mRootNode->mTransformation.Determinant() == 0.0f) {
+    throw std::runtime_error("its <unit> is 0 metres");
+  }
   MeshBuilder builder;
   struct Visit {
     const aiNode* node;
@@ -107,6 +111,20 @@ TriangleMesh collect(const aiScene& scene) {
   return builder.takeMesh();
 }
 
+/// The file as assimp reads all of it.
+std::string prepared(const std::string& bytes, const std::string& format) {
+  if (format == "stl") {
+    return completeStl(bytes);
+  }
+  if (format == "obj") {
+    return plainObj(bytes);
+  }
+  if (format == "ply") {
+    checkPlyIsComplete(bytes);
+  }
+  return bytes;
+}
+
 }  // namespace
 
 TriangleMesh readMesh(const std::string& bytes, const std::string& file_name) {
@@ -119,12 +137,11 @@ TriangleMesh readMesh(const std::string& bytes, const std::string& file_name) {
     throw std::runtime_error(file_name + ": the file is empty");
   }
   try {
-    const std::string content = format == "stl" ? completeStl(bytes) : bytes;
-    if (format == "ply") {
-      checkPlyIsComplete(bytes);
-    }
+    const std::string content = prepared(bytes, format);
     Assimp::Importer importer;
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+    // Else assimp draws the nodes of a DAE whose meshes it does not find.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     if (importer.ReadFileFromMemory(content.data(), content.size(), 0, format.c_str()) == nullptr) {
       throw std::runtime_error(importer.GetErrorString());
     }

@@ -15,25 +15,57 @@ namespace {
 constexpr std::size_t kHeaderSize = 84;
 constexpr std::size_t kTriangleSize = 50;
 
+constexpr std::string_view kBlanks = " \t\r\n";
+
 /// A header that says "solid" proves nothing: exporters write it into binary files
 /// too. Text has no control bytes, and 512 bytes of triangles always do.
-bool isText(const std::string& bytes) {
-  const std::size_t begin = bytes.find_first_not_of(" \t\r\n");
-  if (begin == std::string::npos || bytes.compare(begin, 5, "solid") != 0) {
-    return false;
-  }
-  const auto end =
-      bytes.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(512, bytes.size()));
-  return std::none_of(bytes.begin(), end, [](char c) { return c >= 0 && c < '\t'; });
+bool isText(std::string_view bytes) {
+  const std::string_view start = bytes.substr(0, 512);
+  return start.substr(0, 5) == "solid" &&
+         std::none_of(start.begin(), start.end(), [](char c) { return c >= 0 && c < '\t'; });
 }
 
-std::size_t countWord(std::string_view text, std::string_view word) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(word); at != std::string_view::npos;
-       at = text.find(word, at + word.size())) {
-    ++count;
+/// Without what editors put before the first word: blanks and a byte order mark.
+std::string_view trimmed(std::string_view bytes) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (bytes.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
+    bytes.remove_prefix(kByteOrderMark.size());
   }
-  return count;
+  bytes.remove_prefix(std::min(bytes.find_first_not_of(kBlanks), bytes.size()));
+  return bytes;
+}
+
+struct WordCounts {
+  std::size_t vertices{0};
+  std::size_t facets{0};
+  std::size_t solids{0};
+};
+
+/// Names stand behind "solid" and "endsolid" up to the end of the line, and may be any words.
+WordCounts countWords(std::string_view text) {
+  WordCounts counts;
+  for (std::size_t begin = 0; (begin = text.find_first_not_of(kBlanks, begin)) != text.npos;) {
+    std::size_t end = std::min(text.find_first_of(kBlanks, begin), text.size());
+    const std::string_view word = text.substr(begin, end - begin);
+    counts.vertices += word == "vertex" ? 1 : 0;
+    counts.facets += word == "endfacet" ? 1 : 0;
+    counts.solids += word == "endsolid" ? 1 : 0;
+    if (word == "solid" || word == "endsolid") {
+      end = std::min(text.find_first_of("\r\n", end), text.size());
+    }
+    begin = end;
+  }
+  return counts;
+}
+
+std::string completeText(std::string_view text) {
+  const WordCounts counts = countWords(text);
+  if (counts.vertices != 3 * counts.facets || counts.solids == 0) {
+    throw std::runtime_error(
+        "the ASCII STL is cut short or malformed: it needs three vertices "
+        "for every endfacet, and endsolid at its end");
+  }
+  return std::string(text);
 }
 
 std::size_t countOf(const std::string& bytes) {
@@ -47,14 +79,8 @@ std::size_t countOf(const std::string& bytes) {
 }  // namespace
 
 std::string completeStl(const std::string& bytes) {
-  if (isText(bytes)) {
-    const std::size_t facets = countWord(bytes, "endfacet");
-    if (countWord(bytes, "vertex") != 3 * facets || countWord(bytes, "endsolid") == 0) {
-      throw std::runtime_error(
-          "the ASCII STL is cut short or malformed: it needs three vertices "
-          "for every endfacet, and endsolid at its end");
-    }
-    return bytes;
+  if (isText(trimmed(bytes))) {
+    return completeText(trimmed(bytes));
   }
   if (bytes.size() < kHeaderSize) {
     throw std::runtime_error("too short for an STL file: " + std::to_string(bytes.size()) +

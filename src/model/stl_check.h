@@ -10,7 +10,8 @@ namespace collision_monitor {
 ///
 /// assimp reads what it finds: half an ASCII file gives half a mesh without a
 /// word, and a binary file with bytes to spare is not recognised. Half a mesh
-/// would be a hole in every distance, so the counts are checked here first.
+/// would be a hole in every distance, so the counts are checked here first. Text loses
+/// blanks and a byte order mark before its first word, of which assimp knows nothing.
 /// @throws std::runtime_error if the file ends before its triangles do.
 std::string completeStl(const std::string& bytes);
 

@@ -80,6 +80,17 @@ TEST(MeshReader, stl_isReadInAllItsGuises) {
   expectTheTriangle(readMesh(binaryStl("solid, with bytes to spare") + "junk", "a.stl"));
 }
 
+TEST(MeshReader, asciiStl_mayHaveAnyNameAndBlanksBeforeIt) {
+  for (const char* name : {"", "vertex", "endfacet of my_vertex", "endsolid", "\xC3\xBC"}) {
+    std::string text = kAsciiStl;
+    text.replace(text.find(" s\nfacet"), 2, " " + std::string(name));
+    text.replace(text.rfind(" s\n"), 2, " " + std::string(name));
+    expectTheTriangle(readMesh(text, "a.stl"));
+  }
+  expectTheTriangle(readMesh(" \r\n\t" + kAsciiStl, "a.stl"));
+  expectTheTriangle(readMesh("\xEF\xBB\xBF" + kAsciiStl, "a.stl"));
+}
+
 TEST(MeshReader, stlCutShort_isAnError) {
   EXPECT_EQ(messageOf([] { readMesh(binaryStl("x", 3), "a.stl"); }),
             "a.stl: the binary STL is cut short: it announces 3 triangles and holds 1");
@@ -132,6 +143,47 @@ TEST(MeshReader, daeMirroredByANode_keepsItsOutside) {
                 .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]])
                 .z(),
             0.0);
+}
+
+TEST(MeshReader, daeThatShowsNoMesh_isAnError) {
+  // assimp would draw the node instead.
+  const std::string nodes = "<node><translate>0 0 1</translate>";
+  EXPECT_EQ(messageOf([&] {
+              readMesh(dae("", nodes + "<instance_geometry url='#other'/></node>"), "a.dae");
+            }),
+            "a.dae: no triangles");
+  EXPECT_EQ(messageOf([&] { readMesh(dae("", nodes + "</node>"), "a.dae"); }),
+            "a.dae: no triangles");
+}
+
+TEST(MeshReader, daeInUnitsOfNothing_isAnError) {
+  EXPECT_EQ(messageOf([] {
+              readMesh(dae("<unit meter='0'/>", "<node>" + kInstance + "</node>"), "a.dae");
+            }),
+            "a.dae: its <unit> is 0 metres");
+}
+
+TEST(MeshReader, obj_hasEveryVertexHoweverItIsWritten) {
+  // A vertex that is passed over makes all that follow others than the faces mean, and
+  // there are enough of them for the faces to name.
+  const std::string spare = "v 5 5 5\nv 6 7 8\nv 8 7 6\n";
+  for (const char* vertices :
+       {"v .0 0 0\nv 1 .0 .0\nv 0 2. .0\n", "  v 0 0 0\n\tv 1 0 0\n v 0 2 0\n",
+        "v 0 0 0 .1 .2 .3 1\nv 1 0 0 0 0 0 1\nv 0 2 0 0 0 0 1\n",
+        "v 0 0 0 1 1\nv 1 0 0 1 1\nv 0 2 0 1 1\n", "v 0 \\\n 0 0\nv 1 0 \\\r\n0\nv 0 2 0\n",
+        "\xEF\xBB\xBFv 0 0 0\nv 1 0 0 # here\r\nv 0 +2e0 -.0\n"}) {
+    expectTheTriangle(readMesh(vertices + spare + "  f 1 2 3 # these\n", "a.obj"));
+  }
+}
+
+TEST(MeshReader, objVertexWithoutThreeNumbers_isAnErrorThatNamesTheLine) {
+  for (const char* vertex : {"v 1 2", "v", "v 1 2 x", "v 1 2 # 3"}) {
+    EXPECT_EQ(messageOf([&] {
+                readMesh("v 0 0 0\nv 1 0 0\n" + std::string(vertex) + "\nv 0 2 0\nf 1 2 4\n",
+                         "a.obj");
+              }),
+              "a.obj: line 3: a vertex needs three numbers, as 'v 0.1 0.2 0.3'");
+  }
 }
 
 TEST(MeshReader, obj_readsObjectsQuadsAndNegativeIndices) {
