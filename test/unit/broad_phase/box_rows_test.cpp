@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "collision_monitor/broad_phase/pair_table.h"
+#include "support/instruction_sets.h"
 
 namespace collision_monitor {
 namespace {
@@ -65,6 +66,30 @@ TEST(BoxRows, ofATable_idsOfPairsThatMeet) {
                    room.begin() + static_cast<std::ptrdiff_t>(paired.count));
     }
     EXPECT_EQ(found, expected);
+  }
+}
+
+/// Ids are packed in another way on each.
+TEST(BoxRows, ofATable_anyLanes_onEveryInstructionSet) {
+  constexpr std::size_t kCount = 17;  // one that meets all others
+  BoxRows rows = cubesAlongX(kCount);
+  setRow(0, 100, {{0, 0.5F, 0.5F, 0}, {100, 0.75F, 0.75F, 0}}, rows);
+  for (const std::int64_t target : test::instructionSets()) {
+    const test::OnlyInstructionSet only(target);
+    for (std::uint32_t eight = 0; eight < 256; ++eight) {
+      const std::uint32_t in_table = eight | (~eight & 255U) << 8;
+      std::vector<std::uint32_t> ids(kCount * kCount + kRowPadding, kNoPair);
+      std::vector<std::uint32_t> expected;
+      for (std::uint32_t other = 1; other < kCount; ++other) {
+        if ((in_table >> (other - 1) & 1U) != 0) {
+          ids[other] = 1000 + other;
+          expected.push_back(1000 + other);
+        }
+      }
+      std::vector<std::uint32_t> found(kCount * kCount);
+      found.resize(pairRowsOfTable(rows, 0, kCount, ids.data(), found).count);
+      ASSERT_EQ(found, expected) << hwy::TargetName(target);
+    }
   }
 }
 
