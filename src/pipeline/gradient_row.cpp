@@ -22,51 +22,56 @@ void add(std::uint32_t variable, double value, GradientRow& row) noexcept {
   }
 }
 
-/// Which of the two links of a pair a joint moves.
-enum class Side : unsigned char { a, b };
+}  // namespace
 
-void addJoint(const RobotModel& model, const LinkPoses& poses, const SignedDistance& measured,
-              std::pair<JointId, Side> moved, GradientRow& row) noexcept {
-  const Joint& joint = model.joint(moved.first);
-  for (std::size_t k = 0; k < freedomOf(joint); ++k) {
-    const Twist twist = jointTwist(joint, k, poses.world_from_link[index(joint.parent)],
-                                   poses.world_from_link[index(joint.child)]);
-    const double rate = moved.second == Side::a ? distanceRate(measured, twist, Twist())
-                                                : distanceRate(measured, Twist(), twist);
-    add(static_cast<std::uint32_t>(joint.first_variable + k), rate, row);
+GradientRows::GradientRows(const CycleSetup& setup, const LinkPoses& poses)
+    : setup_(setup), joined_(setup.model.links.size()) {
+  row_.reserve(setup.model.variable_count);
+  twists_.reserve(setup.model.variable_count);
+  for (const Joint& joint : setup.model.joints) {
+    addLink(poses, joint);
   }
 }
 
-}  // namespace
-
-GradientRow makeGradientRow(const RobotModel& model) {
-  GradientRow row;
-  row.reserve(model.variable_count);
-  return row;
+void GradientRows::addLink(const LinkPoses& poses, const Joint& joint) {
+  const std::size_t first = twists_.size();
+  for (std::size_t k = 0; k < freedomOf(joint); ++k) {
+    twists_.push_back(jointTwist(joint, k, poses.world_from_link[index(joint.parent)],
+                                 poses.world_from_link[index(joint.child)]));
+  }
+  joined_[index(joint.child)] = {joint.parent, joint.first_variable, first, twists_.size(), false};
 }
 
-void gradientRow(const CycleSetup& setup, const LinkPoses& poses, const PairDistance& distance,
-                 GradientRow& row) noexcept {
-  const RobotModel& model = setup.model;
-  const CheckedLinkPair& pair = setup.checked[setup.link_pair_of[index(distance.pair)]];
+void GradientRows::addJoint(const SignedDistance& measured, const Joined& joined,
+                            bool moves_a) noexcept {
+  for (std::size_t i = joined.first; i < joined.last; ++i) {
+    const double rate = moves_a ? distanceRate(measured, twists_[i], Twist())
+                                : distanceRate(measured, Twist(), twists_[i]);
+    add(static_cast<std::uint32_t>(joined.first_variable + i - joined.first), rate, row_);
+  }
+}
+
+const GradientRow& GradientRows::of(const PairDistance& distance) noexcept {
+  const CheckedLinkPair& pair = setup_.checked[setup_.link_pair_of[index(distance.pair)]];
   LinkId a = pair.a;
   LinkId b = pair.b;
-  row.clear();
+  row_.clear();
   // Parents stand before their children: the later of the two links is no ancestor of the other.
   while (a != b) {
     const bool is_a = index(a) > index(b);
-    const bool climbs_a = model.link(is_a ? a : b).parent_joint ? is_a : !is_a;
+    const bool climbs_a = joined_[index(is_a ? a : b)].is_root ? !is_a : is_a;
     LinkId& link = climbs_a ? a : b;
-    const auto& joint = model.link(link).parent_joint;
-    if (!joint) {
+    const Joined& joined = joined_[index(link)];
+    if (joined.is_root) {
       break;  // two robots, both at their roots
     }
-    addJoint(model, poses, distance.measured, {*joint, climbs_a ? Side::a : Side::b}, row);
-    link = model.joint(*joint).parent;
+    addJoint(distance.measured, joined, climbs_a);
+    link = joined.parent;
   }
-  std::sort(row.begin(), row.end(), [](const GradientEntry& one, const GradientEntry& other) {
+  std::sort(row_.begin(), row_.end(), [](const GradientEntry& one, const GradientEntry& other) {
     return one.variable < other.variable;
   });
+  return row_;
 }
 
 }  // namespace collision_monitor

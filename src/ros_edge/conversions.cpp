@@ -23,12 +23,10 @@ void nameLinks(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance& messag
   message.shape_b.clear();
 }
 
-/// The row is filled by those who publish it.
+/// The row is left to those who publish it.
 void fillNumbers(const SignedDistance& measured, LinkDistance& message) {
   message.closing_speed = kUnknown;
   message.time_to_contact = kUnknown;
-  message.gradient_joints.clear();
-  message.gradient_values.clear();
   message.distance = measured.distance;
   toMessage(measured.point_on_a, message.point_on_a);
   toMessage(measured.point_on_b, message.point_on_b);
@@ -84,7 +82,8 @@ void toMessage(const Pose& pose, geometry_msgs::Pose& message) {
 
 void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message) {
   const BodyPair& pair = setup.table[distance.pair];
-  nameLinks(setup, setup.bodies[index(pair.a)].link, setup.bodies[index(pair.b)].link, message);
+  message.link_a = setup.model.link(setup.bodies[index(pair.a)].link).name;
+  message.link_b = setup.model.link(setup.bodies[index(pair.b)].link).name;
   message.shape_a = shapeName(setup, distance, pair.a);
   message.shape_b = shapeName(setup, distance, pair.b);
   message.quality = static_cast<std::uint8_t>(distance.quality);
@@ -141,7 +140,7 @@ void toMessage(const Watch& watch, Distances& message) {
   message.pairs_unknown = static_cast<std::uint32_t>(
       std::count(events.verdicts.begin(), events.verdicts.end(), Verdict::unknown));
   message.truncated = 0;
-  GradientRow row = makeGradientRow(setup.model);
+  GradientRows rows(setup, watch.poses);
   std::size_t count = 0;
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     const std::uint32_t place = events.closest[i];
@@ -155,8 +154,7 @@ void toMessage(const Watch& watch, Distances& message) {
     message.pairs.resize(std::max(message.pairs.size(), count + 1));
     const PairDistance& distance = watch.buffers.distances.measured[place];
     toMessage(setup, distance, message.pairs[count]);
-    gradientRow(setup, watch.poses, distance, row);
-    toMessage(setup, row, message.pairs[count]);
+    toMessage(setup, rows.of(distance), message.pairs[count]);
     message.pairs[count].passed_at = passedAt(watch, static_cast<LinkPairIndex>(i));
     ++count;
   }

@@ -27,7 +27,7 @@ const std::string& shapeName(const CycleSetup& setup, const PairDistance& distan
 /// [s] after the last cycle's data: when the links touched on their way to this one; NaN if never.
 double passedAt(const Watch& watch, LinkPairIndex link_pair);
 
-/// A measured pair, without its gradient row.
+/// A measured pair; its gradient row is left as it is.
 void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message);
 void toMessage(const CycleSetup& setup, const GradientRow& row, LinkDistance& message);
 /// No pair: no names, and numbers that are NaN.

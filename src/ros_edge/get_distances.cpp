@@ -94,7 +94,7 @@ void fillDistances(const CycleSetup& setup, const Selection& selection, const Sc
     }
   }
   std::vector<LinkDistance> unknown;
-  GradientRow row = makeGradientRow(setup.model);
+  GradientRows rows(setup, scene.poses);
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     const CheckedLinkPair& pair = setup.checked[i];
     if (!selection.has(pair.a, pair.b)) {
@@ -107,8 +107,7 @@ void fillDistances(const CycleSetup& setup, const Selection& selection, const Sc
     } else if (nearest[i]->measured.distance <= max_distance) {
       message.pairs.emplace_back();
       toMessage(setup, *nearest[i], message.pairs.back());
-      gradientRow(setup, scene.poses, *nearest[i], row);
-      toMessage(setup, row, message.pairs.back());
+      toMessage(setup, rows.of(*nearest[i]), message.pairs.back());
     }
   }
   std::stable_sort(message.pairs.begin(), message.pairs.end(),

@@ -18,8 +18,13 @@ namespace collision_monitor {
 /// has a kink, and this is the rate at the points that were measured.
 /// Source: Danskin's theorem; Gilbert, Johnson, "Distance functions and their application to robot
 /// path planning in the presence of obstacles" (1985).
-double distanceRate(const SignedDistance& measured, const Twist& twist_a,
-                    const Twist& twist_b) noexcept;
+inline double distanceRate(const SignedDistance& measured, const Twist& twist_a,
+                           const Twist& twist_b) noexcept {
+  // Seen from A, where both points move alike along the normal.
+  const Eigen::Vector3d velocity = velocityAt(twist_b - twist_a, measured.point_on_b);
+  const Eigen::Vector3d& normal = measured.normal_a_to_b;
+  return normal.x() * velocity.x() + normal.y() * velocity.y() + normal.z() * velocity.z();
+}
 
 /// Time until `gap` [m] is used up at `closing_speed` [m/s]: 0 if there is none left, infinity
 /// if it takes longer than `horizon` [s] or nothing closes, NaN if one of both is.

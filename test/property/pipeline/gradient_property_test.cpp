@@ -149,9 +149,10 @@ bool isFollowed(const RobotModel& model, const Joint& joint) {
 
 void checkRows(Scene& scene, const JointPositions& positions, Counts& counts) {
   const std::vector<double> here = scene.distancesAt(positions);
-  std::vector<GradientRow> rows(here.size(), makeGradientRow(scene.setup.model));
+  GradientRows rows_here(scene.setup, scene.poses);
+  std::vector<GradientRow> rows;
   for (std::size_t i = 0; i < here.size(); ++i) {
-    gradientRow(scene.setup, scene.poses, scene.buffers.distances.measured[i], rows[i]);
+    rows.push_back(rows_here.of(scene.buffers.distances.measured[i]));
   }
   for (const Joint& joint : scene.setup.model.joints) {
     for (std::size_t k = 0; !joint.mimic && k < freedomOf(joint); ++k) {
@@ -217,11 +218,10 @@ TEST(GradientLaws, rowTimesVelocities_isTheClosingSpeedOfTheLinks) {
     scene.poses.velocities.known[0] = 1;  // the root, which stands still
     applyJointVelocities(model, velocities, scene.poses);
     findClosings(scene.setup, scene.poses, scene.buffers.distances);
-    GradientRow row = makeGradientRow(model);
+    GradientRows rows(scene.setup, scene.poses);
     for (const PairDistance& distance : scene.buffers.distances.measured) {
-      gradientRow(scene.setup, scene.poses, distance, row);
       double rate = 0.0;
-      for (const GradientEntry& entry : row) {
+      for (const GradientEntry& entry : rows.of(distance)) {
         rate += entry.value * velocities[entry.variable];
       }
       RC_ASSERT(std::abs(rate + distance.closing_speed) <= 1e-12);

@@ -50,12 +50,12 @@ class GradientRowTest : public testing::Test {
     std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
     CycleBuffers buffers = makeBuffers(setup_, BroadPhaseKind::brute_force);
     placeBodies(setup_, poses, buffers.body_poses);
-    GradientRow row = makeGradientRow(model);
+    GradientRow row;
     for (std::size_t i = 0; i < setup_.table.size(); ++i) {
       const CheckedLinkPair& pair = setup_.checked[setup_.link_pair_of[i]];
       if (pair.a == *model.findLink(a) && pair.b == *model.findLink(b)) {
         measurePairs(setup_, buffers.body_poses, {idAt<PairId>(i)}, buffers.distances);
-        gradientRow(setup_, poses, buffers.distances.measured[0], row);
+        row = GradientRows(setup_, poses).of(buffers.distances.measured[0]);
       }
     }
     return row;
