@@ -27,6 +27,14 @@ bool isUsable(const geometry_msgs::Transform& transform) {
          std::abs(norm - 1.0) < kQuaternionTolerance;
 }
 
+bool hasLeadingSlash(const std::string& frame) { return !frame.empty() && frame.front() == '/'; }
+
+geometry_msgs::TransformStamped withoutSlashes(geometry_msgs::TransformStamped transform) {
+  transform.header.frame_id = stripLeadingSlash(transform.header.frame_id);
+  transform.child_frame_id = stripLeadingSlash(transform.child_frame_id);
+  return transform;
+}
+
 /// Signed: ros::Time cannot hold the difference of two times in the wrong order.
 std::int64_t nanoseconds(const ros::Time& time) { return static_cast<std::int64_t>(time.toNSec()); }
 
@@ -42,10 +50,15 @@ Pose toPose(const geometry_msgs::Transform& transform) noexcept {
 }
 
 std::string stripLeadingSlash(const std::string& frame) {
-  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+  return hasLeadingSlash(frame) ? frame.substr(1) : frame;
 }
 
-std::size_t TransformStore::recordOf(const std::string& frame) {
+/// Messages mostly name frames in the order in which they were first seen: the one after the last
+/// is looked at first.
+std::size_t TransformStore::recordOf(const std::string& frame, std::size_t expected) {
+  if (expected < records_.size() && records_[expected].name == frame) {
+    return expected;
+  }
   const auto [place, is_new] = places_.try_emplace(frame, records_.size());
   if (is_new) {
     records_.emplace_back();
@@ -63,17 +76,22 @@ void TransformStore::accept(const std::vector<geometry_msgs::TransformStamped>& 
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     readTimeLocked();
+    std::size_t expected = 0;
     for (const geometry_msgs::TransformStamped& transform : transforms) {
-      acceptOne(transform, is_static);
+      if (hasLeadingSlash(transform.header.frame_id) || hasLeadingSlash(transform.child_frame_id)) {
+        acceptOne(withoutSlashes(transform), is_static, expected);
+      } else {
+        acceptOne(transform, is_static, expected);
+      }
     }
     ++version_.data;
   }
   news_.notify_all();
 }
 
-void TransformStore::acceptOne(geometry_msgs::TransformStamped transform, bool is_static) {
-  transform.header.frame_id = stripLeadingSlash(transform.header.frame_id);
-  transform.child_frame_id = stripLeadingSlash(transform.child_frame_id);
+/// @param expected the record to look at first; the one after this transform's when it returns
+void TransformStore::acceptOne(const geometry_msgs::TransformStamped& transform, bool is_static,
+                               std::size_t& expected) {
   const std::string& parent = transform.header.frame_id;
   if (parent.empty() || transform.child_frame_id.empty() || parent == transform.child_frame_id) {
     return;
@@ -83,7 +101,8 @@ void TransformStore::acceptOne(geometry_msgs::TransformStamped transform, bool i
     ++without_stamp_;
     return;
   }
-  const std::size_t frame = recordOf(transform.child_frame_id);
+  const std::size_t frame = recordOf(transform.child_frame_id, expected);
+  expected = frame + 1;
   FrameRecord& record = records_[frame];
   record.is_bad = !isUsable(transform.transform);
   if (record.is_bad) {
@@ -121,6 +140,11 @@ void TransformStore::attach(std::size_t frame, const std::string& parent, bool i
 void TransformStore::keepSample(std::size_t frame, const Sample& sample) {
   std::deque<Sample>& waiting = waiting_[frame];
   waiting.push_back(sample);
+  // Not each time: the oldest sample lies where nothing else was read for the whole history.
+  constexpr std::size_t kSamplesBetween = 64;
+  if (waiting.size() % kSamplesBetween != 0) {
+    return;
+  }
   while (waiting.front().stamp_ns < records_[frame].newest_ns - kHistory) {
     waiting.pop_front();
   }

@@ -84,8 +84,9 @@ class TransformStore {
     geometry_msgs::Transform parent_from_frame;
   };
 
-  std::size_t recordOf(const std::string& frame);
-  void acceptOne(geometry_msgs::TransformStamped transform, bool is_static);
+  std::size_t recordOf(const std::string& frame, std::size_t expected);
+  void acceptOne(const geometry_msgs::TransformStamped& transform, bool is_static,
+                 std::size_t& expected);
   void attach(std::size_t frame, const std::string& parent, bool is_static);
   void keepSample(std::size_t frame, const Sample& sample);
   void fillBuffer(std::size_t frame) const;
