@@ -13,10 +13,8 @@ Twist twistBetween(const Pose& before, const Pose& after, double duration) noexc
   return twistAbout(before.translation, motion.travel / duration, motion.turn / duration);
 }
 
-Twist smoothed(const Twist& before, const Twist& now, double duration,
-               double time_constant) noexcept {
-  const double share = time_constant > 0.0 ? -std::expm1(-duration / time_constant) : 1.0;
-  return before + share * (now - before);
+double smoothingShare(double duration, double time_constant) noexcept {
+  return time_constant > 0.0 ? -std::expm1(-duration / time_constant) : 1.0;
 }
 
 }  // namespace collision_monitor

@@ -15,7 +15,8 @@ bool isPlaced(const LinkPoses& poses, std::size_t link) noexcept {
 }
 
 /// Takes in a new stamp of one link, `duration` after the last one; no duration: after a gap.
-void trackLink(const LinkPoses& poses, double duration, double time_constant, std::size_t link,
+/// @param share as smoothingShare of it
+void trackLink(const LinkPoses& poses, double duration, double share, std::size_t link,
                VelocityTracker& tracker) noexcept {
   const bool is_known = isPlaced(poses, link);
   Twist& twist = tracker.filtered.of_link[link];
@@ -23,7 +24,7 @@ void trackLink(const LinkPoses& poses, double duration, double time_constant, st
   if (is_known && tracker.was_known[link] != 0 && duration > 0.0) {
     const Twist now =
         twistBetween(tracker.world_from_link[link], poses.world_from_link[link], duration);
-    twist = is_moving != 0 ? smoothed(twist, now, duration, time_constant) : now;
+    twist = is_moving != 0 ? smoothed(twist, now, share) : now;
     is_moving = 1;
   } else {
     is_moving = 0;
@@ -68,9 +69,10 @@ void trackVelocities(const RobotModel& model, const VelocityOptions& options,
     const std::int64_t stamp_ns = poses.robot_stamp_ns[i];
     const double passed = 1e-9 * static_cast<double>(stamp_ns - tracker.stamp_ns[i]);
     const double duration = passed <= options.longest_gap ? passed : 0.0;
+    const double share = smoothingShare(duration, options.time_constant);
     for (std::size_t link = robot.first_link; link < robot.first_link + robot.link_count; ++link) {
       if (stamp_ns != tracker.stamp_ns[i]) {
-        trackLink(poses, duration, options.time_constant, link, tracker);
+        trackLink(poses, duration, share, link, tracker);
       }
       poses.velocities.of_link[link] = tracker.filtered.of_link[link];
       poses.velocities.known[link] = isPlaced(poses, link) ? tracker.filtered.known[link] : 0;

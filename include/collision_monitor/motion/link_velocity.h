@@ -14,9 +14,13 @@ namespace collision_monitor {
 /// @pre duration > 0 [s]
 Twist twistBetween(const Pose& before, const Pose& after, double duration) noexcept;
 
-/// First-order low-pass of twists that come every `duration` seconds: a step is followed to
+/// Of a first-order low-pass, the share of what is new after `duration` [s]: a step is followed to
 /// 1 - 1/e within `time_constant` [s]; 0 passes everything.
-Twist smoothed(const Twist& before, const Twist& now, double duration,
-               double time_constant) noexcept;
+double smoothingShare(double duration, double time_constant) noexcept;
+
+/// From `before` to `now` by a share.
+inline Twist smoothed(const Twist& before, const Twist& now, double share) noexcept {
+  return before + share * (now - before);
+}
 
 }  // namespace collision_monitor

@@ -48,17 +48,18 @@ TEST(TwistBetween, turnAboutAFixedAxis_isExactHoweverFar) {
 TEST(Smoothed, stepIsFollowed) {
   const Twist rest;
   const Twist step{{1, 0, 0}, {0, 2, 0}};
-  const Twist after = smoothed(rest, step, 0.02, 0.02);
+  const Twist after = smoothed(rest, step, smoothingShare(0.02, 0.02));
   expectNear(after.linear, {1 - std::exp(-1.0), 0, 0});
   expectNear(after.angular, {0, 2 - 2 * std::exp(-1.0), 0});
   // Two halves make a whole.
-  const Twist halves = smoothed(smoothed(rest, step, 0.01, 0.02), step, 0.01, 0.02);
+  const double of_half = smoothingShare(0.01, 0.02);
+  const Twist halves = smoothed(smoothed(rest, step, of_half), step, of_half);
   expectNear(halves.linear, after.linear);
 }
 
 TEST(Smoothed, noTimeConstant_passesEverything) {
   const Twist step{{1, 0, 0}, {0, 2, 0}};
-  expectNear(smoothed(Twist(), step, 0.001, 0.0).linear, {1, 0, 0});
+  expectNear(smoothed(Twist(), step, smoothingShare(0.001, 0.0)).linear, {1, 0, 0});
 }
 
 }  // namespace
