@@ -39,16 +39,21 @@ double positionOf(const Joint& joint, const JointPositions& positions) noexcept 
 
 }  // namespace
 
-/// Source: Rodrigues' formula with sin and cos taken from z x axis and z . axis.
+/// Source: Rodrigues' formula with sin and cos taken from z x axis and z . axis. Where the axis
+/// points back, 1 + cos would cancel: there it is sin^2 / (1 - cos).
 Eigen::Matrix3d rotationFromZTo(const Eigen::Vector3d& axis) noexcept {
+  const double x = axis.x();
+  const double y = axis.y();
   const double cosine = axis.z();
-  if (cosine < -1.0 + 1e-12) {
+  const double sine_squared = x * x + y * y;
+  if (cosine < 0.0 && sine_squared < std::numeric_limits<double>::min()) {
     // Straight back every axis in the plane is as good; x stays where it is.
     return Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
   }
-  Eigen::Matrix3d cross;  // [z x axis]
-  cross << 0.0, 0.0, axis.x(), 0.0, 0.0, axis.y(), -axis.x(), -axis.y(), 0.0;
-  return Eigen::Matrix3d::Identity() + cross + cross * cross / (1.0 + cosine);
+  const double k = cosine < 0.0 ? (1.0 - cosine) / sine_squared : 1.0 / (1.0 + cosine);
+  Eigen::Matrix3d rotation;
+  rotation << 1.0 - k * x * x, -k * x * y, x, -k * x * y, 1.0 - k * y * y, y, -x, -y, cosine;
+  return rotation;
 }
 
 JointPositions defaultPositions(const RobotModel& model) {

@@ -111,6 +111,20 @@ TEST_P(StateKinematicsTest, hugeAngle_isThatOfTheStandardLibrary) {
   }
 }
 
+TEST_P(StateKinematicsTest, axisThatPointsNearlyBack_isAsExactAsOthers) {
+  for (const char* tilt : {"1e-2", "1.55e-3", "1e-5", "1e-7", "1e-12", "1e-160"}) {
+    const RobotModel model =
+        modelOf("<link name='a'/><link name='b'/>" +
+                jointXml("turn", "continuous", "a", "b",
+                         "<axis xyz='" + std::string(tilt) + " -" + tilt + " -1'/>"));
+    place(model, standingAt(model, {Pose{}}), {{0.7}});
+    std::vector<Pose> links;
+    placeLinks(model, {0.7}, {Pose{}}, links);
+    EXPECT_TRUE(isRigid(linkIn(0, 1), 1e-14)) << tilt;
+    EXPECT_LE((linkIn(0, 1).rotation - links[1].rotation).cwiseAbs().maxCoeff(), 1e-14) << tilt;
+  }
+}
+
 TEST_P(StateKinematicsTest, variableThatIsNotFinite_spoilsItsStateAlone) {
   const RobotModel model = modelOf("<link name='a'/><link name='b'/><link name='c'/>" +
                                    jointXml("turn", "continuous", "a", "b", "<axis xyz='0 1 1'/>") +
