@@ -82,9 +82,27 @@ bool isKnown(const BodyPoses& body_poses, const CheckedLinkPair& pair) noexcept 
   return body_poses.link_known[index(pair.a)] != 0 && body_poses.link_known[index(pair.b)] != 0;
 }
 
+/// Whether it is the geometries themselves that are in contact, if the pair is.
+bool isOfGeometries(const PairDistances& distances, const PairEvents& events,
+                    std::size_t link_pair) noexcept {
+  const std::uint32_t passed = events.passed[link_pair];
+  const std::uint32_t closest = events.closest[link_pair];
+  return (passed != kNone && distances.passed[passed].distance.quality != Quality::lower_bound) ||
+         (closest != kNone && distances.measured[closest].quality != Quality::lower_bound);
+}
+
+/// What hysteresis starts from. A contact of bounds, as where the budget was spent, is no contact
+/// as soon as the geometries are seen to be apart, however near they are.
+Verdict heldVerdict(const PairMemory& memory, std::size_t link_pair, Quality quality) noexcept {
+  const Verdict before = memory.reported[link_pair];
+  const bool is_refuted = quality == Quality::exact && memory.is_certain[link_pair] == 0;
+  return before == Verdict::contact && is_refuted ? Verdict::warning : before;
+}
+
 /// @pre both links are known
 Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
-                      const PairEvents& events, std::size_t link_pair, Verdict before) noexcept {
+                      const PairEvents& events, std::size_t link_pair,
+                      const PairMemory& memory) noexcept {
   const std::uint32_t closest = events.closest[link_pair];
   if (events.passed[link_pair] != kNone) {
     return Verdict::contact;
@@ -98,7 +116,8 @@ Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
   }
   const std::uint32_t soonest = events.soonest[link_pair];
   const double time = soonest == kNone ? kNever : distances.measured[soonest].time_to_contact;
-  return verdictFor(nearest.measured.distance, time, setup.checked[link_pair].limits, before);
+  return verdictFor(nearest.measured.distance, time, setup.checked[link_pair].limits,
+                    heldVerdict(memory, link_pair, nearest.quality));
 }
 
 }  // namespace
@@ -113,8 +132,10 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     Verdict& reported = memory.reported[i];
     const Verdict verdict = isKnown(body_poses, setup.checked[i])
-                                ? judgeLinkPair(setup, distances, events, i, reported)
+                                ? judgeLinkPair(setup, distances, events, i, memory)
                                 : Verdict::unknown;
+    const bool is_certain = memory.is_certain[i] != 0 || isOfGeometries(distances, events, i);
+    memory.is_certain[i] = verdict == Verdict::contact && is_certain ? 1 : 0;
     events.verdicts[i] = verdict;
     events.overall = std::max(events.overall, verdict);
     has_unknown = has_unknown || verdict == Verdict::unknown;

@@ -52,6 +52,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.events.island_of_link.resize(links, 0);
   buffers.events.island_forest.resize(links, 0);
   buffers.memory.reported.resize(link_pairs, Verdict::clear);
+  buffers.memory.is_certain.resize(link_pairs, 0);
   buffers.memory.refined = makeRefineMemory(setup);
   buffers.memory.gaps = makeKnownGaps(setup);
   buffers.memory.last.world_from_link.resize(links);
@@ -65,6 +66,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
 
 void resetMemory(CycleBuffers& buffers) noexcept {
   std::fill(buffers.memory.reported.begin(), buffers.memory.reported.end(), Verdict::clear);
+  std::fill(buffers.memory.is_certain.begin(), buffers.memory.is_certain.end(), 0);
   forget(buffers.memory.refined);
   std::fill(buffers.memory.last.known.begin(), buffers.memory.last.known.end(), 0);
   buffers.memory.last.stamp_ns = 0;

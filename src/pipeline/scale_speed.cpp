@@ -13,6 +13,7 @@ namespace {
 constexpr unsigned char kWasStopped = 1;
 constexpr unsigned char kCloses = 2;
 constexpr unsigned char kRests = 4;
+constexpr unsigned char kMayTouch = 8;  ///< by a bound; remembered until the geometries are seen
 
 /// What all pairs ask for together.
 struct Demand {
@@ -36,8 +37,9 @@ void askForMeasured(const PairDistance& distance, const CheckedLinkPair& pair, c
     seen |= gap <= rule.stop_distance ? kCloses : 0;
   } else if (closing >= -rule.rest_speed) {
     // One that touches was stopped, or should have been.
+    const bool is_bound = distance.quality == Quality::lower_bound;
     const bool is_touching = gap <= pair.limits.contact_distance;
-    seen |= is_touching ? kWasStopped : 0;
+    seen |= is_touching ? is_bound ? kMayTouch : kWasStopped : 0;
     seen |= gap <= rule.stop_distance + pair.limits.hysteresis ? kRests : 0;
     // It may rest because it was slowed down: then it must not be let go all at once.
     demand.is_free = demand.is_free && gap > pair.limits.warning_distance;
@@ -56,7 +58,10 @@ void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistan
   }
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     const unsigned char seen = speed.stopped[i];
-    const bool rests = (seen & kRests) != 0 && (seen & kWasStopped) != 0;
+    const std::uint32_t closest = events.closest[i];
+    const bool is_seen = closest != kNone && distances.measured[closest].quality == Quality::exact;
+    const unsigned char stops = seen & (is_seen ? kWasStopped : kWasStopped | kMayTouch);
+    const bool rests = (seen & kRests) != 0 && stops != 0;
     const bool closes = (seen & kCloses) != 0;
     if (rests && !closes) {
       ask(rule.creep_scale, demand);
@@ -64,7 +69,7 @@ void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistan
     if (events.verdicts[i] == Verdict::unknown || events.passed[i] != kNone) {
       ask(0.0, demand);
     }
-    speed.stopped[i] = rests || closes ? kWasStopped : 0;
+    speed.stopped[i] = closes ? kWasStopped : rests ? stops : 0;
   }
   const double duration = 1e-9 * static_cast<double>(stamp_ns - speed.stamp_ns);
   speed.scale =

@@ -216,6 +216,9 @@ struct SpeedScale {
 /// takes.
 struct PairMemory {
   std::vector<Verdict> reported;  ///< by LinkPairIndex: the verdict last reported
+  /// By LinkPairIndex: whether a contact that was reported was one of the geometries, and not of
+  /// bounds alone.
+  std::vector<unsigned char> is_certain;
   SpeedScale speed;
   std::vector<RefineMemory> refined;  ///< by ElementPairIndex
   KnownGaps gaps;

@@ -24,6 +24,43 @@ TEST(RefineBudget, noBudget_lowerBoundsStay) {
   EXPECT_EQ(scene.buffers.counters.left, 1U);
 }
 
+/// Hooked angles, 1 mm apart and so within the hysteresis of a contact, that rest.
+Scene restingAngles() {
+  Scene scene = hookedAngles(RefineGeometry::mesh);
+  scene.poses.world_from_link[1].translation.y() -= 0.019;
+  std::fill(scene.poses.velocities.known.begin(), scene.poses.velocities.known.end(), 1);
+  return scene;
+}
+
+TEST(RefineBudget, contactOfEnclosingShapesAlone_endsWhenTheGeometriesAreSeenApart) {
+  Scene scene = restingAngles();
+  const auto budget = scene.buffers.refine.limits.budget;
+  scene.buffers.refine.limits.budget = 0;
+  scene.run();
+  scene.run();
+  ASSERT_EQ(scene.verdict(), Verdict::contact);
+  EXPECT_EQ(scene.buffers.memory.speed.scale, 0.0) << "what may touch is stopped";
+  scene.buffers.refine.limits.budget = budget;
+  scene.poses.stamp_ns += 1'000'000'000;
+  scene.run();
+  EXPECT_EQ(scene.closest().quality, Quality::exact);
+  EXPECT_NEAR(scene.closest().measured.distance, 0.001, 1e-9);
+  EXPECT_EQ(scene.verdict(), Verdict::warning) << "hysteresis holds contacts, not the want of work";
+  EXPECT_EQ(scene.buffers.memory.speed.scale, 1.0) << "nor is it stopped";
+}
+
+TEST(RefineBudget, contactOfTheGeometries_isHeldByHysteresis) {
+  Scene scene = restingAngles();
+  Eigen::Vector3d& place = scene.poses.world_from_link[1].translation;
+  place.y() -= 0.002;
+  scene.run();
+  ASSERT_EQ(scene.verdict(), Verdict::contact);
+  place.y() += 0.002;
+  scene.run();
+  EXPECT_NEAR(scene.closest().measured.distance, 0.001, 1e-9);
+  EXPECT_EQ(scene.verdict(), Verdict::contact);
+}
+
 /// Two pairs of hooked angles far from each other, measured once; then the budget is spent at once.
 Scene twoHookedPairsWithoutBudget() {
   const auto angle = test::angleMesh();
