@@ -18,7 +18,10 @@ OddityText textOf(Oddity oddity) {
       return {"no collision geometry", "<collision> in every link that is to be checked"};
     case Oddity::zero_size:
       return {"a size of 0",
-              "sizes greater than 0; these are taken as the points or lines they are"};
+              "sizes greater than 0; these are taken as the points, lines or faces they are"};
+    case Oddity::mesh_without_area:
+      return {"meshes without area",
+              "triangles with an area; of these meshes the corners count alone"};
     case Oddity::mimic_on_fixed_joint:
       return {"mimic on a fixed joint", "mimic on joints that move; these are ignored"};
     case Oddity::mimic_of_immovable_joint:

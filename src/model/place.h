@@ -15,6 +15,7 @@ namespace collision_monitor {
 enum class Oddity : unsigned char {
   link_without_geometry,
   zero_size,
+  mesh_without_area,
   mimic_on_fixed_joint,
   mimic_of_immovable_joint,
   no_limit,

@@ -42,15 +42,19 @@ std::optional<double> readLength(const XMLElement& element, const char* name, Le
 }
 
 std::optional<Geometry> readBox(const XMLElement& element, const Place& place) {
-  const NumberAttribute attribute{"size", "three numbers greater than 0, in metres"};
+  const NumberAttribute attribute{"size", "three numbers that are 0 or greater, in metres"};
   const auto size = readNumbers<3>(element, attribute, place);
   if (!size) {
     return std::nullopt;
   }
-  if (size->minCoeff() <= 0.0) {
+  if (size->minCoeff() < 0.0) {
     place.addError(element.GetLineNum(), "box size " + quoted(element.Attribute("size")),
                    attribute.accepted);
     return std::nullopt;
+  }
+  // Published robots give frames without a body a box of 0.
+  if (size->minCoeff() == 0.0) {
+    place.note(Oddity::zero_size);
   }
   return Box{0.5 * *size};
 }
@@ -116,6 +120,9 @@ std::optional<Geometry> readMeshElement(const XMLElement& element, const MeshSou
       if (!vertex.allFinite()) {
         throw std::runtime_error("vertices are not finite once they are scaled");
       }
+    }
+    if (result.triangles.empty()) {
+      place.note(Oddity::mesh_without_area);
     }
     return result;
   } catch (const std::exception& error) {

@@ -3,18 +3,68 @@
 #include "collision_monitor/ros_edge/resource_loader.h"
 
 #include <resource_retriever/retriever.h>
+#include <ros/package.h>
 
+#include <algorithm>
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 namespace collision_monitor {
+namespace {
+
+enum class Percent { is_a_letter, begins_an_escape };
+
+/// A path as a URL may hold it (RFC 3986, 2.1 and 2.3). curl refuses blanks and all that is not
+/// ASCII.
+std::string escaped(const std::string& path, Percent percent) {
+  constexpr const char* kDigits = "0123456789ABCDEF";
+  const std::string kept = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+  std::string text;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (kept.find(c) != std::string::npos || (c == '%' && percent == Percent::begins_an_escape)) {
+      text += c;
+    } else {
+      text += {'%', kDigits[byte / 16], kDigits[byte % 16]};
+    }
+  }
+  return text;
+}
+
+std::string packageFolder(const std::string& name) {
+  std::string folder = name.empty() ? "" : ros::package::getPath(name);
+  if (folder.empty()) {
+    throw std::runtime_error("package '" + name + "' is not found where ROS_PACKAGE_PATH leads to");
+  }
+  return folder;
+}
+
+/// curl knows neither plain paths nor packages.
+std::string urlOf(const std::string& uri) {
+  const std::string file = "file://";
+  const std::string package = "package://";
+  if (uri.rfind('/', 0) == 0) {
+    return file + escaped(uri, Percent::is_a_letter);
+  }
+  if (uri.rfind(file, 0) == 0) {
+    return file + escaped(uri.substr(file.size()), Percent::begins_an_escape);
+  }
+  if (uri.rfind(package, 0) == 0) {
+    const std::string path = uri.substr(package.size());
+    const std::size_t slash = std::min(path.find('/'), path.size());
+    return file + escaped(packageFolder(path.substr(0, slash)), Percent::is_a_letter) +
+           escaped(path.substr(slash), Percent::begins_an_escape);
+  }
+  return uri;
+}
+
+}  // namespace
 
 ResourceLoader makeResourceLoader() {
   auto retriever = std::make_shared<resource_retriever::Retriever>();
   return [retriever](const std::string& uri) {
-    // curl knows no plain paths.
-    const std::string url = uri.rfind('/', 0) == 0 ? "file://" + uri : uri;
-    const resource_retriever::MemoryResource resource = retriever->get(url);
+    const resource_retriever::MemoryResource resource = retriever->get(urlOf(uri));
     return std::string(resource.data.get(), resource.data.get() + resource.size);
   };
 }

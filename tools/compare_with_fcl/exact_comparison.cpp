@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "collision_monitor/geometry/mesh_tree.h"
 #include "collision_monitor/pipeline/run_cycle.h"
@@ -39,9 +40,14 @@ struct Solid {
 };
 
 Solid makeSolid(LinkId link, const CollisionElement& element) {
+  const auto* mesh = std::get_if<TriangleMesh>(&element.geometry);
+  if (mesh != nullptr && mesh->triangles.empty()) {
+    throw std::runtime_error("collision '" + element.name +
+                             "': its mesh has no triangle with an area, which FCL cannot measure");
+  }
   Solid solid{link, element.link_from_geometry, {}, nullptr, std::nullopt};
   solid.object = std::make_unique<test::FclObject>(std::visit(MakeFcl{}, element.geometry));
-  if (const auto* mesh = std::get_if<TriangleMesh>(&element.geometry)) {
+  if (mesh != nullptr) {
     solid.pieces = MeshTree(*mesh).pieces();
     if (const auto surface = closedSurface(*mesh)) {
       solid.closed_surface.emplace(*surface);

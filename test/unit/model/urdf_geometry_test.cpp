@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <sstream>
 
 #include "support/urdf_text.h"
 
@@ -45,7 +46,21 @@ TEST(UrdfGeometry, sphereOfRadiusZero_isAPointAndAWarning) {
   EXPECT_EQ(read.warnings(),
             std::vector<std::string>{
                 "test.urdf: a size of 0: link 'a', collision 1; accepted: sizes greater than 0; "
-                "these are taken as the points or lines they are"});
+                "these are taken as the points, lines or faces they are"});
+}
+
+TEST(UrdfGeometry, boxOfSizeZero_isAPointOrAFaceAndAWarning) {
+  for (const Eigen::Vector3d& size :
+       {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(1.0, 2.0, 0.0)}) {
+    std::ostringstream text;
+    text << "<box size='" << size.transpose() << "'/>";
+    const ReadText read = readText(robotXml(linkXml("a", text.str())));
+    EXPECT_EQ(std::get<Box>(only(read).geometry).half_extents, 0.5 * size);
+    EXPECT_EQ(read.warnings(),
+              std::vector<std::string>{
+                  "test.urdf: a size of 0: link 'a', collision 1; accepted: sizes greater than 0; "
+                  "these are taken as the points, lines or faces they are"});
+  }
 }
 
 TEST(UrdfGeometry, origin_missing_isIdentity) {
@@ -97,6 +112,16 @@ TEST(UrdfGeometry, meshMirroredByItsScale_keepsItsOutside) {
   EXPECT_EQ(normalOf("1 1 1"), Eigen::Vector3d(6.0, -3.0, 2.0));
   EXPECT_EQ(normalOf("-1 1 1"), Eigen::Vector3d(-6.0, -3.0, 2.0));
   EXPECT_EQ(normalOf("-1 -1 1"), Eigen::Vector3d(-6.0, 3.0, 2.0));
+}
+
+TEST(UrdfGeometry, meshWithoutArea_isAWarning) {
+  const ReadText read = readText(robotXml(linkXml("a", "<mesh filename='/line.obj'/>")),
+                                 {{"/line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"}});
+  EXPECT_EQ(std::get<TriangleMesh>(only(read).geometry).vertices.size(), 3u);
+  EXPECT_EQ(read.warnings(),
+            std::vector<std::string>{
+                "test.urdf: meshes without area: link 'a', collision 1; accepted: triangles with "
+                "an area; of these meshes the corners count alone"});
 }
 
 TEST(UrdfGeometry, collisionNames_areUniqueWithinTheLink) {
