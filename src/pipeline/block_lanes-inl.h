@@ -169,11 +169,16 @@ HWY_INLINE void forLanes(const BlockPart& part, std::uint32_t which, Number dist
 
 /// Values of all pairs of a part to where they stand by pair.
 HWY_INLINE void storeByPair(const BlockPart& part, Number values, std::vector<double>& by_pair) {
-  // Pairs without a gap are stored as they stand; what comes to lie behind them belongs to parts
-  // that follow.
-  const bool has_gaps = (part.is_pair & (part.is_pair + 1)) != 0;
-  if (!has_gaps && part.first_pair + kLanes <= by_pair.size()) {
+  const auto first = static_cast<std::uint32_t>(__builtin_ctz(part.is_pair));
+  const std::uint32_t in_row = part.is_pair >> first;
+  const bool is_without_gap = (in_row & (in_row + 1)) == 0 && part.first_pair >= first &&
+                              part.first_pair - first + kLanes <= by_pair.size();
+  if (is_without_gap && first == 0) {
+    // What comes to lie behind the pairs belongs to parts that follow.
     hn::StoreU(values, Lanes(), by_pair.data() + part.first_pair);
+  } else if (is_without_gap) {
+    hn::BlendedStore(values, truthOf(part.is_pair), Lanes(),
+                     by_pair.data() + part.first_pair - first);
   } else {
     forLanes(part, part.is_pair, values,
              [&](std::uint32_t pair, std::size_t, double value)

@@ -47,30 +47,61 @@ void addArrivals(std::vector<unsigned char>& has_arrived, PairBlocks& blocks) {
   block.arrived = static_cast<std::uint32_t>(blocks.arrivals.size());
 }
 
+/// Where blocks begin that hold all these slots, as few as can be. They begin at groups unless that
+/// takes more of them: a search waits for the bodies of one group then, not of two.
+std::vector<std::uint32_t> startsOver(const std::vector<std::uint32_t>& slots) {
+  std::vector<std::uint32_t> anywhere;
+  std::vector<std::uint32_t> at_groups;
+  for (const std::uint32_t slot : slots) {
+    if (anywhere.empty() || slot >= anywhere.back() + kBlockLanes) {
+      anywhere.push_back(slot);
+    }
+    const auto group = static_cast<std::uint32_t>(slot - slot % kBlockLanes);
+    if (at_groups.empty() || group != at_groups.back()) {
+      at_groups.push_back(group);
+    }
+  }
+  return at_groups.size() > anywhere.size() ? anywhere : at_groups;
+}
+
+/// Pairs that stand in a row from `first_pair` on: of the body in slot `one` with those in `slots`,
+/// which rise.
+struct PairRow {
+  std::uint32_t one{0};
+  std::uint32_t first_pair{0};
+  std::vector<std::uint32_t> slots;
+};
+
+void addRow(CoreKind one, CoreKind other, const PairRow& row,
+            std::vector<unsigned char>& has_arrived, PairBlocks& blocks) {
+  std::uint32_t place = 0;
+  for (const std::uint32_t first : startsOver(row.slots)) {
+    extendRanges(one, other, blocks);
+    PairBlock& block =
+        blocks.blocks.emplace_back(PairBlock{row.one, first, 0, row.first_pair + place, 0});
+    for (; place < row.slots.size() && row.slots[place] < first + kBlockLanes; ++place) {
+      block.is_pair |= 1U << (row.slots[place] - first);
+    }
+    addArrivals(has_arrived, blocks);
+  }
+}
+
 }  // namespace
 
 PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores) {
   PairBlocks blocks;
   blocks.slot_of = slotsByKind(cores);
   std::vector<unsigned char> has_arrived(groupCountOf(cores.size()), 0);
-  // Pairs stand ordered by kinds, then by body a, then by body b: those of a block in a row.
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const BodyPair& pair = table.pairs()[i];
-    const std::uint32_t one = blocks.slot_of[index(pair.a)];
-    const std::uint32_t other = blocks.slot_of[index(pair.b)];
-    const CoreKind kind_one = cores[index(pair.a)].kind;
-    const CoreKind kind_row = cores[index(pair.b)].kind;
-    const bool is_new = blocks.blocks.empty() || blocks.blocks.back().one != one ||
-                        blocks.ranges.back().row != kind_row ||
-                        other < blocks.blocks.back().first ||
-                        other >= blocks.blocks.back().first + kBlockLanes;
-    if (is_new) {
-      extendRanges(kind_one, kind_row, blocks);
-      blocks.blocks.push_back({one, other, 0, static_cast<std::uint32_t>(i), 0});
+  // Pairs stand ordered by kinds, then by body a, then by body b.
+  const std::vector<BodyPair>& pairs = table.pairs();
+  for (std::size_t i = 0; i < pairs.size();) {
+    const BodyId one = pairs[i].a;
+    const CoreKind kind = cores[index(pairs[i].b)].kind;
+    PairRow row{blocks.slot_of[index(one)], static_cast<std::uint32_t>(i), {}};
+    for (; i < pairs.size() && pairs[i].a == one && cores[index(pairs[i].b)].kind == kind; ++i) {
+      row.slots.push_back(blocks.slot_of[index(pairs[i].b)]);
     }
-    PairBlock& block = blocks.blocks.back();
-    block.is_pair |= 1U << (other - block.first);
-    addArrivals(has_arrived, blocks);
+    addRow(cores[index(one)].kind, kind, row, has_arrived, blocks);
   }
   return blocks;
 }

@@ -59,6 +59,14 @@ struct LateBodies {
   std::uint32_t placed{0};  ///< of PairBlocks::arrivals
 };
 
+/// By itself: within the search the compiler would have too few registers for either.
+HWY_NOINLINE void placeUpTo(std::uint32_t arrived, LateBodies& bodies) {
+  for (; bodies.placed < arrived; ++bodies.placed) {
+    placeGroup(bodies.setup.slot_groups, bodies.setup.blocks.arrivals[bodies.placed], bodies.poses,
+               bodies.rows);
+  }
+}
+
 /// The first contact.
 struct FindContact {
   const ContactDistances& limits;
@@ -66,9 +74,8 @@ struct FindContact {
   LateBodies* late;  ///< null: all bodies are placed
 
   HWY_INLINE void begin(const PairBlock& block) const {
-    for (; late != nullptr && late->placed < block.arrived; ++late->placed) {
-      placeGroup(late->setup.slot_groups, late->setup.blocks.arrivals[late->placed], late->poses,
-                 late->rows);
+    if (late != nullptr && late->placed < block.arrived) {
+      placeUpTo(block.arrived, *late);
     }
   }
 

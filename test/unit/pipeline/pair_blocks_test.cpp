@@ -46,6 +46,25 @@ TEST(MakeBlocks, onePairStandsInOneLane_neighboursShareABlock) {
   EXPECT_EQ(setup.blocks.ranges.size(), 1U);
 }
 
+TEST(MakeBlocks, beginAtGroupsOfSlotsUnlessThatTakesMoreOfThem) {
+  std::vector<ShapeOnLink> shapes;
+  for (std::size_t link = 0; link < 12; ++link) {
+    shapes.push_back({link, Sphere{0.1}});
+  }
+  const PairBlocks blocks = handMadeSetup(shapes).blocks;
+  // Body 0 meets bodies 1 to 7 of the first group, then 8 to 11 of the second.
+  EXPECT_EQ(blocks.blocks[0].first, 0U);
+  EXPECT_EQ(blocks.blocks[0].is_pair, 0b11111110U);
+  EXPECT_EQ(blocks.blocks[0].arrived, 1U);
+  EXPECT_EQ(blocks.blocks[1].first, 8U);
+  EXPECT_EQ(blocks.blocks[1].is_pair, 0b00001111U);
+  EXPECT_EQ(blocks.blocks[1].arrived, 2U);
+  // Body 3 meets 4 to 11, which one block can hold.
+  EXPECT_EQ(blocks.blocks[6].one, 3U);
+  EXPECT_EQ(blocks.blocks[6].first, 4U);
+  EXPECT_EQ(blocks.blocks[6].is_pair, 0b11111111U);
+}
+
 TEST(MakeBlocks, groupsOfSlotsArriveBeforeTheBlockThatNeedsThem_eachOnce) {
   const CycleSetup setup = randomSetup(30, 1);
   const PairBlocks& blocks = setup.blocks;
