@@ -27,6 +27,16 @@ const SurfacePattern& surfacePattern();
 /// Areas of one face, edge or corner of each patch.
 std::array<double, 7> patchAreas(const PlacedCore& core) noexcept;
 
+/// Columns that take a point's fraction, and its way outward, into the grid.
+inline Eigen::Matrix<float, 4, 6> patternInGrid(const PlacedCore& core,
+                                                const DistanceGrid& grid) noexcept {
+  Eigen::Matrix<float, 4, 6> columns = Eigen::Matrix<float, 4, 6>::Zero();
+  const Eigen::Matrix3d in_grid = grid.nodesPerMetre() * core.rotation;
+  columns.topLeftCorner<3, 3>() = (in_grid * core.half_extents.asDiagonal()).cast<float>();
+  columns.topRightCorner<3, 3>() = (core.radius * in_grid).cast<float>();
+  return columns;
+}
+
 /// The overshoot of a core with its radius, from some hundred points and a grid: microseconds,
 /// where measureOvershoot takes milliseconds. For searches.
 /// Frames: core and grid in the geometry's. Error: that of the grid; spikes narrower than a sixth
@@ -40,10 +50,7 @@ OvershootSum roughOvershoot(const PlacedCore& core, const DistanceGrid& grid, co
   const SurfacePattern& pattern = surfacePattern();
   const auto areas = patchAreas(core);
   const DistanceGrid::Place centre = grid.inGrid(core.centre);
-  Eigen::Matrix<float, 4, 6> columns = Eigen::Matrix<float, 4, 6>::Zero();
-  const Eigen::Matrix3d in_grid = grid.nodesPerMetre() * core.rotation;
-  columns.topLeftCorner<3, 3>() = (in_grid * core.half_extents.asDiagonal()).cast<float>();
-  columns.topRightCorner<3, 3>() = (core.radius * in_grid).cast<float>();
+  const Eigen::Matrix<float, 4, 6> columns = patternInGrid(core, grid);
   constexpr double kCopies[] = {2.0, 2.0, 2.0, 4.0, 4.0, 4.0, 8.0};
   double rest = 0.0;
   for (std::size_t patch = 0; patch < pattern.size(); ++patch) {

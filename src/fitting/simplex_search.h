@@ -17,6 +17,50 @@ struct SimplexLimits {
   int evaluations{200};
 };
 
+/// A place that was asked for its cost.
+template <int N>
+struct SimplexCorner {
+  Eigen::Matrix<double, N, 1> at;
+  double cost;
+
+  bool operator<(const SimplexCorner& other) const { return cost < other.cost; }
+};
+
+template <int N>
+using SimplexCorners = std::array<SimplexCorner<N>, N + 1>;
+
+/// Moves the worst corner, or all but the best. `evaluate` is asked for a corner at a place, and
+/// the cost from which on the place is of no use.
+/// @pre the corners are sorted.
+template <int N, class Evaluate>
+void moveWorst(SimplexCorners<N>& simplex, const Evaluate& evaluate) {
+  using Vector = Eigen::Matrix<double, N, 1>;
+  const SimplexCorner<N>& best = simplex.front();
+  SimplexCorner<N>& worst = simplex.back();
+  Vector centre = Vector::Zero();
+  for (std::size_t i = 0; i < N; ++i) {
+    centre += simplex[i].at / N;
+  }
+  const SimplexCorner<N> reflected = evaluate(2.0 * centre - worst.at, worst.cost);
+  if (reflected < best) {
+    worst = std::min(reflected, evaluate(3.0 * centre - 2.0 * worst.at, reflected.cost));
+    return;
+  }
+  if (reflected < simplex[N - 1]) {
+    worst = reflected;
+    return;
+  }
+  const SimplexCorner<N>& towards = std::min(worst, reflected);
+  const SimplexCorner<N> contracted = evaluate(0.5 * (centre + towards.at), towards.cost);
+  if (contracted < towards) {
+    worst = contracted;
+    return;
+  }
+  for (std::size_t i = 1; i <= N; ++i) {
+    simplex[i] = evaluate(0.5 * (simplex[i].at + best.at), std::numeric_limits<double>::infinity());
+  }
+}
+
 /// A local minimum of `cost`, which may have kinks, near zero. It is asked as cost(at), or as
 /// cost(at, bound), and may then say anything not below the bound where it is not below it.
 /// Source: Nelder, Mead, "A Simplex Method for Function Minimization" (1965), with the usual
@@ -24,56 +68,29 @@ struct SimplexLimits {
 template <int N, class Cost>
 Eigen::Matrix<double, N, 1> searchSimplex(const SimplexLimits& limits, const Cost& cost) {
   using Vector = Eigen::Matrix<double, N, 1>;
-  struct Corner {
-    Vector at;
-    double cost;
-  };
-  std::array<Corner, N + 1> simplex;
   int evaluations = 0;
-  constexpr double kNoBound = std::numeric_limits<double>::infinity();
   const auto evaluate = [&](const Vector& at, [[maybe_unused]] double bound) {
     ++evaluations;
     if constexpr (std::is_invocable_v<const Cost&, const Vector&, double>) {
-      return Corner{at, cost(at, bound)};
+      return SimplexCorner<N>{at, cost(at, bound)};
     } else {
-      return Corner{at, cost(at)};
+      return SimplexCorner<N>{at, cost(at)};
     }
   };
+  SimplexCorners<N> simplex;
   for (int i = 0; i <= N; ++i) {
     const Vector at =
         i == 0 ? Vector(Vector::Zero()) : Vector(limits.first_step * Vector::Unit(i - 1));
-    simplex[static_cast<std::size_t>(i)] = evaluate(at, kNoBound);
+    simplex[static_cast<std::size_t>(i)] = evaluate(at, std::numeric_limits<double>::infinity());
   }
-  const auto less = [](const Corner& a, const Corner& b) { return a.cost < b.cost; };
   while (evaluations < limits.evaluations) {
-    std::sort(simplex.begin(), simplex.end(), less);
-    const Corner& best = simplex.front();
-    Corner& worst = simplex.back();
-    if ((worst.at - best.at).cwiseAbs().maxCoeff() < limits.last_step) {
+    std::sort(simplex.begin(), simplex.end());
+    if ((simplex.back().at - simplex.front().at).cwiseAbs().maxCoeff() < limits.last_step) {
       break;
     }
-    Vector centre = Vector::Zero();
-    for (int i = 0; i < N; ++i) {
-      centre += simplex[static_cast<std::size_t>(i)].at / N;
-    }
-    const Corner reflected = evaluate(2.0 * centre - worst.at, worst.cost);
-    if (reflected.cost < best.cost) {
-      worst = std::min(reflected, evaluate(3.0 * centre - 2.0 * worst.at, reflected.cost), less);
-    } else if (reflected.cost < simplex[N - 1].cost) {
-      worst = reflected;
-    } else {
-      const Corner& towards = std::min(worst, reflected, less);
-      const Corner contracted = evaluate(0.5 * (centre + towards.at), towards.cost);
-      if (contracted.cost < towards.cost) {
-        worst = contracted;
-      } else {
-        for (std::size_t i = 1; i <= N; ++i) {
-          simplex[i] = evaluate(0.5 * (simplex[i].at + best.at), kNoBound);
-        }
-      }
-    }
+    moveWorst<N>(simplex, evaluate);
   }
-  return std::min_element(simplex.begin(), simplex.end(), less)->at;
+  return std::min_element(simplex.begin(), simplex.end())->at;
 }
 
 }  // namespace collision_monitor

@@ -122,10 +122,8 @@ bool isKnown(const LinkPoses& start, LinkId link) noexcept {
          isRigid(start.world_from_link[index(link)]);
 }
 
-}  // namespace
-
-TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
-                                 const LinkPoses& start, const TrajectoryOptions& options) {
+TrajectorySearch searchAlong(const CycleSetup& setup, const JointPath& path, const LinkPoses& start,
+                             const TrajectoryOptions& options) {
   const std::size_t count = setup.checked.size();
   TrajectorySearch search{setup,
                           path,
@@ -141,12 +139,20 @@ TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
                           false,
                           {}};
   search.report.pairs.resize(count);
+  return search;
+}
+
+}  // namespace
+
+TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
+                                 const LinkPoses& start, const TrajectoryOptions& options) {
+  TrajectorySearch search = searchAlong(setup, path, start, options);
   if (!isSound(path)) {
     return search.report;
   }
   std::vector<LinkPairIndex> standing;
   std::vector<LinkPairIndex> moving;
-  for (LinkPairIndex pair = 0; pair < count; ++pair) {
+  for (LinkPairIndex pair = 0; pair < setup.checked.size(); ++pair) {
     const CheckedLinkPair& links = setup.checked[pair];
     if (!isKnown(start, links.a) || !isKnown(start, links.b)) {
       continue;

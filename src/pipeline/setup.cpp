@@ -88,10 +88,10 @@ void checkLimits(const Limits& limits, SetupReport& report) {
   checkTime("time_hysteresis", limits.time_hysteresis, 0.0, report);
 }
 
-CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
-                      const ResourceLoader& load_resource, const SetupOptions& options) {
-  CycleSetup setup;
-  SetupReport report;
+namespace {
+
+void checkInput(const std::vector<RobotDescription>& robots, const SetupOptions& options,
+                SetupReport& report) {
   checkLimits(options.limits, report);
   checkLimit("padding", options.padding, 0.0, report);
   checkLimit("target_overshoot", options.default_limits.target_overshoot, 0.0, report);
@@ -103,6 +103,15 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   }
   checkLimit("refine_distance", options.refine.limits.distance, 0.0, report);
   checkLookAhead(options.ahead, report);
+}
+
+}  // namespace
+
+CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
+                      const ResourceLoader& load_resource, const SetupOptions& options) {
+  CycleSetup setup;
+  SetupReport report;
+  checkInput(robots, options, report);
   setup.ahead = lookAheadFor(options);
   setup.limits = options.limits;
   setup.is_continuous = options.is_continuous;
