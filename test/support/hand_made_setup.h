@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "collision_monitor/pipeline/cycle_data.h"
@@ -22,6 +23,10 @@ CycleSetup handMadeSetup(const std::vector<ShapeOnLink>& shapes, const Limits& l
 
 /// All links known at the origin.
 LinkPoses knownPoses(const CycleSetup& setup);
+
+/// About z.
+inline const Eigen::Matrix3d kEighthTurn =
+    Eigen::AngleAxisd(0.25 * 3.14159265358979, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 
 /// `count` links with one or two random shapes each, 2 cm to 30 cm in size.
 CycleSetup randomSetup(std::size_t count, unsigned seed);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 
@@ -13,10 +12,8 @@ namespace collision_monitor {
 namespace {
 
 using test::handMadeSetup;
+using test::kEighthTurn;
 using test::knownPoses;
-
-const Eigen::Matrix3d kEighthTurn =
-    Eigen::AngleAxisd(0.25 * 3.14159265358979, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -14,10 +13,8 @@ namespace collision_monitor {
 namespace {
 
 using test::handMadeSetup;
+using test::kEighthTurn;
 using test::knownPoses;
-
-const Eigen::Matrix3d kEighthTurn =
-    Eigen::AngleAxisd(0.25 * 3.14159265358979, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 
 /// Two long boxes side by side, 0.4 m apart, turned so that their bounds meet and their bounding
 /// spheres do, too. All rests as far as velocities say; 0.2 m are reported.
