@@ -62,6 +62,19 @@ class Stages {
   void run(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) {
     const double reach = reachOf(setup.limits);
     last_ = Clock::now();
+    find(setup, poses, reach, buffers);
+    measure(setup, reach, buffers);
+    judge(setup, poses, buffers);
+  }
+
+  void print(double cycles) const {
+    for (const auto& [name, time] : times_) {
+      std::printf("    %-40s %8.2f us\n", name.c_str(), time / cycles);
+    }
+  }
+
+ private:
+  void find(const CycleSetup& setup, const LinkPoses& poses, double reach, CycleBuffers& buffers) {
     placeBodies(setup, poses, buffers.body_poses);
     placeElements(setup, poses, buffers.body_poses);
     end("1 placeBodies");
@@ -82,6 +95,9 @@ class Stages {
     followWays(setup, poses, buffers);
     cullCandidates(setup, buffers);
     end("6c followWays, cullCandidates");
+  }
+
+  void measure(const CycleSetup& setup, double reach, CycleBuffers& buffers) {
     measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
     keepNear(setup, buffers);
     end("7 measurePairs, keepNear");
@@ -93,6 +109,9 @@ class Stages {
       sweepPairs(setup, buffers.refine, buffers.sweep, buffers.distances);
       end("a sweepPairs");
     }
+  }
+
+  void judge(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) {
     keepPoses(poses, buffers.body_poses, buffers.memory.last);
     end("b keepPoses");
     findClosings(setup, poses, buffers.distances);
@@ -101,13 +120,6 @@ class Stages {
     end("c findClosings, judgePairs, scaleSpeed");
   }
 
-  void print(double cycles) const {
-    for (const auto& [name, time] : times_) {
-      std::printf("    %-40s %8.2f us\n", name.c_str(), time / cycles);
-    }
-  }
-
- private:
   void end(const std::string& stage) {
     times_[stage] += microsecondsSince(last_);
     last_ = Clock::now();
@@ -173,19 +185,44 @@ void printSpread(const char* what, std::vector<double> times) {
   }
 }
 
+/// What the cycles of a robot do, added up.
+struct Counts {
+  double candidates{0.0};
+  double refined{0.0};
+  double swept{0.0};
+  double exceeded{0.0};
+  double over_cap{0.0};
+
+  void add(const CycleBuffers& buffers) {
+    candidates += static_cast<double>(buffers.counters.candidates);
+    refined += static_cast<double>(buffers.counters.refined);
+    swept += static_cast<double>(buffers.counters.swept);
+    exceeded += buffers.sweep.step.on_way.is_exceeded ? 1.0 : 0.0;
+    over_cap += buffers.sweep.step.at_poses.is_exceeded ? 1.0 : 0.0;
+  }
+};
+
+void printCycles(const std::string& what, std::vector<double> times, const Counts& counts) {
+  const auto cycles = static_cast<double>(times.size());
+  std::sort(times.begin(), times.end());
+  const double mean = std::accumulate(times.begin(), times.end(), 0.0) / cycles;
+  std::printf(
+      "  %s: median %.1f us, mean %.1f, 99 %% %.1f; candidates %.0f, refined %.1f, "
+      "followed %.1f a cycle; step too long in %.0f %%, over the cap in %.0f %%\n",
+      what.c_str(), times[times.size() / 2], mean, times[times.size() * 99 / 100],
+      counts.candidates / cycles, counts.refined / cycles, counts.swept / cycles,
+      100.0 * counts.exceeded / cycles, 100.0 * counts.over_cap / cycles);
+}
+
 void timeCycles(const std::string& what, const CycleSetup& setup, const std::vector<Move>& moves) {
   CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::automatic);
   CycleBuffers staged = makeBuffers(setup, BroadPhaseKind::automatic);
+  CycleBuffers anew = makeBuffers(setup, BroadPhaseKind::automatic);
   Stages stages;
   std::vector<double> times;
   CycleTimes split;
-  CycleBuffers anew = makeBuffers(setup, BroadPhaseKind::automatic);
   Depths depths;
-  double candidates = 0.0;
-  double refined = 0.0;
-  double swept = 0.0;
-  int exceeded = 0;
-  int over_cap = 0;
+  Counts counts;
   for (const Move& move : moves) {
     resetMemory(buffers);
     resetMemory(staged);
@@ -203,26 +240,14 @@ void timeCycles(const std::string& what, const CycleSetup& setup, const std::vec
         std::printf("the stages differ from runCycle: mend the benchmark\n");
         std::exit(1);
       }
-      candidates += static_cast<double>(buffers.counters.candidates);
-      refined += static_cast<double>(buffers.counters.refined);
-      swept += static_cast<double>(buffers.counters.swept);
-      exceeded += buffers.sweep.step.on_way.is_exceeded ? 1 : 0;
-      over_cap += buffers.sweep.step.at_poses.is_exceeded ? 1 : 0;
+      counts.add(buffers);
     }
   }
-  const auto cycles = static_cast<double>(times.size());
-  std::sort(times.begin(), times.end());
-  const double mean = std::accumulate(times.begin(), times.end(), 0.0) / cycles;
-  std::printf(
-      "  %s: median %.1f us, mean %.1f, 99 %% %.1f; candidates %.0f, refined %.1f, "
-      "followed %.1f a cycle; step too long in %.0f %%, over the cap in %.0f %%\n",
-      what.c_str(), times[times.size() / 2], mean, times[times.size() * 99 / 100],
-      candidates / cycles, refined / cycles, swept / cycles, 100.0 * exceeded / cycles,
-      100.0 * over_cap / cycles);
+  printCycles(what, times, counts);
   printSpread("cycles with meshes in each other", split.deep);
   printSpread("cycles without", split.free);
   depths.print();
-  stages.print(cycles);
+  stages.print(static_cast<double>(times.size()));
 }
 
 void timeRobot(const RobotFile& robot, double rate, double speed) {

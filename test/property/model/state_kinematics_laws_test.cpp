@@ -13,6 +13,14 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20260101;
 
+std::vector<StatePose> placedBy(std::int64_t target, const KinematicsPlan& plan,
+                                const std::vector<StateNumber>& variables) {
+  const OnlyInstructionSet only(target);
+  std::vector<StatePose> frames(plan.frames.size());
+  placeFrames(plan, variables, frames);
+  return frames;
+}
+
 TEST(StateKinematicsLaws, everyModelInEveryStateIsPlacedAsByThePlainTwin) {
   SCOPED_TRACE("seed " + std::to_string(kSeed));
   Random random(kSeed);
@@ -30,9 +38,7 @@ TEST(StateKinematicsLaws, everyModelInEveryStateIsPlacedAsByThePlainTwin) {
     }
     std::vector<StatePose> first;
     for (const std::int64_t target : instructionSets()) {
-      const OnlyInstructionSet only(target);
-      std::vector<StatePose> frames(plan.frames.size());
-      placeFrames(plan, variables, frames);
+      const std::vector<StatePose> frames = placedBy(target, plan, variables);
       if (!first.empty()) {
         ASSERT_EQ(std::memcmp(first.data(), frames.data(), frames.size() * sizeof(StatePose)), 0)
             << hwy::TargetName(target);

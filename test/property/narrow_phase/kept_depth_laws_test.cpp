@@ -62,6 +62,28 @@ double outside(const PlacedMesh& mesh, const Eigen::Vector3d& point, MeshQueryMe
   return distanceBetween(mesh, {shape, pose}, memory).measured.distance;
 }
 
+/// Both points are as deep in each other as told; one of them is the corner of its mesh, that deep
+/// in the other mesh.
+void expectPoints(const PlacedMesh& a, const PlacedMesh& b, const SignedDistance& deepest,
+                  MeshQueryMemory& memory) {
+  const Eigen::Vector3d between = deepest.point_on_b - deepest.point_on_a;
+  ASSERT_LE((between - deepest.distance * deepest.normal_a_to_b).norm(), kRounding);
+  const double b_in_a = outside(a, deepest.point_on_b, memory);
+  const double a_in_b = outside(b, deepest.point_on_a, memory);
+  ASSERT_NEAR(std::min(b_in_a, a_in_b), deepest.distance, kRounding);
+}
+
+/// Once meshes stand the depth becomes that of a complete search.
+void expectCompleteAtRest(const PlacedMesh& a, const PlacedMesh& b, double complete,
+                          KeptDepth& kept, MeshQueryMemory& memory) {
+  MeshDepth stands;
+  for (int query = 0; query < 1000 && !stands.is_complete; ++query) {
+    stands = depthOf(a, b, memory, kept, 60);
+  }
+  ASSERT_TRUE(stands.is_complete);
+  ASSERT_NEAR(-stands.deepest.distance, complete, kRounding);
+}
+
 TEST_F(KeptDepthLaws, walks_neverDeeperThanAllCornersAndAsDeepOnceTheyStand) {
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   double kept_sum = 0.0;
@@ -85,13 +107,7 @@ TEST_F(KeptDepthLaws, walks_neverDeeperThanAllCornersAndAsDeepOnceTheyStand) {
       ASSERT_LE(depth, complete + kRounding);
       ASSERT_TRUE(!found.is_complete || depth >= complete - kRounding);
       if (depth > 0.0) {
-        const SignedDistance& deepest = found.deepest;
-        ASSERT_LE((deepest.point_on_b - deepest.point_on_a + depth * deepest.normal_a_to_b).norm(),
-                  kRounding);
-        // One of them is the corner of its mesh, that deep in the other mesh.
-        const double b_in_a = outside(a, deepest.point_on_b, *memory_);
-        const double a_in_b = outside(b, deepest.point_on_a, *memory_);
-        ASSERT_NEAR(std::min(b_in_a, a_in_b), -depth, kRounding);
+        ASSERT_NO_FATAL_FAILURE(expectPoints(a, b, found.deepest, *memory_));
       }
       const MeshDepth same = depthOf(a, b, *memory_, *twin, 60);
       ASSERT_EQ(same.deepest.distance, found.deepest.distance);
@@ -101,12 +117,7 @@ TEST_F(KeptDepthLaws, walks_neverDeeperThanAllCornersAndAsDeepOnceTheyStand) {
       complete_sum += complete;
       deep += depth > 0.0 ? 1 : 0;
     }
-    MeshDepth stands;
-    for (int query = 0; query < 1000 && !stands.is_complete; ++query) {
-      stands = depthOf(a, b, *memory_, *kept, 60);
-    }
-    ASSERT_TRUE(stands.is_complete);
-    ASSERT_NEAR(-stands.deepest.distance, completeDepth(a, b), kRounding);
+    ASSERT_NO_FATAL_FAILURE(expectCompleteAtRest(a, b, completeDepth(a, b), *kept, *memory_));
   }
   EXPECT_GT(deep, 2000);
   EXPECT_GT(kept_sum, 0.9 * complete_sum) << "what is kept is worth little";
