@@ -155,6 +155,7 @@ TEST(RunCycleProperty, whatIsCulledMattersToNoVerdictTimeOrScale) {
     trackVelocities(setup.model, VelocityOptions(), tracker, poses);
     PairMemory memory;
     memory.reported = buffers.memory.reported;
+    memory.is_certain = buffers.memory.is_certain;
     memory.speed = buffers.memory.speed;
     runCycle(setup, poses, buffers);
     PairDistances all;
