@@ -123,6 +123,8 @@ std::unique_ptr<RobotScene> makeRobotScene(const RobotFile& robot) {
   scene->distances.measured.reserve(scene->setup.table.size());
   scene->memory = makeRefineMemory(scene->setup);
   scene->warm.resize(scene->setup.element_pairs.size());
+  scene->queries.resize(scene->warm.size());
+  scene->answers.resize(scene->warm.size());
   scene->scratch = std::make_unique<RefineScratch>();
   addElements(*scene);
   return scene;
@@ -169,13 +171,15 @@ bool touch(RobotScene& scene, ElementPairIndex pair) {
              : measurePair(scene, pair, 1e-6) <= 0.0;
 }
 
-double measureHulls(RobotScene& scene, std::size_t state, ElementPairIndex pair) {
-  const ElementPair& ids = scene.setup.element_pairs[pair];
-  ConvexSearch search{scene.scratch->convex, scene.warm[pair]};
+void measureHulls(RobotScene& scene, std::size_t state) {
   const std::vector<Pose>& poses = scene.world_from_element[state];
-  return signedDistanceBetween(*scene.hulls[index(ids.a)], poses[index(ids.a)],
-                               *scene.hulls[index(ids.b)], poses[index(ids.b)], search)
-      .measured.distance;
+  for (ElementPairIndex pair = 0; pair < scene.queries.size(); ++pair) {
+    const ElementPair& ids = scene.setup.element_pairs[pair];
+    scene.queries[pair] = {&*scene.hulls[index(ids.a)], &poses[index(ids.a)],
+                           &*scene.hulls[index(ids.b)], &poses[index(ids.b)], &scene.warm[pair]};
+  }
+  signedDistancesBetween(scene.queries.data(), scene.queries.size(), scene.scratch->convex,
+                         scene.answers.data());
 }
 
 }  // namespace collision_monitor::test

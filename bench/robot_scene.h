@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "collision_monitor/narrow_phase/convex_pairs.h"
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "support/file_loader.h"
 #include "support_fcl/fcl_adapter.h"
@@ -38,6 +39,8 @@ struct RobotScene {
   std::vector<std::optional<ConvexGeometry>> hulls;   ///< by ElementId
   std::vector<std::vector<Pose>> world_from_element;  ///< by state and ElementId
   std::vector<ConvexWarmStart> warm;                  ///< of hulls, by ElementPairIndex
+  std::vector<ConvexQuery> queries;                   ///< of hulls, the same way
+  std::vector<ConvexDistance> answers;                ///< to them
   using Objects = std::vector<std::unique_ptr<FclObject>>;
   std::vector<Objects> fcl_states;  ///< by state and ElementId: the geometries
   std::vector<Objects> fcl_hulls;
@@ -59,7 +62,7 @@ double measurePair(RobotScene& scene, ElementPairIndex pair, double enough);
 /// Whether the geometries touch.
 bool touch(RobotScene& scene, ElementPairIndex pair);
 
-/// [m] Signed distance of the hulls of two geometries.
-double measureHulls(RobotScene& scene, std::size_t state, ElementPairIndex pair);
+/// Signed distances of the hulls of all pairs of geometries, into `answers`.
+void measureHulls(RobotScene& scene, std::size_t state);
 
 }  // namespace collision_monitor::test

@@ -57,9 +57,10 @@ std::size_t countContacts(RobotScene& scene, std::size_t state) {
 }
 
 double sumOfHulls(RobotScene& scene, std::size_t state) {
+  measureHulls(scene, state);
   double sum = 0.0;
-  for (ElementPairIndex pair = 0; pair < scene.setup.element_pairs.size(); ++pair) {
-    sum += measureHulls(scene, state, pair);
+  for (const ConvexDistance& answer : scene.answers) {
+    sum += answer.measured.distance;
   }
   return sum;
 }

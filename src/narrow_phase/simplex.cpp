@@ -66,9 +66,7 @@ using Points = std::array<Eigen::Vector3d, 4>;
   offer({distance_squared, point, is_near ? normal : point, corners, {1.0 - u - v, u, v}, 3}, best);
 }
 
-// No sliver, whose normal could be mostly rounding.
 bool isFat(const Points& p) noexcept {
-  constexpr double kLeastSineSquared = 1e-6;
   const Eigen::Vector3d first = p[1] - p[0];
   const Eigen::Vector3d second = p[2] - p[0];
   const double longest = std::max(first.squaredNorm(), second.squaredNorm());

@@ -37,6 +37,10 @@ struct NearestPoint {
   int size{0};
 };
 
+/// Triangles of which the square of the sine is not above this are slivers, whose normals could be
+/// mostly rounding.
+constexpr double kLeastSineSquared = 1e-6;
+
 /// The same of two or three points.
 bool nearestInsideSpan(const std::array<Eigen::Vector3d, 4>& points, int count,
                        NearestPoint& nearest) noexcept;

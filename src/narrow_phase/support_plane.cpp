@@ -86,8 +86,7 @@ ExtremeFeature extremeOfPrimitive(const ConvexCore& core, const Vector3d& direct
   const Vector3d& half_extents = core.half_extents;
   switch (core.kind) {
     case ConvexCore::Kind::box:
-      return {0, half_extents.dot(direction.cwiseAbs()),
-              direction.cwiseAbs().minCoeff() <= kLevelSine};
+      return extremeOfBox(half_extents, direction);
     case ConvexCore::Kind::cylinder: {
       const double across = direction.head<2>().norm();
       const double up = std::abs(direction.z());

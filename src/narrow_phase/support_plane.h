@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 #include "narrow_phase/convex_pair.h"
@@ -19,9 +20,32 @@ struct ExtremeFeature {
   bool may_be_level;     ///< false: nothing but a vertex for certain
 };
 
+inline ExtremeFeature extremeOfBox(const Eigen::Vector3d& half_extents,
+                                   const Eigen::Vector3d& direction) noexcept {
+  const Eigen::Vector3d size = direction.cwiseAbs();
+  return {0, half_extents.dot(size), size.minCoeff() <= kLevelSine};
+}
+
 /// The same of a core that is no hull.
 ExtremeFeature extremeOfPrimitive(const ConvexCore& core,
                                   const Eigen::Vector3d& direction) noexcept;
+
+/// Of a hull's bounding radius: neighbours that seem to be no more than this farther than a vertex
+/// are as far but for rounding. The two ends of an edge are, and the climb from one to the other
+/// would cost as much as the proof.
+constexpr double kReachRounding = 4e-16;
+
+/// What `found`, a look at a vertex of a hull and its fans along `direction`, says of the hull; a
+/// climb goes on where a neighbour is farther. The reach is that of the farthest that was seen.
+[[gnu::always_inline]] inline ExtremeFeature extremeFrom(
+    ConvexHull::Extreme found, const ConvexHull& hull, const Eigen::Vector3d& direction) noexcept {
+  const double radius = hull.boundingRadius();
+  if (found.beside > found.reach + kReachRounding * radius || !hull.canClimb()) {
+    found = hull.extreme(direction, found.vertex);
+  }
+  return {found.vertex, std::max(found.reach, found.beside),
+          found.beside >= found.reach - 2.0 * kLevelSine * radius};
+}
 
 /// `direction` is unit and in the frame of the core, `vertex` where a hull's climb starts.
 /// Error: see ConvexHull::supportVertex.
@@ -30,9 +54,10 @@ inline ExtremeFeature extremeOf(const ConvexCore& core, const Eigen::Vector3d& d
   if (core.kind != ConvexCore::Kind::hull) {
     return extremeOfPrimitive(core, direction);
   }
-  const ConvexHull::Extreme found = core.hull->extreme(direction, vertex);
-  return {found.vertex, found.reach,
-          found.beside >= found.reach - 2.0 * kLevelSine * core.hull->boundingRadius()};
+  const ConvexHull& hull = *core.hull;
+  return extremeFrom(
+      {vertex, along(direction, hull.vertices()[vertex]), hull.reachBeside(direction, vertex)},
+      hull, direction);
 }
 
 struct PlacedCore {
@@ -107,10 +132,16 @@ inline bool isProven(const PlacedPair& pair, const SupportPlanes& planes, double
   return meet(planes, distance, tolerance) && !(planes.may_be_level && areLevel(pair, planes));
 }
 
+/// rotation * v, each number summed in the same order, as lanes do; Eigen sums the third in
+/// another.
+inline Eigen::Vector3d turned(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& v) noexcept {
+  return v.x() * rotation.col(0) + v.y() * rotation.col(1) + v.z() * rotation.col(2);
+}
+
 inline PlacedCorners place(const ConvexWarmStart::Ends& ends, const PlacedPair& pair) noexcept {
   PlacedCorners placed;
-  placed.on_a.noalias() = pair.a.world_from_core.rotation * ends.on_a;
-  placed.difference.noalias() = pair.b.world_from_core.rotation * ends.on_b;
+  placed.on_a = turned(pair.a.world_from_core.rotation, ends.on_a);
+  placed.difference = turned(pair.b.world_from_core.rotation, ends.on_b);
   placed.difference += pair.between - placed.on_a;
   return placed;
 }

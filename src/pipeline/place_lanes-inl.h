@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "collision_monitor/pipeline/run_cycle.h"
+#include "geometry/turn_rows-inl.h"
 #include "model/state_lanes-inl.h"
 #include "narrow_phase/shape_lanes-inl.h"
 
@@ -46,51 +47,8 @@ HWY_INLINE Truth hasStatusKnown(const SlotGroup& group, std::size_t lane, const 
   return hn::LoadMaskBits(Lanes(), bits);
 }
 
-/// Four numbers in a row of each pose.
-struct FourNumbers {
-  Number at[4];
-};
-
-#if HWY_MAX_BYTES >= 32
-using Four = hn::CappedTag<double, 4>;
-
-/// Four numbers of four poses: rows into columns, which takes half as long as a gather.
-HWY_INLINE void readFour(const double* first, const std::int64_t* pose_at,
-                         hn::Vec<Four> (&columns)[4]) {
-  const auto one = hn::LoadU(Four(), first + pose_at[0]);
-  const auto two = hn::LoadU(Four(), first + pose_at[1]);
-  const auto three = hn::LoadU(Four(), first + pose_at[2]);
-  const auto four = hn::LoadU(Four(), first + pose_at[3]);
-  const auto even_low = hn::InterleaveLower(Four(), one, two);
-  const auto odd_low = hn::InterleaveUpper(Four(), one, two);
-  const auto even_high = hn::InterleaveLower(Four(), three, four);
-  const auto odd_high = hn::InterleaveUpper(Four(), three, four);
-  columns[0] = hn::ConcatLowerLower(Four(), even_high, even_low);
-  columns[1] = hn::ConcatLowerLower(Four(), odd_high, odd_low);
-  columns[2] = hn::ConcatUpperUpper(Four(), even_high, even_low);
-  columns[3] = hn::ConcatUpperUpper(Four(), odd_high, odd_low);
-}
-#endif
-
 HWY_INLINE FourNumbers readNumbers(const double* first, const std::int64_t* pose_at) {
-  FourNumbers numbers;
-#if HWY_MAX_BYTES == 64
-  hn::Vec<Four> low[4];
-  hn::Vec<Four> high[4];
-  readFour(first, pose_at, low);
-  readFour(first, pose_at + 4, high);
-  for (std::size_t k = 0; k < 4; ++k) {
-    numbers.at[k] = hn::Combine(Lanes(), high[k], low[k]);
-  }
-#elif HWY_MAX_BYTES == 32
-  readFour(first, pose_at, numbers.at);
-#else
-  const auto indices = hn::LoadU(hn::RebindToSigned<Lanes>(), pose_at);
-  for (std::size_t k = 0; k < 4; ++k) {
-    numbers.at[k] = hn::GatherIndex(Lanes(), first + k, indices);
-  }
-#endif
-  return numbers;
+  return turnRows([=](std::size_t lane) HWY_ATTR { return first + pose_at[lane]; });
 }
 
 HWY_INLINE PoseLanes readPoses(const double* first, const std::int64_t* pose_at) {
