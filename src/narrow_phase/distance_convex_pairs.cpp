@@ -7,6 +7,8 @@
 #include "collision_monitor/geometry/visit_held.h"
 #include "collision_monitor/narrow_phase/convex_pairs.h"
 #include "narrow_phase/convex_core.h"
+#include "narrow_phase/core_distance.h"
+#include "narrow_phase/flat_contact.h"
 #include "narrow_phase/proof_rows.h"
 #include "narrow_phase/support_plane.h"
 
@@ -87,16 +89,6 @@ ConvexCore coreOf(const ProofSide& side) noexcept {
   return core;
 }
 
-// Level features have a middle to be found, see centerOnPatch.
-bool isLevel(const ConvexQuery& query, const Eigen::Vector3d& normal, ProofSide& a,
-             ProofSide& b) noexcept {
-  const ConvexCore core_a = coreOf(a);
-  const ConvexCore core_b = coreOf(b);
-  const PlacedCore placed_a{core_a, *query.world_from_a, a.vertex};
-  const PlacedCore placed_b{core_b, *query.world_from_b, b.vertex};
-  return areLevel(makePlacedPair(placed_a, placed_b), {normal, 0.0, true});
-}
-
 // As swept() of the answer of the cores, number by number: vectors would be read in pairs where
 // they were just written one by one.
 void writeAnswer(std::size_t row, const ProofRows& rows, SignedDistance& measured) noexcept {
@@ -114,20 +106,41 @@ void writeAnswer(std::size_t row, const ProofRows& rows, SignedDistance& measure
   }
 }
 
+// Moves the points of level features over the middle of what they share.
+void centerRow(const ConvexQuery& query, std::size_t row, ProofRows& rows,
+               SignedDistance& measured) noexcept {
+  ProofSide& a = rows.a[row];
+  ProofSide& b = rows.b[row];
+  const ConvexCore core_a = coreOf(a);
+  const ConvexCore core_b = coreOf(b);
+  const PlacedCore placed_a{core_a, *query.world_from_a, a.vertex};
+  const PlacedCore placed_b{core_b, *query.world_from_b, b.vertex};
+  const auto& normal = measured.normal_a_to_b;
+  if (areLevel(makePlacedPair(placed_a, placed_b), {normal, 0.0, true})) {
+    const auto& at = rows.at;
+    const Eigen::Vector3d on_a(at[proof::point_on_a][row], at[proof::point_on_a + 1][row],
+                               at[proof::point_on_a + 2][row]);
+    const double distance = at[proof::distance][row];
+    SignedDistance cores{distance, on_a, on_a + distance * normal, normal};
+    centerOnPatch(placed_a, placed_b, cores);
+    measured = swept(cores, a.radius, b.radius);
+  }
+}
+
 void answerRow(std::size_t row, ProofRows& rows, const Work& work) noexcept {
   const std::size_t i = rows.query[row];
   const ConvexQuery& query = work.queries[i];
-  ProofSide& a = rows.a[row];
-  ProofSide& b = rows.b[row];
-  SignedDistance& measured = work.answers[i].measured;
-  writeAnswer(row, rows, measured);
-  if (std::isnan(measured.distance) ||
-      (rows.may_be_level[row] && isLevel(query, measured.normal_a_to_b, a, b))) {
+  if (std::isnan(rows.at[proof::distance][row])) {
     measureAlone(i, work);
     return;
   }
-  query.warm->vertex_of_a = a.vertex;
-  query.warm->vertex_of_b = b.vertex;
+  SignedDistance& measured = work.answers[i].measured;
+  writeAnswer(row, rows, measured);
+  if (rows.may_be_level[row]) {
+    centerRow(query, row, rows, measured);
+  }
+  query.warm->vertex_of_a = rows.a[row].vertex;
+  query.warm->vertex_of_b = rows.b[row].vertex;
   work.answers[i].quality = DistanceQuality::exact;
 }
 
