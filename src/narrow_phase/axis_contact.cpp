@@ -117,10 +117,11 @@ Candidate contactOnAxis(const BoxPair& pair, std::size_t axis, double separation
   return contactOfEdges(pair, axis, separation);
 }
 
-// The first axis that ties for the largest separation and whose points are on their features
-// within `slack`, else the one with the least defect.
-Candidate bestContact(const BoxPair& pair, const Separations& separations, double slack) noexcept {
-  const double least = separations.largest - toleranceOf(pair);
+// The first axis that ties for the largest separation within `tie` and whose points are on their
+// features within `slack`, else the one with the least defect.
+Candidate bestContact(const BoxPair& pair, const Separations& separations, double tie,
+                      double slack) noexcept {
+  const double least = separations.largest - tie;
   Candidate best;
   for (std::size_t axis = 0; axis < kAxisCount && best.defect > slack; ++axis) {
     if (separations.along[axis] >= least) {
@@ -131,19 +132,34 @@ Candidate bestContact(const BoxPair& pair, const Separations& separations, doubl
   return best;
 }
 
+// How far the axes of B are from being unit and at right angles.
+double skewOf(const BoxPair& pair) noexcept {
+  const Eigen::Matrix3d products = pair.a_from_b.transpose() * pair.a_from_b;
+  return (products - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+}
+
 }  // namespace
 
 bool contactAlongAxis(const BoxPair& pair, const Separations& separations,
                       SignedDistance& cores) noexcept {
-  const double slack = toleranceOf(pair);
-  const Candidate best = bestContact(pair, separations, slack);
+  constexpr double kNoSkew = 1e-15;  // of one rotation, by rounding
+  double slack = toleranceOf(pair);
+  Candidate best = bestContact(pair, separations, slack, slack);
+  if (best.defect > slack) {
+    const double skew = skewOf(pair);
+    if (skew > kNoSkew) {
+      slack += 2.0 * skew * lengthsOf(pair);
+      best = bestContact(pair, separations, slack, slack);
+    }
+  }
   cores = best.cores;
   return best.defect <= slack;
 }
 
 SignedDistance nearestContact(const BoxPair& pair, const Separations& separations) noexcept {
   // Corners that touch may be apart by kTouching along each axis, so that no face holds a point.
-  return bestContact(pair, separations, toleranceOf(pair) + 2.0 * kTouching).cores;
+  const double tie = toleranceOf(pair);
+  return bestContact(pair, separations, tie, tie + 2.0 * kTouching).cores;
 }
 
 }  // namespace collision_monitor

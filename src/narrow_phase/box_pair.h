@@ -32,9 +32,12 @@ inline BoxPair swapped(const BoxPair& pair) noexcept {
 
 inline Pose aFromB(const BoxPair& pair) noexcept { return {pair.a_from_b, pair.center_of_b}; }
 
-/// Rounding that any coordinate of this pair may carry.
-inline double toleranceOf(const BoxPair& pair) noexcept {
-  return 4e-15 * (pair.half_a.sum() + pair.half_b.sum() + pair.center_of_b.cwiseAbs().sum());
+/// [m] Of all lengths of this pair together.
+inline double lengthsOf(const BoxPair& pair) noexcept {
+  return pair.half_a.sum() + pair.half_b.sum() + pair.center_of_b.cwiseAbs().sum();
 }
+
+/// Rounding that any coordinate of this pair may carry.
+inline double toleranceOf(const BoxPair& pair) noexcept { return 4e-15 * lengthsOf(pair); }
 
 }  // namespace collision_monitor

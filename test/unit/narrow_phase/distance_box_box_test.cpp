@@ -60,6 +60,21 @@ TEST(BoxBox, crossedEdges_normalIsTheirCrossProduct) {
   expectDistance(found, 4.0 - 2.0 * std::sqrt(2.0), {0, 0, 1}, {0.5, 0, std::sqrt(2.0)});
 }
 
+TEST(BoxBox, rotationsOfLongChains_measureAsThoseTheyStandFor) {
+  // Products of many rotations are off by more than one: here by 1e-12, sheared and longer.
+  Eigen::Matrix3d off = Eigen::Matrix3d::Identity();
+  off += (Eigen::Matrix3d() << 3, 13, 13, 3, 13, 3, 3, 13, 3).finished() * 1e-13;
+  for (const double angle : {0.3, 0.7, 1.1, 1.9, 2.6}) {
+    const Eigen::Matrix3d roof = Eigen::AngleAxisd(0.25 * M_PI, Vector3d::UnitX()).matrix();
+    const Eigen::Matrix3d keel = (Eigen::AngleAxisd(angle, Vector3d::UnitZ()) *
+                                  Eigen::AngleAxisd(0.25 * M_PI, Vector3d::UnitX()))
+                                     .matrix();
+    const Pose above{keel * off, {0.1, 0.2, 4}};
+    const auto found = distanceBetween(box(3, 1, 1), {roof * off, {0, 0, 0}}, box(3, 1, 1), above);
+    EXPECT_NEAR(found.distance, 4.0 - 2.0 * std::sqrt(2.0), 1e-10) << angle;
+  }
+}
+
 TEST(BoxBox, crossedEdgesOverlapping_depthIsBetweenTheEdges) {
   const double s = std::sqrt(0.5);
   const Pose roof{axes({1, 0, 0}, {0, s, s}), {0, 0, 0}};
