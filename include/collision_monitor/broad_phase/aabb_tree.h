@@ -45,7 +45,6 @@ class AabbTree {
   bool isLeaf(std::uint32_t node) const noexcept { return node < in_tree_.size(); }
   void update(const std::vector<SmallBox>& boxes) noexcept;
   void build(const std::vector<SmallBox>& boxes) noexcept;
-  std::uint32_t buildSpan(const Span& span) noexcept;
   std::size_t splitSpan(const Span& span) noexcept;
   double refit() noexcept;
   void rotate(std::uint32_t node) noexcept;

@@ -41,7 +41,6 @@ class OvershootSum {
   }
   void add(const OvershootSum& other) noexcept;
   Overshoot total() const noexcept;
-  double fourthMoment() const noexcept { return fourth_moment_; }  ///< [m^6] over the area
 
  private:
   double max_{0.0};

@@ -54,8 +54,6 @@ class PoseReader {
   /// Why a link is unknown, as of the last read: "no transform for 0.52 s".
   std::string explain(LinkId link) const;
 
-  const std::string& worldFrame() const noexcept { return world_frame_; }
-
  private:
   /// What places one link: the transform from its parent link, or from the
   /// world for a root.
