@@ -11,17 +11,6 @@
 namespace collision_monitor {
 namespace {
 
-std::vector<std::string_view> wordsOf(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n";
-  std::vector<std::string_view> words;
-  for (std::size_t begin = text.find_first_not_of(kSpace); begin != std::string_view::npos;) {
-    const std::size_t end = std::min(text.find_first_of(kSpace, begin), text.size());
-    words.push_back(text.substr(begin, end - begin));
-    begin = text.find_first_not_of(kSpace, end);
-  }
-  return words;
-}
-
 std::optional<std::string> parseNumber(std::string_view word, double& number) {
   std::string_view digits = word;
   // from_chars knows no plus sign, XML's numbers do.
@@ -43,6 +32,17 @@ std::optional<std::string> parseNumber(std::string_view word, double& number) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> wordsOf(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n\f\v";
+  std::vector<std::string_view> words;
+  for (std::size_t begin = text.find_first_not_of(kSpace); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(kSpace, begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = text.find_first_not_of(kSpace, end);
+  }
+  return words;
+}
 
 std::optional<std::string> parseNumbers(std::string_view text,
                                         Eigen::Ref<Eigen::VectorXd> numbers) {

@@ -6,8 +6,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace collision_monitor {
+
+/// What stands between white space. Views of `text`, which must outlive them.
+std::vector<std::string_view> wordsOf(std::string_view text);
 
 /// Reads exactly numbers.size() finite numbers separated by white space, the
 /// same in every locale: decimal point, optional sign and exponent.

@@ -7,20 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include "model/number_text.h"
+
 namespace collision_monitor {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\f\v";
-
-std::vector<std::string_view> wordsOf(std::string_view line) {
-  std::vector<std::string_view> words;
-  for (std::size_t begin = line.find_first_not_of(kBlanks); begin != std::string_view::npos;) {
-    const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
-    words.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(kBlanks, end);
-  }
-  return words;
-}
 
 /// Whether assimp reads a number here, if the word does not begin with a point.
 bool looksLikeNumber(std::string_view word) {
