@@ -1,18 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
-#include <cstdio>
 
 #include "collision_monitor/ros_edge/pose_reader.h"
+#include "ros_edge/sentences.h"
 
 namespace collision_monitor {
 namespace {
 
-std::string seconds(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f s", value);
-  return text;
-}
+std::string seconds(double value) { return fixedText(value, 2) + " s"; }
 
 /// Old by more than any hiccup: most likely two clocks.
 constexpr double kSuspiciousAge = 60.0;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "ros_edge/conversions.h"
 #include "ros_edge/marker_shapes.h"
@@ -50,50 +52,65 @@ Eigen::Vector3d takePlace(const Eigen::Vector3d& wanted, std::vector<Eigen::Vect
 
 }  // namespace
 
-Markers::Markers(const Watch& watch) : was_seen_(watch.setup().bodies.size(), 0) {
+Markers::Markers(const Watch& watch) {
   for (const Body& body : watch.setup().bodies) {
-    shapes_.push_back(makeShapeMarker(body.shape));
-    shapes_.back().ns = "shapes";
-    shapes_.back().id = static_cast<int>(shapes_.size()) - 1;
+    unseen_.push_back(makeShapeMarker(body.shape));
+    unseen_.back().ns = "shapes";
+    unseen_.back().id = static_cast<int>(unseen_.size()) - 1;
   }
 }
 
 const visualization_msgs::MarkerArray& Markers::draw(const Watch& watch) {
   header_ = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);
-  array_.markers.clear();
   drawn_.clear();
-  if (is_first_) {
-    array_.markers.emplace_back();
-    array_.markers.back().header = header_;
-    array_.markers.back().action = Marker::DELETEALL;
-    is_first_ = false;
-  }
-  addShapes(watch);
+  keepShapes();
+  addShapes(watch.buffers.body_poses);
+  placeShapes(watch);
   addContacts(watch);
   addDistances(watch);
   addDeletions();
+  if (is_first_) {
+    Marker others;
+    others.header = header_;
+    others.action = Marker::DELETEALL;
+    array_.markers.insert(array_.markers.begin(), others);
+    is_first_ = false;
+  }
   return array_;
 }
 
-void Markers::addShapes(const Watch& watch) {
+void Markers::keepShapes() {
+  auto& markers = array_.markers;
+  if (!markers.empty() && markers.front().action == Marker::DELETEALL) {
+    markers.erase(markers.begin());
+  }
+  markers.resize(shapes_);
+}
+
+/// What was never seen is nowhere.
+void Markers::addShapes(const BodyPoses& poses) {
+  const auto first_seen = std::stable_partition(
+      unseen_.begin(), unseen_.end(),
+      [&](const Marker& shape) { return poses.known[static_cast<std::size_t>(shape.id)] == 0; });
+  std::move(first_seen, unseen_.end(), std::back_inserter(array_.markers));
+  unseen_.erase(first_seen, unseen_.end());
+  shapes_ = array_.markers.size();
+}
+
+void Markers::placeShapes(const Watch& watch) {
   std::vector<Verdict> verdicts;
   findWorstVerdicts(watch.setup(), watch.buffers.events, verdicts);
   const BodyPoses& poses = watch.buffers.body_poses;
-  for (std::size_t i = 0; i < shapes_.size(); ++i) {
-    Marker& shape = shapes_[i];
-    const bool is_known = poses.known[i] != 0;
-    was_seen_[i] = was_seen_[i] != 0 || is_known ? 1 : 0;
-    if (was_seen_[i] == 0) {
-      continue;
-    }
+  for (Marker& shape : array_.markers) {
+    const auto body = static_cast<std::size_t>(shape.id);
+    const bool is_known = poses.known[body] != 0;
     if (is_known) {
-      toMessage(poses.world_from_body[i], shape.pose);
+      toMessage(poses.world_from_body[body], shape.pose);
     }
     const Verdict verdict =
-        is_known ? verdicts[index(watch.setup().bodies[i].link)] : Verdict::unknown;
+        is_known ? verdicts[index(watch.setup().bodies[body].link)] : Verdict::unknown;
     shape.color = colourOf(verdict, kShapeAlpha);
     shape.header = header_;
-    array_.markers.push_back(shape);
   }
 }
 

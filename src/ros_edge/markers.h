@@ -31,15 +31,18 @@ class Markers {
  private:
   using Key = std::pair<std::string, int>;
 
-  void addShapes(const Watch& watch);
+  void keepShapes();
+  void addShapes(const BodyPoses& poses);
+  void placeShapes(const Watch& watch);
   void addContacts(const Watch& watch);
   void addDistances(const Watch& watch);
   void addDeletions();
   visualization_msgs::Marker& add(const char* name_space, int id, int type);
 
-  std::vector<visualization_msgs::Marker> shapes_;  ///< by BodyId, in the body frame
-  std::vector<unsigned char> was_seen_;             ///< by BodyId
+  std::vector<visualization_msgs::Marker> unseen_;  ///< shapes in the body frame
+  /// Shapes that were seen come first and stay: they are most of its bytes.
   visualization_msgs::MarkerArray array_;
+  std::size_t shapes_{0};  ///< of the array's markers
   std_msgs::Header header_;
   std::vector<Eigen::Vector3d> label_places_;  ///< of this array, in the world
   std::set<Key> shown_;

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/sentences.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace collision_monitor {
@@ -14,12 +15,6 @@ constexpr double kTouching = 0.5e-4;
 
 /// [m/s] Slower than can be told from rest in print.
 constexpr double kResting = 0.005;
-
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
-}
 
 const std::string& nameOf(const CycleSetup& setup, BodyId body) {
   return setup.model.link(setup.bodies[index(body)].link).name;
@@ -52,7 +47,7 @@ std::string motionText(const PairDistance& distance) {
   if (!(std::abs(closing) >= kResting)) {
     return "";
   }
-  const std::string speed = format(" at %.2f m/s", std::abs(closing));
+  const std::string speed = " at " + fixedText(std::abs(closing), 2) + " m/s";
   if (closing < 0.0) {
     return ", moving apart" + speed;
   }
@@ -63,7 +58,7 @@ std::string motionText(const PairDistance& distance) {
   const bool is_bound = distance.quality == Quality::lower_bound;
   return ", closing" + speed +
          (std::isfinite(time) && time > 0.0
-              ? ", contact in " + format("%.2f s", time) + (is_bound ? " at the earliest" : "")
+              ? ", contact in " + fixedText(time, 2) + " s" + (is_bound ? " at the earliest" : "")
               : "");
 }
 
@@ -101,8 +96,8 @@ std::string passedSentence(const Watch& watch, const PassedContact& passed) {
   const bool is_bound = passed.distance.quality == Quality::lower_bound;
   return nameOf(setup, pair.a) + " touched " + nameOf(setup, pair.b) +
          (is_bound ? " (enclosing shapes)" : "") + " between two cycles, " +
-         format("%.1f ms", 1e3 * passed.time * watch.buffers.sweep.elapsed) +
-         " after the poses of the last one";
+         fixedText(1e3 * passed.time * watch.buffers.sweep.elapsed, 1) +
+         " ms after the poses of the last one";
 }
 
 /// Of a pair that was measured: what it is now, or that it touched on its way.
@@ -158,15 +153,23 @@ std::string verdictSentence(const Watch& watch, const CycleFacts& facts) {
 
 }  // namespace
 
+std::string fixedText(double value, int decimals) {
+  // The largest number has 309 digits before the point.
+  std::array<char, 400> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::fixed, decimals);
+  return {text.data(), end.ptr};
+}
+
 std::string lengthText(double length) {
   const double size = std::abs(length);
   if (size < 0.00995) {
-    return format("%.1f mm", 1000.0 * size);
+    return fixedText(1000.0 * size, 1) + " mm";
   }
-  return size < 0.9995 ? format("%.0f mm", 1000.0 * size) : format("%.2f m", size);
+  return size < 0.9995 ? fixedText(1000.0 * size, 0) + " mm" : fixedText(size, 2) + " m";
 }
 
-std::string secondsText(double time) { return format("%.3f s", time); }
+std::string secondsText(double time) { return fixedText(time, 3) + " s"; }
 
 std::string join(const std::vector<std::string>& texts) {
   std::string joined;
@@ -222,21 +225,21 @@ std::string stepSentence(const Watch& watch) {
     return "";
   }
   const CheckedLinkPair& pair = setup.checked[cap.pair];
-  return "poses every " + format("%.1f ms", 1e3 * step.step) + " are too few" +
+  return "poses every " + fixedText(1e3 * step.step, 1) + " ms are too few" +
          (is_covered ? " by themselves: in between, " : ": in between, ") +
          setup.model.link(pair.a).name + " and " + setup.model.link(pair.b).name +
          (is_covered ? " come farther than they are thick, which the look at the way covers"
           : setup.is_continuous
               ? " may leave the way that is looked at by more than they are thick"
               : " can pass through each other unseen (parameter continuous is off)") +
-         "; at these speeds they need them every " + format("%.1f ms", 1e3 * cap.longest);
+         "; at these speeds they need them every " + fixedText(1e3 * cap.longest, 1) + " ms";
 }
 
 std::string stateSentence(const Watch& watch, const CycleFacts& facts) {
   const std::string sentence = verdictSentence(watch, facts);
   return facts.is_enabled ? sentence
-                          : "switched off for another " + format("%.0f s", facts.enabled_again_in) +
-                                "; " + sentence;
+                          : "switched off for another " + fixedText(facts.enabled_again_in, 0) +
+                                " s; " + sentence;
 }
 
 const char* statusText(LinkStatus status) noexcept {

@@ -10,6 +10,10 @@
 /// What a person reads: one sentence each, without full stop.
 namespace collision_monitor {
 
+/// "12.35": with so many decimals, as printf's %f has them, in a quarter of its time: some of it is
+/// said in every cycle.
+std::string fixedText(double value, int decimals);
+
 /// "4.2 mm", "120 mm", "1.23 m"; without sign.
 std::string lengthText(double length);
 

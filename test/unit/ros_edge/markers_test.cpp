@@ -71,6 +71,23 @@ TEST_F(MarkersTest, ofAnUnknownLink_areGreyWhereItWasSeen) {
   EXPECT_EQ(seen, 1U);
 }
 
+TEST_F(MarkersTest, ofAShape_beginWhenItIsSeenFirst) {
+  LinkPoses poses = posesAt(0.25);
+  const std::size_t tool = index(linkNamed(setup_->setup.model, "tool"));
+  poses.status[tool] = LinkStatus::missing;
+  const auto hidden = watch(poses);
+  Markers markers(*hidden);
+  EXPECT_EQ(count(markers.draw(*hidden), "shapes", visualization_msgs::Marker::ADD), 3U);
+  const auto array = markers.draw(*watch(posesAt(0.25)));
+  EXPECT_EQ(count(array, "", visualization_msgs::Marker::DELETEALL), 0U) << "once is enough";
+  EXPECT_EQ(count(array, "shapes", visualization_msgs::Marker::ADD), 4U);
+  for (const auto& marker : array.markers) {
+    if (marker.ns == "shapes" && marker.id == 2) {  // base, slider, tool, finger
+      EXPECT_NEAR(marker.pose.position.x, 0.75, 1e-12);
+    }
+  }
+}
+
 /// base, tool and finger side by side at x = 0, 0.16 and 0.1: the labels of finger's two pairs, 0.8
 /// m wide, would lie on each other.
 TEST_F(MarkersTest, ofPairsSideBySide_haveLabelsAboveEachOther) {
