@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace collision_monitor {
@@ -112,6 +113,21 @@ std::vector<std::vector<std::uint32_t>> ringsOf(const HullFaces& gathered) {
   return rings;
 }
 
+// Whether the faces leave no gap: as many corners, edges and faces as a ball's surface has, and at
+// each edge the faces lean outward.
+bool areClosed(const HullFaces& gathered, const TriangleMesh& mesh) {
+  std::set<std::uint32_t> corners;
+  for (const ConvexHull::Edge& edge : gathered.edges) {
+    corners.insert({edge.from, edge.to});
+    const Eigen::Vector3d along = mesh.vertices[edge.to] - mesh.vertices[edge.from];
+    const Eigen::Vector3d& left = gathered.faces[edge.left].normal;
+    if (!(left.cross(gathered.faces[edge.right].normal).dot(along) > 0.0)) {
+      return false;
+    }
+  }
+  return corners.size() + gathered.faces.size() == gathered.edges.size() + 2;
+}
+
 }  // namespace
 
 HullFaces gatherFaces(const TriangleMesh& mesh, double extent) {
@@ -135,6 +151,10 @@ HullFaces gatherFaces(const TriangleMesh& mesh, double extent) {
   }
   gathered.edges = edgesBetween(triangle_of, face_of);
   gathered.rings = ringsOf(gathered);
+  const bool is_flat = gathered.faces.size() == 2;
+  if (!is_flat && !areClosed(gathered, mesh)) {
+    gathered.edges.clear();
+  }
   return gathered;
 }
 

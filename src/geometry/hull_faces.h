@@ -17,6 +17,8 @@ struct HullFaces {
 
 /// Each face grows from its largest triangle over neighbours that lie in that one's plane, so
 /// that slivers in a flat face do not add normals of their own, which would be mostly rounding.
+/// Where the faces of a solid leave gaps or fold, as slivers might, there are no edges: who asks
+/// for them needs all.
 /// @pre `mesh` is a hull of convexHullOf; `extent` is its size.
 HullFaces gatherFaces(const TriangleMesh& mesh, double extent);
 

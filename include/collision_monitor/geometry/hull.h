@@ -81,6 +81,7 @@ class ConvexHull {
 
   const std::vector<Eigen::Vector3d>& vertices() const noexcept { return vertices_; }
   const std::vector<Face>& faces() const noexcept { return faces_; }
+  /// All of a flat hull's and a solid's, or none: of faces that slivers tear or fold.
   const std::vector<Edge>& edges() const noexcept { return edges_; }
   bool hasVolume() const noexcept { return has_volume_; }
 
