@@ -7,6 +7,7 @@
 
 #include "bench_loop.h"
 #include "support/convex_cases.h"
+#include "support/sample_meshes.h"
 #include "support_fcl/fcl_adapter.h"
 
 // Time of one signed distance of hulls and cylinders, cold and as a monitor meets them: the pair
@@ -34,6 +35,10 @@ ConvexGeometry ballHull(std::size_t corners) {
     }
   }
   return ConvexHull(points);
+}
+
+ConvexGeometry boxAsHull(const Eigen::Vector3d& half_extents) {
+  return ConvexHull(boxMesh(half_extents).vertices);
 }
 
 std::vector<PosedConvexPair> makePath(const Scene& scene) {
@@ -109,14 +114,20 @@ void registerAll() {
     const char* name;
     ConvexGeometry a;
     ConvexGeometry b;
-  } kPairs[] = {{"hull16-hull16", ballHull(16), ballHull(16)},
-                {"hull64-hull64", ballHull(64), ballHull(64)},
-                {"hull256-hull256", ballHull(256), ballHull(256)},
-                {"cylinder-cylinder", can, can},
-                {"cylinder-hull64", can, ballHull(64)}};
+  } kPairs[] = {
+      {"hull16-hull16", ballHull(16), ballHull(16)},
+      {"box_as_hull-box_as_hull", boxAsHull({0.1, 0.06, 0.08}), boxAsHull({0.07, 0.1, 0.05})},
+      {"hull8-hull8", ballHull(8), ballHull(8)},
+      {"hull12-hull12", ballHull(12), ballHull(12)},
+      {"hull64-hull64", ballHull(64), ballHull(64)},
+      {"hull256-hull256", ballHull(256), ballHull(256)},
+      {"cylinder-cylinder", can, can},
+      {"cylinder-hull64", can, ballHull(64)}};
   for (const auto& pair : kPairs) {
     registerScene(std::string(pair.name) + "/apart_1cm", {pair.a, pair.b, 0.01});
+    registerScene(std::string(pair.name) + "/deep_1mm", {pair.a, pair.b, -0.001});
     registerScene(std::string(pair.name) + "/deep_1cm", {pair.a, pair.b, -0.01});
+    registerScene(std::string(pair.name) + "/deep_5cm", {pair.a, pair.b, -0.05});
   }
 }
 

@@ -49,22 +49,28 @@ Vector3d toMiddle(const ManifoldPoints& shared, const SignedDistance& cores) noe
 
 }  // namespace
 
-void centerOnPatch(const PlacedCore& a, const PlacedCore& b, SignedDistance& cores) noexcept {
-  const Vector3d& normal = cores.normal_a_to_b;
-  const PlacedPair pair = makePlacedPair(a, b);
-  const SupportPlanes planes = supportPlanes(pair, normal);
+bool centerOnPatch(const PlacedPair& pair, const SupportPlanes& planes,
+                   SignedDistance& cores) noexcept {
   if (!planes.may_be_level || !areLevel(pair, planes)) {
-    return;
+    return false;
   }
+  const Vector3d& normal = cores.normal_a_to_b;
   // Of a curved core the normal is known less well, so that an edge may pass for level and a face
   // beside it not: edges that do not face each other are such.
   const EdgeSlack slack{kLevelSine, kLevelSine * pair.size};
   const ManifoldPoints shared =
-      facingPoints(patchOf(a, normal), patchOf(b, -normal), normal, slack);
-  if (shared.size > 0) {
-    cores.point_on_a += toMiddle(shared, cores);
-    cores.point_on_b = cores.point_on_a + cores.distance * normal;
+      facingPoints(patchOf(pair.a, normal), patchOf(pair.b, -normal), normal, slack);
+  if (shared.size == 0) {
+    return false;
   }
+  cores.point_on_a += toMiddle(shared, cores);
+  cores.point_on_b = cores.point_on_a + cores.distance * normal;
+  return true;
+}
+
+void centerOnPatch(const PlacedCore& a, const PlacedCore& b, SignedDistance& cores) noexcept {
+  const PlacedPair pair = makePlacedPair(a, b);
+  centerOnPatch(pair, supportPlanes(pair, cores.normal_a_to_b), cores);
 }
 
 }  // namespace collision_monitor

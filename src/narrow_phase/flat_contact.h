@@ -18,4 +18,10 @@ namespace collision_monitor {
 /// @param cores an exact answer.
 void centerOnPatch(const PlacedCore& a, const PlacedCore& b, SignedDistance& cores) noexcept;
 
+/// The same by planes that are known already.
+/// @param planes across the normal of `cores`.
+/// @return whether there is such a middle; false leaves the points.
+bool centerOnPatch(const PlacedPair& pair, const SupportPlanes& planes,
+                   SignedDistance& cores) noexcept;
+
 }  // namespace collision_monitor

@@ -11,6 +11,7 @@
 #include "narrow_phase/epa.h"
 #include "narrow_phase/flat_contact.h"
 #include "narrow_phase/gjk.h"
+#include "narrow_phase/hull_depth.h"
 #include "narrow_phase/round_depth.h"
 
 namespace collision_monitor {
@@ -110,11 +111,33 @@ ConvexDistance searchApartOrDeep(ConvexPair& pair, ConvexSearch& search) noexcep
   return answerOverlap(pair, found, search);
 }
 
+// Of a pair of which nothing is known. Leaves the vertices that face each other along the axis
+// looked at last: where the hulls are apart, GJK begins there.
+bool depthByAxes(ConvexPair& pair, ConvexWarmStart& warm, SignedDistance& found) noexcept {
+  if (warm.size > 0 || !haveFewFaces(pair)) {
+    return false;
+  }
+  const Eigen::Vector3d& between = pair.a_from_b.translation;
+  const SupportVertex facing = leastAlong(between, pair);
+  if (between.dot(facing.difference) > 0.0) {
+    keepWarm(&facing, 1, pair, warm);
+    return false;
+  }
+  const bool is_deep = depthOfHulls(pair, found);
+  const SupportVertex along_axis = differenceOf(pair, pair.a.hull->vertices()[pair.vertex_of_a],
+                                                pair.b.hull->vertices()[pair.vertex_of_b]);
+  keepWarm(&along_axis, 1, pair, warm);
+  return is_deep;
+}
+
 }  // namespace
 
 ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept {
   ConvexDistance found{SignedDistance{}, DistanceQuality::exact};
   if (distanceOfParallelAxes(pair, found.measured)) {
+    return found;
+  }
+  if (depthByAxes(pair, search.warm, found.measured)) {
     return found;
   }
   found = searchApartOrDeep(pair, search);

@@ -27,13 +27,15 @@ struct HullAxis {
 /// those edges whose sum is an edge of the Minkowski difference, which their arcs on the Gauss map
 /// tell. The test of two boxes is the special case in which fifteen axes do.
 ///
-/// Slow (edges of A times edges of B) and direct: it settles depths that an iteration might not,
-/// and checks those that it did.
+/// Of the pairs of edges only few are looked at: those that no point of the other hull, known from
+/// the faces, shows to separate less than the best face. It settles depths that an iteration might
+/// not; signedDistanceBetween begins with it where hulls with few faces are met for the first time.
 /// Error: some ulps of the lengths. Edges whose sine is below 1e-12 count as parallel: what lies
 /// between them is a sliver so thin that the faces beside it say the same.
 /// Source: Gregorius, "The Separating Axis Test between Convex Polyhedra" (Game Developers
-/// Conference 2013), for the Gauss map; Gottschalk, Lin, Manocha, "OBBTree" (1996).
-/// @pre both hulls have volume; poses are finite and rigid.
+/// Conference 2013), for the Gauss map; Gottschalk, Lin, Manocha, "OBBTree" (1996). Departs from
+/// them in what is passed over.
+/// @pre both hulls have volume and edges; poses are finite and rigid.
 HullAxis separateHulls(const ConvexHull& a, const Pose& world_from_a, const ConvexHull& b,
                        const Pose& world_from_b) noexcept;
 

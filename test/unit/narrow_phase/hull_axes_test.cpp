@@ -10,6 +10,7 @@
 #include "support/convex_measure.h"
 #include "support/expect_distance.h"
 #include "support/random_poses.h"
+#include "support/sample_meshes.h"
 
 namespace collision_monitor::test {
 namespace {
@@ -89,6 +90,44 @@ TEST(HullAxes, randomHulls_haveTheDepthThatEpaFinds) {
     }
   }
   EXPECT_GT(overlaps, 100);
+}
+
+// More faces than there is memory for, and more edges than are crossed at a time.
+TEST(HullAxes, manyFacesAndEdges_haveTheDepthThatEpaFinds) {
+  const ConvexHull globe(sphereMesh(1.0, 24).vertices);
+  ASSERT_GT(globe.faces().size(), 256U);
+  const ConvexHull needle(boxMesh({0.05, 0.05, 3.0}).vertices);
+  Random random(20260101);
+  for (int i = 0; i < 40; ++i) {
+    const Pose a = randomPose(random, 0.2);
+    const Pose b = randomPose(random, 0.2);
+    const ConvexHull& other = i % 2 == 0 ? globe : needle;
+    const HullAxis axis = separateHulls(globe, a, other, b);
+    const ConvexDistance found = measureCold(globe, a, other, b);
+    ASSERT_EQ(found.quality, DistanceQuality::exact);
+    ASSERT_LT(found.measured.distance, 0.0);
+    EXPECT_NEAR(axis.separation, found.measured.distance, 1e-13) << "seed 20260101, pair " << i;
+  }
+}
+
+TEST(HullAxes, tipUnderAnyOfManyFaces_separatedByThatFace) {
+  const ConvexHull globe(sphereMesh(1.0, 24).vertices);
+  const ConvexHull spike(
+      std::vector<Eigen::Vector3d>{{0, 0, 0}, {0.1, 0, 1}, {-0.1, 0.1, 1}, {-0.1, -0.1, 1}});
+  for (std::uint32_t f = 0; f < globe.faces().size(); ++f) {
+    const Eigen::Vector3d& normal = globe.faces()[f].normal;
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const std::uint32_t corner : globe.ringOf(f)) {
+      middle += globe.vertices()[corner] / static_cast<double>(globe.ringOf(f).size());
+    }
+    const Pose upright{
+        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal).toRotationMatrix(),
+        middle - 1e-3 * normal};
+    const HullAxis axis = separateHulls(globe, Pose{}, spike, upright);
+    EXPECT_NEAR(axis.separation, -1e-3, 1e-14);
+    EXPECT_EQ(axis.kind, HullAxis::Kind::face_of_a);
+    EXPECT_EQ(axis.feature_of_a, f);
+  }
 }
 
 }  // namespace
