@@ -17,6 +17,73 @@ namespace {
 
 constexpr unsigned kSeed = 20260101;
 
+struct Scene {
+  const CycleSetup& setup;
+  const LinkPoses& poses;
+  const BodyPoses& body_poses;
+};
+
+void expectNearest(const Scene& scene, const std::vector<double>& distances) {
+  const CycleSetup& setup = scene.setup;
+  NearestPair nearest;
+  searchBlocks(setup.blocks, scene.body_poses.rows,
+               {setup.element_pair_of, std::vector<unsigned char>(setup.element_pairs.size(), 0)},
+               nearest);
+  const auto least = std::min_element(distances.begin(), distances.end());
+  ASSERT_EQ(nearest.distance, *least);
+  ASSERT_EQ(index(nearest.pair), static_cast<std::size_t>(least - distances.begin()));
+}
+
+/// By bodies placed before and by bodies placed as the search comes to them.
+void expectFirstContact(const Scene& scene, const std::vector<double>& distances,
+                        BodyRows& late_rows, std::size_t& contacts) {
+  const CycleSetup& setup = scene.setup;
+  FoundContact found;
+  findContact(setup.blocks, scene.body_poses.rows, contactDistancesOf(setup), found);
+  const auto touching = std::find_if(distances.begin(), distances.end(),
+                                     [](double distance) { return distance <= 0.0; });
+  ASSERT_EQ(found.contact.distance,
+            touching == distances.end() ? std::numeric_limits<double>::infinity() : *touching);
+  contacts += touching == distances.end() ? 0 : 1;
+  FoundContact late;
+  findContact(setup, scene.poses, contactDistancesOf(setup), late_rows, late);
+  ASSERT_EQ(late.contact.pair, found.contact.pair);
+  ASSERT_EQ(late.contact.distance, found.contact.distance);
+  ASSERT_EQ(late.has_unknown, found.has_unknown);
+}
+
+void expectPlainDistances(const Scene& scene, const std::vector<double>& distances) {
+  const CycleSetup& setup = scene.setup;
+  const auto& world_from_body = scene.body_poses.world_from_body;
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    const std::size_t a = index(setup.table.pairs()[i].a);
+    const std::size_t b = index(setup.table.pairs()[i].b);
+    ASSERT_NEAR(distances[i],
+                distanceBetween(setup.bodies[a].shape, world_from_body[a], setup.bodies[b].shape,
+                                world_from_body[b])
+                    .distance,
+                1e-12);
+  }
+}
+
+/// The same bytes on every instruction set, and the plain twin's distances.
+void expectLaws(const Scene& scene, std::size_t& contacts) {
+  BodyRows late_rows = makeBodyPoses(scene.setup).rows;
+  std::vector<double> first;
+  for (const std::int64_t target : instructionSets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    const OnlyInstructionSet only(target);
+    std::vector<double> distances(scene.setup.table.size());
+    measureBlocks(scene.setup.blocks, scene.body_poses.rows, distances);
+    ASSERT_TRUE(first.empty() ||
+                std::memcmp(first.data(), distances.data(), first.size() * sizeof(double)) == 0);
+    first = distances;
+    ASSERT_NO_FATAL_FAILURE(expectNearest(scene, distances));
+    ASSERT_NO_FATAL_FAILURE(expectFirstContact(scene, distances, late_rows, contacts));
+  }
+  expectPlainDistances(scene, first);
+}
+
 TEST(PairBlocksLaws, distancesAndNearestPairAreThoseOfThePlainTwin_onEveryInstructionSet) {
   std::size_t contacts = 0;
   for (unsigned round = 0; round < 200; ++round) {
@@ -25,46 +92,7 @@ TEST(PairBlocksLaws, distancesAndNearestPairAreThoseOfThePlainTwin_onEveryInstru
     const LinkPoses poses = randomLinkPoses(setup, round % 2 == 0 ? 0.4 : 4.0, kSeed + round);
     BodyPoses body_poses = makeBodyPoses(setup);
     placeBodies(setup, poses, body_poses);
-    BodyRows late_rows = makeBodyPoses(setup).rows;
-    std::vector<double> first;
-    for (const std::int64_t target : instructionSets()) {
-      SCOPED_TRACE(hwy::TargetName(target));
-      const OnlyInstructionSet only(target);
-      std::vector<double> distances(setup.table.size());
-      measureBlocks(setup.blocks, body_poses.rows, distances);
-      ASSERT_TRUE(first.empty() ||
-                  std::memcmp(first.data(), distances.data(), first.size() * sizeof(double)) == 0);
-      first = distances;
-      NearestPair nearest;
-      searchBlocks(
-          setup.blocks, body_poses.rows,
-          {setup.element_pair_of, std::vector<unsigned char>(setup.element_pairs.size(), 0)},
-          nearest);
-      const auto least = std::min_element(distances.begin(), distances.end());
-      ASSERT_EQ(nearest.distance, *least);
-      ASSERT_EQ(index(nearest.pair), static_cast<std::size_t>(least - distances.begin()));
-      FoundContact found;
-      findContact(setup.blocks, body_poses.rows, contactDistancesOf(setup), found);
-      const auto touching = std::find_if(distances.begin(), distances.end(),
-                                         [](double distance) { return distance <= 0.0; });
-      ASSERT_EQ(found.contact.distance,
-                touching == distances.end() ? std::numeric_limits<double>::infinity() : *touching);
-      contacts += touching == distances.end() ? 0 : 1;
-      FoundContact late;
-      findContact(setup, poses, contactDistancesOf(setup), late_rows, late);
-      ASSERT_EQ(late.contact.pair, found.contact.pair);
-      ASSERT_EQ(late.contact.distance, found.contact.distance);
-      ASSERT_EQ(late.has_unknown, found.has_unknown);
-    }
-    for (std::size_t i = 0; i < setup.table.size(); ++i) {
-      const std::size_t a = index(setup.table.pairs()[i].a);
-      const std::size_t b = index(setup.table.pairs()[i].b);
-      ASSERT_NEAR(first[i],
-                  distanceBetween(setup.bodies[a].shape, body_poses.world_from_body[a],
-                                  setup.bodies[b].shape, body_poses.world_from_body[b])
-                      .distance,
-                  1e-12);
-    }
+    ASSERT_NO_FATAL_FAILURE(expectLaws({setup, poses, body_poses}, contacts));
   }
   EXPECT_GT(contacts, 100U);
 }
