@@ -30,13 +30,12 @@ class PairTable {
   const std::vector<BodyPair>& pairs() const noexcept { return pairs_; }
   const BodyPair& operator[](PairId id) const noexcept { return pairs_[index(id)]; }
   std::size_t size() const noexcept { return pairs_.size(); }
-  std::size_t bodyCount() const noexcept { return body_count_; }
 
   /// The pair of two bodies, given in either order.
   /// @return false when they may not touch; `id` is then left alone.
   bool find(BodyId one, BodyId other, PairId& id) const noexcept;
 
-  /// The pairs of body a with every body b, by a * bodyCount() + b: an id, or kNoPair where there
+  /// The pairs of body a with every body b, by a * body_count + b: an id, or kNoPair where there
   /// is none or b < a. Behind the last stands kRowPadding times kNoPair. Null for more than a
   /// robot's bodies.
   const std::uint32_t* idsOfAll() const noexcept { return dense_.empty() ? nullptr : &dense_[0]; }
