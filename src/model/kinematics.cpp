@@ -104,4 +104,11 @@ void placeLinks(const RobotModel& model, const JointPositions& positions,
   }
 }
 
+std::vector<Pose> defaultPoses(const RobotModel& model) {
+  std::vector<Pose> world_from_link(model.links.size());
+  placeLinks(model, defaultPositions(model), std::vector<Pose>(model.robots.size()),
+             world_from_link);
+  return world_from_link;
+}
+
 }  // namespace collision_monitor

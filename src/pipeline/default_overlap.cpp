@@ -13,13 +13,6 @@
 namespace collision_monitor {
 namespace {
 
-std::vector<Pose> defaultPose(const RobotModel& model) {
-  std::vector<Pose> world_from_link(model.links.size());
-  placeLinks(model, defaultPositions(model), std::vector<Pose>(model.robots.size()),
-             world_from_link);
-  return world_from_link;
-}
-
 std::string overlapText(const PairDistance& distance) {
   const std::string by =
       " overlap by " + std::to_string(std::lround(-1000.0 * distance.measured.distance)) + " mm";
@@ -48,7 +41,7 @@ void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, bool ignore, Cycle
                          SetupReport& report) {
   listPairs(setup);
   LinkPairMeasures measures(setup);
-  const std::vector<Pose> world_from_link = defaultPose(setup.model);
+  const std::vector<Pose> world_from_link = defaultPoses(setup.model);
   for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
     const CheckedLinkPair& pair = setup.checked[i];
     const RobotId robot = setup.model.link(pair.a).robot;

@@ -58,9 +58,7 @@ class SphereDistances {
 std::vector<Problem> sphereOverlaps(const RobotModel& model,
                                     const std::vector<LinkSpheres>& spheres) {
   const std::vector<Unions> unions = unionsByLink(model, spheres);
-  std::vector<Pose> world_from_link(model.links.size());
-  placeLinks(model, defaultPositions(model), std::vector<Pose>(model.robots.size()),
-             world_from_link);
+  const std::vector<Pose> world_from_link = defaultPoses(model);
   SphereDistances distanceOf;
   std::vector<Problem> overlaps;
   for (const LinkPair& pair : decideLinkPairs(model, {})) {

@@ -44,6 +44,9 @@ Pose parentFromChild(const Joint& joint, const JointPositions& positions) noexce
 void placeLinks(const RobotModel& model, const JointPositions& positions,
                 const std::vector<Pose>& world_from_root, std::vector<Pose>& world_from_link);
 
+/// Poses of all links in the default positions, each robot's root at the world's origin.
+std::vector<Pose> defaultPoses(const RobotModel& model);
+
 /// In how many ways the joint's child can move: revolute, continuous, prismatic 1 (mimic joints
 /// too: with their source); planar 3; floating 6; fixed 0.
 std::size_t freedomOf(const Joint& joint) noexcept;

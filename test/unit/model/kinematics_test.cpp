@@ -124,6 +124,15 @@ TEST(Kinematics, defaultPositions_areWithinTheLimits) {
   EXPECT_EQ(defaultPositions(model), (JointPositions{0.5, -1.0}));
 }
 
+TEST(Kinematics, defaultPoses_areThoseOfTheDefaultPositions) {
+  const std::vector<Pose> world_from_link = defaultPoses(readText(kTwoJoints).model);
+  ASSERT_EQ(world_from_link.size(), 3U);
+  expectNear(world_from_link[0].translation, {0, 0, 0});
+  expectNear(world_from_link[1].translation, {1, 0, 0});
+  expectNear(world_from_link[2].translation, {1 + std::cos(0.5), std::sin(0.5), 0});
+  expectNear(world_from_link[2].rotation.col(0), {std::cos(-0.5), std::sin(-0.5), 0});
+}
+
 TEST(Kinematics, defaultOfFloatingJoint_isIdentity) {
   const RobotModel model =
       readText(robotXml("<link name='a'/><link name='b'/>" + jointXml("j", "floating", "a", "b")))
