@@ -35,7 +35,8 @@ ConvexHull randomHull(Random& random, int kind) {
   std::vector<Vector3d> points;
   const int sides = 3 + kind / 4 % 3;
   for (int i = 0; i < 2 * sides; ++i) {
-    const double turn = 2.0 * M_PI * (i / 2) / sides;
+    const int side = i / 2;
+    const double turn = 2.0 * M_PI * side / sides;
     const Vector3d corner = kind % 4 == 0
                                 ? Vector3d(std::cos(turn), std::sin(turn), i % 2 == 0 ? -1.0 : 1.0)
                                 : randomPoint(random, 1.0);
@@ -133,8 +134,10 @@ void check(const ConvexPair& placed, const GjkResult& overlap, Tally& tally) {
 
 TEST(HullDepthLaws, depthIsThatOfAllAxesAndOfEpa_andPointsLieOnBoth) {
   Random random(kSeed);
+  constexpr int kHulls = 120;
   std::vector<ConvexHull> hulls;
-  for (int kind = 0; kind < 120; ++kind) {
+  hulls.reserve(kHulls);
+  for (int kind = 0; kind < kHulls; ++kind) {
     hulls.push_back(randomHull(random, kind));
   }
   Tally tally;

@@ -15,14 +15,7 @@
 namespace collision_monitor::test {
 namespace {
 
-ConvexHull boxHull(const Eigen::Vector3d& half) {
-  std::vector<Eigen::Vector3d> points;
-  for (int i = 0; i < 8; ++i) {
-    points.emplace_back((i & 1) != 0 ? half.x() : -half.x(), (i & 2) != 0 ? half.y() : -half.y(),
-                        (i & 4) != 0 ? half.z() : -half.z());
-  }
-  return ConvexHull(points);
-}
+ConvexHull boxHull(const Eigen::Vector3d& half) { return ConvexHull(boxMesh(half).vertices); }
 
 TEST(HullAxes, boxesApart_faceIsTheSeparatingAxis) {
   const ConvexHull cube = boxHull({1, 1, 1});

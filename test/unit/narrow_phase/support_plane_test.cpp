@@ -15,9 +15,9 @@ namespace {
 using Eigen::Vector3d;
 
 ConvexHull randomHull(Random& random) {
-  std::vector<Vector3d> points;
-  for (int i = 0; i < 20; ++i) {
-    points.push_back(randomPoint(random, 1.0).normalized());
+  std::vector<Vector3d> points(20);
+  for (Vector3d& point : points) {
+    point = randomPoint(random, 1.0).normalized();
   }
   return ConvexHull(points);
 }
