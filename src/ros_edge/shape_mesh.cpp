@@ -3,33 +3,46 @@
 #include "ros_edge/shape_mesh.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace collision_monitor {
 namespace {
 
-constexpr std::uint32_t kSteps = 4;  // to a quarter circle
-constexpr std::uint32_t kRows = 2 * (kSteps + 1);
-constexpr std::uint32_t kColumns = 4 * (kSteps + 1);
-
-/// Angle of a grid line. The line where one quarter ends and the next begins stands twice,
+/// Lines of latitude and longitude. A line where one quarter ends and the next begins stands twice,
 /// once for each, so that the core's extent opens between the two.
-double angleAt(std::uint32_t line) {
-  const std::uint32_t quarter = line / (kSteps + 1);
-  const std::uint32_t step = line % (kSteps + 1);
-  return 0.5 * M_PI * (quarter + static_cast<double>(step) / kSteps);
+struct Grid {
+  std::uint32_t steps;  // to a quarter circle
+
+  std::uint32_t quarter() const { return steps + 1; }  // lines of one
+  std::uint32_t rows() const { return 2 * quarter(); }
+  std::uint32_t columns() const { return 4 * quarter(); }
+  double angleAt(std::uint32_t line) const {
+    return 0.5 * M_PI * (line / quarter() + static_cast<double>(line % quarter()) / steps);
+  }
+};
+
+/// Chords of small circles lie near them with few steps.
+Grid gridFor(double radius) {
+  constexpr double kFewest = 2.0;
+  constexpr double kMost = 4.0;
+  constexpr double kNear = 2e-3;  // [m]
+  const double half_step = std::acos(1.0 - std::min(1.0, kNear / radius));
+  const double steps = std::ceil(0.25 * M_PI / half_step);
+  return {static_cast<std::uint32_t>(std::max(kFewest, std::min(kMost, steps)))};
 }
 
 double sideOf(bool is_positive) { return is_positive ? 1.0 : -1.0; }
 
 /// A sphere's grid of latitudes and longitudes, cut into octants that the core pushes apart.
-void addGrid(const Eigen::Vector3d& half_extents, double radius, TriangleMesh& mesh) {
-  for (std::uint32_t row = 0; row < kRows; ++row) {
-    const double latitude = angleAt(row) - 0.5 * M_PI;
-    const bool is_upper = row > kSteps;
-    for (std::uint32_t column = 0; column < kColumns; ++column) {
-      const double longitude = angleAt(column);
-      const std::uint32_t quarter = column / (kSteps + 1);
+void addVertices(const Grid& grid, const Eigen::Vector3d& half_extents, double radius,
+                 TriangleMesh& mesh) {
+  for (std::uint32_t row = 0; row < grid.rows(); ++row) {
+    const double latitude = grid.angleAt(row) - 0.5 * M_PI;
+    const bool is_upper = row >= grid.quarter();
+    for (std::uint32_t column = 0; column < grid.columns(); ++column) {
+      const double longitude = grid.angleAt(column);
+      const std::uint32_t quarter = column / grid.quarter();
       const Eigen::Vector3d direction(std::cos(latitude) * std::cos(longitude),
                                       std::cos(latitude) * std::sin(longitude), std::sin(latitude));
       const Eigen::Vector3d side(sideOf(quarter == 0 || quarter == 3), sideOf(quarter < 2),
@@ -58,20 +71,22 @@ void addQuad(const std::array<std::uint32_t, 4>& corners, TriangleMesh& mesh) {
 
 TriangleMesh surfaceOf(const Shape& shape) {
   TriangleMesh mesh;
-  addGrid(coreHalfExtents(shape), radiusOf(shape), mesh);
-  for (std::uint32_t row = 0; row + 1 < kRows; ++row) {
-    for (std::uint32_t column = 0; column < kColumns; ++column) {
-      const std::uint32_t next = (column + 1) % kColumns;
-      addQuad({row * kColumns + column, row * kColumns + next, (row + 1) * kColumns + next,
-               (row + 1) * kColumns + column},
+  const Grid grid = gridFor(radiusOf(shape));
+  const std::uint32_t columns = grid.columns();
+  addVertices(grid, coreHalfExtents(shape), radiusOf(shape), mesh);
+  for (std::uint32_t row = 0; row + 1 < grid.rows(); ++row) {
+    for (std::uint32_t column = 0; column < columns; ++column) {
+      const std::uint32_t next = (column + 1) % columns;
+      addQuad({row * columns + column, row * columns + next, (row + 1) * columns + next,
+               (row + 1) * columns + column},
               mesh);
     }
   }
   // All points of a quarter meet at its pole, so the cap has one corner a quarter.
-  constexpr std::uint32_t kQuarter = kSteps + 1;
-  constexpr std::uint32_t kTop = (kRows - 1) * kColumns;
-  addQuad({3 * kQuarter, 2 * kQuarter, kQuarter, 0}, mesh);
-  addQuad({kTop, kTop + kQuarter, kTop + 2 * kQuarter, kTop + 3 * kQuarter}, mesh);
+  const std::uint32_t quarter = grid.quarter();
+  const std::uint32_t top = (grid.rows() - 1) * columns;
+  addQuad({3 * quarter, 2 * quarter, quarter, 0}, mesh);
+  addQuad({top, top + quarter, top + 2 * quarter, top + 3 * quarter}, mesh);
   return mesh;
 }
 

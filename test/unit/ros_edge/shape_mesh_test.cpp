@@ -42,13 +42,20 @@ TEST_P(ShapeMesh, surfaceIsClosedAndFacesOutwards) {
   const TriangleMesh mesh = surfaceOf(GetParam());
   EXPECT_LT(sumOfAreas(mesh).norm(), 1e-9);
   EXPECT_LE(enclosedVolume(mesh), volumeOf(GetParam()) * (1.0 + 1e-9));
-  EXPECT_GE(enclosedVolume(mesh), 0.9 * volumeOf(GetParam()));
+  EXPECT_GE(enclosedVolume(mesh), 0.85 * volumeOf(GetParam()));
+}
+
+TEST(SmallShapeMesh, hasFewTriangles) {
+  const std::size_t of_large = surfaceOf(RoundedBox{{0.1, 0.2, 0.3}, 0.1}).triangles.size();
+  const std::size_t of_small = surfaceOf(RoundedBox{{0.1, 0.2, 0.3}, 0.01}).triangles.size();
+  EXPECT_LE(2 * of_small, of_large);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ShapeMesh,
                          testing::Values(Shape(Sphere{0.2}), Shape(Capsule{0.3, 0.1}),
                                          Shape(Box{{0.1, 0.2, 0.3}}),
                                          Shape(RoundedBox{{0.1, 0.2, 0.3}, 0.05}),
+                                         Shape(Capsule{0.1, 0.01}),
                                          Shape(RoundedBox{{0.1, 0.2, 0.0}, 0.05})));
 
 }  // namespace
