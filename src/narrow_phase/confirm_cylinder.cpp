@@ -68,7 +68,7 @@ bool nearestToFace(const Corners& corners, const CylinderPair& pair, NearestPair
   for (std::size_t i = 0; i < 3; ++i) {
     points[i] -= rim_point;
   }
-  NearestPoint nearest;
+  NearestOnSimplex nearest;
   if (!nearestInside(points, 3, nearest)) {
     return false;
   }

@@ -51,7 +51,7 @@ std::size_t nearestFace(const ConvexWarmStart& warm, const PlacedInside& placed)
 
 // Of the faces in the plane of the nearest one, that which holds the foot of the perpendicular.
 bool findFoot(const ConvexWarmStart& warm, const PlacedInside& placed, double nearest,
-              std::size_t& face, NearestPoint& foot) noexcept {
+              std::size_t& face, NearestOnSimplex& foot) noexcept {
   constexpr double kSamePlane = 1.0 + 1e-12;
   for (face = 0; face < warm.inside_faces; ++face) {
     if (placed.squared[face] <= kSamePlane * nearest) {
@@ -227,7 +227,7 @@ std::optional<ConfirmedDistance> confirmDepth(const PlacedPair& pair,
   }
   std::size_t nearest = 0;
   std::size_t face = 0;
-  NearestPoint foot;
+  NearestOnSimplex foot;
   bool is_level = false;
   if (!settle(pair, warm, placed, nearest, is_level) ||
       !findFoot(warm, placed, placed.squared[nearest], face, foot)) {

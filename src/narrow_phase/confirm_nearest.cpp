@@ -30,7 +30,7 @@ void place(std::size_t i, const PlacedPair& pair, Followed& followed) noexcept {
 }
 
 // Corners ascend, so that none is overwritten before its turn.
-void keep(const NearestPoint& nearest, Followed& followed) noexcept {
+void keep(const NearestOnSimplex& nearest, Followed& followed) noexcept {
   followed.warm.size = static_cast<std::uint32_t>(nearest.size);
   for (std::size_t i = 0; i < followed.warm.size; ++i) {
     const auto from = static_cast<std::size_t>(nearest.corners[i]);
@@ -43,7 +43,7 @@ void keep(const NearestPoint& nearest, Followed& followed) noexcept {
 }
 
 // Steps of GJK without what only a long search needs.
-bool stepToNearest(const PlacedPair& pair, Followed& followed, NearestPoint& nearest,
+bool stepToNearest(const PlacedPair& pair, Followed& followed, NearestOnSimplex& nearest,
                    Eigen::Vector3d& normal, bool& is_level) noexcept {
   for (int step = 0; step < kMaxSteps; ++step) {
     normal = normalOf(nearest);
@@ -59,7 +59,7 @@ bool stepToNearest(const PlacedPair& pair, Followed& followed, NearestPoint& nea
     const std::uint32_t newest = followed.warm.size;
     followed.warm.ends[newest] = cornersOf(pair, planes);
     place(newest, pair, followed);
-    const NearestPoint next = nearestWith(followed.differences, static_cast<int>(newest));
+    const NearestOnSimplex next = nearestWith(followed.differences, static_cast<int>(newest));
     if (!(next.squared < nearest.squared) || normal.dot(followed.differences[newest]) <= 0.0) {
       return false;
     }
@@ -76,7 +76,7 @@ std::optional<ConfirmedDistance> confirmCorners(const PlacedPair& pair,
     place(i, pair, followed);
   }
   const int count = static_cast<int>(warm.size);
-  NearestPoint nearest;
+  NearestOnSimplex nearest;
   if (!nearestInside(followed.differences, count, nearest)) {
     nearest = nearestOfAll(followed.differences, count);
     if (nearest.size == 0) {

@@ -22,7 +22,8 @@ struct LaneCorners {
   Vector3 on_a, difference;
 };
 
-/// As NearestPoint, with the point of A in the world; means nothing where the point is not inside.
+/// As NearestOnSimplex, with the point of A in the world; means nothing where the point is not
+/// inside.
 struct LaneNearest {
   Truth is_inside;
   Vector3 point, outward, on_a;

@@ -11,21 +11,21 @@ namespace {
 
 using Points = std::array<Eigen::Vector3d, 4>;
 
-[[gnu::always_inline]] inline void offer(const NearestPoint& candidate,
-                                         NearestPoint& best) noexcept {
+[[gnu::always_inline]] inline void offer(const NearestOnSimplex& candidate,
+                                         NearestOnSimplex& best) noexcept {
   if (candidate.squared < best.squared) {
     best = candidate;
   }
 }
 
 [[gnu::always_inline]] inline void offerVertex(const Points& points, int i,
-                                               NearestPoint& best) noexcept {
+                                               NearestOnSimplex& best) noexcept {
   const Eigen::Vector3d& p = points[static_cast<std::size_t>(i)];
   offer({p.squaredNorm(), p, p, {i, 0, 0}, {1.0, 0.0, 0.0}, 1}, best);
 }
 
 [[gnu::always_inline]] inline void offerEdge(const Points& points, int i, int j,
-                                             NearestPoint& best) noexcept {
+                                             NearestOnSimplex& best) noexcept {
   const Eigen::Vector3d& p = points[static_cast<std::size_t>(i)];
   const Eigen::Vector3d edge = points[static_cast<std::size_t>(j)] - p;
   const double length_squared = edge.squaredNorm();
@@ -46,7 +46,7 @@ using Points = std::array<Eigen::Vector3d, 4>;
 
 [[gnu::always_inline]] inline void offerTriangle(const Points& points,
                                                  const std::array<int, 3>& corners,
-                                                 NearestPoint& best) noexcept {
+                                                 NearestOnSimplex& best) noexcept {
   const Eigen::Vector3d& p = points[static_cast<std::size_t>(corners[0])];
   const Eigen::Vector3d first = points[static_cast<std::size_t>(corners[1])] - p;
   const Eigen::Vector3d second = points[static_cast<std::size_t>(corners[2])] - p;
@@ -87,7 +87,7 @@ bool holdsOrigin(const Points& p) noexcept {
   return true;
 }
 
-void keep(const NearestPoint& nearest, Simplex& simplex) noexcept {
+void keep(const NearestOnSimplex& nearest, Simplex& simplex) noexcept {
   for (int i = 0; i < nearest.size; ++i) {
     const auto k = static_cast<std::size_t>(i);
     // Corners ascend, so that none is overwritten before its turn.
@@ -111,7 +111,7 @@ Points pointsOf(const Simplex& simplex, int count) noexcept {
 
 }  // namespace
 
-bool nearestInsideSpan(const Points& points, int count, NearestPoint& nearest) noexcept {
+bool nearestInsideSpan(const Points& points, int count, NearestOnSimplex& nearest) noexcept {
   nearest.squared = std::numeric_limits<double>::infinity();
   if (count == 2) {
     offerEdge(points, 0, 1, nearest);
@@ -121,16 +121,16 @@ bool nearestInsideSpan(const Points& points, int count, NearestPoint& nearest) n
   return nearest.squared < std::numeric_limits<double>::infinity();
 }
 
-NearestPoint nearestOfAll(const Points& points, int count) noexcept {
-  NearestPoint best;
+NearestOnSimplex nearestOfAll(const Points& points, int count) noexcept {
+  NearestOnSimplex best;
   for (int newest = 0; newest < count; ++newest) {
     offer(nearestWith(points, newest), best);
   }
   return best;
 }
 
-NearestPoint nearestWith(const Points& points, int newest) noexcept {
-  NearestPoint best;
+NearestOnSimplex nearestWith(const Points& points, int newest) noexcept {
+  NearestOnSimplex best;
   offerVertex(points, newest, best);
   for (int i = 0; i < newest; ++i) {
     offerEdge(points, i, newest, best);
@@ -142,7 +142,7 @@ NearestPoint nearestWith(const Points& points, int newest) noexcept {
 }
 
 bool spanAll(int count, Simplex& simplex) noexcept {
-  NearestPoint nearest;
+  NearestOnSimplex nearest;
   const bool is_inside = nearestInside(pointsOf(simplex, count), count, nearest);
   if (is_inside) {
     keep(nearest, simplex);
@@ -159,7 +159,7 @@ bool insert(const SupportVertex& vertex, Simplex& simplex) noexcept {
     simplex.contains_origin = true;
     return true;
   }
-  const NearestPoint nearest = nearestWith(points, newest);
+  const NearestOnSimplex nearest = nearestWith(points, newest);
   if (!(nearest.squared < simplex.distance * simplex.distance)) {
     return false;
   }

@@ -28,7 +28,7 @@ struct Simplex {
 };
 
 /// The point of one feature's inside that is nearest to the origin.
-struct NearestPoint {
+struct NearestOnSimplex {
   double squared{std::numeric_limits<double>::infinity()};  ///< its squared distance
   Eigen::Vector3d point;
   Eigen::Vector3d outward;     ///< any length and sense: the point's direction or the feature's own
@@ -43,12 +43,12 @@ constexpr double kLeastSineSquared = 1e-6;
 
 /// The same of two or three points.
 bool nearestInsideSpan(const std::array<Eigen::Vector3d, 4>& points, int count,
-                       NearestPoint& nearest) noexcept;
+                       NearestOnSimplex& nearest) noexcept;
 
 /// Of the vertex, edge or triangle that the first `count` points span.
 /// @return false when some of them are not needed or hardly span, or there are not one to three.
 inline bool nearestInside(const std::array<Eigen::Vector3d, 4>& points, int count,
-                          NearestPoint& nearest) noexcept {
+                          NearestOnSimplex& nearest) noexcept {
   if (count != 1) {
     return nearestInsideSpan(points, count, nearest);
   }
@@ -62,14 +62,14 @@ inline bool nearestInside(const std::array<Eigen::Vector3d, 4>& points, int coun
 }
 
 /// Of all that the first `count` points, three at most, span.
-NearestPoint nearestOfAll(const std::array<Eigen::Vector3d, 4>& points, int count) noexcept;
+NearestOnSimplex nearestOfAll(const std::array<Eigen::Vector3d, 4>& points, int count) noexcept;
 
 /// Of all that the points up to `newest` span together with it. An origin inside of four points is
 /// not told from one outside.
-NearestPoint nearestWith(const std::array<Eigen::Vector3d, 4>& points, int newest) noexcept;
+NearestOnSimplex nearestWith(const std::array<Eigen::Vector3d, 4>& points, int newest) noexcept;
 
 /// Unit; see Simplex::normal. Zero where there is none.
-inline Eigen::Vector3d normalOf(const NearestPoint& nearest) noexcept {
+inline Eigen::Vector3d normalOf(const NearestOnSimplex& nearest) noexcept {
   const double length = nearest.outward.norm();
   if (!(length > 0.0)) {
     return Eigen::Vector3d::Zero();
