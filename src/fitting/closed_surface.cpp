@@ -8,12 +8,13 @@
 #include <numeric>
 #include <tuple>
 
+#include "geometry/constants.h"
+
 namespace collision_monitor {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kFlat = 1e-12;  // volume over cubed size
 
 /// For each vertex the first one that equals it.

@@ -6,13 +6,13 @@
 #include <cmath>
 
 #include "collision_monitor/geometry/shapes.h"
+#include "geometry/constants.h"
 
 namespace collision_monitor {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kCentre = 0;
 constexpr int kRotation = 3;
 constexpr int kExtents = 6;

@@ -9,6 +9,7 @@
 
 #include "fitting/shape_union.h"
 #include "fitting/surrounding_mesh.h"
+#include "geometry/constants.h"
 
 namespace collision_monitor {
 namespace {
@@ -19,7 +20,6 @@ constexpr double kGrowths[] = {0.0, 1e-4, 1e-3, 1e-2, 1e-1, 1.0};
 
 TriangleMesh prismAround(const Cylinder& cylinder) {
   constexpr std::uint32_t kSides = 1024;
-  constexpr double kPi = 3.14159265358979323846;
   const double radius = (1.0 + 1e-14) * cylinder.radius / std::cos(kPi / kSides);
   TriangleMesh mesh;
   for (std::uint32_t side = 0; side < kSides; ++side) {

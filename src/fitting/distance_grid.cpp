@@ -16,7 +16,7 @@ constexpr double kNodes = 40000.0;
 constexpr double kMargin = 0.15;  // of the longest side, on every side
 constexpr int kMaxSteps = 128;    // along an edge, of samples on the surface
 constexpr std::uint32_t kNone = 0xffffffffU;
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
@@ -79,7 +79,7 @@ void DistanceGrid::markSurface() {
     last_[static_cast<Eigen::Index>(k)] = static_cast<float>(size_[k]) - 1.001f;
   }
   nearest_.assign(count, kNone);
-  distance_.assign(count, kInfinity);
+  distance_.assign(count, kFloatInfinity);
   for (std::uint32_t i = 0; i < surface_.size(); ++i) {
     Vector3i cell = Vector3i::Zero();
     if (spacing_ > 0.0) {

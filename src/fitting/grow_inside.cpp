@@ -9,13 +9,13 @@
 #include "fitting/near_triangles.h"
 #include "fitting/point_cloud.h"
 #include "fitting/simplex_search.h"
+#include "geometry/constants.h"
 
 namespace collision_monitor {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kCoarse = 0.1;  // tolerance of distances, at first and for segments
 constexpr double kFine = 0.02;
 constexpr double kReach = 0.8;  // of a ball known to be empty; less than 1 / (1 + kCoarse)

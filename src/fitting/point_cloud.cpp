@@ -9,11 +9,10 @@
 #include <limits>
 
 #include "collision_monitor/geometry/convex_hull.h"
+#include "geometry/constants.h"
 
 namespace collision_monitor {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 constexpr std::size_t kBlock = 64;
 

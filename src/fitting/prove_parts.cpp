@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "collision_monitor/fitting/fit_parts.h"
 #include "collision_monitor/fitting/proof.h"
 #include "fitting/check_geometry.h"
 #include "fitting/mesh_part.h"
 #include "fitting/surrounding_mesh.h"
+#include "geometry/constants.h"
 
 namespace collision_monitor {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool isSound(const Fit& fit) {
   if (fit.shapes.empty() || fit.cuts.size() + 1 != fit.shapes.size()) {

@@ -4,10 +4,11 @@
 
 #include <cmath>
 
+#include "geometry/constants.h"
+
 namespace collision_monitor {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kSides = 48;
 // Rounding in sines and in the products of a few of them.
 constexpr double kAllowance = 1e-14;

@@ -14,11 +14,11 @@ using Vector = Eigen::Array4f;  // the fourth is 0, and fills the register
 
 constexpr int kBins = 12;
 constexpr std::size_t kFewTriangles = 6;  // are halved: their boxes are not worth weighing
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 struct Box {
-  Vector low{Vector::Constant(kInfinity)};
-  Vector high{Vector::Constant(-kInfinity)};
+  Vector low{Vector::Constant(kFloatInfinity)};
+  Vector high{Vector::Constant(-kFloatInfinity)};
 
   void add(const Box& other) {
     low = low.min(other.low);
@@ -139,8 +139,8 @@ class BvhBuilder {
     const auto l = static_cast<Eigen::Index>(lane);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto axis = static_cast<Eigen::Index>(k);
-      node.low[k][l] = part.count() > 0 ? part.bounds.box.low[axis] : kInfinity;
-      node.high[k][l] = part.count() > 0 ? part.bounds.box.high[axis] : kInfinity;
+      node.low[k][l] = part.count() > 0 ? part.bounds.box.low[axis] : kFloatInfinity;
+      node.high[k][l] = part.count() > 0 ? part.bounds.box.high[axis] : kFloatInfinity;
     }
   }
 
@@ -194,7 +194,7 @@ class BvhBuilder {
       cost_above[bin] = costOf(above);
     }
     Bounds below;
-    float least = kInfinity;
+    float least = kFloatInfinity;
     std::size_t border = 1;
     for (std::size_t bin = 1; bin < kBins; ++bin) {
       below.add(bins[bin - 1]);

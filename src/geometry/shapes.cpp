@@ -6,11 +6,10 @@
 #include <cmath>
 
 #include "collision_monitor/geometry/visit_held.h"
+#include "geometry/constants.h"
 
 namespace collision_monitor {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 double signOf(double value) noexcept { return value < 0.0 ? -1.0 : 1.0; }
 

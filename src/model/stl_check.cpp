@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kHeaderSize = 84;
 constexpr std::size_t kTriangleSize = 50;
 
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kWhitespace = " \t\r\n";
 
 /// A header that says "solid" proves nothing: exporters write it into binary files
 /// too. Text has no control bytes, and 512 bytes of triangles always do.
@@ -31,7 +31,7 @@ std::string_view trimmed(std::string_view bytes) {
   if (bytes.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     bytes.remove_prefix(kByteOrderMark.size());
   }
-  bytes.remove_prefix(std::min(bytes.find_first_not_of(kBlanks), bytes.size()));
+  bytes.remove_prefix(std::min(bytes.find_first_not_of(kWhitespace), bytes.size()));
   return bytes;
 }
 
@@ -44,8 +44,8 @@ struct WordCounts {
 /// Names stand behind "solid" and "endsolid" up to the end of the line, and may be any words.
 WordCounts countWords(std::string_view text) {
   WordCounts counts;
-  for (std::size_t begin = 0; (begin = text.find_first_not_of(kBlanks, begin)) != text.npos;) {
-    std::size_t end = std::min(text.find_first_of(kBlanks, begin), text.size());
+  for (std::size_t begin = 0; (begin = text.find_first_not_of(kWhitespace, begin)) != text.npos;) {
+    std::size_t end = std::min(text.find_first_of(kWhitespace, begin), text.size());
     const std::string_view word = text.substr(begin, end - begin);
     counts.vertices += word == "vertex" ? 1 : 0;
     counts.facets += word == "endfacet" ? 1 : 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <limits>
 
+#include "geometry/constants.h"
 #include "model/urdf_elements.h"
 #include "model/xml_document.h"
 
@@ -9,8 +9,6 @@ namespace collision_monitor {
 namespace {
 
 using tinyxml2::XMLElement;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct TypeName {
   const char* name;

@@ -4,12 +4,12 @@
 
 #include <utility>
 
+#include "geometry/constants.h"
 #include "pipeline/trajectory_search.h"
 
 namespace collision_monitor {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Halves of halves ...: parts of 1e-15 of the way from one point to the next.
 constexpr std::size_t kMostHalvings = 50;
 /// [m] Two links are mostly no nearer between two way-points than by this less than at both.

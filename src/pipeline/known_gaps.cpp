@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <limits>
 
+#include "geometry/constants.h"
 #include "pipeline/near_bodies.h"
 
 namespace collision_monitor {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool hasNewLink(const BodyPoses& body_poses, const LastPoses& last) noexcept {
   bool has_new = false;

@@ -7,11 +7,10 @@
 
 #include "collision_monitor/pipeline/motion_bound.h"
 #include "collision_monitor/pipeline/run_cycle.h"
+#include "geometry/constants.h"
 
 namespace collision_monitor {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double thicknessOf(const Shape& shape) noexcept {
   return 2.0 * (coreHalfExtents(shape).minCoeff() + radiusOf(shape));

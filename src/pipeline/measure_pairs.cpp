@@ -67,7 +67,7 @@ void measureBatch(const CycleSetup& setup, const BodyPoses& body_poses, const Pa
   }
 }
 
-bool isNearer(const PairDistance& one, const PairDistance& other) noexcept {
+bool comesNearer(const PairDistance& one, const PairDistance& other) noexcept {
   return one.measured.distance < other.measured.distance;
 }
 
@@ -93,7 +93,7 @@ void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
 void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, const RefineWork& refined,
                     double reach, PairDistances& distances) noexcept {
   auto& measured = distances.measured;
-  const auto nearest = std::min_element(measured.begin(), measured.end(), isNearer);
+  const auto nearest = std::min_element(measured.begin(), measured.end(), comesNearer);
   if (nearest != measured.end() && nearest->measured.distance <= reach) {
     return;
   }

@@ -5,8 +5,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
+
+#include "geometry/constants.h"
 
 namespace collision_monitor {
 namespace {
@@ -84,7 +85,6 @@ LinkChain chainBetween(const RobotModel& model, const JointPath& path, LinkId a,
 }
 
 std::vector<Ball> linkBalls(const CycleSetup& setup) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<Ball> balls(setup.model.links.size());
   std::vector<Aabb> boxes(setup.model.links.size(), {Eigen::Vector3d::Constant(kInfinity),
                                                      Eigen::Vector3d::Constant(-kInfinity)});

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "geometry/constants.h"
+
 namespace collision_monitor {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double contactAt(const TrajectorySearch& search, LinkPairIndex pair) noexcept {
   return search.setup.checked[pair].limits.contact_distance + search.options.tolerance;

@@ -8,7 +8,7 @@
 namespace collision_monitor {
 namespace {
 
-std::string seconds(double value) { return fixedText(value, 2) + " s"; }
+std::string inSeconds(double value) { return fixedText(value, 2) + " s"; }
 
 /// Old by more than any hiccup: most likely two clocks.
 constexpr double kSuspiciousAge = 60.0;
@@ -19,12 +19,12 @@ std::string explainAge(double age, double max_age, const std::string& what) {
     return what + " resumed after a gap and is not complete yet";
   }
   if (age < 0.0) {
-    return "the newest " + what + " is " + seconds(-age) +
+    return "the newest " + what + " is " + inSeconds(-age) +
            " in the future; the clocks of two machines differ, or use_sim_time is set for one node "
            "only";
   }
   const bool is_suspicious = age > kSuspiciousAge;
-  return "no " + what + " for " + seconds(age) +
+  return "no " + what + " for " + inSeconds(age) +
          (is_suspicious ? "; if this is a recording, is use_sim_time set?" : "");
 }
 

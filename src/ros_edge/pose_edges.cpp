@@ -7,15 +7,11 @@
 #include <limits>
 
 #include "collision_monitor/ros_edge/pose_reader.h"
+#include "geometry/constants.h"
 
 /// What places each link: finding it in tf or among the joints, judging it,
 /// looking it up.
 namespace collision_monitor {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 void PoseReader::makeEdges() {
   edges_.resize(model_.links.size());

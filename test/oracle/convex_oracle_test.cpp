@@ -12,6 +12,7 @@
 #include "collision_monitor/narrow_phase/geometry_distance.h"
 #include "support/convex_measure.h"
 #include "support/convex_reference.h"
+#include "support/fixed_seed.h"
 #include "support/query_meshes.h"
 #include "support/sample_meshes.h"
 #include "support_fcl/fcl_adapter.h"
@@ -21,8 +22,6 @@
 // hulls and meshes.
 namespace collision_monitor::test {
 namespace {
-
-constexpr std::uint64_t kSeed = 20260101;
 
 enum class Class : std::size_t { separated, near, touching, shallow, deep };
 constexpr std::size_t kClasses = 5;

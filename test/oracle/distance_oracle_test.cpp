@@ -9,16 +9,16 @@
 
 #include "collision_monitor/narrow_phase/distance.h"
 #include "support/expect_distance.h"
+#include "support/fixed_seed.h"
 #include "support/random_pairs.h"
 #include "support/reference_distance.h"
 #include "support_fcl/fcl_adapter.h"
 
 // Prints the tables of docs/accuracy.md: for each kind of pair the worst error of this package
 // and of FCL against the exact reference.
-namespace collision_monitor::test {
+namespace collision_monitor::test::distance_oracle {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260101;
 constexpr int kPairsPerRow = 4096;
 // FCL's booleans are compared where the answer is not a matter of rounding.
 constexpr double kDecided = 1e-6;
@@ -152,4 +152,4 @@ TEST(DistanceOracle, robotSizedPairsApart_agreeWithFcl) {
 }
 
 }  // namespace
-}  // namespace collision_monitor::test
+}  // namespace collision_monitor::test::distance_oracle

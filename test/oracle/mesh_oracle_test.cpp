@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "collision_monitor/narrow_phase/mesh_distance.h"
+#include "support/fixed_seed.h"
 #include "support/query_meshes.h"
 #include "support/sample_meshes.h"
 #include "support_fcl/fcl_mesh.h"
@@ -17,7 +18,6 @@
 namespace collision_monitor::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260101;
 constexpr double kAgreement = 1e-9;
 
 struct Kind {

@@ -14,10 +14,10 @@
 namespace collision_monitor::test {
 namespace {
 
-constexpr Real kNone = std::numeric_limits<Real>::infinity();
+constexpr Real kUnbounded = std::numeric_limits<Real>::infinity();
 
 struct Peak {
-  Real value{-kNone};
+  Real value{-kUnbounded};
   Real at{0};
 
   void offer(Real candidate, Real where) {
@@ -83,7 +83,7 @@ Real reachOfCylinder(const CylinderAndPolyhedron& pair, const Vector& n) {
 
 // Gap along the unit direction from the cylinder to the polyhedron.
 Real gapOf(const CylinderAndPolyhedron& pair, const Vector& direction) {
-  Real start = kNone;
+  Real start = kUnbounded;
   for (const Vector& point : pair.other.points) {
     start = std::min(start, direction.dot(point));
   }
@@ -101,18 +101,18 @@ Real distanceToFace(const CylinderAndPolyhedron& pair, const std::array<std::uin
   for (std::size_t k = 0; k < 3; ++k) {
     const Vector& from = p.points[t[k]];
     if ((p.points[t[(k + 1) % 3]] - from).cross(lowest - from).dot(normal) < 0) {
-      return kNone;
+      return kUnbounded;
     }
   }
   const Real beyond = normal.dot(lowest - p.points[t[0]]);
-  return beyond >= 0 ? beyond : kNone;
+  return beyond >= 0 ? beyond : kUnbounded;
 }
 
 // Of corners and edges to the cylinder. Where something else overlaps, they may be apart all the
 // same, so what they say holds only if a plane between the two bears it out.
 Real distanceApart(const CylinderAndPolyhedron& pair) {
   const Polyhedron& p = pair.other;
-  Vector way = Vector::Constant(kNone);
+  Vector way = Vector::Constant(kUnbounded);
   const auto offer = [&](const Vector& point) {
     const Vector candidate = wayFromCylinder(pair, point);
     way = candidate.norm() < way.norm() ? candidate : way;
@@ -128,7 +128,7 @@ Real distanceApart(const CylinderAndPolyhedron& pair) {
     offer(from + nearest.at * edge);
   }
   const Real distance = way.norm();
-  return distance > 0 && gapOf(pair, way / distance) > distance / 2 ? distance : kNone;
+  return distance > 0 && gapOf(pair, way / distance) > distance / 2 ? distance : kUnbounded;
 }
 
 Real largestGapAcross(const CylinderAndPolyhedron& pair, const Vector& axis) {
@@ -168,13 +168,13 @@ Real distanceToPolyhedron(const Cylinder& cylinder, const Pose& world_from_cylin
       apart = std::min(apart, distanceToFace(pair, t));
     }
   }
-  return (apart < kNone ? apart : gap) - pair.other.radius;
+  return (apart < kUnbounded ? apart : gap) - pair.other.radius;
 }
 
 // ---- Two cylinders ----
 
 struct Directed {
-  Real gap{-kNone};
+  Real gap{-kUnbounded};
   Vector direction{Vector::UnitX()};
 };
 
@@ -252,7 +252,7 @@ Real distanceBySearch(const PosedConvexPair& pair) {
       starts.push_back(candidate);
     }
   }
-  Real largest = -kNone;
+  Real largest = -kUnbounded;
   for (const Directed& start : starts) {
     largest = std::max(largest, refined(pair, start).gap);
   }

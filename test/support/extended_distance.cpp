@@ -10,11 +10,12 @@ namespace collision_monitor::test {
 
 long double extendedDistance(const Shape& shape, const Pose& world_from_body,
                              const Eigen::Vector3d& point) {
-  using Vector = Eigen::Matrix<long double, 3, 1>;
+  using Extended = Eigen::Matrix<long double, 3, 1>;
   using Matrix = Eigen::Matrix<long double, 3, 3>;
   const Matrix rotation = world_from_body.rotation.cast<long double>();
-  const Vector offset = point.cast<long double>() - world_from_body.translation.cast<long double>();
-  const Vector in_body = rotation.inverse() * offset;
+  const Extended offset =
+      point.cast<long double>() - world_from_body.translation.cast<long double>();
+  const Extended in_body = rotation.inverse() * offset;
   const Eigen::Vector3d half_extents = coreHalfExtents(shape);
   long double squared = 0.0L;
   long double deepest = -1e30L;

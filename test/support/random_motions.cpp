@@ -15,7 +15,7 @@ Eigen::Vector3d randomSize(Random& random, double least, double greatest) {
           uniform(random, least, greatest)};
 }
 
-constexpr std::size_t kShapeKinds = 4;
+constexpr std::size_t kKinds = 4;
 
 Shape shapeOf(std::size_t kind, const Eigen::Vector3d& size) {
   switch (kind) {
@@ -57,17 +57,17 @@ ScrewMotion crossingMotion(Random& random) {
 
 Shape randomShape(Random& random) {
   const Eigen::Vector3d size = randomSize(random, 0.01, 0.2);
-  return shapeOf(random() % kShapeKinds, size);
+  return shapeOf(random() % kKinds, size);
 }
 
 ConvexGeometry randomGeometry(Random& random) {
   const Eigen::Vector3d size = randomSize(random, 0.001, 0.3);
-  const std::size_t kind = random() % (kShapeKinds + 2);
-  if (kind < kShapeKinds) {
+  const std::size_t kind = random() % (kKinds + 2);
+  if (kind < kKinds) {
     return std::visit([](const auto& shape) -> ConvexGeometry { return shape; },
                       shapeOf(kind, size));
   }
-  return kind == kShapeKinds ? ConvexGeometry(Cylinder{size.x(), size.y()}) : randomHull(random);
+  return kind == kKinds ? ConvexGeometry(Cylinder{size.x(), size.y()}) : randomHull(random);
 }
 
 ScrewMotion randomMotion(Random& random, double reach, double travel, double turn) {

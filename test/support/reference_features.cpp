@@ -39,7 +39,7 @@ RealVector pointOn(const ReferenceFeature& feature,
 }
 
 Real distanceOfFeatures(const ReferenceFeature& a, const ReferenceFeature& b) {
-  constexpr Real kNone = std::numeric_limits<Real>::infinity();
+  constexpr Real kFarAway = std::numeric_limits<Real>::infinity();
   const auto count_a = static_cast<Eigen::Index>(a.directions.size());
   const auto count_b = static_cast<Eigen::Index>(b.directions.size());
   const RealVector between = b.base - a.base;
@@ -56,11 +56,11 @@ Real distanceOfFeatures(const ReferenceFeature& a, const ReferenceFeature& b) {
   Eigen::ColPivHouseholderQR<Columns> solver(columns);
   solver.setThreshold(1e-16L);
   if (solver.rank() < columns.cols()) {
-    return kNone;  // features of fewer parameters hold the solution too
+    return kFarAway;  // features of fewer parameters hold the solution too
   }
   Parameters solution = solver.solve(between);
   if (!bringInside(a, solution.head(count_a)) || !bringInside(b, solution.tail(count_b))) {
-    return kNone;
+    return kFarAway;
   }
   return (pointOn(b, solution.tail(count_b)) - pointOn(a, solution.head(count_a))).norm();
 }

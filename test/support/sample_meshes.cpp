@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "geometry/constants.h"
+
 namespace collision_monitor::test {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 using Index = std::uint32_t;
 

@@ -18,7 +18,7 @@
 namespace collision_monitor {
 namespace {
 
-constexpr std::size_t kMostListed = 100;
+constexpr std::size_t kMostWrong = 100;
 constexpr std::uint32_t kNoBudget = 1000000000;
 
 struct MakeFcl {
@@ -170,7 +170,7 @@ class ExactComparer {
       return;
     }
     ++(ours ? result_.wrong_contacts : result_.missed);
-    if (result_.wrong.size() < kMostListed) {
+    if (result_.wrong.size() < kMostWrong) {
       result_.wrong.push_back(setup_.model.link(pair.a).name + " - " +
                               setup_.model.link(pair.b).name + ": ours " +
                               std::to_string(nearest.measured.distance) + " m, quality " +

@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/constants.h"
+
 namespace collision_monitor::fit_tool {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The smallest rectangle of whole pixels that may be touched, inside the image.
 struct PixelRange {

@@ -10,11 +10,10 @@
 #include "collision_monitor/fitting/inner_shape.h"
 #include "collision_monitor/geometry/bounds.h"
 #include "collision_monitor/geometry/convex_hull.h"
+#include "geometry/constants.h"
 
 namespace collision_monitor::fit_tool {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 struct HullVolume {
   double operator()(const Sphere& sphere) const { return volumeOf(sphere); }

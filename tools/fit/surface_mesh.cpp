@@ -4,10 +4,11 @@
 
 #include <cmath>
 
+#include "geometry/constants.h"
+
 namespace collision_monitor::fit_tool {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kSectors = 96;
 constexpr int kQuarter = kSectors / 4;
 

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "collision_monitor/broad_phase/broad_phase.h"
+#include "geometry/constants.h"
 #include "support/allocation_guard.h"
 #include "support/fixed_seed.h"
 #include "support/random_poses.h"
@@ -53,7 +54,6 @@ Aabb randomBox(Scene scene, Random& random) {
 
 /// What is no proper box, now and then.
 void damage(Random& random, BodyBounds& bounds) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double values[] = {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity, 1e300,
                            -1e300};
   for (Aabb& box : bounds.boxes) {

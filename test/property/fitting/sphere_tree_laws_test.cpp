@@ -15,7 +15,7 @@
 #include "support/fixed_seed.h"
 #include "support/sample_meshes.h"
 
-namespace collision_monitor {
+namespace collision_monitor::sphere_tree_laws {
 namespace {
 
 using LongVector = Eigen::Matrix<long double, 3, 1>;
@@ -183,4 +183,4 @@ RC_GTEST_PROP(InnerShapeLaws, noStepInAnyDirectionGivesAMuchLargerSphere, ()) {
 }
 
 }  // namespace
-}  // namespace collision_monitor
+}  // namespace collision_monitor::sphere_tree_laws

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "collision_monitor/geometry/point_triangle.h"
+#include "support/fixed_seed.h"
 #include "support/random_poses.h"
 
 namespace collision_monitor::test {
@@ -13,7 +14,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::uint64_t kSeed = 20260101;
 constexpr int kCases = 200000;
 
 double anyPowerOfTen(Random& random, double low, double high) {

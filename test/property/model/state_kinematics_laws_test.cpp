@@ -5,13 +5,12 @@
 #include <cstring>
 
 #include "collision_monitor/model/state_kinematics.h"
+#include "support/fixed_seed.h"
 #include "support/instruction_sets.h"
 #include "support/random_model.h"
 
 namespace collision_monitor::test {
 namespace {
-
-constexpr std::uint64_t kSeed = 20260101;
 
 std::vector<StatePose> placedBy(std::int64_t target, const KinematicsPlan& plan,
                                 const std::vector<StateNumber>& variables) {

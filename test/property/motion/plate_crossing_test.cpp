@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "support/fixed_seed.h"
 #include "support/random_motions.h"
 
 namespace collision_monitor::test {
 namespace {
 
-constexpr unsigned kSeed = 20260101;
 constexpr int kSteps = 10000;
 
 /// Of the way: 1e-6 s of a cycle of 20 ms.

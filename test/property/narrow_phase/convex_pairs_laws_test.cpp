@@ -9,6 +9,7 @@
 
 #include "collision_monitor/narrow_phase/convex_pairs.h"
 #include "support/convex_cases.h"
+#include "support/fixed_seed.h"
 #include "support/instruction_sets.h"
 
 // Many pairs by one call: every answer, and what is left for the next search, is that of the call
@@ -16,7 +17,6 @@
 namespace collision_monitor::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260101;
 constexpr std::size_t kPool = 8;
 constexpr int kSteps = 12;
 constexpr ConvexKind kKinds[] = {ConvexKind::hull, ConvexKind::sphere, ConvexKind::box,

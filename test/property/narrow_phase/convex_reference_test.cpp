@@ -10,13 +10,13 @@
 #include <tuple>
 
 #include "support/convex_cases.h"
+#include "support/fixed_seed.h"
 
 // Convex pairs against the slow reference, and against what proves an answer by itself. Prints the
 // worst errors, which docs/accuracy.md shows.
-namespace collision_monitor::test {
+namespace collision_monitor::test::convex_reference {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260101;
 constexpr std::size_t kPool = 16;
 
 using Case = std::tuple<ConvexKind, ConvexKind, Nearness>;
@@ -98,4 +98,4 @@ INSTANTIATE_TEST_SUITE_P(AllPairs, ConvexAgainstReference,
                          nameOfCase);
 
 }  // namespace
-}  // namespace collision_monitor::test
+}  // namespace collision_monitor::test::convex_reference

@@ -8,13 +8,13 @@
 
 #include "support/convex_cases.h"
 #include "support/convex_measure.h"
+#include "support/fixed_seed.h"
 
 // Convex pairs that move in small steps, each measured with what the last one left: every answer
 // proves itself, and is that of a cold search.
-namespace collision_monitor::test {
+namespace collision_monitor::test::convex_steps {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260101;
 constexpr std::size_t kPool = 12;
 constexpr int kPairs = 30;
 constexpr int kSteps = 25;
@@ -92,4 +92,4 @@ INSTANTIATE_TEST_SUITE_P(AllPairs, ConvexInSteps,
                          nameOfCase);
 
 }  // namespace
-}  // namespace collision_monitor::test
+}  // namespace collision_monitor::test::convex_steps

@@ -12,7 +12,7 @@
 // Laws that hold for every pair of shapes. Lengths are whole millimetres and angles whole
 // milliradians, so that parallel, touching and concentric pairs are common, and a counterexample
 // shrinks to small numbers.
-namespace collision_monitor::test {
+namespace collision_monitor::test::distance_laws {
 namespace {
 
 // rapidcheck reads this when it is first used. A seed in the environment wins.
@@ -182,4 +182,4 @@ RC_GTEST_PROP(DistanceLaws, largerRadius_bringsTheSurfaceNearerByItsGrowth, ()) 
 }
 
 }  // namespace
-}  // namespace collision_monitor::test
+}  // namespace collision_monitor::test::distance_laws

@@ -6,13 +6,13 @@
 
 #include "collision_monitor/narrow_phase/distance.h"
 #include "support/expect_distance.h"
+#include "support/fixed_seed.h"
 #include "support/random_pairs.h"
 #include "support/reference_distance.h"
 
 namespace collision_monitor::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260101;
 constexpr int kPairsPerCase = 250;
 
 using Case = std::tuple<ShapeKind, ShapeKind, Nearness, Alignment>;

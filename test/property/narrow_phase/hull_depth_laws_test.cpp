@@ -12,6 +12,7 @@
 #include "narrow_phase/epa.h"
 #include "narrow_phase/gjk.h"
 #include "narrow_phase/hull_depth.h"
+#include "support/fixed_seed.h"
 #include "support/random_poses.h"
 
 // Depths by separating axes against every axis there is, in 64-bit mantissas and without a look at
@@ -21,8 +22,6 @@ namespace {
 
 using Eigen::Vector3d;
 using Extended = Eigen::Matrix<long double, 3, 1>;
-
-constexpr std::uint64_t kSeed = 20260101;
 
 // Boxes, prisms and hulls of a few points: thick, flat and needle-like, about their origin or off
 // it.

@@ -7,16 +7,16 @@
 #include <vector>
 
 #include "collision_monitor/narrow_phase/mesh_depth.h"
+#include "support/fixed_seed.h"
 #include "support/query_meshes.h"
 #include "support/random_poses.h"
 #include "support/sample_meshes.h"
 
 // Meshes that walk at random within each other: the depth kept from query to query, and that of a
 // complete search.
-namespace collision_monitor::test {
+namespace collision_monitor::test::kept_depth_laws {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260101;
 constexpr double kRounding = 1e-12;  // [m]
 
 class KeptDepthLaws : public testing::Test {
@@ -149,4 +149,4 @@ TEST_F(KeptDepthLaws, stepWithinASearch_standsForNothingUntilAllIsLookedAtAgain)
 }
 
 }  // namespace
-}  // namespace collision_monitor::test
+}  // namespace collision_monitor::test::kept_depth_laws

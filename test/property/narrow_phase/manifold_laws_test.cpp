@@ -7,12 +7,12 @@
 
 #include "collision_monitor/narrow_phase/distance.h"
 #include "collision_monitor/narrow_phase/manifold.h"
+#include "support/fixed_seed.h"
 #include "support/random_pairs.h"
 
 namespace collision_monitor::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260101;
 constexpr double kRounding = 1e-12;
 
 struct Touching {

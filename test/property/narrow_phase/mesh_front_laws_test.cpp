@@ -10,16 +10,16 @@
 
 #include "collision_monitor/narrow_phase/mesh_distance.h"
 #include "support/allocation_guard.h"
+#include "support/fixed_seed.h"
 #include "support/query_meshes.h"
 #include "support/random_poses.h"
 #include "support/sample_meshes.h"
 
 // Meshes that walk at random: what a query finds from the front of the last one, and from the
 // roots.
-namespace collision_monitor::test {
+namespace collision_monitor::test::mesh_front_laws {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260101;
 constexpr double kRounding = 1e-13;  // [m], for coordinates of a metre or two
 
 /// By up to `shift` [m] along each axis and by as many rad, or ten times as many.
@@ -166,4 +166,4 @@ TEST_F(MeshFrontLaws, queries_allocateNothing) {
 }
 
 }  // namespace
-}  // namespace collision_monitor::test
+}  // namespace collision_monitor::test::mesh_front_laws

@@ -9,6 +9,7 @@
 #include "narrow_phase/mesh_hulls.h"
 #include "support/allocation_guard.h"
 #include "support/expect_distance.h"
+#include "support/fixed_seed.h"
 #include "support/query_meshes.h"
 #include "support/random_poses.h"
 #include "support/sample_meshes.h"
@@ -17,7 +18,6 @@
 namespace collision_monitor::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260101;
 constexpr double kHullExact = 1e-12;  // [m], for coordinates of a metre or two
 
 struct Hulled {

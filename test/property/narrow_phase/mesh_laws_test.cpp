@@ -13,6 +13,7 @@
 #include "support/allocation_guard.h"
 #include "support/convex_reference.h"
 #include "support/expect_distance.h"
+#include "support/fixed_seed.h"
 #include "support/query_meshes.h"
 #include "support/random_pairs.h"
 #include "support/reference_features.h"
@@ -21,7 +22,6 @@
 namespace collision_monitor::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260101;
 constexpr double kMeshExact = 1e-13;  // [m], for coordinates of a few metres
 
 struct MeshScene {

@@ -11,14 +11,13 @@
 #include "collision_monitor/narrow_phase/distance.h"
 #include "collision_monitor/narrow_phase/pair_rows.h"
 #include "support/expect_distance.h"
+#include "support/fixed_seed.h"
 #include "support/instruction_sets.h"
 #include "support/random_pairs.h"
 
 // Batched distances against the plain twin, on every instruction set of this machine.
-namespace collision_monitor::test {
+namespace collision_monitor::test::pair_rows_laws {
 namespace {
-
-constexpr std::uint64_t kSeed = 20260101;
 
 /// Pairs a case and of quick ones a kind; COLLISION_MONITOR_QUICK_PAIRS asks for more of those.
 constexpr std::size_t kPairsPerCase = 4 * kRowCount;
@@ -126,4 +125,4 @@ TEST(PairRowsQuick, randomPairsOfEveryKindAgreeWithThePlainTwin) {
 }
 
 }  // namespace
-}  // namespace collision_monitor::test
+}  // namespace collision_monitor::test::pair_rows_laws

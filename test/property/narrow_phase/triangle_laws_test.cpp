@@ -11,14 +11,14 @@
 
 #include "collision_monitor/narrow_phase/triangle_triangle.h"
 #include "narrow_phase/triangle_edges.h"
+#include "support/fixed_seed.h"
 #include "support/instruction_sets.h"
 #include "support/random_poses.h"
 #include "support/reference_features.h"
 
-namespace collision_monitor::test {
+namespace collision_monitor::test::triangle_laws {
 namespace {
 
-constexpr std::uint64_t kSeed = 20260101;
 constexpr int kPairs = 20000;
 constexpr double kExact = 1e-13;   // [m], for coordinates up to 10 m, needles included
 constexpr double kDecided = 1e-9;  // overlap is compared where it is not a matter of rounding
@@ -231,4 +231,4 @@ TEST(TriangleLaws, goodStart_isKeptAndPoorOneReplaced) {
 }
 
 }  // namespace
-}  // namespace collision_monitor::test
+}  // namespace collision_monitor::test::triangle_laws

@@ -11,6 +11,7 @@
 #include "pipeline/link_pair_distance.h"
 #include "pipeline/states_block.h"
 #include "support/allocation_guard.h"
+#include "support/fixed_seed.h"
 #include "support/hand_made_setup.h"
 #include "support/instruction_sets.h"
 #include "support/random_model.h"
@@ -19,7 +20,6 @@
 namespace collision_monitor::test {
 namespace {
 
-constexpr unsigned kSeed = 20260101;
 constexpr std::size_t kStates = 3 * kStateCount + 5;
 
 /// A random tree of any joints, with the shapes of randomSetup on its links.

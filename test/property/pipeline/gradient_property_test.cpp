@@ -18,7 +18,7 @@
 
 // Derivatives against central differences of the distance, on random trees of links with joints of
 // every type.
-namespace collision_monitor {
+namespace collision_monitor::gradient_laws {
 namespace {
 
 using test::Random;
@@ -260,4 +260,4 @@ TEST(GradientLaws, linkVelocitiesOfJointsAndOfTwoStamps_agree) {
 }
 
 }  // namespace
-}  // namespace collision_monitor
+}  // namespace collision_monitor::gradient_laws

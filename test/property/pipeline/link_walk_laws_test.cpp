@@ -4,22 +4,20 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "collision_monitor/pipeline/link_walk.h"
 #include "collision_monitor/pipeline/motion_bound.h"
 #include "collision_monitor/pipeline/run_cycle.h"
+#include "geometry/constants.h"
 #include "pipeline/setup_parts.h"
+#include "support/fixed_seed.h"
 #include "support/hand_made_setup.h"
 #include "support/instruction_sets.h"
 #include "support/random_poses.h"
 
 // The walk over pairs of links in lanes against one pair after the other.
-namespace collision_monitor::test {
+namespace collision_monitor::test::link_walk_laws {
 namespace {
-
-constexpr unsigned kSeed = 20260101;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Every fourth pair of links is left out, so that blocks have gaps.
 CycleSetup setupWithGaps(unsigned seed) {
@@ -151,4 +149,4 @@ TEST(LinkWalkLaws, reachesAndStepsAreThoseOfEveryPairAlone_onEveryInstructionSet
 }
 
 }  // namespace
-}  // namespace collision_monitor::test
+}  // namespace collision_monitor::test::link_walk_laws

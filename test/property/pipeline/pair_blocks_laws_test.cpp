@@ -9,13 +9,12 @@
 
 #include "collision_monitor/narrow_phase/distance.h"
 #include "collision_monitor/pipeline/run_cycle.h"
+#include "support/fixed_seed.h"
 #include "support/hand_made_setup.h"
 #include "support/instruction_sets.h"
 
-namespace collision_monitor::test {
+namespace collision_monitor::test::pair_blocks_laws {
 namespace {
-
-constexpr unsigned kSeed = 20260101;
 
 struct Scene {
   const CycleSetup& setup;
@@ -149,4 +148,4 @@ TEST(PairBlocksLaws, rowsPlacedTogetherAreThoseOfEachBody_onEveryInstructionSet)
 }
 
 }  // namespace
-}  // namespace collision_monitor::test
+}  // namespace collision_monitor::test::pair_blocks_laws

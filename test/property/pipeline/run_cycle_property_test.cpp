@@ -13,7 +13,7 @@
 #include "support/hand_made_setup.h"
 #include "support/random_poses.h"
 
-namespace collision_monitor {
+namespace collision_monitor::run_cycle_laws {
 namespace {
 
 using test::Random;
@@ -287,4 +287,4 @@ TEST(RunCycleProperty, verdictsAndClosestAreThoseOfMeasuringEveryPair) {
 }
 
 }  // namespace
-}  // namespace collision_monitor
+}  // namespace collision_monitor::run_cycle_laws

@@ -8,7 +8,7 @@
 
 // What is said of pairs of links, held to other states than those it was found in, each measured
 // alone by the plain routines.
-namespace collision_monitor::test {
+namespace collision_monitor::test::search_pairs_laws {
 namespace {
 
 constexpr std::size_t kStates = 300;
@@ -67,4 +67,4 @@ TEST(SearchPairsLaws, noStateSpeaksAgainstAProof_andStatesToldAreAsTold) {
 }
 
 }  // namespace
-}  // namespace collision_monitor::test
+}  // namespace collision_monitor::test::search_pairs_laws

@@ -146,8 +146,8 @@ TEST(BoxRows, whereRoomIsScarce_severalCallsFindAll) {
 TEST(BoxRows, paddingEndsRowsThatHaveNoEnd) {
   BoxRows rows = cubesAlongX(20);
   std::vector<RowPair> hits(100);
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  setRow(0, 0, {{-kInfinity, 0, 0, 0}, {kInfinity, 1, 1, 0}}, rows);
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  setRow(0, 0, {{-infinity, 0, 0, 0}, {infinity, 1, 1, 0}}, rows);
   EXPECT_EQ(sweepRows(rows, 0, 20, 0, hits).next, 20U);
   EXPECT_EQ(hits[18].row, 0U);
   EXPECT_EQ(hits[18].other, 19U);

@@ -6,10 +6,11 @@
 
 #include <limits>
 
+#include "geometry/constants.h"
+
 namespace collision_monitor {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 Aabb boxFrom(double min_x, double max_x) {

@@ -27,8 +27,8 @@ TEST(PairKeys, roomIsForAllPairsOfARobot) {
 }
 
 TEST(PairKeys, orderedBitsOrderAsCoordinatesDo) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  const float sorted[] = {-kInfinity, -2.0F, -1.0F, -1e-30F, 0.0F, 1e-30F, 1.0F, 3.5F, kInfinity};
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const float sorted[] = {-infinity, -2.0F, -1.0F, -1e-30F, 0.0F, 1e-30F, 1.0F, 3.5F, infinity};
   for (std::size_t i = 1; i < std::size(sorted); ++i) {
     EXPECT_LT(orderedBits(sorted[i - 1]), orderedBits(sorted[i]));
   }

@@ -9,12 +9,12 @@
 #include <limits>
 
 #include "broad_phase/box_tests.h"
+#include "geometry/constants.h"
 #include "support/instruction_sets.h"
 
 namespace collision_monitor {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr float kGreatest = std::numeric_limits<float>::max();
 
 Aabb cube(double min, double max) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/constants.h"
 #include "picture.h"
 #include "support/random_poses.h"
 #include "support/sample_meshes.h"
@@ -14,8 +15,6 @@
 
 namespace collision_monitor::fit_tool {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 std::size_t seenOf(const DepthImage& image, int owner) {
   return static_cast<std::size_t>(std::count(image.owner.begin(), image.owner.end(), owner));

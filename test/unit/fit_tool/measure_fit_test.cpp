@@ -6,13 +6,12 @@
 
 #include <cmath>
 
+#include "geometry/constants.h"
 #include "support/sample_meshes.h"
 #include "surface_mesh.h"
 
 namespace collision_monitor::fit_tool {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 PosedShape boxAt(const Eigen::Vector3d& half_extents, const Eigen::Vector3d& centre) {
   return {Box{half_extents}, {Eigen::Matrix3d::Identity(), centre}};

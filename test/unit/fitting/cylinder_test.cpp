@@ -6,11 +6,10 @@
 
 #include "collision_monitor/fitting/enclose.h"
 #include "collision_monitor/fitting/proof.h"
+#include "geometry/constants.h"
 
 namespace collision_monitor {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// The largest signed distance of densely sampled rim points: an independent look at containment.
 double excessOfRims(const Cylinder& cylinder, const Shape& shape) {

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
+#include "geometry/constants.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor {
@@ -17,8 +17,6 @@ using Eigen::Vector3d;
 using test::boxMesh;
 using test::moved;
 using test::prismMesh;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
   const auto first = static_cast<std::uint32_t>(a.vertices.size());

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "geometry/constants.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor {
@@ -13,8 +14,6 @@ namespace {
 
 using test::boxMesh;
 using test::moved;
-
-constexpr double kPi = 3.14159265358979323846;
 
 double areaOf(const Shape& shape) {
   double area = 0.0;

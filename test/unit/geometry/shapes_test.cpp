@@ -6,10 +6,10 @@
 
 #include <cmath>
 
+#include "geometry/constants.h"
+
 namespace collision_monitor {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 TEST(Volume, isThatOfTheTextbook) {
   EXPECT_NEAR(volumeOf(Sphere{2.0}), 4.0 / 3.0 * kPi * 8.0, 1e-12);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/constants.h"
 #include "support/urdf_text.h"
 
 namespace collision_monitor {
@@ -17,9 +18,7 @@ using test::jointXml;
 using test::readText;
 using test::robotXml;
 
-constexpr double kPi = 3.14159265358979323846;
-
-Joint joint(JointType type, const Eigen::Vector3d& axis) {
+Joint offsetJoint(JointType type, const Eigen::Vector3d& axis) {
   Joint result;
   result.type = type;
   result.axis = axis;
@@ -32,18 +31,19 @@ void expectNear(const Eigen::Vector3d& actual, const Eigen::Vector3d& expected) 
 }
 
 TEST(Kinematics, fixedJoint_isItsOrigin) {
-  expectNear(parentFromChild(joint(JointType::fixed, Eigen::Vector3d::UnitX()), {}).translation,
-             {1.0, 2.0, 3.0});
+  expectNear(
+      parentFromChild(offsetJoint(JointType::fixed, Eigen::Vector3d::UnitX()), {}).translation,
+      {1.0, 2.0, 3.0});
 }
 
 TEST(Kinematics, revoluteJoint_turnsAboutItsAxis) {
   const Pose pose =
-      parentFromChild(joint(JointType::revolute, Eigen::Vector3d::UnitZ()), {kPi / 2.0});
+      parentFromChild(offsetJoint(JointType::revolute, Eigen::Vector3d::UnitZ()), {kPi / 2.0});
   expectNear(pose * Eigen::Vector3d::UnitX(), {1.0, 3.0, 3.0});
 }
 
 TEST(Kinematics, origin_comesBeforeTheMotion) {
-  Joint turned = joint(JointType::revolute, Eigen::Vector3d::UnitZ());
+  Joint turned = offsetJoint(JointType::revolute, Eigen::Vector3d::UnitZ());
   // The joint's z is the parent's x, so x (parent's -z) goes to y (still y).
   turned.parent_from_joint.rotation =
       Eigen::AngleAxisd(kPi / 2.0, Eigen::Vector3d::UnitY()).toRotationMatrix();
@@ -54,42 +54,42 @@ TEST(Kinematics, origin_comesBeforeTheMotion) {
 
 TEST(Kinematics, prismaticJoint_movesAlongItsAxis) {
   const Pose pose =
-      parentFromChild(joint(JointType::prismatic, Eigen::Vector3d(0.0, 0.6, 0.8)), {5.0});
+      parentFromChild(offsetJoint(JointType::prismatic, Eigen::Vector3d(0.0, 0.6, 0.8)), {5.0});
   expectNear(pose.translation, {1.0, 5.0, 7.0});
   EXPECT_EQ(pose.rotation, Eigen::Matrix3d::Identity());
 }
 
 TEST(Kinematics, planarJoint_movesInThePlaneAndTurnsAboutItsNormal) {
-  const Pose about_z =
-      parentFromChild(joint(JointType::planar, Eigen::Vector3d::UnitZ()), {0.1, 0.2, kPi / 2.0});
+  const Pose about_z = parentFromChild(offsetJoint(JointType::planar, Eigen::Vector3d::UnitZ()),
+                                       {0.1, 0.2, kPi / 2.0});
   expectNear(about_z.translation, {1.1, 2.2, 3.0});
   expectNear(about_z * Eigen::Vector3d::UnitX(), {1.1, 3.2, 3.0});
   // The least rotation from z to x turns about y: x of the plane is -z, y stays y.
   const Pose about_x =
-      parentFromChild(joint(JointType::planar, Eigen::Vector3d::UnitX()), {0.1, 0.2, 0.0});
+      parentFromChild(offsetJoint(JointType::planar, Eigen::Vector3d::UnitX()), {0.1, 0.2, 0.0});
   expectNear(about_x.translation, {1.0, 2.2, 2.9});
   // Half a turn about x: y of the plane is -y.
   const Pose about_minus_z =
-      parentFromChild(joint(JointType::planar, -Eigen::Vector3d::UnitZ()), {0.1, 0.2, 0.0});
+      parentFromChild(offsetJoint(JointType::planar, -Eigen::Vector3d::UnitZ()), {0.1, 0.2, 0.0});
   expectNear(about_minus_z.translation, {1.1, 1.8, 3.0});
 }
 
 TEST(Kinematics, floatingJoint_hasAPositionAndAQuaternion) {
   const double half = std::sqrt(0.5);
-  const Pose pose = parentFromChild(joint(JointType::floating, Eigen::Vector3d::UnitX()),
+  const Pose pose = parentFromChild(offsetJoint(JointType::floating, Eigen::Vector3d::UnitX()),
                                     {0.1, 0.2, 0.3, 0.0, 0.0, half, half});
   expectNear(pose.translation, {1.1, 2.2, 3.3});
   expectNear(pose * Eigen::Vector3d::UnitX(), {1.1, 3.2, 3.3});
 }
 
 TEST(Kinematics, floatingJointWithLongQuaternion_isNormalised) {
-  const Pose pose = parentFromChild(joint(JointType::floating, Eigen::Vector3d::UnitX()),
+  const Pose pose = parentFromChild(offsetJoint(JointType::floating, Eigen::Vector3d::UnitX()),
                                     {0.0, 0.0, 0.0, 0.0, 0.0, 3.0, 3.0});
   EXPECT_TRUE(isRigid(pose, 1e-14));
 }
 
 TEST(Kinematics, floatingJointWithQuaternionOfZeros_isNotFinite) {
-  EXPECT_FALSE(isFinite(parentFromChild(joint(JointType::floating, Eigen::Vector3d::UnitX()),
+  EXPECT_FALSE(isFinite(parentFromChild(offsetJoint(JointType::floating, Eigen::Vector3d::UnitX()),
                                         {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0})));
 }
 
@@ -100,13 +100,13 @@ TEST(Kinematics, positionThatIsNotFinite_givesAPoseThatIsNot) {
          {JointType::revolute, JointType::continuous, JointType::prismatic}) {
       EXPECT_FALSE(isFinite(parentFromChild(joint(type, {0.0, 0.6, 0.8}), {position})));
     }
-    EXPECT_FALSE(isFinite(
-        parentFromChild(joint(JointType::planar, Eigen::Vector3d::UnitZ()), {0, position, 0})));
+    EXPECT_FALSE(isFinite(parentFromChild(offsetJoint(JointType::planar, Eigen::Vector3d::UnitZ()),
+                                          {0, position, 0})));
   }
 }
 
 TEST(Kinematics, mimicJoint_followsItsSource) {
-  Joint follower = joint(JointType::prismatic, Eigen::Vector3d::UnitX());
+  Joint follower = offsetJoint(JointType::prismatic, Eigen::Vector3d::UnitX());
   follower.mimic = Mimic{JointId{0}, -2.0, 0.5};
   expectNear(parentFromChild(follower, {0.1}).translation, {1.3, 2.0, 3.0});
 }

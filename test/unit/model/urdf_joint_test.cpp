@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <limits>
-
+#include "geometry/constants.h"
 #include "support/urdf_text.h"
 
 namespace collision_monitor {
@@ -13,8 +12,6 @@ using test::jointXml;
 using test::readText;
 using test::ReadText;
 using test::robotXml;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 const std::string kLinks = "<link name='a'/><link name='b'/><link name='c'/><link name='d'/>\n";
 const std::string kFixedC = jointXml("jc", "fixed", "a", "c");

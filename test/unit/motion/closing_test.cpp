@@ -7,12 +7,13 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/constants.h"
+
 namespace collision_monitor {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A's point at x = 1, B's `distance` beyond it.

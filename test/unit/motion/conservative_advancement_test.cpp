@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "geometry/constants.h"
 #include "support/expect_distance.h"
 #include "support/sample_meshes.h"
 
@@ -15,7 +16,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.141592653589793;
 constexpr double kTime = 1e-6;
 
 ScrewMotion still(const Pose& pose) { return screwBetween(pose, pose); }

@@ -4,14 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/constants.h"
 #include "support/expect_distance.h"
 
 namespace collision_monitor::test {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kPi = 3.141592653589793;
 
 Eigen::Matrix3d aboutZ(double angle) {
   return Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();

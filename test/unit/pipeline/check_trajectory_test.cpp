@@ -8,12 +8,11 @@
 #include <limits>
 
 #include "collision_monitor/pipeline/motion_bound.h"
+#include "geometry/constants.h"
 #include "support/urdf_text.h"
 
 namespace collision_monitor::test {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 /// An arm of two links in the plane: balls of 0.1 m at the shoulder (base, at the origin), and 1 m
 /// out from the elbow (hand), which is 1 m from the shoulder; and a post, a ball of 0.1 m at (1,

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "collision_monitor/pipeline/run_cycle.h"
+#include "geometry/constants.h"
 #include "support/hand_made_setup.h"
 
 namespace collision_monitor {
@@ -14,8 +15,6 @@ namespace {
 using test::handMadeSetup;
 using test::kEighthTurn;
 using test::knownPoses;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void rest(LinkPoses& poses) {
   std::fill(poses.velocities.known.begin(), poses.velocities.known.end(), 1);

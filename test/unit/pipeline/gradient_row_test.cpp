@@ -19,7 +19,7 @@ const std::string kLimit = "<limit lower='-9' upper='9'/>";
 /// Balls of radius 0.1 m: base at the origin; cart, which slides along x, 1 m aside in y, its ball
 /// far below; on it the follower, back on the x axis, which mimics the slide twice; and on the cart
 /// an arm that turns about z and carries a ball 1 m along its x.
-const std::string kRobot = robotXml(
+const std::string kCart = robotXml(
     test::linkXml("base", "<sphere radius='0.1'/>") +
     test::linkXml("cart", "<sphere radius='0.1'/>", "<origin xyz='0 0 -9'/>") +
     test::linkXml("follower", "<sphere radius='0.1'/>") +
@@ -65,7 +65,7 @@ class GradientRowTest : public testing::Test {
     EXPECT_NEAR(entry.value, value, 1e-12);
   }
 
-  CycleSetup setup_ = build({test::describeText(kRobot)});
+  CycleSetup setup_ = build({test::describeText(kCart)});
 };
 
 TEST_F(GradientRowTest, mimicJoint_countsForItsSource) {
@@ -102,7 +102,7 @@ TEST_F(GradientRowTest, jointsThatMoveBothLinks_areNotInTheRow) {
 }
 
 TEST_F(GradientRowTest, twoRobots_haveTheJointsOfBoth) {
-  RobotDescription left = test::describeText(kRobot);
+  RobotDescription left = test::describeText(kCart);
   RobotDescription right = left;
   left.tf_prefix = "left";
   right.tf_prefix = "right";

@@ -6,16 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "collision_monitor/pipeline/run_cycle.h"
+#include "geometry/constants.h"
 #include "support/hand_made_setup.h"
 #include "support/instruction_sets.h"
 
 namespace collision_monitor::test {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Balls of 0.1 m: A at the origin, B at (1, 0, 0), C at (0, 2, 0). At most 5 mm ask for less than
 /// full speed; 0.2 m are reported; the horizon is 2 s.

@@ -7,14 +7,13 @@
 #include <limits>
 
 #include "collision_monitor/pipeline/run_cycle.h"
+#include "geometry/constants.h"
 #include "support/hand_made_setup.h"
 
 namespace collision_monitor {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Balls of radius 0.1 m in a row along x; limits 0 / 0.05 / 0.005 / 0.2 m, 0 / 0.1 / 0.05 s;
 /// horizon 0.5 s, stop at 0.01 m in 0.25 s.

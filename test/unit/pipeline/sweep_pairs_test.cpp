@@ -7,13 +7,12 @@
 #include <Eigen/Geometry>
 
 #include "collision_monitor/pipeline/run_cycle.h"
+#include "geometry/constants.h"
 #include "support/geometry_setup.h"
 #include "support/hand_made_setup.h"
 
 namespace collision_monitor::test {
 namespace {
-
-constexpr double kPi = 3.141592653589793;
 
 /// Cycles 20 ms apart.
 struct Scene {

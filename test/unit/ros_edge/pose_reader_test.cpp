@@ -14,14 +14,14 @@
 namespace collision_monitor::test {
 namespace {
 
-const char* const kBox = "<box size='0.1 0.1 0.1'/>";
+const char* const kCube = "<box size='0.1 0.1 0.1'/>";
 
 /// base -j1- arm -j2- wrist (no geometry) -j3- hand, and base -jc- camera, without geometry.
 class PoseReaderTest : public testing::Test {
  protected:
   PoseReaderTest()
-      : model_(readText(robotXml(linkXml("base", kBox) + linkXml("arm", kBox) +
-                                 "<link name='wrist'/>" + linkXml("hand", kBox) +
+      : model_(readText(robotXml(linkXml("base", kCube) + linkXml("arm", kCube) +
+                                 "<link name='wrist'/>" + linkXml("hand", kCube) +
                                  "<link name='camera'/>" + joint("j1", "base", "arm") +
                                  joint("j2", "arm", "wrist") + joint("j3", "wrist", "hand") +
                                  joint("jc", "base", "camera")))
