@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/ros_edge/joint_store.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace collision_monitor {
 namespace {
@@ -13,19 +15,25 @@ double valueOr(const std::vector<double>& values, std::size_t place) {
 
 double toSeconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
 
+constexpr std::int64_t kJointHistory = 10'000'000'000;  ///< [ns] as long as tf2's
+constexpr std::size_t kFewestSamples = 256;
+
+JointSample newestSampleOf(const std::deque<JointSample>& history) {
+  return history.empty() ? JointSample() : history.back();
+}
+
 struct Moment {
   std::int64_t stamp_ns;
   double longest_gap;
   bool wraps;
 };
 
-/// Without stamp where the moment is not between the two, or these are too far apart.
+/// Without stamp where the two are too far apart.
+/// @pre the moment is between them
 JointSample sampleBetween(const JointSample& before, const JointSample& after,
                           const Moment& moment) {
   const double gap = toSeconds(after.stamp_ns - before.stamp_ns);
-  const bool is_between =
-      before.stamp_ns > 0 && before.stamp_ns < moment.stamp_ns && moment.stamp_ns < after.stamp_ns;
-  if (!is_between || gap > moment.longest_gap) {
+  if (gap > moment.longest_gap) {
     return {};
   }
   constexpr double kTurn = 6.283185307179586;
@@ -50,10 +58,12 @@ void JointStore::accept(const std::string& topic, const sensor_msgs::JointState&
   }
   for (std::size_t i = 0; i < message.name.size(); ++i) {
     History& history = histories_[known.records[i]];
-    if (stamp_ns > history.back(0).stamp_ns) {
-      history.newest = (history.newest + 1) % History::kSize;
-      history.samples[history.newest] = {stamp_ns, valueOr(message.position, i),
-                                         valueOr(message.velocity, i)};
+    if (stamp_ns <= newestSampleOf(history).stamp_ns) {
+      continue;
+    }
+    history.push_back({stamp_ns, valueOr(message.position, i), valueOr(message.velocity, i)});
+    while (history.size() > kFewestSamples && history.front().stamp_ns < stamp_ns - kJointHistory) {
+      history.pop_front();
     }
   }
 }
@@ -98,7 +108,7 @@ void JointStore::readNewest(const std::vector<Wanted>& wanted,
   const std::lock_guard<std::mutex> lock(mutex_);
   samples.clear();
   for (const Wanted& one : wanted) {
-    samples.push_back(histories_[one.record].back(0));
+    samples.push_back(newestSampleOf(histories_[one.record]));
   }
 }
 
@@ -108,15 +118,17 @@ void JointStore::readAt(const std::vector<Wanted>& wanted, std::int64_t stamp_ns
   samples.clear();
   for (const Wanted& one : wanted) {
     const History& history = histories_[one.record];
-    std::size_t steps = 0;
-    while (steps + 1 < History::kSize && history.back(steps).stamp_ns > stamp_ns) {
-      ++steps;
+    const auto after = std::lower_bound(
+        history.begin(), history.end(), stamp_ns,
+        [](const JointSample& sample, std::int64_t stamp) { return sample.stamp_ns < stamp; });
+    if (after != history.end() && after->stamp_ns == stamp_ns) {
+      samples.push_back(*after);
+    } else if (after == history.begin() || after == history.end()) {
+      samples.emplace_back();
+    } else {
+      samples.push_back(
+          sampleBetween(*std::prev(after), *after, {stamp_ns, longest_gap, one.wraps}));
     }
-    const JointSample& before = history.back(steps);
-    const JointSample& after = history.back(steps == 0 ? 0 : steps - 1);
-    samples.push_back(before.stamp_ns == stamp_ns
-                          ? before
-                          : sampleBetween(before, after, {stamp_ns, longest_gap, one.wraps}));
   }
 }
 

@@ -212,11 +212,8 @@ bool PoseReader::askBuffer(std::int64_t stamp_ns, bool is_newest, Edge& edge) co
 }
 
 bool PoseReader::hasGapAt(const Edge& edge, std::int64_t stamp_ns) const {
-  return std::any_of(edge.moving_path.begin(), edge.moving_path.end(), [&](std::size_t frame) {
-    const FrameRecord& record = records_[frame];
-    return record.previous_ns > 0 && record.previous_ns < stamp_ns && stamp_ns < record.newest_ns &&
-           1e-9 * static_cast<double>(record.newest_ns - record.previous_ns) > max_age_;
-  });
+  return std::any_of(edge.moving_path.begin(), edge.moving_path.end(),
+                     [&](std::size_t frame) { return store_.gapAt(frame, stamp_ns) > max_age_; });
 }
 
 }  // namespace collision_monitor

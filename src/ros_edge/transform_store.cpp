@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace collision_monitor {
@@ -64,6 +65,7 @@ std::size_t TransformStore::recordOf(const std::string& frame, std::size_t expec
     records_.emplace_back();
     records_.back().name = frame;
     waiting_.emplace_back();
+    stamps_.emplace_back();
     ++version_.topology;
   }
   return place->second;
@@ -123,7 +125,6 @@ void TransformStore::acceptOne(const geometry_msgs::TransformStamped& transform,
     buffer_.setTransform(transform, kAuthority, true);
     return;
   }
-  record.previous_ns = std::max(record.previous_ns, std::min(stamp, record.newest_ns));
   record.newest_ns = std::max(record.newest_ns, stamp);
   keepSample(frame, {stamp, transform.transform});
 }
@@ -140,6 +141,7 @@ void TransformStore::attach(std::size_t frame, const std::string& parent, bool i
 void TransformStore::keepSample(std::size_t frame, const Sample& sample) {
   std::deque<Sample>& waiting = waiting_[frame];
   waiting.push_back(sample);
+  keepStamp(frame, sample.stamp_ns);
   // Not each time: the oldest sample lies where nothing else was read for the whole history.
   constexpr std::size_t kSamplesBetween = 64;
   if (waiting.size() % kSamplesBetween != 0) {
@@ -147,6 +149,18 @@ void TransformStore::keepSample(std::size_t frame, const Sample& sample) {
   }
   while (waiting.front().stamp_ns < records_[frame].newest_ns - kHistory) {
     waiting.pop_front();
+  }
+}
+
+void TransformStore::keepStamp(std::size_t frame, std::int64_t stamp_ns) {
+  std::deque<std::int64_t>& stamps = stamps_[frame];
+  if (stamps.empty() || stamps.back() < stamp_ns) {
+    stamps.push_back(stamp_ns);
+  } else {  // of several publishers, or over UDP
+    stamps.insert(std::upper_bound(stamps.begin(), stamps.end(), stamp_ns), stamp_ns);
+  }
+  while (stamps.front() < stamps.back() - kHistory) {
+    stamps.pop_front();
   }
 }
 
@@ -170,6 +184,16 @@ const tf2::BufferCore& TransformStore::bufferOf(const std::vector<std::size_t>& 
   return buffer_;
 }
 
+double TransformStore::gapAt(std::size_t frame, std::int64_t stamp_ns) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::deque<std::int64_t>& stamps = stamps_[frame];
+  const auto after = std::lower_bound(stamps.begin(), stamps.end(), stamp_ns);
+  if (after == stamps.begin() || after == stamps.end() || *after == stamp_ns) {
+    return 0.0;
+  }
+  return 1e-9 * static_cast<double>(*after - *std::prev(after));
+}
+
 ros::Time TransformStore::readTime() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return readTimeLocked();
@@ -184,9 +208,11 @@ ros::Time TransformStore::readTimeLocked() {
     for (std::deque<Sample>& waiting : waiting_) {
       waiting.clear();
     }
+    for (std::deque<std::int64_t>& stamps : stamps_) {
+      stamps.clear();
+    }
     for (FrameRecord& record : records_) {
       record.newest_ns = 0;
-      record.previous_ns = 0;
       record.pose_ns = record.is_static ? record.pose_ns : -1;
       record.is_bad = false;
     }
@@ -226,7 +252,6 @@ void TransformStore::refreshRecords(std::vector<FrameRecord>& records) const {
   for (std::size_t i = 0; i < records.size() && i < records_.size(); ++i) {
     records[i].is_bad = records_[i].is_bad;
     records[i].newest_ns = records_[i].newest_ns;
-    records[i].previous_ns = records_[i].previous_ns;
     records[i].parent_from_frame = records_[i].parent_from_frame;
     records[i].pose_ns = records_[i].pose_ns;
   }

@@ -4,8 +4,8 @@
 
 #include <sensor_msgs/JointState.h>
 
-#include <array>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -22,9 +22,9 @@ struct JointSample {
   double velocity{std::numeric_limits<double>::quiet_NaN()};
 };
 
-/// The last samples of every joint that was heard of, by topic and name. Messages without stamp
-/// are refused, and so are samples older than one that came before. Safe for several feeders and
-/// readers at once.
+/// The samples of the last ten seconds, and at least the last 256, of every joint that was heard
+/// of, by topic and name. Messages without stamp are refused, and so are samples older than one
+/// that came before. Safe for several feeders and readers at once.
 class JointStore {
  public:
   /// Index of a joint's record; valid for the life of the store.
@@ -53,16 +53,8 @@ class JointStore {
               std::vector<JointSample>& samples) const;
 
  private:
-  /// A ring of samples, newest first from `newest` backwards.
-  struct History {
-    static constexpr std::size_t kSize = 256;
-    std::array<JointSample, kSize> samples;
-    std::size_t newest{0};
-
-    const JointSample& back(std::size_t steps) const {
-      return samples[(newest + kSize - steps) % kSize];
-    }
-  };
+  /// By stamp. Another joint, or another robot's, may be as far behind as `max_age` lets it.
+  using History = std::deque<JointSample>;
   struct Topic {
     std::map<std::string, Record> places;  ///< by name
     // Messages of a topic mostly name the same joints: what the last one named, and where they are.

@@ -22,18 +22,17 @@ namespace collision_monitor {
 /// What is known of the transforms that name one frame as their child.
 struct FrameRecord {
   std::string name;
-  std::string parent;           ///< "" until a transform came
-  bool is_static{false};        ///< from tf_static
-  bool is_bad{false};           ///< the last transform was NaN, infinite or no rotation
-  std::int64_t newest_ns{0};    ///< stamp; 0 until a transform with a stamp came
-  std::int64_t previous_ns{0};  ///< the stamp before the newest one
+  std::string parent;         ///< "" until a transform came
+  bool is_static{false};      ///< from tf_static
+  bool is_bad{false};         ///< the last transform was NaN, infinite or no rotation
+  std::int64_t newest_ns{0};  ///< stamp; 0 until a transform with a stamp came
   /// As of pose_ns, which is the newest stamp unless data came out of order. Static: at all times.
   Pose parent_from_frame;
   std::int64_t pose_ns{-1};  ///< -1: no pose
 };
 
 /// tf2's buffer, and beside it what the buffer does not tell: how new each frame's data are, where
-/// they have a gap, which were no transforms at all. The newest pose of each frame stands there,
+/// they have gaps, which were no transforms at all. The newest pose of each frame stands there,
 /// too, so that poses at the newest stamp need no look-up by name; and as these are nearly all that
 /// is asked for, the buffer takes a frame's moving transforms in only when it is asked for the
 /// frame.
@@ -74,6 +73,10 @@ class TransformStore {
 
   /// tf2's buffer, with all that came of these frames, which are indices of records.
   const tf2::BufferCore& bufferOf(const std::vector<std::size_t>& frames) const;
+  /// [s] Between the two stamps of a frame, an index of records, that this one lies between; 0 if
+  /// it was received, or if nothing came before or after it. tf2 interpolates across any gap and
+  /// tells nobody how wide it is.
+  double gapAt(std::size_t frame, std::int64_t stamp_ns) const;
   /// Transforms that were refused because they had no stamp.
   std::uint64_t refusedWithoutStamp() const;
 
@@ -89,6 +92,7 @@ class TransformStore {
                  std::size_t& expected);
   void attach(std::size_t frame, const std::string& parent, bool is_static);
   void keepSample(std::size_t frame, const Sample& sample);
+  void keepStamp(std::size_t frame, std::int64_t stamp_ns);
   void fillBuffer(std::size_t frame) const;
   ros::Time readTimeLocked();
 
@@ -97,6 +101,7 @@ class TransformStore {
   mutable std::condition_variable news_;
   mutable tf2::BufferCore buffer_;
   mutable std::vector<std::deque<Sample>> waiting_;  ///< for the buffer; by record
+  std::vector<std::deque<std::int64_t>> stamps_;     ///< of the history, sorted; by record
   std::vector<FrameRecord> records_;
   std::unordered_map<std::string, std::size_t> places_;
   Version version_;

@@ -106,6 +106,17 @@ TEST(JointStore, longHistory_forgetsItsBeginning) {
   EXPECT_EQ(samples[0].stamp_ns, 0);
 }
 
+TEST(JointStore, denseSamples_reachAsFarBackAsThoseOfTf) {
+  JointStore store;
+  for (int i = 1; i <= 10000; ++i) {
+    store.accept("t", jointState(100.0 + 1e-3 * i, {"a"}, {0.1 * i}));
+  }
+  std::vector<JointSample> samples;
+  const std::vector<JointStore::Wanted> a{{*store.find("t", "a"), false}};
+  store.readAt(a, 102'000'000'000, 0.5, samples);
+  EXPECT_NEAR(samples[0].position, 200.0, 1e-9) << "eight seconds before the newest";
+}
+
 /// Two joints with a variable each and one that follows.
 RobotDescription armDescription(const std::string& prefix) {
   const std::string limit = "<limit lower='-9' upper='9'/>";

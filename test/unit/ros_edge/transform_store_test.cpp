@@ -73,6 +73,28 @@ TEST_F(TransformStoreTest, frameThatChangesItsParent_wasAtTheFormerOne) {
   EXPECT_DOUBLE_EQ(lookUp("cart", "gripper", 3.0, {0}), 0.3);
 }
 
+TEST_F(TransformStoreTest, gaps_areThoseBetweenAnyTwoStampsAndLateDataFillThem) {
+  for (const double stamp : {1.0, 4.0, 4.1, 4.2}) {
+    send("base", "arm", stamp, 0.0);
+  }
+  const auto gapAt = [&](double stamp) {
+    return store_.gapAt(0, static_cast<std::int64_t>(ros::Time(stamp).toNSec()));
+  };
+  EXPECT_NEAR(gapAt(3.9), 3.0, 1e-9);
+  EXPECT_NEAR(gapAt(4.15), 0.1, 1e-9);
+  EXPECT_EQ(gapAt(4.0), 0.0) << "was received";
+  EXPECT_EQ(gapAt(0.9), 0.0) << "before all";
+  EXPECT_EQ(gapAt(4.3), 0.0) << "after all";
+  send("base", "arm", 3.7, 0.0);
+  EXPECT_NEAR(gapAt(3.9), 0.3, 1e-9);
+  EXPECT_NEAR(gapAt(3.6), 2.7, 1e-9);
+  send("base", "arm", 14.05, 0.0);
+  EXPECT_EQ(gapAt(3.9), 0.0) << "of what is forgotten nothing is told";
+  now_ = ros::Time(10.0);
+  store_.readTime();
+  EXPECT_EQ(gapAt(4.15), 0.0) << "before time jumped back";
+}
+
 TEST_F(TransformStoreTest, timeThatJumpsBack_forgetsWhatTheBufferHasNotYetSeen) {
   send("base", "arm", 50.0, 0.5);
   now_ = ros::Time(10.0);
