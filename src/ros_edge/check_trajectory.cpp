@@ -98,7 +98,9 @@ std::string summaryText(const CycleSetup& setup, const TrajectoryReport& report,
           ? ""
           : "; " + std::to_string(response.pairs_unknown) + " pairs unknown";
   if (report.first_contact != kNone) {
-    const PairApproach& first = report.pairs[report.first_contact];
+    PairApproach first = report.pairs[report.first_contact];
+    double& distance = first.nearest.measured.distance;
+    distance = std::abs(distance) <= TrajectoryOptions().tolerance ? 0.0 : distance;
     return "first contact after " + secondsText(first.time) + ": " +
            distanceSentence(setup, first.nearest) + unknown;
   }

@@ -143,6 +143,7 @@ void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
     faults.insert(faults.end(), joint_faults.begin(), joint_faults.end());
   }
   response.success = 0;
+  response.distances.closest = -1;
   if (!faults.empty()) {
     response.message = join(faults);
     return;

@@ -10,7 +10,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Nearer than can be told from touching in print.
+/// [m] Less than can be told from 0 in print.
 constexpr double kTouching = 0.5e-4;
 
 /// [m/s] Slower than can be told from rest in print.
@@ -30,6 +30,9 @@ std::string placeText(const CycleSetup& setup, const PairDistance& distance) {
   const bool is_estimate = distance.quality == Quality::estimate;
   if (std::abs(value) < kTouching && is_estimate) {
     return a + " overlaps " + b;
+  }
+  if (value > 0.0 && value < kTouching) {
+    return a + " is less than 0.1 mm from " + b + of_shapes;
   }
   if (std::abs(value) < kTouching) {
     return a + " touches " + b + of_shapes;

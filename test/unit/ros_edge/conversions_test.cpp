@@ -113,6 +113,9 @@ TEST_F(ConversionsTest, warningAndContactStates) {
   EXPECT_EQ(stateOf(*watchAt(-0.3), facts()).level, State::CONTACT);
   EXPECT_EQ(stateOf(*watchAt(-0.3), facts()).sentence, "base touches tool");
   EXPECT_EQ(stateOf(*watchAt(-0.303), facts()).sentence, "base overlaps tool by 3.0 mm");
+  EXPECT_EQ(stateOf(*watchAt(-0.29998), facts()).level, State::WARNING);
+  EXPECT_EQ(stateOf(*watchAt(-0.29998), facts()).sentence, "base is less than 0.1 mm from tool")
+      << "what touches is a contact";
 }
 
 TEST_F(ConversionsTest, unknownLink_isNamedWithItsReason) {

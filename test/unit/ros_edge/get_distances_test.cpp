@@ -127,6 +127,7 @@ TEST_F(GetDistancesTest, everyFaultIsNamed) {
   move("reach", std::numeric_limits<double>::infinity());
   const auto response = ask();
   EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.distances.closest, -1) << "there is no pair";
   for (const char* text :
        {"did you mean 'tool'", "'antenna' has no collision geometry",
         "max_distance is not a number", "did you mean 'slide'", "'mast' is fixed",
