@@ -7,12 +7,13 @@
 #include <set>
 #include <utility>
 
+#include "model/link_selection.h"
+#include "model/place.h"
+
 namespace collision_monitor {
 namespace {
 
-using LinkIds = std::pair<LinkId, LinkId>;
-
-LinkIds ordered(LinkId a, LinkId b) { return a < b ? LinkIds(a, b) : LinkIds(b, a); }
+LinkIdPair ordered(LinkId a, LinkId b) { return a < b ? LinkIdPair(a, b) : LinkIdPair(b, a); }
 
 std::optional<LinkId> parentOf(const RobotModel& model, LinkId link) {
   const auto& joint = model.link(link).parent_joint;
@@ -30,8 +31,8 @@ std::vector<LinkId> findRigidGroups(const RobotModel& model) {
   return group_of;
 }
 
-std::set<LinkIds> findAdjacent(const RobotModel& model) {
-  std::set<LinkIds> adjacent;
+std::set<LinkIdPair> findAdjacent(const RobotModel& model) {
+  std::set<LinkIdPair> adjacent;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const LinkId link = idAt<LinkId>(i);
     std::optional<LinkId> ancestor = parentOf(model, link);
@@ -47,15 +48,18 @@ std::set<LinkIds> findAdjacent(const RobotModel& model) {
 
 /// All rules, ready to be asked about one pair.
 struct Rules {
+  std::set<LinkIdPair> ignored;
   std::vector<LinkId> group_of;
-  std::set<LinkIds> adjacent;
-  std::set<LinkIds> enabled;
-  std::set<LinkIds> disabled;
+  std::set<LinkIdPair> adjacent;
+  std::set<LinkIdPair> enabled;
+  std::set<LinkIdPair> disabled;
   std::vector<bool> is_disabled_by_default;  ///< by link
 };
 
-Rules gatherRules(const RobotModel& model, const std::vector<SrdfPairs>& srdfs) {
+Rules gatherRules(const RobotModel& model, const std::vector<SrdfPairs>& srdfs,
+                  const std::vector<LinkIdPair>& ignored) {
   Rules rules;
+  rules.ignored.insert(ignored.begin(), ignored.end());
   rules.group_of = findRigidGroups(model);
   rules.adjacent = findAdjacent(model);
   rules.is_disabled_by_default.assign(model.links.size(), false);
@@ -74,13 +78,16 @@ Rules gatherRules(const RobotModel& model, const std::vector<SrdfPairs>& srdfs) 
 }
 
 PairReason decide(const RobotModel& model, const Rules& rules, LinkId a, LinkId b) {
+  if (rules.ignored.count({a, b}) != 0) {
+    return PairReason::ignored_by_user;
+  }
   if (model.link(a).robot != model.link(b).robot) {
     return PairReason::checked;
   }
   if (rules.group_of[index(a)] == rules.group_of[index(b)]) {
     return PairReason::same_rigid_group;
   }
-  const LinkIds pair(a, b);
+  const LinkIdPair pair(a, b);
   if (rules.enabled.count(pair) != 0) {
     return PairReason::enabled_by_srdf;
   }
@@ -91,7 +98,40 @@ PairReason decide(const RobotModel& model, const Rules& rules, LinkId a, LinkId 
   return rules.adjacent.count(pair) != 0 ? PairReason::adjacent : PairReason::checked;
 }
 
+std::vector<LinkId> findNamed(const std::string& name, const std::string& where,
+                              const RobotModel& model, SetupReport& report) {
+  std::vector<LinkId> links = findMatching(name, model);
+  if (links.empty()) {
+    report.errors.push_back({where, "link " + quoted(name) + ", which matches none",
+                             "links of the robots: " + linkNames(model)});
+  }
+  return links;
+}
+
 }  // namespace
+
+std::vector<LinkIdPair> findNamedPairs(const std::vector<NamedPair>& named, const RobotModel& model,
+                                       SetupReport& report) {
+  std::vector<LinkIdPair> pairs;
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    const std::string where = "ignore_pairs[" + std::to_string(i) + "]";
+    const std::vector<LinkId> first = findNamed(named[i].a, where, model, report);
+    const std::vector<LinkId> second = findNamed(named[i].b, where, model, report);
+    const std::size_t before = pairs.size();
+    for (const LinkId a : first) {
+      for (const LinkId b : second) {
+        if (a != b) {
+          pairs.push_back(ordered(a, b));
+        }
+      }
+    }
+    if (pairs.size() == before && !first.empty() && !second.empty()) {
+      report.errors.push_back(
+          {where, quoted(named[i].a) + " twice", "the names of two different links"});
+    }
+  }
+  return pairs;
+}
 
 const char* reasonText(PairReason reason) noexcept {
   switch (reason) {
@@ -107,6 +147,8 @@ const char* reasonText(PairReason reason) noexcept {
       return "ignored: a line of the SRDF";
     case PairReason::default_overlap:
       return "ignored: the links overlap in the default pose and there is no SRDF";
+    case PairReason::ignored_by_user:
+      return "ignored: parameter ignore_pairs";
   }
   return "unknown reason";
 }
@@ -115,9 +157,9 @@ bool isChecked(PairReason reason) noexcept {
   return reason == PairReason::checked || reason == PairReason::enabled_by_srdf;
 }
 
-std::vector<LinkPair> decideLinkPairs(const RobotModel& model,
-                                      const std::vector<SrdfPairs>& srdfs) {
-  const Rules rules = gatherRules(model, srdfs);
+std::vector<LinkPair> decideLinkPairs(const RobotModel& model, const std::vector<SrdfPairs>& srdfs,
+                                      const std::vector<LinkIdPair>& ignored) {
+  const Rules rules = gatherRules(model, srdfs, ignored);
   std::vector<LinkId> with_shapes;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     if (hasShapes(model.links[i])) {

@@ -125,13 +125,15 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   const FitSettings settings{options.default_limits, options.padding,
                              readShapeRules(options.shape_rules, setup.model, srdfs, report),
                              options.fit_cache};
+  const std::vector<LinkIdPair> ignored =
+      findNamedPairs(options.ignored_pairs, setup.model, report);
   throwIfErrors(report);
   const std::vector<LinkFit> fits = fitLinks(setup.model, settings, {}, report);
   makeBodies(fits, setup);
   throwIfErrors(report);
   makeElements(fits, {options.refine.geometry, settings.rules}, setup, report);
 
-  setup.link_pairs = decideLinkPairs(setup.model, srdfs);
+  setup.link_pairs = decideLinkPairs(setup.model, srdfs, ignored);
   ruleDefaultOverlaps(srdfs, options.ignore_default_overlap, setup, report);
   listPairs(setup);
   setup.velocity_names = velocityNames(setup.model);

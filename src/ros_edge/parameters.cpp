@@ -99,6 +99,31 @@ std::vector<RobotSource> readRobotList(const XmlRpcValue& values, const std::str
   return robots;
 }
 
+NamedPair readPair(const XmlRpcValue& value, const std::string& where, SetupReport& report) {
+  const bool is_pair = value.getType() == XmlRpcValue::TypeArray && value.size() == 2 &&
+                       value[0].getType() == XmlRpcValue::TypeString &&
+                       value[1].getType() == XmlRpcValue::TypeString;
+  if (!is_pair) {
+    report.errors.push_back(
+        {"parameter " + where, toText(value), "a list of two names of links or patterns"});
+    return {};
+  }
+  return {static_cast<std::string>(value[0]), static_cast<std::string>(value[1])};
+}
+
+std::vector<NamedPair> readPairs(const XmlRpcValue& values, const std::string& where,
+                                 SetupReport& report) {
+  std::vector<NamedPair> pairs;
+  if (values.getType() != XmlRpcValue::TypeArray) {
+    report.errors.push_back({"parameter " + where, toText(values), "a list of pairs of links"});
+    return pairs;
+  }
+  for (int i = 0; i < values.size(); ++i) {
+    pairs.push_back(readPair(values[i], where + "[" + std::to_string(i) + "]", report));
+  }
+  return pairs;
+}
+
 void readTiming(ParameterStruct& fields, Parameters& parameters) {
   fields.read("rate", {0.0, 10000.0, true}, parameters.rate);
   std::size_t trigger = 0;
@@ -171,6 +196,9 @@ Parameters readParameters(const XmlRpcValue& values, const std::string& where,
   }
   if (const XmlRpcValue* ahead = fields.find("look_ahead")) {
     readLookAhead(*ahead, fields.pathOf("look_ahead"), parameters.setup.ahead, report);
+  }
+  if (const XmlRpcValue* pairs = fields.find("ignore_pairs")) {
+    parameters.setup.ignored_pairs = readPairs(*pairs, fields.pathOf("ignore_pairs"), report);
   }
   fields.read("mesh_directory", parameters.mesh_directory);
   fields.read("obey_up_axis", parameters.obey_up_axis);

@@ -106,7 +106,8 @@ struct SetupOptions {
   RefineOptions refine;
   bool is_continuous{true};  ///< as in CycleSetup
   LookAhead ahead;
-  std::filesystem::path fit_cache;  ///< directory that keeps fits, empty for none
+  std::filesystem::path fit_cache;       ///< directory that keeps fits, empty for none
+  std::vector<NamedPair> ignored_pairs;  ///< whatever SRDFs say
   bool ignore_default_overlap{
       true};  ///< for robots without SRDF: ignore pairs that overlap in the default pose
 };

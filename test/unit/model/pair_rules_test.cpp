@@ -31,9 +31,10 @@ std::string fixed(const std::string& parent, const std::string& child) {
 using Reasons = std::map<std::string, PairReason>;
 
 /// Reasons by "a b" with the names in the order of the pair.
-Reasons reasonsOf(const RobotModel& model, const std::vector<SrdfPairs>& srdfs = {}) {
+Reasons reasonsOf(const RobotModel& model, const std::vector<SrdfPairs>& srdfs = {},
+                  const std::vector<LinkIdPair>& ignored = {}) {
   Reasons reasons;
-  for (const LinkPair& pair : decideLinkPairs(model, srdfs)) {
+  for (const LinkPair& pair : decideLinkPairs(model, srdfs, ignored)) {
     EXPECT_LT(pair.a, pair.b);
     reasons[model.link(pair.a).name + " " + model.link(pair.b).name] = pair.reason;
   }
@@ -143,6 +144,63 @@ TEST(PairRules, linksOfDifferentRobots_areChecked) {
   EXPECT_EQ(reasonsOf(model, {srdf}), (Reasons{{"left/a right/a", PairReason::checked}}));
 }
 
+/// Links "cell/table" and "cell/wall", and twice an arm of a, b and c, "left" and "right".
+RobotModel twoArmsInACell() {
+  RobotDescription cell =
+      test::describeText(robotXml(solid("table") + solid("wall") + fixed("table", "wall")));
+  RobotDescription left = test::describeText(
+      robotXml(solid("a") + solid("b") + solid("c") + moving("a", "b") + moving("b", "c")));
+  RobotDescription right = left;
+  cell.tf_prefix = "cell";
+  left.tf_prefix = "left";
+  right.tf_prefix = "right";
+  SetupReport report;
+  return readRobots({cell, left, right}, test::textLoader({}), report);
+}
+
+TEST(PairRules, namedPair_isIgnoredAmongRobotsAndWithinOne) {
+  const RobotModel model = twoArmsInACell();
+  SetupReport report;
+  SrdfPairs srdf;
+  srdf.robot = RobotId{1};
+  srdf.enabled = {{*model.findLink("left/a"), *model.findLink("left/c"), ""}};
+  const Reasons reasons =
+      reasonsOf(model, {srdf},
+                findNamedPairs({{"left/a", "cell/table"}, {"left/c", "left/a"}}, model, report));
+  EXPECT_TRUE(report.errors.empty());
+  EXPECT_EQ(reasons.at("cell/table left/a"), PairReason::ignored_by_user);
+  EXPECT_EQ(reasons.at("left/a left/c"), PairReason::ignored_by_user);
+  EXPECT_EQ(reasons.at("cell/table left/b"), PairReason::checked);
+  EXPECT_EQ(reasons.at("cell/wall left/a"), PairReason::checked);
+  EXPECT_EQ(reasons.at("cell/table right/a"), PairReason::checked);
+}
+
+TEST(PairRules, namedPair_byPatternsAndNamesOfTheUrdf) {
+  const RobotModel model = twoArmsInACell();
+  SetupReport report;
+  const Reasons reasons =
+      reasonsOf(model, {}, findNamedPairs({{"cell/*", "a"}, {"*/?", "right/c"}}, model, report));
+  EXPECT_TRUE(report.errors.empty());
+  for (const char* pair : {"cell/table left/a", "cell/wall left/a", "cell/table right/a",
+                           "left/b right/c", "right/a right/c"}) {
+    EXPECT_EQ(reasons.at(pair), PairReason::ignored_by_user) << pair;
+  }
+  EXPECT_EQ(reasons.at("left/c right/b"), PairReason::checked);
+  EXPECT_EQ(reasons.at("cell/table right/c"), PairReason::checked);
+}
+
+TEST(PairRules, namedPairThatIsNone_isAnError) {
+  const RobotModel model = twoArmsInACell();
+  SetupReport report;
+  findNamedPairs({{"left/a", "cell/tabel"}, {"left/a", "left/a"}, {"left/a", "left/*"}}, model,
+                 report);
+  ASSERT_EQ(report.errors.size(), 2u);
+  EXPECT_EQ(report.errors[0].where, "ignore_pairs[0]");
+  EXPECT_EQ(report.errors[0].found, "link 'cell/tabel', which matches none");
+  EXPECT_EQ(report.errors[1].where, "ignore_pairs[1]");
+  EXPECT_EQ(report.errors[1].found, "'left/a' twice");
+}
+
 TEST(PairRules, pairs_areSortedAndComplete) {
   const RobotModel model = WithSrdf().model;
   const std::vector<LinkPair> pairs = decideLinkPairs(model, {});
@@ -154,13 +212,13 @@ TEST(PairRules, pairs_areSortedAndComplete) {
 
 TEST(PairRules, reasonTexts_sayWhetherThePairIsChecked) {
   std::set<std::string> texts;
-  for (int i = 0; i <= static_cast<int>(PairReason::default_overlap); ++i) {
+  for (int i = 0; i <= static_cast<int>(PairReason::ignored_by_user); ++i) {
     const auto reason = static_cast<PairReason>(i);
     const std::string text = reasonText(reason);
     EXPECT_EQ(text.rfind(isChecked(reason) ? "checked: " : "ignored: ", 0), 0u) << text;
     texts.insert(text);
   }
-  EXPECT_EQ(texts.size(), 6u);
+  EXPECT_EQ(texts.size(), 7u);
 }
 
 }  // namespace

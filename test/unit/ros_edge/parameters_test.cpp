@@ -57,6 +57,26 @@ TEST(Parameters, valuesAreRead_integersAreNumbers) {
   EXPECT_FALSE(parameters.setup.ignore_default_overlap);
 }
 
+TEST(Parameters, ignoredPairs_areReadAndChecked) {
+  XmlRpcValue values;
+  values["ignore_pairs"][0][0] = "cell/table";
+  values["ignore_pairs"][0][1] = "left/base";
+  SetupReport report;
+  const Parameters parameters = readParameters(values, "/m", report);
+  EXPECT_TRUE(report.errors.empty());
+  ASSERT_EQ(parameters.setup.ignored_pairs.size(), 1u);
+  EXPECT_EQ(parameters.setup.ignored_pairs[0].a, "cell/table");
+  EXPECT_EQ(parameters.setup.ignored_pairs[0].b, "left/base");
+  values["ignore_pairs"][1][0] = "alone";
+  values["ignore_pairs"][2][0] = "table";
+  values["ignore_pairs"][2][1] = 7;
+  EXPECT_EQ(faults(values), (std::set<std::string>{"parameter /m/ignore_pairs[1]",
+                                                   "parameter /m/ignore_pairs[2]"}));
+  XmlRpcValue no_list;
+  no_list["ignore_pairs"] = "table";
+  EXPECT_EQ(faults(no_list), (std::set<std::string>{"parameter /m/ignore_pairs"}));
+}
+
 TEST(Parameters, lookAhead_isReadAndChecked) {
   XmlRpcValue values;
   values["limits"]["warning_time"] = 0.3;
