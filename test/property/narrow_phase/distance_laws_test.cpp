@@ -3,10 +3,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <cstdlib>
-
 #include "collision_monitor/narrow_phase/distance.h"
 #include "support/expect_distance.h"
+#include "support/fixed_seed.h"
 #include "support/random_pairs.h"
 
 // Laws that hold for every pair of shapes. Lengths are whole millimetres and angles whole
@@ -15,8 +14,7 @@
 namespace collision_monitor::test::distance_laws {
 namespace {
 
-// rapidcheck reads this when it is first used. A seed in the environment wins.
-const bool kSeedIsSet = setenv("RC_PARAMS", "seed=20260101 max_success=3000", 0) == 0;
+const bool kHasManyCases = askForCases(3000);
 
 double millimetres(int low, int high) { return 1e-3 * *rc::gen::inRange(low, high + 1); }
 
