@@ -40,11 +40,24 @@ SignedDistance unknownDistance(double distance) {
 
 }  // namespace
 
+const PassedContact* passedOf(const Watch& watch, LinkPairIndex link_pair) {
+  const PairEvents& events = watch.buffers.events;
+  const PairDistances& distances = watch.buffers.distances;
+  if (events.passed[link_pair] == kNone) {
+    return nullptr;
+  }
+  const std::uint32_t closest = events.closest[link_pair];
+  const Limits& limits = watch.setup().checked[link_pair].limits;
+  // Of several shapes of a link one may have passed while another touches.
+  const bool touches = closest != kNone &&
+                       (distances.measured[closest].quality == Quality::estimate ||
+                        distances.measured[closest].measured.distance <= limits.contact_distance);
+  return touches ? nullptr : &distances.passed[events.passed[link_pair]];
+}
+
 double passedAt(const Watch& watch, LinkPairIndex link_pair) {
-  const std::uint32_t passed = watch.buffers.events.passed[link_pair];
-  return passed == kNone
-             ? kUnknown
-             : watch.buffers.distances.passed[passed].time * watch.buffers.sweep.elapsed;
+  const PassedContact* passed = passedOf(watch, link_pair);
+  return passed == nullptr ? kUnknown : passed->time * watch.buffers.sweep.elapsed;
 }
 
 const std::string& shapeName(const CycleSetup& setup, const PairDistance& distance, BodyId body) {

@@ -24,7 +24,11 @@ void toMessage(const Pose& pose, geometry_msgs::Pose& message);
 /// What a measured pair calls one of its bodies: the shape, or the element that was refined to.
 const std::string& shapeName(const CycleSetup& setup, const PairDistance& distance, BodyId body);
 
-/// [s] after the last cycle's data: when the links touched on their way to this one; NaN if never.
+/// The contact of two links on their way to this cycle's poses, in which they are apart again; null
+/// if there was none.
+const PassedContact* passedOf(const Watch& watch, LinkPairIndex link_pair);
+
+/// [s] after the last cycle's data: when that contact began; NaN if there was none.
 double passedAt(const Watch& watch, LinkPairIndex link_pair);
 
 /// A measured pair; its gradient row is left as it is.

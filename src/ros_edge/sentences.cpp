@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ros_edge/conversions.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -105,13 +107,12 @@ std::string passedSentence(const Watch& watch, const PassedContact& passed) {
 
 /// Of a pair that was measured: what it is now, or that it touched on its way.
 std::string pairSentence(const Watch& watch, LinkPairIndex link_pair) {
-  const PairEvents& events = watch.buffers.events;
-  const PairDistances& distances = watch.buffers.distances;
-  return events.passed[link_pair] != kNone
-             ? passedSentence(watch, distances.passed[events.passed[link_pair]])
-             : distanceSentence(
-                   watch.setup(),
-                   distances.measured[speakerOf(watch.setup(), watch.buffers, link_pair)]);
+  const PassedContact* passed = passedOf(watch, link_pair);
+  return passed != nullptr
+             ? passedSentence(watch, *passed)
+             : distanceSentence(watch.setup(),
+                                watch.buffers.distances
+                                    .measured[speakerOf(watch.setup(), watch.buffers, link_pair)]);
 }
 
 std::string pairsSentence(Verdict verdict, const Watch& watch) {

@@ -214,6 +214,21 @@ TEST_F(ConversionsTest, contactBetweenCycles_isToldWithItsTimeAndPoses) {
   EXPECT_NEAR(warning.pair.passed_at, 0.011, 1e-9);
 }
 
+TEST_F(ConversionsTest, contactBetweenCyclesOfOneShapeAndNowOfAnother_isToldAsOfNow) {
+  const auto watch = watchAt(0.25);
+  watch->poses = slidingPoses(setup_->setup.model, 0.0, -1.25);
+  watch->poses.stamp_ns += 30'000'000;
+  runCycle(watch->setup(), watch->poses, watch->buffers);
+  // As if it were of another shape of the tool.
+  const std::uint32_t closest = watch->buffers.events.closest_of_all;
+  watch->buffers.distances.measured[closest].measured.distance = 0.0;
+  EXPECT_EQ(stateOf(*watch, facts()).sentence, "base touches tool");
+  Distances distances;
+  toMessage(*watch, distances);
+  ASSERT_EQ(distances.pairs.size(), 1U);
+  EXPECT_TRUE(std::isnan(distances.pairs[0].passed_at)) << "the links are not apart again";
+}
+
 TEST_F(ConversionsTest, contactNow_hasNoTimeAndThePosesOfNow) {
   Contacts message;
   toMessage(*watchAt(-0.34), message);
