@@ -15,9 +15,6 @@ double valueOr(const std::vector<double>& values, std::size_t place) {
 
 double toSeconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
 
-constexpr std::int64_t kJointHistory = 10'000'000'000;  ///< [ns] as long as tf2's
-constexpr std::size_t kFewestSamples = 256;
-
 JointSample newestSampleOf(const std::deque<JointSample>& history) {
   return history.empty() ? JointSample() : history.back();
 }
@@ -46,6 +43,11 @@ JointSample sampleBetween(const JointSample& before, const JointSample& after,
 
 }  // namespace
 
+void JointStore::keepFor(double seconds) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  history_ns_ = static_cast<std::int64_t>(1e9 * seconds);
+}
+
 void JointStore::accept(const std::string& topic, const sensor_msgs::JointState& message) {
   if (message.header.stamp.isZero()) {
     return;  // it would never grow old
@@ -62,7 +64,8 @@ void JointStore::accept(const std::string& topic, const sensor_msgs::JointState&
       continue;
     }
     history.push_back({stamp_ns, valueOr(message.position, i), valueOr(message.velocity, i)});
-    while (history.size() > kFewestSamples && history.front().stamp_ns < stamp_ns - kJointHistory) {
+    // The last one before the history stays: what lies between it and the next is asked for.
+    while (history.size() > 1 && history[1].stamp_ns < stamp_ns - history_ns_) {
       history.pop_front();
     }
   }

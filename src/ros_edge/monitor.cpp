@@ -25,6 +25,7 @@ class Monitor::Parts {
         diagnostics_(ros::NodeHandle(), private_node, node_name, runner_.statistics(),
                      [this] { return runner_.currentSetup(); }),
         services_(private_node, store_, joints_, makeHooks()) {
+    keepHistory(*runner_.currentSetup());
     joint_feed_.listenTo(jointTopics(*runner_.currentSetup()));
   }
 
@@ -33,6 +34,14 @@ class Monitor::Parts {
     std::shared_ptr<const MonitorSetup> setup = makeMonitorSetup(private_node);
     logSetup(*setup);
     return setup;
+  }
+
+  /// Links may be as old as max_age, and others as far ahead of now; what came while a reader was
+  /// on its way is in the rest.
+  void keepHistory(const MonitorSetup& setup) {
+    const double seconds = 2.0 * setup.parameters.max_age + 1.0;
+    store_.keepFor(seconds);
+    joints_.keepFor(seconds);
   }
 
   /// Joint states are news for who waits for poses only where they place links.
@@ -46,6 +55,7 @@ class Monitor::Parts {
     ServiceHooks hooks;
     hooks.current_setup = [this] { return runner_.currentSetup(); };
     hooks.replace_setup = [this](std::shared_ptr<const MonitorSetup> setup) {
+      keepHistory(*setup);
       joint_feed_.listenTo(jointTopics(*setup));
       runner_.replaceSetup(std::move(setup));
     };

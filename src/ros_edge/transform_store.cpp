@@ -71,7 +71,13 @@ std::size_t TransformStore::recordOf(const std::string& frame, std::size_t expec
   return place->second;
 }
 
-TransformStore::TransformStore(TimeSource time_source) : time_source_(std::move(time_source)) {}
+TransformStore::TransformStore(TimeSource time_source)
+    : time_source_(std::move(time_source)), history_ns_(kHistory) {}
+
+void TransformStore::keepFor(double seconds) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  history_ns_ = static_cast<std::int64_t>(std::min(1e9 * seconds, static_cast<double>(kHistory)));
+}
 
 void TransformStore::accept(const std::vector<geometry_msgs::TransformStamped>& transforms,
                             bool is_static) {
@@ -142,12 +148,8 @@ void TransformStore::keepSample(std::size_t frame, const Sample& sample) {
   std::deque<Sample>& waiting = waiting_[frame];
   waiting.push_back(sample);
   keepStamp(frame, sample.stamp_ns);
-  // Not each time: the oldest sample lies where nothing else was read for the whole history.
-  constexpr std::size_t kSamplesBetween = 64;
-  if (waiting.size() % kSamplesBetween != 0) {
-    return;
-  }
-  while (waiting.front().stamp_ns < records_[frame].newest_ns - kHistory) {
+  // The last one before the history stays: what lies between it and the next is asked for.
+  while (waiting.size() > 1 && waiting[1].stamp_ns < records_[frame].newest_ns - history_ns_) {
     waiting.pop_front();
   }
 }
@@ -159,7 +161,7 @@ void TransformStore::keepStamp(std::size_t frame, std::int64_t stamp_ns) {
   } else {  // of several publishers, or over UDP
     stamps.insert(std::upper_bound(stamps.begin(), stamps.end(), stamp_ns), stamp_ns);
   }
-  while (stamps.front() < stamps.back() - kHistory) {
+  while (stamps.size() > 1 && stamps[1] < stamps.back() - history_ns_) {
     stamps.pop_front();
   }
 }

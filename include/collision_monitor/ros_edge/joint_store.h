@@ -22,14 +22,17 @@ struct JointSample {
   double velocity{std::numeric_limits<double>::quiet_NaN()};
 };
 
-/// The samples of the last ten seconds, and at least the last 256, of every joint that was heard
-/// of, by topic and name. Messages without stamp are refused, and so are samples older than one
-/// that came before. Safe for several feeders and readers at once.
+/// The last samples of every joint that was heard of, by topic and name. Messages without stamp are
+/// refused, and so are samples older than one that came before. Safe for several feeders and
+/// readers at once.
 class JointStore {
  public:
   /// Index of a joint's record; valid for the life of the store.
   using Record = std::size_t;
 
+  /// [s] How long before the newest sample of a joint readers ask for it: what is older is let go.
+  /// Ten unless told.
+  void keepFor(double seconds);
   /// Takes in one message of a topic.
   void accept(const std::string& topic, const sensor_msgs::JointState& message);
   /// Forgets all samples: time jumped back.
@@ -67,6 +70,7 @@ class JointStore {
   mutable std::mutex mutex_;
   std::map<std::string, Topic> topics_;
   std::vector<History> histories_;
+  std::int64_t history_ns_{10'000'000'000};
 };
 
 }  // namespace collision_monitor

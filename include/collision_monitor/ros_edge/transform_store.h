@@ -53,6 +53,10 @@ class TransformStore {
 
   explicit TransformStore(TimeSource time_source = &ros::Time::now);
 
+  /// [s] How long before the newest transform of a frame readers ask for it: what is older is let
+  /// go. Ten, as tf2's buffer has it, unless told; never more.
+  void keepFor(double seconds);
+
   /// Takes in one message of tf or tf_static.
   void accept(const std::vector<geometry_msgs::TransformStamped>& transforms, bool is_static);
 
@@ -97,6 +101,7 @@ class TransformStore {
   ros::Time readTimeLocked();
 
   TimeSource time_source_;
+  std::int64_t history_ns_;
   mutable std::mutex mutex_;
   mutable std::condition_variable news_;
   mutable tf2::BufferCore buffer_;

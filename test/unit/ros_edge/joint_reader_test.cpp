@@ -92,14 +92,16 @@ TEST(JointStore, angleThatWraps_goesTheShorterWayRound) {
 
 TEST(JointStore, longHistory_forgetsItsBeginning) {
   JointStore store;
+  store.keepFor(99.6);
   for (int i = 1; i <= 1000; ++i) {
     store.accept("t", jointState(i, {"a"}, {0.1 * i}));
   }
   std::vector<JointSample> samples;
   const std::vector<JointStore::Wanted> a{{*store.find("t", "a"), false}};
   store.readAt(a, 900'500'000'000, 2.0, samples);
-  EXPECT_NEAR(samples[0].position, 90.05, 1e-9);
-  store.readAt(a, 500'000'000'000, 2.0, samples);
+  EXPECT_NEAR(samples[0].position, 90.05, 1e-9)
+      << "between the last one before the history and the next";
+  store.readAt(a, 899'000'000'000, 2.0, samples);
   EXPECT_EQ(samples[0].stamp_ns, 0);
   store.forget();
   store.readNewest(a, samples);

@@ -54,6 +54,17 @@ TEST_F(TransformStoreTest, dataOlderThanTheHistory_areRefused) {
   EXPECT_DOUBLE_EQ(lookUp("base", "arm", 15.5, {0}), 1.55);
 }
 
+TEST_F(TransformStoreTest, shortHistory_reachesToTheLastOneBeforeIt) {
+  store_.keepFor(1.0);
+  for (const double stamp : {1.0, 1.5, 4.1, 5.0}) {
+    send("base", "arm", stamp, stamp);
+  }
+  EXPECT_NEAR(store_.gapAt(0, 2'000'000'000), 2.6, 1e-9);
+  EXPECT_EQ(store_.gapAt(0, 1'200'000'000), 0.0);
+  EXPECT_DOUBLE_EQ(lookUp("base", "arm", 2.0, {0}), 2.0);
+  EXPECT_THROW(lookUp("base", "arm", 1.2, {0}), tf2::ExtrapolationException);
+}
+
 TEST_F(TransformStoreTest, sentAgain_theFirstCounts) {
   send("base", "arm", 1.0, 0.5);
   send("base", "arm", 1.0, 0.7);
