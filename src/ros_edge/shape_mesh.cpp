@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/constants.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -18,7 +20,7 @@ struct Grid {
   std::uint32_t rows() const { return 2 * quarter(); }
   std::uint32_t columns() const { return 4 * quarter(); }
   double angleAt(std::uint32_t line) const {
-    return 0.5 * M_PI * (line / quarter() + static_cast<double>(line % quarter()) / steps);
+    return 0.5 * kPi * (line / quarter() + static_cast<double>(line % quarter()) / steps);
   }
 };
 
@@ -28,7 +30,7 @@ Grid gridFor(double radius) {
   constexpr double kMost = 4.0;
   constexpr double kNear = 2e-3;  // [m]
   const double half_step = std::acos(1.0 - std::min(1.0, kNear / radius));
-  const double steps = std::ceil(0.25 * M_PI / half_step);
+  const double steps = std::ceil(0.25 * kPi / half_step);
   return {static_cast<std::uint32_t>(std::max(kFewest, std::min(kMost, steps)))};
 }
 
@@ -38,7 +40,7 @@ double sideOf(bool is_positive) { return is_positive ? 1.0 : -1.0; }
 void addVertices(const Grid& grid, const Eigen::Vector3d& half_extents, double radius,
                  TriangleMesh& mesh) {
   for (std::uint32_t row = 0; row < grid.rows(); ++row) {
-    const double latitude = grid.angleAt(row) - 0.5 * M_PI;
+    const double latitude = grid.angleAt(row) - 0.5 * kPi;
     const bool is_upper = row >= grid.quarter();
     for (std::uint32_t column = 0; column < grid.columns(); ++column) {
       const double longitude = grid.angleAt(column);
@@ -73,7 +75,9 @@ TriangleMesh surfaceOf(const Shape& shape) {
   TriangleMesh mesh;
   const Grid grid = gridFor(radiusOf(shape));
   const std::uint32_t columns = grid.columns();
-  addVertices(grid, coreHalfExtents(shape), radiusOf(shape), mesh);
+  // Chords touch the surface: with corners on it, what the shape encloses would show through.
+  const double to_corner = radiusOf(shape) / std::cos(0.25 * kPi / grid.steps);
+  addVertices(grid, coreHalfExtents(shape), to_corner, mesh);
   for (std::uint32_t row = 0; row + 1 < grid.rows(); ++row) {
     for (std::uint32_t column = 0; column < columns; ++column) {
       const std::uint32_t next = (column + 1) % columns;

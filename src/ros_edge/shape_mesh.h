@@ -8,9 +8,10 @@
 namespace collision_monitor {
 
 /// Triangles to look at: the surface of a shape in its body frame, counter-clockwise seen from
-/// outside. Rounded parts have corners on the true surface, two to four to a quarter circle; lines
-/// between those lie up to 2 mm or, where that is more, 2 % of the radius inside. Fewer corners are
-/// fewer bytes for who looks at markers thirty times a second.
+/// outside. Rounded parts are drawn with two to four corners to a quarter circle, which lie
+/// outside, and middles of triangles inside, by up to 2 mm or, where that is more, 2 % of the
+/// radius; lines of the grid touch the surface. Fewer corners are fewer bytes for who looks at
+/// markers thirty times a second.
 TriangleMesh surfaceOf(const Shape& shape);
 
 }  // namespace collision_monitor
