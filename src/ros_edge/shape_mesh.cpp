@@ -20,7 +20,8 @@ struct Grid {
   std::uint32_t rows() const { return 2 * quarter(); }
   std::uint32_t columns() const { return 4 * quarter(); }
   double angleAt(std::uint32_t line) const {
-    return 0.5 * kPi * (line / quarter() + static_cast<double>(line % quarter()) / steps);
+    const std::uint32_t turned = line / quarter();
+    return 0.5 * kPi * (turned + static_cast<double>(line % quarter()) / steps);
   }
 };
 
