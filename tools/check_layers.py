@@ -22,6 +22,16 @@ MAY_INCLUDE = {
     "pipeline": GEOMETRY | {"fitting", "model", "pipeline"} | PHASES,
     "ros_edge": GEOMETRY | {"fitting", "model", "pipeline", "ros_edge"} | PHASES,
 }
+# The same for folders within a room: what stands in the room itself is free to both sides.
+MAY_INCLUDE_WITHIN = {
+    "narrow_phase": {
+        "contact": {"contact"},
+        "closed_form": {"closed_form", "contact"},
+        "lanes": {"lanes"},
+        "convex": {"convex", "closed_form", "contact"},
+        "mesh": {"mesh", "convex", "closed_form", "contact"},
+    },
+}
 # Headers that only the named rooms may know; all other third-party headers are free.
 RESERVED = {
     re.compile(r"^(ros|tf2|tf2_ros|nodelet|pluginlib|diagnostic_\w+|resource_retriever)/"): {"ros_edge"},
@@ -53,6 +63,20 @@ def included_room(include, path):
     return parts[0] if parts[0] in MAY_INCLUDE else None
 
 
+def folder_faults_of(path, root, include):
+    """Of includes between the folders of one room."""
+    parts = path.relative_to(root).parts
+    folders = MAY_INCLUDE_WITHIN.get(parts[1]) if parts[0] == "src" and len(parts) == 4 else None
+    if folders is None:
+        return []
+    if parts[2] not in folders:
+        return [f"{path.relative_to(root)}: no folder '{parts[2]}' in the table of check_layers.py"]
+    target = pathlib.PurePosixPath(include).parts
+    if len(target) != 3 or target[0] != parts[1] or target[1] in folders[parts[2]]:
+        return []
+    return [f"{path.relative_to(root)}: {parts[2]} may not include {target[1]} ({include})"]
+
+
 def faults_of(path, root):
     room = room_of(path, root)
     if room not in MAY_INCLUDE:
@@ -62,6 +86,7 @@ def faults_of(path, root):
         target = included_room(include, path)
         if target is not None and target not in MAY_INCLUDE[room]:
             faults.append(f"{path.relative_to(root)}: {room} may not include {target} ({include})")
+        faults += folder_faults_of(path, root, include)
         for pattern, rooms in RESERVED.items():
             if pattern.match(include) and room not in rooms:
                 faults.append(f"{path.relative_to(root)}: {room} may not include {include}")

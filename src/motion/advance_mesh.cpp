@@ -6,8 +6,8 @@
 
 #include "motion/advance.h"
 #include "narrow_phase/core_distance.h"
-#include "narrow_phase/mesh_search.h"
-#include "narrow_phase/triangle_edges.h"
+#include "narrow_phase/mesh/mesh_search.h"
+#include "narrow_phase/mesh/triangle_edges.h"
 
 namespace collision_monitor {
 namespace {

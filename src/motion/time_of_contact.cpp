@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "narrow_phase/separating_axes.h"
+#include "narrow_phase/closed_form/separating_axes.h"
 
 namespace collision_monitor {
 namespace {

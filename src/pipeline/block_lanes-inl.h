@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "collision_monitor/pipeline/pair_blocks.h"
-#include "narrow_phase/lanes_box_box-inl.h"
-#include "narrow_phase/lanes_points-inl.h"
-#include "narrow_phase/lanes_segment_box-inl.h"
-#include "narrow_phase/plain_twin.h"
+#include "narrow_phase/lanes/lanes_box_box-inl.h"
+#include "narrow_phase/lanes/lanes_points-inl.h"
+#include "narrow_phase/lanes/lanes_segment_box-inl.h"
+#include "narrow_phase/lanes/plain_twin.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {

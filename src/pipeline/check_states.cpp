@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "narrow_phase/plain_twin.h"
+#include "narrow_phase/lanes/plain_twin.h"
 #include "pipeline/states_block.h"
 
 namespace collision_monitor {

@@ -5,8 +5,8 @@
 #include <type_traits>
 
 #include "collision_monitor/geometry/visit_held.h"
-#include "narrow_phase/hull_patch.h"
-#include "narrow_phase/manifold_points.h"
+#include "narrow_phase/contact/hull_patch.h"
+#include "narrow_phase/contact/manifold_points.h"
 
 namespace collision_monitor {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "narrow_phase/separating_axes.h"
+#include "narrow_phase/closed_form/separating_axes.h"
 #include "pipeline/near_bodies.h"
 
 namespace collision_monitor {

@@ -11,7 +11,7 @@
 #include "collision_monitor/narrow_phase/distance.h"
 #include "collision_monitor/narrow_phase/mesh_depth.h"
 #include "narrow_phase/core_distance.h"
-#include "narrow_phase/mesh_hulls.h"
+#include "narrow_phase/mesh/mesh_hulls.h"
 
 namespace collision_monitor {
 namespace {

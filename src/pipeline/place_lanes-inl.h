@@ -14,7 +14,7 @@
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "geometry/turn_rows-inl.h"
 #include "model/state_lanes-inl.h"
-#include "narrow_phase/shape_lanes-inl.h"
+#include "narrow_phase/lanes/shape_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {

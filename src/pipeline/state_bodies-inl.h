@@ -10,9 +10,9 @@
 #endif
 
 #include "model/state_lanes-inl.h"
-#include "narrow_phase/lanes_box_box-inl.h"
-#include "narrow_phase/lanes_points-inl.h"
-#include "narrow_phase/lanes_segment_box-inl.h"
+#include "narrow_phase/lanes/lanes_box_box-inl.h"
+#include "narrow_phase/lanes/lanes_points-inl.h"
+#include "narrow_phase/lanes/lanes_segment_box-inl.h"
 #include "pipeline/states_block.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -34,6 +34,17 @@ class Layers(unittest.TestCase):
         self.assertEqual(result.returncode, 1)
         self.assertIn("src/geometry/pose.cpp: geometry may not include model", result.stdout)
 
+    def test_include_against_the_arrow_between_folders_is_named(self):
+        result = check_one_file("src/narrow_phase/convex/gjk.cpp",
+                                '#include "narrow_phase/mesh/mesh_search.h"\n')
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("src/narrow_phase/convex/gjk.cpp: convex may not include mesh", result.stdout)
+
+    def test_folder_without_a_place_is_named(self):
+        result = check_one_file("src/narrow_phase/attic/gjk.cpp", "#include <cmath>\n")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("no folder 'attic'", result.stdout)
+
     def test_ros_in_the_core_is_named(self):
         result = check_one_file("include/collision_monitor/pipeline/setup.h", "#include <ros/ros.h>\n")
         self.assertEqual(result.returncode, 1)

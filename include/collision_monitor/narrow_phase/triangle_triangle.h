@@ -37,7 +37,7 @@ bool overlap(const Triangle& a, const Triangle& b) noexcept;
 /// it is too large by some ulps of the coordinates, for needles too.
 /// Source: the nearest points of triangles that are apart are a corner and a face or two edges:
 /// Larsen, Gottschalk, Lin, Manocha, "Fast Proximity Queries with Swept Sphere Volumes" (1999),
-/// appendix; edges as in closestParameters of src/narrow_phase/closest_points.h.
+/// appendix; edges as in closestParameters of src/narrow_phase/closed_form/closest_points.h.
 PointPair nearestPoints(const Triangle& a, const Triangle& b,
                         const PointPair& start = PointPair{}) noexcept;
 

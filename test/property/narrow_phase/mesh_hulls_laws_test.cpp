@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "narrow_phase/mesh_hulls.h"
+#include "narrow_phase/mesh/mesh_hulls.h"
 #include "support/allocation_guard.h"
 #include "support/expect_distance.h"
 #include "support/fixed_seed.h"

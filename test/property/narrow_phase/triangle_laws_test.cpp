@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "collision_monitor/narrow_phase/triangle_triangle.h"
-#include "narrow_phase/triangle_edges.h"
+#include "narrow_phase/mesh/triangle_edges.h"
 #include "support/fixed_seed.h"
 #include "support/instruction_sets.h"
 #include "support/random_poses.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "narrow_phase/confirm_depth.h"
+#include "narrow_phase/convex/confirm_depth.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "collision_monitor/narrow_phase/convex_distance.h"
-#include "narrow_phase/convex_core.h"
+#include "narrow_phase/convex/convex_core.h"
 #include "support/expect_distance.h"
 #include "support/sample_meshes.h"
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "narrow_phase/confirm_nearest.h"
+#include "narrow_phase/convex/confirm_nearest.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "narrow_phase/convex_core.h"
+#include "narrow_phase/convex/convex_core.h"
 #include "support/expect_distance.h"
 #include "support/sample_meshes.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "narrow_phase/triangle_edges.h"
+#include "narrow_phase/mesh/triangle_edges.h"
 #include "support/expect_distance.h"
 #include "support/instruction_sets.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "narrow_phase/hull_depth.h"
+#include "narrow_phase/convex/hull_depth.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "collision_monitor/narrow_phase/convex_distance.h"
-#include "narrow_phase/convex_core.h"
+#include "narrow_phase/convex/convex_core.h"
 #include "support/convex_measure.h"
 #include "support/expect_distance.h"
 #include "support/sample_meshes.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "narrow_phase/point_on_mesh.h"
+#include "narrow_phase/mesh/point_on_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "narrow_phase/separating_axes.h"
+#include "narrow_phase/closed_form/separating_axes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "narrow_phase/support_plane.h"
+#include "narrow_phase/convex/support_plane.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "narrow_phase/convex_core.h"
+#include "narrow_phase/convex/convex_core.h"
 #include "support/random_poses.h"
 
 namespace collision_monitor::test {

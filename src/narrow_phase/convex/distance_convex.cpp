@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <type_traits>
+
+#include "collision_monitor/geometry/visit_held.h"
+#include "collision_monitor/narrow_phase/convex_distance.h"
+#include "collision_monitor/narrow_phase/distance.h"
+#include "narrow_phase/convex/confirm_nearest.h"
+#include "narrow_phase/convex/convex_core.h"
+#include "narrow_phase/convex/distance_half_space.h"
+#include "narrow_phase/convex/flat_contact.h"
+#include "narrow_phase/convex/search_cores.h"
+#include "narrow_phase/core_distance.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Measured by the closed forms of distance.h.
+template <class Geometry>
+constexpr bool kHasClosedForms = std::is_convertible_v<const Geometry&, Shape>;
+
+template <class Geometry>
+constexpr bool kIsHalfSpace = std::is_same_v<Geometry, HalfSpace>;
+
+template <class Geometry>
+struct Posed {
+  const Geometry& geometry;
+  const Pose& world_from_body;
+};
+
+template <class A, class B>
+bool areFinite(const Posed<A>& a, const Posed<B>& b) noexcept {
+  return isFinite(a.world_from_body) && isFinite(b.world_from_body);
+}
+
+template <class A>
+SignedDistance toHalfSpace(const Posed<A>& a, const Pose& world_from_half_space) noexcept {
+  const SweptCore swept_a = sweptCoreOf(a.geometry);
+  return swept(distanceToHalfSpace(swept_a.core, a.world_from_body, world_from_half_space),
+               swept_a.radius, 0.0);
+}
+
+template <class A, class B>
+ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
+  const SweptCore swept_a = sweptCoreOf(a.geometry);
+  const SweptCore swept_b = sweptCoreOf(b.geometry);
+  ConvexWarmStart& warm = search.warm;
+  const PlacedCore core_a{swept_a.core, a.world_from_body, warm.vertex_of_a};
+  const PlacedCore core_b{swept_b.core, b.world_from_body, warm.vertex_of_b};
+  if (auto confirmed = confirmNearest(core_a, core_b, warm)) {
+    if (confirmed->is_level) {
+      centerOnPatch(core_a, core_b, confirmed->cores);
+    }
+    return {swept(confirmed->cores, swept_a.radius, swept_b.radius), DistanceQuality::exact};
+  }
+  if (!areFinite(a, b)) {
+    return {};
+  }
+  ConvexPair pair =
+      makeConvexPair(swept_a.core, a.world_from_body, swept_b.core, b.world_from_body);
+  ConvexSearch of_cores{search.workspace, warm, search.enough + swept_a.radius + swept_b.radius};
+  const ConvexDistance found = searchCores(pair, of_cores);
+  return {swept(placed(a.world_from_body, found.measured), swept_a.radius, swept_b.radius),
+          found.quality};
+}
+
+// Every pair of kinds ends in one of these or in byCores, or does not compile.
+template <class A, class B>
+ConvexDistance inClosedForm(const Posed<A>& a, const Posed<B>& b) noexcept {
+  if (!areFinite(a, b)) {
+    return {};
+  }
+  if constexpr (kIsHalfSpace<A> && kIsHalfSpace<B>) {
+    return {};  // they overlap without end, or are apart by rounding alone
+  } else if constexpr (kIsHalfSpace<B>) {
+    return {toHalfSpace(a, b.world_from_body), DistanceQuality::exact};
+  } else if constexpr (kIsHalfSpace<A>) {
+    return {swapped(toHalfSpace(b, a.world_from_body)), DistanceQuality::exact};
+  } else {
+    return {distanceBetween(a.geometry, a.world_from_body, b.geometry, b.world_from_body),
+            DistanceQuality::exact};
+  }
+}
+
+template <class A, class B>
+ConvexDistance measure(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
+  if constexpr (!kIsHalfSpace<A> && !kIsHalfSpace<B> &&
+                !(kHasClosedForms<A> && kHasClosedForms<B>)) {
+    return byCores(a, b, search);
+  } else {
+    return inClosedForm(a, b);
+  }
+}
+
+}  // namespace
+
+ConvexDistance signedDistanceBetween(const ConvexGeometry& a, const Pose& world_from_a,
+                                     const ConvexGeometry& b, const Pose& world_from_b,
+                                     ConvexSearch& search) noexcept {
+  const auto with_a = [&](const auto& geometry_a) noexcept {
+    const auto with_b = [&](const auto& geometry_b) noexcept {
+      using A = std::decay_t<decltype(geometry_a)>;
+      using B = std::decay_t<decltype(geometry_b)>;
+      return measure(Posed<A>{geometry_a, world_from_a}, Posed<B>{geometry_b, world_from_b},
+                     search);
+    };
+    return visitHeld(with_b, b);
+  };
+  return visitHeld(with_a, a);
+}
+
+}  // namespace collision_monitor

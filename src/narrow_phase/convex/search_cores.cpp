@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "narrow_phase/convex/search_cores.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "narrow_phase/convex/confirm_depth.h"
+#include "narrow_phase/convex/distance_parallel_axes.h"
+#include "narrow_phase/convex/epa.h"
+#include "narrow_phase/convex/flat_contact.h"
+#include "narrow_phase/convex/gjk.h"
+#include "narrow_phase/convex/hull_depth.h"
+#include "narrow_phase/convex/round_depth.h"
+#include "narrow_phase/core_distance.h"
+
+namespace collision_monitor {
+namespace {
+
+// Bounds nearer than this count as one value: what convex_distance.h promises, and for larger
+// sizes what doubles leave of it.
+double promiseApart(const ConvexPair& pair) noexcept { return 1e-9 + 1e-11 * pair.size; }
+
+ConvexDistance answer(double distance, const Eigen::Vector3d& normal,
+                      const Eigen::Vector3d& point_on_a, DistanceQuality quality) noexcept {
+  return {{distance, point_on_a, point_on_a + distance * normal, normal}, quality};
+}
+
+ConvexDistance answerApart(const ConvexPair& pair, const GjkResult& found) noexcept {
+  const Simplex& simplex = found.simplex;
+  const double promise = promiseApart(pair);
+  if (simplex.distance - found.lower <= promise) {
+    // On curved surfaces the best plane's normal and the points may differ by half the digits.
+    const bool is_proven = pair.isSmooth() && simplex.distance - found.gap <= 0.5 * promise;
+    return answer(simplex.distance, is_proven ? simplex.normal : found.lower_direction,
+                  simplex.pointOnA(), DistanceQuality::exact);
+  }
+  return answer(found.lower, found.lower_direction, simplex.pointOnA(),
+                DistanceQuality::lower_bound);
+}
+
+ConvexDistance answerOverlap(ConvexPair& pair, const GjkResult& found,
+                             ConvexSearch& search) noexcept {
+  const Penetration deep = searchDepth(pair, found.simplex, search.workspace);
+  if (deep.face_size > 0) {
+    keepWarm(deep.face.data(), deep.face_size, pair, search.warm);
+    if (deep.is_settled && !pair.isSmooth()) {
+      keepInside(search.workspace, search.warm);
+    }
+  }
+  ConvexDistance closed{SignedDistance{}, DistanceQuality::exact};
+  if (!deep.is_settled && depthOfRound(pair, 0.5 * deep.at_least, closed.measured)) {
+    return closed;  // half of it: slivers of the polytope may have been passed over
+  }
+  // Cores that touch have points that do; the faces about them, all equally shallow, need not.
+  const bool touch = found.state == GjkResult::State::overlapping &&
+                     !found.simplex.contains_origin &&
+                     std::abs(deep.depth) <= 2.0 * touchingDistance(pair);
+  return answer(-deep.depth, -deep.outward, touch ? found.simplex.pointOnA() : deep.on_a,
+                deep.is_settled ? DistanceQuality::exact : DistanceQuality::lower_bound);
+}
+
+bool isPoint(const ConvexCore& core) noexcept {
+  return core.kind == ConvexCore::Kind::box && core.half_extents.isZero(0.0);
+}
+
+// The nearest face is the way out. `point` in the frame of the hull, which is B.
+ConvexDistance pointInHull(const Eigen::Vector3d& point, const ConvexHull& hull) noexcept {
+  double distance = -std::numeric_limits<double>::infinity();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
+  for (const ConvexHull::Face& face : hull.faces()) {
+    const double beyond = face.normal.dot(point) - face.offset;
+    if (beyond > distance) {
+      distance = beyond;
+      normal = face.normal;
+    }
+  }
+  return answer(distance, -normal, point, DistanceQuality::exact);
+}
+
+bool holdsPoint(const ConvexCore& hull, const ConvexCore& point) noexcept {
+  return hull.kind == ConvexCore::Kind::hull && hull.hull->hasVolume() && isPoint(point);
+}
+
+// By GJK, or where that finds an overlap by what settles its depth.
+ConvexDistance searchApartOrDeep(ConvexPair& pair, ConvexSearch& search) noexcept {
+  search.warm.inside_faces = 0;
+  const GjkResult found = searchNearest(pair, search.warm, search.enough);
+  keepWarm(found.simplex.vertices.data(), found.simplex.size, pair, search.warm);
+  const bool is_apart =
+      found.state != GjkResult::State::overlapping && found.lower > touchingDistance(pair);
+  if (is_apart || found.state == GjkResult::State::settled) {
+    if (isSmooth(pair.a) && isSmooth(pair.b)) {
+      // Where they are nearest, and not where a step ended, tells rims from sides.
+      search.warm.size = 1;
+      search.warm.ends[0] = {found.simplex.pointOnA(), found.simplex.pointOnB()};
+    }
+    return answerApart(pair, found);
+  }
+  ConvexDistance closed;
+  if (holdsPoint(pair.b, pair.a)) {
+    closed = pointInHull(inverse(pair.a_from_b).translation, *pair.b.hull);
+    closed.measured = placed(pair.a_from_b, closed.measured);
+    return closed;
+  }
+  if (holdsPoint(pair.a, pair.b)) {
+    closed = pointInHull(pair.a_from_b.translation, *pair.a.hull);
+    closed.measured = swapped(closed.measured);
+    return closed;
+  }
+  return answerOverlap(pair, found, search);
+}
+
+// Of a pair of which nothing is known. Leaves the vertices that face each other along the axis
+// looked at last: where the hulls are apart, GJK begins there.
+bool depthByAxes(ConvexPair& pair, ConvexWarmStart& warm, SignedDistance& found) noexcept {
+  if (warm.size > 0 || !haveFewFaces(pair)) {
+    return false;
+  }
+  const Eigen::Vector3d& between = pair.a_from_b.translation;
+  const SupportVertex facing = leastAlong(between, pair);
+  if (between.dot(facing.difference) > 0.0) {
+    keepWarm(&facing, 1, pair, warm);
+    return false;
+  }
+  const bool is_deep = depthOfHulls(pair, found);
+  const SupportVertex along_axis = differenceOf(pair, pair.a.hull->vertices()[pair.vertex_of_a],
+                                                pair.b.hull->vertices()[pair.vertex_of_b]);
+  keepWarm(&along_axis, 1, pair, warm);
+  return is_deep;
+}
+
+}  // namespace
+
+ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept {
+  ConvexDistance found{SignedDistance{}, DistanceQuality::exact};
+  if (distanceOfParallelAxes(pair, found.measured)) {
+    return found;
+  }
+  if (depthByAxes(pair, search.warm, found.measured)) {
+    return found;
+  }
+  found = searchApartOrDeep(pair, search);
+  if (found.quality == DistanceQuality::exact) {
+    const Pose origin;
+    centerOnPatch({pair.a, origin, pair.vertex_of_a}, {pair.b, pair.a_from_b, pair.vertex_of_b},
+                  found.measured);
+  }
+  return found;
+}
+
+}  // namespace collision_monitor

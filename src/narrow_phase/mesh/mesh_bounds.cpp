@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "narrow_phase/mesh/mesh_bounds.cpp"
+#include "hwy/foreach_target.h"
+// The order matters: Highway first includes this file once for each target.
+#include "hwy/highway.h"
+#include "narrow_phase/mesh/mesh_bounds.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace collision_monitor {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Some children of a node: as many as a register has lanes. No fused multiply-add: every
+// instruction set rounds alike.
+using Some = hn::CappedTag<float, MeshTreeNode::kWidth>;
+using Number = hn::Vec<Some>;
+
+HWY_INLINE Number number(float value) { return hn::Set(Some(), value); }
+HWY_INLINE Number load(const float* from) { return hn::Load(Some(), from); }
+
+struct Vector {
+  Number at[3];
+};
+
+HWY_INLINE Vector vector(const float* xyz) {
+  return {{number(xyz[0]), number(xyz[1]), number(xyz[2])}};
+}
+HWY_INLINE Vector load(const float (&from)[3][MeshTreeNode::kWidth], std::size_t first) {
+  return {{load(from[0] + first), load(from[1] + first), load(from[2] + first)}};
+}
+HWY_INLINE Vector operator-(const Vector& a, const Vector& b) {
+  return {{hn::Sub(a.at[0], b.at[0]), hn::Sub(a.at[1], b.at[1]), hn::Sub(a.at[2], b.at[2])}};
+}
+HWY_INLINE Vector operator*(Number s, const Vector& v) {
+  return {{hn::Mul(s, v.at[0]), hn::Mul(s, v.at[1]), hn::Mul(s, v.at[2])}};
+}
+HWY_INLINE Vector absolute(const Vector& v) {
+  return {{hn::Abs(v.at[0]), hn::Abs(v.at[1]), hn::Abs(v.at[2])}};
+}
+HWY_INLINE Number dot(const Vector& a, const Vector& b) {
+  return hn::Add(hn::Add(hn::Mul(a.at[0], b.at[0]), hn::Mul(a.at[1], b.at[1])),
+                 hn::Mul(a.at[2], b.at[2]));
+}
+
+struct Children {
+  Vector center, half, normal;
+  Number slab_center, slab_half;
+};
+
+struct Other {
+  Vector center, sides[3], reach, normal;
+  Number slab_center, slab_half, slack;
+};
+
+HWY_INLINE Children childrenOf(const MeshTreeNode& node, std::size_t first) {
+  return {load(node.center, first), load(node.half, first), load(node.normal, first),
+          load(node.slab_center + first), load(node.slab_half + first)};
+}
+
+HWY_INLINE Other everywhere(const PlacedBound& bound) {
+  const float* sides = bound.sides.data();  // column after column
+  return {vector(bound.center.data()), {vector(sides), vector(sides + 3), vector(sides + 6)},
+          vector(bound.reach.data()),  vector(bound.normal.data()),
+          number(bound.slab_center),   number(bound.slab_half),
+          number(bound.slack)};
+}
+
+// What bounds cover along a direction.
+struct Shadow {
+  Number middle, half;
+};
+
+// A direction u is split as u = c n + w, n the normal of the slab: the slab bounds c n.x and the
+// box bounds w.x. For directions near the normal w is small, and the shadow is as thin as the slab.
+HWY_INLINE Shadow shadowOf(const Other& other, const Vector& u, Number shared) {
+  const Vector rest = u - shared * other.normal;
+  const Number of_sides =
+      hn::Add(hn::Add(hn::Abs(dot(rest, other.sides[0])), hn::Abs(dot(rest, other.sides[1]))),
+              hn::Abs(dot(rest, other.sides[2])));
+  return {hn::Add(hn::Mul(shared, other.slab_center), dot(rest, other.center)),
+          hn::Add(hn::Mul(hn::Abs(shared), other.slab_half), of_sides)};
+}
+
+HWY_INLINE Shadow shadowOf(const Children& children, const Vector& u, Number shared) {
+  const Vector rest = u - shared * children.normal;
+  return {
+      hn::Add(hn::Mul(shared, children.slab_center), dot(rest, children.center)),
+      hn::Add(hn::Mul(hn::Abs(shared), children.slab_half), dot(absolute(rest), children.half))};
+}
+
+HWY_INLINE Number gapBetween(const Shadow& a, const Shadow& b) {
+  return hn::Sub(hn::Abs(hn::Sub(a.middle, b.middle)), hn::Add(a.half, b.half));
+}
+
+// Along the line of centres, which far bounds are apart by.
+HWY_INLINE Number gapAlongCenters(const Children& children, const Other& other) {
+  const Vector between = other.center - children.center;
+  const Number squared = hn::Add(dot(between, between), number(1e-30F));
+  // A little less than unit, so that no gap comes out too large.
+  const Vector u = hn::Div(number(1.0F - 1e-6F), hn::Sqrt(squared)) * between;
+  return gapBetween(shadowOf(other, u, dot(u, other.normal)),
+                    shadowOf(children, u, dot(u, children.normal)));
+}
+
+HWY_INLINE Number squaredGapOfBoxes(const Children& children, const Other& other) {
+  const Vector between = absolute(children.center - other.center) - children.half - other.reach;
+  const Number zero = hn::Zero(Some());
+  const Vector gap{
+      {hn::Max(between.at[0], zero), hn::Max(between.at[1], zero), hn::Max(between.at[2], zero)}};
+  return dot(gap, gap);
+}
+
+std::uint32_t boundNode(const MeshTreeNode& node, const PlacedBound& bound, float limit,
+                        NodeBounds& bounds) {
+  std::uint32_t nearer = 0;
+  for (std::size_t first = 0; first < MeshTreeNode::kWidth; first += hn::Lanes(Some())) {
+    const Children children = childrenOf(node, first);
+    const Other other = everywhere(bound);
+    // Along their normals both know their extent.
+    const Number shared = dot(children.normal, other.normal);
+    const Number along_children = gapBetween(shadowOf(other, children.normal, shared),
+                                             {children.slab_center, children.slab_half});
+    const Number along_other =
+        gapBetween(shadowOf(children, other.normal, shared), {other.slab_center, other.slab_half});
+    const Number along_centers = gapAlongCenters(children, other);
+    // The slack of the slabs is not enough: it counts for the part along their normals only.
+    const Number widest = hn::Max(hn::Max(along_children, along_other), along_centers);
+    const Number gap = hn::Max(hn::Sub(widest, other.slack), hn::Zero(Some()));
+    const Number squared = hn::Max(squaredGapOfBoxes(children, other), hn::Mul(gap, gap));
+    hn::Store(squared, Some(), bounds.squared + first);
+    hn::Store(along_centers, Some(), bounds.order + first);
+    std::uint8_t bits[8] = {};  // Highway may write eight bytes
+    hn::StoreMaskBits(Some(), hn::Lt(squared, number(limit)), bits);
+    nearer |= static_cast<std::uint32_t>(bits[0]) << first;
+  }
+  return nearer;
+}
+
+// NOLINTNEXTLINE(google-readability-namespace-comments)
+}  // namespace HWY_NAMESPACE
+}  // namespace collision_monitor
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace collision_monitor {
+namespace {
+
+HWY_EXPORT(boundNode);
+
+}  // namespace
+
+BoundPlacement makePlacement(const Pose& a_from_b, double size) noexcept {
+  constexpr double kSlack = 1.0 / (1 << 17);  // 128 u
+  return {a_from_b.rotation.cast<float>(), a_from_b.translation.cast<float>(),
+          static_cast<float>(kSlack * size)};
+}
+
+Bound boundOf(const MeshTreeNode& node, std::uint32_t slot) noexcept {
+  return {{node.center[0][slot], node.center[1][slot], node.center[2][slot]},
+          {node.half[0][slot], node.half[1][slot], node.half[2][slot]},
+          {node.normal[0][slot], node.normal[1][slot], node.normal[2][slot]},
+          node.slab_center[slot],
+          node.slab_half[slot]};
+}
+
+PlacedBound place(const BoundPlacement& placement, const Bound& bound) noexcept {
+  PlacedBound placed;
+  placed.center = placement.rotation * bound.center + placement.translation;
+  placed.sides = placement.rotation * bound.half.asDiagonal();
+  placed.reach = placed.sides.cwiseAbs().rowwise().sum().array() + placement.slack;
+  placed.normal = placement.rotation * bound.normal;
+  placed.slab_center = bound.slab_center + placed.normal.dot(placement.translation);
+  placed.slab_half = bound.slab_half + placement.slack;
+  placed.slack = 2.0F * placement.slack;
+  return placed;
+}
+
+std::uint32_t boundNearer(const MeshTreeNode& node, const PlacedBound& other, float limit,
+                          NodeBounds& bounds) noexcept {
+  return HWY_DYNAMIC_DISPATCH(boundNode)(node, other, limit, bounds);
+}
+
+}  // namespace collision_monitor
+#endif

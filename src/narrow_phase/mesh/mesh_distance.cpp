@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/narrow_phase/mesh_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "narrow_phase/core_distance.h"
+#include "narrow_phase/mesh/nearest_search.h"
+#include "narrow_phase/mesh/triangle_edges.h"
+
+namespace collision_monitor {
+namespace {
+
+void measureTriangles(const MeshPair& pair, const TrianglePair& triangles,
+                      const MeshQueryMemory::Waiting& bounds, NearestSearch& search) noexcept {
+  offer(triangles, bounds, search, [&](const PointPair& start, double squared_enough) {
+    return boundedDistance(pair.a.triangles()[triangles.a], triangleOfB(pair, triangles.b), start,
+                           squared_enough);
+  });
+}
+
+void searchFrom(const MeshPair& pair, std::uint32_t visit_budget, WaitingPairs& pairs,
+                NearestSearch& search) noexcept {
+  searchNearest(
+      pair.rounding, visit_budget, pairs, search,
+      [&](const MeshQueryMemory::Waiting& next, float limit, WaitingPairs& waiting) {
+        const std::uint32_t child_a = childOf(pair.a, next.a);
+        const std::uint32_t child_b = childOf(pair.b, next.b);
+        if (isTriangle(child_a) && isTriangle(child_b)) {
+          measureTriangles(pair, {triangleAt(child_a), triangleAt(child_b)}, next, search);
+        } else {
+          openLarger(pair, next, limit, waiting);
+        }
+      });
+}
+
+// Unit normal from A to B of two points that may be one.
+Eigen::Vector3d normalBetween(const MeshPair& pair, const NearestSearch& search, double distance) {
+  if (distance > kTouching) {
+    return (search.best.on_b - search.best.on_a) / distance;
+  }
+  return anyNormalOf(prepare(pair.a.triangles()[search.nearest.a]));
+}
+
+void report(const MeshPair& pair, const NearestSearch& search, const Pose& world_from_a,
+            MeshDistance& answer) noexcept {
+  const double distance = std::sqrt(search.best.squared_distance);
+  answer.state = distance > pair.rounding ? MeshState::exact : MeshState::overlapping;
+  answer.nearest = search.nearest;
+  answer.measured = placed(world_from_a, {distance, search.best.on_a, search.best.on_b,
+                                          normalBetween(pair, search, distance)});
+}
+
+bool isPairOf(const MeshPair& pair, const TrianglePair& triangles) noexcept {
+  return triangles.a < pair.a.triangles().size() && triangles.b < pair.b.triangles().size();
+}
+
+// What is known when the search ended early: nothing that was left is nearer than its bound.
+void reportBound(const NearestSearch& search, double stop_beyond, MeshDistance& answer) noexcept {
+  const double squared = std::min(search.best.squared_distance, search.squared_open);
+  answer.nearest = search.nearest;
+  if (squared <= std::numeric_limits<double>::max()) {
+    answer.state = MeshState::lower_bound;
+    answer.measured.distance = std::min(std::sqrt(squared), stop_beyond);
+  }
+}
+
+// Surfaces that do not meet may still be one inside the other.
+void reportContainment(const MeshPair& pair, const Pose& world_from_a, MeshQueryMemory& memory,
+                       MeshDistance& answer) noexcept {
+  if (const std::optional<Eigen::Vector3d> shared = pointHeld(pair, memory)) {
+    answer.state = MeshState::overlapping;
+    answer.measured.distance = 0.0;
+    answer.measured.point_on_a = world_from_a * *shared;
+    answer.measured.point_on_b = answer.measured.point_on_a;
+  }
+}
+
+MeshDistance answerOf(const MeshPair& pair, const NearestSearch& search, const Pose& world_from_a,
+                      double stop_beyond) noexcept {
+  MeshDistance answer;
+  answer.visits = search.visits;
+  if (isPairOf(pair, search.nearest) && search.isComplete()) {
+    report(pair, search, world_from_a, answer);
+  } else {
+    reportBound(search, stop_beyond, answer);
+  }
+  return answer;
+}
+
+// From the pairs that the last query kept, if nothing else can be nearer; else from the roots.
+void searchFromFront(const MeshPair& pair, double step, std::uint32_t visit_budget,
+                     WaitingPairs& waiting, NearestSearch& search) noexcept {
+  MeshFront& front = *search.front;
+  if (front.nearest.a != MeshFront::kNone) {
+    const TrianglePair start{triangleAt(childOf(pair.a, front.nearest.a)),
+                             triangleAt(childOf(pair.b, front.nearest.b))};
+    measureTriangles(pair, start, {0.0F, front.nearest.a, front.nearest.b}, search);
+  }
+  const double squared_distance = search.best.squared_distance;
+  if (squared_distance > pair.rounding * pair.rounding) {
+    if (covers(front, squared_distance)) {
+      takeNearer(squared_distance, front, waiting);
+    } else {
+      restart(step, squared_distance, front);
+      waiting.push({0.0F, 0, 0});
+    }
+    searchFrom(pair, visit_budget, waiting, search);
+  }
+  front.nearest = {0.0F, search.bounds.a, search.bounds.b};
+}
+
+}  // namespace
+
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory,
+                             const TrianglePair& start, const MeshQueryLimits& limits) noexcept {
+  if (!isFinite(a.world_from_mesh) || !isFinite(b.world_from_mesh)) {
+    return {};
+  }
+  const MeshPair pair = makeMeshPair(a, b);
+  NearestSearch search;
+  search.best.squared_distance = limits.stop_beyond * limits.stop_beyond;
+  if (isPairOf(pair, start)) {
+    measureTriangles(pair, start, search.bounds, search);
+  }
+  WaitingPairs waiting(memory);
+  waiting.push({0.0F, 0, 0});
+  searchFrom(pair, limits.visit_budget, waiting, search);
+  MeshDistance answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
+  if (answer.state != MeshState::overlapping) {
+    reportContainment(pair, a.world_from_mesh, memory, answer);
+  }
+  return answer;
+}
+
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory,
+                             MeshFront& front, const MeshQueryLimits& limits) noexcept {
+  if (!isFinite(a.world_from_mesh) || !isFinite(b.world_from_mesh)) {
+    return {};
+  }
+  const MeshPair pair = makeMeshPair(a, b);
+  const double step = follow(pair, front);
+  NearestSearch search;
+  search.best.squared_distance = limits.stop_beyond * limits.stop_beyond;
+  search.front = &front;
+  WaitingPairs waiting(memory);
+  searchFromFront(pair, step, limits.visit_budget, waiting, search);
+  MeshDistance answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
+  const bool stays_outside = step < front.apart;
+  if (answer.state != MeshState::overlapping && !stays_outside) {
+    reportContainment(pair, a.world_from_mesh, memory, answer);
+  }
+  front.apart = answer.state == MeshState::overlapping ? 0.0 : answer.measured.distance;
+  return answer;
+}
+
+}  // namespace collision_monitor

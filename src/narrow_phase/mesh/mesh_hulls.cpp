@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "narrow_phase/mesh/mesh_hulls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "collision_monitor/geometry/visit_held.h"
+#include "narrow_phase/convex/confirm_nearest.h"
+#include "narrow_phase/convex/convex_core.h"
+#include "narrow_phase/convex/gjk.h"
+#include "narrow_phase/core_distance.h"
+#include "narrow_phase/mesh/point_on_mesh.h"
+
+namespace collision_monitor {
+namespace {
+
+using Eigen::Vector3d;
+
+// Of the sizes: points this near to a triangle are on it.
+constexpr double kOnSurface = 1e-13;
+
+std::optional<SweptCore> coreOf(const ConvexGeometry& around) noexcept {
+  const auto take = [](const auto& held) noexcept -> std::optional<SweptCore> {
+    if constexpr (std::is_same_v<decltype(held), const HalfSpace&>) {
+      return std::nullopt;
+    } else {
+      return sweptCoreOf(held);
+    }
+  };
+  return visitHeld(take, around);
+}
+
+struct CoreGap {
+  MeshState state;
+  SignedDistance cores;
+};
+
+// By a search. Cores that meet are not asked how deep.
+CoreGap searchGap(const PlacedCore& a, const PlacedCore& b, double enough,
+                  ConvexWarmStart& warm) noexcept {
+  ConvexPair pair = makeConvexPair(a.core, a.world_from_core, b.core, b.world_from_core);
+  const GjkResult found = searchNearest(pair, warm, enough);
+  keepWarm(found.simplex.vertices.data(), found.simplex.size, pair, warm);
+  if (found.state == GjkResult::State::overlapping || !(found.lower > touchingDistance(pair))) {
+    return {MeshState::unknown, {}};
+  }
+  if (found.state != GjkResult::State::settled) {
+    SignedDistance bound;
+    bound.distance = found.lower;
+    return {MeshState::lower_bound, bound};
+  }
+  const Simplex& simplex = found.simplex;
+  const Vector3d point_on_a = simplex.pointOnA();
+  return {
+      MeshState::exact,
+      placed(a.world_from_core, {simplex.distance, point_on_a,
+                                 point_on_a + simplex.distance * simplex.normal, simplex.normal})};
+}
+
+CoreGap gapBetween(const PlacedCore& a, const PlacedCore& b, double enough,
+                   ConvexWarmStart& warm) noexcept {
+  const auto confirmed = confirmNearest(a, b, warm);
+  return confirmed ? CoreGap{MeshState::exact, confirmed->cores} : searchGap(a, b, enough, warm);
+}
+
+// Whether a point of the solid is one of the surface. The triangle that it was last on goes first.
+bool holds(const HeldSurface& surface, const Vector3d& point, MeshQueryMemory& memory,
+           std::uint32_t& last, std::uint32_t& visits) noexcept {
+  if (surface.mesh == nullptr) {
+    return true;
+  }
+  const MeshTree& mesh = *surface.mesh;
+  const Vector3d in_mesh = inverse(surface.world_from_body) * point;
+  const double tolerance = kOnSurface * (mesh.radius() + mesh.center().norm() +
+                                         surface.world_from_body.translation.norm());
+  const PointOnMesh found =
+      nearestOnMesh(mesh, in_mesh, last, {0.5 * tolerance, tolerance}, memory);
+  visits += 1 + found.visits;
+  if (found.triangle == TrianglePair::kNone) {
+    return false;
+  }
+  last = found.triangle;
+  return true;
+}
+
+}  // namespace
+
+MeshDistance distanceByHulls(const HeldSurface& a, const HeldSurface& b, double stop_beyond,
+                             MeshQueryMemory& memory, const HullMemory& last) noexcept {
+  const std::optional<SweptCore> core_a = coreOf(a.around);
+  const std::optional<SweptCore> core_b = coreOf(b.around);
+  MeshDistance answer;
+  if (!core_a || !core_b || !isFinite(a.world_from_body) || !isFinite(b.world_from_body)) {
+    return answer;
+  }
+  const double radii = core_a->radius + core_b->radius;
+  const CoreGap gap = gapBetween({core_a->core, a.world_from_body, last.warm.vertex_of_a},
+                                 {core_b->core, b.world_from_body, last.warm.vertex_of_b},
+                                 stop_beyond + radii, last.warm);
+  if (gap.state == MeshState::unknown || !(gap.cores.distance > radii)) {
+    return answer;
+  }
+  answer.state = MeshState::lower_bound;
+  answer.measured = swept(gap.cores, core_a->radius, core_b->radius);
+  if (gap.state == MeshState::exact && answer.measured.distance < stop_beyond &&
+      holds(a, answer.measured.point_on_a, memory, last.nearest.a, answer.visits) &&
+      holds(b, answer.measured.point_on_b, memory, last.nearest.b, answer.visits)) {
+    answer.state = MeshState::exact;
+    answer.nearest = last.nearest;
+  }
+  return answer;
+}
+
+}  // namespace collision_monitor

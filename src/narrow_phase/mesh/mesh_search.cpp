@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "narrow_phase/mesh/mesh_search.h"
+
+#include <algorithm>
+
+namespace collision_monitor {
+namespace {
+
+float sizeOf(const MeshTree& tree, Slot slot) noexcept {
+  const MeshTreeNode& node = tree.nodes()[slot >> kSlotBits];
+  const std::uint32_t at = slot & (MeshTreeNode::kWidth - 1);
+  return node.half[0][at] + node.half[1][at] + node.half[2][at];
+}
+
+}  // namespace
+
+MeshPair makeMeshPair(const PlacedMesh& a, const PlacedMesh& b) noexcept {
+  const Pose a_from_b = inverse(a.world_from_mesh) * b.world_from_mesh;
+  // Bounds stand about the centres of their trees.
+  const Pose centered{a_from_b.rotation, a_from_b * b.tree.center() - a.tree.center()};
+  const double size = a.tree.radius() + b.tree.radius() + centered.translation.norm();
+  return {a.tree,
+          b.tree,
+          a_from_b,
+          makePlacement(centered, size),
+          makePlacement(inverse(centered), size),
+          kTouchingShare * (size + a.tree.center().norm() + b.tree.center().norm())};
+}
+
+Triangle triangleOfB(const MeshPair& pair, std::uint32_t triangle) noexcept {
+  const Triangle& in_b = pair.b.triangles()[triangle];
+  return {pair.a_from_b * in_b[0], pair.a_from_b * in_b[1], pair.a_from_b * in_b[2]};
+}
+
+double WaitingPairs::leastBound(double start) const noexcept {
+  for (std::size_t i = 0; i < size_; ++i) {
+    start = std::min(start, static_cast<double>(memory_.waiting[i].squared_bound));
+  }
+  return start;
+}
+
+void openLarger(const MeshPair& pair, const MeshQueryMemory::Waiting& bounds, float limit,
+                WaitingPairs& waiting) noexcept {
+  const std::uint32_t child_a = childOf(pair.a, bounds.a);
+  const std::uint32_t child_b = childOf(pair.b, bounds.b);
+  const bool opens_a = isTriangle(child_b) || (!isTriangle(child_a) &&
+                                               sizeOf(pair.a, bounds.a) > sizeOf(pair.b, bounds.b));
+  NodeBounds children;
+  if (opens_a) {
+    const PlacedBound other = place(pair.bounds_to_a, boundAt(pair.b, bounds.b));
+    const std::uint32_t nearer = boundNearer(pair.a.nodes()[child_a], other, limit, children);
+    waiting.pushNearer(children, nearer, [&](float bound, std::uint32_t slot) {
+      return MeshQueryMemory::Waiting{bound, (child_a << kSlotBits) + slot, bounds.b};
+    });
+  } else {
+    const PlacedBound other = place(pair.bounds_to_b, boundAt(pair.a, bounds.a));
+    const std::uint32_t nearer = boundNearer(pair.b.nodes()[child_b], other, limit, children);
+    waiting.pushNearer(children, nearer, [&](float bound, std::uint32_t slot) {
+      return MeshQueryMemory::Waiting{bound, bounds.a, (child_b << kSlotBits) + slot};
+    });
+  }
+}
+
+float asLimit(double squared_distance) noexcept {
+  constexpr double kUlp = std::numeric_limits<float>::epsilon();
+  constexpr double kWithinReach = 1e30;
+  return static_cast<float>(std::min(squared_distance, kWithinReach) * (1.0 + kUlp));
+}
+
+}  // namespace collision_monitor

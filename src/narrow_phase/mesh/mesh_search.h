@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "collision_monitor/narrow_phase/mesh_distance.h"
+#include "collision_monitor/narrow_phase/triangle_triangle.h"
+#include "narrow_phase/mesh/mesh_bounds.h"
+
+/// What the queries about two meshes share: pairs of bounds on a stack, the nearest on top.
+namespace collision_monitor {
+
+/// Of the sizes and the way between: surfaces this near are touching.
+constexpr double kTouchingShare = 1e-14;
+
+/// A bound is named by its node and slot: node * 8 + slot. 0 is the whole mesh.
+using Slot = std::uint32_t;
+
+constexpr std::uint32_t kSlotBits = 3;
+static_assert(1U << kSlotBits == MeshTreeNode::kWidth);
+
+inline std::uint32_t childOf(const MeshTree& tree, Slot slot) noexcept {
+  return tree.nodes()[slot >> kSlotBits].child[slot & (MeshTreeNode::kWidth - 1)];
+}
+
+inline bool isTriangle(std::uint32_t child) noexcept {
+  return (child & MeshTreeNode::kTriangle) != 0;
+}
+
+inline std::uint32_t triangleAt(std::uint32_t child) noexcept {
+  return child & ~MeshTreeNode::kTriangle;
+}
+
+inline Bound boundAt(const MeshTree& tree, Slot slot) noexcept {
+  return boundOf(tree.nodes()[slot >> kSlotBits], slot & (MeshTreeNode::kWidth - 1));
+}
+
+/// Two meshes, seen from A.
+struct MeshPair {
+  const MeshTree& a;
+  const MeshTree& b;
+  Pose a_from_b;
+  BoundPlacement bounds_to_a;  ///< from B's nodes to A's
+  BoundPlacement bounds_to_b;
+  double rounding;  ///< [m] surfaces this near are touching
+};
+
+MeshPair makeMeshPair(const PlacedMesh& a, const PlacedMesh& b) noexcept;
+
+/// A triangle of B in the frame of A.
+Triangle triangleOfB(const MeshPair& pair, std::uint32_t triangle) noexcept;
+
+/// The pairs that wait to be looked at.
+class WaitingPairs {
+ public:
+  using Waiting = MeshQueryMemory::Waiting;
+
+  explicit WaitingPairs(MeshQueryMemory& memory) noexcept : memory_(memory) {}
+
+  bool empty() const noexcept { return size_ == 0; }
+  Waiting pop() noexcept { return memory_.waiting[--size_]; }
+  void push(const Waiting& pair) noexcept { memory_.waiting[size_++] = pair; }
+
+  /// Adds the children that `nearer` has a bit for, the first in order last. `makePair` turns a
+  /// bound and a slot of the node into a pair.
+  template <class MakePair>
+  void pushNearer(const NodeBounds& bounds, std::uint32_t nearer,
+                  const MakePair& makePair) noexcept {
+    const std::size_t bottom = size_;
+    std::array<float, MeshTreeNode::kWidth> orders;
+    for (; nearer != 0; nearer &= nearer - 1) {
+      const auto slot = static_cast<std::uint32_t>(__builtin_ctz(nearer));
+      const float order = bounds.order[slot];
+      std::size_t place = size_++;
+      for (; place > bottom && orders[place - 1 - bottom] < order; --place) {
+        memory_.waiting[place] = memory_.waiting[place - 1];
+        orders[place - bottom] = orders[place - bottom - 1];
+      }
+      orders[place - bottom] = order;
+      memory_.waiting[place] = makePair(bounds.squared[slot], slot);
+    }
+  }
+
+  /// The least bound that waits; `start` if none is less.
+  double leastBound(double start) const noexcept;
+
+ private:
+  MeshQueryMemory& memory_;
+  std::size_t size_{0};
+};
+
+/// Opens the larger of two bounds, of which at least one is a node, and lets its children wait
+/// whose squared distance to the other bound may be below `limit`.
+void openLarger(const MeshPair& pair, const MeshQueryMemory::Waiting& bounds, float limit,
+                WaitingPairs& waiting) noexcept;
+
+/// Squares of distances as bounds are compared with them: rounded up, and below what empty slots
+/// are away.
+float asLimit(double squared_distance) noexcept;
+
+/// A point that both solids share: of a piece of one surface that the other, closed, holds. Meant
+/// for surfaces that do not cross, of which each piece is held as a whole or not at all.
+/// Frames: A's.
+std::optional<Eigen::Vector3d> pointHeld(const MeshPair& pair, MeshQueryMemory& memory) noexcept;
+
+}  // namespace collision_monitor

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "collision_monitor/geometry/visit_held.h"
+#include "narrow_phase/convex/convex_core.h"
+#include "narrow_phase/core_distance.h"
+#include "narrow_phase/mesh/mesh_inside.h"
+#include "narrow_phase/mesh/mesh_support.h"
+#include "narrow_phase/mesh/nearest_search.h"
+#include "narrow_phase/mesh/triangle_core.h"
+#include "narrow_phase/mesh/triangle_edges.h"
+
+namespace collision_monitor {
+namespace {
+
+using Eigen::Vector3d;
+
+// A mesh and a core, seen from the core.
+struct MeshAndCore {
+  const MeshTree& mesh;
+  Pose core_from_mesh;
+  ConvexCore core;
+  double radius;    // [m] of the shape about its core
+  double rounding;  // [m] a core this near touches the surface
+};
+
+// The box that holds the core, in its frame.
+Eigen::AlignedBox3d boxOf(const ConvexCore& core) noexcept {
+  if (core.kind != ConvexCore::Kind::hull) {
+    return {-core.half_extents, core.half_extents};
+  }
+  Eigen::AlignedBox3d box;
+  for (const Vector3d& vertex : core.hull->vertices()) {
+    box.extend(vertex);
+  }
+  return box;
+}
+
+PlacedBound boundOfCore(const MeshAndCore& pair) noexcept {
+  const Eigen::AlignedBox3d box = boxOf(pair.core);
+  const Vector3d half_extents = 0.5 * box.sizes();
+  const Pose mesh_from_core = inverse(pair.core_from_mesh);
+  const Pose centered{mesh_from_core.rotation, mesh_from_core * box.center() - pair.mesh.center()};
+  const double size = pair.mesh.radius() + half_extents.norm() + centered.translation.norm();
+  constexpr float kUp = 1.0F + 1e-6F;
+  const Eigen::Vector3f half = kUp * half_extents.cast<float>();
+  return place(makePlacement(centered, size),
+               {Eigen::Vector3f::Zero(), half, {0.0F, 0.0F, 1.0F / kUp}, 0.0F, half.z()});
+}
+
+void measureTriangle(const MeshAndCore& pair, std::uint32_t triangle,
+                     NearestSearch& search) noexcept {
+  offer({triangle, TrianglePair::kNone}, search.bounds, search,
+        [&](const PointPair& start, double) {
+          const Triangle& in_mesh = pair.mesh.triangles()[triangle];
+          const Triangle in_core = {pair.core_from_mesh * in_mesh[0],
+                                    pair.core_from_mesh * in_mesh[1],
+                                    pair.core_from_mesh * in_mesh[2]};
+          const PointPair found = nearestPoints(in_core, pair.core, start);
+          return TriangleDistance{found, found.squared_distance};
+        });
+}
+
+void openNode(const MeshAndCore& pair, std::uint32_t node, const PlacedBound& core, float limit,
+              WaitingPairs& waiting) noexcept {
+  NodeBounds children;
+  const std::uint32_t nearer = boundNearer(pair.mesh.nodes()[node], core, limit, children);
+  waiting.pushNearer(children, nearer, [node](float bound, std::uint32_t slot) {
+    return MeshQueryMemory::Waiting{bound, (node << kSlotBits) + slot, 0};
+  });
+}
+
+void searchFrom(const MeshAndCore& pair, std::uint32_t visit_budget, MeshQueryMemory& memory,
+                NearestSearch& search) noexcept {
+  const PlacedBound core = boundOfCore(pair);
+  WaitingPairs from_root(memory);
+  from_root.push({0.0F, 0, 0});
+  searchNearest(pair.rounding, visit_budget, from_root, search,
+                [&](const MeshQueryMemory::Waiting& next, float limit, WaitingPairs& waiting) {
+                  const std::uint32_t child = childOf(pair.mesh, next.a);
+                  if (isTriangle(child)) {
+                    measureTriangle(pair, triangleAt(child), search);
+                  } else {
+                    openNode(pair, child, core, limit, waiting);
+                  }
+                });
+}
+
+// Cores: the mesh is A. A core inside the solid has the surface behind it, and the way out is
+// through the nearest point of it.
+SignedDistance coresOf(const MeshAndCore& pair, const NearestSearch& search,
+                       bool is_inside) noexcept {
+  const PointPair& best = search.best;
+  const double distance = std::sqrt(best.squared_distance);
+  if (distance > pair.rounding) {
+    const double sign = is_inside ? -1.0 : 1.0;
+    return {sign * distance, best.on_a, best.on_b, sign / distance * (best.on_b - best.on_a)};
+  }
+  const Vector3d normal = anyNormalOf(prepare(pair.mesh.triangles()[search.nearest.a]));
+  return {0.0, best.on_a, best.on_a, pair.core_from_mesh.rotation * normal};
+}
+
+bool isCoreInside(const MeshAndCore& pair, const NearestSearch& search,
+                  MeshQueryMemory& memory) noexcept {
+  return pair.mesh.isClosed() &&
+         isInside(pair.mesh, inverse(pair.core_from_mesh) * search.best.on_b, memory);
+}
+
+void report(const MeshAndCore& pair, const NearestSearch& search, bool is_inside,
+            MeshDistance& answer) noexcept {
+  const double radius = pair.radius;
+  answer.nearest = search.nearest;
+  const double core_distance =
+      std::sqrt(std::min(search.best.squared_distance, search.squared_open));
+  const bool meets = search.best.squared_distance <= radius * radius;
+  if (search.nearest.a != TrianglePair::kNone && (search.isComplete() || (meets && !is_inside))) {
+    answer.measured = swept(coresOf(pair, search, is_inside), 0.0, radius);
+    answer.state = answer.measured.distance > 0.0 ? MeshState::exact : MeshState::overlapping;
+  } else if (is_inside) {
+    answer.measured.distance = -core_distance - radius;
+    answer.state = MeshState::overlapping;
+  } else {
+    answer.measured.distance = core_distance - radius;
+    answer.state = MeshState::lower_bound;
+  }
+}
+
+MeshDistance measureCore(const PlacedMesh& a, const SweptCore& b, const Pose& world_from_b,
+                         MeshQueryMemory& memory, const TrianglePair& start,
+                         const MeshQueryLimits& limits) noexcept {
+  const Pose core_from_mesh = inverse(world_from_b) * a.world_from_mesh;
+  const double size = a.tree.radius() + a.tree.center().norm() + core_from_mesh.translation.norm();
+  const MeshAndCore pair{a.tree, core_from_mesh, b.core, b.radius, kTouchingShare * size};
+  MeshDistance answer;
+  NearestSearch search;
+  const double core_limit = std::max(limits.stop_beyond + b.radius, 0.0);
+  search.best.squared_distance = core_limit * core_limit;
+  if (start.a < a.tree.triangles().size()) {
+    measureTriangle(pair, start.a, search);
+  }
+  searchFrom(pair, limits.visit_budget, memory, search);
+  answer.visits = search.visits;
+  report(pair, search, isCoreInside(pair, search, memory), answer);
+  answer.measured = placed(world_from_b, answer.measured);
+  return answer;
+}
+
+MeshDistance measureHalfSpace(const PlacedMesh& a, const Pose& world_from_half_space) noexcept {
+  const Vector3d normal = -world_from_half_space.rotation.col(2);  // from the mesh down
+  MeshDistance answer;
+  SignedDistance& measured = answer.measured;
+  measured.point_on_a = farthestAlong(a, normal);
+  measured.normal_a_to_b = normal;
+  measured.distance = normal.dot(world_from_half_space.translation - measured.point_on_a);
+  measured.point_on_b = measured.point_on_a + measured.distance * normal;
+  answer.state = measured.distance > 0.0 ? MeshState::exact : MeshState::overlapping;
+  return answer;
+}
+
+}  // namespace
+
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedShape& b, MeshQueryMemory& memory,
+                             const TrianglePair& start, const MeshQueryLimits& limits) noexcept {
+  if (!isFinite(a.world_from_mesh) || !isFinite(b.world_from_shape)) {
+    return {};
+  }
+  const ConvexCore core{ConvexCore::Kind::box, coreHalfExtents(b.shape)};
+  return measureCore(a, {core, radiusOf(b.shape)}, b.world_from_shape, memory, start, limits);
+}
+
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedConvex& b, MeshQueryMemory& memory,
+                             const TrianglePair& start, const MeshQueryLimits& limits) noexcept {
+  if (!isFinite(a.world_from_mesh) || !isFinite(b.world_from_body)) {
+    return {};
+  }
+  const auto measure = [&](const auto& geometry) noexcept {
+    if constexpr (std::is_same_v<decltype(geometry), const HalfSpace&>) {
+      return measureHalfSpace(a, b.world_from_body);
+    } else {
+      return measureCore(a, sweptCoreOf(geometry), b.world_from_body, memory, start, limits);
+    }
+  };
+  return visitHeld(measure, b.geometry);
+}
+
+}  // namespace collision_monitor
