@@ -56,9 +56,15 @@ HWY_INLINE Vector3 select(Truth which, const Vector3& yes, const Vector3& no) {
   return {hn::IfThenElse(which, yes.x, no.x), hn::IfThenElse(which, yes.y, no.y),
           hn::IfThenElse(which, yes.z, no.z)};
 }
-/// Within [-half, half].
+/// Within [-half, half]. One instruction where there is one that takes the smaller of two
+/// magnitudes with the sign of the first number: for half >= 0 the same bytes, signs of zero too.
 HWY_INLINE Number clamped(Number half, Number value) {
+#if HWY_TARGET <= HWY_AVX3
+  constexpr int kSmallerMagnitude = 2;
+  return Number{_mm512_range_pd(value.raw, half.raw, kSmallerMagnitude)};
+#else
   return hn::Max(hn::Neg(half), hn::Min(half, value));
+#endif
 }
 HWY_INLINE Vector3 clamped(const Vector3& half, const Vector3& v) {
   return {clamped(half.x, v.x), clamped(half.y, v.y), clamped(half.z, v.z)};

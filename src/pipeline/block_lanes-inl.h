@@ -85,9 +85,10 @@ HWY_INLINE Truth mayBeNearer(const BodyRows& rows, const BlockPart& part, double
   return hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed)));
 }
 
-/// What the plain twin says of one lane.
+/// What the plain twin says of one lane. Takes the part by value, as `finished` does: if its
+/// address were taken, each block would write it to memory.
 template <class CoreOne, class CoreRow>
-HWY_NOINLINE double plainAt(const BodyRows& rows, const BlockPart& part, std::size_t lane) {
+HWY_NOINLINE double plainAt(const BodyRows& rows, BlockPart part, std::size_t lane) {
   PosedCore a = readCore(CoreOne::kKind, rows.numbers.data() + part.one, rows.stride);
   PosedCore b = readCore(CoreRow::kKind, rows.numbers.data() + part.first + lane, rows.stride);
   if (CoreOne::kKind > CoreRow::kKind) {
@@ -98,7 +99,7 @@ HWY_NOINLINE double plainAt(const BodyRows& rows, const BlockPart& part, std::si
 
 /// Has the plain twin measure the lanes `which`.
 template <class CoreOne, class CoreRow>
-HWY_NOINLINE Number finished(const BodyRows& rows, const BlockPart& part, std::uint32_t which,
+HWY_NOINLINE Number finished(const BodyRows& rows, BlockPart part, std::uint32_t which,
                              Number distance) {
   HWY_ALIGN double distances[kLanes];
   hn::Store(distance, Lanes(), distances);

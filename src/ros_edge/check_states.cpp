@@ -99,10 +99,8 @@ void answerCheckStates(const MonitorSetup& current, const LinkPoses& newest,
     return;
   }
   const std::vector<int> places = placesOf(setup.model, request.joint_names);
-  std::vector<bool> moves;
-  for (const int place : places) {
-    moves.push_back(place >= 0);
-  }
+  std::vector<bool> moves(places.size());
+  std::transform(places.begin(), places.end(), moves.begin(), [](int place) { return place >= 0; });
   StatesWork work = makeStatesWork(setup, standingAs(setup.model, newest, moves));
   const JointPositions positions = positionsOf(request, places, count);
   const StateQuestion question =

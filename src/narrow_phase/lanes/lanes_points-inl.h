@@ -61,14 +61,14 @@ HWY_INLINE LaneParameters closestInLanes(const Vector3& between, const Vector3& 
                                          const Vector3& v, Number half_b) {
   const Number cosine = dot(u, v);
   const Number b_on_a = dot(u, between);
-  const Number a_on_b = hn::Neg(dot(v, between));
+  const Number a_from_b = dot(v, between);  // of B's center; along B, but backwards
   const Number sine_squared = hn::Sub(number(1.0), hn::Mul(cosine, cosine));
   const Truth is_steep = hn::Gt(sine_squared, number(kSteep));
-  Number first = hn::Div(hn::Add(b_on_a, hn::Mul(cosine, a_on_b)), sine_squared);
+  Number first = hn::Div(hn::Sub(b_on_a, hn::Mul(cosine, a_from_b)), sine_squared);
   if (HWY_UNLIKELY(!hn::AllTrue(Lanes(), is_steep))) {
     first = hn::IfThenElse(is_steep, first, firstOfFlat(between, u, half_a, v, half_b));
   }
-  const Number on_b = clamped(half_b, hn::Add(a_on_b, hn::Mul(clamped(half_a, first), cosine)));
+  const Number on_b = clamped(half_b, hn::Sub(hn::Mul(clamped(half_a, first), cosine), a_from_b));
   return {clamped(half_a, hn::Add(b_on_a, hn::Mul(on_b, cosine))), on_b};
 }
 
@@ -95,8 +95,12 @@ HWY_INLINE CoreAnswer coreDistance(const SegmentCore& a, const SegmentCore& b) {
       closestInLanes(between, a.direction, a.half_length, b.direction, b.half_length);
   const Vector3 to_b = along(between, closest.on_b, b.direction);
   const Vector3 way = to_b - scaled(closest.on_a, a.direction);
-  CoreAnswer answer = answerOfWay(along(a.center, closest.on_a, a.direction), way, kNear);
-  if (HWY_UNLIKELY(!isSureEverywhere(answer))) {
+  const Number distance = norm(way);
+  const Vector3 on_a = along(a.center, closest.on_a, a.direction);
+  CoreAnswer answer{distance, on_a, scaled(hn::Div(number(1.0), distance), way)};
+  const Truth is_sure = hn::Gt(distance, number(kNear));
+  if (HWY_UNLIKELY(!hn::AllTrue(Lanes(), is_sure))) {
+    answer.distance = sureWhere(is_sure, distance);
     sureOfCrossings(a, b, closest, way, answer);
   }
   return answer;
