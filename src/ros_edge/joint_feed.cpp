@@ -6,8 +6,9 @@
 
 namespace collision_monitor {
 
-JointFeed::JointFeed(ros::NodeHandle node, JointStore& store, std::function<void()> after_message)
-    : store_(store), after_message_(std::move(after_message)), node_(std::move(node)) {
+JointFeed::JointFeed(const ros::NodeHandle& node, JointStore& store,
+                     std::function<void()> after_message)
+    : store_(store), after_message_(std::move(after_message)), node_(node) {
   node_.setCallbackQueue(&queue_);
 }
 

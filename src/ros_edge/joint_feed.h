@@ -20,7 +20,7 @@ namespace collision_monitor {
 class JointFeed {
  public:
   /// Topics are resolved by `node`. `after_message` is called on the thread that brought it.
-  JointFeed(ros::NodeHandle node, JointStore& store, std::function<void()> after_message);
+  JointFeed(const ros::NodeHandle& node, JointStore& store, std::function<void()> after_message);
 
   /// Listens to these topics, and to no others any more; "" is none. From one thread at a time.
   void listenTo(const std::vector<std::string>& topics);
