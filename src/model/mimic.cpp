@@ -22,8 +22,10 @@ std::optional<ResolvedMimic> resolveOne(const UrdfRobot& robot, const JointsByNa
   const Place here = place.within("joint " + quoted(joint.joint.name));
   const auto found = index_of.find(mimic.source);
   if (found == index_of.end()) {
-    here.addError(joint.line, "mimic of unknown joint " + quoted(mimic.source),
-                  "the name of a <joint> of this robot");
+    // Not refused: robot_state_publisher and MoveIt take the robot, and messages tell where the
+    // joint is.
+    place.within("joint " + quoted(joint.joint.name) + " of " + quoted(mimic.source))
+        .note(Oddity::mimic_of_unknown_joint);
     return std::nullopt;
   }
   const JointType source_type = robot.joints[found->second].joint.type;

@@ -27,6 +27,9 @@ OddityText textOf(Oddity oddity) {
     case Oddity::mimic_of_immovable_joint:
       return {"mimic of a fixed joint",
               "mimic of joints that move; these joints are taken to move by themselves"};
+    case Oddity::mimic_of_unknown_joint:
+      return {"mimic of an unknown joint",
+              "mimic of a <joint> of this robot; these joints are taken to move by themselves"};
     case Oddity::no_limit:
       return {"no limits", "<limit lower upper>; these joints are taken as unlimited"};
     case Oddity::limit_without_range:

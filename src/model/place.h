@@ -18,6 +18,7 @@ enum class Oddity : unsigned char {
   mesh_without_area,
   mimic_on_fixed_joint,
   mimic_of_immovable_joint,
+  mimic_of_unknown_joint,
   no_limit,
   limit_without_range,
   no_speed_limit,

@@ -138,5 +138,18 @@ TEST(UrdfJoint, mimicOfFixedJoint_movesByItselfAndIsAWarning) {
   EXPECT_EQ(read.report.warnings.back().found, "mimic of a fixed joint: joint 'j'");
 }
 
+/// robot_state_publisher and MoveIt take such a robot, too: a gripper often follows a joint that
+/// another description has. tf or joint_states say where the joint is, or it is unknown.
+TEST(UrdfJoint, mimicOfUnknownJoint_movesByItselfAndIsAWarning) {
+  const ReadText read =
+      readJoint("continuous", "<mimic joint='elsewhere' multiplier='-1' offset='0.5'/>");
+  ASSERT_TRUE(read.report.errors.empty());
+  EXPECT_FALSE(jointOf(read).mimic);
+  EXPECT_EQ(read.model.variable_count, 1u);
+  EXPECT_EQ(read.warnings().back(),
+            "test.urdf: mimic of an unknown joint: joint 'j' of 'elsewhere'; accepted: mimic of a "
+            "<joint> of this robot; these joints are taken to move by themselves");
+}
+
 }  // namespace
 }  // namespace collision_monitor
