@@ -53,6 +53,23 @@ std::string PoseReader::explainJoint(const Edge& edge) const {
   }
 }
 
+/// Of a link that tf places, or should. A loop is told alike for all links below it.
+std::string PoseReader::explainMissing(const Edge& edge) const {
+  for (const std::string& frame : {edge.child_frame, edge.parent_frame}) {
+    if (!edge.is_connected && chainAbove(frame).empty()) {
+      std::string text = "transforms lead in a loop: ";
+      const std::vector<std::string> loop = loopAbove(frame);
+      for (const std::string& step : loop) {
+        text += step + " -> ";
+      }
+      return text + loop.front() +
+             ", each to its parent; one of these frames must be sent with another parent, or none";
+    }
+  }
+  return std::string(edge.is_connected ? "no usable" : "no") + " transform from '" +
+         edge.parent_frame + "' to '" + edge.child_frame + "' yet" + refused(store_);
+}
+
 std::string PoseReader::explain(LinkId link) const {
   // The topmost fault is the cause; what is below it inherits it.
   const Edge* cause = nullptr;
@@ -80,8 +97,7 @@ std::string PoseReader::explain(LinkId link) const {
     case LinkStatus::not_finite:
       return "the transform to '" + cause->child_frame + "' is not finite or no rotation";
     default:
-      return std::string(cause->is_connected ? "no usable" : "no") + " transform from '" +
-             cause->parent_frame + "' to '" + cause->child_frame + "' yet" + refused(store_);
+      return explainMissing(*cause);
   }
 }
 

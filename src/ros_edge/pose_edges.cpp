@@ -56,18 +56,37 @@ void PoseReader::refresh() {
   }
 }
 
-/// The frame and what is above it, up to a frame without parent.
+/// "" for a frame without parent.
+std::string PoseReader::parentOf(const std::string& frame) const {
+  const auto place = places_.find(frame);
+  return place == places_.end() ? "" : records_[place->second].parent;
+}
+
+/// The frame and what is above it, up to a frame without parent; empty if that leads in a loop.
 std::vector<std::string> PoseReader::chainAbove(const std::string& frame) const {
-  std::vector<std::string> chain{frame};
-  // A loop in tf would be endless; no chain is longer than there are frames.
-  while (chain.size() <= records_.size()) {
-    const auto place = places_.find(chain.back());
-    if (place == places_.end() || records_[place->second].parent.empty()) {
-      break;
+  std::vector<std::string> chain;
+  for (std::string next = frame; !next.empty(); next = parentOf(next)) {
+    // Of the frames of a chain only the last has no record: one more, and a frame stands twice.
+    if (chain.size() > records_.size()) {
+      return {};
     }
-    chain.push_back(records_[place->second].parent);
+    chain.push_back(next);
   }
   return chain;
+}
+
+/// Each frame of it once, the first by name first. @pre chainAbove(frame) is empty.
+std::vector<std::string> PoseReader::loopAbove(const std::string& frame) const {
+  std::string next = frame;
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    next = parentOf(next);  // after as many steps as there are frames, it is in the loop
+  }
+  std::vector<std::string> loop;
+  for (; loop.empty() || next != loop.front(); next = parentOf(next)) {
+    loop.push_back(next);
+  }
+  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+  return loop;
 }
 
 void PoseReader::connect(Edge& edge) const {
@@ -81,7 +100,9 @@ void PoseReader::connect(Edge& edge) const {
   }
   std::vector<std::string> up = chainAbove(edge.child_frame);
   std::vector<std::string> down = chainAbove(edge.parent_frame);
-  edge.is_connected = up.back() == down.back();
+  // Around a loop, several ways join two frames, and none is the right one.
+  edge.is_connected = edge.child_frame == edge.parent_frame ||
+                      (!up.empty() && !down.empty() && up.back() == down.back());
   if (!edge.is_connected) {
     return;
   }

@@ -27,7 +27,8 @@ struct PoseReaderOptions {
 /// a robot are read at one stamp: the newest that all of them have whose data
 /// are not older than `max_age`. At a link's newest stamp its pose stands in the
 /// store's records. Between two samples tf2 interpolates, unless they are more
-/// than `max_age` apart: the link is stale then. With joint
+/// than `max_age` apart: the link is stale then. Links below a loop of frames are
+/// `missing`. With joint
 /// states, links behind fixed joints and joints with one variable are placed by
 /// the model's kinematics, at the same stamp and by the same rules; tf places
 /// roots and links behind planar and floating joints. Links that only static
@@ -80,7 +81,9 @@ class PoseReader {
   void makeEdges();
   void refresh();
   void connect(Edge& edge) const;
+  std::string parentOf(const std::string& frame) const;
   std::vector<std::string> chainAbove(const std::string& frame) const;
+  std::vector<std::string> loopAbove(const std::string& frame) const;
   void judge(std::int64_t now_ns, Edge& edge) const;
   std::int64_t commonStamp(const Robot& robot) const;
   bool isAllKnown() const;
@@ -92,6 +95,7 @@ class PoseReader {
   bool hasGapAt(const Edge& edge, std::int64_t stamp_ns) const;
   bool placeLinks(LinkPoses& poses) const;
   std::string explainJoint(const Edge& edge) const;
+  std::string explainMissing(const Edge& edge) const;
 
   const RobotModel& model_;
   const TransformStore& store_;

@@ -236,6 +236,44 @@ TEST_F(PoseReaderTest, transformWithoutStamp_isRefused) {
             "no transform from 'base' to 'arm' yet; refused for want of a stamp: 1 transform");
 }
 
+/// Somebody sends the root as a child of the hand: above no frame is a last one.
+TEST_F(PoseReaderTest, loopThroughTheRoot_isNamedOnceForAllLinks) {
+  sendArm(10.0, 0.5);
+  send("hand", "base", 10.0, 0.5);
+  send("base", "arm", 0.0, 0.5);
+  read(10.0);
+  EXPECT_EQ(status("base"), LinkStatus::known) << "it is the world itself";
+  EXPECT_EQ(status("arm"), LinkStatus::missing);
+  EXPECT_EQ(
+      explain("arm"),
+      "transforms lead in a loop: arm -> base -> hand -> wrist -> arm, each to its parent; one "
+      "of these frames must be sent with another parent, or none");
+  EXPECT_EQ(explain("hand"), explain("arm"));
+}
+
+/// base -> mount -> arm, and base below mount: the two ways from the arm to the base differ, and
+/// their lengths by one loop, so both chains end in the same frame.
+TEST_F(PoseReaderTest, loopAboveALinkThatIsNotPartOfIt_isUnknown) {
+  send("base", "mount", 10.0, 0.25);
+  send("mount", "arm", 10.0, 0.25);
+  send("mount", "base", 10.0, 3.0);
+  read(10.0);
+  EXPECT_EQ(status("arm"), LinkStatus::missing) << x("arm");
+  EXPECT_EQ(explain("arm").find("transforms lead in a loop: base -> mount -> base, "), 0u)
+      << explain("arm");
+}
+
+TEST_F(PoseReaderTest, loopThatEnds_isForgotten) {
+  sendArm(10.0, 0.5);
+  send("hand", "base", 10.0, 0.5);
+  read(10.0);
+  ASSERT_EQ(status("hand"), LinkStatus::missing);
+  send("map", "base", 10.1, 0.5);
+  sendArm(10.1, 0.5);
+  read(10.1);
+  EXPECT_EQ(status("hand"), LinkStatus::known);
+}
+
 TEST_F(PoseReaderTest, timeJumpsBack_movingLinksAreMissingUntilNewDataCome) {
   sendStatic("base", "arm", 1.0);
   send("arm", "wrist", 10.0, 0.5);
