@@ -42,6 +42,7 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
   for (std::size_t i = 0; i < halving.ways.size(); ++i) {
     halving.ways[i] = wayOf(search.path, {begin.segment, begin.share, end.share}, i);
   }
+  search.measures.steps += pairs.size();
   halving.open.clear();
   for (const LinkPairIndex pair : pairs) {
     if (!settle(search, pair, begin, end, halving.ways)) {
@@ -61,6 +62,7 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
   middle.segment = begin.segment;
   middle.share = 0.5 * (begin.share + end.share);
   search.poses.place(middle.segment, middle.share, middle.world_from_link);
+  search.measures.steps += middle.world_from_link.size();
   sampleBalls(search, halving.open, middle);
   explore(search, begin, middle, halving.open, depth + 1);
   if (depth < kToldHalvings) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "collision_monitor/model/kinematics.h"
 #include "ros_edge/nearest_name.h"
@@ -50,8 +51,9 @@ std::string fault(const RobotModel& model, const sensor_msgs::JointState& joints
     return "joint '" + name + "' follows '" + model.joint(joint.mimic->source).name +
            "'; name that one";
   }
-  if (!std::isfinite(joints.position[entry])) {
-    return "the position of joint '" + name + "' is not finite";
+  const std::string of_number = numberFault(joints.position[entry]);
+  if (!of_number.empty()) {
+    return "the position of joint '" + name + "' " + of_number;
   }
   return std::count(joints.name.begin(), joints.name.end(), name) > 1
              ? "joint '" + name + "' stands twice"
@@ -73,6 +75,19 @@ NamedPositions readPositions(const RobotModel& model, const sensor_msgs::JointSt
 }
 
 }  // namespace
+
+std::string shortText(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+std::string numberFault(double number) {
+  if (!std::isfinite(number)) {
+    return "is not finite";
+  }
+  return std::abs(number) <= kFarthest ? "" : "is " + shortText(number) + "; accepted: -1e9 to 1e9";
+}
 
 std::vector<std::string> jointFaults(const RobotModel& model,
                                      const sensor_msgs::JointState& joints) {

@@ -6,6 +6,7 @@
 #include <collision_monitor/State.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "collision_monitor/pipeline/check_states.h"
@@ -49,6 +50,7 @@ std::vector<int> placesOf(const RobotModel& model, const std::vector<std::string
   return places;
 }
 
+/// NaN where a number means nothing: the state is unknown then.
 JointPositions positionsOf(const CheckStates::Request& request, const std::vector<int>& places,
                            std::size_t count) {
   JointPositions positions;
@@ -56,7 +58,8 @@ JointPositions positionsOf(const CheckStates::Request& request, const std::vecto
   for (std::size_t state = 0; state < count; ++state) {
     const double* first = request.positions.data() + state * request.joint_names.size();
     for (const int place : places) {
-      positions.push_back(place < 0 ? 0.0 : first[place]);
+      const double position = place < 0 ? 0.0 : first[place];
+      positions.push_back(std::abs(position) <= kFarthest ? position : kNotANumber);
     }
   }
   return positions;

@@ -47,7 +47,7 @@ std::string PoseReader::explainJoint(const Edge& edge) const {
     case LinkStatus::stale:
       return explainAge(edge.age, max_age_, what);
     case LinkStatus::not_finite:
-      return "the position of joint '" + joint.name + "' is not finite";
+      return "the position of joint '" + joint.name + "' is not finite or beyond 1e9";
     default:
       return "no " + what + " yet";
   }
@@ -95,7 +95,8 @@ std::string PoseReader::explain(LinkId link) const {
     case LinkStatus::stale:
       return explainAge(cause->age, max_age_, "transform" + to);
     case LinkStatus::not_finite:
-      return "the transform to '" + cause->child_frame + "' is not finite or no rotation";
+      return "the transform to '" + cause->child_frame +
+             "' is not finite, no rotation or farther than 1e9 m";
     default:
       return explainMissing(*cause);
   }

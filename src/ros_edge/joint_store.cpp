@@ -6,11 +6,19 @@
 #include <cmath>
 #include <iterator>
 
+#include "collision_monitor/geometry/pose.h"
+
 namespace collision_monitor {
 namespace {
 
 double valueOr(const std::vector<double>& values, std::size_t place) {
   return place < values.size() ? values[place] : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// NaN where it means nothing.
+double positionOf(const sensor_msgs::JointState& message, std::size_t place) {
+  const double position = valueOr(message.position, place);
+  return std::abs(position) <= kFarthest ? position : std::numeric_limits<double>::quiet_NaN();
 }
 
 double toSeconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
@@ -63,7 +71,7 @@ void JointStore::accept(const std::string& topic, const sensor_msgs::JointState&
     if (stamp_ns <= newestSampleOf(history).stamp_ns) {
       continue;
     }
-    history.push_back({stamp_ns, valueOr(message.position, i), valueOr(message.velocity, i)});
+    history.push_back({stamp_ns, positionOf(message, i), valueOr(message.velocity, i)});
     // The last one before the history stays: what lies between it and the next is asked for.
     while (history.size() > 1 && history[1].stamp_ns < stamp_ns - history_ns_) {
       history.pop_front();

@@ -15,7 +15,7 @@ using trajectory_msgs::JointTrajectoryPoint;
 
 std::string pointText(std::size_t point) { return "points[" + std::to_string(point) + "]"; }
 
-/// One number a joint, and every number finite.
+/// One number a joint, and every number of use.
 void checkNumbers(const JointTrajectory& trajectory, std::size_t point,
                   const std::vector<double>& numbers, const char* field,
                   std::vector<std::string>& faults) {
@@ -27,8 +27,30 @@ void checkNumbers(const JointTrajectory& trajectory, std::size_t point,
     return;
   }
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (!std::isfinite(numbers[i])) {
-      faults.push_back(where + " of joint '" + trajectory.joint_names[i] + "' is not finite");
+    const std::string fault = numberFault(numbers[i]);
+    if (!fault.empty()) {
+      faults.push_back(where + " of joint '" + trajectory.joint_names[i] + "' " + fault);
+    }
+  }
+}
+
+/// How far cubics swing between two points that may be near each other.
+/// @pre the points have no other faults
+void checkSwings(const JointTrajectory& trajectory, std::vector<std::string>& faults) {
+  const std::vector<JointTrajectoryPoint>& points = trajectory.points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t before = i == 0 ? 0 : i - 1;
+    const std::size_t after = std::min(i + 1, points.size() - 1);
+    const double time =
+        std::max((points[after].time_from_start - points[i].time_from_start).toSec(),
+                 (points[i].time_from_start - points[before].time_from_start).toSec());
+    for (std::size_t k = 0; k < points[i].velocities.size(); ++k) {
+      const double way = std::abs(points[i].velocities[k]) * time;
+      if (way > kFarthest) {
+        faults.push_back(pointText(i) + ".velocities of joint '" + trajectory.joint_names[k] +
+                         "' is " + shortText(points[i].velocities[k]) + ", by which it goes " +
+                         shortText(way) + " until the point next to it; accepted: up to 1e9");
+      }
     }
   }
 }
@@ -53,6 +75,9 @@ std::vector<std::string> findFaults(const JointTrajectory& trajectory) {
       faults.push_back(pointText(i) +
                        ".time_from_start is not later than that of the point before it");
     }
+  }
+  if (faults.empty()) {
+    checkSwings(trajectory, faults);
   }
   return faults;
 }

@@ -24,7 +24,8 @@ bool isUsable(const geometry_msgs::Transform& transform) {
   const auto& t = transform.translation;
   const auto& q = transform.rotation;
   const double norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-  return std::isfinite(t.x) && std::isfinite(t.y) && std::isfinite(t.z) && std::isfinite(norm) &&
+  // NaN is not less than anything.
+  return std::abs(t.x) <= kFarthest && std::abs(t.y) <= kFarthest && std::abs(t.z) <= kFarthest &&
          std::abs(norm - 1.0) < kQuaternionTolerance;
 }
 

@@ -41,6 +41,10 @@ inline bool isFinite(const Pose& pose) noexcept {
   return pose.rotation.allFinite() && pose.translation.allFinite();
 }
 
+/// [m] So far from the origin of their frame poses from outside may be, and [rad] so far joints may
+/// turn: there the last digit is 1e-7, and what is measured beyond means less and less.
+constexpr double kFarthest = 1e9;
+
 /// How far from rigid the poses that come from outside may be: as `tolerance` of isRigid.
 constexpr double kRigid = 1e-6;
 

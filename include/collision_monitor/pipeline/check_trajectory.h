@@ -21,7 +21,8 @@ struct TrajectoryOptions {
   double margin{0.05};
   double resolution{1e-3};  ///< [m] so much nearer than found may a near miss come
   double tolerance{1e-6};   ///< [m] this much beyond contact_distance is contact
-  /// Steps, as RefineLimits::budget.
+  /// Steps, as RefineLimits::budget; each link placed and each pair looked at in a part is one,
+  /// too.
   std::uint64_t budget{std::numeric_limits<std::uint64_t>::max()};
   /// Told the share that is done, which grows, after each way-point and where there is much to do
   /// between two; false ends the search. May be empty.

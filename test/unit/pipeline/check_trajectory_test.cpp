@@ -228,6 +228,16 @@ TEST_F(CheckTrajectoryTest, budgetSpentOrCancelled_undecided) {
   EXPECT_EQ(of(report, "base", "hand").time, 1.0);
 }
 
+/// All that the search does counts, also where links are so far apart that their shapes are never
+/// measured: the hand passes the post at 0.39 m, 16,000 times.
+TEST_F(CheckTrajectoryTest, budgetSpentOnWhatIsFar_undecided) {
+  go({{0.0, 0.0}, {1e5, 0.0}});
+  options_.budget = 100000;
+  const TrajectoryReport report = check();
+  EXPECT_EQ(of(report, "hand", "post").state, ApproachState::undecided);
+  EXPECT_LT(report.steps, 110000U);
+}
+
 TEST_F(CheckTrajectoryTest, cancelledBetweenTwoWaypoints_undecidedFromThereOn) {
   go({{-0.25 * kPi, 0.5 * kPi}, {0.25 * kPi, 0.5 * kPi}});
   options_.progress = [](double) { return false; };

@@ -47,6 +47,19 @@ TEST_F(CheckStatesServiceTest, everyStateIsJudged) {
   EXPECT_EQ(response.message, "4 states: 1 in contact, 1 unknown");
 }
 
+TEST_F(CheckStatesServiceTest, positionBeyondSense_isUnknownHoweverItIsAsked) {
+  request_.joint_names = {"reach"};
+  request_.positions = {1e10, -1e17, 1e155};
+  const std::vector<std::uint8_t> unknown(3, State::UNKNOWN);
+  for (const bool is_contact : {false, true}) {
+    for (const bool is_enclosed : {false, true}) {
+      request_.only_contacts = is_contact ? 1 : 0;
+      request_.enclosing_shapes = is_enclosed ? 1 : 0;
+      EXPECT_EQ(ask().levels, unknown) << is_contact << is_enclosed;
+    }
+  }
+}
+
 TEST_F(CheckStatesServiceTest, jointsThatAreNotNamedStayWhereTheyAre) {
   request_.joint_names = {"slide"};
   request_.positions = {-0.5, 0.05};

@@ -135,5 +135,38 @@ TEST_F(CheckTrajectoryTest, numberThatIsNotFinite_namesJointAndPoint) {
   EXPECT_FALSE(ask().success) << "nothing is named";
 }
 
+/// The way to there is infinite in squares, and what is infinite exceeds what is needed: the way
+/// through the base seemed clear.
+TEST_F(CheckTrajectoryTest, numberBeyondSense_namesJointPointAndWhatIsAccepted) {
+  request_.trajectory.joint_names = {"reach"};
+  addPoint(1.0, 0.25);
+  addPoint(3.0, -1e155);
+  auto response = ask();
+  EXPECT_FALSE(response.success) << response.message;
+  EXPECT_EQ(response.message,
+            "points[1].positions of joint 'reach' is -1e+155; accepted: -1e9 to 1e9");
+  request_.trajectory.points[1].positions = {-1e9};
+  response = ask();
+  EXPECT_EQ(response.level, State::CONTACT) << response.message;
+}
+
+TEST_F(CheckTrajectoryTest, velocityThatLeadsBeyondSense_namesJointPointAndWhatIsAccepted) {
+  request_.trajectory.joint_names = {"reach"};
+  addPoint(1.0, 0.25);
+  addPoint(4.0, -1.25);
+  request_.trajectory.points[0].velocities = {0.0};
+  request_.trajectory.points[1].velocities = {-1e300};
+  auto response = ask();
+  EXPECT_FALSE(response.success) << response.message;
+  EXPECT_EQ(response.message,
+            "points[1].velocities of joint 'reach' is -1e+300; accepted: -1e9 to 1e9");
+  request_.trajectory.points[1].velocities = {-1e9};
+  response = ask();
+  EXPECT_FALSE(response.success) << response.message;
+  EXPECT_EQ(response.message,
+            "points[1].velocities of joint 'reach' is -1e+09, by which it goes 3e+09 until the "
+            "point next to it; accepted: up to 1e9");
+}
+
 }  // namespace
 }  // namespace collision_monitor::test

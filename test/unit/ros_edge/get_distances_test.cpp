@@ -136,6 +136,12 @@ TEST_F(GetDistancesTest, everyFaultIsNamed) {
   }
 }
 
+TEST_F(GetDistancesTest, positionBeyondSense_isRefused) {
+  move("reach", 1e155);  // the square of which is infinite
+  EXPECT_FALSE(ask().success);
+  EXPECT_EQ(ask().message, "the position of joint 'reach' is 1e+155; accepted: -1e9 to 1e9");
+}
+
 TEST_F(GetDistancesTest, namesAndPositionsOfDifferentNumber) {
   request_.joints.name = {"slide", "reach"};
   request_.joints.position = {0.0};

@@ -114,12 +114,22 @@ TEST_F(JointPosesTest, nanPosition_isNotFiniteUntilAGoodOneComes) {
   send(10.0, "reach", std::nan(""));
   read(10.0);
   EXPECT_EQ(status("hand"), LinkStatus::not_finite);
-  EXPECT_EQ(explain("hand"), "the position of joint 'reach' is not finite");
+  EXPECT_EQ(explain("hand"), "the position of joint 'reach' is not finite or beyond 1e9");
   EXPECT_EQ(status("arm"), LinkStatus::known);
   send(10.1, "slide", 0.2);
   send(10.1, "reach", 0.3);
   read(10.1);
   EXPECT_EQ(status("hand"), LinkStatus::known);
+}
+
+TEST_F(JointPosesTest, positionFartherThanNumbersAreFine_isNotFinite) {
+  for (const double position : {1.2e231, -1e17}) {
+    send(10.0, "slide", 0.2);
+    send(10.0, "reach", position);
+    read(10.0);
+    EXPECT_EQ(status("hand"), LinkStatus::not_finite) << position;
+  }
+  EXPECT_EQ(explain("hand"), "the position of joint 'reach' is not finite or beyond 1e9");
 }
 
 TEST_F(JointPosesTest, rootOfAMobileRobot_isPlacedByTf) {

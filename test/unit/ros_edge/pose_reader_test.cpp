@@ -228,6 +228,21 @@ TEST_F(PoseReaderTest, quaternionThatIsNoRotation_isNotFinite) {
   EXPECT_EQ(status("arm"), LinkStatus::not_finite);
 }
 
+/// A number that nobody wrote, say. Of 1e17 m the last digit is 16 m: links that touch could seem
+/// to be apart, and whatever hangs on the frame with them.
+TEST_F(PoseReaderTest, transformFartherThanNumbersAreFine_isNotFinite) {
+  sendArm(10.0, 0.5);
+  send("arm", "wrist", 10.1, -1e17);
+  read(10.1);
+  EXPECT_EQ(status("arm"), LinkStatus::known);
+  EXPECT_EQ(status("hand"), LinkStatus::not_finite);
+  EXPECT_EQ(explain("hand"),
+            "the transform to 'wrist' is not finite, no rotation or farther than 1e9 m");
+  send("arm", "wrist", 10.2, 6.4e6);  // from the middle of the earth
+  read(10.2);
+  EXPECT_EQ(status("hand"), LinkStatus::known);
+}
+
 TEST_F(PoseReaderTest, transformWithoutStamp_isRefused) {
   send("base", "arm", 0.0, 0.5);
   read(10.0);
