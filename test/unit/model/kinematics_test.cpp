@@ -98,7 +98,7 @@ TEST(Kinematics, positionThatIsNotFinite_givesAPoseThatIsNot) {
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     for (const JointType type :
          {JointType::revolute, JointType::continuous, JointType::prismatic}) {
-      EXPECT_FALSE(isFinite(parentFromChild(joint(type, {0.0, 0.6, 0.8}), {position})));
+      EXPECT_FALSE(isFinite(parentFromChild(offsetJoint(type, {0.0, 0.6, 0.8}), {position})));
     }
     EXPECT_FALSE(isFinite(parentFromChild(offsetJoint(JointType::planar, Eigen::Vector3d::UnitZ()),
                                           {0, position, 0})));

@@ -34,7 +34,7 @@ class MeshHulls : public testing::Test {
   std::unique_ptr<MeshQueryMemory> memory_ = std::make_unique<MeshQueryMemory>();
   ConvexWarmStart warm_;
   TrianglePair nearest_;
-  const Pose origin_;
+  const Pose origin_{};
   const Hulled cube_{boxMesh({1, 1, 1})};
   // Bars along x and y, 0.3 m long and 0.1 m thick; their hull runs from (0.3, 0.1) to (0.1, 0.3).
   const Hulled angle_{angleMesh()};
