@@ -8,10 +8,13 @@ import unittest
 
 import rospy
 import rostest
+from std_srvs.srv import Trigger
 
 from collision_monitor.msg import LinkDistance, State
 from collision_monitor.srv import GetDistances
 from monitor_probe import JointSource, Probe
+
+IGNORE_PAIRS = "/collision_monitor/ignore_pairs"
 
 
 class TwoRobots(unittest.TestCase):
@@ -53,6 +56,32 @@ class TwoRobots(unittest.TestCase):
         self.assertEqual(len(answer.distances.pairs), 1)
         # Edges of 0.1 m, centres 0.24 m apart.
         self.assertAlmostEqual(answer.distances.pairs[0].distance, 0.14, places=6)
+
+    def test_pairThatIgnorePairsNames_isLeftOutWhileItDoes(self):
+        rospy.wait_for_service("/collision_monitor/reload", timeout=20.0)
+        reload = rospy.ServiceProxy("/collision_monitor/reload", Trigger)
+        get_distances = rospy.ServiceProxy("/collision_monitor/get_distances", GetDistances)
+        self.probe.wait_for_distance(0.04)
+        try:
+            rospy.set_param(IGNORE_PAIRS, [["left/box_a", "rigth/*"]])
+            answer = reload()
+            self.assertFalse(answer.success)
+            self.assertIn("ignore_pairs", answer.message)
+            self.assertIn("'rigth/*'", answer.message)
+            self.probe.wait_for_distance(0.04)  # nothing was changed
+            rospy.set_param(IGNORE_PAIRS, [["left/box_a", "right/box_?"]])
+            answer = reload()
+            self.assertTrue(answer.success, answer.message)
+            # Left are the boxes b, beside each other, and box a of the right, farther from them.
+            self.probe.wait_for_distance(0.14)
+            answer = get_distances(links_a=["left/box_a"], links_b=["right/box_a"])
+            self.assertFalse(answer.success)
+            self.assertIn("left/box_a and right/box_a (ignored: parameter ignore_pairs)", answer.message)
+        finally:
+            if rospy.has_param(IGNORE_PAIRS):
+                rospy.delete_param(IGNORE_PAIRS)
+            reload()
+        self.probe.wait_for_distance(0.04)
 
 
 if __name__ == "__main__":
