@@ -5,6 +5,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "collision_monitor/model/xml_declaration.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -80,7 +82,8 @@ const XMLElement* parseRobotXml(const std::string& text, const std::string& kind
     place.addError(0, kind + " with a zero byte", accepted);
     return nullptr;
   }
-  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+  const std::string xml = withoutLateDeclaration(text);
+  if (document.Parse(xml.data(), xml.size()) != tinyxml2::XML_SUCCESS) {
     place.addError(document.ErrorLineNum(), "XML that cannot be parsed: " + reasonOf(document),
                    accepted);
     return nullptr;

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "collision_monitor/geometry/rpy.h"
+#include "collision_monitor/model/xml_declaration.h"
 
 namespace collision_monitor::fit_tool {
 namespace {
@@ -186,7 +187,8 @@ std::string writeUrdf(const std::string& urdf_xml, const std::vector<LinkShapes>
     shapes_of[link.link] = &link.shapes;
   }
   tinyxml2::XMLDocument document;
-  document.Parse(urdf_xml.c_str(), urdf_xml.size());
+  const std::string xml = withoutLateDeclaration(urdf_xml);
+  document.Parse(xml.c_str(), xml.size());
   for (XMLElement* link = document.RootElement()->FirstChildElement("link"); link != nullptr;
        link = link->NextSiblingElement("link")) {
     const auto found = shapes_of.find(nameOf(*link));

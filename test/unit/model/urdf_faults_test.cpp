@@ -216,6 +216,18 @@ TEST(UrdfFaults, trees) {
   });
 }
 
+/// Some licences stand before the declaration. XML has nothing before it; urdfdom takes it.
+TEST(UrdfFaults, declarationBehindComments_isNoFault) {
+  const std::string late = "<!-- licence -->\n<!-- of\nours -->\n<?xml version='1.0' ?>\n";
+  const ReadText read = readText(late + robotXml(linkXml("a", "<sphere radius='1'/>")));
+  EXPECT_TRUE(read.report.errors.empty()) << read.report.errors.front().found;
+  EXPECT_TRUE(read.model.findLink("a"));
+  const ReadText bad = readText(late + "<robot name='r'>\n<link/></robot>");
+  ASSERT_FALSE(bad.report.errors.empty());
+  EXPECT_EQ(bad.report.errors.front().where.substr(0, 16), "test.urdf line 6") << "lines stay";
+  EXPECT_FALSE(readText("<robot name='r'>\n<?xml version='1.0' ?></robot>").report.errors.empty());
+}
+
 TEST(UrdfFaults, joints) {
   const std::string links = "<link name='a'/><link name='b'/>\n";
   const std::string at = "test.urdf line 3, joint 'j': ";
