@@ -193,7 +193,12 @@ int main(int argc, char** argv) {
     return 2;
   }
   const ros::NodeHandle keeps_ros_running;
-  collision_monitor::bench::run(argv[1], argv[2], std::strtod(argv[3], nullptr),
-                                {argv + 4, argv + argc});
-  return 0;
+  try {
+    collision_monitor::bench::run(argv[1], argv[2], std::strtod(argv[3], nullptr),
+                                  {argv + 4, argv + argc});
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "node_bench: %s\n", error.what());
+    return 1;
+  }
 }

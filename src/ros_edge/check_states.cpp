@@ -30,7 +30,9 @@ std::size_t countStates(const RobotModel& model, const CheckStates::Request& req
   }
   if (joints == 0) {
     faults.emplace_back("joint_names is empty; name the joints that move");
-  } else if (request.positions.empty() || request.positions.size() % joints != 0) {
+    return 0;
+  }
+  if (request.positions.empty() || request.positions.size() % joints != 0) {
     faults.push_back("positions has " + std::to_string(request.positions.size()) + " values for " +
                      std::to_string(joints) + " joints; give one for each joint of each state");
   }
