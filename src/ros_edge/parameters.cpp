@@ -4,6 +4,9 @@
 
 #include <ros/names.h>
 
+#include <array>
+#include <string>
+
 #include "ros_edge/parameter_struct.h"
 
 namespace collision_monitor {
@@ -65,6 +68,9 @@ RobotSource readRobot(const XmlRpcValue& values, const std::string& where, Setup
   fields.read("tf_prefix", robot.tf_prefix);
   readTopic(fields, "joint_states", robot.joint_states, report);
   fields.refuseOthers();
+  if (values.getType() != XmlRpcValue::TypeStruct) {
+    return robot;  // that was told, and the rest would only follow from it
+  }
   if (robot.description.empty() == robot.file.empty()) {
     report.errors.push_back({where, robot.file.empty() ? "no source" : "two sources",
                              "either 'description' (a parameter's name) or 'file'"});
@@ -100,15 +106,21 @@ std::vector<RobotSource> readRobotList(const XmlRpcValue& values, const std::str
 }
 
 NamedPair readPair(const XmlRpcValue& value, const std::string& where, SetupReport& report) {
-  const bool is_pair = value.getType() == XmlRpcValue::TypeArray && value.size() == 2 &&
-                       value[0].getType() == XmlRpcValue::TypeString &&
-                       value[1].getType() == XmlRpcValue::TypeString;
-  if (!is_pair) {
+  if (value.getType() != XmlRpcValue::TypeArray || value.size() != 2) {
     report.errors.push_back(
         {"parameter " + where, toText(value), "a list of two names of links or patterns"});
     return {};
   }
-  return {static_cast<std::string>(value[0]), static_cast<std::string>(value[1])};
+  std::array<std::string, 2> names;
+  for (int i = 0; i < 2; ++i) {
+    if (value[i].getType() == XmlRpcValue::TypeString) {
+      names.at(static_cast<std::size_t>(i)) = static_cast<std::string>(value[i]);
+    } else {  // YAML reads the name 7 as a number
+      report.errors.push_back({"parameter " + where + "[" + std::to_string(i) + "]",
+                               toText(value[i]), "a name of a link or a pattern, in quotes"});
+    }
+  }
+  return {names[0], names[1]};
 }
 
 std::vector<NamedPair> readPairs(const XmlRpcValue& values, const std::string& where,

@@ -71,10 +71,20 @@ TEST(Parameters, ignoredPairs_areReadAndChecked) {
   values["ignore_pairs"][2][0] = "table";
   values["ignore_pairs"][2][1] = 7;
   EXPECT_EQ(faults(values), (std::set<std::string>{"parameter /m/ignore_pairs[1]",
-                                                   "parameter /m/ignore_pairs[2]"}));
+                                                   "parameter /m/ignore_pairs[2][1]"}));
   XmlRpcValue no_list;
   no_list["ignore_pairs"] = "table";
   EXPECT_EQ(faults(no_list), (std::set<std::string>{"parameter /m/ignore_pairs"}));
+}
+
+TEST(Parameters, robotThatIsNoStruct_isOneFault) {
+  XmlRpcValue values;
+  values["robots"][0] = 5;
+  SetupReport report;
+  readParameters(values, "/m", report);
+  ASSERT_EQ(report.errors.size(), 1u);
+  EXPECT_EQ(toString(report.errors.front()),
+            "parameter /m/robots[0]: 5; accepted: a struct of named parameters");
 }
 
 TEST(Parameters, lookAhead_isReadAndChecked) {
