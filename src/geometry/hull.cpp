@@ -127,38 +127,41 @@ std::size_t ConvexHull::cellOf(const Eigen::Vector3d& direction) const noexcept 
          rowOf(direction[(axis + 2) % 3]);
 }
 
-std::uint32_t ConvexHull::stepUp(const Eigen::Vector3d& direction,
-                                 std::uint32_t from) const noexcept {
-  const Eigen::Vector3d& here = vertices_[from];
-  std::uint32_t best = from;
+ConvexHull::Look ConvexHull::lookAround(const Eigen::Vector3d& direction,
+                                        std::uint32_t from) const noexcept {
   // Summed as those of the fans are, so that a climb cannot go in a circle.
-  double farthest = direction.x() * here.x() + direction.y() * here.y() + direction.z() * here.z();
+  const double reach = along(direction, vertices_[from]);
+  double beside = -std::numeric_limits<double>::infinity();
+  double farthest = reach;
+  std::uint32_t next = from;
   for (const Fan& fan : fansOf(from)) {
     const Eigen::Array<double, Fan::kSize, 1> reaches = fan.reaches(direction);
     const double most = reaches.maxCoeff();
     if (most > farthest) {
       farthest = most;
-      best = fan.vertex[static_cast<std::size_t>(
+      next = fan.vertex[static_cast<std::size_t>(
           std::find(reaches.data(), reaches.data() + Fan::kSize, most) - reaches.data())];
     }
+    beside = most > beside ? most : beside;
   }
-  return best;
+  return {{from, reach, beside}, next};
 }
 
-std::uint32_t ConvexHull::climb(const Eigen::Vector3d& direction,
-                                std::uint32_t start) const noexcept {
-  std::uint32_t at = stepUp(direction, start);
-  if (at == start) {
-    return start;
+ConvexHull::Extreme ConvexHull::climb(const Eigen::Vector3d& direction,
+                                      std::uint32_t start) const noexcept {
+  Look look = lookAround(direction, start);
+  if (look.next == start) {
+    return look.here;
   }
+  std::uint32_t at = look.next;
   if (rows_ > 0) {
     const std::uint32_t mapped = farthest_[cellOf(direction)];
     at = direction.dot(vertices_[mapped]) > direction.dot(vertices_[at]) ? mapped : at;
   }
-  for (std::uint32_t next = stepUp(direction, at); next != at; next = stepUp(direction, at)) {
-    at = next;
+  for (look = lookAround(direction, at); look.next != at; look = lookAround(direction, at)) {
+    at = look.next;
   }
-  return at;
+  return look.here;
 }
 
 std::uint32_t ConvexHull::lookAtAll(const Eigen::Vector3d& direction) const noexcept {

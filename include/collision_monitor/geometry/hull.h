@@ -131,29 +131,34 @@ class ConvexHull {
   /// @pre `start` names a vertex.
   std::uint32_t supportVertex(const Eigen::Vector3d& direction,
                               std::uint32_t start) const noexcept {
-    return climbs_ ? climb(direction, start) : lookAtAll(direction);
+    return climbs_ ? climb(direction, start).vertex : lookAtAll(direction);
   }
 
   /// A vertex that is farthest in `direction`, and by how much; `start` as in supportVertex. Of
   /// vertices that are, `start` itself is preferred.
   /// Error: climbs in small hulls too, see supportVertex.
   Extreme extreme(const Eigen::Vector3d& direction, std::uint32_t start) const noexcept {
-    Extreme found{start, along(direction, vertices_[start]), reachBeside(direction, start)};
-    if (found.beside > found.reach || !canClimb()) {
-      found.vertex = canClimb() ? climb(direction, start) : lookAtAll(direction);
-      found.reach = along(direction, vertices_[found.vertex]);
-      found.beside = reachBeside(direction, found.vertex);
+    if (canClimb()) {
+      return climb(direction, start);
     }
-    return found;
+    const std::uint32_t farthest = lookAtAll(direction);
+    return {farthest, along(direction, vertices_[farthest]),
+            -std::numeric_limits<double>::infinity()};
   }
 
  private:
+  // A vertex, and the one of its fans to go on to; itself where none is farther.
+  struct Look {
+    Extreme here;
+    std::uint32_t next;
+  };
+
   void addRings(const std::vector<std::vector<std::uint32_t>>& rings);
   void addFans(const std::vector<std::vector<std::uint32_t>>& neighbours);
   void mapDirections();
   std::size_t cellOf(const Eigen::Vector3d& direction) const noexcept;
-  std::uint32_t stepUp(const Eigen::Vector3d& direction, std::uint32_t from) const noexcept;
-  std::uint32_t climb(const Eigen::Vector3d& direction, std::uint32_t start) const noexcept;
+  Look lookAround(const Eigen::Vector3d& direction, std::uint32_t from) const noexcept;
+  Extreme climb(const Eigen::Vector3d& direction, std::uint32_t start) const noexcept;
   std::uint32_t lookAtAll(const Eigen::Vector3d& direction) const noexcept;
 
   // What every search reads stands together.
