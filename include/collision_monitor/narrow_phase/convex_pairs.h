@@ -19,9 +19,9 @@ struct ConvexQuery {
 };
 
 /// Measures `count` pairs: answers[i] is what signedDistanceBetween gives for queries[i], to the
-/// last bit, and leaves the same for the next search. Polytopes that are nearest where they were in
-/// the last one are proven several at once: a robot of hulls takes about 0.7 of the time, see
-/// docs/performance.md. Pairs with a cylinder and those that overlap gain nothing.
+/// last bit, and leaves the same for the next search. Pairs that are nearest where they were in the
+/// last one are proven several at once: polytopes, and cylinders beside a corner or an edge, a
+/// sphere or the rim of another cylinder; see docs/performance.md. Pairs that overlap gain nothing.
 ///
 /// Frames, sign, errors and limits: as signedDistanceBetween, without ConvexSearch::enough.
 /// @pre no two queries share a warm start; poses are rigid if they are finite.

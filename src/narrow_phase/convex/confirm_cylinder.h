@@ -15,8 +15,11 @@ namespace collision_monitor {
 /// their sides.
 /// Source: derivatives of the nearest point of a convex set by Rockafellar, Wets, "Variational
 /// Analysis" (1998), chapter 13; for a cylinder they follow from its coordinates.
-/// @pre one core at least is a cylinder, and the last search found something.
+/// @pre one core at least is a cylinder.
 std::optional<ConfirmedDistance> confirmCylinder(const PlacedCore& a, const PlacedCore& b,
                                                  ConvexWarmStart& warm) noexcept;
+
+/// Whether a point of a cylinder, in its frame, is on one of its two rims.
+bool isOnRim(const Eigen::Vector3d& point, const Eigen::Vector3d& half_extents) noexcept;
 
 }  // namespace collision_monitor

@@ -101,11 +101,11 @@ std::optional<ConfirmedDistance> confirmCorners(const PlacedPair& pair,
 
 std::optional<ConfirmedDistance> confirmNearest(const PlacedCore& a, const PlacedCore& b,
                                                 ConvexWarmStart& warm) noexcept {
-  if (warm.size == 0 || warm.size > 3) {
-    return std::nullopt;
-  }
   if (isSmooth(a.core) || isSmooth(b.core)) {
     return confirmCylinder(a, b, warm);
+  }
+  if (warm.size == 0 || warm.size > 3) {
+    return std::nullopt;
   }
   const PlacedPair pair = makePlacedPair(a, b);
   return warm.inside_faces > 0 ? confirmDepth(pair, warm) : confirmCorners(pair, warm);

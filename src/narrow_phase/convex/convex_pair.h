@@ -30,6 +30,11 @@ inline bool isSmooth(const ConvexCore& core) noexcept {
   return core.kind == ConvexCore::Kind::cylinder;
 }
 
+/// The core of a sphere.
+inline bool isPoint(const ConvexCore& core) noexcept {
+  return core.kind == ConvexCore::Kind::box && core.half_extents.isZero(0.0);
+}
+
 /// [m] radius about the core's origin that holds it.
 inline double reachOf(const ConvexCore& core) noexcept {
   switch (core.kind) {

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
 #include <cmath>
-#include <type_traits>
 
-#include "collision_monitor/geometry/visit_held.h"
 #include "collision_monitor/narrow_phase/convex_pairs.h"
 #include "narrow_phase/convex/convex_core.h"
+#include "narrow_phase/convex/cylinder_pairs.h"
 #include "narrow_phase/convex/flat_contact.h"
 #include "narrow_phase/convex/proof_rows.h"
 #include "narrow_phase/convex/support_plane.h"
@@ -32,35 +31,12 @@ void measureAlone(std::size_t i, const Work& work) noexcept {
       signedDistanceBetween(*query.a, *query.world_from_a, *query.b, *query.world_from_b, search);
 }
 
-// Returns false for what has no corners, or no fans to look at.
-bool fillSide(const ConvexGeometry& geometry, const Pose& world_from_core, std::uint32_t vertex,
-              ProofSide& side, double& reach) noexcept {
-  side.world_from_core = world_from_core.rotation.data();
-  side.vertex = vertex;
-  if (const auto* hull = std::get_if<ConvexHull>(&geometry)) {
-    side.hull = hull;
-    side.radius = 0.0;
-    reach = hull->boundingRadius();
-    return hull->canClimb();
-  }
-  const auto fill = [&](const auto& held) noexcept {
-    if constexpr (std::is_same_v<decltype(held), const HalfSpace&>) {
-      return false;
-    } else {
-      const auto [core, radius] = sweptCoreOf(held);
-      const Eigen::Vector3d& half = core.half_extents;
-      side.hull = nullptr;
-      side.half_extents = {half.x(), half.y(), half.z()};
-      side.radius = radius;
-      reach = reachOf(core);
-      return !isSmooth(core);
-    }
-  };
-  return visitHeld(fill, geometry);
-}
-
 bool isHull(const ConvexGeometry& geometry) noexcept {
   return std::holds_alternative<ConvexHull>(geometry);
+}
+
+bool isCylinder(const ConvexGeometry& geometry) noexcept {
+  return std::holds_alternative<Cylinder>(geometry);
 }
 
 // Returns false for pairs that are measured in another way.
@@ -155,31 +131,75 @@ void answerRows(std::size_t corners, ProofRows& rows, const Work& work) noexcept
   rows.count = 0;
 }
 
+void answerRows(FollowedFeature followed, CylinderRows& rows, const Work& work) noexcept {
+  if (rows.count == 0) {
+    return;
+  }
+  proveCylinderRows(followed, rows);
+  for (std::size_t row = 0; row < rows.count; ++row) {
+    const std::size_t i = rows.query[row];
+    if (std::isnan(rows.at[foot::distance][row])) {
+      measureAlone(i, work);
+    } else {
+      answerCylinderRow(followed, row, rows, work.queries[i], work.answers[i]);
+    }
+  }
+  rows.count = 0;
+}
+
+// Counts the row that was filled; rows that are full are answered.
+template <class Kind, class Rows>
+void takeRow(std::size_t i, Kind kind, Rows& rows, const Work& work) noexcept {
+  rows.query[rows.count++] = i;
+  if (rows.count == kProofRows) {
+    answerRows(kind, rows, work);
+  }
+}
+
+struct AllRows {
+  RowsByCorners by_corners;
+  RowsByFeature by_feature;
+};
+
+void measure(std::size_t i, AllRows& rows, const Work& work) noexcept {
+  const ConvexQuery& query = work.queries[i];
+  if (isCylinder(*query.a) || isCylinder(*query.b)) {
+    if (const auto followed = fillCylinderRow(query, rows.by_feature)) {
+      takeRow(i, *followed, rows.by_feature[static_cast<std::size_t>(*followed)], work);
+      return;
+    }
+  }
+  const std::size_t corners = query.warm->size;
+  const bool overlapped = query.warm->inside_faces > 0;
+  if (corners == 0 || corners > rows.by_corners.size() || overlapped ||
+      !fillRow(query, rows.by_corners[corners - 1])) {
+    measureAlone(i, work);
+    return;
+  }
+  takeRow(i, corners, rows.by_corners[corners - 1], work);
+}
+
 }  // namespace
 
 void signedDistancesBetween(const ConvexQuery* queries, std::size_t count,
                             ConvexWorkspace& workspace, ConvexDistance* answers) noexcept {
   const Work work{queries, workspace, answers};
-  RowsByCorners by_corners;
-  for (ProofRows& rows : by_corners) {
-    rows.count = 0;
+  AllRows rows;
+  for (ProofRows& of_corners : rows.by_corners) {
+    of_corners.count = 0;
+  }
+  for (CylinderRows& of_feature : rows.by_feature) {
+    of_feature.count = 0;
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t corners = queries[i].warm->size;
-    const bool overlapped = queries[i].warm->inside_faces > 0;
-    if (corners == 0 || corners > by_corners.size() || overlapped ||
-        !fillRow(queries[i], by_corners[corners - 1])) {
-      measureAlone(i, work);
-      continue;
-    }
-    ProofRows& rows = by_corners[corners - 1];
-    rows.query[rows.count++] = i;
-    if (rows.count == kProofRows) {
-      answerRows(corners, rows, work);
-    }
+    measure(i, rows, work);
   }
-  for (std::size_t corners = 1; corners <= by_corners.size(); ++corners) {
-    answerRows(corners, by_corners[corners - 1], work);
+  for (std::size_t corners = 1; corners <= rows.by_corners.size(); ++corners) {
+    answerRows(corners, rows.by_corners[corners - 1], work);
+  }
+  for (const auto followed :
+       {FollowedFeature::corner, FollowedFeature::edge, FollowedFeature::rim}) {
+    answerRows(followed, rows.by_feature[static_cast<std::size_t>(followed)], work);
   }
 }
 

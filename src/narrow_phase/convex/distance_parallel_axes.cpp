@@ -10,10 +10,6 @@
 namespace collision_monitor {
 namespace {
 
-bool isPoint(const ConvexCore& core) noexcept {
-  return core.kind == ConvexCore::Kind::box && core.half_extents.isZero(0.0);
-}
-
 // Middle of what the intervals |x| <= half_a and |x - center| <= half_b share, or of the gap
 // between them seen from the first.
 double sharedMiddle(double half_a, double half_b, double center) noexcept {

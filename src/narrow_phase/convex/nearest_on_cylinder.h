@@ -4,7 +4,13 @@
 
 #include <Eigen/Core>
 
+/// Every number is summed in the order of lanes, so that cylinder_lanes-inl.h finds the same to the
+/// last bit.
 namespace collision_monitor {
+
+constexpr int kMaxFootSteps = 12;
+/// Of Newton's method: the step after one as small as this would be its square.
+constexpr double kLastFootStep = 1e-8;
 
 /// A point outside of a solid cylinder and its nearest point there, in the cylinder's frame.
 struct CylinderFoot {

@@ -5,8 +5,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
-#include "collision_monitor/geometry/hull.h"
+#include "collision_monitor/geometry/visit_held.h"
+#include "collision_monitor/narrow_phase/convex_distance.h"
+#include "narrow_phase/convex/convex_core.h"
 
 /// Polytopes apart, many pairs at once, each nearest at the corners of its last search: the first
 /// step of confirmNearest in columns. Every row does what the plain step does, in the same order.
@@ -14,7 +17,7 @@ namespace collision_monitor {
 
 constexpr std::size_t kProofRows = 32;
 
-/// What a row reads of one of its two cores, a hull or a box.
+/// What a row reads of one of its two cores, a hull or a box; of a cylinder its pose alone.
 struct ProofSide {
   const double* world_from_core;       ///< rotation, column by column, and translation
   const ConvexHull* hull;              ///< none: a box
@@ -22,6 +25,34 @@ struct ProofSide {
   double radius;                       ///< [m] that sweeps the core
   std::uint32_t vertex;                ///< of a hull: where the climb starts, and where it ended
 };
+
+/// Fills the side of a geometry and how far its core reaches.
+/// @return false for what has no corners, or no fans to look at.
+inline bool fillSide(const ConvexGeometry& geometry, const Pose& world_from_core,
+                     std::uint32_t vertex, ProofSide& side, double& reach) noexcept {
+  side.world_from_core = world_from_core.rotation.data();
+  side.vertex = vertex;
+  if (const auto* hull = std::get_if<ConvexHull>(&geometry)) {
+    side.hull = hull;
+    side.radius = 0.0;
+    reach = hull->boundingRadius();
+    return hull->canClimb();
+  }
+  const auto fill = [&](const auto& held) noexcept {
+    if constexpr (std::is_same_v<decltype(held), const HalfSpace&>) {
+      return false;
+    } else {
+      const auto [core, radius] = sweptCoreOf(held);
+      const Eigen::Vector3d& half = core.half_extents;
+      side.hull = nullptr;
+      side.half_extents = {half.x(), half.y(), half.z()};
+      side.radius = radius;
+      reach = reachOf(core);
+      return !isSmooth(core);
+    }
+  };
+  return visitHeld(fill, geometry);
+}
 
 /// Columns of ProofRows, of the cores. World frame where nothing else is said.
 namespace proof {

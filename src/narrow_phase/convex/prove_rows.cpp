@@ -6,44 +6,19 @@
 #include "hwy/foreach_target.h"
 // The order matters: Highway first includes this file once for each target.
 #include <algorithm>
-#include <limits>
 
-#include "geometry/turn_rows-inl.h"
 #include "narrow_phase/convex/nearest_lanes-inl.h"
-#include "narrow_phase/convex/proof_rows.h"
-#include "narrow_phase/convex/support_plane.h"
+#include "narrow_phase/convex/proof_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// Rows in lanes, from `first` on; the last row stands for those beyond it.
-struct RowLanes {
-  const ProofRows& rows;
-  std::size_t first;
-
-  HWY_INLINE std::size_t row(std::size_t lane) const {
-    return std::min(first + lane, rows.count - 1);
-  }
+/// ConvexWarmStart::ends of rows.
+struct LaneEnds {
+  const std::array<const double*, kProofRows>& of;
+  RowLanes lanes;
 };
-
-struct PlacedAxes {
-  Axes axes;
-  Vector3 origin;
-};
-
-HWY_INLINE PlacedAxes placeOf(const std::array<ProofSide, kProofRows>& sides,
-                              const RowLanes& lanes) {
-  const auto four = [&](std::size_t from) HWY_ATTR {
-    return turnRows([&](std::size_t lane)
-                        HWY_ATTR { return sides[lanes.row(lane)].world_from_core + from; });
-  };
-  const FourNumbers a = four(0);
-  const FourNumbers b = four(4);
-  const FourNumbers c = four(8);
-  return {{{a.at[0], a.at[1], a.at[2]}, {a.at[3], b.at[0], b.at[1]}, {b.at[2], b.at[3], c.at[0]}},
-          {c.at[1], c.at[2], c.at[3]}};
-}
 
 struct LanePair {
   PlacedAxes a, b;
@@ -51,10 +26,10 @@ struct LanePair {
 };
 
 /// The corners `i` of the last search where they are now, as place() of support_plane.h.
-HWY_INLINE LaneCorners cornersAt(std::size_t i, const LanePair& pair, const RowLanes& lanes) {
+HWY_INLINE LaneCorners cornersAt(std::size_t i, const LanePair& pair, const LaneEnds& ends) {
   const auto four = [&](std::size_t from) HWY_ATTR {
     return turnRows([&](std::size_t lane)
-                        HWY_ATTR { return lanes.rows.ends[lanes.row(lane)] + 6 * i + from; });
+                        HWY_ATTR { return ends.of[ends.lanes.row(lane)] + 6 * i + from; });
   };
   const FourNumbers head = four(0);
   const FourNumbers tail = four(2);
@@ -64,49 +39,29 @@ HWY_INLINE LaneCorners cornersAt(std::size_t i, const LanePair& pair, const RowL
 }
 
 template <std::size_t kCorners>
-HWY_INLINE LaneNearest nearestOf(const LanePair& pair, const RowLanes& lanes) {
-  const LaneCorners first = cornersAt(0, pair, lanes);
+HWY_INLINE LaneNearest nearestOf(const LanePair& pair, const LaneEnds& ends) {
+  const LaneCorners first = cornersAt(0, pair, ends);
   if constexpr (kCorners == 1) {
     return nearestInside(pair.a.origin, first);
   } else if constexpr (kCorners == 2) {
-    return nearestInside(pair.a.origin, first, cornersAt(1, pair, lanes));
+    return nearestInside(pair.a.origin, first, cornersAt(1, pair, ends));
   } else {
-    return nearestInside(pair.a.origin, first, cornersAt(1, pair, lanes),
-                         cornersAt(2, pair, lanes));
+    return nearestInside(pair.a.origin, first, cornersAt(1, pair, ends), cornersAt(2, pair, ends));
   }
-}
-
-HWY_INLINE void store(Number value, std::size_t column, std::size_t row, ProofRows& rows) {
-  hn::Store(value, Lanes(), &rows.at[column][row]);
-}
-
-HWY_INLINE void store(const Vector3& v, std::size_t column, std::size_t row, ProofRows& rows) {
-  store(v.x, column, row, rows);
-  store(v.y, column + 1, row, rows);
-  store(v.z, column + 2, row, rows);
-}
-
-HWY_INLINE Number load(std::size_t column, std::size_t row, const ProofRows& rows) {
-  return hn::Load(Lanes(), &rows.at[column][row]);
-}
-
-HWY_INLINE Number distanceWhere(Truth is_known, Number distance) {
-  return hn::IfThenElse(is_known, distance, number(std::numeric_limits<double>::quiet_NaN()));
 }
 
 /// Distance, point and normal by the corners, as normalOf and stepToNearest.
 template <std::size_t kCorners>
 HWY_INLINE void placeLanes(std::size_t row, ProofRows& rows) {
-  const RowLanes lanes{rows, row};
+  const RowLanes lanes{rows.count, row};
   LanePair pair{placeOf(rows.a, lanes), placeOf(rows.b, lanes), {}};
   pair.between = pair.b.origin - pair.a.origin;
-  const LaneNearest nearest = nearestOf<kCorners>(pair, lanes);
+  const LaneNearest nearest = nearestOf<kCorners>(pair, {rows.ends, lanes});
   const Number sense = signOf(dot(nearest.outward, nearest.point));
   const Vector3 normal = scaled(hn::Div(sense, norm(nearest.outward)), nearest.outward);
   const Number distance = dot(normal, nearest.point);
   const Number size = hn::Add(load(proof::size, row, rows), sumOf(absolute(pair.between)));
-  const Number touching = hn::Max(number(kTouching), hn::Mul(number(roundingOf(1.0)), size));
-  const Truth is_apart = hn::And(nearest.is_inside, hn::Gt(distance, touching));
+  const Truth is_apart = hn::And(nearest.is_inside, hn::Gt(distance, touchingDistanceOf(size)));
   store(distanceWhere(is_apart, distance), proof::distance, row, rows);
   store(nearest.on_a, proof::point_on_a, row, rows);
   store(normal, proof::normal, row, rows);
@@ -116,45 +71,13 @@ HWY_INLINE void placeLanes(std::size_t row, ProofRows& rows) {
   store(negated(into(pair.b.axes, normal)), proof::direction_in_b, row, rows);
 }
 
-using OfFan = hn::CappedTag<double, ConvexHull::Fan::kSize>;
-
-/// ConvexHull::reachBeside.
-HWY_INLINE double reachBeside(const ConvexHull::Fans& fans, const Eigen::Vector3d& direction) {
-  const auto x = hn::Set(OfFan(), direction.x());
-  const auto y = hn::Set(OfFan(), direction.y());
-  const auto z = hn::Set(OfFan(), direction.z());
-  auto most = hn::Set(OfFan(), -std::numeric_limits<double>::infinity());
-  for (const ConvexHull::Fan& fan : fans) {
-    for (std::size_t i = 0; i < ConvexHull::Fan::kSize; i += hn::Lanes(OfFan())) {
-      const auto of_xy = hn::Add(hn::Mul(x, hn::LoadU(OfFan(), fan.x.data() + i)),
-                                 hn::Mul(y, hn::LoadU(OfFan(), fan.y.data() + i)));
-      most = hn::Max(most, hn::Add(of_xy, hn::Mul(z, hn::LoadU(OfFan(), fan.z.data() + i))));
-    }
-  }
-  return hn::GetLane(hn::MaxOfLanes(OfFan(), most));
-}
-
-HWY_INLINE ExtremeFeature extremeOfSide(const ProofSide& side, const Eigen::Vector3d& direction) {
-  if (side.hull == nullptr) {
-    const std::array<double, 3>& half = side.half_extents;
-    return extremeOfBox({half[0], half[1], half[2]}, direction);
-  }
-  const ConvexHull& hull = *side.hull;
-  return extremeFrom(
-      {side.vertex, collision_monitor::along(direction, hull.vertices()[side.vertex]),
-       reachBeside(hull.fansOf(side.vertex), direction)},
-      hull, direction);
-}
-
 /// Where the support planes are. Pair after pair, as each has vertices of its own.
 HWY_INLINE void findReaches(ProofRows& rows) {
-  const auto direction = [&](std::size_t column, std::size_t row) {
-    return Eigen::Vector3d(rows.at[column][row], rows.at[column + 1][row],
-                           rows.at[column + 2][row]);
-  };
   for (std::size_t row = 0; row < rows.count; ++row) {
-    const ExtremeFeature of_a = extremeOfSide(rows.a[row], direction(proof::direction_in_a, row));
-    const ExtremeFeature of_b = extremeOfSide(rows.b[row], direction(proof::direction_in_b, row));
+    const ExtremeFeature of_a =
+        extremeOfSide(rows.a[row], vectorAt(proof::direction_in_a, row, rows));
+    const ExtremeFeature of_b =
+        extremeOfSide(rows.b[row], vectorAt(proof::direction_in_b, row, rows));
     rows.a[row].vertex = of_a.vertex;
     rows.b[row].vertex = of_b.vertex;
     rows.at[proof::reach_of_a][row] = of_a.reach;

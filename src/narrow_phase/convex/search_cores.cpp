@@ -60,10 +60,6 @@ ConvexDistance answerOverlap(ConvexPair& pair, const GjkResult& found,
                 deep.is_settled ? DistanceQuality::exact : DistanceQuality::lower_bound);
 }
 
-bool isPoint(const ConvexCore& core) noexcept {
-  return core.kind == ConvexCore::Kind::box && core.half_extents.isZero(0.0);
-}
-
 // The nearest face is the way out. `point` in the frame of the hull, which is B.
 ConvexDistance pointInHull(const Eigen::Vector3d& point, const ConvexHull& hull) noexcept {
   double distance = -std::numeric_limits<double>::infinity();

@@ -74,13 +74,13 @@ LevelFeature levelOf(const PlacedCore& placed, const Vector3d& direction) noexce
   return {};
 }
 
+}  // namespace
+
 Vector3d cornerOf(const PlacedCore& placed, const Vector3d& direction) noexcept {
   return placed.core.kind == ConvexCore::Kind::hull
              ? placed.core.hull->vertices()[placed.vertex]
              : supportPoint(placed.core, direction, placed.vertex);
 }
-
-}  // namespace
 
 ExtremeFeature extremeOfPrimitive(const ConvexCore& core, const Vector3d& direction) noexcept {
   const Vector3d& half_extents = core.half_extents;

@@ -146,6 +146,10 @@ inline PlacedCorners place(const ConvexWarmStart::Ends& ends, const PlacedPair& 
   return placed;
 }
 
+/// The corner that touches the plane across a direction, which is in the core's frame.
+/// @pre of a hull: its vertex is the farthest there.
+Eigen::Vector3d cornerOf(const PlacedCore& placed, const Eigen::Vector3d& direction) noexcept;
+
 /// The corners that touch the planes.
 ConvexWarmStart::Ends cornersOf(const PlacedPair& pair, const SupportPlanes& planes) noexcept;
 

@@ -19,10 +19,11 @@ namespace {
 
 constexpr std::size_t kPool = 8;
 constexpr int kSteps = 12;
-constexpr ConvexKind kKinds[] = {ConvexKind::hull, ConvexKind::sphere, ConvexKind::box,
-                                 ConvexKind::cylinder, ConvexKind::half_space};
+constexpr ConvexKind kKinds[] = {ConvexKind::hull,        ConvexKind::cylinder, ConvexKind::box,
+                                 ConvexKind::rounded_box, ConvexKind::capsule,  ConvexKind::sphere,
+                                 ConvexKind::half_space};
 
-// Every two kinds in every nearness and alignment, and hulls most often.
+// Every two kinds in every nearness and alignment, with a hull twice as often.
 struct Scene {
   std::vector<std::vector<ConvexGeometry>> pools;
   std::vector<PosedConvexPair> pairs;
@@ -41,12 +42,14 @@ Scene makeScene(Random& random) {
   }
   for (const Nearness nearness : {Nearness::separated, Nearness::near, Nearness::overlapping}) {
     for (const Alignment alignment : kAlignments) {
-      for (const auto& pool : scene.pools) {
-        for (int i = 0; i < 8; ++i) {
-          scene.pairs.push_back(placeConvexPair(anyOf(scene.pools[0], random), anyOf(pool, random),
-                                                nearness, alignment, random));
-          scene.pairs.push_back(placeConvexPair(anyOf(pool, random), anyOf(scene.pools[0], random),
-                                                nearness, alignment, random));
+      for (std::size_t a = 0; a < scene.pools.size(); ++a) {
+        for (std::size_t b = 0; b < scene.pools.size(); ++b) {
+          const int count = a == 0 || b == 0 ? 8 : 4;
+          for (int i = 0; i < count; ++i) {
+            scene.pairs.push_back(placeConvexPair(anyOf(scene.pools[a], random),
+                                                  anyOf(scene.pools[b], random), nearness,
+                                                  alignment, random));
+          }
         }
       }
     }

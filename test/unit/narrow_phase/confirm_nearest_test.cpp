@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
+#include "geometry/constants.h"
 #include "narrow_phase/convex/convex_core.h"
 #include "support/expect_distance.h"
 #include "support/sample_meshes.h"
@@ -137,6 +139,24 @@ TEST_F(CanInSteps, cornerOverTheRim_isProven) {
   // The corner at (2.4, 3.2, 5): 3 outward and 4 up from the rim.
   expectProven(confirm(can_, Pose{}, cube_, at(3.4, 4.2, 6), warm), 5.0, {0.6, 0.8, 1},
                {2.4, 3.2, 5});
+}
+
+TEST_F(CanInSteps, sphere_isProvenWithoutALastStep) {
+  const ConvexWarmStart none = endsAt({});
+  expectProven(confirm(can_, Pose{}, Sphere{1}, at(2.4, 3.2, 5), none), 5.0, {0.6, 0.8, 1},
+               {2.4, 3.2, 5});
+  // Beside the side and over the cap, from the can's frame turned by a quarter.
+  const Pose lying{Eigen::AngleAxisd(0.5 * kPi, Vector3d::UnitX()).toRotationMatrix(), {0, 0, 5}};
+  expectProven(confirm(Sphere{1}, at(0, 0.5, 9), can_, lying, none), 3.0, {0, 0.5, 9}, {0, 0.5, 6});
+  expectProven(confirm(Sphere{1}, at(0.25, -4, 5), can_, lying, none), 3.0, {0.25, -4, 5},
+               {0.25, -1, 5});
+}
+
+TEST_F(CanInSteps, sphereWhoseCentreIsInside_isLeftToTheSearch) {
+  const ConvexWarmStart none = endsAt({});
+  EXPECT_FALSE(confirm(can_, Pose{}, Sphere{1}, at(0.5, 0.25, 0.5), none));
+  EXPECT_FALSE(confirm(can_, Pose{}, Sphere{1}, at(0.6, 0.8, 0.5), none));
+  EXPECT_FALSE(confirm(Sphere{1}, at(std::nan(""), 3, 0), can_, Pose{}, none));
 }
 
 TEST_F(CanInSteps, cornerThatHasBecomeAnEdge_isFollowed) {
