@@ -47,9 +47,10 @@ struct ConvexSearch {
 /// The least distance of A and B, or the length of the least translation that separates them.
 ///
 /// Sphere, capsule, box and rounded box among themselves are measured by their closed forms (see
-/// distance.h); a half space by the support function of the other; points and parallel axes with a
-/// cylinder by theirs; everything else by GJK, and EPA where the cores overlap, or, of hulls with
-/// few faces that are met for the first time, by their separating axes.
+/// distance.h), two boxes only where their last answer is not proven to hold still; a half space by
+/// the support function of the other; points and parallel axes with a cylinder by theirs;
+/// everything else by GJK, and EPA where the cores overlap, or, of hulls with few faces that are
+/// met for the first time, by their separating axes.
 ///
 /// Error: 1e-9 m apart, 1e-7 m in depth for lengths from 1 mm to 10 m and distances up to 10 m;
 /// docs/accuracy.md has what was measured. An answer that iteration could not settle says

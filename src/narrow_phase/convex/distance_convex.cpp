@@ -24,6 +24,9 @@ template <class Geometry>
 constexpr bool kIsHalfSpace = std::is_same_v<Geometry, HalfSpace>;
 
 template <class Geometry>
+constexpr bool kIsBox = std::is_same_v<Geometry, Box> || std::is_same_v<Geometry, RoundedBox>;
+
+template <class Geometry>
 struct Posed {
   const Geometry& geometry;
   const Pose& world_from_body;
@@ -41,22 +44,37 @@ SignedDistance toHalfSpace(const Posed<A>& a, const Pose& world_from_half_space)
                swept_a.radius, 0.0);
 }
 
+// Whether the last answer could be proven to be the answer still.
 template <class A, class B>
-ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
+bool isConfirmed(const Posed<A>& a, const Posed<B>& b, ConvexWarmStart& warm,
+                 SignedDistance& measured) noexcept {
   const SweptCore swept_a = sweptCoreOf(a.geometry);
   const SweptCore swept_b = sweptCoreOf(b.geometry);
-  ConvexWarmStart& warm = search.warm;
   const PlacedCore core_a{swept_a.core, a.world_from_body, warm.vertex_of_a};
   const PlacedCore core_b{swept_b.core, b.world_from_body, warm.vertex_of_b};
-  if (auto confirmed = confirmNearest(core_a, core_b, warm)) {
-    if (confirmed->is_level) {
-      centerOnPatch(core_a, core_b, confirmed->cores);
-    }
-    return {swept(confirmed->cores, swept_a.radius, swept_b.radius), DistanceQuality::exact};
+  auto confirmed = confirmNearest(core_a, core_b, warm);
+  if (!confirmed) {
+    return false;
+  }
+  if (confirmed->is_level) {
+    centerOnPatch(core_a, core_b, confirmed->cores);
+  }
+  measured = swept(confirmed->cores, swept_a.radius, swept_b.radius);
+  return true;
+}
+
+template <class A, class B>
+ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
+  ConvexWarmStart& warm = search.warm;
+  ConvexDistance confirmed{SignedDistance{}, DistanceQuality::exact};
+  if (isConfirmed(a, b, warm, confirmed.measured)) {
+    return confirmed;
   }
   if (!areFinite(a, b)) {
     return {};
   }
+  const SweptCore swept_a = sweptCoreOf(a.geometry);
+  const SweptCore swept_b = sweptCoreOf(b.geometry);
   ConvexPair pair =
       makeConvexPair(swept_a.core, a.world_from_body, swept_b.core, b.world_from_body);
   ConvexSearch of_cores{search.workspace, warm, search.enough + swept_a.radius + swept_b.radius};
@@ -65,7 +83,7 @@ ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& searc
           found.quality};
 }
 
-// Every pair of kinds ends in one of these or in byCores, or does not compile.
+// Every pair of kinds ends in one of these, in byCores or in ofBoxes, or does not compile.
 template <class A, class B>
 ConvexDistance inClosedForm(const Posed<A>& a, const Posed<B>& b) noexcept {
   if (!areFinite(a, b)) {
@@ -83,11 +101,45 @@ ConvexDistance inClosedForm(const Posed<A>& a, const Posed<B>& b) noexcept {
   }
 }
 
+// The corners that face each other, for a proof next time; none of cores that touch, which have no
+// such proof.
+template <class A, class B>
+void keepFacing(const Posed<A>& a, const Posed<B>& b, const SignedDistance& measured,
+                ConvexWarmStart& warm) noexcept {
+  const SweptCore swept_a = sweptCoreOf(a.geometry);
+  const SweptCore swept_b = sweptCoreOf(b.geometry);
+  const PlacedCore core_a{swept_a.core, a.world_from_body, warm.vertex_of_a};
+  const PlacedCore core_b{swept_b.core, b.world_from_body, warm.vertex_of_b};
+  const PlacedPair pair = makePlacedPair(core_a, core_b);
+  const double distance = measured.distance + swept_a.radius + swept_b.radius;
+  const bool is_apart = distance > touchingDistance(pair.size);
+  warm.size = is_apart ? 1 : 0;
+  if (is_apart) {
+    warm.ends[0] = cornersOf(pair, {measured.normal_a_to_b, distance, false});
+  }
+}
+
+// Their closed form takes three times as long as a proof.
+template <class A, class B>
+ConvexDistance ofBoxes(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
+  ConvexDistance found{SignedDistance{}, DistanceQuality::exact};
+  if (isConfirmed(a, b, search.warm, found.measured)) {
+    return found;
+  }
+  found = inClosedForm(a, b);
+  if (found.quality == DistanceQuality::exact) {
+    keepFacing(a, b, found.measured, search.warm);
+  }
+  return found;
+}
+
 template <class A, class B>
 ConvexDistance measure(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
   if constexpr (!kIsHalfSpace<A> && !kIsHalfSpace<B> &&
                 !(kHasClosedForms<A> && kHasClosedForms<B>)) {
     return byCores(a, b, search);
+  } else if constexpr (kIsBox<A> && kIsBox<B>) {
+    return ofBoxes(a, b, search);
   } else {
     return inClosedForm(a, b);
   }

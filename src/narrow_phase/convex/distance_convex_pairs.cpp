@@ -39,12 +39,18 @@ bool isCylinder(const ConvexGeometry& geometry) noexcept {
   return std::holds_alternative<Cylinder>(geometry);
 }
 
+bool isBox(const ConvexGeometry& geometry) noexcept {
+  return std::holds_alternative<Box>(geometry) || std::holds_alternative<RoundedBox>(geometry);
+}
+
 // Returns false for pairs that are measured in another way.
 bool fillRow(const ConvexQuery& query, ProofRows& rows) noexcept {
   const std::size_t row = rows.count;
   double reach_of_a = 0.0;
   double reach_of_b = 0.0;
-  if (!(isHull(*query.a) || isHull(*query.b)) ||
+  const bool are_proven =
+      isHull(*query.a) || isHull(*query.b) || (isBox(*query.a) && isBox(*query.b));
+  if (!are_proven ||
       !fillSide(*query.a, *query.world_from_a, query.warm->vertex_of_a, rows.a[row], reach_of_a) ||
       !fillSide(*query.b, *query.world_from_b, query.warm->vertex_of_b, rows.b[row], reach_of_b)) {
     return false;

@@ -85,7 +85,8 @@ std::string nameOfCase(const testing::TestParamInfo<Case>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllPairs, ConvexInSteps,
-                         testing::Combine(testing::Values(ConvexKind::cylinder, ConvexKind::hull),
+                         testing::Combine(testing::Values(ConvexKind::cylinder, ConvexKind::hull,
+                                                          ConvexKind::box, ConvexKind::rounded_box),
                                           testing::ValuesIn(kCores),
                                           testing::Values(Nearness::separated, Nearness::near,
                                                           Nearness::overlapping)),
