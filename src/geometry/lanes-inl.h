@@ -24,6 +24,11 @@ using Truth = hn::Mask<Lanes>;
 
 HWY_INLINE Number number(double value) { return hn::Set(Lanes(), value); }
 HWY_INLINE Number zero() { return hn::Zero(Lanes()); }
+HWY_INLINE Truth everywhere() { return hn::Eq(zero(), zero()); }
+/// Where the lanes count at least.
+HWY_INLINE bool isTrueWhere(Truth counts, Truth truth) {
+  return hn::AllTrue(Lanes(), hn::Or(truth, hn::Not(counts)));
+}
 
 struct Vector3 {
   Number x, y, z;

@@ -190,7 +190,7 @@ HWY_INLINE AxisContact contactAlong(const BoxPairLanes& pair, const BestAxis& be
   const Vector3 middle_a = without(of_a, corner_of_a);
   const Vector3 middle_b = pair.center_of_b + out(pair.b_axes, without(of_b, corner_in_b));
   const LaneParameters closest = closestInLanes(middle_b - middle_a, of_a, dot(of_a, pair.half_a),
-                                                axis_of_b, dot(of_b, pair.half_b));
+                                                axis_of_b, dot(of_b, pair.half_b), everywhere());
   const Vector3 on_edge_a = along(middle_a, closest.on_a, of_a);
   const Vector3 on_edge_b = along(middle_b, closest.on_b, axis_of_b);
   const Number defect = norm(along(on_edge_a, gap, normal) - on_edge_b);

@@ -56,16 +56,17 @@ HWY_INLINE Number firstOfFlat(const Vector3& between, const Vector3& u, Number h
 }
 
 /// closestParameters of closest_points.h, with fewer operations where directions are far from
-/// parallel. Each lane takes the same way whatever the others do.
+/// parallel. Each lane takes the same way whatever the others do; lanes that do not count, as those
+/// of a body and itself in a block, do not make the others wait, and come out as anything.
 HWY_INLINE LaneParameters closestInLanes(const Vector3& between, const Vector3& u, Number half_a,
-                                         const Vector3& v, Number half_b) {
+                                         const Vector3& v, Number half_b, Truth counts) {
   const Number cosine = dot(u, v);
   const Number b_on_a = dot(u, between);
   const Number a_from_b = dot(v, between);  // of B's center; along B, but backwards
   const Number sine_squared = hn::Sub(number(1.0), hn::Mul(cosine, cosine));
   const Truth is_steep = hn::Gt(sine_squared, number(kSteep));
   Number first = hn::Div(hn::Sub(b_on_a, hn::Mul(cosine, a_from_b)), sine_squared);
-  if (HWY_UNLIKELY(!hn::AllTrue(Lanes(), is_steep))) {
+  if (HWY_UNLIKELY(!isTrueWhere(counts, is_steep))) {
     first = hn::IfThenElse(is_steep, first, firstOfFlat(between, u, half_a, v, half_b));
   }
   const Number on_b = clamped(half_b, hn::Sub(hn::Mul(clamped(half_a, first), cosine), a_from_b));
@@ -89,21 +90,31 @@ HWY_INLINE void sureOfCrossings(const SegmentCore& a, const SegmentCore& b,
   answer.normal = select(is_crossing, scaled(scale, n), answer.normal);
 }
 
-HWY_INLINE CoreAnswer coreDistance(const SegmentCore& a, const SegmentCore& b) {
+/// Right in the lanes that count.
+HWY_INLINE CoreAnswer coreDistance(const SegmentCore& a, const SegmentCore& b, Truth counts) {
   const Vector3 between = b.center - a.center;
   const LaneParameters closest =
-      closestInLanes(between, a.direction, a.half_length, b.direction, b.half_length);
+      closestInLanes(between, a.direction, a.half_length, b.direction, b.half_length, counts);
   const Vector3 to_b = along(between, closest.on_b, b.direction);
   const Vector3 way = to_b - scaled(closest.on_a, a.direction);
   const Number distance = norm(way);
   const Vector3 on_a = along(a.center, closest.on_a, a.direction);
   CoreAnswer answer{distance, on_a, scaled(hn::Div(number(1.0), distance), way)};
   const Truth is_sure = hn::Gt(distance, number(kNear));
-  if (HWY_UNLIKELY(!hn::AllTrue(Lanes(), is_sure))) {
+  if (HWY_UNLIKELY(!isTrueWhere(counts, is_sure))) {
     answer.distance = sureWhere(is_sure, distance);
     sureOfCrossings(a, b, closest, way, answer);
   }
   return answer;
+}
+
+HWY_INLINE CoreAnswer coreDistance(const SegmentCore& a, const SegmentCore& b) {
+  return coreDistance(a, b, everywhere());
+}
+
+HWY_INLINE Number separationWithin(const SegmentCore& a, const SegmentCore& b, Number,
+                                   Truth& counts) {
+  return coreDistance(a, b, counts).distance;
 }
 
 /// Where one of three numbers is the largest; of equal ones the first.
