@@ -15,6 +15,11 @@ using trajectory_msgs::JointTrajectoryPoint;
 
 std::string pointText(std::size_t point) { return "points[" + std::to_string(point) + "]"; }
 
+std::string jointFault(const std::string& field, const std::string& joint,
+                       const std::string& fault) {
+  return field + " of joint '" + joint + "' " + fault;
+}
+
 /// One number a joint, and every number of use.
 void checkNumbers(const JointTrajectory& trajectory, std::size_t point,
                   const std::vector<double>& numbers, const char* field,
@@ -29,7 +34,7 @@ void checkNumbers(const JointTrajectory& trajectory, std::size_t point,
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const std::string fault = numberFault(numbers[i]);
     if (!fault.empty()) {
-      faults.push_back(where + " of joint '" + trajectory.joint_names[i] + "' " + fault);
+      faults.push_back(jointFault(where, trajectory.joint_names[i], fault));
     }
   }
 }
@@ -47,9 +52,11 @@ void checkSwings(const JointTrajectory& trajectory, std::vector<std::string>& fa
     for (std::size_t k = 0; k < points[i].velocities.size(); ++k) {
       const double way = std::abs(points[i].velocities[k]) * time;
       if (way > kFarthest) {
-        faults.push_back(pointText(i) + ".velocities of joint '" + trajectory.joint_names[k] +
-                         "' is " + shortText(points[i].velocities[k]) + ", by which it goes " +
-                         shortText(way) + " until the point next to it; accepted: up to 1e9");
+        const std::string fault = "is " + shortText(points[i].velocities[k]) +
+                                  ", by which it goes " + shortText(way) +
+                                  " until the point next to it; accepted: up to 1e9";
+        faults.push_back(
+            jointFault(pointText(i) + ".velocities", trajectory.joint_names[k], fault));
       }
     }
   }

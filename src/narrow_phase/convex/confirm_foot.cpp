@@ -45,7 +45,7 @@ CylinderFoot footOfRim(const PlacedPair& pair, Vector3d& on_other) noexcept {
   const double per_length =
       1.0 / std::sqrt(on_other.x() * on_other.x() + on_other.y() * on_other.y());
   Eigen::Vector2d turn(per_length * on_other.x(), per_length * on_other.y());
-  const CylinderFoot foot = footOfRim(rim, pair.a.core.half_extents, turn);
+  CylinderFoot foot = footOfRim(rim, pair.a.core.half_extents, turn);
   on_other = {radius * turn.x(), radius * turn.y(), height};
   return foot;
 }
