@@ -2,76 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/ros_edge/pose_reader.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
-#include "support/urdf_text.h"
-#include "transform_along_x.h"
+#include "pose_reader_scene.h"
 
 namespace collision_monitor::test {
 namespace {
-
-const char* const kCube = "<box size='0.1 0.1 0.1'/>";
-
-/// base -j1- arm -j2- wrist (no geometry) -j3- hand, and base -jc- camera, without geometry.
-class PoseReaderTest : public testing::Test {
- protected:
-  PoseReaderTest()
-      : model_(readText(robotXml(linkXml("base", kCube) + linkXml("arm", kCube) +
-                                 "<link name='wrist'/>" + linkXml("hand", kCube) +
-                                 "<link name='camera'/>" + joint("j1", "base", "arm") +
-                                 joint("j2", "arm", "wrist") + joint("j3", "wrist", "hand") +
-                                 joint("jc", "base", "camera")))
-                   .model),
-        poses_(makeLinkPoses(model_)) {}
-
-  static std::string joint(const char* name, const char* parent, const char* child) {
-    return jointXml(name, "continuous", parent, child);
-  }
-
-  void send(const std::string& parent, const std::string& child, double stamp, double x) {
-    // Data of several publishers arrive in any order; the clock only goes forward.
-    now_ = std::max(now_, ros::Time(stamp));
-    store_.accept({transformAlongX(parent, child, stamp, x)}, false);
-  }
-  void sendStatic(const std::string& parent, const std::string& child, double x) {
-    store_.accept({transformAlongX(parent, child, 0.0, x)}, true);
-  }
-  void sendArm(double stamp, double x) {
-    send("base", "arm", stamp, x);
-    send("arm", "wrist", stamp, x);
-    send("wrist", "hand", stamp, x);
-  }
-
-  bool read(double now) {
-    if (!reader_) {
-      reader_ = std::make_unique<PoseReader>(model_, store_, options_);
-    }
-    now_ = ros::Time(now);
-    store_.readTime();
-    return reader_->read(ros::Time(now), poses_);
-  }
-
-  std::size_t at(const std::string& link) const { return index(*model_.findLink(link)); }
-  LinkStatus status(const std::string& link) const { return poses_.status[at(link)]; }
-  double age(const std::string& link) const { return poses_.age[at(link)]; }
-  double x(const std::string& link) const {
-    return poses_.world_from_link[at(link)].translation.x();
-  }
-  std::string explain(const std::string& link) const {
-    return reader_->explain(*model_.findLink(link));
-  }
-
-  RobotModel model_;
-  LinkPoses poses_;
-  ros::Time now_{0.5};
-  TransformStore store_{[this] { return now_; }};
-  PoseReaderOptions options_;
-  std::unique_ptr<PoseReader> reader_;
-};
 
 TEST_F(PoseReaderTest, nothingReceived_onlyTheWorldItselfIsKnown) {
   read(1.0);
@@ -205,88 +139,6 @@ TEST_F(PoseReaderTest, leadingSlashes_areStripped) {
   send("/base", "/arm", 10.0, 0.5);
   read(10.0);
   EXPECT_EQ(status("arm"), LinkStatus::known);
-}
-
-TEST_F(PoseReaderTest, nanTransform_isNotFiniteUntilAGoodOneComes) {
-  sendArm(10.0, 0.5);
-  send("base", "arm", 10.1, std::nan(""));
-  read(10.1);
-  EXPECT_EQ(status("arm"), LinkStatus::not_finite);
-  EXPECT_EQ(status("hand"), LinkStatus::not_finite);
-  send("base", "arm", 10.2, 0.5);
-  read(10.2);
-  EXPECT_EQ(status("arm"), LinkStatus::known);
-}
-
-TEST_F(PoseReaderTest, quaternionThatIsNoRotation_isNotFinite) {
-  sendArm(10.0, 0.5);
-  auto transform = transformAlongX("base", "arm", 10.1, 0.5);
-  transform.transform.rotation.w = 0.0;
-  now_ = ros::Time(10.1);
-  store_.accept({transform}, false);
-  read(10.1);
-  EXPECT_EQ(status("arm"), LinkStatus::not_finite);
-}
-
-/// A number that nobody wrote, say. Of 1e17 m the last digit is 16 m: links that touch could seem
-/// to be apart, and whatever hangs on the frame with them.
-TEST_F(PoseReaderTest, transformFartherThanNumbersAreFine_isNotFinite) {
-  sendArm(10.0, 0.5);
-  send("arm", "wrist", 10.1, -1e17);
-  read(10.1);
-  EXPECT_EQ(status("arm"), LinkStatus::known);
-  EXPECT_EQ(status("hand"), LinkStatus::not_finite);
-  EXPECT_EQ(explain("hand"),
-            "the transform to 'wrist' is not finite, no rotation or farther than 1e9 m");
-  send("arm", "wrist", 10.2, 6.4e6);  // from the middle of the earth
-  read(10.2);
-  EXPECT_EQ(status("hand"), LinkStatus::known);
-}
-
-TEST_F(PoseReaderTest, transformWithoutStamp_isRefused) {
-  send("base", "arm", 0.0, 0.5);
-  read(10.0);
-  EXPECT_EQ(status("arm"), LinkStatus::missing) << "it would never grow old";
-  EXPECT_EQ(explain("arm"),
-            "no transform from 'base' to 'arm' yet; refused for want of a stamp: 1 transform");
-}
-
-/// Somebody sends the root as a child of the hand: above no frame is a last one.
-TEST_F(PoseReaderTest, loopThroughTheRoot_isNamedOnceForAllLinks) {
-  sendArm(10.0, 0.5);
-  send("hand", "base", 10.0, 0.5);
-  send("base", "arm", 0.0, 0.5);
-  read(10.0);
-  EXPECT_EQ(status("base"), LinkStatus::known) << "it is the world itself";
-  EXPECT_EQ(status("arm"), LinkStatus::missing);
-  EXPECT_EQ(
-      explain("arm"),
-      "transforms lead in a loop: arm -> base -> hand -> wrist -> arm, each to its parent; one "
-      "of these frames must be sent with another parent, or none");
-  EXPECT_EQ(explain("hand"), explain("arm"));
-}
-
-/// base -> mount -> arm, and base below mount: the two ways from the arm to the base differ, and
-/// their lengths by one loop, so both chains end in the same frame.
-TEST_F(PoseReaderTest, loopAboveALinkThatIsNotPartOfIt_isUnknown) {
-  send("base", "mount", 10.0, 0.25);
-  send("mount", "arm", 10.0, 0.25);
-  send("mount", "base", 10.0, 3.0);
-  read(10.0);
-  EXPECT_EQ(status("arm"), LinkStatus::missing) << x("arm");
-  EXPECT_EQ(explain("arm").find("transforms lead in a loop: base -> mount -> base, "), 0u)
-      << explain("arm");
-}
-
-TEST_F(PoseReaderTest, loopThatEnds_isForgotten) {
-  sendArm(10.0, 0.5);
-  send("hand", "base", 10.0, 0.5);
-  read(10.0);
-  ASSERT_EQ(status("hand"), LinkStatus::missing);
-  send("map", "base", 10.1, 0.5);
-  sendArm(10.1, 0.5);
-  read(10.1);
-  EXPECT_EQ(status("hand"), LinkStatus::known);
 }
 
 TEST_F(PoseReaderTest, timeJumpsBack_movingLinksAreMissingUntilNewDataCome) {

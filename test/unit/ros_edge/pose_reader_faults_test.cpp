@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "pose_reader_scene.h"
+
+// Transforms that are no data, and how the reader says so.
+namespace collision_monitor::test {
+namespace {
+
+using PoseReaderFaults = PoseReaderTest;
+
+TEST_F(PoseReaderFaults, nanTransform_isNotFiniteUntilAGoodOneComes) {
+  sendArm(10.0, 0.5);
+  send("base", "arm", 10.1, std::nan(""));
+  read(10.1);
+  EXPECT_EQ(status("arm"), LinkStatus::not_finite);
+  EXPECT_EQ(status("hand"), LinkStatus::not_finite);
+  send("base", "arm", 10.2, 0.5);
+  read(10.2);
+  EXPECT_EQ(status("arm"), LinkStatus::known);
+}
+
+TEST_F(PoseReaderFaults, quaternionThatIsNoRotation_isNotFinite) {
+  sendArm(10.0, 0.5);
+  auto transform = transformAlongX("base", "arm", 10.1, 0.5);
+  transform.transform.rotation.w = 0.0;
+  now_ = ros::Time(10.1);
+  store_.accept({transform}, false);
+  read(10.1);
+  EXPECT_EQ(status("arm"), LinkStatus::not_finite);
+}
+
+/// A number that nobody wrote, say. Of 1e17 m the last digit is 16 m: links that touch could seem
+/// to be apart, and whatever hangs on the frame with them.
+TEST_F(PoseReaderFaults, transformFartherThanNumbersAreFine_isNotFinite) {
+  sendArm(10.0, 0.5);
+  send("arm", "wrist", 10.1, -1e17);
+  read(10.1);
+  EXPECT_EQ(status("arm"), LinkStatus::known);
+  EXPECT_EQ(status("hand"), LinkStatus::not_finite);
+  EXPECT_EQ(explain("hand"),
+            "the transform to 'wrist' is not finite, no rotation or farther than 1e9 m");
+  send("arm", "wrist", 10.2, 6.4e6);  // from the middle of the earth
+  read(10.2);
+  EXPECT_EQ(status("hand"), LinkStatus::known);
+}
+
+TEST_F(PoseReaderFaults, transformWithoutStamp_isRefused) {
+  send("base", "arm", 0.0, 0.5);
+  read(10.0);
+  EXPECT_EQ(status("arm"), LinkStatus::missing) << "it would never grow old";
+  EXPECT_EQ(explain("arm"),
+            "no transform from 'base' to 'arm' yet; refused for want of a stamp: 1 transform");
+}
+
+/// Somebody sends the root as a child of the hand: above no frame is a last one.
+TEST_F(PoseReaderFaults, loopThroughTheRoot_isNamedOnceForAllLinks) {
+  sendArm(10.0, 0.5);
+  send("hand", "base", 10.0, 0.5);
+  send("base", "arm", 0.0, 0.5);
+  read(10.0);
+  EXPECT_EQ(status("base"), LinkStatus::known) << "it is the world itself";
+  EXPECT_EQ(status("arm"), LinkStatus::missing);
+  EXPECT_EQ(
+      explain("arm"),
+      "transforms lead in a loop: arm -> base -> hand -> wrist -> arm, each to its parent; one "
+      "of these frames must be sent with another parent, or none");
+  EXPECT_EQ(explain("hand"), explain("arm"));
+}
+
+/// base -> mount -> arm, and base below mount: the two ways from the arm to the base differ, and
+/// their lengths by one loop, so both chains end in the same frame.
+TEST_F(PoseReaderFaults, loopAboveALinkThatIsNotPartOfIt_isUnknown) {
+  send("base", "mount", 10.0, 0.25);
+  send("mount", "arm", 10.0, 0.25);
+  send("mount", "base", 10.0, 3.0);
+  read(10.0);
+  EXPECT_EQ(status("arm"), LinkStatus::missing) << x("arm");
+  EXPECT_EQ(explain("arm").find("transforms lead in a loop: base -> mount -> base, "), 0u)
+      << explain("arm");
+}
+
+TEST_F(PoseReaderFaults, loopThatEnds_isForgotten) {
+  sendArm(10.0, 0.5);
+  send("hand", "base", 10.0, 0.5);
+  read(10.0);
+  ASSERT_EQ(status("hand"), LinkStatus::missing);
+  send("map", "base", 10.1, 0.5);
+  sendArm(10.1, 0.5);
+  read(10.1);
+  EXPECT_EQ(status("hand"), LinkStatus::known);
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
