@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "collision_monitor/model/kinematics.h"
 #include "ros_edge/nearest_name.h"
+#include "ros_edge/short_text.h"
 
 namespace collision_monitor {
 namespace {
@@ -75,12 +75,6 @@ NamedPositions readPositions(const RobotModel& model, const sensor_msgs::JointSt
 }
 
 }  // namespace
-
-std::string shortText(double number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
 
 std::string numberFault(double number) {
   if (!std::isfinite(number)) {

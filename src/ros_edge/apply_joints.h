@@ -14,9 +14,6 @@ namespace collision_monitor {
 /// What is wrong with a position or velocity of a joint: "is not finite"; empty if nothing is.
 std::string numberFault(double number);
 
-/// A number as short as it can be said: "-1e+17".
-std::string shortText(double number);
-
 /// What is wrong with `joints`, one sentence each.
 std::vector<std::string> jointFaults(const RobotModel& model,
                                      const sensor_msgs::JointState& joints);

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include "ros_edge/nearest_name.h"
+#include "ros_edge/short_text.h"
 
 namespace collision_monitor {
 namespace {
@@ -19,17 +19,11 @@ T valueAs(const XmlRpcValue& value) {
   return static_cast<T>(value);
 }
 
-std::string number(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 std::string describe(const NumberRange& range) {
   std::string text = std::string("a number ") + (range.is_least_open ? "> " : ">= ");
-  text += number(range.least);
+  text += shortText(range.least);
   if (std::isfinite(range.greatest)) {
-    text += " and <= " + number(range.greatest);
+    text += " and <= " + shortText(range.greatest);
   }
   return text;
 }
@@ -50,7 +44,7 @@ std::string toText(const XmlRpcValue& value) {
     case XmlRpcValue::TypeInt:
       return std::to_string(valueAs<int>(value));
     case XmlRpcValue::TypeDouble:
-      return number(valueAs<double>(value));
+      return shortText(valueAs<double>(value));
     case XmlRpcValue::TypeArray:
       return "a list of " + std::to_string(value.size());
     case XmlRpcValue::TypeStruct:
@@ -98,7 +92,7 @@ void ParameterStruct::readWhole(const std::string& name, const NumberRange& rang
   double read_value = value;
   read(name, range, read_value);
   if (read_value != std::floor(read_value)) {
-    refuse(name, number(read_value), "a whole number");
+    refuse(name, shortText(read_value), "a whole number");
     return;
   }
   value = read_value;

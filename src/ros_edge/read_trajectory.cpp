@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ros_edge/apply_joints.h"
+#include "ros_edge/short_text.h"
 
 namespace collision_monitor {
 namespace {
