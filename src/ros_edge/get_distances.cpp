@@ -119,6 +119,15 @@ void fillDistances(const CycleSetup& setup, const Selection& selection, const Sc
   message.pairs.insert(message.pairs.end(), unknown.begin(), unknown.end());
 }
 
+/// Why no pair of these links is checked. One that is not ignored either is a link and itself.
+std::string nothingCheckedText(const CycleSetup& setup, const Selection& selection) {
+  const std::string ignored = ignoredText(setup, selection);
+  return "no pair of these links is checked; " +
+         (ignored.empty() ? "a link is not checked with itself, and no other link with collision "
+                            "geometry is asked for"
+                          : ignored);
+}
+
 std::string summaryText(const Distances& distances, const std::string& ignored) {
   const std::uint32_t measured = distances.pairs_checked - distances.pairs_unknown;
   return std::to_string(measured) + " pairs measured, " + std::to_string(distances.pairs_unknown) +
@@ -159,13 +168,15 @@ void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
   buffers.refine.limits = {limit, std::numeric_limits<std::uint32_t>::max()};
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
   fillDistances(setup, selection, scene, limit, response.distances);
-  const bool is_explicit = !request.links_a.empty() && !request.links_b.empty();
-  const std::string ignored = is_explicit ? ignoredText(setup, selection) : "";
   response.success = response.distances.pairs_checked > 0 ? 1 : 0;
-  response.message = response.distances.pairs_checked > 0
-                         ? summaryText(response.distances, ignored)
-                         : std::string("no pair of these links is checked") +
-                               (ignored.empty() ? "" : "; " + ignored);
+  if (response.success == 0) {
+    response.message = nothingCheckedText(setup, selection);
+    return;
+  }
+  // Of all links, pairs that are ignored are many and no news.
+  const bool is_explicit = !request.links_a.empty() && !request.links_b.empty();
+  response.message =
+      summaryText(response.distances, is_explicit ? ignoredText(setup, selection) : "");
 }
 
 }  // namespace collision_monitor

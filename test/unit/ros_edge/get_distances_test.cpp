@@ -163,5 +163,27 @@ TEST_F(GetDistancesTest, ignoredPairs_areNamedWithTheirReason) {
   EXPECT_TRUE(ask().success);
 }
 
+TEST_F(GetDistancesTest, linkAndItself_theReasonIsNamed) {
+  request_.links_a = {"tool"};
+  request_.links_b = {"tool"};
+  const auto response = ask();
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.message,
+            "no pair of these links is checked; a link is not checked with itself, and no other "
+            "link with collision geometry is asked for");
+}
+
+TEST_F(GetDistancesTest, allPairsOfAllLinksIgnored_theyAreNamed) {
+  SetupOptions options;
+  options.ignored_pairs = {{"*", "*"}};
+  setup_ = slidingSetup(options);
+  poses_ = slidingPoses(setup_->setup.model, 0.0, 0.25);
+  const auto response = ask();
+  EXPECT_FALSE(response.success);
+  EXPECT_NE(response.message.find("base and tool (ignored: parameter ignore_pairs)"),
+            std::string::npos)
+      << response.message;
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
