@@ -35,6 +35,9 @@ OddityText textOf(Oddity oddity) {
     case Oddity::limit_without_range:
       return {"limit without lower and upper",
               "both; as URDF has it they are 0 and these joints are locked"};
+    case Oddity::limit_beyond_sense:
+      return {"limits beyond 1e9",
+              "limits within 1e9 of 0, or type continuous; these are taken as none"};
     case Oddity::no_speed_limit:
       return {"velocity limit of 0 or less", "greater than 0; these are taken as unlimited"};
     case Oddity::other_up_axis:

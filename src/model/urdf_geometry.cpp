@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstring>
 #include <exception>
 
 #include "collision_monitor/geometry/rpy.h"
+#include "geometry/constants.h"
 #include "model/urdf_elements.h"
 #include "model/xml_document.h"
 
@@ -84,7 +86,7 @@ std::optional<Geometry> readCapsule(const XMLElement& element, const Place& plac
 }
 
 std::optional<Eigen::Vector3d> readScale(const XMLElement& element, const Place& place) {
-  const NumberAttribute attribute{"scale", "three numbers other than 0"};
+  const NumberAttribute attribute{"scale", "three numbers other than 0", kInfinity};
   if (element.Attribute("scale") == nullptr) {
     return Eigen::Vector3d::Ones();
   }
@@ -95,6 +97,13 @@ std::optional<Eigen::Vector3d> readScale(const XMLElement& element, const Place&
     return std::nullopt;
   }
   return scale;
+}
+
+/// False for numbers that are not finite, too.
+bool isWithinReach(const TriangleMesh& mesh) {
+  return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Eigen::Vector3d& vertex) {
+    return (vertex.array().abs() <= kFarthest).all();
+  });
 }
 
 std::optional<Geometry> readMeshElement(const XMLElement& element, const MeshSource& meshes,
@@ -116,10 +125,14 @@ std::optional<Geometry> readMeshElement(const XMLElement& element, const MeshSou
     }
     TriangleMesh result =
         scaled(obeys_up_axis ? turnedUp(stored.mesh, stored.up_axis) : stored.mesh, *scale);
-    for (const Eigen::Vector3d& vertex : result.vertices) {
-      if (!vertex.allFinite()) {
-        throw std::runtime_error("vertices are not finite once they are scaled");
-      }
+    if (!isWithinReach(result)) {
+      const char* const text = element.Attribute("scale");
+      place.addError(element.GetLineNum(),
+                     "mesh " + quoted(*name) +
+                         (text == nullptr ? "" : " with scale " + quoted(text)) +
+                         ": a vertex beyond 1e9 m",
+                     "vertices whose coordinates are within 1e9 m of 0");
+      return std::nullopt;
     }
     if (result.triangles.empty()) {
       place.note(Oddity::mesh_without_area);

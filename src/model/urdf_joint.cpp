@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 
 #include "geometry/constants.h"
 #include "model/urdf_elements.h"
@@ -51,7 +52,7 @@ void readAxis(const XMLElement& element, const Place& place, Joint& joint) {
   if (axis == nullptr || !hasAxis(joint.type)) {
     return;
   }
-  const NumberAttribute attribute{"xyz", "three finite numbers, not all 0"};
+  const NumberAttribute attribute{"xyz", "three finite numbers, not all 0", kInfinity};
   const auto direction = readNumbers<3>(*axis, attribute, place);
   if (!direction) {
     return;
@@ -69,9 +70,32 @@ bool hasRange(JointType type) {
   return type == JointType::revolute || type == JointType::prismatic;
 }
 
+/// Exporters write 1e16 where they mean that there is none.
+double boundOf(double number) {
+  return std::abs(number) <= kFarthest ? number : std::copysign(kInfinity, number);
+}
+
 std::string shown(const XMLElement& element, const char* attribute) {
   const char* text = element.Attribute(attribute);
   return text == nullptr ? "0 (not written)" : quoted(text);
+}
+
+/// Of the bounds that were read.
+void checkRange(const XMLElement& limit, const Place& place, const Joint& joint) {
+  const std::string lower = shown(limit, "lower");
+  const std::string upper = shown(limit, "upper");
+  if (limit.Attribute("lower") == nullptr && limit.Attribute("upper") == nullptr) {
+    place.note(Oddity::limit_without_range);
+  }
+  if (joint.lower > joint.upper) {
+    place.addError(limit.GetLineNum(), "limit lower " + lower + " above upper " + upper,
+                   "lower <= upper");
+  } else if (joint.lower == kInfinity || joint.upper == -kInfinity) {
+    place.addError(limit.GetLineNum(), "limit lower " + lower + ", upper " + upper,
+                   "a range that holds numbers within 1e9 of 0");
+  } else if (std::isinf(joint.lower) || std::isinf(joint.upper)) {
+    place.note(Oddity::limit_beyond_sense);
+  }
 }
 
 void readLimit(const XMLElement& element, const Place& place, Joint& joint) {
@@ -89,22 +113,14 @@ void readLimit(const XMLElement& element, const Place& place, Joint& joint) {
   const Numbers<1> zero = Numbers<1>::Zero();
   if (hasRange(joint.type)) {
     // URDF: a bound that is not written is 0.
-    joint.lower = readNumbersOr<1>(zero, *limit, {"lower", accepted}, place)[0];
-    joint.upper = readNumbersOr<1>(zero, *limit, {"upper", accepted}, place)[0];
-    if (limit->Attribute("lower") == nullptr && limit->Attribute("upper") == nullptr) {
-      place.note(Oddity::limit_without_range);
-    }
-    if (joint.lower > joint.upper) {
-      place.addError(
-          limit->GetLineNum(),
-          "limit lower " + shown(*limit, "lower") + " above upper " + shown(*limit, "upper"),
-          "lower <= upper");
-    }
+    joint.lower = boundOf(readNumbersOr<1>(zero, *limit, {"lower", accepted, kInfinity}, place)[0]);
+    joint.upper = boundOf(readNumbersOr<1>(zero, *limit, {"upper", accepted, kInfinity}, place)[0]);
+    checkRange(*limit, place, joint);
   }
   const Numbers<1> unlimited(kInfinity);
-  const double velocity =
-      readNumbersOr<1>(unlimited, *limit,
-                       {"velocity", "one finite number, in radians or metres a second"}, place)[0];
+  const double velocity = readNumbersOr<1>(
+      unlimited, *limit,
+      {"velocity", "one finite number, in radians or metres a second", kInfinity}, place)[0];
   // Exporters write 0 for "not known"; a bound of 0 would call every motion impossible.
   joint.max_velocity = velocity > 0.0 ? velocity : kInfinity;
   if (!(velocity > 0.0)) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/xml_document.h"
 
+#include <cmath>
 #include <cstring>
 #include <string_view>
 
@@ -138,6 +139,21 @@ std::optional<std::string> readName(const XMLElement& element, const char* attri
     return std::nullopt;
   }
   return text->substr(begin);
+}
+
+bool isWithin(const std::string& text, const XMLElement& element, const NumberAttribute& attribute,
+              const Eigen::VectorXd& numbers, const Place& place) {
+  for (Eigen::Index i = 0; i < numbers.size(); ++i) {
+    if (std::abs(numbers[i]) > attribute.farthest) {
+      const std::string word(wordsOf(text)[static_cast<std::size_t>(i)].substr(0, 40));
+      place.addError(element.GetLineNum(),
+                     std::string(element.Name()) + " " + attribute.name + " " + quoted(text) +
+                         ": " + quoted(word) + " is beyond 1e9",
+                     std::string(attribute.accepted) + ", none beyond 1e9");
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace collision_monitor

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "collision_monitor/geometry/pose.h"
 #include "model/number_text.h"
 #include "model/place.h"
 
@@ -30,13 +31,18 @@ std::optional<std::string> readName(const tinyxml2::XMLElement& element, const c
 
 struct NumberAttribute {
   const char* name;
-  const char* accepted;  ///< "three finite numbers, in metres"
+  const char* accepted;        ///< "three finite numbers, in metres"
+  double farthest{kFarthest};  ///< numbers beyond it, on either side of 0, are refused
 };
 
 template <int kSize>
 using Numbers = Eigen::Matrix<double, kSize, 1>;
 
-/// Adds an error and returns nothing if the attribute is missing or malformed.
+/// Adds an error for the first of the numbers in `text` that is beyond what the attribute allows.
+bool isWithin(const std::string& text, const tinyxml2::XMLElement& element,
+              const NumberAttribute& attribute, const Eigen::VectorXd& numbers, const Place& place);
+
+/// Adds an error and returns nothing if the attribute is missing, malformed or too far from 0.
 template <int kSize>
 std::optional<Numbers<kSize>> readNumbers(const tinyxml2::XMLElement& element,
                                           const NumberAttribute& attribute, const Place& place) {
@@ -53,6 +59,9 @@ std::optional<Numbers<kSize>> readNumbers(const tinyxml2::XMLElement& element,
         element.GetLineNum(),
         std::string(element.Name()) + " " + attribute.name + " " + quoted(text) + ": " + *fault,
         attribute.accepted);
+    return std::nullopt;
+  }
+  if (!isWithin(text, element, attribute, numbers, place)) {
     return std::nullopt;
   }
   return Numbers<kSize>(numbers);

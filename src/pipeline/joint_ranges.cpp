@@ -45,12 +45,16 @@ std::vector<JointRange> jointRanges(const RobotModel& model) {
     if (joint.mimic || freedomOf(joint) != 1) {
       continue;
     }
-    const bool has_limits = joint.type != JointType::continuous && std::isfinite(joint.lower) &&
-                            std::isfinite(joint.upper);
     const double reach = joint.type == JointType::prismatic ? kMetre : kHalfTurn;
-    ranges.push_back({idAt<JointId>(i), has_limits ? joint.lower : -reach,
-                      has_limits ? joint.upper : reach,
-                      has_limits || joint.type == JointType::continuous});
+    const bool has_lower = std::isfinite(joint.lower);
+    const bool has_upper = std::isfinite(joint.upper);
+    // What is not limited goes as far as its reach, and as far beyond a limit of the other side.
+    const double lower =
+        has_lower ? joint.lower : -reach + (has_upper ? std::min(0.0, joint.upper) : 0.0);
+    const double upper =
+        has_upper ? joint.upper : reach + (has_lower ? std::max(0.0, joint.lower) : 0.0);
+    ranges.push_back({idAt<JointId>(i), lower, upper,
+                      (has_lower && has_upper) || joint.type == JointType::continuous});
   }
   return ranges;
 }

@@ -98,6 +98,23 @@ TEST(UrdfGeometry, mesh_isScaledAxisByAxis) {
   EXPECT_EQ(mesh.vertices[2], Eigen::Vector3d(0.0, 2.0, 6.0));
 }
 
+TEST(UrdfGeometry, meshScaledBeyondSense_isRefused) {
+  const std::map<std::string, std::string> files{{"/t.obj", kTriangleObj}};
+  const auto read = [&](const std::string& scale) {
+    return readText(robotXml(linkXml("a", "<mesh filename='/t.obj' scale='" + scale + "'/>")),
+                    files);
+  };
+  EXPECT_TRUE(read("1 1 3e8").errors().empty()) << "no vertex has a z above 3";
+  for (const char* scale : {"1 1 4e8", "1 1 1e308"}) {
+    EXPECT_EQ(read(scale).errors(),
+              std::vector<std::string>{"test.urdf line 2, link 'a', collision 1: mesh '/t.obj' "
+                                       "with scale '" +
+                                       std::string(scale) +
+                                       "': a vertex beyond 1e9 m; accepted: vertices whose "
+                                       "coordinates are within 1e9 m of 0"});
+  }
+}
+
 TEST(UrdfGeometry, meshMirroredByItsScale_keepsItsOutside) {
   const std::map<std::string, std::string> files{{"/t.obj", kTriangleObj}};
   const auto normalOf = [&](const std::string& scale) -> Eigen::Vector3d {

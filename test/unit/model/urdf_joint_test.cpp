@@ -70,6 +70,20 @@ TEST(UrdfJoint, limitsOfContinuousJoint_areNone) {
   EXPECT_EQ(joint.max_velocity, 3.0);
 }
 
+/// Exporters write "unlimited" so, of wheels and rotors above all.
+TEST(UrdfJoint, limitsBeyondSense_areNoneAndAWarning) {
+  const ReadText read = readJoint("revolute", "<limit lower='-1e16' upper='1e+16' velocity='2'/>");
+  EXPECT_EQ(jointOf(read).lower, -kInfinity);
+  EXPECT_EQ(jointOf(read).upper, kInfinity);
+  EXPECT_EQ(read.warnings().back(),
+            "test.urdf: limits beyond 1e9: joint 'j'; accepted: limits within 1e9 of 0, or type "
+            "continuous; these are taken as none");
+  const Joint one_sided = jointOf(readJoint("prismatic", "<limit lower='1' upper='1e10'/>"));
+  EXPECT_EQ(one_sided.lower, 1.0);
+  EXPECT_EQ(one_sided.upper, kInfinity);
+  EXPECT_EQ(jointOf(readJoint("prismatic", "<limit lower='-1e9' upper='1e9'/>")).upper, 1e9);
+}
+
 TEST(UrdfJoint, limitMissing_isUnlimitedAndAWarning) {
   for (const char* type : {"revolute", "prismatic"}) {
     const ReadText read = readJoint(type, "");

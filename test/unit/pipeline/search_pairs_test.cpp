@@ -222,5 +222,24 @@ TEST(JointRanges, limitsAndWhatHasNone) {
   }
 }
 
+TEST(JointRanges, limitOnOneSide_isKept) {
+  const std::string slide = "<axis xyz='1 0 0'/>";
+  const CycleSetup setup =
+      robot("<link name='a'/><link name='b'/>" +
+            jointXml("out", "prismatic", "base", "a", slide + limits("3", "1e16")) +
+            jointXml("in", "prismatic", "base", "b", slide + limits("-1e16", "0.2")));
+  std::size_t found = 0;
+  for (const JointRange& range : jointRanges(setup.model)) {
+    const std::string& name = setup.model.joint(range.joint).name;
+    if (name == "out" || name == "in") {
+      ++found;
+      EXPECT_EQ(range.lower, name == "out" ? 3.0 : -1.0);
+      EXPECT_EQ(range.upper, name == "out" ? 4.0 : 0.2);
+      EXPECT_FALSE(range.is_whole) << "it may do more";
+    }
+  }
+  EXPECT_EQ(found, 2U);
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
