@@ -110,11 +110,11 @@ std::vector<LinkId> findNamed(const std::string& name, const std::string& where,
 
 }  // namespace
 
-std::vector<LinkIdPair> findNamedPairs(const std::vector<NamedPair>& named, const RobotModel& model,
-                                       SetupReport& report) {
+std::vector<LinkIdPair> findNamedPairs(const std::vector<NamedPair>& named, const std::string& list,
+                                       const RobotModel& model, SetupReport& report) {
   std::vector<LinkIdPair> pairs;
   for (std::size_t i = 0; i < named.size(); ++i) {
-    const std::string where = "ignore_pairs[" + std::to_string(i) + "]";
+    const std::string where = list + "[" + std::to_string(i) + "]";
     const std::vector<LinkId> first = findNamed(named[i].a, where, model, report);
     const std::vector<LinkId> second = findNamed(named[i].b, where, model, report);
     const std::size_t before = pairs.size();

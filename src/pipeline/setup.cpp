@@ -17,33 +17,30 @@ namespace {
 
 std::string inMetres(double value) { return std::to_string(value) + " m"; }
 
-/// `unit` stands behind the numbers, as in " m".
-void checkNumber(const std::string& name, double value, double least, const char* unit,
-                 SetupReport& report) {
-  if (!std::isfinite(value) || value < least) {
-    report.errors.push_back(
-        {name, std::to_string(value) + unit, "a finite number >= " + std::to_string(least) + unit});
+/// Looks at the numbers of one struct of options.
+struct NumberCheck {
+  std::string where;  ///< before their names
+  SetupReport& report;
+
+  /// `unit` stands behind the numbers, as in " m".
+  void atLeast(double least, const char* name, double value, const char* unit) const {
+    if (!std::isfinite(value) || value < least) {
+      report.errors.push_back({where + name, std::to_string(value) + unit,
+                               "a finite number >= " + std::to_string(least) + unit});
+    }
   }
-}
+};
 
-void checkLimit(const char* name, double value, double least, SetupReport& report) {
-  checkNumber(std::string("limits, ") + name, value, least, " m", report);
-}
-
-void checkTime(const char* name, double value, double least, SetupReport& report) {
-  checkNumber(std::string("limits, ") + name, value, least, " s", report);
-}
-
-void checkLookAhead(const LookAhead& ahead, SetupReport& report) {
+void checkLookAhead(const LookAhead& ahead, const std::string& where, SetupReport& report) {
   constexpr double kShortest = 1e-3;
   const StopRule& stop = ahead.stop;
-  const double lowest = std::numeric_limits<double>::lowest();
-  checkNumber("look_ahead, horizon", ahead.horizon, 0.0, " s", report);
-  checkNumber("look_ahead, stop_distance", stop.stop_distance, lowest, " m", report);
-  checkNumber("look_ahead, stop_time", stop.stop_time, kShortest, " s", report);
-  checkNumber("look_ahead, release_time", stop.release_time, kShortest, " s", report);
-  checkNumber("look_ahead, rest_speed", stop.rest_speed, 0.0, " m/s", report);
-  checkNumber("look_ahead, creep_scale", stop.creep_scale, 0.0, "", report);
+  const NumberCheck check{where, report};
+  check.atLeast(0.0, "horizon", ahead.horizon, " s");
+  check.atLeast(std::numeric_limits<double>::lowest(), "stop_distance", stop.stop_distance, " m");
+  check.atLeast(kShortest, "stop_time", stop.stop_time, " s");
+  check.atLeast(kShortest, "release_time", stop.release_time, " s");
+  check.atLeast(0.0, "rest_speed", stop.rest_speed, " m/s");
+  check.atLeast(0.0, "creep_scale", stop.creep_scale, "");
 }
 
 /// Pairs that a threshold of time or the speed scale may be about are within the horizon.
@@ -75,34 +72,37 @@ void warnIfNothingChecked(const CycleSetup& setup, SetupReport& report) {
 
 }  // namespace
 
-void checkLimits(const Limits& limits, SetupReport& report) {
+void checkLimits(const Limits& limits, const std::string& where, SetupReport& report) {
+  const NumberCheck check{where, report};
   if (!std::isfinite(limits.contact_distance)) {
     report.errors.push_back(
-        {"limits, contact_distance", inMetres(limits.contact_distance), "a finite number"});
+        {where + "contact_distance", inMetres(limits.contact_distance), "a finite number"});
   }
-  checkLimit("warning_distance", limits.warning_distance, limits.contact_distance, report);
-  checkLimit("report_distance", limits.report_distance, limits.warning_distance, report);
-  checkLimit("hysteresis", limits.hysteresis, 0.0, report);
-  checkTime("contact_time", limits.contact_time, 0.0, report);
-  checkTime("warning_time", limits.warning_time, limits.contact_time, report);
-  checkTime("time_hysteresis", limits.time_hysteresis, 0.0, report);
+  check.atLeast(limits.contact_distance, "warning_distance", limits.warning_distance, " m");
+  check.atLeast(limits.warning_distance, "report_distance", limits.report_distance, " m");
+  check.atLeast(0.0, "hysteresis", limits.hysteresis, " m");
+  check.atLeast(0.0, "contact_time", limits.contact_time, " s");
+  check.atLeast(limits.contact_time, "warning_time", limits.warning_time, " s");
+  check.atLeast(0.0, "time_hysteresis", limits.time_hysteresis, " s");
 }
 
 namespace {
 
 void checkInput(const std::vector<RobotDescription>& robots, const SetupOptions& options,
                 SetupReport& report) {
-  checkLimits(options.limits, report);
-  checkLimit("padding", options.padding, 0.0, report);
-  checkLimit("target_overshoot", options.default_limits.target_overshoot, 0.0, report);
+  checkLimits(options.limits, options.where + "limits/", report);
+  const NumberCheck check{options.where, report};
+  check.atLeast(0.0, "padding", options.padding, " m");
+  check.atLeast(0.0, "target_overshoot", options.default_limits.target_overshoot, " m");
   if (options.default_limits.max_shapes == 0) {
-    report.errors.push_back({"limits of fits, max_shapes", "0", "at least 1 shape a link"});
+    report.errors.push_back(
+        {options.where + "max_shapes_per_link", "0", "at least 1 shape a link"});
   }
   if (robots.empty()) {
     report.errors.push_back({"robots", "none", "at least one robot description"});
   }
-  checkLimit("refine_distance", options.refine.limits.distance, 0.0, report);
-  checkLookAhead(options.ahead, report);
+  check.atLeast(0.0, "refine_distance", options.refine.limits.distance, " m");
+  checkLookAhead(options.ahead, options.where + "look_ahead/", report);
 }
 
 }  // namespace
@@ -126,7 +126,7 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
                              readShapeRules(options.shape_rules, setup.model, srdfs, report),
                              options.fit_cache};
   const std::vector<LinkIdPair> ignored =
-      findNamedPairs(options.ignored_pairs, setup.model, report);
+      findNamedPairs(options.ignored_pairs, options.where + "ignore_pairs", setup.model, report);
   throwIfErrors(report);
   const std::vector<LinkFit> fits = fitLinks(setup.model, settings, {}, report);
   makeBodies(fits, setup);

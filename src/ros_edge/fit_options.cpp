@@ -45,8 +45,8 @@ SetupOptions loadSetupOptions(const Parameters& parameters, const ResourceLoader
   try {
     options.shape_rules.yaml = load_resource(parameters.shape_rules);
   } catch (const std::exception& fault) {
-    report.errors.push_back({"parameter shape_rules '" + parameters.shape_rules + "'", fault.what(),
-                             "a readable file or package:// URI"});
+    report.errors.push_back({options.where + "shape_rules '" + parameters.shape_rules + "'",
+                             fault.what(), "a readable file or package:// URI"});
   }
   return options;
 }

@@ -30,7 +30,7 @@ void readLimits(const XmlRpcValue& values, const std::string& where, Limits& lim
   fields.read("warning_time", kDuration, limits.warning_time);
   fields.read("time_hysteresis", kDuration, limits.time_hysteresis);
   fields.refuseOthers();
-  checkLimits(limits, report);
+  checkLimits(limits, "parameter " + where + "/", report);
 }
 
 void readLookAhead(const XmlRpcValue& values, const std::string& where, LookAhead& ahead,
@@ -72,12 +72,12 @@ RobotSource readRobot(const XmlRpcValue& values, const std::string& where, Setup
     return robot;  // that was told, and the rest would only follow from it
   }
   if (robot.description.empty() == robot.file.empty()) {
-    report.errors.push_back({where, robot.file.empty() ? "no source" : "two sources",
+    report.errors.push_back({"parameter " + where, robot.file.empty() ? "no source" : "two sources",
                              "either 'description' (a parameter's name) or 'file'"});
   }
   if (!robot.semantic.empty() && !robot.semantic_file.empty()) {
-    report.errors.push_back(
-        {where, "two sources of the SRDF", "either 'semantic' or 'semantic_file', or neither"});
+    report.errors.push_back({"parameter " + where, "two sources of the SRDF",
+                             "either 'semantic' or 'semantic_file', or neither"});
   }
   return robot;
 }
@@ -199,6 +199,7 @@ void tolerateForeign(ParameterStruct& fields) {
 Parameters readParameters(const XmlRpcValue& values, const std::string& where,
                           SetupReport& report) {
   Parameters parameters;
+  parameters.setup.where = "parameter " + where + "/";
   ParameterStruct fields(values, where, report);
   if (const XmlRpcValue* robots = fields.find("robots")) {
     parameters.robots = readRobotList(*robots, fields.pathOf("robots"), report);

@@ -44,8 +44,9 @@ using LinkIdPair = std::pair<LinkId, LinkId>;  ///< first < second
 /// any robot.
 ///
 /// Errors: a name that no link fits, and two that fit but one and the same link.
-std::vector<LinkIdPair> findNamedPairs(const std::vector<NamedPair>& named, const RobotModel& model,
-                                       SetupReport& report);
+/// @param list what messages call it
+std::vector<LinkIdPair> findNamedPairs(const std::vector<NamedPair>& named, const std::string& list,
+                                       const RobotModel& model, SetupReport& report);
 
 /// Every pair of links that have shapes, each with its reason, sorted by (a, b).
 /// The first of these rules that says something decides:

@@ -99,6 +99,8 @@ struct CycleSetup {
 };
 
 struct SetupOptions {
+  /// What stands before the names of these options in messages: "parameter /collision_monitor/".
+  std::string where;
   Limits limits;
   double padding{0.0};  ///< [m] added to the radius or extents of every shape, >= 0
   FitLimits default_limits{4, 0.01, {}};  ///< of links for which the rules say nothing else
@@ -118,6 +120,7 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
                       const ResourceLoader& load_resource, const SetupOptions& options);
 
 /// Adds a problem for each limit that is not as Limits asks.
-void checkLimits(const Limits& limits, SetupReport& report);
+/// @param where what stands before their names in messages
+void checkLimits(const Limits& limits, const std::string& where, SetupReport& report);
 
 }  // namespace collision_monitor

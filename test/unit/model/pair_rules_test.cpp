@@ -164,9 +164,9 @@ TEST(PairRules, namedPair_isIgnoredAmongRobotsAndWithinOne) {
   SrdfPairs srdf;
   srdf.robot = RobotId{1};
   srdf.enabled = {{*model.findLink("left/a"), *model.findLink("left/c"), ""}};
-  const Reasons reasons =
-      reasonsOf(model, {srdf},
-                findNamedPairs({{"left/a", "cell/table"}, {"left/c", "left/a"}}, model, report));
+  const Reasons reasons = reasonsOf(
+      model, {srdf},
+      findNamedPairs({{"left/a", "cell/table"}, {"left/c", "left/a"}}, "pairs", model, report));
   EXPECT_TRUE(report.errors.empty());
   EXPECT_EQ(reasons.at("cell/table left/a"), PairReason::ignored_by_user);
   EXPECT_EQ(reasons.at("left/a left/c"), PairReason::ignored_by_user);
@@ -178,8 +178,8 @@ TEST(PairRules, namedPair_isIgnoredAmongRobotsAndWithinOne) {
 TEST(PairRules, namedPair_byPatternsAndNamesOfTheUrdf) {
   const RobotModel model = twoArmsInACell();
   SetupReport report;
-  const Reasons reasons =
-      reasonsOf(model, {}, findNamedPairs({{"cell/*", "a"}, {"*/?", "right/c"}}, model, report));
+  const Reasons reasons = reasonsOf(
+      model, {}, findNamedPairs({{"cell/*", "a"}, {"*/?", "right/c"}}, "pairs", model, report));
   EXPECT_TRUE(report.errors.empty());
   for (const char* pair : {"cell/table left/a", "cell/wall left/a", "cell/table right/a",
                            "left/b right/c", "right/a right/c"}) {
@@ -192,12 +192,12 @@ TEST(PairRules, namedPair_byPatternsAndNamesOfTheUrdf) {
 TEST(PairRules, namedPairThatIsNone_isAnError) {
   const RobotModel model = twoArmsInACell();
   SetupReport report;
-  findNamedPairs({{"left/a", "cell/tabel"}, {"left/a", "left/a"}, {"left/a", "left/*"}}, model,
-                 report);
+  findNamedPairs({{"left/a", "cell/tabel"}, {"left/a", "left/a"}, {"left/a", "left/*"}},
+                 "/m/ignore_pairs", model, report);
   ASSERT_EQ(report.errors.size(), 2u);
-  EXPECT_EQ(report.errors[0].where, "ignore_pairs[0]");
+  EXPECT_EQ(report.errors[0].where, "/m/ignore_pairs[0]");
   EXPECT_EQ(report.errors[0].found, "link 'cell/tabel', which matches none");
-  EXPECT_EQ(report.errors[1].where, "ignore_pairs[1]");
+  EXPECT_EQ(report.errors[1].where, "/m/ignore_pairs[1]");
   EXPECT_EQ(report.errors[1].found, "'left/a' twice");
 }
 

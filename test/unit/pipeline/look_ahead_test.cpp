@@ -209,11 +209,11 @@ TEST(LookAhead, badNumbers_areAllNamed) {
   Limits limits;
   limits.contact_time = 0.3;
   limits.time_hysteresis = -1.0;
-  checkLimits(limits, report);
+  checkLimits(limits, "limits/", report);
   ASSERT_EQ(report.errors.size(), 2U);
-  EXPECT_EQ(report.errors[0].where, "limits, warning_time");
+  EXPECT_EQ(report.errors[0].where, "limits/warning_time");
   EXPECT_EQ(report.errors[0].accepted, "a finite number >= 0.300000 s");
-  EXPECT_EQ(report.errors[1].where, "limits, time_hysteresis");
+  EXPECT_EQ(report.errors[1].where, "limits/time_hysteresis");
 }
 
 }  // namespace

@@ -182,11 +182,11 @@ TEST(ListPairs, tableIsOrderedByKindOfCore) {
 
 TEST(CheckLimits, everyFaultIsNamed) {
   SetupReport report;
-  checkLimits({0.1, 0.05, -1.0, std::numeric_limits<double>::quiet_NaN()}, report);
+  checkLimits({0.1, 0.05, -1.0, std::numeric_limits<double>::quiet_NaN()}, "limits/", report);
   ASSERT_EQ(report.errors.size(), 3U);
-  EXPECT_EQ(report.errors[0].where, "limits, warning_distance");
-  EXPECT_EQ(report.errors[1].where, "limits, report_distance");
-  EXPECT_EQ(report.errors[2].where, "limits, hysteresis");
+  EXPECT_EQ(report.errors[0].where, "limits/warning_distance");
+  EXPECT_EQ(report.errors[1].where, "limits/report_distance");
+  EXPECT_EQ(report.errors[2].where, "limits/hysteresis");
 }
 
 }  // namespace

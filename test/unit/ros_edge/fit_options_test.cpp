@@ -82,6 +82,7 @@ TEST(LoadSetupOptions, rulesFile_isReadAnewEachTime) {
 
 TEST(LoadSetupOptions, rulesFileThatCannotBeRead_isAnError) {
   Parameters parameters;
+  parameters.setup.where = "parameter /m/";
   parameters.shape_rules = "/nowhere.yaml";
   const ResourceLoader loader = [](const std::string&) -> std::string {
     throw std::runtime_error("no such file");
@@ -90,7 +91,7 @@ TEST(LoadSetupOptions, rulesFileThatCannotBeRead_isAnError) {
   loadSetupOptions(parameters, loader, report);
   ASSERT_EQ(report.errors.size(), 1U);
   EXPECT_EQ(toString(report.errors[0]),
-            "parameter shape_rules '/nowhere.yaml': no such file; accepted: a readable file or "
+            "parameter /m/shape_rules '/nowhere.yaml': no such file; accepted: a readable file or "
             "package:// URI");
 }
 

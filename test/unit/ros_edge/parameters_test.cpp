@@ -7,6 +7,8 @@
 #include <limits>
 #include <set>
 
+#include "edge_scene.h"
+
 namespace collision_monitor::test {
 namespace {
 
@@ -207,7 +209,34 @@ TEST(Parameters, limitsOutOfOrder) {
   XmlRpcValue values;
   values["limits"]["contact_distance"] = 0.1;
   values["limits"]["warning_distance"] = 0.05;
-  EXPECT_FALSE(faults(values).empty());
+  EXPECT_EQ(faults(values), (std::set<std::string>{"parameter /m/limits/warning_distance"}));
+}
+
+/// Where the problems of a set-up for the sliding robot are.
+std::set<std::string> setupFaults(const SetupOptions& options) {
+  std::set<std::string> places;
+  try {
+    slidingSetup(options);
+  } catch (const SetupError& error) {
+    for (const Problem& problem : error.problems()) {
+      places.insert(problem.where);
+    }
+  }
+  return places;
+}
+
+TEST(Parameters, faultsThatTheRobotShows_haveTheFullPath) {
+  XmlRpcValue values;
+  values["ignore_pairs"][0][0] = "no_such_link";
+  values["ignore_pairs"][0][1] = "base";
+  SetupReport report;
+  SetupOptions options = readParameters(values, "/m", report).setup;
+  ASSERT_TRUE(report.errors.empty());
+  EXPECT_EQ(setupFaults(options), (std::set<std::string>{"parameter /m/ignore_pairs[0]"}));
+  options.padding = -1.0;
+  options.ahead.stop.creep_scale = -1.0;
+  EXPECT_EQ(setupFaults(options),
+            (std::set<std::string>{"parameter /m/padding", "parameter /m/look_ahead/creep_scale"}));
 }
 
 TEST(Parameters, robotsNeedExactlyOneSource_andUniqueNames) {
@@ -219,8 +248,9 @@ TEST(Parameters, robotsNeedExactlyOneSource_andUniqueNames) {
   values["robots"][1]["file"] = "a.urdf";
   values["robots"][1]["description"] = "/b";
   values["robots"][2]["nam"] = "c";
-  EXPECT_EQ(faults(values), (std::set<std::string>{"/m/robots[1]", "parameter /m/robots[1]/name",
-                                                   "/m/robots[2]", "parameter /m/robots[2]/nam"}));
+  EXPECT_EQ(faults(values),
+            (std::set<std::string>{"parameter /m/robots[1]", "parameter /m/robots[1]/name",
+                                   "parameter /m/robots[2]", "parameter /m/robots[2]/nam"}));
 }
 
 TEST(Parameters, robotsThatAreNoList) {
