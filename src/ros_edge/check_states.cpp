@@ -15,6 +15,12 @@
 namespace collision_monitor {
 namespace {
 
+/// Half a minute of arms whose meshes are near in every state, and some 20 MB. More gain nothing
+/// from being one call, and others wait for its end.
+constexpr std::size_t kMostStates = 100'000;
+/// Tenths of a second at most: so soon a call gives up.
+constexpr std::size_t kStatesAtOnce = 1000;
+
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 /// The number of states; a sentence for each thing that is wrong.
@@ -36,6 +42,10 @@ std::size_t countStates(const RobotModel& model, const CheckStates::Request& req
     faults.push_back("positions has " + std::to_string(request.positions.size()) + " values for " +
                      std::to_string(joints) + " joints; give one for each joint of each state");
   }
+  if (request.positions.size() / joints > kMostStates) {
+    faults.push_back("positions has " + std::to_string(request.positions.size() / joints) +
+                     " states; give at most " + std::to_string(kMostStates) + " in one call");
+  }
   return faults.empty() ? request.positions.size() / joints : 0;
 }
 
@@ -52,19 +62,22 @@ std::vector<int> placesOf(const RobotModel& model, const std::vector<std::string
   return places;
 }
 
+struct StateRange {
+  std::size_t first;
+  std::size_t last;  ///< the one behind
+};
+
 /// NaN where a number means nothing: the state is unknown then.
-JointPositions positionsOf(const CheckStates::Request& request, const std::vector<int>& places,
-                           std::size_t count) {
-  JointPositions positions;
-  positions.reserve(count * places.size());
-  for (std::size_t state = 0; state < count; ++state) {
+void positionsOf(const CheckStates::Request& request, const std::vector<int>& places,
+                 const StateRange& range, JointPositions& positions) {
+  positions.clear();
+  for (std::size_t state = range.first; state < range.last; ++state) {
     const double* first = request.positions.data() + state * request.joint_names.size();
     for (const int place : places) {
       const double position = place < 0 ? 0.0 : first[place];
       positions.push_back(std::abs(position) <= kFarthest ? position : kNotANumber);
     }
   }
-  return positions;
 }
 
 void addCheck(const CycleSetup& setup, const StateCheck& check, CheckStates::Response& response) {
@@ -92,6 +105,7 @@ std::string summaryText(const CheckStates::Response& response) {
 }  // namespace
 
 void answerCheckStates(const MonitorSetup& current, const LinkPoses& newest,
+                       const std::function<bool(double)>& progress,
                        const CheckStates::Request& request, CheckStates::Response& response) {
   const CycleSetup& setup = current.setup;
   std::vector<std::string> faults;
@@ -107,14 +121,24 @@ void answerCheckStates(const MonitorSetup& current, const LinkPoses& newest,
   std::vector<bool> moves(places.size());
   std::transform(places.begin(), places.end(), moves.begin(), [](int place) { return place >= 0; });
   StatesWork work = makeStatesWork(setup, standingAs(setup.model, newest, moves));
-  const JointPositions positions = positionsOf(request, places, count);
   const StateQuestion question =
       request.only_contacts != 0 ? StateQuestion::contact : StateQuestion::nearest;
+  const auto check = request.enclosing_shapes != 0 ? checkStates : checkStatesExactly;
+  JointPositions positions;
   std::vector<StateCheck> checks;
-  (request.enclosing_shapes != 0 ? checkStates : checkStatesExactly)(setup, positions, question,
-                                                                     work, checks);
-  for (const StateCheck& check : checks) {
-    addCheck(setup, check, response);
+  for (std::size_t first = 0; first < count; first += kStatesAtOnce) {
+    const std::size_t last = std::min(count, first + kStatesAtOnce);
+    positionsOf(request, places, {first, last}, positions);
+    check(setup, positions, question, work, checks);
+    for (const StateCheck& one : checks) {
+      addCheck(setup, one, response);
+    }
+    if (progress && !progress(static_cast<double>(last) / static_cast<double>(count))) {
+      response = CheckStates::Response();
+      response.message = "given up after " + std::to_string(last) + " of " + std::to_string(count) +
+                         " states: the monitor ends";
+      return;
+    }
   }
   response.message = summaryText(response);
 }

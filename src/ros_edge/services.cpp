@@ -22,12 +22,20 @@ Services::Services(const ros::NodeHandle& private_node, const TransformStore& st
       joint_store_(joint_store),
       hooks_(std::move(hooks)) {
   get_distances_ = private_node_.advertiseService("get_distances", &Services::getDistances, this);
+  ros::NodeHandle background_node(private_node_);
+  background_node.setCallbackQueue(&background_.queue());
   check_trajectory_ =
-      private_node_.advertiseService("check_trajectory", &Services::checkTrajectory, this);
-  check_states_ = private_node_.advertiseService("check_states", &Services::checkStates, this);
+      background_node.advertiseService("check_trajectory", &Services::checkTrajectory, this);
+  check_states_ = background_node.advertiseService("check_states", &Services::checkStates, this);
   set_enabled_ = private_node_.advertiseService("set_enabled", &Services::setEnabled, this);
   reload_ = private_node_.advertiseService("reload", &Services::reload, this);
 }
+
+/// Servers that end wait for the call at hand.
+Services::~Services() { background_.end(); }
+
+/// Whether a long call may go on.
+bool Services::goesOn() const { return ros::ok() && !background_.isEnding(); }
 
 LinkPoses Services::newestPoses(const MonitorSetup& current) const {
   const RobotModel& model = current.setup.model;
@@ -49,10 +57,10 @@ bool Services::getDistances(GetDistances::Request& request, GetDistances::Respon
 bool Services::checkTrajectory(CheckTrajectory::Request& request,
                                CheckTrajectory::Response& response) {
   const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
-  const auto tell = [](double done) {
+  const auto tell = [this](double done) {
     ROS_INFO_STREAM_DELAYED_THROTTLE(
         2.0, "check_trajectory: " << std::lround(100.0 * done) << " % checked");
-    return ros::ok();
+    return goesOn();
   };
   answerCheckTrajectory(*current, newestPoses(*current), tell, request, response);
   return true;
@@ -60,7 +68,12 @@ bool Services::checkTrajectory(CheckTrajectory::Request& request,
 
 bool Services::checkStates(CheckStates::Request& request, CheckStates::Response& response) {
   const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
-  answerCheckStates(*current, newestPoses(*current), request, response);
+  const auto tell = [this](double done) {
+    ROS_INFO_STREAM_DELAYED_THROTTLE(2.0,
+                                     "check_states: " << std::lround(100.0 * done) << " % checked");
+    return goesOn();
+  };
+  answerCheckStates(*current, newestPoses(*current), tell, request, response);
   return true;
 }
 

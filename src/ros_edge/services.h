@@ -17,6 +17,7 @@
 #include "collision_monitor/pipeline/cycle_data.h"
 #include "collision_monitor/ros_edge/joint_store.h"
 #include "collision_monitor/ros_edge/transform_store.h"
+#include "ros_edge/background_queue.h"
 #include "ros_edge/monitor_setup.h"
 
 namespace collision_monitor {
@@ -28,15 +29,20 @@ struct ServiceHooks {
   std::function<void(bool)> set_enabled;
 };
 
-/// get_distances, check_trajectory, check_states, set_enabled and reload. Run on the callback queue
-/// of the node handle, beside the cycle and without touching its data.
+/// get_distances, check_trajectory, check_states, set_enabled and reload, beside the cycle and
+/// without touching its data. The two checks may take seconds and run in the background, the others
+/// on the callback queue of the node handle.
 class Services {
  public:
   /// @pre the stores outlive the services.
   Services(const ros::NodeHandle& private_node, const TransformStore& store,
            const JointStore& joint_store, ServiceHooks hooks);
+  ~Services();
+  Services(const Services&) = delete;
+  Services& operator=(const Services&) = delete;
 
  private:
+  bool goesOn() const;
   LinkPoses newestPoses(const MonitorSetup& current) const;
   bool getDistances(GetDistances::Request& request, GetDistances::Response& response);
   bool checkTrajectory(CheckTrajectory::Request& request, CheckTrajectory::Response& response);
@@ -49,6 +55,7 @@ class Services {
   const JointStore& joint_store_;
   ServiceHooks hooks_;
   std::mutex reload_mutex_;
+  BackgroundQueue background_;  ///< outlives its services
   ros::ServiceServer get_distances_;
   ros::ServiceServer check_trajectory_;
   ros::ServiceServer check_states_;

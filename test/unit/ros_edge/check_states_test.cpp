@@ -19,12 +19,13 @@ class CheckStatesServiceTest : public testing::Test {
  protected:
   CheckStates::Response ask() {
     CheckStates::Response response;
-    answerCheckStates(*setup_, poses_, request_, response);
+    answerCheckStates(*setup_, poses_, progress_, request_, response);
     return response;
   }
 
   std::shared_ptr<const MonitorSetup> setup_ = slidingSetup();
   LinkPoses poses_ = slidingPoses(setup_->setup.model, 0.0, 0.25);
+  std::function<bool(double)> progress_;
   CheckStates::Request request_;
 };
 
@@ -45,6 +46,46 @@ TEST_F(CheckStatesServiceTest, everyStateIsJudged) {
   EXPECT_EQ(response.links_b[2], "tool");
   EXPECT_EQ(response.links_a[3], "");
   EXPECT_EQ(response.message, "4 states: 1 in contact, 1 unknown");
+}
+
+TEST_F(CheckStatesServiceTest, manyStates_areAllJudgedInOrder) {
+  request_.joint_names = {"reach"};
+  std::vector<double> done;
+  progress_ = [&](double part) {
+    done.push_back(part);
+    return true;
+  };
+  for (int i = 0; i < 2500; ++i) {
+    request_.positions.push_back(0.001 * i);
+  }
+  const auto response = ask();
+  ASSERT_EQ(response.distances.size(), 2500U);
+  for (std::size_t i = 0; i < 2500; ++i) {
+    // base and tool; farther out the finger is nearest to the base.
+    EXPECT_NEAR(response.distances[i], std::min(0.3 + 0.001 * static_cast<double>(i), 0.8), 1e-12);
+  }
+  EXPECT_EQ(done, (std::vector<double>{0.4, 0.8, 1.0}));
+}
+
+TEST_F(CheckStatesServiceTest, givenUp_answersNothing) {
+  request_.joint_names = {"reach"};
+  request_.positions.assign(2500, 0.0);
+  progress_ = [](double part) { return part < 0.5; };
+  const auto response = ask();
+  EXPECT_FALSE(response.success);
+  EXPECT_TRUE(response.levels.empty());
+  EXPECT_EQ(response.message, "given up after 2000 of 2500 states: the monitor ends");
+}
+
+TEST_F(CheckStatesServiceTest, moreStatesThanACallMayHave_areRefused) {
+  request_.joint_names = {"reach", "slide"};
+  request_.positions.assign(200'000, 0.0);
+  EXPECT_TRUE(ask().success);
+  request_.positions.assign(200'002, 0.0);
+  const auto response = ask();
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.message, "positions has 100001 states; give at most 100000 in one call");
+  EXPECT_TRUE(response.levels.empty());
 }
 
 TEST_F(CheckStatesServiceTest, positionBeyondSense_isUnknownHoweverItIsAsked) {
