@@ -144,6 +144,15 @@ class TwoCapsules(unittest.TestCase):
         self.assertEqual(termios.tcgetattr(terminal), before)
         self.wait_for_listeners(1)
 
+    def test_frameThatIsNone_isRefused(self):
+        for frame in ("", 5):
+            rospy.set_param("/no_frame/frame", frame)
+            ended = subprocess.run(["rosrun", "collision_monitor", "two_capsules", "__name:=no_frame"],
+                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                   stderr=subprocess.STDOUT, timeout=DEADLINE, check=False)
+            self.assertEqual(ended.returncode, 1)
+            self.assertIn(b"parameter /no_frame/frame", ended.stdout)
+
 
 if __name__ == "__main__":
     rospy.init_node("two_capsules_test")

@@ -5,6 +5,10 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
+#include <optional>
+#include <string>
+#include <utility>
+
 #include "draw.h"
 #include "keyboard.h"
 
@@ -15,8 +19,8 @@ namespace {
 /// parameter `frame`.
 class Scene {
  public:
-  Scene()
-      : frame_(private_node_.param<std::string>("frame", "world")),
+  explicit Scene(std::string frame)
+      : frame_(std::move(frame)),
         markers_(private_node_.advertise<visualization_msgs::MarkerArray>("markers", 1, true)),
         clicks_(ros::NodeHandle().subscribe("clicked_point", 10, &Scene::hear, this)),
         reset_service_(private_node_.advertiseService("reset", &Scene::serveReset, this)) {
@@ -62,13 +66,25 @@ class Scene {
   ros::ServiceServer reset_service_;
 };
 
-void run() {
+/// The parameter `frame`; nothing, behind an error, if it is no name of a frame.
+std::optional<std::string> readFrame() {
+  const ros::NodeHandle node("~");
+  std::string frame = "world";
+  if (node.hasParam("frame") && (!node.getParam("frame", frame) || frame.empty())) {
+    ROS_FATAL_STREAM("parameter " << node.resolveName("frame")
+                                  << ": no text, or an empty one; accepted: the name of a frame");
+    return std::nullopt;
+  }
+  return frame;
+}
+
+void run(const std::string& frame) {
   const Keyboard keyboard;
   ROS_INFO_STREAM((keyboard.isThere() ? "keys: R clears the board, Q ends"
                                       : "no terminal to read keys from; clear the board by "
                                         "rosservice call " +
                                             ros::this_node::getName() + "/reset"));
-  Scene scene;
+  Scene scene(frame);
   while (ros::ok()) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
     const char key = keyboard.read();
@@ -85,6 +101,12 @@ void run() {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "two_capsules");
-  collision_monitor::two_capsules::run();
+  // Outside of the function that reads: when the last handle ends, ROS shuts its log down.
+  const ros::NodeHandle node;
+  const auto frame = collision_monitor::two_capsules::readFrame();
+  if (!frame) {
+    return 1;
+  }
+  collision_monitor::two_capsules::run(*frame);
   return 0;
 }
