@@ -196,7 +196,8 @@ def main():
     rospy.init_node("demo_summary", disable_rosout=True)
     reporter = Reporter(options.monitor, options.player)
     if not reporter.wait_for_monitor(options.patience):
-        print(f"error: nothing came on {options.monitor}/state within {options.patience:.0f} s", file=sys.stderr)
+        reason = "interrupted before" if rospy.is_shutdown() else f"{options.patience:.0f} s passed before"
+        print(f"error: {reason} anything came on {options.monitor}/state", file=sys.stderr)
         return 1
     return report(reporter, reporter.wait_for_end(options.patience))
 

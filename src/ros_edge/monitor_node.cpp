@@ -2,11 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/ros.h>
 
+#include <cstdio>
+
 #include "collision_monitor/ros_edge/monitor.h"
 #include "ros_edge/startup_report.h"
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "collision_monitor");
+  try {
+    ros::init(argc, argv, "collision_monitor");
+  } catch (const ros::InvalidNameException& error) {
+    std::fprintf(stderr, "bad name of the node or of a remapping: %s\n", error.what());
+    return 1;  // without a name there is no log
+  }
   // Outside of the try: when the last handle ends, ROS shuts its log down.
   const ros::NodeHandle private_node("~");
   try {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "model/number_text.h"
 #include "ros_edge/nearest_name.h"
 #include "ros_edge/short_text.h"
 
@@ -26,6 +27,12 @@ std::string describe(const NumberRange& range) {
     text += " and <= " + shortText(range.greatest);
   }
   return text;
+}
+
+bool isNumberAsText(const XmlRpcValue& value) {
+  Eigen::VectorXd number(1);
+  return value.getType() == XmlRpcValue::TypeString &&
+         !parseNumbers(valueAs<std::string>(value), number);
 }
 
 bool isIn(double value, const NumberRange& range) {
@@ -82,7 +89,11 @@ void ParameterStruct::read(const std::string& name, const NumberRange& range, do
     read_value = valueAs<double>(*found);
   }
   if (!isIn(read_value, range)) {
-    refuse(name, toText(*found), describe(range));
+    // 1e3 without a point and the sign of its exponent, among others.
+    const bool is_text = isNumberAsText(*found);
+    refuse(
+        name, toText(*found) + (is_text ? ", a text to YAML" : ""),
+        describe(range) + (is_text ? ", without quotes, and without exponent or as 1.0e+3" : ""));
     return;
   }
   value = read_value;

@@ -10,6 +10,14 @@
 namespace collision_monitor {
 namespace {
 
+/// The parameter that a search for `name` starts from. A search takes names as they were remapped,
+/// not as the node's namespace resolves them.
+std::string startOfSearch(const ros::NodeHandle& node, const std::string& name) {
+  const ros::M_string& remapped = ros::names::getUnresolvedRemappings();
+  const auto found = remapped.find(name);
+  return node.resolveName(found == remapped.end() ? name : found->second, false);
+}
+
 /// Wall time: a simulated clock may not have started.
 bool waitForParameter(const ros::NodeHandle& node, const std::string& name,
                       const ros::WallTime& deadline, std::string& text) {
@@ -40,8 +48,7 @@ std::string readFile(const std::string& uri, const std::string& what, const std:
 RobotDescription fromParameter(const ros::NodeHandle& node, const RobotSource& robot,
                                const ros::WallTime& deadline, SetupReport& report) {
   RobotDescription description;
-  // What the search starts from, for a remapped name or one in the namespace above.
-  description.source = "parameter " + node.resolveName(robot.description);
+  description.source = "parameter " + startOfSearch(node, robot.description);
   if (waitForParameter(node, robot.description, deadline, description.urdf_xml)) {
     std::string resolved;
     node.searchParam(robot.description, resolved);
@@ -75,7 +82,7 @@ void addSemantic(const ros::NodeHandle& node, const RobotSource& robot, bool is_
   }
   if (is_required) {
     report.errors.push_back({"robot '" + robot.name + "'",
-                             "no SRDF in parameter " + node.resolveName(robot.semantic) +
+                             "no SRDF in parameter " + startOfSearch(node, robot.semantic) +
                                  " nor under the same name in a namespace above",
                              "a parameter that holds the text of an SRDF"});
   }

@@ -22,17 +22,21 @@ GOOD = """<robot name="good">
 BAD = GOOD.replace('radius="0.1"', 'radius="-0.1"').replace('type="fixed"', 'type="elastic"')
 
 
-def run_node(name, urdf=None, **parameters):
+def run(*command):
+    """Exit code and output."""
+    ended = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60,
+                           universal_newlines=True, check=False)
+    return ended.returncode, ended.stdout
+
+
+def run_node(name, urdf=None, remap=(), **parameters):
     """Exit code and output of a node with these private parameters."""
     namespace = "/" + name
     for key, value in dict(parameters, wait_for_description=0.2).items():
         rospy.set_param(namespace + "/" + key, value)
     if urdf is not None:
         rospy.set_param(namespace + "/robot_description", urdf)
-    ended = subprocess.run(["rosrun", "collision_monitor", "monitor", "__name:=" + name],
-                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60,
-                           universal_newlines=True, check=False)
-    return ended.returncode, ended.stdout
+    return run("rosrun", "collision_monitor", "monitor", "__name:=" + name, *remap)
 
 
 class BadSetup(unittest.TestCase):
@@ -41,6 +45,27 @@ class BadSetup(unittest.TestCase):
         code, output = run_node("missing")
         self.assertEqual(code, 1, output)
         self.assertIn("/missing/robot_description", output)
+
+    def test_missingDescriptionOfAnotherName_namesThatOne(self):
+        code, output = run_node("renamed", remap=["robot_description:=/arm/robot_description"])
+        self.assertEqual(code, 1, output)
+        self.assertIn("parameter /arm/robot_description", output)
+
+    def test_badNodeName_isTold(self):
+        code, output = run_node("bad name")
+        self.assertEqual(code, 1, output)
+        self.assertIn("[bad name]", output)
+        self.assertNotIn("terminate called", output)
+
+    def test_arguments_everyFrameIsOne_whatIsNoBoolIsRefused(self):
+        """roslaunch reads 7 as a number, and maybe as no bool."""
+        code, output = run("roslaunch", "--dump-params", "collision_monitor", "monitor.launch",
+                           "world_frame:=7")
+        self.assertEqual(code, 0, output)
+        self.assertIn("/collision_monitor/world_frame: '7'", output)
+        _, output = run("roslaunch", "--dump-params", "collision_monitor", "demo.launch",
+                        "loop:=maybe")
+        self.assertIn("maybe is not a 'bool' type", output)  # the exit code is 0 all the same
 
     def test_badUrdf_namesEveryProblem(self):
         code, output = run_node("bad_urdf", BAD)

@@ -121,6 +121,21 @@ TEST(Parameters, lookAhead_isReadAndChecked) {
                                    "parameter /m/joint_states", "parameter /m/velocity_filter"}));
 }
 
+/// To YAML and roslaunch 1e3 is a text.
+TEST(Parameters, numberThatIsAText_isRefusedWithAnAdvice) {
+  const auto fault = [](const char* text) {
+    XmlRpcValue values;
+    values["rate"] = text;
+    SetupReport report;
+    readParameters(values, "/m", report);
+    return report.errors.empty() ? "" : toString(report.errors.front());
+  };
+  EXPECT_EQ(fault("1e3"),
+            "parameter /m/rate: '1e3', a text to YAML; accepted: a number > 0 and <= 10000, "
+            "without quotes, and without exponent or as 1.0e+3");
+  EXPECT_EQ(fault("fast"), "parameter /m/rate: 'fast'; accepted: a number > 0 and <= 10000");
+}
+
 TEST(Parameters, misspeltName_isNamedWithTheNearest) {
   XmlRpcValue values;
   values["max_agee"] = 0.2;
