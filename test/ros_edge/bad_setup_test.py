@@ -24,8 +24,9 @@ BAD = GOOD.replace('radius="0.1"', 'radius="-0.1"').replace('type="fixed"', 'typ
 
 def run(*command):
     """Exit code and output."""
-    ended = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=60,
-                           universal_newlines=True, check=False)
+    ended = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                           stderr=subprocess.STDOUT, timeout=60, universal_newlines=True,
+                           check=False)
     return ended.returncode, ended.stdout
 
 
@@ -66,6 +67,13 @@ class BadSetup(unittest.TestCase):
         _, output = run("roslaunch", "--dump-params", "collision_monitor", "demo.launch",
                         "loop:=maybe")
         self.assertIn("maybe is not a 'bool' type", output)  # the exit code is 0 all the same
+
+    def test_scripts_areFoundByTheirNames(self):
+        """rosrun asks which one where a second file of the name may be executed."""
+        for name in ("echo_warnings.py", "play_joint_path.py", "demo_summary.py"):
+            _, output = run("rosrun", "--prefix", "echo", "collision_monitor", name)
+            self.assertNotIn("non-unique", output)
+            self.assertIn("lib/collision_monitor/" + name, output)
 
     def test_badUrdf_namesEveryProblem(self):
         code, output = run_node("bad_urdf", BAD)
