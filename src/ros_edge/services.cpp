@@ -10,6 +10,7 @@
 #include "ros_edge/check_states.h"
 #include "ros_edge/check_trajectory.h"
 #include "ros_edge/get_distances.h"
+#include "ros_edge/short_text.h"
 #include "ros_edge/startup_report.h"
 #include "ros_edge/watch.h"
 
@@ -82,10 +83,10 @@ bool Services::setEnabled(std_srvs::SetBool::Request& request,
   const bool is_enabled = request.data != 0;
   hooks_.set_enabled(is_enabled);
   response.success = 1;
-  const int seconds = static_cast<int>(hooks_.current_setup()->parameters.disable_timeout);
+  const std::string seconds = shortText(hooks_.current_setup()->parameters.disable_timeout);
   response.message = is_enabled ? "switched on"
-                                : "switched off; switches itself on again in " +
-                                      std::to_string(seconds) + " s (parameter disable_timeout)";
+                                : "switched off; switches itself on again in " + seconds +
+                                      " s (parameter disable_timeout)";
   return true;
 }
 

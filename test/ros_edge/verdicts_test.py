@@ -129,10 +129,11 @@ class Verdicts(TwoBoxes):
     def test_setEnabled_warningWhileOff_andOnAgainByItself(self):
         answer = self.service("set_enabled", SetBool)(False)
         self.assertTrue(answer.success)
+        self.assertIn("in 0.75 s", answer.message)
         state = self.probe.wait_for_level(State.WARNING, "switched off")
         self.assertFalse(state.enabled)
         self.probe.wait(lambda: self.probe.is_valid.data is False, "state_is_valid false")
-        state = self.probe.wait_for_level(State.OK)  # disable_timeout is 1 s here
+        state = self.probe.wait_for_level(State.OK)  # disable_timeout is 0.75 s here
         self.assertTrue(state.enabled)
 
     def test_reload_takesNewLimits_andKeepsTheOldSetUpOnFailure(self):
