@@ -93,12 +93,15 @@ void toMessage(const Pose& pose, geometry_msgs::Pose& message) {
   message.orientation.w = rotation.w();
 }
 
-void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message) {
+void nameBodies(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message) {
   const BodyPair& pair = setup.table[distance.pair];
   message.link_a = setup.model.link(setup.bodies[index(pair.a)].link).name;
   message.link_b = setup.model.link(setup.bodies[index(pair.b)].link).name;
   message.shape_a = shapeName(setup, distance, pair.a);
   message.shape_b = shapeName(setup, distance, pair.b);
+}
+
+void fillNumbers(const PairDistance& distance, LinkDistance& message) {
   message.quality = static_cast<std::uint8_t>(distance.quality);
   fillNumbers(distance.measured, message);
   message.closing_speed = distance.closing_speed;
@@ -106,13 +109,28 @@ void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistan
   message.passed_at = kUnknown;
 }
 
-void toMessage(const CycleSetup& setup, const GradientRow& row, LinkDistance& message) {
+void nameJoints(const CycleSetup& setup, const GradientRow& row, LinkDistance& message) {
   message.gradient_joints.resize(row.size());
-  message.gradient_values.resize(row.size());
   for (std::size_t i = 0; i < row.size(); ++i) {
     message.gradient_joints[i] = setup.velocity_names[row[i].variable];
+  }
+}
+
+void fillNumbers(const GradientRow& row, LinkDistance& message) {
+  message.gradient_values.resize(row.size());
+  for (std::size_t i = 0; i < row.size(); ++i) {
     message.gradient_values[i] = row[i].value;
   }
+}
+
+void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message) {
+  nameBodies(setup, distance, message);
+  fillNumbers(distance, message);
+}
+
+void toMessage(const CycleSetup& setup, const GradientRow& row, LinkDistance& message) {
+  nameJoints(setup, row, message);
+  fillNumbers(row, message);
 }
 
 void toUnknownMessage(LinkDistance& message) {
@@ -142,36 +160,6 @@ void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& messag
     toMessage(setup, watch.buffers.distances.measured[speaker], message);
   }
   message.passed_at = passedAt(watch, link_pair);
-}
-
-void toMessage(const Watch& watch, Distances& message) {
-  const CycleSetup& setup = watch.setup();
-  const PairEvents& events = watch.buffers.events;
-  message.header = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);
-  message.closest = -1;
-  message.pairs_checked = static_cast<std::uint32_t>(setup.checked.size());
-  message.pairs_unknown = static_cast<std::uint32_t>(
-      std::count(events.verdicts.begin(), events.verdicts.end(), Verdict::unknown));
-  message.truncated = 0;
-  GradientRows rows(setup, watch.poses);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
-    const std::uint32_t place = events.closest[i];
-    const bool is_closest = place != kNone && place == events.closest_of_all;
-    const bool is_listed = is_closest || events.passed[i] != kNone;
-    if (place == kNone || (!is_listed && watch.buffers.distances.measured[place].measured.distance >
-                                             setup.checked[i].limits.report_distance)) {
-      continue;
-    }
-    message.closest = is_closest ? static_cast<std::int32_t>(count) : message.closest;
-    message.pairs.resize(std::max(message.pairs.size(), count + 1));
-    const PairDistance& distance = watch.buffers.distances.measured[place];
-    toMessage(setup, distance, message.pairs[count]);
-    toMessage(setup, rows.of(distance), message.pairs[count]);
-    message.pairs[count].passed_at = passedAt(watch, static_cast<LinkPairIndex>(i));
-    ++count;
-  }
-  message.pairs.resize(count);
 }
 
 }  // namespace collision_monitor

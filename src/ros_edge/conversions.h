@@ -3,7 +3,7 @@
 #pragma once
 
 #include <collision_monitor/Contacts.h>
-#include <collision_monitor/Distances.h>
+#include <collision_monitor/LinkDistance.h>
 #include <collision_monitor/State.h>
 #include <collision_monitor/Warning.h>
 #include <geometry_msgs/Pose.h>
@@ -34,6 +34,11 @@ double passedAt(const Watch& watch, LinkPairIndex link_pair);
 /// A measured pair; its gradient row is left as it is.
 void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message);
 void toMessage(const CycleSetup& setup, const GradientRow& row, LinkDistance& message);
+/// Their two parts: names, which are always the same for a pair and its being refined, and numbers.
+void nameBodies(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message);
+void nameJoints(const CycleSetup& setup, const GradientRow& row, LinkDistance& message);
+void fillNumbers(const PairDistance& distance, LinkDistance& message);
+void fillNumbers(const GradientRow& row, LinkDistance& message);
 /// No pair: no names, and numbers that are NaN.
 void toUnknownMessage(LinkDistance& message);
 /// A pair of links of which one is unknown: numbers are NaN.
@@ -44,7 +49,6 @@ void toUnknownMessage(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance&
 void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& message);
 
 void toMessage(const Watch& watch, Contacts& message);
-void toMessage(const Watch& watch, Distances& message);
 void toMessage(const Watch& watch, const VerdictChange& change, Warning& message);
 void toMessage(const Watch& watch, const CycleFacts& facts, State& message);
 

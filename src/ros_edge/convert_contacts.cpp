@@ -76,17 +76,20 @@ void fill(const Watch& watch, const PassedContact& passed, Contact& message) {
 void toMessage(const Watch& watch, Contacts& message) {
   message.header = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);
   message.island_count = watch.buffers.events.island_count;
-  message.contacts.clear();
+  std::size_t count = 0;
+  const auto next = [&]() -> Contact& {
+    message.contacts.resize(std::max(message.contacts.size(), count + 1));
+    return message.contacts[count++];
+  };
   for (const PairDistance& distance : watch.buffers.distances.measured) {
     if (isInContact(watch, distance)) {
-      message.contacts.emplace_back();
-      fill(watch, distance, message.contacts.back());
+      fill(watch, distance, next());
     }
   }
   for (const PassedContact& passed : watch.buffers.distances.passed) {
-    message.contacts.emplace_back();
-    fill(watch, passed, message.contacts.back());
+    fill(watch, passed, next());
   }
+  message.contacts.resize(count);
 }
 
 }  // namespace collision_monitor

@@ -27,6 +27,13 @@ double periodOf(const Parameters& parameters) {
   return 1.0 / std::max(parameters.rate, parameters.heartbeat_rate);
 }
 
+/// How far apart two cycles by poses are on the average, at least. Poses that come `rate` times a
+/// second by another clock come a little sooner by this one.
+double poseIntervalOf(const Parameters& parameters) {
+  constexpr double kClockTolerance = 0.01;
+  return (1.0 - kClockTolerance) * periodOf(parameters);
+}
+
 /// How long the pose trigger waits for news: links that grow stale meanwhile must be told soon.
 double idlePeriodOf(const Parameters& parameters) {
   constexpr double kShortest = 1e-3;
@@ -90,13 +97,14 @@ void CycleRunner::takeOverSetup() {
 
 void CycleRunner::waitForNext() {
   const Parameters& parameters = watch_->fixed->parameters;
-  const Clock::duration period = seconds(periodOf(parameters));
-  // A cycle that came late shifts those after it; they do not catch up in a burst. Poses may
-  // come early after one that came late, so they may be one period ahead.
   const Clock::time_point now = Clock::now();
-  const bool is_by_pose = parameters.trigger == Trigger::pose;
-  planned_start_ = std::max(planned_start_ + period, is_by_pose ? now - period : now);
-  if (is_by_pose) {
+  // A cycle that came late shifts those after it; they do not catch up in a burst.
+  if (parameters.trigger == Trigger::timer) {
+    planned_start_ = std::max(planned_start_ + seconds(periodOf(parameters)), now);
+  } else {
+    // Poses may come early after one that came late, so they may be one interval ahead.
+    const Clock::duration interval = seconds(poseIntervalOf(parameters));
+    planned_start_ = std::max(planned_start_ + interval, now - interval);
     // News first: where they come no faster than `rate`, there is nothing left to sleep.
     store_.waitForNews(seen_data_, now + seconds(idlePeriodOf(parameters)));
   }

@@ -48,6 +48,7 @@ Publishers::Publishers(ros::NodeHandle private_node)
 
 void Publishers::startWatch(const Watch& watch) {
   markers_ = std::make_unique<Markers>(watch);
+  distances_ = DistanceList();
   log_.reset();
 }
 
@@ -71,17 +72,15 @@ const State& Publishers::publishCycle(const Watch& watch, const CycleFacts& fact
   if (sends_contacts) {
     toMessage(watch, contacts_);
   }
-  if (sends_distances) {
-    toMessage(watch, distances_);
-  }
+  const Distances* distances = sends_distances ? &distances_.fill(watch) : nullptr;
   state_publisher_.publish(state_);
   publishLatched<std_msgs::Bool>(isValid(state_), is_valid_publisher_, is_valid_);
   publishLatched<std_msgs::Float64>(state_.speed_scale, speed_scale_publisher_, speed_scale_);
   if (sends_contacts) {
     contacts_publisher_.publish(contacts_);
   }
-  if (sends_distances) {
-    distances_publisher_.publish(distances_);
+  if (distances != nullptr) {
+    distances_publisher_.publish(*distances);
   }
   return state_;
 }
@@ -89,7 +88,7 @@ const State& Publishers::publishCycle(const Watch& watch, const CycleFacts& fact
 void Publishers::publishMarkers(const Watch& watch) {
   const ros::SteadyTime now = ros::SteadyTime::now();
   const double period = 1.0 / watch.fixed->parameters.marker_rate;
-  if (markers_publisher_.getNumSubscribers() == 0 || (now - last_markers_).toSec() < period) {
+  if ((now - last_markers_).toSec() < period || markers_publisher_.getNumSubscribers() == 0) {
     return;
   }
   last_markers_ = now;

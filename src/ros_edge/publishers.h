@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "ros_edge/conversions.h"
+#include "ros_edge/distance_list.h"
 #include "ros_edge/markers.h"
 #include "ros_edge/warning_log.h"
 
@@ -45,7 +46,7 @@ class Publishers {
   WarningLog log_;
   State state_;
   Contacts contacts_;
-  Distances distances_;
+  DistanceList distances_;
 };
 
 }  // namespace collision_monitor

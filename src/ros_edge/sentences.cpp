@@ -5,7 +5,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <string_view>
 
 #include "ros_edge/conversions.h"
 
@@ -22,28 +24,43 @@ const std::string& nameOf(const CycleSetup& setup, BodyId body) {
   return setup.model.link(setup.bodies[index(body)].link).name;
 }
 
+/// Said in every cycle, so in one piece of memory.
+std::string concatenate(std::initializer_list<std::string_view> parts) {
+  std::size_t size = 0;
+  for (const std::string_view part : parts) {
+    size += part.size();
+  }
+  std::string text;
+  text.reserve(size);
+  for (const std::string_view part : parts) {
+    text += part;
+  }
+  return text;
+}
+
 std::string placeText(const CycleSetup& setup, const PairDistance& distance) {
   const BodyPair& pair = setup.table[distance.pair];
   const std::string& a = nameOf(setup, pair.a);
   const std::string& b = nameOf(setup, pair.b);
   const double value = distance.measured.distance;
   const bool is_bound = distance.quality == Quality::lower_bound;
-  const std::string of_shapes = is_bound ? " (enclosing shapes)" : "";
+  const char* of_shapes = is_bound ? " (enclosing shapes)" : "";
   const bool is_estimate = distance.quality == Quality::estimate;
   if (std::abs(value) < kTouching && is_estimate) {
-    return a + " overlaps " + b;
+    return concatenate({a, " overlaps ", b});
   }
   if (value > 0.0 && value < kTouching) {
-    return a + " is less than 0.1 mm from " + b + of_shapes;
+    return concatenate({a, " is less than 0.1 mm from ", b, of_shapes});
   }
   if (std::abs(value) < kTouching) {
-    return a + " touches " + b + of_shapes;
+    return concatenate({a, " touches ", b, of_shapes});
   }
   if (value < 0.0) {
-    return a + " overlaps " + b + " by " + (is_estimate ? "at least " : "") + lengthText(value) +
-           of_shapes;
+    const char* by = is_estimate ? " by at least " : " by ";
+    return concatenate({a, " overlaps ", b, by, lengthText(value), of_shapes});
   }
-  return a + " is " + (is_bound ? "at least " : "") + lengthText(value) + " from " + b;
+  const char* is = is_bound ? " is at least " : " is ";
+  return concatenate({a, is, lengthText(value), " from ", b});
 }
 
 /// ", closing at 0.20 m/s, contact in 0.06 s"; empty for a pair that rests or is not known to move.
@@ -52,19 +69,20 @@ std::string motionText(const PairDistance& distance) {
   if (!(std::abs(closing) >= kResting)) {
     return "";
   }
-  const std::string speed = " at " + fixedText(std::abs(closing), 2) + " m/s";
+  const std::string speed = fixedText(std::abs(closing), 2);
   if (closing < 0.0) {
-    return ", moving apart" + speed;
+    return concatenate({", moving apart at ", speed, " m/s"});
   }
   if (distance.measured.distance < 0.0) {
-    return ", going deeper" + speed;
+    return concatenate({", going deeper at ", speed, " m/s"});
   }
   const double time = distance.time_to_contact;
+  if (!(std::isfinite(time) && time > 0.0)) {
+    return concatenate({", closing at ", speed, " m/s"});
+  }
   const bool is_bound = distance.quality == Quality::lower_bound;
-  return ", closing" + speed +
-         (std::isfinite(time) && time > 0.0
-              ? ", contact in " + fixedText(time, 2) + " s" + (is_bound ? " at the earliest" : "")
-              : "");
+  return concatenate({", closing at ", speed, " m/s, contact in ", fixedText(time, 2),
+                      is_bound ? " s at the earliest" : " s"});
 }
 
 /// Of the pairs of links with this verdict, the one with the least distance; kNone if none was
@@ -90,9 +108,9 @@ LinkPairIndex nearestWith(Verdict verdict, const Watch& watch, std::size_t& coun
 }
 
 std::string andMore(std::size_t count, const char* what) {
-  return count < 2
-             ? ""
-             : " (and " + std::to_string(count - 1) + " more " + what + (count == 2 ? ")" : "s)");
+  return count < 2 ? ""
+                   : concatenate({" (and ", std::to_string(count - 1), " more ", what,
+                                  count == 2 ? ")" : "s)"});
 }
 
 std::string passedSentence(const Watch& watch, const PassedContact& passed) {

@@ -25,7 +25,7 @@ struct RobotSource {
 
 enum class Trigger : unsigned char {
   timer,  ///< `rate` times a second
-  pose,   ///< as soon as a robot has a new complete stamp, at most `rate` times a second
+  pose,   ///< as soon as a robot has a new complete stamp, at most 1.01 `rate` times a second
 };
 
 enum class PoseSource : unsigned char {

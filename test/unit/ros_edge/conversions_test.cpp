@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "edge_scene.h"
+#include "ros_edge/distance_list.h"
 #include "ros_edge/sentences.h"
 
 namespace collision_monitor::test {
@@ -98,8 +99,8 @@ TEST_F(ConversionsTest, speedScale_isZeroWithoutKnowledge) {
 }
 
 TEST_F(ConversionsTest, distances_haveTheirGradientRows) {
-  Distances message;
-  toMessage(*watchMoving(-0.26, -0.2), message);
+  DistanceList list;
+  const Distances& message = list.fill(*watchMoving(-0.26, -0.2));
   ASSERT_EQ(message.pairs.size(), 1U);
   EXPECT_EQ(message.pairs[0].gradient_joints, (std::vector<std::string>{"slide", "reach"}));
   ASSERT_EQ(message.pairs[0].gradient_values.size(), 2U);
@@ -145,15 +146,15 @@ TEST_F(ConversionsTest, switchedOff_isAtLeastWarning) {
 }
 
 TEST_F(ConversionsTest, distances_nearPairsAndTheClosest) {
-  Distances message;
-  toMessage(*watchAt(-0.25), message);
+  DistanceList list;
+  const Distances& message = list.fill(*watchAt(-0.25));
   ASSERT_EQ(message.pairs.size(), 1U) << "the finger is 0.8 m away";
   EXPECT_EQ(message.closest, 0);
   EXPECT_EQ(message.pairs_checked, 3U);
-  toMessage(*watchAt(0.25), message);
+  list.fill(*watchAt(0.25));
   ASSERT_EQ(message.pairs.size(), 1U) << "the closest stays, however far";
   EXPECT_NEAR(message.pairs[0].distance, 0.55, 1e-12);
-  toMessage(*watchWithout("tool"), message);
+  list.fill(*watchWithout("tool"));
   EXPECT_EQ(message.pairs_unknown, 2U);
 }
 
@@ -201,8 +202,8 @@ TEST_F(ConversionsTest, contactBetweenCycles_isToldWithItsTimeAndPoses) {
   EXPECT_NEAR(contact.pose_a.position.x, 0.0, 1e-12);
   EXPECT_NEAR(contact.pose_b.position.x, 0.2, 1e-9);
   EXPECT_NEAR(contact.depth, 0.0, 1e-9);
-  Distances distances;
-  toMessage(*watch, distances);
+  DistanceList list;
+  const Distances& distances = list.fill(*watch);
   ASSERT_EQ(distances.pairs.size(), 1U);
   EXPECT_NEAR(distances.pairs[0].passed_at, 0.011, 1e-9);
   EXPECT_NEAR(distances.pairs[0].distance, 0.55, 1e-12);
@@ -223,8 +224,8 @@ TEST_F(ConversionsTest, contactBetweenCyclesOfOneShapeAndNowOfAnother_isToldAsOf
   const std::uint32_t closest = watch->buffers.events.closest_of_all;
   watch->buffers.distances.measured[closest].measured.distance = 0.0;
   EXPECT_EQ(stateOf(*watch, facts()).sentence, "base touches tool");
-  Distances distances;
-  toMessage(*watch, distances);
+  DistanceList list;
+  const Distances& distances = list.fill(*watch);
   ASSERT_EQ(distances.pairs.size(), 1U);
   EXPECT_TRUE(std::isnan(distances.pairs[0].passed_at)) << "the links are not apart again";
 }
