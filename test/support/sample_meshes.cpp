@@ -111,4 +111,13 @@ TriangleMesh scaled(const TriangleMesh& mesh, double factor) {
   return result;
 }
 
+TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
+  const auto first = static_cast<std::uint32_t>(a.vertices.size());
+  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
+  for (const auto& t : b.triangles) {
+    a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  return a;
+}
+
 }  // namespace collision_monitor::test

@@ -23,5 +23,7 @@ TriangleMesh randomCloud(const Eigen::Vector3d& half_extents, int count, unsigne
 TriangleMesh moved(const TriangleMesh& mesh, const Eigen::Vector3d& turn,
                    const Eigen::Vector3d& shift);
 TriangleMesh scaled(const TriangleMesh& mesh, double factor);
+/// Both as one mesh.
+TriangleMesh joined(TriangleMesh a, const TriangleMesh& b);
 
 }  // namespace collision_monitor::test

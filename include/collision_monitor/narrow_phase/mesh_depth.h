@@ -10,19 +10,24 @@
 namespace collision_monitor {
 
 /// What a search for the deepest corner of two meshes leaves for the next one about the same: the
-/// corner, and the bounds at which the search stopped. Some thousands of bytes.
+/// corner, and what the search passed over or has yet to look at. Some thousands of bytes.
 struct KeptDepth {
-  /// Each opened node leaves seven others behind, on each level.
-  static constexpr std::size_t kCapacity = 7 * (MeshTree::kMaxLevels + 1) + 8;
+  /// A search for one mesh's corners opens the whole mesh down to a triangle at least: seven others
+  /// are left behind on each level.
+  static constexpr std::uint32_t kCapacity = 7 * (MeshTree::kMaxLevels + 1) + 16;
 
-  struct Waiting {
-    std::uint32_t bound;    ///< of the mesh whose corners are looked at: node and slot
-    std::uint32_t nearest;  ///< a triangle of the other near to it
+  /// A part of the mesh whose corners are looked at.
+  struct Place {
+    std::uint32_t bound;    ///< node and slot
+    std::uint32_t nearest;  ///< a triangle of the other mesh near to it
+    double limit;           ///< [m] none of its corners is deeper than this and `moved`
   };
   /// A search through the corners of one mesh.
   struct Side {
-    std::uint32_t size{0};
-    std::array<Waiting, kCapacity> waiting;
+    std::uint32_t passed_over{0};  ///< the first of the places: they were not deep enough
+    std::uint32_t waiting{0};      ///< the last of them, the next one first
+    bool is_whole{true};           ///< none was dropped for want of room
+    std::array<Place, kCapacity> places;
   };
   struct Corner {
     std::uint32_t triangle{TrianglePair::kNone};  ///< kNone: none is known to be inside
@@ -35,7 +40,7 @@ struct KeptDepth {
   Corner deepest;
   SignedDistance in_a;           ///< the last answer, in A's frame
   std::optional<Pose> a_from_b;  ///< of the last query; none: there was none
-  double moved{0.0};             ///< [m] since the search from the roots began
+  double moved{0.0};             ///< [m] since the search from the whole meshes began
 };
 
 /// How deep two meshes are in each other, at least: every translation that separates the solids
@@ -46,23 +51,23 @@ struct MeshDepth {
   /// no inside.
   SignedDistance deepest;
   std::uint32_t points{0};  ///< measured
-  bool is_complete{false};  ///< all corners were looked at where they are now
+  bool is_complete{false};  ///< no corner is deeper
 };
 
 /// The deepest corner of two meshes that move: that of the last query, measured anew, or a deeper
-/// one. The search for deeper ones goes on where it stopped, the further the more of the depth they
-/// have moved by since the last query, and begins anew after a step longer than that, or where
-/// nothing is kept.
+/// one. What the search passed over says how far meshes may move until it can be deeper, and is
+/// looked at again then: in order of need, as many points as the budget and the step since the last
+/// query allow. All begins anew after a step longer than the depth, or where nothing is kept.
 ///
-/// Frames: world. Error: 1e-12 m for the corners looked at. While meshes move there may be deeper
-/// corners than those, by twice the way since they last were looked at at most; once they stand the
-/// answer becomes complete. A pose that is not finite gives distance 0, and leaves no trace.
-/// Limits: two solids may cross with no corner of one in the other (crossed bars): the distance is
-/// then 0 and says nothing. The budget counts points whose distance from the other mesh is searched
-/// for, and may be exceeded by three. The same queries give the same answers.
-/// Source: signed distance changes by no more than the way gone, so a node whose centre is not deep
-/// enough for its size is passed over: Guthe, Borodin, Klein, "Fast and accurate Hausdorff distance
-/// calculation between meshes" (2005), for such bounds; docs/decisions/mesh-depth.md.
+/// Frames: world. Error: 1e-12 m for the corners looked at. Until the answer is complete there may
+/// be deeper corners; once meshes stand it becomes complete. A pose that is not finite gives
+/// distance 0, and leaves no trace. Limits: two solids may cross with no corner of one in the other
+/// (crossed bars): the distance is then 0 and says nothing. The budget counts points whose distance
+/// from the other mesh is searched for, and may be exceeded by three. The same queries give the
+/// same answers. Source: signed distance changes by no more than the way gone, so a node whose
+/// centre is not deep enough for its size is passed over until the meshes have gone what it lacked:
+/// Guthe, Borodin, Klein, "Fast and accurate Hausdorff distance calculation between meshes" (2005),
+/// for such bounds; docs/decisions/mesh-depth.md.
 /// @pre as distanceBetween. @param memory its content means nothing afterwards.
 /// @param kept of the same meshes, or new. Changes the depth found, never that it is one.
 MeshDepth depthOf(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory,

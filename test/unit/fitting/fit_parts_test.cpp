@@ -15,17 +15,9 @@ namespace {
 
 using Eigen::Vector3d;
 using test::boxMesh;
+using test::joined;
 using test::moved;
 using test::prismMesh;
-
-TriangleMesh joined(TriangleMesh a, const TriangleMesh& b) {
-  const auto first = static_cast<std::uint32_t>(a.vertices.size());
-  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-  for (const auto& t : b.triangles) {
-    a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
-  return a;
-}
 
 /// Two bars of 0.4 x 0.1 x 0.1 m that share a corner cube.
 TriangleMesh angleIron() {

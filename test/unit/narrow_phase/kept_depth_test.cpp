@@ -98,23 +98,70 @@ TEST_F(KeptDepthTest, jump_isSearchedAnew) {
   expectNear(found.deepest.normal_a_to_b, {0, 1, 0}, "normal");
 }
 
-TEST_F(KeptDepthTest, turnsSlowly_anotherCornerIsFoundOnceItStands) {
-  // The bar's corners at z = 0.3 go in, those at z = -0.3 out.
+TEST_F(KeptDepthTest, turnsSlowly_anotherCornerIsFoundBeforeItIsDeeper) {
+  // Two pegs stick in the face x = 1; one goes deeper while the other comes out, and back.
+  const TriangleMesh peg = boxMesh({0.1, 0.02, 0.02});
+  const MeshTree pegs(
+      joined(moved(peg, Vector3d::Zero(), {0, 0, 0.3}), moved(peg, Vector3d::Zero(), {0, 0, -0.3})),
+      true);
   Pose pose = at(1.05, 0, 0);
-  standAt(pose);
-  for (const double turn : {0.05, -0.05}) {
-    for (int step = 1; step <= 50; ++step) {
-      const Eigen::AngleAxisd rotation(turn / 50.0 * step, Vector3d::UnitY());
-      pose.rotation = rotation.toRotationMatrix();
-      depth(pose);
+  int complete = 0;
+  for (int step = 0; step <= 200; ++step) {
+    const double turn = 0.05 * std::sin(0.05 * step);
+    pose.rotation = Eigen::AngleAxisd(turn, Vector3d::UnitY()).toRotationMatrix();
+    const MeshDepth found = depthOf({cube_, Pose{}}, {pegs, pose}, *memory_, *kept_, kBudget);
+    // The corner (-0.1, 0.02, +-0.32), turned.
+    const double x = 1.05 - 0.1 * std::cos(turn) - 0.32 * std::abs(std::sin(turn));
+    ASSERT_GE(found.deepest.distance, x - 1.0 - kExact);
+    if (found.is_complete) {
+      ++complete;
+      ASSERT_NEAR(found.deepest.distance, x - 1.0, kExact) << "step " << step;
     }
-    const MeshDepth stands = standAt(pose);
-    EXPECT_TRUE(stands.is_complete);
-    // The corner (-0.1, 0.2, +-0.3), turned.
-    const double x = 1.05 - 0.1 * std::cos(0.05) - 0.3 * std::sin(0.05);
-    EXPECT_NEAR(stands.deepest.distance, x - 1.0, kExact);
-    EXPECT_EQ(stands.deepest.point_on_b.z() > 0.0, turn < 0.0);
   }
+  EXPECT_GT(complete, 100);
+}
+
+TEST_F(KeptDepthTest, smallSteps_areCompleteWithoutSearchingAllAgain) {
+  const MeshTree body(bumpyMesh(1.0, 30), true);
+  Pose pose{eighthTurn(), {0.5, 0.1, 0.05}};
+  const auto next = [&] {
+    return depthOf({body, Pose{}}, {body, pose}, *memory_, *kept_, kBudget);
+  };
+  const std::uint32_t all_points = next().points;
+  std::uint32_t points = 0;
+  int complete = 0;
+  constexpr int kSteps = 400;
+  for (int step = 0; step < kSteps; ++step) {
+    pose.translation.x() += 2e-5;
+    const MeshDepth found = next();
+    points += found.points;
+    complete += found.is_complete ? 1 : 0;
+  }
+  EXPECT_GT(complete, kSteps / 2);
+  EXPECT_LT(points, kSteps * all_points / 10);
+}
+
+TEST_F(KeptDepthTest, moreCornersAsDeepThanAreKept_isCompleteOnceItStands) {
+  // The rim of a tube that goes straight into the cube: each of its corners is the deepest.
+  const MeshTree tube(prismMesh(0.5, 0.5, 200), true);
+  bool is_whole = true;
+  const auto depth_at = [&](double z) {
+    const MeshDepth found =
+        depthOf({cube_, Pose{}}, {tube, at(0, 0, z)}, *memory_, *kept_, kBudget);
+    is_whole = is_whole && kept_->sides[1].is_whole;
+    return found;
+  };
+  for (int step = 0; step < 500; ++step) {
+    const double z = 1.45 - 1e-4 * step;
+    ASSERT_NEAR(depth_at(z).deepest.distance, z - 1.5, kExact);
+  }
+  EXPECT_FALSE(is_whole) << "all corners were kept";
+  MeshDepth stands;
+  for (int query = 0; query < 1000 && !stands.is_complete; ++query) {
+    stands = depth_at(1.4);
+  }
+  EXPECT_TRUE(stands.is_complete);
+  EXPECT_NEAR(stands.deepest.distance, -0.1, kExact);
 }
 
 TEST_F(KeptDepthTest, smallBudget_isCompleteInTime) {

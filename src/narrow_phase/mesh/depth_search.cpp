@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "narrow_phase/mesh/depth_search.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "narrow_phase/mesh/depth_front.h"
+#include "narrow_phase/mesh/mesh_inside.h"
+#include "narrow_phase/mesh/mesh_search.h"
+#include "narrow_phase/mesh/point_on_mesh.h"
+
+namespace collision_monitor {
+namespace {
+
+using Eigen::Vector3d;
+
+// What is left of a place that may have corners within the radius that are deep enough to count.
+struct MeasuredPlace {
+  bool is_deep{false};
+  double distance{0.0};  // signed, of its centre
+  double deepest{0.0};   // [m] none of its corners is deeper
+  PointOnMesh nearest;
+};
+
+// No point is deeper in the solid than in the box about it.
+double depthInBox(const MeshTree& solid, const Vector3d& point) noexcept {
+  const Bound box = boundAt(solid, 0);
+  const Vector3d from_center = point - solid.center() - box.center.cast<double>();
+  return (box.half.cast<double>() - from_center.cwiseAbs()).minCoeff();
+}
+
+bool isPointInside(const DepthSearch& search, const Vector3d& point) noexcept {
+  const bool is_about_deepest = (point - search.deepest.at).norm() < search.deepest.depth;
+  return is_about_deepest || isInside(search.solid, point, search.memory);
+}
+
+MeasuredPlace measurePlace(DepthSearch& search, const Vector3d& center, double radius,
+                           std::uint32_t start) noexcept {
+  MeasuredPlace found;
+  found.nearest.triangle = start;
+  const double in_box = depthInBox(search.solid, center);
+  found.deepest = radius + in_box;
+  if (!(found.deepest > search.beyond)) {
+    return found;
+  }
+  const double enough = std::max(search.beyond - radius, 0.0);
+  found.nearest = nearestOnMesh(search.solid, center, start, {enough}, search.memory);
+  search.points += found.nearest.visits > 0 ? 1 : 0;
+  found.distance = found.nearest.distance;
+  found.deepest = radius + found.distance;
+  if (!(found.deepest > search.beyond)) {
+    return found;
+  }
+  if (in_box > 0.0 && isPointInside(search, center)) {
+    found.distance = -found.distance;
+  }
+  found.deepest = radius - found.distance;
+  found.is_deep = found.deepest > search.beyond;
+  return found;
+}
+
+MeasuredPlace measureOne(DepthSearch& search, const KeptDepth::Corner& corner) noexcept {
+  const Vector3d at = search.solid_from_mesh * search.mesh.triangles()[corner.triangle][corner.at];
+  MeasuredPlace found = measurePlace(search, at, 0.0, corner.nearest);
+  if (found.is_deep) {
+    search.beyond = found.deepest;
+    search.deepest = {{corner.triangle, corner.at, found.nearest.triangle},
+                      search.beyond,
+                      at,
+                      found.nearest.point};
+  }
+  return found;
+}
+
+Vector3d centerOf(const DepthSearch& search, const Bound& bound) noexcept {
+  return search.solid_from_mesh * (search.mesh.center() + bound.center.cast<double>());
+}
+
+// Lets the children wait, first the one that lies deepest behind the surface near their centre.
+void openNode(DepthSearch& search, std::uint32_t node, const Vector3d& center,
+              const MeasuredPlace& found) noexcept {
+  const Vector3d inwards = found.distance * (found.nearest.point - center);
+  const double limit = found.deepest - search.moved;
+  std::array<std::pair<double, Slot>, MeshTreeNode::kWidth> children;  // by height
+  auto end = children.begin();
+  for (std::uint32_t i = 0; i < MeshTreeNode::kWidth; ++i) {
+    if (search.mesh.nodes()[node].child[i] != MeshTreeNode::kNone) {
+      const Slot slot = (node << kSlotBits) + i;
+      *end = {inwards.dot(centerOf(search, boundAt(search.mesh, slot))), slot};
+      std::rotate(std::upper_bound(children.begin(), end, *end), end, end + 1);
+      ++end;
+    }
+  }
+  makeRoom(MeshTreeNode::kWidth, search.side);
+  for (auto child = children.begin(); child != end; ++child) {
+    putFirst({child->second, found.nearest.triangle, limit}, search.side);
+  }
+}
+
+// Passed over with the triangle that the deepest corner is nearest to.
+void measureTriangle(DepthSearch& search, const KeptDepth::Place& place,
+                     std::uint32_t triangle) noexcept {
+  KeptDepth::Place measured{place.bound, place.nearest, -std::numeric_limits<double>::infinity()};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    const MeasuredPlace corner = measureOne(search, {triangle, i, measured.nearest});
+    if (corner.deepest - search.moved > measured.limit) {
+      measured.limit = corner.deepest - search.moved;
+      measured.nearest = corner.nearest.triangle;
+    }
+  }
+  passOver(measured, search.side);
+}
+
+void lookAt(DepthSearch& search, const KeptDepth::Place& place) noexcept {
+  const std::uint32_t child = childOf(search.mesh, place.bound);
+  if (isTriangle(child)) {
+    measureTriangle(search, place, triangleAt(child));
+    return;
+  }
+  const Bound bound = boundAt(search.mesh, place.bound);
+  const Vector3d center = centerOf(search, bound);
+  const double radius = bound.half.cast<double>().norm();
+  const MeasuredPlace found = measurePlace(search, center, radius, place.nearest);
+  if (found.is_deep) {
+    openNode(search, child, center, found);
+  } else {
+    passOver({place.bound, found.nearest.triangle, found.deepest - search.moved}, search.side);
+  }
+}
+
+// The limit from which on a place may have a deeper corner.
+double leastLimit(const DepthSearch& search) noexcept {
+  return search.beyond + kDepthRounding - search.moved;
+}
+
+void searchWaiting(DepthSearch& search, std::uint32_t point_budget) noexcept {
+  while (search.side.waiting > 0 && search.points < point_budget) {
+    const KeptDepth::Place next = takeNext(search.side);
+    if (next.limit > leastLimit(search)) {
+      lookAt(search, next);
+    } else {
+      passOver(next, search.side);
+    }
+  }
+}
+
+}  // namespace
+
+void measureCorner(const KeptDepth::Corner& corner, DepthSearch& search) noexcept {
+  measureOne(search, corner);
+}
+
+void searchDeepest(std::uint32_t point_budget, DepthSearch& search) noexcept {
+  // What the last queries left comes first, so that every place has its turn.
+  searchWaiting(search, point_budget);
+  if (search.side.waiting == 0) {
+    recall(leastLimit(search), search.side);
+    searchWaiting(search, point_budget);
+  }
+}
+
+}  // namespace collision_monitor
