@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "collision_monitor/model/kinematics.h"
-#include "collision_monitor/motion/closing.h"
 
 namespace collision_monitor {
 namespace {
@@ -42,12 +41,10 @@ void GradientRows::addLink(const LinkPoses& poses, const Joint& joint) {
   joined_[index(joint.child)] = {joint.parent, joint.first_variable, first, twists_.size(), false};
 }
 
-void GradientRows::addJoint(const SignedDistance& measured, const Joined& joined,
-                            bool moves_a) noexcept {
+void GradientRows::addJoint(const Wrench& pull, const Joined& joined) noexcept {
   for (std::size_t i = joined.first; i < joined.last; ++i) {
-    const double rate = moves_a ? distanceRate(measured, twists_[i], Twist())
-                                : distanceRate(measured, Twist(), twists_[i]);
-    add(static_cast<std::uint32_t>(joined.first_variable + i - joined.first), rate, row_);
+    add(static_cast<std::uint32_t>(joined.first_variable + i - joined.first),
+        power(pull, twists_[i]), row_);
   }
 }
 
@@ -55,6 +52,10 @@ const GradientRow& GradientRows::of(const PairDistance& distance) noexcept {
   const CheckedLinkPair& pair = setup_.checked[setup_.link_pair_of[index(distance.pair)]];
   LinkId a = pair.a;
   LinkId b = pair.b;
+  // As distanceRate has it: the distance grows as a force of 1 along the normal does work on B.
+  const SignedDistance& measured = distance.measured;
+  const Wrench on_b = forceAt(measured.point_on_b, measured.normal_a_to_b);
+  const Wrench on_a = -on_b;
   row_.clear();
   // Parents stand before their children: the later of the two links is no ancestor of the other.
   while (a != b) {
@@ -65,9 +66,11 @@ const GradientRow& GradientRows::of(const PairDistance& distance) noexcept {
     if (joined.is_root) {
       break;  // two robots, both at their roots
     }
-    addJoint(distance.measured, joined, climbs_a);
+    addJoint(climbs_a ? on_a : on_b, joined);
     link = joined.parent;
   }
+  // Mostly it is in the opposite order.
+  std::reverse(row_.begin(), row_.end());
   std::sort(row_.begin(), row_.end(), [](const GradientEntry& one, const GradientEntry& other) {
     return one.variable < other.variable;
   });

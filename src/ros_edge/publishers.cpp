@@ -20,10 +20,14 @@ bool isValid(const State& state) {
   return state.enabled != 0 && (state.level == State::OK || state.level == State::WARNING);
 }
 
+/// [s] Who begins to listen is noticed this soon.
+constexpr double kAskPeriod = 0.01;
+
 /// Who comes late gets the last message sent: while nobody listens, only another value is sent.
 template <class Message, class Value>
-void publishLatched(Value value, const ros::Publisher& publisher, std::optional<Value>& last) {
-  if (last == value && publisher.getNumSubscribers() == 0) {
+void publishLatched(Value value, bool is_heard, const ros::Publisher& publisher,
+                    std::optional<Value>& last) {
+  if (last == value && !is_heard) {
     return;
   }
   last = value;
@@ -63,20 +67,33 @@ void Publishers::publishChanges(const Watch& watch) {
   log_.logStep(watch);
 }
 
+void Publishers::askWhoListens(ros::SteadyTime now) {
+  if ((now - asked_).toSec() < kAskPeriod) {
+    return;
+  }
+  asked_ = now;
+  listeners_.to_is_valid = is_valid_publisher_.getNumSubscribers() > 0;
+  listeners_.to_speed_scale = speed_scale_publisher_.getNumSubscribers() > 0;
+  listeners_.to_contacts = contacts_publisher_.getNumSubscribers() > 0;
+  listeners_.to_distances = distances_publisher_.getNumSubscribers() > 0;
+  listeners_.to_markers = markers_publisher_.getNumSubscribers() > 0;
+}
+
 /// First all is computed and then all is sent: each message wakes roscpp's network thread unless it
 /// is still awake from the one before.
 const State& Publishers::publishCycle(const Watch& watch, const CycleFacts& facts) {
-  const bool sends_contacts = contacts_publisher_.getNumSubscribers() > 0;
-  const bool sends_distances = distances_publisher_.getNumSubscribers() > 0;
+  askWhoListens(ros::SteadyTime::now());
   toMessage(watch, facts, state_);
-  if (sends_contacts) {
+  if (listeners_.to_contacts) {
     toMessage(watch, contacts_);
   }
-  const Distances* distances = sends_distances ? &distances_.fill(watch) : nullptr;
+  const Distances* distances = listeners_.to_distances ? &distances_.fill(watch) : nullptr;
   state_publisher_.publish(state_);
-  publishLatched<std_msgs::Bool>(isValid(state_), is_valid_publisher_, is_valid_);
-  publishLatched<std_msgs::Float64>(state_.speed_scale, speed_scale_publisher_, speed_scale_);
-  if (sends_contacts) {
+  publishLatched<std_msgs::Bool>(isValid(state_), listeners_.to_is_valid, is_valid_publisher_,
+                                 is_valid_);
+  publishLatched<std_msgs::Float64>(state_.speed_scale, listeners_.to_speed_scale,
+                                    speed_scale_publisher_, speed_scale_);
+  if (listeners_.to_contacts) {
     contacts_publisher_.publish(contacts_);
   }
   if (distances != nullptr) {
@@ -88,7 +105,7 @@ const State& Publishers::publishCycle(const Watch& watch, const CycleFacts& fact
 void Publishers::publishMarkers(const Watch& watch) {
   const ros::SteadyTime now = ros::SteadyTime::now();
   const double period = 1.0 / watch.fixed->parameters.marker_rate;
-  if ((now - last_markers_).toSec() < period || markers_publisher_.getNumSubscribers() == 0) {
+  if (!listeners_.to_markers || (now - last_markers_).toSec() < period) {
     return;
   }
   last_markers_ = now;

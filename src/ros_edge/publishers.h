@@ -32,6 +32,17 @@ class Publishers {
   void publishMarkers(const Watch& watch);
 
  private:
+  /// Who listens, and to which topics. To ask takes a lock and a search for the topic.
+  struct Listeners {
+    bool to_is_valid{false};
+    bool to_speed_scale{false};
+    bool to_contacts{false};
+    bool to_distances{false};
+    bool to_markers{false};
+  };
+
+  void askWhoListens(ros::SteadyTime now);
+
   ros::Publisher state_publisher_;
   ros::Publisher is_valid_publisher_;
   ros::Publisher speed_scale_publisher_;
@@ -39,6 +50,8 @@ class Publishers {
   ros::Publisher distances_publisher_;
   ros::Publisher warnings_publisher_;
   ros::Publisher markers_publisher_;
+  Listeners listeners_;
+  ros::SteadyTime asked_;  ///< for listeners
   std::unique_ptr<Markers> markers_;
   ros::SteadyTime last_markers_;
   std::optional<bool> is_valid_;       ///< as last sent

@@ -149,8 +149,8 @@ void TransformStore::keepSample(std::size_t frame, const Sample& sample) {
   std::deque<Sample>& waiting = waiting_[frame];
   waiting.push_back(sample);
   keepStamp(frame, sample.stamp_ns);
-  // The last one before the history stays: what lies between it and the next is asked for.
-  while (waiting.size() > 1 && waiting[1].stamp_ns < records_[frame].newest_ns - history_ns_) {
+  // As many as there are stamps: the old samples themselves have long left the processor's caches.
+  while (waiting.size() > stamps_[frame].size()) {
     waiting.pop_front();
   }
 }
@@ -162,6 +162,7 @@ void TransformStore::keepStamp(std::size_t frame, std::int64_t stamp_ns) {
   } else {  // of several publishers, or over UDP
     stamps.insert(std::upper_bound(stamps.begin(), stamps.end(), stamp_ns), stamp_ns);
   }
+  // The last one before the history stays: what lies between it and the next is asked for.
   while (stamps.size() > 1 && stamps[1] < stamps.back() - history_ns_) {
     stamps.pop_front();
   }

@@ -46,6 +46,29 @@ inline Twist twistAbout(const Eigen::Vector3d& point, const Eigen::Vector3d& vel
   return {velocity - angular.cross(point), angular};
 }
 
+/// Forces on a rigid body, taken together. Frames: world. Units: [N] and [Nm].
+/// Source: Featherstone (2008), section 2.3.
+struct Wrench {
+  Eigen::Vector3d force{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d torque{Eigen::Vector3d::Zero()};  ///< about the world's origin
+};
+
+/// One force that acts at a point.
+inline Wrench forceAt(const Eigen::Vector3d& point, const Eigen::Vector3d& force) noexcept {
+  return {force, point.cross(force)};
+}
+
+inline Wrench operator-(const Wrench& wrench) noexcept { return {-wrench.force, -wrench.torque}; }
+
+/// What the forces give a body that moves so [W]: for `forceAt` the force times the velocity of its
+/// point.
+inline double power(const Wrench& wrench, const Twist& twist) noexcept {
+  const auto dot = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();  // see velocityAt
+  };
+  return dot(wrench.force, twist.linear) + dot(wrench.torque, twist.angular);
+}
+
 inline bool isFinite(const Twist& twist) noexcept {
   return twist.linear.allFinite() && twist.angular.allFinite();
 }

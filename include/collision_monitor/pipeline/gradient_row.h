@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "collision_monitor/geometry/twist.h"
 #include "collision_monitor/pipeline/cycle_data.h"
 #include "collision_monitor/pipeline/setup.h"
 
@@ -49,7 +50,7 @@ class GradientRows {
   };
 
   void addLink(const LinkPoses& poses, const Joint& joint);
-  void addJoint(const SignedDistance& measured, const Joined& joined, bool moves_a) noexcept;
+  void addJoint(const Wrench& pull, const Joined& joined) noexcept;
 
   const CycleSetup& setup_;
   std::vector<Joined> joined_;  ///< by LinkId
