@@ -22,17 +22,20 @@ struct KeptDepth {
     std::uint32_t nearest;  ///< a triangle of the other mesh near to it
     double limit;           ///< [m] none of its corners is deeper than this and `moved`
   };
-  /// A search through the corners of one mesh.
+  /// A search through the corners of one mesh. The deepest of all is in none of the limits: it is
+  /// measured in each query.
   struct Side {
     std::uint32_t passed_over{0};  ///< the first of the places: they were not deep enough
     std::uint32_t waiting{0};      ///< the last of them, the next one first
     bool is_whole{true};           ///< none was dropped for want of room
+    double highest{0.0};           ///< [m] no limit of those passed over is more
     std::array<Place, kCapacity> places;
   };
+  static constexpr std::uint32_t kNoBound = 0xffffffffU;
   struct Corner {
-    std::uint32_t triangle{TrianglePair::kNone};  ///< kNone: none is known to be inside
-    std::uint32_t at{0};                          ///< which of the triangle's
-    std::uint32_t nearest{TrianglePair::kNone};   ///< triangle of the other mesh
+    std::uint32_t bound{kNoBound};  ///< of its triangle; kNoBound: none is known to be inside
+    std::uint32_t at{0};            ///< which of the triangle's
+    std::uint32_t nearest{TrianglePair::kNone};  ///< triangle of the other mesh
   };
 
   std::array<Side, 2> sides;  ///< corners of A in B, and of B in A

@@ -21,19 +21,25 @@ std::uint32_t roomIn(const KeptDepth::Side& side) noexcept {
 void restart(bool is_deep_anywhere, KeptDepth::Side& side) noexcept {
   side.passed_over = side.waiting = 0;
   side.is_whole = true;
+  side.highest = -std::numeric_limits<double>::infinity();
   if (is_deep_anywhere) {
     putFirst(kWholeMesh, side);
   }
 }
 
 void recall(double least, KeptDepth::Side& side) noexcept {
+  if (!(side.highest > least)) {
+    return;
+  }
   const std::uint32_t others = side.waiting;
+  side.highest = -std::numeric_limits<double>::infinity();
   for (std::uint32_t i = 0; i < side.passed_over;) {
     const KeptDepth::Place place = side.places[i];
     if (place.limit > least) {
       side.places[i] = side.places[--side.passed_over];
       putFirst(place, side);
     } else {
+      side.highest = std::max(side.highest, place.limit);
       ++i;
     }
   }
@@ -65,6 +71,7 @@ void makeRoom(std::uint32_t count, KeptDepth::Side& side) noexcept {
 void passOver(const KeptDepth::Place& place, KeptDepth::Side& side) noexcept {
   if (roomIn(side) > 0) {
     side.places[side.passed_over++] = place;
+    side.highest = std::max(side.highest, place.limit);
   } else {
     side.is_whole = false;
   }

@@ -61,17 +61,16 @@ MeasuredPlace measurePlace(DepthSearch& search, const Vector3d& center, double r
   return found;
 }
 
-MeasuredPlace measureOne(DepthSearch& search, const KeptDepth::Corner& corner) noexcept {
-  const Vector3d at = search.solid_from_mesh * search.mesh.triangles()[corner.triangle][corner.at];
-  MeasuredPlace found = measurePlace(search, at, 0.0, corner.nearest);
-  if (found.is_deep) {
-    search.beyond = found.deepest;
-    search.deepest = {{corner.triangle, corner.at, found.nearest.triangle},
-                      search.beyond,
-                      at,
-                      found.nearest.point};
-  }
-  return found;
+Vector3d positionOf(const DepthSearch& search, const KeptDepth::Corner& corner) noexcept {
+  const std::uint32_t triangle = triangleAt(childOf(search.mesh, corner.bound));
+  return search.solid_from_mesh * search.mesh.triangles()[triangle][corner.at];
+}
+
+void setDeepest(DepthSearch& search, const KeptDepth::Corner& corner, const Vector3d& at,
+                const MeasuredPlace& found) noexcept {
+  search.beyond = found.deepest;
+  search.deepest = {
+      {corner.bound, corner.at, found.nearest.triangle}, search.beyond, at, found.nearest.point};
 }
 
 Vector3d centerOf(const DepthSearch& search, const Bound& bound) noexcept {
@@ -99,24 +98,31 @@ void openNode(DepthSearch& search, std::uint32_t node, const Vector3d& center,
   }
 }
 
-// Passed over with the triangle that the deepest corner is nearest to.
-void measureTriangle(DepthSearch& search, const KeptDepth::Place& place,
-                     std::uint32_t triangle) noexcept {
-  KeptDepth::Place measured{place.bound, place.nearest, -std::numeric_limits<double>::infinity()};
+// Passed over with the triangle that the deepest of its corners is nearest to.
+void measureTriangle(DepthSearch& search, const KeptDepth::Place& place) noexcept {
+  KeptDepth::Place others{place.bound, place.nearest, -std::numeric_limits<double>::infinity()};
   for (std::uint32_t i = 0; i < 3; ++i) {
-    const MeasuredPlace corner = measureOne(search, {triangle, i, measured.nearest});
-    if (corner.deepest - search.moved > measured.limit) {
-      measured.limit = corner.deepest - search.moved;
-      measured.nearest = corner.nearest.triangle;
+    const KeptDepth::Corner corner{place.bound, i, others.nearest};
+    const Vector3d at = positionOf(search, corner);
+    if (search.deepest.depth > 0.0 && at == search.deepest.at) {
+      continue;  // triangles share it
+    }
+    const MeasuredPlace found = measurePlace(search, at, 0.0, corner.nearest);
+    if (found.is_deep) {
+      passOverDeepest(search);
+      setDeepest(search, corner, at, found);
+    } else if (found.deepest - search.moved > others.limit) {
+      others.limit = found.deepest - search.moved;
+      others.nearest = found.nearest.triangle;
     }
   }
-  passOver(measured, search.side);
+  passOver(others, search.side);
 }
 
 void lookAt(DepthSearch& search, const KeptDepth::Place& place) noexcept {
   const std::uint32_t child = childOf(search.mesh, place.bound);
   if (isTriangle(child)) {
-    measureTriangle(search, place, triangleAt(child));
+    measureTriangle(search, place);
     return;
   }
   const Bound bound = boundAt(search.mesh, place.bound);
@@ -148,8 +154,22 @@ void searchWaiting(DepthSearch& search, std::uint32_t point_budget) noexcept {
 
 }  // namespace
 
-void measureCorner(const KeptDepth::Corner& corner, DepthSearch& search) noexcept {
-  measureOne(search, corner);
+void measureDeepest(const KeptDepth::Corner& corner, DepthSearch& search) noexcept {
+  const Vector3d at = positionOf(search, corner);
+  const MeasuredPlace found = measurePlace(search, at, 0.0, corner.nearest);
+  if (found.is_deep) {
+    setDeepest(search, corner, at, found);
+  } else {
+    passOver({corner.bound, found.nearest.triangle, found.deepest - search.moved}, search.side);
+  }
+}
+
+void passOverDeepest(DepthSearch& search) noexcept {
+  const DeepCorner& deepest = search.deepest;
+  if (deepest.depth > 0.0) {
+    passOver({deepest.corner.bound, deepest.corner.nearest, deepest.depth - search.moved},
+             search.side);
+  }
 }
 
 void searchDeepest(std::uint32_t point_budget, DepthSearch& search) noexcept {

@@ -35,8 +35,11 @@ struct DepthSearch {
   std::uint32_t points{0};  ///< measured
 };
 
-/// Measures a corner of the mesh; if it is deeper than `beyond` it is the deepest from then on.
-void measureCorner(const KeptDepth::Corner& corner, DepthSearch& search) noexcept;
+/// Measures the corner that was the deepest; if it is inside it is the deepest known.
+void measureDeepest(const KeptDepth::Corner& corner, DepthSearch& search) noexcept;
+
+/// Passes over the deepest corner known, as one that is deeper has been found.
+void passOverDeepest(DepthSearch& search) noexcept;
 
 /// Looks at what waits, and then at what was passed over and may be deeper by now, until nothing is
 /// left or the points are spent.

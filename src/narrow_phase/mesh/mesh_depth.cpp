@@ -44,8 +44,9 @@ double follow(const MeshTree& b, const Pose& a_from_b, KeptDepth& kept) noexcept
 
 // The corner that was the deepest.
 void measureKept(BothWays& ways, const KeptDepth& kept) noexcept {
-  if (kept.deepest.triangle != TrianglePair::kNone) {
-    measureCorner(kept.deepest, ways[kept.side]);
+  ways[0].moved = ways[1].moved = kept.moved;
+  if (kept.deepest.bound != KeptDepth::kNoBound) {
+    measureDeepest(kept.deepest, ways[kept.side]);
   }
   ways[0].beyond = ways[1].beyond = ways[kept.side].deepest.depth;
 }
@@ -61,20 +62,20 @@ std::uint32_t pointsFor(double share, std::uint32_t point_budget) noexcept {
   return std::min(point_budget, std::max(kFewestPoints, static_cast<std::uint32_t>(points)));
 }
 
-void restart(const BothWays& ways, KeptDepth& kept) noexcept {
+void restart(BothWays& ways, KeptDepth& kept) noexcept {
   for (std::size_t i = 0; i < 2; ++i) {
     restart(ways[i].solid.isClosed(), kept.sides[i]);
   }
-  kept.moved = 0.0;
+  ways[0].moved = ways[1].moved = kept.moved = 0.0;
 }
 
 void searchBothWays(std::uint32_t point_budget, BothWays& ways, KeptDepth& kept) noexcept {
-  ways[0].moved = ways[1].moved = kept.moved;
   searchDeepest(kept.sides[1].waiting > 0 ? point_budget / 2 : point_budget, ways[0]);
   ways[1].beyond = ways[0].beyond;
   searchDeepest(point_budget - std::min(point_budget, ways[0].points), ways[1]);
   kept.side = ways[1].deepest.depth > ways[0].deepest.depth ? 1 : 0;
   kept.deepest = ways[kept.side].deepest.corner;
+  passOverDeepest(ways[1 - kept.side]);
 }
 
 // In A's frame, from its surface to that of B.

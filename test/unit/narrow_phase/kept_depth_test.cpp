@@ -121,6 +121,19 @@ TEST_F(KeptDepthTest, turnsSlowly_anotherCornerIsFoundBeforeItIsDeeper) {
   EXPECT_GT(complete, 100);
 }
 
+TEST_F(KeptDepthTest, tipThatWasOut_isFoundWhenItComesBackIn) {
+  const MeshTree spike({{{0, 0, -0.4}, {0.3, 0, 0}, {-0.2, 0.2, 0}, {-0.2, -0.2, 0}},
+                        {{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}}},
+                       true);
+  for (int step = 0; step <= 80; ++step) {
+    const double depth_of_tip = 0.002 * std::cos(0.1 * step);
+    const MeshDepth found =
+        depthOf({cube_, Pose{}}, {spike, at(0, 0, 1.4 - depth_of_tip)}, *memory_, *kept_, kBudget);
+    ASSERT_TRUE(found.is_complete) << "step " << step;
+    ASSERT_NEAR(found.deepest.distance, std::min(0.0, -depth_of_tip), kExact) << "step " << step;
+  }
+}
+
 TEST_F(KeptDepthTest, smallSteps_areCompleteWithoutSearchingAllAgain) {
   const MeshTree body(bumpyMesh(1.0, 30), true);
   Pose pose{eighthTurn(), {0.5, 0.1, 0.05}};
