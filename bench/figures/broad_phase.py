@@ -7,10 +7,9 @@ of FCL ends in time, and its coherent motion stands in."""
 import argparse
 import subprocess
 
-from figure import Figures
+from figure import Figures, stay_on_one_core
 
-PROGRAM = ["taskset", "-c", "1", "rosrun", "collision_monitor",
-           "collision_monitor_broad_phase_bench"]
+PROGRAM = ["rosrun", "collision_monitor", "collision_monitor_broad_phase_bench"]
 FCL = ("fcl_tree", "fcl_tree_array", "fcl_sap", "fcl_ssap", "fcl_interval", "fcl_spatial_hash")
 # How many times as fast as FCL.
 GOALS = {("coherent", 100): 3.9, ("coherent", 1000): 4.4, ("coherent", 10000): 3.1,
@@ -82,6 +81,7 @@ def main():
     parser.add_argument("--plot", metavar="FILE",
                         help="draw every method in every scene instead; needs python3-matplotlib")
     arguments = parser.parse_args()
+    stay_on_one_core()
     if arguments.plot:
         plot(arguments.plot)
         return

@@ -28,6 +28,11 @@ class Figures:
         sys.exit(1 if self.not_met else 0)
 
 
+def stay_on_one_core():
+    """This program and all that it starts from now on: from core to core costs what caches hold."""
+    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
+
+
 def shared_data():
     """The folder of shared robots; ends the program with a sentence if it is not there."""
     folder = pathlib.Path(os.environ.get("COLLISION_MONITOR_SHARED_DATA",

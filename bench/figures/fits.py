@@ -5,14 +5,13 @@ long search, the time it takes, and published models of the same links. docs/fit
 the figures mean."""
 import argparse
 import csv
-import os
 import pathlib
 import statistics
 import subprocess
 import tempfile
 import xml.etree.ElementTree as ElementTree
 
-from figure import Figures, shared_data, shared_robots
+from figure import Figures, shared_data, shared_robots, stay_on_one_core
 from fits_models import MODELS, WITHOUT_MESHES, read_links, write_urdf
 
 PROGRAM = ("rosrun", "collision_monitor", "collision_monitor_fits_figures")
@@ -128,8 +127,7 @@ def volumes(robots, starts, figures):
 
 
 def times(robots, figures):
-    # Moving from core to core would cost what the caches hold.
-    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
+    stay_on_one_core()
     rows = [("", row) for row in table("times", "-", "", "", 0)]
     rows += robots.tables("times", LARGE_MESH)
     for label, row in rows:

@@ -7,15 +7,14 @@ import argparse
 import statistics
 import subprocess
 
-from figure import Figures, shared_data
+from figure import Figures, shared_data, stay_on_one_core
 
 PROGRAM = ("rosrun", "collision_monitor", "collision_monitor_motion_bench")
 RUNS = 3
 
 
 def numbers(*arguments):
-    command = ["taskset", "-c", "1", *PROGRAM, *map(str, arguments)]
-    output = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    output = subprocess.run([*PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=True).stdout
     return {name: float(value) for name, value in map(str.split, output.splitlines())}
 
 
@@ -79,6 +78,7 @@ def main():
     parser.add_argument("--part", type=int, default=10, help="of the way-points, for FCL")
     arguments = parser.parse_args()
     shared_data()
+    stay_on_one_core()
     figures = Figures()
     crossings(figures, arguments)
     trajectory(figures, arguments.robot, arguments.part)

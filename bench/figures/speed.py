@@ -11,7 +11,7 @@ import sys
 
 import broad_phase
 import node_cost
-from figure import Figures, shared_data
+from figure import Figures, shared_data, stay_on_one_core
 
 HUMANOIDS = ("atlas", "icub", "anymal_kinova", "stretch")
 
@@ -80,8 +80,8 @@ def add_states(figures):
     """All distances and any contact of one state, and many states with their kinematics."""
     for instructions, share in INSTRUCTION_SETS.items():
         run = subprocess.run(
-            ["taskset", "-c", "1", "rosrun", "collision_monitor", "collision_monitor_states_bench",
-             "panda_moveit", "atlas", "icub", "--only", instructions],
+            ["rosrun", "collision_monitor", "collision_monitor_states_bench", "panda_moveit", "atlas",
+             "icub", "--only", instructions],
             capture_output=True, text=True, check=False,
             env=dict(os.environ, COLLISION_MONITOR_SHARED_DATA=str(shared_data())))
         if is_missing(run, instructions):
@@ -98,7 +98,7 @@ def add_states(figures):
 
 def measure(program, names, repetitions, instructions):
     """Median nanoseconds of each benchmark of the program; none without the instructions."""
-    command = ["taskset", "-c", "1", "rosrun", "collision_monitor", f"collision_monitor_{program}",
+    command = ["rosrun", "collision_monitor", f"collision_monitor_{program}",
                "--benchmark_filter=^(" + "|".join(names) + ")$", "--benchmark_format=json",
                "--benchmark_min_time=0.2", f"--benchmark_repetitions={repetitions}",
                "--benchmark_report_aggregates_only=true"]
@@ -143,6 +143,7 @@ def main():
                         help="one group only")
     parser.add_argument("--repetitions", type=int, default=5)
     arguments = parser.parse_args()
+    stay_on_one_core()
     figures = Figures()
     for group in GROUPS:
         if arguments.group not in (None, group):
