@@ -14,7 +14,8 @@ RUNS = 3
 
 
 def numbers(*arguments):
-    output = subprocess.run([*PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=True).stdout
+    command = [*PROGRAM, *map(str, arguments)]
+    output = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     return {name: float(value) for name, value in map(str.split, output.splitlines())}
 
 

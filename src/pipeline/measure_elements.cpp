@@ -158,7 +158,9 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
                               ElementSearch& search) noexcept {
   ElementDistance answer;
   answer.steps = kSetUpSteps;
-  if (measureHulls(a, b, search, answer)) {
+  // What overlapped mostly still does, and then hulls say nothing.
+  const bool overlapped = search.memory.last.found.quality == Quality::estimate;
+  if (!overlapped && measureHulls(a, b, search, answer)) {
     return answer;
   }
   const bool is_inside = measureInside(a, b, answer.measured) && answer.measured.distance < 0.0;
