@@ -159,8 +159,7 @@ TEST_F(KeptDepthTest, moreCornersAsDeepThanAreKept_isCompleteOnceItStands) {
   const MeshTree tube(prismMesh(0.5, 0.5, 200), true);
   bool is_whole = true;
   const auto depth_at = [&](double z) {
-    const MeshDepth found =
-        depthOf({cube_, Pose{}}, {tube, at(0, 0, z)}, *memory_, *kept_, kBudget);
+    MeshDepth found = depthOf({cube_, Pose{}}, {tube, at(0, 0, z)}, *memory_, *kept_, kBudget);
     is_whole = is_whole && kept_->sides[1].is_whole;
     return found;
   };
