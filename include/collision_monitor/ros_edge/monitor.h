@@ -9,9 +9,10 @@
 
 namespace collision_monitor {
 
-/// The whole monitor: reads its parameters and the robots, follows tf on one thread, runs
-/// cycles on another, answers services on the callback queue of the node handle.
-/// Topics, services and parameters: README.md and config/monitor.yaml.
+/// The whole monitor: reads its parameters and the robots, follows tf on roscpp's network thread,
+/// runs cycles on one of its own, answers services on the callback queue of the node handle and,
+/// where they may take seconds, on a thread in the background. Topics, services and parameters:
+/// README.md and config/monitor.yaml.
 class Monitor {
  public:
   /// Returns when the set-up is built and the cycle runs; may wait for robot descriptions.
