@@ -61,15 +61,6 @@ TriangleMesh insideOut(TriangleMesh mesh) {
   return mesh;
 }
 
-TriangleMesh together(TriangleMesh a, const TriangleMesh& b) {
-  const auto first = static_cast<std::uint32_t>(a.vertices.size());
-  a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
-  for (const auto& t : b.triangles) {
-    a.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
-  return a;
-}
-
 TEST(InscribeShapes, cube_hasItsInscribedSphere) {
   const InnerShapes inner =
       inscribeShapes(test::moved(boxMesh({1, 1, 1}), {0.3, 0.2, 0.1}, {5, 6, 7}));
@@ -110,7 +101,7 @@ TEST(InscribeShapes, insideOutCube_isTurned) {
 TEST(InscribeShapes, hollowCube_holdsItsSphereInTheWall) {
   // The wall is from 1 to 3, but the cavity is a cube: a corner of the wall gives more than the
   // half thickness 1: centre (c, c, c) with (c - 1) sqrt(3) = 3 - c.
-  const TriangleMesh hollow = together(boxMesh({3, 3, 3}), insideOut(boxMesh({1, 1, 1})));
+  const TriangleMesh hollow = test::joined(boxMesh({3, 3, 3}), insideOut(boxMesh({1, 1, 1})));
   const double centre = (3.0 + std::sqrt(3.0)) / (1.0 + std::sqrt(3.0));
   const InnerShapes inner = inscribeShapes(hollow);
   EXPECT_LE(sphereRadius(inner), 3.0 - centre);
@@ -120,7 +111,7 @@ TEST(InscribeShapes, hollowCube_holdsItsSphereInTheWall) {
 
 TEST(InscribeShapes, cubeInACube_isNotTrustedWhereBothAre) {
   // Winding number 2 inside: a cavity turned the wrong way looks the same.
-  const TriangleMesh nested = together(boxMesh({3, 3, 3}), boxMesh({1, 1, 1}));
+  const TriangleMesh nested = test::joined(boxMesh({3, 3, 3}), boxMesh({1, 1, 1}));
   const InnerShapes inner = inscribeShapes(nested);
   EXPECT_GT(inner.sphere->geometry_from_body.translation.cwiseAbs().maxCoeff(), 1.0);
 }
