@@ -19,6 +19,9 @@ namespace {
 constexpr std::uint32_t kFewestPoints = 4;
 constexpr double kPointsAStep = 120.0;
 constexpr double kLeastShare = 0.02;
+// [m] Limits are taken together with the way gone: farther on they would be rounded by more than
+// depths are.
+constexpr double kLongestWay = 1000.0;
 
 // Both ways round: corners of A in B, and of B in A.
 using BothWays = std::array<DepthSearch, 2>;
@@ -107,7 +110,8 @@ MeshDepth depthOf(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& mem
     const double step = follow(b.tree, a_from_b, kept);
     measureKept(ways, kept);
     const double share = step / longStep(ways);
-    if (!(share < 1.0) || (!isWaiting(kept) && !isComplete(kept))) {
+    const bool is_spent = kept.moved > kLongestWay || !(isWaiting(kept) || isComplete(kept));
+    if (!(share < 1.0) || is_spent) {
       restart(ways, kept);
     }
     searchBothWays(pointsFor(share, point_budget), ways, kept);

@@ -154,6 +154,15 @@ TEST_F(KeptDepthTest, smallSteps_areCompleteWithoutSearchingAllAgain) {
   EXPECT_LT(points, kSteps * all_points / 10);
 }
 
+TEST_F(KeptDepthTest, longWay_roundsNothing) {
+  for (int step = 0; step < 60'000; ++step) {
+    const double x = step % 2 == 0 ? 1.03 : 1.01;
+    const MeshDepth found = depth(at(x, 0, 0));
+    ASSERT_NEAR(found.deepest.distance, x - 1.1, kExact);
+    ASSERT_LT(kept_->moved, 1001.0) << "limits lose digits to it";
+  }
+}
+
 TEST_F(KeptDepthTest, moreCornersAsDeepThanAreKept_isCompleteOnceItStands) {
   // The rim of a tube that goes straight into the cube: each of its corners is the deepest.
   const MeshTree tube(prismMesh(0.5, 0.5, 200), true);
