@@ -108,15 +108,9 @@ TEST(Polished, crookedBox_isStraightened) {
 }
 
 TEST(ChooseCut, hammer_isCutBetweenHeadAndHandle) {
-  TriangleMesh mesh = test::boxMesh({0.2, 0.02, 0.02});
   const TriangleMesh head =
       test::moved(test::boxMesh({0.05, 0.12, 0.05}), Vector3d::Zero(), {0.25, 0.0, 0.0});
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), head.vertices.begin(), head.vertices.end());
-  for (const auto& t : head.triangles) {
-    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
-  const DistanceGrid grid(mesh);
+  const DistanceGrid grid(test::joined(test::boxMesh({0.2, 0.02, 0.02}), head));
   const auto cut = chooseCut(grid.surface(), Matrix3d::Identity(), plainGoal(grid));
   ASSERT_TRUE(cut.has_value());
   EXPECT_NEAR(std::abs(cut->plane.normal.x()), 1.0, 1e-9);

@@ -44,14 +44,7 @@ TriangleMesh insideOutBox() {
 
 /// Two boxes that cross each other like a plus sign.
 TriangleMesh crossedBoxes() {
-  TriangleMesh mesh = boxMesh({0.3, 0.05, 0.05});
-  const TriangleMesh other = boxMesh({0.05, 0.3, 0.05});
-  const auto shift = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const auto& t : other.triangles) {
-    mesh.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
-  }
-  return mesh;
+  return test::joined(boxMesh({0.3, 0.05, 0.05}), boxMesh({0.05, 0.3, 0.05}));
 }
 
 /// Every triangle with vertices of its own, as STL files have them, and each of them twice.

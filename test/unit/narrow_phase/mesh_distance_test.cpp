@@ -54,14 +54,8 @@ TEST_F(Meshes, cornersApart_distanceBetweenThem) {
 
 TEST_F(Meshes, oneOfTwoPiecesInside_overlap) {
   // The piece outside is nearer to the cube's surface than the one inside.
-  TriangleMesh two = moved(boxMesh({0.1, 0.1, 0.1}), {0, 0, 0}, {1.3, 0, 0});
-  const TriangleMesh inner = boxMesh({0.2, 0.2, 0.2});
-  const auto first = static_cast<std::uint32_t>(two.vertices.size());
-  two.vertices.insert(two.vertices.end(), inner.vertices.begin(), inner.vertices.end());
-  for (const auto& t : inner.triangles) {
-    two.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  }
-  const MeshTree pieces(two);
+  const MeshTree pieces(test::joined(moved(boxMesh({0.1, 0.1, 0.1}), {0, 0, 0}, {1.3, 0, 0}),
+                                     boxMesh({0.2, 0.2, 0.2})));
   ASSERT_EQ(pieces.pieces().size(), 2U);
   for (const bool swaps : {false, true}) {
     const MeshTree& a = swaps ? pieces : cube_;
