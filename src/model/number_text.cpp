@@ -3,6 +3,7 @@
 #include "model/number_text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -62,6 +63,13 @@ std::optional<std::string> parseNumbers(std::string_view text,
   }
   numbers = read;
   return std::nullopt;
+}
+
+std::string shortText(double number) {
+  std::array<char, 32> digits{};
+  // Without a precision, to_chars writes as few digits as tell the number from all others.
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  return {digits.data(), end};
 }
 
 }  // namespace collision_monitor

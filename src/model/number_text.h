@@ -20,4 +20,8 @@ std::vector<std::string_view> wordsOf(std::string_view text);
 /// "2 numbers"); nothing if all is well. `numbers` is written only then.
 std::optional<std::string> parseNumbers(std::string_view text, Eigen::Ref<Eigen::VectorXd> numbers);
 
+/// The shortest text that reads back to the same number, the same in every locale: "0.05",
+/// "-1e+17".
+std::string shortText(double number);
+
 }  // namespace collision_monitor

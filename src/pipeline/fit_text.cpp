@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/fit_text.h"
 
-#include <array>
 #include <charconv>
 #include <sstream>
 #include <string_view>
 
+#include "model/number_text.h"
 #include "pipeline/sha256.h"
 
 namespace collision_monitor {
@@ -17,13 +17,7 @@ const std::string kHashLine = "sha256 ";
 
 // ---- writing
 
-void append(double value, std::string& text) {
-  std::array<char, 32> digits{};
-  // Without a precision, to_chars writes the shortest text that reads back to the same number.
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  text += ' ';
-  text.append(digits.data(), end);
-}
+void append(double value, std::string& text) { text += ' ' + shortText(value); }
 
 void append(const Eigen::Vector3d& vector, std::string& text) {
   append(vector.x(), text);

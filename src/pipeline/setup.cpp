@@ -4,18 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "collision_monitor/geometry/bounds.h"
 #include "collision_monitor/model/kinematics.h"
 #include "default_overlap.h"
+#include "model/number_text.h"
 #include "setup_parts.h"
 
 namespace collision_monitor {
 namespace {
-
-std::string inMetres(double value) { return std::to_string(value) + " m"; }
 
 /// Looks at the numbers of one struct of options.
 struct NumberCheck {
@@ -25,8 +23,14 @@ struct NumberCheck {
   /// `unit` stands behind the numbers, as in " m".
   void atLeast(double least, const char* name, double value, const char* unit) const {
     if (!std::isfinite(value) || value < least) {
-      report.errors.push_back({where + name, std::to_string(value) + unit,
-                               "a finite number >= " + std::to_string(least) + unit});
+      report.errors.push_back(
+          {where + name, shortText(value) + unit, "a finite number >= " + shortText(least) + unit});
+    }
+  }
+
+  void isFinite(const char* name, double value, const char* unit) const {
+    if (!std::isfinite(value)) {
+      report.errors.push_back({where + name, shortText(value) + unit, "a finite number"});
     }
   }
 };
@@ -36,7 +40,7 @@ void checkLookAhead(const LookAhead& ahead, const std::string& where, SetupRepor
   const StopRule& stop = ahead.stop;
   const NumberCheck check{where, report};
   check.atLeast(0.0, "horizon", ahead.horizon, " s");
-  check.atLeast(std::numeric_limits<double>::lowest(), "stop_distance", stop.stop_distance, " m");
+  check.isFinite("stop_distance", stop.stop_distance, " m");
   check.atLeast(kShortest, "stop_time", stop.stop_time, " s");
   check.atLeast(kShortest, "release_time", stop.release_time, " s");
   check.atLeast(0.0, "rest_speed", stop.rest_speed, " m/s");
@@ -74,10 +78,7 @@ void warnIfNothingChecked(const CycleSetup& setup, SetupReport& report) {
 
 void checkLimits(const Limits& limits, const std::string& where, SetupReport& report) {
   const NumberCheck check{where, report};
-  if (!std::isfinite(limits.contact_distance)) {
-    report.errors.push_back(
-        {where + "contact_distance", inMetres(limits.contact_distance), "a finite number"});
-  }
+  check.isFinite("contact_distance", limits.contact_distance, " m");
   check.atLeast(limits.contact_distance, "warning_distance", limits.warning_distance, " m");
   check.atLeast(limits.warning_distance, "report_distance", limits.report_distance, " m");
   check.atLeast(0.0, "hysteresis", limits.hysteresis, " m");

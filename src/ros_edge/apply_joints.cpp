@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "collision_monitor/model/kinematics.h"
+#include "model/number_text.h"
 #include "ros_edge/nearest_name.h"
-#include "ros_edge/short_text.h"
 
 namespace collision_monitor {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "model/number_text.h"
 #include "ros_edge/nearest_name.h"
-#include "ros_edge/short_text.h"
 
 namespace collision_monitor {
 namespace {

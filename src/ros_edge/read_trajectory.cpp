@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/number_text.h"
 #include "ros_edge/apply_joints.h"
-#include "ros_edge/short_text.h"
 
 namespace collision_monitor {
 namespace {

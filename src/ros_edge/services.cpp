@@ -7,10 +7,10 @@
 #include <cmath>
 #include <utility>
 
+#include "model/number_text.h"
 #include "ros_edge/check_states.h"
 #include "ros_edge/check_trajectory.h"
 #include "ros_edge/get_distances.h"
-#include "ros_edge/short_text.h"
 #include "ros_edge/startup_report.h"
 #include "ros_edge/watch.h"
 

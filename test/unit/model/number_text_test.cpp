@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <clocale>
+#include <limits>
 
 namespace collision_monitor {
 namespace {
@@ -37,6 +38,16 @@ TEST(NumberText, faultsNameTheWordOrTheCount) {
   EXPECT_EQ(faultOf("1"), "1 number");
   EXPECT_EQ(faultOf(""), "0 numbers");
   EXPECT_EQ(faultOf("1 2 3 4"), "4 numbers");
+}
+
+TEST(NumberText, numbersAreWrittenShortlyAndReadBackAsTheSame) {
+  EXPECT_EQ(shortText(0.05), "0.05");
+  EXPECT_EQ(shortText(-1e17), "-1e+17");
+  EXPECT_EQ(shortText(30.0), "30");
+  EXPECT_EQ(shortText(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(shortText(-2.2250738585072014e-308), "-2.2250738585072014e-308");
+  EXPECT_EQ(shortText(std::numeric_limits<double>::quiet_NaN()), "nan");
+  EXPECT_EQ(shortText(-std::numeric_limits<double>::infinity()), "-inf");
 }
 
 TEST(NumberText, localeWithDecimalComma_changesNothing) {

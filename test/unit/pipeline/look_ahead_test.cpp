@@ -212,7 +212,7 @@ TEST(LookAhead, badNumbers_areAllNamed) {
   checkLimits(limits, "limits/", report);
   ASSERT_EQ(report.errors.size(), 2U);
   EXPECT_EQ(report.errors[0].where, "limits/warning_time");
-  EXPECT_EQ(report.errors[0].accepted, "a finite number >= 0.300000 s");
+  EXPECT_EQ(report.errors[0].accepted, "a finite number >= 0.3 s");
   EXPECT_EQ(report.errors[1].where, "limits/time_hysteresis");
 }
 
