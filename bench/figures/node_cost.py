@@ -3,7 +3,8 @@
 """What the running node costs: joint states and tf come 1000 times a second, state, contacts and
 distances go out as often. Processor time, the time from the arrival of tf to the state that is
 sent, memory. The reference is a node that answers each tf message at once with such messages and
-does nothing else: roscpp's share."""
+does nothing else: roscpp's share. Goals of processor time hold for the machine on which they were
+set: others may take `allowance` times as much."""
 import contextlib
 import os
 import statistics
@@ -15,7 +16,7 @@ from figure import shared_robots
 SECONDS = 4.0
 RUNS = 3
 RATE = 1000
-# Of robots: most of a core that is allowed [%], and memory [MB].
+# Of robots: most of a core that is allowed [%] where goals were set, and memory [MB].
 GOALS = {"panda_moveit": (8.0, 50.0), "atlas": (15.0, 150.0), "stretch": (None, 150.0)}
 
 
@@ -35,34 +36,35 @@ def measure_relay(label):
         return measure(label)
 
 
-def add_motion(label, motion, relay, goal, figures):
+def add_motion(label, motion, relay, goal, allowance, figures):
     """Rows of a robot that swings "free" of contact, or in "contact" with itself all the time."""
     node = measure(label, motion)
 
-    def add(what, place, unit, most, taken=0.0):
-        ours = node[place] - taken
-        figures.add(f"node, {label}, {motion}: {what}", f"{ours:.3g} {unit}",
-                    f"{relay[place]:.3g} {unit}", f"< {most:.0f} {unit}", ours < most)
+    def add_delay(what, ours, reference, most):
+        figures.add(f"node, {label}, {motion}: {what}", f"{ours:.3g} us", f"{reference:.3g} us",
+                    f"< {most} us", ours < most)
 
-    add("of a core at 1 kHz", 0, "%", goal)
+    def add_share(what, ours, reference, most):
+        figures.add(f"node, {label}, {motion}: {what}", f"{ours:.3g} %", reference,
+                    f"< {most:g} % x {allowance:.3g}", ours < most * allowance)
+
+    add_share("of a core at 1 kHz", node[0], f"{relay[0]:.3g} %", goal)
     figures.add(f"node, {label}, {motion}: states a second", f"{node[1]:.0f}", f"{relay[1]:.0f}",
                 "within 2 % of 1000", abs(node[1] - RATE) < 0.02 * RATE)
     # The bench times both ways through TCP, too. Without them: what the relay's way is shorter.
-    add("arrival of tf to state sent, median", 2, "us", 300.0, taken=relay[2])
-    add("tf sent to state received, 99 of 100", 3, "us", 1000.0)
-    markers = measure(label, motion, "markers")[0] - node[0]
-    figures.add(f"node, {label}, {motion}: markers at 30 Hz on top", f"{markers:.1f} %", "-",
-                "< 5 %", markers < 5.0)
+    add_delay("arrival of tf to state sent, median", node[2] - relay[2], relay[2], 300)
+    add_delay("tf sent to state received, 99 of 100", node[3], relay[3], 1000)
+    add_share("markers at 30 Hz on top", measure(label, motion, "markers")[0] - node[0], "-", 5)
 
 
-def add_robot(robot, figures):
+def add_robot(robot, allowance, figures):
     label = robot[0]
     most_of_core, most_memory = GOALS[label]
     relay = measure_relay(label)
     with running.monitor(robot, {"rate": RATE, "trigger": "pose"}):
         if most_of_core:
             for motion in ("free", "contact"):
-                add_motion(label, motion, relay, most_of_core, figures)
+                add_motion(label, motion, relay, most_of_core, allowance, figures)
         memory = measure(label)[4]
         figures.add(f"node, {label}: memory", f"{memory:.3g} MB", f"{relay[4]:.3g} MB",
                     f"< {most_memory:.0f} MB", memory < most_memory)
@@ -83,8 +85,8 @@ def real_time_priority():
         os.sched_setscheduler(0, policy, parameters)
 
 
-def add_rows(figures):
+def add_rows(figures, allowance):
     with real_time_priority(), running.master():
         for robot in shared_robots():
             if robot[0] in GOALS:
-                add_robot(robot, figures)
+                add_robot(robot, allowance, figures)
