@@ -5,6 +5,7 @@
 The file format is described in play_joint_path.py.
 """
 import math
+import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
 
 import yaml
@@ -118,6 +119,18 @@ def parse_path(text, name):
     times = [p["time"] for p in points]
     slopes = [find_slopes(times, column) for column in zip(*rows)]
     return JointPath(joints, floating, interpolation, times, rows, slopes)
+
+
+def check_robot(path, name, urdf, urdf_name):
+    """Raises PathError unless the path moves each joint of the URDF text that moves on its own, and
+    nothing else. What the path leaves out would stay without a pose."""
+    joints = [joint.get("name") for joint in ElementTree.fromstring(urdf).findall("joint")
+              if joint.get("type") in ("revolute", "continuous", "prismatic") and joint.find("mimic") is None]
+    problems = [f"{name}, joints: found '{joint}', which {urdf_name} does not move; accepted: {', '.join(joints)}"
+                for joint in path.joints if joint not in joints]
+    problems += [f"{name}, joints: '{joint}' of {urdf_name} is missing" for joint in joints if joint not in path.joints]
+    if problems:
+        raise PathError(problems)
 
 
 def find_slopes(times, values):

@@ -29,7 +29,8 @@ from std_msgs.msg import Float64
 from tf2_ros import TransformBroadcaster
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
-from joint_path import FRAME_FIELDS, PathError, check_loop, parse_path, quaternion_from_rpy, sample  # noqa: E402
+from joint_path import (FRAME_FIELDS, PathError, check_loop, check_robot, parse_path,  # noqa: E402
+                        quaternion_from_rpy, sample)
 
 
 class Player:
@@ -103,6 +104,7 @@ def read_options(arguments):
                "__ns:=NAMESPACE and the prefixes below.")
     parser.add_argument("path", help="the YAML file")
     parser.add_argument("--check", action="store_true", help="only read the file and say what is wrong with it")
+    parser.add_argument("--robot", metavar="URDF", help="make sure that the path fits this robot")
     parser.add_argument("--rate", type=float, default=50.0, help="messages a second (default %(default)s)")
     parser.add_argument("--loop", action="store_true", help="start again at the end, for ever")
     parser.add_argument("--hold", action="store_true", help="stay at the last way-point instead of ending")
@@ -123,6 +125,9 @@ def main():
             path = parse_path(file.read(), options.path)
         if options.loop:
             check_loop(path, options.path)
+        if options.robot:
+            with open(options.robot, encoding="utf-8") as file:
+                check_robot(path, options.path, file.read(), os.path.basename(options.robot))
     except (OSError, PathError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

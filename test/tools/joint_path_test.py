@@ -145,16 +145,27 @@ class PathsOfThisPackage(unittest.TestCase):
         self.assertTrue(files)
         for file in files:
             path = joint_path.parse_path(file.read_text(encoding="utf-8"), file.name)
-            robot = ElementTree.parse(ROOT / f"urdf/{file.stem}.urdf").getroot()
+            urdf = (ROOT / f"urdf/{file.stem}.urdf").read_text(encoding="utf-8")
+            joint_path.check_robot(path, file.name, urdf, f"{file.stem}.urdf")
+            robot = ElementTree.fromstring(urdf)
             limits = {joint.get("name"): joint.find("limit").attrib for joint in robot.findall("joint")
                       if joint.find("limit") is not None and joint.find("mimic") is None}
-            self.assertEqual(set(path.joints), set(limits), file.name)
             for step in range(int(path.duration * 50) + 1):
                 for joint, value, rate in zip(path.joints, *joint_path.sample(path, step / 50)):
                     place = f"{file.name}, {joint} at {step / 50} s"
                     self.assertGreaterEqual(value, float(limits[joint]["lower"]) - 1e-9, place)
                     self.assertLessEqual(value, float(limits[joint]["upper"]) + 1e-9, place)
                     self.assertLessEqual(abs(rate), float(limits[joint]["velocity"]), place)
+
+    def test_path_of_another_robot_is_refused_with_each_joint(self):
+        robot = """<robot name='r'><joint name='turn' type='continuous'/><joint name='slide' type='prismatic'/>
+            <joint name='follow' type='revolute'><mimic joint='turn'/></joint><joint name='bolt' type='fixed'/></robot>"""
+        path = joint_path.parse_path("joints: [turn, follow]\nway_points: [{time: 0, positions: [0, 0]}]", "p.yaml")
+        with self.assertRaises(joint_path.PathError) as caught:
+            joint_path.check_robot(path, "p.yaml", robot, "r.urdf")
+        self.assertEqual(caught.exception.problems, [
+            "p.yaml, joints: found 'follow', which r.urdf does not move; accepted: turn, slide",
+            "p.yaml, joints: 'slide' of r.urdf is missing"])
 
 
 if __name__ == "__main__":
