@@ -14,8 +14,12 @@ namespace collision_monitor {
 namespace {
 
 std::string overlapText(const PairDistance& distance) {
-  const std::string by =
-      " overlap by " + std::to_string(std::lround(-1000.0 * distance.measured.distance)) + " mm";
+  const long millimetres = std::lround(1e3 * distance.measured.distance);
+  if (touchOf(distance) == Touch::apart) {
+    return "padding makes them overlap; the geometries are at least " +
+           std::to_string(millimetres) + " mm apart";
+  }
+  const std::string by = " overlap by " + std::to_string(-millimetres) + " mm";
   switch (distance.quality) {
     case Quality::exact:
       return "the geometries" + by;
@@ -35,13 +39,23 @@ Problem overlapWarning(const RobotModel& model, const CheckedLinkPair& pair,
                      : "if the links always touch, add a disable_collisions line to the SRDF"};
 }
 
+/// What was added to the shapes of each link. Units: metres.
+std::vector<double> paddingsOf(const std::vector<LinkFit>& fits, std::size_t link_count) {
+  std::vector<double> paddings(link_count, 0.0);
+  for (const LinkFit& fit : fits) {
+    paddings[index(fit.link)] = fit.padding;
+  }
+  return paddings;
+}
+
 }  // namespace
 
-void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, bool ignore, CycleSetup& setup,
-                         SetupReport& report) {
+void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, const std::vector<LinkFit>& fits,
+                         bool ignore, CycleSetup& setup, SetupReport& report) {
   listPairs(setup);
   LinkPairMeasures measures(setup);
   const std::vector<Pose> world_from_link = defaultPoses(setup.model);
+  const std::vector<double> paddings = paddingsOf(fits, setup.model.links.size());
   for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
     const CheckedLinkPair& pair = setup.checked[i];
     const RobotId robot = setup.model.link(pair.a).robot;
@@ -49,13 +63,14 @@ void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, bool ignore, Cycle
         bodyDistance(measures, i, world_from_link).measured.distance > 0.0) {
       continue;
     }
-    const PairDistance distance = elementDistance(measures, i, world_from_link);
+    PairDistance distance = elementDistance(measures, i, world_from_link);
     if (touchOf(distance) == Touch::apart) {
       continue;
     }
+    distance.measured.distance += paddings[index(pair.a)] + paddings[index(pair.b)];
     const bool has_srdf = std::any_of(srdfs.begin(), srdfs.end(),
                                       [&](const SrdfPairs& srdf) { return srdf.robot == robot; });
-    const bool is_ignored = ignore && !has_srdf;
+    const bool is_ignored = ignore && !has_srdf && touchOf(distance) != Touch::apart;
     report.warnings.push_back(overlapWarning(setup.model, pair, distance, is_ignored));
     if (is_ignored) {
       const auto rule = std::find_if(

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "collision_monitor/pipeline/fit_links.h"
 #include "collision_monitor/pipeline/setup.h"
 
 namespace collision_monitor {
@@ -15,9 +16,11 @@ namespace collision_monitor {
 ///
 /// A cycle refines, so the geometries decide, and not their enclosing shapes: what these hide is
 /// apart, and may come into contact. Only where nothing is refined do the shapes speak.
+/// Links that only their padding brings together are reported and stay checked.
 ///
 /// Pairs of different robots are left alone: where the robots stand is known only to tf.
-void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, bool ignore, CycleSetup& setup,
-                         SetupReport& report);
+/// @pre the set-up was made of these fits
+void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, const std::vector<LinkFit>& fits,
+                         bool ignore, CycleSetup& setup, SetupReport& report);
 
 }  // namespace collision_monitor

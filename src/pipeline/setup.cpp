@@ -135,7 +135,7 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   makeElements(fits, {options.refine.geometry, settings.rules}, setup, report);
 
   setup.link_pairs = decideLinkPairs(setup.model, srdfs, ignored);
-  ruleDefaultOverlaps(srdfs, options.ignore_default_overlap, setup, report);
+  ruleDefaultOverlaps(srdfs, fits, options.ignore_default_overlap, setup, report);
   listPairs(setup);
   setup.velocity_names = velocityNames(setup.model);
   warnIfNothingChecked(setup, report);

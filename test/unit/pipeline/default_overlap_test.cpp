@@ -61,6 +61,20 @@ TEST(DefaultOverlap, nothingIsRefined_theShapesDecide) {
             PairReason::checked);
 }
 
+TEST(DefaultOverlap, paddingAloneBringsThemTogether_staysChecked) {
+  for (const RefineGeometry geometry : {RefineGeometry::mesh, RefineGeometry::none}) {
+    SetupOptions options = spheresAround(geometry);
+    options.padding = 0.03;
+    const CycleSetup setup = cylinders("0.23", options);
+    EXPECT_EQ(reasonOfEnds(setup), PairReason::checked);
+    const std::string gap = geometry == RefineGeometry::mesh ? "30" : "6";
+    EXPECT_EQ(setup.report.warnings.at(0).found,
+              "padding makes them overlap; the geometries are at least " + gap +
+                  " mm apart in the default pose");
+    EXPECT_EQ(reasonOfEnds(cylinders("0.19", options)), PairReason::default_overlap);
+  }
+}
+
 TEST(DefaultOverlap, srdfOrSwitchedOff_staysCheckedAndIsReported) {
   const CycleSetup with_srdf = cylinders("0.19", spheresAround(), "<robot name='r'/>");
   EXPECT_EQ(reasonOfEnds(with_srdf), PairReason::checked);
