@@ -33,13 +33,14 @@ Verdict verdictFor(double distance, double time, const Limits& limits, Verdict b
   return distance > limits.warning_distance ? Verdict::clear : Verdict::unknown;
 }
 
-/// Fills what is closest and what touches first, of each pair of links and of all. A time that is
-/// unknown is not sooner than any.
+/// Fills what is closest, what touches first and what is estimated, of each pair of links and of
+/// all. A time that is unknown is not sooner than any.
 /// @return whether a time is unknown.
 bool findClosestAndSoonest(const CycleSetup& setup, const PairDistances& distances,
                            PairEvents& events) noexcept {
   std::fill(events.closest.begin(), events.closest.end(), kNone);
   std::fill(events.soonest.begin(), events.soonest.end(), kNone);
+  std::fill(events.estimated.begin(), events.estimated.end(), kNone);
   events.closest_of_all = kNone;
   events.time_to_contact = kNever;
   bool has_unknown = false;
@@ -54,6 +55,9 @@ bool findClosestAndSoonest(const CycleSetup& setup, const PairDistances& distanc
     }
     if (is_nearer(i, events.closest_of_all)) {
       events.closest_of_all = i;
+    }
+    if (measured[i].quality == Quality::estimate) {
+      events.estimated[link_pair] = i;
     }
     const double time = measured[i].time_to_contact;
     std::uint32_t& soonest = events.soonest[link_pair];
@@ -87,7 +91,8 @@ bool isOfGeometries(const PairDistances& distances, const PairEvents& events,
                     std::size_t link_pair) noexcept {
   const std::uint32_t passed = events.passed[link_pair];
   const std::uint32_t closest = events.closest[link_pair];
-  return (passed != kNone && distances.passed[passed].distance.quality != Quality::lower_bound) ||
+  return events.estimated[link_pair] != kNone ||
+         (passed != kNone && distances.passed[passed].distance.quality != Quality::lower_bound) ||
          (closest != kNone && distances.measured[closest].quality != Quality::lower_bound);
 }
 
@@ -104,16 +109,14 @@ Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
                       const PairEvents& events, std::size_t link_pair,
                       const PairMemory& memory) noexcept {
   const std::uint32_t closest = events.closest[link_pair];
-  if (events.passed[link_pair] != kNone) {
+  // Another element may be deeper, as far as limits allow.
+  if (events.passed[link_pair] != kNone || events.estimated[link_pair] != kNone) {
     return Verdict::contact;
   }
   if (closest == kNone) {
     return Verdict::clear;  // known, and out of reach of every threshold
   }
   const PairDistance& nearest = distances.measured[closest];
-  if (nearest.quality == Quality::estimate) {
-    return Verdict::contact;  // also where limits allow some depth: it may be deeper than estimated
-  }
   const std::uint32_t soonest = events.soonest[link_pair];
   const double time = soonest == kNone ? kNever : distances.measured[soonest].time_to_contact;
   return verdictFor(nearest.measured.distance, time, setup.checked[link_pair].limits,

@@ -69,8 +69,25 @@ PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pai
   return distance;
 }
 
-bool isNearer(const PairDistance& one, const PairDistance& other) noexcept {
-  return one.measured.distance < other.measured.distance;
+/// Whether two elements whose bodies are `bodies` apart may be nearer than `nearest`, or prove an
+/// overlap where it does not.
+bool mayTellMore(const PairDistance& bodies, const PairDistance& nearest) noexcept {
+  return bodies.measured.distance < nearest.measured.distance ||
+         (bodies.measured.distance <= 0.0 && nearest.quality != Quality::estimate);
+}
+
+/// Where an overlap is proven whose depth is an estimate, so is all that is deeper.
+void addTo(PairDistance& nearest, const PairDistance& distance) noexcept {
+  const bool was_estimate = nearest.quality == Quality::estimate;
+  const bool is_estimate = distance.quality == Quality::estimate;
+  const bool is_nearer = distance.measured.distance < nearest.measured.distance;
+  if (was_estimate ? is_nearer && distance.quality != Quality::lower_bound
+                   : is_nearer || (is_estimate && nearest.quality == Quality::lower_bound)) {
+    nearest = distance;
+  }
+  if (was_estimate || is_estimate) {
+    nearest.quality = Quality::estimate;
+  }
 }
 
 }  // namespace
@@ -121,9 +138,8 @@ PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
   }
   PairDistance nearest = nothingNear();
   for (const ElementPairIndex elements : measures.element_pairs[pair]) {
-    if (isNearer(measures.nearest_bodies[elements], nearest)) {
-      const PairDistance distance = measureElementPair(measures, elements, world_from_link);
-      nearest = isNearer(distance, nearest) ? distance : nearest;
+    if (mayTellMore(measures.nearest_bodies[elements], nearest)) {
+      addTo(nearest, measureElementPair(measures, elements, world_from_link));
     }
   }
   return nearest;

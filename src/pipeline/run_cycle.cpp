@@ -47,6 +47,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.events.verdicts.resize(link_pairs, Verdict::unknown);
   buffers.events.closest.resize(link_pairs, kNone);
   buffers.events.passed.resize(link_pairs, kNone);
+  buffers.events.estimated.resize(link_pairs, kNone);
   buffers.events.soonest.resize(link_pairs, kNone);
   buffers.events.changes.reserve(link_pairs);
   buffers.events.island_of_link.resize(links, 0);

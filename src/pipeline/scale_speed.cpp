@@ -37,9 +37,9 @@ void askForMeasured(const PairDistance& distance, const CheckedLinkPair& pair, c
     seen |= gap <= rule.stop_distance ? kCloses : 0;
   } else if (closing >= -rule.rest_speed) {
     // One that touches was stopped, or should have been.
-    const bool is_bound = distance.quality == Quality::lower_bound;
-    const bool is_touching = gap <= pair.limits.contact_distance;
-    seen |= is_touching ? is_bound ? kMayTouch : kWasStopped : 0;
+    if (isTouching(distance, pair.limits.contact_distance)) {
+      seen |= distance.quality == Quality::lower_bound ? kMayTouch : kWasStopped;
+    }
     seen |= gap <= rule.stop_distance + pair.limits.hysteresis ? kRests : 0;
     // It may rest because it was slowed down: then it must not be let go all at once.
     demand.is_free = demand.is_free && gap > pair.limits.warning_distance;

@@ -39,11 +39,11 @@ struct Sweeping {
 bool mayHaveMet(const Sweeping& all, const PairDistance& distance) noexcept {
   const SweepWork& work = all.work;
   const CheckedLinkPair& links = all.linksOf(distance.pair);
-  const double gap = distance.measured.distance - links.limits.contact_distance;
-  if (work.has_motion[index(links.a)] == 0 || work.has_motion[index(links.b)] == 0 || gap <= 0.0 ||
-      distance.quality == Quality::estimate) {
+  if (work.has_motion[index(links.a)] == 0 || work.has_motion[index(links.b)] == 0 ||
+      isTouching(distance, links.limits.contact_distance)) {
     return false;
   }
+  const double gap = distance.measured.distance - links.limits.contact_distance;
   const BodyPair& bodies = all.setup.table[distance.pair];
   if (all.isOfElements(distance.pair)) {
     const ElementPair& pair =

@@ -49,9 +49,9 @@ const PassedContact* passedOf(const Watch& watch, LinkPairIndex link_pair) {
   const std::uint32_t closest = events.closest[link_pair];
   const Limits& limits = watch.setup().checked[link_pair].limits;
   // Of several shapes of a link one may have passed while another touches.
-  const bool touches = closest != kNone &&
-                       (distances.measured[closest].quality == Quality::estimate ||
-                        distances.measured[closest].measured.distance <= limits.contact_distance);
+  const bool touches =
+      events.estimated[link_pair] != kNone ||
+      (closest != kNone && isTouching(distances.measured[closest], limits.contact_distance));
   return touches ? nullptr : &distances.passed[events.passed[link_pair]];
 }
 

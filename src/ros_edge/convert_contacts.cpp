@@ -15,7 +15,7 @@ bool isInContact(const Watch& watch, const PairDistance& distance) {
   const PairEvents& events = watch.buffers.events;
   const double kept = events.passed[link_pair] == kNone ? limits.hysteresis : 0.0;
   return events.verdicts[link_pair] == Verdict::contact &&
-         distance.measured.distance <= limits.contact_distance + kept;
+         isTouching(distance, limits.contact_distance + kept);
 }
 
 void fillOnePoint(const SignedDistance& measured, Contact& message) {

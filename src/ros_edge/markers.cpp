@@ -131,7 +131,7 @@ void Markers::addContacts(const Watch& watch) {
   for (const PairDistance& distance : watch.buffers.distances.measured) {
     const std::uint32_t link_pair = setup.link_pair_of[index(distance.pair)];
     if (watch.buffers.events.verdicts[link_pair] != Verdict::contact ||
-        distance.measured.distance > setup.checked[link_pair].limits.contact_distance) {
+        !isTouching(distance, setup.checked[link_pair].limits.contact_distance)) {
       continue;
     }
     const SignedDistance& measured = distance.measured;

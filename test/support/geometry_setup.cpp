@@ -10,19 +10,28 @@
 namespace collision_monitor::test {
 
 CycleSetup geometrySetup(const std::vector<Geometry>& geometries, const SetupOptions& options) {
+  std::vector<std::vector<CollisionElement>> links;
+  for (const Geometry& geometry : geometries) {
+    links.push_back({{"collision_0", Pose(), geometry}});
+  }
+  return linkSetup(links, options);
+}
+
+CycleSetup linkSetup(const std::vector<std::vector<CollisionElement>>& links,
+                     const SetupOptions& options) {
   CycleSetup setup;
   setup.limits = options.limits;
   setup.refine = options.refine.limits;
   setup.refine.distance =
       std::max(setup.refine.distance, options.limits.warning_distance + options.limits.hysteresis);
-  setup.model.robots.push_back({"hand_made", "", LinkId{0}, 0, geometries.size(), 0, 0});
-  for (std::size_t i = 0; i < geometries.size(); ++i) {
+  setup.model.robots.push_back({"hand_made", "", LinkId{0}, 0, links.size(), 0, 0});
+  for (std::size_t i = 0; i < links.size(); ++i) {
     Link link;
     link.name = "link_" + std::to_string(i);
     link.frame = link.name;
-    link.collisions.push_back({"collision_0", Pose(), geometries[i]});
+    link.collisions = links[i];
     setup.model.links.push_back(link);
-    for (std::size_t b = i + 1; b < geometries.size(); ++b) {
+    for (std::size_t b = i + 1; b < links.size(); ++b) {
       setup.link_pairs.push_back({idAt<LinkId>(i), idAt<LinkId>(b), PairReason::checked});
     }
   }

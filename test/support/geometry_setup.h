@@ -12,6 +12,10 @@ namespace collision_monitor::test {
 /// buildSetup does; every pair of links checked. Elements are called "collision_0".
 CycleSetup geometrySetup(const std::vector<Geometry>& geometries, const SetupOptions& options);
 
+/// The same for links that have collision elements and nothing else yet.
+CycleSetup linkSetup(const std::vector<std::vector<CollisionElement>>& links,
+                     const SetupOptions& options);
+
 /// A closed angle of two bars 0.1 m thick, from the origin 0.3 m along x and 0.3 m along y, and
 /// from -0.05 m to 0.05 m in z.
 TriangleMesh angleMesh();

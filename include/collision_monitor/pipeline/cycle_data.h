@@ -77,6 +77,11 @@ struct PairDistance {
   double time_to_contact{kUnknown};  ///< [s] as timeToContact, down to contact_distance
 };
 
+/// An estimate is a contact also where limits allow some depth: it may be deeper than it says.
+inline bool isTouching(const PairDistance& distance, double contact_distance) noexcept {
+  return distance.quality == Quality::estimate || distance.measured.distance <= contact_distance;
+}
+
 /// A contact between the last cycle and this one, of links that are apart in both.
 struct PassedContact {
   double time{0.0};  ///< share of the way from the last poses to these
@@ -113,6 +118,8 @@ struct PairEvents {
   std::vector<Verdict> verdicts;       ///< by LinkPairIndex
   std::vector<std::uint32_t> closest;  ///< by LinkPairIndex: index into measured, or kNone
   std::vector<std::uint32_t> passed;   ///< by LinkPairIndex: the first in `passed`, or kNone
+  /// By LinkPairIndex: index into measured of a Quality::estimate, kNone if there is none.
+  std::vector<std::uint32_t> estimated;
   /// By LinkPairIndex: index into measured of what touches first, kNone if nothing does within
   /// the horizon.
   std::vector<std::uint32_t> soonest;

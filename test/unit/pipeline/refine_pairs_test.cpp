@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "pipeline/link_pair_distance.h"
 #include "refine_scene.h"
 #include "support/sample_meshes.h"
 
@@ -73,6 +74,25 @@ TEST(RefinePairs, depthThatLimitsAllow_isAContactWhileItIsAnEstimate) {
   Scene scene({test::angleMesh(), test::angleMesh()}, options);
   scene.run();
   EXPECT_EQ(scene.verdict(), Verdict::contact);
+}
+
+TEST(RefinePairs, depthThatLimitsAllow_hidesNoEstimateOfAnotherElement) {
+  SetupOptions options = optionsFor(RefineGeometry::mesh);
+  options.limits.contact_distance = -0.3;
+  Pose above;
+  above.translation.z() = 1.0;
+  const std::vector<CollisionElement> link = {{"angle", Pose(), test::angleMesh()},
+                                              {"box", above, Box{{0.2, 0.2, 0.2}}}};
+  Scene scene(test::linkSetup({link, link}, options));
+  scene.poses.world_from_link[1].translation = Eigen::Vector3d(0.15, -0.02, 0.03);
+  scene.run();
+  EXPECT_EQ(scene.closest().quality, Quality::exact);
+  EXPECT_NEAR(scene.closest().measured.distance, -0.25, 1e-9);
+  EXPECT_EQ(scene.verdict(), Verdict::contact);
+  LinkPairMeasures measures(scene.setup);
+  const PairDistance distance = elementDistance(measures, 0, scene.poses.world_from_link);
+  EXPECT_EQ(distance.quality, Quality::estimate) << "0.25 m deep, perhaps deeper";
+  EXPECT_NEAR(distance.measured.distance, -0.25, 1e-9);
 }
 
 TEST(RefinePairs, innerShapesOverlap_depthIsAtLeastTheirs) {
