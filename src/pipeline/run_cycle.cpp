@@ -65,12 +65,16 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   return buffers;
 }
 
-void resetMemory(CycleBuffers& buffers) noexcept {
-  std::fill(buffers.memory.reported.begin(), buffers.memory.reported.end(), Verdict::clear);
-  std::fill(buffers.memory.is_certain.begin(), buffers.memory.is_certain.end(), 0);
+void forgetPoses(CycleBuffers& buffers) noexcept {
   forget(buffers.memory.refined);
   std::fill(buffers.memory.last.known.begin(), buffers.memory.last.known.end(), 0);
   buffers.memory.last.stamp_ns = 0;
+}
+
+void resetMemory(CycleBuffers& buffers) noexcept {
+  forgetPoses(buffers);
+  std::fill(buffers.memory.reported.begin(), buffers.memory.reported.end(), Verdict::clear);
+  std::fill(buffers.memory.is_certain.begin(), buffers.memory.is_certain.end(), 0);
   SpeedScale& speed = buffers.memory.speed;
   std::fill(speed.stopped.begin(), speed.stopped.end(), 0);
   speed.scale = 1.0;

@@ -50,6 +50,8 @@ void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& messag
 
 void toMessage(const Watch& watch, Contacts& message);
 void toMessage(const Watch& watch, const VerdictChange& change, Warning& message);
+/// A pair that another set-up checks no more: clear as far as that goes, without numbers.
+void toDroppedMessage(const Watch& former, LinkPairIndex pair, Warning& message);
 void toMessage(const Watch& watch, const CycleFacts& facts, State& message);
 
 /// What a controller may multiply its speed by: 0 while the monitor does not know or is switched

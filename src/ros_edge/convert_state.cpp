@@ -73,6 +73,17 @@ void toMessage(const Watch& watch, const VerdictChange& change, Warning& message
   message.sentence = changeSentence(watch, change);
 }
 
+void toDroppedMessage(const Watch& former, LinkPairIndex pair, Warning& message) {
+  const CycleSetup& setup = former.setup();
+  const CheckedLinkPair& links = setup.checked[pair];
+  message.header = makeHeader(former.poses.stamp_ns, former.fixed->world_frame);
+  message.before = static_cast<std::uint8_t>(former.buffers.memory.reported[pair]);
+  message.after = Warning::CLEAR;
+  toUnknownMessage(setup, links.a, links.b, message.pair);
+  message.sentence = setup.model.link(links.a).name + " and " + setup.model.link(links.b).name +
+                     " are not checked any more";
+}
+
 void toMessage(const Watch& watch, const CycleFacts& facts, State& message) {
   message.header = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);
   message.published_at = facts.now;

@@ -88,10 +88,26 @@ void CycleRunner::run() {
 
 void CycleRunner::takeOverSetup() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (next_) {
-    watch_ = std::move(next_);
-    publishers_.startWatch(*watch_);
-    last_state_ = Clock::time_point();
+  if (!next_) {
+    return;
+  }
+  if (watch_) {
+    succeedWatch(*watch_, *next_);
+  }
+  watch_ = std::move(next_);
+  publishers_.startWatch(*watch_);
+  last_state_ = Clock::time_point();
+}
+
+void CycleRunner::succeedWatch(Watch& former, Watch& next) {
+  if (!facts_.is_enabled) {
+    former.speakAgain();
+  }
+  for (const LinkPairIndex pair : next.succeed(former)) {
+    publishers_.publishDropped(former, pair);
+  }
+  if (!facts_.is_enabled) {
+    next.fallSilent();
   }
 }
 
@@ -121,8 +137,11 @@ void CycleRunner::runOnce() {
   bool is_new = readPoses(facts_.now);
   if (facts_.is_enabled != was_enabled) {
     ROS_WARN_STREAM("the monitor is switched " << (facts_.is_enabled ? "on" : "off"));
-    // What happened while nobody was told is told now.
-    resetMemory(watch_->buffers);
+    if (facts_.is_enabled) {
+      watch_->speakAgain();
+    } else {
+      watch_->fallSilent();
+    }
     is_new = true;
   }
   runCycle(watch_->setup(), watch_->poses, watch_->buffers);

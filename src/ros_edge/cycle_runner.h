@@ -42,6 +42,7 @@ class CycleRunner {
 
   void run();
   void takeOverSetup();
+  void succeedWatch(Watch& former, Watch& next);
   void waitForNext();
   void runOnce();
   bool readPoses(const ros::Time& now);

@@ -67,6 +67,14 @@ void Publishers::publishChanges(const Watch& watch) {
   log_.logStep(watch);
 }
 
+void Publishers::publishDropped(const Watch& former, LinkPairIndex pair) {
+  Warning warning;
+  toDroppedMessage(former, pair, warning);
+  warnings_publisher_.publish(warning);
+  log_.logChange(former, {pair, former.buffers.memory.reported[pair], Verdict::clear},
+                 warning.sentence);
+}
+
 void Publishers::askWhoListens(ros::SteadyTime now) {
   if ((now - asked_).toSec() < kAskPeriod) {
     return;

@@ -26,6 +26,8 @@ class Publishers {
 
   /// Changes of verdict, on the topic and in the log.
   void publishChanges(const Watch& watch);
+  /// That another set-up checks no more what was not clear.
+  void publishDropped(const Watch& former, LinkPairIndex pair);
   /// state, state_is_valid and speed_scale; contacts and distances.
   const State& publishCycle(const Watch& watch, const CycleFacts& facts);
   /// markers, at most `marker_rate` times a wall second.

@@ -15,7 +15,8 @@ Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformSto
       poses(makeLinkPoses(fixed->setup.model)),
       tracker(makeVelocityTracker(fixed->setup.model)),
       joint_velocities(fixed->setup.model.variable_count),
-      buffers(makeBuffers(fixed->setup, fixed->parameters.broad_phase)) {}
+      buffers(makeBuffers(fixed->setup, fixed->parameters.broad_phase)),
+      believed(buffers.memory.reported) {}
 
 PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
                           JointReader& joints) {
@@ -42,8 +43,20 @@ bool Watch::read(const ros::Time& now) {
 }
 
 void Watch::forget() {
-  resetMemory(buffers);
+  forgetPoses(buffers);
   resetTracker(tracker);
+}
+
+void Watch::fallSilent() { believed = buffers.memory.reported; }
+
+void Watch::speakAgain() {
+  buffers.memory.reported = believed;
+  buffers.memory.speed.scale = 0.0;  // as it was sent
+  forgetPoses(buffers);
+}
+
+std::vector<LinkPairIndex> Watch::succeed(const Watch& former) {
+  return carryOver(former.setup(), former.buffers.memory, setup(), buffers.memory);
 }
 
 void countStep(const SweepWork& work, StepCount& count) noexcept {

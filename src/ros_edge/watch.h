@@ -21,8 +21,15 @@ struct Watch {
   /// Brings poses and velocities up to date. Does not throw: what cannot be read is unknown.
   /// @return true when a stamp or the status of a link changed.
   bool read(const ros::Time& now);
-  /// Forgets what was remembered of earlier cycles: time jumped, or nobody listened.
+  /// Forgets where links were: time jumped.
   void forget();
+  /// It is switched off: listeners go on believing what they were told.
+  void fallSilent();
+  /// It is switched on again: what is not as listeners believe is a change.
+  void speakAgain();
+  /// What another watch has reported is carried on by this one.
+  /// @return pairs of the other that it checks no more, and that were not clear
+  std::vector<LinkPairIndex> succeed(const Watch& former);
 
   std::shared_ptr<const MonitorSetup> fixed;
   JointReader joints;
@@ -31,6 +38,7 @@ struct Watch {
   VelocityTracker tracker;
   JointVelocities joint_velocities;
   CycleBuffers buffers;
+  std::vector<Verdict> believed;  ///< by LinkPairIndex, while it is switched off
 
   const CycleSetup& setup() const noexcept { return fixed->setup; }
 };

@@ -136,6 +136,34 @@ class Verdicts(TwoBoxes):
         state = self.probe.wait_for_level(State.OK)  # disable_timeout is 0.75 s here
         self.assertTrue(state.enabled)
 
+    def wait_for_warning(self, after, sentence):
+        self.probe.wait(lambda: self.probe.warnings and self.probe.warnings[-1].after == after and
+                        sentence in self.probe.warnings[-1].sentence, "warning '%s'" % sentence)
+
+    def test_contactThatEndsWhileSwitchedOff_isTakenBack(self):
+        self.joints.set(slide=-0.13)
+        self.wait_for_warning(WarningMessage.CONTACT, "box_a overlaps box_b")
+        self.assertTrue(self.service("set_enabled", SetBool)(False).success)
+        self.joints.set(slide=0.3)
+        self.wait_for_warning(WarningMessage.CLEAR, "clear")  # disable_timeout is 0.75 s here
+        self.assertEqual(self.probe.warnings[-1].before, WarningMessage.CONTACT)
+
+    def test_contactThatIsCheckedNoMore_isTakenBackAndToldAnew(self):
+        reload_setup = self.service("reload", Trigger)
+        self.joints.set(slide=-0.13)
+        self.wait_for_warning(WarningMessage.CONTACT, "box_a overlaps box_b")
+        rospy.set_param(NODE + "/ignore_pairs", [["box_a", "box_b"]])
+        self.assertTrue(reload_setup().success)
+        self.wait_for_warning(WarningMessage.CLEAR, "box_a and box_b are not checked any more")
+        rospy.delete_param(NODE + "/ignore_pairs")
+        self.assertTrue(reload_setup().success)
+        self.wait_for_warning(WarningMessage.CONTACT, "box_a overlaps box_b")
+        told = len(self.probe.warnings)
+        self.assertTrue(reload_setup().success)
+        self.joints.set(slide=0.3)
+        self.wait_for_warning(WarningMessage.CLEAR, "clear")
+        self.assertNotIn(WarningMessage.CONTACT, [w.after for w in self.probe.warnings[told:]])
+
     def test_reload_takesNewLimits_andKeepsTheOldSetUpOnFailure(self):
         reload_setup = self.service("reload", Trigger)
         rospy.set_param(NODE + "/limits/warning_distance", 0.5)

@@ -34,9 +34,19 @@ ContactDistances contactDistancesOf(const CycleSetup& setup);
 
 CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind);
 
-/// Forgets what earlier cycles left: after a jump in time or a gap in data. What happened between
-/// the last cycle and the next one is then not looked into.
+/// Forgets where links were: after a jump in time, or when nobody was told. What happened between
+/// the last cycle and the next one is then not looked into. The verdicts that were reported and the
+/// speed scale stay: they hold until new poses say otherwise.
+void forgetPoses(CycleBuffers& buffers) noexcept;
+
+/// Forgets all that earlier cycles left, as if there had been none.
 void resetMemory(CycleBuffers& buffers) noexcept;
+
+/// Takes over the speed scale and, of pairs of links that both set-ups check, what was reported of
+/// them. Links are the same if their tf frames are.
+/// @return pairs of `from` that were not reported as clear, and that `to` does not check.
+std::vector<LinkPairIndex> carryOver(const CycleSetup& from, const PairMemory& reported,
+                                     const CycleSetup& to, PairMemory& memory);
 
 /// One cycle: poses in, events out. Same input and memory, same bytes out,
 /// whichever broad phase. Neither allocates, locks nor throws.

@@ -118,6 +118,34 @@ TEST_F(TwoBalls, resetMemory_forgetsHysteresis) {
   EXPECT_EQ(verdict(), Verdict::clear);
 }
 
+TEST_F(TwoBalls, forgetPoses_leavesWhatWasReportedToBeTakenBack) {
+  runWithGap(-0.01);
+  forgetPoses(buffers_);
+  runWithGap(0.06);
+  ASSERT_EQ(buffers_.events.changes.size(), 1U);
+  EXPECT_EQ(buffers_.events.changes[0].before, Verdict::contact);
+  EXPECT_EQ(buffers_.events.changes[0].after, Verdict::clear);
+}
+
+TEST(CarryOver, pairsOfTheSameLinks_keepWhatWasReportedAndOthersAreDropped) {
+  const CycleSetup from = handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}, {2, Sphere{0.1}}});
+  CycleSetup to = handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}});
+  std::swap(to.model.links[0].frame, to.model.links[1].frame);
+  PairMemory reported = makeBuffers(from, BroadPhaseKind::brute_force).memory;
+  ASSERT_EQ(from.checked.size(), 3U);
+  reported.reported = {Verdict::contact, Verdict::clear, Verdict::warning};
+  reported.is_certain[0] = reported.speed.stopped[0] = 1;
+  reported.speed.scale = 0.25;
+  reported.speed.stamp_ns = 7;
+  PairMemory memory = makeBuffers(to, BroadPhaseKind::brute_force).memory;
+  EXPECT_EQ(carryOver(from, reported, to, memory), std::vector<LinkPairIndex>{2});
+  EXPECT_EQ(memory.reported, std::vector<Verdict>{Verdict::contact});
+  EXPECT_EQ(memory.is_certain[0], 1);
+  EXPECT_EQ(memory.speed.stopped[0], 1);
+  EXPECT_EQ(memory.speed.scale, 0.25);
+  EXPECT_EQ(memory.speed.stamp_ns, 7);
+}
+
 TEST(RunCycle, severalShapesPerLink_verdictIsThatOfTheNearest) {
   const Pose far{Eigen::Matrix3d::Identity(), Eigen::Vector3d(0, 0, 3)};
   const CycleSetup setup =
