@@ -179,6 +179,15 @@ TEST_F(ConversionsTest, contacts_pointDepthNormalIsland) {
   EXPECT_TRUE(message.contacts.empty());
 }
 
+TEST_F(ConversionsTest, contacts_holdAnEstimateOfADepthThatIsAllowed) {
+  const auto watch = estimatedDepth(store_);
+  EXPECT_EQ(stateOf(*watch, facts()).level, State::CONTACT);
+  Contacts message;
+  toMessage(*watch, message);
+  ASSERT_EQ(message.contacts.size(), 1U);
+  EXPECT_NEAR(message.contacts[0].depth, 0.04, 1e-12);
+}
+
 TEST_F(ConversionsTest, contactBetweenCycles_isToldWithItsTimeAndPoses) {
   // The tool goes from x = 0.75 to -0.75 in 30 ms, through the base; they touch at 0.2.
   const auto watch = watchAt(0.25);

@@ -49,6 +49,17 @@ std::unique_ptr<Watch> judged(const std::shared_ptr<const MonitorSetup>& setup,
   return watch;
 }
 
+std::unique_ptr<Watch> estimatedDepth(const TransformStore& store) {
+  SetupOptions options;
+  options.limits.contact_distance = -0.1;
+  const auto setup = slidingSetup(options);
+  auto watch = judged(setup, store, slidingPoses(setup->setup.model, 0.0, -0.34));
+  CycleBuffers& buffers = watch->buffers;
+  buffers.distances.measured.at(buffers.events.closest_of_all).quality = Quality::estimate;
+  judgePairs(setup->setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
+  return watch;
+}
+
 LinkId linkNamed(const RobotModel& model, const std::string& name) {
   return model.findLink(name).value();
 }

@@ -28,6 +28,9 @@ LinkPoses slidingPoses(const RobotModel& model, double slide, double reach);
 std::unique_ptr<Watch> judged(const std::shared_ptr<const MonitorSetup>& setup,
                               const TransformStore& store, const LinkPoses& poses);
 
+/// base and tool overlap by 4 cm, of which limits allow 10; but that is an estimate.
+std::unique_ptr<Watch> estimatedDepth(const TransformStore& store);
+
 LinkId linkNamed(const RobotModel& model, const std::string& name);
 
 /// The sliding robot, watched with its slide at 0.

@@ -51,6 +51,11 @@ TEST_F(MarkersTest, ofAContact_areDeletedWhenItEnds) {
   EXPECT_EQ(count(third, "contacts", Marker::DELETE), 0U) << "once is enough";
 }
 
+TEST_F(MarkersTest, ofAnEstimateOfADepthThatIsAllowed_areThoseOfAContact) {
+  const auto watch = estimatedDepth(store_);
+  EXPECT_EQ(count(Markers(*watch).draw(*watch), "contacts", visualization_msgs::Marker::ADD), 2U);
+}
+
 TEST_F(MarkersTest, ofAnUnknownLink_areGreyWhereItWasSeen) {
   const auto known = watch(posesAt(0.25));
   Markers markers(*known);
