@@ -115,6 +115,13 @@ StateCheck checkByCycle(const CycleSetup& setup, const JointPositions& positions
   return check;
 }
 
+/// What a state says that is asked for contacts and has none.
+StateCheck withoutPair(Verdict verdict) noexcept {
+  StateCheck check;
+  check.verdict = verdict == Verdict::warning ? Verdict::clear : verdict;
+  return check;
+}
+
 Pose unknownPose() {
   Pose pose;
   pose.translation.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -224,8 +231,8 @@ void checkStatesExactly(const CycleSetup& setup, const JointPositions& positions
     const bool is_near = check.verdict == Verdict::contact || check.verdict == Verdict::warning;
     if (is_near && check.quality != Quality::exact) {
       check = checkByCycle(setup, positions, i, work);
-      if (question == StateQuestion::contact && check.verdict == Verdict::warning) {
-        check.verdict = Verdict::clear;
+      if (question == StateQuestion::contact && check.verdict != Verdict::contact) {
+        check = withoutPair(check.verdict);
       }
     }
   }

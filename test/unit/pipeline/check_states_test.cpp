@@ -216,7 +216,9 @@ TEST(CheckStatesExactly, geometriesDecideWhereEnclosingShapesAreNear) {
   EXPECT_EQ(exact[3].verdict, Verdict::unknown);
   checkStatesExactly(setup, positions, StateQuestion::contact, work, exact);
   EXPECT_EQ(exact[0].verdict, Verdict::clear);
+  EXPECT_FALSE(exact[0].has_pair) << "near is no contact, so there is no pair in contact";
   EXPECT_EQ(exact[1].verdict, Verdict::contact);
+  EXPECT_TRUE(exact[1].has_pair);
 }
 
 }  // namespace
