@@ -40,6 +40,23 @@ void checkNumbers(const JointTrajectory& trajectory, std::size_t point,
   }
 }
 
+/// Not by ros::Duration, which throws where the difference of two is beyond its range.
+double timeOf(const JointTrajectoryPoint& point) { return point.time_from_start.toSec(); }
+
+/// From 0 on, each later than the one before it.
+void checkTime(const JointTrajectory& trajectory, std::size_t point,
+               std::vector<std::string>& faults) {
+  const double time = timeOf(trajectory.points[point]);
+  const double before = point == 0 ? 0.0 : timeOf(trajectory.points[point - 1]);
+  const std::string found = pointText(point) + ".time_from_start is " + shortText(time) + " s";
+  if (point == 0 && time < 0.0) {
+    faults.push_back(found + "; accepted: 0 s or later");
+  } else if (point > 0 && time <= before) {
+    faults.push_back(found + "; accepted: later than the " + shortText(before) +
+                     " s of the point before it");
+  }
+}
+
 /// How far cubics swing between two points that may be near each other.
 /// @pre the points have no other faults
 void checkSwings(const JointTrajectory& trajectory, std::vector<std::string>& faults) {
@@ -47,9 +64,8 @@ void checkSwings(const JointTrajectory& trajectory, std::vector<std::string>& fa
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::size_t before = i == 0 ? 0 : i - 1;
     const std::size_t after = std::min(i + 1, points.size() - 1);
-    const double time =
-        std::max((points[after].time_from_start - points[i].time_from_start).toSec(),
-                 (points[i].time_from_start - points[before].time_from_start).toSec());
+    const double time = std::max(timeOf(points[after]) - timeOf(points[i]),
+                                 timeOf(points[i]) - timeOf(points[before]));
     for (std::size_t k = 0; k < points[i].velocities.size(); ++k) {
       const double way = std::abs(points[i].velocities[k]) * time;
       if (way > kFarthest) {
@@ -79,10 +95,7 @@ std::vector<std::string> findFaults(const JointTrajectory& trajectory) {
     } else if (has_velocities) {
       checkNumbers(trajectory, i, point.velocities, "velocities", faults);
     }
-    if (i > 0 && !(trajectory.points[i - 1].time_from_start < point.time_from_start)) {
-      faults.push_back(pointText(i) +
-                       ".time_from_start is not later than that of the point before it");
-    }
+    checkTime(trajectory, i, faults);
   }
   if (faults.empty()) {
     checkSwings(trajectory, faults);
@@ -100,7 +113,7 @@ void fillPath(const RobotModel& model, const JointTrajectory& trajectory, JointP
     }
   }
   for (const JointTrajectoryPoint& point : trajectory.points) {
-    path.times.push_back(point.time_from_start.toSec());
+    path.times.push_back(timeOf(point));
     for (const std::size_t place : places) {
       path.positions.push_back(point.positions[place]);
       if (!point.velocities.empty()) {

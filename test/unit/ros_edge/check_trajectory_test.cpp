@@ -118,7 +118,7 @@ TEST_F(CheckTrajectoryTest, everyFaultIsNamed) {
   EXPECT_EQ(response.level, State::UNKNOWN);
   for (const char* text :
        {"margin is not finite", "did you mean 'reach'", "points[1].velocities is not empty",
-        "points[1].time_from_start is not later",
+        "points[1].time_from_start is 0 s; accepted: later than the 0 s",
         "points[2].positions has 2 numbers for 1 joints"}) {
     EXPECT_NE(response.message.find(text), std::string::npos) << text << " in " << response.message;
   }
@@ -148,6 +148,36 @@ TEST_F(CheckTrajectoryTest, numberBeyondSense_namesJointPointAndWhatIsAccepted) 
   request_.trajectory.points[1].positions = {-1e9};
   response = ask();
   EXPECT_EQ(response.level, State::CONTACT) << response.message;
+}
+
+TEST_F(CheckTrajectoryTest, timeBeforeTheStart_namesThePointAndWhatIsAccepted) {
+  request_.trajectory.joint_names = {"reach"};
+  addPoint(-5.0, 0.25);
+  addPoint(2.0, 0.5);
+  auto response = ask();
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.message, "points[0].time_from_start is -5 s; accepted: 0 s or later");
+  request_.trajectory.points[0].time_from_start = ros::Duration(3.5);
+  response = ask();
+  EXPECT_EQ(
+      response.message,
+      "points[1].time_from_start is 2 s; accepted: later than the 3.5 s of the point before it");
+}
+
+/// The difference of the two is no Duration.
+TEST_F(CheckTrajectoryTest, timesFarApart_areNoException) {
+  request_.trajectory.joint_names = {"reach"};
+  addPoint(-2e9, 0.25);
+  addPoint(2e9, 0.5);
+  auto response = ask();
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.message, "points[0].time_from_start is -2e+09 s; accepted: 0 s or later");
+  request_.trajectory.points[0].time_from_start = ros::Duration(0.0);
+  request_.trajectory.points[1].time_from_start.sec = std::numeric_limits<std::int32_t>::max();
+  request_.trajectory.points[1].time_from_start.nsec = std::numeric_limits<std::int32_t>::max();
+  response = ask();
+  EXPECT_TRUE(response.success) << response.message;
+  EXPECT_EQ(response.level, State::OK);
 }
 
 TEST_F(CheckTrajectoryTest, velocityThatLeadsBeyondSense_namesJointPointAndWhatIsAccepted) {
