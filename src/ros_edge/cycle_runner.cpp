@@ -12,32 +12,8 @@
 namespace collision_monitor {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-Clock::duration seconds(double value) {
-  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(value));
-}
-
-double toSeconds(Clock::duration duration) {
+double toSeconds(WallClock::duration duration) {
   return std::chrono::duration<double>(duration).count();
-}
-
-/// A timer slower than the heartbeat would let the heart stop.
-double periodOf(const Parameters& parameters) {
-  return 1.0 / std::max(parameters.rate, parameters.heartbeat_rate);
-}
-
-/// How far apart two cycles by poses are on the average, at least. Poses that come `rate` times a
-/// second by another clock come a little sooner by this one.
-double poseIntervalOf(const Parameters& parameters) {
-  constexpr double kClockTolerance = 0.01;
-  return (1.0 - kClockTolerance) * periodOf(parameters);
-}
-
-/// How long the pose trigger waits for news: links that grow stale meanwhile must be told soon.
-double idlePeriodOf(const Parameters& parameters) {
-  constexpr double kShortest = 1e-3;
-  return std::max(kShortest, std::min(1.0 / parameters.heartbeat_rate, 0.25 * parameters.max_age));
 }
 
 }  // namespace
@@ -78,7 +54,7 @@ void CycleRunner::setEnabled(bool is_enabled) {
 }
 
 void CycleRunner::run() {
-  planned_start_ = Clock::now();
+  pace_.planned_start = WallClock::now();
   while (is_running_) {
     takeOverSetup();
     runOnce();
@@ -87,16 +63,20 @@ void CycleRunner::run() {
 }
 
 void CycleRunner::takeOverSetup() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (!next_) {
+  std::unique_ptr<Watch> next;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    next = std::move(next_);
+  }
+  if (!next) {
     return;
   }
   if (watch_) {
-    succeedWatch(*watch_, *next_);
+    succeedWatch(*watch_, *next);
   }
-  watch_ = std::move(next_);
+  watch_ = std::move(next);
   publishers_.startWatch(*watch_);
-  last_state_ = Clock::time_point();
+  pace_.last_state = WallClock::time_point();
 }
 
 void CycleRunner::succeedWatch(Watch& former, Watch& next) {
@@ -113,22 +93,17 @@ void CycleRunner::succeedWatch(Watch& former, Watch& next) {
 
 void CycleRunner::waitForNext() {
   const Parameters& parameters = watch_->fixed->parameters;
-  const Clock::time_point now = Clock::now();
-  // A cycle that came late shifts those after it; they do not catch up in a burst.
-  if (parameters.trigger == Trigger::timer) {
-    planned_start_ = std::max(planned_start_ + seconds(periodOf(parameters)), now);
-  } else {
-    // Poses may come early after one that came late, so they may be one interval ahead.
-    const Clock::duration interval = seconds(poseIntervalOf(parameters));
-    planned_start_ = std::max(planned_start_ + interval, now - interval);
+  const WallClock::time_point now = WallClock::now();
+  pace_.planned_start = nextStart(parameters, pace_, now);
+  if (parameters.trigger == Trigger::pose) {
     // News first: where they come no faster than `rate`, there is nothing left to sleep.
-    store_.waitForNews(seen_data_, now + seconds(idlePeriodOf(parameters)));
+    store_.waitForNews(seen_data_, endOfWait(parameters, pace_, now));
   }
-  std::this_thread::sleep_until(planned_start_);
+  std::this_thread::sleep_until(pace_.planned_start);
 }
 
 void CycleRunner::runOnce() {
-  const Clock::time_point start = Clock::now();
+  const WallClock::time_point start = WallClock::now();
   facts_.now = store_.readTime();
   const bool was_enabled = facts_.is_enabled;
   const ros::SteadyTime steady_now = ros::SteadyTime::now();
@@ -147,12 +122,11 @@ void CycleRunner::runOnce() {
   runCycle(watch_->setup(), watch_->poses, watch_->buffers);
   ++facts_.cycles;
   countStep(watch_->buffers.sweep, facts_.steps);
-  facts_.cycle_time = toSeconds(Clock::now() - start);
+  facts_.cycle_time = toSeconds(WallClock::now() - start);
   publish(is_new);
-  statistics_.addCycle(facts_.cycle_time);
-  if (toSeconds(Clock::now() - start) > periodOf(watch_->fixed->parameters)) {
-    ++facts_.overruns;
-  }
+  const bool is_overrun = toSeconds(WallClock::now() - start) > periodOf(watch_->fixed->parameters);
+  facts_.overruns += is_overrun ? 1 : 0;
+  statistics_.addCycle(facts_.cycle_time, is_overrun);
 }
 
 /// @return true when something differs from the last cycle.
@@ -173,15 +147,14 @@ void CycleRunner::publish(bool is_new) {
   if (facts_.is_enabled) {
     publishers_.publishChanges(watch);
   }
-  const Clock::time_point now = Clock::now();
+  const WallClock::time_point now = WallClock::now();
   const std::uint8_t level = levelOf(watch, facts_);
-  const double since_state = toSeconds(now - last_state_);
-  const bool is_due = since_state >= 1.0 / watch.fixed->parameters.heartbeat_rate;
+  const bool is_due = isStateDue(watch.fixed->parameters, pace_, now);
   if (!is_new && !is_due && level == last_level_) {
     return;
   }
   last_level_ = level;
-  last_state_ = now;
+  pace_.last_state = now;
   const State& state = publishers_.publishCycle(watch, facts_);
   publishers_.publishMarkers(watch);
   constexpr double kSummaryPeriod = 0.2;
@@ -210,8 +183,6 @@ void CycleRunner::summarize(const State& state) {
   summary.step_warning = state.step_warning;
   summary.steps = facts_.steps;
   summary.unknown_links = state.unknown_links;
-  summary.cycles = state.cycles;
-  summary.overruns = state.overruns;
   statistics_.setSummary(std::move(summary));
 }
 

@@ -3,13 +3,13 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <memory>
 #include <mutex>
 #include <thread>
 
 #include "ros_edge/cycle_statistics.h"
 #include "ros_edge/enabling.h"
+#include "ros_edge/pace.h"
 #include "ros_edge/publishers.h"
 
 namespace collision_monitor {
@@ -38,8 +38,6 @@ class CycleRunner {
   const CycleStatistics& statistics() const noexcept { return statistics_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void run();
   void takeOverSetup();
   void succeedWatch(Watch& former, Watch& next);
@@ -62,9 +60,8 @@ class CycleRunner {
   // Of the thread alone.
   std::unique_ptr<Watch> watch_;
   CycleFacts facts_;
-  Clock::time_point planned_start_;
-  Clock::time_point last_state_;
-  Clock::time_point last_summary_;
+  CyclePace pace_;
+  WallClock::time_point last_summary_;
   std::uint64_t seen_data_{0};
   std::uint64_t seen_jumps_{0};
   std::uint8_t last_level_{0};

@@ -7,10 +7,13 @@
 
 namespace collision_monitor {
 
-void CycleStatistics::addCycle(double cycle_time) {
+void CycleStatistics::addCycle(double cycle_time, bool is_overrun) {
+  const WallClock::time_point now = WallClock::now();
   const std::lock_guard<std::mutex> lock(mutex_);
-  times_[count_ % kMemory] = cycle_time;
-  ++count_;
+  times_[counts_.cycles % kMemory] = cycle_time;
+  ++counts_.cycles;
+  counts_.overruns += is_overrun ? 1 : 0;
+  counts_.newest_end = now;
 }
 
 void CycleStatistics::setSummary(CycleSummary summary) {
@@ -24,7 +27,7 @@ CycleStatistics::Times CycleStatistics::times() const {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     sorted = times_;
-    times.count = std::min(count_, kMemory);
+    times.count = std::min<std::size_t>(counts_.cycles, kMemory);
   }
   if (times.count == 0) {
     return times;
@@ -35,6 +38,11 @@ CycleStatistics::Times CycleStatistics::times() const {
   times.median = *middle;
   times.worst = *std::max_element(sorted.begin(), end);
   return times;
+}
+
+CycleCounts CycleStatistics::counts() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return counts_;
 }
 
 CycleSummary CycleStatistics::summary() const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "ros_edge/pace.h"
 #include "ros_edge/watch.h"
 
 namespace collision_monitor {
@@ -31,16 +32,21 @@ struct CycleSummary {
   std::string step_warning;
   StepCount steps;
   std::vector<std::string> unknown_links;
-  std::uint64_t cycles{0};
-  std::uint64_t overruns{0};
 };
 
-/// Times of the last cycles and a summary of the newest, written by the cycle's thread and
-/// read by that of the diagnostics.
+/// Cycles since start.
+struct CycleCounts {
+  std::uint64_t cycles{0};
+  std::uint64_t overruns{0};         ///< of these, they took longer than the period
+  WallClock::time_point newest_end;  ///< when the newest ended; of none yet: the start
+};
+
+/// Counts and times of cycles, and a summary of the last that was published, written by the cycle's
+/// thread and read by that of the diagnostics.
 class CycleStatistics {
  public:
   /// Units: seconds.
-  void addCycle(double cycle_time);
+  void addCycle(double cycle_time, bool is_overrun);
   void setSummary(CycleSummary summary);
 
   struct Times {
@@ -50,6 +56,8 @@ class CycleStatistics {
   };
   /// Of the last cycles, at most 1024. Units: seconds.
   Times times() const;
+  /// Up to this moment, however seldom states are published.
+  CycleCounts counts() const;
   CycleSummary summary() const;
 
  private:
@@ -57,7 +65,7 @@ class CycleStatistics {
 
   mutable std::mutex mutex_;
   std::array<double, kMemory> times_{};
-  std::size_t count_{0};
+  CycleCounts counts_{0, 0, WallClock::now()};
   CycleSummary summary_;
 };
 

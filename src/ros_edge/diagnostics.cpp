@@ -12,6 +12,10 @@ namespace collision_monitor {
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
+namespace {
+constexpr double kReportPeriod = 1.0;  // [s]
+}  // namespace
+
 Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                          const std::string& node_name, const CycleStatistics& statistics,
                          SetupGetter current_setup)
@@ -24,8 +28,9 @@ Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& pri
   updater_.add("cycle", [this](DiagnosticStatusWrapper& status) { reportCycle(status); });
   updater_.add("step", [this](DiagnosticStatusWrapper& status) { reportStep(status); });
   updater_.add("setup", [this](DiagnosticStatusWrapper& status) { reportSetup(status); });
-  timer_ = private_node.createWallTimer(
-      ros::WallDuration(1.0), [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+  timer_ =
+      private_node.createWallTimer(ros::WallDuration(kReportPeriod),
+                                   [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
 
 void Diagnostics::reportVerdict(DiagnosticStatusWrapper& status) {
@@ -48,28 +53,36 @@ void Diagnostics::reportVerdict(DiagnosticStatusWrapper& status) {
   }
 }
 
-void Diagnostics::reportCycle(DiagnosticStatusWrapper& status) {
-  const CycleSummary summary = statistics_.summary();
-  const CycleStatistics::Times times = statistics_.times();
-  const ros::SteadyTime now = ros::SteadyTime::now();
-  const double elapsed = (now - last_time_).toSec();
-  const std::uint64_t cycles = summary.cycles - last_cycles_;
-  const std::uint64_t overruns = summary.overruns - last_overruns_;
-  if (cycles == 0) {
-    status.summary(DiagnosticStatus::ERROR, "no cycle since the last report");
-  } else if (overruns > 0) {
+void summarizeCycles(const CycleReport& report, DiagnosticStatusWrapper& status) {
+  if (report.since_newest > report.longest) {
+    status.summaryf(DiagnosticStatus::ERROR, "no cycle for %.1f s", report.since_newest);
+  } else if (report.overruns > 0) {
     status.summaryf(DiagnosticStatus::WARN, "%llu of %llu cycles took longer than the period",
-                    static_cast<unsigned long long>(overruns),
-                    static_cast<unsigned long long>(cycles));
+                    static_cast<unsigned long long>(report.overruns),
+                    static_cast<unsigned long long>(report.cycles));
   } else {
     status.summary(DiagnosticStatus::OK, "cycles keep their period");
   }
-  status.add("frequency [Hz]", elapsed > 0.0 ? static_cast<double>(cycles) / elapsed : 0.0);
+}
+
+void Diagnostics::reportCycle(DiagnosticStatusWrapper& status) {
+  const CycleSummary summary = statistics_.summary();
+  const CycleStatistics::Times times = statistics_.times();
+  const CycleCounts counts = statistics_.counts();
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  const double elapsed = (now - last_time_).toSec();
+  CycleReport report;
+  report.cycles = counts.cycles - last_counts_.cycles;
+  report.overruns = counts.overruns - last_counts_.overruns;
+  report.since_newest = std::chrono::duration<double>(WallClock::now() - counts.newest_end).count();
+  report.longest = kReportPeriod + longestPeriodOf(current_setup_()->parameters);
+  summarizeCycles(report, status);
+  status.add("frequency [Hz]", elapsed > 0.0 ? static_cast<double>(report.cycles) / elapsed : 0.0);
   status.add("cycle time, median [us]", 1e6 * times.median);
   status.add("cycle time, worst of the last " + std::to_string(times.count) + " [us]",
              1e6 * times.worst);
-  status.add("cycles", summary.cycles);
-  status.add("overruns", summary.overruns);
+  status.add("cycles", counts.cycles);
+  status.add("overruns", counts.overruns);
   status.add("pairs of shapes", summary.pairs);
   status.add("candidates", summary.candidates);
   status.add("measured", summary.measured);
@@ -77,8 +90,7 @@ void Diagnostics::reportCycle(DiagnosticStatusWrapper& status) {
   status.add("left by the refine budget", summary.left);
   status.add("followed between cycles", summary.swept);
   last_time_ = now;
-  last_cycles_ = summary.cycles;
-  last_overruns_ = summary.overruns;
+  last_counts_ = counts;
 }
 
 /// A step over the cap is a warning where nothing covers it. Where the look at the way does, it is

@@ -14,6 +14,19 @@
 
 namespace collision_monitor {
 
+/// Cycles since the last report.
+struct CycleReport {
+  std::uint64_t cycles{0};
+  std::uint64_t overruns{0};
+  double since_newest{0.0};  ///< [s] since the end of the newest, this report's or not
+  double longest{0.0};       ///< [s] it may be so long ago
+};
+
+/// Level and sentence of the entry `cycle`. Where cycles are as slow as reports, there may be none
+/// between two of these.
+void summarizeCycles(const CycleReport& report,
+                     diagnostic_updater::DiagnosticStatusWrapper& status);
+
 /// Publishes /diagnostics once a wall second, also while a simulated clock stands still.
 /// Four entries: the verdict with its data, the cycle with its times, the step between poses with
 /// what it may be, the set-up with its warnings.
@@ -35,8 +48,7 @@ class Diagnostics {
   const CycleStatistics& statistics_;
   SetupGetter current_setup_;
   diagnostic_updater::Updater updater_;
-  std::uint64_t last_cycles_{0};
-  std::uint64_t last_overruns_{0};
+  CycleCounts last_counts_;
   StepCount last_steps_;
   ros::SteadyTime last_time_;
   ros::WallTimer timer_;

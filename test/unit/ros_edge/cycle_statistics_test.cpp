@@ -18,7 +18,7 @@ TEST(CycleStatistics, nothingYet_isZero) {
 TEST(CycleStatistics, medianAndWorst) {
   CycleStatistics statistics;
   for (const double time : {5.0, 1.0, 4.0, 2.0, 3.0}) {
-    statistics.addCycle(time);
+    statistics.addCycle(time, false);
   }
   EXPECT_EQ(statistics.times().median, 3.0);
   EXPECT_EQ(statistics.times().worst, 5.0);
@@ -27,11 +27,24 @@ TEST(CycleStatistics, medianAndWorst) {
 
 TEST(CycleStatistics, oldTimesAreForgotten) {
   CycleStatistics statistics;
-  statistics.addCycle(100.0);
+  statistics.addCycle(100.0, false);
   for (int i = 0; i < 1024; ++i) {
-    statistics.addCycle(1.0);
+    statistics.addCycle(1.0, false);
   }
   EXPECT_EQ(statistics.times().worst, 1.0);
+}
+
+TEST(CycleStatistics, everyCycleCounts) {
+  CycleStatistics statistics;
+  const CycleCounts before = statistics.counts();
+  EXPECT_EQ(before.cycles, 0U);
+  for (int i = 0; i < 2000; ++i) {
+    statistics.addCycle(1.0, i % 100 == 0);
+  }
+  EXPECT_EQ(statistics.counts().cycles, 2000U);
+  EXPECT_EQ(statistics.counts().overruns, 20U);
+  EXPECT_GE(statistics.counts().newest_end, before.newest_end);
+  EXPECT_EQ(statistics.times().count, 1024U);
 }
 
 TEST(Enabling, offForAWhile_onAgainByItself) {
