@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 
 #include "collision_monitor/ros_edge/pose_reader.h"
@@ -28,12 +29,16 @@ std::string explainAge(double age, double max_age, const std::string& what) {
          (is_suspicious ? "; if this is a recording, is use_sim_time set?" : "");
 }
 
-/// Whoever sends transforms without a stamp wonders why none arrives.
+std::string countText(std::uint64_t count) {
+  return std::to_string(count) + (count == 1 ? " transform" : " transforms");
+}
+
+/// Whoever sends transforms without a stamp, or by another clock, wonders why none arrives.
 std::string refused(const TransformStore& store) {
-  const std::uint64_t count = store.refusedWithoutStamp();
-  return count == 0 ? ""
-                    : "; refused for want of a stamp: " + std::to_string(count) +
-                          (count == 1 ? " transform" : " transforms");
+  const std::uint64_t without_stamp = store.refusedWithoutStamp();
+  const std::uint64_t ahead = store.refusedAhead();
+  return (without_stamp == 0 ? "" : "; refused for want of a stamp: " + countText(without_stamp)) +
+         (ahead == 0 ? "" : "; refused as too far in the future: " + countText(ahead));
 }
 
 }  // namespace
@@ -43,6 +48,10 @@ std::string PoseReader::explainJoint(const Edge& edge) const {
   // A mimic joint waits for its source.
   const Joint& joint = edge.joint->mimic ? model_.joint(edge.joint->mimic->source) : *edge.joint;
   const std::string what = "state of joint '" + joint.name + "'";
+  const double ahead = joints_->refusedAhead(joint.first_variable);
+  if (ahead > 0.0) {
+    return explainAge(-ahead, max_age_, what);
+  }
   switch (edge.status) {
     case LinkStatus::stale:
       return explainAge(edge.age, max_age_, what);
@@ -70,6 +79,25 @@ std::string PoseReader::explainMissing(const Edge& edge) const {
          edge.parent_frame + "' to '" + edge.child_frame + "' yet" + refused(store_);
 }
 
+/// [s] How far the data were ahead of now that were refused for it, at most; 0 if none were.
+double PoseReader::refusedAhead(const Edge& edge) const {
+  std::int64_t ahead_ns = 0;
+  const auto look = [&](std::size_t record) {
+    ahead_ns = std::max(ahead_ns, records_[record].refused_ahead_ns);
+  };
+  std::for_each(edge.path.begin(), edge.path.end(), look);
+  for (const std::string& frame : {edge.child_frame, edge.parent_frame}) {
+    for (const std::string& above :
+         edge.is_connected ? std::vector<std::string>() : chainAbove(frame)) {
+      const auto place = places_.find(above);
+      if (place != places_.end()) {
+        look(place->second);
+      }
+    }
+  }
+  return 1e-9 * static_cast<double>(ahead_ns);
+}
+
 std::string PoseReader::explain(LinkId link) const {
   // The topmost fault is the cause; what is below it inherits it.
   const Edge* cause = nullptr;
@@ -90,6 +118,10 @@ std::string PoseReader::explain(LinkId link) const {
   const std::string to = is_own ? "" : " to '" + cause->child_frame + "'";
   if (cause->joint != nullptr) {
     return explainJoint(*cause);
+  }
+  const double ahead = refusedAhead(*cause);
+  if (ahead > 0.0) {
+    return explainAge(-ahead, max_age_, "transform" + to);
   }
   switch (cause->status) {
     case LinkStatus::stale:

@@ -78,6 +78,14 @@ void JointReader::refresh() {
   }
 }
 
+double JointReader::refusedAhead(std::size_t variable) const {
+  const auto place = std::find(variables_.begin(), variables_.end(), variable);
+  return place == variables_.end()
+             ? 0.0
+             : store_.refusedAhead(
+                   records_[static_cast<std::size_t>(place - variables_.begin())].record);
+}
+
 void JointReader::readPositions(std::int64_t stamp_ns, double longest_gap,
                                 JointPositions& positions) {
   std::fill(positions.begin(), positions.end(), kNaN);

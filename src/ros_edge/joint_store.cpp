@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "collision_monitor/geometry/pose.h"
 
@@ -23,8 +24,8 @@ double positionOf(const sensor_msgs::JointState& message, std::size_t place) {
 
 double toSeconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
 
-JointSample newestSampleOf(const std::deque<JointSample>& history) {
-  return history.empty() ? JointSample() : history.back();
+JointSample newestOf(const std::deque<JointSample>& samples) {
+  return samples.empty() ? JointSample() : samples.back();
 }
 
 struct Moment {
@@ -51,6 +52,8 @@ JointSample sampleBetween(const JointSample& before, const JointSample& after,
 
 }  // namespace
 
+JointStore::JointStore(TimeSource time_source) : time_source_(std::move(time_source)) {}
+
 void JointStore::keepFor(double seconds) {
   const std::lock_guard<std::mutex> lock(mutex_);
   history_ns_ = static_cast<std::int64_t>(1e9 * seconds);
@@ -62,20 +65,30 @@ void JointStore::accept(const std::string& topic, const sensor_msgs::JointState&
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto stamp_ns = static_cast<std::int64_t>(message.header.stamp.toNSec());
+  // Read under the lock: what came before a jump back must not be kept after `forget`.
+  const std::int64_t ahead_ns = stamp_ns - static_cast<std::int64_t>(time_source_().toNSec());
   Topic& known = topics_[topic];
   if (known.names != message.name) {
     findRecords(message.name, known);
   }
   for (std::size_t i = 0; i < message.name.size(); ++i) {
     History& history = histories_[known.records[i]];
-    if (stamp_ns <= newestSampleOf(history).stamp_ns) {
-      continue;
+    history.refused_ahead_ns = ahead_ns > history_ns_ ? ahead_ns : 0;
+    if (history.refused_ahead_ns == 0) {
+      keepSample({stamp_ns, positionOf(message, i), valueOr(message.velocity, i)}, history);
     }
-    history.push_back({stamp_ns, positionOf(message, i), valueOr(message.velocity, i)});
-    // The last one before the history stays: what lies between it and the next is asked for.
-    while (history.size() > 1 && history[1].stamp_ns < stamp_ns - history_ns_) {
-      history.pop_front();
-    }
+  }
+}
+
+void JointStore::keepSample(const JointSample& sample, History& history) const {
+  std::deque<JointSample>& samples = history.samples;
+  if (sample.stamp_ns <= newestOf(samples).stamp_ns) {
+    return;
+  }
+  samples.push_back(sample);
+  // The last one before the history stays: what lies between it and the next is asked for.
+  while (samples.size() > 1 && samples[1].stamp_ns < sample.stamp_ns - history_ns_) {
+    samples.pop_front();
   }
 }
 
@@ -114,12 +127,17 @@ std::optional<JointStore::Record> JointStore::find(const std::string& topic,
   return place == known->second.places.end() ? std::nullopt : std::optional(place->second);
 }
 
+double JointStore::refusedAhead(Record record) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return toSeconds(histories_[record].refused_ahead_ns);
+}
+
 void JointStore::readNewest(const std::vector<Wanted>& wanted,
                             std::vector<JointSample>& samples) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   samples.clear();
   for (const Wanted& one : wanted) {
-    samples.push_back(newestSampleOf(histories_[one.record]));
+    samples.push_back(newestOf(histories_[one.record].samples));
   }
 }
 
@@ -128,7 +146,7 @@ void JointStore::readAt(const std::vector<Wanted>& wanted, std::int64_t stamp_ns
   const std::lock_guard<std::mutex> lock(mutex_);
   samples.clear();
   for (const Wanted& one : wanted) {
-    const History& history = histories_[one.record];
+    const std::deque<JointSample>& history = histories_[one.record].samples;
     const auto after = std::lower_bound(
         history.begin(), history.end(), stamp_ns,
         [](const JointSample& sample, std::int64_t stamp) { return sample.stamp_ns < stamp; });

@@ -113,11 +113,14 @@ void TransformStore::acceptOne(const geometry_msgs::TransformStamped& transform,
   const std::size_t frame = recordOf(transform.child_frame_id, expected);
   expected = frame + 1;
   FrameRecord& record = records_[frame];
+  const std::int64_t stamp = nanoseconds(transform.header.stamp);
+  if (!is_static && isTooFarAhead(stamp, record)) {
+    return;
+  }
   record.is_bad = !isUsable(transform.transform);
   if (record.is_bad) {
     return;
   }
-  const std::int64_t stamp = nanoseconds(transform.header.stamp);
   if (!is_static && (stamp == record.newest_ns || stamp < record.newest_ns - kHistory)) {
     return;  // sent again, or too old; tf2 would complain of it
   }
@@ -136,12 +139,22 @@ void TransformStore::acceptOne(const geometry_msgs::TransformStamped& transform,
   keepSample(frame, {stamp, transform.transform});
 }
 
+/// Notes it in the record, and that it is no more.
+bool TransformStore::isTooFarAhead(std::int64_t stamp_ns, FrameRecord& record) {
+  const std::int64_t ahead_ns = stamp_ns - nanoseconds(last_time_);
+  const bool is_refused = ahead_ns > history_ns_;
+  record.refused_ahead_ns = is_refused ? ahead_ns : 0;
+  ahead_ += is_refused ? 1 : 0;
+  return is_refused;
+}
+
 /// What came before is of the former parent.
 void TransformStore::attach(std::size_t frame, const std::string& parent, bool is_static) {
   fillBuffer(frame);
   records_[frame].is_static = is_static;
   records_[frame].parent = parent;
   records_[frame].pose_ns = -1;
+  records_[frame].refused_ahead_ns = 0;
   ++version_.topology;
 }
 
@@ -217,6 +230,7 @@ ros::Time TransformStore::readTimeLocked() {
     }
     for (FrameRecord& record : records_) {
       record.newest_ns = 0;
+      record.refused_ahead_ns = 0;
       record.pose_ns = record.is_static ? record.pose_ns : -1;
       record.is_bad = false;
     }
@@ -256,6 +270,7 @@ void TransformStore::refreshRecords(std::vector<FrameRecord>& records) const {
   for (std::size_t i = 0; i < records.size() && i < records_.size(); ++i) {
     records[i].is_bad = records_[i].is_bad;
     records[i].newest_ns = records_[i].newest_ns;
+    records[i].refused_ahead_ns = records_[i].refused_ahead_ns;
     records[i].parent_from_frame = records_[i].parent_from_frame;
     records[i].pose_ns = records_[i].pose_ns;
   }
@@ -264,6 +279,11 @@ void TransformStore::refreshRecords(std::vector<FrameRecord>& records) const {
 std::uint64_t TransformStore::refusedWithoutStamp() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return without_stamp_;
+}
+
+std::uint64_t TransformStore::refusedAhead() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return ahead_;
 }
 
 }  // namespace collision_monitor

@@ -29,6 +29,9 @@ class JointReader {
   /// there is none.
   const JointSample& newest(std::size_t variable) const { return newest_[variable]; }
 
+  /// As JointStore::refusedAhead, by variable.
+  double refusedAhead(std::size_t variable) const;
+
   /// Positions at a stamp; NaN where JointStore::readAt has none.
   void readPositions(std::int64_t stamp_ns, double longest_gap, JointPositions& positions);
   /// The newest velocities, as of the last refresh; NaN for joints without one

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ros/time.h>
 #include <sensor_msgs/JointState.h>
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -23,10 +25,15 @@ struct JointSample {
 };
 
 /// The last samples of every joint that was heard of, by topic and name. Messages without stamp are
-/// refused, and so are samples older than one that came before. Safe for several feeders and
-/// readers at once.
+/// refused, and so are samples older than one that came before, and those farther ahead of now than
+/// the history is long: they would outlive all that follow. Safe for several feeders and readers at
+/// once.
 class JointStore {
  public:
+  using TimeSource = std::function<ros::Time()>;
+
+  explicit JointStore(TimeSource time_source = &ros::Time::now);
+
   /// Index of a joint's record; valid for the life of the store.
   using Record = std::size_t;
 
@@ -41,6 +48,8 @@ class JointStore {
   /// How many joints were heard of; a joint that was not found may be once this changes.
   std::size_t recordCount() const;
   std::optional<Record> find(const std::string& topic, const std::string& joint) const;
+  /// [s] How far ahead of now the last sample was, if it was refused for that; 0 if it was not.
+  double refusedAhead(Record record) const;
 
   /// A record that is to be read.
   struct Wanted {
@@ -56,8 +65,11 @@ class JointStore {
               std::vector<JointSample>& samples) const;
 
  private:
-  /// By stamp. Another joint, or another robot's, may be as far behind as `max_age` lets it.
-  using History = std::deque<JointSample>;
+  struct History {
+    /// By stamp. Another joint, or another robot's, may be as far behind as `max_age` lets it.
+    std::deque<JointSample> samples;
+    std::int64_t refused_ahead_ns{0};  ///< as refusedAhead
+  };
   struct Topic {
     std::map<std::string, Record> places;  ///< by name
     // Messages of a topic mostly name the same joints: what the last one named, and where they are.
@@ -66,7 +78,9 @@ class JointStore {
   };
 
   void findRecords(const std::vector<std::string>& names, Topic& topic);
+  void keepSample(const JointSample& sample, History& history) const;
 
+  TimeSource time_source_;
   mutable std::mutex mutex_;
   std::map<std::string, Topic> topics_;
   std::vector<History> histories_;

@@ -96,6 +96,7 @@ class PoseReader {
   bool placeLinks(LinkPoses& poses) const;
   std::string explainJoint(const Edge& edge) const;
   std::string explainMissing(const Edge& edge) const;
+  double refusedAhead(const Edge& edge) const;
 
   const RobotModel& model_;
   const TransformStore& store_;

@@ -22,10 +22,12 @@ namespace collision_monitor {
 /// What is known of the transforms that name one frame as their child.
 struct FrameRecord {
   std::string name;
-  std::string parent;         ///< "" until a transform came
-  bool is_static{false};      ///< from tf_static
-  bool is_bad{false};         ///< the last transform was NaN, infinite or no rotation
-  std::int64_t newest_ns{0};  ///< stamp; 0 until a transform with a stamp came
+  std::string parent;                ///< "" until a transform came
+  bool is_static{false};             ///< from tf_static
+  bool is_bad{false};                ///< the last transform was NaN, infinite or no rotation
+  std::int64_t newest_ns{0};         ///< stamp; 0 until a transform with a stamp came
+  std::int64_t refused_ahead_ns{0};  ///< of the last transform, if it was refused for being so far
+                                     ///< ahead of now; 0 if it was not
   /// As of pose_ns, which is the newest stamp unless data came out of order. Static: at all times.
   Pose parent_from_frame;
   std::int64_t pose_ns{-1};  ///< -1: no pose
@@ -38,7 +40,9 @@ struct FrameRecord {
 /// frame.
 ///
 /// A transform that is not finite, no rotation or (unless static) without stamp never enters the
-/// buffer. Frame names lose a leading slash. When time jumps back, all moving data are forgotten.
+/// buffer, nor does one that is farther ahead of now than the history is long: it would outlive all
+/// that follow. Frame names lose a leading slash. When time jumps back, all moving data are
+/// forgotten.
 /// Safe for one feeder and several readers at once.
 class TransformStore {
  public:
@@ -83,6 +87,8 @@ class TransformStore {
   double gapAt(std::size_t frame, std::int64_t stamp_ns) const;
   /// Transforms that were refused because they had no stamp.
   std::uint64_t refusedWithoutStamp() const;
+  /// Transforms that were refused because they were too far ahead of now.
+  std::uint64_t refusedAhead() const;
 
  private:
   /// A moving transform that the buffer did not take in yet.
@@ -94,6 +100,7 @@ class TransformStore {
   std::size_t recordOf(const std::string& frame, std::size_t expected);
   void acceptOne(const geometry_msgs::TransformStamped& transform, bool is_static,
                  std::size_t& expected);
+  bool isTooFarAhead(std::int64_t stamp_ns, FrameRecord& record);
   void attach(std::size_t frame, const std::string& parent, bool is_static);
   void keepSample(std::size_t frame, const Sample& sample);
   void keepStamp(std::size_t frame, std::int64_t stamp_ns);
@@ -112,6 +119,7 @@ class TransformStore {
   Version version_;
   ros::Time last_time_;
   std::uint64_t without_stamp_{0};
+  std::uint64_t ahead_{0};
 };
 
 /// Of a quaternion that may be a little off unit length.

@@ -58,9 +58,9 @@ class JointPosesTest : public testing::Test {
 
   RobotModel model_;
   LinkPoses poses_;
-  ros::Time now_{0.5};
+  ros::Time now_{10.0};
   TransformStore store_{[this] { return now_; }};
-  JointStore joints_;
+  JointStore joints_{[this] { return now_; }};
   JointReader joint_reader_{model_, joints_, {"joint_states"}};
   PoseReader reader_{model_, store_, {}, &joint_reader_};
 };
@@ -107,6 +107,26 @@ TEST_F(JointPosesTest, oldJoint_isStaleAndHoldsNobodyBack) {
   EXPECT_EQ(explain("hand"), "no state of joint 'slide' for 0.60 s");
   EXPECT_EQ(explain("finger"), "no state of joint 'slide' for 0.60 s");
   EXPECT_EQ(poses_.stamp_ns, 10'600'000'000);
+}
+
+TEST_F(JointPosesTest, stateFarAheadOfNow_isToldUntilAGoodOneComes) {
+  read(10.0);
+  send(10.0, "slide", 0.2);
+  send(3610.0, "slide", 0.7);
+  send(3610.0, "reach", 0.7);
+  read(10.0);
+  EXPECT_EQ(status("arm"), LinkStatus::known);
+  EXPECT_EQ(status("hand"), LinkStatus::missing);
+  const std::string clocks =
+      " is 3600.00 s in the future; the clocks of two machines differ, or use_sim_time is set for "
+      "one node only";
+  EXPECT_EQ(explain("hand"), "the newest state of joint 'reach'" + clocks);
+  read(10.6);
+  EXPECT_EQ(status("arm"), LinkStatus::stale);
+  EXPECT_EQ(explain("arm"), "the newest state of joint 'slide'" + clocks);
+  send(10.6, "slide", 0.3);
+  read(10.6);
+  EXPECT_EQ(status("arm"), LinkStatus::known);
 }
 
 TEST_F(JointPosesTest, nanPosition_isNotFiniteUntilAGoodOneComes) {

@@ -27,8 +27,11 @@ sensor_msgs::JointState jointState(double stamp, const std::vector<std::string>&
   return message;
 }
 
+/// Long after all stamps of these tests.
+ros::Time late() { return ros::Time(1e6); }
+
 TEST(JointStore, newestSampleStays) {
-  JointStore store;
+  JointStore store(&late);
   store.accept("t", jointState(2.0, {"a", "b"}, {0.1, 0.2}, {1.0}));
   store.accept("t", jointState(1.0, {"a"}, {0.7}, {7.0}));
   std::vector<JointSample> samples;
@@ -41,7 +44,7 @@ TEST(JointStore, newestSampleStays) {
 }
 
 TEST(JointStore, messagesThatNameOtherJoints_keepToTheRecords) {
-  JointStore store;
+  JointStore store(&late);
   store.accept("t", jointState(1.0, {"a", "b"}, {0.1, 0.2}));
   store.accept("t", jointState(2.0, {"b", "c"}, {0.3, 0.4}));
   store.accept("other", jointState(3.0, {"b", "c"}, {0.8, 0.9}));
@@ -56,13 +59,46 @@ TEST(JointStore, messagesThatNameOtherJoints_keepToTheRecords) {
 }
 
 TEST(JointStore, withoutStamp_isRefused) {
-  JointStore store;
+  JointStore store(&late);
   store.accept("t", jointState(0.0, {"a"}, {0.1}));
   EXPECT_EQ(store.recordCount(), 0U);
 }
 
+/// All that follow seemed older than one message of a wrong clock.
+TEST(JointStore, sampleFarAheadOfNow_isRefusedAndHidesNothing) {
+  ros::Time now(1000.0);
+  JointStore store([&] { return now; });
+  store.keepFor(2.0);
+  store.accept("t", jointState(4600.0, {"a", "b"}, {7.0, 7.0}));
+  const JointStore::Record a = *store.find("t", "a");
+  EXPECT_NEAR(store.refusedAhead(a), 3600.0, 1e-9);
+  store.accept("t", jointState(1000.0, {"a"}, {0.1}));
+  EXPECT_EQ(store.refusedAhead(a), 0.0);
+  EXPECT_NEAR(store.refusedAhead(*store.find("t", "b")), 3600.0, 1e-9);
+  std::vector<JointSample> samples;
+  store.readNewest({{a}, {*store.find("t", "b")}}, samples);
+  EXPECT_EQ(samples[0].position, 0.1);
+  EXPECT_EQ(samples[1].stamp_ns, 0) << "nothing else came of it";
+  store.accept("t", jointState(1002.0, {"a"}, {0.2}));
+  store.readNewest({{a}}, samples);
+  EXPECT_EQ(samples[0].position, 0.2) << "no farther ahead than the history is long";
+}
+
+TEST(JointStore, messageOfBeforeAJumpThatComesAfterIt_hidesNothing) {
+  ros::Time now(1004.0);
+  JointStore store([&] { return now; });
+  store.accept("t", jointState(1003.9, {"a"}, {0.1}));
+  now = ros::Time(1.0);
+  store.forget();
+  store.accept("t", jointState(1004.0, {"a"}, {0.2}));
+  store.accept("t", jointState(1.1, {"a"}, {0.3}));
+  std::vector<JointSample> samples;
+  store.readNewest({{*store.find("t", "a")}}, samples);
+  EXPECT_EQ(samples[0].position, 0.3);
+}
+
 TEST(JointStore, betweenTwoSamples_isTheStraightLine) {
-  JointStore store;
+  JointStore store(&late);
   store.accept("t", jointState(1.0, {"a"}, {0.0}, {1.0}));
   store.accept("t", jointState(1.4, {"a"}, {0.4}, {3.0}));
   store.accept("t", jointState(3.0, {"a"}, {9.0}));
@@ -80,7 +116,7 @@ TEST(JointStore, betweenTwoSamples_isTheStraightLine) {
 }
 
 TEST(JointStore, angleThatWraps_goesTheShorterWayRound) {
-  JointStore store;
+  JointStore store(&late);
   store.accept("t", jointState(1.0, {"a"}, {3.1}));
   store.accept("t", jointState(1.2, {"a"}, {-3.1}));
   std::vector<JointSample> samples;
@@ -91,7 +127,7 @@ TEST(JointStore, angleThatWraps_goesTheShorterWayRound) {
 }
 
 TEST(JointStore, longHistory_forgetsItsBeginning) {
-  JointStore store;
+  JointStore store(&late);
   store.keepFor(99.6);
   for (int i = 1; i <= 1000; ++i) {
     store.accept("t", jointState(i, {"a"}, {0.1 * i}));
@@ -109,7 +145,7 @@ TEST(JointStore, longHistory_forgetsItsBeginning) {
 }
 
 TEST(JointStore, denseSamples_reachAsFarBackAsThoseOfTf) {
-  JointStore store;
+  JointStore store(&late);
   for (int i = 1; i <= 10000; ++i) {
     store.accept("t", jointState(100.0 + 1e-3 * i, {"a"}, {0.1 * i}));
   }
@@ -150,7 +186,7 @@ class JointReaderTest : public testing::Test {
     return velocities[model_.joint(*model_.findJoint(joint)).first_variable];
   }
 
-  JointStore store_;
+  JointStore store_{&late};
   RobotModel model_;
   std::unique_ptr<JointReader> reader_;
 };

@@ -54,6 +54,43 @@ TEST_F(PoseReaderFaults, transformWithoutStamp_isRefused) {
             "no transform from 'base' to 'arm' yet; refused for want of a stamp: 1 transform");
 }
 
+TEST_F(PoseReaderFaults, transformFarAheadOfNow_isToldUntilAGoodOneComes) {
+  const auto sendAhead = [&](const char* parent, const char* child) {
+    store_.accept({transformAlongX(parent, child, 3610.0, 0.5)}, false);
+  };
+  read(10.0);
+  sendAhead("base", "arm");
+  read(10.0);
+  EXPECT_EQ(status("arm"), LinkStatus::missing);
+  const std::string clocks =
+      " is 3600.00 s in the future; the clocks of two machines differ, or use_sim_time is set for "
+      "one node only";
+  EXPECT_EQ(explain("arm"), "the newest transform" + clocks);
+  sendArm(10.0, 0.5);
+  sendAhead("arm", "wrist");
+  read(10.0);
+  EXPECT_EQ(status("hand"), LinkStatus::known) << "one that is wrong hides nothing";
+  send("base", "arm", 10.6, 0.5);
+  read(10.6);
+  EXPECT_EQ(status("arm"), LinkStatus::known);
+  EXPECT_EQ(explain("hand"), "the newest transform to 'wrist'" + clocks);
+  sendArm(10.6, 0.5);
+  read(10.6);
+  EXPECT_EQ(status("hand"), LinkStatus::known);
+}
+
+/// Simulated time starts over, and one message of before comes late.
+TEST_F(PoseReaderFaults, transformOfBeforeAJumpThatComesAfterIt_hidesNothing) {
+  sendArm(1004.0, 0.5);
+  read(1004.0);
+  read(1.0);
+  store_.accept({transformAlongX("base", "arm", 1004.0, 0.5)}, false);
+  sendArm(1.1, 0.25);
+  read(1.1);
+  EXPECT_EQ(status("hand"), LinkStatus::known);
+  EXPECT_DOUBLE_EQ(x("arm"), 0.25);
+}
+
 /// Somebody sends the root as a child of the hand: above no frame is a last one.
 TEST_F(PoseReaderFaults, loopThroughTheRoot_isNamedOnceForAllLinks) {
   sendArm(10.0, 0.5);

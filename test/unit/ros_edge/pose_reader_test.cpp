@@ -159,6 +159,7 @@ TEST_F(PoseReaderTest, timeJumpsBack_movingLinksAreMissingUntilNewDataCome) {
 }
 
 TEST_F(PoseReaderTest, dataFromTheFuture_areStale) {
+  read(10.0);
   store_.accept({transformAlongX("base", "arm", 20.0, 0.5)}, false);
   read(10.0);
   EXPECT_EQ(status("arm"), LinkStatus::stale);

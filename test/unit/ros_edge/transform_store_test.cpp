@@ -54,6 +54,30 @@ TEST_F(TransformStoreTest, dataOlderThanTheHistory_areRefused) {
   EXPECT_DOUBLE_EQ(lookUp("base", "arm", 15.5, {0}), 1.55);
 }
 
+TEST_F(TransformStoreTest, transformFarAheadOfNow_isRefusedAndHidesNothing) {
+  send("base", "arm", 3700.0, 7.0);
+  std::vector<FrameRecord> records;
+  store_.copyRecords(records);
+  EXPECT_EQ(records[0].parent, "");
+  EXPECT_EQ(records[0].refused_ahead_ns, 3600'000'000'000);
+  EXPECT_EQ(store_.refusedAhead(), 1U);
+  send("base", "arm", 99.0, 0.9);
+  send("base", "arm", 100.0, 1.0);
+  store_.refreshRecords(records);
+  EXPECT_EQ(records[0].refused_ahead_ns, 0);
+  EXPECT_EQ(records[0].newest_ns, 100'000'000'000);
+  EXPECT_DOUBLE_EQ(lookUp("base", "arm", 99.5, {0}), 0.95);
+  send("base", "arm", 110.0, 2.0);
+  store_.refreshRecords(records);
+  EXPECT_EQ(records[0].newest_ns, 110'000'000'000) << "no farther ahead than the history is long";
+}
+
+TEST_F(TransformStoreTest, staticTransformFarAheadOfNow_isOfEveryTime) {
+  store_.accept({transformAlongX("base", "arm", 3700.0, 7.0)}, true);
+  EXPECT_DOUBLE_EQ(lookUp("base", "arm", 50.0, {0}), 7.0);
+  EXPECT_EQ(store_.refusedAhead(), 0U);
+}
+
 TEST_F(TransformStoreTest, shortHistory_reachesToTheLastOneBeforeIt) {
   store_.keepFor(1.0);
   for (const double stamp : {1.0, 1.5, 4.1, 5.0}) {
