@@ -119,15 +119,26 @@ std::string summaryText(const CycleSetup& setup, const TrajectoryReport& report,
              : "every pair of links is unknown";
 }
 
+std::string unknownStartText(const std::vector<std::string>& joints) {
+  std::string text;
+  for (const std::string& joint : joints) {
+    text += (text.empty() ? "; the way to the first point was not checked, for it is not known "
+                            "where these joints are now: "
+                          : ", ") +
+            joint;
+  }
+  return text;
+}
+
 }  // namespace
 
-void answerCheckTrajectory(const MonitorSetup& current, const LinkPoses& newest,
+void answerCheckTrajectory(const MonitorSetup& current, const NewestState& newest,
                            const std::function<bool(double)>& progress,
                            const CheckTrajectory::Request& request,
                            CheckTrajectory::Response& response) {
   const CycleSetup& setup = current.setup;
   JointPath path;
-  LinkPoses start = newest;
+  LinkPoses start = newest.poses;
   std::vector<std::string> faults = findFaults(request);
   const std::vector<std::string> of_path =
       readTrajectory(setup.model, request.trajectory, path, start);
@@ -139,6 +150,7 @@ void answerCheckTrajectory(const MonitorSetup& current, const LinkPoses& newest,
     response.message = join(faults);
     return;
   }
+  const std::vector<std::string> unknown = addWayToFirstPoint(setup.model, newest, path, start);
   TrajectoryOptions options = optionsOf(setup, request);
   options.progress = progress;
   const TrajectoryReport report = checkTrajectory(setup, path, start, options);
@@ -154,7 +166,7 @@ void answerCheckTrajectory(const MonitorSetup& current, const LinkPoses& newest,
   if (report.first_contact != kNone) {
     response.contact_time = report.pairs[report.first_contact].time;
   }
-  response.message = summaryText(setup, report, response);
+  response.message = summaryText(setup, report, response) + unknownStartText(unknown);
 }
 
 }  // namespace collision_monitor

@@ -6,13 +6,14 @@
 
 #include "collision_monitor/pipeline/check_trajectory.h"
 #include "ros_edge/monitor_setup.h"
+#include "ros_edge/newest_state.h"
 
 namespace collision_monitor {
 
 /// Answers the service of that name; joints that the trajectory does not name stay as `newest` has
-/// them. Works with buffers of its own.
+/// them, and the others go from there to its first point. Works with buffers of its own.
 /// @param progress as TrajectoryOptions::progress
-void answerCheckTrajectory(const MonitorSetup& current, const LinkPoses& newest,
+void answerCheckTrajectory(const MonitorSetup& current, const NewestState& newest,
                            const std::function<bool(double)>& progress,
                            const CheckTrajectory::Request& request,
                            CheckTrajectory::Response& response);

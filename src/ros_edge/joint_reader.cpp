@@ -18,6 +18,11 @@ std::string bareName(const Robot& robot, const std::string& name) {
   return name.compare(0, front.size(), front) == 0 ? name.substr(front.size()) : name;
 }
 
+bool isFresh(const JointSample& sample, const ros::Time& now, double max_age) {
+  const auto now_ns = static_cast<std::int64_t>(now.toNSec());
+  return std::abs(1e-9 * static_cast<double>(now_ns - sample.stamp_ns)) <= max_age;
+}
+
 }  // namespace
 
 JointReader::JointReader(const RobotModel& model, const JointStore& store,
@@ -95,13 +100,18 @@ void JointReader::readPositions(std::int64_t stamp_ns, double longest_gap,
   }
 }
 
+void JointReader::readNewestPositions(const ros::Time& now, double max_age,
+                                      JointPositions& positions) const {
+  for (std::size_t i = 0; i < newest_.size(); ++i) {
+    positions[i] = isFresh(newest_[i], now, max_age) ? newest_[i].position : kNaN;
+  }
+}
+
 void JointReader::readVelocities(const ros::Time& now, double max_age,
                                  JointVelocities& velocities) const {
-  const auto now_ns = static_cast<std::int64_t>(now.toNSec());
   for (std::size_t i = 0; i < newest_.size(); ++i) {
-    const double age = 1e-9 * static_cast<double>(now_ns - newest_[i].stamp_ns);
-    const bool is_fresh = std::abs(age) <= max_age && std::isfinite(newest_[i].velocity);
-    velocities[i] = is_fresh ? newest_[i].velocity : kNaN;
+    const bool is_usable = isFresh(newest_[i], now, max_age) && std::isfinite(newest_[i].velocity);
+    velocities[i] = is_usable ? newest_[i].velocity : kNaN;
   }
 }
 

@@ -57,15 +57,16 @@ void checkTime(const JointTrajectory& trajectory, std::size_t point,
   }
 }
 
-/// How far cubics swing between two points that may be near each other.
+/// How far cubics swing between two points that may be near each other; time 0 is next to the
+/// first.
 /// @pre the points have no other faults
 void checkSwings(const JointTrajectory& trajectory, std::vector<std::string>& faults) {
   const std::vector<JointTrajectoryPoint>& points = trajectory.points;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::size_t before = i == 0 ? 0 : i - 1;
+    const double before = i == 0 ? 0.0 : timeOf(points[i - 1]);
     const std::size_t after = std::min(i + 1, points.size() - 1);
-    const double time = std::max(timeOf(points[after]) - timeOf(points[i]),
-                                 timeOf(points[i]) - timeOf(points[before]));
+    const double time =
+        std::max(timeOf(points[after]) - timeOf(points[i]), timeOf(points[i]) - before);
     for (std::size_t k = 0; k < points[i].velocities.size(); ++k) {
       const double way = std::abs(points[i].velocities[k]) * time;
       if (way > kFarthest) {
@@ -143,6 +144,31 @@ std::vector<std::string> readTrajectory(const RobotModel& model, const JointTraj
     fillPath(model, trajectory, path);
   }
   return faults;
+}
+
+std::vector<std::string> addWayToFirstPoint(const RobotModel& model, const NewestState& newest,
+                                            JointPath& path, LinkPoses& start) {
+  if (path.times.front() == 0.0) {
+    return {};
+  }
+  sensor_msgs::JointState now;
+  std::vector<std::string> unknown;
+  for (std::size_t i = 0; i < path.joints.size(); ++i) {
+    const auto position = newestPosition(model, newest, path.joints[i], path.positionAt(0, i));
+    now.name.push_back(model.joint(path.joints[i]).name);
+    now.position.push_back(position.value_or(0.0));
+    if (!position) {
+      unknown.push_back(now.name.back());
+    }
+  }
+  if (unknown.empty()) {
+    applyJoints(model, now, start);
+    path.times.insert(path.times.begin(), 0.0);
+    path.positions.insert(path.positions.begin(), now.position.begin(), now.position.end());
+    path.velocities.insert(path.velocities.begin(),
+                           path.velocities.empty() ? 0 : path.joints.size(), 0.0);
+  }
+  return unknown;
 }
 
 }  // namespace collision_monitor

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "collision_monitor/model/joint_path.h"
-#include "collision_monitor/pipeline/cycle_data.h"
+#include "ros_edge/newest_state.h"
 
 namespace collision_monitor {
 
@@ -17,5 +17,12 @@ namespace collision_monitor {
 std::vector<std::string> readTrajectory(const RobotModel& model,
                                         const trajectory_msgs::JointTrajectory& trajectory,
                                         JointPath& path, LinkPoses& start);
+
+/// Puts the way to the first point before it, where its time is not 0: at time 0 the path leaves
+/// from where its joints are now, with velocity 0 if it has velocities. `start` is changed to
+/// there.
+/// @return the joints whose positions now are not known; if there are any, nothing is changed.
+std::vector<std::string> addWayToFirstPoint(const RobotModel& model, const NewestState& newest,
+                                            JointPath& path, LinkPoses& start);
 
 }  // namespace collision_monitor

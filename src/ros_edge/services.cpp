@@ -38,20 +38,22 @@ Services::~Services() { background_.end(); }
 /// Whether a long call may go on.
 bool Services::goesOn() const { return ros::ok() && !background_.isEnding(); }
 
-LinkPoses Services::newestPoses(const MonitorSetup& current) const {
+NewestState Services::newestState(const MonitorSetup& current) const {
   const RobotModel& model = current.setup.model;
-  LinkPoses poses = makeLinkPoses(model);
+  NewestState newest = makeNewestState(model);
   const ros::Time now = ros::Time::now();
   if (!now.isZero()) {
     JointReader joints(model, joint_store_, jointTopics(current));
-    makePoseReader(current, store_, joints).read(now, poses);
+    makePoseReader(current, store_, joints).read(now, newest.poses);
+    joints.refresh();
+    joints.readNewestPositions(now, current.parameters.max_age, newest.positions);
   }
-  return poses;
+  return newest;
 }
 
 bool Services::getDistances(GetDistances::Request& request, GetDistances::Response& response) {
   const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
-  answerGetDistances(*current, newestPoses(*current), request, response);
+  answerGetDistances(*current, newestState(*current).poses, request, response);
   return true;
 }
 
@@ -63,7 +65,7 @@ bool Services::checkTrajectory(CheckTrajectory::Request& request,
         2.0, "check_trajectory: " << std::lround(100.0 * done) << " % checked");
     return goesOn();
   };
-  answerCheckTrajectory(*current, newestPoses(*current), tell, request, response);
+  answerCheckTrajectory(*current, newestState(*current), tell, request, response);
   return true;
 }
 
@@ -74,7 +76,7 @@ bool Services::checkStates(CheckStates::Request& request, CheckStates::Response&
                                      "check_states: " << std::lround(100.0 * done) << " % checked");
     return goesOn();
   };
-  answerCheckStates(*current, newestPoses(*current), tell, request, response);
+  answerCheckStates(*current, newestState(*current).poses, tell, request, response);
   return true;
 }
 

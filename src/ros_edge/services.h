@@ -14,11 +14,11 @@
 #include <memory>
 #include <mutex>
 
-#include "collision_monitor/pipeline/cycle_data.h"
 #include "collision_monitor/ros_edge/joint_store.h"
 #include "collision_monitor/ros_edge/transform_store.h"
 #include "ros_edge/background_queue.h"
 #include "ros_edge/monitor_setup.h"
+#include "ros_edge/newest_state.h"
 
 namespace collision_monitor {
 
@@ -43,7 +43,7 @@ class Services {
 
  private:
   bool goesOn() const;
-  LinkPoses newestPoses(const MonitorSetup& current) const;
+  NewestState newestState(const MonitorSetup& current) const;
   bool getDistances(GetDistances::Request& request, GetDistances::Response& response);
   bool checkTrajectory(CheckTrajectory::Request& request, CheckTrajectory::Response& response);
   bool checkStates(CheckStates::Request& request, CheckStates::Response& response);

@@ -12,9 +12,10 @@ from std_msgs.msg import Float64
 from std_srvs.srv import SetBool, Trigger
 
 from collision_monitor.msg import LinkDistance, State, Warning as WarningMessage
-from collision_monitor.srv import CheckStates, GetDistances
+from collision_monitor.srv import CheckStates, CheckTrajectory, GetDistances
 from diagnostic_msgs.msg import DiagnosticArray
 from monitor_probe import NODE, Probe, TwoBoxes
+from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 from visualization_msgs.msg import Marker, MarkerArray
 
 
@@ -125,6 +126,15 @@ class Verdicts(TwoBoxes):
             self.assertAlmostEqual(found, expected, places=9)
         self.assertEqual((answer.links_a[2], answer.links_b[2]), ("box_a", "box_b"))
         self.assertEqual(self.probe.state.level, State.OK)
+
+    def test_checkTrajectory_beginsWhereTheBoxesAre(self):
+        point = JointTrajectoryPoint(positions=[-1.0], time_from_start=rospy.Duration(2.0))
+        answer = self.service("check_trajectory", CheckTrajectory)(
+            JointTrajectory(joint_names=["slide"], points=[point]), 0.0, 0.0)
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual(answer.level, State.CONTACT)
+        # They touch at -0.1, 0.4 m of 1.3 m from here.
+        self.assertAlmostEqual(answer.contact_time, 2.0 * 0.4 / 1.3, places=4)
 
     def test_setEnabled_warningWhileOff_andOnAgainByItself(self):
         answer = self.service("set_enabled", SetBool)(False)

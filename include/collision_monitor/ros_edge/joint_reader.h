@@ -34,6 +34,9 @@ class JointReader {
 
   /// Positions at a stamp; NaN where JointStore::readAt has none.
   void readPositions(std::int64_t stamp_ns, double longest_gap, JointPositions& positions);
+  /// The newest positions, as of the last refresh; NaN for joints without one
+  /// that is finite and no older than `max_age` [s].
+  void readNewestPositions(const ros::Time& now, double max_age, JointPositions& positions) const;
   /// The newest velocities, as of the last refresh; NaN for joints without one
   /// that is finite and no older than `max_age` [s].
   void readVelocities(const ros::Time& now, double max_age, JointVelocities& velocities) const;

@@ -18,7 +18,7 @@ class CheckTrajectoryTest : public testing::Test {
  protected:
   CheckTrajectory::Response ask() {
     CheckTrajectory::Response response;
-    answerCheckTrajectory(*setup_, poses_, {}, request_, response);
+    answerCheckTrajectory(*setup_, newest_, {}, request_, response);
     return response;
   }
   void addPoint(double time, double position) {
@@ -37,7 +37,8 @@ class CheckTrajectoryTest : public testing::Test {
   }
 
   std::shared_ptr<const MonitorSetup> setup_ = slidingSetup();
-  LinkPoses poses_ = slidingPoses(setup_->setup.model, 0.0, 0.25);
+  NewestState newest_{slidingPoses(setup_->setup.model, 0.0, 0.25),
+                      makeNewestState(setup_->setup.model).positions};
   CheckTrajectory::Request request_;
 };
 
@@ -93,7 +94,7 @@ TEST_F(CheckTrajectoryTest, mimicJointsFollow) {
 }
 
 TEST_F(CheckTrajectoryTest, unknownLink_pairsAreUnknownAndSoIsTheWhole) {
-  poses_.status[index(linkNamed(setup_->setup.model, "finger"))] = LinkStatus::stale;
+  newest_.poses.status[index(linkNamed(setup_->setup.model, "finger"))] = LinkStatus::stale;
   request_.trajectory.joint_names = {"reach"};
   addPoint(0.0, 0.25);
   addPoint(1.0, 0.5);
@@ -133,6 +134,64 @@ TEST_F(CheckTrajectoryTest, numberThatIsNotFinite_namesJointAndPoint) {
   EXPECT_EQ(response.message, "points[1].positions of joint 'reach' is not finite");
   request_.trajectory = trajectory_msgs::JointTrajectory();
   EXPECT_FALSE(ask().success) << "nothing is named";
+}
+
+/// What a controller makes of one point: the way from where the robot stands.
+TEST_F(CheckTrajectoryTest, firstPointLaterThanTheStart_wayToItIsChecked) {
+  request_.trajectory.joint_names = {"reach"};
+  addPoint(2.0, -1.25);  // beyond the base, which is touched at -0.3
+  auto response = ask();
+  ASSERT_TRUE(response.success) << response.message;
+  EXPECT_EQ(response.level, State::CONTACT);
+  EXPECT_NEAR(response.contact_time, 2.0 * 0.55 / 1.5, 1e-5);
+  EXPECT_EQ(response.message, "first contact after 0.733 s: base touches tool");
+  newest_.positions[setup_->setup.model.joint(*setup_->setup.model.findJoint("reach"))
+                        .first_variable] = 0.75;
+  EXPECT_NEAR(ask().contact_time, 2.0 * 1.05 / 2.0, 1e-5) << "joint states tell it better";
+  request_.trajectory.points[0].time_from_start = ros::Duration(0.0);
+  response = ask();
+  EXPECT_EQ(response.level, State::OK) << "what it begins with is there";
+  EXPECT_EQ(response.pairs[0].time, 0.0);
+}
+
+TEST_F(CheckTrajectoryTest, wayToTheFirstPoint_isOnCubicsFromRest) {
+  request_.trajectory.joint_names = {"reach"};
+  addPoint(2.0, -1.25);
+  addPoint(3.0, -1.25);
+  for (trajectory_msgs::JointTrajectoryPoint& point : request_.trajectory.points) {
+    point.velocities = {0.0};
+  }
+  // 3 s^2 - 2 s^3 = 0.55 / 1.5 of the way.
+  const double share = 0.5 - std::sin(std::asin(1.0 - 2.0 * 0.55 / 1.5) / 3.0);
+  EXPECT_NEAR(ask().contact_time, 2.0 * share, 1e-5);
+}
+
+TEST_F(CheckTrajectoryTest, whereJointsAreNowIsNotKnown_theMessageSaysSo) {
+  newest_.poses = makeLinkPoses(setup_->setup.model);
+  newest_.poses.status[index(linkNamed(setup_->setup.model, "base"))] = LinkStatus::known;
+  newest_.poses.world_from_link[0] = Pose();
+  request_.trajectory.joint_names = {"slide", "reach"};
+  addPoint(2.0, 0.0);
+  request_.trajectory.points[0].positions = {0.0, 0.25};
+  const auto response = ask();
+  ASSERT_TRUE(response.success) << response.message;
+  EXPECT_EQ(response.level, State::OK);
+  EXPECT_EQ(response.message,
+            "no contact; nearest after 2.000 s, base 550 mm from tool; the way to the first point "
+            "was not checked, for it is not known where these joints are now: slide, reach");
+  request_.trajectory.points[0].time_from_start = ros::Duration(0.0);
+  EXPECT_EQ(ask().message, "no contact; nearest after 0.000 s, base 550 mm from tool");
+}
+
+TEST_F(CheckTrajectoryTest, velocityThatLeadsBeyondSenseBeforeTheFirstPoint_isRefused) {
+  request_.trajectory.joint_names = {"reach"};
+  addPoint(4.0, 0.25);
+  request_.trajectory.points[0].velocities = {1e9};
+  const auto response = ask();
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.message,
+            "points[0].velocities of joint 'reach' is 1e+09, by which it goes 4e+09 until the "
+            "point next to it; accepted: up to 1e9");
 }
 
 /// The way to there is infinite in squares, and what is infinite exceeds what is needed: the way

@@ -200,6 +200,18 @@ TEST_F(JointReaderTest, freshVelocitiesCount) {
   EXPECT_TRUE(std::isnan(velocityOf("turn", 10.4))) << "0.6 s old";
 }
 
+TEST_F(JointReaderTest, freshPositionsCount) {
+  build({""}, {"t"});
+  store_.accept("t", jointState(9.8, {"turn", "slide"}, {0.3, kNaN}));
+  reader_->refresh();
+  JointPositions positions(model_.variable_count);
+  reader_->readNewestPositions(ros::Time(10.0), 0.5, positions);
+  EXPECT_EQ(positions[0], 0.3);
+  EXPECT_TRUE(std::isnan(positions[1]));
+  reader_->readNewestPositions(ros::Time(10.4), 0.5, positions);
+  EXPECT_TRUE(std::isnan(positions[0])) << "0.6 s old";
+}
+
 TEST_F(JointReaderTest, mimicJoint_followsItsSourceWhateverIsPublished) {
   build({""}, {"t"});
   store_.accept("t", jointState(9.9, {"slide", "follow"}, {0, 0}, {0.2, 7.0}));

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "collision_monitor/pipeline/cycle_data.h"
+
+namespace collision_monitor {
+
+/// Where robots are now, as far as it is known.
+struct NewestState {
+  LinkPoses poses;
+  JointPositions positions;  ///< as joint states tell, by variable; NaN: they do not
+};
+
+/// Nothing is known.
+NewestState makeNewestState(const RobotModel& model);
+
+/// The position of a joint now: as joint states tell or, where they do not, as the poses of its two
+/// links do. A continuous joint has the one from which the way to `target` is shorter.
+///
+/// Limits: poses do not tell whole turns. Of a joint that can turn farther than one they say
+/// nothing, unless it is continuous.
+/// @pre the joint is revolute, continuous or prismatic, and follows no other
+std::optional<double> newestPosition(const RobotModel& model, const NewestState& newest,
+                                     JointId joint, double target);
+
+}  // namespace collision_monitor
