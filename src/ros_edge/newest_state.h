@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "collision_monitor/model/kinematics.h"
 #include "collision_monitor/pipeline/cycle_data.h"
 
 namespace collision_monitor {
