@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "collision_monitor/geometry/visit_held.h"
@@ -143,8 +144,14 @@ MeshDistance measureCore(const PlacedMesh& a, const SweptCore& b, const Pose& wo
     measureTriangle(pair, start.a, search);
   }
   searchFrom(pair, limits.visit_budget, memory, search);
+  const bool is_inside = isCoreInside(pair, search, memory);
+  if (is_inside && search.nearest.a == TrianglePair::kNone) {
+    // All of the surface is farther than was asked for, and so is the way out.
+    search.best.squared_distance = std::numeric_limits<double>::infinity();
+    searchFrom(pair, limits.visit_budget, memory, search);
+  }
   answer.visits = search.visits;
-  report(pair, search, isCoreInside(pair, search, memory), answer);
+  report(pair, search, is_inside, answer);
   answer.measured = placed(world_from_b, answer.measured);
   return answer;
 }

@@ -95,6 +95,20 @@ TEST(RefinePairs, depthThatLimitsAllow_hidesNoEstimateOfAnotherElement) {
   EXPECT_NEAR(distance.measured.distance, -0.25, 1e-9);
 }
 
+TEST(RefinePairs, smallBallDeepInABar_leavesThroughTheNearestFace) {
+  for (const bool is_long_x : {true, false}) {
+    Scene scene({test::angleMesh(), Sphere{0.005}});
+    const Eigen::Vector3d place(0.23, 0.04, 0.005);
+    scene.poses.world_from_link[1].translation =
+        is_long_x ? place : Eigen::Vector3d(place.y(), place.x(), place.z());
+    scene.run();
+    EXPECT_EQ(scene.verdict(), Verdict::contact);
+    EXPECT_NEAR(scene.closest().measured.distance, -0.045, 1e-9);
+    const Eigen::Vector3d& normal = scene.closest().measured.normal_a_to_b;
+    EXPECT_NEAR(is_long_x ? normal.y() : normal.x(), -1.0, 1e-9);
+  }
+}
+
 TEST(RefinePairs, innerShapesOverlap_depthIsAtLeastTheirs) {
   Scene scene({test::angleMesh(), Sphere{0.05}});
   scene.poses.world_from_link[1].translation = Eigen::Vector3d(0.05, 0.05, 0.0);
