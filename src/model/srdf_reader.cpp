@@ -45,6 +45,18 @@ class LinkLookup {
   std::size_t known_count_{0};
 };
 
+/// Whether this is what it is taken for: links of other robots may have the same names.
+void checkRobot(const XMLElement& root, const std::string& urdf_name, const Place& place) {
+  const char* name = root.Attribute("name");
+  if (name != nullptr && name != urdf_name) {
+    place.addWarning(root.GetLineNum(), "robot name " + quoted(name),
+                     quoted(urdf_name) + ", as in the URDF; it is read all the same");
+  }
+  if (const XMLElement* link = root.FirstChildElement("link")) {
+    place.addError(link->GetLineNum(), "<link>, as in a URDF", "an SRDF");
+  }
+}
+
 void readPair(const XMLElement& element, const Place& place, LinkLookup& links,
               std::vector<SrdfPairs::Entry>& entries) {
   const auto name_1 = readName(element, "link1", place);
@@ -128,6 +140,7 @@ SrdfPairs readSrdf(const RobotDescription& description, RobotId robot, const Rob
   if (root == nullptr || index(robot) >= model.robots.size()) {
     return pairs;
   }
+  checkRobot(*root, model.robots[index(robot)].name, place);
   LinkLookup links(robot, model);
   for (const XMLElement* e = root->FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
     readRule(*e, place, links, pairs);

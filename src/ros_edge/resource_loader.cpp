@@ -6,6 +6,7 @@
 #include <ros/package.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -32,16 +33,22 @@ std::string escaped(const std::string& path, Percent percent) {
   return text;
 }
 
-std::string packageFolder(const std::string& name) {
-  std::string folder = name.empty() ? "" : ros::package::getPath(name);
-  if (folder.empty()) {
+using Folders = std::map<std::string, std::string>;  ///< of packages, by name; "": not found
+
+/// Each package is looked for once: rospack writes lines of its own for one that it does not find.
+std::string packageFolder(const std::string& name, Folders& folders) {
+  const auto [place, is_new] = folders.try_emplace(name);
+  if (is_new && !name.empty()) {
+    place->second = ros::package::getPath(name);
+  }
+  if (place->second.empty()) {
     throw std::runtime_error("package '" + name + "' is not found where ROS_PACKAGE_PATH leads to");
   }
-  return folder;
+  return place->second;
 }
 
 /// curl knows neither plain paths nor packages.
-std::string urlOf(const std::string& uri) {
+std::string urlOf(const std::string& uri, Folders& folders) {
   const std::string file = "file://";
   const std::string package = "package://";
   if (uri.rfind('/', 0) == 0) {
@@ -53,7 +60,7 @@ std::string urlOf(const std::string& uri) {
   if (uri.rfind(package, 0) == 0) {
     const std::string path = uri.substr(package.size());
     const std::size_t slash = std::min(path.find('/'), path.size());
-    return file + escaped(packageFolder(path.substr(0, slash)), Percent::is_a_letter) +
+    return file + escaped(packageFolder(path.substr(0, slash), folders), Percent::is_a_letter) +
            escaped(path.substr(slash), Percent::begins_an_escape);
   }
   return uri;
@@ -63,8 +70,8 @@ std::string urlOf(const std::string& uri) {
 
 ResourceLoader makeResourceLoader() {
   auto retriever = std::make_shared<resource_retriever::Retriever>();
-  return [retriever](const std::string& uri) {
-    const resource_retriever::MemoryResource resource = retriever->get(urlOf(uri));
+  return [retriever, folders = Folders()](const std::string& uri) mutable {
+    const resource_retriever::MemoryResource resource = retriever->get(urlOf(uri, folders));
     return std::string(resource.data.get(), resource.data.get() + resource.size);
   };
 }

@@ -176,6 +176,12 @@ class BadInput(unittest.TestCase):
                 self.assertIn(expected, said)
                 self.assertIn("accepted: ", said)
 
+    def test_missing_file_of_a_package_below_a_root_is_named(self):
+        (self.folder / "my_package").mkdir()
+        said = self.refused("-", "--no-cache", "--package-root", self.folder,
+                            text=LITTLE_ROBOT.format("package://my_package/meshes/a.stl"))
+        self.assertIn(f"no file '{self.folder}/my_package/meshes/a.stl'", said)
+
     def test_bad_rules_name_the_line(self):
         rules = self.folder / "rules.yaml"
         rules.write_text("shapes:\n  - link: base_link\n    max_shapes: 0\n  - link: nobody\n    padding: 1\n",

@@ -47,6 +47,8 @@ bool isPackage(const fs::path& folder, const std::string& name) {
   return element != nullptr && element->GetText() != nullptr && element->GetText() == name;
 }
 
+/// Where a root has the package of `uri`, the file in it, whether it is there or not; a file that
+/// is there goes before one that is not.
 std::optional<std::string> findInRoots(const std::string& uri,
                                        const std::vector<std::string>& package_roots) {
   const std::string scheme = "package://";
@@ -58,14 +60,19 @@ std::optional<std::string> findInRoots(const std::string& uri,
   if (slash == std::string::npos) {
     return std::nullopt;
   }
+  const std::string package = path.substr(0, slash);
+  std::optional<std::string> missing;
   for (const fs::path root : package_roots) {
-    const bool is_it = isPackage(root, path.substr(0, slash));
+    const bool is_it = isPackage(root, package);
     const fs::path file = is_it ? root / path.substr(slash + 1) : root / path;
     if (fs::exists(file)) {
       return file.string();
     }
+    if (!missing && (is_it || fs::is_directory(root / package))) {
+      missing = file.string();
+    }
   }
-  return std::nullopt;
+  return missing;
 }
 
 }  // namespace
@@ -120,6 +127,9 @@ ShapeRulesText readRules(const std::string& path, SetupReport& report) {
 ResourceLoader makeLoader(const std::vector<std::string>& package_roots) {
   return [package_roots, load = makeResourceLoader()](const std::string& uri) {
     const std::optional<std::string> found = findInRoots(uri, package_roots);
+    if (found && !fs::exists(*found)) {
+      throw std::runtime_error("no file '" + *found + "'");
+    }
     return found ? readFile(*found) : load(uri);
   };
 }

@@ -63,6 +63,19 @@ TEST(SrdfReader, allThreeKindsOfLines_areRead) {
   }
 }
 
+TEST(SrdfReader, nameOfAnotherRobot_isAWarningAndAUrdfIsNoSrdf) {
+  const std::string line = "<disable_collisions link1='a' link2='c'/>";
+  const ReadSrdf other = read("<robot name='other'>" + line + "</robot>");
+  EXPECT_EQ(other.warnings,
+            std::vector<std::string>{"test.urdf (SRDF) line 1: robot name 'other'; accepted: "
+                                     "'r', as in the URDF; it is read all the same"});
+  EXPECT_EQ(other.pairs.disabled.size(), 1u);
+  EXPECT_TRUE(read("<robot>" + line + "</robot>").warnings.empty());
+  EXPECT_EQ(
+      read(robotXml("<link name='a'/>")).errors,
+      std::vector<std::string>{"test.urdf (SRDF) line 2: <link>, as in a URDF; accepted: an SRDF"});
+}
+
 TEST(SrdfReader, unknownLinks_areOneWarning) {
   const ReadSrdf srdf =
       read(robotXml("<disable_collisions link1='a' link2='x'/>"
