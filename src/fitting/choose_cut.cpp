@@ -4,10 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "collision_monitor/geometry/convex_hull.h"
 #include "fitting/point_cloud.h"
+#include "fitting/slabs.h"
 
 namespace collision_monitor {
 namespace {
@@ -15,45 +16,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr int kSlabs = 80;               // between the places where a part may be cut along an axis
 constexpr int kFirstStep = 16;           // of these, between the places that are looked at first
-constexpr int kDirections = 48;          // whose farthest points stand for a part
 constexpr std::ptrdiff_t kPolished = 4;  // axes whose best cuts are compared closely
 constexpr double kSameAxis = 0.97;
-
-/// The farthest points of a slab in all directions.
-struct Extremes {
-  std::array<double, kDirections> reach;
-  std::array<std::uint32_t, kDirections> point;
-
-  Extremes() { reach.fill(-std::numeric_limits<double>::infinity()); }
-  bool isEmpty() const { return !std::isfinite(reach[0]); }
-  void add(const Extremes& other) {
-    for (std::size_t i = 0; i < kDirections; ++i) {
-      if (other.reach[i] > reach[i]) {
-        reach[i] = other.reach[i];
-        point[i] = other.point[i];
-      }
-    }
-  }
-};
-
-const Points& directions() {
-  static const Points spread = spreadDirections(kDirections);
-  return spread;
-}
-
-Points pointsOf(const Extremes& extremes, const Points& samples) {
-  auto chosen = extremes.point;
-  std::sort(chosen.begin(), chosen.end());
-  Points points;
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    if (i == 0 || chosen[i] != chosen[i - 1]) {
-      points.push_back(samples[chosen[i]]);
-    }
-  }
-  return points;
-}
+constexpr double kWorthIt = 0.9;  // of the cost before the cut
 
 /// Axes of the frames, of which no two are nearly the same.
 std::vector<Vector3d> axesOf(const std::vector<Matrix3d>& frames) {
@@ -71,56 +37,15 @@ std::vector<Vector3d> axesOf(const std::vector<Matrix3d>& frames) {
   return axes;
 }
 
-/// A part in slabs across an axis.
-class Slabs {
- public:
-  Slabs(const Points& samples, const Vector3d& axis) : samples_(&samples), axis_(axis) {
-    low_ = std::numeric_limits<double>::infinity();
-    double high = -low_;
-    for (const auto& sample : samples) {
-      low_ = std::min(low_, axis.dot(sample));
-      high = std::max(high, axis.dot(sample));
-    }
-    thickness_ = (high - low_) / kSlabs;
-    if (!(thickness_ > 0.0)) {
-      return;
-    }
-    for (std::uint32_t i = 0; i < samples.size(); ++i) {
-      const double height = (axis.dot(samples[i]) - low_) / thickness_;
-      const int slab = std::clamp(static_cast<int>(height), 0, kSlabs - 1);
-      add(i, slabs_[static_cast<std::size_t>(slab)]);
-    }
+/// Units: m^3.
+double hullVolumeOf(const Points& points) {
+  const TriangleMesh hull = convexHullOf(points);
+  double sixfold = 0.0;
+  for (const auto& t : hull.triangles) {
+    sixfold += hull.vertices[t[0]].dot(hull.vertices[t[1]].cross(hull.vertices[t[2]]));
   }
-
-  bool canBeCut() const { return thickness_ > 0.0; }
-  CutPlane plane(int below) const { return {axis_, low_ + below * thickness_}; }
-
-  /// Points that stand for the slabs [first, last); none if these are empty.
-  Points pointsOf(int first, int last) const {
-    Extremes extremes;
-    for (int i = first; i < last; ++i) {
-      extremes.add(slabs_[static_cast<std::size_t>(i)]);
-    }
-    return extremes.isEmpty() ? Points{} : collision_monitor::pointsOf(extremes, *samples_);
-  }
-
- private:
-  void add(std::uint32_t i, Extremes& extremes) const {
-    for (std::size_t d = 0; d < kDirections; ++d) {
-      const double reach = directions()[d].dot((*samples_)[i]);
-      if (reach > extremes.reach[d]) {
-        extremes.reach[d] = reach;
-        extremes.point[d] = i;
-      }
-    }
-  }
-
-  const Points* samples_;
-  Vector3d axis_;
-  double low_{0.0};
-  double thickness_{0.0};
-  std::array<Extremes, kSlabs> slabs_;
-};
+  return sixfold / 6.0;
+}
 
 /// Of both shapes, where each sticks out over the mesh and the other.
 double costOf(const CutChoice& choice, const RoughGoal& goal) {
@@ -132,15 +57,14 @@ double costOf(const CutChoice& choice, const RoughGoal& goal) {
   };
   add(choice.below.core, choice.above.core);
   add(choice.above.core, choice.below.core);
-  const Overshoot overshoot = sum.total();
-  return overshoot.fourth_power_mean + overshoot.max;
+  return costOf(sum.total());
 }
 
 /// The cut below which `cut` slabs are; nothing if one side is empty.
 std::optional<CutChoice> cutAt(const Slabs& slabs, int cut, const Matrix3d& frame,
                                const RoughGoal& goal) {
   const Points below = slabs.pointsOf(0, cut);
-  const Points above = slabs.pointsOf(cut, kSlabs);
+  const Points above = slabs.pointsOf(cut, Slabs::kCount);
   if (below.empty() || above.empty()) {
     return std::nullopt;
   }
@@ -167,7 +91,7 @@ class AxisSearch {
   const CutChoice& best() const { return best_; }
 
   void searchAll(const Matrix3d& frame, const RoughGoal& goal) {
-    for (int cut = kFirstStep; slabs_.canBeCut() && cut < kSlabs; cut += kFirstStep) {
+    for (int cut = kFirstStep; slabs_.canBeCut() && cut < Slabs::kCount; cut += kFirstStep) {
       consider(cut, frame, goal);
     }
   }
@@ -180,6 +104,28 @@ class AxisSearch {
     }
   }
 
+  /// The cut that leaves the smallest hulls, wherever it is.
+  void searchHulls(const Matrix3d& frame, const RoughGoal& goal) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int cut = 1; slabs_.canBeCut() && cut < Slabs::kCount; ++cut) {
+      const Points below = slabs_.pointsOf(0, cut);
+      const Points above = slabs_.pointsOf(cut, Slabs::kCount);
+      if (below.empty() || above.empty()) {
+        continue;
+      }
+      const double volume = hullVolumeOf(below) + hullVolumeOf(above);
+      if (volume < least) {
+        least = volume;
+        best_cut_ = cut;
+      }
+    }
+    hull_volume_ = least;
+    if (const auto choice = cutAt(slabs_, best_cut_, frame, goal)) {
+      best_ = *choice;
+    }
+  }
+  double hullVolume() const { return hull_volume_; }
+
   /// Moves both shapes to where they stick out least beside each other: only then it shows what a
   /// cut is worth.
   void polish(const RoughGoal& goal) {
@@ -187,7 +133,7 @@ class AxisSearch {
     beside.others.push_back(best_.above.core);
     best_.below = polished(best_.below, slabs_.pointsOf(0, best_cut_), beside);
     beside.others.back() = best_.below.core;
-    best_.above = polished(best_.above, slabs_.pointsOf(best_cut_, kSlabs), beside);
+    best_.above = polished(best_.above, slabs_.pointsOf(best_cut_, Slabs::kCount), beside);
     best_.cost = costOf(best_, goal);
   }
 
@@ -202,17 +148,41 @@ class AxisSearch {
 
   Slabs slabs_;
   CutChoice best_;
-  int best_cut_{0};  ///< 0: none
+  int best_cut_{0};                                              ///< 0: none
+  double hull_volume_{std::numeric_limits<double>::infinity()};  ///< [m^3] of both sides, if sought
 };
 
 bool isBetter(const AxisSearch& a, const AxisSearch& b) { return a.best().cost < b.best().cost; }
 
+std::optional<CutChoice> smallestHulls(const Points& samples, const std::vector<Vector3d>& axes,
+                                       const Matrix3d& frame, const RoughGoal& goal) {
+  std::optional<AxisSearch> best;
+  for (const auto& axis : axes) {
+    AxisSearch search(samples, axis);
+    search.searchHulls(frame, goal);
+    if (search.hasFound() && (!best || search.hullVolume() < best->hullVolume())) {
+      best = std::move(search);
+    }
+  }
+  if (!best) {
+    return std::nullopt;
+  }
+  best->polish(goal);
+  return best->best();
+}
+
 }  // namespace
 
-std::optional<CutChoice> chooseCut(const Points& samples, const Matrix3d& frame,
-                                   const RoughGoal& goal) {
+double costOf(const Overshoot& overshoot) noexcept {
+  return overshoot.fourth_power_mean + overshoot.max;
+}
+
+std::optional<CutChoice> chooseCut(const Points& samples, const PlacedCore& whole,
+                                   const RoughGoal& goal, IdleCut idle) {
+  const Matrix3d& frame = whole.rotation;
+  const std::vector<Vector3d> axes = axesOf({frame, Matrix3d::Identity(), principalAxes(samples)});
   std::vector<AxisSearch> searches;
-  for (const auto& axis : axesOf({frame, Matrix3d::Identity(), principalAxes(samples)})) {
+  for (const auto& axis : axes) {
     AxisSearch search(samples, axis);
     search.searchAll(frame, goal);
     if (search.hasFound()) {
@@ -229,7 +199,13 @@ std::optional<CutChoice> chooseCut(const Points& samples, const Matrix3d& frame,
     search.searchNearBest(frame, goal);
     search.polish(goal);
   }
-  return std::min_element(searches.begin(), searches.end(), isBetter)->best();
+  CutChoice best = std::min_element(searches.begin(), searches.end(), isBetter)->best();
+  const bool is_idle = !(best.cost < kWorthIt * costOf(goal.overshootOf(whole).total()));
+  if (is_idle && idle == IdleCut::smallest_hulls) {
+    best = smallestHulls(samples, axes, frame, goal).value_or(best);
+  }
+  best.is_idle = is_idle;
+  return best;
 }
 
 }  // namespace collision_monitor

@@ -9,20 +9,32 @@
 
 namespace collision_monitor {
 
+/// By which one set of shapes is better than another. Units: metres.
+double costOf(const Overshoot& overshoot) noexcept;
+
+/// What to do with a U, a fork or pieces in a row, of which no one cut is worth anything.
+enum class IdleCut {
+  least_coarse,    ///< the best one all the same
+  smallest_hulls,  ///< the one with the smallest hulls on both sides: of it the next makes
+                   ///< something
+};
+
 /// A cut and what it leads to.
 struct CutChoice {
   CutPlane plane;
   RoughFit below;
   RoughFit above;
   double cost{std::numeric_limits<double>::infinity()};  ///< [m]
+  bool is_idle{false};                                   ///< it is worth nothing by itself
 };
 
 /// The plane that leaves the least coarse pair of shapes, among planes across the axes of the
 /// frames at several places along each. The best of a few axes are compared with both shapes moved
 /// to where they stick out least.
 /// @param samples points of the part's surface, close together against its size.
+/// @param whole the shape that the part has.
 /// @return nothing when the part has no extent along any axis.
-std::optional<CutChoice> chooseCut(const Points& samples, const Eigen::Matrix3d& frame,
-                                   const RoughGoal& goal);
+std::optional<CutChoice> chooseCut(const Points& samples, const PlacedCore& whole,
+                                   const RoughGoal& goal, IdleCut idle);
 
 }  // namespace collision_monitor

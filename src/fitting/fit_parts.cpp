@@ -6,6 +6,7 @@
 #include <memory>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "fitting/candidate.h"
 #include "fitting/check_geometry.h"
@@ -34,6 +35,7 @@ struct GeometryFit {
   TriangleMesh polyhedron;             ///< that stands for a round geometry
   std::unique_ptr<MeshFitter> fitter;  ///< of a mesh from the start, of others once they are cut
 
+  const Fit& best() const { return fitter ? fitter->best() : whole; }
   double worstOvershoot() const { return fitter ? fitter->worstOvershoot() : whole.overshoot.max; }
 };
 
@@ -54,6 +56,7 @@ GeometryFit fitInOne(const Geometry& geometry, const ShapeKinds& kinds) {
   GeometryFit fit;
   if (const auto* mesh = std::get_if<TriangleMesh>(&geometry)) {
     fit.fitter = std::make_unique<MeshFitter>(*mesh, kinds);
+    fit.whole = fit.fitter->best();
   } else {
     fit.whole.shapes.push_back(encloseTightly(geometry, kinds));
     fit.whole.overshoot = fit.whole.shapes.front().overshoot;
@@ -62,7 +65,7 @@ GeometryFit fitInOne(const Geometry& geometry, const ShapeKinds& kinds) {
 }
 
 /// Cuts the worst part of all geometries until the limits are reached.
-void cutParts(const std::vector<Geometry>& geometries, const FitLimits& limits,
+void cutParts(const std::vector<Geometry>& geometries, const FitLimits& limits, IdleCut idle,
               std::vector<GeometryFit>& fits) {
   for (std::size_t shapes = fits.size(); shapes < limits.max_shapes; ++shapes) {
     const auto worst =
@@ -77,9 +80,34 @@ void cutParts(const std::vector<Geometry>& geometries, const FitLimits& limits,
       worst->fitter = std::make_unique<MeshFitter>(worst->polyhedron, worst->whole.shapes.front(),
                                                    limits.kinds);
     }
-    worst->fitter->cutWorst();
+    worst->fitter->cutWorst(idle);
   }
 }
+
+/// As they were before they were cut.
+std::vector<GeometryFit> uncut(const std::vector<Geometry>& geometries, const ShapeKinds& kinds,
+                               const std::vector<GeometryFit>& fits) {
+  std::vector<GeometryFit> result(fits.size());
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    result[i].whole = fits[i].whole;
+    if (const auto* mesh = std::get_if<TriangleMesh>(&geometries[i])) {
+      result[i].fitter = std::make_unique<MeshFitter>(*mesh, fits[i].whole.shapes.front(), kinds);
+    }
+  }
+  return result;
+}
+
+/// The worst of all, and what all are worth together.
+std::pair<double, double> costOf(const std::vector<GeometryFit>& fits) {
+  std::pair<double, double> cost;
+  for (const auto& fit : fits) {
+    const double one = costOf(fit.best().overshoot);
+    cost = {std::max(cost.first, one), cost.second + one};
+  }
+  return cost;
+}
+
+bool hasIdleCut(const GeometryFit& fit) { return fit.fitter && fit.fitter->hasIdleCut(); }
 
 }  // namespace
 
@@ -90,11 +118,18 @@ std::vector<Fit> fitGeometries(const std::vector<Geometry>& geometries, const Fi
     checkGeometry(geometry);
     fits.push_back(fitInOne(geometry, limits.kinds));
   }
-  cutParts(geometries, limits, fits);
+  cutParts(geometries, limits, IdleCut::least_coarse, fits);
+  if (std::any_of(fits.begin(), fits.end(), hasIdleCut)) {
+    std::vector<GeometryFit> others = uncut(geometries, limits.kinds, fits);
+    cutParts(geometries, limits, IdleCut::smallest_hulls, others);
+    if (costOf(others) < costOf(fits)) {
+      fits = std::move(others);
+    }
+  }
   std::vector<Fit> result;
   result.reserve(fits.size());
   for (const auto& fit : fits) {
-    result.push_back(fit.fitter ? fit.fitter->best() : fit.whole);
+    result.push_back(fit.best());
   }
   return result;
 }

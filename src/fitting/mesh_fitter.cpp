@@ -20,9 +20,6 @@ PosedShape placed(const Enclosure& enclosure) {
   return {enclosure.shape, enclosure.geometry_from_body};
 }
 
-/// By which one set of parts is better than another. Units: metres.
-double costOf(const Overshoot& overshoot) { return overshoot.fourth_power_mean + overshoot.max; }
-
 }  // namespace
 
 MeshFitter::MeshFitter(const TriangleMesh& mesh, const ShapeKinds& kinds)
@@ -120,15 +117,15 @@ void MeshFitter::measureParts() {
   }
 }
 
-void MeshFitter::cutWorst() {
+void MeshFitter::cutWorst(IdleCut idle) {
   const std::size_t worst = worstPart();
-  const auto cut =
-      chooseCut(parts_[worst].samples, parts_[worst].enclosure.geometry_from_body.rotation,
-                goalBeside(worst));
+  const auto cut = chooseCut(parts_[worst].samples, coreOf(placed(parts_[worst].enclosure)),
+                             goalBeside(worst), idle);
   if (!cut || !divide(worst, cut->plane)) {
     parts_[worst].can_be_cut = false;
     return;
   }
+  has_idle_cut_ = has_idle_cut_ || cut->is_idle;
   const std::size_t next = parts_.size() - 1;
   encloseAs(cut->below, parts_[worst]);
   encloseAs(cut->above, parts_[next]);

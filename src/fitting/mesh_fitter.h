@@ -23,7 +23,9 @@ class MeshFitter {
 
   /// The overshoot of the part that sticks out farthest of those that can be cut; 0 if none can.
   double worstOvershoot() const noexcept;
-  void cutWorst();
+  void cutWorst(IdleCut idle);
+  /// Whether a cut was made that was worth nothing by itself.
+  bool hasIdleCut() const noexcept { return has_idle_cut_; }
   /// The least coarse of all fits on the way: a cut can make room for the next one only.
   const Fit& best() const noexcept { return best_; }
 
@@ -53,6 +55,7 @@ class MeshFitter {
   std::vector<Part> parts_;
   std::vector<PartCut> cuts_;
   Fit best_;
+  bool has_idle_cut_{false};
 };
 
 }  // namespace collision_monitor

@@ -52,6 +52,27 @@ TEST(FitGeometries, angleIronInTwo_isTwoBarsThatHug) {
   EXPECT_LT(two.overshoot.max, 0.005);  // two boxes hold two boxes
 }
 
+TEST(FitGeometries, firstCutOfAForkIsWorthNothing_theNextOnesAre) {
+  const auto prong = [](double x) {
+    return moved(boxMesh({0.02, 0.02, 0.15}), Vector3d::Zero(), {x, 0.0, 0.17});
+  };
+  const TriangleMesh fork = joined(boxMesh({0.12, 0.02, 0.02}), joined(prong(-0.1), prong(0.1)));
+  const Fit fit = fitGeometries({fork}, upTo(4)).front();
+  expectProven(fork, fit);
+  EXPECT_LT(fit.overshoot.max, 0.015) << "0.08 in one shape";
+}
+
+TEST(FitGeometries, piecesInARow_haveAShapeEach) {
+  const auto cube = [](double z) {
+    return moved(boxMesh({0.05, 0.05, 0.05}), Vector3d::Zero(), {0.0, 0.0, z});
+  };
+  const TriangleMesh column = joined(cube(0.0), joined(cube(0.2), cube(0.41)));
+  const Fit fit = fitGeometries({column}, upTo(4)).front();
+  expectProven(column, fit);
+  EXPECT_EQ(fit.shapes.size(), 3u);
+  EXPECT_LT(fit.overshoot.max, 1e-3);
+}
+
 TEST(FitGeometries, targetReached_noFurtherCuts) {
   const TriangleMesh mesh = angleIron();
   EXPECT_EQ(fitGeometries({mesh}, upTo(8, 0.01)).front().shapes.size(), 2u);
