@@ -12,7 +12,7 @@
 namespace collision_monitor {
 namespace {
 
-double toSeconds(WallClock::duration duration) {
+double toSeconds(SteadyClock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
@@ -54,7 +54,7 @@ void CycleRunner::setEnabled(bool is_enabled) {
 }
 
 void CycleRunner::run() {
-  pace_.planned_start = WallClock::now();
+  pace_.planned_start = SteadyClock::now();
   while (is_running_) {
     takeOverSetup();
     runOnce();
@@ -76,7 +76,7 @@ void CycleRunner::takeOverSetup() {
   }
   watch_ = std::move(next);
   publishers_.startWatch(*watch_);
-  pace_.last_state = WallClock::time_point();
+  pace_.last_state = SteadyClock::time_point();
 }
 
 void CycleRunner::succeedWatch(Watch& former, Watch& next) {
@@ -93,7 +93,7 @@ void CycleRunner::succeedWatch(Watch& former, Watch& next) {
 
 void CycleRunner::waitForNext() {
   const Parameters& parameters = watch_->fixed->parameters;
-  const WallClock::time_point now = WallClock::now();
+  const SteadyClock::time_point now = SteadyClock::now();
   pace_.planned_start = nextStart(parameters, pace_, now);
   if (parameters.trigger == Trigger::pose) {
     // News first: where they come no faster than `rate`, there is nothing left to sleep.
@@ -103,7 +103,7 @@ void CycleRunner::waitForNext() {
 }
 
 void CycleRunner::runOnce() {
-  const WallClock::time_point start = WallClock::now();
+  const SteadyClock::time_point start = SteadyClock::now();
   facts_.now = store_.readTime();
   const bool was_enabled = facts_.is_enabled;
   const ros::SteadyTime steady_now = ros::SteadyTime::now();
@@ -122,9 +122,10 @@ void CycleRunner::runOnce() {
   runCycle(watch_->setup(), watch_->poses, watch_->buffers);
   ++facts_.cycles;
   countStep(watch_->buffers.sweep, facts_.steps);
-  facts_.cycle_time = toSeconds(WallClock::now() - start);
+  facts_.cycle_time = toSeconds(SteadyClock::now() - start);
   publish(is_new);
-  const bool is_overrun = toSeconds(WallClock::now() - start) > periodOf(watch_->fixed->parameters);
+  const bool is_overrun =
+      toSeconds(SteadyClock::now() - start) > periodOf(watch_->fixed->parameters);
   facts_.overruns += is_overrun ? 1 : 0;
   statistics_.addCycle(facts_.cycle_time, is_overrun);
 }
@@ -147,7 +148,7 @@ void CycleRunner::publish(bool is_new) {
   if (facts_.is_enabled) {
     publishers_.publishChanges(watch);
   }
-  const WallClock::time_point now = WallClock::now();
+  const SteadyClock::time_point now = SteadyClock::now();
   const std::uint8_t level = levelOf(watch, facts_);
   const bool is_due = isStateDue(watch.fixed->parameters, pace_, now);
   if (!is_new && !is_due && level == last_level_) {

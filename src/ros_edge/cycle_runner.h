@@ -61,7 +61,7 @@ class CycleRunner {
   std::unique_ptr<Watch> watch_;
   CycleFacts facts_;
   CyclePace pace_;
-  WallClock::time_point last_summary_;
+  SteadyClock::time_point last_summary_;
   std::uint64_t seen_data_{0};
   std::uint64_t seen_jumps_{0};
   std::uint8_t last_level_{0};

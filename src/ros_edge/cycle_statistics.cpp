@@ -8,7 +8,7 @@
 namespace collision_monitor {
 
 void CycleStatistics::addCycle(double cycle_time, bool is_overrun) {
-  const WallClock::time_point now = WallClock::now();
+  const SteadyClock::time_point now = SteadyClock::now();
   const std::lock_guard<std::mutex> lock(mutex_);
   times_[counts_.cycles % kMemory] = cycle_time;
   ++counts_.cycles;

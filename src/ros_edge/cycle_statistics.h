@@ -37,8 +37,8 @@ struct CycleSummary {
 /// Cycles since start.
 struct CycleCounts {
   std::uint64_t cycles{0};
-  std::uint64_t overruns{0};         ///< of these, they took longer than the period
-  WallClock::time_point newest_end;  ///< when the newest ended; of none yet: the start
+  std::uint64_t overruns{0};           ///< of these, they took longer than the period
+  SteadyClock::time_point newest_end;  ///< when the newest ended; of none yet: the start
 };
 
 /// Counts and times of cycles, and a summary of the last that was published, written by the cycle's
@@ -65,7 +65,7 @@ class CycleStatistics {
 
   mutable std::mutex mutex_;
   std::array<double, kMemory> times_{};
-  CycleCounts counts_{0, 0, WallClock::now()};
+  CycleCounts counts_{0, 0, SteadyClock::now()};
   CycleSummary summary_;
 };
 

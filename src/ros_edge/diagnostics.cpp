@@ -74,7 +74,8 @@ void Diagnostics::reportCycle(DiagnosticStatusWrapper& status) {
   CycleReport report;
   report.cycles = counts.cycles - last_counts_.cycles;
   report.overruns = counts.overruns - last_counts_.overruns;
-  report.since_newest = std::chrono::duration<double>(WallClock::now() - counts.newest_end).count();
+  report.since_newest =
+      std::chrono::duration<double>(SteadyClock::now() - counts.newest_end).count();
   report.longest = kReportPeriod + longestPeriodOf(current_setup_()->parameters);
   summarizeCycles(report, status);
   status.add("frequency [Hz]", elapsed > 0.0 ? static_cast<double>(report.cycles) / elapsed : 0.0);

@@ -7,8 +7,8 @@
 namespace collision_monitor {
 namespace {
 
-WallClock::duration seconds(double value) {
-  return std::chrono::duration_cast<WallClock::duration>(std::chrono::duration<double>(value));
+SteadyClock::duration seconds(double value) {
+  return std::chrono::duration_cast<SteadyClock::duration>(std::chrono::duration<double>(value));
 }
 
 /// How far apart two cycles by poses are on the average, at least. Poses that come `rate` times a
@@ -35,26 +35,26 @@ double longestPeriodOf(const Parameters& parameters) {
              : std::max(periodOf(parameters), idlePeriodOf(parameters));
 }
 
-WallClock::time_point nextStart(const Parameters& parameters, const CyclePace& pace,
-                                WallClock::time_point now) {
+SteadyClock::time_point nextStart(const Parameters& parameters, const CyclePace& pace,
+                                  SteadyClock::time_point now) {
   if (parameters.trigger == Trigger::timer) {
     return std::max(pace.planned_start + seconds(periodOf(parameters)), now);
   }
-  const WallClock::duration interval = seconds(poseIntervalOf(parameters));
+  const SteadyClock::duration interval = seconds(poseIntervalOf(parameters));
   return std::max(pace.planned_start + interval, now - interval);
 }
 
-WallClock::time_point nextHeartbeat(const Parameters& parameters, const CyclePace& pace) {
+SteadyClock::time_point nextHeartbeat(const Parameters& parameters, const CyclePace& pace) {
   return pace.last_state + seconds(1.0 / parameters.heartbeat_rate);
 }
 
-bool isStateDue(const Parameters& parameters, const CyclePace& pace, WallClock::time_point now) {
-  const WallClock::time_point heartbeat = nextHeartbeat(parameters, pace);
+bool isStateDue(const Parameters& parameters, const CyclePace& pace, SteadyClock::time_point now) {
+  const SteadyClock::time_point heartbeat = nextHeartbeat(parameters, pace);
   return now >= heartbeat || nextStart(parameters, pace, now) > heartbeat;
 }
 
-WallClock::time_point endOfWait(const Parameters& parameters, const CyclePace& pace,
-                                WallClock::time_point now) {
+SteadyClock::time_point endOfWait(const Parameters& parameters, const CyclePace& pace,
+                                  SteadyClock::time_point now) {
   return std::min(now + seconds(idlePeriodOf(parameters)), nextHeartbeat(parameters, pace));
 }
 

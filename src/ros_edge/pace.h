@@ -9,11 +9,11 @@
 /// When cycles begin and states are due, by wall time.
 namespace collision_monitor {
 
-using WallClock = std::chrono::steady_clock;
+using SteadyClock = std::chrono::steady_clock;
 
 struct CyclePace {
-  WallClock::time_point planned_start;  ///< of the cycle at hand
-  WallClock::time_point last_state;     ///< when it was published
+  SteadyClock::time_point planned_start;  ///< of the cycle at hand
+  SteadyClock::time_point last_state;     ///< when it was published
 };
 
 /// [s] Between two cycles, as the parameters ask for. A timer slower than the heartbeat would let
@@ -24,17 +24,17 @@ double longestPeriodOf(const Parameters& parameters);
 
 /// The planned start of the next cycle. One that came late shifts those after it; they do not catch
 /// up in a burst. Poses may come early after one that came late, so they may be an interval ahead.
-WallClock::time_point nextStart(const Parameters& parameters, const CyclePace& pace,
-                                WallClock::time_point now);
+SteadyClock::time_point nextStart(const Parameters& parameters, const CyclePace& pace,
+                                  SteadyClock::time_point now);
 
 /// When the heartbeat is owed.
-WallClock::time_point nextHeartbeat(const Parameters& parameters, const CyclePace& pace);
+SteadyClock::time_point nextHeartbeat(const Parameters& parameters, const CyclePace& pace);
 
 /// Whether the heartbeat would come late if it waited for the next cycle.
-bool isStateDue(const Parameters& parameters, const CyclePace& pace, WallClock::time_point now);
+bool isStateDue(const Parameters& parameters, const CyclePace& pace, SteadyClock::time_point now);
 
 /// Until when to wait for poses: links that grow stale meanwhile must be told soon.
-WallClock::time_point endOfWait(const Parameters& parameters, const CyclePace& pace,
-                                WallClock::time_point now);
+SteadyClock::time_point endOfWait(const Parameters& parameters, const CyclePace& pace,
+                                  SteadyClock::time_point now);
 
 }  // namespace collision_monitor

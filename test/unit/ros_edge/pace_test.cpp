@@ -34,12 +34,12 @@ struct Gaps {
 /// Between states of a minute in which nothing happens; by poses, messages that say nothing new
 /// come each `news` seconds.
 Gaps gapsOf(const Parameters& parameters, double news = 1e6) {
-  const WallClock::time_point begin(std::chrono::seconds(1000));
+  const SteadyClock::time_point begin(std::chrono::seconds(1000));
   const auto at = [&](double time) {
-    return begin + std::chrono::duration_cast<WallClock::duration>(Seconds(time));
+    return begin + std::chrono::duration_cast<SteadyClock::duration>(Seconds(time));
   };
   CyclePace pace{begin, begin};
-  WallClock::time_point now = begin;
+  SteadyClock::time_point now = begin;
   Gaps gaps;
   for (std::size_t cycle = 0; now < at(60.0); ++cycle) {
     now += at(kLateness[cycle % kLateness.size()]) - begin;
