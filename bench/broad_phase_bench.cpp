@@ -17,7 +17,9 @@
 namespace collision_monitor::bench {
 namespace {
 
-constexpr int kRuns = 3;
+constexpr std::size_t kLeastRuns = 3;
+constexpr std::size_t kMostRuns = 15;
+constexpr double kAllSeconds = 0.15;  ///< of all runs, at least, but at most kMostRuns
 constexpr double kRunSeconds = 0.05;  ///< at least, but at most kMostFrames
 constexpr double kTooSlow = 1.0;      ///< [s] a frame: measured once
 constexpr int kMostFrames = 2000;
@@ -89,7 +91,8 @@ Result measure(BoxScene& scene, Contender& contender) {
     return result;
   }
   std::vector<double> means;
-  for (int run = 0; run < kRuns; ++run) {
+  double all_seconds = 0.0;
+  while (means.size() < kLeastRuns || (all_seconds < kAllSeconds && means.size() < kMostRuns)) {
     double seconds = 0.0;
     int frames = 0;
     while (frames < 3 || (seconds < kRunSeconds && frames < kMostFrames)) {
@@ -97,9 +100,11 @@ Result measure(BoxScene& scene, Contender& contender) {
       ++frames;
     }
     means.push_back(seconds / frames);
+    all_seconds += seconds;
   }
-  std::nth_element(means.begin(), means.begin() + kRuns / 2, means.end());
-  result.seconds = means[kRuns / 2];
+  const auto middle = means.begin() + static_cast<std::ptrdiff_t>(means.size() / 2);
+  std::nth_element(means.begin(), middle, means.end());
+  result.seconds = *middle;
   return result;
 }
 

@@ -4,9 +4,11 @@
 distances go out as often. Processor time, the time from the arrival of tf to the state that is
 sent, memory. The reference is a node that answers each tf message at once with such messages and
 does nothing else: roscpp's share. Goals of processor time hold for the machine on which they were
-set: others may take `allowance` times as much."""
+set: others may take `allowance` times as much. The goals are those of an idle machine: of more runs,
+those count from which the host of a virtual machine took the least time."""
 import contextlib
 import os
+import pathlib
 import statistics
 import subprocess
 
@@ -15,20 +17,36 @@ from figure import shared_robots
 
 SECONDS = 4.0
 RUNS = 3
+MOST_RUNS = 6
+QUIET = 0.015  # [s] a host may take from a run that counts at once: one tick of its clock, 10 ms
 RATE = 1000
 # Of robots: most of a core that is allowed [%] where goals were set, and memory [MB].
 GOALS = {"panda_moveit": (8.0, 50.0), "atlas": (15.0, 150.0), "stretch": (None, 150.0)}
 
 
+def stolen():
+    """Seconds that the host of a virtual machine took so far from the cores of this program."""
+    own = {f"cpu{core}" for core in os.sched_getaffinity(0)}
+    lines = [line.split() for line in pathlib.Path("/proc/stat").read_text().splitlines()]
+    return sum(int(line[8]) for line in lines if line[0] in own) / os.sysconf("SC_CLK_TCK")
+
+
 def measure(label, *options):
     """Processor time [%], states a second [Hz], median and 99th percentile of the way [us], memory
-    [MB] of the node that runs: medians of some runs."""
+    [MB] of the node that runs: medians of some runs, the quietest."""
     command = ["rosrun", "collision_monitor", "collision_monitor_node_bench", label,
                str(running.process_id(60.0)), str(SECONDS), *options]
-    runs = [subprocess.run(command, capture_output=True, text=True, check=True)
-            for _ in range(RUNS)]
-    numbers = [map(float, run.stdout.splitlines()[-1].split()) for run in runs]
-    return [statistics.median(column) for column in zip(*numbers)]
+    runs = []  # what was stolen from each, and its numbers
+    while len(runs) < MOST_RUNS and sum(taken <= QUIET for taken, _ in runs) < RUNS:
+        before = stolen()
+        run = subprocess.run(command, capture_output=True, text=True, check=True)
+        numbers = [float(number) for number in run.stdout.splitlines()[-1].split()]
+        runs.append((stolen() - before, numbers))
+    quietest = sorted(runs)[:RUNS]
+    if quietest[-1][0] > QUIET:
+        print(f"(no idle machine: of runs of {SECONDS:g} s its host took "
+              f"{1e3 * quietest[0][0]:.0f} to {1e3 * quietest[-1][0]:.0f} ms, at least)")
+    return [statistics.median(column) for column in zip(*(numbers for _, numbers in quietest))]
 
 
 def measure_relay(label):
