@@ -43,7 +43,7 @@ void improveByBodies(LinkPairMeasures& measures, PairId pair,
 
 /// What is known of two elements, from their bodies and their own distance.
 PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pair,
-                                const std::vector<Pose>& world_from_link) noexcept {
+                                const std::vector<Pose>& world_from_link, double enough) noexcept {
   const CycleSetup& setup = measures.setup;
   PairDistance distance = measures.nearest_bodies[pair];
   const Element& a = setup.elements[index(setup.element_pairs[pair].a)];
@@ -54,7 +54,7 @@ PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pai
   const Pose world_from_a = world_from_link[index(a.link)] * a.link_from_element;
   const Pose world_from_b = world_from_link[index(b.link)] * b.link_from_element;
   ElementSearch search{std::numeric_limits<std::uint32_t>::max(), measures.memory[pair],
-                       *measures.scratch};
+                       *measures.scratch, enough};
   const ElementDistance found = measureElements({a, world_from_a}, {b, world_from_b}, search);
   measures.steps += found.steps;
   const bool is_bound = found.quality == Quality::lower_bound;
@@ -128,7 +128,7 @@ PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
 }
 
 PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
-                             const std::vector<Pose>& world_from_link) noexcept {
+                             const std::vector<Pose>& world_from_link, double enough) noexcept {
   for (const ElementPairIndex elements : measures.element_pairs[pair]) {
     measures.nearest_bodies[elements] = nothingNear();
   }
@@ -139,7 +139,7 @@ PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
   PairDistance nearest = nothingNear();
   for (const ElementPairIndex elements : measures.element_pairs[pair]) {
     if (mayTellMore(measures.nearest_bodies[elements], nearest)) {
-      addTo(nearest, measureElementPair(measures, elements, world_from_link));
+      addTo(nearest, measureElementPair(measures, elements, world_from_link, enough));
     }
   }
   return nearest;

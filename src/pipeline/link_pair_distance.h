@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -34,7 +35,10 @@ PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                           const std::vector<Pose>& world_from_link) noexcept;
 
 /// Of the elements.
+/// @param enough [m] > 0: of what is farther apart, no more need be known than that. Meshes apart
+/// take a tenth of the time then, or less.
 PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
-                             const std::vector<Pose>& world_from_link) noexcept;
+                             const std::vector<Pose>& world_from_link,
+                             double enough = std::numeric_limits<double>::infinity()) noexcept;
 
 }  // namespace collision_monitor

@@ -78,7 +78,9 @@ bool isApart(Proof& proof, Touch& touch) {
       bodyDistance(proof.measures, proof.pair, proof.world_from_link).measured.distance > way) {
     return true;
   }
-  const PairDistance distance = elementDistance(proof.measures, proof.pair, proof.world_from_link);
+  constexpr double kMore = 1e-6;  // [m] than the way: above touchOf's threshold, too
+  const PairDistance distance =
+      elementDistance(proof.measures, proof.pair, proof.world_from_link, way + kMore);
   touch = touchOf(distance);
   return touch == Touch::apart && distance.measured.distance > way;
 }

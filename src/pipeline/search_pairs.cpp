@@ -103,7 +103,7 @@ class Sampling {
       readLinkPoses(work_, lane, world_from_link_);
       is_placed_ = true;
     }
-    return touchOf(elementDistance(measures_, pair, world_from_link_));
+    return touchOf(elementDistance(measures_, pair, world_from_link_, kNear));
   }
 
   const CycleSetup& setup_;
@@ -127,8 +127,8 @@ void drawStates(const PairSearchOptions& options, const std::vector<JointRange>&
     if (states.size() == kStateCount || i + 1 == options.states) {
       sampling.look(states);
       states.clear();
-      if (options.progress) {
-        options.progress(i + 1, options.states);
+      if (options.state_progress) {
+        options.state_progress(i + 1, options.states);
       }
     }
   }
@@ -190,6 +190,9 @@ std::vector<PairFound> searchPairs(const CycleSetup& setup, const PairSearchOpti
   std::vector<PairFound> found;
   LinkPairIndex pair = 0;
   for (std::size_t i = 0; i < all.link_pairs.size(); ++i) {
+    if (options.proof_progress) {
+      options.proof_progress(i, all.link_pairs.size());
+    }
     const LinkPair& links = all.link_pairs[i];
     if (links.reason == PairReason::adjacent) {
       found.push_back({links.a, links.b});
@@ -204,6 +207,9 @@ std::vector<PairFound> searchPairs(const CycleSetup& setup, const PairSearchOpti
       prove(ranges, options.most_cells, pair, measures, found.back());
     }
     ++pair;
+  }
+  if (options.proof_progress) {
+    options.proof_progress(all.link_pairs.size(), all.link_pairs.size());
   }
   return found;
 }

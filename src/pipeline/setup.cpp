@@ -129,7 +129,7 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   const std::vector<LinkIdPair> ignored =
       findNamedPairs(options.ignored_pairs, options.where + "ignore_pairs", setup.model, report);
   throwIfErrors(report);
-  const std::vector<LinkFit> fits = fitLinks(setup.model, settings, {}, report);
+  const std::vector<LinkFit> fits = fitLinks(setup.model, settings, options.fit_progress, report);
   makeBodies(fits, setup);
   throwIfErrors(report);
   makeElements(fits, {options.refine.geometry, settings.rules}, setup, report);

@@ -3,6 +3,9 @@
 #include "ros_edge/monitor_setup.h"
 
 #include <malloc.h>
+#include <ros/console.h>
+
+#include <chrono>
 
 #include "collision_monitor/ros_edge/resource_loader.h"
 #include "collision_monitor/ros_edge/transform_store.h"
@@ -10,6 +13,23 @@
 #include "ros_edge/robot_descriptions.h"
 
 namespace collision_monitor {
+namespace {
+
+/// Says how far fitting has come where it takes long, as it may at a first start with large meshes.
+FitProgress logLongFitting() {
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::seconds kBetween(3);
+  return [next = Clock::now() + kBetween](const std::string& link, std::size_t done,
+                                         std::size_t total) mutable {
+    if (done < total && Clock::now() >= next) {
+      next = Clock::now() + kBetween;
+      ROS_INFO_STREAM("fitting shapes to link '" << link << "' (" << done + 1 << " of " << total
+                                                 << ")");
+    }
+  };
+}
+
+}  // namespace
 
 std::vector<std::string> jointTopics(const MonitorSetup& setup) {
   std::vector<std::string> topics(setup.setup.model.robots.size(), setup.parameters.joint_states);
@@ -34,7 +54,8 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   const ResourceLoader load_resource = makeResourceLoader();
   const std::vector<RobotDescription> descriptions =
       loadDescriptions(private_node, made->parameters, load_resource, report);
-  const SetupOptions options = loadSetupOptions(made->parameters, load_resource, report);
+  SetupOptions options = loadSetupOptions(made->parameters, load_resource, report);
+  options.fit_progress = logLongFitting();
   throwIfErrors(report);
 
   made->setup = buildSetup(descriptions, load_resource, options);

@@ -83,6 +83,11 @@ class RobotsOfThisPackage(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(rows_of(result.stdout), {("a", "b"): ("never", "proven: fixed apart")})
 
+    def test_says_how_far_it_has_come(self):
+        said = pairs("arm6").stderr
+        for step in ("fitting base_link (1 of", "drawing 300 states (6 of 10)", "proving 45 pairs (6 of 10)"):
+            self.assertIn(step, said)
+
 
 @unittest.skipUnless(PROGRAM, "COLLISION_MONITOR_PAIRS names no program")
 class BadInput(unittest.TestCase):

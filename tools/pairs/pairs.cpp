@@ -20,7 +20,7 @@ constexpr int kDone = 0;
 constexpr int kInputFault = 1;
 
 /// Every pair counts, also those that overlap in the default pose.
-CycleSetup makeSetup(const Options& options) {
+CycleSetup makeSetup(const Options& options, const fit_tool::Progress& progress) {
   SetupReport report;
   const RobotDescription description = fit_tool::readDescription(options.source, report);
   if (!options.srdf.empty()) {
@@ -30,6 +30,9 @@ CycleSetup makeSetup(const Options& options) {
   SetupOptions setup_options;
   setup_options.ignore_default_overlap = false;
   setup_options.fit_cache = fitCacheFolder(options.cache);
+  setup_options.fit_progress = [&](const std::string& link, std::size_t done, std::size_t total) {
+    progress.show("fitting", link, done, total);
+  };
   return buildSetup({description}, fit_tool::makeLoader(options.source.package_roots),
                     setup_options);
 }
@@ -43,20 +46,26 @@ void printWarnings(const SetupReport& report) {
   }
 }
 
+WorkProgress showTenths(const fit_tool::Progress& progress, const std::string& work,
+                        const std::string& unit) {
+  return
+      [&progress, work, unit, shown = std::size_t{0}](std::size_t done, std::size_t total) mutable {
+        constexpr std::size_t kAll = 10;
+        const std::size_t tenths = kAll * done / total;
+        if (tenths != shown) {
+          shown = tenths;
+          progress.show(work, std::to_string(total) + unit, tenths, kAll);
+        }
+      };
+}
+
 int run(const Options& options) {
-  const CycleSetup setup = makeSetup(options);
-  printWarnings(setup.report);
   const fit_tool::Progress progress(stderr, isatty(STDERR_FILENO) != 0);
+  const CycleSetup setup = makeSetup(options, progress);
+  printWarnings(setup.report);
   PairSearchOptions search = options.search;
-  constexpr std::size_t kTold = 10;
-  std::size_t told = 0;
-  search.progress = [&](std::size_t done, std::size_t total) {
-    const std::size_t tenths = kTold * done / total;
-    if (tenths != told) {
-      told = tenths;
-      progress.show("drawing", std::to_string(total) + " states", tenths, kTold);
-    }
-  };
+  search.state_progress = showTenths(progress, "drawing", " states");
+  search.proof_progress = showTenths(progress, "proving", " pairs");
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const std::vector<PairFound> pairs = searchPairs(setup, search);

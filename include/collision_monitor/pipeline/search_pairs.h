@@ -13,12 +13,15 @@
 /// Which pairs of links of a robot can touch at all: for the rules that leave pairs out.
 namespace collision_monitor {
 
+/// How much of some work is done.
+using WorkProgress = std::function<void(std::size_t done, std::size_t total)>;
+
 struct PairSearchOptions {
   std::size_t states{10000};  ///< drawn; the first is the default one
   std::uint64_t seed{1};
   std::size_t most_cells{20000};  ///< into which a proof may cut the joints' ranges
-  /// Told how many states are done. May be empty.
-  std::function<void(std::size_t done, std::size_t total)> progress;
+  WorkProgress state_progress;    ///< told how many states are drawn; may be empty
+  WorkProgress proof_progress;  ///< of how many pairs a proof was tried or not needed; may be empty
 };
 
 enum class PairFinding : unsigned char {

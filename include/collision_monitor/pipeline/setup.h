@@ -16,6 +16,7 @@
 #include "collision_monitor/motion/speed_scale.h"
 #include "collision_monitor/narrow_phase/pair_rows.h"
 #include "collision_monitor/pipeline/element.h"
+#include "collision_monitor/pipeline/fit_links.h"
 #include "collision_monitor/pipeline/pair_blocks.h"
 
 namespace collision_monitor {
@@ -109,6 +110,7 @@ struct SetupOptions {
   bool is_continuous{true};  ///< as in CycleSetup
   LookAhead ahead;
   std::filesystem::path fit_cache;       ///< directory that keeps fits, empty for none
+  FitProgress fit_progress;              ///< may be empty
   std::vector<NamedPair> ignored_pairs;  ///< whatever SRDFs say
   bool ignore_default_overlap{
       true};  ///< for robots without SRDF: ignore pairs that overlap in the default pose

@@ -95,6 +95,23 @@ TEST(RefinePairs, depthThatLimitsAllow_hidesNoEstimateOfAnotherElement) {
   EXPECT_NEAR(distance.measured.distance, -0.25, 1e-9);
 }
 
+TEST(RefinePairs, distanceBeyondEnough_isABoundAndNoMore) {
+  Scene scene = hookedAngles(RefineGeometry::mesh);
+  const auto distance = [&](double enough) {
+    LinkPairMeasures measures(scene.setup);
+    return elementDistance(measures, 0, scene.poses.world_from_link, enough);
+  };
+  const PairDistance whole = distance(1.0);
+  EXPECT_EQ(whole.quality, Quality::exact);
+  const double apart = whole.measured.distance;
+  EXPECT_GT(apart, 0.0);
+  EXPECT_EQ(distance(1.01 * apart).measured.distance, apart);
+  const PairDistance bound = distance(0.5 * apart);
+  EXPECT_EQ(bound.quality, Quality::lower_bound);
+  EXPECT_GE(bound.measured.distance, 0.5 * apart);
+  EXPECT_LE(bound.measured.distance, apart);
+}
+
 TEST(RefinePairs, smallBallDeepInABar_leavesThroughTheNearestFace) {
   for (const bool is_long_x : {true, false}) {
     Scene scene({test::angleMesh(), Sphere{0.005}});

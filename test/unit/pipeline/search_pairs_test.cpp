@@ -168,13 +168,21 @@ TEST(SearchPairs, sameSeed_sameStates) {
 
 TEST(SearchPairs, progress_goesToTheEnd) {
   PairSearchOptions options = few(21);
-  std::vector<std::size_t> told;
-  options.progress = [&](std::size_t done, std::size_t total) {
+  std::vector<std::size_t> states;
+  std::vector<std::size_t> pairs;
+  options.state_progress = [&](std::size_t done, std::size_t total) {
     EXPECT_EQ(total, 21U);
-    told.push_back(done);
+    states.push_back(done);
   };
-  searchPairs(robot(), options);
-  EXPECT_EQ(told, (std::vector<std::size_t>{8, 16, 21}));
+  std::size_t pair_count = 0;
+  options.proof_progress = [&](std::size_t done, std::size_t total) {
+    EXPECT_EQ(done, pairs.size());
+    pairs.push_back(done);
+    pair_count = total;
+  };
+  EXPECT_EQ(searchPairs(robot(), options).size(), pair_count);
+  EXPECT_EQ(states, (std::vector<std::size_t>{8, 16, 21}));
+  EXPECT_EQ(pairs.size(), pair_count + 1);
 }
 
 TEST(TouchOf, sharesWhatIsCertain) {
