@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fitting/choose_cut.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "collision_monitor/geometry/convex_hull.h"
 #include "fitting/point_cloud.h"
 #include "fitting/slabs.h"
 
@@ -18,34 +16,7 @@ using Eigen::Vector3d;
 
 constexpr int kFirstStep = 16;           // of these, between the places that are looked at first
 constexpr std::ptrdiff_t kPolished = 4;  // axes whose best cuts are compared closely
-constexpr double kSameAxis = 0.97;
-constexpr double kWorthIt = 0.9;  // of the cost before the cut
-
-/// Axes of the frames, of which no two are nearly the same.
-std::vector<Vector3d> axesOf(const std::vector<Matrix3d>& frames) {
-  std::vector<Vector3d> axes;
-  for (const auto& frame : frames) {
-    for (int k = 0; k < 3; ++k) {
-      const Vector3d axis = frame.col(k);
-      if (std::none_of(axes.begin(), axes.end(), [&](const Vector3d& other) {
-            return std::abs(axis.dot(other)) > kSameAxis;
-          })) {
-        axes.push_back(axis);
-      }
-    }
-  }
-  return axes;
-}
-
-/// Units: m^3.
-double hullVolumeOf(const Points& points) {
-  const TriangleMesh hull = convexHullOf(points);
-  double sixfold = 0.0;
-  for (const auto& t : hull.triangles) {
-    sixfold += hull.vertices[t[0]].dot(hull.vertices[t[1]].cross(hull.vertices[t[2]]));
-  }
-  return sixfold / 6.0;
-}
+constexpr double kWorthIt = 0.9;         // of the cost before the cut
 
 /// Of both shapes, where each sticks out over the mesh and the other.
 double costOf(const CutChoice& choice, const RoughGoal& goal) {
@@ -104,28 +75,6 @@ class AxisSearch {
     }
   }
 
-  /// The cut that leaves the smallest hulls, wherever it is.
-  void searchHulls(const Matrix3d& frame, const RoughGoal& goal) {
-    double least = std::numeric_limits<double>::infinity();
-    for (int cut = 1; slabs_.canBeCut() && cut < Slabs::kCount; ++cut) {
-      const Points below = slabs_.pointsOf(0, cut);
-      const Points above = slabs_.pointsOf(cut, Slabs::kCount);
-      if (below.empty() || above.empty()) {
-        continue;
-      }
-      const double volume = hullVolumeOf(below) + hullVolumeOf(above);
-      if (volume < least) {
-        least = volume;
-        best_cut_ = cut;
-      }
-    }
-    hull_volume_ = least;
-    if (const auto choice = cutAt(slabs_, best_cut_, frame, goal)) {
-      best_ = *choice;
-    }
-  }
-  double hullVolume() const { return hull_volume_; }
-
   /// Moves both shapes to where they stick out least beside each other: only then it shows what a
   /// cut is worth.
   void polish(const RoughGoal& goal) {
@@ -148,28 +97,10 @@ class AxisSearch {
 
   Slabs slabs_;
   CutChoice best_;
-  int best_cut_{0};                                              ///< 0: none
-  double hull_volume_{std::numeric_limits<double>::infinity()};  ///< [m^3] of both sides, if sought
+  int best_cut_{0};  ///< 0: none
 };
 
 bool isBetter(const AxisSearch& a, const AxisSearch& b) { return a.best().cost < b.best().cost; }
-
-std::optional<CutChoice> smallestHulls(const Points& samples, const std::vector<Vector3d>& axes,
-                                       const Matrix3d& frame, const RoughGoal& goal) {
-  std::optional<AxisSearch> best;
-  for (const auto& axis : axes) {
-    AxisSearch search(samples, axis);
-    search.searchHulls(frame, goal);
-    if (search.hasFound() && (!best || search.hullVolume() < best->hullVolume())) {
-      best = std::move(search);
-    }
-  }
-  if (!best) {
-    return std::nullopt;
-  }
-  best->polish(goal);
-  return best->best();
-}
 
 }  // namespace
 
@@ -178,9 +109,10 @@ double costOf(const Overshoot& overshoot) noexcept {
 }
 
 std::optional<CutChoice> chooseCut(const Points& samples, const PlacedCore& whole,
-                                   const RoughGoal& goal, IdleCut idle) {
+                                   const RoughGoal& goal) {
   const Matrix3d& frame = whole.rotation;
-  const std::vector<Vector3d> axes = axesOf({frame, Matrix3d::Identity(), principalAxes(samples)});
+  const std::vector<Vector3d> axes =
+      distinctAxes({frame, Matrix3d::Identity(), principalAxes(samples)});
   std::vector<AxisSearch> searches;
   for (const auto& axis : axes) {
     AxisSearch search(samples, axis);
@@ -200,11 +132,7 @@ std::optional<CutChoice> chooseCut(const Points& samples, const PlacedCore& whol
     search.polish(goal);
   }
   CutChoice best = std::min_element(searches.begin(), searches.end(), isBetter)->best();
-  const bool is_idle = !(best.cost < kWorthIt * costOf(goal.overshootOf(whole).total()));
-  if (is_idle && idle == IdleCut::smallest_hulls) {
-    best = smallestHulls(samples, axes, frame, goal).value_or(best);
-  }
-  best.is_idle = is_idle;
+  best.is_idle = !(best.cost < kWorthIt * costOf(goal.overshootOf(whole).total()));
   return best;
 }
 

@@ -12,13 +12,6 @@ namespace collision_monitor {
 /// By which one set of shapes is better than another. Units: metres.
 double costOf(const Overshoot& overshoot) noexcept;
 
-/// What to do with a U, a fork or pieces in a row, of which no one cut is worth anything.
-enum class IdleCut {
-  least_coarse,    ///< the best one all the same
-  smallest_hulls,  ///< the one with the smallest hulls on both sides: of it the next makes
-                   ///< something
-};
-
 /// A cut and what it leads to.
 struct CutChoice {
   CutPlane plane;
@@ -35,6 +28,6 @@ struct CutChoice {
 /// @param whole the shape that the part has.
 /// @return nothing when the part has no extent along any axis.
 std::optional<CutChoice> chooseCut(const Points& samples, const PlacedCore& whole,
-                                   const RoughGoal& goal, IdleCut idle);
+                                   const RoughGoal& goal);
 
 }  // namespace collision_monitor

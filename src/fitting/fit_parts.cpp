@@ -6,7 +6,6 @@
 #include <memory>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 #include "fitting/candidate.h"
 #include "fitting/check_geometry.h"
@@ -65,7 +64,7 @@ GeometryFit fitInOne(const Geometry& geometry, const ShapeKinds& kinds) {
 }
 
 /// Cuts the worst part of all geometries until the limits are reached.
-void cutParts(const std::vector<Geometry>& geometries, const FitLimits& limits, IdleCut idle,
+void cutParts(const std::vector<Geometry>& geometries, const FitLimits& limits,
               std::vector<GeometryFit>& fits) {
   for (std::size_t shapes = fits.size(); shapes < limits.max_shapes; ++shapes) {
     const auto worst =
@@ -80,34 +79,25 @@ void cutParts(const std::vector<Geometry>& geometries, const FitLimits& limits, 
       worst->fitter = std::make_unique<MeshFitter>(worst->polyhedron, worst->whole.shapes.front(),
                                                    limits.kinds);
     }
-    worst->fitter->cutWorst(idle);
+    worst->fitter->cutWorst();
   }
 }
 
-/// As they were before they were cut.
-std::vector<GeometryFit> uncut(const std::vector<Geometry>& geometries, const ShapeKinds& kinds,
-                               const std::vector<GeometryFit>& fits) {
-  std::vector<GeometryFit> result(fits.size());
-  for (std::size_t i = 0; i < fits.size(); ++i) {
-    result[i].whole = fits[i].whole;
-    if (const auto* mesh = std::get_if<TriangleMesh>(&geometries[i])) {
-      result[i].fitter = std::make_unique<MeshFitter>(*mesh, fits[i].whole.shapes.front(), kinds);
+/// Other cuts for what these left coarse.
+void joinParts(const FitLimits& limits, std::vector<GeometryFit>& fits) {
+  std::size_t shapes = 0;
+  for (const auto& fit : fits) {
+    shapes += fit.best().shapes.size();
+  }
+  for (auto& fit : fits) {
+    if (fit.fitter && fit.fitter->isCoarse() &&
+        fit.best().overshoot.max > limits.target_overshoot) {
+      const std::size_t others = shapes - fit.best().shapes.size();
+      fit.fitter->cutAndJoin(limits.max_shapes - others, limits.target_overshoot);
+      shapes = others + fit.best().shapes.size();
     }
   }
-  return result;
 }
-
-/// The worst of all, and what all are worth together.
-std::pair<double, double> costOf(const std::vector<GeometryFit>& fits) {
-  std::pair<double, double> cost;
-  for (const auto& fit : fits) {
-    const double one = costOf(fit.best().overshoot);
-    cost = {std::max(cost.first, one), cost.second + one};
-  }
-  return cost;
-}
-
-bool hasIdleCut(const GeometryFit& fit) { return fit.fitter && fit.fitter->hasIdleCut(); }
 
 }  // namespace
 
@@ -118,14 +108,8 @@ std::vector<Fit> fitGeometries(const std::vector<Geometry>& geometries, const Fi
     checkGeometry(geometry);
     fits.push_back(fitInOne(geometry, limits.kinds));
   }
-  cutParts(geometries, limits, IdleCut::least_coarse, fits);
-  if (std::any_of(fits.begin(), fits.end(), hasIdleCut)) {
-    std::vector<GeometryFit> others = uncut(geometries, limits.kinds, fits);
-    cutParts(geometries, limits, IdleCut::smallest_hulls, others);
-    if (costOf(others) < costOf(fits)) {
-      fits = std::move(others);
-    }
-  }
+  cutParts(geometries, limits, fits);
+  joinParts(limits, fits);
   std::vector<Fit> result;
   result.reserve(fits.size());
   for (const auto& fit : fits) {

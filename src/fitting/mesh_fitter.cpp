@@ -6,6 +6,7 @@
 
 #include "collision_monitor/fitting/proof.h"
 #include "fitting/candidate.h"
+#include "fitting/cut_and_join.h"
 #include "fitting/point_cloud.h"
 #include "fitting/union_overshoot.h"
 
@@ -15,6 +16,22 @@ namespace {
 constexpr int kRepresentatives = 120;  // of a part's corners, while a shape is being searched
 constexpr double kHopeful = 1.5;       // a search rarely takes off more than a third
 constexpr OvershootSampling kSampling{600, 0.01};
+
+Points representing(const Points& corners) {
+  return corners.size() <= kRepresentatives
+             ? corners
+             : extremePoints(corners, spreadDirections(kRepresentatives));
+}
+
+double diagonalOf(const Points& points) {
+  Eigen::Vector3d low = points.front();
+  Eigen::Vector3d high = low;
+  for (const auto& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  return (high - low).norm();
+}
 
 PosedShape placed(const Enclosure& enclosure) {
   return {enclosure.shape, enclosure.geometry_from_body};
@@ -32,12 +49,17 @@ MeshFitter::MeshFitter(const TriangleMesh& mesh, const Enclosure& whole, const S
   start(whole);
 }
 
-void MeshFitter::start(const Enclosure& whole) {
+MeshFitter::Part MeshFitter::wholePart() const {
   Part part;
   part.surface = surface_.whole();
   part.samples = grid_.surface();
-  part.enclosure = whole;
-  parts_.push_back(std::move(part));
+  return part;
+}
+
+void MeshFitter::start(const Enclosure& whole) {
+  parts_.push_back(wholePart());
+  parts_.back().enclosure = whole;
+  size_ = diagonalOf(parts_.back().samples);
   best_.shapes.push_back(whole);
   best_.overshoot = whole.overshoot;
 }
@@ -80,9 +102,7 @@ void MeshFitter::encloseAs(const RoughFit& rough, Part& part) const {
 /// Once the neighbours' shapes are known, what they hold counts no more.
 void MeshFitter::refit(std::size_t i) {
   Part& part = parts_[i];
-  const Points points = part.corners.size() <= kRepresentatives
-                            ? part.corners
-                            : extremePoints(part.corners, spreadDirections(kRepresentatives));
+  const Points points = representing(part.corners);
   const RoughGoal goal = goalBeside(i);
   RoughFit now{coreOf(placed(part.enclosure)), part.enclosure.shape.index()};
   now = polished(now, points, goal);
@@ -97,6 +117,7 @@ void MeshFitter::refit(std::size_t i) {
 void MeshFitter::measureParts() {
   Fit fit;
   fit.cuts = cuts_;
+  fit.shape_of = shape_of_;
   std::vector<PosedShape> shapes;
   for (const auto& part : parts_) {
     shapes.push_back(placed(part.enclosure));
@@ -117,10 +138,10 @@ void MeshFitter::measureParts() {
   }
 }
 
-void MeshFitter::cutWorst(IdleCut idle) {
+void MeshFitter::cutWorst() {
   const std::size_t worst = worstPart();
-  const auto cut = chooseCut(parts_[worst].samples, coreOf(placed(parts_[worst].enclosure)),
-                             goalBeside(worst), idle);
+  const auto cut =
+      chooseCut(parts_[worst].samples, coreOf(placed(parts_[worst].enclosure)), goalBeside(worst));
   if (!cut || !divide(worst, cut->plane)) {
     parts_[worst].can_be_cut = false;
     return;
@@ -131,6 +152,44 @@ void MeshFitter::cutWorst(IdleCut idle) {
   encloseAs(cut->above, parts_[next]);
   refit(worst);
   refit(next);
+  measureParts();
+}
+
+bool MeshFitter::isCoarse() const noexcept {
+  constexpr double kFar = 0.1;
+  return has_idle_cut_ || best_.overshoot.max > kFar * size_;
+}
+
+void MeshFitter::cutAndJoin(std::size_t most_shapes, double target) {
+  const CutPlan plan = planCuts(grid_, most_shapes, target);
+  if (plan.cuts.empty()) {
+    return;  // the whole has its shape
+  }
+  parts_.clear();
+  parts_.push_back(wholePart());
+  cuts_.clear();
+  for (const PartCut& cut : plan.cuts) {
+    if (!divide(cut.part, {cut.normal, cut.offset})) {
+      return;
+    }
+  }
+  std::vector<Part> joined(plan.shapes);
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    Part& shape = joined[plan.shape_of[i]];
+    shape.corners.insert(shape.corners.end(), parts_[i].corners.begin(), parts_[i].corners.end());
+    shape.slack = std::max(shape.slack, parts_[i].slack);
+  }
+  parts_ = std::move(joined);
+  shape_of_ = plan.shape_of;
+  for (Part& part : parts_) {
+    const Points points = representing(part.corners);
+    encloseAs(fitRoughly(points, {principalAxes(points), Eigen::Matrix3d::Identity()},
+                         RoughGoal{grid_, kinds_, {}, {}}),
+              part);
+  }
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    refit(i);
+  }
   measureParts();
 }
 

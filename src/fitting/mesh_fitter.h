@@ -23,9 +23,13 @@ class MeshFitter {
 
   /// The overshoot of the part that sticks out farthest of those that can be cut; 0 if none can.
   double worstOvershoot() const noexcept;
-  void cutWorst(IdleCut idle);
-  /// Whether a cut was made that was worth nothing by itself.
-  bool hasIdleCut() const noexcept { return has_idle_cut_; }
+  void cutWorst();
+  /// Begins anew and finds shapes for what planCuts cuts and joins, at most that many. No more cuts
+  /// may follow.
+  void cutAndJoin(std::size_t most_shapes, double target);
+  /// Whether a cut was made that was worth nothing by itself, or the best fit sticks out far
+  /// against the size of the mesh.
+  bool isCoarse() const noexcept;
   /// The least coarse of all fits on the way: a cut can make room for the next one only.
   const Fit& best() const noexcept { return best_; }
 
@@ -41,6 +45,7 @@ class MeshFitter {
   };
 
   void start(const Enclosure& whole);
+  Part wholePart() const;
   std::size_t worstPart() const noexcept;
   bool divide(std::size_t part, const CutPlane& plane);
   RoughGoal goalBeside(std::size_t part) const;
@@ -54,7 +59,9 @@ class MeshFitter {
   DistanceGrid grid_;
   std::vector<Part> parts_;
   std::vector<PartCut> cuts_;
+  std::vector<std::uint32_t> shape_of_;
   Fit best_;
+  double size_{0.0};  ///< [m] the diagonal of the mesh
   bool has_idle_cut_{false};
 };
 

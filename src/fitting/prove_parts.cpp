@@ -14,7 +14,12 @@ namespace collision_monitor {
 namespace {
 
 bool isSound(const Fit& fit) {
-  if (fit.shapes.empty() || fit.cuts.size() + 1 != fit.shapes.size()) {
+  const std::size_t parts = fit.shape_of.empty() ? fit.shapes.size() : fit.shape_of.size();
+  if (fit.shapes.empty() || fit.cuts.size() + 1 != parts) {
+    return false;
+  }
+  if (std::any_of(fit.shape_of.begin(), fit.shape_of.end(),
+                  [&](std::uint32_t shape) { return shape >= fit.shapes.size(); })) {
     return false;
   }
   for (std::size_t i = 0; i < fit.cuts.size(); ++i) {
@@ -53,7 +58,8 @@ double excessOfParts(const TriangleMesh& mesh, const Fit& fit) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Points corners = surface.cornersOf(parts[i]);
     if (!corners.empty()) {
-      excess = std::max(excess, provenExcess(placed(fit.shapes[i]), corners) + slack[i]);
+      const Enclosure& shape = fit.shapes[fit.shape_of.empty() ? i : fit.shape_of[i]];
+      excess = std::max(excess, provenExcess(placed(shape), corners) + slack[i]);
     }
   }
   return excess;

@@ -9,6 +9,22 @@
 
 namespace collision_monitor {
 
+std::vector<Eigen::Vector3d> distinctAxes(const std::vector<Eigen::Matrix3d>& frames) {
+  constexpr double kSameAxis = 0.97;
+  std::vector<Eigen::Vector3d> axes;
+  for (const auto& frame : frames) {
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d axis = frame.col(k);
+      if (std::none_of(axes.begin(), axes.end(), [&](const Eigen::Vector3d& other) {
+            return std::abs(axis.dot(other)) > kSameAxis;
+          })) {
+        axes.push_back(axis);
+      }
+    }
+  }
+  return axes;
+}
+
 Slabs::Slabs(const Points& samples, const Eigen::Vector3d& axis) : samples_(&samples), axis_(axis) {
   low_ = std::numeric_limits<double>::infinity();
   double high = -low_;

@@ -5,10 +5,14 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "fitting/mesh_part.h"
 
 namespace collision_monitor {
+
+/// Columns of the frames, of which no two are nearly the same axis.
+std::vector<Eigen::Vector3d> distinctAxes(const std::vector<Eigen::Matrix3d>& frames);
 
 /// The surface of a part in slabs across an axis, between which it may be cut.
 class Slabs {

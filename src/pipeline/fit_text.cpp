@@ -12,7 +12,7 @@
 namespace collision_monitor {
 namespace {
 
-const std::string kHeader = "collision_monitor fits 1\n";
+const std::string kHeader = "collision_monitor fits 2\n";
 const std::string kHashLine = "sha256 ";
 
 // ---- writing
@@ -138,14 +138,21 @@ void read(std::istream& in, Fit& fit) {
   expect(in, "geometry");
   std::size_t shape_count = 0;
   std::size_t cut_count = 0;
+  std::size_t joined_count = 0;
   read(in, shape_count);
   read(in, cut_count);
+  read(in, joined_count);
   read(in, fit.overshoot);
   for (std::size_t i = 0; i < shape_count && in; ++i) {
     read(in, fit.shapes.emplace_back());
   }
   for (std::size_t i = 0; i < cut_count && in; ++i) {
     read(in, fit.cuts.emplace_back());
+  }
+  for (std::size_t i = 0; i < joined_count && in; ++i) {
+    std::size_t shape = 0;
+    read(in, shape);
+    fit.shape_of.push_back(static_cast<std::uint32_t>(shape));
   }
 }
 
@@ -154,7 +161,10 @@ void read(std::istream& in, Fit& fit) {
 std::string toText(const std::vector<Fit>& fits) {
   std::string text = kHeader + "geometries " + std::to_string(fits.size()) + "\n";
   for (const Fit& fit : fits) {
-    text += "geometry " + std::to_string(fit.shapes.size()) + " " + std::to_string(fit.cuts.size());
+    text += "geometry";
+    for (const std::size_t count : {fit.shapes.size(), fit.cuts.size(), fit.shape_of.size()}) {
+      text += " " + std::to_string(count);
+    }
     append(fit.overshoot, text);
     text += "\n";
     for (const Enclosure& enclosure : fit.shapes) {
@@ -165,6 +175,9 @@ std::string toText(const std::vector<Fit>& fits) {
       append(cut.normal, text);
       append(cut.offset, text);
       text += "\n";
+    }
+    for (const std::uint32_t shape : fit.shape_of) {
+      text += std::to_string(shape) + "\n";
     }
   }
   return text + kHashLine + sha256(text) + "\n";

@@ -28,8 +28,10 @@ struct PartCut {
 
 /// The shapes of one geometry.
 struct Fit {
-  std::vector<Enclosure> shapes;  ///< one a part
-  std::vector<PartCut> cuts;      ///< in the order in which they were made; one less than shapes
+  std::vector<Enclosure> shapes;
+  std::vector<PartCut> cuts;  ///< in the order in which they were made; one less than parts
+  /// By part: the shape that holds it; empty: each part has its own, in the same order.
+  std::vector<std::uint32_t> shape_of;
   /// Of the union of the shapes: over the points of each that no other holds.
   Overshoot overshoot;
 };

@@ -114,32 +114,16 @@ TEST(ChooseCut, hammer_isCutBetweenHeadAndHandle) {
   PlacedCore whole;
   whole.centre = {0.05, 0.0, 0.0};
   whole.half_extents = {0.25, 0.12, 0.05};
-  const auto cut = chooseCut(grid.surface(), whole, plainGoal(grid), IdleCut::smallest_hulls);
+  const auto cut = chooseCut(grid.surface(), whole, plainGoal(grid));
   ASSERT_TRUE(cut.has_value());
   EXPECT_NEAR(std::abs(cut->plane.normal.x()), 1.0, 1e-9);
   EXPECT_NEAR(cut->plane.offset / cut->plane.normal.x(), 0.2, 0.02);
   EXPECT_LT(cut->cost, 0.02);
 }
 
-TEST(ChooseCut, fork_isCutBetweenItsProngs) {
-  const auto prong = [](double x) {
-    return test::moved(test::boxMesh({0.02, 0.02, 0.15}), Vector3d::Zero(), {x, 0.0, 0.17});
-  };
-  const DistanceGrid grid(
-      test::joined(test::boxMesh({0.12, 0.02, 0.02}), test::joined(prong(-0.1), prong(0.1))));
-  PlacedCore whole;
-  whole.centre = {0.0, 0.0, 0.15};
-  whole.half_extents = {0.12, 0.02, 0.17};
-  const auto cut = chooseCut(grid.surface(), whole, plainGoal(grid), IdleCut::smallest_hulls);
-  ASSERT_TRUE(cut.has_value());
-  EXPECT_NEAR(std::abs(cut->plane.normal.x()), 1.0, 1e-9);
-  EXPECT_LT(std::abs(cut->plane.offset), 0.08);
-}
-
 TEST(ChooseCut, onePoint_cannotBeCut) {
   const DistanceGrid grid(TriangleMesh{{{1, 2, 3}}, {}});
-  EXPECT_FALSE(
-      chooseCut({{1, 2, 3}}, PlacedCore(), plainGoal(grid), IdleCut::least_coarse).has_value());
+  EXPECT_FALSE(chooseCut({{1, 2, 3}}, PlacedCore(), plainGoal(grid)).has_value());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -34,7 +35,7 @@ FitLimits upTo(std::uint32_t max_shapes, double target_overshoot = 0.0) {
 
 void expectProven(const Geometry& geometry, const Fit& fit) {
   EXPECT_LE(provenExcess(geometry, fit), 0.0);
-  EXPECT_EQ(fit.cuts.size() + 1, fit.shapes.size());
+  EXPECT_EQ(fit.cuts.size() + 1, fit.shape_of.empty() ? fit.shapes.size() : fit.shape_of.size());
   EXPECT_GE(fit.overshoot.max, fit.overshoot.mean);
   for (const auto& enclosure : fit.shapes) {
     EXPECT_LT(enclosure.widening, 1e-9);
@@ -71,6 +72,47 @@ TEST(FitGeometries, piecesInARow_haveAShapeEach) {
   expectProven(column, fit);
   EXPECT_EQ(fit.shapes.size(), 3u);
   EXPECT_LT(fit.overshoot.max, 1e-3);
+}
+
+/// A bar of these half extents about a point.
+TriangleMesh bar(const Vector3d& half_extents, const Vector3d& centre) {
+  return moved(boxMesh(half_extents), Vector3d::Zero(), centre);
+}
+
+/// Two bars along x, two along y.
+TriangleMesh barFrame() {
+  const TriangleMesh along_x = joined(bar({0.2, 0.015, 0.015}, {0.0, 0.135, 0.0}),
+                                      bar({0.2, 0.015, 0.015}, {0.0, -0.135, 0.0}));
+  return joined(along_x, joined(bar({0.015, 0.15, 0.015}, {0.185, 0.0, 0.0}),
+                                bar({0.015, 0.15, 0.015}, {-0.185, 0.0, 0.0})));
+}
+
+TEST(FitGeometries, frameOfFourBars_hasAShapeForEach) {
+  const Fit fit = fitGeometries({barFrame()}, upTo(4)).front();
+  expectProven(barFrame(), fit);
+  EXPECT_EQ(fit.shapes.size(), 4u);
+  EXPECT_LT(fit.overshoot.max, 0.015) << "0.12 in one shape";
+}
+
+TEST(FitGeometries, tableOnFourLegs_hasAShapeForEachAndForItsTop) {
+  TriangleMesh table = bar({0.3, 0.2, 0.015}, {0.0, 0.0, 0.3});
+  for (const double x : {-0.28, 0.28}) {
+    for (const double y : {-0.18, 0.18}) {
+      table = joined(table, bar({0.015, 0.015, 0.15}, {x, y, 0.15}));
+    }
+  }
+  const Fit fit = fitGeometries({table}, upTo(8)).front();
+  expectProven(table, fit);
+  EXPECT_LE(fit.shapes.size(), 8u);
+  EXPECT_LT(fit.overshoot.max, 0.02) << "0.19 in one shape";
+}
+
+TEST(FitGeometries, coarseGeometries_shareTheirShapes) {
+  const auto fits = fitGeometries({barFrame(), barFrame()}, upTo(6));
+  EXPECT_LE(fits[0].shapes.size() + fits[1].shapes.size(), 6u);
+  for (const Fit& fit : fits) {
+    expectProven(barFrame(), fit);
+  }
 }
 
 TEST(FitGeometries, targetReached_noFurtherCuts) {
@@ -184,6 +226,21 @@ TEST(ProvenExcess, shapesSwapped_areNoEnclosure) {
   EXPECT_GT(provenExcess(mesh, fit), 0.1);
 }
 
+TEST(ProvenExcess, partsOfOneShape_areHeldByThatShape) {
+  const TriangleMesh mesh = angleIron();
+  Fit fit = fitGeometries({mesh}, upTo(2)).front();
+  const Enclosure whole = fitGeometries({mesh}, upTo(1)).front().shapes.front();
+  if (fit.shape_of.empty()) {
+    fit.shape_of = {0, 1};
+  }
+  EXPECT_LE(provenExcess(mesh, fit), 0.0);
+  std::swap(fit.shape_of[0], fit.shape_of[1]);
+  EXPECT_GT(provenExcess(mesh, fit), 0.1);
+  fit.shapes.push_back(whole);
+  std::fill(fit.shape_of.begin(), fit.shape_of.end(), 2);
+  EXPECT_LE(provenExcess(mesh, fit), 0.0);
+}
+
 TEST(ProvenExcess, malformedFit_isInfinite) {
   const TriangleMesh mesh = angleIron();
   const Fit sound = fitGeometries({mesh}, upTo(2)).front();
@@ -196,6 +253,11 @@ TEST(ProvenExcess, malformedFit_isInfinite) {
   fit = sound;
   fit.cuts[0].offset = std::nan("");
   EXPECT_EQ(provenExcess(mesh, fit), kInfinity);
+  fit = sound;
+  fit.shape_of = {0, 2};
+  EXPECT_EQ(provenExcess(mesh, fit), kInfinity) << "there is no shape 2";
+  fit.shape_of = {0, 1, 1};
+  EXPECT_EQ(provenExcess(mesh, fit), kInfinity) << "there is no third part";
   fit = sound;
   fit.shapes[1].geometry_from_body.rotation *= 2.0;
   EXPECT_EQ(provenExcess(mesh, fit), kInfinity);

@@ -75,7 +75,8 @@ TEST(FitKey, changesWithEveryBitThatFitsDependOn) {
 }
 
 TEST(FitText, readsBackToTheSameBytes) {
-  const std::vector<Fit> fits = fitGeometries(someGeometries(), kLimits);
+  std::vector<Fit> fits = fitGeometries(someGeometries(), kLimits);
+  fits[0].shape_of = {1, 0, 1};
   const std::string text = toText(fits);
   const auto back = fitsFromText(text);
   ASSERT_TRUE(back.has_value());
@@ -83,17 +84,19 @@ TEST(FitText, readsBackToTheSameBytes) {
   ASSERT_EQ(back->size(), 3U);
   EXPECT_EQ((*back)[0].shapes.size(), fits[0].shapes.size());
   EXPECT_EQ((*back)[0].cuts.size(), fits[0].cuts.size());
+  EXPECT_EQ((*back)[0].shape_of, fits[0].shape_of);
+  EXPECT_TRUE((*back)[1].shape_of.empty());
   EXPECT_TRUE((*back)[1].shapes[0].is_exact);
   EXPECT_FALSE((*back)[2].shapes[0].is_exact);
   EXPECT_EQ(fitsFromText(toText({}))->size(), 0U);
 }
 
 TEST(FitText, wellHashedNonsense_isRefused) {
-  const std::string header = "collision_monitor fits 1\n";
+  const std::string header = "collision_monitor fits 2\n";
   for (const std::string body :
        {"", "geometries 1\n", "geometries 99999999999999999999\n", "geometries x\n",
-        "geometries 0\nmore\n", "geometries 1\ngeometry 1 0 0 0 0\nshape ball 0 0 0 1\n",
-        "geometries 1\ngeometry 1 0 0 0 0\n"
+        "geometries 0\nmore\n", "geometries 1\ngeometry 1 0 0 0 0 0\nshape ball 0 0 0 1\n",
+        "geometries 1\ngeometry 1 0 0 0 0 0\n"
         "shape sphere 0 0 0 1 1 0 0 0 1 0 0 0 1 0 0 0 0 0 0 0 perhaps\n"}) {
     const std::string text = header + body;
     EXPECT_FALSE(fitsFromText(text + "sha256 " + sha256(text) + "\n").has_value()) << body;
