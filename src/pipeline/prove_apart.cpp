@@ -47,13 +47,14 @@ bool isMovedFreely(const RobotModel& model, LinkId a, LinkId b) {
 }
 
 /// Whether a chain's joints do nothing but what the ranges say. A joint that follows a continuous
-/// one goes on where that begins anew, unless it goes as far.
+/// one goes on where that begins anew, unless it turns as far.
 bool isWhole(const RobotModel& model, const LinkChain& chain,
              const std::vector<JointRange>& ranges) {
   return std::all_of(chain.joints.begin(), chain.joints.end(), [&](const ChainJoint& joint) {
     const JointRange& range = ranges[joint.path_joint];
     const bool is_continuous = model.joint(range.joint).type == JointType::continuous;
-    return range.is_whole && (!is_continuous || joint.factor == 1.0);
+    const bool turns_as_far = !joint.is_prismatic && joint.factor == 1.0;
+    return range.is_whole && (!is_continuous || turns_as_far);
   });
 }
 

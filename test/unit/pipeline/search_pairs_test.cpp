@@ -148,6 +148,21 @@ TEST(SearchPairs, continuousJoint_isProvenForAllTurns_notWhereAnotherFollowsItAt
   EXPECT_FALSE(of(setup, pairs, "plate", "slow").is_proven);
 }
 
+TEST(SearchPairs, slideThatFollowsAContinuousJoint_hasNoEnd_andNoProof) {
+  // After one turn and a half the nut is at the end.
+  const CycleSetup setup =
+      robot(linkXml("screw", kBall, "<origin xyz='0 0 3'/>") +
+            jointXml("screw_joint", "continuous", "base", "screw", "<axis xyz='0 0 1'/>") +
+            linkXml("nut", kBall) +
+            jointXml("nut_joint", "prismatic", "base", "nut",
+                     "<origin xyz='0 0 6'/><axis xyz='0 0 1'/>" + limits("-99", "99") +
+                         "<mimic joint='screw_joint'/>") +
+            fixedTo("base", "end", "0 0 15.4"));
+  const PairFound nut = of(setup, searchPairs(setup, few(50)), "nut", "end");
+  EXPECT_EQ(nut.finding, PairFinding::never);
+  EXPECT_FALSE(nut.is_proven);
+}
+
 TEST(SearchPairs, floatingJoint_provesNothing) {
   const CycleSetup setup =
       robot(linkXml("drone", kBall) +
