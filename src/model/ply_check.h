@@ -6,11 +6,9 @@
 
 namespace collision_monitor {
 
-/// Refuses a PLY file that is cut short: assimp 5.2 never returns from one whose
-/// header does not end, and reads what is there of one whose elements are fewer
-/// than its header announces.
-/// Limits: of binary files only the header is checked against the size: an element
-/// takes a byte at least.
+/// Refuses a PLY file that lacks what its header announces: assimp 5.2 never returns from one
+/// whose header does not end, takes numbers that are missing for 0, and reads whatever lies behind
+/// the end of a binary one.
 /// @throws std::runtime_error
 void checkPlyIsComplete(const std::string& bytes);
 
