@@ -111,6 +111,12 @@ TriangleMesh collect(const aiScene& scene) {
   return builder.takeMesh();
 }
 
+/// Of what assimp says, which may quote all that is left of a file.
+std::string shortened(const std::string& reason) {
+  constexpr std::size_t kLongest = 120;
+  return reason.size() <= kLongest ? reason : reason.substr(0, kLongest) + "...";
+}
+
 /// The file as assimp reads all of it.
 std::string prepared(const std::string& bytes, const std::string& format) {
   if (format == "stl") {
@@ -143,7 +149,7 @@ TriangleMesh readMesh(const std::string& bytes, const std::string& file_name) {
     // Else assimp draws the nodes of a DAE whose meshes it does not find.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     if (importer.ReadFileFromMemory(content.data(), content.size(), 0, format.c_str()) == nullptr) {
-      throw std::runtime_error(importer.GetErrorString());
+      throw std::runtime_error(shortened(importer.GetErrorString()));
     }
     TriangleMesh mesh = collect(*importer.GetScene());
     if (mesh.vertices.empty()) {

@@ -260,6 +260,12 @@ TEST(MeshReader, badFiles_areErrorsThatNameTheFile) {
             "a.obj: no triangles");
   EXPECT_EQ(messageOf([] { readMesh("v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj"); }),
             "a.obj: vertex 1 of the mesh is not finite");
+  const std::string of_junk = messageOf([] {
+    std::string text = kAsciiStl + kAsciiStl;
+    text.replace(text.find("vertex 1"), 8, "vertex x");
+    readMesh(text, "a.stl");
+  });
+  EXPECT_LT(of_junk.size(), 140u) << "not all of the file: " << of_junk;
   for (const char* name : {"a.dae", "a.obj", "a.ply", "a.stl"}) {
     const std::string message = messageOf([&] { readMesh("this is no mesh at all", name); });
     EXPECT_EQ(message.substr(0, 7), std::string(name) + ": ");
