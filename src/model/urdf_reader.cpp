@@ -113,20 +113,41 @@ void appendRobot(ReadRobot read, const std::string& tf_prefix, RobotModel& model
   model.robots.push_back(std::move(robot));
 }
 
-/// Messages and tf tell links apart by name alone, so two robots may share none.
+/// Names of links or of joints by the robot that was the first to have them.
+using RobotByName = std::map<std::string, RobotId>;
+
+/// @return false, behind an error, where another robot has the name.
+bool takeName(const std::string& what, const std::string& name, RobotId robot,
+              const std::vector<RobotDescription>& descriptions, RobotByName& robot_of,
+              SetupReport& report) {
+  const auto [first, is_new] = robot_of.emplace(name, robot);
+  if (is_new || first->second == robot) {
+    return true;
+  }
+  report.errors.push_back({descriptions[index(robot)].source,
+                           what + " " + quoted(name) + " is also a " + what + " of " +
+                               descriptions[index(first->second)].source,
+                           "a tf prefix for each robot, so that names differ"});
+  return false;
+}
+
+/// Messages and tf tell links apart by name alone, messages and services joints that move; so two
+/// robots may share none.
 void checkNamesDiffer(const std::vector<RobotDescription>& descriptions, const RobotModel& model,
                       SetupReport& report) {
-  std::map<std::string, RobotId> robot_of;
+  RobotByName robot_of_link;
   for (const Link& link : model.links) {
     for (const std::string& name : {link.name, link.frame}) {
-      const auto [first, is_new] = robot_of.emplace(name, link.robot);
-      if (!is_new && first->second != link.robot) {
-        report.errors.push_back({descriptions[index(link.robot)].source,
-                                 "link " + quoted(name) + " is also a link of " +
-                                     descriptions[index(first->second)].source,
-                                 "a tf prefix for each robot, so that names differ"});
+      if (!takeName("link", name, link.robot, descriptions, robot_of_link, report)) {
         break;
       }
+    }
+  }
+  RobotByName robot_of_joint;
+  for (const Joint& joint : model.joints) {
+    if (joint.type != JointType::fixed) {
+      takeName("joint", joint.name, model.link(joint.child).robot, descriptions, robot_of_joint,
+               report);
     }
   }
 }

@@ -96,6 +96,22 @@ TEST(RobotNames, twoRobotsWithTheSameNames_isAnError) {
   EXPECT_TRUE(model.links.empty());
 }
 
+TEST(RobotNames, jointsOfTwoRobotsWithTheSameName_areAnErrorIfTheyMove) {
+  const auto robot = [](const std::string& side, const std::string& type) {
+    return test::describeText(robotXml("<link name='" + side + "_a'/><link name='" + side +
+                                       "_b'/>" + jointXml("j", type, side + "_a", side + "_b")));
+  };
+  SetupReport report;
+  readRobots({robot("left", "fixed"), robot("right", "continuous")}, test::textLoader({}), report);
+  EXPECT_TRUE(report.errors.empty());
+  readRobots({robot("left", "revolute"), robot("right", "continuous")}, test::textLoader({}),
+             report);
+  ASSERT_EQ(report.errors.size(), 1u);
+  EXPECT_EQ(toString(report.errors[0]),
+            "test.urdf: joint 'j' is also a joint of test.urdf; accepted: a tf prefix for each "
+            "robot, so that names differ");
+}
+
 TEST(RobotNames, linksWithoutGeometry_areOneWarning) {
   EXPECT_EQ(readText(kTwoLinks).warnings(),
             std::vector<std::string>{"test.urdf: no collision geometry: link 'a'; link 'b'; "
