@@ -100,16 +100,26 @@ void addOutputs(CLI::App& app, Options& options) {
 /// What one option cannot know of the others.
 void checkTogether(const Options& options) {
   checkOneRobot(options.source);
-  std::vector<std::string> outputs{options.yaml, options.new_urdf, options.html,
-                                   options.spheres_yaml, options.spheres_srdf};
+  const std::pair<const char*, const std::string&> of_option[] = {
+      {"--yaml", options.yaml},
+      {"--urdf", options.new_urdf},
+      {"--html", options.html},
+      {"--spheres-yaml", options.spheres_yaml},
+      {"--spheres-srdf", options.spheres_srdf}};
+  std::vector<std::string> outputs;
+  for (const auto& [option, output] : of_option) {
+    for (const InputFile& input : {InputFile{"robot", options.source.urdf},
+                                   {"SRDF", options.srdf},
+                                   {"file of rules", options.rules}}) {
+      checkKeeps(input, option, output);
+    }
+    outputs.push_back(output);
+  }
   std::sort(outputs.begin(), outputs.end());
   for (std::size_t i = 1; i < outputs.size(); ++i) {
     if (!outputs[i].empty() && outputs[i] == outputs[i - 1]) {
       throw CLI::ValidationError("two options write '" + outputs[i] + "'");
     }
-  }
-  if (!options.new_urdf.empty() && options.new_urdf == options.source.urdf) {
-    throw CLI::ValidationError("--urdf would replace the robot that is read; name another file");
   }
 }
 

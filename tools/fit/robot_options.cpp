@@ -3,6 +3,7 @@
 #include "robot_options.h"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 
 namespace collision_monitor::fit_tool {
 
@@ -24,6 +25,15 @@ void addRobotOptions(CLI::App& app, RobotSource& source) {
 void checkOneRobot(const RobotSource& source) {
   if (source.urdf.empty() == source.parameter.empty()) {
     throw CLI::ValidationError("give one robot: a URDF file, - or --param NAME");
+  }
+}
+
+void checkKeeps(const InputFile& input, const std::string& option, const std::string& output) {
+  std::error_code is_not_there;
+  if (!output.empty() &&
+      (output == input.path || std::filesystem::equivalent(output, input.path, is_not_there))) {
+    throw CLI::ValidationError(option + " would replace the " + input.what +
+                               " that is read; name another file");
   }
 }
 

@@ -25,6 +25,16 @@ void addRobotOptions(CLI::App& app, RobotSource& source);
 /// @throws CLI::ValidationError unless there is one robot.
 void checkOneRobot(const RobotSource& source);
 
+/// A file that is read, and what it is to the user.
+struct InputFile {
+  const char* what;
+  const std::string& path;
+};
+
+/// @throws CLI::ValidationError if what the option writes is that file, whatever the two are
+/// called.
+void checkKeeps(const InputFile& input, const std::string& option, const std::string& output);
+
 /// @param has_none --no-cache: a cache of "none"
 void addCacheOptions(CLI::App& app, std::string& cache, bool& has_none);
 

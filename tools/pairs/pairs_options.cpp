@@ -75,6 +75,7 @@ Parsed parseOptions(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
     fit_tool::checkOneRobot(parsed.options.source);
+    fit_tool::checkKeeps({"robot", parsed.options.source.urdf}, "--srdf", parsed.options.srdf);
   } catch (const CLI::ParseError& fault) {
     parsed.exit_code = app.exit(fault) == 0 ? 0 : fit_tool::kUsageFault;
     return parsed;

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "support/parse_arguments.h"
 
 namespace collision_monitor::fit_tool {
@@ -61,7 +64,10 @@ TEST(Options, faults_endWithTwo_andNameTheFault) {
       {{"a.urdf", "--target-overshoot", "nan"}, "'nan' is no length"},
       {{"a.urdf", "--cache", "x", "--no-cache"}, "--no-cache"},
       {{"a.urdf", "--yaml", "x", "--html", "x"}, "two options write 'x'"},
-      {{"a.urdf", "--urdf", "a.urdf"}, "would replace the robot"},
+      {{"a.urdf", "--urdf", "a.urdf"}, "--urdf would replace the robot"},
+      {{"a.urdf", "--html", "a.urdf"}, "--html would replace the robot"},
+      {{"a.urdf", "--srdf", "b", "--spheres-srdf", "b"}, "would replace the SRDF"},
+      {{"a.urdf", "--rules", "b", "--yaml", "b"}, "would replace the file of rules"},
   };
   for (const auto& [arguments, expected] : cases) {
     std::string said;
@@ -70,6 +76,18 @@ TEST(Options, faults_endWithTwo_andNameTheFault) {
     EXPECT_EQ(parsed.exit_code, 2) << expected;
     EXPECT_NE(said.find(expected), std::string::npos) << said;
   }
+}
+
+TEST(Options, robotUnderAnotherName_isNotReplacedEither) {
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / "robot_is_not_replaced";
+  std::filesystem::create_directories(folder);
+  const std::string robot = folder / "a.urdf";
+  std::ofstream(robot) << "<robot/>";
+  const std::string same = folder / "." / "a.urdf";
+  std::string said;
+  EXPECT_FALSE(parse({robot.c_str(), "--yaml", same.c_str()}, &said).is_to_run);
+  EXPECT_NE(said.find("--yaml would replace the robot"), std::string::npos) << said;
 }
 
 }  // namespace

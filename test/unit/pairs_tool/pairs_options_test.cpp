@@ -45,6 +45,7 @@ TEST(PairsOptions, faults) {
                                              {"a.urdf", "--states", "-3"},
                                              {"a.urdf", "--seed", "x"},
                                              {"a.urdf", "--trust-samples"},
+                                             {"a.urdf", "--srdf", "a.urdf"},
                                              {"a.urdf", "--unknown"}}) {
     const Parsed parsed = parse(arguments);
     EXPECT_FALSE(parsed.is_to_run);
