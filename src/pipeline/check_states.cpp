@@ -139,12 +139,15 @@ StandingPoses standingAs(const RobotModel& model, const LinkPoses& poses,
         is_known(robot.root) ? poses.world_from_link[index(robot.root)] : unknownPose());
   }
   for (const Joint& joint : model.joints) {
+    const bool is_fixed = joint.type == JointType::fixed;
     std::optional<Pose> held;
-    if (joint.type != JointType::fixed && !moves[joint.first_variable]) {
-      held = is_known(joint.parent) && is_known(joint.child)
-                 ? inverse(poses.world_from_link[index(joint.parent)]) *
-                       poses.world_from_link[index(joint.child)]
-                 : unknownPose();
+    if (is_fixed || !moves[joint.first_variable]) {
+      if (is_known(joint.parent) && is_known(joint.child)) {
+        held = inverse(poses.world_from_link[index(joint.parent)]) *
+               poses.world_from_link[index(joint.child)];
+      } else if (!is_fixed) {
+        held = unknownPose();
+      }
     }
     standing.held.push_back(held);
   }

@@ -49,7 +49,8 @@ struct StatesWork {
   CycleBuffers buffers;
 };
 
-/// Roots, and joints whose first variable does not move, stand as in `poses`.
+/// Roots, fixed joints, and joints whose first variable does not move, stand as in `poses`; fixed
+/// joints that are not known there as in the model.
 /// @param moves by variable
 StandingPoses standingAs(const RobotModel& model, const LinkPoses& poses,
                          const std::vector<bool>& moves);

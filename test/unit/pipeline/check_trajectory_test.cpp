@@ -49,6 +49,7 @@ class CheckTrajectoryTest : public testing::Test {
     positions[setup_.model.joint(*setup_.model.findJoint("shoulder")).first_variable] = shoulder_;
     placeLinks(setup_.model, positions, {Pose()}, start.world_from_link);
     std::fill(start.status.begin(), start.status.end(), LinkStatus::known);
+    start.world_from_link[index(setup_.model.findLink("post").value())].translation += post_off_;
     if (!lost_.empty()) {
       start.status[index(setup_.model.findLink(lost_).value())] = LinkStatus::stale;
     }
@@ -69,7 +70,8 @@ class CheckTrajectoryTest : public testing::Test {
   JointPath path_;
   TrajectoryOptions options_;
   std::string lost_;
-  double shoulder_{0.0};  ///< where it stands at the start
+  double shoulder_{0.0};                               ///< where it stands at the start
+  Eigen::Vector3d post_off_{Eigen::Vector3d::Zero()};  ///< from where the URDF has the post
 };
 
 TEST_F(CheckTrajectoryTest, stretchedArmSweepsOverAPost_contactAtItsTime) {
@@ -145,6 +147,19 @@ TEST_F(CheckTrajectoryTest, manyWaypoints_lostLinkIsUnknownAndTheRestIsNot) {
   const TrajectoryReport report = check();
   EXPECT_EQ(of(report, "hand", "post").state, ApproachState::unknown);
   EXPECT_EQ(report.first_contact, kNone);
+}
+
+/// tf may tell better than the URDF where a fixed link stands, as after a calibration.
+TEST_F(CheckTrajectoryTest, manyWaypoints_fixedLinksStayAsTheyStand) {
+  shoulder_ = 0.5 * kPi;
+  path_ = elbowPath(path_.joints[1], {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
+  for (double& position : path_.positions) {
+    position *= 0.5;  // so near each other that way-points alone could clear the way
+  }
+  post_off_ = {std::sin(0.5) - 1.0, std::cos(0.5), 0.0};  // on the way of the hand
+  const PairApproach post = of(check(), "hand", "post");
+  ASSERT_EQ(post.state, ApproachState::contact);
+  EXPECT_NEAR(post.time, (0.5 - 2.0 * std::asin(0.1)) / 0.1, 1e-5);
 }
 
 TEST_F(CheckTrajectoryTest, nearMissBetweenWaypoints_isSearchedFor) {

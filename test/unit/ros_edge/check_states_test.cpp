@@ -139,6 +139,28 @@ TEST_F(CheckStatesServiceTest, linkThatCannotBePlaced_isUnknown) {
   EXPECT_EQ(ask().levels[0], State::OK) << "a joint that is named needs no pose";
 }
 
+/// tf may tell better than the URDF where a fixed link stands, as after a calibration.
+TEST_F(CheckStatesServiceTest, fixedLinksStayWhereTheyAre) {
+  auto made = std::make_shared<MonitorSetup>();
+  const std::string ball = "<sphere radius='0.1'/>";
+  made->setup = buildSetup(
+      {describeText(robotXml(linkXml("base", ball, "<origin xyz='0 0 -9'/>") +
+                             linkXml("post", ball) + linkXml("tool", ball) +
+                             jointXml("stand", "fixed", "base", "post", "<origin xyz='1 0 0'/>") +
+                             jointXml("turn", "continuous", "base", "tool")))},
+      textLoader({}), SetupOptions());
+  setup_ = made;
+  poses_ = makeLinkPoses(made->setup.model);
+  std::fill(poses_.status.begin(), poses_.status.end(), LinkStatus::known);
+  const std::size_t post = index(linkNamed(made->setup.model, "post"));
+  poses_.world_from_link[post].translation.x() = 0.15;
+  request_.joint_names = {"turn"};
+  request_.positions = {0.0};
+  EXPECT_NEAR(ask().distances[0], -0.05, 1e-12);
+  poses_.status[post] = LinkStatus::stale;
+  EXPECT_NEAR(ask().distances[0], 0.8, 1e-12) << "where nothing else is known, as the URDF says";
+}
+
 TEST_F(CheckStatesServiceTest, modelThatCannotMove_hasOneState) {
   const auto ball = [](const std::string& name) {
     return describeText("<robot name='" + name + "'>" + linkXml(name, "<sphere radius='0.1'/>") +
