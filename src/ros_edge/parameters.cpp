@@ -46,23 +46,29 @@ void readLookAhead(const XmlRpcValue& values, const std::string& where, LookAhea
   fields.refuseOthers();
 }
 
-void readTopic(ParameterStruct& fields, const std::string& name, std::string& topic,
-               SetupReport& report) {
-  fields.read(name, topic);
-  std::string fault;
-  if (!topic.empty() && !ros::names::validate(topic, fault)) {
+/// A name that ROS can resolve, or none.
+/// @param accepted "the name of a topic"
+void readName(ParameterStruct& fields, const std::string& field, const char* accepted,
+              std::string& name, SetupReport& report) {
+  fields.read(field, name);
+  std::string fault = "begins with ~";
+  if (name.rfind('~', 0) == 0 || !ros::names::validate(name, fault)) {
     report.errors.push_back(
-        {"parameter " + fields.pathOf(name), "'" + topic + "': " + fault, "the name of a topic"});
-    topic.clear();
+        {"parameter " + fields.pathOf(field), "'" + name + "': " + fault, accepted});
   }
+}
+
+void readTopic(ParameterStruct& fields, const std::string& field, std::string& topic,
+               SetupReport& report) {
+  readName(fields, field, "the name of a topic", topic, report);
 }
 
 RobotSource readRobot(const XmlRpcValue& values, const std::string& where, SetupReport& report) {
   RobotSource robot;
   ParameterStruct fields(values, where, report);
   fields.read("name", robot.name);
-  fields.read("description", robot.description);
-  fields.read("semantic", robot.semantic);
+  readName(fields, "description", "the name of a parameter", robot.description, report);
+  readName(fields, "semantic", "the name of a parameter", robot.semantic, report);
   fields.read("file", robot.file);
   fields.read("semantic_file", robot.semantic_file);
   fields.read("tf_prefix", robot.tf_prefix);

@@ -121,6 +121,20 @@ TEST(Parameters, lookAhead_isReadAndChecked) {
                                    "parameter /m/joint_states", "parameter /m/velocity_filter"}));
 }
 
+/// ROS would throw where they are resolved, and name no parameter.
+TEST(Parameters, namesThatRosDoesNotResolve_areRefused) {
+  XmlRpcValue values;
+  values["joint_states"] = "~joint_states";
+  values["robots"][0]["description"] = "~robot_description";
+  values["robots"][1]["description"] = "/arm/robot_description";
+  values["robots"][1]["semantic"] = "no name";
+  values["robots"][1]["joint_states"] = "~joint_states";
+  EXPECT_EQ(faults(values),
+            (std::set<std::string>{
+                "parameter /m/joint_states", "parameter /m/robots[0]/description",
+                "parameter /m/robots[1]/semantic", "parameter /m/robots[1]/joint_states"}));
+}
+
 /// To YAML and roslaunch 1e3 is a text.
 TEST(Parameters, numberThatIsAText_isRefusedWithAnAdvice) {
   const auto fault = [](const char* text) {
