@@ -4,12 +4,14 @@
 
 #include <utility>
 
+#include "ros_edge/name_beside.h"
+
 namespace collision_monitor {
 
-JointFeed::JointFeed(const ros::NodeHandle& node, JointStore& store,
+JointFeed::JointFeed(const ros::NodeHandle& private_node, JointStore& store,
                      std::function<void()> after_message)
-    : store_(store), after_message_(std::move(after_message)), node_(node) {
-  node_.setCallbackQueue(&queue_);
+    : store_(store), after_message_(std::move(after_message)), private_node_(private_node) {
+  private_node_.setCallbackQueue(&queue_);
 }
 
 void JointFeed::listenTo(const std::vector<std::string>& topics) {
@@ -28,8 +30,9 @@ void JointFeed::listenTo(const std::vector<std::string>& topics) {
           store_.accept(topic, *message);
           after_message_();
         };
-    wanted[topic] = node_.subscribe<sensor_msgs::JointState>(
-        topic, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+    wanted[topic] = private_node_.subscribe<sensor_msgs::JointState>(
+        nameBeside(private_node_, topic), kQueueSize, callback, ros::VoidConstPtr(),
+        ros::TransportHints().tcpNoDelay());
   }
   subscribers_ = std::move(wanted);
 }

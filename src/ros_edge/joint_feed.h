@@ -19,8 +19,10 @@ namespace collision_monitor {
 /// life.
 class JointFeed {
  public:
-  /// Topics are resolved by `node`. `after_message` is called on the thread that brought it.
-  JointFeed(const ros::NodeHandle& node, JointStore& store, std::function<void()> after_message);
+  /// Topics are beside the node, not below it. `after_message` is called on the thread that brought
+  /// it.
+  JointFeed(const ros::NodeHandle& private_node, JointStore& store,
+            std::function<void()> after_message);
 
   /// Listens to these topics, and to no others any more; "" is none. From one thread at a time.
   void listenTo(const std::vector<std::string>& topics);
@@ -29,7 +31,7 @@ class JointFeed {
   JointStore& store_;
   std::function<void()> after_message_;
   DirectQueue queue_;  ///< ends after the subscribers
-  ros::NodeHandle node_;
+  ros::NodeHandle private_node_;
   std::map<std::string, ros::Subscriber> subscribers_;
 };
 

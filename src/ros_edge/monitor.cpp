@@ -3,7 +3,6 @@
 #include "collision_monitor/ros_edge/monitor.h"
 
 #include <ros/console.h>
-#include <ros/names.h>
 
 #include "collision_monitor/ros_edge/transform_feed.h"
 #include "ros_edge/cycle_runner.h"
@@ -20,8 +19,7 @@ class Monitor::Parts {
   Parts(const ros::NodeHandle& private_node, const std::string& node_name)
       : feed_(private_node, store_),
         runner_(private_node, {store_, joints_}, makeLoggedSetup(private_node)),
-        joint_feed_(ros::NodeHandle(ros::names::parentNamespace(private_node.getNamespace())),
-                    joints_, [this] { wakeForJoints(); }),
+        joint_feed_(private_node, joints_, [this] { wakeForJoints(); }),
         diagnostics_(ros::NodeHandle(), private_node, node_name, runner_.statistics(),
                      [this] { return runner_.currentSetup(); }),
         services_(private_node, store_, joints_, makeHooks()) {

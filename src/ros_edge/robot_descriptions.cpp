@@ -7,8 +7,21 @@
 
 #include <string>
 
+#include "ros_edge/name_beside.h"
+
 namespace collision_monitor {
 namespace {
+
+/// A search takes names as they were remapped for the process. What was remapped for a nodelet is
+/// resolved, and the search would not know it.
+std::string nameForSearch(const ros::NodeHandle& node, const std::string& name) {
+  if (ros::names::getUnresolvedRemappings().count(name) > 0) {
+    return name;
+  }
+  const std::string plain = nameBeside(node, name);
+  const std::string remapped = node.resolveName(plain, true);
+  return remapped == node.resolveName(plain, false) ? name : remapped;
+}
 
 /// The parameter that a search for `name` starts from. A search takes names as they were remapped,
 /// not as the node's namespace resolves them.
@@ -48,10 +61,11 @@ std::string readFile(const std::string& uri, const std::string& what, const std:
 RobotDescription fromParameter(const ros::NodeHandle& node, const RobotSource& robot,
                                const ros::WallTime& deadline, SetupReport& report) {
   RobotDescription description;
-  description.source = "parameter " + startOfSearch(node, robot.description);
-  if (waitForParameter(node, robot.description, deadline, description.urdf_xml)) {
+  const std::string name = nameForSearch(node, robot.description);
+  description.source = "parameter " + startOfSearch(node, name);
+  if (waitForParameter(node, name, deadline, description.urdf_xml)) {
     std::string resolved;
-    node.searchParam(robot.description, resolved);
+    node.searchParam(name, resolved);
     description.source = "parameter " + resolved;
   } else if (ros::ok()) {
     report.errors.push_back(
@@ -75,14 +89,17 @@ RobotDescription fromFile(const RobotSource& robot, const ResourceLoader& load_r
 /// An SRDF that was named must be there; the one that goes with robot_description by custom may.
 void addSemantic(const ros::NodeHandle& node, const RobotSource& robot, bool is_required,
                  RobotDescription& description, SetupReport& report) {
+  if (robot.semantic.empty()) {
+    return;
+  }
+  const std::string name = nameForSearch(node, robot.semantic);
   std::string resolved;
-  if (robot.semantic.empty() || (node.searchParam(robot.semantic, resolved) &&
-                                 node.getParam(resolved, description.srdf_xml))) {
+  if (node.searchParam(name, resolved) && node.getParam(resolved, description.srdf_xml)) {
     return;
   }
   if (is_required) {
     report.errors.push_back({"robot '" + robot.name + "'",
-                             "no SRDF in parameter " + startOfSearch(node, robot.semantic) +
+                             "no SRDF in parameter " + startOfSearch(node, name) +
                                  " nor under the same name in a namespace above",
                              "a parameter that holds the text of an SRDF"});
   }

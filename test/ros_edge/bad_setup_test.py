@@ -7,6 +7,7 @@ import subprocess
 import sys
 import unittest
 
+import rosgraph
 import rospy
 import rostest
 from nodelet.srv import NodeletList, NodeletLoad
@@ -87,6 +88,17 @@ class BadSetup(unittest.TestCase):
         for text in ("/bad_parameters/rate", "-3", "/bad_parameters/max_aeg", "'max_age'",
                      "/bad_parameters/padding", "'much'"):
             self.assertIn(text, output)
+
+    def test_nodelet_namesAreRemappedAsThoseOfANode(self):
+        rospy.wait_for_service("/manager/load_nodelet", timeout=20.0)
+        rospy.set_param("/arm/robot_description", GOOD)
+        names = ["robot_description", "joint_states"]
+        rospy.ServiceProxy("/manager/load_nodelet", NodeletLoad)(
+            "/remapped_nodelet", "collision_monitor/Monitor", names,
+            ["/arm/" + name for name in names], [], "")
+        Probe("/remapped_nodelet").wait_for_level(State.UNKNOWN, "no pair of links is checked")
+        heard = [topic for topic, _ in rosgraph.Master("/bad_setup_test").getSystemState()[1]]
+        self.assertIn("/arm/joint_states", heard)
 
     def test_nodelets_badOneLeavesTheManagerAlive_goodOneSpeaks(self):
         rospy.wait_for_service("/manager/load_nodelet", timeout=20.0)
