@@ -93,15 +93,18 @@ void addSemantic(const ros::NodeHandle& node, const RobotSource& robot, bool is_
     return;
   }
   const std::string name = nameForSearch(node, robot.semantic);
+  const std::string accepted = "a parameter that holds the text of an SRDF";
   std::string resolved;
-  if (node.searchParam(name, resolved) && node.getParam(resolved, description.srdf_xml)) {
-    return;
-  }
-  if (is_required) {
+  if (node.searchParam(name, resolved)) {
+    if (!node.getParam(resolved, description.srdf_xml)) {
+      report.errors.push_back(
+          {"robot '" + robot.name + "'", "no text in parameter " + resolved, accepted});
+    }
+  } else if (is_required) {
     report.errors.push_back({"robot '" + robot.name + "'",
                              "no SRDF in parameter " + startOfSearch(node, name) +
                                  " nor under the same name in a namespace above",
-                             "a parameter that holds the text of an SRDF"});
+                             accepted});
   }
 }
 

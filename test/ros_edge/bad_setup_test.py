@@ -89,6 +89,12 @@ class BadSetup(unittest.TestCase):
                      "/bad_parameters/padding", "'much'"):
             self.assertIn(text, output)
 
+    def test_semanticThatIsNoText_isRefused(self):
+        rospy.set_param("/no_text/robot_description_semantic", 7)
+        code, output = run_node("no_text", GOOD)
+        self.assertEqual(code, 1, output)
+        self.assertIn("no text in parameter /no_text/robot_description_semantic", output)
+
     def test_nodelet_namesAreRemappedAsThoseOfANode(self):
         rospy.wait_for_service("/manager/load_nodelet", timeout=20.0)
         rospy.set_param("/arm/robot_description", GOOD)
