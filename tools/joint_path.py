@@ -5,6 +5,7 @@
 The file format is described in play_joint_path.py.
 """
 import math
+import sys
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
 
@@ -38,7 +39,7 @@ class JointPath:
 
 
 def is_number(value):
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
 
 
 def check_numbers(values, count, place, accepted, problems):
@@ -92,7 +93,7 @@ def check_header(content, name, problems):
 
 
 def parse_path(text, name):
-    """@return the path in `text`; `name` stands in messages. Raises PathError with every problem."""
+    """@return the path in `text`, bytes or str; `name` stands in messages. Raises PathError with every problem."""
     try:
         content = yaml.safe_load(text)
     except yaml.YAMLError as error:
@@ -124,7 +125,11 @@ def parse_path(text, name):
 def check_robot(path, name, urdf, urdf_name):
     """Raises PathError unless the path moves each joint of the URDF text that moves on its own, and
     nothing else. What the path leaves out would stay without a pose."""
-    joints = [joint.get("name") for joint in ElementTree.fromstring(urdf).findall("joint")
+    try:
+        robot = ElementTree.fromstring(urdf)
+    except ElementTree.ParseError as error:
+        raise PathError([f"{urdf_name}: not XML: {error}"]) from error
+    joints = [joint.get("name") for joint in robot.findall("joint")
               if joint.get("type") in ("revolute", "continuous", "prismatic") and joint.find("mimic") is None]
     problems = [f"{name}, joints: found '{joint}', which {urdf_name} does not move; accepted: {', '.join(joints)}"
                 for joint in path.joints if joint not in joints]

@@ -121,12 +121,12 @@ def read_options(arguments):
 def main():
     options = read_options(rospy.myargv()[1:])
     try:
-        with open(options.path, encoding="utf-8") as file:
+        with open(options.path, "rb") as file:
             path = parse_path(file.read(), options.path)
         if options.loop:
             check_loop(path, options.path)
         if options.robot:
-            with open(options.robot, encoding="utf-8") as file:
+            with open(options.robot, "rb") as file:
                 check_robot(path, options.path, file.read(), os.path.basename(options.robot))
     except (OSError, PathError) as error:
         print(f"error: {error}", file=sys.stderr)

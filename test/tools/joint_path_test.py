@@ -122,7 +122,12 @@ class BadFiles(unittest.TestCase):
                 self.assertEqual(self.problems_of(text), [expected])
 
     def test_broken_yaml_is_named(self):
-        self.assertTrue(self.problems_of("joints: [a")[0].startswith("p.yaml: not YAML: "))
+        for text in ("joints: [a", b"joints: [\xff]"):
+            self.assertTrue(self.problems_of(text)[0].startswith("p.yaml: not YAML: "))
+
+    def test_number_that_no_float_holds_is_refused(self):
+        text = "joints: [a]\nway_points: [{time: 0, positions: [-1" + 400 * "0" + "]}]"
+        self.assertIn("accepted: a finite number", self.problems_of(text)[0])
 
     def test_all_problems_come_at_once(self):
         text = ("joints: [a]\ninterpolation: x\nway_points:\n"
@@ -166,6 +171,9 @@ class PathsOfThisPackage(unittest.TestCase):
         self.assertEqual(caught.exception.problems, [
             "p.yaml, joints: found 'follow', which r.urdf does not move; accepted: turn, slide",
             "p.yaml, joints: 'slide' of r.urdf is missing"])
+        with self.assertRaises(joint_path.PathError) as caught:
+            joint_path.check_robot(path, "p.yaml", "<robot><link></robot>", "r.urdf")
+        self.assertTrue(caught.exception.problems[0].startswith("r.urdf: not XML: "))
 
 
 if __name__ == "__main__":
