@@ -113,41 +113,63 @@ void appendRobot(ReadRobot read, const std::string& tf_prefix, RobotModel& model
   model.robots.push_back(std::move(robot));
 }
 
-/// Names of links or of joints by the robot that was the first to have them.
-using RobotByName = std::map<std::string, RobotId>;
+/// Who has which name, of all links or of all joints.
+class NameOwners {
+ public:
+  /// @param what "link"
+  NameOwners(std::string what, const std::vector<RobotDescription>& descriptions,
+             SetupReport& report)
+      : what_(std::move(what)), descriptions_(descriptions), report_(report) {}
 
-/// @return false, behind an error, where another robot has the name.
-bool takeName(const std::string& what, const std::string& name, RobotId robot,
-              const std::vector<RobotDescription>& descriptions, RobotByName& robot_of,
-              SetupReport& report) {
-  const auto [first, is_new] = robot_of.emplace(name, robot);
-  if (is_new || first->second == robot) {
-    return true;
+  /// @param id of the link or joint
+  /// @return false, behind an error, where another one has the name.
+  bool take(const std::string& name, RobotId robot, std::size_t id) {
+    const auto [first, is_new] = owner_of_.emplace(name, Owner{robot, id});
+    if (is_new || first->second.id == id) {
+      return true;
+    }
+    const bool is_of_robot = first->second.robot == robot;
+    report_.errors.push_back({sourceOf(robot),
+                              what_ + " " + quoted(name) + " is also a" +
+                                  (is_of_robot ? "nother " : " ") + what_ + " of " +
+                                  sourceOf(first->second.robot),
+                              is_of_robot ? "names that differ with their tf prefix, too"
+                                          : "a tf prefix for each robot, so that names differ"});
+    return false;
   }
-  report.errors.push_back({descriptions[index(robot)].source,
-                           what + " " + quoted(name) + " is also a " + what + " of " +
-                               descriptions[index(first->second)].source,
-                           "a tf prefix for each robot, so that names differ"});
-  return false;
-}
 
-/// Messages and tf tell links apart by name alone, messages and services joints that move; so two
-/// robots may share none.
+ private:
+  struct Owner {
+    RobotId robot;
+    std::size_t id;
+  };
+
+  const std::string& sourceOf(RobotId robot) const { return descriptions_[index(robot)].source; }
+
+  std::string what_;
+  const std::vector<RobotDescription>& descriptions_;
+  SetupReport& report_;
+  std::map<std::string, Owner> owner_of_;
+};
+
+/// Messages and tf tell links apart by name alone, messages and services joints that move; so no
+/// two may share one.
 void checkNamesDiffer(const std::vector<RobotDescription>& descriptions, const RobotModel& model,
                       SetupReport& report) {
-  RobotByName robot_of_link;
-  for (const Link& link : model.links) {
+  NameOwners links("link", descriptions, report);
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const Link& link = model.links[i];
     for (const std::string& name : {link.name, link.frame}) {
-      if (!takeName("link", name, link.robot, descriptions, robot_of_link, report)) {
+      if (!links.take(name, link.robot, i)) {
         break;
       }
     }
   }
-  RobotByName robot_of_joint;
-  for (const Joint& joint : model.joints) {
+  NameOwners joints("joint", descriptions, report);
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Joint& joint = model.joints[i];
     if (joint.type != JointType::fixed) {
-      takeName("joint", joint.name, model.link(joint.child).robot, descriptions, robot_of_joint,
-               report);
+      joints.take(joint.name, model.link(joint.child).robot, i);
     }
   }
 }

@@ -39,6 +39,18 @@ TEST(RobotNames, nameThatHasThePrefix_doesNotGetItTwice) {
             "left/a");
 }
 
+TEST(RobotNames, linksThatThePrefixMakesAlike_areAnError) {
+  RobotDescription robot = test::describeText(
+      robotXml("<link name='left/a'/><link name='a'/>" + jointXml("j", "fixed", "left/a", "a")));
+  robot.tf_prefix = "left";
+  SetupReport report;
+  readRobots({robot}, test::textLoader({}), report);
+  ASSERT_EQ(report.errors.size(), 1u);
+  EXPECT_EQ(toString(report.errors[0]),
+            "test.urdf: link 'left/a' is also another link of test.urdf; accepted: names that "
+            "differ with their tf prefix, too");
+}
+
 TEST(RobotNames, leadingSlash_isDroppedAndItsFrameHasNoPrefix) {
   const RobotModel model = readWithPrefix("left", robotXml("<link name='/a'/><link name='b'/>" +
                                                            jointXml("j", "fixed", "a", "/b")))
