@@ -63,6 +63,10 @@ std::string urlOf(const std::string& uri, Folders& folders) {
     return file + escaped(packageFolder(path.substr(0, slash), folders), Percent::is_a_letter) +
            escaped(path.substr(slash), Percent::begins_an_escape);
   }
+  if (uri.find(':') == std::string::npos) {
+    // curl would take its first folder for a computer and ask the network for it.
+    throw std::runtime_error("'" + uri + "' is no absolute path and no URI");
+  }
   return uri;
 }
 

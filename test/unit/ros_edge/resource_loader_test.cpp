@@ -55,6 +55,7 @@ TEST(ResourceLoader, packages_mayHoldThemToo) {
 TEST(ResourceLoader, whatIsNotThere_isNamed) {
   for (const auto& [uri, part] : {std::pair("package://no_such_package/a.stl", "'no_such_package'"),
                                   std::pair("package:///a.stl", "package ''"),
+                                  std::pair("urdf/arm.urdf", "'urdf/arm.urdf' is no absolute path"),
                                   std::pair("/no such folder/a.stl", "no%20such%20folder")}) {
     try {
       makeResourceLoader()(uri);
