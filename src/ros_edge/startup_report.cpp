@@ -6,6 +6,8 @@
 
 #include <sstream>
 
+#include "ros_edge/pace.h"
+
 namespace collision_monitor {
 
 std::string summaryOf(const MonitorSetup& setup) {
@@ -15,7 +17,7 @@ std::string summaryOf(const MonitorSetup& setup) {
        << (setup.setup.model.robots.size() == 1 ? "" : "s") << " in frame '" << setup.world_frame
        << "': " << setup.setup.bodies.size() << " shapes, " << setup.setup.checked.size()
        << " pairs of links, " << (setup.parameters.trigger == Trigger::pose ? "at most " : "at ")
-       << setup.parameters.rate << " Hz; " << warnings
+       << 1.0 / periodOf(setup.parameters) << " Hz; " << warnings
        << (warnings == 1 ? " warning" : " warnings");
   return text.str();
 }
