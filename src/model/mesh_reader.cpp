@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "model/dae_check.h"
 #include "model/mesh_builder.h"
 #include "model/obj_text.h"
 #include "model/ply_check.h"
@@ -125,7 +126,9 @@ std::string prepared(const std::string& bytes, const std::string& format) {
   if (format == "obj") {
     return plainObj(bytes);
   }
-  if (format == "ply") {
+  if (format == "dae") {
+    checkDaeArrays(bytes);
+  } else if (format == "ply") {
     checkPlyIsComplete(bytes);
   }
   return bytes;

@@ -195,6 +195,25 @@ TEST(MeshReader, obj_readsObjectsQuadsAndNegativeIndices) {
   EXPECT_EQ(mesh.triangles.size(), 3u);
 }
 
+/// assimp would fill the memory.
+TEST(MeshReader, daeIndexThatIsNone_isAnError) {
+  for (const char* junk : {"0 1! 2", "0 1.0 2", "0 x 2"}) {
+    std::string text = dae("", "<node id='n'>" + kInstance + "</node>");
+    EXPECT_EQ(readMesh(text, "a.dae").triangles.size(), 1u);
+    text.replace(text.find("0 1 2</p>"), 5, junk);
+    EXPECT_EQ(messageOf([&] { readMesh(text, "a.dae"); }),
+              "a.dae: line 1: <p> holds something that is no index");
+  }
+}
+
+/// assimp would read beyond the array.
+TEST(MeshReader, daeArrayThatIsTooShort_isAnError) {
+  std::string text = dae("", "<node id='n'>" + kInstance + "</node>");
+  text.replace(text.find("count='9'>0 0 0 1 0 0 0 2 0"), 27, "count='8'>0 0 0 1 0 0 0 2");
+  EXPECT_EQ(messageOf([&] { readMesh(text, "a.dae"); }),
+            "a.dae: line 1: <accessor> needs 9 numbers of an array of 8");
+}
+
 TEST(MeshReader, ply_isRead) {
   expectTheTriangle(
       readMesh("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
