@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fitting/cut_and_join.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "collision_monitor/geometry/convex_hull.h"
+#include "fitting/extent.h"
 #include "fitting/mesh_part.h"
 #include "fitting/point_cloud.h"
 #include "fitting/slabs.h"
@@ -22,56 +24,14 @@ using Eigen::Vector3d;
 constexpr std::size_t kMostPieces = 24;
 constexpr int kDirections = 64;  // in which the corners of a piece are farthest
 
-/// Of points.
-struct Extent {
-  double bulk{0.0};    ///< [m^3] of their hull and of a box about them: what their shape may hold
-  double length{0.0};  ///< [m] of the diagonal of the box
-};
-
-/// Points of the surface, close together, and what surrounds them.
+/// Points of the surface, close together.
 struct Piece {
-  std::vector<std::uint32_t> parts;  ///< of the plan
+  std::vector<std::uint32_t> parts;  ///< of the plan; none: it was joined to another
   Points samples;
-  Points corners;  ///< the farthest of the samples
+  PointSummary summary;
   Extent extent;
   double hollow{0.0};  ///< [m] how far the hull is from the surface; 0: nothing to cut
 };
-
-/// [m^3] With half a layer all around.
-double volumeOf(const TriangleMesh& hull, double layer) {
-  double volume = 0.0;
-  double area = 0.0;
-  for (const auto& t : hull.triangles) {
-    const Vector3d& a = hull.vertices[t[0]];
-    const Vector3d twice_area = (hull.vertices[t[1]] - a).cross(hull.vertices[t[2]] - a);
-    volume += a.dot(twice_area) / 6.0;
-    area += 0.5 * twice_area.norm();
-  }
-  return volume + 0.5 * layer * area;
-}
-
-/// The box is the smaller of two: along the axes of the frame, or along those of the points.
-/// @param layer [m] by which samples are apart: half of it is added all around, so that what lies
-/// between samples on both sides of a cut is not lost, and what is flat counts.
-Extent extentOf(const Points& points, double layer) {
-  double box = std::numeric_limits<double>::infinity();
-  double length = 0.0;
-  for (const Matrix3d& frame : {Matrix3d(Matrix3d::Identity()), principalAxes(points)}) {
-    Vector3d low = frame.transpose() * points.front();
-    Vector3d high = low;
-    for (const Vector3d& point : points) {
-      const Vector3d in_frame = frame.transpose() * point;
-      low = low.cwiseMin(in_frame);
-      high = high.cwiseMax(in_frame);
-    }
-    const Vector3d sides = (high - low).array() + layer;
-    if (sides.prod() < box) {
-      box = sides.prod();
-      length = sides.norm();
-    }
-  }
-  return {volumeOf(convexHullOf(points), layer) + box, length};
-}
 
 /// [m] How far points all over the hull are from the surface, at most.
 double hollowOf(const TriangleMesh& hull, const DistanceGrid& grid) {
@@ -94,11 +54,27 @@ Piece makePiece(std::uint32_t part, Points samples, const DistanceGrid& grid) {
   static const Points directions = spreadDirections(kDirections);
   Piece piece;
   piece.parts = {part};
-  piece.corners = extremePoints(samples, directions);
+  piece.summary.corners = extremePoints(samples, directions);
+  for (const Vector3d& sample : samples) {
+    piece.summary.moments.add(sample);
+  }
   piece.samples = std::move(samples);
-  piece.extent = extentOf(piece.corners, grid.spacing());
-  piece.hollow = hollowOf(convexHullOf(piece.corners), grid);
+  piece.extent = extentOf(piece.summary, grid.spacing());
+  piece.hollow = hollowOf(convexHullOf(piece.summary.corners), grid);
   return piece;
+}
+
+/// One point for each cell of the grid, the first: where triangles are small there are no more.
+Points evenSamples(const DistanceGrid& grid) {
+  Points samples;
+  std::set<std::array<int, 3>> seen;
+  for (const Vector3d& sample : grid.surface()) {
+    const Eigen::Array4i cell = grid.inGrid(sample).cast<int>();
+    if (seen.insert({cell.x(), cell.y(), cell.z()}).second) {
+      samples.push_back(sample);
+    }
+  }
+  return samples;
 }
 
 /// The cheapest cut across one axis.
@@ -106,8 +82,14 @@ class AxisCut {
  public:
   AxisCut(const Piece& piece, const Vector3d& axis, double layer)
       : piece_(piece), layer_(layer), slabs_(piece.samples, axis) {
+    if (!slabs_.canBeCut()) {
+      return;
+    }
+    for (const Vector3d& sample : piece.samples) {
+      moments_[slabs_.slabOf(sample)].add(sample);
+    }
     constexpr int kStep = 5;
-    for (int cut = kStep; slabs_.canBeCut() && cut < Slabs::kCount; cut += kStep) {
+    for (int cut = kStep; cut < Slabs::kCount; cut += kStep) {
       consider(cut);
     }
     for (int cut = best_ - kStep + 1, end = best_ + kStep; best_ > 0 && cut < end; ++cut) {
@@ -122,11 +104,15 @@ class AxisCut {
   /// What is left, and how far it still reaches where that is all the same.
   void consider(int cut) {
     constexpr double kReach = 0.1;
-    const Points below = slabs_.pointsOf(0, cut);
-    const Points above = slabs_.pointsOf(cut, Slabs::kCount);
-    if (below.empty() || above.empty()) {
+    PointSummary below{slabs_.pointsOf(0, cut), {}};
+    PointSummary above{slabs_.pointsOf(cut, Slabs::kCount), piece_.summary.moments};
+    if (below.corners.empty() || above.corners.empty()) {
       return;
     }
+    for (int slab = 0; slab < cut; ++slab) {
+      below.moments.add(moments_[static_cast<std::size_t>(slab)]);
+    }
+    above.moments.add(below.moments, -1.0);
     const Extent& whole = piece_.extent;
     const Extent one = extentOf(below, layer_);
     const Extent other = extentOf(above, layer_);
@@ -141,6 +127,7 @@ class AxisCut {
   const Piece& piece_;
   double layer_;
   Slabs slabs_;
+  std::array<Moments, Slabs::kCount> moments_;
   int best_{0};
   double cost_{std::numeric_limits<double>::infinity()};
 };
@@ -162,7 +149,7 @@ std::vector<Piece> cutToPieces(const DistanceGrid& grid, double target,
                                std::vector<PartCut>& cuts) {
   constexpr double kGridError = 1.5;  // spacings
   const double tolerance = std::max(target, kGridError * grid.spacing());
-  std::vector<Piece> pieces{makePiece(0, grid.surface(), grid)};
+  std::vector<Piece> pieces{makePiece(0, evenSamples(grid), grid)};
   while (pieces.size() < kMostPieces) {
     const auto worst =
         std::max_element(pieces.begin(), pieces.end(),
@@ -192,20 +179,23 @@ std::vector<Piece> cutToPieces(const DistanceGrid& grid, double target,
 struct Join {
   std::size_t a{0};
   std::size_t b{0};
-  Points corners;
+  PointSummary summary;
   Extent extent;
   double growth{0.0};  ///< [m^3]
 };
 
 Join joinOf(const std::vector<Piece>& pieces, std::size_t a, std::size_t b, double layer) {
-  Join join{a, b, pieces[a].corners, {}, 0.0};
-  join.corners.insert(join.corners.end(), pieces[b].corners.begin(), pieces[b].corners.end());
-  join.extent = extentOf(join.corners, layer);
+  Join join{a, b, pieces[a].summary, {}, 0.0};
+  const PointSummary& other = pieces[b].summary;
+  join.summary.corners.insert(join.summary.corners.end(), other.corners.begin(),
+                              other.corners.end());
+  join.summary.moments.add(other.moments);
+  join.extent = extentOf(join.summary, layer);
   join.growth = join.extent.bulk - pieces[a].extent.bulk - pieces[b].extent.bulk;
   return join;
 }
 
-/// Joins until `most_shapes` are left and more would cost something. Pieces without parts are gone.
+/// Joins until `most_shapes` are left and more would cost something.
 void joinPieces(std::size_t most_shapes, double layer, std::vector<Piece>& pieces) {
   constexpr double kFree = 0.02;  // of the common bulk
   std::vector<Join> joins;
@@ -225,7 +215,7 @@ void joinPieces(std::size_t most_shapes, double layer, std::vector<Piece>& piece
     Piece& joined = pieces[best.a];
     Piece& gone = pieces[best.b];
     joined.parts.insert(joined.parts.end(), gone.parts.begin(), gone.parts.end());
-    joined.corners = best.corners;
+    joined.summary = best.summary;
     joined.extent = best.extent;
     gone.parts.clear();
     const auto isOfThem = [&](const Join& join) {

@@ -18,11 +18,11 @@ struct CutPlan {
 };
 
 /// Cuts a surface until each piece nearly fills its convex hull, or there are many, and joins again
-/// what has a common hull hardly larger than their own: for frames, rings, forks and tables, where
+/// what has a common box hardly larger than its own: for frames, rings, forks and tables, where
 /// a cut is worth nothing before others have followed.
 ///
-/// The hollowest piece is cut, where the hulls of both sides are smallest; in the middle, if that
-/// is all the same. Then the two pieces are joined whose hull grows least, until there are no more
+/// The hollowest piece is cut, where the boxes of both sides, and those with their scatter, are
+/// smallest; in the middle, if that is all the same. Then the two pieces are joined whose boxes grow least, until there are no more
 /// than `most_shapes` and the next would grow.
 /// @param grid of the surface, in the geometry's frame.
 /// @param target [m] pieces whose hull is no farther from the surface are not cut.

@@ -37,10 +37,13 @@ Slabs::Slabs(const Points& samples, const Eigen::Vector3d& axis) : samples_(&sam
     return;
   }
   for (std::uint32_t i = 0; i < samples.size(); ++i) {
-    const double height = (axis.dot(samples[i]) - low_) / thickness_;
-    const int slab = std::clamp(static_cast<int>(height), 0, kCount - 1);
-    add(i, slabs_[static_cast<std::size_t>(slab)]);
+    add(i, slabs_[slabOf(samples[i])]);
   }
+}
+
+std::size_t Slabs::slabOf(const Eigen::Vector3d& sample) const noexcept {
+  const double height = (axis_.dot(sample) - low_) / thickness_;
+  return static_cast<std::size_t>(std::clamp(static_cast<int>(height), 0, kCount - 1));
 }
 
 void Slabs::Extremes::add(const Extremes& other) {

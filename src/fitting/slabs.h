@@ -24,6 +24,8 @@ class Slabs {
 
   /// False for a part without extent along the axis.
   bool canBeCut() const noexcept { return thickness_ > 0.0; }
+  /// @pre canBeCut().
+  std::size_t slabOf(const Eigen::Vector3d& sample) const noexcept;
   /// The plane below which `below` slabs are.
   CutPlane plane(int below) const noexcept { return {axis_, low_ + below * thickness_}; }
   /// The farthest points of the slabs [first, last) in many directions, each once; none if these
