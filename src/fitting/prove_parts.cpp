@@ -13,6 +13,12 @@
 namespace collision_monitor {
 namespace {
 
+/// Heights over a plane of a huge normal overflow, and a corner without height is on neither side.
+bool isPlane(const PartCut& cut) {
+  constexpr double kUnit = 1e-6;
+  return std::abs(cut.normal.squaredNorm() - 1.0) <= kUnit && std::isfinite(cut.offset);
+}
+
 bool isSound(const Fit& fit) {
   const std::size_t parts = fit.shape_of.empty() ? fit.shapes.size() : fit.shape_of.size();
   if (fit.shapes.empty() || fit.cuts.size() + 1 != parts) {
@@ -23,8 +29,7 @@ bool isSound(const Fit& fit) {
     return false;
   }
   for (std::size_t i = 0; i < fit.cuts.size(); ++i) {
-    const PartCut& cut = fit.cuts[i];
-    if (cut.part > i || !cut.normal.allFinite() || !std::isfinite(cut.offset)) {
+    if (fit.cuts[i].part > i || !isPlane(fit.cuts[i])) {
       return false;
     }
   }

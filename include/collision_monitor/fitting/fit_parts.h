@@ -50,8 +50,8 @@ std::vector<Fit> fitGeometries(const std::vector<Geometry>& geometries, const Fi
 
 /// An upper bound of how far the geometry lies outside the fit, valid in exact arithmetic: <= 0
 /// proves that the union encloses it. For fits that come from a file.
-/// Limits: infinity when the fit is malformed (no shapes, cuts of parts that are not there, numbers
-/// that are not finite).
+/// Limits: infinity when the fit is malformed (no shapes, cuts of parts that are not there or with
+/// normals that are not unit, numbers that are not finite).
 double provenExcess(const Geometry& geometry, const Fit& fit);
 
 }  // namespace collision_monitor

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "geometry/constants.h"
@@ -265,6 +266,20 @@ TEST(ProvenExcess, malformedFit_isInfinite) {
   fit.shapes[0].shape = Sphere{kInfinity};
   EXPECT_EQ(provenExcess(mesh, fit), kInfinity);
   EXPECT_EQ(provenExcess(mesh, Fit{}), kInfinity);
+}
+
+TEST(ProvenExcess, cutWhoseNormalIsNotUnit_isInfinite) {
+  const TriangleMesh mesh = moved(angleIron(), Vector3d::Zero(), {10.0, 10.0, 10.0});
+  Fit fit = fitGeometries({mesh}, upTo(2)).front();
+  EXPECT_LE(provenExcess(mesh, fit), 0.0);
+  fit.shapes[0].shape = fit.shapes[1].shape = Sphere{1e-6};
+  // With the first, the height of every vertex is infinity less infinity.
+  constexpr double kHuge = std::numeric_limits<double>::max();
+  for (const Vector3d& normal :
+       {Vector3d(kHuge, -kHuge, kHuge), Vector3d(1e200, 0.0, 0.0), Vector3d(0.0, 0.0, 0.0)}) {
+    fit.cuts[0].normal = normal;
+    EXPECT_EQ(provenExcess(mesh, fit), kInfinity) << normal.transpose();
+  }
 }
 
 TEST(ProvenExcess, exactShape_needsNoRoom) {
