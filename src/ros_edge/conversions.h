@@ -48,6 +48,9 @@ void toUnknownMessage(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance&
 /// without points.
 void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& message);
 
+/// Whether a measured pair is one of `contacts`: those that hysteresis keeps in contact are, too.
+bool isInContact(const Watch& watch, const PairDistance& distance);
+
 void toMessage(const Watch& watch, Contacts& message);
 void toMessage(const Watch& watch, const VerdictChange& change, Warning& message);
 /// A pair that another set-up checks no more: clear as far as that goes, without numbers.

@@ -8,16 +8,6 @@
 namespace collision_monitor {
 namespace {
 
-/// A pair that hysteresis keeps in contact is still listed; one that only passed is listed as that.
-bool isInContact(const Watch& watch, const PairDistance& distance) {
-  const std::uint32_t link_pair = watch.setup().link_pair_of[index(distance.pair)];
-  const Limits& limits = watch.setup().checked[link_pair].limits;
-  const PairEvents& events = watch.buffers.events;
-  const double kept = events.passed[link_pair] == kNone ? limits.hysteresis : 0.0;
-  return events.verdicts[link_pair] == Verdict::contact &&
-         isTouching(distance, limits.contact_distance + kept);
-}
-
 void fillOnePoint(const SignedDistance& measured, Contact& message) {
   message.points.resize(1);
   toMessage(0.5 * (measured.point_on_a + measured.point_on_b), message.points.front());
@@ -72,6 +62,16 @@ void fill(const Watch& watch, const PassedContact& passed, Contact& message) {
 }
 
 }  // namespace
+
+bool isInContact(const Watch& watch, const PairDistance& distance) {
+  const std::uint32_t link_pair = watch.setup().link_pair_of[index(distance.pair)];
+  const Limits& limits = watch.setup().checked[link_pair].limits;
+  const PairEvents& events = watch.buffers.events;
+  // One that only passed is listed as that.
+  const double kept = events.passed[link_pair] == kNone ? limits.hysteresis : 0.0;
+  return events.verdicts[link_pair] == Verdict::contact &&
+         isTouching(distance, limits.contact_distance + kept);
+}
 
 void toMessage(const Watch& watch, Contacts& message) {
   message.header = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);

@@ -127,27 +127,30 @@ Marker& Markers::add(const char* name_space, int id, int type) {
 }
 
 void Markers::addContacts(const Watch& watch) {
-  const CycleSetup& setup = watch.setup();
   for (const PairDistance& distance : watch.buffers.distances.measured) {
-    const std::uint32_t link_pair = setup.link_pair_of[index(distance.pair)];
-    if (watch.buffers.events.verdicts[link_pair] != Verdict::contact ||
-        !isTouching(distance, setup.checked[link_pair].limits.contact_distance)) {
-      continue;
+    if (isInContact(watch, distance)) {
+      addContact(distance);
     }
-    const SignedDistance& measured = distance.measured;
-    const Eigen::Vector3d middle = 0.5 * (measured.point_on_a + measured.point_on_b);
-    const int id = 2 * static_cast<int>(index(distance.pair));
-    Marker& point = add("contacts", id, Marker::SPHERE);
-    toMessage(middle, point.pose.position);
-    toMessage(Eigen::Vector3d::Constant(kPointSize), point.scale);
-    point.color = colourOf(Verdict::contact, 1.0F);
-    Marker& normal = add("contacts", id + 1, Marker::ARROW);
-    normal.points.resize(2);
-    toMessage(middle, normal.points[0]);
-    toMessage(middle + kNormalLength * measured.normal_a_to_b, normal.points[1]);
-    toMessage(Eigen::Vector3d(kLineWidth, 2.0 * kLineWidth, 0.0), normal.scale);
-    normal.color = colourOf(Verdict::contact, 1.0F);
   }
+  for (const PassedContact& passed : watch.buffers.distances.passed) {
+    addContact(passed.distance);
+  }
+}
+
+void Markers::addContact(const PairDistance& distance) {
+  const SignedDistance& measured = distance.measured;
+  const Eigen::Vector3d middle = 0.5 * (measured.point_on_a + measured.point_on_b);
+  const int id = 2 * static_cast<int>(index(distance.pair));
+  Marker& point = add("contacts", id, Marker::SPHERE);
+  toMessage(middle, point.pose.position);
+  toMessage(Eigen::Vector3d::Constant(kPointSize), point.scale);
+  point.color = colourOf(Verdict::contact, 1.0F);
+  Marker& normal = add("contacts", id + 1, Marker::ARROW);
+  normal.points.resize(2);
+  toMessage(middle, normal.points[0]);
+  toMessage(middle + kNormalLength * measured.normal_a_to_b, normal.points[1]);
+  toMessage(Eigen::Vector3d(kLineWidth, 2.0 * kLineWidth, 0.0), normal.scale);
+  normal.color = colourOf(Verdict::contact, 1.0F);
 }
 
 void Markers::addDistances(const Watch& watch) {

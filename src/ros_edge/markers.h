@@ -17,9 +17,10 @@ namespace collision_monitor {
 ///
 /// Namespaces: `shapes` (id = body; green clear, yellow warning, red contact, grey
 /// unknown where the link was last seen), `contacts` (ids 2 n and 2 n + 1 = point and normal of
-/// pair n of bodies), `distances` (id = pair of links) and `labels` (the same; of pairs that
-/// are not clear and of the closest; ">= " stands before a lower bound, "<= " before an estimate).
-/// A marker whose reason is gone is deleted. Shapes are triangulated once, at set-up.
+/// pair n of bodies, for the same pairs as the topic `contacts`), `distances` (id = pair of links)
+/// and `labels` (the same; of pairs that are not clear and of the closest; ">= " stands before a
+/// lower bound, "<= " before an estimate). A marker whose reason is gone is deleted. Shapes are
+/// triangulated once, at set-up.
 class Markers {
  public:
   /// The first array deletes what another set-up may have left.
@@ -35,6 +36,7 @@ class Markers {
   void addShapes(const BodyPoses& poses);
   void placeShapes(const Watch& watch);
   void addContacts(const Watch& watch);
+  void addContact(const PairDistance& distance);
   void addDistances(const Watch& watch);
   void addDeletions();
   visualization_msgs::Marker& add(const char* name_space, int id, int type);

@@ -56,6 +56,34 @@ TEST_F(MarkersTest, ofAnEstimateOfADepthThatIsAllowed_areThoseOfAContact) {
   EXPECT_EQ(count(Markers(*watch).draw(*watch), "contacts", visualization_msgs::Marker::ADD), 2U);
 }
 
+TEST_F(MarkersTest, ofAPairThatHysteresisKeepsInContact_areThoseOfAContact) {
+  SetupOptions options;
+  options.limits.hysteresis = 0.01;
+  setup_ = slidingSetup(options);
+  const auto watch = this->watch(posesAt(-0.31));
+  runCycle(watch->setup(), posesAt(-0.295), watch->buffers);
+  Contacts contacts;
+  toMessage(*watch, contacts);
+  ASSERT_EQ(contacts.contacts.size(), 1U);
+  EXPECT_EQ(count(Markers(*watch).draw(*watch), "contacts", visualization_msgs::Marker::ADD), 2U);
+}
+
+TEST_F(MarkersTest, ofAContactBetweenTwoCycles_areWhereItWas) {
+  const auto watch = this->watch(posesAt(0.25));
+  watch->poses = posesAt(-1.25);
+  watch->poses.stamp_ns += 30'000'000;
+  runCycle(watch->setup(), watch->poses, watch->buffers);
+  Contacts contacts;
+  toMessage(*watch, contacts);
+  ASSERT_EQ(contacts.contacts.size(), 1U);
+  Markers markers(*watch);
+  const auto array = markers.draw(*watch);
+  ASSERT_EQ(count(array, "contacts", visualization_msgs::Marker::ADD), 2U);
+  const auto point = std::find_if(array.markers.begin(), array.markers.end(),
+                                  [](const auto& marker) { return marker.ns == "contacts"; });
+  EXPECT_NEAR(point->pose.position.x, contacts.contacts[0].points[0].x, 1e-12);
+}
+
 TEST_F(MarkersTest, ofAnUnknownLink_areGreyWhereItWasSeen) {
   const auto known = watch(posesAt(0.25));
   Markers markers(*known);
