@@ -56,7 +56,7 @@ bool findClosestAndSoonest(const CycleSetup& setup, const PairDistances& distanc
     if (is_nearer(i, events.closest_of_all)) {
       events.closest_of_all = i;
     }
-    if (measured[i].quality == Quality::estimate) {
+    if (measured[i].quality == Quality::estimate && is_nearer(i, events.estimated[link_pair])) {
       events.estimated[link_pair] = i;
     }
     const double time = measured[i].time_to_contact;
@@ -68,6 +68,34 @@ bool findClosestAndSoonest(const CycleSetup& setup, const PairDistances& distanc
     has_unknown = has_unknown || std::isnan(time);
   }
   return has_unknown;
+}
+
+/// A contact that is certain stands for its links before a bound that is deeper.
+void preferEstimate(const PairDistances& distances, std::size_t link_pair,
+                    PairEvents& events) noexcept {
+  std::uint32_t& closest = events.closest[link_pair];
+  if (events.estimated[link_pair] != kNone &&
+      distances.measured[closest].quality == Quality::lower_bound) {
+    closest = events.estimated[link_pair];
+  }
+}
+
+/// Anew if it was one that an estimate now stands before.
+void findClosestOfAll(const CycleSetup& setup, const PairDistances& distances,
+                      PairEvents& events) noexcept {
+  std::uint32_t& nearest = events.closest_of_all;
+  const auto& measured = distances.measured;
+  if (nearest == kNone ||
+      events.closest[setup.link_pair_of[index(measured[nearest].pair)]] == nearest) {
+    return;
+  }
+  nearest = kNone;
+  for (const std::uint32_t closest : events.closest) {
+    if (closest != kNone && (nearest == kNone || measured[closest].measured.distance <
+                                                     measured[nearest].measured.distance)) {
+      nearest = closest;
+    }
+  }
 }
 
 void findPassed(const CycleSetup& setup, const PairDistances& distances,
@@ -134,6 +162,7 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
   events.overall = Verdict::clear;
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     Verdict& reported = memory.reported[i];
+    preferEstimate(distances, i, events);
     const Verdict verdict = isKnown(body_poses, setup.checked[i])
                                 ? judgeLinkPair(setup, distances, events, i, memory)
                                 : Verdict::unknown;
@@ -148,6 +177,7 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
       reported = verdict;
     }
   }
+  findClosestOfAll(setup, distances, events);
   if (has_unknown && events.time_to_contact == kNever) {
     events.time_to_contact = kUnknown;
   }

@@ -83,16 +83,37 @@ struct Scene {
   CycleBuffers buffers;
 };
 
-/// One entry a pair of links, its nearest shapes; nearest pairs first, then the unknown ones.
-void fillDistances(const CycleSetup& setup, const Selection& selection, const Scene& scene,
-                   double max_distance, Distances& message) {
+/// By LinkPairIndex: the nearest shapes, null if none were measured. A contact that is certain
+/// stands before a bound that is deeper.
+std::vector<const PairDistance*> nearestOf(const CycleSetup& setup,
+                                           const std::vector<PairDistance>& measured) {
   std::vector<const PairDistance*> nearest(setup.checked.size(), nullptr);
-  for (const PairDistance& distance : scene.buffers.distances.measured) {
-    const PairDistance*& best = nearest[setup.link_pair_of[index(distance.pair)]];
+  std::vector<const PairDistance*> estimated(setup.checked.size(), nullptr);
+  const auto improve = [](const PairDistance& distance, const PairDistance*& best) {
     if (best == nullptr || distance.measured.distance < best->measured.distance) {
       best = &distance;
     }
+  };
+  for (const PairDistance& distance : measured) {
+    const std::uint32_t link_pair = setup.link_pair_of[index(distance.pair)];
+    improve(distance, nearest[link_pair]);
+    if (distance.quality == Quality::estimate) {
+      improve(distance, estimated[link_pair]);
+    }
   }
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    if (estimated[i] != nullptr && nearest[i]->quality == Quality::lower_bound) {
+      nearest[i] = estimated[i];
+    }
+  }
+  return nearest;
+}
+
+/// One entry a pair of links, its nearest shapes; nearest pairs first, then the unknown ones.
+void fillDistances(const CycleSetup& setup, const Selection& selection, const Scene& scene,
+                   double max_distance, Distances& message) {
+  const std::vector<const PairDistance*> nearest =
+      nearestOf(setup, scene.buffers.distances.measured);
   std::vector<LinkDistance> unknown;
   GradientRows rows(setup, scene.poses);
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {

@@ -50,6 +50,28 @@ TEST_F(DistanceListTest, entryThatIsRefinedNow_namesElements) {
   EXPECT_EQ(list.fill(*watch).pairs[0].shape_a, "collision_0");
 }
 
+/// As of two links with several elements.
+TEST_F(DistanceListTest, contactThatIsCertain_isNotHiddenByADeeperBound) {
+  const auto watch = watchAt(-0.35);
+  CycleBuffers& buffers = watch->buffers;
+  std::vector<PairDistance>& measured = buffers.distances.measured;
+  PairDistance estimate = measured.at(buffers.events.closest_of_all);
+  estimate.quality = Quality::estimate;
+  estimate.measured.distance = -0.01;
+  measured.at(buffers.events.closest_of_all).quality = Quality::lower_bound;
+  PairDistance deeper = estimate;
+  deeper.measured.distance = -0.02;
+  measured.insert(measured.end(), {deeper, estimate});
+  judgePairs(setup_->setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
+  DistanceList list;
+  const Distances& message = list.fill(*watch);
+  ASSERT_EQ(message.pairs.size(), 1U);
+  EXPECT_EQ(message.closest, 0);
+  EXPECT_EQ(message.pairs[0].quality, LinkDistance::ESTIMATE);
+  EXPECT_EQ(message.pairs[0].distance, -0.02);
+  EXPECT_EQ(stateOf(*watch, facts()).closest.quality, LinkDistance::ESTIMATE);
+}
+
 TEST_F(DistanceListTest, listThatShrinksAndGrows_isAsNew) {
   SetupOptions options;
   options.limits.report_distance = 1.0;

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "edge_scene.h"
+#include "support/geometry_setup.h"
 
 namespace collision_monitor::test {
 namespace {
@@ -149,6 +151,27 @@ TEST_F(GetDistancesTest, namesAndPositionsOfDifferentNumber) {
   request_.joints.name = {"slide", "slide"};
   request_.joints.position = {0.0, 1.0};
   EXPECT_FALSE(ask().success) << "twice the same joint";
+}
+
+/// A box goes through an angle and, deeper, through a box that is padded as all of them are.
+TEST_F(GetDistancesTest, contactThatIsCertain_isNotHiddenByADeeperBound) {
+  SetupOptions options;
+  options.padding = 0.01;
+  Pose aside;
+  aside.translation = {0.5, 0.05, 0.0};
+  auto made = std::make_shared<MonitorSetup>();
+  made->setup =
+      linkSetup({{{"angle", Pose(), angleMesh()}, {"cube", aside, Box{{0.05, 0.05, 0.05}}}},
+                 {{"bar", Pose(), Box{{0.3, 0.04, 0.04}}}}},
+                options);
+  setup_ = made;
+  poses_ = makeLinkPoses(made->setup.model);
+  std::fill(poses_.status.begin(), poses_.status.end(), LinkStatus::known);
+  poses_.world_from_link[1].translation = {0.55, 0.05, 0.0};
+  const auto response = ask();
+  ASSERT_EQ(response.distances.pairs.size(), 1U) << response.message;
+  EXPECT_EQ(response.distances.pairs[0].quality, LinkDistance::ESTIMATE);
+  EXPECT_EQ(response.distances.pairs[0].shape_a, "angle");
 }
 
 TEST_F(GetDistancesTest, ignoredPairs_areNamedWithTheirReason) {
