@@ -29,8 +29,9 @@ TEST(BoxRows, rowsThatMeetComeInOrder) {
     BoxRows rows = cubesAlongX(count);
     setRow(0, 100, {{0, 0.5F, 0.5F, 0}, {100, 0.75F, 0.75F, 0}}, rows);
     std::vector<RowPair> hits(3 * count);  // the first meets all, others at most two behind them
-    for (const PairedRows found :
-         {pairRows(rows, 0, count, hits), sweepRows(rows, 0, count, 0, hits)}) {
+    for (const bool sweeps : {false, true}) {
+      const PairedRows found =
+          sweeps ? sweepRows(rows, 0, count, 0, hits) : pairRows(rows, 0, count, hits);
       ASSERT_EQ(found.next, count);
       ASSERT_GE(found.count, count - 1);
       for (std::uint32_t i = 1; i < count; ++i) {

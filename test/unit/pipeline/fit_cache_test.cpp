@@ -95,7 +95,9 @@ TEST(FitText, wellHashedNonsense_isRefused) {
   const std::string header = "collision_monitor fits 2\n";
   for (const std::string body :
        {"", "geometries 1\n", "geometries 99999999999999999999\n", "geometries x\n",
-        "geometries 0\nmore\n", "geometries 1\ngeometry 1 0 0 0 0 0\nshape ball 0 0 0 1\n",
+        "geometries 0\nmore\n",
+        "geometries 1\ngeometry 1 0 0 0 0 0\n"
+        "shape ball 0 0 0 1 1 0 0 0 1 0 0 0 1 0 0 0 0 0 0 0 exact\n",
         "geometries 1\ngeometry 1 0 0 0 0 0\n"
         "shape sphere 0 0 0 1 1 0 0 0 1 0 0 0 1 0 0 0 0 0 0 0 perhaps\n"}) {
     const std::string text = header + body;
@@ -160,10 +162,14 @@ TEST(FitCache, damagedFile_isCountedAndReplaced) {
 
 TEST(FitCache, otherVersion_isRefused) {
   const FilledCache filled;
-  std::string text = "collision_monitor fits 2\ngeometries 0\n";
-  text += "sha256 " + sha256(text) + "\n";
-  writeFile(filled.file, text);
-  EXPECT_FALSE(filled.isHit());
+  const std::string whole = test::readFile(filled.file);
+  const std::string fits =
+      whole.substr(whole.find('\n'), whole.rfind("sha256 ") - whole.find('\n'));
+  for (const std::string version : {"1", "2", "3"}) {
+    const std::string text = "collision_monitor fits " + version + fits;
+    writeFile(filled.file, text + "sha256 " + sha256(text) + "\n");
+    EXPECT_EQ(filled.isHit(), version == "2") << version;
+  }
 }
 
 TEST(FitCache, shapesThatDoNotEnclose_areRefused_wellHashedAsTheyAre) {
