@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
-#include <iterator>
 #include <random>
+#include <sstream>
 #include <system_error>
 #include <type_traits>
 #include <utility>
@@ -138,8 +138,10 @@ std::optional<std::vector<Fit>> FitCache::load(const std::string& key,
   if (!stream.is_open()) {
     return std::nullopt;
   }
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  std::optional<std::vector<Fit>> fits = fitsFromText(text);
+  // Iterators of the stream would throw where the disk fails.
+  std::ostringstream text;
+  text << stream.rdbuf();
+  std::optional<std::vector<Fit>> fits = fitsFromText(text.str());
   if (!fits || !holdFor(*fits, geometries)) {
     ++rejected_count_;
     return std::nullopt;

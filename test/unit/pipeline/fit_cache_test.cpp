@@ -160,6 +160,16 @@ TEST(FitCache, damagedFile_isCountedAndReplaced) {
   EXPECT_TRUE(filled.isHit());
 }
 
+/// As a disk that fails: there is something to open, and reading it is an error.
+TEST(FitCache, fileThatCannotBeRead_isRefused) {
+  const FilledCache filled;
+  fs::remove(filled.file);
+  fs::create_directory(filled.file);
+  FitCache cache(filled.folder.path());
+  EXPECT_FALSE(cache.load(filled.key, filled.geometries).has_value());
+  EXPECT_EQ(cache.rejectedCount(), 1U);
+}
+
 TEST(FitCache, otherVersion_isRefused) {
   const FilledCache filled;
   const std::string whole = test::readFile(filled.file);
