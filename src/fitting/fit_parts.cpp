@@ -93,7 +93,9 @@ void joinParts(const FitLimits& limits, std::vector<GeometryFit>& fits) {
     if (fit.fitter && fit.fitter->isCoarse() &&
         fit.best().overshoot.max > limits.target_overshoot) {
       const std::size_t others = shapes - fit.best().shapes.size();
-      fit.fitter->cutAndJoin(limits.max_shapes - others, limits.target_overshoot);
+      // Each geometry has a shape, also where there are more geometries than shapes.
+      const std::size_t most = std::max(std::size_t{limits.max_shapes}, others + 1) - others;
+      fit.fitter->cutAndJoin(most, limits.target_overshoot);
       shapes = others + fit.best().shapes.size();
     }
   }

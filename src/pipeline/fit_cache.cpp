@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Part of every key: to be changed with every change of fitting that gives other shapes.
-const std::string kMethod = "collision_monitor fits, method 6";
+const std::string kMethod = "collision_monitor fits, method 7";
 
 /// Appends the bytes of plain values, so that no two different lists give the same bytes.
 struct Bytes {

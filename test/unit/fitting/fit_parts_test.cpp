@@ -136,6 +136,9 @@ TEST(FitGeometries, fewerShapesThanGeometries_eachHasOneAllTheSame) {
   for (const auto& fit : fits) {
     EXPECT_EQ(fit.shapes.size(), 1u);
   }
+  for (const Fit& fit : fitGeometries(std::vector<Geometry>(4, barFrame()), upTo(2))) {
+    EXPECT_EQ(fit.shapes.size(), 1u);
+  }
 }
 
 TEST(FitGeometries, noGeometry_noFits) { EXPECT_TRUE(fitGeometries({}, upTo(8)).empty()); }
