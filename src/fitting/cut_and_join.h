@@ -22,8 +22,8 @@ struct CutPlan {
 /// a cut is worth nothing before others have followed.
 ///
 /// The hollowest piece is cut, where the boxes of both sides, and those with their scatter, are
-/// smallest; in the middle, if that is all the same. Then the two pieces are joined whose boxes grow least, until there are no more
-/// than `most_shapes` and the next would grow.
+/// smallest; in the middle, if that is all the same. Then the two pieces are joined whose boxes
+/// grow least, until there are no more than `most_shapes` and the next would grow.
 /// @param grid of the surface, in the geometry's frame.
 /// @param target [m] pieces whose hull is no farther from the surface are not cut.
 /// @pre most_shapes > 0.

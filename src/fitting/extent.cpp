@@ -4,22 +4,16 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "fitting/rough_fit.h"
+
 namespace collision_monitor {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// [m] The sides of a box about points.
 Vector3d sidesOf(const Points& points, const Matrix3d& axes) {
-  Vector3d low = axes.transpose() * points.front();
-  Vector3d high = low;
-  for (const Vector3d& point : points) {
-    const Vector3d in_frame = axes.transpose() * point;
-    low = low.cwiseMin(in_frame);
-    high = high.cwiseMax(in_frame);
-  }
-  return high - low;
+  return 2.0 * boxAround(axes, points).half_extents;
 }
 
 }  // namespace

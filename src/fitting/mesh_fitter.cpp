@@ -23,16 +23,6 @@ Points representing(const Points& corners) {
              : extremePoints(corners, spreadDirections(kRepresentatives));
 }
 
-double diagonalOf(const Points& points) {
-  Eigen::Vector3d low = points.front();
-  Eigen::Vector3d high = low;
-  for (const auto& point : points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  return (high - low).norm();
-}
-
 PosedShape placed(const Enclosure& enclosure) {
   return {enclosure.shape, enclosure.geometry_from_body};
 }
@@ -59,7 +49,7 @@ MeshFitter::Part MeshFitter::wholePart() const {
 void MeshFitter::start(const Enclosure& whole) {
   parts_.push_back(wholePart());
   parts_.back().enclosure = whole;
-  size_ = diagonalOf(parts_.back().samples);
+  size_ = 2.0 * boxAround(Eigen::Matrix3d::Identity(), parts_.back().samples).half_extents.norm();
   best_.shapes.push_back(whole);
   best_.overshoot = whole.overshoot;
 }

@@ -19,22 +19,6 @@ enum Kind : std::size_t { kSphere, kCapsule, kBox, kRoundedBox };
 // Of the least half extent of a box: what its edges are rounded by.
 constexpr double kRoundings[] = {0.3, 0.6, 1.0};
 
-/// The least box of a frame around the points.
-PlacedCore boxAround(const Matrix3d& frame, const Points& points) {
-  Vector3d low = frame.transpose() * points.front();
-  Vector3d high = low;
-  for (const auto& point : points) {
-    const Vector3d at = frame.transpose() * point;
-    low = low.cwiseMin(at);
-    high = high.cwiseMax(at);
-  }
-  PlacedCore core;
-  core.rotation = frame;
-  core.centre = frame * (0.5 * (low + high));
-  core.half_extents = 0.5 * (high - low);
-  return core;
-}
-
 /// Whether the point is strictly inside the core with its radius.
 bool holds(const PlacedCore& core, const Vector3d& point) {
   const Vector3d offset = point - core.centre;
@@ -120,6 +104,21 @@ RoughFit polishedIn(const RoughFit& fit, const Points& points, const RoughGoal& 
 }
 
 }  // namespace
+
+PlacedCore boxAround(const Matrix3d& frame, const Points& points) {
+  Vector3d low = frame.transpose() * points.front();
+  Vector3d high = low;
+  for (const auto& point : points) {
+    const Vector3d at = frame.transpose() * point;
+    low = low.cwiseMin(at);
+    high = high.cwiseMax(at);
+  }
+  PlacedCore core;
+  core.rotation = frame;
+  core.centre = frame * (0.5 * (low + high));
+  core.half_extents = 0.5 * (high - low);
+  return core;
+}
 
 OvershootSum RoughGoal::overshootOf(const PlacedCore& core, double bound) const noexcept {
   constexpr double kNear = 0.05;  // of the size: a shape's own face at the plane

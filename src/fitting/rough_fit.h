@@ -38,6 +38,9 @@ struct RoughFit {
   double cost{std::numeric_limits<double>::infinity()};  ///< [m]
 };
 
+/// The least box along a frame's axes around points. @pre there is a point.
+PlacedCore boxAround(const Eigen::Matrix3d& frame, const Points& points);
+
 /// The best of some shapes with axes along one of the frames. Encloses the points.
 RoughFit fitRoughly(const Points& points, const std::vector<Eigen::Matrix3d>& frames,
                     const RoughGoal& goal);

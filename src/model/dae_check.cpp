@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "model/xml_document.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -18,11 +20,6 @@ using tinyxml2::XMLElement;
 [[noreturn]] void refuse(const XMLElement& element, const std::string& fault) {
   throw std::runtime_error("line " + std::to_string(element.GetLineNum()) + ": <" + element.Name() +
                            "> " + fault);
-}
-
-std::string textOf(const XMLElement& element, const char* attribute) {
-  const char* text = element.Attribute(attribute);
-  return text == nullptr ? "" : text;
 }
 
 /// Calls `look` with each element of a name.
@@ -53,7 +50,7 @@ using ArraySizes = std::map<std::string, std::uint64_t>;  ///< by id
 /// Source: COLLADA 1.4.1, chapter 5: values from `offset` on, `stride` from one to the next, of
 /// each as many as there are parameters.
 void checkAccessor(const XMLElement& accessor, const ArraySizes& size_of) {
-  const std::string source = textOf(accessor, "source");
+  const std::string source = attributeOf(accessor, "source");
   const auto array = size_of.find(source.substr(std::min<std::size_t>(1, source.size())));
   const std::uint64_t count = accessor.UnsignedAttribute("count");
   if (array == size_of.end() || count == 0) {
@@ -90,7 +87,7 @@ void checkDaeArrays(const std::string& bytes) {
   }
   ArraySizes size_of;
   forElements("float_array", document, [&](const XMLElement& array) {
-    size_of[textOf(array, "id")] = array.UnsignedAttribute("count");
+    size_of[attributeOf(array, "id")] = array.UnsignedAttribute("count");
   });
   forElements("accessor", document,
               [&](const XMLElement& accessor) { checkAccessor(accessor, size_of); });

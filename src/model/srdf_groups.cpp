@@ -10,16 +10,12 @@
 #include <utility>
 
 #include "model/frame_names.h"
+#include "model/xml_document.h"
 
 namespace collision_monitor {
 namespace {
 
 using tinyxml2::XMLElement;
-
-std::string textOf(const XMLElement& element, const char* attribute) {
-  const char* text = element.Attribute(attribute);
-  return text == nullptr ? "" : text;
-}
 
 /// Reads the groups of one robot and remembers names that lead nowhere.
 ///
@@ -33,9 +29,9 @@ class GroupReader {
          e = e->NextSiblingElement()) {
       if (std::strcmp(e->Name(), "group") == 0) {
         // A second group of a name adds to the first.
-        elements_[textOf(*e, "name")].push_back(e);
+        elements_[attributeOf(*e, "name")].push_back(e);
       } else if (std::strcmp(e->Name(), "virtual_joint") == 0) {
-        child_of_virtual_joint_[textOf(*e, "name")] = textOf(*e, "child_link");
+        child_of_virtual_joint_[attributeOf(*e, "name")] = attributeOf(*e, "child_link");
       }
     }
   }
@@ -72,13 +68,14 @@ class GroupReader {
                  std::set<LinkId>& links) {
     const std::string kind = member.Name();
     if (kind == "link") {
-      addIfFound(findLink(textOf(member, "name")), links);
+      addIfFound(findLink(attributeOf(member, "name")), links);
     } else if (kind == "joint" || kind == "passive_joint") {
-      addIfFound(findChildOf(textOf(member, "name")), links);
+      addIfFound(findChildOf(attributeOf(member, "name")), links);
     } else if (kind == "chain") {
-      addChain(findLink(textOf(member, "base_link")), findLink(textOf(member, "tip_link")), links);
+      addChain(findLink(attributeOf(member, "base_link")),
+               findLink(attributeOf(member, "tip_link")), links);
     } else if (kind == "group") {
-      addGroup(textOf(member, "name"), visited, links);
+      addGroup(attributeOf(member, "name"), visited, links);
     }
   }
 
@@ -160,7 +157,7 @@ std::vector<LinkGroup> readGroups(const XMLElement& root, RobotId robot, const R
   std::set<std::string> names;
   for (const XMLElement* e = root.FirstChildElement("group"); e != nullptr;
        e = e->NextSiblingElement("group")) {
-    const std::string name = textOf(*e, "name");
+    const std::string name = attributeOf(*e, "name");
     if (names.insert(name).second) {
       groups.push_back({name, reader.linksOf(name)});
     }

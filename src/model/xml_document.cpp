@@ -72,6 +72,11 @@ const XMLElement* findXacro(const XMLElement& root) {
 
 }  // namespace
 
+std::string attributeOf(const XMLElement& element, const char* attribute) {
+  const char* text = element.Attribute(attribute);
+  return text == nullptr ? "" : text;
+}
+
 const XMLElement* parseRobotXml(const std::string& text, const std::string& kind,
                                 const Place& place, XMLDocument& document) {
   const std::string accepted = "the XML of one " + kind + " with the root element <robot>";

@@ -20,6 +20,9 @@ namespace collision_monitor {
 const tinyxml2::XMLElement* parseRobotXml(const std::string& text, const std::string& kind,
                                           const Place& place, tinyxml2::XMLDocument& document);
 
+/// The attribute as it stands; empty where there is none.
+std::string attributeOf(const tinyxml2::XMLElement& element, const char* attribute);
+
 /// The attribute without surrounding white space; adds an error and returns
 /// nothing if it is missing or blank.
 std::optional<std::string> readText(const tinyxml2::XMLElement& element, const char* attribute,

@@ -20,7 +20,7 @@ FitProgress logLongFitting() {
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::seconds kBetween(3);
   return [next = Clock::now() + kBetween](const std::string& link, std::size_t done,
-                                         std::size_t total) mutable {
+                                          std::size_t total) mutable {
     if (done < total && Clock::now() >= next) {
       next = Clock::now() + kBetween;
       ROS_INFO_STREAM("fitting shapes to link '" << link << "' (" << done + 1 << " of " << total

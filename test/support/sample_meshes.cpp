@@ -27,6 +27,10 @@ TriangleMesh boxMesh(const Eigen::Vector3d& half_extents) {
   return mesh;
 }
 
+TriangleMesh boxMeshAt(const Eigen::Vector3d& half_extents, const Eigen::Vector3d& centre) {
+  return moved(boxMesh(half_extents), Eigen::Vector3d::Zero(), centre);
+}
+
 TriangleMesh prismMesh(double radius, double half_length, int sides) {
   TriangleMesh mesh;
   for (int i = 0; i < sides; ++i) {

@@ -14,18 +14,14 @@ namespace {
 
 using Eigen::Vector3d;
 using test::boxMesh;
+using test::boxMeshAt;
 using test::joined;
-using test::moved;
-
-TriangleMesh barAt(const Vector3d& half_extents, const Vector3d& centre) {
-  return moved(boxMesh(half_extents), Vector3d::Zero(), centre);
-}
 
 /// Two bars of 0.4 m along x, 0.3 m apart, and one of 0.3 m along y between their ends at x > 0.
 TriangleMesh threeBars() {
-  return joined(joined(barAt({0.2, 0.015, 0.015}, {0.0, 0.135, 0.0}),
-                       barAt({0.2, 0.015, 0.015}, {0.0, -0.135, 0.0})),
-                barAt({0.015, 0.15, 0.015}, {0.185, 0.0, 0.0}));
+  return joined(joined(boxMeshAt({0.2, 0.015, 0.015}, {0.0, 0.135, 0.0}),
+                       boxMeshAt({0.2, 0.015, 0.015}, {0.0, -0.135, 0.0})),
+                boxMeshAt({0.015, 0.15, 0.015}, {0.185, 0.0, 0.0}));
 }
 
 /// Points of the part of a plan, as its cuts say.

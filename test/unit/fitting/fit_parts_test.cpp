@@ -17,6 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 using test::boxMesh;
+using test::boxMeshAt;
 using test::joined;
 using test::moved;
 using test::prismMesh;
@@ -75,17 +76,12 @@ TEST(FitGeometries, piecesInARow_haveAShapeEach) {
   EXPECT_LT(fit.overshoot.max, 1e-3);
 }
 
-/// A bar of these half extents about a point.
-TriangleMesh bar(const Vector3d& half_extents, const Vector3d& centre) {
-  return moved(boxMesh(half_extents), Vector3d::Zero(), centre);
-}
-
 /// Two bars along x, two along y.
 TriangleMesh barFrame() {
-  const TriangleMesh along_x = joined(bar({0.2, 0.015, 0.015}, {0.0, 0.135, 0.0}),
-                                      bar({0.2, 0.015, 0.015}, {0.0, -0.135, 0.0}));
-  return joined(along_x, joined(bar({0.015, 0.15, 0.015}, {0.185, 0.0, 0.0}),
-                                bar({0.015, 0.15, 0.015}, {-0.185, 0.0, 0.0})));
+  const TriangleMesh along_x = joined(boxMeshAt({0.2, 0.015, 0.015}, {0.0, 0.135, 0.0}),
+                                      boxMeshAt({0.2, 0.015, 0.015}, {0.0, -0.135, 0.0}));
+  return joined(along_x, joined(boxMeshAt({0.015, 0.15, 0.015}, {0.185, 0.0, 0.0}),
+                                boxMeshAt({0.015, 0.15, 0.015}, {-0.185, 0.0, 0.0})));
 }
 
 TEST(FitGeometries, frameOfFourBars_hasAShapeForEach) {
@@ -96,10 +92,10 @@ TEST(FitGeometries, frameOfFourBars_hasAShapeForEach) {
 }
 
 TEST(FitGeometries, tableOnFourLegs_hasAShapeForEachAndForItsTop) {
-  TriangleMesh table = bar({0.3, 0.2, 0.015}, {0.0, 0.0, 0.3});
+  TriangleMesh table = boxMeshAt({0.3, 0.2, 0.015}, {0.0, 0.0, 0.3});
   for (const double x : {-0.28, 0.28}) {
     for (const double y : {-0.18, 0.18}) {
-      table = joined(table, bar({0.015, 0.015, 0.15}, {x, y, 0.15}));
+      table = joined(table, boxMeshAt({0.015, 0.015, 0.15}, {x, y, 0.15}));
     }
   }
   const Fit fit = fitGeometries({table}, upTo(8)).front();
