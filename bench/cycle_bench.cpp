@@ -102,7 +102,8 @@ class Stages {
     keepNear(setup, buffers);
     end("7 measurePairs, keepNear");
     refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
-    end("8 refinePairs");
+    measureWaiting(setup, buffers);
+    end("8 refinePairs, measureWaiting");
     measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
     end("9 measureClosest");
     if (setup.is_continuous) {

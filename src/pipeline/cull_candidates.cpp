@@ -40,17 +40,27 @@ void keepUnless(const IsFar& is_far, std::vector<PairId>& candidates) noexcept {
   candidates.resize(kept);
 }
 
-/// By the distances that were measured before, less the ways since.
+/// By the distances that were measured before, less the ways since. Of elements that were refined
+/// in the last cycle, and hence will most likely be in this one, all but the nearest bodies wait.
 void cullByGaps(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   constexpr double kRounding = 1e-9;  // of what was measured then, and of what would be now
   const KnownGaps& gaps = buffers.memory.gaps;
   const NearBodies near = nearBodies(setup, buffers);
+  buffers.waiting.clear();
   const auto isFar = [&](PairId id) {
     const BodyWay& a = gaps.ways[index(setup.table[id].a)];
     const BodyWay& b = gaps.ways[index(setup.table[id].b)];
-    const double gap = gaps.of_pair[index(id)] - (a.all + b.all);
-    const double nearest = gaps.nearest[setup.element_pair_of[index(id)]] + (a.of_link + b.of_link);
-    return gap > near.limitOf(id, nearest) + kRounding;
+    const ElementPairIndex elements = setup.element_pair_of[index(id)];
+    const double gap = gaps.of_pair[index(id)] - (a.all + b.all) - kRounding;
+    const double nearest = gaps.nearest[elements] + (a.of_link + b.of_link);
+    if (gap > near.limitOf(id, nearest)) {
+      return true;
+    }
+    const bool waits = gap > nearest && buffers.refine.is_measured[elements] != 0;
+    if (waits) {
+      buffers.waiting.push_back(id);
+    }
+    return waits;
   };
   keepUnless(isFar, buffers.candidates);
 }

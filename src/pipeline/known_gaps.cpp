@@ -58,6 +58,30 @@ void beginAnew(const PairTable& table, KnownGaps& gaps) noexcept {
   }
 }
 
+/// Of what was measured from `first` on.
+void keepNearFrom(const CycleSetup& setup, std::size_t first, CycleBuffers& buffers) noexcept {
+  KnownGaps& gaps = buffers.memory.gaps;
+  auto& measured = buffers.distances.measured;
+  const auto begin = measured.begin() + static_cast<std::ptrdiff_t>(first);
+  std::for_each(begin, measured.end(), [&](const PairDistance& distance) {
+    const double value = distance.measured.distance;
+    rememberGap(value, setup.table[distance.pair], distance.pair, gaps);
+    const ElementPairIndex pair = setup.element_pair_of[index(distance.pair)];
+    if (value < gaps.nearest[pair]) {
+      if (gaps.nearest[pair] == kInfinity) {
+        gaps.measured.push_back(pair);
+      }
+      gaps.nearest[pair] = value;
+    }
+  });
+  const NearBodies near = nearBodies(setup, buffers);
+  const auto is_far = [&](const PairDistance& distance) {
+    const ElementPairIndex pair = setup.element_pair_of[index(distance.pair)];
+    return distance.measured.distance > near.limitOf(distance.pair, gaps.nearest[pair]);
+  };
+  measured.erase(std::remove_if(begin, measured.end(), is_far), measured.end());
+}
+
 }  // namespace
 
 KnownGaps makeKnownGaps(const CycleSetup& setup) {
@@ -105,26 +129,26 @@ void followWays(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& b
 }
 
 void keepNear(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
-  KnownGaps& gaps = buffers.memory.gaps;
-  forgetNearest(gaps);
-  for (const PairDistance& distance : buffers.distances.measured) {
-    const double value = distance.measured.distance;
-    rememberGap(value, setup.table[distance.pair], distance.pair, gaps);
-    const ElementPairIndex pair = setup.element_pair_of[index(distance.pair)];
-    if (value < gaps.nearest[pair]) {
-      if (gaps.nearest[pair] == kInfinity) {
-        gaps.measured.push_back(pair);
-      }
-      gaps.nearest[pair] = value;
-    }
-  }
-  const NearBodies near = nearBodies(setup, buffers);
-  const auto is_far = [&](const PairDistance& distance) {
-    const ElementPairIndex pair = setup.element_pair_of[index(distance.pair)];
-    return distance.measured.distance > near.limitOf(distance.pair, gaps.nearest[pair]);
+  forgetNearest(buffers.memory.gaps);
+  keepNearFrom(setup, 0, buffers);
+}
+
+void measureWaiting(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  const auto isRefined = [&](PairId id) {
+    return buffers.refine.is_measured[setup.element_pair_of[index(id)]] != 0;
   };
+  auto& waiting = buffers.waiting;
+  waiting.erase(std::remove_if(waiting.begin(), waiting.end(), isRefined), waiting.end());
+  if (waiting.empty()) {
+    return;
+  }
   auto& measured = buffers.distances.measured;
-  measured.erase(std::remove_if(measured.begin(), measured.end(), is_far), measured.end());
+  const std::size_t first = measured.size();
+  addPairs(setup, buffers.body_poses, waiting, buffers.distances);
+  keepNearFrom(setup, first, buffers);
+  std::sort(measured.begin(), measured.end(),
+            [](const PairDistance& x, const PairDistance& y) { return x.pair < y.pair; });
+  buffers.counters.culled_by_gaps -= waiting.size();
 }
 
 }  // namespace collision_monitor

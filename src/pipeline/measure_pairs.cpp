@@ -76,6 +76,11 @@ bool comesNearer(const PairDistance& one, const PairDistance& other) noexcept {
 void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                   const std::vector<PairId>& pairs, PairDistances& distances) noexcept {
   distances.measured.clear();
+  addPairs(setup, body_poses, pairs, distances);
+}
+
+void addPairs(const CycleSetup& setup, const BodyPoses& body_poses,
+              const std::vector<PairId>& pairs, PairDistances& distances) noexcept {
   std::size_t next = 0;
   for (const PairRange& range : setup.ranges) {
     while (next < pairs.size() && index(pairs[next]) < range.last) {

@@ -40,6 +40,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.bounds.ahead.resize(bodies, 0.0);
   buffers.reaches = makePairReaches(setup);
   buffers.candidates.reserve(pairs);
+  buffers.waiting.reserve(pairs);
   buffers.distances.measured.reserve(pairs);
   buffers.distances.passed.reserve(pairs);
   buffers.refine = makeRefineWork(setup);
@@ -106,6 +107,7 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   keepNear(setup, buffers);
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
+  measureWaiting(setup, buffers);
   measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
   if (setup.is_continuous) {
     sweepPairs(setup, buffers.refine, buffers.sweep, buffers.distances);
@@ -114,7 +116,7 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   findClosings(setup, poses, buffers.distances);
   judgePairs(setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
   scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed);
-  buffers.counters.measured = buffers.candidates.size();
+  buffers.counters.measured = buffers.candidates.size() + buffers.waiting.size();
   buffers.counters.refined = buffers.refine.refined;
   buffers.counters.left = buffers.refine.left;
   buffers.counters.refine_steps = buffers.refine.steps;

@@ -16,6 +16,7 @@ struct CycleBuffers {
   BodyBounds bounds;
   PairReaches reaches;
   std::vector<PairId> candidates;
+  std::vector<PairId> waiting;  ///< as measureWaiting
   PairDistances distances;
   RefineWork refine;
   SweepWork sweep;
@@ -90,17 +91,27 @@ void followWays(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& b
 
 /// Takes out candidates that are too far apart to matter: by the distances that were measured
 /// before, less the ways since, by bounding spheres, which do not turn, and in a combined run what
-/// is left by the separating axes of the boxes about their cores. Counts all three.
+/// is left by the separating axes of the boxes about their cores. Counts all three. Of two elements
+/// that were refined in the last cycle it also takes out the bodies that cannot be the nearest, and
+/// lets them wait.
 void cullCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept;
 
 /// @pre `pairs` is sorted by id and joins known bodies only; `distances` has room for every pair.
 void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                   const std::vector<PairId>& pairs, PairDistances& distances) noexcept;
 
+/// As measurePairs, after what `distances` hold already.
+void addPairs(const CycleSetup& setup, const BodyPoses& body_poses,
+              const std::vector<PairId>& pairs, PairDistances& distances) noexcept;
+
 /// Keeps of what was measured the pairs that are near, and of each two elements within reach the
 /// nearest bodies: what is left does not depend on what was culled, nor by what. Remembers all
 /// distances as gaps.
 void keepNear(const CycleSetup& setup, CycleBuffers& buffers) noexcept;
+
+/// Measures what waits as well, where the elements were not refined in this cycle: `distances` are
+/// then as if nothing had waited. What still waits then is what was measured.
+void measureWaiting(const CycleSetup& setup, CycleBuffers& buffers) noexcept;
 
 /// Makes sure that the closest of all known pairs is among `distances`, which hold the
 /// nearest within `reach` and what `refined` made of them. Costs nothing when one is that near;

@@ -37,7 +37,7 @@ bool isPointInside(const DepthSearch& search, const Vector3d& point) noexcept {
 }
 
 MeasuredPlace measurePlace(DepthSearch& search, const Vector3d& center, double radius,
-                           std::uint32_t start) noexcept {
+                           std::uint32_t start, bool is_inside = false) noexcept {
   MeasuredPlace found;
   found.nearest.triangle = start;
   const double in_box = depthInBox(search.solid, center);
@@ -53,7 +53,7 @@ MeasuredPlace measurePlace(DepthSearch& search, const Vector3d& center, double r
   if (!(found.deepest > search.beyond)) {
     return found;
   }
-  if (in_box > 0.0 && isPointInside(search, center)) {
+  if (in_box > 0.0 && (is_inside || isPointInside(search, center))) {
     found.distance = -found.distance;
   }
   found.deepest = radius - found.distance;
@@ -154,9 +154,9 @@ void searchWaiting(DepthSearch& search, std::uint32_t point_budget) noexcept {
 
 }  // namespace
 
-void measureDeepest(const KeptDepth::Corner& corner, DepthSearch& search) noexcept {
+void measureDeepest(const KeptDepth::Corner& corner, bool is_inside, DepthSearch& search) noexcept {
   const Vector3d at = positionOf(search, corner);
-  const MeasuredPlace found = measurePlace(search, at, 0.0, corner.nearest);
+  const MeasuredPlace found = measurePlace(search, at, 0.0, corner.nearest, is_inside);
   if (found.is_deep) {
     setDeepest(search, corner, at, found);
   } else {

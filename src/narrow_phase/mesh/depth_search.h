@@ -36,7 +36,8 @@ struct DepthSearch {
 };
 
 /// Measures the corner that was the deepest; if it is inside it is the deepest known.
-void measureDeepest(const KeptDepth::Corner& corner, DepthSearch& search) noexcept;
+/// @param is_inside whether it is known to be
+void measureDeepest(const KeptDepth::Corner& corner, bool is_inside, DepthSearch& search) noexcept;
 
 /// Passes over the deepest corner known, as one that is deeper has been found.
 void passOverDeepest(DepthSearch& search) noexcept;

@@ -45,11 +45,12 @@ double follow(const MeshTree& b, const Pose& a_from_b, KeptDepth& kept) noexcept
   return step;
 }
 
-// The corner that was the deepest.
-void measureKept(BothWays& ways, const KeptDepth& kept) noexcept {
+// The corner that was the deepest. After less than half the way to the surface it is still inside.
+void measureKept(double step, BothWays& ways, const KeptDepth& kept) noexcept {
   ways[0].moved = ways[1].moved = kept.moved;
   if (kept.deepest.bound != KeptDepth::kNoBound) {
-    measureDeepest(kept.deepest, ways[kept.side]);
+    const bool is_inside = step < -0.5 * kept.in_a.distance;
+    measureDeepest(kept.deepest, is_inside, ways[kept.side]);
   }
   ways[0].beyond = ways[1].beyond = ways[kept.side].deepest.depth;
 }
@@ -108,7 +109,7 @@ MeshDepth depthOf(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& mem
         DepthSearch{b.tree, a.tree, a_from_b, memory, kept.sides[1]},
     };
     const double step = follow(b.tree, a_from_b, kept);
-    measureKept(ways, kept);
+    measureKept(step, ways, kept);
     const double share = step / longStep(ways);
     const bool is_spent = kept.moved > kLongestWay || !(isWaiting(kept) || isComplete(kept));
     if (!(share < 1.0) || is_spent) {

@@ -91,6 +91,57 @@ TEST_P(RefineCycles, allocateNothingAndEveryBroadPhaseGivesTheSameBytes) {
   EXPECT_GT(passed, 5U) << "links move too little to pass each other";
 }
 
+/// Small steps, so that bodies that are not the nearest can wait; sometimes a jump.
+void creep(Random& random, LinkPoses& poses) {
+  for (Pose& pose : poses.world_from_link) {
+    pose = random() % 1000 == 0 ? test::randomPose(random, 0.25) : pose;
+    pose.translation += test::randomPoint(random, 2e-4);
+  }
+}
+
+TriangleMesh combMesh() {
+  TriangleMesh comb = test::boxMesh({0.2, 0.02, 0.02});
+  for (const double x : {-0.18, -0.06, 0.06, 0.18}) {
+    comb = test::joined(comb, test::boxMeshAt({0.02, 0.02, 0.08}, {x, 0.0, 0.1}));
+  }
+  return comb;
+}
+
+TEST(RefineProperty, bodiesThatWaitChangeNoByte) {
+  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  SetupOptions options;
+  options.default_limits.max_shapes = 6;
+  const std::vector<CollisionElement> comb_and_ball = {
+      {"comb", Pose(), combMesh()},
+      {"ball", {Eigen::Matrix3d::Identity(), {0.0, 0.15, 0.0}}, test::bumpyMesh(0.05, 12)}};
+  CycleSetup setup = test::linkSetup({3, comb_and_ball}, options);
+  setup.is_continuous = true;
+  setup.refine.budget = 20;
+  CycleBuffers forgetful = makeBuffers(setup, BroadPhaseKind::brute_force);
+  CycleBuffers remembering = makeBuffers(setup, BroadPhaseKind::brute_force);
+  LinkPoses poses = test::randomLinkPoses(setup, 0.2, kSeed);
+  Random random(kSeed);
+  std::size_t of_all = 0;
+  std::size_t of_nearest = 0;
+  std::size_t had_to = 0;
+  for (int cycle = 0; cycle < 10000; ++cycle) {
+    creep(random, poses);
+    forgetful.memory.gaps = makeKnownGaps(setup);
+    runCycle(setup, poses, forgetful);
+    runCycle(setup, poses, remembering);
+    const auto& one = forgetful.distances.measured;
+    const auto& other = remembering.distances.measured;
+    ASSERT_TRUE(std::equal(one.begin(), one.end(), other.begin(), other.end(), sameBytes));
+    ASSERT_EQ(forgetful.distances.passed.size(), remembering.distances.passed.size());
+    ASSERT_EQ(forgetful.events.verdicts, remembering.events.verdicts);
+    of_all += forgetful.counters.measured;
+    of_nearest += remembering.counters.measured;
+    had_to += remembering.waiting.size();
+  }
+  EXPECT_LT(5 * of_nearest, 4 * of_all);
+  EXPECT_GT(had_to, 100U) << "too few waited in vain to prove anything";
+}
+
 INSTANTIATE_TEST_SUITE_P(Budgets, RefineCycles, testing::Values(50U, 200U, 1000000U));
 
 /// The distance of each pair of links, by LinkPairIndex; infinity where nothing was near.
