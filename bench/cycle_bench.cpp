@@ -189,6 +189,7 @@ void printSpread(const char* what, std::vector<double> times) {
 /// What the cycles of a robot do, added up.
 struct Counts {
   double candidates{0.0};
+  double measured{0.0};
   double refined{0.0};
   double swept{0.0};
   double exceeded{0.0};
@@ -196,6 +197,7 @@ struct Counts {
 
   void add(const CycleBuffers& buffers) {
     candidates += static_cast<double>(buffers.counters.candidates);
+    measured += static_cast<double>(buffers.counters.measured);
     refined += static_cast<double>(buffers.counters.refined);
     swept += static_cast<double>(buffers.counters.swept);
     exceeded += buffers.sweep.step.on_way.is_exceeded ? 1.0 : 0.0;
@@ -208,11 +210,11 @@ void printCycles(const std::string& what, std::vector<double> times, const Count
   std::sort(times.begin(), times.end());
   const double mean = std::accumulate(times.begin(), times.end(), 0.0) / cycles;
   std::printf(
-      "  %s: median %.1f us, mean %.1f, 99 %% %.1f; candidates %.0f, refined %.1f, "
-      "followed %.1f a cycle; step too long in %.0f %%, over the cap in %.0f %%\n",
+      "  %s: median %.1f us, mean %.1f, 99 %% %.1f; candidates %.0f, measured %.0f, "
+      "refined %.1f, followed %.1f a cycle; step too long in %.0f %%, over the cap in %.0f %%\n",
       what.c_str(), times[times.size() / 2], mean, times[times.size() * 99 / 100],
-      counts.candidates / cycles, counts.refined / cycles, counts.swept / cycles,
-      100.0 * counts.exceeded / cycles, 100.0 * counts.over_cap / cycles);
+      counts.candidates / cycles, counts.measured / cycles, counts.refined / cycles,
+      counts.swept / cycles, 100.0 * counts.exceeded / cycles, 100.0 * counts.over_cap / cycles);
 }
 
 void timeCycles(const std::string& what, const CycleSetup& setup, const std::vector<Move>& moves) {
