@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "model/frame_names.h"
-#include "model/xml_document.h"
 
 namespace collision_monitor {
 namespace {
