@@ -17,11 +17,20 @@ constexpr std::size_t kTriangleSize = 50;
 
 constexpr std::string_view kWhitespace = " \t\r\n";
 
+/// Of ASCII letters alone. Some exporters write all words in capitals.
+std::string inSmallLetters(std::string_view text) {
+  std::string small(text);
+  std::transform(small.begin(), small.end(), small.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return small;
+}
+
 /// A header that says "solid" proves nothing: exporters write it into binary files
 /// too. Text has no control bytes, and 512 bytes of triangles always do.
 bool isText(std::string_view bytes) {
   const std::string_view start = bytes.substr(0, 512);
-  return start.substr(0, 5) == "solid" &&
+  return inSmallLetters(start.substr(0, 5)) == "solid" &&
          std::none_of(start.begin(), start.end(), [](char c) { return c >= 0 && c < '\t'; });
 }
 
@@ -58,14 +67,15 @@ WordCounts countWords(std::string_view text) {
   return counts;
 }
 
-std::string completeText(std::string_view text) {
+/// Nothing but the words counts: numbers are the same in small letters, and names are not kept.
+std::string completeText(std::string text) {
   const WordCounts counts = countWords(text);
   if (counts.vertices != 3 * counts.facets || counts.solids == 0) {
     throw std::runtime_error(
         "the ASCII STL is cut short or malformed: it needs three vertices "
         "for every endfacet, and endsolid at its end");
   }
-  return std::string(text);
+  return text;
 }
 
 std::size_t countOf(const std::string& bytes) {
@@ -80,7 +90,7 @@ std::size_t countOf(const std::string& bytes) {
 
 std::string completeStl(const std::string& bytes) {
   if (isText(trimmed(bytes))) {
-    return completeText(trimmed(bytes));
+    return completeText(inSmallLetters(trimmed(bytes)));
   }
   if (bytes.size() < kHeaderSize) {
     throw std::runtime_error("too short for an STL file: " + std::to_string(bytes.size()) +

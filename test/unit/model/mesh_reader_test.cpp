@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <functional>
 #include <stdexcept>
@@ -75,6 +77,10 @@ void expectTheTriangle(const TriangleMesh& mesh) {
 
 TEST(MeshReader, stl_isReadInAllItsGuises) {
   expectTheTriangle(readMesh(kAsciiStl, "a.stl"));
+  std::string capitals = kAsciiStl;
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  expectTheTriangle(readMesh(capitals, "a.stl"));
   expectTheTriangle(readMesh(binaryStl("made by hand"), "package://p/a.STL"));
   expectTheTriangle(readMesh(binaryStl("solid made by hand"), "a.Stl"));
   expectTheTriangle(readMesh(binaryStl("solid, with bytes to spare") + "junk", "a.stl"));
