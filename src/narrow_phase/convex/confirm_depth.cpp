@@ -50,15 +50,18 @@ std::size_t nearestFace(const ConvexWarmStart& warm, const PlacedInside& placed)
 }
 
 // Of the faces in the plane of the nearest one, that which holds the foot of the perpendicular.
-bool findFoot(const ConvexWarmStart& warm, const PlacedInside& placed, double nearest,
+// About a middle that the cores share, others are as far, and look elsewhere.
+bool findFoot(const ConvexWarmStart& warm, const PlacedInside& placed, const Vector3d& expected,
               std::size_t& face, NearestOnSimplex& foot) noexcept {
-  constexpr double kSamePlane = 1.0 + 1e-12;
+  constexpr double kSame = 1e-20;  // of squares
+  const double nearest = expected.squaredNorm();
   for (face = 0; face < warm.inside_faces; ++face) {
-    if (placed.squared[face] <= kSamePlane * nearest) {
+    if (placed.squared[face] <= (1.0 + 1e-12) * nearest) {
       const Inside::Face& ends = warm.inside.faces[face];
       const std::array<Vector3d, 4> points{placed.corners[ends[0]], placed.corners[ends[1]],
                                            placed.corners[ends[2]], Vector3d::Zero()};
-      if (nearestInside(points, 3, foot)) {
+      if (nearestInside(points, 3, foot) &&
+          (foot.point - expected).squaredNorm() <= kSame * nearest) {
         return true;
       }
     }
@@ -229,12 +232,14 @@ std::optional<ConfirmedDistance> confirmDepth(const PlacedPair& pair,
   std::size_t face = 0;
   NearestOnSimplex foot;
   bool is_level = false;
-  if (!settle(pair, warm, placed, nearest, is_level) ||
-      !findFoot(warm, placed, placed.squared[nearest], face, foot)) {
+  if (!settle(pair, warm, placed, nearest, is_level)) {
     return std::nullopt;
   }
   const double depth = std::sqrt(placed.squared[nearest]);
   const Vector3d normal = -placed.outward[nearest].normalized();
+  if (!findFoot(warm, placed, -depth * normal, face, foot)) {
+    return std::nullopt;
+  }
   Vector3d on_a = pair.a.world_from_core.translation;
   for (std::size_t k = 0; k < 3; ++k) {
     on_a += foot.weights[k] * placed.on_a[warm.inside.faces[face][k]];

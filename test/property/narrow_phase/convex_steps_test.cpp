@@ -22,6 +22,7 @@ constexpr int kSteps = 25;
 using Case = std::tuple<ConvexKind, ConvexKind, Nearness>;
 
 class ConvexInSteps : public testing::TestWithParam<Case> {};
+class ConvexThatTurns : public testing::TestWithParam<std::tuple<ConvexKind, ConvexKind>> {};
 
 std::size_t anyBelow(std::size_t count, Random& random) {
   return std::uniform_int_distribution<std::size_t>(0, count - 1)(random);
@@ -49,35 +50,63 @@ void check(const PosedConvexPair& pair, const ConvexDistance& found, const Conve
   }
 }
 
+// Of `length` zero the steps only turn.
+void followInSteps(PosedConvexPair pair, double length, Random& random) {
+  static ConvexWorkspace workspace;
+  ConvexWarmStart warm;
+  ConvexSearch search{workspace, warm};
+  for (int step = 0; step < kSteps; ++step) {
+    const ConvexDistance found =
+        signedDistanceBetween(*pair.a, pair.world_from_a, *pair.b, pair.world_from_b, search);
+    check(pair, found, measureCold(*pair.a, pair.world_from_a, *pair.b, pair.world_from_b));
+    if (testing::Test::HasFatalFailure()) {
+      return;
+    }
+    pair.world_from_b = pair.world_from_b * smallStep(length, random);
+  }
+}
+
 TEST_P(ConvexInSteps, everyAnswer_isProvenAndThatOfAColdSearch) {
   const auto [kind_a, kind_b, nearness] = GetParam();
   Random random(kSeed);
   const ConvexPoolRecipe recipe{1e-2, 1.0, true};
   const std::vector<ConvexGeometry> pool_a = makeConvexPool(kind_a, kPool, recipe, random);
   const std::vector<ConvexGeometry> pool_b = makeConvexPool(kind_b, kPool, recipe, random);
-  static ConvexWorkspace workspace;
-  for (int i = 0; i < kPairs; ++i) {
+  for (int i = 0; i < kPairs && !HasFatalFailure(); ++i) {
     const Alignment alignment = kAlignments[anyBelow(3, random)];
-    PosedConvexPair pair =
+    const PosedConvexPair pair =
         placeConvexPair(pool_a[anyBelow(kPool, random)], pool_b[anyBelow(kPool, random)], nearness,
                         alignment, random);
-    const double length = extentOf(*pair.a) + extentOf(*pair.b);
-    ConvexWarmStart warm;
-    ConvexSearch search{workspace, warm};
-    for (int step = 0; step < kSteps; ++step) {
-      const ConvexDistance found =
-          signedDistanceBetween(*pair.a, pair.world_from_a, *pair.b, pair.world_from_b, search);
-      check(pair, found, measureCold(*pair.a, pair.world_from_a, *pair.b, pair.world_from_b));
-      if (HasFatalFailure()) {
-        return;
-      }
-      pair.world_from_b = pair.world_from_b * smallStep(length, random);
-    }
+    followInSteps(pair, extentOf(*pair.a) + extentOf(*pair.b), random);
+  }
+}
+
+// Opposite faces of the difference are equally far from a middle that both share.
+TEST_P(ConvexThatTurns, aboutASharedMiddle_everyAnswerIsProvenToo) {
+  const auto [kind_a, kind_b] = GetParam();
+  Random random(kSeed);
+  const ConvexPoolRecipe recipe{1e-2, 1.0, true};
+  const std::vector<ConvexGeometry> pool_a = makeConvexPool(kind_a, kPool, recipe, random);
+  const std::vector<ConvexGeometry> pool_b = makeConvexPool(kind_b, kPool, recipe, random);
+  for (int i = 0; i < kPairs && !HasFatalFailure(); ++i) {
+    const Alignment alignment = kAlignments[anyBelow(3, random)];
+    PosedConvexPair pair =
+        placeConvexPair(pool_a[anyBelow(kPool, random)], pool_b[anyBelow(kPool, random)],
+                        Nearness::overlapping, alignment, random);
+    pair.world_from_b.translation = pair.world_from_a.translation;
+    followInSteps(pair, 0.0, random);
   }
 }
 
 constexpr ConvexKind kCores[] = {ConvexKind::sphere, ConvexKind::capsule, ConvexKind::box,
                                  ConvexKind::cylinder, ConvexKind::hull};
+
+constexpr ConvexKind kOthers[] = {ConvexKind::cylinder, ConvexKind::hull, ConvexKind::box,
+                                  ConvexKind::rounded_box};
+
+std::string nameOfKinds(const testing::TestParamInfo<std::tuple<ConvexKind, ConvexKind>>& info) {
+  return std::string(nameOf(std::get<0>(info.param))) + "_" + nameOf(std::get<1>(info.param));
+}
 
 std::string nameOfCase(const testing::TestParamInfo<Case>& info) {
   const auto [kind_a, kind_b, nearness] = info.param;
@@ -85,12 +114,13 @@ std::string nameOfCase(const testing::TestParamInfo<Case>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllPairs, ConvexInSteps,
-                         testing::Combine(testing::Values(ConvexKind::cylinder, ConvexKind::hull,
-                                                          ConvexKind::box, ConvexKind::rounded_box),
-                                          testing::ValuesIn(kCores),
+                         testing::Combine(testing::ValuesIn(kOthers), testing::ValuesIn(kCores),
                                           testing::Values(Nearness::separated, Nearness::near,
                                                           Nearness::overlapping)),
                          nameOfCase);
+INSTANTIATE_TEST_SUITE_P(AllPairs, ConvexThatTurns,
+                         testing::Combine(testing::ValuesIn(kOthers), testing::ValuesIn(kCores)),
+                         nameOfKinds);
 
 }  // namespace
 }  // namespace collision_monitor::test::convex_steps
