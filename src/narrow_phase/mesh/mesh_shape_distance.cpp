@@ -41,6 +41,12 @@ Eigen::AlignedBox3d boxOf(const ConvexCore& core) noexcept {
   return box;
 }
 
+// A hull need not hold the origin of its frame.
+Vector3d anyPointOf(const ConvexCore& core) noexcept {
+  return core.kind == ConvexCore::Kind::hull ? core.hull->vertices().front()
+                                             : Vector3d(Vector3d::Zero());
+}
+
 PlacedBound boundOfCore(const MeshAndCore& pair) noexcept {
   const Eigen::AlignedBox3d box = boxOf(pair.core);
   const Vector3d half_extents = 0.5 * box.sizes();
@@ -140,6 +146,7 @@ MeshDistance measureCore(const PlacedMesh& a, const SweptCore& b, const Pose& wo
   NearestSearch search;
   const double core_limit = std::max(limits.stop_beyond + b.radius, 0.0);
   search.best.squared_distance = core_limit * core_limit;
+  search.best.on_b = anyPointOf(b.core);
   if (start.a < a.tree.triangles().size()) {
     measureTriangle(pair, start.a, search);
   }

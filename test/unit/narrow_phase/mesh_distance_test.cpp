@@ -184,5 +184,21 @@ TEST_F(Meshes, insideBeyondTheLimit_isNotClear) {
       MeshState::overlapping);
 }
 
+TEST_F(Meshes, hullBesideItsOriginBeyondTheLimit_isWhereItsCornersAre) {
+  const auto distanceTo = [&](const Vector3d& middle, const Pose& pose, MeshQueryLimits limits) {
+    const ConvexGeometry hull = ConvexHull(boxMeshAt({0.1, 0.1, 0.1}, middle).vertices);
+    return distanceBetween({cube_, at(0, 0, 0)}, PlacedConvex{hull, pose}, *memory_, {}, limits);
+  };
+  MeshQueryLimits near_only;
+  near_only.stop_beyond = 0.01;
+  MeshQueryLimits no_budget;
+  no_budget.visit_budget = 0;
+  for (const MeshQueryLimits& limits : {near_only, no_budget}) {
+    EXPECT_EQ(distanceTo({5, 0, 0}, at(0, 0, 0), limits).state, MeshState::lower_bound);
+    EXPECT_EQ(distanceTo({5, 0, 0}, at(-5, 0, 0), limits).state, MeshState::overlapping);
+  }
+  EXPECT_NEAR(distanceTo({5, 0, 0}, at(-5, 0, 0), near_only).measured.distance, -0.9, kExact);
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
