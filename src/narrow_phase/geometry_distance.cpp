@@ -46,6 +46,9 @@ ConvexDistance measure(const PlacedTree& a, const PlacedTree& b, GeometrySearch&
   const PlacedMesh mesh_a{a.geometry, a.world_from_body};
   const PlacedMesh mesh_b{b.geometry, b.world_from_body};
   const MeshDistance found = distanceBetween(mesh_a, mesh_b, search.mesh);
+  if (found.state == MeshState::unknown) {
+    return {};
+  }
   if (found.state != MeshState::overlapping) {
     return {found.measured, DistanceQuality::exact};
   }
@@ -62,6 +65,9 @@ ConvexDistance measure(const PlacedTree& a, const PlacedSolid& b, GeometrySearch
   const MeshDistance found =
       distanceBetween(PlacedMesh{a.geometry, a.world_from_body},
                       PlacedConvex{b.geometry, b.world_from_body}, search.mesh);
+  if (found.state == MeshState::unknown) {
+    return {};
+  }
   const bool is_exact = found.state == MeshState::exact || isHalfSpace(b.geometry);
   return {found.measured, is_exact ? DistanceQuality::exact : DistanceQuality::estimate};
 }

@@ -27,7 +27,8 @@ enum class DistanceQuality : unsigned char {
   exact,
   lower_bound,  ///< the shapes are at least this far apart, or at most this deep: proven
   estimate,     ///< the shapes overlap for certain, at least that deep and perhaps deeper
-  unknown,      ///< means nothing: a pose is not finite, or both geometries are half spaces
+  /// Means nothing: a pose is not finite, or, of a mesh, 1e15 m off; or both are half spaces.
+  unknown,
 };
 
 struct ConvexDistance {

@@ -29,7 +29,8 @@ enum class MeshState : unsigned char {
   exact,        ///< apart (or touching) by this distance, between these points
   lower_bound,  ///< at least this far apart: a limit or the budget was reached; points mean nothing
   overlapping,  ///< the distance is 0 or, for a shape's radius, a proven upper bound below it
-  unknown,      ///< a pose is not finite: nothing is known, and certainly not that they are apart
+  /// A pose is not finite, or 1e15 m off: nothing is known, and certainly not that they are apart.
+  unknown,
 };
 
 /// Two triangles, by position in their trees. Survives from one query to the next.

@@ -4,6 +4,8 @@
 #define HWY_TARGET_INCLUDE "narrow_phase/mesh/mesh_bounds.cpp"
 #include "hwy/foreach_target.h"
 // The order matters: Highway first includes this file once for each target.
+#include <algorithm>
+
 #include "hwy/highway.h"
 #include "narrow_phase/mesh/mesh_bounds.h"
 
@@ -153,8 +155,12 @@ HWY_EXPORT(boundNode);
 
 BoundPlacement makePlacement(const Pose& a_from_b, double size) noexcept {
   constexpr double kSlack = 1.0 / (1 << 17);  // 128 u
-  return {a_from_b.rotation.cast<float>(), a_from_b.translation.cast<float>(),
-          static_cast<float>(kSlack * size)};
+  // Farther than searches look and nearer than empty slots are. A way that overflows is as far.
+  static constexpr double kFar = 1e17;
+  const auto withinFar = [](double x) { return std::max(-kFar, std::min(kFar, x)); };
+  const Eigen::Vector3d translation = a_from_b.translation.unaryExpr(withinFar);
+  return {a_from_b.rotation.cast<float>(), translation.cast<float>(),
+          static_cast<float>(kSlack * std::min(kFar, size))};
 }
 
 Bound boundOf(const MeshTreeNode& node, std::uint32_t slot) noexcept {

@@ -127,6 +127,8 @@ void report(const MeshAndCore& pair, const NearestSearch& search, bool is_inside
   if (search.nearest.a != TrianglePair::kNone && (search.isComplete() || (meets && !is_inside))) {
     answer.measured = swept(coresOf(pair, search, is_inside), 0.0, radius);
     answer.state = answer.measured.distance > 0.0 ? MeshState::exact : MeshState::overlapping;
+  } else if (!std::isfinite(core_distance)) {
+    answer.state = MeshState::unknown;
   } else if (is_inside) {
     answer.measured.distance = -core_distance - radius;
     answer.state = MeshState::overlapping;

@@ -113,6 +113,14 @@ TEST_F(GeometryDistance, poseThatIsNotFinite_isUnknown) {
   EXPECT_EQ(measure(&cube_, lost, &balls_, {}).quality, DistanceQuality::unknown);
 }
 
+TEST_F(GeometryDistance, meshBeyondAllReach_isUnknown) {
+  const ConvexGeometry box = Box{{1, 1, 1}};
+  for (const GeometryRef& other : {GeometryRef(&cube_), GeometryRef(&box)}) {
+    EXPECT_EQ(measure(&cube_, {}, other, at(1e16, 0, 0)).quality, DistanceQuality::unknown);
+    EXPECT_EQ(measure(other, at(0, 1e60, 0), &cube_, {}).quality, DistanceQuality::unknown);
+  }
+}
+
 TEST_F(GeometryDistance, treeWithoutNodes_isNoSolid) {
   EXPECT_THROW(makeSphereUnion({}), std::invalid_argument);
 }

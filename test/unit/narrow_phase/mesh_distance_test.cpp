@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 
+#include "collision_monitor/narrow_phase/mesh_depth.h"
 #include "support/expect_distance.h"
 #include "support/sample_meshes.h"
 
@@ -122,6 +123,24 @@ TEST_F(Meshes, poseNotFinite_isUnknownAndNotClear) {
     EXPECT_TRUE(found.measured.point_on_a.allFinite());
     EXPECT_TRUE(meet(cube_, at(5, 0, 0), cube_, pose));
     EXPECT_EQ(shapeDistance(cube_, Sphere{0.1}, pose).state, MeshState::unknown);
+  }
+}
+
+TEST_F(Meshes, poseBeyondAllReach_isUnknown) {
+  const ConvexGeometry hull = ConvexHull(boxMesh({1, 1, 1}).vertices);
+  const auto kept = std::make_unique<KeptDepth>();
+  for (const double far : {1e16, 1e18, 1e39, 1e60, 1e308}) {
+    for (const Pose& pose : {at(far, 0, 0), at(far, far, far), at(-far, far, 0)}) {
+      EXPECT_EQ(distance(cube_, at(0, 0, 0), cube_, pose).state, MeshState::unknown) << far;
+      EXPECT_EQ(distance(cube_, pose, cube_, at(0, 0, 0)).state, MeshState::unknown) << far;
+      EXPECT_EQ(shapeDistance(cube_, Sphere{0.1}, pose).state, MeshState::unknown) << far;
+      EXPECT_EQ(distanceBetween({cube_, at(0, 0, 0)}, PlacedConvex{hull, pose}, *memory_).state,
+                MeshState::unknown)
+          << far;
+      EXPECT_FALSE(meet(cube_, at(0, 0, 0), cube_, pose)) << far;
+      EXPECT_EQ(depthOf({cube_, at(0, 0, 0)}, {cube_, pose}, *memory_, *kept, 60).deepest.distance,
+                0.0);
+    }
   }
 }
 
