@@ -103,9 +103,11 @@ SignedDistance coresOf(const MeshAndCore& pair, const NearestSearch& search,
                        bool is_inside) noexcept {
   const PointPair& best = search.best;
   const double distance = std::sqrt(best.squared_distance);
-  if (distance > pair.rounding) {
+  const Vector3d way = best.on_b - best.on_a;
+  const double length = way.norm();  // where they hardly part, the points are rounded more
+  if (distance > pair.rounding && length > 0.0) {
     const double sign = is_inside ? -1.0 : 1.0;
-    return {sign * distance, best.on_a, best.on_b, sign / distance * (best.on_b - best.on_a)};
+    return {sign * distance, best.on_a, best.on_b, sign / length * way};
   }
   const Vector3d normal = anyNormalOf(prepare(pair.mesh.triangles()[search.nearest.a]));
   return {0.0, best.on_a, best.on_a, pair.core_from_mesh.rotation * normal};

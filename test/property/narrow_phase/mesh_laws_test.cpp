@@ -125,6 +125,27 @@ TEST_F(MeshLaws, distanceOfConvex_isThatOfAllTriangles) {
   std::printf("mesh-convex: worst error %.1e m\n", worst);
 }
 
+// The rounded points tell the direction of a gap of their own rounding, not its length.
+TEST_F(MeshLaws, convexThatNearlyTouches_hasAUnitNormal) {
+  int tiny = 0;
+  for (int i = 0; i < 200; ++i) {
+    const MeshTree tree(triangleSoup(0.5, 8, random_));
+    const Pose world_from_a = randomPose(random_, 1.0);
+    const auto pool = makeConvexPool(i % 2 == 0 ? ConvexKind::cylinder : ConvexKind::hull, 1,
+                                     {0.01, 0.5, true}, random_);
+    Pose world_from_b = randomPose(random_, 3.0);
+    const double gap = std::pow(10.0, uniform(random_, -13.0, -6.0));
+    for (int step = 0; step < 3; ++step) {
+      const MeshDistance found =
+          distanceBetween({tree, world_from_a}, PlacedConvex{pool[0], world_from_b}, *memory_);
+      ASSERT_NEAR(found.measured.normal_a_to_b.norm(), 1.0, 1e-12) << found.measured.distance;
+      tiny += found.measured.distance > 0.0 && found.measured.distance < 1e-6 ? 1 : 0;
+      world_from_b.translation += (gap - found.measured.distance) * found.measured.normal_a_to_b;
+    }
+  }
+  EXPECT_GT(tiny, 50);
+}
+
 TEST_F(MeshLaws, warmStart_changesNoDistance) {
   for (int i = 0; i < 300; ++i) {
     MeshScene scene = randomScene(random_);
