@@ -83,6 +83,15 @@ class RobotsOfThisPackage(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(rows_of(result.stdout), {("a", "b"): ("never", "proven: fixed apart")})
 
+    def test_robot_without_pairs(self):
+        for geometry in (BALL, ""):
+            with self.subTest(geometry):
+                text = "<robot name='r'><link name='a'>" + geometry + "</link></robot>"
+                result = run("-", "--no-cache", "--states", 20, "--srdf", self.srdf, text=text)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertEqual(rows_of(result.stdout), {})
+                self.assertEqual(disabled_in(self.srdf), {})
+
     def test_says_how_far_it_has_come(self):
         said = pairs("arm6").stderr
         for step in ("fitting base_link (1 of", "drawing 300 states (6 of 10)", "proving 45 pairs (6 of 10)"):

@@ -51,7 +51,7 @@ WorkProgress showTenths(const fit_tool::Progress& progress, const std::string& w
   return
       [&progress, work, unit, shown = std::size_t{0}](std::size_t done, std::size_t total) mutable {
         constexpr std::size_t kAll = 10;
-        const std::size_t tenths = kAll * done / total;
+        const std::size_t tenths = total == 0 ? kAll : kAll * done / total;
         if (tenths != shown) {
           shown = tenths;
           progress.show(work, std::to_string(total) + unit, tenths, kAll);
