@@ -93,7 +93,9 @@ void toMessage(const Watch& watch, const CycleFacts& facts, State& message) {
   const std::uint32_t closest = watch.buffers.events.closest_of_all;
   message.has_closest = closest != kNone ? 1 : 0;
   if (closest != kNone) {
-    toMessage(watch.setup(), watch.buffers.distances.measured[closest], message.closest);
+    const PairDistance& distance = watch.buffers.distances.measured[closest];
+    toMessage(watch.setup(), distance, message.closest);
+    message.closest.passed_at = passedAt(watch, watch.setup().link_pair_of[index(distance.pair)]);
   } else {
     toUnknownMessage(message.closest);
   }

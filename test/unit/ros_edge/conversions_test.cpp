@@ -199,6 +199,7 @@ TEST_F(ConversionsTest, contactBetweenCycles_isToldWithItsTimeAndPoses) {
   EXPECT_EQ(state.sentence,
             "base touched tool between two cycles, 11.0 ms after the poses of the last one");
   EXPECT_EQ(state.pairs_passed, 1U);
+  EXPECT_NEAR(state.closest.passed_at, 0.011, 1e-9);
   EXPECT_NEAR(state.step, 0.03, 1e-12);
   EXPECT_TRUE(std::isinf(state.step_limit)) << "one step tells no acceleration";
   EXPECT_NEAR(state.step_cap, 0.03 * 0.4 / 1.5, 1e-9);
