@@ -3,6 +3,7 @@
 #include "ros_edge/newest_state.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -26,6 +27,16 @@ double positionOf(const Joint& joint, const Pose& parent_from_child) {
   const Eigen::Matrix3d& r = motion.rotation;
   const Eigen::Vector3d doubled_sine(r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1));
   return std::atan2(joint.axis.dot(doubled_sine), r.trace() - 1.0);
+}
+
+/// Whether a whole turn of a joint leaves every link where it is: also those that follow it.
+bool endsWhereItBegan(const RobotModel& model, JointId joint) {
+  return model.joint(joint).type == JointType::continuous &&
+         std::all_of(model.joints.begin(), model.joints.end(), [&](const Joint& other) {
+           const bool follows = other.mimic && other.mimic->source == joint;
+           return !follows || (other.type != JointType::prismatic &&
+                               std::remainder(other.mimic->multiplier, 1.0) == 0.0);
+         });
 }
 
 /// The one angle within the limits that whole turns lead to.
@@ -56,7 +67,7 @@ std::optional<double> newestPosition(const RobotModel& model, const NewestState&
   const double position = is_told ? told
                                   : positionOf(one, inverse(world_from_link[index(one.parent)]) *
                                                         world_from_link[index(one.child)]);
-  if (one.type == JointType::continuous) {
+  if (endsWhereItBegan(model, joint)) {
     return target + std::remainder(position - target, kWholeTurn);
   }
   return is_told || one.type == JointType::prismatic ? position : withinLimits(one, position);

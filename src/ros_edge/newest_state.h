@@ -19,10 +19,11 @@ struct NewestState {
 NewestState makeNewestState(const RobotModel& model);
 
 /// The position of a joint now: as joint states tell or, where they do not, as the poses of its two
-/// links do. A continuous joint has the one from which the way to `target` is shorter.
+/// links do. A continuous joint has the one from which the way to `target` is shorter, unless a
+/// joint follows it that is elsewhere after a whole turn, as a slide on a screw.
 ///
 /// Limits: poses do not tell whole turns. Of a joint that can turn farther than one they say
-/// nothing, unless it is continuous.
+/// nothing, unless it is such a continuous one.
 /// @pre the joint is revolute, continuous or prismatic, and follows no other
 std::optional<double> newestPosition(const RobotModel& model, const NewestState& newest,
                                      JointId joint, double target);

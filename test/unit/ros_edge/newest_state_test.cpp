@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "collision_monitor/model/kinematics.h"
 #include "support/urdf_text.h"
@@ -63,6 +64,29 @@ TEST_F(NewestStateTest, continuousJoint_isTheShorterWayFromTheTarget) {
   EXPECT_NEAR(positionOf(newest, "spin", 100.0).value(), 0.5 + 16.0 * 6.283185307179586, 1e-12);
   newest.positions[3] = -100.0;
   EXPECT_NEAR(positionOf(newest, "spin", 0.0).value(), -100.0 + 16.0 * 6.283185307179586, 1e-12);
+}
+
+/// A motor that turns without limits, and a joint that follows it.
+std::optional<double> motorPosition(const std::string& type, double multiplier, double told) {
+  const RobotModel model =
+      readText(robotXml("<link name='a'/><link name='b'/><link name='c'/>" +
+                        jointXml("motor", "continuous", "a", "b") +
+                        jointXml("driven", type, "a", "c",
+                                 "<limit lower='-9' upper='9'/><mimic joint='motor' multiplier='" +
+                                     std::to_string(multiplier) + "'/>")))
+          .model;
+  NewestState newest = makeNewestState(model);
+  std::fill(newest.poses.status.begin(), newest.poses.status.end(), LinkStatus::known);
+  newest.positions[0] = told;
+  return newestPosition(model, newest, *model.findJoint("motor"), 0.0);
+}
+
+TEST_F(NewestStateTest, continuousJointThatMovesOthers_isWhereItIsUnlessTheyComeRound) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(motorPosition("prismatic", 0.01, 7.0), 7.0) << "the slide is 70 mm off";
+  EXPECT_FALSE(motorPosition("prismatic", 1.0, nan)) << "poses do not tell turns";
+  EXPECT_EQ(motorPosition("revolute", -0.5, 7.0), 7.0);
+  EXPECT_NEAR(motorPosition("continuous", -2.0, 7.0).value(), 7.0 - 6.283185307179586, 1e-12);
 }
 
 TEST_F(NewestStateTest, unknownLink_itsJointsAreUnlessJointStatesTell) {
