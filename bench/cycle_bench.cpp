@@ -116,7 +116,8 @@ class Stages {
     keepPoses(poses, buffers.body_poses, buffers.memory.last);
     end("b keepPoses");
     findClosings(setup, poses, buffers.distances);
-    judgePairs(setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
+    judgePairs(setup, buffers.body_poses, poses.velocities, buffers.distances, buffers.memory,
+               buffers.events);
     scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed);
     end("c findClosings, judgePairs, scaleSpeed");
   }

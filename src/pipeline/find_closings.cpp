@@ -11,7 +11,8 @@ void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration
                 BodyBounds& bounds) noexcept {
   const LinkVelocities& velocities = poses.velocities;
   const std::size_t root = index(setup.model.robots.front().root);
-  const Twist shared = velocities.known[root] != 0 ? velocities.of_link[root] : Twist();
+  const bool is_shared = velocities.known[root] != 0 && isFinite(velocities.of_link[root]);
+  const Twist shared = is_shared ? velocities.of_link[root] : Twist();
   for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
     const Body& body = setup.bodies[i];
     const std::size_t link = index(body.link);

@@ -114,6 +114,11 @@ bool isKnown(const BodyPoses& body_poses, const CheckedLinkPair& pair) noexcept 
   return body_poses.link_known[index(pair.a)] != 0 && body_poses.link_known[index(pair.b)] != 0;
 }
 
+/// Where it is not, nobody knows when the pair touches, however far it is.
+bool isMotionKnown(const LinkVelocities& velocities, const CheckedLinkPair& pair) noexcept {
+  return velocities.known[index(pair.a)] != 0 && velocities.known[index(pair.b)] != 0;
+}
+
 /// Whether it is the geometries themselves that are in contact, if the pair is.
 bool isOfGeometries(const PairDistances& distances, const PairEvents& events,
                     std::size_t link_pair) noexcept {
@@ -154,7 +159,8 @@ Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
 }  // namespace
 
 void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
-                const PairDistances& distances, PairMemory& memory, PairEvents& events) noexcept {
+                const LinkVelocities& velocities, const PairDistances& distances,
+                PairMemory& memory, PairEvents& events) noexcept {
   bool has_unknown = findClosestAndSoonest(setup, distances, events);
   findPassed(setup, distances, events);
   events.changes.clear();
@@ -170,7 +176,8 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
     memory.is_certain[i] = verdict == Verdict::contact && is_certain ? 1 : 0;
     events.verdicts[i] = verdict;
     events.overall = std::max(events.overall, verdict);
-    has_unknown = has_unknown || verdict == Verdict::unknown;
+    has_unknown =
+        has_unknown || verdict == Verdict::unknown || !isMotionKnown(velocities, setup.checked[i]);
     const bool is_silent = reported == Verdict::clear && verdict == Verdict::unknown;
     if (verdict != reported && !is_silent) {
       events.changes.push_back({static_cast<LinkPairIndex>(i), reported, verdict});

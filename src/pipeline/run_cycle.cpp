@@ -114,7 +114,8 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   }
   keepPoses(poses, buffers.body_poses, buffers.memory.last);
   findClosings(setup, poses, buffers.distances);
-  judgePairs(setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
+  judgePairs(setup, buffers.body_poses, poses.velocities, buffers.distances, buffers.memory,
+             buffers.events);
   scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed);
   buffers.counters.measured = buffers.candidates.size() + buffers.waiting.size();
   buffers.counters.refined = buffers.refine.refined;

@@ -30,7 +30,7 @@ struct CycleBuffers {
 /// Sized for the set-up, nothing known.
 BodyPoses makeBodyPoses(const CycleSetup& setup);
 
-/// For findContact.
+/// For findContact; shapes that overlap as in checkStates.
 ContactDistances contactDistancesOf(const CycleSetup& setup);
 
 CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind);
@@ -124,7 +124,8 @@ void findClosings(const CycleSetup& setup, const LinkPoses& poses,
                   PairDistances& distances) noexcept;
 
 void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
-                const PairDistances& distances, PairMemory& memory, PairEvents& events) noexcept;
+                const LinkVelocities& velocities, const PairDistances& distances,
+                PairMemory& memory, PairEvents& events) noexcept;
 
 /// The speed scale of all pairs: the least that one asks for; 0 while a link is unknown, and where
 /// links met since the last cycle.

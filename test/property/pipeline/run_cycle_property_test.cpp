@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -161,13 +162,15 @@ TEST(RunCycleProperty, whatIsCulledMattersToNoVerdictTimeOrScale) {
     PairDistances all;
     measurePairs(setup, buffers.body_poses, knownPairs(setup, buffers.body_poses), all);
     findClosings(setup, poses, all);
-    judgePairs(setup, buffers.body_poses, all, memory, events);
+    judgePairs(setup, buffers.body_poses, poses.velocities, all, memory, events);
     scaleSpeed(setup, poses.stamp_ns, all, events, memory.speed);
     ASSERT_EQ(buffers.events.verdicts, events.verdicts);
     ASSERT_EQ(buffers.memory.speed.scale, memory.speed.scale);
     if (events.time_to_contact < std::numeric_limits<double>::infinity()) {
       ASSERT_EQ(buffers.events.time_to_contact, events.time_to_contact);
       ++soon;
+    } else {
+      ASSERT_EQ(std::isnan(buffers.events.time_to_contact), std::isnan(events.time_to_contact));
     }
     culled += buffers.counters.culled_by_spheres;
     slowed += memory.speed.scale < 1.0 ? 1 : 0;

@@ -204,6 +204,36 @@ TEST(LookAhead, scaleLooksAtEveryPair) {
   EXPECT_NEAR(buffers.events.time_to_contact, 0.15, 1e-12);
 }
 
+/// A ball that rests beside another, and a third, 5 m off, nobody knows how fast.
+TEST(LookAhead, velocityOfAFarLinkNotKnown_noTimeIsKnown) {
+  const CycleSetup setup =
+      test::handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}, {2, Sphere{0.1}}});
+  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
+  LinkPoses poses = test::knownPoses(setup);
+  poses.world_from_link[1].translation.x() = 0.3;
+  poses.world_from_link[2].translation.x() = 5.0;
+  poses.velocities.known = {1, 1, 0};
+  runCycle(setup, poses, buffers);
+  EXPECT_TRUE(std::isnan(buffers.events.time_to_contact)) << "0.5 s are enough at 20 m/s";
+  poses.velocities.known = {1, 1, 1};
+  runCycle(setup, poses, buffers);
+  EXPECT_EQ(buffers.events.time_to_contact, kInfinity);
+}
+
+TEST(LookAhead, velocityOfTheRootNotFinite_othersAreSeenToClose) {
+  const CycleSetup setup =
+      test::handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}, {2, Sphere{0.1}}});
+  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
+  LinkPoses poses = test::knownPoses(setup);
+  poses.world_from_link[0].translation.y() = 0.5;
+  poses.world_from_link[2].translation.x() = 1.2;
+  poses.velocities.known = {1, 1, 1};
+  poses.velocities.of_link[0].linear.x() = std::numeric_limits<double>::quiet_NaN();
+  poses.velocities.of_link[2].linear.x() = -10.0;
+  runCycle(setup, poses, buffers);
+  EXPECT_NEAR(buffers.events.time_to_contact, 0.1, 1e-12);
+}
+
 TEST(LookAhead, badNumbers_areAllNamed) {
   SetupReport report;
   Limits limits;

@@ -62,7 +62,8 @@ TEST_F(DistanceListTest, contactThatIsCertain_isNotHiddenByADeeperBound) {
   PairDistance deeper = estimate;
   deeper.measured.distance = -0.02;
   measured.insert(measured.end(), {deeper, estimate});
-  judgePairs(setup_->setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
+  judgePairs(setup_->setup, buffers.body_poses, watch->poses.velocities, buffers.distances,
+             buffers.memory, buffers.events);
   DistanceList list;
   const Distances& message = list.fill(*watch);
   ASSERT_EQ(message.pairs.size(), 1U);

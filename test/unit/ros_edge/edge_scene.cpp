@@ -56,7 +56,8 @@ std::unique_ptr<Watch> estimatedDepth(const TransformStore& store) {
   auto watch = judged(setup, store, slidingPoses(setup->setup.model, 0.0, -0.34));
   CycleBuffers& buffers = watch->buffers;
   buffers.distances.measured.at(buffers.events.closest_of_all).quality = Quality::estimate;
-  judgePairs(setup->setup, buffers.body_poses, buffers.distances, buffers.memory, buffers.events);
+  judgePairs(setup->setup, buffers.body_poses, watch->poses.velocities, buffers.distances,
+             buffers.memory, buffers.events);
   return watch;
 }
 
