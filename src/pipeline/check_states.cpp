@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "narrow_phase/lanes/plain_twin.h"
+#include "pipeline/contact_of_bodies.h"
 #include "pipeline/states_block.h"
 
 namespace collision_monitor {
@@ -19,7 +20,7 @@ StatePair statePair(const CycleSetup& setup, std::size_t id) {
   pair.a = static_cast<std::uint32_t>(index(bodies.a));
   pair.b = static_cast<std::uint32_t>(index(bodies.b));
   pair.bounding_radii = setup.bodies[pair.a].bounding_radius + setup.bodies[pair.b].bounding_radius;
-  pair.contact_distance = limits.contact_distance;
+  pair.contact_distance = contactOfBodies(setup, idAt<PairId>(id));
   pair.warning_distance = limits.warning_distance;
   if (setup.cores[pair.a].kind > setup.cores[pair.b].kind) {
     std::swap(pair.a, pair.b);
@@ -94,9 +95,23 @@ void judgeAlone(const CycleSetup& setup, StatesWork& work, StatesBlock& block) n
   block.is_warning.of[0] = 0.0;
 }
 
+/// Into measured, or kNone. Where limits allow some depth, what is in contact need not be nearest.
+std::uint32_t nearestInContact(const PairDistances& distances, const PairEvents& events) noexcept {
+  std::uint32_t nearest = kNone;
+  for (std::size_t i = 0; i < events.verdicts.size(); ++i) {
+    const std::uint32_t closest = events.closest[i];
+    if (events.verdicts[i] == Verdict::contact && closest != kNone &&
+        (nearest == kNone || distances.measured[closest].measured.distance <
+                                 distances.measured[nearest].measured.distance)) {
+      nearest = closest;
+    }
+  }
+  return nearest;
+}
+
 /// One state as a cycle sees it, with nothing before it.
 StateCheck checkByCycle(const CycleSetup& setup, const JointPositions& positions, std::size_t state,
-                        StatesWork& work) {
+                        StateQuestion question, StatesWork& work) {
   fillVariables(positions, state, work);
   placeFrames(work.plan, work.variables, work.frames);
   readLinkPoses(work, 0, work.poses.world_from_link);
@@ -105,8 +120,12 @@ StateCheck checkByCycle(const CycleSetup& setup, const JointPositions& positions
   const PairEvents& events = work.buffers.events;
   StateCheck check;
   check.verdict = events.overall;
-  if (events.closest_of_all != kNone) {
-    const PairDistance& nearest = work.buffers.distances.measured[events.closest_of_all];
+  const PairDistances& distances = work.buffers.distances;
+  const std::uint32_t place = question == StateQuestion::contact
+                                  ? nearestInContact(distances, events)
+                                  : events.closest_of_all;
+  if (place != kNone) {
+    const PairDistance& nearest = distances.measured[place];
     check.has_pair = true;
     check.quality = nearest.quality;
     check.pair = nearest.pair;
@@ -120,6 +139,14 @@ StateCheck withoutPair(Verdict verdict) noexcept {
   StateCheck check;
   check.verdict = verdict == Verdict::warning ? Verdict::clear : verdict;
   return check;
+}
+
+/// Whether geometries decide: of bodies, another pair than the nearest may be the contact.
+bool isOpen(const CycleSetup& setup, const StateCheck& check) noexcept {
+  const bool is_contact = check.verdict == Verdict::contact;
+  const bool is_near = is_contact || check.verdict == Verdict::warning;
+  return is_near && (check.quality != Quality::exact ||
+                     (is_contact && check.distance > contactOfBodies(setup, check.pair)));
 }
 
 Pose unknownPose() {
@@ -231,9 +258,8 @@ void checkStatesExactly(const CycleSetup& setup, const JointPositions& positions
   checkStates(setup, positions, question, work, checks);
   for (std::size_t i = 0; i < checks.size(); ++i) {
     StateCheck& check = checks[i];
-    const bool is_near = check.verdict == Verdict::contact || check.verdict == Verdict::warning;
-    if (is_near && check.quality != Quality::exact) {
-      check = checkByCycle(setup, positions, i, work);
+    if (isOpen(setup, check)) {
+      check = checkByCycle(setup, positions, i, question, work);
       if (question == StateQuestion::contact && check.verdict != Verdict::contact) {
         check = withoutPair(check.verdict);
       }

@@ -57,9 +57,11 @@ PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pai
                        *measures.scratch, enough};
   const ElementDistance found = measureElements({a, world_from_a}, {b, world_from_b}, search);
   measures.steps += found.steps;
-  const bool is_bound = found.quality == Quality::lower_bound;
+  const bool is_nearer = !(found.measured.distance > distance.measured.distance);
+  // As in refinePairs: the depth of bodies bounds nothing.
+  const bool is_depth = found.has_points && distance.measured.distance < 0.0;
   if (found.quality == Quality::unknown ||
-      (is_bound && !(found.measured.distance > distance.measured.distance))) {
+      (found.quality == Quality::lower_bound && is_nearer && !is_depth)) {
     return distance;  // the enclosing shapes know better
   }
   if (found.has_points) {

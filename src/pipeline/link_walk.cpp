@@ -46,9 +46,9 @@ std::vector<LinkBlock> makeLinkBlocks(const CycleSetup& setup, const std::vector
     LinkBlock& block = blocks.back();
     const std::uint32_t lane = b - block.pairs.first;
     block.pairs.is_pair |= 1U << lane;
-    block.contact[lane] = pair.limits.contact_distance;
-    block.stop[lane] = std::max(pair.limits.contact_distance,
-                                setup.ahead.stop.stop_distance + pair.limits.hysteresis);
+    block.contact[lane] = std::max(0.0, pair.limits.contact_distance);  // as contactOfBodies
+    block.stop[lane] =
+        std::max(block.contact[lane], setup.ahead.stop.stop_distance + pair.limits.hysteresis);
     block.thickness[lane] = thickness[i];
   }
   return blocks;

@@ -5,6 +5,7 @@
 
 #include "collision_monitor/geometry/bounds.h"
 #include "collision_monitor/pipeline/run_cycle.h"
+#include "pipeline/contact_of_bodies.h"
 
 namespace collision_monitor {
 namespace {
@@ -102,8 +103,8 @@ BodyPoses makeBodyPoses(const CycleSetup& setup) {
 
 ContactDistances contactDistancesOf(const CycleSetup& setup) {
   ContactDistances limits;
-  for (const std::uint32_t link_pair : setup.link_pair_of) {
-    limits.of_pair.push_back(setup.checked[link_pair].limits.contact_distance);
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    limits.of_pair.push_back(contactOfBodies(setup, idAt<PairId>(i)));
     limits.largest = std::max(limits.largest, limits.of_pair.back());
   }
   return limits;

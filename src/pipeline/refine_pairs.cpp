@@ -98,11 +98,12 @@ const Limits& limitsOf(const Refinement& all, const RefineTask& task) noexcept {
   return all.setup.checked[all.setup.element_pairs[task.pair].link_pair].limits;
 }
 
-/// Whether the pair is farther than what its links are known to be, and in no contact.
+/// Whether the pair is farther than what its links are known to be, and in no contact. Bodies that
+/// overlap do not tell how deep their elements do.
 bool isSettled(const Refinement& all, const RefineTask& task) noexcept {
   const Limits& limits = limitsOf(all, task);
   return task.bound > all.work.nearest[all.setup.element_pairs[task.pair].link_pair] &&
-         task.bound > limits.contact_distance + limits.hysteresis;
+         task.bound > std::max(0.0, limits.contact_distance + limits.hysteresis);
 }
 
 PlacedElement placed(const Refinement& all, ElementId id) noexcept {

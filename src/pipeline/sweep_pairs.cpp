@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "collision_monitor/motion/moving_sphere.h"
+#include "pipeline/contact_of_bodies.h"
 #include "pipeline/sweep_elements.h"
 
 namespace collision_monitor {
@@ -43,14 +44,15 @@ bool mayHaveMet(const Sweeping& all, const PairDistance& distance) noexcept {
       isTouching(distance, links.limits.contact_distance)) {
     return false;
   }
-  const double gap = distance.measured.distance - links.limits.contact_distance;
-  const BodyPair& bodies = all.setup.table[distance.pair];
   if (all.isOfElements(distance.pair)) {
     const ElementPair& pair =
         all.setup.element_pairs[all.setup.element_pair_of[index(distance.pair)]];
-    return gap <= work.element_reach[index(pair.a)] + work.element_reach[index(pair.b)];
+    return distance.measured.distance - links.limits.contact_distance <=
+           work.element_reach[index(pair.a)] + work.element_reach[index(pair.b)];
   }
-  return gap <= work.body_reach[index(bodies.a)] + work.body_reach[index(bodies.b)];
+  const BodyPair& bodies = all.setup.table[distance.pair];
+  return distance.measured.distance - contactOfBodies(all.setup, distance.pair) <=
+         work.body_reach[index(bodies.a)] + work.body_reach[index(bodies.b)];
 }
 
 /// Moving spheres first, then the shapes themselves.
@@ -60,7 +62,7 @@ SweptContact sweepBodies(const Sweeping& all, PairId pair) noexcept {
   const ScrewMotion motion_a = all.motionOf(a);
   const ScrewMotion motion_b = all.motionOf(b);
   SweepLimits limits;
-  limits.contact_distance = all.linksOf(pair).limits.contact_distance;
+  limits.contact_distance = contactOfBodies(all.setup, pair);
   limits.budget = kBodySteps;
   const double margin = limits.contact_distance + limits.tolerance;
   const MovingSphere sphere_a =

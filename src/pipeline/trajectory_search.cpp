@@ -21,6 +21,12 @@ double neededFor(const TrajectorySearch& search, LinkPairIndex pair) noexcept {
                   std::min(search.options.margin, found - search.options.resolution));
 }
 
+/// [m] What balls or bodies say of elements. Where some depth is allowed, those that overlap say
+/// nothing: see contactOfBodies.
+double boundBy(const TrajectorySearch& search, LinkPairIndex pair, double distance) noexcept {
+  return distance > 0.0 || contactAt(search, pair) > 0.0 ? distance : -kInfinity;
+}
+
 double timeOf(const TrajectorySearch& search, const Instant& at) noexcept {
   return timeAt(search.path, at.segment, at.share);
 }
@@ -34,7 +40,9 @@ void raise(TrajectorySearch& search, LinkPairIndex pair, Instant& at) noexcept {
                                     : bodyDistance(search.measures, pair, at.world_from_link);
   // An estimate of a depth is a contact, however deep that may be allowed to be.
   const bool is_overlap = distance.quality == Quality::estimate;
-  sample.bound = is_overlap ? -kInfinity : std::max(sample.bound, distance.measured.distance);
+  const double bound =
+      is_final ? distance.measured.distance : boundBy(search, pair, distance.measured.distance);
+  sample.bound = is_overlap ? -kInfinity : std::max(sample.bound, bound);
   sample.level = is_final ? Level::elements : Level::bodies;
   keepNearest(search, pair, distance, at, is_final);
 }
@@ -101,7 +109,7 @@ void sampleBalls(TrajectorySearch& search, const std::vector<LinkPairIndex>& pai
   at.samples.resize(search.chains.size());
   for (const LinkPairIndex pair : pairs) {
     const double bound = ballDistance(search.measures, pair, at.world_from_link);
-    at.samples[pair] = {bound, Level::balls};
+    at.samples[pair] = {boundBy(search, pair, bound), Level::balls};
     keepNearer(bound, at, search.by_balls[pair]);
   }
 }
@@ -116,7 +124,7 @@ void sampleWaypoint(TrajectorySearch& search, const std::vector<LinkPairIndex>& 
   for (const LinkPairIndex pair : pairs) {
     const double bound = distanceAt(*search.waypoints, waypoint, pair);
     if (bound < search.waypoints->reach) {
-      at.samples[pair] = {bound, Level::bodies};
+      at.samples[pair] = {boundBy(search, pair, bound), Level::bodies};
       keepNearer(bound, at, search.by_waypoints[pair]);
     } else if (bound > at.samples[pair].bound) {
       at.samples[pair].bound = bound;

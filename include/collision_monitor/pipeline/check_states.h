@@ -58,8 +58,9 @@ StandingPoses standingAs(const RobotModel& model, const LinkPoses& poses,
 StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing);
 
 /// Judges states by their enclosing shapes: each `variable_count` numbers of `positions` in a row
-/// are one state; a model without variables has one. Limits have no hysteresis here. Does not
-/// allocate when `checks` has room.
+/// are one state; a model without variables has one. Limits have no hysteresis here. Shapes about
+/// an element that overlap are in contact even if contact_distance allows some depth, for that of
+/// the element may be more. Does not allocate when `checks` has room.
 ///
 /// Error: as distanceBetween; the same bytes with every instruction set.
 /// @pre positions.size() is a multiple of the model's variable_count.

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+
+#include "collision_monitor/pipeline/setup.h"
+
+namespace collision_monitor {
+
+/// [m] At this distance or nearer bodies may stand for a contact of their elements.
+///
+/// Where contact_distance allows some depth, that of bodies says nothing of what they enclose: one
+/// of several about an element is less deep than the element, and concave geometries that overlap
+/// are in contact however deep.
+inline double contactOfBodies(const CycleSetup& setup, PairId pair) noexcept {
+  const double contact = setup.checked[setup.link_pair_of[index(pair)]].limits.contact_distance;
+  const ElementPair& elements = setup.element_pairs[setup.element_pair_of[index(pair)]];
+  const bool are_elements =
+      setup.elements[index(elements.a)].is_body && setup.elements[index(elements.b)].is_body;
+  return are_elements ? contact : std::max(0.0, contact);
+}
+
+}  // namespace collision_monitor
