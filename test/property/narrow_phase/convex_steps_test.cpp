@@ -66,36 +66,35 @@ void followInSteps(PosedConvexPair pair, double length, Random& random) {
   }
 }
 
-TEST_P(ConvexInSteps, everyAnswer_isProvenAndThatOfAColdSearch) {
-  const auto [kind_a, kind_b, nearness] = GetParam();
+// Hands pairs of two kinds to `follow`.
+template <class Follow>
+void forPairs(ConvexKind kind_a, ConvexKind kind_b, Nearness nearness, const Follow& follow) {
   Random random(kSeed);
   const ConvexPoolRecipe recipe{1e-2, 1.0, true};
   const std::vector<ConvexGeometry> pool_a = makeConvexPool(kind_a, kPool, recipe, random);
   const std::vector<ConvexGeometry> pool_b = makeConvexPool(kind_b, kPool, recipe, random);
-  for (int i = 0; i < kPairs && !HasFatalFailure(); ++i) {
+  for (int i = 0; i < kPairs && !testing::Test::HasFatalFailure(); ++i) {
     const Alignment alignment = kAlignments[anyBelow(3, random)];
-    const PosedConvexPair pair =
-        placeConvexPair(pool_a[anyBelow(kPool, random)], pool_b[anyBelow(kPool, random)], nearness,
-                        alignment, random);
-    followInSteps(pair, extentOf(*pair.a) + extentOf(*pair.b), random);
+    follow(placeConvexPair(pool_a[anyBelow(kPool, random)], pool_b[anyBelow(kPool, random)],
+                           nearness, alignment, random),
+           random);
   }
+}
+
+TEST_P(ConvexInSteps, everyAnswer_isProvenAndThatOfAColdSearch) {
+  const auto [kind_a, kind_b, nearness] = GetParam();
+  forPairs(kind_a, kind_b, nearness, [](const PosedConvexPair& pair, Random& random) {
+    followInSteps(pair, extentOf(*pair.a) + extentOf(*pair.b), random);
+  });
 }
 
 // Opposite faces of the difference are equally far from a middle that both share.
 TEST_P(ConvexThatTurns, aboutASharedMiddle_everyAnswerIsProvenToo) {
   const auto [kind_a, kind_b] = GetParam();
-  Random random(kSeed);
-  const ConvexPoolRecipe recipe{1e-2, 1.0, true};
-  const std::vector<ConvexGeometry> pool_a = makeConvexPool(kind_a, kPool, recipe, random);
-  const std::vector<ConvexGeometry> pool_b = makeConvexPool(kind_b, kPool, recipe, random);
-  for (int i = 0; i < kPairs && !HasFatalFailure(); ++i) {
-    const Alignment alignment = kAlignments[anyBelow(3, random)];
-    PosedConvexPair pair =
-        placeConvexPair(pool_a[anyBelow(kPool, random)], pool_b[anyBelow(kPool, random)],
-                        Nearness::overlapping, alignment, random);
+  forPairs(kind_a, kind_b, Nearness::overlapping, [](PosedConvexPair pair, Random& random) {
     pair.world_from_b.translation = pair.world_from_a.translation;
     followInSteps(pair, 0.0, random);
-  }
+  });
 }
 
 constexpr ConvexKind kCores[] = {ConvexKind::sphere, ConvexKind::capsule, ConvexKind::box,

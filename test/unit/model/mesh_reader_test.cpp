@@ -8,12 +8,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cstring>
-#include <functional>
-#include <stdexcept>
 
+#include "mesh_file.h"
 #include "support/assimp_leaks.h"
 
-namespace collision_monitor {
+namespace collision_monitor::test {
 namespace {
 
 std::string bytesOf(float number) {
@@ -36,44 +35,6 @@ std::string binaryStl(const std::string& header, char count = 1) {
 const std::string kAsciiStl =
     "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\n"
     "endloop\nendfacet\nendsolid s\n";
-
-/// A DAE with one triangle (0,0,0) (1,0,0) (0,2,0) in the given nodes.
-std::string dae(const std::string& asset, const std::string& nodes) {
-  return "<?xml version='1.0'?><COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' "
-         "version='1.4.1'><asset>" +
-         asset +
-         "</asset><library_geometries><geometry id='g'><mesh><source id='p'>"
-         "<float_array id='pa' count='9'>0 0 0 1 0 0 0 2 0</float_array><technique_common>"
-         "<accessor source='#pa' count='3' stride='3'><param name='X' type='float'/>"
-         "<param name='Y' type='float'/><param name='Z' type='float'/></accessor>"
-         "</technique_common></source><vertices id='v'><input semantic='POSITION' source='#p'/>"
-         "</vertices><triangles count='1'><input semantic='VERTEX' source='#v' offset='0'/>"
-         "<p>0 1 2</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>"
-         "<visual_scene id='s'>" +
-         nodes +
-         "</visual_scene></library_visual_scenes><scene><instance_visual_scene url='#s'/></scene>"
-         "</COLLADA>";
-}
-
-const std::string kInstance = "<instance_geometry url='#g'/>";
-
-std::string messageOf(const std::function<void()>& read) {
-  try {
-    read();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "no exception";
-}
-
-void expectTheTriangle(const TriangleMesh& mesh) {
-  ASSERT_EQ(mesh.vertices.size(), 3u);
-  EXPECT_EQ(mesh.vertices[0], Eigen::Vector3d(0.0, 0.0, 0.0));
-  EXPECT_EQ(mesh.vertices[1], Eigen::Vector3d(1.0, 0.0, 0.0));
-  EXPECT_EQ(mesh.vertices[2], Eigen::Vector3d(0.0, 2.0, 0.0));
-  ASSERT_EQ(mesh.triangles.size(), 1u);
-  EXPECT_EQ(mesh.triangles[0], (std::array<std::uint32_t, 3>{0, 1, 2}));
-}
 
 TEST(MeshReader, stl_isReadInAllItsGuises) {
   expectTheTriangle(readMesh(kAsciiStl, "a.stl"));
@@ -110,65 +71,6 @@ TEST(MeshReader, stlCutShort_isAnError) {
   }
 }
 
-TEST(MeshReader, dae_appliesUnitAndLeavesUpAxisAlone) {
-  const TriangleMesh plain = readMesh(dae("", "<node>" + kInstance + "</node>"), "a.dae");
-  expectTheTriangle(plain);
-  for (const char* axis : {"X_UP", "Y_UP", "Z_UP"}) {
-    const TriangleMesh mesh =
-        readMesh(dae("<unit meter='0.01'/><up_axis>" + std::string(axis) + "</up_axis>",
-                     "<node>" + kInstance + "</node>"),
-                 "a.dae");
-    ASSERT_EQ(mesh.vertices.size(), 3u);
-    for (std::size_t i = 0; i < 3; ++i) {
-      EXPECT_LT((mesh.vertices[i] - 0.01 * plain.vertices[i]).norm(), 1e-9) << axis;
-    }
-  }
-}
-
-TEST(MeshReader, dae_placesNestedNodesAndEveryInstance) {
-  // z by 1, then turned by 90 deg about z: (1,0,0) goes to (0,1,1), (0,2,0) to (-2,0,1).
-  const TriangleMesh mesh =
-      readMesh(dae("", "<node><translate>0 0 1</translate><node><rotate>0 0 1 90</rotate>" +
-                           kInstance + "</node></node><node>" + kInstance + "</node>"),
-               "a.dae");
-  ASSERT_EQ(mesh.triangles.size(), 2u);
-  const auto corner = [&](std::size_t triangle, std::size_t i) {
-    return mesh.vertices[mesh.triangles[triangle][i]];
-  };
-  EXPECT_LT((corner(0, 1) - Eigen::Vector3d(0.0, 1.0, 1.0)).norm(), 1e-6);
-  EXPECT_LT((corner(0, 2) - Eigen::Vector3d(-2.0, 0.0, 1.0)).norm(), 1e-6);
-  EXPECT_LT((corner(1, 1) - Eigen::Vector3d(1.0, 0.0, 0.0)).norm(), 1e-6);
-}
-
-TEST(MeshReader, daeMirroredByANode_keepsItsOutside) {
-  const TriangleMesh mesh =
-      readMesh(dae("", "<node><scale>-1 1 1</scale>" + kInstance + "</node>"), "a.dae");
-  ASSERT_EQ(mesh.triangles.size(), 1u);
-  const auto& t = mesh.triangles[0];
-  EXPECT_GT((mesh.vertices[t[1]] - mesh.vertices[t[0]])
-                .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]])
-                .z(),
-            0.0);
-}
-
-TEST(MeshReader, daeThatShowsNoMesh_isAnError) {
-  // assimp would draw the node instead.
-  const std::string nodes = "<node><translate>0 0 1</translate>";
-  EXPECT_EQ(messageOf([&] {
-              readMesh(dae("", nodes + "<instance_geometry url='#other'/></node>"), "a.dae");
-            }),
-            "a.dae: no triangles");
-  EXPECT_EQ(messageOf([&] { readMesh(dae("", nodes + "</node>"), "a.dae"); }),
-            "a.dae: no triangles");
-}
-
-TEST(MeshReader, daeInUnitsOfNothing_isAnError) {
-  EXPECT_EQ(messageOf([] {
-              readMesh(dae("<unit meter='0'/>", "<node>" + kInstance + "</node>"), "a.dae");
-            }),
-            "a.dae: its <unit> is 0 metres");
-}
-
 TEST(MeshReader, obj_hasEveryVertexHoweverItIsWritten) {
   // A vertex that is passed over makes all that follow others than the faces mean, and
   // there are enough of them for the faces to name.
@@ -199,25 +101,6 @@ TEST(MeshReader, obj_readsObjectsQuadsAndNegativeIndices) {
       "a.obj");
   EXPECT_EQ(mesh.vertices.size(), 7u);
   EXPECT_EQ(mesh.triangles.size(), 3u);
-}
-
-/// assimp would fill the memory.
-TEST(MeshReader, daeIndexThatIsNone_isAnError) {
-  for (const char* junk : {"0 1! 2", "0 1.0 2", "0 x 2"}) {
-    std::string text = dae("", "<node id='n'>" + kInstance + "</node>");
-    EXPECT_EQ(readMesh(text, "a.dae").triangles.size(), 1u);
-    text.replace(text.find("0 1 2</p>"), 5, junk);
-    EXPECT_EQ(messageOf([&] { readMesh(text, "a.dae"); }),
-              "a.dae: line 1: <p> holds something that is no index");
-  }
-}
-
-/// assimp would read beyond the array.
-TEST(MeshReader, daeArrayThatIsTooShort_isAnError) {
-  std::string text = dae("", "<node id='n'>" + kInstance + "</node>");
-  text.replace(text.find("count='9'>0 0 0 1 0 0 0 2 0"), 27, "count='8'>0 0 0 1 0 0 0 2");
-  EXPECT_EQ(messageOf([&] { readMesh(text, "a.dae"); }),
-            "a.dae: line 1: <accessor> needs 9 numbers of an array of 8");
 }
 
 TEST(MeshReader, ply_isRead) {
@@ -298,4 +181,4 @@ TEST(MeshReader, badFiles_areErrorsThatNameTheFile) {
 }
 
 }  // namespace
-}  // namespace collision_monitor
+}  // namespace collision_monitor::test

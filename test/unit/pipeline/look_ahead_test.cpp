@@ -42,6 +42,17 @@ class LookAheadTest : public testing::Test {
   LinkPoses poses_ = test::knownPoses(setup_);
 };
 
+/// Three such balls, all at rest.
+class LookAheadOfThreeTest : public LookAheadTest {
+ protected:
+  LookAheadOfThreeTest() {
+    setup_ = test::handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}, {2, Sphere{0.1}}});
+    buffers_ = makeBuffers(setup_, BroadPhaseKind::brute_force);
+    poses_ = test::knownPoses(setup_);
+    poses_.velocities.known = {1, 1, 1};
+  }
+};
+
 TEST_F(LookAheadTest, closingPair_hasSpeedAndTime) {
   runWithGap(0.06, 0.2);
   EXPECT_NEAR(nearest().closing_speed, 0.2, 1e-12);
@@ -189,49 +200,35 @@ TEST_F(LookAheadTest, scale_whileALinkIsUnknown_isZero) {
 
 /// The nearest pair parts while another one closes: the derivative of the least distance would
 /// say that all is well.
-TEST(LookAhead, scaleLooksAtEveryPair) {
-  const CycleSetup setup =
-      test::handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}, {2, Sphere{0.1}}});
-  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
-  LinkPoses poses = test::knownPoses(setup);
-  poses.world_from_link[1].translation.x() = 0.22;   // 20 mm, parts
-  poses.world_from_link[2].translation.x() = -0.23;  // 30 mm, closes at 0.2 m/s
-  poses.velocities.known = {1, 1, 1};
-  poses.velocities.of_link[1].linear.x() = 0.5;
-  poses.velocities.of_link[2].linear.x() = 0.2;
-  runCycle(setup, poses, buffers);
-  EXPECT_NEAR(buffers.memory.speed.scale, 0.4, 1e-12);
-  EXPECT_NEAR(buffers.events.time_to_contact, 0.15, 1e-12);
+TEST_F(LookAheadOfThreeTest, scaleLooksAtEveryPair) {
+  poses_.world_from_link[1].translation.x() = 0.22;   // 20 mm, parts
+  poses_.world_from_link[2].translation.x() = -0.23;  // 30 mm, closes at 0.2 m/s
+  poses_.velocities.of_link[1].linear.x() = 0.5;
+  poses_.velocities.of_link[2].linear.x() = 0.2;
+  runCycle(setup_, poses_, buffers_);
+  EXPECT_NEAR(buffers_.memory.speed.scale, 0.4, 1e-12);
+  EXPECT_NEAR(buffers_.events.time_to_contact, 0.15, 1e-12);
 }
 
 /// A ball that rests beside another, and a third, 5 m off, nobody knows how fast.
-TEST(LookAhead, velocityOfAFarLinkNotKnown_noTimeIsKnown) {
-  const CycleSetup setup =
-      test::handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}, {2, Sphere{0.1}}});
-  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
-  LinkPoses poses = test::knownPoses(setup);
-  poses.world_from_link[1].translation.x() = 0.3;
-  poses.world_from_link[2].translation.x() = 5.0;
-  poses.velocities.known = {1, 1, 0};
-  runCycle(setup, poses, buffers);
-  EXPECT_TRUE(std::isnan(buffers.events.time_to_contact)) << "0.5 s are enough at 20 m/s";
-  poses.velocities.known = {1, 1, 1};
-  runCycle(setup, poses, buffers);
-  EXPECT_EQ(buffers.events.time_to_contact, kInfinity);
+TEST_F(LookAheadOfThreeTest, velocityOfAFarLinkNotKnown_noTimeIsKnown) {
+  poses_.world_from_link[1].translation.x() = 0.3;
+  poses_.world_from_link[2].translation.x() = 5.0;
+  poses_.velocities.known = {1, 1, 0};
+  runCycle(setup_, poses_, buffers_);
+  EXPECT_TRUE(std::isnan(buffers_.events.time_to_contact)) << "0.5 s are enough at 20 m/s";
+  poses_.velocities.known = {1, 1, 1};
+  runCycle(setup_, poses_, buffers_);
+  EXPECT_EQ(buffers_.events.time_to_contact, kInfinity);
 }
 
-TEST(LookAhead, velocityOfTheRootNotFinite_othersAreSeenToClose) {
-  const CycleSetup setup =
-      test::handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}, {2, Sphere{0.1}}});
-  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
-  LinkPoses poses = test::knownPoses(setup);
-  poses.world_from_link[0].translation.y() = 0.5;
-  poses.world_from_link[2].translation.x() = 1.2;
-  poses.velocities.known = {1, 1, 1};
-  poses.velocities.of_link[0].linear.x() = std::numeric_limits<double>::quiet_NaN();
-  poses.velocities.of_link[2].linear.x() = -10.0;
-  runCycle(setup, poses, buffers);
-  EXPECT_NEAR(buffers.events.time_to_contact, 0.1, 1e-12);
+TEST_F(LookAheadOfThreeTest, velocityOfTheRootNotFinite_othersAreSeenToClose) {
+  poses_.world_from_link[0].translation.y() = 0.5;
+  poses_.world_from_link[2].translation.x() = 1.2;
+  poses_.velocities.of_link[0].linear.x() = std::numeric_limits<double>::quiet_NaN();
+  poses_.velocities.of_link[2].linear.x() = -10.0;
+  runCycle(setup_, poses_, buffers_);
+  EXPECT_NEAR(buffers_.events.time_to_contact, 0.1, 1e-12);
 }
 
 TEST(LookAhead, badNumbers_areAllNamed) {
