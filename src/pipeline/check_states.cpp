@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "narrow_phase/lanes/plain_twin.h"
-#include "pipeline/contact_of_bodies.h"
+#include "pipeline/contact_of_pairs.h"
 #include "pipeline/states_block.h"
 
 namespace collision_monitor {

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/link_pair_distance.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "collision_monitor/narrow_phase/distance.h"
 #include "collision_monitor/pipeline/motion_bound.h"
+#include "geometry/constants.h"
+#include "pipeline/contact_of_pairs.h"
 #include "pipeline/measure_elements.h"
 
 namespace collision_monitor {
@@ -139,9 +142,16 @@ PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                     measures.nearest_bodies[measures.setup.element_pair_of[index(bodies)]]);
   }
   PairDistance nearest = nothingNear();
+  measures.leeway = kInfinity;
   for (const ElementPairIndex elements : measures.element_pairs[pair]) {
-    if (mayTellMore(measures.nearest_bodies[elements], nearest)) {
-      addTo(nearest, measureElementPair(measures, elements, world_from_link, enough));
+    const PairDistance& bodies = measures.nearest_bodies[elements];
+    const double contact = contactOfElements(measures.setup, elements);
+    if (mayTellMore(bodies, nearest) || bodies.measured.distance - contact < measures.leeway) {
+      const PairDistance found = measureElementPair(measures, elements, world_from_link, enough);
+      const bool is_overlap = found.quality == Quality::estimate;
+      measures.leeway =
+          std::min(measures.leeway, is_overlap ? -kInfinity : found.measured.distance - contact);
+      addTo(nearest, found);
     }
   }
   return nearest;

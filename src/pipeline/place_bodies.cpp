@@ -5,7 +5,7 @@
 
 #include "collision_monitor/geometry/bounds.h"
 #include "collision_monitor/pipeline/run_cycle.h"
-#include "pipeline/contact_of_bodies.h"
+#include "pipeline/contact_of_pairs.h"
 
 namespace collision_monitor {
 namespace {

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "collision_monitor/motion/moving_sphere.h"
-#include "pipeline/contact_of_bodies.h"
+#include "pipeline/contact_of_pairs.h"
 #include "pipeline/sweep_elements.h"
 
 namespace collision_monitor {
@@ -45,9 +45,9 @@ bool mayHaveMet(const Sweeping& all, const PairDistance& distance) noexcept {
     return false;
   }
   if (all.isOfElements(distance.pair)) {
-    const ElementPair& pair =
-        all.setup.element_pairs[all.setup.element_pair_of[index(distance.pair)]];
-    return distance.measured.distance - links.limits.contact_distance <=
+    const ElementPairIndex index_of = all.setup.element_pair_of[index(distance.pair)];
+    const ElementPair& pair = all.setup.element_pairs[index_of];
+    return distance.measured.distance - contactOfElements(all.setup, index_of) <=
            work.element_reach[index(pair.a)] + work.element_reach[index(pair.b)];
   }
   const BodyPair& bodies = all.setup.table[distance.pair];

@@ -9,22 +9,22 @@
 namespace collision_monitor {
 namespace {
 
-double contactAt(const TrajectorySearch& search, LinkPairIndex pair) noexcept {
-  return search.setup.checked[pair].limits.contact_distance + search.options.tolerance;
-}
-
-/// [m] What a bound must exceed to settle a part of the way.
-double neededFor(const TrajectorySearch& search, LinkPairIndex pair) noexcept {
+/// Whether bounds settle a part of the way: no contact, and nothing nearer that must be known.
+bool isEnough(const TrajectorySearch& search, LinkPairIndex pair, double bound,
+              double leeway) noexcept {
   const double found =
       search.is_final[pair] != 0 ? search.report.pairs[pair].nearest.measured.distance : kInfinity;
-  return std::max(contactAt(search, pair),
-                  std::min(search.options.margin, found - search.options.resolution));
+  return leeway > search.options.tolerance &&
+         bound > std::min(search.options.margin, found - search.options.resolution);
 }
 
-/// [m] What balls or bodies say of elements. Where some depth is allowed, those that overlap say
+/// What balls or bodies say of elements. Where some depth is allowed, those that overlap say
 /// nothing: see contactOfBodies.
-double boundBy(const TrajectorySearch& search, LinkPairIndex pair, double distance) noexcept {
-  return distance > 0.0 || contactAt(search, pair) > 0.0 ? distance : -kInfinity;
+Sample sampleBy(const TrajectorySearch& search, LinkPairIndex pair, double distance,
+                Level level) noexcept {
+  const double contact = search.setup.checked[pair].limits.contact_distance;
+  const double bound = distance > 0.0 || contact >= 0.0 ? distance : -kInfinity;
+  return {bound, bound - std::max(0.0, contact), level};
 }
 
 double timeOf(const TrajectorySearch& search, const Instant& at) noexcept {
@@ -38,18 +38,20 @@ void raise(TrajectorySearch& search, LinkPairIndex pair, Instant& at) noexcept {
   const PairDistance distance = is_final
                                     ? elementDistance(search.measures, pair, at.world_from_link)
                                     : bodyDistance(search.measures, pair, at.world_from_link);
+  const Sample found =
+      is_final ? Sample{distance.measured.distance, search.measures.leeway, Level::elements}
+               : sampleBy(search, pair, distance.measured.distance, Level::bodies);
   // An estimate of a depth is a contact, however deep that may be allowed to be.
   const bool is_overlap = distance.quality == Quality::estimate;
-  const double bound =
-      is_final ? distance.measured.distance : boundBy(search, pair, distance.measured.distance);
-  sample.bound = is_overlap ? -kInfinity : std::max(sample.bound, bound);
-  sample.level = is_final ? Level::elements : Level::bodies;
+  sample.bound = is_overlap ? -kInfinity : std::max(sample.bound, found.bound);
+  sample.leeway = is_overlap ? -kInfinity : std::max(sample.leeway, found.leeway);
+  sample.level = found.level;
   keepNearest(search, pair, distance, at, is_final);
 }
 
 bool isContact(const TrajectorySearch& search, LinkPairIndex pair, const Instant& at) noexcept {
   const Sample& sample = at.samples[pair];
-  return sample.level == Level::elements && sample.bound <= contactAt(search, pair);
+  return sample.level == Level::elements && sample.leeway <= search.options.tolerance;
 }
 
 void keepContact(TrajectorySearch& search, LinkPairIndex pair, const Instant& at) {
@@ -76,7 +78,7 @@ bool raiseOne(TrajectorySearch& search, LinkPairIndex pair, Instant& begin, Inst
   for (Instant* at : {&begin, &end}) {
     // A bound that is sufficient by itself is not what fails: the way is too long.
     const Sample& sample = at->samples[pair];
-    if (sample.level == Level::bodies && !(sample.bound > neededFor(search, pair))) {
+    if (sample.level == Level::bodies && !isEnough(search, pair, sample.bound, sample.leeway)) {
       raise(search, pair, *at);
       return true;
     }
@@ -109,7 +111,7 @@ void sampleBalls(TrajectorySearch& search, const std::vector<LinkPairIndex>& pai
   at.samples.resize(search.chains.size());
   for (const LinkPairIndex pair : pairs) {
     const double bound = ballDistance(search.measures, pair, at.world_from_link);
-    at.samples[pair] = {boundBy(search, pair, bound), Level::balls};
+    at.samples[pair] = sampleBy(search, pair, bound, Level::balls);
     keepNearer(bound, at, search.by_balls[pair]);
   }
 }
@@ -124,10 +126,10 @@ void sampleWaypoint(TrajectorySearch& search, const std::vector<LinkPairIndex>& 
   for (const LinkPairIndex pair : pairs) {
     const double bound = distanceAt(*search.waypoints, waypoint, pair);
     if (bound < search.waypoints->reach) {
-      at.samples[pair] = {boundBy(search, pair, bound), Level::bodies};
+      at.samples[pair] = sampleBy(search, pair, bound, Level::bodies);
       keepNearer(bound, at, search.by_waypoints[pair]);
     } else if (bound > at.samples[pair].bound) {
-      at.samples[pair].bound = bound;
+      at.samples[pair] = sampleBy(search, pair, bound, at.samples[pair].level);
     }
   }
 }
@@ -146,8 +148,10 @@ bool settle(TrajectorySearch& search, LinkPairIndex pair, Instant& begin, Instan
       keepContact(search, pair, begin);
       return true;
     }
-    bound = 0.5 * (begin.samples[pair].bound + end.samples[pair].bound - way);
-    if (bound > neededFor(search, pair)) {
+    const Sample& at_begin = begin.samples[pair];
+    const Sample& at_end = end.samples[pair];
+    bound = 0.5 * (at_begin.bound + at_end.bound - way);
+    if (isEnough(search, pair, bound, 0.5 * (at_begin.leeway + at_end.leeway - way))) {
       approach.at_least = std::min(approach.at_least, bound);
       return true;
     }

@@ -20,7 +20,8 @@ namespace collision_monitor {
 enum class Level : unsigned char { balls, bodies, elements };
 
 struct Sample {
-  double bound{0.0};  ///< [m] the links are at least so far apart
+  double bound{0.0};   ///< [m] the links are at least so far apart
+  double leeway{0.0};  ///< [m] and so far from contact
   Level level{Level::balls};
 };
 

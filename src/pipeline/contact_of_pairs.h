@@ -8,6 +8,16 @@
 
 namespace collision_monitor {
 
+/// [m] At this distance or nearer elements are in contact: concave ones that overlap are, however
+/// deep, for that is an estimate.
+inline double contactOfElements(const CycleSetup& setup, ElementPairIndex pair) noexcept {
+  const ElementPair& elements = setup.element_pairs[pair];
+  const double contact = setup.checked[elements.link_pair].limits.contact_distance;
+  const bool are_convex =
+      setup.elements[index(elements.a)].convex && setup.elements[index(elements.b)].convex;
+  return are_convex ? contact : std::max(0.0, contact);
+}
+
 /// [m] At this distance or nearer bodies may stand for a contact of their elements.
 ///
 /// Where contact_distance allows some depth, that of bodies says nothing of what they enclose: one
