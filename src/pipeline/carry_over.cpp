@@ -32,7 +32,7 @@ std::vector<LinkPairIndex> carryOver(const CycleSetup& from, const PairMemory& r
     const auto place = places.find(framesOf(from, from.checked[i]));
     if (place != places.end()) {
       memory.reported[place->second] = reported.reported[i];
-      memory.is_certain[place->second] = reported.is_certain[i];
+      memory.contact_detail[place->second] = reported.contact_detail[i];
       memory.speed.stopped[place->second] = reported.speed.stopped[i];
     } else if (reported.reported[i] != Verdict::clear) {
       dropped.push_back(i);

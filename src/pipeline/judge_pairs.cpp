@@ -119,21 +119,27 @@ bool isMotionKnown(const LinkVelocities& velocities, const CheckedLinkPair& pair
   return velocities.known[index(pair.a)] != 0 && velocities.known[index(pair.b)] != 0;
 }
 
-/// Whether it is the geometries themselves that are in contact, if the pair is.
-bool isOfGeometries(const PairDistances& distances, const PairEvents& events,
-                    std::size_t link_pair) noexcept {
+/// The finest that shows the pair to be in contact, if it is.
+Detail contactDetailOf(const PairDistances& distances, const PairEvents& events,
+                       std::size_t link_pair) noexcept {
   const std::uint32_t passed = events.passed[link_pair];
   const std::uint32_t closest = events.closest[link_pair];
-  return events.estimated[link_pair] != kNone ||
-         (passed != kNone && distances.passed[passed].distance.quality != Quality::lower_bound) ||
-         (closest != kNone && distances.measured[closest].quality != Quality::lower_bound);
+  Detail detail = events.estimated[link_pair] != kNone ? Detail::geometries : Detail::shapes;
+  if (passed != kNone) {
+    detail = std::max(detail, detailOf(distances.passed[passed].distance));
+  }
+  if (closest != kNone) {
+    detail = std::max(detail, detailOf(distances.measured[closest]));
+  }
+  return detail;
 }
 
 /// What hysteresis starts from. A contact of bounds, as where the budget was spent, is no contact
-/// as soon as the geometries are seen to be apart, however near they are.
-Verdict heldVerdict(const PairMemory& memory, std::size_t link_pair, Quality quality) noexcept {
+/// as soon as something finer than these bounds is seen to be apart, however near it is.
+Verdict heldVerdict(const PairMemory& memory, std::size_t link_pair,
+                    const PairDistance& nearest) noexcept {
   const Verdict before = memory.reported[link_pair];
-  const bool is_refuted = quality == Quality::exact && memory.is_certain[link_pair] == 0;
+  const bool is_refuted = detailOf(nearest) > memory.contact_detail[link_pair];
   return before == Verdict::contact && is_refuted ? Verdict::warning : before;
 }
 
@@ -153,7 +159,7 @@ Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
   const std::uint32_t soonest = events.soonest[link_pair];
   const double time = soonest == kNone ? kNever : distances.measured[soonest].time_to_contact;
   return verdictFor(nearest.measured.distance, time, setup.checked[link_pair].limits,
-                    heldVerdict(memory, link_pair, nearest.quality));
+                    heldVerdict(memory, link_pair, nearest));
 }
 
 }  // namespace
@@ -172,8 +178,9 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
     const Verdict verdict = isKnown(body_poses, setup.checked[i])
                                 ? judgeLinkPair(setup, distances, events, i, memory)
                                 : Verdict::unknown;
-    const bool is_certain = memory.is_certain[i] != 0 || isOfGeometries(distances, events, i);
-    memory.is_certain[i] = verdict == Verdict::contact && is_certain ? 1 : 0;
+    const Detail detail = contactDetailOf(distances, events, i);
+    memory.contact_detail[i] =
+        verdict == Verdict::contact ? std::max(memory.contact_detail[i], detail) : Detail::shapes;
     events.verdicts[i] = verdict;
     events.overall = std::max(events.overall, verdict);
     has_unknown =

@@ -74,6 +74,7 @@ void raiseBound(double bound, PairDistance& distance) noexcept {
   if (bound > measured.distance) {
     measured.distance = bound;
     measured.point_on_b = measured.point_on_a + bound * measured.normal_a_to_b;
+    distance.is_raised = true;
   }
 }
 
@@ -113,8 +114,9 @@ PlacedElement placed(const Refinement& all, ElementId id) noexcept {
 /// Beyond this a pair is in no contact.
 double clearBeyond(const Refinement& all, const RefineTask& task) noexcept {
   constexpr double kNotTouching = 1e-3;
+  constexpr double kPastThreshold = 1e-6;  // a contact is held at its threshold, which is enough
   const Limits& limits = limitsOf(all, task);
-  return std::max(limits.contact_distance + limits.hysteresis, kNotTouching);
+  return std::max(limits.contact_distance + limits.hysteresis + kPastThreshold, kNotTouching);
 }
 
 /// Beyond this a pair is not the nearest of its links, and in no contact.

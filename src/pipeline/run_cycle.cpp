@@ -54,7 +54,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.events.island_of_link.resize(links, 0);
   buffers.events.island_forest.resize(links, 0);
   buffers.memory.reported.resize(link_pairs, Verdict::clear);
-  buffers.memory.is_certain.resize(link_pairs, 0);
+  buffers.memory.contact_detail.resize(link_pairs, Detail::shapes);
   buffers.memory.refined = makeRefineMemory(setup);
   buffers.memory.gaps = makeKnownGaps(setup);
   buffers.memory.last.world_from_link.resize(links);
@@ -75,7 +75,8 @@ void forgetPoses(CycleBuffers& buffers) noexcept {
 void resetMemory(CycleBuffers& buffers) noexcept {
   forgetPoses(buffers);
   std::fill(buffers.memory.reported.begin(), buffers.memory.reported.end(), Verdict::clear);
-  std::fill(buffers.memory.is_certain.begin(), buffers.memory.is_certain.end(), 0);
+  std::fill(buffers.memory.contact_detail.begin(), buffers.memory.contact_detail.end(),
+            Detail::shapes);
   SpeedScale& speed = buffers.memory.speed;
   std::fill(speed.stopped.begin(), speed.stopped.end(), 0);
   speed.scale = 1.0;

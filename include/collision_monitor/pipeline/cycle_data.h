@@ -68,6 +68,13 @@ enum class Quality : unsigned char {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
+/// What a distance is one of, the finest last.
+enum class Detail : unsigned char {
+  shapes,      ///< enclosing shapes
+  elements,    ///< what stands behind them: hulls, padded geometries, or a bound that a search gave
+  geometries,  ///< the geometries of the URDF themselves
+};
+
 struct PairDistance {
   PairId pair{};
   Quality quality{Quality::unknown};
@@ -75,7 +82,15 @@ struct PairDistance {
   SignedDistance measured;
   double closing_speed{kUnknown};    ///< [m/s] at the two points; > 0: the distance shrinks
   double time_to_contact{kUnknown};  ///< [s] as timeToContact, down to contact_distance
+  bool is_raised{false};  ///< not refined: a search proved the elements at least so far apart
 };
+
+inline Detail detailOf(const PairDistance& distance) noexcept {
+  if (distance.quality != Quality::lower_bound) {
+    return Detail::geometries;
+  }
+  return distance.is_refined || distance.is_raised ? Detail::elements : Detail::shapes;
+}
 
 /// An estimate is a contact also where limits allow some depth: it may be deeper than it says.
 inline bool isTouching(const PairDistance& distance, double contact_distance) noexcept {
@@ -222,10 +237,9 @@ struct SpeedScale {
 /// contacts since the last cycle are then not looked for. Gaps change nothing but the time it
 /// takes.
 struct PairMemory {
-  std::vector<Verdict> reported;  ///< by LinkPairIndex: the verdict last reported
-  /// By LinkPairIndex: whether a contact that was reported was one of the geometries, and not of
-  /// bounds alone.
-  std::vector<unsigned char> is_certain;
+  std::vector<Verdict> reported;       ///< by LinkPairIndex: the verdict last reported
+  std::vector<Detail> contact_detail;  ///< by LinkPairIndex: the finest that showed the contact
+                                       ///< that was reported
   SpeedScale speed;
   std::vector<RefineMemory> refined;  ///< by ElementPairIndex
   KnownGaps gaps;

@@ -156,7 +156,7 @@ TEST(RunCycleProperty, whatIsCulledMattersToNoVerdictTimeOrScale) {
     trackVelocities(setup.model, VelocityOptions(), tracker, poses);
     PairMemory memory;
     memory.reported = buffers.memory.reported;
-    memory.is_certain = buffers.memory.is_certain;
+    memory.contact_detail = buffers.memory.contact_detail;
     memory.speed = buffers.memory.speed;
     runCycle(setup, poses, buffers);
     PairDistances all;

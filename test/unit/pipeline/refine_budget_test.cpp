@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "refine_scene.h"
@@ -138,6 +139,55 @@ TEST(RefineBudget, budgetOfOneDistance_noContactOfEnclosingShapesIsLeft) {
   for (const PairDistance& pair : scene.buffers.distances.measured) {
     EXPECT_GE(pair.measured.distance, 0.002) << "as much as it takes to be in no contact";
   }
+}
+
+/// A ball in the hollow of a shell, twice, far from each other: apart, and everywhere by nearly the
+/// same distance, which takes long to find.
+Scene ballsInHollowShells() {
+  const TriangleMesh ball = test::sphereMesh(0.1, 24);
+  TriangleMesh hollow = test::sphereMesh(0.19, 24);
+  for (auto& [a, b, c] : hollow.triangles) {
+    std::swap(b, c);
+  }
+  const TriangleMesh shell = test::joined(test::sphereMesh(0.2, 24), hollow);
+  Scene scene({ball, shell, ball, shell});
+  scene.moveTo(2, 5.0);
+  scene.moveTo(3, 5.0);
+  return scene;
+}
+
+/// What decides of each pair that it is in no contact, and finds no distance to the end.
+std::uint32_t budgetOfDecisions() {
+  Scene scene = ballsInHollowShells();
+  scene.buffers.refine.limits.budget = 1000000;
+  scene.run();
+  return static_cast<std::uint32_t>(scene.buffers.counters.refine_steps / 2);
+}
+
+TEST(RefineBudget, contactOfEnclosingShapesAlone_endsWhenASearchProvesItNone) {
+  Scene scene = ballsInHollowShells();
+  scene.buffers.refine.limits.budget = 0;
+  scene.run();
+  ASSERT_EQ(scene.buffers.events.overall, Verdict::contact);
+  scene.buffers.refine.limits.budget = budgetOfDecisions();
+  scene.run();
+  ASSERT_GT(scene.buffers.counters.left, 0U);
+  EXPECT_NE(scene.buffers.events.overall, Verdict::contact);
+}
+
+TEST(RefineBudget, contactOfTheGeometries_endsWhenASearchProvesThemFartherThanHysteresis) {
+  Scene scene = ballsInHollowShells();
+  scene.moveTo(0, 0.1);
+  scene.moveTo(2, 5.1);
+  scene.run();
+  ASSERT_EQ(scene.buffers.events.overall, Verdict::contact);
+  scene.moveTo(0, 0.0);
+  scene.moveTo(2, 5.0);
+  forgetPoses(scene.buffers);
+  scene.buffers.refine.limits.budget = budgetOfDecisions();
+  scene.run();
+  ASSERT_GT(scene.buffers.counters.left, 0U);
+  EXPECT_NE(scene.buffers.events.overall, Verdict::contact);
 }
 
 /// Three cylinders side by side, their enclosing boxes in reach of each other, and a budget that

@@ -134,13 +134,14 @@ TEST(CarryOver, pairsOfTheSameLinks_keepWhatWasReportedAndOthersAreDropped) {
   PairMemory reported = makeBuffers(from, BroadPhaseKind::brute_force).memory;
   ASSERT_EQ(from.checked.size(), 3U);
   reported.reported = {Verdict::contact, Verdict::clear, Verdict::warning};
-  reported.is_certain[0] = reported.speed.stopped[0] = 1;
+  reported.contact_detail[0] = Detail::geometries;
+  reported.speed.stopped[0] = 1;
   reported.speed.scale = 0.25;
   reported.speed.stamp_ns = 7;
   PairMemory memory = makeBuffers(to, BroadPhaseKind::brute_force).memory;
   EXPECT_EQ(carryOver(from, reported, to, memory), std::vector<LinkPairIndex>{2});
   EXPECT_EQ(memory.reported, std::vector<Verdict>{Verdict::contact});
-  EXPECT_EQ(memory.is_certain[0], 1);
+  EXPECT_EQ(memory.contact_detail[0], Detail::geometries);
   EXPECT_EQ(memory.speed.stopped[0], 1);
   EXPECT_EQ(memory.speed.scale, 0.25);
   EXPECT_EQ(memory.speed.stamp_ns, 7);
