@@ -50,7 +50,8 @@ void fillLinks(const Watch& watch, State& message) {
 }
 
 bool isBlind(const Watch& watch, const CycleFacts& facts) {
-  return facts.now.isZero() || watch.setup().checked.empty();
+  return facts.now.isZero() || watch.clock.fault != ClockFault::none ||
+         watch.setup().checked.empty();
 }
 
 }  // namespace
@@ -87,6 +88,8 @@ void toDroppedMessage(const Watch& former, LinkPairIndex pair, Warning& message)
 void toMessage(const Watch& watch, const CycleFacts& facts, State& message) {
   message.header = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);
   message.published_at = facts.now;
+  const ros::WallTime wall_now = ros::WallTime::now();
+  message.published_at_wall = ros::Time(wall_now.sec, wall_now.nsec);
   message.level = levelOf(watch, facts);
   message.sentence = stateSentence(watch, facts);
   message.enabled = facts.is_enabled ? 1 : 0;

@@ -20,7 +20,10 @@ double toSeconds(SteadyClock::duration duration) {
 
 CycleRunner::CycleRunner(const ros::NodeHandle& private_node, Inputs inputs,
                          std::shared_ptr<const MonitorSetup> setup)
-    : store_(inputs.transforms), joints_(inputs.joints), publishers_(private_node) {
+    : store_(inputs.transforms),
+      joints_(inputs.joints),
+      clock_(inputs.clock),
+      publishers_(private_node) {
   replaceSetup(std::move(setup));
   thread_ = std::thread([this] { run(); });
 }
@@ -140,7 +143,7 @@ bool CycleRunner::readPoses(const ros::Time& now) {
     watch_->forget();
     ROS_WARN("time jumped back; poses are unknown until new transforms come");
   }
-  return watch_->read(now);
+  return watch_->read(now, lookAtClock({store_, joints_, clock_}, now));
 }
 
 void CycleRunner::publish(bool is_new) {
@@ -183,6 +186,7 @@ void CycleRunner::summarize(const State& state) {
   summary.step_cap = state.step_cap;
   summary.step_warning = state.step_warning;
   summary.steps = facts_.steps;
+  summary.refused = store_.refusedTooMany() + joints_.refusedTooLong();
   summary.unknown_links = state.unknown_links;
   statistics_.setSummary(std::move(summary));
 }

@@ -9,6 +9,7 @@
 
 #include "ros_edge/cycle_statistics.h"
 #include "ros_edge/enabling.h"
+#include "ros_edge/inputs.h"
 #include "ros_edge/pace.h"
 #include "ros_edge/publishers.h"
 
@@ -18,12 +19,6 @@ namespace collision_monitor {
 /// paces it, so that it speaks also while a simulated clock stands still.
 class CycleRunner {
  public:
-  /// Where poses and joint states come from.
-  struct Inputs {
-    TransformStore& transforms;
-    JointStore& joints;
-  };
-
   /// @pre the inputs outlive the runner.
   CycleRunner(const ros::NodeHandle& private_node, Inputs inputs,
               std::shared_ptr<const MonitorSetup> setup);
@@ -49,6 +44,7 @@ class CycleRunner {
 
   TransformStore& store_;
   JointStore& joints_;
+  ClockWatch& clock_;
   Publishers publishers_;
   CycleStatistics statistics_;
   Enabling enabling_;

@@ -31,6 +31,8 @@ struct CycleSummary {
   double step_cap{0.0};    ///< [s]
   std::string step_warning;
   StepCount steps;
+  std::uint64_t refused{
+      0};  ///< messages of inputs that were too long, and frames that were too many
   std::vector<std::string> unknown_links;
 };
 

@@ -47,6 +47,7 @@ void Diagnostics::reportVerdict(DiagnosticStatusWrapper& status) {
   status.add("age of the oldest known link [s]", summary.age);
   status.add("least time to contact [s]", summary.time_to_contact);
   status.add("speed scale", summary.speed_scale);
+  status.add("inputs refused as too long or too many", summary.refused);
   status.add("unknown links", summary.unknown_links.size());
   for (const std::string& link : summary.unknown_links) {
     status.add("unknown", link);

@@ -43,6 +43,25 @@ std::string refused(const TransformStore& store) {
 
 }  // namespace
 
+/// Who said different things of one time.
+std::string PoseReader::explainContradiction(const Edge& edge) const {
+  if (edge.joint != nullptr) {
+    const Joint& joint = edge.joint->mimic ? model_.joint(edge.joint->mimic->source) : *edge.joint;
+    const Contradiction& last = joints_->newest(joint.first_variable).contradiction;
+    return whoSends(joints_->publisher(last.first), joints_->publisher(last.second)) +
+           " different positions of joint '" + joint.name + "' with one stamp";
+  }
+  for (const std::size_t frame : edge.moving_path) {
+    const FrameRecord& record = records_[frame];
+    if (isRecent(record.contradiction, record.newest_ns, max_age_)) {
+      return whoSends(store_.publisher(record.contradiction.first),
+                      store_.publisher(record.contradiction.second)) +
+             " different transforms to '" + record.name + "' with one stamp";
+    }
+  }
+  return "its sources contradicted each other";
+}
+
 /// Of a link that a joint places, or should.
 std::string PoseReader::explainJoint(const Edge& edge) const {
   // A mimic joint waits for its source.
@@ -57,6 +76,8 @@ std::string PoseReader::explainJoint(const Edge& edge) const {
       return explainAge(edge.age, max_age_, what);
     case LinkStatus::not_finite:
       return "the position of joint '" + joint.name + "' is not finite or beyond 1e9";
+    case LinkStatus::contradicted:
+      return explainContradiction(edge);
     default:
       return "no " + what + " yet";
   }
@@ -129,6 +150,8 @@ std::string PoseReader::explain(LinkId link) const {
     case LinkStatus::not_finite:
       return "the transform to '" + cause->child_frame +
              "' is not finite, no rotation or farther than 1e9 m";
+    case LinkStatus::contradicted:
+      return explainContradiction(*cause);
     default:
       return explainMissing(*cause);
   }

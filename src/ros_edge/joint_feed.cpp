@@ -25,12 +25,13 @@ void JointFeed::listenTo(const std::vector<std::string>& topics) {
     if (topic.empty() || wanted.count(topic) > 0) {
       continue;
     }
-    const boost::function<void(const sensor_msgs::JointStateConstPtr&)> callback =
-        [this, topic](const sensor_msgs::JointStateConstPtr& message) {
-          store_.accept(topic, *message);
-          after_message_();
-        };
-    wanted[topic] = private_node_.subscribe<sensor_msgs::JointState>(
+    using JointEvent = ros::MessageEvent<sensor_msgs::JointState const>;
+    const boost::function<void(const JointEvent&)> callback = [this,
+                                                               topic](const JointEvent& event) {
+      store_.accept(topic, *event.getConstMessage(), event.getPublisherName());
+      after_message_();
+    };
+    wanted[topic] = private_node_.subscribe<sensor_msgs::JointState, const JointEvent&>(
         nameBeside(private_node_, topic), kQueueSize, callback, ros::VoidConstPtr(),
         ros::TransportHints().tcpNoDelay());
   }

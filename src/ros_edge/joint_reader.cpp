@@ -30,6 +30,7 @@ JointReader::JointReader(const RobotModel& model, const JointStore& store,
     : model_(model), store_(store), topics_(std::move(topics)), newest_(model.variable_count) {
   variables_.reserve(model.joints.size());
   records_.reserve(model.joints.size());
+  newest_samples_.reserve(model.joints.size());
   samples_.reserve(model.joints.size());
 }
 
@@ -77,9 +78,9 @@ bool JointReader::hasOtherRobotJoint(std::size_t robot, const std::string& bare_
 
 void JointReader::refresh() {
   findJoints();
-  store_.readNewest(records_, samples_);
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
-    newest_[variables_[i]] = samples_[i];
+  store_.readNewest(records_, newest_samples_);
+  for (std::size_t i = 0; i < newest_samples_.size(); ++i) {
+    newest_[variables_[i]] = newest_samples_[i];
   }
 }
 
@@ -113,6 +114,16 @@ void JointReader::readVelocities(const ros::Time& now, double max_age,
     const bool is_usable = isFresh(newest_[i], now, max_age) && std::isfinite(newest_[i].velocity);
     velocities[i] = is_usable ? newest_[i].velocity : kNaN;
   }
+}
+
+std::vector<std::string> jointNames(const RobotModel& model, RobotId robot) {
+  const Robot& one = model.robots[index(robot)];
+  std::vector<std::string> names;
+  for (std::size_t i = one.first_joint; i < one.first_joint + one.joint_count; ++i) {
+    names.push_back(model.joints[i].name);
+    names.push_back(bareName(one, model.joints[i].name));
+  }
+  return names;
 }
 
 }  // namespace collision_monitor

@@ -28,6 +28,17 @@ JointSample newestOf(const std::deque<JointSample>& samples) {
   return samples.empty() ? JointSample() : samples.back();
 }
 
+/// Far more joints than any robot has.
+constexpr std::size_t kMostJoints = 10000;
+
+/// [rad] or [m]: one state, computed by two programs.
+constexpr double kSame = 1e-6;
+
+/// NaN is the same as NaN alone.
+bool isSame(double one, double other) {
+  return std::abs(one - other) <= kSame || (std::isnan(one) && std::isnan(other));
+}
+
 struct Moment {
   std::int64_t stamp_ns;
   double longest_gap;
@@ -52,40 +63,71 @@ JointSample sampleBetween(const JointSample& before, const JointSample& after,
 
 }  // namespace
 
-JointStore::JointStore(TimeSource time_source) : time_source_(std::move(time_source)) {}
+JointStore::JointStore(TimeSource time_source)
+    : time_source_(std::move(time_source)), most_joints_(kMostJoints) {}
+
+void JointStore::keepOnly(const std::string& topic, const std::vector<std::string>& joints) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  wants_all_ = false;
+  Topic& known = topics_[topic];
+  known.wanted.insert(joints.begin(), joints.end());
+  known.names.clear();  // what the last message named may be wanted now
+  most_joints_ = std::max(most_joints_, 2 * known.wanted.size());
+}
 
 void JointStore::keepFor(double seconds) {
   const std::lock_guard<std::mutex> lock(mutex_);
   history_ns_ = static_cast<std::int64_t>(1e9 * seconds);
 }
 
-void JointStore::accept(const std::string& topic, const sensor_msgs::JointState& message) {
+void JointStore::accept(const std::string& topic, const sensor_msgs::JointState& message,
+                        const std::string& publisher) {
   if (message.header.stamp.isZero()) {
     return;  // it would never grow old
   }
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (message.name.size() > most_joints_) {
+    ++too_long_;
+    return;
+  }
   const auto stamp_ns = static_cast<std::int64_t>(message.header.stamp.toNSec());
   // Read under the lock: what came before a jump back must not be kept after `forget`.
   const std::int64_t ahead_ns = stamp_ns - static_cast<std::int64_t>(time_source_().toNSec());
+  const PublisherId sent_by = publishers_.idOf(publisher);
   Topic& known = topics_[topic];
   if (known.names != message.name) {
     findRecords(message.name, known);
   }
   for (std::size_t i = 0; i < message.name.size(); ++i) {
+    if (known.records[i] == kNoRecord) {
+      continue;
+    }
     History& history = histories_[known.records[i]];
+    later_ += stamp_ns > history.heard_ns ? 1 : 0;
+    history.heard_ns = std::max(history.heard_ns, stamp_ns);
     history.refused_ahead_ns = ahead_ns > history_ns_ ? ahead_ns : 0;
     if (history.refused_ahead_ns == 0) {
-      keepSample({stamp_ns, positionOf(message, i), valueOr(message.velocity, i)}, history);
+      keepSample({stamp_ns, positionOf(message, i), valueOr(message.velocity, i)}, sent_by,
+                 history);
     }
   }
 }
 
-void JointStore::keepSample(const JointSample& sample, History& history) const {
+void JointStore::keepSample(const JointSample& sample, PublisherId publisher,
+                            History& history) const {
   std::deque<JointSample>& samples = history.samples;
-  if (sample.stamp_ns <= newestOf(samples).stamp_ns) {
+  const JointSample newest = newestOf(samples);
+  if (sample.stamp_ns == newest.stamp_ns && !isSame(sample.position, newest.position)) {
+    history.contradiction = {sample.stamp_ns, history.sent_by, publisher};
+  }
+  if (sample.stamp_ns == newest.stamp_ns && !isSame(sample.velocity, newest.velocity)) {
+    samples.back().velocity = std::numeric_limits<double>::quiet_NaN();
+  }
+  if (sample.stamp_ns <= newest.stamp_ns) {
     return;
   }
   samples.push_back(sample);
+  history.sent_by = publisher;
   // The last one before the history stays: what lies between it and the next is asked for.
   while (samples.size() > 1 && samples[1].stamp_ns < sample.stamp_ns - history_ns_) {
     samples.pop_front();
@@ -96,6 +138,10 @@ void JointStore::findRecords(const std::vector<std::string>& names, Topic& topic
   topic.names = names;
   topic.records.clear();
   for (const std::string& name : names) {
+    if (!wants_all_ && topic.wanted.count(name) == 0) {
+      topic.records.push_back(kNoRecord);
+      continue;
+    }
     const auto [place, is_new] = topic.places.try_emplace(name, histories_.size());
     if (is_new) {
       histories_.emplace_back();
@@ -133,12 +179,28 @@ double JointStore::refusedAhead(Record record) const {
 }
 
 void JointStore::readNewest(const std::vector<Wanted>& wanted,
-                            std::vector<JointSample>& samples) const {
+                            std::vector<NewestSample>& samples) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   samples.clear();
   for (const Wanted& one : wanted) {
-    samples.push_back(newestOf(histories_[one.record].samples));
+    const History& history = histories_[one.record];
+    samples.push_back({newestOf(history.samples), history.contradiction});
   }
+}
+
+std::uint64_t JointStore::laterCount() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return later_;
+}
+
+std::uint64_t JointStore::refusedTooLong() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return too_long_;
+}
+
+std::string JointStore::publisher(PublisherId id) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return publishers_.nameOf(id);
 }
 
 void JointStore::readAt(const std::vector<Wanted>& wanted, std::int64_t stamp_ns,

@@ -4,7 +4,10 @@
 
 #include <ros/console.h>
 
+#include <optional>
+
 #include "collision_monitor/ros_edge/transform_feed.h"
+#include "ros_edge/clock_feed.h"
 #include "ros_edge/cycle_runner.h"
 #include "ros_edge/diagnostics.h"
 #include "ros_edge/joint_feed.h"
@@ -17,13 +20,14 @@ namespace collision_monitor {
 class Monitor::Parts {
  public:
   Parts(const ros::NodeHandle& private_node, const std::string& node_name)
-      : feed_(private_node, store_),
-        runner_(private_node, {store_, joints_}, makeLoggedSetup(private_node)),
+      : clock_feed_(private_node, clock_),
+        runner_(private_node, {store_, joints_, clock_}, makeLoggedSetup(private_node)),
         joint_feed_(private_node, joints_, [this] { wakeForJoints(); }),
         diagnostics_(ros::NodeHandle(), private_node, node_name, runner_.statistics(),
                      [this] { return runner_.currentSetup(); }),
-        services_(private_node, store_, joints_, makeHooks()) {
-    keepHistory(*runner_.currentSetup());
+        services_(private_node, {store_, joints_, clock_}, makeHooks()) {
+    tellInputs(*runner_.currentSetup());
+    feed_.emplace(private_node, store_);
     joint_feed_.listenTo(jointTopics(*runner_.currentSetup()));
   }
 
@@ -36,10 +40,16 @@ class Monitor::Parts {
 
   /// Links may be as old as max_age, and others as far ahead of now; what came while a reader was
   /// on its way is in the rest.
-  void keepHistory(const MonitorSetup& setup) {
+  void tellInputs(const MonitorSetup& setup) {
     const double seconds = 2.0 * setup.parameters.max_age + 1.0;
     store_.keepFor(seconds);
     joints_.keepFor(seconds);
+    clock_.allow(setup.parameters.clock_timeout);
+    store_.keepOnly(frameNames(setup));
+    const std::vector<std::string> topics = jointTopics(setup);
+    for (std::size_t i = 0; i < topics.size(); ++i) {
+      joints_.keepOnly(topics[i], jointNames(setup.setup.model, idAt<RobotId>(i)));
+    }
   }
 
   /// Joint states are news for who waits for poses only where they place links.
@@ -53,7 +63,7 @@ class Monitor::Parts {
     ServiceHooks hooks;
     hooks.current_setup = [this] { return runner_.currentSetup(); };
     hooks.replace_setup = [this](std::shared_ptr<const MonitorSetup> setup) {
-      keepHistory(*setup);
+      tellInputs(*setup);
       joint_feed_.listenTo(jointTopics(*setup));
       runner_.replaceSetup(std::move(setup));
     };
@@ -62,9 +72,11 @@ class Monitor::Parts {
   }
 
   TransformStore store_;
-  TransformFeed feed_;
   JointStore joints_;
+  ClockWatch clock_{ros::Time::isSimTime(), SteadyClock::now()};
+  ClockFeed clock_feed_;
   CycleRunner runner_;
+  std::optional<TransformFeed> feed_;  ///< once it is known what is wanted
   JointFeed joint_feed_;
   Diagnostics diagnostics_;
   Services services_;

@@ -41,6 +41,14 @@ std::vector<std::string> jointTopics(const MonitorSetup& setup) {
   return topics;
 }
 
+std::vector<std::string> frameNames(const MonitorSetup& setup) {
+  std::vector<std::string> names{setup.world_frame};
+  for (const Link& link : setup.setup.model.links) {
+    names.push_back(link.frame);
+  }
+  return names;
+}
+
 std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node) {
   SetupReport report;
   const std::string& where = private_node.getNamespace();

@@ -23,6 +23,9 @@ struct MonitorSetup {
 /// The topic of each robot's joint states, by RobotId; "": none.
 std::vector<std::string> jointTopics(const MonitorSetup& setup);
 
+/// The frames of tf that hold the links, and that of the world.
+std::vector<std::string> frameNames(const MonitorSetup& setup);
+
 /// Reads parameters and descriptions anew and builds the set-up. May wait for descriptions.
 /// @throws SetupError with every problem of parameters, URDFs and SRDFs.
 std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node);

@@ -151,6 +151,7 @@ void readTiming(ParameterStruct& fields, Parameters& parameters) {
   fields.read("pose_source", {"tf", "joint_states"}, source);
   parameters.pose_source = source == 0 ? PoseSource::tf : PoseSource::joint_states;
   fields.read("max_age", kTime, parameters.max_age);
+  fields.read("clock_timeout", kTime, parameters.clock_timeout);
   fields.read("velocity_filter", kDuration, parameters.velocity_filter);
   fields.read("heartbeat_rate", {1.0, 1000.0}, parameters.heartbeat_rate);
   fields.read("marker_rate", {0.0, 1000.0, true}, parameters.marker_rate);

@@ -145,6 +145,18 @@ bool PoseReader::isBad(const Edge& edge) const {
                      [&](std::size_t frame) { return records_[frame].is_bad; });
 }
 
+/// As long as a pose is believed: of two publishers that contradict each other at every stamp, one
+/// always comes first.
+bool PoseReader::isContradicted(const Edge& edge) const {
+  if (edge.joint != nullptr) {
+    const NewestSample& newest = joints_->newest(edge.joint->first_variable);
+    return isMoving(edge) && isRecent(newest.contradiction, newest.stamp_ns, max_age_);
+  }
+  return std::any_of(edge.moving_path.begin(), edge.moving_path.end(), [&](std::size_t frame) {
+    return isRecent(records_[frame].contradiction, records_[frame].newest_ns, max_age_);
+  });
+}
+
 void PoseReader::judge(std::int64_t now_ns, Edge& edge) const {
   edge.status = LinkStatus::missing;
   edge.age = kInfinity;
@@ -158,6 +170,8 @@ void PoseReader::judge(std::int64_t now_ns, Edge& edge) const {
   edge.age = isMoving(edge) ? 1e-9 * static_cast<double>(now_ns - edge.newest_ns) : 0.0;
   if (isBad(edge)) {
     edge.status = LinkStatus::not_finite;
+  } else if (isContradicted(edge)) {
+    edge.status = LinkStatus::contradicted;
   } else {
     edge.status = std::abs(edge.age) <= max_age_ ? LinkStatus::known : LinkStatus::stale;
   }

@@ -158,6 +158,9 @@ std::string verdictSentence(const Watch& watch, const CycleFacts& facts) {
   if (facts.now.isZero()) {
     return "no time on /clock yet";
   }
+  if (watch.clock.fault != ClockFault::none) {
+    return clockSentence(watch.clock);
+  }
   if (watch.setup().checked.empty()) {
     return "no pair of links is checked, so nothing can be said";
   }
@@ -233,9 +236,22 @@ std::string changeSentence(const Watch& watch, const VerdictChange& change) {
   return change.after == Verdict::clear ? measured + ", clear again" : measured;
 }
 
+std::string reasonSentence(const Watch& watch, LinkId link) {
+  return watch.clock.fault == ClockFault::none ? watch.reader.explain(link)
+                                               : clockSentence(watch.clock);
+}
+
 std::string unknownSentence(const Watch& watch, LinkId link) {
   return "link " + watch.setup().model.link(link).name +
-         " is unknown: " + watch.reader.explain(link);
+         " is unknown: " + reasonSentence(watch, link);
+}
+
+std::string clockSentence(const ClockState& clock) {
+  const std::string stands =
+      "the clock has stood still for " + fixedText(clock.stood_for, 1) + " s";
+  return clock.fault == ClockFault::silent
+             ? stands + ": nothing comes on /clock (use_sim_time is set), and no pose grows old"
+             : stands + ", but transforms or joint states of later times come";
 }
 
 std::string stepSentence(const Watch& watch) {
@@ -274,6 +290,8 @@ const char* statusText(LinkStatus status) noexcept {
       return "missing";
     case LinkStatus::not_finite:
       return "not finite";
+    case LinkStatus::contradicted:
+      return "contradicted";
   }
   return "unknown";
 }

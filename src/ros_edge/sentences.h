@@ -36,8 +36,15 @@ std::uint32_t speakerOf(const CycleSetup& setup, const CycleBuffers& buffers,
 /// What a pair's change of verdict means.
 std::string changeSentence(const Watch& watch, const VerdictChange& change);
 
+/// Why a link is unknown: "no transform for 0.52 s"
+std::string reasonSentence(const Watch& watch, LinkId link);
+
 /// "link a is unknown: no transform for 0.52 s"
 std::string unknownSentence(const Watch& watch, LinkId link);
+
+/// "the clock has stood still for 1.2 s: nothing comes on /clock ..."
+/// @pre it has a fault
+std::string clockSentence(const ClockState& clock);
 
 /// Poses that come too seldom, how often they are needed, and whether the look at the way between
 /// them covers it; empty if they do not.
@@ -46,7 +53,7 @@ std::string stepSentence(const Watch& watch);
 /// The state of the whole.
 std::string stateSentence(const Watch& watch, const CycleFacts& facts);
 
-/// "known", "stale", "missing" or "not finite".
+/// "known", "stale", "missing", "not finite" or "contradicted".
 const char* statusText(LinkStatus status) noexcept;
 
 }  // namespace collision_monitor

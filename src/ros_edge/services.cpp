@@ -16,12 +16,8 @@
 
 namespace collision_monitor {
 
-Services::Services(const ros::NodeHandle& private_node, const TransformStore& store,
-                   const JointStore& joint_store, ServiceHooks hooks)
-    : private_node_(private_node),
-      store_(store),
-      joint_store_(joint_store),
-      hooks_(std::move(hooks)) {
+Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, ServiceHooks hooks)
+    : private_node_(private_node), inputs_(inputs), hooks_(std::move(hooks)) {
   get_distances_ = private_node_.advertiseService("get_distances", &Services::getDistances, this);
   ros::NodeHandle background_node(private_node_);
   background_node.setCallbackQueue(&background_.queue());
@@ -43,8 +39,12 @@ NewestState Services::newestState(const MonitorSetup& current) const {
   NewestState newest = makeNewestState(model);
   const ros::Time now = ros::Time::now();
   if (!now.isZero()) {
-    JointReader joints(model, joint_store_, jointTopics(current));
-    makePoseReader(current, store_, joints).read(now, newest.poses);
+    JointReader joints(model, inputs_.joints, jointTopics(current));
+    makePoseReader(current, inputs_.transforms, joints).read(now, newest.poses);
+    if (lookAtClock(inputs_, now).fault != ClockFault::none) {
+      growStale(newest.poses);
+      return newest;
+    }
     joints.refresh();
     joints.readNewestPositions(now, current.parameters.max_age, newest.positions);
   }

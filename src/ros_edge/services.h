@@ -14,9 +14,8 @@
 #include <memory>
 #include <mutex>
 
-#include "collision_monitor/ros_edge/joint_store.h"
-#include "collision_monitor/ros_edge/transform_store.h"
 #include "ros_edge/background_queue.h"
+#include "ros_edge/inputs.h"
 #include "ros_edge/monitor_setup.h"
 #include "ros_edge/newest_state.h"
 
@@ -34,9 +33,8 @@ struct ServiceHooks {
 /// on the callback queue of the node handle.
 class Services {
  public:
-  /// @pre the stores outlive the services.
-  Services(const ros::NodeHandle& private_node, const TransformStore& store,
-           const JointStore& joint_store, ServiceHooks hooks);
+  /// @pre the inputs outlive the services.
+  Services(const ros::NodeHandle& private_node, const Inputs& inputs, ServiceHooks hooks);
   ~Services();
   Services(const Services&) = delete;
   Services& operator=(const Services&) = delete;
@@ -51,8 +49,7 @@ class Services {
   bool reload(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
   ros::NodeHandle private_node_;
-  const TransformStore& store_;
-  const JointStore& joint_store_;
+  Inputs inputs_;
   ServiceHooks hooks_;
   std::mutex reload_mutex_;
   BackgroundQueue background_;  ///< outlives its services

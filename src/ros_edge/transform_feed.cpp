@@ -7,13 +7,14 @@ namespace collision_monitor {
 TransformFeed::TransformFeed(ros::NodeHandle node, TransformStore& store) : store_(store) {
   node.setCallbackQueue(&queue_);
   constexpr std::uint32_t kQueueSize = 100;
+  using TransformEvent = ros::MessageEvent<tf2_msgs::TFMessage const>;
   const auto subscribe = [&](const char* topic, bool is_static) {
-    const boost::function<void(const tf2_msgs::TFMessageConstPtr&)> callback =
-        [this, is_static](const tf2_msgs::TFMessageConstPtr& message) {
-          store_.accept(message->transforms, is_static);
+    const boost::function<void(const TransformEvent&)> callback =
+        [this, is_static](const TransformEvent& event) {
+          store_.accept(event.getConstMessage()->transforms, is_static, event.getPublisherName());
         };
-    return node.subscribe<tf2_msgs::TFMessage>(topic, kQueueSize, callback, ros::VoidConstPtr(),
-                                               ros::TransportHints().tcpNoDelay());
+    return node.subscribe<tf2_msgs::TFMessage, const TransformEvent&>(
+        topic, kQueueSize, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   };
   moving_ = subscribe("/tf", false);
   static_ = subscribe("/tf_static", true);

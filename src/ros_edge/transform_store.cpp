@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/ros_edge/transform_store.h"
 
+#include <tf2/exceptions.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -80,11 +82,25 @@ void TransformStore::keepFor(double seconds) {
   history_ns_ = static_cast<std::int64_t>(std::min(1e9 * seconds, static_cast<double>(kHistory)));
 }
 
+void TransformStore::keepOnly(const std::vector<std::string>& frames) {
+  std::vector<std::string> names;
+  std::transform(frames.begin(), frames.end(), std::back_inserter(names), stripLeadingSlash);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  filter_.want(names);
+  acceptHeldBack();
+  ++version_.data;
+}
+
 void TransformStore::accept(const std::vector<geometry_msgs::TransformStamped>& transforms,
-                            bool is_static) {
+                            bool is_static, const std::string& publisher) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (transforms.size() > filter_.mostTransforms()) {
+      ++too_long_;
+      return;
+    }
     readTimeLocked();
+    publisher_ = publishers_.idOf(publisher);
     std::size_t expected = 0;
     for (const geometry_msgs::TransformStamped& transform : transforms) {
       if (hasLeadingSlash(transform.header.frame_id) || hasLeadingSlash(transform.child_frame_id)) {
@@ -93,16 +109,34 @@ void TransformStore::accept(const std::vector<geometry_msgs::TransformStamped>& 
         acceptOne(transform, is_static, expected);
       }
     }
+    acceptHeldBack();
     ++version_.data;
   }
   news_.notify_all();
+}
+
+/// Static transforms of frames that are wanted by now; each may show another one to be wanted.
+void TransformStore::acceptHeldBack() {
+  geometry_msgs::TransformStamped transform;
+  std::size_t expected = 0;
+  while (filter_.release(transform)) {
+    acceptOne(transform, true, expected);
+  }
 }
 
 /// @param expected the record to look at first; the one after this transform's when it returns
 void TransformStore::acceptOne(const geometry_msgs::TransformStamped& transform, bool is_static,
                                std::size_t& expected) {
   const std::string& parent = transform.header.frame_id;
-  if (parent.empty() || transform.child_frame_id.empty() || parent == transform.child_frame_id) {
+  const std::string& child = transform.child_frame_id;
+  if (parent.empty() || child.empty() || parent == child) {
+    return;
+  }
+  const bool is_expected = expected < records_.size() && records_[expected].name == child;
+  if (!is_expected && !filter_.isWanted(child)) {
+    if (is_static) {
+      filter_.holdBack(transform);
+    }
     return;
   }
   if (!is_static && transform.header.stamp.isZero()) {
@@ -110,10 +144,18 @@ void TransformStore::acceptOne(const geometry_msgs::TransformStamped& transform,
     ++without_stamp_;
     return;
   }
-  const std::size_t frame = recordOf(transform.child_frame_id, expected);
+  const std::size_t frame = recordOf(child, expected);
   expected = frame + 1;
+  takeIn(transform, is_static, frame);
+}
+
+void TransformStore::takeIn(const geometry_msgs::TransformStamped& transform, bool is_static,
+                            std::size_t frame) {
   FrameRecord& record = records_[frame];
+  const std::string& parent = transform.header.frame_id;
   const std::int64_t stamp = nanoseconds(transform.header.stamp);
+  version_.later += stamp > record.heard_ns ? 1 : 0;
+  record.heard_ns = std::max(record.heard_ns, stamp);
   if (!is_static && isTooFarAhead(stamp, record)) {
     return;
   }
@@ -121,7 +163,7 @@ void TransformStore::acceptOne(const geometry_msgs::TransformStamped& transform,
   if (record.is_bad) {
     return;
   }
-  if (!is_static && (stamp == record.newest_ns || stamp < record.newest_ns - kHistory)) {
+  if (!is_static && (isRepeated(transform, frame) || stamp < record.newest_ns - kHistory)) {
     return;  // sent again, or too old; tf2 would complain of it
   }
   if (is_static || record.is_static || record.parent != parent) {
@@ -130,6 +172,7 @@ void TransformStore::acceptOne(const geometry_msgs::TransformStamped& transform,
   if (is_static || stamp > record.newest_ns) {
     record.parent_from_frame = toPose(transform.transform);
     record.pose_ns = stamp;
+    record.sent_by = publisher_;
   }
   if (is_static) {
     buffer_.setTransform(transform, kAuthority, true);
@@ -137,6 +180,45 @@ void TransformStore::acceptOne(const geometry_msgs::TransformStamped& transform,
   }
   record.newest_ns = std::max(record.newest_ns, stamp);
   keepSample(frame, {stamp, transform.transform});
+}
+
+/// Whether there is one with that stamp. Notes it if that says something else.
+bool TransformStore::isRepeated(const geometry_msgs::TransformStamped& transform,
+                                std::size_t frame) {
+  const std::int64_t stamp_ns = nanoseconds(transform.header.stamp);
+  const std::deque<std::int64_t>& stamps = stamps_[frame];
+  FrameRecord& record = records_[frame];
+  if (record.is_static || (!stamps.empty() && stamp_ns > stamps.back()) ||
+      !std::binary_search(stamps.begin(), stamps.end(), stamp_ns)) {
+    return false;
+  }
+  if (!isSameAsBefore(transform, frame)) {
+    record.contradiction = {stamp_ns, record.sent_by, publisher_};
+  }
+  return true;
+}
+
+/// @pre one with its stamp is kept
+bool TransformStore::isSameAsBefore(const geometry_msgs::TransformStamped& transform,
+                                    std::size_t frame) const {
+  const FrameRecord& record = records_[frame];
+  const Pose now = toPose(transform.transform);
+  Pose before = record.parent_from_frame;
+  if (record.parent != transform.header.frame_id) {
+    return false;
+  }
+  if (record.pose_ns != nanoseconds(transform.header.stamp)) {
+    fillBuffer(frame);
+    try {
+      before = toPose(
+          buffer_.lookupTransform(record.parent, record.name, transform.header.stamp).transform);
+    } catch (const tf2::TransformException&) {
+      return true;  // it is gone, and what is newer counts
+    }
+  }
+  constexpr double kSame = 1e-6;  // [m] and [rad]: one state, computed by two programs
+  return (now.translation - before.translation).cwiseAbs().maxCoeff() <= kSame &&
+         (now.rotation - before.rotation).cwiseAbs().maxCoeff() <= kSame;
 }
 
 /// Notes it in the record, and that it is no more.
@@ -155,6 +237,7 @@ void TransformStore::attach(std::size_t frame, const std::string& parent, bool i
   records_[frame].parent = parent;
   records_[frame].pose_ns = -1;
   records_[frame].refused_ahead_ns = 0;
+  filter_.wantParent(parent);
   ++version_.topology;
 }
 
@@ -191,99 +274,6 @@ void TransformStore::fillBuffer(std::size_t frame) const {
     buffer_.setTransform(transform, kAuthority, false);
   }
   waiting_[frame].clear();
-}
-
-const tf2::BufferCore& TransformStore::bufferOf(const std::vector<std::size_t>& frames) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  for (const std::size_t frame : frames) {
-    fillBuffer(frame);
-  }
-  return buffer_;
-}
-
-double TransformStore::gapAt(std::size_t frame, std::int64_t stamp_ns) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const std::deque<std::int64_t>& stamps = stamps_[frame];
-  const auto after = std::lower_bound(stamps.begin(), stamps.end(), stamp_ns);
-  if (after == stamps.begin() || after == stamps.end() || *after == stamp_ns) {
-    return 0.0;
-  }
-  return 1e-9 * static_cast<double>(*after - *std::prev(after));
-}
-
-ros::Time TransformStore::readTime() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return readTimeLocked();
-}
-
-/// The clock is read under the lock: between two threads that read it before, the later one
-/// could come first, and time would seem to jump back.
-ros::Time TransformStore::readTimeLocked() {
-  const ros::Time now = time_source_();
-  if (now < last_time_) {
-    buffer_.clear();
-    for (std::deque<Sample>& waiting : waiting_) {
-      waiting.clear();
-    }
-    for (std::deque<std::int64_t>& stamps : stamps_) {
-      stamps.clear();
-    }
-    for (FrameRecord& record : records_) {
-      record.newest_ns = 0;
-      record.refused_ahead_ns = 0;
-      record.pose_ns = record.is_static ? record.pose_ns : -1;
-      record.is_bad = false;
-    }
-    ++version_.jumps;
-    ++version_.data;
-  }
-  last_time_ = now;
-  return now;
-}
-
-TransformStore::Version TransformStore::version() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return version_;
-}
-
-void TransformStore::waitForNews(std::uint64_t seen,
-                                 std::chrono::steady_clock::time_point deadline) const {
-  std::unique_lock<std::mutex> lock(mutex_);
-  news_.wait_until(lock, deadline, [&] { return version_.data != seen; });
-}
-
-void TransformStore::wake() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    ++version_.data;
-  }
-  news_.notify_all();
-}
-
-void TransformStore::copyRecords(std::vector<FrameRecord>& records) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  records = records_;
-}
-
-void TransformStore::refreshRecords(std::vector<FrameRecord>& records) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  for (std::size_t i = 0; i < records.size() && i < records_.size(); ++i) {
-    records[i].is_bad = records_[i].is_bad;
-    records[i].newest_ns = records_[i].newest_ns;
-    records[i].refused_ahead_ns = records_[i].refused_ahead_ns;
-    records[i].parent_from_frame = records_[i].parent_from_frame;
-    records[i].pose_ns = records_[i].pose_ns;
-  }
-}
-
-std::uint64_t TransformStore::refusedWithoutStamp() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return without_stamp_;
-}
-
-std::uint64_t TransformStore::refusedAhead() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return ahead_;
 }
 
 }  // namespace collision_monitor

@@ -62,7 +62,7 @@ void WarningLog::logUnknownLinks(const Watch& watch) {
   // One line for each cause: a joint that is silent hides every link behind it.
   std::map<std::string, std::string> links_of_cause;
   for (const LinkId link : unknown_) {
-    std::string& links = links_of_cause[watch.reader.explain(link)];
+    std::string& links = links_of_cause[reasonSentence(watch, link)];
     links += (links.empty() ? "" : ", ") + watch.setup().model.link(link).name;
   }
   for (const auto& [cause, links] : links_of_cause) {

@@ -27,11 +27,25 @@ PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store
           reads_joints ? &joints : nullptr};
 }
 
-bool Watch::read(const ros::Time& now) {
+bool growStale(LinkPoses& poses) noexcept {
+  bool has_changed = false;
+  for (LinkStatus& status : poses.status) {
+    has_changed = has_changed || status == LinkStatus::known;
+    status = status == LinkStatus::known ? LinkStatus::stale : status;
+  }
+  std::fill(poses.velocities.known.begin(), poses.velocities.known.end(), 0);
+  return has_changed;
+}
+
+bool Watch::read(const ros::Time& now, const ClockState& clock_now) {
+  clock = clock_now;
   if (now.isZero()) {
     std::fill(poses.status.begin(), poses.status.end(), LinkStatus::missing);
     std::fill(poses.velocities.known.begin(), poses.velocities.known.end(), 0);
     return false;
+  }
+  if (clock.fault != ClockFault::none) {
+    return growStale(poses);
   }
   const Parameters& parameters = fixed->parameters;
   const bool is_new = reader.read(now, poses);

@@ -8,6 +8,7 @@
 #include "collision_monitor/pipeline/link_velocities.h"
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "collision_monitor/ros_edge/pose_reader.h"
+#include "ros_edge/clock_watch.h"
 #include "ros_edge/monitor_setup.h"
 
 namespace collision_monitor {
@@ -18,9 +19,10 @@ struct Watch {
   Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformStore& store,
         const JointStore& joint_store);
 
-  /// Brings poses and velocities up to date. Does not throw: what cannot be read is unknown.
+  /// Brings poses and velocities up to date. Does not throw: what cannot be read is unknown, and
+  /// all is old by a clock that has died.
   /// @return true when a stamp or the status of a link changed.
-  bool read(const ros::Time& now);
+  bool read(const ros::Time& now, const ClockState& clock_now);
   /// Forgets where links were: time jumped.
   void forget();
   /// It is switched off: listeners go on believing what they were told.
@@ -38,6 +40,7 @@ struct Watch {
   VelocityTracker tracker;
   JointVelocities joint_velocities;
   CycleBuffers buffers;
+  ClockState clock;
   std::vector<Verdict> believed;  ///< by LinkPairIndex, while it is switched off
 
   const CycleSetup& setup() const noexcept { return fixed->setup; }
@@ -47,6 +50,10 @@ struct Watch {
 /// @pre all outlive the reader
 PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
                           JointReader& joints);
+
+/// All that was known is stale, how fast it moved unknown: time stands still.
+/// @return true when the status of a link changed.
+bool growStale(LinkPoses& poses) noexcept;
 
 /// Steps between poses since start.
 struct StepCount {

@@ -7,6 +7,7 @@ import time
 import unittest
 
 import rospy
+from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Bool
 
@@ -14,6 +15,17 @@ from collision_monitor.msg import Contacts, Distances, State, Warning as Warning
 
 NODE = "/collision_monitor"
 DEADLINE = 20.0  # wall seconds; far more than anything takes, so a failure is a failure
+
+
+def transform(parent, child, stamp, x):
+    """A translation along x."""
+    message = TransformStamped()
+    message.header.frame_id = parent
+    message.header.stamp = stamp
+    message.child_frame_id = child
+    message.transform.translation.x = x
+    message.transform.rotation.w = 1.0
+    return message
 
 
 class Probe:

@@ -25,9 +25,10 @@ namespace collision_monitor {
 
 enum class LinkStatus : unsigned char {
   known,
-  stale,       ///< its newest pose is older than max_age
-  missing,     ///< no pose was ever received, or it cannot be joined to the world
-  not_finite,  ///< the pose holds NaN or infinity, or its rotation is none
+  stale,         ///< its newest pose is older than max_age
+  missing,       ///< no pose was ever received, or it cannot be joined to the world
+  not_finite,    ///< the pose holds NaN or infinity, or its rotation is none
+  contradicted,  ///< two sources say different things of one time
 };
 
 /// How fast the links move, as far as it is known.

@@ -27,7 +27,9 @@ class JointReader {
   void refresh();
   /// The newest sample of a variable, as of the last refresh; without stamp if
   /// there is none.
-  const JointSample& newest(std::size_t variable) const { return newest_[variable]; }
+  const NewestSample& newest(std::size_t variable) const { return newest_[variable]; }
+  /// As JointStore::publisher.
+  std::string publisher(PublisherId id) const { return store_.publisher(id); }
 
   /// As JointStore::refusedAhead, by variable.
   double refusedAhead(std::size_t variable) const;
@@ -50,10 +52,14 @@ class JointReader {
   const JointStore& store_;
   std::vector<std::string> topics_;
   std::size_t known_records_{0};
-  std::vector<std::size_t> variables_;       ///< of the joints that the store knows
-  std::vector<JointStore::Wanted> records_;  ///< beside variables_
-  std::vector<JointSample> samples_;         ///< beside variables_
-  std::vector<JointSample> newest_;          ///< by variable
+  std::vector<std::size_t> variables_;        ///< of the joints that the store knows
+  std::vector<JointStore::Wanted> records_;   ///< beside variables_
+  std::vector<NewestSample> newest_samples_;  ///< beside variables_
+  std::vector<JointSample> samples_;          ///< beside variables_, at a stamp
+  std::vector<NewestSample> newest_;          ///< by variable
 };
+
+/// The names by which joint states may call the joints of a robot: with its prefix or without.
+std::vector<std::string> jointNames(const RobotModel& model, RobotId robot);
 
 }  // namespace collision_monitor

@@ -43,6 +43,7 @@ struct Parameters {
   Trigger trigger{Trigger::timer};
   PoseSource pose_source{PoseSource::tf};
   double max_age{0.5};                       ///< [s]
+  double clock_timeout{1.0};                 ///< [s] of wall time
   std::string joint_states{"joint_states"};  ///< topic; "": none
   double velocity_filter{0.02};              ///< [s] as VelocityOptions::time_constant
   double heartbeat_rate{2.0};                ///< [Hz]

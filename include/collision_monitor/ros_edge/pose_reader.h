@@ -78,6 +78,7 @@ class PoseReader {
   static bool isMoving(const Edge& edge);
   std::int64_t newestOf(const Edge& edge) const;
   bool isBad(const Edge& edge) const;
+  bool isContradicted(const Edge& edge) const;
   void makeEdges();
   void refresh();
   void connect(Edge& edge) const;
@@ -96,6 +97,7 @@ class PoseReader {
   bool placeLinks(LinkPoses& poses) const;
   std::string explainJoint(const Edge& edge) const;
   std::string explainMissing(const Edge& edge) const;
+  std::string explainContradiction(const Edge& edge) const;
   double refusedAhead(const Edge& edge) const;
 
   const RobotModel& model_;

@@ -16,6 +16,8 @@
 #include <vector>
 
 #include "collision_monitor/geometry/pose.h"
+#include "collision_monitor/ros_edge/frame_filter.h"
+#include "collision_monitor/ros_edge/publisher_names.h"
 
 namespace collision_monitor {
 
@@ -28,6 +30,9 @@ struct FrameRecord {
   std::int64_t newest_ns{0};         ///< stamp; 0 until a transform with a stamp came
   std::int64_t refused_ahead_ns{0};  ///< of the last transform, if it was refused for being so far
                                      ///< ahead of now; 0 if it was not
+  std::int64_t heard_ns{0};          ///< the latest stamp, of what was refused too
+  PublisherId sent_by{};             ///< what is newest
+  Contradiction contradiction;       ///< the last
   /// As of pose_ns, which is the newest stamp unless data came out of order. Static: at all times.
   Pose parent_from_frame;
   std::int64_t pose_ns{-1};  ///< -1: no pose
@@ -43,6 +48,10 @@ struct FrameRecord {
 /// buffer, nor does one that is farther ahead of now than the history is long: it would outlive all
 /// that follow. Frame names lose a leading slash. When time jumps back, all moving data are
 /// forgotten.
+///
+/// Of two different transforms of a frame with one stamp neither is more true: the record keeps who
+/// sent them. Frames that nothing needs are not kept (keepOnly), and messages of more transforms
+/// than any robot has are refused.
 /// Safe for one feeder and several readers at once.
 class TransformStore {
  public:
@@ -51,6 +60,7 @@ class TransformStore {
     std::uint64_t data{0};      ///< changes with every message
     std::uint64_t topology{0};  ///< changes with new frames, other parents, static transforms
     std::uint64_t jumps{0};     ///< of time, backwards
+    std::uint64_t later{0};     ///< changes with a transform later than the last of its frame
   };
 
   using TimeSource = std::function<ros::Time()>;
@@ -61,8 +71,14 @@ class TransformStore {
   /// go. Ten, as tf2's buffer has it, unless told; never more.
   void keepFor(double seconds);
 
+  /// From now on keeps only these frames, those that were told before, and what is above them in
+  /// tf. All are kept until this is called.
+  void keepOnly(const std::vector<std::string>& frames);
+
   /// Takes in one message of tf or tf_static.
-  void accept(const std::vector<geometry_msgs::TransformStamped>& transforms, bool is_static);
+  /// @param publisher name of the node that sent it, if that is known
+  void accept(const std::vector<geometry_msgs::TransformStamped>& transforms, bool is_static,
+              const std::string& publisher = "");
 
   /// The time now. Forgets all moving data if that is before the last time read.
   ros::Time readTime();
@@ -89,6 +105,10 @@ class TransformStore {
   std::uint64_t refusedWithoutStamp() const;
   /// Transforms that were refused because they were too far ahead of now.
   std::uint64_t refusedAhead() const;
+  /// Messages that were refused because they were too long, and frames because they were too many.
+  std::uint64_t refusedTooMany() const;
+  /// "" if it is not known.
+  std::string publisher(PublisherId id) const;
 
  private:
   /// A moving transform that the buffer did not take in yet.
@@ -100,7 +120,11 @@ class TransformStore {
   std::size_t recordOf(const std::string& frame, std::size_t expected);
   void acceptOne(const geometry_msgs::TransformStamped& transform, bool is_static,
                  std::size_t& expected);
+  void acceptHeldBack();
+  void takeIn(const geometry_msgs::TransformStamped& transform, bool is_static, std::size_t frame);
   bool isTooFarAhead(std::int64_t stamp_ns, FrameRecord& record);
+  bool isRepeated(const geometry_msgs::TransformStamped& transform, std::size_t frame);
+  bool isSameAsBefore(const geometry_msgs::TransformStamped& transform, std::size_t frame) const;
   void attach(std::size_t frame, const std::string& parent, bool is_static);
   void keepSample(std::size_t frame, const Sample& sample);
   void keepStamp(std::size_t frame, std::int64_t stamp_ns);
@@ -120,6 +144,10 @@ class TransformStore {
   ros::Time last_time_;
   std::uint64_t without_stamp_{0};
   std::uint64_t ahead_{0};
+  std::uint64_t too_long_{0};
+  FrameFilter filter_;
+  PublisherNames publishers_;
+  PublisherId publisher_{};  ///< of the message at hand
 };
 
 /// Of a quaternion that may be a little off unit length.

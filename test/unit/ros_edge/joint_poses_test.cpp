@@ -166,5 +166,45 @@ TEST_F(JointPosesTest, rootOfAMobileRobot_isPlacedByTf) {
   EXPECT_EQ(poses_.stamp_ns, 10'000'000'000);
 }
 
+TEST_F(JointPosesTest, jointNamedTwiceWithDifferentPositions_linksAreUnknown) {
+  sensor_msgs::JointState message;
+  message.header.stamp = ros::Time(10.0);
+  message.name = {"slide", "reach", "slide"};
+  message.position = {0.2, 0.3, 0.2};
+  joints_.accept("joint_states", message, "/driver");
+  read(10.0);
+  EXPECT_EQ(status("arm"), LinkStatus::known) << "the same position twice";
+  message.header.stamp = ros::Time(10.1);
+  message.position = {0.2, 0.3, 0.4};
+  joints_.accept("joint_states", message, "/driver");
+  read(10.1);
+  EXPECT_EQ(status("base"), LinkStatus::known);
+  for (const char* link : {"arm", "hand", "finger"}) {
+    EXPECT_EQ(status(link), LinkStatus::contradicted) << link;
+  }
+  EXPECT_EQ(explain("finger"),
+            "'/driver' sends different positions of joint 'slide' with one stamp");
+  send(10.7, "slide", 0.2);
+  send(10.7, "reach", 0.3);
+  read(10.7);
+  EXPECT_EQ(status("arm"), LinkStatus::known);
+}
+
+TEST_F(JointPosesTest, twoPublishersAndOneStamp_bothAreNamed) {
+  sensor_msgs::JointState message;
+  message.header.stamp = ros::Time(10.0);
+  message.name = {"reach"};
+  message.position = {0.3};
+  send(10.0, "slide", 0.2);
+  joints_.accept("joint_states", message, "/driver");
+  message.position = {std::nan("")};
+  joints_.accept("joint_states", message, "/simulator");
+  read(10.0);
+  EXPECT_EQ(status("arm"), LinkStatus::known);
+  EXPECT_EQ(status("hand"), LinkStatus::contradicted);
+  EXPECT_EQ(explain("hand"),
+            "'/driver' and '/simulator' send different positions of joint 'reach' with one stamp");
+}
+
 }  // namespace
 }  // namespace collision_monitor::test

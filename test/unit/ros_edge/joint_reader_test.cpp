@@ -34,7 +34,7 @@ TEST(JointStore, newestSampleStays) {
   JointStore store(&late);
   store.accept("t", jointState(2.0, {"a", "b"}, {0.1, 0.2}, {1.0}));
   store.accept("t", jointState(1.0, {"a"}, {0.7}, {7.0}));
-  std::vector<JointSample> samples;
+  std::vector<NewestSample> samples;
   store.readNewest({{*store.find("t", "a"), false}, {*store.find("t", "b"), false}}, samples);
   EXPECT_EQ(samples[0].velocity, 1.0) << "an older message does not count";
   EXPECT_EQ(samples[1].position, 0.2);
@@ -49,7 +49,7 @@ TEST(JointStore, messagesThatNameOtherJoints_keepToTheRecords) {
   store.accept("t", jointState(2.0, {"b", "c"}, {0.3, 0.4}));
   store.accept("other", jointState(3.0, {"b", "c"}, {0.8, 0.9}));
   store.accept("t", jointState(4.0, {"c", "a"}, {0.5, 0.6}));
-  std::vector<JointSample> samples;
+  std::vector<NewestSample> samples;
   store.readNewest({{*store.find("t", "a")}, {*store.find("t", "b")}, {*store.find("t", "c")}},
                    samples);
   EXPECT_EQ(samples[0].position, 0.6);
@@ -75,7 +75,7 @@ TEST(JointStore, sampleFarAheadOfNow_isRefusedAndHidesNothing) {
   store.accept("t", jointState(1000.0, {"a"}, {0.1}));
   EXPECT_EQ(store.refusedAhead(a), 0.0);
   EXPECT_NEAR(store.refusedAhead(*store.find("t", "b")), 3600.0, 1e-9);
-  std::vector<JointSample> samples;
+  std::vector<NewestSample> samples;
   store.readNewest({{a}, {*store.find("t", "b")}}, samples);
   EXPECT_EQ(samples[0].position, 0.1);
   EXPECT_EQ(samples[1].stamp_ns, 0) << "nothing else came of it";
@@ -92,7 +92,7 @@ TEST(JointStore, messageOfBeforeAJumpThatComesAfterIt_hidesNothing) {
   store.forget();
   store.accept("t", jointState(1004.0, {"a"}, {0.2}));
   store.accept("t", jointState(1.1, {"a"}, {0.3}));
-  std::vector<JointSample> samples;
+  std::vector<NewestSample> samples;
   store.readNewest({{*store.find("t", "a")}}, samples);
   EXPECT_EQ(samples[0].position, 0.3);
 }
@@ -140,8 +140,9 @@ TEST(JointStore, longHistory_forgetsItsBeginning) {
   store.readAt(a, 899'000'000'000, 2.0, samples);
   EXPECT_EQ(samples[0].stamp_ns, 0);
   store.forget();
-  store.readNewest(a, samples);
-  EXPECT_EQ(samples[0].stamp_ns, 0);
+  std::vector<NewestSample> newest;
+  store.readNewest(a, newest);
+  EXPECT_EQ(newest[0].stamp_ns, 0);
 }
 
 TEST(JointStore, denseSamples_reachAsFarBackAsThoseOfTf) {
@@ -248,6 +249,41 @@ TEST_F(JointReaderTest, noTopic_noVelocities) {
   build({""}, {""});
   store_.accept("t", jointState(9.9, {"turn"}, {0}, {1.0}));
   EXPECT_TRUE(std::isnan(velocityOf("turn")));
+}
+
+TEST(JointStore, keepsOnlyWhatIsWanted) {
+  JointStore store(&late);
+  store.keepOnly("t", {"a"});
+  store.accept("t", jointState(1.0, {"x", "a", "y"}, {0.7, 0.1, 0.8}));
+  store.accept("other", jointState(1.0, {"a"}, {0.1}));
+  EXPECT_EQ(store.recordCount(), 1U);
+  ASSERT_TRUE(store.find("t", "a"));
+  store.keepOnly("t", {"y"});
+  store.accept("t", jointState(2.0, {"x", "a", "y"}, {0.7, 0.2, 0.8}));
+  std::vector<NewestSample> samples;
+  store.readNewest({{*store.find("t", "a"), false}, {*store.find("t", "y"), false}}, samples);
+  EXPECT_EQ(samples[0].position, 0.2) << "what was told before is still wanted";
+  EXPECT_EQ(samples[1].position, 0.8);
+}
+
+TEST(JointStore, messageOfMoreJointsThanAnyRobotHas_isRefusedAndCounted) {
+  JointStore store(&late);
+  store.keepOnly("t", {"a"});
+  std::vector<std::string> names(10001, "x");
+  names.back() = "a";
+  store.accept("t", jointState(1.0, names, std::vector<double>(names.size(), 0.5)));
+  EXPECT_EQ(store.recordCount(), 0U);
+  EXPECT_EQ(store.refusedTooLong(), 1U);
+}
+
+TEST(JointStore, differentVelocitiesOfOneTime_noneIsBelieved) {
+  JointStore store(&late);
+  store.accept("t", jointState(1.0, {"a", "a"}, {0.1, 0.1}, {1.0, 2.0}));
+  std::vector<NewestSample> samples;
+  store.readNewest({{*store.find("t", "a"), false}}, samples);
+  EXPECT_EQ(samples[0].position, 0.1);
+  EXPECT_TRUE(std::isnan(samples[0].velocity));
+  EXPECT_EQ(samples[0].contradiction.stamp_ns, 0);
 }
 
 }  // namespace

@@ -129,5 +129,24 @@ TEST_F(PoseReaderFaults, loopThatEnds_isForgotten) {
   EXPECT_EQ(status("hand"), LinkStatus::known);
 }
 
+TEST_F(PoseReaderFaults, twoTransformsWithOneStamp_linksAreUnknownAsLongAsAPoseIsBelieved) {
+  sendArm(10.0, 0.5);
+  store_.accept({transformAlongX("base", "arm", 10.0, 0.5)}, false, "/one");
+  store_.accept({transformAlongX("base", "arm", 10.1, 0.5)}, false, "/one");
+  store_.accept({transformAlongX("base", "arm", 10.1, 0.6)}, false, "/other");
+  read(10.1);
+  EXPECT_EQ(status("base"), LinkStatus::known);
+  EXPECT_EQ(status("arm"), LinkStatus::contradicted);
+  EXPECT_EQ(status("hand"), LinkStatus::contradicted);
+  EXPECT_EQ(explain("hand"),
+            "'/one' and '/other' send different transforms to 'arm' with one stamp");
+  sendArm(10.5, 0.5);
+  read(10.5);
+  EXPECT_EQ(status("arm"), LinkStatus::contradicted) << "one of the two may only be late";
+  sendArm(10.7, 0.5);
+  read(10.7);
+  EXPECT_EQ(status("arm"), LinkStatus::known);
+}
+
 }  // namespace
 }  // namespace collision_monitor::test

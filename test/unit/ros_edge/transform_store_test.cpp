@@ -139,5 +139,135 @@ TEST_F(TransformStoreTest, timeThatJumpsBack_forgetsWhatTheBufferHasNotYetSeen) 
   EXPECT_DOUBLE_EQ(lookUp("base", "arm", 9.0, {0}), 0.9);
 }
 
+class KeepOnlyTest : public TransformStoreTest {
+ protected:
+  void sendStatic(const std::string& parent, const std::string& child, double x) {
+    store_.accept({transformAlongX(parent, child, 0.0, x)}, true);
+  }
+  std::vector<std::string> kept() const {
+    std::vector<FrameRecord> records;
+    store_.copyRecords(records);
+    std::vector<std::string> names;
+    for (const FrameRecord& record : records) {
+      names.push_back(record.name);
+    }
+    return names;
+  }
+  static geometry_msgs::TransformStamped other(std::size_t number) {
+    return transformAlongX("elsewhere", "other_" + std::to_string(number), 50.0, 1.0);
+  }
+
+  using Names = std::vector<std::string>;
+};
+
+TEST_F(KeepOnlyTest, whatIsAboveIsKept_whatIsBesideIsNot) {
+  store_.keepOnly({"/hand"});
+  send("arm", "hand", 50.0, 1.0);
+  send("base", "arm", 50.0, 1.0);
+  send("base", "camera", 50.0, 1.0);
+  EXPECT_EQ(kept(), (Names{"hand", "arm"}));
+  send("map", "base", 51.0, 1.0);
+  EXPECT_EQ(kept(), (Names{"hand", "arm", "base"}));
+}
+
+TEST_F(KeepOnlyTest, staticTransformsThatCameTooEarly_areKeptOnceTheyAreWanted) {
+  store_.keepOnly({"hand"});
+  sendStatic("map", "base", 4.0);
+  sendStatic("base", "arm", 2.0);
+  EXPECT_EQ(kept(), Names{});
+  send("arm", "hand", 50.0, 1.0);
+  EXPECT_EQ(kept(), (Names{"hand", "arm", "base"}));
+  EXPECT_DOUBLE_EQ(lookUp("map", "hand", 50.0, {0}), 7.0);
+  sendStatic("shelf", "box", 8.0);
+  store_.keepOnly({"box"});
+  EXPECT_EQ(kept().back(), "box");
+}
+
+TEST_F(KeepOnlyTest, messageOfMoreTransformsThanAnyRobotHas_isRefusedAndCounted) {
+  store_.keepOnly({"hand"});
+  std::vector<geometry_msgs::TransformStamped> many{transformAlongX("arm", "hand", 50.0, 1.0)};
+  for (std::size_t i = 0; i < 10000; ++i) {
+    many.push_back(other(i));
+  }
+  store_.accept(many, false);
+  EXPECT_EQ(kept(), Names{});
+  EXPECT_EQ(store_.refusedTooMany(), 1U);
+  many.pop_back();
+  store_.accept(many, false);
+  EXPECT_EQ(kept(), Names{"hand"});
+}
+
+TEST_F(KeepOnlyTest, floodOfFrames_isLimitedAndCounted) {
+  store_.keepOnly({"hand"});
+  for (std::size_t i = 0; i < 10100; ++i) {
+    store_.accept({other(i)}, true);
+  }
+  EXPECT_EQ(kept(), Names{});
+  EXPECT_EQ(store_.refusedTooMany(), 100U) << "static ones wait in case they are above the hand";
+  for (std::size_t i = 0; i < 10100; ++i) {
+    send("parent_" + std::to_string(i), "hand", 50.0 + 1e-3 * static_cast<double>(i), 1.0);
+  }
+  EXPECT_EQ(store_.refusedTooMany(), 200U);
+}
+
+class ContradictionTest : public TransformStoreTest {
+ protected:
+  void sendBy(const std::string& publisher, double stamp, double x) {
+    store_.accept({transformAlongX("base", "arm", stamp, x)}, false, publisher);
+  }
+  Contradiction last() const {
+    std::vector<FrameRecord> records;
+    store_.copyRecords(records);
+    return records.at(0).contradiction;
+  }
+  std::string nameOf(PublisherId id) const { return store_.publisher(id); }
+};
+
+TEST_F(ContradictionTest, twoTransformsWithOneStamp_bothPublishersAreNamed) {
+  sendBy("/one", 50.0, 1.0);
+  sendBy("/other", 50.0, 1.0);
+  EXPECT_EQ(last().stamp_ns, 0) << "the same twice is no contradiction";
+  sendBy("/other", 50.0, 1.1);
+  EXPECT_EQ(last().stamp_ns, 50'000'000'000);
+  EXPECT_EQ(nameOf(last().first), "/one");
+  EXPECT_EQ(nameOf(last().second), "/other");
+}
+
+TEST_F(ContradictionTest, otherParentWithOneStamp_isOne) {
+  sendBy("/one", 50.0, 1.0);
+  store_.accept({transformAlongX("world", "arm", 50.0, 1.0)}, false, "/other");
+  EXPECT_EQ(last().stamp_ns, 50'000'000'000);
+}
+
+TEST_F(ContradictionTest, ofAStampThatIsNotTheNewest_isOneToo) {
+  sendBy("/one", 50.0, 1.0);
+  sendBy("/one", 51.0, 2.0);
+  sendBy("/other", 50.0, 1.0);
+  EXPECT_EQ(last().stamp_ns, 0);
+  sendBy("/other", 50.0, 1.5);
+  EXPECT_EQ(last().stamp_ns, 50'000'000'000);
+  lookUp("base", "arm", 50.5, {0});  // from here on tf2's buffer holds them
+  sendBy("/other", 51.0, 2.5);
+  EXPECT_EQ(last().stamp_ns, 51'000'000'000);
+}
+
+TEST_F(ContradictionTest, publishersUnderEverNewNames_areNotKeptForEver) {
+  for (int i = 0; i < 2000; ++i) {
+    sendBy("/anonymous_" + std::to_string(i), 50.0 + 0.01 * i, 1.0);
+  }
+  sendBy("/late", 50.0 + 0.01 * 1999, 2.0);
+  EXPECT_EQ(nameOf(last().second), "") << "no name, and no fault";
+}
+
+TEST_F(TransformStoreTest, laterData_areCountedAlsoWhereTheyAreRefused) {
+  send("base", "arm", 50.0, 1.0);
+  const std::uint64_t before = store_.version().later;
+  send("base", "arm", 50.0, 1.0);
+  send("base", "arm", 49.0, 1.0);
+  EXPECT_EQ(store_.version().later, before);
+  send("base", "arm", 3700.0, 1.0);
+  EXPECT_EQ(store_.version().later, before + 1);
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
