@@ -9,40 +9,35 @@ namespace {
 
 struct OddityText {
   const char* found;
-  const char* accepted;
+  const char* advice;
 };
 
 OddityText textOf(Oddity oddity) {
   switch (oddity) {
     case Oddity::link_without_geometry:
-      return {"no collision geometry", "<collision> in every link that is to be checked"};
+      return {"links without collision geometry", "nothing is checked of them"};
     case Oddity::zero_size:
-      return {"a size of 0",
-              "sizes greater than 0; these are taken as the points, lines or faces they are"};
+      return {"a size of 0", "they are taken as the points, lines or faces that they are"};
     case Oddity::mesh_without_area:
-      return {"meshes without area",
-              "triangles with an area; of these meshes the corners count alone"};
+      return {"meshes without area", "only their corners count"};
     case Oddity::mimic_on_fixed_joint:
-      return {"mimic on a fixed joint", "mimic on joints that move; these are ignored"};
+      return {"<mimic> on a fixed joint", "it is ignored"};
     case Oddity::mimic_of_immovable_joint:
-      return {"mimic of a fixed joint",
-              "mimic of joints that move; these joints are taken to move by themselves"};
+      return {"<mimic> of a fixed joint", "they are taken to move by themselves"};
     case Oddity::mimic_of_unknown_joint:
-      return {"mimic of an unknown joint",
-              "mimic of a <joint> of this robot; these joints are taken to move by themselves"};
+      return {"<mimic> of a joint that the robot lacks", "they are taken to move by themselves"};
     case Oddity::no_limit:
-      return {"no limits", "<limit lower upper>; these joints are taken as unlimited"};
+      return {"joints without <limit>", "they are taken as unlimited"};
     case Oddity::limit_without_range:
-      return {"limit without lower and upper",
-              "both; as URDF has it they are 0 and these joints are locked"};
+      return {"<limit> without lower and upper",
+              "both are 0 then, as the URDF format has it, and the joint is locked"};
     case Oddity::limit_beyond_sense:
-      return {"limits beyond 1e9",
-              "limits within 1e9 of 0, or type continuous; these are taken as none"};
+      return {"limits beyond 1e9", "they are taken as unlimited"};
     case Oddity::no_speed_limit:
-      return {"velocity limit of 0 or less", "greater than 0; these are taken as unlimited"};
+      return {"velocity limits of 0 or less", "they are taken as unlimited"};
     case Oddity::other_up_axis:
       return {"meshes that declare another up axis than z",
-              "axes as rviz and MoveIt show them; obey_up_axis turns them as declared"};
+              "they are not turned, as in rviz and MoveIt; parameter obey_up_axis turns them"};
   }
   return {"", ""};
 }
@@ -55,12 +50,31 @@ std::string listOf(const std::vector<std::string>& elements) {
   return text;
 }
 
+/// @param meshes `found` is the quoted name of each
+Problem unreadable(const std::string& source, const std::string& reason,
+                   const std::vector<Problem>& meshes) {
+  const char* const accepted = "a mesh file that can be read: STL, DAE, OBJ or PLY";
+  if (meshes.size() == 1) {
+    return {meshes.front().where, "mesh " + meshes.front().found + ": " + reason, accepted};
+  }
+  std::string names;
+  for (const Problem& mesh : meshes) {
+    const bool is_inside = mesh.where.rfind(source, 0) == 0;
+    names += (names.empty() ? "" : "; ") + mesh.found + " in" +
+             (is_inside ? mesh.where.substr(source.size()) : " " + mesh.where);
+  }
+  return {source, std::to_string(meshes.size()) + " meshes: " + reason + ": " + names, accepted};
+}
+
 }  // namespace
 
 void reportOddities(const std::string& source, const Oddities& oddities, SetupReport& report) {
-  for (const auto& [oddity, elements] : oddities) {
+  for (const auto& [oddity, elements] : oddities.noted) {
     const OddityText text = textOf(oddity);
-    report.warnings.push_back({source, text.found + (": " + listOf(elements)), text.accepted});
+    report.warnings.push_back({source, text.found + (": " + listOf(elements)), "", text.advice});
+  }
+  for (const auto& [reason, meshes] : oddities.unreadable) {
+    report.errors.push_back(unreadable(source, reason, meshes));
   }
 }
 
@@ -77,11 +91,17 @@ void Place::addError(int line, const std::string& found, const std::string& acce
   report_->errors.push_back(problemAt(line, found, accepted));
 }
 
-void Place::addWarning(int line, const std::string& found, const std::string& accepted) const {
-  report_->warnings.push_back(problemAt(line, found, accepted));
+void Place::addWarning(int line, const std::string& found, const std::string& advice) const {
+  Problem problem = problemAt(line, found, "");
+  problem.advice = advice;
+  report_->warnings.push_back(std::move(problem));
 }
 
-void Place::note(Oddity oddity) const { (*oddities_)[oddity].push_back(element_); }
+void Place::note(Oddity oddity) const { oddities_->noted[oddity].push_back(element_); }
+
+void Place::noteUnreadable(int line, const std::string& mesh, const std::string& reason) const {
+  oddities_->unreadable[reason].push_back(problemAt(line, quoted(mesh), ""));
+}
 
 Problem Place::problemAt(int line, const std::string& found, const std::string& accepted) const {
   std::string where = source_;
@@ -91,12 +111,17 @@ Problem Place::problemAt(int line, const std::string& found, const std::string& 
   if (!element_.empty()) {
     where += ", " + element_;
   }
-  return {where, found, accepted};
+  return {where, found, accepted, ""};
 }
 
 std::string quoted(const std::string& text) {
-  constexpr std::size_t kLongest = 80;
-  return text.size() <= kLongest ? "'" + text + "'" : "'" + text.substr(0, kLongest) + "...'";
+  // Of a long name of a file the end matters most.
+  constexpr std::size_t kLongest = 160;
+  constexpr std::size_t kHead = 60;
+  constexpr std::size_t kTail = 90;
+  return text.size() <= kLongest
+             ? "'" + text + "'"
+             : "'" + text.substr(0, kHead) + "[...]" + text.substr(text.size() - kTail) + "'";
 }
 
 std::string joined(const std::vector<std::string>& items) {

@@ -26,9 +26,16 @@ enum class Oddity : unsigned char {
   other_up_axis,
 };
 
-using Oddities = std::map<Oddity, std::vector<std::string>>;
+/// What is told once for all elements of a description.
+struct Oddities {
+  std::map<Oddity, std::vector<std::string>> noted;
+  /// By reason: meshes that cannot be read, with their places. A package that is not found has
+  /// dozens.
+  std::map<std::string, std::vector<Problem>> unreadable;
+};
 
-/// One warning for each kind noted, naming all elements that show it.
+/// One warning for each kind noted, naming all elements that show it, and one error for each reason
+/// why meshes cannot be read.
 void reportOddities(const std::string& source, const Oddities& oddities, SetupReport& report);
 
 /// Where a reader is in a document, in the words of messages:
@@ -42,9 +49,12 @@ class Place {
 
   /// @param line of the document, 0 if there is none to name
   void addError(int line, const std::string& found, const std::string& accepted) const;
-  void addWarning(int line, const std::string& found, const std::string& accepted) const;
+  /// @param advice as in Problem
+  void addWarning(int line, const std::string& found, const std::string& advice) const;
   /// This element shows the oddity.
   void note(Oddity oddity) const;
+  /// This element names a mesh that cannot be read.
+  void noteUnreadable(int line, const std::string& mesh, const std::string& reason) const;
 
  private:
   Problem problemAt(int line, const std::string& found, const std::string& accepted) const;
@@ -55,7 +65,7 @@ class Place {
   Oddities* oddities_;
 };
 
-/// Text between single quotes, cut when it is too long for a message.
+/// Text between single quotes, cut in its middle when it is too long for a message.
 std::string quoted(const std::string& text);
 
 /// "a, b and c"

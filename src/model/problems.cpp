@@ -27,6 +27,9 @@ std::string toString(const Problem& problem) {
   if (!problem.accepted.empty()) {
     text += (text.empty() ? "accepted: " : "; accepted: ") + problem.accepted;
   }
+  if (!problem.advice.empty()) {
+    text += (text.empty() ? "" : "; ") + problem.advice;
+  }
   return text;
 }
 

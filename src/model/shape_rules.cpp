@@ -195,7 +195,7 @@ class RuleReader {
         });
     if (is_in_vain) {
       place.addWarning(line, "links without geometry",
-                       "links with <collision>, or 'shapes' for those without");
+                       "the rule does nothing for them; 'shapes' would give them some");
     }
   }
 
@@ -217,10 +217,11 @@ class RuleReader {
 /// The list under `shapes`, or an undefined node behind an error or a warning.
 YAML::Node findRules(const std::string& yaml, const Place& place) {
   const std::string accepted = "YAML with a list of rules under 'shapes'";
+  const char* const kNoRule = "rules stand in a list under 'shapes'";
   try {
     const YAML::Node document = YAML::Load(yaml);
     if (document.IsNull()) {
-      place.addWarning(0, "no rule", accepted);
+      place.addWarning(0, "no rule", kNoRule);
       return {};
     }
     YamlFields fields(document, place, accepted);
@@ -230,7 +231,7 @@ YAML::Node findRules(const std::string& yaml, const Place& place) {
       return *rules;
     }
     if (document.IsMap() && rules && rules->IsNull()) {
-      place.addWarning(lineOf(document), "no rule", accepted);
+      place.addWarning(lineOf(document), "no rule", kNoRule);
     } else if (rules) {
       fields.refuse("shapes", "a list of rules");
     } else if (document.IsMap()) {

@@ -165,7 +165,7 @@ std::vector<LinkGroup> readGroups(const XMLElement& root, RobotId robot, const R
     place.addWarning(0,
                      "groups with unknown members: " +
                          joined({reader.unknown().begin(), reader.unknown().end()}),
-                     "names of the URDF and of groups; these members are left out");
+                     "the robot lacks them; they are left out");
   }
   return groups;
 }

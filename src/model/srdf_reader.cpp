@@ -50,7 +50,7 @@ void checkRobot(const XMLElement& root, const std::string& urdf_name, const Plac
   const char* name = root.Attribute("name");
   if (name != nullptr && name != urdf_name) {
     place.addWarning(root.GetLineNum(), "robot name " + quoted(name),
-                     quoted(urdf_name) + ", as in the URDF; it is read all the same");
+                     "the URDF's is " + quoted(urdf_name) + "; it is read all the same");
   }
   if (const XMLElement* link = root.FirstChildElement("link")) {
     place.addError(link->GetLineNum(), "<link>, as in a URDF", "an SRDF");
@@ -72,7 +72,7 @@ void readPair(const XMLElement& element, const Place& place, LinkLookup& links,
   if (*a == *b) {
     place.addWarning(element.GetLineNum(),
                      "<" + std::string(element.Name()) + "> of " + quoted(*name_1) + " with itself",
-                     "two different links; the line is ignored");
+                     "the line is ignored");
     return;
   }
   const char* reason = element.Attribute("reason");
@@ -101,7 +101,7 @@ void reportUnknownLinks(const LinkLookup& links, const Place& place) {
   if (links.knownCount() == 0) {
     place.addError(0, found, "the SRDF of this robot; not one of its links is named");
   } else {
-    place.addWarning(0, found, "links of the URDF; lines that name others are ignored");
+    place.addWarning(0, found, "the robot lacks them; lines that name them are ignored");
   }
 }
 
@@ -123,7 +123,7 @@ void reportContradictions(const SrdfPairs& pairs, const RobotModel& model, const
   }
   if (!both.empty()) {
     place.addWarning(0, "pairs that are both enabled and disabled: " + joined(both),
-                     "one line for a pair; these are checked");
+                     "these are checked");
   }
 }
 

@@ -139,8 +139,7 @@ std::optional<Geometry> readMeshElement(const XMLElement& element, const MeshSou
     }
     return result;
   } catch (const std::exception& error) {
-    place.addError(element.GetLineNum(), "mesh " + quoted(*name) + ": " + error.what(),
-                   "a mesh file that can be read: STL, DAE, OBJ or PLY");
+    place.noteUnreadable(element.GetLineNum(), *name, error.what());
     return std::nullopt;
   }
 }

@@ -30,13 +30,42 @@ std::string overlapText(const PairDistance& distance) {
   }
 }
 
-Problem overlapWarning(const RobotModel& model, const CheckedLinkPair& pair,
-                       const PairDistance& distance, bool is_ignored) {
-  return {"pair '" + model.link(pair.a).name + "' and '" + model.link(pair.b).name + "'",
-          overlapText(distance) + " in the default pose" +
-              (is_ignored ? ", so the pair is ignored" : ""),
-          is_ignored ? "if it can collide, give the robot an SRDF that lists the pairs to ignore"
-                     : "if the links always touch, add a disable_collisions line to the SRDF"};
+/// Pairs of one robot that are left out, or that are checked all the same.
+struct Overlaps {
+  std::size_t count{0};
+  std::string pairs;
+};
+
+void add(const RobotModel& model, const CheckedLinkPair& pair, const PairDistance& distance,
+         Overlaps& overlaps) {
+  ++overlaps.count;
+  overlaps.pairs += (overlaps.pairs.empty() ? "" : "; ") + ("'" + model.link(pair.a).name) +
+                    "' and '" + model.link(pair.b).name + "' (" + overlapText(distance) + ")";
+}
+
+/// One warning for all: robots without SRDF may have dozens.
+void warnOf(const Overlaps& overlaps, const std::string& robot, bool are_ignored,
+            SetupReport& report) {
+  if (overlaps.count == 0) {
+    return;
+  }
+  const bool is_one = overlaps.count == 1;
+  const std::string found = std::to_string(overlaps.count) + (is_one ? " pair" : " pairs") +
+                            " of links that overlap" + (is_one ? "s" : "") +
+                            " in the default pose " + (is_one ? "is " : "are ") +
+                            (are_ignored ? "not checked: " : "checked: ") + overlaps.pairs;
+  report.warnings.push_back(
+      {"robot '" + robot + "'", found, "",
+       are_ignored ? "if one of them can part, `rosrun collision_monitor pairs` tells, and writes "
+                     "an SRDF; with an SRDF only pairs that it names are left out"
+                   : "what always touches is left out by disable_collisions in the SRDF, or by the "
+                     "parameter ignore_pairs"});
+}
+
+/// Then that says what is left out.
+bool hasSrdf(const std::vector<SrdfPairs>& srdfs, RobotId robot) {
+  return std::any_of(srdfs.begin(), srdfs.end(),
+                     [&](const SrdfPairs& srdf) { return srdf.robot == robot; });
 }
 
 /// What was added to the shapes of each link. Units: metres.
@@ -56,6 +85,8 @@ void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, const std::vector<
   LinkPairMeasures measures(setup);
   const std::vector<Pose> world_from_link = defaultPoses(setup.model);
   const std::vector<double> paddings = paddingsOf(fits, setup.model.links.size());
+  std::vector<Overlaps> ignored(setup.model.robots.size());
+  std::vector<Overlaps> kept(setup.model.robots.size());
   for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
     const CheckedLinkPair& pair = setup.checked[i];
     const RobotId robot = setup.model.link(pair.a).robot;
@@ -68,16 +99,18 @@ void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, const std::vector<
       continue;
     }
     distance.measured.distance += paddings[index(pair.a)] + paddings[index(pair.b)];
-    const bool has_srdf = std::any_of(srdfs.begin(), srdfs.end(),
-                                      [&](const SrdfPairs& srdf) { return srdf.robot == robot; });
-    const bool is_ignored = ignore && !has_srdf && touchOf(distance) != Touch::apart;
-    report.warnings.push_back(overlapWarning(setup.model, pair, distance, is_ignored));
+    const bool is_ignored = ignore && !hasSrdf(srdfs, robot) && touchOf(distance) != Touch::apart;
+    add(setup.model, pair, distance, (is_ignored ? ignored : kept)[index(robot)]);
     if (is_ignored) {
       const auto rule = std::find_if(
           setup.link_pairs.begin(), setup.link_pairs.end(),
           [&](const LinkPair& listed) { return listed.a == pair.a && listed.b == pair.b; });
       rule->reason = PairReason::default_overlap;
     }
+  }
+  for (std::size_t i = 0; i < setup.model.robots.size(); ++i) {
+    warnOf(ignored[i], setup.model.robots[i].name, true, report);
+    warnOf(kept[i], setup.model.robots[i].name, false, report);
   }
 }
 

@@ -55,9 +55,9 @@ void takeGiven(const Link& link, const GivenShapes& given, LinkFit& fit, SetupRe
   const std::string where = given.where + ", shapes of link '" + link.name + "'";
   const std::string found = describe(covering, link);
   if (given.is_unproven) {
-    report.warnings.push_back({where, found,
-                               "shapes that enclose the link; with 'unproven: true' the link may "
-                               "be nearer than its distances say"});
+    report.warnings.push_back({where, found, "",
+                               "as 'unproven: true' allows: the link may be nearer than its "
+                               "distances say"});
   } else {
     report.errors.push_back({where, found,
                              "shapes that enclose the geometry of the link, or 'unproven: true' in "
@@ -108,14 +108,13 @@ void reportCache(const std::filesystem::path& directory, const FitCache& cache,
                  SetupReport& report) {
   const std::string where = "cache of fits " + directory.string();
   if (cache.rejectedCount() > 0) {
-    report.warnings.push_back({where,
-                               std::to_string(cache.rejectedCount()) +
-                                   " files that are damaged or prove nothing; fitted anew",
-                               "files as this program writes them"});
+    report.warnings.push_back(
+        {where, std::to_string(cache.rejectedCount()) + " files that are damaged or prove nothing",
+         "", "these links are fitted anew"});
   }
   if (!cache.writeFault().empty()) {
-    report.warnings.push_back({where, cache.writeFault(),
-                               "a directory that can be written; every start fits anew meanwhile"});
+    report.warnings.push_back({where, "cannot be written: " + cache.writeFault(), "",
+                               "every start fits anew until it can"});
   }
 }
 

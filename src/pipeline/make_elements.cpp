@@ -157,9 +157,8 @@ void makeElements(const std::vector<LinkFit>& fits, const ElementSettings& setti
         addGeometry(link.collisions[i], {refine, element}, first, body, setup);
       } catch (const std::invalid_argument& fault) {
         report.warnings.push_back(
-            {"link '" + link.name + "', collision '" + link.collisions[i].name + "'",
-             std::string(fault.what()) + ", so its enclosing shapes stand for it",
-             "geometry that can be measured exactly"});
+            {"link '" + link.name + "', collision '" + link.collisions[i].name + "'", fault.what(),
+             "", "its enclosing shapes stand for it"});
         addShapes(first, body, setup);
       }
     }

@@ -69,8 +69,10 @@ std::vector<SrdfPairs> readSrdfs(const std::vector<RobotDescription>& robots,
 
 void warnIfNothingChecked(const CycleSetup& setup, SetupReport& report) {
   if (setup.checked.empty()) {
-    report.warnings.push_back({"pairs", "no pair of links is checked",
-                               "at least one; see the reasons of the ignored pairs"});
+    report.warnings.push_back(
+        {"pairs", "no pair of links is checked", "",
+         "the state stays UNKNOWN; the line at start tells why pairs are left "
+         "out"});
   }
 }
 

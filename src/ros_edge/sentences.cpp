@@ -263,14 +263,21 @@ std::string stepSentence(const Watch& watch) {
     return "";
   }
   const CheckedLinkPair& pair = setup.checked[cap.pair];
-  return "poses every " + fixedText(1e3 * step.step, 1) + " ms are too few" +
-         (is_covered ? " by themselves: in between, " : ": in between, ") +
-         setup.model.link(pair.a).name + " and " + setup.model.link(pair.b).name +
-         (is_covered ? " come farther than they are thick, which the look at the way covers"
-          : setup.is_continuous
+  const std::string links = setup.model.link(pair.a).name + " and " + setup.model.link(pair.b).name;
+  const std::string every = "every " + fixedText(1e3 * step.step, 1) + " ms";
+  const std::string needed = "every " + fixedText(1e3 * cap.longest, 1) + " ms";
+  if (is_covered) {
+    return "from pose to pose, " + every + ", " + links +
+           " come farther past each other than they are thick; the monitor looks at the way "
+           "between "
+           "the poses, so nothing is missed (without that they would be needed " +
+           needed + ")";
+  }
+  return "poses " + every + " are too few: in between, " + links +
+         (setup.is_continuous
               ? " may leave the way that is looked at by more than they are thick"
               : " can pass through each other unseen (parameter continuous is off)") +
-         "; at these speeds they need them every " + fixedText(1e3 * cap.longest, 1) + " ms";
+         "; at these speeds they are needed " + needed;
 }
 
 std::string stateSentence(const Watch& watch, const CycleFacts& facts) {

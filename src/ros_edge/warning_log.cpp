@@ -81,7 +81,7 @@ void WarningLog::logStep(const Watch& watch) {
     }
   } else if (step.at_poses.is_exceeded && !has_told_cap_) {
     has_told_cap_ = true;
-    ROS_WARN_STREAM(stepSentence(watch) << " (said once; /diagnostics goes on)");
+    ROS_INFO_STREAM(stepSentence(watch) << " (said once; /diagnostics goes on)");
   }
 }
 

@@ -224,7 +224,7 @@ class Verdicts(TwoBoxes):
         self.assertGreater(float(values["frequency [Hz]"]), 0.0)
         # A metre in a step of the joint states: the boxes are 0.3 m thick together.
         self.joints.set(slide=1.3)
-        self.probe.wait(lambda: "too few by themselves" in entries["collision_monitor: step"].message or
+        self.probe.wait(lambda: "from pose to pose" in entries["collision_monitor: step"].message or
                         "came too late" in entries["collision_monitor: step"].message, "the step over the cap")
         self.assertGreater(self.probe.state.steps_over_cap, 0)
         subscriber.unregister()

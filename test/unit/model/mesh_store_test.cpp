@@ -116,8 +116,7 @@ TEST(MeshStore, meshThatDeclaresYUp_isAWarningOfTheRobot) {
   EXPECT_EQ(read.warnings(),
             std::vector<std::string>{
                 "test.urdf: meshes that declare another up axis than z: link 'a', collision 1; "
-                "accepted: axes as rviz and MoveIt show them; obey_up_axis turns them as "
-                "declared"});
+                "they are not turned, as in rviz and MoveIt; parameter obey_up_axis turns them"});
 }
 
 TEST(TurnedUp, theDeclaredUpAxisBecomesZAndTheRightAxisBecomesX) {

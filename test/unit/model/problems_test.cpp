@@ -14,6 +14,11 @@ TEST(Problems, toString_namesPlaceFoundAndAccepted) {
             "greater than 0, in metres");
 }
 
+TEST(Problems, toString_adviceIsNoInputThatIsAccepted) {
+  EXPECT_EQ(toString({"r.urdf", "no limits: joint 'j'", "", "they are taken as unlimited"}),
+            "r.urdf: no limits: joint 'j'; they are taken as unlimited");
+}
+
 TEST(Problems, toString_leavesOutWhatIsEmpty) {
   EXPECT_EQ(toString({"", "no links", ""}), "no links");
   EXPECT_EQ(toString({"r.urdf", "no links", ""}), "r.urdf: no links");

@@ -126,8 +126,8 @@ TEST(RobotNames, jointsOfTwoRobotsWithTheSameName_areAnErrorIfTheyMove) {
 
 TEST(RobotNames, linksWithoutGeometry_areOneWarning) {
   EXPECT_EQ(readText(kTwoLinks).warnings(),
-            std::vector<std::string>{"test.urdf: no collision geometry: link 'a'; link 'b'; "
-                                     "accepted: <collision> in every link that is to be checked"});
+            std::vector<std::string>{"test.urdf: links without collision geometry: link 'a'; link "
+                                     "'b'; nothing is checked of them"});
 }
 
 TEST(RobotNames, longChain_isRead) {

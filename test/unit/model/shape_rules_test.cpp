@@ -79,8 +79,8 @@ TEST(ShapeRules, severalRobots_namesWithAndWithoutPrefix) {
 
 TEST(ShapeRules, linksWithoutGeometry_areWarnedOfUnlessTheyHaveShapes) {
   EXPECT_EQ(readRules("shapes: [{link: tool, max_shapes: 2}]").warnings,
-            Texts{"rules.yaml line 1, rule 1: links without geometry; accepted: links with "
-                  "<collision>, or 'shapes' for those without"});
+            Texts{"rules.yaml line 1, rule 1: links without geometry; the rule does nothing for "
+                  "them; 'shapes' would give them some"});
   EXPECT_EQ(readRules("shapes:\n  - {link: tool, shapes: [{kind: sphere, radius: 1}]}\n"
                       "  - {link: tool, padding: 0.01}")
                 .warnings,

@@ -67,8 +67,8 @@ TEST(SrdfReader, nameOfAnotherRobot_isAWarningAndAUrdfIsNoSrdf) {
   const std::string line = "<disable_collisions link1='a' link2='c'/>";
   const ReadSrdf other = read("<robot name='other'>" + line + "</robot>");
   EXPECT_EQ(other.warnings,
-            std::vector<std::string>{"test.urdf (SRDF) line 1: robot name 'other'; accepted: "
-                                     "'r', as in the URDF; it is read all the same"});
+            std::vector<std::string>{"test.urdf (SRDF) line 1: robot name 'other'; the "
+                                     "URDF's is 'r'; it is read all the same"});
   EXPECT_EQ(other.pairs.disabled.size(), 1u);
   EXPECT_TRUE(read("<robot>" + line + "</robot>").warnings.empty());
   EXPECT_EQ(
@@ -83,8 +83,8 @@ TEST(SrdfReader, unknownLinks_areOneWarning) {
                     "<disable_collisions link1='a' link2='c'/>"));
   EXPECT_EQ(srdf.pairs.disabled.size(), 1u);
   EXPECT_EQ(srdf.warnings, std::vector<std::string>{
-                               "test.urdf (SRDF): unknown links: 'x' and 'y'; accepted: links "
-                               "of the URDF; lines that name others are ignored"});
+                               "test.urdf (SRDF): unknown links: 'x' and 'y'; the robot lacks "
+                               "them; lines that name them are ignored"});
 }
 
 TEST(SrdfReader, srdfOfAnotherRobot_isAnError) {
@@ -159,8 +159,7 @@ TEST(SrdfGroups, unknownMembers_areOneWarningAndLeftOut) {
                      "<group name='h'/><chain base_link='a' tip_link='z'/></group>"),
             (Texts{"g: a",
                    "test.urdf (SRDF): groups with unknown members: group 'h', joint 'aq', link "
-                   "'q' and link 'z'; accepted: names of the URDF and of groups; these members "
-                   "are left out"}));
+                   "'q' and link 'z'; the robot lacks them; they are left out"}));
 }
 
 TEST(SrdfReader, srdfWithoutPairs_isFine) {
@@ -182,16 +181,15 @@ TEST(SrdfReader, faults_areReportedWithTheirLines) {
                 "link=\"...\" that is not blank"}));
   EXPECT_EQ(srdf.warnings,
             std::vector<std::string>{"test.urdf (SRDF) line 4: <disable_collisions> of 'b' with "
-                                     "itself; accepted: two different links; the line is ignored"});
+                                     "itself; the line is ignored"});
 }
 
 TEST(SrdfReader, contradiction_isAWarning) {
-  EXPECT_EQ(
-      read(robotXml("<disable_collisions link1='a' link2='b'/>"
-                    "<enable_collisions link1='b' link2='a'/>"))
-          .warnings,
-      std::vector<std::string>{"test.urdf (SRDF): pairs that are both enabled and disabled: "
-                               "'b' - 'a'; accepted: one line for a pair; these are checked"});
+  EXPECT_EQ(read(robotXml("<disable_collisions link1='a' link2='b'/>"
+                          "<enable_collisions link1='b' link2='a'/>"))
+                .warnings,
+            std::vector<std::string>{"test.urdf (SRDF): pairs that are both enabled and disabled: "
+                                     "'b' - 'a'; these are checked"});
 }
 
 TEST(SrdfReader, badXml_isAnErrorAlsoWithoutTheRobot) {

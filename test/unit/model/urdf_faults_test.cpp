@@ -148,6 +148,14 @@ TEST(UrdfFaults, meshes) {
        robotXml(linkXml("a", "<mesh filename='/x.stl' scale='1 0 1'/>")),
        {at + "mesh scale '1 0 1'; accepted: three numbers other than 0",
         at + "mesh '/x.stl': no file /x.stl" + readable}},
+      {"several for one reason",
+       robotXml(linkXml("a", "<mesh filename='x.stl'/>") +
+                linkXml("b", "<mesh filename='y.stl'/>") + jointXml("j", "fixed", "a", "b")),
+       {"test.urdf: 2 meshes: a relative mesh name needs a description read from a file, or the "
+        "monitor's mesh_directory: 'x.stl' in line 2, link 'a', collision 1; 'y.stl' in line 2, "
+        "link "
+        "'b', collision 1" +
+        readable}},
   });
 }
 

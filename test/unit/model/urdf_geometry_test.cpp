@@ -45,8 +45,8 @@ TEST(UrdfGeometry, sphereOfRadiusZero_isAPointAndAWarning) {
   EXPECT_EQ(std::get<Sphere>(only(read).geometry).radius, 0.0);
   EXPECT_EQ(read.warnings(),
             std::vector<std::string>{
-                "test.urdf: a size of 0: link 'a', collision 1; accepted: sizes greater than 0; "
-                "these are taken as the points, lines or faces they are"});
+                "test.urdf: a size of 0: link 'a', collision 1; they are taken as the points, "
+                "lines or faces that they are"});
 }
 
 TEST(UrdfGeometry, boxOfSizeZero_isAPointOrAFaceAndAWarning) {
@@ -58,8 +58,8 @@ TEST(UrdfGeometry, boxOfSizeZero_isAPointOrAFaceAndAWarning) {
     EXPECT_EQ(std::get<Box>(only(read).geometry).half_extents, 0.5 * size);
     EXPECT_EQ(read.warnings(),
               std::vector<std::string>{
-                  "test.urdf: a size of 0: link 'a', collision 1; accepted: sizes greater than 0; "
-                  "these are taken as the points, lines or faces they are"});
+                  "test.urdf: a size of 0: link 'a', collision 1; they are taken as the points, "
+                  "lines or faces that they are"});
   }
 }
 
@@ -137,8 +137,7 @@ TEST(UrdfGeometry, meshWithoutArea_isAWarning) {
   EXPECT_EQ(std::get<TriangleMesh>(only(read).geometry).vertices.size(), 3u);
   EXPECT_EQ(read.warnings(),
             std::vector<std::string>{
-                "test.urdf: meshes without area: link 'a', collision 1; accepted: triangles with "
-                "an area; of these meshes the corners count alone"});
+                "test.urdf: meshes without area: link 'a', collision 1; only their corners count"});
 }
 
 TEST(UrdfGeometry, collisionNames_areUniqueWithinTheLink) {

@@ -76,8 +76,7 @@ TEST(UrdfJoint, limitsBeyondSense_areNoneAndAWarning) {
   EXPECT_EQ(jointOf(read).lower, -kInfinity);
   EXPECT_EQ(jointOf(read).upper, kInfinity);
   EXPECT_EQ(read.warnings().back(),
-            "test.urdf: limits beyond 1e9: joint 'j'; accepted: limits within 1e9 of 0, or type "
-            "continuous; these are taken as none");
+            "test.urdf: limits beyond 1e9: joint 'j'; they are taken as unlimited");
   const Joint one_sided = jointOf(readJoint("prismatic", "<limit lower='1' upper='1e10'/>"));
   EXPECT_EQ(one_sided.lower, 1.0);
   EXPECT_EQ(one_sided.upper, kInfinity);
@@ -90,8 +89,7 @@ TEST(UrdfJoint, limitMissing_isUnlimitedAndAWarning) {
     EXPECT_EQ(jointOf(read).lower, -kInfinity);
     EXPECT_EQ(jointOf(read).upper, kInfinity);
     EXPECT_EQ(read.warnings().back(),
-              "test.urdf: no limits: joint 'j'; accepted: <limit lower upper>; these joints are "
-              "taken as unlimited");
+              "test.urdf: joints without <limit>: joint 'j'; they are taken as unlimited");
   }
 }
 
@@ -100,14 +98,14 @@ TEST(UrdfJoint, limitWithoutRange_isLockedAsUrdfSaysAndAWarning) {
   EXPECT_EQ(jointOf(read).lower, 0.0);
   EXPECT_EQ(jointOf(read).upper, 0.0);
   EXPECT_EQ(read.warnings().back(),
-            "test.urdf: limit without lower and upper: joint 'j'; accepted: both; as URDF has it "
-            "they are 0 and these joints are locked");
+            "test.urdf: <limit> without lower and upper: joint 'j'; both are 0 then, as the URDF "
+            "format has it, and the joint is locked");
 }
 
 TEST(UrdfJoint, velocityLimitOfZero_isUnlimitedAndAWarning) {
   const ReadText read = readJoint("revolute", "<limit lower='0' upper='1' velocity='0'/>");
   EXPECT_EQ(jointOf(read).max_velocity, kInfinity);
-  EXPECT_EQ(read.report.warnings.back().found, "velocity limit of 0 or less: joint 'j'");
+  EXPECT_EQ(read.report.warnings.back().found, "velocity limits of 0 or less: joint 'j'");
 }
 
 TEST(UrdfJoint, mimic_sharesTheVariableOfItsSource) {
@@ -142,14 +140,14 @@ TEST(UrdfJoint, mimicOfMimic_followsTheEndOfTheChain) {
 TEST(UrdfJoint, mimicOnFixedJoint_isAWarning) {
   const ReadText read = readJoint("fixed", "<mimic joint='jc'/>");
   EXPECT_FALSE(jointOf(read).mimic);
-  EXPECT_EQ(read.report.warnings.back().found, "mimic on a fixed joint: joint 'j'");
+  EXPECT_EQ(read.report.warnings.back().found, "<mimic> on a fixed joint: joint 'j'");
 }
 
 TEST(UrdfJoint, mimicOfFixedJoint_movesByItselfAndIsAWarning) {
   const ReadText read = readJoint("continuous", "<mimic joint='jc'/>");
   EXPECT_FALSE(jointOf(read).mimic);
   EXPECT_EQ(read.model.variable_count, 1u);
-  EXPECT_EQ(read.report.warnings.back().found, "mimic of a fixed joint: joint 'j'");
+  EXPECT_EQ(read.report.warnings.back().found, "<mimic> of a fixed joint: joint 'j'");
 }
 
 /// robot_state_publisher and MoveIt take such a robot, too: a gripper often follows a joint that
@@ -160,9 +158,10 @@ TEST(UrdfJoint, mimicOfUnknownJoint_movesByItselfAndIsAWarning) {
   ASSERT_TRUE(read.report.errors.empty());
   EXPECT_FALSE(jointOf(read).mimic);
   EXPECT_EQ(read.model.variable_count, 1u);
-  EXPECT_EQ(read.warnings().back(),
-            "test.urdf: mimic of an unknown joint: joint 'j' of 'elsewhere'; accepted: mimic of a "
-            "<joint> of this robot; these joints are taken to move by themselves");
+  EXPECT_EQ(
+      read.warnings().back(),
+      "test.urdf: <mimic> of a joint that the robot lacks: joint 'j' of 'elsewhere'; they are "
+      "taken to move by themselves");
 }
 
 }  // namespace

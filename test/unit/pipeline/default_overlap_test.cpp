@@ -41,9 +41,12 @@ TEST(DefaultOverlap, geometriesOverlap_ignoredWithAWarning) {
   const CycleSetup setup = cylinders("0.19");
   EXPECT_EQ(reasonOfEnds(setup), PairReason::default_overlap);
   ASSERT_EQ(setup.report.warnings.size(), 2U) << "and that no pair is left";
-  EXPECT_EQ(setup.report.warnings[0].where, "pair 'base' and 'tip'");
+  EXPECT_EQ(setup.report.warnings[0].where, "robot 'r'");
   EXPECT_EQ(setup.report.warnings[0].found,
-            "the geometries overlap by 10 mm in the default pose, so the pair is ignored");
+            "1 pair of links that overlaps in the default pose is not checked: 'base' and 'tip' "
+            "(the geometries overlap by 10 mm)");
+  EXPECT_NE(setup.report.warnings[0].advice.find("rosrun collision_monitor pairs"),
+            std::string::npos);
 }
 
 TEST(DefaultOverlap, shapesOverlapAndGeometriesDoNot_staysChecked) {
@@ -56,7 +59,8 @@ TEST(DefaultOverlap, nothingIsRefined_theShapesDecide) {
   const CycleSetup setup = cylinders("0.21", spheresAround(RefineGeometry::none));
   EXPECT_EQ(reasonOfEnds(setup), PairReason::default_overlap);
   EXPECT_EQ(setup.report.warnings.at(0).found,
-            "the enclosing shapes overlap by 14 mm in the default pose, so the pair is ignored");
+            "1 pair of links that overlaps in the default pose is not checked: 'base' and 'tip' "
+            "(the enclosing shapes overlap by 14 mm)");
   EXPECT_EQ(reasonOfEnds(cylinders("0.23", spheresAround(RefineGeometry::none))),
             PairReason::checked);
 }
@@ -69,8 +73,9 @@ TEST(DefaultOverlap, paddingAloneBringsThemTogether_staysChecked) {
     EXPECT_EQ(reasonOfEnds(setup), PairReason::checked);
     const std::string gap = geometry == RefineGeometry::mesh ? "30" : "6";
     EXPECT_EQ(setup.report.warnings.at(0).found,
-              "padding makes them overlap; the geometries are at least " + gap +
-                  " mm apart in the default pose");
+              "1 pair of links that overlaps in the default pose is checked: 'base' and 'tip' "
+              "(padding makes them overlap; the geometries are at least " +
+                  gap + " mm apart)");
     EXPECT_EQ(reasonOfEnds(cylinders("0.19", options)), PairReason::default_overlap);
   }
 }
@@ -79,7 +84,8 @@ TEST(DefaultOverlap, srdfOrSwitchedOff_staysCheckedAndIsReported) {
   const CycleSetup with_srdf = cylinders("0.19", spheresAround(), "<robot name='r'/>");
   EXPECT_EQ(reasonOfEnds(with_srdf), PairReason::checked);
   EXPECT_EQ(with_srdf.report.warnings.at(0).found,
-            "the geometries overlap by 10 mm in the default pose");
+            "1 pair of links that overlaps in the default pose is checked: 'base' and 'tip' "
+            "(the geometries overlap by 10 mm)");
   SetupOptions options = spheresAround();
   options.ignore_default_overlap = false;
   EXPECT_EQ(reasonOfEnds(cylinders("0.19", options)), PairReason::checked);

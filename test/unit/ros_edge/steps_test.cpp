@@ -21,7 +21,7 @@ TEST_F(StepsTest, posesTooFewForTheAcceleration_namePairAndStep) {
   // 5.75 m in a step bend the way by an eighth of it; both are 0.2 m thick.
   EXPECT_EQ(stepSentence(*watch),
             "poses every 30.0 ms are too few: in between, base and tool may leave the way that is "
-            "looked at by more than they are thick; at these speeds they need them every 22.4 ms");
+            "looked at by more than they are thick; at these speeds they are needed every 22.4 ms");
 }
 
 TEST_F(StepsTest, stepOverTheCap_isAWarningThatSaysWhatCoversIt) {
@@ -37,14 +37,14 @@ TEST_F(StepsTest, stepOverTheCap_isAWarningThatSaysWhatCoversIt) {
   EXPECT_EQ(moved(setup_, 0.15).step_warning, "");
   EXPECT_NEAR(moved(setup_, 1.5).step_cap, 0.4 / 50.0, 1e-9);
   EXPECT_EQ(moved(setup_, 1.5).step_warning,
-            "poses every 30.0 ms are too few by themselves: in between, base and tool come farther "
-            "than they are thick, which the look at the way covers; at these speeds they need them "
-            "every 8.0 ms");
+            "from pose to pose, every 30.0 ms, base and tool come farther past each other than they "
+            "are thick; the monitor looks at the way between the poses, so nothing is missed "
+            "(without that they would be needed every 8.0 ms)");
   auto not_continuous = std::make_shared<MonitorSetup>(*setup_);
   not_continuous->setup.is_continuous = false;
   EXPECT_EQ(moved(not_continuous, 1.5).step_warning,
             "poses every 30.0 ms are too few: in between, base and tool can pass through each "
-            "other unseen (parameter continuous is off); at these speeds they need them every "
+            "other unseen (parameter continuous is off); at these speeds they are needed every "
             "8.0 ms");
 }
 
