@@ -24,7 +24,7 @@ library_packages=(
   build-essential cmake ninja-build pkg-config
   libeigen3-dev libassimp-dev libqhull-dev libtinyxml2-dev libyaml-cpp-dev libssl-dev
   libboost-all-dev
-  libcli11-dev libfcl-dev libhwy-dev libpng-dev
+  libcli11-dev libexpat1-dev libfcl-dev libhwy-dev libpng-dev
   python3-yaml
 )
 test_packages=(

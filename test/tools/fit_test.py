@@ -66,7 +66,8 @@ class RobotsOfThisPackage(unittest.TestCase):
         rules = self.folder / "rules.yaml"
         for robot in ROBOTS:
             with self.subTest(robot):
-                first = fit(robot, "--no-cache", "--max-shapes", 3, "--target-overshoot", 0.002, "--yaml", rules)
+                first = fit(robot, "--no-cache", "--max-shapes", 3, "--target-overshoot", 0.002, "--yaml", rules,
+                            "--force")
                 self.assertEqual(first.returncode, 0, first.stderr)
                 written = yaml.safe_load(rules.read_text(encoding="utf-8"))
                 self.assertEqual([rule["link"] for rule in written["shapes"]], links_with_collisions(robot))
@@ -79,7 +80,7 @@ class RobotsOfThisPackage(unittest.TestCase):
         new = self.folder / "new.urdf"
         for robot in ROBOTS:
             with self.subTest(robot):
-                first = fit(robot, "--no-cache", "--urdf", new)
+                first = fit(robot, "--no-cache", "--urdf", new, "--force")
                 self.assertEqual(first.returncode, 0, first.stderr)
                 second = run(new, "--no-cache")
                 self.assertEqual(second.returncode, 0, second.stderr)
@@ -201,13 +202,26 @@ class BadInput(unittest.TestCase):
         for arguments in ((), ("a.urdf", "--unknown"), ("a.urdf", "--max-shapes", "x")):
             self.assertTrue(self.refused(*arguments, code=2))
 
+    def test_a_file_that_is_there_stays_without_force(self):
+        for option in ("--yaml", "--urdf", "--html", "--spheres-yaml", "--spheres-srdf"):
+            with self.subTest(option):
+                kept = self.folder / "kept"
+                kept.write_text("mine", encoding="utf-8")
+                said = self.refused(ROOT / "urdf/two_boxes.urdf", "--no-cache", option, kept)
+                self.assertIn(f"option {option}: '{kept}' cannot be written: it is there already", said)
+                self.assertEqual(kept.read_text(encoding="utf-8"), "mine")
+                self.assertNotIn("fitting", said)  # known before the long work
+                result = run(ROOT / "urdf/two_boxes.urdf", "--no-cache", option, kept, "--force")
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertNotEqual(kept.read_text(encoding="utf-8"), "mine")
+
     def test_a_file_that_may_not_be_changed_stays(self):
         if os.geteuid() == 0:
             self.skipTest("root may change every file")
         kept = self.folder / "kept.yaml"
         kept.write_text("mine", encoding="utf-8")
         kept.chmod(stat.S_IRUSR)
-        self.assertIn("kept.yaml", self.refused(ROOT / "urdf/two_boxes.urdf", "--no-cache", "--yaml", kept))
+        self.assertIn("kept.yaml", self.refused(ROOT / "urdf/two_boxes.urdf", "--no-cache", "--force", "--yaml", kept))
         self.assertEqual(kept.read_text(encoding="utf-8"), "mine")
 
 

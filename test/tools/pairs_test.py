@@ -8,6 +8,7 @@ COLLISION_MONITOR_PAIRS and COLLISION_MONITOR_FIT name the programs; ctest sets 
 import os
 import pathlib
 import re
+import stat
 import subprocess
 import tempfile
 import unittest
@@ -52,25 +53,26 @@ class RobotsOfThisPackage(unittest.TestCase):
     def test_table_and_srdf_say_the_same(self):
         for robot in ("arm6", "dual_arm", "humanoid"):
             with self.subTest(robot):
-                result = pairs(robot, "--srdf", self.srdf)
+                result = pairs(robot, "--write-srdf", self.srdf, "--force")
                 self.assertEqual(result.returncode, 0, result.stderr)
                 rows = rows_of(result.stdout)
                 root = ElementTree.parse(ROOT / f"urdf/{robot}.urdf").getroot()
                 links = sum(1 for link in root.findall("link") if link.find("collision") is not None)
                 self.assertEqual(len(rows), links * (links - 1) // 2)
                 expected = {pair for pair, (touch, why) in rows.items()
-                            if touch in ("adjacent", "always") or (touch == "never" and "proven" in why)}
+                            if touch == "adjacent" or (touch in ("always", "never") and "proven" in why)}
                 self.assertEqual(set(disabled_in(self.srdf)), expected)
                 self.assertEqual(run(ROOT / f"urdf/{robot}.urdf", "--package-root", ROOT, "--srdf", self.srdf,
                                      "--no-cache", "--max-shapes", 1, program=FIT).returncode, 0)
 
     def test_samples_are_written_only_if_they_are_trusted(self):
-        careful = pairs("humanoid", "--srdf", self.srdf)
+        careful = pairs("humanoid", "--write-srdf", self.srdf)
         proven = disabled_in(self.srdf)
         left_out = int(re.search(r"left out (\d+) pairs", careful.stdout).group(1))
         self.assertGreater(left_out, 0)
-        trusting = pairs("humanoid", "--srdf", self.srdf, "--trust-samples")
+        trusting = pairs("humanoid", "--write-srdf", self.srdf, "--trust-samples")
         self.assertNotIn("left out", trusting.stdout)
+        self.assertIn(f"{left_out} pairs added, 0 taken out, {len(proven)} kept", trusting.stdout)
         self.assertEqual(len(disabled_in(self.srdf)), len(proven) + left_out)
 
     def test_same_seed_same_answer(self):
@@ -87,10 +89,44 @@ class RobotsOfThisPackage(unittest.TestCase):
         for geometry in (BALL, ""):
             with self.subTest(geometry):
                 text = "<robot name='r'><link name='a'>" + geometry + "</link></robot>"
-                result = run("-", "--no-cache", "--states", 20, "--srdf", self.srdf, text=text)
+                result = run("-", "--no-cache", "--states", 20, "--write-srdf", self.srdf, "--force", text=text)
                 self.assertEqual(result.returncode, 0, result.stderr)
                 self.assertEqual(rows_of(result.stdout), {})
                 self.assertEqual(disabled_in(self.srdf), {})
+
+    def test_always_is_written_only_if_it_is_proven_or_samples_are_trusted(self):
+        always = ("<robot name='r'><link name='a'>" + BALL + "</link><link name='between'>" + BALL + "</link>"
+                  "<link name='b'>" + BALL + "</link>"
+                  "<joint name='j' type='continuous'><parent link='a'/><child link='between'/></joint>"
+                  "<joint name='k' type='continuous'><parent link='between'/><child link='b'/></joint></robot>")
+        result = run("-", "--no-cache", "--states", 20, "--write-srdf", self.srdf, text=always)
+        self.assertEqual(rows_of(result.stdout)[("a", "b")], ("always", "touch in all 20 states"))
+        self.assertNotIn(("a", "b"), disabled_in(self.srdf))
+        run("-", "--no-cache", "--states", 20, "--write-srdf", self.srdf, "--trust-samples", text=always)
+        self.assertEqual(disabled_in(self.srdf)[("a", "b")], "Always")
+
+    def test_an_srdf_that_is_there_changes_in_its_pairs_alone(self):
+        for robot in ("arm6", "dual_arm", "humanoid"):
+            with self.subTest(robot):
+                former = (ROOT / f"urdf/{robot}.srdf").read_bytes().replace(b"\n", b"\r\n")
+                self.srdf.write_bytes(former)
+                self.srdf.chmod(0o640)
+                result = pairs(robot, "--write-srdf", self.srdf)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                pair = re.compile(rb"[ \t]*<disable_collisions [^>]*/>\r\n")
+                text = self.srdf.read_bytes()
+                self.assertEqual(pair.sub(b"", text), pair.sub(b"", former))
+                self.assertEqual(stat.S_IMODE(self.srdf.stat().st_mode), 0o640)
+                self.assertGreater(text.count(b"<disable_collisions"), 0)
+                again = pairs(robot, "--write-srdf", self.srdf)
+                self.assertIn("nothing to change", again.stdout)
+                self.assertEqual(self.srdf.read_bytes(), text)
+
+    def test_force_makes_it_anew(self):
+        self.srdf.write_text("mine", encoding="utf-8")
+        result = run("-", "--no-cache", "--write-srdf", self.srdf, "--force", text=TWO_BALLS)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(disabled_in(self.srdf), {("a", "b"): "Never"})
 
     def test_says_how_far_it_has_come(self):
         said = pairs("arm6").stderr
@@ -107,14 +143,15 @@ class BadInput(unittest.TestCase):
 
     def refused(self, *arguments, code=1, text=None):
         """What is said; nothing may be printed as a result or written."""
+        before = {path: path.read_bytes() for path in self.folder.iterdir()}
         result = run(*arguments, text=text)
         self.assertEqual(result.returncode, code, result.stdout + result.stderr)
-        self.assertEqual(list(self.folder.iterdir()), [])
+        self.assertEqual({path: path.read_bytes() for path in self.folder.iterdir()}, before)
         self.assertNotIn("because", result.stdout)
         return result.stderr if code == 1 else result.stdout + result.stderr
 
     def test_every_missing_file_at_once(self):
-        said = self.refused("missing.urdf", "--srdf", self.folder / "no" / "where.srdf")
+        said = self.refused("missing.urdf", "--write-srdf", self.folder / "no" / "where.srdf")
         self.assertIn("2 problems", said)
         self.assertIn("missing.urdf'", said)
         self.assertIn("where.srdf'", said)
@@ -122,8 +159,25 @@ class BadInput(unittest.TestCase):
     def test_bad_robots(self):
         for text in ("", "<robot", TWO_BALLS.replace("'0.1'", "'-1'"), "<robot name='r'/>"):
             with self.subTest(text[:40]):
-                said = self.refused("-", "--no-cache", "--srdf", self.folder / "out.srdf", text=text)
+                said = self.refused("-", "--no-cache", "--write-srdf", self.folder / "out.srdf", text=text)
                 self.assertIn("accepted: ", said)
+
+    def test_a_file_that_is_no_srdf_of_the_robot_stays(self):
+        there = self.folder / "there"
+        for content, expected in (("", "empty SRDF"), ("shapes: []\n", "malformed"), ("<robot name='r'>", "cannot be parsed"),
+                                  ("<robot name='s'/>", "robot name 's'"), (TWO_BALLS, "as in a URDF")):
+            with self.subTest(content[:40]):
+                there.write_text(content, encoding="utf-8")
+                said = self.refused("-", "--no-cache", "--write-srdf", there, text=TWO_BALLS)
+                self.assertIn(expected, said)
+                self.assertIn(str(there), said)
+                self.assertNotIn("fitting", said)  # known before the long work
+
+    def test_srdf_which_reads_elsewhere_writes_nothing(self):
+        there = self.folder / "there.srdf"
+        there.write_text("<robot name='r'><group name='arm'/></robot>", encoding="utf-8")
+        said = self.refused("-", "--no-cache", "--srdf", there, text=TWO_BALLS, code=2)
+        self.assertIn(f"--write-srdf {there}", said)
 
     def test_usage(self):
         for arguments in ((), ("a.urdf", "--unknown"), ("a.urdf", "--states", "x"), ("a.urdf", "--trust-samples")):

@@ -22,16 +22,8 @@ constexpr int kDone = 0;
 constexpr int kInputFault = 1;
 
 void checkOutputs(const Options& options, SetupReport& report) {
-  const std::pair<const char*, const std::string&> outputs[] = {
-      {"option --yaml", options.yaml},
-      {"option --urdf", options.new_urdf},
-      {"option --html", options.html},
-      {"option --spheres-yaml", options.spheres_yaml},
-      {"option --spheres-srdf", options.spheres_srdf}};
-  for (const auto& [option, path] : outputs) {
-    if (!path.empty()) {
-      checkWritable(option, path, report);
-    }
+  for (const auto& [option, file] : outputsOf(options)) {
+    checkWritable(std::string("option ") + option, {file, "", options.may_replace}, report);
   }
 }
 
@@ -45,16 +37,18 @@ std::vector<OutputFile> makeOutputs(const Options& options, const RobotDescripti
                                     const FittedRobot& robot, const Progress& progress) {
   std::vector<OutputFile> files;
   if (!options.yaml.empty()) {
-    files.push_back({options.yaml, writeRules(robot)});
+    files.push_back({options.yaml, writeRules(robot), options.may_replace});
   }
   if (!options.new_urdf.empty()) {
-    files.push_back({options.new_urdf, writeShapeUrdf(robot, description.urdf_xml)});
+    files.push_back(
+        {options.new_urdf, writeShapeUrdf(robot, description.urdf_xml), options.may_replace});
   }
   if (!options.html.empty()) {
     const auto show = [&](const std::string& link, std::size_t done, std::size_t total) {
       progress.show("drawing", link, done, total);
     };
-    files.push_back({options.html, writeHtml(robot, description.source, show)});
+    files.push_back(
+        {options.html, writeHtml(robot, description.source, show), options.may_replace});
   }
   if (options.spheres_yaml.empty() && options.spheres_srdf.empty()) {
     return files;
@@ -62,10 +56,11 @@ std::vector<OutputFile> makeOutputs(const Options& options, const RobotDescripti
   const std::vector<LinkSpheres> spheres = buildSpheres(robot, options.leaves);
   warn(sphereOverlaps(robot.model, spheres));
   if (!options.spheres_yaml.empty()) {
-    files.push_back({options.spheres_yaml, toYaml(spheres)});
+    files.push_back({options.spheres_yaml, toYaml(spheres), options.may_replace});
   }
   if (!options.spheres_srdf.empty()) {
-    files.push_back({options.spheres_srdf, writeSphereSrdf(robot, spheres, options.sphere_level)});
+    files.push_back({options.spheres_srdf, writeSphereSrdf(robot, spheres, options.sphere_level),
+                     options.may_replace});
   }
   return files;
 }

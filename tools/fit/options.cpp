@@ -3,7 +3,10 @@
 #include "options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
+
+#include "output_files.h"
 
 namespace collision_monitor::fit_tool {
 namespace {
@@ -11,7 +14,7 @@ namespace {
 const char* const kAbout =
     "Encloses the links of a robot in spheres, capsules, boxes and rounded boxes as the monitor\n"
     "does, and prints for each collision element how tight they are and that they are proven to\n"
-    "enclose it. Changes nothing but the files that it is told to write.\n";
+    "enclose it. Writes the files that it is told to, and replaces none without --force.\n";
 
 const char* const kFooter =
     "Columns: volume is that of the shapes over that of the convex hull; overshoot, how far the\n"
@@ -85,6 +88,7 @@ void addOutputs(CLI::App& app, Options& options) {
   add_file("--spheres-yaml", options.spheres_yaml, "sphere hierarchies about the links");
   add_file("--spheres-srdf", options.spheres_srdf,
            "one level of them as <link_sphere_approximation> of an SRDF");
+  addForceOption(app, options.may_replace);
   app.add_option("--sphere-level", options.sphere_level,
                  "of --spheres-srdf; 0: one sphere an element; default: the leaves")
       ->type_name("N")
@@ -100,26 +104,18 @@ void addOutputs(CLI::App& app, Options& options) {
 /// What one option cannot know of the others.
 void checkTogether(const Options& options) {
   checkOneRobot(options.source);
-  const std::pair<const char*, const std::string&> of_option[] = {
-      {"--yaml", options.yaml},
-      {"--urdf", options.new_urdf},
-      {"--html", options.html},
-      {"--spheres-yaml", options.spheres_yaml},
-      {"--spheres-srdf", options.spheres_srdf}};
-  std::vector<std::string> outputs;
-  for (const auto& [option, output] : of_option) {
+  std::vector<std::filesystem::path> targets;
+  for (const auto& [option, file] : outputsOf(options)) {
     for (const InputFile& input : {InputFile{"robot", options.source.urdf},
                                    {"SRDF", options.srdf},
                                    {"file of rules", options.rules}}) {
-      checkKeeps(input, option, output);
+      checkKeeps(input, option, file);
     }
-    outputs.push_back(output);
-  }
-  std::sort(outputs.begin(), outputs.end());
-  for (std::size_t i = 1; i < outputs.size(); ++i) {
-    if (!outputs[i].empty() && outputs[i] == outputs[i - 1]) {
-      throw CLI::ValidationError("two options write '" + outputs[i] + "'");
+    const std::filesystem::path target = targetOf(file);
+    if (std::find(targets.begin(), targets.end(), target) != targets.end()) {
+      throw CLI::ValidationError("two options write '" + file + "'");
     }
+    targets.push_back(target);
   }
 }
 
@@ -131,6 +127,20 @@ ShapeKinds kindsOf(const std::vector<std::string>& names) {
 }
 
 }  // namespace
+
+std::vector<OutputOption> outputsOf(const Options& options) {
+  std::vector<OutputOption> outputs;
+  for (const OutputOption& output : {OutputOption{"--yaml", options.yaml},
+                                     {"--urdf", options.new_urdf},
+                                     {"--html", options.html},
+                                     {"--spheres-yaml", options.spheres_yaml},
+                                     {"--spheres-srdf", options.spheres_srdf}}) {
+    if (!output.file.empty()) {
+      outputs.push_back(output);
+    }
+  }
+  return outputs;
+}
 
 Parsed parseOptions(int argc, const char* const* argv) {
   Parsed parsed;

@@ -23,6 +23,7 @@ struct Options {
   std::string cache;  ///< as the parameter fit_cache
 
   std::string yaml, new_urdf, html, spheres_yaml, spheres_srdf;
+  bool may_replace{false};                                                ///< files that are there
   std::uint32_t sphere_level{std::numeric_limits<std::uint32_t>::max()};  ///< the leaves
   std::size_t leaves{64};
 };
@@ -33,6 +34,15 @@ struct Parsed {
   bool is_to_run{false};
   int exit_code{0};  ///< 0 after --help, 2 for a fault, which was printed
 };
+
+/// An option and the file that it has written.
+struct OutputOption {
+  const char* option;
+  std::string file;
+};
+
+/// Those that are asked for.
+std::vector<OutputOption> outputsOf(const Options& options);
 
 Parsed parseOptions(int argc, const char* const* argv);
 

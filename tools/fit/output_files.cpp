@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output_files.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -14,8 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the file really is, so that renaming does not replace a link to it.
-fs::path targetOf(const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); }
+const char* const kIsThere = "it is there already";
 
 /// Beside the file, for only there renaming is one step; of this process alone.
 fs::path partOf(const fs::path& target) {
@@ -27,15 +27,49 @@ std::string reasonOf(int error) {
   return std::error_code(error, std::generic_category()).message();
 }
 
-void writePart(const fs::path& part, const std::string& text) {
-  errno = 0;
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-  stream.close();
-  if (!stream) {
-    throw std::runtime_error(reasonOf(errno == 0 ? EIO : errno));
+[[noreturn]] void throwReason(int error) { throw std::runtime_error(reasonOf(error)); }
+
+/// Closes what it opened.
+class NewFile {
+ public:
+  explicit NewFile(const fs::path& path)
+      : file_(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)) {
+    if (file_ < 0) {
+      throwReason(errno);
+    }
   }
-}
+  ~NewFile() { close(file_); }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  void write(const std::string& text) const {
+    for (std::size_t done = 0; done < text.size();) {
+      const ssize_t count = ::write(file_, text.data() + done, text.size() - done);
+      if (count < 0 && errno != EINTR) {
+        throwReason(errno);
+      }
+      done += count < 0 ? 0 : static_cast<std::size_t>(count);
+    }
+  }
+  /// An owner that may not be given is no fault: the file is then the writer's.
+  void resemble(const struct stat& former) const {
+    if (fchown(file_, former.st_uid, former.st_gid) != 0 && errno != EPERM) {
+      throwReason(errno);
+    }
+    if (fchmod(file_, former.st_mode & ALLPERMS) != 0) {
+      throwReason(errno);
+    }
+  }
+  /// Before it is renamed: after a loss of power a name must not stand for an empty file.
+  void keep() const {
+    if (fsync(file_) != 0) {
+      throwReason(errno);
+    }
+  }
+
+ private:
+  int file_;
+};
 
 /// Removes what was not renamed.
 class PartFiles {
@@ -51,8 +85,14 @@ class PartFiles {
   PartFiles& operator=(const PartFiles&) = delete;
 
   void write(const fs::path& target, const std::string& text) {
+    const NewFile part(partOf(target));
     parts_.push_back(partOf(target));
-    writePart(parts_.back(), text);
+    struct stat former {};
+    if (stat(target.c_str(), &former) == 0) {
+      part.resemble(former);  // before the text is in it, which may be for few eyes
+    }
+    part.write(text);
+    part.keep();
   }
 
  private:
@@ -61,17 +101,30 @@ class PartFiles {
 
 }  // namespace
 
-void checkWritable(const std::string& option, const fs::path& path, SetupReport& report) {
+fs::path targetOf(const fs::path& path) {
+  constexpr int kMostLinks = 40;  // as Linux has it
+  fs::path target = fs::absolute(path);
+  for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(target)); ++i) {
+    target = target.parent_path() / fs::read_symlink(target);
+  }
+  return fs::weakly_canonical(target);
+}
+
+void checkWritable(const std::string& option, const OutputFile& file, SetupReport& report) {
   const auto refuse = [&](const std::string& reason) {
-    report.errors.push_back({option, "'" + path.string() + "' cannot be written: " + reason,
-                             "a file in a folder that exists and can be written"});
+    report.errors.push_back({option, "'" + file.path.string() + "' cannot be written: " + reason,
+                             reason == kIsThere
+                                 ? "the name of a new file, or --force to replace it"
+                                 : "a file in a folder that exists and can be written"});
   };
   try {
-    const fs::path target = targetOf(path);
+    const fs::path target = targetOf(file.path);
     if (fs::is_directory(target)) {
       refuse("it is a folder");
     } else if (fs::exists(target) && !fs::is_regular_file(target)) {
       refuse("it is no plain file");
+    } else if (fs::exists(target) && !file.may_replace) {
+      refuse(kIsThere);
     } else if (fs::exists(target) && access(target.c_str(), W_OK) != 0) {
       refuse(reasonOf(errno));
     } else {
@@ -86,7 +139,12 @@ void writeFiles(const std::vector<OutputFile>& files) {
   PartFiles parts;
   for (const OutputFile& file : files) {
     try {
-      parts.write(targetOf(file.path), file.text);
+      const fs::path target = targetOf(file.path);
+      // It may have come while the text was made.
+      if (fs::exists(target) && !file.may_replace) {
+        throw std::runtime_error(kIsThere);
+      }
+      parts.write(target, file.text);
     } catch (const std::exception& fault) {
       throw std::runtime_error("'" + file.path.string() + "' cannot be written: " + fault.what());
     }

@@ -37,6 +37,10 @@ void checkKeeps(const InputFile& input, const std::string& option, const std::st
   }
 }
 
+void addForceOption(CLI::App& app, bool& may_replace) {
+  app.add_flag("--force", may_replace, "replace files that are there already")->group("Output");
+}
+
 void addCacheOptions(CLI::App& app, std::string& cache, bool& has_none) {
   const char* const group = "Kept fits";
   CLI::Option* option = app.add_option("--cache", cache,

@@ -35,6 +35,9 @@ struct InputFile {
 /// called.
 void checkKeeps(const InputFile& input, const std::string& option, const std::string& output);
 
+/// --force
+void addForceOption(CLI::App& app, bool& may_replace);
+
 /// @param has_none --no-cache: a cache of "none"
 void addCacheOptions(CLI::App& app, std::string& cache, bool& has_none);
 

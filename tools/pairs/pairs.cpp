@@ -4,7 +4,9 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 
+#include "merge_srdf.h"
 #include "output_files.h"
 #include "pairs_options.h"
 #include "progress.h"
@@ -19,14 +21,33 @@ namespace {
 constexpr int kDone = 0;
 constexpr int kInputFault = 1;
 
-/// Every pair counts, also those that overlap in the default pose.
-CycleSetup makeSetup(const Options& options, const fit_tool::Progress& progress) {
-  SetupReport report;
-  const RobotDescription description = fit_tool::readDescription(options.source, report);
-  if (!options.srdf.empty()) {
-    fit_tool::checkWritable("option --srdf", options.srdf, report);
+std::string readSrdfText(const Options& options, const std::string& robot_name,
+                         SetupReport& report) {
+  const std::string text = fit_tool::readInput("option --write-srdf", options.write_srdf, report);
+  if (report.errors.empty()) {
+    checkMergeable(options.write_srdf, text, robot_name, report);
   }
-  throwIfErrors(report);
+  return text;
+}
+
+/// Whether there is an SRDF to be brought up to date. Found out before the long work, and its
+/// faults with it.
+bool checkOutput(const Options& options, const std::string& robot_name, SetupReport& report) {
+  if (options.write_srdf.empty()) {
+    return false;
+  }
+  const bool merges = !options.may_replace && std::filesystem::is_regular_file(options.write_srdf);
+  fit_tool::checkWritable("option --write-srdf",
+                          {options.write_srdf, "", merges || options.may_replace}, report);
+  if (merges && report.errors.empty()) {
+    readSrdfText(options, robot_name, report);
+  }
+  return merges;
+}
+
+/// Every pair counts, also those that overlap in the default pose.
+CycleSetup makeSetup(const Options& options, const RobotDescription& description,
+                     const fit_tool::Progress& progress) {
   SetupOptions setup_options;
   setup_options.ignore_default_overlap = false;
   setup_options.fit_cache = fitCacheFolder(options.cache);
@@ -59,29 +80,82 @@ WorkProgress showTenths(const fit_tool::Progress& progress, const std::string& w
       };
 }
 
-int run(const Options& options) {
-  const fit_tool::Progress progress(stderr, isatty(STDERR_FILENO) != 0);
-  const CycleSetup setup = makeSetup(options, progress);
-  printWarnings(setup.report);
+std::vector<PairFound> search(const CycleSetup& setup, const Options& options,
+                              const fit_tool::Progress& progress) {
   PairSearchOptions search = options.search;
   search.state_progress = showTenths(progress, "drawing", " states");
   search.proof_progress = showTenths(progress, "proving", " pairs");
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
-  const std::vector<PairFound> pairs = searchPairs(setup, search);
+  std::vector<PairFound> pairs = searchPairs(setup, search);
   std::fprintf(stderr, "states and proofs took %.2f s\n",
                std::chrono::duration<double>(Clock::now() - start).count());
+  return pairs;
+}
+
+void printList(const char* head, const std::vector<std::string>& items) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    std::printf("%s%s\n", i == 0 ? head : "  ", items[i].c_str());
+  }
+}
+
+void printMerge(const std::string& path, const SrdfMerge& merge, bool is_changed) {
+  std::printf("%s %s: %zu pairs added, %zu taken out, %zu kept\n",
+              is_changed ? "brought up to date" : "nothing to change in", path.c_str(), merge.added,
+              merge.taken_out.size(), merge.kept);
+  printList("taken out:\n  ", merge.taken_out);
+  printList("kept, though they touch in some states:\n  ", merge.doubted);
+}
+
+/// The file is read again: somebody may have worked on it meanwhile.
+/// @return how many pairs were left out for want of a proof.
+std::size_t updateSrdf(const Options& options, const RobotModel& model,
+                       const std::vector<PairFound>& pairs, const PairLines& lines) {
+  SetupReport report;
+  const std::string former = readSrdfText(options, model.robots.front().name, report);
+  throwIfErrors(report);
+  const SrdfMerge merge = mergeSrdf(former, model, pairs, lines);
+  const bool is_changed = merge.text != former;
+  if (is_changed) {
+    fit_tool::writeFiles({{options.write_srdf, merge.text, true}});
+  }
+  printMerge(options.write_srdf, merge, is_changed);
+  return merge.left_out;
+}
+
+/// @return as updateSrdf.
+std::size_t makeSrdf(const Options& options, const RobotModel& model, const PairLines& lines) {
+  const std::string text = newSrdf(model.robots.front().name, lines.lines);
+  fit_tool::writeFiles({{options.write_srdf, text, options.may_replace}});
+  std::printf("wrote %s\n", options.write_srdf.c_str());
+  return lines.left_out.size();
+}
+
+void writeSrdf(const Options& options, bool merges, const RobotModel& model,
+               const std::vector<PairFound>& pairs) {
+  const PairLines lines = linesOf(model, pairs, options.trusts_samples);
+  const std::size_t left_out =
+      merges ? updateSrdf(options, model, pairs, lines) : makeSrdf(options, model, lines);
+  if (left_out > 0) {
+    std::printf(
+        "left out %zu pairs that touched in no state drawn, or in all, and are not proven to; "
+        "--trust-samples writes them\n",
+        left_out);
+  }
+}
+
+int run(const Options& options) {
+  const fit_tool::Progress progress(stderr, isatty(STDERR_FILENO) != 0);
+  SetupReport report;
+  const RobotDescription description = fit_tool::readDescription(options.source, report);
+  const bool merges = checkOutput(options, robotNameOf(description.urdf_xml), report);
+  throwIfErrors(report);
+  const CycleSetup setup = makeSetup(options, description, progress);
+  printWarnings(setup.report);
+  const std::vector<PairFound> pairs = search(setup, options, progress);
   std::fputs(tableOf(setup.model, pairs, options.search.states).c_str(), stdout);
-  if (!options.srdf.empty()) {
-    const PairSrdf srdf = writeSrdf(setup.model, pairs, options.trusts_samples);
-    fit_tool::writeFiles({{options.srdf, srdf.text}});
-    std::printf("wrote %s\n", options.srdf.c_str());
-    if (srdf.left_out > 0) {
-      std::printf(
-          "left out %zu pairs that were never seen to touch and are not proven apart; "
-          "--trust-samples writes them\n",
-          srdf.left_out);
-    }
+  if (!options.write_srdf.empty()) {
+    writeSrdf(options, merges, setup.model, pairs);
   }
   return kDone;
 }

@@ -10,7 +10,7 @@ namespace {
 const char* const kAbout =
     "Finds out which pairs of links of a robot can touch: draws states of its joints within their\n"
     "limits, and tries to prove pairs apart that were never seen to touch. Prints a line for each\n"
-    "pair; writes an SRDF with the pairs that need no checking.\n";
+    "pair; writes the pairs that need no checking to an SRDF.\n";
 
 const char* const kFooter =
     "A pair touches\n"
@@ -23,10 +23,14 @@ const char* const kFooter =
     "touch\n\n"
     "Exit code: 0, done. 1, something that was read or is to be written is at fault; all of it is\n"
     "listed and no file is touched. 2, the command line is at fault.\n\n"
+    "Of an SRDF that is there, --write-srdf changes <disable_collisions> below the root and not a\n"
+    "byte beside. Pairs that are adjacent, or proven to touch always or never, are added. Lines "
+    "of\n"
+    "reason Never or Always whose links touch sometimes are taken out. All others stay.\n\n"
     "Examples:\n"
-    "  pairs robot.urdf                       look at the table\n"
-    "  pairs robot.urdf --srdf robot.srdf     what is adjacent, always touching or proven apart\n"
-    "  pairs robot.urdf --states 100000 --srdf robot.srdf --trust-samples";
+    "  pairs robot.urdf                              look at the table\n"
+    "  pairs robot.urdf --write-srdf robot.srdf      bring an SRDF up to date, or make one\n"
+    "  pairs robot.urdf --states 100000 --write-srdf robot.srdf --trust-samples";
 
 void addSearch(CLI::App& app, Options& options) {
   constexpr std::size_t kMostStates = 100000000;
@@ -51,14 +55,30 @@ void addSearch(CLI::App& app, Options& options) {
 
 void addOutputs(CLI::App& app, Options& options) {
   const char* const group = "Output";
-  CLI::Option* srdf =
-      app.add_option("--srdf", options.srdf, "pairs that need no checking, as disable_collisions")
-          ->type_name("FILE")
-          ->group(group);
+  CLI::Option* srdf = app.add_option("--write-srdf", options.write_srdf,
+                                     "pairs that need no checking, as disable_collisions")
+                          ->type_name("FILE")
+                          ->group(group);
   app.add_flag("--trust-samples", options.trusts_samples,
-               "write pairs, too, that were never seen to touch and are not proven")
+               "write pairs, too, that touched in no state drawn or in all and are not proven to")
       ->needs(srdf)
       ->group(group);
+  app.add_flag("--force", options.may_replace,
+               "make the SRDF anew; all that is in a file of that name is lost")
+      ->needs(srdf)
+      ->group(group);
+}
+
+/// Everywhere else an option of this name reads. Here it once wrote, over what was there.
+void refuseSrdf(CLI::App& app) {
+  app.add_option_function<std::string>("--srdf",
+                                       [](const std::string& file) {
+                                         throw CLI::ValidationError(
+                                             "--srdf: pairs reads no SRDF, it looks at all pairs; "
+                                             "--write-srdf " +
+                                             file + " writes what it finds");
+                                       })
+      ->group("");
 }
 
 }  // namespace
@@ -71,11 +91,13 @@ Parsed parseOptions(int argc, const char* const* argv) {
   fit_tool::addRobotOptions(app, parsed.options.source);
   addSearch(app, parsed.options);
   addOutputs(app, parsed.options);
+  refuseSrdf(app);
   fit_tool::addCacheOptions(app, parsed.options.cache, has_no_cache);
   try {
     app.parse(argc, argv);
     fit_tool::checkOneRobot(parsed.options.source);
-    fit_tool::checkKeeps({"robot", parsed.options.source.urdf}, "--srdf", parsed.options.srdf);
+    fit_tool::checkKeeps({"robot", parsed.options.source.urdf}, "--write-srdf",
+                         parsed.options.write_srdf);
   } catch (const CLI::ParseError& fault) {
     parsed.exit_code = app.exit(fault) == 0 ? 0 : fit_tool::kUsageFault;
     return parsed;

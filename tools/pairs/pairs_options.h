@@ -14,7 +14,8 @@ struct Options {
   fit_tool::RobotSource source;
   std::string cache;  ///< as the parameter fit_cache
   PairSearchOptions search;
-  std::string srdf;  ///< to be written
+  std::string write_srdf;   ///< is brought up to date where it is there
+  bool may_replace{false};  ///< it is made anew
   bool trusts_samples{false};
 };
 

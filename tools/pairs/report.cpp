@@ -31,20 +31,6 @@ const char* wordOf(PairFinding finding) noexcept {
   return "";
 }
 
-/// "at shoulder=0.5 elbow=-1.25", of the joints that matter to the pair, with all digits that it
-/// takes to see the same.
-std::string stateText(const RobotModel& model, const PairFound& pair) {
-  constexpr int kEnough = 32;
-  std::string text = "at";
-  for (const JointId id : pair.joints) {
-    const Joint& joint = model.joint(id);
-    std::array<char, kEnough> number{};
-    std::snprintf(number.data(), number.size(), "%.9g", pair.touching[joint.first_variable]);
-    text += " " + joint.name + "=" + number.data();
-  }
-  return text;
-}
-
 std::string reasonOf(const RobotModel& model, const PairFound& pair, std::size_t states) {
   const std::string seen = " in all " + std::to_string(states) + " states";
   switch (pair.finding) {
@@ -63,7 +49,7 @@ std::string reasonOf(const RobotModel& model, const PairFound& pair, std::size_t
   return "";
 }
 
-std::string linesOf(const std::vector<Row>& rows) {
+std::string textOf(const std::vector<Row>& rows) {
   std::array<std::size_t, 4> widths{};
   for (const Row& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -78,6 +64,22 @@ std::string linesOf(const std::vector<Row>& rows) {
     text += row.back() + "\n";
   }
   return text;
+}
+
+/// As an SRDF has it; null for what must be checked.
+const char* srdfReasonOf(PairFinding finding) noexcept {
+  switch (finding) {
+    case PairFinding::adjacent:
+      return "Adjacent";
+    case PairFinding::always:
+      return "Always";
+    case PairFinding::never:
+      return "Never";
+    case PairFinding::sometimes:
+    case PairFinding::unclear:
+      return nullptr;
+  }
+  return nullptr;
 }
 
 std::string totalsOf(const std::vector<PairFound>& pairs) {
@@ -100,6 +102,18 @@ std::string totalsOf(const std::vector<PairFound>& pairs) {
 
 }  // namespace
 
+std::string stateText(const RobotModel& model, const PairFound& pair) {
+  constexpr int kEnough = 32;
+  std::string text = "at";
+  for (const JointId id : pair.joints) {
+    const Joint& joint = model.joint(id);
+    std::array<char, kEnough> number{};
+    std::snprintf(number.data(), number.size(), "%.9g", pair.touching[joint.first_variable]);
+    text += " " + joint.name + "=" + number.data();
+  }
+  return text;
+}
+
 std::string tableOf(const RobotModel& model, const std::vector<PairFound>& pairs,
                     std::size_t states) {
   std::vector<Row> rows{{"link", "link", "touch", "because"}};
@@ -107,34 +121,38 @@ std::string tableOf(const RobotModel& model, const std::vector<PairFound>& pairs
     rows.push_back({model.link(pair.a).name, model.link(pair.b).name, wordOf(pair.finding),
                     reasonOf(model, pair, states)});
   }
-  return linesOf(rows) + totalsOf(pairs);
+  return textOf(rows) + totalsOf(pairs);
 }
 
-PairSrdf writeSrdf(const RobotModel& model, const std::vector<PairFound>& pairs,
-                   bool trusts_samples) {
-  PairSrdf srdf;
+PairLines linesOf(const RobotModel& model, const std::vector<PairFound>& pairs,
+                  bool trusts_samples) {
+  PairLines found;
+  for (const PairFound& pair : pairs) {
+    const char* reason = srdfReasonOf(pair.finding);
+    if (reason == nullptr) {
+      continue;
+    }
+    const bool is_known = pair.finding == PairFinding::adjacent || pair.is_proven || trusts_samples;
+    (is_known ? found.lines : found.left_out)
+        .push_back({model.link(pair.a).name, model.link(pair.b).name, reason});
+  }
+  return found;
+}
+
+std::string newSrdf(const std::string& robot_name, const std::vector<PairLine>& lines) {
   tinyxml2::XMLPrinter printer;
   printer.PushHeader(false, true);
   printer.OpenElement("robot");
-  printer.PushAttribute("name", model.robots.front().name.c_str());
-  for (const PairFound& pair : pairs) {
-    const bool is_never = pair.finding == PairFinding::never;
-    if (is_never && !pair.is_proven && !trusts_samples) {
-      ++srdf.left_out;
-    } else if (is_never || pair.finding == PairFinding::adjacent ||
-               pair.finding == PairFinding::always) {
-      printer.OpenElement("disable_collisions");
-      printer.PushAttribute("link1", model.link(pair.a).name.c_str());
-      printer.PushAttribute("link2", model.link(pair.b).name.c_str());
-      printer.PushAttribute("reason", is_never                                ? "Never"
-                                      : pair.finding == PairFinding::adjacent ? "Adjacent"
-                                                                              : "Always");
-      printer.CloseElement();
-    }
+  printer.PushAttribute("name", robot_name.c_str());
+  for (const PairLine& line : lines) {
+    printer.OpenElement("disable_collisions");
+    printer.PushAttribute("link1", line.link1.c_str());
+    printer.PushAttribute("link2", line.link2.c_str());
+    printer.PushAttribute("reason", line.reason);
+    printer.CloseElement();
   }
   printer.CloseElement();
-  srdf.text = printer.CStr();
-  return srdf;
+  return printer.CStr();
 }
 
 }  // namespace collision_monitor::pairs_tool

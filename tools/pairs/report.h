@@ -13,14 +13,27 @@ namespace collision_monitor::pairs_tool {
 std::string tableOf(const RobotModel& model, const std::vector<PairFound>& pairs,
                     std::size_t states);
 
-/// An SRDF that disables what is adjacent, always touching or proven apart.
-struct PairSrdf {
-  std::string text;
-  std::size_t left_out{0};  ///< pairs that were never seen to touch and are not proven apart
+/// "at shoulder=0.5 elbow=-1.25": a state in which the pair touches, of the joints that matter to
+/// it, with all digits that it takes to see the same.
+std::string stateText(const RobotModel& model, const PairFound& pair);
+
+/// A pair that needs no checking.
+struct PairLine {
+  std::string link1, link2;
+  const char* reason;  ///< as in an SRDF
 };
 
+struct PairLines {
+  std::vector<PairLine> lines;
+  std::vector<PairLine> left_out;  ///< that touched in no state drawn, or in all, without a proof
+};
+
+/// What is adjacent, or proven to touch always or never.
 /// @param trusts_samples leaves none out
-PairSrdf writeSrdf(const RobotModel& model, const std::vector<PairFound>& pairs,
-                   bool trusts_samples);
+PairLines linesOf(const RobotModel& model, const std::vector<PairFound>& pairs,
+                  bool trusts_samples);
+
+/// An SRDF that says no more than these lines.
+std::string newSrdf(const std::string& robot_name, const std::vector<PairLine>& lines);
 
 }  // namespace collision_monitor::pairs_tool

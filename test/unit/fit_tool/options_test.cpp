@@ -25,6 +25,8 @@ TEST(Options, byDefault_areTheMonitors) {
   EXPECT_EQ(parsed.options.limits.target_overshoot, monitors.target_overshoot);
   EXPECT_TRUE(parsed.options.limits.kinds.sphere && parsed.options.limits.kinds.rounded_box);
   EXPECT_EQ(parsed.options.cache, "");
+  EXPECT_FALSE(parsed.options.may_replace);
+  EXPECT_TRUE(parse({"robot.urdf", "--force"}).options.may_replace);
 }
 
 TEST(Options, kindsAndLimits) {
@@ -64,6 +66,7 @@ TEST(Options, faults_endWithTwo_andNameTheFault) {
       {{"a.urdf", "--target-overshoot", "nan"}, "'nan' is no length"},
       {{"a.urdf", "--cache", "x", "--no-cache"}, "--no-cache"},
       {{"a.urdf", "--yaml", "x", "--html", "x"}, "two options write 'x'"},
+      {{"a.urdf", "--yaml", "x", "--html", "./x"}, "two options write './x'"},
       {{"a.urdf", "--urdf", "a.urdf"}, "--urdf would replace the robot"},
       {{"a.urdf", "--html", "a.urdf"}, "--html would replace the robot"},
       {{"a.urdf", "--srdf", "b", "--spheres-srdf", "b"}, "would replace the SRDF"},

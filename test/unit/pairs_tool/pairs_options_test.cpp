@@ -15,14 +15,16 @@ Parsed parse(const std::vector<const char*>& arguments, std::string* said = null
 
 TEST(PairsOptions, defaultsAndAllThatIsSaid) {
   EXPECT_EQ(parse({"robot.urdf"}).options.search.states, PairSearchOptions().states);
-  const Parsed parsed = parse({"robot.urdf", "--states", "50", "--seed", "7", "--cells", "9",
-                               "--srdf", "out.srdf", "--trust-samples", "--no-cache"});
+  const Parsed parsed =
+      parse({"robot.urdf", "--states", "50", "--seed", "7", "--cells", "9", "--write-srdf",
+             "out.srdf", "--trust-samples", "--force", "--no-cache"});
   ASSERT_TRUE(parsed.is_to_run);
   EXPECT_EQ(parsed.options.source.urdf, "robot.urdf");
   EXPECT_EQ(parsed.options.search.states, 50U);
   EXPECT_EQ(parsed.options.search.seed, 7U);
   EXPECT_EQ(parsed.options.search.most_cells, 9U);
-  EXPECT_EQ(parsed.options.srdf, "out.srdf");
+  EXPECT_EQ(parsed.options.write_srdf, "out.srdf");
+  EXPECT_TRUE(parsed.options.may_replace);
   EXPECT_TRUE(parsed.options.trusts_samples);
   EXPECT_EQ(parsed.options.cache, "none");
 }
@@ -32,7 +34,8 @@ TEST(PairsOptions, help_endsWell) {
   const Parsed parsed = parse({"--help"}, &said);
   EXPECT_FALSE(parsed.is_to_run);
   EXPECT_EQ(parsed.exit_code, 0);
-  for (const char* option : {"--states", "--seed", "--srdf", "--trust-samples", "--param"}) {
+  for (const char* option :
+       {"--states", "--seed", "--write-srdf", "--force", "--trust-samples", "--param"}) {
     EXPECT_NE(said.find(option), std::string::npos) << option;
   }
 }
@@ -45,11 +48,24 @@ TEST(PairsOptions, faults) {
                                              {"a.urdf", "--states", "-3"},
                                              {"a.urdf", "--seed", "x"},
                                              {"a.urdf", "--trust-samples"},
-                                             {"a.urdf", "--srdf", "a.urdf"},
+                                             {"a.urdf", "--force"},
+                                             {"a.urdf", "--write-srdf", "a.urdf"},
                                              {"a.urdf", "--unknown"}}) {
     const Parsed parsed = parse(arguments);
     EXPECT_FALSE(parsed.is_to_run);
     EXPECT_EQ(parsed.exit_code, 2);
+  }
+}
+
+/// The word reads an SRDF in every other tool, and once wrote one here.
+TEST(PairsOptions, srdf_isRefused_withTheWordThatWrites) {
+  for (const std::vector<const char*>& arguments : std::vector<std::vector<const char*>>{
+           {"a.urdf", "--srdf", "out.srdf"}, {"a.urdf", "--srdf=out.srdf", "--states", "5"}}) {
+    std::string said;
+    const Parsed parsed = parse(arguments, &said);
+    EXPECT_FALSE(parsed.is_to_run);
+    EXPECT_EQ(parsed.exit_code, 2);
+    EXPECT_NE(said.find("--write-srdf out.srdf"), std::string::npos) << said;
   }
 }
 

@@ -60,32 +60,44 @@ TEST(Report, whatIsProvenSaysSo) {
   EXPECT_NE(scene.table().find("always  touch in all 100 states\n"), std::string::npos);
 }
 
-TEST(Report, srdf_leavesOutWhatIsNotProven_unlessSamplesAreTrusted) {
+/// "arm-hand Never", each.
+std::vector<std::string> linesOf(const Scene& scene, bool trusts_samples, std::size_t left_out) {
+  const PairLines found = pairs_tool::linesOf(scene.model, scene.pairs, trusts_samples);
+  EXPECT_EQ(found.left_out.size(), left_out);
+  std::vector<std::string> texts;
+  for (const PairLine& line : found.lines) {
+    texts.push_back(line.link1 + "-" + line.link2 + " " + line.reason);
+  }
+  return texts;
+}
+
+TEST(Report, lines_neverAndAlwaysOnlyIfProven_orSamplesAreTrusted) {
   Scene scene;
   scene.add(0, 1, PairFinding::adjacent);
   scene.add(0, 2, PairFinding::never, true);
   scene.add(1, 2, PairFinding::never);
-  const PairSrdf careful = writeSrdf(scene.model, scene.pairs, false);
-  EXPECT_EQ(careful.left_out, 1U);
-  EXPECT_EQ(careful.text,
-            "<?xml version=\"1.0\"?>\n"
-            "<robot name=\"two &amp; more\">\n"
-            "    <disable_collisions link1=\"base\" link2=\"arm\" reason=\"Adjacent\"/>\n"
-            "    <disable_collisions link1=\"base\" link2=\"hand\" reason=\"Never\"/>\n"
-            "</robot>\n");
-  const PairSrdf trusting = writeSrdf(scene.model, scene.pairs, true);
-  EXPECT_EQ(trusting.left_out, 0U);
-  EXPECT_NE(trusting.text.find("link1=\"arm\" link2=\"hand\" reason=\"Never\""), std::string::npos);
+  scene.add(0, 1, PairFinding::always, true);
+  scene.add(0, 2, PairFinding::always);
+  EXPECT_EQ(linesOf(scene, false, 2),
+            (std::vector<std::string>{"base-arm Adjacent", "base-hand Never", "base-arm Always"}));
+  EXPECT_EQ(linesOf(scene, true, 0),
+            (std::vector<std::string>{"base-arm Adjacent", "base-hand Never", "arm-hand Never",
+                                      "base-arm Always", "base-hand Always"}));
 }
 
-TEST(Report, srdf_keepsWhatMayTouch) {
+TEST(Report, lines_notOfWhatMayTouchAndMayNot) {
   Scene scene;
   scene.add(0, 1, PairFinding::sometimes);
   scene.add(0, 2, PairFinding::unclear);
-  scene.add(1, 2, PairFinding::always);
-  const std::string text = writeSrdf(scene.model, scene.pairs, true).text;
-  EXPECT_EQ(text.find("base"), std::string::npos);
-  EXPECT_NE(text.find("link1=\"arm\" link2=\"hand\" reason=\"Always\""), std::string::npos);
+  EXPECT_TRUE(linesOf(scene, true, 0).empty());
+}
+
+TEST(Report, newSrdf) {
+  EXPECT_EQ(pairs_tool::newSrdf("two & more", {{"base", "arm", "Adjacent"}}),
+            "<?xml version=\"1.0\"?>\n"
+            "<robot name=\"two &amp; more\">\n"
+            "    <disable_collisions link1=\"base\" link2=\"arm\" reason=\"Adjacent\"/>\n"
+            "</robot>\n");
 }
 
 }  // namespace
