@@ -109,9 +109,50 @@ std::vector<const PairDistance*> nearestOf(const CycleSetup& setup,
   return nearest;
 }
 
+/// Of the pairs that are asked for, the nearest; kNone if none was measured.
+LinkPairIndex closestOf(const CycleSetup& setup, const Selection& selection,
+                        const std::vector<const PairDistance*>& nearest) {
+  LinkPairIndex closest = kNone;
+  for (LinkPairIndex i = 0; i < nearest.size(); ++i) {
+    const CheckedLinkPair& pair = setup.checked[i];
+    if (nearest[i] != nullptr && selection.has(pair.a, pair.b) &&
+        (closest == kNone || nearest[i]->measured.distance < nearest[closest]->measured.distance)) {
+      closest = i;
+    }
+  }
+  return closest;
+}
+
+/// Measures all pairs that are asked for, and refines those within the distance.
+void measureWithin(const CycleSetup& setup, double distance, CycleBuffers& buffers) {
+  measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
+  buffers.refine.limits = {distance, std::numeric_limits<std::uint32_t>::max()};
+  refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
+}
+
+/// Which pairs are told: those within the distance, and the closest.
+struct Reach {
+  double distance;  ///< [m]
+  LinkPairIndex closest;
+};
+
+/// Where no pair is within the distance, all are refined: it takes that to know which is closest.
+Reach measureReach(const CycleSetup& setup, const Selection& selection, double max_distance,
+                   CycleBuffers& buffers) {
+  measureWithin(setup, max_distance, buffers);
+  std::vector<const PairDistance*> nearest = nearestOf(setup, buffers.distances.measured);
+  LinkPairIndex closest = closestOf(setup, selection, nearest);
+  if (closest != kNone && nearest[closest]->measured.distance > max_distance) {
+    measureWithin(setup, std::numeric_limits<double>::infinity(), buffers);
+    nearest = nearestOf(setup, buffers.distances.measured);
+    closest = closestOf(setup, selection, nearest);
+  }
+  return {max_distance, closest};
+}
+
 /// One entry a pair of links, its nearest shapes; nearest pairs first, then the unknown ones.
 void fillDistances(const CycleSetup& setup, const Selection& selection, const Scene& scene,
-                   double max_distance, Distances& message) {
+                   const Reach& reach, Distances& message) {
   const std::vector<const PairDistance*> nearest =
       nearestOf(setup, scene.buffers.distances.measured);
   std::vector<LinkDistance> unknown;
@@ -125,7 +166,7 @@ void fillDistances(const CycleSetup& setup, const Selection& selection, const Sc
     if (nearest[i] == nullptr) {
       unknown.emplace_back();
       toUnknownMessage(setup, pair.a, pair.b, unknown.back());
-    } else if (nearest[i]->measured.distance <= max_distance) {
+    } else if (i == reach.closest || nearest[i]->measured.distance <= reach.distance) {
       message.pairs.emplace_back();
       toMessage(setup, *nearest[i], message.pairs.back());
       toMessage(setup, rows.of(*nearest[i]), message.pairs.back());
@@ -138,6 +179,18 @@ void fillDistances(const CycleSetup& setup, const Selection& selection, const Sc
   message.closest = message.pairs.empty() ? -1 : 0;
   message.pairs_unknown = static_cast<std::uint32_t>(unknown.size());
   message.pairs.insert(message.pairs.end(), unknown.begin(), unknown.end());
+}
+
+/// "; none within 10 mm, the nearest: a is 12 mm from b"; empty where one is.
+std::string nearestText(const CycleSetup& setup, const CycleBuffers& buffers, const Reach& reach) {
+  if (reach.closest == kNone) {
+    return "";
+  }
+  const PairDistance& closest = *nearestOf(setup, buffers.distances.measured)[reach.closest];
+  return closest.measured.distance <= reach.distance
+             ? ""
+             : "; none within " + lengthText(reach.distance) +
+                   ", the nearest: " + distanceSentence(setup, closest);
 }
 
 /// Why no pair of these links is checked. One that is not ignored either is a link and itself.
@@ -182,13 +235,12 @@ void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
   placeBodies(setup, scene.poses, buffers.body_poses);
   placeElements(setup, scene.poses, buffers.body_poses);
   selectPairs(setup, selection, buffers.body_poses, buffers.candidates);
-  measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   response.distances.header = makeHeader(scene.poses.stamp_ns, current.world_frame);
-  const double limit =
-      request.max_distance > 0.0 ? request.max_distance : std::numeric_limits<double>::infinity();
-  buffers.refine.limits = {limit, std::numeric_limits<std::uint32_t>::max()};
-  refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
-  fillDistances(setup, selection, scene, limit, response.distances);
+  const Reach reach = measureReach(
+      setup, selection,
+      request.max_distance > 0.0 ? request.max_distance : std::numeric_limits<double>::infinity(),
+      buffers);
+  fillDistances(setup, selection, scene, reach, response.distances);
   response.success = response.distances.pairs_checked > 0 ? 1 : 0;
   if (response.success == 0) {
     response.message = nothingCheckedText(setup, selection);
@@ -197,7 +249,8 @@ void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
   // Of all links, pairs that are ignored are many and no news.
   const bool is_explicit = !request.links_a.empty() && !request.links_b.empty();
   response.message =
-      summaryText(response.distances, is_explicit ? ignoredText(setup, selection) : "");
+      summaryText(response.distances, is_explicit ? ignoredText(setup, selection) : "") +
+      nearestText(setup, buffers, reach);
 }
 
 }  // namespace collision_monitor

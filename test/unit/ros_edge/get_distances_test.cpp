@@ -74,6 +74,46 @@ TEST_F(GetDistancesTest, maxDistance_leavesFarPairsOut) {
   EXPECT_EQ(response.distances.pairs_checked, 3U);
 }
 
+TEST_F(GetDistancesTest, nothingWithinMaxDistance_theClosestIsToldAllTheSame) {
+  request_.max_distance = 0.1;
+  const auto response = ask();
+  ASSERT_TRUE(response.success);
+  ASSERT_EQ(response.distances.pairs.size(), 1U);
+  EXPECT_EQ(response.distances.closest, 0);
+  EXPECT_NEAR(distanceOf(response, "base", "tool"), 0.55, 1e-12);
+  EXPECT_FALSE(response.distances.pairs[0].gradient_values.empty());
+  EXPECT_EQ(response.message,
+            "3 pairs measured, 0 unknown; none within 100 mm, the nearest: base is 550 mm from "
+            "tool");
+  request_.links_a = {"finger"};
+  EXPECT_NEAR(distanceOf(ask(), "base", "finger"), 0.8, 1e-12) << "of those asked for";
+}
+
+/// Of enclosing shapes the box at the corner is nearer, of geometries the one beside.
+TEST_F(GetDistancesTest, nothingWithinMaxDistance_theClosestIsThatOfGeometries) {
+  SetupOptions options;
+  options.default_limits.max_shapes = 1;
+  auto made = std::make_shared<MonitorSetup>();
+  made->setup = linkSetup({{{"angle", Pose(), angleMesh()}},
+                           {{"corner", Pose(), Box{{0.01, 0.01, 0.01}}}},
+                           {{"beside", Pose(), Box{{0.01, 0.01, 0.01}}}}},
+                          options);
+  setup_ = made;
+  poses_ = makeLinkPoses(made->setup.model);
+  std::fill(poses_.status.begin(), poses_.status.end(), LinkStatus::known);
+  poses_.world_from_link[1].translation = {0.36, 0.36, 0.0};
+  poses_.world_from_link[2].translation = {-0.15, 0.05, 0.0};
+  const auto all = ask();
+  request_.max_distance = 1e-3;
+  const auto none = ask();
+  ASSERT_FALSE(all.distances.pairs.empty());
+  ASSERT_EQ(none.distances.pairs.size(), 1U) << none.message;
+  EXPECT_EQ(none.distances.pairs[0].shape_b, "beside");
+  EXPECT_EQ(all.distances.pairs[0].shape_b, "beside");
+  EXPECT_EQ(none.distances.pairs[0].distance, all.distances.pairs[0].distance);
+  EXPECT_EQ(none.distances.pairs[0].quality, LinkDistance::EXACT);
+}
+
 TEST_F(GetDistancesTest, namedJointMoves_othersStay) {
   move("reach", -0.1);
   EXPECT_NEAR(distanceOf(ask(), "base", "tool"), 0.2, 1e-12);
