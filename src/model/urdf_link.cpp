@@ -68,7 +68,8 @@ std::optional<UrdfLink> readUrdfLink(const XMLElement& element, const MeshSource
   }
   nameCollisions(link.collisions);
   mergeCapsules(link.collisions);
-  if (number == 0) {
+  // One that shows nothing either is a frame, as those of tools and sensors.
+  if (number == 0 && element.FirstChildElement("visual") != nullptr) {
     here.note(Oddity::link_without_geometry);
   }
   if (!name) {

@@ -5,7 +5,10 @@
 #include <collision_monitor/State.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
+
+#include "ros_edge/pair_counts.h"
 
 namespace collision_monitor {
 
@@ -13,7 +16,17 @@ using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
 namespace {
+
 constexpr double kReportPeriod = 1.0;  // [s]
+
+/// "unknown link 1", "unknown link 2": who reads values by key would see the last one alone.
+void addNumbered(const std::string& key, const std::vector<std::string>& values,
+                 DiagnosticStatusWrapper& status) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    status.add(key + " " + std::to_string(i + 1), values[i]);
+  }
+}
+
 }  // namespace
 
 Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
@@ -24,17 +37,20 @@ Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& pri
       updater_(node, private_node, node_name),
       last_time_(ros::SteadyTime::now()) {
   updater_.setHardwareID("none");
-  updater_.add("verdict", [this](DiagnosticStatusWrapper& status) { reportVerdict(status); });
+  updater_.add("verdict", [this](DiagnosticStatusWrapper& status) {
+    describeVerdict(statistics_.summary(), status);
+  });
   updater_.add("cycle", [this](DiagnosticStatusWrapper& status) { reportCycle(status); });
   updater_.add("step", [this](DiagnosticStatusWrapper& status) { reportStep(status); });
-  updater_.add("setup", [this](DiagnosticStatusWrapper& status) { reportSetup(status); });
+  updater_.add("setup", [this](DiagnosticStatusWrapper& status) {
+    describeSetup(*current_setup_(), status);
+  });
   timer_ =
       private_node.createWallTimer(ros::WallDuration(kReportPeriod),
                                    [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
 
-void Diagnostics::reportVerdict(DiagnosticStatusWrapper& status) {
-  const CycleSummary summary = statistics_.summary();
+void describeVerdict(const CycleSummary& summary, DiagnosticStatusWrapper& status) {
   // A contact is what the monitor is there to find; it is the robot that is in trouble,
   // yet whoever looks at diagnostics wants to see it in red.
   std::uint8_t level = DiagnosticStatus::OK;
@@ -49,9 +65,7 @@ void Diagnostics::reportVerdict(DiagnosticStatusWrapper& status) {
   status.add("speed scale", summary.speed_scale);
   status.add("inputs refused as too long or too many", summary.refused);
   status.add("unknown links", summary.unknown_links.size());
-  for (const std::string& link : summary.unknown_links) {
-    status.add("unknown", link);
-  }
+  addNumbered("unknown link", summary.unknown_links, status);
 }
 
 void summarizeCycles(const CycleReport& report, DiagnosticStatusWrapper& status) {
@@ -117,25 +131,33 @@ void Diagnostics::reportStep(DiagnosticStatusWrapper& status) {
   last_steps_ = summary.steps;
 }
 
-void Diagnostics::reportSetup(DiagnosticStatusWrapper& status) {
-  const std::shared_ptr<const MonitorSetup> current = current_setup_();
-  const auto& warnings = current->setup.report.warnings;
+void describeSetup(const MonitorSetup& setup, DiagnosticStatusWrapper& status) {
+  const CycleSetup& cycle = setup.setup;
+  const auto& warnings = cycle.report.warnings;
   if (warnings.empty()) {
     status.summary(DiagnosticStatus::OK, "no warnings");
   } else {
     status.summaryf(DiagnosticStatus::WARN, "%zu warnings", warnings.size());
   }
-  status.add("robots", current->setup.model.robots.size());
-  status.add("shapes", current->setup.bodies.size());
-  const auto& labels = current->setup.labels;
+  status.add("robots", cycle.model.robots.size());
+  status.add("shapes", cycle.bodies.size());
   status.add("shapes not proven to enclose",
-             std::count_if(labels.begin(), labels.end(),
+             std::count_if(cycle.labels.begin(), cycle.labels.end(),
                            [](const BodyLabel& label) { return !label.is_proven; }));
-  status.add("checked pairs of links", current->setup.checked.size());
-  status.add("world frame", current->world_frame);
-  for (const Problem& warning : warnings) {
-    status.add("warning", toString(warning));
+  status.add("links without shapes",
+             std::count_if(cycle.model.links.begin(), cycle.model.links.end(),
+                           [](const Link& link) { return !hasShapes(link); }));
+  status.add("checked pairs of links", cycle.checked.size());
+  const PairCounts counts = countPairs(cycle.link_pairs);
+  for (const PairReason reason : kReasonsNotToCheck) {
+    status.add(std::string("pairs of links not checked, ") + whyNotText(reason),
+               countOf(reason, counts));
   }
+  status.add("world frame", setup.world_frame);
+  std::vector<std::string> texts;
+  std::transform(warnings.begin(), warnings.end(), std::back_inserter(texts),
+                 [](const Problem& warning) { return toString(warning); });
+  addNumbered("warning", texts, status);
 }
 
 }  // namespace collision_monitor

@@ -27,6 +27,13 @@ struct CycleReport {
 void summarizeCycles(const CycleReport& report,
                      diagnostic_updater::DiagnosticStatusWrapper& status);
 
+/// The entry `verdict`. No two values have the same key.
+void describeVerdict(const CycleSummary& summary,
+                     diagnostic_updater::DiagnosticStatusWrapper& status);
+
+/// The entry `setup`. No two values have the same key.
+void describeSetup(const MonitorSetup& setup, diagnostic_updater::DiagnosticStatusWrapper& status);
+
 /// Publishes /diagnostics once a wall second, also while a simulated clock stands still.
 /// Four entries: the verdict with its data, the cycle with its times, the step between poses with
 /// what it may be, the set-up with its warnings.
@@ -40,10 +47,8 @@ class Diagnostics {
               SetupGetter current_setup);
 
  private:
-  void reportVerdict(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportCycle(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportStep(diagnostic_updater::DiagnosticStatusWrapper& status);
-  void reportSetup(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   const CycleStatistics& statistics_;
   SetupGetter current_setup_;

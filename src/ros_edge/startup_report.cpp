@@ -7,17 +7,21 @@
 #include <sstream>
 
 #include "ros_edge/pace.h"
+#include "ros_edge/pair_counts.h"
 
 namespace collision_monitor {
 
 std::string summaryOf(const MonitorSetup& setup) {
   const std::size_t warnings = setup.setup.report.warnings.size();
+  const std::size_t pairs = setup.setup.checked.size();
   std::ostringstream text;
   text << "watching " << setup.setup.model.robots.size() << " robot"
        << (setup.setup.model.robots.size() == 1 ? "" : "s") << " in frame '" << setup.world_frame
-       << "': " << setup.setup.bodies.size() << " shapes, " << setup.setup.checked.size()
-       << " pairs of links, " << (setup.parameters.trigger == Trigger::pose ? "at most " : "at ")
-       << 1.0 / periodOf(setup.parameters) << " Hz; " << warnings
+       << "': " << setup.setup.bodies.size() << " shapes, " << pairs
+       << (pairs == 1 ? " pair of links, " : " pairs of links, ")
+       << (setup.parameters.trigger == Trigger::pose ? "at most " : "at ")
+       << 1.0 / periodOf(setup.parameters) << " Hz"
+       << notCheckedText(countPairs(setup.setup.link_pairs)) << "; " << warnings
        << (warnings == 1 ? " warning" : " warnings");
   return text.str();
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ros_edge/pair_counts.h"
+
 namespace collision_monitor {
 
 Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformStore& store,
@@ -16,7 +18,9 @@ Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformSto
       tracker(makeVelocityTracker(fixed->setup.model)),
       joint_velocities(fixed->setup.model.variable_count),
       buffers(makeBuffers(fixed->setup, fixed->parameters.broad_phase)),
-      believed(buffers.memory.reported) {}
+      believed(buffers.memory.reported),
+      pairs_ignored(static_cast<std::uint32_t>(
+          countOf(PairReason::ignored_by_user, countPairs(fixed->setup.link_pairs)))) {}
 
 PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
                           JointReader& joints) {

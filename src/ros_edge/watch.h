@@ -42,6 +42,7 @@ struct Watch {
   CycleBuffers buffers;
   ClockState clock;
   std::vector<Verdict> believed;  ///< by LinkPairIndex, while it is switched off
+  std::uint32_t pairs_ignored;    ///< as in State
 
   const CycleSetup& setup() const noexcept { return fixed->setup; }
 };

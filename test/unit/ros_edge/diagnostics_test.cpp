@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
+#include "edge_scene.h"
+
 namespace collision_monitor::test {
 namespace {
 
@@ -30,6 +34,55 @@ TEST(CycleReport, overruns_areAWarning) {
   const DiagnosticStatus status = statusOf({100, 2, 0.01, 1.01});
   EXPECT_EQ(status.level, DiagnosticStatus::WARN);
   EXPECT_EQ(status.message, "2 of 100 cycles took longer than the period");
+}
+
+/// Fails where two values have the same key.
+std::map<std::string, std::string> valuesOf(const DiagnosticStatus& status) {
+  std::map<std::string, std::string> values;
+  for (const diagnostic_msgs::KeyValue& value : status.values) {
+    EXPECT_TRUE(values.emplace(value.key, value.value).second) << value.key;
+  }
+  return values;
+}
+
+TEST(DiagnosticVerdict, everyUnknownLinkHasAKeyOfItsOwn) {
+  CycleSummary summary;
+  summary.unknown_links = {"hand (stale)", "foot (missing)"};
+  diagnostic_updater::DiagnosticStatusWrapper status;
+  describeVerdict(summary, status);
+  const auto values = valuesOf(status);
+  EXPECT_EQ(values.at("unknown links"), "2");
+  EXPECT_EQ(values.at("unknown link 1"), "hand (stale)");
+  EXPECT_EQ(values.at("unknown link 2"), "foot (missing)");
+}
+
+TEST(DiagnosticSetup, everyWarningHasAKeyOfItsOwn) {
+  MonitorSetup setup = *slidingSetup();
+  setup.setup.report.warnings = {{"a", "b", "c"}, {"d", "e", "f"}};
+  diagnostic_updater::DiagnosticStatusWrapper status;
+  describeSetup(setup, status);
+  EXPECT_EQ(status.level, DiagnosticStatus::WARN);
+  const auto values = valuesOf(status);
+  EXPECT_EQ(values.at("warning 1"), "a: b; accepted: c");
+  EXPECT_EQ(values.at("warning 2"), "d: e; accepted: f");
+}
+
+TEST(DiagnosticSetup, framesWithoutGeometry_areNoWarning_andCounted) {
+  diagnostic_updater::DiagnosticStatusWrapper status;
+  describeSetup(*slidingSetup(), status);  // with an antenna
+  EXPECT_EQ(status.level, DiagnosticStatus::OK) << status.message;
+  EXPECT_EQ(valuesOf(status).at("links without shapes"), "1");
+}
+
+TEST(DiagnosticSetup, pairsThatAreNotChecked_areCountedByReason) {
+  SetupOptions options;
+  options.ignored_pairs = {{"base", "tool"}};
+  diagnostic_updater::DiagnosticStatusWrapper status;
+  describeSetup(*slidingSetup(options), status);
+  auto values = valuesOf(status);
+  EXPECT_EQ(values["checked pairs of links"], "2");
+  EXPECT_EQ(values["pairs of links not checked, hidden by ignore_pairs"], "1");
+  EXPECT_EQ(values["pairs of links not checked, that meet at a joint"], "3");
 }
 
 }  // namespace

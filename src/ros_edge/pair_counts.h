@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "collision_monitor/model/pair_rules.h"
+
+namespace collision_monitor {
+
+/// How many pairs of links there are, by PairReason.
+using PairCounts = std::array<std::size_t, 7>;
+
+PairCounts countPairs(const std::vector<LinkPair>& pairs);
+std::size_t countOf(PairReason reason, const PairCounts& counts);
+
+/// The reasons for which pairs are not checked.
+constexpr std::array<PairReason, 5> kReasonsNotToCheck{
+    PairReason::same_rigid_group, PairReason::adjacent, PairReason::disabled_by_srdf,
+    PairReason::default_overlap, PairReason::ignored_by_user};
+
+/// What a number of pairs is followed by: "that meet at a joint".
+const char* whyNotText(PairReason reason) noexcept;
+
+/// "; not checked: 2 that meet at a joint, 1 hidden by ignore_pairs"; empty if all are.
+std::string notCheckedText(const PairCounts& counts);
+
+}  // namespace collision_monitor
