@@ -18,6 +18,7 @@ export LC_ALL="${LC_ALL:-C.UTF-8}"
 
 say() { printf '==> %s\n' "$*"; }
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
+fail_usage() { printf 'error: %s\n' "$*" >&2; exit 2; }  # the command line is at fault
 
 # Debian's packages; where /opt/ros/noetic is sourced, ROS itself comes from there.
 library_packages=(

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Prints what the collision monitor says while a joint path is played, and sums it up at the end.
 
-Exit code: 0 if the monitor spoke until the end and measured distances; 1 if it never spoke or fell silent;
-2 if it spoke but no distance was ever known; 3 if the path did not come to its end.
+Exit code: 0 if the monitor spoke until the end and measured distances; 1 if it never spoke or fell silent, no
+distance was ever known, or the path did not come to its end; 2 if the command line is at fault.
 """
 import argparse
 import math
@@ -166,12 +166,12 @@ def report(reporter, fault):
         print("  " + line)
     if fault:
         print(f"error: {fault}", file=sys.stderr)
-        return 1 if "silent" in fault else 3
+        return 1
     if reporter.record.last is None:
         return 1
     if reporter.record.closest is None:
         print(f"error: no distance was ever known: {reporter.record.last.sentence}", file=sys.stderr)
-        return 2
+        return 1
     return 0
 
 

@@ -5,7 +5,9 @@ same scene, updated each frame as FCL means them to be used. In random motion on
 objects are registered anew; that is a row of its own. With 100,000 boxes in random motion nothing
 of FCL ends in time, and its coherent motion stands in."""
 import argparse
+import os
 import subprocess
+import sys
 
 from figure import Figures, stay_on_one_core
 
@@ -80,7 +82,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--plot", metavar="FILE",
                         help="draw every method in every scene instead; needs python3-matplotlib")
+    parser.add_argument("--force", action="store_true", help="draw over a file that is there already")
     arguments = parser.parse_args()
+    if arguments.plot and os.path.exists(arguments.plot) and not arguments.force:
+        sys.exit(f"'{arguments.plot}' is there already; give the name of a new file, or --force to replace it")
     stay_on_one_core()
     if arguments.plot:
         plot(arguments.plot)

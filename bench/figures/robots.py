@@ -20,7 +20,10 @@ def main():
         if missing:
             named = sum(mesh.rsplit("/", 1)[-1] in run.stderr for mesh in missing)
             figures.add(label, f"{named} named", f"{len(missing)} missing", "every missing mesh named",
-                        named == len(missing) and run.returncode == 2)
+                        named == len(missing) and run.returncode == 1)
+            continue
+        if run.returncode == 1 and "nothing to compare" in run.stderr:
+            figures.add(label, "no pair", "-", "a robot without pairs that are checked says so", True)
             continue
         result = RESULT.search(run.stdout)
         if not result:

@@ -55,9 +55,25 @@ class BadSetup(unittest.TestCase):
 
     def test_badNodeName_isTold(self):
         code, output = run_node("bad name")
-        self.assertEqual(code, 1, output)
+        self.assertEqual(code, 2, output)
         self.assertIn("[bad name]", output)
         self.assertNotIn("terminate called", output)
+
+    def test_namesOfRos_areNoUnknownArguments(self):
+        code, output = run_node("plain", remap=["__log:=/tmp/plain.log", "joint_states:=/arm/joint_states"])
+        self.assertEqual(code, 1, output)
+        self.assertIn("/plain/robot_description", output)
+
+    def test_programs_helpEndsWell_whatIsUnknownDoesNot(self):
+        for name in ("monitor", "two_capsules", "echo_warnings.py", "play_joint_path.py", "demo_summary.py"):
+            code, output = run("rosrun", "collision_monitor", name, "--help", "__name:=unheard")
+            self.assertEqual(code, 0, name + output)
+            self.assertIn("sage", output)
+            for arguments in (["--frobnicate"], ["rate", "_rate:=5"]):
+                if name == "play_joint_path.py":
+                    arguments = ["path.yaml", *arguments]
+                code, output = run("rosrun", "collision_monitor", name, *arguments)
+                self.assertEqual(code, 2, name + output)
 
     def test_arguments_everyFrameIsOne_whatIsNoBoolIsRefused(self):
         """roslaunch reads 7 as a number, and maybe as no bool."""

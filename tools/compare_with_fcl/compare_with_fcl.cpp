@@ -15,6 +15,11 @@
 namespace collision_monitor {
 namespace {
 
+// Exit codes, as of all programs.
+constexpr int kDone = 0;
+constexpr int kFault = 1;
+constexpr int kUsageFault = 2;
+
 std::string readFile(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) {
@@ -82,17 +87,25 @@ SetupOptions optionsForPoses() {
   return options;
 }
 
+/// What compares nothing agrees with nothing.
+void checkHasPairs(const CycleSetup& setup) {
+  if (setup.table.size() == 0) {
+    throw std::runtime_error("no pair of links is checked, so there is nothing to compare");
+  }
+}
+
 int compare(const RobotDescription& robot, const ComparisonOptions& options) {
   SetupOptions setup_options = optionsForPoses();
   setup_options.refine.geometry = RefineGeometry::none;  // FCL is given the enclosing shapes
   const CycleSetup setup = buildSetup({robot}, makeResourceLoader(), setup_options);
+  checkHasPairs(setup);
   std::printf("%s: %zu links, %zu shapes, %zu link pairs checked, %zu shape pairs\n",
               robot.source.c_str(), setup.model.links.size(), setup.bodies.size(),
               setup.checked.size(), setup.table.size());
   const Comparison comparison = compareWithFcl(setup, options);
   printKinds(comparison);
   printDisagreements(comparison);
-  return printResult(comparison) ? 0 : 1;
+  return printResult(comparison) ? kDone : kFault;
 }
 
 double percent(std::size_t part, std::size_t whole) {
@@ -101,6 +114,7 @@ double percent(std::size_t part, std::size_t whole) {
 
 int compareExact(const RobotDescription& robot, const ComparisonOptions& options) {
   const CycleSetup setup = buildSetup({robot}, makeResourceLoader(), optionsForPoses());
+  checkHasPairs(setup);
   const ExactComparison found = compareExactly(setup, options);
   for (const std::string& line : found.wrong) {
     std::printf("wrong: %s\n", line.c_str());
@@ -117,21 +131,27 @@ int compareExact(const RobotDescription& robot, const ComparisonOptions& options
       percent(found.refined_alarms, found.enclosing_contacts),
       static_cast<double>(found.left) / static_cast<double>(std::max<std::size_t>(1, found.poses)),
       found.complete_wrong, agrees ? "agrees" : "DIFFERS");
-  return agrees ? 0 : 1;
+  return agrees ? kDone : kFault;
 }
 
 int run(int argc, char** argv) {
   CLI::App app{
       "Measures every checked pair of a robot's enclosing shapes at random poses, with this "
-      "package and with FCL, and lets a slow exact reference decide where they differ. Exits 1 "
-      "if the reference is against us, 2 if the robot cannot be read."};
+      "package and with FCL, and lets a slow exact reference decide where they differ.",
+      "compare_with_fcl"};
+  app.footer(
+      "Exit code: 0, they agree. 1, the reference is against us, or the robot cannot be read or "
+      "has no pair to compare. 2, the command line is at fault.");
   std::string urdf;
   std::string srdf;
   ComparisonOptions options;
   app.add_option("urdf", urdf, "URDF file; package:// names are looked up as rospack does")
       ->required();
   app.add_option("--srdf", srdf, "SRDF file with the pairs to ignore");
-  app.add_option("--poses", options.poses, "random poses")->capture_default_str();
+  constexpr std::size_t kMost = 1000000000;
+  app.add_option("--poses", options.poses, "random poses, 1 to 1000000000")
+      ->check(CLI::Range(std::size_t{1}, kMost).description(""))
+      ->capture_default_str();
   app.add_option("--seed", options.seed, "seed of the random poses")->capture_default_str();
   app.add_option("--depths", options.most_depths, "overlaps whose depth is checked")
       ->capture_default_str();
@@ -139,7 +159,11 @@ int run(int argc, char** argv) {
   app.add_flag("--exact", is_exact,
                "compare verdicts of the geometries themselves instead, and count false alarms of "
                "enclosing shapes");
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& fault) {
+    return app.exit(fault) == 0 ? kDone : kUsageFault;
+  }
   return is_exact ? compareExact(describe(urdf, srdf), options)
                   : compare(describe(urdf, srdf), options);
 }
@@ -151,7 +175,7 @@ int main(int argc, char** argv) {
   try {
     return collision_monitor::run(argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 2;
+    std::fprintf(stderr, "compare_with_fcl: %s\n", error.what());
+    return collision_monitor::kFault;
   }
 }

@@ -11,9 +11,27 @@
 
 #include "draw.h"
 #include "keyboard.h"
+#include "ros_edge/node_arguments.h"
 
 namespace collision_monitor::two_capsules {
 namespace {
+
+const char* const kUsage =
+    "An exercise in rviz: three clicks make a capsule, two capsules show their distance.\n"
+    "\n"
+    "Usage: roslaunch collision_monitor two_capsules.launch\n"
+    "       rosrun collision_monitor two_capsules [NAME:=VALUE ...]\n"
+    "\n"
+    "  _frame:=map     frame of the board; default: world\n"
+    "  __name:=NAME    name of the node; __ns, __log, __ip as of every ROS node\n"
+    "  --help          this text\n"
+    "\n"
+    "Listens to clicked_point, of rviz's Publish Point\n"
+    "Publishes  below its name: markers\n"
+    "Serves     below its name: reset\n"
+    "Keys       R clears the board, Q ends\n"
+    "\n"
+    "Exit code: 0, it was told to end. 1, a parameter is at fault. 2, the command line is.\n";
 
 /// The exercise between rviz's Publish Point tool and its markers. Both are of one frame, the
 /// parameter `frame`.
@@ -100,13 +118,19 @@ void run(const std::string& frame) {
 }  // namespace collision_monitor::two_capsules
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "two_capsules");
+  using namespace collision_monitor;
+  if (const auto code = answerArguments(argc, argv, two_capsules::kUsage)) {
+    return *code;
+  }
+  if (const auto code = initNode(argc, argv, "two_capsules")) {
+    return *code;
+  }
   // Outside of the function that reads: when the last handle ends, ROS shuts its log down.
   const ros::NodeHandle node;
-  const auto frame = collision_monitor::two_capsules::readFrame();
+  const auto frame = two_capsules::readFrame();
   if (!frame) {
-    return 1;
+    return kFault;
   }
-  collision_monitor::two_capsules::run(*frame);
-  return 0;
+  two_capsules::run(*frame);
+  return kDone;
 }
