@@ -11,6 +11,7 @@ install(DIRECTORY config launch rviz urdf
 install(FILES nodelet_plugins.xml
   DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
 catkin_install_python(PROGRAMS tools/play_joint_path.py tools/demo_summary.py tools/echo_warnings.py
+    tools/show_in_rviz.py
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 # What play_joint_path.py imports from its own folder.
 install(FILES tools/joint_path.py

@@ -65,13 +65,14 @@ class BadSetup(unittest.TestCase):
         self.assertIn("/plain/robot_description", output)
 
     def test_programs_helpEndsWell_whatIsUnknownDoesNot(self):
-        for name in ("monitor", "two_capsules", "echo_warnings.py", "play_joint_path.py", "demo_summary.py"):
+        for name in ("monitor", "two_capsules", "echo_warnings.py", "play_joint_path.py", "demo_summary.py",
+                     "show_in_rviz.py"):
             code, output = run("rosrun", "collision_monitor", name, "--help", "__name:=unheard")
             self.assertEqual(code, 0, name + output)
             self.assertIn("sage", output)
             for arguments in (["--frobnicate"], ["rate", "_rate:=5"]):
-                if name == "play_joint_path.py":
-                    arguments = ["path.yaml", *arguments]
+                if name in ("play_joint_path.py", "show_in_rviz.py"):
+                    arguments = ["file", *arguments]
                 code, output = run("rosrun", "collision_monitor", name, *arguments)
                 self.assertEqual(code, 2, name + output)
 
@@ -87,7 +88,7 @@ class BadSetup(unittest.TestCase):
 
     def test_scripts_areFoundByTheirNames(self):
         """rosrun asks which one where a second file of the name may be executed."""
-        for name in ("echo_warnings.py", "play_joint_path.py", "demo_summary.py"):
+        for name in ("echo_warnings.py", "play_joint_path.py", "demo_summary.py", "show_in_rviz.py"):
             _, output = run("rosrun", "--prefix", "echo", "collision_monitor", name)
             self.assertNotIn("non-unique", output)
             self.assertIn("lib/collision_monitor/" + name, output)

@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The collision_monitor authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Waits for the monitor and becomes rviz, with the monitor's world frame as the fixed frame.
+
+Nothing else knows that frame before: by default it is the root link of the robot's URDF. ROS's own
+NAME:=VALUE are handed on to rviz.
+"""
+import argparse
+import os
+import sys
+
+import rospy
+
+from collision_monitor.msg import State
+
+PATIENCE = 10.0  # wall seconds between two lines in the log
+
+
+def wait_for_frame(topic):
+    """@return the frame of the monitor's results; None if it is time to end."""
+    while not rospy.is_shutdown():
+        try:
+            return rospy.wait_for_message(topic, State, timeout=PATIENCE).header.frame_id
+        except rospy.ROSException:
+            if not rospy.is_shutdown():
+                rospy.logwarn("nothing on %s yet; rviz starts when the monitor does", topic)
+    return None
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("config", help="rviz's file")
+    parser.add_argument("--monitor", default="/collision_monitor", help="the monitor (default %(default)s)")
+    options = parser.parse_args(rospy.myargv()[1:])
+    rospy.init_node("show_in_rviz")
+    frame = wait_for_frame(rospy.resolve_name(options.monitor + "/state"))
+    if frame is None:
+        return 0
+    rospy.signal_shutdown("rviz takes its place")  # and its name
+    names = [argument for argument in sys.argv[1:] if ":=" in argument]
+    try:
+        os.execvp("rviz", ["rviz", "-d", options.config, "-f", frame, *names])
+    except OSError as error:
+        print(f"error: rviz cannot be started: {error.strerror}", file=sys.stderr)
+        return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
