@@ -11,6 +11,7 @@ import rosgraph
 import rospy
 import rostest
 from nodelet.srv import NodeletList, NodeletLoad
+from std_msgs.msg import Float64
 
 from collision_monitor.msg import State
 from monitor_probe import Probe
@@ -75,6 +76,29 @@ class BadSetup(unittest.TestCase):
                     arguments = ["file", *arguments]
                 code, output = run("rosrun", "collision_monitor", name, *arguments)
                 self.assertEqual(code, 2, name + output)
+
+    def test_summaryOfADemoThatShowedNothing_isNoUsageFault(self):
+        """2 is the command line everywhere."""
+        states = rospy.Publisher("/mute/state", State, queue_size=1)
+        progress = rospy.Publisher("/mute/progress", Float64, queue_size=1)
+        done = [1.0]
+
+        def publish(_event):
+            states.publish(State(level=State.UNKNOWN, sentence="nothing is known"))
+            progress.publish(done[0])
+        timer = rospy.Timer(rospy.Duration(0.05), publish)
+        try:
+            command = ["rosrun", "collision_monitor", "demo_summary.py", "--monitor", "/mute", "--player", "/mute",
+                       "--patience"]
+            code, output = run(*command, "20")
+            self.assertIn("no distance was ever known", output)
+            self.assertEqual(code, 1, output)
+            done[0] = 0.5
+            code, output = run(*command, "2")
+            self.assertIn("the player did not move on", output)
+            self.assertEqual(code, 1, output)
+        finally:
+            timer.shutdown()
 
     def test_arguments_everyFrameIsOne_whatIsNoBoolIsRefused(self):
         """roslaunch reads 7 as a number, and maybe as no bool."""
