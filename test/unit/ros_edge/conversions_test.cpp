@@ -44,14 +44,6 @@ TEST_F(ConversionsTest, clearState) {
   EXPECT_EQ(state.speed_scale, 1.0);
 }
 
-TEST_F(ConversionsTest, state_tellsHowManyPairsOfLinksIgnorePairsHides) {
-  EXPECT_EQ(stateOf(*watchAt(0.25), facts()).pairs_ignored, 0U);
-  SetupOptions options;
-  options.ignored_pairs = {{"base", "*"}};
-  setup_ = slidingSetup(options);
-  EXPECT_EQ(stateOf(*watchAt(0.25), facts()).pairs_ignored, 3U);
-}
-
 TEST_F(ConversionsTest, closingPair_sentenceTimeAndScale) {
   const auto watch = watchMoving(-0.26, -0.2);
   const State state = stateOf(*watch, facts());

@@ -34,5 +34,15 @@ TEST(StartupReport, summary_countsPairsByReason) {
   EXPECT_EQ(notCheckedText(PairCounts{}), "");
 }
 
+using PairCountsTest = EdgeScene;
+
+TEST_F(PairCountsTest, state_tellsWhatIgnorePairsHides) {
+  EXPECT_EQ(stateOf(*watchAt(0.25), facts()).pairs_ignored, 0U);
+  SetupOptions options;
+  options.ignored_pairs = {{"base", "*"}};
+  setup_ = slidingSetup(options);
+  EXPECT_EQ(stateOf(*watchAt(0.25), facts()).pairs_ignored, 3U);
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
