@@ -15,6 +15,8 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CMAKE = os.environ.get("COLLISION_MONITOR_CMAKE", "cmake")
+# ROS's CMake files call python3: it must be the one that has their modules.
+ENVIRONMENT = dict(os.environ, PATH=os.path.dirname(sys.executable) + ":" + os.environ["PATH"])
 OF_TESTS = ("GTest", "rapidcheck", "nlohmann_json", "fcl", "rostest")
 
 
@@ -28,7 +30,7 @@ class Configure(unittest.TestCase):
         return subprocess.run(
             [CMAKE, "-S", ROOT, "-B", self.folder, f"-DPYTHON_EXECUTABLE={sys.executable}", *options,
              *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in hidden)],
-            capture_output=True, text=True, timeout=300, check=False)
+            capture_output=True, text=True, timeout=300, check=False, env=ENVIRONMENT)
 
     def names_of_tests_without(self, hidden):
         """Names of the tests that are left."""
