@@ -5,10 +5,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
 
+#include "collision_monitor/geometry/winding.h"
 #include "geometry/constants.h"
+#include "geometry/weld_vertices.h"
 
 namespace collision_monitor {
 namespace {
@@ -16,24 +16,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kFlat = 1e-12;  // volume over cubed size
-
-/// For each vertex the first one that equals it.
-std::vector<std::uint32_t> firstEquals(const std::vector<Vector3d>& vertices) {
-  std::vector<std::uint32_t> order(vertices.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t i) {
-    return std::make_tuple(vertices[i].x(), vertices[i].y(), vertices[i].z());
-  };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::tuple_cat(key(a), std::make_tuple(a)) < std::tuple_cat(key(b), std::make_tuple(b));
-  });
-  std::vector<std::uint32_t> first(vertices.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool equals_last = i > 0 && key(order[i]) == key(order[i - 1]);
-    first[order[i]] = equals_last ? first[order[i - 1]] : order[i];
-  }
-  return first;
-}
 
 TriangleMesh welded(const TriangleMesh& mesh) {
   const std::vector<std::uint32_t> first = firstEquals(mesh.vertices);
@@ -113,18 +95,11 @@ std::optional<TriangleMesh> closedSurface(const TriangleMesh& mesh) {
 }
 
 double windingNumber(const TriangleBvh& surface, const Vector3d& point) noexcept {
-  double half_angles = 0.0;
+  double angles = 0.0;
   for (const auto& triangle : surface.triangles()) {
-    const Vector3d a = triangle[0] - point;
-    const Vector3d b = triangle[1] - point;
-    const Vector3d c = triangle[2] - point;
-    const double la = a.norm();
-    const double lb = b.norm();
-    const double lc = c.norm();
-    half_angles +=
-        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    angles += solidAngle(triangle, point);
   }
-  return half_angles / (2.0 * kPi);
+  return angles / (4.0 * kPi);
 }
 
 }  // namespace collision_monitor

@@ -7,9 +7,11 @@
 #include <array>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "geometry/bound_triangles.h"
 #include "geometry/mesh_pieces.h"
+#include "geometry/open_surface.h"
 #include "geometry/split_triangles.h"
 
 namespace collision_monitor {
@@ -208,7 +210,17 @@ void boundBySlabs(const std::vector<Builder::Extents>& extents,
 
 }  // namespace
 
-MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed) : is_closed_(is_closed) {
+MeshTree MeshTree::ofOpen(const TriangleMesh& mesh) {
+  checkMesh(mesh);
+  const TriangleMesh oriented = orientedSurface(mesh);
+  return MeshTree(oriented, false, openSurfaceOf(oriented));
+}
+
+MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed)
+    : MeshTree(mesh, is_closed, std::nullopt) {}
+
+MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed, std::optional<OpenSurface> open)
+    : open_(std::move(open)), is_closed_(is_closed) {
   checkMesh(mesh);
   Vector3d low = mesh.vertices.front();
   Vector3d high = low;
@@ -230,6 +242,10 @@ MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed) : is_closed_(is_clo
   }
   boundBySlabs(builder.extents(), triangles_, center_, nodes_);
   pieces_ = piecesOf(mesh);
+  probes_ = probesOf(pieces_, triangles_);
+  if (open_) {
+    open_->moments = momentsOf(nodes_, triangles_);
+  }
 }
 
 }  // namespace collision_monitor

@@ -105,6 +105,21 @@ std::uint32_t search(MeshQueryMemory& memory, std::uint32_t budget, Sweep& sweep
   return steps;
 }
 
+/// Whether one is inside the other, where it can get there through a hole; if not, until when that
+/// stays so.
+Holding lookInside(MeshQueryMemory& memory, Sweep& sweep) noexcept {
+  if (!sweep.pair.a.openSurface() && !sweep.pair.b.openSurface()) {
+    return {};
+  }
+  const Holding held = pointHeld(sweep.pair, memory);
+  if (std::isfinite(held.outside)) {
+    const Approach& approach = sweep.approach;
+    const Consumption motion = ofBall(approach, approach.center, approach.radius);
+    sweep.soonest = std::min(sweep.soonest, timeToConsume(held.outside, motion));
+  }
+  return held;
+}
+
 SignedDistance contactOf(const Sweep& sweep, const Pose& world_from_a) noexcept {
   const double distance = std::sqrt(sweep.contact.squared_distance);
   const Eigen::Vector3d normal =
@@ -118,6 +133,13 @@ struct Progress {
   SweptContact found;
   TrianglePair last;  ///< that the last step stopped before
 };
+
+SignedDistance contactAt(const Eigen::Vector3d& point) noexcept {
+  SignedDistance contact;
+  contact.distance = 0.0;
+  contact.point_on_a = contact.point_on_b = point;
+  return contact;
+}
 
 /// @return false when the budget ended the step.
 bool advanceOnce(const MovingMesh& a, const MovingMesh& b, const SweepLimits& limits,
@@ -138,11 +160,18 @@ bool advanceOnce(const MovingMesh& a, const MovingMesh& b, const SweepLimits& li
   if (sweep.is_contact) {
     found.state = SweepState::contact;
     found.measured = contactOf(sweep, world_from_a);
-  } else if (steps <= left && sweep.nearest.a == TrianglePair::kNone) {
-    found.state = SweepState::clear;
-    found.time = 1.0;
   } else if (steps <= left) {
-    found.time += sweep.soonest;
+    const Holding held = lookInside(memory, sweep);
+    found.steps += held.visits;
+    if (held.point) {
+      found.state = SweepState::contact;
+      found.measured = contactAt(world_from_a * *held.point);
+    } else if (sweep.nearest.a == TrianglePair::kNone && !(sweep.soonest < 1.0 - found.time)) {
+      found.state = SweepState::clear;
+      found.time = 1.0;
+    } else {
+      found.time += sweep.soonest;
+    }
   }
   return steps <= left;
 }
@@ -153,6 +182,7 @@ Sighting sight(const MeshDistance& found, const SweepLimits& limits) noexcept {
   seen.measured = found.measured;
   seen.gap = found.measured.distance - nearestOf(limits);
   const bool is_near = found.state == MeshState::overlapping || seen.gap <= limits.tolerance;
+  seen.gap = std::min(seen.gap, found.outside);
   if (found.state == MeshState::unknown) {
     seen.state = SweepState::unknown;
   } else if (!is_near) {

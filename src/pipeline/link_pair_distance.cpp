@@ -60,6 +60,7 @@ PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pai
                        *measures.scratch, enough};
   const ElementDistance found = measureElements({a, world_from_a}, {b, world_from_b}, search);
   measures.steps += found.steps;
+  measures.outside = std::min(measures.outside, found.outside);
   const bool is_nearer = !(found.measured.distance > distance.measured.distance);
   // As in refinePairs: the depth of bodies bounds nothing.
   const bool is_depth = found.has_points && distance.measured.distance < 0.0;
@@ -142,7 +143,7 @@ PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                     measures.nearest_bodies[measures.setup.element_pair_of[index(bodies)]]);
   }
   PairDistance nearest = nothingNear();
-  measures.leeway = kInfinity;
+  measures.leeway = measures.outside = kInfinity;
   for (const ElementPairIndex elements : measures.element_pairs[pair]) {
     const PairDistance& bodies = measures.nearest_bodies[elements];
     const double contact = contactOfElements(measures.setup, elements);

@@ -24,6 +24,7 @@ struct LinkPairMeasures {
   std::vector<PairDistance> nearest_bodies;                  ///< by ElementPairIndex: scratch
   std::unique_ptr<RefineScratch> scratch;
   double leeway{0.0};      ///< [m] of elementDistance: how far its elements are from contact
+  double outside{0.0};     ///< [m] of elementDistance: as MeshDistance::outside
   std::uint64_t steps{0};  ///< as RefineLimits::budget counts them; a pair of bodies is one
 };
 

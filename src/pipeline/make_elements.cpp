@@ -8,6 +8,7 @@
 #include "fitting/closed_surface.h"
 #include "fitting/surrounding_mesh.h"
 #include "pipeline/convex_mesh.h"
+#include "pipeline/open_meshes.h"
 #include "setup_parts.h"
 
 namespace collision_monitor {
@@ -64,7 +65,7 @@ struct FillElement {
     if (refine == RefineGeometry::hull && !is_convex) {
       element.mesh.emplace(convexHullOf(mesh.vertices), hull.hasVolume());
     } else {
-      element.mesh.emplace(whole, is_closed);
+      element.mesh.emplace(is_closed ? MeshTree(whole, true) : treeOfOpen(whole));
       element.is_exact = true;
     }
     const bool stands_for_it = is_convex || refine == RefineGeometry::hull;
@@ -120,16 +121,14 @@ void addShapes(std::size_t first, std::size_t last, CycleSetup& setup) {
 }
 
 void warnOfOpenMeshes(const CycleSetup& setup, SetupReport& report) {
-  std::string names;
+  OpenMeshes open;
   for (const Element& element : setup.elements) {
-    if (element.mesh && element.is_exact && !element.mesh->isClosed()) {
-      names += (names.empty() ? "" : ", ") + setup.model.link(element.link).name;
+    if (element.mesh && element.is_exact) {
+      open.look(setup.model.link(element.link).name, element.name, *element.mesh);
     }
   }
-  if (!names.empty()) {
-    report.warnings.push_back({"refinement", "meshes that are not closed, of " + names,
-                               "closed meshes; of these the surface counts alone, and what lies "
-                               "inside without touching it is seen as apart"});
+  if (const std::optional<Problem> warning = open.warning()) {
+    report.warnings.push_back(*warning);
   }
 }
 

@@ -170,6 +170,7 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
   }
   const MeshDistance found = searchMeshes(a, b, search);
   answer.steps += found.visits;
+  answer.outside = found.outside;
   if (found.state == MeshState::overlapping) {
     SignedDistance of_geometries = found.measured;
     matchPoints(of_geometries);

@@ -83,7 +83,8 @@ bool isApart(Proof& proof, Touch& touch) {
   const PairDistance distance =
       elementDistance(proof.measures, proof.pair, proof.world_from_link, way + kMore);
   touch = touchOf(distance);
-  return touch == Touch::apart && distance.measured.distance > way;
+  return touch == Touch::apart &&
+         std::min(distance.measured.distance, proof.measures.outside) > way;
 }
 
 /// Cuts the cell across the variable that brings the links nearest.

@@ -38,7 +38,9 @@ ElementDistance recallElements(const LastMeasurement& last, const PlacedElement&
   recalled.has_points = recalled.is_complete = false;
   if (recalled.quality == Quality::exact || recalled.quality == Quality::lower_bound) {
     recalled.quality = Quality::lower_bound;
-    recalled.measured.distance -= motionSince(last, a, b, balls);
+    // What has gone far enough to be inside an open mesh is no longer known to be apart.
+    recalled.measured.distance =
+        std::min(recalled.measured.distance, recalled.outside) - motionSince(last, a, b, balls);
   } else {
     recalled.quality = Quality::unknown;
   }

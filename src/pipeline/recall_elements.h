@@ -11,7 +11,8 @@ Ball ballOf(const Element& element);
 
 /// What the last measurement says of two elements now: where neither has moved the same, to the
 /// bit. Else distances are lower bounds, less by how far any point of one may have come, seen from
-/// the other; they are not complete, and overlaps say nothing.
+/// the other, and no more than it then takes to be inside an open mesh; they are not complete, and
+/// overlaps say nothing.
 /// @param balls of a and b.
 ElementDistance recallElements(const LastMeasurement& last, const PlacedElement& a,
                                const PlacedElement& b, const std::array<Ball, 2>& balls) noexcept;

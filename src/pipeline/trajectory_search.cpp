@@ -24,8 +24,11 @@ Sample sampleBy(const TrajectorySearch& search, LinkPairIndex pair, double dista
                 Level level) noexcept {
   const double contact = search.setup.checked[pair].limits.contact_distance;
   const double bound = distance > 0.0 || contact >= 0.0 ? distance : -kInfinity;
-  return {bound, bound - std::max(0.0, contact), level};
+  return {bound, bound - std::max(0.0, contact), level, kInfinity};
 }
+
+/// [m] How far the links may go until they are in contact.
+double wayOf(const Sample& sample) noexcept { return std::min(sample.leeway, sample.outside); }
 
 double timeOf(const TrajectorySearch& search, const Instant& at) noexcept {
   return timeAt(search.path, at.segment, at.share);
@@ -39,13 +42,15 @@ void raise(TrajectorySearch& search, LinkPairIndex pair, Instant& at) noexcept {
                                     ? elementDistance(search.measures, pair, at.world_from_link)
                                     : bodyDistance(search.measures, pair, at.world_from_link);
   const Sample found =
-      is_final ? Sample{distance.measured.distance, search.measures.leeway, Level::elements}
+      is_final ? Sample{distance.measured.distance, search.measures.leeway, Level::elements,
+                        std::max(sample.leeway, search.measures.outside)}
                : sampleBy(search, pair, distance.measured.distance, Level::bodies);
   // An estimate of a depth is a contact, however deep that may be allowed to be.
   const bool is_overlap = distance.quality == Quality::estimate;
   sample.bound = is_overlap ? -kInfinity : std::max(sample.bound, found.bound);
   sample.leeway = is_overlap ? -kInfinity : std::max(sample.leeway, found.leeway);
   sample.level = found.level;
+  sample.outside = found.outside;
   keepNearest(search, pair, distance, at, is_final);
 }
 
@@ -151,7 +156,7 @@ bool settle(TrajectorySearch& search, LinkPairIndex pair, Instant& begin, Instan
     const Sample& at_begin = begin.samples[pair];
     const Sample& at_end = end.samples[pair];
     bound = 0.5 * (at_begin.bound + at_end.bound - way);
-    if (isEnough(search, pair, bound, 0.5 * (at_begin.leeway + at_end.leeway - way))) {
+    if (isEnough(search, pair, bound, 0.5 * (wayOf(at_begin) + wayOf(at_end) - way))) {
       approach.at_least = std::min(approach.at_least, bound);
       return true;
     }

@@ -23,6 +23,8 @@ struct Sample {
   double bound{0.0};   ///< [m] the links are at least so far apart
   double leeway{0.0};  ///< [m] and so far from contact
   Level level{Level::balls};
+  /// [m] How far the links may go until one can be inside the other; of elements.
+  double outside{std::numeric_limits<double>::infinity()};
 };
 
 /// The links at one time.

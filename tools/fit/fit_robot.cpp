@@ -9,6 +9,7 @@
 #include "collision_monitor/fitting/fit_parts.h"
 #include "measure_fit.h"
 #include "model/link_selection.h"
+#include "pipeline/open_meshes.h"
 #include "surface_mesh.h"
 
 namespace collision_monitor::fit_tool {
@@ -128,6 +129,9 @@ FittedRobot fitRobot(const RobotDescription& description, const ResourceLoader& 
   settings.rules.resize(robot.model.links.size());
   if (!request.link_pattern.empty()) {
     keepOnly(request.link_pattern, robot.model, settings.rules, robot.report);
+  }
+  if (const auto warning = warnOfOpenMeshes(robot.model)) {
+    robot.report.warnings.push_back(*warning);
   }
   throwIfErrors(robot.report);
 

@@ -84,8 +84,8 @@ SweptContact firstContact(const MovingConvex& a, const MovingConvex& b, const Sw
 
 /// Two meshes, by their hierarchies: children are looked at only where their parents may meet
 /// in the rest of the interval, with the speeds that parts so far out have.
-/// Limits: surfaces count. What is inside a closed mesh at the start is not seen until it comes
-/// out. A negative contact_distance is taken as 0.
+/// Limits: surfaces count, and of open meshes the inside. What is inside a closed mesh at the start
+/// is not seen until it comes out. A negative contact_distance is taken as 0.
 SweptContact firstContact(const MovingMesh& a, const MovingMesh& b, const SweepLimits& limits,
                           MeshQueryMemory& memory) noexcept;
 /// A mesh and a solid shape, by their distances. Limits: as for two meshes.

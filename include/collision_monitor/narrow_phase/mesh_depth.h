@@ -47,7 +47,8 @@ struct KeptDepth {
 };
 
 /// How deep two meshes are in each other, at least: every translation that separates the solids
-/// has to bring out the corner of either that is deepest inside the other.
+/// has to bring out the corner of either that is deepest inside the other. Out of an open one that
+/// is also through a hole.
 struct MeshDepth {
   /// The corner and the point of the other surface nearest to it, as a contact; its normal is the
   /// local way out. Distance 0 where no corner of either is found inside the other, or a mesh has

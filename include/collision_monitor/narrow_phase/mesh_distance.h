@@ -15,7 +15,7 @@
 
 /// Exact questions about meshes: do they overlap, how far are they apart, and where?
 ///
-/// A mesh is its surface, and the solid within if MeshTree::isClosed. Shapes are solid.
+/// A mesh is its surface, and what is within if MeshTree::hasInside. Shapes are solid.
 /// Frames: answers in the world frame. Units: metres.
 /// Source: Larsen, Gottschalk, Lin, Manocha, "Fast Proximity Queries with Swept Sphere Volumes"
 /// (1999), for branch and bound over pairs of nodes; Johnson, Cohen, "A framework for efficient
@@ -46,6 +46,9 @@ struct MeshDistance {
   SignedDistance measured;  ///< NaN-free in every state
   TrianglePair nearest;     ///< kNone where none was found; a start for the next query
   std::uint32_t visits{0};  ///< nodes opened and triangles measured
+  /// [m] Where they are apart: how far one may go, seen from the other, until it can be inside an
+  /// open mesh though it has not met its surface. Infinite for closed meshes.
+  double outside{std::numeric_limits<double>::infinity()};
 };
 
 /// When a query may stop early. The defaults never do.
@@ -84,7 +87,8 @@ struct MeshFront {
   double cover{0.0};              ///< [m] as Kept::due, of all that is not kept
   double margin{0.0};             ///< [m] how much farther than the nearest pairs are kept
   double room{std::numeric_limits<double>::infinity()};  ///< [m] margin for which `kept` suffices
-  double apart{0.0};  ///< [m] the surfaces were, and neither inside the other
+  double apart{0.0};    ///< [m] the surfaces were, and neither inside the other
+  double outside{0.0};  ///< [m] as MeshDistance::outside
   std::uint32_t size{0};
   std::array<Kept, kCapacity> kept;
 };
@@ -121,10 +125,11 @@ struct PlacedConvex {
   const Pose& world_from_body;
 };
 
-/// True when surfaces touch or cross, or one closed mesh holds a point of the other.
+/// True when surfaces touch or cross, or one mesh that has an inside holds a point of the other.
 ///
 /// Error: surfaces within 1e-14 of the size may be called either way.
-/// Each connected piece of a mesh is asked for being inside the other. Poses that are not finite
+/// Each connected piece of a mesh is asked for being inside the other; where that is open, also the
+/// corners that are farthest in fourteen directions. Poses that are not finite
 /// give `true`: unknown is not clear.
 bool overlap(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory) noexcept;
 
@@ -150,9 +155,10 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
 /// Signed distance of a mesh (A) and a solid shape (B).
 ///
 /// Sign: > 0 apart. < 0 overlapping: a bound, for no shorter way than its length takes the shape
-/// off the nearest point of the surface, or out of a closed mesh. If the core itself meets the
-/// surface, the bound is minus the radius. Error: of distances > 0 as for two meshes. Limits: a
-/// core inside a closed mesh is seen when the surface does not cross it.
+/// off the nearest point of the surface, or out of the mesh. If the core itself meets the surface,
+/// the bound is minus the radius. Error: of distances > 0 as for two meshes. Limits: a core inside
+/// a mesh is seen when the surface does not cross it; one that reaches into an open mesh through a
+/// hole, by its corners and its middle.
 /// @param start of which `a` counts.
 MeshDistance distanceBetween(const PlacedMesh& a, const PlacedShape& b, MeshQueryMemory& memory,
                              const TrianglePair& start = TrianglePair{},

@@ -177,6 +177,8 @@ struct ElementDistance {
   SignedDistance measured;
   std::uint32_t steps{0};   ///< spent of the budget
   bool is_complete{false};  ///< false: a larger budget would have told more
+  /// [m] as MeshDistance::outside
+  double outside{std::numeric_limits<double>::infinity()};
 };
 
 /// The last measurement of a pair of elements, and where they were.

@@ -31,9 +31,22 @@ double depthInBox(const MeshTree& solid, const Vector3d& point) noexcept {
   return (box.half.cast<double>() - from_center.cwiseAbs()).minCoeff();
 }
 
-bool isPointInside(const DepthSearch& search, const Vector3d& point) noexcept {
+// @param is_known whether it is known to be inside, which of an open solid is no answer: it tells
+// no hold.
+PointInMesh lookInside(const DepthSearch& search, const Vector3d& point, bool is_known) noexcept {
   const bool is_about_deepest = (point - search.deepest.at).norm() < search.deepest.depth;
-  return is_about_deepest || isInside(search.solid, point, search.memory);
+  PointInMesh lies;
+  lies.is_inside = search.solid.isClosed() && (is_known || is_about_deepest);
+  return lies.is_inside ? lies : lookInside(search.solid, point, search.memory);
+}
+
+// A corner of an open solid is no deeper than its way through a hole.
+void holdBack(double hold, const Vector3d& corner, MeasuredPlace& found) noexcept {
+  if (hold < found.distance) {
+    const double share = hold / found.distance;
+    found.nearest.point = corner + share * (found.nearest.point - corner);
+    found.distance = hold;
+  }
 }
 
 MeasuredPlace measurePlace(DepthSearch& search, const Vector3d& center, double radius,
@@ -53,10 +66,16 @@ MeasuredPlace measurePlace(DepthSearch& search, const Vector3d& center, double r
   if (!(found.deepest > search.beyond)) {
     return found;
   }
-  if (in_box > 0.0 && (is_inside || isPointInside(search, center))) {
+  const PointInMesh lies = in_box > 0.0 ? lookInside(search, center, is_inside) : PointInMesh();
+  if (lies.is_inside) {
+    if (radius == 0.0) {
+      holdBack(lies.hold, center, found);
+    }
     found.distance = -found.distance;
   }
-  found.deepest = radius - found.distance;
+  // Of points outside of an open solid, the surface is not the nearest that is.
+  const bool is_by_surface = lies.is_inside || search.solid.isClosed();
+  found.deepest = radius - (is_by_surface ? found.distance : 0.0);
   found.is_deep = found.deepest > search.beyond;
   return found;
 }

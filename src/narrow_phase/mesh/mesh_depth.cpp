@@ -68,7 +68,7 @@ std::uint32_t pointsFor(double share, std::uint32_t point_budget) noexcept {
 
 void restart(BothWays& ways, KeptDepth& kept) noexcept {
   for (std::size_t i = 0; i < 2; ++i) {
-    restart(ways[i].solid.isClosed(), kept.sides[i]);
+    restart(ways[i].solid.hasInside(), kept.sides[i]);
   }
   ways[0].moved = ways[1].moved = kept.moved = 0.0;
 }

@@ -69,10 +69,13 @@ void reportBound(const NearestSearch& search, double stop_beyond, MeshDistance& 
 // Surfaces that do not meet may still be one inside the other.
 void reportContainment(const MeshPair& pair, const Pose& world_from_a, MeshQueryMemory& memory,
                        MeshDistance& answer) noexcept {
-  if (const std::optional<Eigen::Vector3d> shared = pointHeld(pair, memory)) {
+  const Holding held = pointHeld(pair, memory);
+  answer.visits += held.visits;
+  answer.outside = held.outside;
+  if (held.point) {
     answer.state = MeshState::overlapping;
     answer.measured.distance = 0.0;
-    answer.measured.point_on_a = world_from_a * *shared;
+    answer.measured.point_on_a = world_from_a * *held.point;
     answer.measured.point_on_b = answer.measured.point_on_a;
   }
 }
@@ -147,11 +150,13 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
   WaitingPairs waiting(memory);
   searchFromFront(pair, step, limits.visit_budget, waiting, search);
   MeshDistance answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
-  const bool stays_outside = step < front.apart;
-  if (answer.state != MeshState::overlapping && !stays_outside) {
+  if (step < std::min(front.apart, front.outside)) {
+    answer.outside = front.outside - step;
+  } else if (answer.state != MeshState::overlapping) {
     reportContainment(pair, a.world_from_mesh, memory, answer);
   }
   front.apart = answer.state == MeshState::overlapping ? 0.0 : answer.measured.distance;
+  front.outside = answer.outside;
   return answer;
 }
 

@@ -3,9 +3,13 @@
 #include "narrow_phase/mesh/mesh_inside.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
+#include "geometry/constants.h"
 #include "narrow_phase/mesh/mesh_search.h"
+#include "narrow_phase/mesh/mesh_winding.h"
+#include "narrow_phase/mesh/point_on_mesh.h"
 
 namespace collision_monitor {
 namespace {
@@ -51,7 +55,59 @@ bool mayMeet(const MeshTreeNode& node, std::uint32_t slot, const Eigen::Vector3f
          node.center[2][slot] + node.half[2][slot] + slack >= point.z();
 }
 
+// [m] How far the point is outside the box and the slab about the mesh; < 0 in both.
+double outsideBounds(const MeshTree& tree, const Vector3d& point) noexcept {
+  const Bound bound = boundAt(tree, 0);
+  const Vector3d centered = point - tree.center();
+  const Vector3d from_box = (centered - bound.center.cast<double>()).cwiseAbs();
+  const double height =
+      bound.normal.cast<double>().dot(centered) - static_cast<double>(bound.slab_center);
+  return std::max((from_box - bound.half.cast<double>()).maxCoeff(),
+                  std::abs(height) - static_cast<double>(bound.slab_half));
+}
+
+// [m] How far the point may go until its winding number has changed by `change`.
+double holdFor(double change, const MeshTree& tree, const Vector3d& point,
+               MeshQueryMemory& memory) noexcept {
+  const OpenSurface& open = *tree.openSurface();
+  if (!(open.rim_length > 0.0)) {
+    return kInfinity;
+  }
+  // The rim is part of the surface.
+  const double distance =
+      open.rim ? open.rim->nearestTo(point).distance
+               : nearestOnMesh(tree, point, TrianglePair::kNone, {}, memory).distance;
+  if (!(change > 0.0) || !(distance > 0.0)) {
+    return 0.0;
+  }
+  return distance - 1.0 / (1.0 / distance + 4.0 * kPi * change / open.rim_length);
+}
+
 }  // namespace
+
+PointInMesh lookInside(const MeshTree& tree, const Vector3d& point,
+                       MeshQueryMemory& memory) noexcept {
+  constexpr double kLeastError = 0.01;
+  PointInMesh answer;
+  if (tree.isClosed()) {
+    answer.is_inside = isInside(tree, point, memory);
+    return answer;
+  }
+  const double outside = outsideBounds(tree, point);
+  if (!(outside < 0.0)) {
+    answer.hold = outside;
+    return answer;
+  }
+  const WindingNumber number = windingByHalf(tree, point, kLeastError, memory);
+  const double beyond = std::abs(number.value) - 0.5;
+  answer.is_inside = beyond > number.error;
+  answer.hold = holdFor(std::abs(beyond) - number.error, tree, point, memory);
+  if (answer.is_inside) {
+    answer.hold = std::min(answer.hold, -outside);
+  }
+  answer.visits = number.visits;
+  return answer;
+}
 
 bool isInside(const MeshTree& tree, const Vector3d& point, MeshQueryMemory& memory) noexcept {
   const Vector3d centered = point - tree.center();

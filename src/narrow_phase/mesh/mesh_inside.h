@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <limits>
+
 #include "collision_monitor/geometry/mesh_tree.h"
 #include "collision_monitor/narrow_phase/mesh_distance.h"
 
@@ -15,6 +18,29 @@ namespace collision_monitor {
 /// corner is counted right.
 /// Frames: the mesh's. Error: points on the surface, within rounding, may get either answer.
 /// Source: Sunday, "Inclusion of a Point in a Polygon" (2001), for the signed crossings.
+/// @pre the mesh is closed.
 bool isInside(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory) noexcept;
+
+/// How a point lies in the inside of a mesh.
+struct PointInMesh {
+  bool is_inside{false};
+  /// [m] How far the point may go without crossing the surface until that can change. Infinite for
+  /// closed meshes.
+  double hold{std::numeric_limits<double>::infinity()};
+  std::uint32_t visits{0};  ///< parts of an open surface looked at
+};
+
+/// The same for any mesh. Inside of an open one are the points of its box whose winding number is
+/// above 1/2 in size; near a hole that ends where half of all directions lead out.
+///
+/// Frames: the mesh's. Error: points whose number is above 1/2 by no more than 0.02 may be called
+/// outside, and none of another number is called inside.
+/// Source: Jacobson, Kavan, Sorkine-Hornung, "Robust Inside-Outside Segmentation using Generalized
+/// Winding Numbers" (2013), for the threshold. `hold`: off its surface the winding number has the
+/// gradient of the solid angle of the rim, by Biot and Savart no more than its length over
+/// 4 pi times the squared distance; docs/decisions/inside-of-open-meshes.md.
+/// @pre the mesh has an inside.
+PointInMesh lookInside(const MeshTree& tree, const Eigen::Vector3d& point,
+                       MeshQueryMemory& memory) noexcept;
 
 }  // namespace collision_monitor

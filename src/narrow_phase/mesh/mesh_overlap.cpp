@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "narrow_phase/mesh/mesh_inside.h"
 #include "narrow_phase/mesh/mesh_search.h"
 
@@ -25,26 +27,36 @@ bool surfacesMeet(const MeshPair& pair, MeshQueryMemory& memory) noexcept {
   return false;
 }
 
+// A point of `other` that is in `solid`, in the frame of `other`.
+const Eigen::Vector3d* findHeld(const MeshTree& solid, const MeshTree& other,
+                                const Pose& solid_from_other, MeshQueryMemory& memory,
+                                Holding& holding) noexcept {
+  if (!solid.hasInside()) {
+    return nullptr;
+  }
+  for (const Eigen::Vector3d& probe : solid.isClosed() ? other.pieces() : other.probes()) {
+    const PointInMesh lies = lookInside(solid, solid_from_other * probe, memory);
+    holding.visits += lies.visits;
+    if (lies.is_inside) {
+      return &probe;
+    }
+    holding.outside = std::min(holding.outside, std::max(lies.hold, leastHold(solid)));
+  }
+  return nullptr;
+}
+
 }  // namespace
 
-std::optional<Eigen::Vector3d> pointHeld(const MeshPair& pair, MeshQueryMemory& memory) noexcept {
-  if (pair.a.isClosed()) {
-    for (const Eigen::Vector3d& piece : pair.b.pieces()) {
-      const Eigen::Vector3d in_a = pair.a_from_b * piece;
-      if (isInside(pair.a, in_a, memory)) {
-        return in_a;
-      }
-    }
+double leastHold(const MeshTree& open) noexcept { return 1e-3 * open.radius(); }
+
+Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory) noexcept {
+  Holding holding;
+  if (const auto* of_b = findHeld(pair.a, pair.b, pair.a_from_b, memory, holding)) {
+    holding.point = pair.a_from_b * *of_b;
+  } else if (const auto* of_a = findHeld(pair.b, pair.a, inverse(pair.a_from_b), memory, holding)) {
+    holding.point = *of_a;
   }
-  if (pair.b.isClosed()) {
-    const Pose b_from_a = inverse(pair.a_from_b);
-    for (const Eigen::Vector3d& piece : pair.a.pieces()) {
-      if (isInside(pair.b, b_from_a * piece, memory)) {
-        return piece;
-      }
-    }
-  }
-  return std::nullopt;
+  return holding;
 }
 
 bool overlap(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory) noexcept {
@@ -52,7 +64,7 @@ bool overlap(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory) 
     return true;
   }
   const MeshPair pair = makeMeshPair(a, b);
-  return surfacesMeet(pair, memory) || pointHeld(pair, memory).has_value();
+  return surfacesMeet(pair, memory) || pointHeld(pair, memory).point.has_value();
 }
 
 }  // namespace collision_monitor

@@ -99,9 +99,22 @@ void openLarger(const MeshPair& pair, const MeshQueryMemory::Waiting& bounds, fl
 /// are away.
 float asLimit(double squared_distance) noexcept;
 
-/// A point that both solids share: of a piece of one surface that the other, closed, holds. Meant
-/// for surfaces that do not cross, of which each piece is held as a whole or not at all.
-/// Frames: A's.
-std::optional<Eigen::Vector3d> pointHeld(const MeshPair& pair, MeshQueryMemory& memory) noexcept;
+/// Whether one of two meshes is inside the other.
+struct Holding {
+  std::optional<Eigen::Vector3d> point;  ///< that both solids share, in A's frame
+  /// [m] Where there is none: how far one may go, seen from the other, until there can be one
+  /// though the surfaces have not met.
+  double outside{std::numeric_limits<double>::infinity()};
+  std::uint32_t visits{0};  ///< parts of open surfaces looked at
+};
+
+/// Meant for surfaces that do not cross. Each piece of one is then held by a closed one as a whole
+/// or not at all; an open one is asked for all probes of the other.
+Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory) noexcept;
+
+/// [m] Whether something is inside an open mesh is not asked again for ways shorter than that. The
+/// inside does not end at the rim by more than a convention, and a search that comes near shall not
+/// go on by steps that get ever shorter.
+double leastHold(const MeshTree& open) noexcept;
 
 }  // namespace collision_monitor

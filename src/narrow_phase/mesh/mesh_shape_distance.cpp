@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "collision_monitor/geometry/visit_held.h"
+#include "geometry/constants.h"
 #include "narrow_phase/convex/convex_core.h"
 #include "narrow_phase/core_distance.h"
 #include "narrow_phase/mesh/mesh_inside.h"
@@ -97,42 +98,100 @@ void searchFrom(const MeshAndCore& pair, std::uint32_t visit_budget, MeshQueryMe
                 });
 }
 
+// How the core lies in the inside of the mesh.
+struct CoreInMesh {
+  bool is_inside{false};
+  double hold{kInfinity};  // [m] as of a point that is inside, or the least of all that are not
+  std::uint32_t visits{0};
+};
+
 // Cores: the mesh is A. A core inside the solid has the surface behind it, and the way out is
-// through the nearest point of it.
+// through the nearest point of it, or through a hole that is nearer.
 SignedDistance coresOf(const MeshAndCore& pair, const NearestSearch& search,
-                       bool is_inside) noexcept {
+                       const CoreInMesh& lies) noexcept {
   const PointPair& best = search.best;
   const double distance = std::sqrt(best.squared_distance);
   const Vector3d way = best.on_b - best.on_a;
   const double length = way.norm();  // where they hardly part, the points are rounded more
   if (distance > pair.rounding && length > 0.0) {
-    const double sign = is_inside ? -1.0 : 1.0;
+    if (lies.is_inside && lies.hold < distance) {
+      return {-lies.hold, best.on_b - lies.hold / length * way, best.on_b, -1.0 / length * way};
+    }
+    const double sign = lies.is_inside ? -1.0 : 1.0;
     return {sign * distance, best.on_a, best.on_b, sign / length * way};
   }
   const Vector3d normal = anyNormalOf(prepare(pair.mesh.triangles()[search.nearest.a]));
   return {0.0, best.on_a, best.on_a, pair.core_from_mesh.rotation * normal};
 }
 
-bool isCoreInside(const MeshAndCore& pair, const NearestSearch& search,
-                  MeshQueryMemory& memory) noexcept {
-  return pair.mesh.isClosed() &&
-         isInside(pair.mesh, inverse(pair.core_from_mesh) * search.best.on_b, memory);
+// The core's frame. Calls visit(point) for its corners, or those of a round or many-cornered one
+// that are farthest along axes and diagonals, until one returns true.
+template <class Visit>
+void forProbes(const ConvexCore& core, const Visit& visit) noexcept {
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3d along((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0,
+                         (corner & 4) != 0 ? 1.0 : -1.0);
+    const Vector3d axis = along.x() * Vector3d::Unit(corner % 3);
+    if (core.kind == ConvexCore::Kind::hull) {
+      const auto farthest = [&](const Vector3d& direction) noexcept {
+        const auto& vertices = core.hull->vertices();
+        return *std::max_element(vertices.begin(), vertices.end(),
+                                 [&](const Vector3d& one, const Vector3d& other) {
+                                   return direction.dot(one) < direction.dot(other);
+                                 });
+      };
+      if (visit(farthest(along)) || visit(farthest(axis))) {
+        return;
+      }
+    } else if (core.kind == ConvexCore::Kind::cylinder) {
+      const bool is_along_x = (corner & 2) != 0;
+      const Vector3d rim(is_along_x ? along.x() : 0.0, is_along_x ? 0.0 : along.x(), along.z());
+      if (visit(core.half_extents.cwiseProduct(rim))) {
+        return;
+      }
+    } else if (visit(core.half_extents.cwiseProduct(along))) {
+      return;
+    }
+  }
 }
 
-void report(const MeshAndCore& pair, const NearestSearch& search, bool is_inside,
+// A closed mesh that is not crossed holds all of the core or nothing.
+CoreInMesh lookInside(const MeshAndCore& pair, const NearestSearch& search,
+                      MeshQueryMemory& memory) noexcept {
+  CoreInMesh lies;
+  if (!pair.mesh.hasInside()) {
+    return lies;
+  }
+  const Pose mesh_from_core = inverse(pair.core_from_mesh);
+  const auto look = [&](const Vector3d& in_core) noexcept {
+    const PointInMesh point = lookInside(pair.mesh, mesh_from_core * in_core, memory);
+    lies.visits += point.visits;
+    lies.is_inside = point.is_inside;
+    lies.hold = point.is_inside ? point.hold
+                                : std::min(lies.hold, std::max(point.hold, leastHold(pair.mesh)));
+    return point.is_inside;
+  };
+  if (!look(search.best.on_b) && !pair.mesh.isClosed()) {
+    forProbes(pair.core, look);
+  }
+  return lies;
+}
+
+void report(const MeshAndCore& pair, const NearestSearch& search, const CoreInMesh& lies,
             MeshDistance& answer) noexcept {
   const double radius = pair.radius;
+  const bool is_inside = lies.is_inside;
   answer.nearest = search.nearest;
   const double core_distance =
       std::sqrt(std::min(search.best.squared_distance, search.squared_open));
   const bool meets = search.best.squared_distance <= radius * radius;
   if (search.nearest.a != TrianglePair::kNone && (search.isComplete() || (meets && !is_inside))) {
-    answer.measured = swept(coresOf(pair, search, is_inside), 0.0, radius);
+    answer.measured = swept(coresOf(pair, search, lies), 0.0, radius);
     answer.state = answer.measured.distance > 0.0 ? MeshState::exact : MeshState::overlapping;
   } else if (!std::isfinite(core_distance)) {
     answer.state = MeshState::unknown;
   } else if (is_inside) {
-    answer.measured.distance = -core_distance - radius;
+    answer.measured.distance = -std::min(core_distance, lies.hold) - radius;
     answer.state = MeshState::overlapping;
   } else {
     answer.measured.distance = core_distance - radius;
@@ -155,14 +214,15 @@ MeshDistance measureCore(const PlacedMesh& a, const SweptCore& b, const Pose& wo
     measureTriangle(pair, start.a, search);
   }
   searchFrom(pair, limits.visit_budget, memory, search);
-  const bool is_inside = isCoreInside(pair, search, memory);
-  if (is_inside && search.nearest.a == TrianglePair::kNone) {
+  const CoreInMesh lies = lookInside(pair, search, memory);
+  if (lies.is_inside && search.nearest.a == TrianglePair::kNone) {
     // All of the surface is farther than was asked for, and so is the way out.
     search.best.squared_distance = std::numeric_limits<double>::infinity();
     searchFrom(pair, limits.visit_budget, memory, search);
   }
-  answer.visits = search.visits;
-  report(pair, search, is_inside, answer);
+  answer.visits = search.visits + lies.visits;
+  answer.outside = lies.is_inside ? kInfinity : lies.hold;
+  report(pair, search, lies, answer);
   answer.measured = placed(world_from_b, answer.measured);
   return answer;
 }

@@ -111,13 +111,16 @@ TEST(RefineBudget, budgetSpentAndOneMovedFar_theEnclosingShapesSpeak) {
   EXPECT_EQ(scene.buffers.events.overall, Verdict::contact);
 }
 
-/// A ball in a shell, twice, far from each other. Both surfaces have a hole and no inside: they are
-/// apart, and everywhere by nearly the same distance, which takes long to find.
+/// A ball in the hollow of a thick shell, twice, far from each other: they are apart, and
+/// everywhere by nearly the same distance, which takes long to find.
 Scene ballsInShells() {
   TriangleMesh ball = test::sphereMesh(0.1, 24);
-  TriangleMesh shell = test::sphereMesh(0.2, 24);
   ball.triangles.pop_back();
-  shell.triangles.pop_back();
+  TriangleMesh hollow = test::sphereMesh(0.2, 24);
+  for (auto& triangle : hollow.triangles) {
+    std::swap(triangle[0], triangle[1]);
+  }
+  const TriangleMesh shell = test::joined(test::sphereMesh(0.3, 24), hollow);
   Scene scene({ball, shell, ball, shell});
   scene.moveTo(2, 5.0);
   scene.moveTo(3, 5.0);

@@ -166,14 +166,6 @@ TEST(RefinePairs, padding_isTakenOffAndMakesALowerBound) {
   EXPECT_NEAR(scene.closest().measured.distance, 0.012, 1e-12);
 }
 
-TEST(RefinePairs, openMesh_surfaceCountsAndAWarningSaysSo) {
-  TriangleMesh open = test::angleMesh();
-  open.triangles.pop_back();
-  const Scene scene({open, Sphere{0.01}});
-  ASSERT_EQ(scene.setup.report.warnings.size(), 1U);
-  EXPECT_NE(scene.setup.report.warnings[0].found.find("link_0"), std::string::npos);
-}
-
 TEST(RefinePairs, strayVertex_isPartOfTheMesh) {
   TriangleMesh mesh = test::angleMesh();
   mesh.vertices.emplace_back(0.3, 0.3, 0.0);

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "narrow_phase/mesh/mesh_winding.h"
+
+#include <cmath>
+
+#include "geometry/constants.h"
+#include "narrow_phase/mesh/mesh_search.h"
+
+namespace collision_monitor {
+namespace {
+
+// Of a sum of up to 1e7 solid angles.
+constexpr double kRounding = 1e-9;
+
+// The sum of all parts, each either as its moments have it or, where these are off by more than
+// `most_of_part`, as its own parts have it.
+WindingNumber sum(const MeshTree& tree, const Eigen::Vector3d& point, double most_of_part,
+                  MeshQueryMemory& memory) noexcept {
+  const std::vector<WindingMoments>& moments = tree.openSurface()->moments;
+  WindingNumber number{0.0, kRounding, 0};
+  double angles = 0.0;
+  WaitingPairs waiting(memory);
+  waiting.push({0.0F, 0, 0});
+  while (!waiting.empty()) {
+    const std::uint32_t node = waiting.pop().a;
+    ++number.visits;
+    const BoundedNumber part = windingOf(moments[node], point);
+    if (part.error <= most_of_part) {
+      number.value += part.value;
+      number.error += part.error;
+      continue;
+    }
+    for (const std::uint32_t child : tree.nodes()[node].child) {
+      if (child == MeshTreeNode::kNone) {
+        continue;
+      }
+      if (isTriangle(child)) {
+        angles += solidAngle(tree.triangles()[triangleAt(child)], point);
+        ++number.visits;
+      } else {
+        waiting.push({0.0F, child, 0});
+      }
+    }
+  }
+  number.value += angles / (4.0 * kPi);
+  return number;
+}
+
+// From coarse to fine.
+template <class IsEnough>
+WindingNumber search(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory,
+                     const IsEnough& isEnough) noexcept {
+  constexpr double kCoarsest = 0x1p-6;
+  constexpr double kStep = 0x1p-3;
+  std::uint32_t visits = 0;
+  double most_of_part = kCoarsest;
+  WindingNumber number;
+  do {
+    number = sum(tree, point, most_of_part, memory);
+    visits += number.visits;
+    most_of_part *= kStep;
+  } while (number.error > kRounding && !isEnough(number));
+  number.visits = visits;
+  return number;
+}
+
+}  // namespace
+
+WindingNumber windingNumber(const MeshTree& tree, const Eigen::Vector3d& point, double error,
+                            MeshQueryMemory& memory) noexcept {
+  return search(tree, point, memory,
+                [&](const WindingNumber& number) { return number.error <= error; });
+}
+
+WindingNumber windingByHalf(const MeshTree& tree, const Eigen::Vector3d& point, double error,
+                            MeshQueryMemory& memory) noexcept {
+  return search(tree, point, memory, [&](const WindingNumber& number) {
+    return number.error <= error || std::abs(std::abs(number.value) - 0.5) > number.error;
+  });
+}
+
+}  // namespace collision_monitor
