@@ -10,6 +10,7 @@
 #include <set>
 
 #include "collision_monitor/geometry/convex_hull.h"
+#include "collision_monitor/geometry/interruption.h"
 #include "fitting/extent.h"
 #include "fitting/mesh_part.h"
 #include "fitting/point_cloud.h"
@@ -151,6 +152,7 @@ std::vector<Piece> cutToPieces(const DistanceGrid& grid, double target,
   const double tolerance = std::max(target, kGridError * grid.spacing());
   std::vector<Piece> pieces{makePiece(0, evenSamples(grid), grid)};
   while (pieces.size() < kMostPieces) {
+    throwIfInterrupted();
     const auto worst =
         std::max_element(pieces.begin(), pieces.end(),
                          [](const Piece& a, const Piece& b) { return a.hollow < b.hollow; });

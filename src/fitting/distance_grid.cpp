@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "collision_monitor/geometry/interruption.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -55,6 +57,7 @@ void DistanceGrid::sampleSurface(const TriangleMesh& mesh) {
     return;  // all in one place
   }
   for (const auto& triangle : mesh.triangles) {
+    throwIfInterrupted();
     const Vector3d& a = mesh.vertices[triangle[0]];
     const Vector3d along_b = mesh.vertices[triangle[1]] - a;
     const Vector3d along_c = mesh.vertices[triangle[2]] - a;
@@ -81,6 +84,7 @@ void DistanceGrid::markSurface() {
   nearest_.assign(count, kNone);
   distance_.assign(count, kFloatInfinity);
   for (std::uint32_t i = 0; i < surface_.size(); ++i) {
+    throwIfInterrupted();
     Vector3i cell = Vector3i::Zero();
     if (spacing_ > 0.0) {
       cell = ((surface_[i] - low_) * nodes_per_metre_ + Vector3d::Constant(0.5)).cast<int>();
@@ -107,6 +111,7 @@ void DistanceGrid::sweep(const Vector3i& direction) {
   const Vector3i first = (direction.array() > 0).select(Vector3i::Zero(), size.array() - 1);
   Vector3i here;
   for (here.z() = first.z(); here.z() >= 0 && here.z() < size.z(); here.z() += direction.z()) {
+    throwIfInterrupted();
     for (here.y() = first.y(); here.y() >= 0 && here.y() < size.y(); here.y() += direction.y()) {
       for (here.x() = first.x(); here.x() >= 0 && here.x() < size.x(); here.x() += direction.x()) {
         const std::size_t node = indexOf(here.x(), here.y(), here.z());

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "collision_monitor/geometry/interruption.h"
 #include "fitting/candidate.h"
 #include "fitting/check_geometry.h"
 #include "fitting/mesh_fitter.h"
@@ -67,6 +68,7 @@ GeometryFit fitInOne(const Geometry& geometry, const ShapeKinds& kinds) {
 void cutParts(const std::vector<Geometry>& geometries, const FitLimits& limits,
               std::vector<GeometryFit>& fits) {
   for (std::size_t shapes = fits.size(); shapes < limits.max_shapes; ++shapes) {
+    throwIfInterrupted();
     const auto worst =
         std::max_element(fits.begin(), fits.end(), [](const GeometryFit& a, const GeometryFit& b) {
           return a.worstOvershoot() < b.worstOvershoot();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collision_monitor/geometry/interruption.h"
 #include "fitting/near_triangles.h"
 #include "fitting/point_cloud.h"
 #include "fitting/simplex_search.h"
@@ -121,6 +122,7 @@ InnerSegment growSegment(const TriangleBvh& surface, const InnerSegment& segment
     lookAround(best.a + place * (best.b - best.a), best.radius, near);
   }
   for (int round = 0, idle = 0; round < kRounds && idle < kIdleRounds; ++round) {
+    throwIfInterrupted();
     const InnerSegment start = best;
     const auto moved = [&](const Step& step) -> std::pair<Vector3d, Vector3d> {
       return {start.a + start.radius * step.head<3>(), start.b + start.radius * step.tail<3>()};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_monitor/geometry/interruption.h"
 #include "fitting/closed_surface.h"
 #include "fitting/grow_inside.h"
 #include "fitting/medial_balls.h"
@@ -105,6 +106,7 @@ class Inscriber {
 
   /// The shape with the radius that can be proven, if any can.
   std::optional<PosedShape> proven(const InnerSegment& segment, bool is_sphere) const {
+    throwIfInterrupted();
     PosedShape fit;
     const Vector3d along = 0.5 * segment.b - 0.5 * segment.a;
     double half_length = is_sphere ? 0.0 : along.norm();

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "collision_monitor/geometry/interruption.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -99,6 +101,7 @@ std::vector<EmptyBall> medialBalls(const TriangleBvh& surface, int count) {
   const double largest = 0.5 * (bounds.max - bounds.min).minCoeff();
   std::vector<EmptyBall> balls;
   for (const auto& point : spreadOver(surface.triangles(), count)) {
+    throwIfInterrupted();
     // No ball in the surface is larger than this.
     if (const auto ball = emptyBallAt(surface, point, largest)) {
       balls.push_back(*ball);

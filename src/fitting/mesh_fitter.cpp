@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "collision_monitor/fitting/proof.h"
+#include "collision_monitor/geometry/interruption.h"
 #include "fitting/candidate.h"
 #include "fitting/cut_and_join.h"
 #include "fitting/point_cloud.h"
@@ -91,6 +92,7 @@ void MeshFitter::encloseAs(const RoughFit& rough, Part& part) const {
 
 /// Once the neighbours' shapes are known, what they hold counts no more.
 void MeshFitter::refit(std::size_t i) {
+  throwIfInterrupted();
   Part& part = parts_[i];
   const Points points = representing(part.corners);
   const RoughGoal goal = goalBeside(i);

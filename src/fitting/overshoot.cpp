@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_monitor/geometry/interruption.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -152,6 +154,7 @@ Overshoot measureOvershoot(const PosedShape& fit, const TriangleBvh& mesh,
   OvershootSum sum;
   NearestPoint nearest;
   for (const auto& sample : sampleSurface(fit.shape, sampling.count)) {
+    throwIfInterrupted();
     const Vector3d point = fit.geometry_from_body * sample.point;
     // The triangle nearest to the last sample bounds the search: neighbours follow each other.
     const NearestPoint start = nearest.leaf_triangle == NearestPoint::kNone

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fitting/union_overshoot.h"
 
+#include "collision_monitor/geometry/interruption.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -25,6 +27,7 @@ std::vector<MeasuredSample> measureSamples(const PosedShape& fit, const Triangle
   std::vector<MeasuredSample> samples;
   NearestPoint nearest;
   for (const auto& sample : sampleSurface(fit.shape, sampling.count)) {
+    throwIfInterrupted();
     const Eigen::Vector3d point = fit.geometry_from_body * sample.point;
     if (grid != nullptr && !(grid->distanceTo(point) > 0.0)) {
       samples.push_back({point, 0.0, sample.area});

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "collision_monitor/geometry/interruption.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -101,6 +103,7 @@ class BvhBuilder {
   }
 
   std::uint32_t build(const Range& all, std::size_t depth) {
+    throwIfInterrupted();
     std::array<Range, 4> parts{all};
     std::size_t part_count = 1;
     while (part_count < 4) {

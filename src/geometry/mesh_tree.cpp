@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "collision_monitor/geometry/interruption.h"
 #include "geometry/bound_triangles.h"
 #include "geometry/mesh_pieces.h"
 #include "geometry/open_surface.h"
@@ -118,6 +119,7 @@ class Builder {
   }
 
   Index addChild(const SplitRange& range, Index level) {
+    throwIfInterrupted();
     if (range.count == 1) {
       return MeshTreeNode::kTriangle + range.first;
     }

@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "collision_monitor/geometry/interruption.h"
+
 // The C library, not libqhullcpp: that one replaces qh_fprintf of the whole process and ends the
 // process when another user of the C library in it (a nodelet, PCL) prints a message.
 extern "C" {
@@ -87,6 +89,7 @@ class QhullRun {
 
 Faces runQhull(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& centre,
                double extent) {
+  throwIfInterrupted();  // it cannot be ended half-way
   std::vector<coordT> coordinates;
   coordinates.reserve(3 * points.size());
   for (const auto& p : points) {

@@ -2,48 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/dae_check.h"
 
-#include <tinyxml2.h>
-
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <map>
 #include <stdexcept>
 #include <string_view>
 
+#include "model/dae_elements.h"
+#include "model/number_text.h"
 #include "model/xml_document.h"
 
 namespace collision_monitor {
 namespace {
 
 using tinyxml2::XMLElement;
-
-[[noreturn]] void refuse(const XMLElement& element, const std::string& fault) {
-  throw std::runtime_error("line " + std::to_string(element.GetLineNum()) + ": <" + element.Name() +
-                           "> " + fault);
-}
-
-/// Calls `look` with each element of a name.
-template <class Look>
-class ElementVisitor : public tinyxml2::XMLVisitor {
- public:
-  ElementVisitor(const char* name, const Look& look) : name_(name), look_(look) {}
-  bool VisitEnter(const XMLElement& element, const tinyxml2::XMLAttribute* /*first*/) override {
-    if (name_ == element.Name()) {
-      look_(element);
-    }
-    return true;
-  }
-
- private:
-  std::string_view name_;
-  const Look& look_;
-};
-
-template <class Look>
-void forElements(const char* name, const tinyxml2::XMLDocument& document, const Look& look) {
-  ElementVisitor<Look> visitor(name, look);
-  document.Accept(&visitor);
-}
 
 using ArraySizes = std::map<std::string, std::uint64_t>;  ///< by id
 
@@ -65,8 +38,25 @@ void checkAccessor(const XMLElement& accessor, const ArraySizes& size_of) {
   const std::uint64_t needed =
       accessor.UnsignedAttribute("offset") + (count - 1) * stride + std::max(stride, parameters);
   if (needed > array->second) {
-    refuse(accessor, "needs " + std::to_string(needed) + " numbers of an array of " +
-                         std::to_string(array->second));
+    refuseElement(accessor, "needs " + std::to_string(needed) + " numbers of an array of " +
+                                std::to_string(array->second));
+  }
+}
+
+/// assimp makes room for as many numbers as that.
+void checkCount(const XMLElement& array, std::size_t file_size) {
+  const std::string text = attributeOf(array, "count");
+  const std::vector<std::string_view> words = wordsOf(text);
+  if (words.empty()) {
+    return;  // none, says assimp
+  }
+  const std::string_view digits = words[0].substr(words[0].front() == '+' ? 1 : 0);
+  std::uint64_t count = 0;
+  const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+  if (words.size() != 1 || fault != std::errc() || end != digits.data() + digits.size() ||
+      count > file_size) {
+    refuseElement(
+        array, "has the count '" + text + "', which is no number of values that the file can hold");
   }
 }
 
@@ -74,16 +64,25 @@ void checkIndices(const XMLElement& primitives) {
   const char* text = primitives.GetText();
   if (text != nullptr &&
       std::string_view(text).find_first_not_of("0123456789+- \t\r\n") != std::string_view::npos) {
-    refuse(primitives, "holds something that is no index");
+    refuseElement(primitives, "holds something that is no index");
   }
 }
 
 }  // namespace
 
-void checkDaeArrays(const std::string& bytes) {
+void checkDae(const std::string& bytes) {
   tinyxml2::XMLDocument document;
-  if (document.Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS) {
+  const tinyxml2::XMLError fault = document.Parse(bytes.data(), bytes.size());
+  if (fault == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) {
+    throw std::runtime_error("line " + std::to_string(document.ErrorLineNum()) +
+                             ": elements nest deeper than " +
+                             std::to_string(TINYXML2_MAX_ELEMENT_DEPTH) + " levels");
+  }
+  if (fault != tinyxml2::XML_SUCCESS) {
     return;
+  }
+  for (const char* name : {"float_array", "int_array", "bool_array", "Name_array", "IDREF_array"}) {
+    forElements(name, document, [&](const XMLElement& array) { checkCount(array, bytes.size()); });
   }
   ArraySizes size_of;
   forElements("float_array", document, [&](const XMLElement& array) {
@@ -92,6 +91,7 @@ void checkDaeArrays(const std::string& bytes) {
   forElements("accessor", document,
               [&](const XMLElement& accessor) { checkAccessor(accessor, size_of); });
   forElements("p", document, checkIndices);
+  checkDaeNodes(document);
 }
 
 }  // namespace collision_monitor

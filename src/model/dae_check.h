@@ -6,11 +6,11 @@
 
 namespace collision_monitor {
 
-/// Refuses a DAE file of which assimp 5.2 would read beyond the end of an array, or whose
-/// primitives, `<p>`, hold anything but indices: it never gets past that, and takes more and more
-/// memory.
-/// Limits: says nothing of what is no XML, for assimp does.
+/// Refuses a DAE file that assimp 5.2 does not survive: of which it would read beyond the end of an
+/// array or make room for more values than the file can hold; whose primitives, `<p>`, hold
+/// anything but indices; whose elements or nodes nest too deeply, or without end. Limits: says
+/// nothing of what is no XML, for assimp does.
 /// @throws std::runtime_error
-void checkDaeArrays(const std::string& bytes);
+void checkDae(const std::string& bytes);
 
 }  // namespace collision_monitor

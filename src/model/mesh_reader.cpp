@@ -7,6 +7,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <stdexcept>
@@ -39,6 +40,16 @@ Eigen::Matrix4d toMatrix(const aiMatrix4x4& m) {
       m.d3, m.d4;
   return matrix;
 }
+
+/// Of what a mesh file names beside itself, as the materials of an OBJ, nothing is wanted; and what
+/// it names may be a pipe or a device.
+class NoOtherFiles : public Assimp::IOSystem {
+ public:
+  bool Exists(const char* /*name*/) const override { return false; }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* /*name*/, const char* /*mode*/) override { return nullptr; }
+  void Close(Assimp::IOStream* /*file*/) override {}
+};
 
 /// One mesh of a scene while it is placed and added.
 class PartPlacer {
@@ -127,7 +138,7 @@ std::string prepared(const std::string& bytes, const std::string& format) {
     return plainObj(bytes);
   }
   if (format == "dae") {
-    checkDaeArrays(bytes);
+    checkDae(bytes);
   } else if (format == "ply") {
     checkPlyIsComplete(bytes);
   }
@@ -148,6 +159,7 @@ TriangleMesh readMesh(const std::string& bytes, const std::string& file_name) {
   try {
     const std::string content = prepared(bytes, format);
     Assimp::Importer importer;
+    importer.SetIOHandler(new NoOtherFiles);  // which the importer owns
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
     // Else assimp draws the nodes of a DAE whose meshes it does not find.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);

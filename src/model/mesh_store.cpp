@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "collision_monitor/model/mesh_reader.h"
+#include "collision_monitor/geometry/interruption.h"
 
 namespace collision_monitor {
 namespace {
@@ -40,7 +40,8 @@ UpAxis declaredUpAxis(const std::string& bytes) {
 
 }  // namespace
 
-MeshStore::MeshStore(const ResourceLoader& load_resource) : load_resource_(load_resource) {}
+MeshStore::MeshStore(const ResourceLoader& load_resource, const MeshReading& reading)
+    : load_resource_(load_resource), process_(reading) {}
 
 const StoredMesh& MeshStore::find(const std::string& name, const std::string& directory) {
   std::vector<std::string> uris;
@@ -68,9 +69,10 @@ const StoredMesh& MeshStore::load(const std::string& uri) {
   const auto [found, is_new] = meshes_.try_emplace(uri);
   StoredMesh& stored = found->second;
   if (is_new) {
+    throwIfInterrupted();
     try {
       const std::string bytes = load_resource_(uri);
-      stored.mesh = readMesh(bytes, uri);
+      stored.mesh = process_.read(bytes, uri);
       stored.up_axis = declaredUpAxis(bytes);
     } catch (const std::exception& error) {
       stored.fault = error.what();

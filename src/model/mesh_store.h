@@ -9,6 +9,7 @@
 
 #include "collision_monitor/geometry/triangle_mesh.h"
 #include "collision_monitor/model/urdf_reader.h"
+#include "model/mesh_process.h"
 
 namespace collision_monitor {
 
@@ -25,7 +26,7 @@ struct StoredMesh {
 /// file once however many links use it.
 class MeshStore {
  public:
-  explicit MeshStore(const ResourceLoader& load_resource);
+  explicit MeshStore(const ResourceLoader& load_resource, const MeshReading& reading = {});
 
   /// The mesh that `name` means in a URDF of `directory`.
   ///
@@ -42,6 +43,7 @@ class MeshStore {
   bool hasPackageXml(const std::string& folder);
 
   const ResourceLoader& load_resource_;
+  MeshProcess process_;
   std::map<std::string, StoredMesh> meshes_;                 ///< by URI
   std::map<std::string, std::vector<std::string>> folders_;  ///< by directory
 };

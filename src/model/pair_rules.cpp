@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "collision_monitor/geometry/interruption.h"
 #include "model/link_selection.h"
 #include "model/place.h"
 
@@ -168,6 +169,7 @@ std::vector<LinkPair> decideLinkPairs(const RobotModel& model, const std::vector
   }
   std::vector<LinkPair> pairs;
   for (std::size_t i = 0; i < with_shapes.size(); ++i) {
+    throwIfInterrupted();
     for (std::size_t j = i + 1; j < with_shapes.size(); ++j) {
       const LinkId a = with_shapes[i];
       const LinkId b = with_shapes[j];

@@ -177,9 +177,10 @@ void checkNamesDiffer(const std::vector<RobotDescription>& descriptions, const R
 }  // namespace
 
 RobotModel readRobots(const std::vector<RobotDescription>& descriptions,
-                      const ResourceLoader& load_resource, SetupReport& report) {
+                      const ResourceLoader& load_resource, SetupReport& report,
+                      const MeshReading& reading) {
   const std::size_t errors_before = report.errors.size();
-  MeshStore store(load_resource);
+  MeshStore store(load_resource, reading);
   RobotModel model;
   for (const RobotDescription& description : descriptions) {
     if (auto read = readRobot(description, store, report)) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "collision_monitor/geometry/interruption.h"
 #include "collision_monitor/model/kinematics.h"
 #include "pipeline/prove_apart.h"
 #include "setup_parts.h"
@@ -88,6 +89,7 @@ void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, const std::vector<
   std::vector<Overlaps> ignored(setup.model.robots.size());
   std::vector<Overlaps> kept(setup.model.robots.size());
   for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
+    throwIfInterrupted();
     const CheckedLinkPair& pair = setup.checked[i];
     const RobotId robot = setup.model.link(pair.a).robot;
     if (robot != setup.model.link(pair.b).robot ||

@@ -6,11 +6,12 @@
 #include <cstdint>
 #include <fstream>
 #include <random>
-#include <sstream>
+#include <stdexcept>
 #include <system_error>
 #include <type_traits>
 #include <utility>
 
+#include "collision_monitor/model/regular_file.h"
 #include "pipeline/fit_text.h"
 #include "pipeline/sha256.h"
 
@@ -131,17 +132,16 @@ const std::vector<Fit>* FitCache::findRepeated(const std::string& key) const {
 
 std::optional<std::vector<Fit>> FitCache::load(const std::string& key,
                                                const std::vector<Geometry>& geometries) {
-  std::ifstream stream;
-  if (!directory_.empty()) {
-    stream.open(fileOf(key), std::ios::binary);
-  }
-  if (!stream.is_open()) {
+  std::error_code ignored;
+  if (directory_.empty() || !fs::exists(fileOf(key), ignored)) {
     return std::nullopt;
   }
-  // Iterators of the stream would throw where the disk fails.
-  std::ostringstream text;
-  text << stream.rdbuf();
-  std::optional<std::vector<Fit>> fits = fitsFromText(text.str());
+  std::optional<std::vector<Fit>> fits;
+  try {
+    fits = fitsFromText(readRegularFile(fileOf(key)));
+  } catch (const std::runtime_error&) {
+    // No file, or one that the disk fails to give: as good as a damaged one.
+  }
   if (!fits || !holdFor(*fits, geometries)) {
     ++rejected_count_;
     return std::nullopt;

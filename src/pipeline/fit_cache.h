@@ -18,11 +18,11 @@ std::string fitKey(const std::vector<Geometry>& geometries, const FitLimits& lim
 
 /// Fits of earlier set-ups, one file a link in a directory, and those of this set-up in memory.
 ///
-/// Files are never trusted: what is damaged, of another version, or does not provably enclose
-/// the geometry is none, counted, and overwritten by what is fitted instead. They are written
-/// under another name and renamed, so that programs that start at once never see half a file.
-/// Any file may be deleted at any time.
-/// Limits: for one thread; other programs may use the directory at the same time.
+/// Files are never trusted: what is no regular file, damaged, of another version, or does not
+/// provably enclose the geometry is none, counted, and overwritten by what is fitted instead. They
+/// are written under another name and renamed, so that programs that start at once never see half a
+/// file. Any file may be deleted at any time. Limits: for one thread; other programs may use the
+/// directory at the same time.
 class FitCache {
  public:
   /// An empty directory means memory alone.

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "collision_monitor/fitting/covering.h"
+#include "collision_monitor/geometry/interruption.h"
 #include "pipeline/fit_cache.h"
 
 namespace collision_monitor {
@@ -109,7 +110,9 @@ void reportCache(const std::filesystem::path& directory, const FitCache& cache,
   const std::string where = "cache of fits " + directory.string();
   if (cache.rejectedCount() > 0) {
     report.warnings.push_back(
-        {where, std::to_string(cache.rejectedCount()) + " files that are damaged or prove nothing",
+        {where,
+         std::to_string(cache.rejectedCount()) +
+             " files that are damaged, not regular or prove nothing",
          "", "these links are fitted anew"});
   }
   if (!cache.writeFault().empty()) {
@@ -139,6 +142,7 @@ std::vector<LinkFit> fitLinks(const RobotModel& model, const FitSettings& settin
   FitCache cache(settings.cache_directory);
   std::vector<LinkFit> all;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
+    throwIfInterrupted();
     const Link& link = model.links[i];
     const LinkRules rules = settings.rules.empty() ? LinkRules() : settings.rules[i];
     if (link.collisions.empty() && !rules.given) {

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "collision_monitor/geometry/interruption.h"
 #include "setup_parts.h"
 
 namespace collision_monitor {
@@ -41,6 +42,7 @@ std::vector<ListedPair> listBodyPairs(const CycleSetup& setup) {
   const std::vector<std::size_t> first = firstOfLinks(setup.bodies, setup.model.links.size());
   std::vector<ListedPair> listed;
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+    throwIfInterrupted();
     const std::size_t link_a = index(setup.checked[i].a);
     const std::size_t link_b = index(setup.checked[i].b);
     for (std::size_t a = first[link_a]; a < first[link_a + 1]; ++a) {
@@ -80,6 +82,7 @@ void linkBodiesToElements(CycleSetup& setup) {
   const std::vector<std::size_t> starts = listElementPairs(setup);
   setup.element_pair_of.clear();
   for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    throwIfInterrupted();
     const BodyPair& bodies = setup.table.pairs()[i];
     const ElementId a = setup.bodies[index(bodies.a)].element;
     const ElementId b = setup.bodies[index(bodies.b)].element;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "collision_monitor/geometry/convex_hull.h"
+#include "collision_monitor/geometry/interruption.h"
 #include "fitting/closed_surface.h"
 #include "fitting/surrounding_mesh.h"
 #include "pipeline/convex_mesh.h"
@@ -143,6 +144,7 @@ void makeElements(const std::vector<LinkFit>& fits, const ElementSettings& setti
     addShapes(body, body + fit.given.size(), setup);
     body += fit.given.size();
     for (std::size_t i = 0; i < fit.fits.size(); ++i) {
+      throwIfInterrupted();
       const std::size_t first = body;
       body += fit.fits[i].shapes.size();
       if (refine == RefineGeometry::none && !setup.bodies[first].is_exact) {

@@ -121,7 +121,7 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   setup.refine = options.refine.limits;
   setup.refine.distance =
       std::max(setup.refine.distance, options.limits.warning_distance + options.limits.hysteresis);
-  setup.model = readRobots(robots, load_resource, report);
+  setup.model = readRobots(robots, load_resource, report, options.meshes);
   throwIfErrors(report);
 
   const std::vector<SrdfPairs> srdfs = readSrdfs(robots, setup.model, report);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_monitor/model/mesh_reading.h"
 #include "collision_monitor/model/problems.h"
 #include "collision_monitor/model/robot_model.h"
 
@@ -44,8 +45,11 @@ using ResourceLoader = std::function<std::string(const std::string& uri)>;
 ///
 /// Adds every fault found, in all robots, to `report`, each with its line; links without geometry
 /// and oddities that do no harm are warnings, one per kind and robot.
+/// @param reading how meshes are read: by a program of this package, unless it says otherwise
 /// @return an empty model if an error was added: half a model would be checked without a word.
+/// @throws Interrupted
 RobotModel readRobots(const std::vector<RobotDescription>& descriptions,
-                      const ResourceLoader& load_resource, SetupReport& report);
+                      const ResourceLoader& load_resource, SetupReport& report,
+                      const MeshReading& reading = {});
 
 }  // namespace collision_monitor

@@ -106,6 +106,7 @@ struct SetupOptions {
   double padding{0.0};  ///< [m] added to the radius or extents of every shape, >= 0
   FitLimits default_limits{4, 0.01, {}};  ///< of links for which the rules say nothing else
   ShapeRulesText shape_rules;
+  MeshReading meshes;
   RefineOptions refine;
   bool is_continuous{true};  ///< as in CycleSetup
   LookAhead ahead;
@@ -118,6 +119,7 @@ struct SetupOptions {
 
 /// Reads, fits and lists pairs. Everything that is wrong is reported at once.
 /// @throws SetupError
+/// @throws Interrupted
 CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
                       const ResourceLoader& load_resource, const SetupOptions& options);
 

@@ -108,5 +108,64 @@ TEST(DaeReader, daeArrayThatIsTooShort_isAnError) {
             "a.dae: line 1: <accessor> needs 9 numbers of an array of 8");
 }
 
+/// assimp would make room for that many.
+TEST(DaeReader, daeCountThatIsNone_isAnError) {
+  const std::string text = dae("", "<node id='n'>" + kInstance + "</node>");
+  for (const char* count : {"-1", "4294967295", "99999999999999999999", "9.0", "9 9", "many"}) {
+    std::string changed = text;
+    changed.replace(changed.find("count='9'"), 9, "count='" + std::string(count) + "'");
+    EXPECT_EQ(messageOf([&] { readMesh(changed, "a.dae"); }),
+              "a.dae: line 1: <float_array> has the count '" + std::string(count) +
+                  "', which is no number of values that the file can hold");
+  }
+  for (const char* count : {" 9 ", "+9"}) {
+    std::string changed = text;
+    changed.replace(changed.find("count='9'"), 9, "count='" + std::string(count) + "'");
+    EXPECT_EQ(messageOf([&] { readMesh(changed, "a.dae"); }), "no exception") << count;
+  }
+}
+
+/// assimp would follow them until its stack is full.
+TEST(DaeReader, daeNodesWithoutEnd_areErrors) {
+  const std::string other = "<node id='b'><instance_node url='#a'/></node>";
+  for (const std::string& nodes :
+       {std::string("<node id='a'><node><instance_node url='#a'/></node></node>"),
+        "<node id='a'>" + kInstance + "<instance_node url='#a'/></node>",
+        "<node sid='a'>" + kInstance + "<instance_node url='#a'/></node>",
+        "<node id='a'><instance_node url='#b'/></node>" + other}) {
+    EXPECT_EQ(messageOf([&] { readMesh(dae("", nodes), "a.dae"); }),
+              "a.dae: line 1: <node> instances itself")
+        << nodes;
+  }
+}
+
+TEST(DaeReader, daeNodesThatNestTooDeeply_areErrors) {
+  std::string open;
+  std::string close;
+  for (int i = 0; i < 10000; ++i) {
+    open += "<node>";
+    close += "</node>";
+  }
+  EXPECT_NE(messageOf([&] {
+              readMesh(dae("", open + kInstance + close), "a.dae");
+            }).find("a.dae: line 1: elements nest deeper than "),
+            std::string::npos);
+  std::string chain = "<node id='0'>" + kInstance + "</node>";
+  for (int i = 1; i < 10000; ++i) {
+    chain += "<node id='" + std::to_string(i) + "'><instance_node url='#" + std::to_string(i - 1) +
+             "'/></node>";
+  }
+  EXPECT_EQ(messageOf([&] { readMesh(dae("", chain), "a.dae"); }),
+            "a.dae: line 1: <node> nests deeper than 500 nodes");
+}
+
+TEST(DaeReader, daeNodeThatIsInstancedTwice_isReadTwice) {
+  const std::string nodes =
+      "<node id='a'>" + kInstance +
+      "</node><node><translate>1 0 0</translate><instance_node url='#a'/></node>"
+      "<node><translate>2 0 0</translate><instance_node url='#a'/></node>";
+  EXPECT_EQ(readMesh(dae("", nodes), "a.dae").triangles.size(), 3u);
+}
+
 }  // namespace
 }  // namespace collision_monitor::test

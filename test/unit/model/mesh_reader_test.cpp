@@ -3,6 +3,7 @@
 #include "collision_monitor/model/mesh_reader.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -11,6 +12,7 @@
 
 #include "mesh_file.h"
 #include "support/assimp_leaks.h"
+#include "support/scratch_folder.h"
 
 namespace collision_monitor::test {
 namespace {
@@ -101,6 +103,15 @@ TEST(MeshReader, obj_readsObjectsQuadsAndNegativeIndices) {
       "a.obj");
   EXPECT_EQ(mesh.vertices.size(), 7u);
   EXPECT_EQ(mesh.triangles.size(), 3u);
+}
+
+/// assimp would open it, and wait for ever.
+TEST(MeshReader, objWhoseMaterialsAreInAPipe_isReadWithoutThem) {
+  const ScratchFolder folder;
+  const std::filesystem::path pipe = folder.path() / "pipe.mtl";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  expectTheTriangle(readMesh(
+      "mtllib " + pipe.string() + "\nv 0 0 0\nv 1 0 0\nv 0 2 0\nusemtl steel\nf 1 2 3\n", "a.obj"));
 }
 
 TEST(MeshReader, ply_isRead) {

@@ -3,6 +3,7 @@
 #include "pipeline/fit_cache.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <fstream>
@@ -168,6 +169,18 @@ TEST(FitCache, fileThatCannotBeRead_isRefused) {
   FitCache cache(filled.folder.path());
   EXPECT_FALSE(cache.load(filled.key, filled.geometries).has_value());
   EXPECT_EQ(cache.rejectedCount(), 1U);
+}
+
+/// To open one would be to wait for somebody who writes to it.
+TEST(FitCache, fileThatIsAPipe_isRefusedAndReplaced) {
+  const FilledCache filled;
+  fs::remove(filled.file);
+  ASSERT_EQ(mkfifo(filled.file.c_str(), 0600), 0);
+  FitCache cache(filled.folder.path());
+  EXPECT_FALSE(cache.load(filled.key, filled.geometries).has_value());
+  EXPECT_EQ(cache.rejectedCount(), 1U);
+  cache.keep(filled.key, filled.fits, false);
+  EXPECT_TRUE(filled.isHit());
 }
 
 TEST(FitCache, otherVersion_isRefused) {

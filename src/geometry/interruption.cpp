@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/geometry/interruption.h"
+
+#include <utility>
+
+namespace collision_monitor {
+namespace {
+
+/// Of this thread, so that the question need not go through every signature from the set-up down
+/// to the innermost loop of a fit.
+thread_local const GoesOn* asked = nullptr;
+
+}  // namespace
+
+Interruptible::Interruptible(GoesOn goes_on) : goes_on_(std::move(goes_on)), outer_(asked) {
+  asked = goes_on_ ? &goes_on_ : nullptr;
+}
+
+Interruptible::~Interruptible() { asked = outer_; }
+
+void throwIfInterrupted() {
+  if (asked != nullptr && !(*asked)()) {
+    throw Interrupted();
+  }
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "collision_monitor/geometry/triangle_mesh.h"
+#include "collision_monitor/model/mesh_reading.h"
+#include "model/helper_process.h"
+
+namespace collision_monitor {
+
+/// Reads mesh files in a process of its own, which is started for the first of them and serves
+/// all, unless one kills it; or in this one, as the options say.
+class MeshProcess {
+ public:
+  explicit MeshProcess(MeshReading options);
+
+  /// As readMesh, to the last bit.
+  /// @throws std::runtime_error as readMesh; with a sentence that names the file and how the
+  /// process died or which limit it met; where the program of that process is not found.
+  /// @throws Interrupted
+  TriangleMesh read(const std::string& bytes, const std::string& file_name);
+
+ private:
+  MeshReading options_;
+  std::unique_ptr<HelperProcess> helper_;
+};
+
+}  // namespace collision_monitor
