@@ -3,6 +3,7 @@
 #include "collision_monitor/ros_edge/monitor.h"
 
 #include <ros/console.h>
+#include <ros/init.h>
 
 #include <optional>
 
@@ -19,21 +20,22 @@ namespace collision_monitor {
 /// In order of need; they end in the opposite order, services before what they use.
 class Monitor::Parts {
  public:
-  Parts(const ros::NodeHandle& private_node, const std::string& node_name)
+  Parts(const ros::NodeHandle& private_node, const std::string& node_name, const GoesOn& goes_on)
       : clock_feed_(private_node, clock_),
-        runner_(private_node, {store_, joints_, clock_}, makeLoggedSetup(private_node)),
+        runner_(private_node, {store_, joints_, clock_}, makeLoggedSetup(private_node, goes_on)),
         joint_feed_(private_node, joints_, [this] { wakeForJoints(); }),
         diagnostics_(ros::NodeHandle(), private_node, node_name, runner_.statistics(),
                      [this] { return runner_.currentSetup(); }),
-        services_(private_node, {store_, joints_, clock_}, makeHooks()) {
+        services_(private_node, {store_, joints_, clock_}, makeHooks(goes_on)) {
     tellInputs(*runner_.currentSetup());
     feed_.emplace(private_node, store_);
     joint_feed_.listenTo(jointTopics(*runner_.currentSetup()));
   }
 
  private:
-  static std::shared_ptr<const MonitorSetup> makeLoggedSetup(const ros::NodeHandle& private_node) {
-    std::shared_ptr<const MonitorSetup> setup = makeMonitorSetup(private_node);
+  static std::shared_ptr<const MonitorSetup> makeLoggedSetup(const ros::NodeHandle& private_node,
+                                                             const GoesOn& goes_on) {
+    std::shared_ptr<const MonitorSetup> setup = makeMonitorSetup(private_node, goes_on);
     logSetup(*setup);
     return setup;
   }
@@ -59,8 +61,9 @@ class Monitor::Parts {
     }
   }
 
-  ServiceHooks makeHooks() {
+  ServiceHooks makeHooks(const GoesOn& goes_on) {
     ServiceHooks hooks;
+    hooks.goes_on = goes_on;
     hooks.current_setup = [this] { return runner_.currentSetup(); };
     hooks.replace_setup = [this](std::shared_ptr<const MonitorSetup> setup) {
       tellInputs(*setup);
@@ -82,8 +85,10 @@ class Monitor::Parts {
   Services services_;
 };
 
-Monitor::Monitor(const ros::NodeHandle& private_node, const std::string& node_name)
-    : parts_(std::make_unique<Parts>(private_node, node_name)) {}
+Monitor::Monitor(const ros::NodeHandle& private_node, const std::string& node_name,
+                 const GoesOn& goes_on)
+    : parts_(std::make_unique<Parts>(private_node, node_name,
+                                     [goes_on] { return ros::ok() && (!goes_on || goes_on()); })) {}
 
 Monitor::~Monitor() = default;
 

@@ -50,6 +50,8 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     logFailure(error);
     return kFault;
+  } catch (const Interrupted&) {
+    return kDone;  // told to end before it had begun
   }
   return kDone;
 }

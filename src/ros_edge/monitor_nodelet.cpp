@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nodelet/nodelet.h>
 
+#include <atomic>
 #include <memory>
 #include <pluginlib/class_list_macros.hpp>
 #include <thread>
@@ -17,6 +18,7 @@ namespace collision_monitor {
 class MonitorNodelet : public nodelet::Nodelet {
  public:
   ~MonitorNodelet() override {
+    is_ending_ = true;
     if (builder_.joinable()) {
       builder_.join();
     }
@@ -27,14 +29,18 @@ class MonitorNodelet : public nodelet::Nodelet {
     const ros::NodeHandle private_node = getMTPrivateNodeHandle();
     builder_ = std::thread([this, private_node] {
       try {
-        monitor_ = std::make_unique<Monitor>(private_node, getName());
+        monitor_ =
+            std::make_unique<Monitor>(private_node, getName(), [this] { return !is_ending_; });
       } catch (const std::exception& error) {
         logFailure(error);
+      } catch (const Interrupted&) {
+        // Unloaded before it had begun.
       }
     });
   }
 
   std::unique_ptr<Monitor> monitor_;
+  std::atomic<bool> is_ending_{false};
   std::thread builder_;
 };
 

@@ -6,6 +6,7 @@
 #include <ros/console.h>
 
 #include <chrono>
+#include <utility>
 
 #include "collision_monitor/ros_edge/resource_loader.h"
 #include "collision_monitor/ros_edge/transform_store.h"
@@ -49,7 +50,9 @@ std::vector<std::string> frameNames(const MonitorSetup& setup) {
   return names;
 }
 
-std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node) {
+std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node,
+                                                     GoesOn goes_on) {
+  const Interruptible interruptible(std::move(goes_on));
   SetupReport report;
   const std::string& where = private_node.getNamespace();
   XmlRpc::XmlRpcValue values;
@@ -59,7 +62,7 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   // With broken parameters it is not known which robots to wait for.
   throwIfErrors(report);
 
-  const ResourceLoader load_resource = makeResourceLoader();
+  const ResourceLoader load_resource = makeResourceLoader(made->parameters.loading);
   const std::vector<RobotDescription> descriptions =
       loadDescriptions(private_node, made->parameters, load_resource, report);
   SetupOptions options = loadSetupOptions(made->parameters, load_resource, report);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_monitor/geometry/interruption.h"
 #include "collision_monitor/pipeline/setup.h"
 #include "collision_monitor/ros_edge/parameters.h"
 
@@ -28,6 +29,8 @@ std::vector<std::string> frameNames(const MonitorSetup& setup);
 
 /// Reads parameters and descriptions anew and builds the set-up. May wait for descriptions.
 /// @throws SetupError with every problem of parameters, URDFs and SRDFs.
-std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node);
+/// @throws Interrupted where `goes_on` said no
+std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node,
+                                                     GoesOn goes_on);
 
 }  // namespace collision_monitor

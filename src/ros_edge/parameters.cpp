@@ -7,6 +7,7 @@
 #include <array>
 #include <string>
 
+#include "ros_edge/file_parameters.h"
 #include "ros_edge/parameter_struct.h"
 
 namespace collision_monitor {
@@ -219,6 +220,10 @@ Parameters readParameters(const XmlRpcValue& values, const std::string& where,
   }
   if (const XmlRpcValue* pairs = fields.find("ignore_pairs")) {
     parameters.setup.ignored_pairs = readPairs(*pairs, fields.pathOf("ignore_pairs"), report);
+  }
+  if (const XmlRpcValue* files = fields.find("files")) {
+    readFileParameters(*files, fields.pathOf("files"), parameters.loading, parameters.setup.meshes,
+                       report);
   }
   fields.read("mesh_directory", parameters.mesh_directory);
   fields.read("obey_up_axis", parameters.obey_up_axis);

@@ -2,35 +2,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/ros_edge/resource_loader.h"
 
-#include <resource_retriever/retriever.h>
 #include <ros/package.h>
 
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+
+#include "ros_edge/downloads.h"
 
 namespace collision_monitor {
 namespace {
 
-enum class Percent { is_a_letter, begins_an_escape };
+std::optional<unsigned> hexDigit(char c) {
+  const std::string digits = "0123456789abcdef0123456789ABCDEF";
+  const std::size_t place = digits.find(c);
+  return place == std::string::npos ? std::nullopt
+                                    : std::optional<unsigned>(static_cast<unsigned>(place % 16));
+}
 
-/// A path as a URL may hold it (RFC 3986, 2.1 and 2.3). curl refuses blanks and all that is not
-/// ASCII.
-std::string escaped(const std::string& path, Percent percent) {
-  constexpr const char* kDigits = "0123456789ABCDEF";
-  const std::string kept = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+/// Of a URI, whose %XX are escapes (RFC 3986, 2.1); other % are letters.
+std::string unescaped(const std::string& path) {
   std::string text;
-  for (const char c : path) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (kept.find(c) != std::string::npos || (c == '%' && percent == Percent::begins_an_escape)) {
-      text += c;
-    } else {
-      text += {'%', kDigits[byte / 16], kDigits[byte % 16]};
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (path[i] == '%' && i + 2 < path.size()) {
+      const std::optional<unsigned> high = hexDigit(path[i + 1]);
+      const std::optional<unsigned> low = hexDigit(path[i + 2]);
+      if (high && low) {
+        text += static_cast<char>(16 * *high + *low);
+        i += 2;
+        continue;
+      }
     }
+    text += path[i];
+  }
+  if (text.find('\0') != std::string::npos) {
+    throw std::runtime_error("'" + path + "' holds %00, which no path does");
   }
   return text;
+}
+
+/// Of "file:", without it: "///path", "//localhost/path" or "/path".
+std::string pathOfFileUri(const std::string& rest) {
+  if (rest.rfind("//", 0) != 0) {
+    return unescaped(rest);
+  }
+  const std::size_t slash = std::min(rest.find('/', 2), rest.size());
+  const std::string computer = rest.substr(2, slash - 2);
+  if (!computer.empty() && computer != "localhost" && computer != "127.0.0.1") {
+    throw std::runtime_error("'file:" + rest + "' names the computer '" + computer +
+                             "'; a file of this one is file:///PATH");
+  }
+  return unescaped(rest.substr(slash));
 }
 
 using Folders = std::map<std::string, std::string>;  ///< of packages, by name; "": not found
@@ -47,36 +72,60 @@ std::string packageFolder(const std::string& name, Folders& folders) {
   return place->second;
 }
 
-/// curl knows neither plain paths nor packages.
-std::string urlOf(const std::string& uri, Folders& folders) {
-  const std::string file = "file://";
-  const std::string package = "package://";
-  if (uri.rfind('/', 0) == 0) {
-    return file + escaped(uri, Percent::is_a_letter);
-  }
-  if (uri.rfind(file, 0) == 0) {
-    return file + escaped(uri.substr(file.size()), Percent::begins_an_escape);
-  }
-  if (uri.rfind(package, 0) == 0) {
-    const std::string path = uri.substr(package.size());
-    const std::size_t slash = std::min(path.find('/'), path.size());
-    return file + escaped(packageFolder(path.substr(0, slash), folders), Percent::is_a_letter) +
-           escaped(path.substr(slash), Percent::begins_an_escape);
-  }
-  if (uri.find(':') == std::string::npos) {
-    // curl would take its first folder for a computer and ask the network for it.
-    throw std::runtime_error("'" + uri + "' is no absolute path and no URI");
-  }
-  return uri;
+/// Of "package://", without it.
+std::string pathInPackage(const std::string& rest, Folders& folders) {
+  const std::size_t slash = std::min(rest.find('/'), rest.size());
+  return packageFolder(rest.substr(0, slash), folders) + unescaped(rest.substr(slash));
 }
+
+/// In small letters, as they count.
+std::string schemeOf(const std::string& uri) {
+  std::string scheme = uri.substr(0, uri.find(':'));
+  std::transform(scheme.begin(), scheme.end(), scheme.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return scheme;
+}
+
+/// One set-up's way to its files.
+class Loader {
+ public:
+  explicit Loader(const LoadRules& rules) : rules_(rules), downloads_(rules) {}
+
+  std::string load(const std::string& uri) {
+    if (uri.rfind('/', 0) == 0) {
+      return readRegularFile(uri, rules_.max_size);
+    }
+    if (uri.find(':') == std::string::npos) {
+      throw std::runtime_error("'" + uri + "' is no absolute path and no URI");
+    }
+    const std::string scheme = schemeOf(uri);
+    const std::string rest = uri.substr(scheme.size() + 1);
+    if (scheme == "file") {
+      return readRegularFile(pathOfFileUri(rest), rules_.max_size);
+    }
+    if (scheme == "package" && rest.rfind("//", 0) == 0) {
+      return readRegularFile(pathInPackage(rest.substr(2), folders_), rules_.max_size);
+    }
+    if (std::find(rules_.schemes.begin(), rules_.schemes.end(), scheme) == rules_.schemes.end()) {
+      throw std::runtime_error(
+          "'" + uri + "' has the scheme '" + scheme +
+          "', which only the parameter files/schemes, or --scheme of a program, can allow");
+    }
+    return downloads_.load(uri);
+  }
+
+ private:
+  LoadRules rules_;
+  Folders folders_;
+  Downloads downloads_;
+};
 
 }  // namespace
 
-ResourceLoader makeResourceLoader() {
-  auto retriever = std::make_shared<resource_retriever::Retriever>();
-  return [retriever, folders = Folders()](const std::string& uri) mutable {
-    const resource_retriever::MemoryResource resource = retriever->get(urlOf(uri, folders));
-    return std::string(resource.data.get(), resource.data.get() + resource.size);
+ResourceLoader makeResourceLoader(const LoadRules& rules) {
+  return [loader = std::make_shared<Loader>(rules)](const std::string& uri) {
+    return loader->load(uri);
   };
 }
 

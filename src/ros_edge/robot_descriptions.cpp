@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/robot_descriptions.h"
 
-#include <ros/init.h>
 #include <ros/names.h>
 
 #include <string>
 
+#include "collision_monitor/geometry/interruption.h"
 #include "ros_edge/name_beside.h"
 
 namespace collision_monitor {
@@ -40,7 +40,8 @@ bool waitForParameter(const ros::NodeHandle& node, const std::string& name,
     if (node.searchParam(name, resolved) && node.getParam(resolved, text) && !text.empty()) {
       return true;
     }
-    if (!ros::ok() || ros::WallTime::now() >= deadline) {
+    throwIfInterrupted();
+    if (ros::WallTime::now() >= deadline) {
       return false;
     }
     ros::WallDuration(kPollPeriod).sleep();
@@ -67,7 +68,7 @@ RobotDescription fromParameter(const ros::NodeHandle& node, const RobotSource& r
     std::string resolved;
     node.searchParam(name, resolved);
     description.source = "parameter " + resolved;
-  } else if (ros::ok()) {
+  } else {
     report.errors.push_back(
         {"robot '" + robot.name + "'",
          "no URDF in " + description.source + " nor under the same name in a namespace above",

@@ -32,7 +32,7 @@ Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, Se
 Services::~Services() { background_.end(); }
 
 /// Whether a long call may go on.
-bool Services::goesOn() const { return ros::ok() && !background_.isEnding(); }
+bool Services::goesOn() const { return hooks_.goes_on() && !background_.isEnding(); }
 
 NewestState Services::newestState(const MonitorSetup& current) const {
   const RobotModel& model = current.setup.model;
@@ -101,13 +101,16 @@ bool Services::reload(std_srvs::Trigger::Request& /*request*/,
     return true;
   }
   try {
-    const std::shared_ptr<const MonitorSetup> made = makeMonitorSetup(private_node_);
+    const std::shared_ptr<const MonitorSetup> made =
+        makeMonitorSetup(private_node_, [this] { return goesOn(); });
     hooks_.replace_setup(made);
     logSetup(*made);
     response.message = summaryOf(*made);
     response.success = 1;
   } catch (const std::exception& error) {
     response.message = std::string("nothing was changed: ") + error.what();
+  } catch (const Interrupted&) {
+    response.message = "nothing was changed: the monitor ends";
   }
   return true;
 }

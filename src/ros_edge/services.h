@@ -26,6 +26,7 @@ struct ServiceHooks {
   std::function<std::shared_ptr<const MonitorSetup>()> current_setup;
   std::function<void(std::shared_ptr<const MonitorSetup>)> replace_setup;
   std::function<void(bool)> set_enabled;
+  GoesOn goes_on;  ///< whether long calls may
 };
 
 /// get_distances, check_trajectory, check_states, set_enabled and reload, beside the cycle and

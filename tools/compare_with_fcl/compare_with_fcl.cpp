@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
+#include "collision_monitor/model/regular_file.h"
 #include "collision_monitor/ros_edge/resource_loader.h"
 #include "comparison.h"
 #include "exact_comparison.h"
@@ -20,21 +19,11 @@ constexpr int kDone = 0;
 constexpr int kFault = 1;
 constexpr int kUsageFault = 2;
 
-std::string readFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw std::runtime_error("cannot read '" + path + "'");
-  }
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 RobotDescription describe(const std::string& urdf, const std::string& srdf) {
   RobotDescription description;
   description.source = urdf;
-  description.urdf_xml = readFile(urdf);
-  description.srdf_xml = srdf.empty() ? "" : readFile(srdf);
+  description.urdf_xml = readRegularFile(urdf);
+  description.srdf_xml = srdf.empty() ? "" : readRegularFile(srdf);
   description.directory = std::filesystem::absolute(urdf).parent_path().string();
   return description;
 }

@@ -78,8 +78,7 @@ int run(const Options& options) {
   const auto show = [&](const std::string& link, std::size_t done, std::size_t total) {
     progress.show("fitting", link, done, total);
   };
-  const FittedRobot robot =
-      fitRobot(description, makeLoader(options.source.package_roots), request, show);
+  const FittedRobot robot = fitRobot(description, makeLoader(options.source), request, show);
   warn(robot.report.warnings);
   std::fputs(tableOf(robot).c_str(), stdout);
   const std::vector<OutputFile> files = makeOutputs(options, description, robot, progress);

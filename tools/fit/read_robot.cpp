@@ -6,15 +6,13 @@
 #include <ros/param.h>
 #include <tinyxml2.h>
 
-#include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <optional>
 #include <stdexcept>
-#include <system_error>
 
+#include "collision_monitor/model/regular_file.h"
 #include "collision_monitor/ros_edge/resource_loader.h"
 
 namespace collision_monitor::fit_tool {
@@ -37,14 +35,16 @@ std::string readParameter(const std::string& name, SetupReport& report) {
 }
 
 /// By its package.xml: a checkout may have any name.
-bool isPackage(const fs::path& folder, const std::string& name) {
+bool isPackage(const fs::path& folder, const std::string& name) try {
   tinyxml2::XMLDocument document;
-  if (document.LoadFile((folder / "package.xml").c_str()) != tinyxml2::XML_SUCCESS ||
+  if (document.Parse(readRegularFile(folder / "package.xml").c_str()) != tinyxml2::XML_SUCCESS ||
       document.RootElement() == nullptr) {
     return false;
   }
   const tinyxml2::XMLElement* element = document.RootElement()->FirstChildElement("name");
   return element != nullptr && element->GetText() != nullptr && element->GetText() == name;
+} catch (const std::runtime_error&) {
+  return false;  // no such file
 }
 
 /// Where a root has the package of `uri`, the file in it, whether it is there or not; a file that
@@ -77,28 +77,14 @@ std::optional<std::string> findInRoots(const std::string& uri,
 
 }  // namespace
 
-std::string readFile(const std::string& path) {
-  if (fs::is_directory(path)) {
-    throw std::runtime_error("it is a folder");
-  }
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    throw std::runtime_error(
-        std::error_code(errno == 0 ? EIO : errno, std::generic_category()).message());
-  }
-  return textOf(stream);
-}
-
 std::string readInput(const std::string& what, const std::string& path, SetupReport& report) {
   if (path.empty()) {
     return "";
   }
   try {
-    return readFile(path);
+    return readRegularFile(path);
   } catch (const std::runtime_error& fault) {
-    report.errors.push_back(
-        {what, "'" + path + "' cannot be read: " + fault.what(), "a file that can be read"});
+    report.errors.push_back({what, fault.what(), "a file that can be read"});
     return "";
   }
 }
@@ -124,13 +110,16 @@ ShapeRulesText readRules(const std::string& path, SetupReport& report) {
   return {path, readInput("option --rules", path, report)};
 }
 
-ResourceLoader makeLoader(const std::vector<std::string>& package_roots) {
-  return [package_roots, load = makeResourceLoader()](const std::string& uri) {
+ResourceLoader makeLoader(const RobotSource& source) {
+  LoadRules rules;
+  rules.schemes = source.schemes;
+  return [package_roots = source.package_roots,
+          load = makeResourceLoader(rules)](const std::string& uri) {
     const std::optional<std::string> found = findInRoots(uri, package_roots);
     if (found && !fs::exists(*found)) {
       throw std::runtime_error("no file '" + *found + "'");
     }
-    return found ? readFile(*found) : load(uri);
+    return found ? readRegularFile(*found) : load(uri);
   };
 }
 

@@ -8,10 +8,6 @@
 
 namespace collision_monitor::fit_tool {
 
-/// The bytes of a file.
-/// @throws std::runtime_error with the reason when it cannot be read
-std::string readFile(const std::string& path);
-
 /// The robot's URDF. What cannot be read is added to `report`.
 RobotDescription readDescription(const RobotSource& source, SetupReport& report);
 
@@ -23,7 +19,7 @@ std::string readInput(const std::string& what, const std::string& path, SetupRep
 ShapeRulesText readRules(const std::string& path, SetupReport& report);
 
 /// Looks for package:// names in folders that hold packages or are one, in their order, then where
-/// ROS does; takes other names as they are.
-ResourceLoader makeLoader(const std::vector<std::string>& package_roots);
+/// ROS does; takes other names as they are. Limits are those of the monitor.
+ResourceLoader makeLoader(const RobotSource& source);
 
 }  // namespace collision_monitor::fit_tool

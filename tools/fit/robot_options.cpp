@@ -20,6 +20,12 @@ void addRobotOptions(CLI::App& app, RobotSource& source) {
       ->allow_extra_args(false)
       ->type_name("FOLDER")
       ->group(group);
+  app.add_option("--scheme", source.schemes,
+                 "by which meshes may be fetched, as http; may be given several times;\n"
+                 "without it only files and packages are read")
+      ->allow_extra_args(false)
+      ->type_name("NAME")
+      ->group(group);
 }
 
 void checkOneRobot(const RobotSource& source) {

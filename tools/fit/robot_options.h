@@ -16,6 +16,7 @@ struct RobotSource {
   std::string urdf;       ///< file, or "-" for standard input
   std::string parameter;  ///< in place of the file
   std::vector<std::string> package_roots;
+  std::vector<std::string> schemes;  ///< as LoadRules::schemes
 };
 
 constexpr int kUsageFault = 2;  ///< exit code

@@ -54,8 +54,7 @@ CycleSetup makeSetup(const Options& options, const RobotDescription& description
   setup_options.fit_progress = [&](const std::string& link, std::size_t done, std::size_t total) {
     progress.show("fitting", link, done, total);
   };
-  return buildSetup({description}, fit_tool::makeLoader(options.source.package_roots),
-                    setup_options);
+  return buildSetup({description}, fit_tool::makeLoader(options.source), setup_options);
 }
 
 /// What it says of pairs, the table says better.

@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "collision_monitor/geometry/interruption.h"
+
 namespace collision_monitor {
 
 /// The whole monitor: reads its parameters and the robots, follows tf on roscpp's network thread,
@@ -16,9 +18,12 @@ namespace collision_monitor {
 class Monitor {
  public:
   /// Returns when the set-up is built and the cycle runs; may wait for robot descriptions.
-  /// `node_name` is what diagnostics call it.
+  /// `node_name` is what diagnostics call it. Set-ups, this one and those of reloads, are given up
+  /// when ROS shuts down or `goes_on`, which may be empty, says no.
   /// @throws SetupError with every problem of parameters, URDFs and SRDFs.
-  Monitor(const ros::NodeHandle& private_node, const std::string& node_name);
+  /// @throws Interrupted where the set-up was given up
+  Monitor(const ros::NodeHandle& private_node, const std::string& node_name,
+          const GoesOn& goes_on = {});
   ~Monitor();
   Monitor(const Monitor&) = delete;
   Monitor& operator=(const Monitor&) = delete;

@@ -9,6 +9,7 @@
 
 #include "collision_monitor/model/problems.h"
 #include "collision_monitor/pipeline/run_cycle.h"
+#include "collision_monitor/ros_edge/resource_loader.h"
 
 namespace collision_monitor {
 
@@ -37,6 +38,7 @@ enum class PoseSource : unsigned char {
 struct Parameters {
   std::vector<RobotSource> robots;  ///< empty: robot_description
   std::string mesh_directory;       ///< for relative mesh names of URDFs that are not files
+  LoadRules loading;                ///< of robots, meshes and rules; that of meshes is in `setup`
   bool obey_up_axis{false};         ///< as RobotDescription::obeys_up_axis
   std::string world_frame;          ///< empty: the root link of the first robot
   double rate{100.0};               ///< [Hz]
