@@ -94,7 +94,7 @@ Edit insertionAtEnd(const std::string& text, const SrdfPlaces& places,
   }
   std::string lines;
   for (const std::string& element : elements) {
-    lines += lineEndOf(text) + indent + element;
+    lines.append(lineEndOf(text)).append(indent).append(element);
   }
   if (places.is_root_empty) {
     return {{places.root_end, places.root_end + 2},

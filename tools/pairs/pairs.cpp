@@ -23,7 +23,7 @@ constexpr int kInputFault = 1;
 
 std::string readSrdfText(const Options& options, const std::string& robot_name,
                          SetupReport& report) {
-  const std::string text = fit_tool::readInput("option --write-srdf", options.write_srdf, report);
+  std::string text = fit_tool::readInput("option --write-srdf", options.write_srdf, report);
   if (report.errors.empty()) {
     checkMergeable(options.write_srdf, text, robot_name, report);
   }
