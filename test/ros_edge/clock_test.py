@@ -83,7 +83,7 @@ class ClockTest(unittest.TestCase):
         """The clock repeats its time, as when it is paused, but poses of later times come."""
         simulation.runs_ahead = True
         probe.wait_for_level(State.UNKNOWN, "but transforms or joint states of later times come")
-        self.assertFalse(probe.is_valid.data)
+        probe.wait(lambda: not probe.is_valid.data, "state_is_valid false")
         simulation.runs_ahead = False
         simulation.now += simulation.ahead
         simulation.ahead = 0.0

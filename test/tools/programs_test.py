@@ -7,6 +7,7 @@ COLLISION_MONITOR_FIT, _PAIRS, _MONITOR, _TWO_CAPSULES and _COMPARE name the pro
 import os
 import pathlib
 import subprocess
+import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -73,8 +74,12 @@ class CompareWithFcl(unittest.TestCase):
         result = run(PROGRAMS["COMPARE"], ROOT / "urdf/two_boxes.urdf", "--poses", 0)
         self.assertEqual(result.returncode, 2)
         self.assertNotIn("agrees", result.stdout)
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        urdf = pathlib.Path(folder.name, "one_link.urdf")
+        urdf.write_text(ONE_LINK)
         for options in ((), ("--exact",)):
-            result = run(PROGRAMS["COMPARE"], "/dev/stdin", "--poses", 3, *options, text=ONE_LINK)
+            result = run(PROGRAMS["COMPARE"], urdf, "--poses", 3, *options)
             self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
             self.assertIn("nothing to compare", result.stderr)
             self.assertNotIn("agrees", result.stdout)
