@@ -109,11 +109,10 @@ void reportCache(const std::filesystem::path& directory, const FitCache& cache,
                  SetupReport& report) {
   const std::string where = "cache of fits " + directory.string();
   if (cache.rejectedCount() > 0) {
-    report.warnings.push_back(
-        {where,
-         std::to_string(cache.rejectedCount()) +
-             " files that are damaged, not regular or prove nothing",
-         "", "these links are fitted anew"});
+    report.warnings.push_back({where,
+                               std::to_string(cache.rejectedCount()) +
+                                   " files that are damaged, not regular or prove nothing",
+                               "", "these links are fitted anew"});
   }
   if (!cache.writeFault().empty()) {
     report.warnings.push_back({where, "cannot be written: " + cache.writeFault(), "",

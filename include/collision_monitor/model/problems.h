@@ -11,9 +11,10 @@ namespace collision_monitor {
 /// One fault of the user's input: the place, what stands there, and what may stand there or what to
 /// make of it.
 struct Problem {
-  std::string where;     ///< "robot.urdf line 42, link 'arm', collision 2"
-  std::string found;     ///< "box size '0.1 -0.2 0.3'"
-  std::string accepted;  ///< "three numbers greater than 0, in metres"; "" where that is no question
+  std::string where;  ///< "robot.urdf line 42, link 'arm', collision 2"
+  std::string found;  ///< "box size '0.1 -0.2 0.3'"
+  std::string
+      accepted;  ///< "three numbers greater than 0, in metres"; "" where that is no question
   std::string advice{};  ///< "they are taken as unlimited": what was done, or what the user can do
 };
 

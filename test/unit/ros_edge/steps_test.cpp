@@ -36,10 +36,11 @@ TEST_F(StepsTest, stepOverTheCap_isAWarningThatSaysWhatCoversIt) {
   EXPECT_NEAR(moved(setup_, 0.15).step_cap, 0.4 / 5.0, 1e-9);
   EXPECT_EQ(moved(setup_, 0.15).step_warning, "");
   EXPECT_NEAR(moved(setup_, 1.5).step_cap, 0.4 / 50.0, 1e-9);
-  EXPECT_EQ(moved(setup_, 1.5).step_warning,
-            "from pose to pose, every 30.0 ms, base and tool come farther past each other than they "
-            "are thick; the monitor looks at the way between the poses, so nothing is missed "
-            "(without that they would be needed every 8.0 ms)");
+  EXPECT_EQ(
+      moved(setup_, 1.5).step_warning,
+      "from pose to pose, every 30.0 ms, base and tool come farther past each other than they "
+      "are thick; the monitor looks at the way between the poses, so nothing is missed "
+      "(without that they would be needed every 8.0 ms)");
   auto not_continuous = std::make_shared<MonitorSetup>(*setup_);
   not_continuous->setup.is_continuous = false;
   EXPECT_EQ(moved(not_continuous, 1.5).step_warning,
