@@ -75,6 +75,9 @@ std::string packageFolder(const std::string& name, Folders& folders) {
 /// Of "package://", without it.
 std::string pathInPackage(const std::string& rest, Folders& folders) {
   const std::size_t slash = std::min(rest.find('/'), rest.size());
+  if (slash == 0) {
+    throw std::runtime_error("'package://" + rest + "' has a slash too many before the package");
+  }
   return packageFolder(rest.substr(0, slash), folders) + unescaped(rest.substr(slash));
 }
 

@@ -85,6 +85,11 @@ std::string faultOfLoading(const std::string& uri, const LoadRules& rules = {}) 
   return "no fault";
 }
 
+TEST(ResourceLoader, slashBeforeThePackage_isNamed) {
+  EXPECT_EQ(faultOfLoading("package:///robot/a.stl"),
+            "'package:///robot/a.stl' has a slash too many before the package");
+}
+
 TEST(ResourceLoader, fileUris_mayNameThisComputerAndNoOther) {
   const test::ScratchFolder folder;
   const std::string path = (folder.path() / "a.stl").string();
