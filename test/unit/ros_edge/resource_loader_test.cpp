@@ -85,49 +85,6 @@ std::string faultOfLoading(const std::string& uri, const LoadRules& rules = {}) 
   return "no fault";
 }
 
-TEST(ResourceLoader, fileUris_mayHoldEscapesOrTheLettersThemselves) {
-  const test::ScratchFolder folder;
-  write(folder.path() / kOddName, "here");
-  const std::string start = "file://" + folder.path().string() + "/";
-  EXPECT_EQ(makeResourceLoader()(start + kOddName), "here");
-  EXPECT_EQ(makeResourceLoader()(start + "my%20part%20%C3%BC%20%231.stl"), "here");
-}
-
-TEST(ResourceLoader, packages_mayHoldThemToo) {
-  const test::ScratchFolder folder;
-  const std::filesystem::path package = folder.path() / "my workspace" / "odd_package";
-  write(package / "package.xml", "<package><name>odd_package</name></package>");
-  write(package / "meshes" / kOddName, "here");
-  setenv("ROS_PACKAGE_PATH", package.parent_path().c_str(), 1);
-  EXPECT_EQ(makeResourceLoader()("package://odd_package/meshes/" + kOddName), "here");
-  EXPECT_EQ(makeResourceLoader()("package://odd_package/meshes/my%20part%20%C3%BC%20%231.stl"),
-            "here");
-}
-
-TEST(ResourceLoader, whatIsNotThere_isNamed) {
-  for (const auto& [uri, part] :
-       {std::pair("package://no_such_package/a.stl", "'no_such_package'"),
-        std::pair("package:///a.stl", "a slash too many"),
-        std::pair("urdf/arm.urdf", "'urdf/arm.urdf' is no absolute path"),
-        std::pair("/no such folder/a.stl", "'/no such folder/a.stl' cannot be read")}) {
-    try {
-      makeResourceLoader()(uri);
-      ADD_FAILURE() << uri;
-    } catch (const std::exception& error) {
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-    }
-  }
-}
-
-std::string faultOfLoading(const std::string& uri, const LoadRules& rules = {}) {
-  try {
-    makeResourceLoader(rules)(uri);
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "no fault";
-}
-
 TEST(ResourceLoader, slashBeforeThePackage_isNamed) {
   EXPECT_EQ(faultOfLoading("package:///robot/a.stl"),
             "'package:///robot/a.stl' has a slash too many before the package");
