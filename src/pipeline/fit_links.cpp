@@ -9,6 +9,7 @@
 
 #include "collision_monitor/fitting/covering.h"
 #include "collision_monitor/geometry/interruption.h"
+#include "pipeline/fill_hollow.h"
 #include "pipeline/fit_cache.h"
 
 namespace collision_monitor {
@@ -101,6 +102,9 @@ void fitLink(const Link& link, const FitLimits& limits, FitCache& cache, LinkFit
   } else {
     fit.source = FitSource::fitted;
     fit.fits = fitGeometries(geometries, limits);
+  }
+  for (std::size_t i = 0; i < geometries.size(); ++i) {
+    fillHollow(geometries[i], limits.kinds, fit.fits[i]);
   }
   cache.keep(key, fit.fits, fit.source == FitSource::cached);
 }

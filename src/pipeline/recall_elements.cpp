@@ -39,8 +39,9 @@ ElementDistance recallElements(const LastMeasurement& last, const PlacedElement&
   if (recalled.quality == Quality::exact || recalled.quality == Quality::lower_bound) {
     recalled.quality = Quality::lower_bound;
     // What has gone far enough to be inside an open mesh is no longer known to be apart.
-    recalled.measured.distance =
-        std::min(recalled.measured.distance, recalled.outside) - motionSince(last, a, b, balls);
+    const double motion = motionSince(last, a, b, balls);
+    recalled.measured.distance = std::min(recalled.measured.distance, recalled.outside) - motion;
+    recalled.outside -= motion;
   } else {
     recalled.quality = Quality::unknown;
   }

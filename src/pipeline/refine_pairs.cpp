@@ -6,6 +6,7 @@
 #include <limits>
 #include <tuple>
 
+#include "geometry/constants.h"
 #include "pipeline/recall_elements.h"
 
 namespace collision_monitor {
@@ -49,7 +50,7 @@ void listTasks(const Refinement& all) noexcept {
     if (work.task_of[pair] == kNone) {
       work.task_of[pair] = static_cast<std::uint32_t>(work.tasks.size());
       const std::uint32_t waited = all.memory.refined[pair].waited;
-      work.tasks.push_back({pair, i, distance.measured.distance, waited});
+      work.tasks.push_back({pair, i, distance.measured.distance, waited, kInfinity});
     }
     RefineTask& task = work.tasks[work.task_of[pair]];
     if (distance.measured.distance < task.bound) {
@@ -166,8 +167,9 @@ ElementDistance measureTask(const Refinement& all, const RefineTask& task, const
   return found;
 }
 
-void report(const Refinement& all, const RefineTask& task, const ElementDistance& found) noexcept {
+void report(const Refinement& all, RefineTask& task, const ElementDistance& found) noexcept {
   RefineWork& work = all.work;
+  task.outside = found.outside;
   PairDistance& distance = all.distances.measured[task.place];
   takeOver(found, distance);
   work.is_measured[task.pair] = 1;
@@ -194,7 +196,7 @@ void decideContact(const Refinement& all, const RefineTask& task) noexcept {
   }
 }
 
-void refine(const Refinement& all, const RefineTask& task) noexcept {
+void refine(const Refinement& all, RefineTask& task) noexcept {
   std::uint32_t& waited = all.memory.refined[task.pair].waited;
   const Goal goal{enoughFor(all, task), all.work.limits.budget};
   ElementDistance found = recallTask(all, task);
@@ -253,7 +255,7 @@ void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemor
   for (const RefineTask& task : work.tasks) {
     decideContact(all, task);
   }
-  for (const RefineTask& task : work.tasks) {
+  for (RefineTask& task : work.tasks) {
     if (isSettled(all, task)) {
       memory.refined[task.pair].waited = 0;
     } else {

@@ -47,7 +47,8 @@ bool mayHaveMet(const Sweeping& all, const PairDistance& distance) noexcept {
   if (all.isOfElements(distance.pair)) {
     const ElementPairIndex index_of = all.setup.element_pair_of[index(distance.pair)];
     const ElementPair& pair = all.setup.element_pairs[index_of];
-    return distance.measured.distance - contactOfElements(all.setup, index_of) <=
+    const double outside = all.refined.tasks[all.refined.task_of[index_of]].outside;
+    return std::min(distance.measured.distance - contactOfElements(all.setup, index_of), outside) <=
            work.element_reach[index(pair.a)] + work.element_reach[index(pair.b)];
   }
   const BodyPair& bodies = all.setup.table[distance.pair];

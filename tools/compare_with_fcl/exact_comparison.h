@@ -26,7 +26,7 @@ struct ExactComparison {
 };
 
 /// Random joint values as in compareWithFcl. The truth is FCL's: meshes as BVHModel<OBBRSS>, the
-/// rest as its shapes; and where it sees no contact, whether a closed mesh holds a point of the
+/// rest as its shapes; and where it sees no contact, whether a mesh holds a point of the
 /// other, for FCL's meshes have no inside. Distances within kTolerance of 0 are right either way.
 /// @pre the set-up is refined to meshes and has neither padding nor given shapes.
 ExactComparison compareExactly(const CycleSetup& setup, const ComparisonOptions& options);

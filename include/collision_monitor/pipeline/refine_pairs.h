@@ -23,6 +23,8 @@ struct RefineTask {
   std::uint32_t place{0};   ///< in PairDistances: its nearest bodies
   double bound{0.0};        ///< [m] their distance
   std::uint32_t waited{0};  ///< as RefineMemory::waited
+  /// [m] as ElementDistance::outside, where it was measured
+  double outside{std::numeric_limits<double>::infinity()};
 };
 
 /// What refinePairs works with and tells, sized at set-up.

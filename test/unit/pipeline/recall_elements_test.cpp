@@ -30,6 +30,15 @@ class RecallElements : public testing::Test {
   LastMeasurement last_;
 };
 
+TEST_F(RecallElements, nearTheHoleOfAMesh_noMoreThanTheWayThere) {
+  last_.found.outside = 0.05;
+  const ElementDistance recalled = recall(Pose(), at(0.5, 0.02, 0));
+  EXPECT_EQ(recalled.quality, Quality::lower_bound);
+  EXPECT_NEAR(recalled.measured.distance, 0.03, 1e-9);
+  EXPECT_NEAR(recalled.outside, 0.03, 1e-9);
+  EXPECT_EQ(recall(Pose(), at(0.5, 0, 0)).measured.distance, 0.3);
+}
+
 TEST_F(RecallElements, nothingMoved_theSameAtNoCost) {
   const ElementDistance recalled = recall(Pose(), at(0.5, 0, 0));
   EXPECT_EQ(recalled.quality, Quality::exact);
