@@ -4,47 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <sstream>
-#include <stdexcept>
+#include <cmath>
 #include <utility>
 
-#include "collision_monitor/pipeline/check_trajectory.h"
-#include "collision_monitor/pipeline/search_pairs.h"
-#include "pipeline/states_block.h"
+#include "open_torso.h"
 #include "refine_scene.h"
 #include "support/sample_meshes.h"
-#include "support/urdf_text.h"
 
-// What is inside a mesh that is not closed, in all that is asked of robots.
+// What is inside a mesh that is not closed, from cycle to cycle.
 namespace collision_monitor::test::open_meshes {
 namespace {
-
-/// A torso of 0.6 m with four holes of one triangle: twelve edges are open.
-TriangleMesh torso() {
-  TriangleMesh mesh = sphereMesh(0.3, 24);
-  for (const std::size_t hole : {700, 500, 300, 100}) {
-    mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(hole));
-  }
-  return mesh;
-}
-
-/// Open above, 0.4 m wide.
-TriangleMesh bin() {
-  TriangleMesh mesh = boxMesh({0.2, 0.2, 0.2});
-  TriangleMesh open{mesh.vertices, {}};
-  for (const auto& t : mesh.triangles) {
-    const double height =
-        mesh.vertices[t[0]].z() + mesh.vertices[t[1]].z() + mesh.vertices[t[2]].z();
-    if (height < 0.55) {
-      open.triangles.push_back(t);
-    }
-  }
-  return open;
-}
-
-/// A forearm that no convex geometry stands for.
-TriangleMesh forearm() { return moved(scaled(angleMesh(), 0.2), {}, {-0.02, -0.02, 0}); }
 
 std::vector<Geometry> forearms() {
   return {forearm(),           boxMesh({0.05, 0.03, 0.03}), Sphere{0.05},
@@ -162,117 +131,6 @@ TEST(OpenMeshes, besideAroundAndAboveSheetsAndBins_isNoContact) {
     EXPECT_NE(scene.buffers.events.overall, Verdict::contact) << away;
   }
 }
-
-std::string objOf(const TriangleMesh& mesh) {
-  std::ostringstream text;
-  for (const Eigen::Vector3d& v : mesh.vertices) {
-    text << "v " << v.x() << ' ' << v.y() << ' ' << v.z() << '\n';
-  }
-  for (const auto& t : mesh.triangles) {
-    text << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
-  }
-  return text.str();
-}
-
-std::string slider(const std::string& link, const std::string& axis, const std::string& lower,
-                   const std::string& upper) {
-  return jointXml(link + "_joint", "prismatic", "rail", link,
-                  "<axis xyz='" + axis + "'/><limit lower='" + lower + "' upper='" + upper +
-                      "' velocity='1' effort='1'/>");
-}
-
-/// On a rail far below, a torso or a bin that stands still, and an arm that goes up and down.
-CycleSetup robot(const TriangleMesh& around, const std::string& arm, const std::string& lower,
-                 const std::string& upper, const std::string& height = "0") {
-  SetupOptions options = optionsFor(RefineGeometry::mesh);
-  options.ignore_default_overlap = false;
-  return buildSetup(
-      {describeText(robotXml(linkXml("rail", "<sphere radius='0.1'/>", "<origin xyz='0 0 -50'/>") +
-                             linkXml("around", "<mesh filename='package://p/around.obj'/>") +
-                             linkXml("arm", arm, "<origin xyz='0 0 " + height + "'/>") +
-                             slider("around", "1 0 0", "-0.001", "0.001") +
-                             slider("arm", "0 0 1", lower, upper)))},
-      textLoader(
-          {{"package://p/around.obj", objOf(around)}, {"package://p/arm.obj", objOf(forearm())}}),
-      options);
-}
-
-const char* const kMeshArm = "<mesh filename='package://p/arm.obj'/>";
-const char* const kCapsuleArm = "<capsule radius='0.03' length='0.04'/>";
-
-LinkPairIndex armAndAround(const CycleSetup& setup) {
-  for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
-    if (setup.model.link(setup.checked[i].a).name != "rail" &&
-        setup.model.link(setup.checked[i].b).name != "rail") {
-      return i;
-    }
-  }
-  throw std::out_of_range("no such pair");
-}
-
-class OpenMeshesOfRobots : public testing::TestWithParam<const char*> {};
-
-TEST_P(OpenMeshesOfRobots, states_areInContactWhereTheArmIsInside) {
-  const CycleSetup setup = robot(torso(), GetParam(), "-2", "2");
-  StatesWork work = makeStatesWork(setup, standingAt(setup.model, {Pose()}));
-  std::vector<StateCheck> checks;
-  const JointPositions positions = {0, 0, 0, 0.1, 0, -0.2, 0, 0.5, 0, 1.0};
-  for (const StateQuestion question : {StateQuestion::nearest, StateQuestion::contact}) {
-    checkStatesExactly(setup, positions, question, work, checks);
-    ASSERT_EQ(checks.size(), 5U);
-    for (std::size_t i = 0; i < 5; ++i) {
-      EXPECT_EQ(checks[i].verdict, i < 3 ? Verdict::contact : Verdict::clear) << i;
-    }
-  }
-  checkStatesExactly(setup, {0, 0}, StateQuestion::contact, work, checks);
-  EXPECT_EQ(checks[0].verdict, Verdict::contact) << "a state by itself";
-}
-
-TEST_P(OpenMeshesOfRobots, trajectoryThroughAHole_isInContact) {
-  const CycleSetup setup = robot(bin(), GetParam(), "-2", "2");
-  const LinkPairIndex pair = armAndAround(setup);
-  JointPath path;
-  path.joints = {*setup.model.findJoint("arm_joint")};
-  LinkPoses start = makeLinkPoses(setup.model);
-  placeLinks(setup.model, JointPositions(setup.model.variable_count, 0.0), {Pose()},
-             start.world_from_link);
-  std::fill(start.status.begin(), start.status.end(), LinkStatus::known);
-  path.times = {0.0, 1.0};
-  path.positions = {0.5, 0.0};
-  const TrajectoryReport down = checkTrajectory(setup, path, start, TrajectoryOptions());
-  ASSERT_EQ(down.pairs[pair].state, ApproachState::contact);
-  EXPECT_NEAR(0.5 - 0.5 * down.pairs[pair].time, 0.2, 0.06) << "the height of the hole";
-  path.positions = {0.5, 0.3};
-  EXPECT_EQ(checkTrajectory(setup, path, start, TrajectoryOptions()).pairs[pair].state,
-            ApproachState::clear);
-  path.positions = {0.01, -0.01};
-  EXPECT_EQ(checkTrajectory(setup, path, start, TrajectoryOptions()).pairs[pair].state,
-            ApproachState::contact)
-      << "wholly inside";
-}
-
-TEST_P(OpenMeshesOfRobots, pairs_touchAlwaysSometimesAndNever) {
-  PairSearchOptions options;
-  options.states = 100;
-  const auto finding = [&](const CycleSetup& setup) {
-    for (const PairFound& pair : searchPairs(setup, options)) {
-      if (setup.model.link(pair.a).name == "around" || setup.model.link(pair.a).name == "arm") {
-        return pair;
-      }
-    }
-    throw std::out_of_range("no such pair");
-  };
-  EXPECT_EQ(finding(robot(torso(), GetParam(), "-0.1", "0.1")).finding, PairFinding::always);
-  EXPECT_EQ(finding(robot(bin(), GetParam(), "0", "0.5")).finding, PairFinding::sometimes);
-  const PairFound never = finding(robot(bin(), GetParam(), "0.3", "0.5"));
-  EXPECT_EQ(never.finding, PairFinding::never);
-  EXPECT_TRUE(never.is_proven);
-  // The only state that is drawn is far above the hole: the search for a proof comes upon it.
-  options.states = 1;
-  EXPECT_EQ(finding(robot(bin(), GetParam(), "-0.4", "0", "0.5")).finding, PairFinding::sometimes);
-}
-
-INSTANTIATE_TEST_SUITE_P(Arms, OpenMeshesOfRobots, testing::Values(kMeshArm, kCapsuleArm));
 
 TEST(OpenMeshes, meshTooOpen_isNamedInOneWarning) {
   const RefineScene closed({boxMesh({1, 1, 1}), torso()});
