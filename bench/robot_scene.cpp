@@ -156,7 +156,7 @@ bool mayBeNearer(const RobotScene& scene, const BodyPair& pair, double distance)
 
 double measurePair(RobotScene& scene, ElementPairIndex pair, double enough) {
   const ElementPair& ids = scene.setup.element_pairs[pair];
-  ElementSearch search{std::numeric_limits<std::uint32_t>::max(), scene.memory[pair],
+  ElementSearch search{std::numeric_limits<std::uint32_t>::max(), scene.memory.of(pair),
                        *scene.scratch, enough};
   return measureElements(placed(scene, ids.a), placed(scene, ids.b), search).measured.distance;
 }

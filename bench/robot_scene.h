@@ -33,8 +33,8 @@ struct RobotScene {
   std::vector<PairId> candidates;
   PairDistances distances;
   std::vector<std::pair<double, ElementPairIndex>> bounds;  ///< [m] of the last state
-  std::vector<RefineMemory> memory;                         ///< by ElementPairIndex
-  ElementPairIndex nearest{0};                              ///< in the last state
+  RefineStore memory;
+  ElementPairIndex nearest{0};  ///< in the last state
   std::unique_ptr<RefineScratch> scratch;
   std::vector<std::optional<ConvexGeometry>> hulls;   ///< by ElementId
   std::vector<std::vector<Pose>> world_from_element;  ///< by state and ElementId

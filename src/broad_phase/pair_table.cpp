@@ -14,12 +14,29 @@ constexpr std::size_t kMostDenseBodies = 1000;
 }  // namespace
 
 PairTable::PairTable(std::vector<BodyPair> pairs, std::size_t body_count)
-    : pairs_(std::move(pairs)), first_partner_(body_count + 1, 0), body_count_(body_count) {
+    : pairs_(std::move(pairs)), body_count_(body_count) {
+  if (body_count <= kMostDenseBodies) {
+    fillDense();
+  } else {
+    fillPartners();
+  }
+}
+
+void PairTable::fillDense() {
+  dense_.resize(body_count_ * body_count_ + kRowPadding, kNoPair);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    assert(pairs_[i].a < pairs_[i].b && index(pairs_[i].b) < body_count_);
+    dense_[index(pairs_[i].a) * body_count_ + index(pairs_[i].b)] = static_cast<std::uint32_t>(i);
+  }
+}
+
+void PairTable::fillPartners() {
+  first_partner_.resize(body_count_ + 1, 0);
   for (const BodyPair& pair : pairs_) {
-    assert(pair.a < pair.b && index(pair.b) < body_count);
+    assert(pair.a < pair.b && index(pair.b) < body_count_);
     ++first_partner_[index(pair.a) + 1];
   }
-  for (std::size_t body = 0; body < body_count; ++body) {
+  for (std::size_t body = 0; body < body_count_; ++body) {
     first_partner_[body + 1] += first_partner_[body];
   }
   partners_.resize(pairs_.size());
@@ -27,16 +44,10 @@ PairTable::PairTable(std::vector<BodyPair> pairs, std::size_t body_count)
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     partners_[next[index(pairs_[i].a)]++] = {pairs_[i].b, idAt<PairId>(i)};
   }
-  for (std::size_t body = 0; body < body_count; ++body) {
+  for (std::size_t body = 0; body < body_count_; ++body) {
     std::sort(partners_.begin() + first_partner_[body],
               partners_.begin() + first_partner_[body + 1],
               [](const Partner& one, const Partner& other) { return one.body < other.body; });
-  }
-  if (body_count <= kMostDenseBodies) {
-    dense_.resize(body_count * body_count + kRowPadding, kNoPair);
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      dense_[index(pairs_[i].a) * body_count + index(pairs_[i].b)] = static_cast<std::uint32_t>(i);
-    }
   }
 }
 

@@ -34,14 +34,15 @@ std::vector<LinkId> findRigidGroups(const RobotModel& model) {
 
 std::set<LinkIdPair> findAdjacent(const RobotModel& model) {
   std::set<LinkIdPair> adjacent;
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
+  std::vector<std::optional<LinkId>> ancestor_of(model.links.size());  // the nearest with shapes
+  for (std::size_t i = 0; i < model.links.size(); ++i) {  // parents stand before children
     const LinkId link = idAt<LinkId>(i);
-    std::optional<LinkId> ancestor = parentOf(model, link);
-    while (ancestor && !hasShapes(model.link(*ancestor))) {
-      ancestor = parentOf(model, *ancestor);
+    const std::optional<LinkId> parent = parentOf(model, link);
+    if (parent) {
+      ancestor_of[i] = hasShapes(model.link(*parent)) ? parent : ancestor_of[index(*parent)];
     }
-    if (ancestor) {
-      adjacent.insert(ordered(*ancestor, link));
+    if (ancestor_of[i]) {
+      adjacent.insert(ordered(*ancestor_of[i], link));
     }
   }
   return adjacent;
@@ -168,6 +169,7 @@ std::vector<LinkPair> decideLinkPairs(const RobotModel& model, const std::vector
     }
   }
   std::vector<LinkPair> pairs;
+  pairs.reserve(with_shapes.size() * (with_shapes.size() - 1) / 2);
   for (std::size_t i = 0; i < with_shapes.size(); ++i) {
     throwIfInterrupted();
     for (std::size_t j = i + 1; j < with_shapes.size(); ++j) {

@@ -15,7 +15,7 @@ namespace {
 
 StatePair statePair(const CycleSetup& setup, std::size_t id) {
   const BodyPair& bodies = setup.table.pairs()[id];
-  const Limits& limits = setup.checked[setup.link_pair_of[id]].limits;
+  const Limits& limits = setup.limits;
   StatePair pair;
   pair.a = static_cast<std::uint32_t>(index(bodies.a));
   pair.b = static_cast<std::uint32_t>(index(bodies.b));

@@ -12,7 +12,7 @@ namespace collision_monitor {
 /// deep, for that is an estimate.
 inline double contactOfElements(const CycleSetup& setup, ElementPairIndex pair) noexcept {
   const ElementPair& elements = setup.element_pairs[pair];
-  const double contact = setup.checked[elements.link_pair].limits.contact_distance;
+  const double contact = setup.limits.contact_distance;
   const bool are_convex =
       setup.elements[index(elements.a)].convex && setup.elements[index(elements.b)].convex;
   return are_convex ? contact : std::max(0.0, contact);
@@ -24,7 +24,7 @@ inline double contactOfElements(const CycleSetup& setup, ElementPairIndex pair) 
 /// of several about an element is less deep than the element, and concave geometries that overlap
 /// are in contact however deep.
 inline double contactOfBodies(const CycleSetup& setup, PairId pair) noexcept {
-  const double contact = setup.checked[setup.link_pair_of[index(pair)]].limits.contact_distance;
+  const double contact = setup.limits.contact_distance;
   const ElementPair& elements = setup.element_pairs[setup.element_pair_of[index(pair)]];
   const bool are_elements =
       setup.elements[index(elements.a)].is_body && setup.elements[index(elements.b)].is_body;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 
 #include "collision_monitor/geometry/interruption.h"
 #include "collision_monitor/model/kinematics.h"
@@ -104,9 +105,11 @@ void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, const std::vector<
     const bool is_ignored = ignore && !hasSrdf(srdfs, robot) && touchOf(distance) != Touch::apart;
     add(setup.model, pair, distance, (is_ignored ? ignored : kept)[index(robot)]);
     if (is_ignored) {
-      const auto rule = std::find_if(
-          setup.link_pairs.begin(), setup.link_pairs.end(),
-          [&](const LinkPair& listed) { return listed.a == pair.a && listed.b == pair.b; });
+      const auto rule =
+          std::lower_bound(setup.link_pairs.begin(), setup.link_pairs.end(), pair,
+                           [](const LinkPair& listed, const CheckedLinkPair& wanted) {
+                             return std::tie(listed.a, listed.b) < std::tie(wanted.a, wanted.b);
+                           });
       rule->reason = PairReason::default_overlap;
     }
   }

@@ -158,7 +158,7 @@ Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
   const PairDistance& nearest = distances.measured[closest];
   const std::uint32_t soonest = events.soonest[link_pair];
   const double time = soonest == kNone ? kNever : distances.measured[soonest].time_to_contact;
-  return verdictFor(nearest.measured.distance, time, setup.checked[link_pair].limits,
+  return verdictFor(nearest.measured.distance, time, setup.limits,
                     heldVerdict(memory, link_pair, nearest));
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "collision_monitor/narrow_phase/distance.h"
 #include "collision_monitor/pipeline/motion_bound.h"
@@ -44,11 +45,23 @@ void improveByBodies(LinkPairMeasures& measures, PairId pair,
   }
 }
 
-/// What is known of two elements, from their bodies and their own distance.
+struct PairIds {
+  const PairId* first;
+  const PairId* last;
+  const PairId* begin() const noexcept { return first; }
+  const PairId* end() const noexcept { return last; }
+};
+
+PairIds bodyPairsOf(const LinkPairMeasures& measures, LinkPairIndex pair) noexcept {
+  const PairId* all = measures.body_pairs.data();
+  return {all + measures.first_body_pair[pair], all + measures.first_body_pair[pair + 1]};
+}
+
+/// What is known of two elements, from that of their bodies and their own distance.
 PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pair,
-                                const std::vector<Pose>& world_from_link, double enough) noexcept {
+                                PairDistance distance, const std::vector<Pose>& world_from_link,
+                                double enough) noexcept {
   const CycleSetup& setup = measures.setup;
-  PairDistance distance = measures.nearest_bodies[pair];
   const Element& a = setup.elements[index(setup.element_pairs[pair].a)];
   const Element& b = setup.elements[index(setup.element_pairs[pair].b)];
   if (a.is_body && b.is_body) {
@@ -56,7 +69,7 @@ PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pai
   }
   const Pose world_from_a = world_from_link[index(a.link)] * a.link_from_element;
   const Pose world_from_b = world_from_link[index(b.link)] * b.link_from_element;
-  ElementSearch search{std::numeric_limits<std::uint32_t>::max(), measures.memory[pair],
+  ElementSearch search{std::numeric_limits<std::uint32_t>::max(), measures.memory.of(pair),
                        *measures.scratch, enough};
   const ElementDistance found = measureElements({a, world_from_a}, {b, world_from_b}, search);
   measures.steps += found.steps;
@@ -96,22 +109,58 @@ void addTo(PairDistance& nearest, const PairDistance& distance) noexcept {
   }
 }
 
+/// Where the members of each group start when they stand in order of their groups; and the end.
+std::vector<std::uint32_t> startsOf(const std::vector<std::uint32_t>& group_of,
+                                    std::size_t group_count) {
+  std::vector<std::uint32_t> starts(group_count + 1, 0);
+  for (const std::uint32_t group : group_of) {
+    ++starts[group + 1];
+  }
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  return starts;
+}
+
+/// Without what only cycles use.
+std::vector<RefineKind> kindsOf(const CycleSetup& setup) {
+  std::vector<RefineKind> kinds;
+  kinds.reserve(setup.element_pairs.size());
+  for (const ElementPair& pair : setup.element_pairs) {
+    const bool are_bodies =
+        setup.elements[index(pair.a)].is_body && setup.elements[index(pair.b)].is_body;
+    kinds.push_back(are_bodies ? RefineKind::never : RefineKind::plain);
+  }
+  return kinds;
+}
+
+std::vector<std::uint32_t> linkPairsOf(const std::vector<ElementPair>& pairs) {
+  std::vector<std::uint32_t> link_pairs;
+  link_pairs.reserve(pairs.size());
+  for (const ElementPair& pair : pairs) {
+    link_pairs.push_back(pair.link_pair);
+  }
+  return link_pairs;
+}
+
 }  // namespace
 
 LinkPairMeasures::LinkPairMeasures(const CycleSetup& cycle_setup)
     : setup(cycle_setup),
       balls(linkBalls(cycle_setup)),
-      body_pairs(cycle_setup.checked.size()),
-      element_pairs(cycle_setup.checked.size()),
-      memory(cycle_setup.element_pairs.size()),
-      nearest_bodies(cycle_setup.element_pairs.size()),
+      first_body_pair(startsOf(cycle_setup.link_pair_of, cycle_setup.checked.size())),
+      body_pairs(cycle_setup.table.size()),
+      first_element_pair(
+          startsOf(linkPairsOf(cycle_setup.element_pairs), cycle_setup.checked.size())),
+      memory(kindsOf(cycle_setup)),
       scratch(std::make_unique<RefineScratch>()) {
+  std::vector<std::uint32_t> next = first_body_pair;
   for (std::size_t i = 0; i < setup.table.size(); ++i) {
-    body_pairs[setup.link_pair_of[i]].push_back(idAt<PairId>(i));
+    body_pairs[next[setup.link_pair_of[i]]++] = idAt<PairId>(i);
   }
-  for (std::size_t i = 0; i < setup.element_pairs.size(); ++i) {
-    element_pairs[setup.element_pairs[i].link_pair].push_back(static_cast<ElementPairIndex>(i));
+  std::uint32_t most = 0;
+  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+    most = std::max(most, first_element_pair[i + 1] - first_element_pair[i]);
   }
+  nearest_bodies.resize(most);
 }
 
 double ballDistance(const LinkPairMeasures& measures, LinkPairIndex pair,
@@ -127,7 +176,7 @@ double ballDistance(const LinkPairMeasures& measures, LinkPairIndex pair,
 PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                           const std::vector<Pose>& world_from_link) noexcept {
   PairDistance nearest = nothingNear();
-  for (const PairId bodies : measures.body_pairs[pair]) {
+  for (const PairId bodies : bodyPairsOf(measures, pair)) {
     improveByBodies(measures, bodies, world_from_link, nearest);
   }
   return nearest;
@@ -135,20 +184,21 @@ PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
 
 PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                              const std::vector<Pose>& world_from_link, double enough) noexcept {
-  for (const ElementPairIndex elements : measures.element_pairs[pair]) {
-    measures.nearest_bodies[elements] = nothingNear();
-  }
-  for (const PairId bodies : measures.body_pairs[pair]) {
-    improveByBodies(measures, bodies, world_from_link,
-                    measures.nearest_bodies[measures.setup.element_pair_of[index(bodies)]]);
+  const ElementPairIndex first = measures.first_element_pair[pair];
+  const ElementPairIndex last = measures.first_element_pair[pair + 1];
+  std::fill_n(measures.nearest_bodies.begin(), last - first, nothingNear());
+  for (const PairId bodies : bodyPairsOf(measures, pair)) {
+    const ElementPairIndex elements = measures.setup.element_pair_of[index(bodies)];
+    improveByBodies(measures, bodies, world_from_link, measures.nearest_bodies[elements - first]);
   }
   PairDistance nearest = nothingNear();
   measures.leeway = measures.outside = kInfinity;
-  for (const ElementPairIndex elements : measures.element_pairs[pair]) {
-    const PairDistance& bodies = measures.nearest_bodies[elements];
+  for (ElementPairIndex elements = first; elements < last; ++elements) {
+    const PairDistance& bodies = measures.nearest_bodies[elements - first];
     const double contact = contactOfElements(measures.setup, elements);
     if (mayTellMore(bodies, nearest) || bodies.measured.distance - contact < measures.leeway) {
-      const PairDistance found = measureElementPair(measures, elements, world_from_link, enough);
+      const PairDistance found =
+          measureElementPair(measures, elements, bodies, world_from_link, enough);
       const bool is_overlap = found.quality == Quality::estimate;
       measures.leeway =
           std::min(measures.leeway, is_overlap ? -kInfinity : found.measured.distance - contact);

@@ -17,11 +17,15 @@ struct LinkPairMeasures {
   explicit LinkPairMeasures(const CycleSetup& setup);
 
   const CycleSetup& setup;
-  std::vector<Ball> balls;                                   ///< by LinkId
-  std::vector<std::vector<PairId>> body_pairs;               ///< by LinkPairIndex
-  std::vector<std::vector<ElementPairIndex>> element_pairs;  ///< by LinkPairIndex
-  std::vector<RefineMemory> memory;                          ///< by ElementPairIndex
-  std::vector<PairDistance> nearest_bodies;                  ///< by ElementPairIndex: scratch
+  std::vector<Ball> balls;  ///< by LinkId
+  /// By LinkPairIndex: where its pairs start in `body_pairs`, and behind the last their end.
+  std::vector<std::uint32_t> first_body_pair;
+  std::vector<PairId> body_pairs;  ///< in order of their pairs of links
+  /// By LinkPairIndex: where its pairs start in CycleSetup::element_pairs, and behind the last
+  /// their end.
+  std::vector<ElementPairIndex> first_element_pair;
+  RefineStore memory;
+  std::vector<PairDistance> nearest_bodies;  ///< of each element pair of the pair of links at hand
   std::unique_ptr<RefineScratch> scratch;
   double leeway{0.0};      ///< [m] of elementDistance: how far its elements are from contact
   double outside{0.0};     ///< [m] of elementDistance: as MeshDistance::outside

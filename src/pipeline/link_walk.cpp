@@ -46,9 +46,6 @@ std::vector<LinkBlock> makeLinkBlocks(const CycleSetup& setup, const std::vector
     LinkBlock& block = blocks.back();
     const std::uint32_t lane = b - block.pairs.first;
     block.pairs.is_pair |= 1U << lane;
-    block.contact[lane] = std::max(0.0, pair.limits.contact_distance);  // as contactOfBodies
-    block.stop[lane] =
-        std::max(block.contact[lane], setup.ahead.stop.stop_distance + pair.limits.hysteresis);
     block.thickness[lane] = thickness[i];
   }
   return blocks;
@@ -114,9 +111,9 @@ PairReaches makePairReaches(const CycleSetup& setup) {
   PairReaches reaches;
   reaches.links = linksInPairs(setup);
   reaches.blocks = makeLinkBlocks(setup, reaches.links);
-  for (const LinkBlock& block : reaches.blocks) {
-    reaches.stop = std::max(reaches.stop, *std::max_element(block.stop, block.stop + kBlockLanes));
-  }
+  reaches.contact = std::max(0.0, setup.limits.contact_distance);  // as contactOfBodies
+  reaches.stop =
+      std::max(reaches.contact, setup.ahead.stop.stop_distance + setup.limits.hysteresis);
   reaches.rows.stride = (groupCountOf(reaches.links.size()) + 1) * kBlockLanes;
   reaches.rows.numbers.resize(link_column::count * reaches.rows.stride, 0.0);
   const std::vector<Ball> balls = linkBalls(setup);

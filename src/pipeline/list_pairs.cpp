@@ -38,9 +38,21 @@ ListedPair listedPair(const CycleSetup& setup, std::size_t a, std::size_t b,
       simpler, other, {idAt<BodyId>(a), idAt<BodyId>(b)}, static_cast<std::uint32_t>(link_pair)};
 }
 
+/// How many pairs the bodies or elements of all checked pairs of links make.
+std::size_t countPairs(const CycleSetup& setup, const std::vector<std::size_t>& first) {
+  std::size_t count = 0;
+  for (const CheckedLinkPair& pair : setup.checked) {
+    const std::size_t a = index(pair.a);
+    const std::size_t b = index(pair.b);
+    count += (first[a + 1] - first[a]) * (first[b + 1] - first[b]);
+  }
+  return count;
+}
+
 std::vector<ListedPair> listBodyPairs(const CycleSetup& setup) {
   const std::vector<std::size_t> first = firstOfLinks(setup.bodies, setup.model.links.size());
   std::vector<ListedPair> listed;
+  listed.reserve(countPairs(setup, first));
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     throwIfInterrupted();
     const std::size_t link_a = index(setup.checked[i].a);
@@ -62,7 +74,9 @@ std::vector<ListedPair> listBodyPairs(const CycleSetup& setup) {
 std::vector<std::size_t> listElementPairs(CycleSetup& setup) {
   const std::vector<std::size_t> first = firstOfLinks(setup.elements, setup.model.links.size());
   std::vector<std::size_t> starts;
+  starts.reserve(setup.checked.size());
   setup.element_pairs.clear();
+  setup.element_pairs.reserve(countPairs(setup, first));
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     starts.push_back(setup.element_pairs.size());
     const std::size_t link_a = index(setup.checked[i].a);
@@ -81,6 +95,7 @@ std::vector<std::size_t> listElementPairs(CycleSetup& setup) {
 void linkBodiesToElements(CycleSetup& setup) {
   const std::vector<std::size_t> starts = listElementPairs(setup);
   setup.element_pair_of.clear();
+  setup.element_pair_of.reserve(setup.table.size());
   for (std::size_t i = 0; i < setup.table.size(); ++i) {
     throwIfInterrupted();
     const BodyPair& bodies = setup.table.pairs()[i];
@@ -99,6 +114,22 @@ void extendRanges(const ListedPair& pair, std::size_t position, std::vector<Pair
     ranges.push_back({pair.kind_a, pair.kind_b, position, position});
   }
   ranges.back().last = position + 1;
+}
+
+/// Fills the ranges and the pairs of links of body pairs, and returns these in order.
+std::vector<BodyPair> takeBodyPairs(CycleSetup& setup) {
+  const std::vector<ListedPair> listed = listBodyPairs(setup);
+  std::vector<BodyPair> pairs;
+  pairs.reserve(listed.size());
+  setup.ranges.clear();
+  setup.link_pair_of.clear();
+  setup.link_pair_of.reserve(listed.size());
+  for (const ListedPair& pair : listed) {
+    extendRanges(pair, pairs.size(), setup.ranges);
+    pairs.push_back(pair.bodies);
+    setup.link_pair_of.push_back(pair.link_pair);
+  }
+  return pairs;
 }
 
 /// In empty slots stands the first link.
@@ -126,24 +157,19 @@ std::vector<SlotGroup> groupSlots(const CycleSetup& setup) {
 
 void listPairs(CycleSetup& setup) {
   setup.checked.clear();
+  setup.checked.reserve(static_cast<std::size_t>(
+      std::count_if(setup.link_pairs.begin(), setup.link_pairs.end(),
+                    [](const LinkPair& pair) { return isChecked(pair.reason); })));
   for (const LinkPair& pair : setup.link_pairs) {
     if (isChecked(pair.reason)) {
-      setup.checked.push_back({pair.a, pair.b, setup.limits});
+      setup.checked.push_back({pair.a, pair.b});
     }
   }
-  setup.ranges.clear();
-  setup.link_pair_of.clear();
   setup.cores.clear();
   for (const Body& body : setup.bodies) {
     setup.cores.push_back(coreOf(body.shape));
   }
-  std::vector<BodyPair> pairs;
-  for (const ListedPair& pair : listBodyPairs(setup)) {
-    extendRanges(pair, pairs.size(), setup.ranges);
-    pairs.push_back(pair.bodies);
-    setup.link_pair_of.push_back(pair.link_pair);
-  }
-  setup.table = PairTable(std::move(pairs), setup.bodies.size());
+  setup.table = PairTable(takeBodyPairs(setup), setup.bodies.size());
   setup.blocks = makeBlocks(setup.table, setup.cores);
   setup.slot_groups = groupSlots(setup);
   linkBodiesToElements(setup);

@@ -49,7 +49,7 @@ void listTasks(const Refinement& all) noexcept {
     }
     if (work.task_of[pair] == kNone) {
       work.task_of[pair] = static_cast<std::uint32_t>(work.tasks.size());
-      const std::uint32_t waited = all.memory.refined[pair].waited;
+      const std::uint32_t waited = all.memory.waited[pair];
       work.tasks.push_back({pair, i, distance.measured.distance, waited, kInfinity});
     }
     RefineTask& task = work.tasks[work.task_of[pair]];
@@ -96,14 +96,10 @@ void takeOver(const ElementDistance& found, PairDistance& distance) noexcept {
   }
 }
 
-const Limits& limitsOf(const Refinement& all, const RefineTask& task) noexcept {
-  return all.setup.checked[all.setup.element_pairs[task.pair].link_pair].limits;
-}
-
 /// Whether the pair is farther than what its links are known to be, and in no contact. Bodies that
 /// overlap do not tell how deep their elements do.
 bool isSettled(const Refinement& all, const RefineTask& task) noexcept {
-  const Limits& limits = limitsOf(all, task);
+  const Limits& limits = all.setup.limits;
   return task.bound > all.work.nearest[all.setup.element_pairs[task.pair].link_pair] &&
          task.bound > std::max(0.0, limits.contact_distance + limits.hysteresis);
 }
@@ -113,17 +109,17 @@ PlacedElement placed(const Refinement& all, ElementId id) noexcept {
 }
 
 /// Beyond this a pair is in no contact.
-double clearBeyond(const Refinement& all, const RefineTask& task) noexcept {
+double clearBeyond(const Refinement& all) noexcept {
   constexpr double kNotTouching = 1e-3;
   constexpr double kPastThreshold = 1e-6;  // a contact is held at its threshold, which is enough
-  const Limits& limits = limitsOf(all, task);
+  const Limits& limits = all.setup.limits;
   return std::max(limits.contact_distance + limits.hysteresis + kPastThreshold, kNotTouching);
 }
 
 /// Beyond this a pair is not the nearest of its links, and in no contact.
 double enoughFor(const Refinement& all, const RefineTask& task) noexcept {
   const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
-  return std::max(all.work.nearest[link_pair], clearBeyond(all, task));
+  return std::max(all.work.nearest[link_pair], clearBeyond(all));
 }
 
 /// How far searches go.
@@ -133,13 +129,13 @@ struct Goal {
 };
 
 ElementSearch searchFor(const Refinement& all, const RefineTask& task, const Goal& goal) noexcept {
-  return {goal.budget - static_cast<std::uint32_t>(all.work.steps), all.memory.refined[task.pair],
-          *all.work.scratch, goal.enough};
+  return {goal.budget - static_cast<std::uint32_t>(all.work.steps),
+          all.memory.refined.of(task.pair), *all.work.scratch, goal.enough};
 }
 
 ElementDistance recallTask(const Refinement& all, const RefineTask& task) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
-  return recallElements(all.memory.refined[task.pair].last, placed(all, pair.a),
+  return recallElements(all.memory.refined.lastOf(task.pair), placed(all, pair.a),
                         placed(all, pair.b),
                         {all.work.balls[index(pair.a)], all.work.balls[index(pair.b)]});
 }
@@ -163,7 +159,7 @@ ElementDistance measureTask(const Refinement& all, const RefineTask& task, const
     found.quality = Quality::lower_bound;
     found.measured.distance = recalled.measured.distance;
   }
-  all.memory.refined[task.pair].last = {found, a.world_from_element, b.world_from_element};
+  search.memory.last = {found, a.world_from_element, b.world_from_element};
   return found;
 }
 
@@ -184,7 +180,7 @@ void report(const Refinement& all, RefineTask& task, const ElementDistance& foun
 /// what is that near takes a part of the steps of one for the distance. Leaves a part of the budget
 /// for distances, so that every pair has its turn.
 void decideContact(const Refinement& all, const RefineTask& task) noexcept {
-  const Goal goal{clearBeyond(all, task), all.work.limits.budget / 4 * 3};
+  const Goal goal{clearBeyond(all), all.work.limits.budget / 4 * 3};
   if (task.bound > goal.enough || !(all.work.steps < goal.budget)) {
     return;
   }
@@ -197,7 +193,7 @@ void decideContact(const Refinement& all, const RefineTask& task) noexcept {
 }
 
 void refine(const Refinement& all, RefineTask& task) noexcept {
-  std::uint32_t& waited = all.memory.refined[task.pair].waited;
+  std::uint32_t& waited = all.memory.waited[task.pair];
   const Goal goal{enoughFor(all, task), all.work.limits.budget};
   ElementDistance found = recallTask(all, task);
   if (isEnough(found, goal.enough)) {
@@ -257,7 +253,7 @@ void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemor
   }
   for (RefineTask& task : work.tasks) {
     if (isSettled(all, task)) {
-      memory.refined[task.pair].waited = 0;
+      memory.waited[task.pair] = 0;
     } else {
       refine(all, task);
     }

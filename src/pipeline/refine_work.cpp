@@ -13,6 +13,19 @@ bool isMeasuredAsMesh(const Element& element) noexcept {
   return element.mesh && (!element.convex || std::holds_alternative<ConvexHull>(*element.convex));
 }
 
+/// A front where two meshes are searched.
+RefineKind refineKindOf(const Element& a, const Element& b) noexcept {
+  const bool has_front = isMeasuredAsMesh(a) && isMeasuredAsMesh(b);
+  const bool has_depth = a.mesh && b.mesh && !(a.convex && b.convex);
+  if (a.is_body && b.is_body) {
+    return RefineKind::never;
+  }
+  if (has_front) {
+    return has_depth ? RefineKind::both : RefineKind::front;
+  }
+  return has_depth ? RefineKind::depth : RefineKind::plain;
+}
+
 }  // namespace
 
 RefineWork makeRefineWork(const CycleSetup& setup) {
@@ -30,36 +43,13 @@ RefineWork makeRefineWork(const CycleSetup& setup) {
   return work;
 }
 
-std::vector<RefineMemory> makeRefineMemory(const CycleSetup& setup) {
-  std::vector<RefineMemory> memory(setup.element_pairs.size());
-  for (std::size_t pair = 0; pair < memory.size(); ++pair) {
-    const Element& a = setup.elements[index(setup.element_pairs[pair].a)];
-    const Element& b = setup.elements[index(setup.element_pairs[pair].b)];
-    if (isMeasuredAsMesh(a) && isMeasuredAsMesh(b)) {
-      memory[pair].front = std::make_unique<MeshFront>();
-    }
-    if (a.mesh && b.mesh && !(a.convex && b.convex)) {
-      memory[pair].depth = std::make_unique<KeptDepth>();
-    }
+RefineStore makeRefineMemory(const CycleSetup& setup) {
+  std::vector<RefineKind> kinds;
+  kinds.reserve(setup.element_pairs.size());
+  for (const ElementPair& pair : setup.element_pairs) {
+    kinds.push_back(refineKindOf(setup.elements[index(pair.a)], setup.elements[index(pair.b)]));
   }
-  return memory;
-}
-
-void forget(std::vector<RefineMemory>& memory) noexcept {
-  for (RefineMemory& pair : memory) {
-    std::unique_ptr<MeshFront> front = std::move(pair.front);
-    std::unique_ptr<KeptDepth> depth = std::move(pair.depth);
-    pair = RefineMemory();
-    pair.front = std::move(front);
-    pair.depth = std::move(depth);
-    if (pair.front) {
-      pair.front->a_from_b.reset();
-      pair.front->nearest.a = MeshFront::kNone;
-    }
-    if (pair.depth) {
-      forget(*pair.depth);
-    }
-  }
+  return RefineStore(std::move(kinds));
 }
 
 }  // namespace collision_monitor

@@ -56,6 +56,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.memory.reported.resize(link_pairs, Verdict::clear);
   buffers.memory.contact_detail.resize(link_pairs, Detail::shapes);
   buffers.memory.refined = makeRefineMemory(setup);
+  buffers.memory.waited.resize(setup.element_pairs.size(), 0);
   buffers.memory.gaps = makeKnownGaps(setup);
   buffers.memory.last.world_from_link.resize(links);
   buffers.memory.last.known.resize(links, 0);
@@ -67,7 +68,8 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
 }
 
 void forgetPoses(CycleBuffers& buffers) noexcept {
-  forget(buffers.memory.refined);
+  buffers.memory.refined.forgetAll();
+  std::fill(buffers.memory.waited.begin(), buffers.memory.waited.end(), 0);
   std::fill(buffers.memory.last.known.begin(), buffers.memory.last.known.end(), 0);
   buffers.memory.last.stamp_ns = 0;
 }

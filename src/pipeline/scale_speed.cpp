@@ -26,23 +26,24 @@ void ask(double scale, Demand& demand) noexcept {
   demand.is_free = false;
 }
 
-void askForMeasured(const PairDistance& distance, const CheckedLinkPair& pair, const StopRule& rule,
-                    Demand& demand, unsigned char& seen) noexcept {
+void askForMeasured(const CycleSetup& setup, const PairDistance& distance, Demand& demand,
+                    unsigned char& seen) noexcept {
+  const StopRule& rule = setup.ahead.stop;
   const double gap = distance.measured.distance;
   const double closing = distance.closing_speed;
   if (std::isnan(closing)) {
-    ask(scaleForUnknownSpeed(gap, pair.limits.warning_distance, rule), demand);
+    ask(scaleForUnknownSpeed(gap, setup.limits.warning_distance, rule), demand);
   } else if (closing > rule.rest_speed) {
     ask(scaleForPair(gap, closing, rule), demand);
     seen |= gap <= rule.stop_distance ? kCloses : 0;
   } else if (closing >= -rule.rest_speed) {
     // One that touches was stopped, or should have been.
-    if (isTouching(distance, pair.limits.contact_distance)) {
+    if (isTouching(distance, setup.limits.contact_distance)) {
       seen |= distance.quality == Quality::lower_bound ? kMayTouch : kWasStopped;
     }
-    seen |= gap <= rule.stop_distance + pair.limits.hysteresis ? kRests : 0;
+    seen |= gap <= rule.stop_distance + setup.limits.hysteresis ? kRests : 0;
     // It may rest because it was slowed down: then it must not be let go all at once.
-    demand.is_free = demand.is_free && gap > pair.limits.warning_distance;
+    demand.is_free = demand.is_free && gap > setup.limits.warning_distance;
   }
 }
 
@@ -54,7 +55,7 @@ void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistan
   Demand demand;
   for (const PairDistance& distance : distances.measured) {
     const std::uint32_t link_pair = setup.link_pair_of[index(distance.pair)];
-    askForMeasured(distance, setup.checked[link_pair], rule, demand, speed.stopped[link_pair]);
+    askForMeasured(setup, distance, demand, speed.stopped[link_pair]);
   }
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     const unsigned char seen = speed.stopped[i];

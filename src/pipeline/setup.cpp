@@ -9,6 +9,7 @@
 #include "collision_monitor/geometry/bounds.h"
 #include "collision_monitor/model/kinematics.h"
 #include "default_overlap.h"
+#include "memory_need.h"
 #include "model/number_text.h"
 #include "setup_parts.h"
 
@@ -108,6 +109,17 @@ void checkInput(const std::vector<RobotDescription>& robots, const SetupOptions&
   checkLookAhead(options.ahead, options.where + "look_ahead/", report);
 }
 
+/// Before anything is made that grows with the square of links, its size is known.
+/// @throws SetupError
+void decidePairs(const std::vector<SrdfPairs>& srdfs, const std::vector<LinkIdPair>& ignored,
+                 std::uint64_t memory_limit, CycleSetup& setup, SetupReport& report) {
+  checkMemory(countPairs(setup), memory_limit, report);
+  throwIfErrors(report);
+  setup.link_pairs = decideLinkPairs(setup.model, srdfs, ignored);
+  checkMemory(countPairs(setup), memory_limit, report);
+  throwIfErrors(report);
+}
+
 }  // namespace
 
 CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
@@ -136,7 +148,7 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   throwIfErrors(report);
   makeElements(fits, {options.refine.geometry, settings.rules}, setup, report);
 
-  setup.link_pairs = decideLinkPairs(setup.model, srdfs, ignored);
+  decidePairs(srdfs, ignored, options.memory_limit, setup, report);
   ruleDefaultOverlaps(srdfs, fits, options.ignore_default_overlap, setup, report);
   listPairs(setup);
   setup.velocity_names = velocityNames(setup.model);

@@ -41,7 +41,7 @@ bool mayHaveMet(const Sweeping& all, const PairDistance& distance) noexcept {
   const SweepWork& work = all.work;
   const CheckedLinkPair& links = all.linksOf(distance.pair);
   if (work.has_motion[index(links.a)] == 0 || work.has_motion[index(links.b)] == 0 ||
-      isTouching(distance, links.limits.contact_distance)) {
+      isTouching(distance, all.setup.limits.contact_distance)) {
     return false;
   }
   if (all.isOfElements(distance.pair)) {
@@ -138,7 +138,7 @@ void sweepTask(const Sweeping& all, const SweepTask& task, std::uint32_t& steps_
   const ScrewMotion motion_a = carriedBy(all.motionOf(a.link), a.link_from_element);
   const ScrewMotion motion_b = carriedBy(all.motionOf(b.link), b.link_from_element);
   SweepLimits limits;
-  limits.contact_distance = all.linksOf(task.bodies).limits.contact_distance;
+  limits.contact_distance = all.setup.limits.contact_distance;
   limits.from = task.from;
   limits.budget = steps_left;
   SweptContact found =

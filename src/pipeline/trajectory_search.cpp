@@ -20,9 +20,8 @@ bool isEnough(const TrajectorySearch& search, LinkPairIndex pair, double bound,
 
 /// What balls or bodies say of elements. Where some depth is allowed, those that overlap say
 /// nothing: see contactOfBodies.
-Sample sampleBy(const TrajectorySearch& search, LinkPairIndex pair, double distance,
-                Level level) noexcept {
-  const double contact = search.setup.checked[pair].limits.contact_distance;
+Sample sampleBy(const TrajectorySearch& search, double distance, Level level) noexcept {
+  const double contact = search.setup.limits.contact_distance;
   const double bound = distance > 0.0 || contact >= 0.0 ? distance : -kInfinity;
   return {bound, bound - std::max(0.0, contact), level, kInfinity};
 }
@@ -44,7 +43,7 @@ void raise(TrajectorySearch& search, LinkPairIndex pair, Instant& at) noexcept {
   const Sample found =
       is_final ? Sample{distance.measured.distance, search.measures.leeway, Level::elements,
                         std::max(sample.leeway, search.measures.outside)}
-               : sampleBy(search, pair, distance.measured.distance, Level::bodies);
+               : sampleBy(search, distance.measured.distance, Level::bodies);
   // An estimate of a depth is a contact, however deep that may be allowed to be.
   const bool is_overlap = distance.quality == Quality::estimate;
   sample.bound = is_overlap ? -kInfinity : std::max(sample.bound, found.bound);
@@ -116,7 +115,7 @@ void sampleBalls(TrajectorySearch& search, const std::vector<LinkPairIndex>& pai
   at.samples.resize(search.chains.size());
   for (const LinkPairIndex pair : pairs) {
     const double bound = ballDistance(search.measures, pair, at.world_from_link);
-    at.samples[pair] = sampleBy(search, pair, bound, Level::balls);
+    at.samples[pair] = sampleBy(search, bound, Level::balls);
     keepNearer(bound, at, search.by_balls[pair]);
   }
 }
@@ -131,10 +130,10 @@ void sampleWaypoint(TrajectorySearch& search, const std::vector<LinkPairIndex>& 
   for (const LinkPairIndex pair : pairs) {
     const double bound = distanceAt(*search.waypoints, waypoint, pair);
     if (bound < search.waypoints->reach) {
-      at.samples[pair] = sampleBy(search, pair, bound, Level::bodies);
+      at.samples[pair] = sampleBy(search, bound, Level::bodies);
       keepNearer(bound, at, search.by_waypoints[pair]);
     } else if (bound > at.samples[pair].bound) {
-      at.samples[pair] = sampleBy(search, pair, bound, at.samples[pair].level);
+      at.samples[pair] = sampleBy(search, bound, at.samples[pair].level);
     }
   }
 }

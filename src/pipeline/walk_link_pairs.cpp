@@ -18,8 +18,8 @@ namespace HWY_NAMESPACE {
 struct LinkLanes {
   OneShape one;
   ShapeLanes row;
-  const LinkBlock& block;
-  std::size_t lane;
+  const PairReaches& reaches;
+  const double* thickness;  ///< [m] of these pairs
   BlockPart part;
 };
 
@@ -45,9 +45,9 @@ HWY_INLINE Number wayOf(const SeenMotion& motion) {
 /// How near pairs must be to matter to what lies ahead or behind. What is not known is not finite.
 HWY_INLINE Number reachByMotion(const LinkLanes& pairs, const WalkQuestion& question) {
   const Number speed = wayOf(motionSeen(pairs, link_column::velocity, link_column::center));
-  const Number asked = hn::Add(hn::Load(Lanes(), pairs.block.stop + pairs.lane),
-                               hn::Mul(speed, number(question.horizon)));
-  const Number contact = hn::Load(Lanes(), pairs.block.contact + pairs.lane);
+  const Number asked =
+      hn::Add(number(pairs.reaches.stop), hn::Mul(speed, number(question.horizon)));
+  const Number contact = number(pairs.reaches.contact);
   const Number came =
       hn::Add(hn::Add(contact, pairs.one.at(link_column::way)), pairs.row.at(link_column::way));
   const Truth is_known = hn::Le(asked, number(std::numeric_limits<double>::max()));
@@ -57,7 +57,7 @@ HWY_INLINE Number reachByMotion(const LinkLanes& pairs, const WalkQuestion& ques
 
 HWY_INLINE void findFarther(const LinkLanes& pairs, std::size_t twist, FarthestPair& farthest) {
   const SeenMotion motion = motionSeen(pairs, twist, link_column::last_center);
-  const Number thickness = hn::Load(Lanes(), pairs.block.thickness + pairs.lane);
+  const Number thickness = hn::Load(Lanes(), pairs.thickness);
   // The way's square is at most twice that: most pairs need no root.
   const Number least = hn::Mul(number(farthest.share), thickness);
   const Number turned = hn::Mul(motion.turned, hn::Mul(motion.radius, motion.radius));
@@ -78,8 +78,8 @@ void walkInLanes(const WalkQuestion& question, PairReaches& reaches, Farthest& f
     forParts(block.pairs, [&](std::size_t lane, const BlockPart& part) HWY_ATTR {
       const LinkLanes pairs{{columns + part.one, reaches.rows.stride},
                             {columns + part.first, reaches.rows.stride},
-                            block,
-                            lane,
+                            reaches,
+                            block.thickness + lane,
                             part};
       const Number reach = reachByMotion(pairs, question);
       storeByPair(part, hn::Max(number(question.reach), reach), reaches.of_pair);

@@ -47,7 +47,7 @@ const PassedContact* passedOf(const Watch& watch, LinkPairIndex link_pair) {
     return nullptr;
   }
   const std::uint32_t closest = events.closest[link_pair];
-  const Limits& limits = watch.setup().checked[link_pair].limits;
+  const Limits& limits = watch.setup().limits;
   // Of several shapes of a link one may have passed while another touches.
   const bool touches =
       events.estimated[link_pair] != kNone ||

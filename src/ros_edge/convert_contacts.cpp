@@ -65,7 +65,7 @@ void fill(const Watch& watch, const PassedContact& passed, Contact& message) {
 
 bool isInContact(const Watch& watch, const PairDistance& distance) {
   const std::uint32_t link_pair = watch.setup().link_pair_of[index(distance.pair)];
-  const Limits& limits = watch.setup().checked[link_pair].limits;
+  const Limits& limits = watch.setup().limits;
   const PairEvents& events = watch.buffers.events;
   // One that only passed is listed as that.
   const double kept = events.passed[link_pair] == kNone ? limits.hysteresis : 0.0;

@@ -14,7 +14,7 @@ bool isListed(const Watch& watch, LinkPairIndex link_pair) {
   const std::uint32_t place = events.closest[link_pair];
   return place != kNone && (place == events.closest_of_all || events.passed[link_pair] != kNone ||
                             !(watch.buffers.distances.measured[place].measured.distance >
-                              watch.setup().checked[link_pair].limits.report_distance));
+                              watch.setup().limits.report_distance));
 }
 
 }  // namespace

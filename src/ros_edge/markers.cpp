@@ -164,8 +164,7 @@ void Markers::addDistances(const Watch& watch) {
     }
     const PairDistance& distance = watch.buffers.distances.measured[place];
     const SignedDistance& measured = distance.measured;
-    if (place != events.closest_of_all &&
-        measured.distance > setup.checked[i].limits.report_distance) {
+    if (place != events.closest_of_all && measured.distance > setup.limits.report_distance) {
       continue;
     }
     Marker& line = add("distances", static_cast<int>(i), Marker::LINE_LIST);

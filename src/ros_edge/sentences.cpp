@@ -210,7 +210,7 @@ std::string distanceSentence(const CycleSetup& setup, const PairDistance& distan
 
 std::uint32_t speakerOf(const CycleSetup& setup, const CycleBuffers& buffers,
                         LinkPairIndex link_pair) {
-  const Limits& limits = setup.checked[link_pair].limits;
+  const Limits& limits = setup.limits;
   const std::uint32_t closest = buffers.events.closest[link_pair];
   const std::uint32_t soonest = buffers.events.soonest[link_pair];
   const bool is_near = closest != kNone && buffers.distances.measured[closest].measured.distance <=
@@ -230,7 +230,7 @@ std::string changeSentence(const Watch& watch, const VerdictChange& change) {
   const std::uint32_t speaker = speakerOf(setup, watch.buffers, change.link_pair);
   if (speaker == kNone) {
     return setup.model.link(pair.a).name + " is clear of " + setup.model.link(pair.b).name +
-           " by more than " + lengthText(reachOf(pair.limits));
+           " by more than " + lengthText(reachOf(setup.limits));
   }
   const std::string measured = pairSentence(watch, change.link_pair);
   return change.after == Verdict::clear ? measured + ", clear again" : measured;

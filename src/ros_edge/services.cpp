@@ -108,7 +108,7 @@ bool Services::reload(std_srvs::Trigger::Request& /*request*/,
     response.message = summaryOf(*made);
     response.success = 1;
   } catch (const std::exception& error) {
-    response.message = std::string("nothing was changed: ") + error.what();
+    response.message = "nothing was changed: " + failureText(error);
   } catch (const Interrupted&) {
     response.message = "nothing was changed: the monitor ends";
   }

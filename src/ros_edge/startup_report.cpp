@@ -34,7 +34,7 @@ void logSetup(const MonitorSetup& setup) {
 }
 
 void logFailure(const std::exception& error) {
-  std::istringstream lines(error.what());
+  std::istringstream lines(failureText(error));
   for (std::string line; std::getline(lines, line);) {
     ROS_FATAL_STREAM(line);
   }

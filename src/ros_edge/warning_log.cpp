@@ -4,6 +4,8 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "ros_edge/sentences.h"
@@ -20,13 +22,24 @@ bool isTooSoon(const ros::SteadyTime& last, const ros::SteadyTime& now, double p
 
 }  // namespace
 
+/// So that those that are kept are as many as changed lately.
+void WarningLog::forgetOld(const ros::SteadyTime& now) {
+  if (last_of_change_.size() < most_kept_) {
+    return;
+  }
+  for (auto it = last_of_change_.begin(); it != last_of_change_.end();) {
+    it = isTooSoon(it->second, now) ? std::next(it) : last_of_change_.erase(it);
+  }
+  most_kept_ = std::max(kFewKept, 2 * last_of_change_.size());
+}
+
 void WarningLog::logChange(const Watch& watch, const VerdictChange& change,
                            const std::string& sentence) {
-  constexpr std::size_t kVerdicts = 4;
-  last_of_change_.resize(kVerdicts * watch.setup().checked.size());
+  constexpr std::uint64_t kVerdicts = 4;
   const ros::SteadyTime now = ros::SteadyTime::now();
-  ros::SteadyTime& last =
-      last_of_change_[kVerdicts * change.link_pair + static_cast<std::size_t>(change.after)];
+  forgetOld(now);
+  ros::SteadyTime& last = last_of_change_[kVerdicts * std::uint64_t{change.link_pair} +
+                                          static_cast<std::uint64_t>(change.after)];
   if (isTooSoon(last, now)) {
     return;
   }

@@ -5,6 +5,7 @@
 #include <ros/time.h>
 
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "ros_edge/watch.h"
@@ -26,7 +27,12 @@ class WarningLog {
   void reset();
 
  private:
-  std::vector<ros::SteadyTime> last_of_change_;  ///< by LinkPairIndex and verdict
+  static constexpr std::size_t kFewKept = 1000;
+
+  void forgetOld(const ros::SteadyTime& now);
+
+  std::unordered_map<std::uint64_t, ros::SteadyTime> last_of_change_;  ///< by pair and verdict
+  std::size_t most_kept_{kFewKept};
   std::vector<LinkId> told_unknown_;
   std::vector<LinkId> unknown_;
   ros::SteadyTime last_unknown_;

@@ -168,7 +168,7 @@ int main(int argc, char** argv) {
     const Parsed parsed = parseOptions(argc, argv);
     return parsed.is_to_run ? run(parsed.options) : parsed.exit_code;
   } catch (const std::exception& fault) {
-    std::fprintf(stderr, "pairs: %s\n", fault.what());
+    std::fprintf(stderr, "pairs: %s\n", collision_monitor::failureText(fault).c_str());
     return kInputFault;
   }
 }

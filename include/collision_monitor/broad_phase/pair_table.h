@@ -46,10 +46,13 @@ class PairTable {
     PairId pair;
   };
 
+  void fillDense();
+  void fillPartners();
+
   std::vector<BodyPair> pairs_;
   std::vector<std::uint32_t>
       first_partner_;                 ///< by body a: where its partners start; one more at the end
-  std::vector<Partner> partners_;     ///< grouped by body a, sorted by body b
+  std::vector<Partner> partners_;     ///< grouped by body a, sorted by body b; where not dense_
   std::vector<std::uint32_t> dense_;  ///< as idsOfAll; empty for more bodies than a robot's
   std::size_t body_count_{0};
 };

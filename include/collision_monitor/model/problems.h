@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -36,6 +37,10 @@ class SetupError : public std::runtime_error {
  private:
   std::vector<Problem> problems_;
 };
+
+/// What ended a program or a request, as its user is told: of memory that was not there a sentence
+/// that says what helps, of all else its what().
+std::string failureText(const std::exception& failure);
 
 /// @throws SetupError when the report holds an error.
 void throwIfErrors(const SetupReport& report);

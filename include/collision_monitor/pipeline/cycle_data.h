@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <vector>
 
 #include "collision_monitor/broad_phase/broad_phase.h"
@@ -12,12 +11,11 @@
 #include "collision_monitor/geometry/twist.h"
 #include "collision_monitor/model/robot_model.h"
 #include "collision_monitor/motion/conservative_advancement.h"
-#include "collision_monitor/narrow_phase/convex_workspace.h"
-#include "collision_monitor/narrow_phase/mesh_depth.h"
-#include "collision_monitor/narrow_phase/mesh_distance.h"
 #include "collision_monitor/narrow_phase/signed_distance.h"
 #include "collision_monitor/pipeline/element.h"
 #include "collision_monitor/pipeline/pair_blocks.h"
+#include "collision_monitor/pipeline/quality.h"
+#include "collision_monitor/pipeline/refine_memory.h"
 
 /// What travels from stage to stage of one cycle: plain arrays sized at set-up,
 /// world frame, metres and seconds. Ids here, names only at the ROS edge.
@@ -57,14 +55,6 @@ struct BodyPoses {
   std::vector<unsigned char> known;
   std::vector<unsigned char> link_known;  ///< by LinkId, of links with bodies: known and rigid
   std::vector<Pose> world_from_element;   ///< by ElementId, of known links
-};
-
-enum class Quality : unsigned char {
-  exact,        ///< between the geometries of the URDF themselves
-  lower_bound,  ///< the geometries are at least as far apart; below 0 they may touch, and this is
-                ///< how deep what encloses them overlaps
-  unknown,      ///< a link's pose is unknown: the distance means nothing
-  estimate,     ///< the geometries overlap, proven; they are at least this deep, perhaps deeper
 };
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -170,35 +160,6 @@ struct CycleCounters {
   std::size_t unknown_links{0};  ///< links with geometry whose pose is unknown
 };
 
-/// What was found of two elements. Quality::unknown: nothing that the enclosing shapes do not say.
-struct ElementDistance {
-  Quality quality{Quality::unknown};
-  bool has_points{false};  ///< false: a lower bound without points
-  SignedDistance measured;
-  std::uint32_t steps{0};   ///< spent of the budget
-  bool is_complete{false};  ///< false: a larger budget would have told more
-  /// [m] as MeshDistance::outside
-  double outside{std::numeric_limits<double>::infinity()};
-};
-
-/// The last measurement of a pair of elements, and where they were.
-struct LastMeasurement {
-  ElementDistance found;
-  Pose world_from_a;
-  Pose world_from_b;
-};
-
-/// What is left of the last measurement of a pair of elements: where the next one starts, and what
-/// still holds where there is none.
-struct RefineMemory {
-  ConvexWarmStart warm;
-  TrianglePair nearest;
-  LastMeasurement last;
-  std::unique_ptr<MeshFront> front;  ///< of two meshes; none: searches start from the roots
-  std::unique_ptr<KeptDepth> depth;  ///< of two with meshes, of which one is not convex
-  std::uint32_t waited{0};  ///< cycles in a row in which the budget was spent before its turn
-};
-
 /// Where the links were.
 struct LastPoses {
   std::int64_t stamp_ns{0};
@@ -244,7 +205,9 @@ struct PairMemory {
   std::vector<Detail> contact_detail;  ///< by LinkPairIndex: the finest that showed the contact
                                        ///< that was reported
   SpeedScale speed;
-  std::vector<RefineMemory> refined;  ///< by ElementPairIndex
+  RefineStore refined;
+  /// By ElementPairIndex: cycles in a row in which the budget was spent before its turn.
+  std::vector<std::uint32_t> waited;
   KnownGaps gaps;
   LastPoses last;
 };

@@ -13,10 +13,7 @@ namespace collision_monitor {
 /// A link and those in the slots from `pairs.first` on; pairs are LinkPairIndices.
 struct LinkBlock {
   PairBlock pairs;
-  // By lane.
-  alignas(64) double contact[kBlockLanes] = {};  ///< [m] contact_distance
-  double stop[kBlockLanes] = {};       ///< [m] at least that, and what scaleSpeed must hear of
-  double thickness[kBlockLanes] = {};  ///< [m] as thicknessOfPairs
+  alignas(64) double thickness[kBlockLanes] = {};  ///< [m] by lane: as thicknessOfPairs
 };
 
 /// The columns of links, world frame, [m] and [s] or steps.
@@ -37,7 +34,8 @@ struct PairReaches {
   std::vector<LinkId> links;  ///< by slot: those that stand in checked pairs
   std::vector<Ball> balls;    ///< by slot: as linkBalls
   std::vector<LinkBlock> blocks;
-  double stop{0.0};  ///< [m] the largest of the blocks
+  double contact{0.0};  ///< [m] contact_distance
+  double stop{0.0};     ///< [m] at least that, and what scaleSpeed must hear of
 
   BodyRows rows;                ///< of the links
   std::vector<double> of_pair;  ///< [m] by LinkPairIndex

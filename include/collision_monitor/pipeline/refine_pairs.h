@@ -22,7 +22,7 @@ struct RefineTask {
   ElementPairIndex pair{0};
   std::uint32_t place{0};   ///< in PairDistances: its nearest bodies
   double bound{0.0};        ///< [m] their distance
-  std::uint32_t waited{0};  ///< as RefineMemory::waited
+  std::uint32_t waited{0};  ///< as PairMemory::waited
   /// [m] as ElementDistance::outside, where it was measured
   double outside{std::numeric_limits<double>::infinity()};
 };
@@ -43,11 +43,7 @@ struct RefineWork {
 
 RefineWork makeRefineWork(const CycleSetup& setup);
 
-/// By ElementPairIndex; with a front where two meshes are searched.
-std::vector<RefineMemory> makeRefineMemory(const CycleSetup& setup);
-
-/// Leaves it as new.
-void forget(std::vector<RefineMemory>& memory) noexcept;
+RefineStore makeRefineMemory(const CycleSetup& setup);
 
 /// Measures the geometries behind enclosing shapes that are within limits.distance of each other:
 /// each pair of elements, however many bodies it has. Those that waited longest come first,

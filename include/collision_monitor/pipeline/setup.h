@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -59,11 +60,10 @@ struct BodyLabel {
   bool is_proven{true};    ///< false: given shapes of a link that may stick out of them
 };
 
-/// A pair of links that is checked.
+/// A pair of links that is checked. What its verdict goes by is CycleSetup::limits, for all pairs.
 struct CheckedLinkPair {
   LinkId a{};
   LinkId b{};
-  Limits limits;
 };
 
 /// Pairs [first, last) of the table join these kinds of core, in either order; a <= b.
@@ -113,6 +113,8 @@ struct SetupOptions {
   std::filesystem::path fit_cache;       ///< directory that keeps fits, empty for none
   FitProgress fit_progress;              ///< may be empty
   std::vector<NamedPair> ignored_pairs;  ///< whatever SRDFs say
+  /// [bytes] That pairs may take, which grow with the square of links; 0: what is available.
+  std::uint64_t memory_limit{0};
   bool ignore_default_overlap{
       true};  ///< for robots without SRDF: ignore pairs that overlap in the default pose
 };

@@ -78,11 +78,11 @@ double plainReach(const Scene& scene, const CheckedLinkPair& pair, const std::ve
     const ScrewMotion& motion = scene.sweep.link_motions[link];
     return velocityAt(motion, balls[link].center).norm() + motion.turn.norm() * balls[link].radius;
   };
-  const double stop = scene.setup.ahead.stop.stop_distance + pair.limits.hysteresis;
+  const double stop = scene.setup.ahead.stop.stop_distance + scene.setup.limits.hysteresis;
   const double asked =
-      std::max(pair.limits.contact_distance, stop) + scene.setup.ahead.horizon * speed;
+      std::max(scene.setup.limits.contact_distance, stop) + scene.setup.ahead.horizon * speed;
   const double way = scene.setup.is_continuous ? came(a) + came(b) : 0.0;
-  return std::max(asked, pair.limits.contact_distance + way);
+  return std::max(asked, scene.setup.limits.contact_distance + way);
 }
 
 /// The largest way of a pair for its thickness, of twists by LinkId.

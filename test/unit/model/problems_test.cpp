@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+
 namespace collision_monitor {
 namespace {
 
@@ -28,6 +32,19 @@ TEST(Problems, setupError_listsAllProblemsOneALine) {
   const SetupError error({{"a", "b", "c"}, {"d", "e", "f"}});
   EXPECT_STREQ(error.what(), "2 problems in the set-up:\n  a: b; accepted: c\n  d: e; accepted: f");
   EXPECT_EQ(error.problems().size(), 2u);
+}
+
+TEST(Problems, setupError_listsAFewOfManyAndHowManyMore) {
+  const SetupError error(std::vector<Problem>(100'000, Problem{"a", "b", "c"}));
+  const std::string text = error.what();
+  EXPECT_EQ(text.substr(text.size() - 14), "and 99950 more");
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 51);
+  EXPECT_EQ(error.problems().size(), 100'000U);
+}
+
+TEST(Problems, failureText_saysInWordsThatMemoryIsMissing) {
+  EXPECT_EQ(failureText(std::bad_alloc()).substr(0, 29), "there is not enough memory; f");
+  EXPECT_EQ(failureText(std::runtime_error("as it is")), "as it is");
 }
 
 TEST(Problems, throwIfErrors_throwsForErrorsOnly) {

@@ -84,7 +84,7 @@ TEST_F(LookAheadTest, warningByTime_andItsHysteresis) {
 TEST_F(LookAheadTest, contactByTime_onlyWhereAsked) {
   runWithGap(0.06, 2.0);
   EXPECT_EQ(verdict(), Verdict::warning) << "0.03 s, but contact_time is 0";
-  setup_.checked[0].limits.contact_time = 0.04;
+  setup_.limits.contact_time = 0.04;
   runWithGap(0.06, 2.0);
   EXPECT_EQ(verdict(), Verdict::contact);
   runWithGap(0.06, -2.0);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -112,8 +113,9 @@ class BlocksTest : public testing::TestWithParam<std::int64_t> {
     return best;
   }
   FoundContact contact(double contact_distance) {
-    setup_.checked[setup_.link_pair_of[2]].limits.contact_distance = contact_distance;
-    const ContactDistances limits = contactDistancesOf(setup_);
+    ContactDistances limits = contactDistancesOf(setup_);
+    limits.of_pair[2] = contact_distance;
+    limits.largest = std::max(limits.largest, contact_distance);
     FoundContact found;
     findContact(setup_.blocks, placed(setup_, poses_).rows, limits, found);
     FoundContact late;

@@ -85,7 +85,7 @@ TEST_F(RefineDepth, poseNotFiniteForACycle_isUnknownAndThenAsBefore) {
 
 TEST_F(RefineDepth, budgetSpentBeforeItsTurn_overlapIsCertainAndNoDepthIsTold) {
   runAt(kInside);
-  const std::uint32_t without_depth = buffers_.memory.refined.at(0).last.found.steps;
+  const std::uint32_t without_depth = buffers_.memory.refined.lastOf(0).found.steps;
   resetMemory(buffers_);
   buffers_.refine.limits.budget = without_depth + 1;
   const PairDistance& found = runAt(kInside);
