@@ -5,21 +5,6 @@
 #include "model/frame_names.h"
 
 namespace collision_monitor {
-namespace {
-
-/// The first of the names; there may be hundreds.
-std::string someOf(std::vector<std::string> names, const char* none) {
-  constexpr std::size_t kShown = 12;
-  if (names.size() > kShown) {
-    const std::size_t left_out = names.size() - kShown;
-    names.resize(kShown);
-    names.push_back(std::to_string(left_out) + " more");
-  }
-  return names.empty() ? none : joined(names);
-}
-
-}  // namespace
-
 bool matches(const std::string& pattern, const std::string& name) {
   // On a mismatch the last star takes one character more: no recursion, and at worst
   // pattern times name steps.
@@ -68,11 +53,13 @@ std::optional<std::vector<LinkId>> findGroup(const std::string& name, const Robo
   std::vector<LinkId> links;
   bool is_found = false;
   for (const SrdfPairs& srdf : srdfs) {
-    for (const LinkGroup& group : srdf.groups) {
-      const std::string& prefix = model.robots[index(srdf.robot)].tf_prefix;
-      if (group.name == name || prefixed(trimmedPrefix(prefix), group.name) == name) {
+    const std::string prefix = trimmedPrefix(model.robots[index(srdf.robot)].tf_prefix);
+    for (std::size_t i = 0; i < srdf.groups.size(); ++i) {
+      const std::string& own = srdf.groups[i].name;
+      if (own == name || prefixed(prefix, own) == name) {
         is_found = true;
-        links.insert(links.end(), group.links.begin(), group.links.end());
+        const std::vector<LinkId> held = linksOf(srdf.groups, i, model);
+        links.insert(links.end(), held.begin(), held.end());
       }
     }
   }
@@ -86,7 +73,7 @@ std::string groupNames(const std::vector<SrdfPairs>& srdfs) {
       names.push_back(quoted(group.name));
     }
   }
-  return someOf(names, "none: no SRDF has groups");
+  return names.empty() ? "none: no SRDF has groups" : someOf(names);
 }
 
 std::string linkNames(const RobotModel& model) {
@@ -94,7 +81,7 @@ std::string linkNames(const RobotModel& model) {
   for (const Link& link : model.links) {
     names.push_back(quoted(link.name));
   }
-  return someOf(names, "none");
+  return names.empty() ? "none" : someOf(names);
 }
 
 }  // namespace collision_monitor

@@ -43,11 +43,14 @@ OddityText textOf(Oddity oddity) {
 }
 
 std::string listOf(const std::vector<std::string>& elements) {
+  constexpr std::size_t kShown = 12;
   std::string text;
-  for (const std::string& element : elements) {
-    text += (text.empty() ? "" : "; ") + element;
+  for (std::size_t i = 0; i < elements.size() && i < kShown; ++i) {
+    text += (text.empty() ? "" : "; ") + elements[i];
   }
-  return text;
+  return elements.size() <= kShown
+             ? text
+             : text + "; and " + std::to_string(elements.size() - kShown) + " more";
 }
 
 /// @param meshes `found` is the quoted name of each
@@ -122,6 +125,16 @@ std::string quoted(const std::string& text) {
   return text.size() <= kLongest
              ? "'" + text + "'"
              : "'" + text.substr(0, kHead) + "[...]" + text.substr(text.size() - kTail) + "'";
+}
+
+std::string someOf(const std::vector<std::string>& items) {
+  constexpr std::size_t kShown = 12;
+  if (items.size() <= kShown) {
+    return joined(items);
+  }
+  std::vector<std::string> shown(items.begin(), items.begin() + kShown);
+  shown.push_back(std::to_string(items.size() - kShown) + " more");
+  return joined(shown);
 }
 
 std::string joined(const std::vector<std::string>& items) {

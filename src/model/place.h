@@ -71,4 +71,7 @@ std::string quoted(const std::string& text);
 /// "a, b and c"
 std::string joined(const std::vector<std::string>& items);
 
+/// "a, b, c and 17 more": the first of the items, of which there may be a million.
+std::string someOf(const std::vector<std::string>& items);
+
 }  // namespace collision_monitor

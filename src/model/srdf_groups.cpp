@@ -6,10 +6,7 @@
 #include <cstring>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
-
-#include "model/frame_names.h"
 
 namespace collision_monitor {
 namespace {
@@ -22,152 +19,161 @@ using tinyxml2::XMLElement;
 /// chains and virtual joints, is as MoveIt's RobotModel has it.
 class GroupReader {
  public:
-  GroupReader(const XMLElement& root, RobotId robot, const RobotModel& model)
-      : model_(model), robot_(robot) {
+  GroupReader(const XMLElement& root, const RobotModel& model, const NameIndex& names,
+              UnknownNames& unknown)
+      : model_(model), names_(names), unknown_(unknown) {
     for (const XMLElement* e = root.FirstChildElement(); e != nullptr;
          e = e->NextSiblingElement()) {
       if (std::strcmp(e->Name(), "group") == 0) {
         // A second group of a name adds to the first.
-        elements_[attributeOf(*e, "name")].push_back(e);
+        const std::string name = attributeOf(*e, "name");
+        if (index_of_.emplace(name, groups_.size()).second) {
+          groups_.push_back({name, {}, {}, {}});
+        }
       } else if (std::strcmp(e->Name(), "virtual_joint") == 0) {
         child_of_virtual_joint_[attributeOf(*e, "name")] = attributeOf(*e, "child_link");
       }
     }
   }
 
-  std::vector<LinkId> linksOf(const std::string& group) {
-    std::set<LinkId> links;
-    std::set<std::string> visited;
-    addGroup(group, visited, links);
-    return {links.begin(), links.end()};
+  void readMembers(const XMLElement& group) {
+    LinkGroup& into = groups_[index_of_.at(attributeOf(group, "name"))];
+    for (const XMLElement* e = group.FirstChildElement(); e != nullptr;
+         e = e->NextSiblingElement()) {
+      readMember(*e, into);
+    }
   }
 
-  const std::set<std::string>& unknown() const { return unknown_; }
+  std::vector<LinkGroup> take() { return std::move(groups_); }
 
  private:
-  /// A circle of groups holds what its members hold.
-  void addGroup(const std::string& group, std::set<std::string>& visited, std::set<LinkId>& links) {
-    const auto found = elements_.find(group);
-    if (found == elements_.end()) {
-      unknown_.insert("group " + quoted(group));
-      return;
-    }
-    if (!visited.insert(group).second) {
-      return;
-    }
-    for (const XMLElement* element : found->second) {
-      for (const XMLElement* e = element->FirstChildElement(); e != nullptr;
-           e = e->NextSiblingElement()) {
-        addMember(*e, visited, links);
+  void readMember(const XMLElement& member, LinkGroup& group) {
+    const std::string kind = member.Name();
+    if (kind == "link") {
+      addIfFound(findLink(member, "name"), group);
+    } else if (kind == "joint" || kind == "passive_joint") {
+      addIfFound(findChildOf(member), group);
+    } else if (kind == "chain") {
+      const std::optional<LinkId> base = findLink(member, "base_link");
+      const std::optional<LinkId> tip = findLink(member, "tip_link");
+      if (base && tip) {
+        group.chains.push_back({*base, *tip});
+      }
+    } else if (kind == "group") {
+      const auto found = index_of_.find(attributeOf(member, "name"));
+      if (found == index_of_.end()) {
+        unknown_.add("group " + quoted(attributeOf(member, "name")), member.GetLineNum());
+      } else {
+        group.groups.push_back(found->second);
       }
     }
   }
 
-  void addMember(const XMLElement& member, std::set<std::string>& visited,
-                 std::set<LinkId>& links) {
-    const std::string kind = member.Name();
-    if (kind == "link") {
-      addIfFound(findLink(attributeOf(member, "name")), links);
-    } else if (kind == "joint" || kind == "passive_joint") {
-      addIfFound(findChildOf(attributeOf(member, "name")), links);
-    } else if (kind == "chain") {
-      addChain(findLink(attributeOf(member, "base_link")),
-               findLink(attributeOf(member, "tip_link")), links);
-    } else if (kind == "group") {
-      addGroup(attributeOf(member, "name"), visited, links);
-    }
-  }
-
-  static void addIfFound(std::optional<LinkId> link, std::set<LinkId>& links) {
+  static void addIfFound(std::optional<LinkId> link, LinkGroup& group) {
     if (link) {
-      links.insert(*link);
+      group.links.push_back(*link);
     }
   }
 
-  /// The link and its ancestors, outermost last.
-  std::vector<LinkId> pathToRoot(LinkId link) const {
-    std::vector<LinkId> path{link};
-    while (const auto& joint = model_.link(path.back()).parent_joint) {
-      path.push_back(model_.joint(*joint).parent);
-    }
-    return path;
+  static std::string withoutSlashes(const std::string& name) {
+    return name.substr(std::min(name.find_first_not_of('/'), name.size()));
   }
 
-  void addChain(std::optional<LinkId> base, std::optional<LinkId> tip,
-                std::set<LinkId>& links) const {
-    if (!base || !tip) {
-      return;
-    }
-    std::vector<LinkId> from_base = pathToRoot(*base);
-    std::vector<LinkId> from_tip = pathToRoot(*tip);
-    LinkId meeting = from_base.back();
-    while (!from_base.empty() && !from_tip.empty() && from_base.back() == from_tip.back()) {
-      meeting = from_base.back();
-      from_base.pop_back();
-      from_tip.pop_back();
-    }
-    if (!from_base.empty()) {
-      links.insert(meeting);
-    }
-    links.insert(from_base.begin(), from_base.end());
-    links.insert(from_tip.begin(), from_tip.end());
-  }
-
-  std::string fullName(const std::string& name) const {
-    const std::size_t begin = std::min(name.find_first_not_of('/'), name.size());
-    return prefixed(model_.robots[index(robot_)].tf_prefix, name.substr(begin));
-  }
-
-  std::optional<LinkId> findLink(const std::string& name) {
-    const std::optional<LinkId> link = model_.findLink(fullName(name));
-    if (!link || model_.link(*link).robot != robot_) {
-      unknown_.insert("link " + quoted(name));
+  std::optional<LinkId> findLinkNamed(const std::string& name, int line) {
+    const std::optional<LinkId> link = names_.link(withoutSlashes(name));
+    if (!link) {
+      unknown_.add("link " + quoted(name), line);
       return std::nullopt;
     }
     return link;
   }
 
-  std::optional<LinkId> findChildOf(const std::string& joint_name) {
-    const auto moved = child_of_virtual_joint_.find(joint_name);
+  std::optional<LinkId> findLink(const XMLElement& member, const char* attribute) {
+    return findLinkNamed(attributeOf(member, attribute), member.GetLineNum());
+  }
+
+  std::optional<LinkId> findChildOf(const XMLElement& member) {
+    const std::string name = attributeOf(member, "name");
+    const auto moved = child_of_virtual_joint_.find(name);
     if (moved != child_of_virtual_joint_.end()) {
-      return findLink(moved->second);
+      return findLinkNamed(moved->second, member.GetLineNum());
     }
-    const std::optional<JointId> joint = model_.findJoint(fullName(joint_name));
-    if (!joint || model_.link(model_.joint(*joint).child).robot != robot_) {
-      unknown_.insert("joint " + quoted(joint_name));
+    const std::optional<JointId> joint = names_.joint(withoutSlashes(name));
+    if (!joint) {
+      unknown_.add("joint " + quoted(name), member.GetLineNum());
       return std::nullopt;
     }
     return model_.joint(*joint).child;
   }
 
   const RobotModel& model_;
-  RobotId robot_;
-  std::map<std::string, std::vector<const XMLElement*>> elements_;
+  const NameIndex& names_;
+  UnknownNames& unknown_;
+  std::vector<LinkGroup> groups_;
+  std::map<std::string, std::size_t> index_of_;
   std::map<std::string, std::string> child_of_virtual_joint_;
-  std::set<std::string> unknown_;
 };
+
+/// The link and its ancestors, outermost last.
+std::vector<LinkId> pathToRoot(const RobotModel& model, LinkId link) {
+  std::vector<LinkId> path{link};
+  while (const auto& joint = model.link(path.back()).parent_joint) {
+    path.push_back(model.joint(*joint).parent);
+  }
+  return path;
+}
+
+void addChain(const RobotModel& model, const LinkGroup::Chain& chain, std::vector<LinkId>& links) {
+  std::vector<LinkId> from_base = pathToRoot(model, chain.base);
+  std::vector<LinkId> from_tip = pathToRoot(model, chain.tip);
+  LinkId meeting = from_base.back();
+  while (!from_base.empty() && !from_tip.empty() && from_base.back() == from_tip.back()) {
+    meeting = from_base.back();
+    from_base.pop_back();
+    from_tip.pop_back();
+  }
+  if (!from_base.empty()) {
+    links.push_back(meeting);
+  }
+  links.insert(links.end(), from_base.begin(), from_base.end());
+  links.insert(links.end(), from_tip.begin(), from_tip.end());
+}
 
 }  // namespace
 
-std::vector<LinkGroup> readGroups(const XMLElement& root, RobotId robot, const RobotModel& model,
-                                  const Place& place) {
-  GroupReader reader(root, robot, model);
-  std::vector<LinkGroup> groups;
-  std::set<std::string> names;
+std::vector<LinkGroup> readGroups(const XMLElement& root, const RobotModel& model,
+                                  const NameIndex& names, UnknownNames& unknown) {
+  GroupReader reader(root, model, names, unknown);
   for (const XMLElement* e = root.FirstChildElement("group"); e != nullptr;
        e = e->NextSiblingElement("group")) {
-    const std::string name = attributeOf(*e, "name");
-    if (names.insert(name).second) {
-      groups.push_back({name, reader.linksOf(name)});
+    reader.readMembers(*e);
+  }
+  return reader.take();
+}
+
+std::vector<LinkId> linksOf(const std::vector<LinkGroup>& groups, std::size_t group,
+                            const RobotModel& model) {
+  std::vector<LinkId> links;
+  std::vector<bool> is_visited(groups.size(), false);
+  std::vector<std::size_t> waiting{group};  // no recursion: groups may hold each other 20,000 deep
+  is_visited[group] = true;
+  while (!waiting.empty()) {
+    const LinkGroup& next = groups[waiting.back()];
+    waiting.pop_back();
+    links.insert(links.end(), next.links.begin(), next.links.end());
+    for (const LinkGroup::Chain& chain : next.chains) {
+      addChain(model, chain, links);
+    }
+    for (const std::size_t inner : next.groups) {
+      if (!is_visited[inner]) {
+        is_visited[inner] = true;
+        waiting.push_back(inner);
+      }
     }
   }
-  if (!reader.unknown().empty()) {
-    place.addWarning(0,
-                     "groups with unknown members: " +
-                         joined({reader.unknown().begin(), reader.unknown().end()}),
-                     "the robot lacks them; they are left out");
-  }
-  return groups;
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  return links;
 }
 
 }  // namespace collision_monitor

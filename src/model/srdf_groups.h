@@ -2,15 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "collision_monitor/model/srdf_reader.h"
+#include "model/name_index.h"
 #include "model/xml_document.h"
 
 namespace collision_monitor {
 
-/// The groups of an SRDF below `root`; readSrdf says what they hold. Unknown names are one warning.
-std::vector<LinkGroup> readGroups(const tinyxml2::XMLElement& root, RobotId robot,
-                                  const RobotModel& model, const Place& place);
+/// Names of an SRDF that lead nowhere, in the order of the file.
+class UnknownNames {
+ public:
+  /// Each name is told once, with the line in which it stands first.
+  void add(const std::string& name, int line) {
+    if (is_told_.insert(name).second) {
+      names_.push_back(name + " (line " + std::to_string(line) + ")");
+    }
+  }
+  const std::vector<std::string>& all() const { return names_; }
+
+ private:
+  std::unordered_set<std::string> is_told_;
+  std::vector<std::string> names_;
+};
+
+/// The groups of an SRDF below `root`; readSrdf says what they hold.
+std::vector<LinkGroup> readGroups(const tinyxml2::XMLElement& root, const RobotModel& model,
+                                  const NameIndex& names, UnknownNames& unknown);
 
 }  // namespace collision_monitor

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "model/frame_names.h"
+#include "model/name_index.h"
 #include "model/srdf_groups.h"
 #include "model/xml_document.h"
 
@@ -18,31 +18,26 @@ using tinyxml2::XMLElement;
 /// The links of one robot by the names its SRDF uses.
 class LinkLookup {
  public:
-  LinkLookup(RobotId robot, const RobotModel& model) : robot_(robot), model_(model) {}
+  explicit LinkLookup(const NameIndex& names) : names_(names) {}
 
   /// Nothing, remembered as unknown, for a name that is no link of the robot.
-  std::optional<LinkId> find(const std::string& name) {
-    const std::string full_name = prefixed(model_.robots[index(robot_)].tf_prefix, name);
-    const std::optional<LinkId> link = model_.findLink(full_name);
-    if (!link || model_.link(*link).robot != robot_) {
-      if (is_unknown_.insert(name).second) {
-        unknown_.push_back(quoted(name));
-      }
+  std::optional<LinkId> find(const std::string& name, const XMLElement& element) {
+    const std::optional<LinkId> link = names_.link(name);
+    if (!link) {
+      unknown_.add(quoted(name), element.GetLineNum());
       return std::nullopt;
     }
-    ++known_count_;
+    is_any_known_ = true;
     return link;
   }
 
-  const std::vector<std::string>& unknown() const { return unknown_; }
-  std::size_t knownCount() const { return known_count_; }
+  const std::vector<std::string>& unknown() const { return unknown_.all(); }
+  bool isAnyKnown() const { return is_any_known_; }
 
  private:
-  RobotId robot_;
-  const RobotModel& model_;
-  std::set<std::string> is_unknown_;
-  std::vector<std::string> unknown_;  ///< in the order of the file
-  std::size_t known_count_{0};
+  const NameIndex& names_;
+  UnknownNames unknown_;
+  bool is_any_known_{false};
 };
 
 /// Whether this is what it is taken for: links of other robots may have the same names.
@@ -64,8 +59,8 @@ void readPair(const XMLElement& element, const Place& place, LinkLookup& links,
   if (!name_1 || !name_2) {
     return;
   }
-  const std::optional<LinkId> a = links.find(*name_1);
-  const std::optional<LinkId> b = links.find(*name_2);
+  const std::optional<LinkId> a = links.find(*name_1, element);
+  const std::optional<LinkId> b = links.find(*name_2, element);
   if (!a || !b) {
     return;
   }
@@ -86,22 +81,36 @@ void readRule(const XMLElement& element, const Place& place, LinkLookup& links, 
     readPair(element, place, links, pairs.enabled);
   } else if (std::strcmp(element.Name(), "disable_default_collisions") == 0) {
     if (const auto name = readName(element, "link", place)) {
-      if (const auto link = links.find(*name)) {
+      if (const auto link = links.find(*name, element)) {
         pairs.disabled_by_default.push_back(*link);
       }
     }
   }
 }
 
-void reportUnknownLinks(const LinkLookup& links, const Place& place) {
-  if (links.unknown().empty()) {
-    return;
-  }
-  const std::string found = "unknown links: " + joined(links.unknown());
-  if (links.knownCount() == 0) {
-    place.addError(0, found, "the SRDF of this robot; not one of its links is named");
+/// A name too many can only lead to more pairs being checked.
+void reportUnknown(const std::string& found, const std::string& accepted, const std::string& advice,
+                   bool is_strict, const Place& place) {
+  if (is_strict) {
+    place.addError(0, found, accepted + " (strict)");
   } else {
-    place.addWarning(0, found, "the robot lacks them; lines that name them are ignored");
+    place.addWarning(0, found, advice);
+  }
+}
+
+void reportUnknownLinks(const LinkLookup& links, bool is_strict, const Place& place) {
+  if (!links.unknown().empty()) {
+    const std::string of_another = links.isAnyKnown() ? "" : "not one of its links is known, ";
+    reportUnknown(of_another + "unknown links: " + someOf(links.unknown()), "links of the URDF",
+                  "the robot lacks them; lines that name them are ignored", is_strict, place);
+  }
+}
+
+void reportUnknownMembers(const UnknownNames& unknown, bool is_strict, const Place& place) {
+  if (!unknown.all().empty()) {
+    reportUnknown("groups with unknown members: " + someOf(unknown.all()),
+                  "names of the URDF and of groups", "the robot lacks them; they are left out",
+                  is_strict, place);
   }
 }
 
@@ -122,7 +131,7 @@ void reportContradictions(const SrdfPairs& pairs, const RobotModel& model, const
     }
   }
   if (!both.empty()) {
-    place.addWarning(0, "pairs that are both enabled and disabled: " + joined(both),
+    place.addWarning(0, "pairs that are both enabled and disabled: " + someOf(both),
                      "these are checked");
   }
 }
@@ -134,19 +143,24 @@ SrdfPairs readSrdf(const RobotDescription& description, RobotId robot, const Rob
   SrdfPairs pairs;
   pairs.robot = robot;
   Oddities oddities;
-  const Place place(description.source + " (SRDF)", report, oddities);
+  const Place place(
+      description.srdf_source.empty() ? description.source + " (SRDF)" : description.srdf_source,
+      report, oddities);
   tinyxml2::XMLDocument document;
   const XMLElement* root = parseRobotXml(description.srdf_xml, "SRDF", place, document);
   if (root == nullptr || index(robot) >= model.robots.size()) {
     return pairs;
   }
   checkRobot(*root, model.robots[index(robot)].name, place);
-  LinkLookup links(robot, model);
+  const NameIndex names(model, robot);
+  LinkLookup links(names);
   for (const XMLElement* e = root->FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
     readRule(*e, place, links, pairs);
   }
-  reportUnknownLinks(links, place);
-  pairs.groups = readGroups(*root, robot, model, place);
+  reportUnknownLinks(links, description.is_strict, place);
+  UnknownNames unknown_members;
+  pairs.groups = readGroups(*root, model, names, unknown_members);
+  reportUnknownMembers(unknown_members, description.is_strict, place);
   reportContradictions(pairs, model, place);
   return pairs;
 }

@@ -158,13 +158,21 @@ void ParameterStruct::refuseOthers() {
   if (values_.getType() != XmlRpcValue::TypeStruct) {
     return;
   }
+  constexpr std::size_t kShown = 5;
+  std::size_t count = 0;
   for (const auto& [name, value] : values_) {
-    if (std::find(asked_for_.begin(), asked_for_.end(), name) != asked_for_.end()) {
+    if (std::find(asked_for_.begin(), asked_for_.end(), name) != asked_for_.end() ||
+        ++count > kShown) {
       continue;
     }
     const std::string nearest = nearestName(name, asked_for_);
     refuse(name, "an unknown parameter, " + toText(value),
            nearest.empty() ? "the names of config/monitor.yaml" : "perhaps '" + nearest + "'");
+  }
+  if (count > kShown) {
+    report_.errors.push_back({"parameter " + where_,
+                              std::to_string(count - kShown) + " more unknown parameters",
+                              "the names of config/monitor.yaml"});
   }
 }
 

@@ -169,6 +169,13 @@ void readBroadPhase(ParameterStruct& fields, Parameters& parameters) {
   parameters.broad_phase = static_cast<BroadPhaseKind>(choice);
 }
 
+void readMemoryLimit(ParameterStruct& fields, SetupOptions& options) {
+  constexpr double kMegabyte = 1e6;
+  double megabytes = 0.0;
+  fields.readWhole("memory_limit", {0.0, 1e9}, megabytes);
+  options.memory_limit = static_cast<std::uint64_t>(megabytes * kMegabyte);
+}
+
 /// How links get their shapes.
 void readFitting(ParameterStruct& fields, Parameters& parameters) {
   fields.read("shape_rules", parameters.shape_rules);
@@ -227,6 +234,7 @@ Parameters readParameters(const XmlRpcValue& values, const std::string& where,
   }
   fields.read("mesh_directory", parameters.mesh_directory);
   fields.read("obey_up_axis", parameters.obey_up_axis);
+  fields.read("strict", parameters.is_strict);
   fields.read("world_frame", parameters.world_frame);
   readTiming(fields, parameters);
   readTopic(fields, "joint_states", parameters.joint_states, report);
@@ -235,6 +243,7 @@ Parameters readParameters(const XmlRpcValue& values, const std::string& where,
   fields.read("continuous", parameters.setup.is_continuous);
   fields.read("ignore_default_overlap", parameters.setup.ignore_default_overlap);
   readBroadPhase(fields, parameters);
+  readMemoryLimit(fields, parameters.setup);
   tolerateForeign(fields);
   fields.refuseOthers();
   return parameters;

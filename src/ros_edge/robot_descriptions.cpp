@@ -97,6 +97,7 @@ void addSemantic(const ros::NodeHandle& node, const RobotSource& robot, bool is_
   const std::string accepted = "a parameter that holds the text of an SRDF";
   std::string resolved;
   if (node.searchParam(name, resolved)) {
+    description.srdf_source = "parameter " + resolved;
     if (!node.getParam(resolved, description.srdf_xml)) {
       report.errors.push_back(
           {"robot '" + robot.name + "'", "no text in parameter " + resolved, accepted});
@@ -133,11 +134,13 @@ std::vector<RobotDescription> loadDescriptions(const ros::NodeHandle& private_no
                                        : fromFile(robot, load_resource, report);
     addSemantic(private_node, robot, !is_default, description, report);
     if (!robot.semantic_file.empty()) {
+      description.srdf_source = robot.semantic_file;
       description.srdf_xml =
           readFile(robot.semantic_file, "semantic_file", robot.name, load_resource, report);
     }
     description.tf_prefix = robot.tf_prefix;
     description.obeys_up_axis = parameters.obey_up_axis;
+    description.is_strict = parameters.is_strict;
     if (robot.file.empty()) {
       description.directory = parameters.mesh_directory;
     }

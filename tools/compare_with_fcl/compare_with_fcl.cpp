@@ -23,6 +23,7 @@ RobotDescription describe(const std::string& urdf, const std::string& srdf) {
   RobotDescription description;
   description.source = urdf;
   description.urdf_xml = readRegularFile(urdf);
+  description.srdf_source = srdf;
   description.srdf_xml = srdf.empty() ? "" : readRegularFile(srdf);
   description.directory = std::filesystem::absolute(urdf).parent_path().string();
   return description;
@@ -164,7 +165,8 @@ int main(int argc, char** argv) {
   try {
     return collision_monitor::run(argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "compare_with_fcl: %s\n", error.what());
+    std::fprintf(stderr, "compare_with_fcl: %s\
+", collision_monitor::failureText(error).c_str());
     return collision_monitor::kFault;
   }
 }

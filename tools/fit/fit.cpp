@@ -68,7 +68,9 @@ std::vector<OutputFile> makeOutputs(const Options& options, const RobotDescripti
 int run(const Options& options) {
   SetupReport report;
   RobotDescription description = readDescription(options.source, report);
+  description.srdf_source = options.srdf;
   description.srdf_xml = readInput("option --srdf", options.srdf, report);
+  description.is_strict = options.is_strict;
   FitRequest request{options.limits, options.padding, readRules(options.rules, report),
                      fitCacheFolder(options.cache), options.link_pattern};
   checkOutputs(options, report);
@@ -98,7 +100,7 @@ int main(int argc, char** argv) {
     const Parsed parsed = parseOptions(argc, argv);
     return parsed.is_to_run ? run(parsed.options) : parsed.exit_code;
   } catch (const std::exception& fault) {
-    std::fprintf(stderr, "fit: %s\n", fault.what());
+    std::fprintf(stderr, "fit: %s\n", collision_monitor::failureText(fault).c_str());
     return kInputFault;
   }
 }

@@ -38,8 +38,11 @@ std::string faultOfLength(const std::string& text) {
 
 void addInputs(CLI::App& app, Options& options) {
   const char* const group = "Input";
-  app.add_option("--srdf", options.srdf, "for rules that name its groups")
-      ->type_name("FILE")
+  CLI::Option* srdf = app.add_option("--srdf", options.srdf, "for rules that name its groups")
+                          ->type_name("FILE")
+                          ->group(group);
+  app.add_flag("--strict", options.is_strict, "names in the SRDF that the URDF lacks are errors")
+      ->needs(srdf)
       ->group(group);
   app.add_option("--rules", options.rules,
                  "rules for single links, as config/shape_rules.yaml shows them")

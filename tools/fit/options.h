@@ -15,6 +15,7 @@ namespace collision_monitor::fit_tool {
 struct Options {
   RobotSource source;
   std::string srdf;
+  bool is_strict{false};  ///< as in RobotDescription
 
   FitLimits limits{SetupOptions().default_limits};  ///< as the node's
   double padding{0.0};                              ///< [m]

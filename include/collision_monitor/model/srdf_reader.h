@@ -10,10 +10,16 @@
 
 namespace collision_monitor {
 
-/// A `<group>`: links that a name stands for.
+/// A `<group>` and what stands in it; linksOf says which links that is.
 struct LinkGroup {
+  struct Chain {
+    LinkId base{};
+    LinkId tip{};
+  };
   std::string name;           ///< as written, without the robot's prefix
-  std::vector<LinkId> links;  ///< sorted, each once
+  std::vector<LinkId> links;  ///< of `<link>` and `<joint>`
+  std::vector<Chain> chains;
+  std::vector<std::size_t> groups;  ///< indices into SrdfPairs::groups
 };
 
 /// What an SRDF says about pairs and groups, with names resolved to links of the model.
@@ -38,14 +44,19 @@ struct SrdfPairs {
 /// tip_link, all from one over the link at which they meet to the other; of a `<group>` its links,
 /// wherever in the file it stands. A `<virtual_joint>` stands for the link that it moves.
 ///
-/// Warnings: links that are unknown, listed together, whose lines are ignored (SRDFs are shared
-/// by variants of a robot); the same for names in groups; pairs that are both enabled and
-/// disabled; a link with itself.
-/// Errors: XML that cannot be parsed, a line without its links, and an SRDF none of whose
-/// links is known, for that one belongs to another robot.
+/// Warnings: links that are unknown, listed together with their lines, which are ignored: SRDFs are
+/// shared by variants of a robot, and what they fail to disable is checked; the same for names in
+/// groups; pairs that are both enabled and disabled; a link with itself.
+/// Errors: XML that cannot be parsed, and a line without its links; if `description.is_strict`,
+/// unknown names, too.
 /// Limits: after an error the result holds what could be read. If `model` does not have the
 /// robot, because its URDF could not be read, only the XML is checked.
 SrdfPairs readSrdf(const RobotDescription& description, RobotId robot, const RobotModel& model,
                    SetupReport& report);
+
+/// The links that a group holds, sorted, each once: also those of groups in it, and in these. A
+/// circle of groups holds what its members hold.
+std::vector<LinkId> linksOf(const std::vector<LinkGroup>& groups, std::size_t group,
+                            const RobotModel& model);
 
 }  // namespace collision_monitor

@@ -16,13 +16,15 @@ namespace collision_monitor {
 struct RobotDescription {
   std::string source;  ///< what messages call it: a file name or "parameter /robot_description"
   std::string urdf_xml;
-  std::string srdf_xml;   ///< empty if there is none
-  std::string tf_prefix;  ///< "" or "left": tf frames and link names become "left/NAME";
-                          ///< slashes around it do not count, and no name gets it twice
-  std::string directory;  ///< for relative mesh names: the URDF's folder, "" if unknown
+  std::string srdf_xml;     ///< empty if there is none
+  std::string srdf_source;  ///< what messages call it; empty: "SOURCE (SRDF)"
+  std::string tf_prefix;    ///< "" or "left": tf frames and link names become "left/NAME";
+                            ///< slashes around it do not count, and no name gets it twice
+  std::string directory;    ///< for relative mesh names: the URDF's folder, "" if unknown
   /// Turn meshes that declare another up axis than z; docs/decisions/mesh-up-axis.md says why
   /// this is not the rule.
   bool obeys_up_axis{false};
+  bool is_strict{false};  ///< names in the SRDF that the URDF lacks are errors
 };
 
 /// Returns the bytes behind a URI (package://, file://, a plain path).

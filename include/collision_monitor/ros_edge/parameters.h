@@ -40,6 +40,7 @@ struct Parameters {
   std::string mesh_directory;       ///< for relative mesh names of URDFs that are not files
   LoadRules loading;                ///< of robots, meshes and rules; that of meshes is in `setup`
   bool obey_up_axis{false};         ///< as RobotDescription::obeys_up_axis
+  bool is_strict{false};            ///< as in RobotDescription
   std::string world_frame;          ///< empty: the root link of the first robot
   double rate{100.0};               ///< [Hz]
   Trigger trigger{Trigger::timer};

@@ -20,11 +20,13 @@ struct ReadSrdf {
 };
 
 /// Reads the SRDF lines for a robot of the links a, b, c with the given prefix.
-ReadSrdf read(const std::string& srdf_xml, const std::string& prefix = "") {
+ReadSrdf read(const std::string& srdf_xml, const std::string& prefix = "", bool is_strict = false) {
   RobotDescription description = test::describeText(
       robotXml("<link name='a'/><link name='b'/><link name='c'/>" +
                jointXml("j", "continuous", "a", "b") + jointXml("k", "continuous", "b", "c")));
   description.srdf_xml = srdf_xml;
+  description.srdf_source = "test.srdf";
+  description.is_strict = is_strict;
   description.tf_prefix = prefix;
   ReadSrdf result;
   SetupReport urdf_report;
@@ -67,13 +69,12 @@ TEST(SrdfReader, nameOfAnotherRobot_isAWarningAndAUrdfIsNoSrdf) {
   const std::string line = "<disable_collisions link1='a' link2='c'/>";
   const ReadSrdf other = read("<robot name='other'>" + line + "</robot>");
   EXPECT_EQ(other.warnings,
-            std::vector<std::string>{"test.urdf (SRDF) line 1: robot name 'other'; the "
-                                     "URDF's is 'r'; it is read all the same"});
+            std::vector<std::string>{"test.srdf line 1: robot name 'other'; the URDF's is 'r'; it "
+                                     "is read all the same"});
   EXPECT_EQ(other.pairs.disabled.size(), 1u);
   EXPECT_TRUE(read("<robot>" + line + "</robot>").warnings.empty());
-  EXPECT_EQ(
-      read(robotXml("<link name='a'/>")).errors,
-      std::vector<std::string>{"test.urdf (SRDF) line 2: <link>, as in a URDF; accepted: an SRDF"});
+  EXPECT_EQ(read(robotXml("<link name='a'/>")).errors,
+            std::vector<std::string>{"test.srdf line 2: <link>, as in a URDF; accepted: an SRDF"});
 }
 
 TEST(SrdfReader, unknownLinks_areOneWarning) {
@@ -83,14 +84,52 @@ TEST(SrdfReader, unknownLinks_areOneWarning) {
                     "<disable_collisions link1='a' link2='c'/>"));
   EXPECT_EQ(srdf.pairs.disabled.size(), 1u);
   EXPECT_EQ(srdf.warnings, std::vector<std::string>{
-                               "test.urdf (SRDF): unknown links: 'x' and 'y'; the robot lacks "
-                               "them; lines that name them are ignored"});
+                               "test.srdf: unknown links: 'x' (line 2) and 'y' (line 2); the "
+                               "robot lacks them; lines that name them are ignored"});
 }
 
-TEST(SrdfReader, srdfOfAnotherRobot_isAnError) {
-  EXPECT_EQ(read(robotXml("<disable_collisions link1='x' link2='y'/>")).errors,
-            std::vector<std::string>{"test.urdf (SRDF): unknown links: 'x' and 'y'; accepted: the "
-                                     "SRDF of this robot; not one of its links is named"});
+// It can only lead to more pairs being checked, so a robot whose SRDF was published with names of
+// another version starts.
+TEST(SrdfReader, noneOfTheLinksKnown_isAWarning) {
+  const ReadSrdf srdf = read(robotXml("\n<disable_collisions link1='x' link2='y'/>"));
+  EXPECT_TRUE(srdf.errors.empty());
+  EXPECT_EQ(srdf.warnings,
+            std::vector<std::string>{"test.srdf: not one of its links is known, unknown links: 'x' "
+                                     "(line 3) and 'y' (line 3); the robot lacks them; lines "
+                                     "that name them are ignored"});
+}
+
+TEST(SrdfReader, strict_unknownNamesAreErrors) {
+  const ReadSrdf srdf = read(robotXml("<disable_collisions link1='a' link2='x'/>\n"
+                                      "<group name='g'><joint name='q'/></group>"),
+                             "", true);
+  EXPECT_TRUE(srdf.warnings.empty());
+  EXPECT_EQ(srdf.errors,
+            (std::vector<std::string>{"test.srdf: unknown links: 'x' (line 2); accepted: links of "
+                                      "the URDF (strict)",
+                                      "test.srdf: groups with unknown members: joint 'q' (line 3); "
+                                      "accepted: names of the URDF and of groups (strict)"}));
+}
+
+TEST(SrdfReader, manyUnknownNames_areAFewAndHowManyMore) {
+  std::string lines;
+  for (int i = 0; i < 100'000; ++i) {
+    lines += "<disable_default_collisions link='x" + std::to_string(i) + "'/>\n";
+  }
+  const ReadSrdf srdf = read(robotXml(lines));
+  ASSERT_EQ(srdf.warnings.size(), 1U);
+  EXPECT_NE(srdf.warnings[0].find("'x11' (line 13) and 99988 more"), std::string::npos)
+      << srdf.warnings[0].substr(0, 400);
+}
+
+TEST(SrdfReader, sourceNotGiven_isThatOfTheUrdf) {
+  RobotDescription description = test::describeText(robotXml("<link name='a'/>"));
+  description.srdf_xml = "<robot>";
+  SetupReport report;
+  const RobotModel model = readRobots({description}, test::textLoader({}), report);
+  readSrdf(description, RobotId{0}, model, report);
+  ASSERT_EQ(report.errors.size(), 1U);
+  EXPECT_EQ(report.errors[0].where.substr(0, 16), "test.urdf (SRDF)");
 }
 
 /// "name: a b" for each group of a robot whose root carries the branches a-b-c and x-y.
@@ -107,9 +146,10 @@ std::vector<std::string> groupsOf(const std::string& srdf_xml, const std::string
   const RobotModel model = readRobots({description}, test::textLoader({}), report);
   SetupReport srdf_report;
   std::vector<std::string> texts;
-  for (const LinkGroup& group : readSrdf(description, RobotId{0}, model, srdf_report).groups) {
-    texts.push_back(group.name + ":");
-    for (const LinkId link : group.links) {
+  const SrdfPairs srdf = readSrdf(description, RobotId{0}, model, srdf_report);
+  for (std::size_t i = 0; i < srdf.groups.size(); ++i) {
+    texts.push_back(srdf.groups[i].name + ":");
+    for (const LinkId link : linksOf(srdf.groups, i, model)) {
       texts.back() += " " + model.link(link).name;
     }
   }
@@ -158,8 +198,40 @@ TEST(SrdfGroups, unknownMembers_areOneWarningAndLeftOut) {
   EXPECT_EQ(groupsOf("<group name='g'><link name='a'/><link name='q'/><joint name='aq'/>"
                      "<group name='h'/><chain base_link='a' tip_link='z'/></group>"),
             (Texts{"g: a",
-                   "test.urdf (SRDF): groups with unknown members: group 'h', joint 'aq', link "
-                   "'q' and link 'z'; the robot lacks them; they are left out"}));
+                   "test.srdf: groups with unknown members: link 'q' (line 2), joint 'aq' "
+                   "(line 2), group 'h' (line 2) and link 'z' (line 2); the robot lacks them; "
+                   "they are left out"}));
+}
+
+// Groups in groups, of which each adds a link: what a group holds is found when it is asked for, or
+// all of them together would hold the square of links.
+TEST(SrdfGroups, chainOfTwentyThousand_isHeldAsItStandsInTheFile) {
+  constexpr std::size_t kCount = 20'000;
+  std::string links = "<link name='l0'/>";
+  std::string groups;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const std::string number = std::to_string(i);
+    const std::string next = std::to_string(i + 1);
+    links += "<link name='l" + next + "'/>" +
+             jointXml("j" + number, "continuous", "l" + number, "l" + next);
+    groups += "<group name='g" + number + "'><link name='l" + number + "'/>" +
+              (i + 1 < kCount ? "<group name='g" + next + "'/>" : "") + "</group>";
+  }
+  RobotDescription description = test::describeText(robotXml(links));
+  description.srdf_xml = robotXml(groups + "<group name='arm'><chain base_link='l0' tip_link='l" +
+                                  std::to_string(kCount) + "'/></group>");
+  SetupReport report;
+  const RobotModel model = readRobots({description}, test::textLoader({}), report);
+  const SrdfPairs srdf = readSrdf(description, RobotId{0}, model, report);
+  EXPECT_TRUE(report.errors.empty());
+  std::size_t held = 0;
+  for (const LinkGroup& group : srdf.groups) {
+    held += group.links.size();
+  }
+  EXPECT_EQ(held, kCount);
+  EXPECT_EQ(linksOf(srdf.groups, 0, model).size(), kCount);
+  EXPECT_EQ(linksOf(srdf.groups, kCount - 1, model).size(), 1U);
+  EXPECT_EQ(linksOf(srdf.groups, kCount, model).size(), kCount) << "the chain, without its base";
 }
 
 TEST(SrdfReader, srdfWithoutPairs_isFine) {
@@ -175,20 +247,20 @@ TEST(SrdfReader, faults_areReportedWithTheirLines) {
                     "<disable_collisions link1='b' link2='b'/>"));
   EXPECT_EQ(srdf.errors,
             (std::vector<std::string>{
-                "test.urdf (SRDF) line 2: <disable_collisions> without link2; accepted: "
+                "test.srdf line 2: <disable_collisions> without link2; accepted: "
                 "link2=\"...\" that is not blank",
-                "test.urdf (SRDF) line 3: <disable_default_collisions> without link; accepted: "
+                "test.srdf line 3: <disable_default_collisions> without link; accepted: "
                 "link=\"...\" that is not blank"}));
   EXPECT_EQ(srdf.warnings,
-            std::vector<std::string>{"test.urdf (SRDF) line 4: <disable_collisions> of 'b' with "
-                                     "itself; the line is ignored"});
+            std::vector<std::string>{"test.srdf line 4: <disable_collisions> of 'b' with itself; "
+                                     "the line is ignored"});
 }
 
 TEST(SrdfReader, contradiction_isAWarning) {
   EXPECT_EQ(read(robotXml("<disable_collisions link1='a' link2='b'/>"
                           "<enable_collisions link1='b' link2='a'/>"))
                 .warnings,
-            std::vector<std::string>{"test.urdf (SRDF): pairs that are both enabled and disabled: "
+            std::vector<std::string>{"test.srdf: pairs that are both enabled and disabled: "
                                      "'b' - 'a'; these are checked"});
 }
 

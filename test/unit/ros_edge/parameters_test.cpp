@@ -150,6 +150,33 @@ TEST(Parameters, numberThatIsAText_isRefusedWithAnAdvice) {
   EXPECT_EQ(fault("fast"), "parameter /m/rate: 'fast'; accepted: a number > 0 and <= 10000");
 }
 
+TEST(Parameters, strictAndMemoryLimit_areRead) {
+  XmlRpcValue values;
+  SetupReport report;
+  EXPECT_FALSE(readParameters(values, "/m", report).is_strict);
+  EXPECT_EQ(readParameters(values, "/m", report).setup.memory_limit, 0U);
+  values["strict"] = true;
+  values["memory_limit"] = 500;
+  EXPECT_TRUE(readParameters(values, "/m", report).is_strict);
+  EXPECT_EQ(readParameters(values, "/m", report).setup.memory_limit, 500'000'000U);
+  EXPECT_TRUE(report.errors.empty());
+  values["strict"] = 1;
+  values["memory_limit"] = -1;
+  EXPECT_EQ(faults(values),
+            (std::set<std::string>{"parameter /m/strict", "parameter /m/memory_limit"}));
+}
+
+TEST(Parameters, manyUnknownNames_areAFewAndHowManyMore) {
+  XmlRpcValue values;
+  for (int i = 0; i < 10'000; ++i) {
+    values["unknown" + std::to_string(i)] = i;
+  }
+  SetupReport report;
+  readParameters(values, "/m", report);
+  ASSERT_EQ(report.errors.size(), 6U);
+  EXPECT_EQ(report.errors.back().found, "9995 more unknown parameters");
+}
+
 TEST(Parameters, misspeltName_isNamedWithTheNearest) {
   XmlRpcValue values;
   values["max_agee"] = 0.2;
