@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/apply_joints.h"
 
-#include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "collision_monitor/model/kinematics.h"
 #include "model/number_text.h"
+#include "ros_edge/few_texts.h"
 #include "ros_edge/nearest_name.h"
 
 namespace collision_monitor {
@@ -30,34 +33,33 @@ std::string unknownJoint(const RobotModel& model, const std::string& name) {
   return "there is no joint '" + name + "'" + suggestion(name, known);
 }
 
-bool isNamed(const sensor_msgs::JointState& joints, const std::string& name) {
-  return std::find(joints.name.begin(), joints.name.end(), name) != joints.name.end();
+/// How often each name stands in a request.
+using NameCounts = std::unordered_map<std::string_view, std::size_t>;
+
+NameCounts countNames(const std::vector<std::string>& names) {
+  NameCounts counts;
+  for (const std::string& name : names) {
+    ++counts[name];
+  }
+  return counts;
 }
 
 /// What is wrong with one entry; empty if nothing is.
-std::string fault(const RobotModel& model, const sensor_msgs::JointState& joints,
-                  std::size_t entry) {
-  const std::string& name = joints.name[entry];
-  const auto id = model.findJoint(name);
-  if (!id) {
-    return unknownJoint(model, name);
-  }
-  const Joint& joint = model.joint(*id);
+/// @pre the model has the joint
+std::string fault(const RobotModel& model, const Joint& joint, double position,
+                  const NameCounts& counts) {
+  const std::string named = "joint '" + joint.name + "'";
   if (!hasOneVariable(joint)) {
-    return "joint '" + name +
-           "' is fixed, planar or floating, and a JointState cannot place it; leave it out";
+    return named + " is fixed, planar or floating, and a JointState cannot place it; leave it out";
   }
-  if (joint.mimic && !isNamed(joints, model.joint(joint.mimic->source).name)) {
-    return "joint '" + name + "' follows '" + model.joint(joint.mimic->source).name +
-           "'; name that one";
+  if (joint.mimic && counts.count(model.joint(joint.mimic->source).name) == 0) {
+    return named + " follows '" + model.joint(joint.mimic->source).name + "'; name that one";
   }
-  const std::string of_number = numberFault(joints.position[entry]);
+  const std::string of_number = numberFault(position);
   if (!of_number.empty()) {
-    return "the position of joint '" + name + "' " + of_number;
+    return "the position of " + named + " " + of_number;
   }
-  return std::count(joints.name.begin(), joints.name.end(), name) > 1
-             ? "joint '" + name + "' stands twice"
-             : "";
+  return counts.at(joint.name) > 1 ? named + " stands twice" : "";
 }
 
 NamedPositions readPositions(const RobotModel& model, const sensor_msgs::JointState& joints) {
@@ -89,14 +91,23 @@ std::vector<std::string> jointFaults(const RobotModel& model,
     return {"joints has " + std::to_string(joints.name.size()) + " names and " +
             std::to_string(joints.position.size()) + " positions; give one position for each name"};
   }
-  std::vector<std::string> faults;
+  const NameCounts counts = countNames(joints.name);
+  std::unordered_set<std::string_view> unknown;
+  FewTexts faults;
   for (std::size_t i = 0; i < joints.name.size(); ++i) {
-    const std::string text = fault(model, joints, i);
-    if (!text.empty() && std::find(faults.begin(), faults.end(), text) == faults.end()) {
-      faults.push_back(text);
+    const auto id = model.findJoint(joints.name[i]);
+    if (!id) {
+      if (unknown.insert(joints.name[i]).second) {
+        faults.add([&] { return unknownJoint(model, joints.name[i]); });
+      }
+      continue;
+    }
+    const std::string text = fault(model, model.joint(*id), joints.position[i], counts);
+    if (!text.empty()) {
+      faults.add([&] { return text; });
     }
   }
-  return faults;
+  return faults.all();
 }
 
 std::vector<std::string> applyJoints(const RobotModel& model, const sensor_msgs::JointState& joints,

@@ -14,7 +14,7 @@ namespace collision_monitor {
 /// What is wrong with a position or velocity of a joint: "is not finite"; empty if nothing is.
 std::string numberFault(double number);
 
-/// What is wrong with `joints`, one sentence each.
+/// What is wrong with `joints`: a few sentences and how many more, in time linear in the names.
 std::vector<std::string> jointFaults(const RobotModel& model,
                                      const sensor_msgs::JointState& joints);
 

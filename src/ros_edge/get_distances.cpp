@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <unordered_set>
 
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "ros_edge/apply_joints.h"
 #include "ros_edge/conversions.h"
+#include "ros_edge/few_texts.h"
 #include "ros_edge/nearest_name.h"
 #include "ros_edge/sentences.h"
 
@@ -25,18 +28,25 @@ LinkSet findLinks(const CycleSetup& setup, const std::vector<std::string>& names
   for (const Link& link : model.links) {
     known.push_back(link.name);
   }
+  FewTexts found;
+  std::unordered_set<std::string_view> unknown;
   for (const std::string& name : names) {
     const auto link = model.findLink(name);
+    const std::string start = std::string(field) + ": ";
     if (!link) {
-      faults.push_back(std::string(field) + ": there is no link '" + name + "'" +
-                       suggestion(name, known));
+      if (unknown.insert(name).second) {
+        found.add(
+            [&] { return start + "there is no link '" + name + "'" + suggestion(name, known); });
+      }
     } else if (!hasShapes(model.link(*link))) {
-      faults.push_back(std::string(field) + ": link '" + name +
-                       "' has no collision geometry; leave it out");
+      found.add(
+          [&] { return start + "link '" + name + "' has no collision geometry; leave it out"; });
     } else {
       links[index(*link)] = 1;
     }
   }
+  const std::vector<std::string> texts = found.all();
+  faults.insert(faults.end(), texts.begin(), texts.end());
   return links;
 }
 
@@ -53,13 +63,16 @@ struct Selection {
 
 /// The reasons of the pairs that are asked for and ignored.
 std::string ignoredText(const CycleSetup& setup, const Selection& selection) {
-  std::vector<std::string> ignored;
+  FewTexts found;
   for (const LinkPair& pair : setup.link_pairs) {
     if (!isChecked(pair.reason) && selection.has(pair.a, pair.b)) {
-      ignored.push_back(setup.model.link(pair.a).name + " and " + setup.model.link(pair.b).name +
-                        " (" + reasonText(pair.reason) + ")");
+      found.add([&] {
+        return setup.model.link(pair.a).name + " and " + setup.model.link(pair.b).name + " (" +
+               reasonText(pair.reason) + ")";
+      });
     }
   }
+  const std::vector<std::string> ignored = found.all();
   return ignored.empty() ? "" : "not checked: " + join(ignored);
 }
 

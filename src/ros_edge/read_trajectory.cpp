@@ -7,6 +7,7 @@
 
 #include "model/number_text.h"
 #include "ros_edge/apply_joints.h"
+#include "ros_edge/few_texts.h"
 
 namespace collision_monitor {
 namespace {
@@ -23,19 +24,19 @@ std::string jointFault(const std::string& field, const std::string& joint,
 
 /// One number a joint, and every number of use.
 void checkNumbers(const JointTrajectory& trajectory, std::size_t point,
-                  const std::vector<double>& numbers, const char* field,
-                  std::vector<std::string>& faults) {
+                  const std::vector<double>& numbers, const char* field, FewTexts& faults) {
   const std::string where = pointText(point) + "." + field;
   if (numbers.size() != trajectory.joint_names.size()) {
-    faults.push_back(where + " has " + std::to_string(numbers.size()) + " numbers for " +
-                     std::to_string(trajectory.joint_names.size()) +
-                     " joints; give one for each joint");
+    faults.add([&] {
+      return where + " has " + std::to_string(numbers.size()) + " numbers for " +
+             std::to_string(trajectory.joint_names.size()) + " joints; give one for each joint";
+    });
     return;
   }
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const std::string fault = numberFault(numbers[i]);
     if (!fault.empty()) {
-      faults.push_back(jointFault(where, trajectory.joint_names[i], fault));
+      faults.add([&] { return jointFault(where, trajectory.joint_names[i], fault); });
     }
   }
 }
@@ -44,23 +45,26 @@ void checkNumbers(const JointTrajectory& trajectory, std::size_t point,
 double timeOf(const JointTrajectoryPoint& point) { return point.time_from_start.toSec(); }
 
 /// From 0 on, each later than the one before it.
-void checkTime(const JointTrajectory& trajectory, std::size_t point,
-               std::vector<std::string>& faults) {
+void checkTime(const JointTrajectory& trajectory, std::size_t point, FewTexts& faults) {
   const double time = timeOf(trajectory.points[point]);
   const double before = point == 0 ? 0.0 : timeOf(trajectory.points[point - 1]);
-  const std::string found = pointText(point) + ".time_from_start is " + shortText(time) + " s";
+  const auto found = [&] {
+    return pointText(point) + ".time_from_start is " + shortText(time) + " s";
+  };
   if (point == 0 && time < 0.0) {
-    faults.push_back(found + "; accepted: 0 s or later");
+    faults.add([&] { return found() + "; accepted: 0 s or later"; });
   } else if (point > 0 && time <= before) {
-    faults.push_back(found + "; accepted: later than the " + shortText(before) +
-                     " s of the point before it");
+    faults.add([&] {
+      return found() + "; accepted: later than the " + shortText(before) +
+             " s of the point before it";
+    });
   }
 }
 
 /// How far cubics swing between two points that may be near each other; time 0 is next to the
 /// first.
 /// @pre the points have no other faults
-void checkSwings(const JointTrajectory& trajectory, std::vector<std::string>& faults) {
+void checkSwings(const JointTrajectory& trajectory, FewTexts& faults) {
   const std::vector<JointTrajectoryPoint>& points = trajectory.points;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double before = i == 0 ? 0.0 : timeOf(points[i - 1]);
@@ -73,8 +77,9 @@ void checkSwings(const JointTrajectory& trajectory, std::vector<std::string>& fa
         const std::string fault = "is " + shortText(points[i].velocities[k]) +
                                   ", by which it goes " + shortText(way) +
                                   " until the point next to it; accepted: up to 1e9";
-        faults.push_back(
-            jointFault(pointText(i) + ".velocities", trajectory.joint_names[k], fault));
+        faults.add([&] {
+          return jointFault(pointText(i) + ".velocities", trajectory.joint_names[k], fault);
+        });
       }
     }
   }
@@ -84,24 +89,25 @@ std::vector<std::string> findFaults(const JointTrajectory& trajectory) {
   if (trajectory.points.empty()) {
     return {"the trajectory has no points; give at least one"};
   }
-  std::vector<std::string> faults;
+  FewTexts faults;
   const bool has_velocities = !trajectory.points.front().velocities.empty();
   for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
     const JointTrajectoryPoint& point = trajectory.points[i];
     checkNumbers(trajectory, i, point.positions, "positions", faults);
     if (has_velocities != !point.velocities.empty()) {
-      faults.push_back(pointText(i) + ".velocities " +
-                       (has_velocities ? "is empty" : "is not empty") +
-                       "; give velocities at every point or at none");
+      faults.add([&] {
+        return pointText(i) + ".velocities " + (has_velocities ? "is empty" : "is not empty") +
+               "; give velocities at every point or at none";
+      });
     } else if (has_velocities) {
       checkNumbers(trajectory, i, point.velocities, "velocities", faults);
     }
     checkTime(trajectory, i, faults);
   }
-  if (faults.empty()) {
+  if (faults.all().empty()) {
     checkSwings(trajectory, faults);
   }
-  return faults;
+  return faults.all();
 }
 
 void fillPath(const RobotModel& model, const JointTrajectory& trajectory, JointPath& path) {

@@ -178,6 +178,19 @@ TEST_F(CheckStatesServiceTest, modelThatCannotMove_hasOneState) {
   EXPECT_NEAR(response.distances[0], -0.05, 1e-12);
 }
 
+TEST_F(CheckStatesServiceTest, aMillionUnknownJoints_areAFewAndHowManyMore) {
+  for (int i = 0; i < 1'000'000; ++i) {
+    request_.joint_names.push_back("unknown" + std::to_string(i));
+  }
+  request_.joint_names.push_back("reach");
+  request_.positions.resize(request_.joint_names.size(), 0.0);
+  const auto response = ask();
+  EXPECT_FALSE(response.success);
+  EXPECT_NE(response.message.find("there is no joint 'unknown4'"), std::string::npos);
+  EXPECT_NE(response.message.find("; 999995 more"), std::string::npos) << response.message;
+  EXPECT_LT(response.message.size(), 1000U);
+}
+
 TEST_F(CheckStatesServiceTest, faults_areNamedAndNothingIsChecked) {
   EXPECT_NE(ask().message.find("joint_names is empty"), std::string::npos);
   request_.joint_names = {"reach", "slyde", "follow"};

@@ -106,6 +106,18 @@ TEST_F(CheckTrajectoryTest, unknownLink_pairsAreUnknownAndSoIsTheWhole) {
   EXPECT_EQ(find(response, "base", "tool")->state, LinkApproach::CLEAR);
 }
 
+TEST_F(CheckTrajectoryTest, manyUnknownJointsAndBadPoints_areAFewAndHowManyMore) {
+  for (int i = 0; i < 100'000; ++i) {
+    request_.trajectory.joint_names.push_back("unknown" + std::to_string(i));
+    addPoint(1.0 + i, 0.0);
+  }
+  const auto response = ask();
+  EXPECT_FALSE(response.success);
+  EXPECT_NE(response.message.find("99995 more; there is no joint 'unknown0'"), std::string::npos)
+      << response.message;
+  EXPECT_EQ(response.message.substr(response.message.size() - 12), "; 99995 more");
+}
+
 TEST_F(CheckTrajectoryTest, everyFaultIsNamed) {
   request_.margin = std::nan("");
   request_.trajectory.joint_names = {"reac"};

@@ -159,6 +159,17 @@ TEST_F(GetDistancesTest, nothingKnownButTheRoot_unnamedJointsStayUnknown) {
   EXPECT_EQ(ask().distances.pairs_unknown, 0U);
 }
 
+TEST_F(GetDistancesTest, aMillionUnknownNames_areAFewAndHowManyMore) {
+  for (int i = 0; i < 1'000'000; ++i) {
+    request_.links_a.push_back("unknown" + std::to_string(i % 500'000));
+  }
+  const auto response = ask();
+  EXPECT_FALSE(response.success);
+  EXPECT_NE(response.message.find("'unknown4'"), std::string::npos) << response.message;
+  EXPECT_NE(response.message.find("; 499995 more"), std::string::npos) << response.message;
+  EXPECT_LT(response.message.size(), 1000U);
+}
+
 TEST_F(GetDistancesTest, everyFaultIsNamed) {
   request_.links_a = {"tol"};
   request_.links_b = {"antenna"};
