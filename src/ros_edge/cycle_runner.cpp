@@ -24,7 +24,7 @@ CycleRunner::CycleRunner(const ros::NodeHandle& private_node, Inputs inputs,
       joints_(inputs.joints),
       clock_(inputs.clock),
       publishers_(private_node) {
-  replaceSetup(std::move(setup));
+  replaceWatch(makeWatch(std::move(setup)));
   thread_ = std::thread([this] { run(); });
 }
 
@@ -34,12 +34,20 @@ CycleRunner::~CycleRunner() {
   thread_.join();
 }
 
-void CycleRunner::replaceSetup(std::shared_ptr<const MonitorSetup> setup) {
-  // Made here, outside the lock and off the cycle's thread: it allocates.
-  auto next = std::make_unique<Watch>(setup, store_, joints_);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  current_ = std::move(setup);
-  next_ = std::move(next);
+std::unique_ptr<Watch> CycleRunner::makeWatch(std::shared_ptr<const MonitorSetup> setup) const {
+  return std::make_unique<Watch>(std::move(setup), store_, joints_);
+}
+
+void CycleRunner::replaceWatch(std::unique_ptr<Watch> watch) {
+  std::unique_ptr<Watch> former;  // ends after the lock
+  std::unique_lock<std::mutex> lock(mutex_);
+  current_ = watch->fixed;
+  next_ = std::move(watch);
+  if (thread_.joinable()) {
+    store_.wake();
+    taken_over_.wait(lock, [this] { return !next_ && !is_taking_over_; });
+  }
+  former = std::move(former_);
 }
 
 std::shared_ptr<const MonitorSetup> CycleRunner::currentSetup() const {
@@ -69,17 +77,22 @@ void CycleRunner::takeOverSetup() {
   std::unique_ptr<Watch> next;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
+    if (!next_) {
+      return;
+    }
     next = std::move(next_);
-  }
-  if (!next) {
-    return;
+    is_taking_over_ = true;
   }
   if (watch_) {
     succeedWatch(*watch_, *next);
   }
-  watch_ = std::move(next);
+  watch_.swap(next);
   publishers_.startWatch(*watch_);
   pace_.last_state = SteadyClock::time_point();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  former_ = std::move(next);
+  is_taking_over_ = false;
+  taken_over_.notify_all();
 }
 
 void CycleRunner::succeedWatch(Watch& former, Watch& next) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -26,8 +27,11 @@ class CycleRunner {
   CycleRunner(const CycleRunner&) = delete;
   CycleRunner& operator=(const CycleRunner&) = delete;
 
-  /// Watches another set-up from the next cycle on.
-  void replaceSetup(std::shared_ptr<const MonitorSetup> setup);
+  /// Takes the memory that watching a set-up needs.
+  std::unique_ptr<Watch> makeWatch(std::shared_ptr<const MonitorSetup> setup) const;
+  /// Watches that set-up from the next cycle on, for which it waits. The former watch ends here and
+  /// not on the cycle's thread: to give its memory back takes longer than a cycle. Does not throw.
+  void replaceWatch(std::unique_ptr<Watch> watch);
   std::shared_ptr<const MonitorSetup> currentSetup() const;
   void setEnabled(bool is_enabled);
   const CycleStatistics& statistics() const noexcept { return statistics_; }
@@ -49,9 +53,12 @@ class CycleRunner {
   CycleStatistics statistics_;
   Enabling enabling_;
 
-  mutable std::mutex mutex_;  ///< of the next two
+  mutable std::mutex mutex_;  ///< of the next five
+  std::condition_variable taken_over_;
   std::shared_ptr<const MonitorSetup> current_;
   std::unique_ptr<Watch> next_;
+  std::unique_ptr<Watch> former_;  ///< to be ended by who replaced it
+  bool is_taking_over_{false};
 
   // Of the thread alone.
   std::unique_ptr<Watch> watch_;

@@ -66,9 +66,10 @@ class Monitor::Parts {
     hooks.goes_on = goes_on;
     hooks.current_setup = [this] { return runner_.currentSetup(); };
     hooks.replace_setup = [this](std::shared_ptr<const MonitorSetup> setup) {
+      std::unique_ptr<Watch> watch = runner_.makeWatch(setup);  // before anything is changed
       tellInputs(*setup);
       joint_feed_.listenTo(jointTopics(*setup));
-      runner_.replaceSetup(std::move(setup));
+      runner_.replaceWatch(std::move(watch));
     };
     hooks.set_enabled = [this](bool is_enabled) { runner_.setEnabled(is_enabled); };
     return hooks;
