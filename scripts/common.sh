@@ -24,12 +24,12 @@ fail_usage() { printf 'error: %s\n' "$*" >&2; exit 2; }  # the command line is a
 library_packages=(
   build-essential cmake ninja-build pkg-config
   libeigen3-dev libassimp-dev libqhull-dev libtinyxml2-dev libyaml-cpp-dev libssl-dev
-  libboost-all-dev
+  libboost-all-dev liburdfdom-dev liburdfdom-headers-dev libconsole-bridge-dev
   libcli11-dev libexpat1-dev libfcl-dev libhwy-dev libpng-dev
   python3-yaml
 )
 test_packages=(
-  libgtest-dev librapidcheck-dev liburdfdom-dev liburdfdom-headers-dev
+  libgtest-dev librapidcheck-dev
   nlohmann-json3-dev libbenchmark-dev libbullet-dev
 )
 debian_ros_packages=(

@@ -64,6 +64,9 @@ std::optional<UrdfJoint> readUrdfJoint(const tinyxml2::XMLElement& joint, const 
 std::optional<Geometry> readGeometry(const tinyxml2::XMLElement& geometry, const MeshSource& meshes,
                                      const Place& place);
 
+/// The scale of a `<mesh>`: 1 if there is none, nothing behind an error.
+std::optional<Eigen::Vector3d> readMeshScale(const tinyxml2::XMLElement& mesh, const Place& place);
+
 /// The `<origin>` of an element: identity if there is none.
 /// Rotation: fixed axes, R = Rz(yaw) Ry(pitch) Rx(roll).
 Pose readOrigin(const tinyxml2::XMLElement& parent, const Place& place);

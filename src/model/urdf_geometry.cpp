@@ -85,20 +85,6 @@ std::optional<Geometry> readCapsule(const XMLElement& element, const Place& plac
   return Capsule{0.5 * *length, *radius};
 }
 
-std::optional<Eigen::Vector3d> readScale(const XMLElement& element, const Place& place) {
-  const NumberAttribute attribute{"scale", "three numbers other than 0", kInfinity};
-  if (element.Attribute("scale") == nullptr) {
-    return Eigen::Vector3d::Ones();
-  }
-  auto scale = readNumbers<3>(element, attribute, place);
-  if (scale && (scale->array() == 0.0).any()) {
-    place.addError(element.GetLineNum(), "mesh scale " + quoted(element.Attribute("scale")),
-                   attribute.accepted);
-    return std::nullopt;
-  }
-  return scale;
-}
-
 /// False for numbers that are not finite, too.
 bool isWithinReach(const TriangleMesh& mesh) {
   return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Eigen::Vector3d& vertex) {
@@ -109,7 +95,7 @@ bool isWithinReach(const TriangleMesh& mesh) {
 std::optional<Geometry> readMeshElement(const XMLElement& element, const MeshSource& meshes,
                                         const Place& place) {
   const auto name = readText(element, "filename", place);
-  const auto scale = readScale(element, place);
+  const auto scale = readMeshScale(element, place);
   if (!name) {
     return std::nullopt;
   }
@@ -197,6 +183,20 @@ std::optional<Geometry> readGeometry(const XMLElement& geometry, const MeshSourc
   }
   place.addError(shape->GetLineNum(), "unknown geometry <" + kind + ">", kShapes);
   return std::nullopt;
+}
+
+std::optional<Eigen::Vector3d> readMeshScale(const XMLElement& element, const Place& place) {
+  const NumberAttribute attribute{"scale", "three numbers other than 0", kInfinity};
+  if (element.Attribute("scale") == nullptr) {
+    return Eigen::Vector3d::Ones();
+  }
+  auto scale = readNumbers<3>(element, attribute, place);
+  if (scale && (scale->array() == 0.0).any()) {
+    place.addError(element.GetLineNum(), "mesh scale " + quoted(element.Attribute("scale")),
+                   attribute.accepted);
+    return std::nullopt;
+  }
+  return scale;
 }
 
 Pose readOrigin(const XMLElement& parent, const Place& place) {

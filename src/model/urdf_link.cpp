@@ -45,6 +45,10 @@ std::optional<CollisionElement> readCollision(const XMLElement& element, const M
     return std::nullopt;
   }
   collision.geometry = std::move(*shape);
+  if (const XMLElement* mesh = geometry->FirstChildElement("mesh")) {
+    collision.mesh_name = readText(*mesh, "filename", place).value_or("");
+    collision.mesh_scale = readMeshScale(*mesh, place).value_or(collision.mesh_scale);
+  }
   return collision;
 }
 

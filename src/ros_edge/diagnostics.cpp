@@ -133,7 +133,9 @@ void Diagnostics::reportStep(DiagnosticStatusWrapper& status) {
 
 void describeSetup(const MonitorSetup& setup, DiagnosticStatusWrapper& status) {
   const CycleSetup& cycle = setup.setup;
-  const auto& warnings = cycle.report.warnings;
+  std::vector<Problem> warnings = cycle.report.warnings;
+  const std::vector<Problem> later = setup.later_warnings->all();
+  warnings.insert(warnings.end(), later.begin(), later.end());
   if (warnings.empty()) {
     status.summary(DiagnosticStatus::OK, "no warnings");
   } else {

@@ -12,6 +12,7 @@
 #include "ros_edge/cycle_runner.h"
 #include "ros_edge/diagnostics.h"
 #include "ros_edge/joint_feed.h"
+#include "ros_edge/second_opinion.h"
 #include "ros_edge/services.h"
 #include "ros_edge/startup_report.h"
 
@@ -27,6 +28,7 @@ class Monitor::Parts {
         diagnostics_(ros::NodeHandle(), private_node, node_name, runner_.statistics(),
                      [this] { return runner_.currentSetup(); }),
         services_(private_node, {store_, joints_, clock_}, makeHooks(goes_on)) {
+    second_opinion_.askFor(runner_.currentSetup());
     tellInputs(*runner_.currentSetup());
     feed_.emplace(private_node, store_);
     joint_feed_.listenTo(jointTopics(*runner_.currentSetup()));
@@ -70,6 +72,7 @@ class Monitor::Parts {
       tellInputs(*setup);
       joint_feed_.listenTo(jointTopics(*setup));
       runner_.replaceWatch(std::move(watch));
+      second_opinion_.askFor(setup);
     };
     hooks.set_enabled = [this](bool is_enabled) { runner_.setEnabled(is_enabled); };
     return hooks;
@@ -79,6 +82,7 @@ class Monitor::Parts {
   JointStore joints_;
   ClockWatch clock_{ros::Time::isSimTime(), SteadyClock::now()};
   ClockFeed clock_feed_;
+  SecondOpinion second_opinion_;
   CycleRunner runner_;
   std::optional<TransformFeed> feed_;  ///< once it is known what is wanted
   JointFeed joint_feed_;

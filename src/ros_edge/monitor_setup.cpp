@@ -69,6 +69,7 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   options.fit_progress = logLongFitting();
   throwIfErrors(report);
 
+  made->descriptions = descriptions;
   made->setup = buildSetup(descriptions, load_resource, options);
   const RobotModel& model = made->setup.model;
   made->world_frame = stripLeadingSlash(made->parameters.world_frame.empty()

@@ -5,6 +5,7 @@
 #include <ros/node_handle.h>
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,30 @@
 
 namespace collision_monitor {
 
+/// Warnings of a set-up that are found while it is watched already.
+class LaterWarnings {
+ public:
+  void add(const std::vector<Problem>& warnings) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
+  }
+  std::vector<Problem> all() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return warnings_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<Problem> warnings_;
+};
+
 /// All that a reload replaces at once; shared by the cycle and the services, never changed.
 struct MonitorSetup {
   Parameters parameters;
   CycleSetup setup;
   std::string world_frame;
+  std::vector<RobotDescription> descriptions;  ///< that it was built from
+  std::shared_ptr<LaterWarnings> later_warnings{std::make_shared<LaterWarnings>()};
 };
 
 /// The topic of each robot's joint states, by RobotId; "": none.

@@ -50,6 +50,8 @@ struct CollisionElement {
   std::string name;  ///< unique within the link: the URDF's name or "collision_0", ...
   Pose link_from_geometry;
   Geometry geometry;
+  std::string mesh_name{};  ///< as written; empty for other shapes
+  Eigen::Vector3d mesh_scale{Eigen::Vector3d::Ones()};
 };
 
 struct Link {

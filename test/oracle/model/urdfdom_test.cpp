@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "collision_monitor/model/second_reader.h"
 #include "support/file_loader.h"
 
 namespace collision_monitor {
@@ -134,6 +135,9 @@ TEST(UrdfdomAgreement, everyRobotItAccepts_readsTheSame) {
     const RobotModel ours = readRobots({description}, test::oneTriangleLoader(), report);
     for (const Problem& problem : report.errors) {
       ADD_FAILURE() << toString(problem);
+    }
+    for (const Problem& difference : askSecondReader({description}, ours)) {
+      ADD_FAILURE() << toString(difference);
     }
     ++robot_count;
     EXPECT_EQ(ours.links.size(), theirs->links_.size());
