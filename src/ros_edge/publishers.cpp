@@ -61,7 +61,7 @@ void Publishers::publishChanges(const Watch& watch) {
     Warning warning;
     toMessage(watch, change, warning);
     warnings_publisher_.publish(warning);
-    log_.logChange(watch, change, warning.sentence);
+    log_.logChange(change, warning.sentence);
   }
   log_.logUnknownLinks(watch);
   log_.logStep(watch);
@@ -71,8 +71,7 @@ void Publishers::publishDropped(const Watch& former, LinkPairIndex pair) {
   Warning warning;
   toDroppedMessage(former, pair, warning);
   warnings_publisher_.publish(warning);
-  log_.logChange(former, {pair, former.buffers.memory.reported[pair], Verdict::clear},
-                 warning.sentence);
+  log_.logChange({pair, former.buffers.memory.reported[pair], Verdict::clear}, warning.sentence);
 }
 
 void Publishers::askWhoListens(ros::SteadyTime now) {

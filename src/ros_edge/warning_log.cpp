@@ -33,8 +33,7 @@ void WarningLog::forgetOld(const ros::SteadyTime& now) {
   most_kept_ = std::max(kFewKept, 2 * last_of_change_.size());
 }
 
-void WarningLog::logChange(const Watch& watch, const VerdictChange& change,
-                           const std::string& sentence) {
+void WarningLog::logChange(const VerdictChange& change, const std::string& sentence) {
   constexpr std::uint64_t kVerdicts = 4;
   const ros::SteadyTime now = ros::SteadyTime::now();
   forgetOld(now);

@@ -17,7 +17,7 @@ namespace collision_monitor {
 /// still.
 class WarningLog {
  public:
-  void logChange(const Watch& watch, const VerdictChange& change, const std::string& sentence);
+  void logChange(const VerdictChange& change, const std::string& sentence);
   /// Links that became unknown or known again since it was last said.
   void logUnknownLinks(const Watch& watch);
   /// Poses that come too seldom for the speed of the links, at most every ten seconds; once where

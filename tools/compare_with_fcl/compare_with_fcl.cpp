@@ -165,8 +165,10 @@ int main(int argc, char** argv) {
   try {
     return collision_monitor::run(argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "compare_with_fcl: %s\
-", collision_monitor::failureText(error).c_str());
+    std::fprintf(stderr,
+                 "compare_with_fcl: %s\
+",
+                 collision_monitor::failureText(error).c_str());
     return collision_monitor::kFault;
   }
 }

@@ -76,7 +76,7 @@ Solid makeSolid(LinkId link, const CollisionElement& element) {
     throw std::runtime_error("collision '" + element.name +
                              "': its mesh has no triangle with an area, which FCL cannot measure");
   }
-  Solid solid{link, element.link_from_geometry, {}, nullptr, std::nullopt};
+  Solid solid{link, element.link_from_geometry, {}, nullptr, std::nullopt, {}};
   solid.marks = std::visit(MarkPoints(), element.geometry);
   solid.object = std::make_unique<test::FclObject>(std::visit(MakeFcl{}, element.geometry));
   if (mesh != nullptr) {

@@ -83,9 +83,9 @@ TEST(SrdfReader, unknownLinks_areOneWarning) {
                     "<disable_collisions link1='x' link2='y'/>"
                     "<disable_collisions link1='a' link2='c'/>"));
   EXPECT_EQ(srdf.pairs.disabled.size(), 1u);
-  EXPECT_EQ(srdf.warnings, std::vector<std::string>{
-                               "test.srdf: unknown links: 'x' (line 2) and 'y' (line 2); the "
-                               "robot lacks them; lines that name them are ignored"});
+  EXPECT_EQ(srdf.warnings,
+            std::vector<std::string>{"test.srdf: unknown links: 'x' (line 2) and 'y' (line 2); the "
+                                     "robot lacks them; lines that name them are ignored"});
 }
 
 // It can only lead to more pairs being checked, so a robot whose SRDF was published with names of
