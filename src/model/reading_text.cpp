@@ -14,16 +14,15 @@ void Differences::add(const std::string& element, const std::string& ours,
                       const std::string& theirs) {
   if (++count_ <= kShown) {
     problems_.push_back({source_ + ", " + element,
-                         ours + " as it is read here, " + theirs + " as urdfdom reads it",
-                         "what both read alike; write it as they do"});
+                         ours + " as it is read here, " + theirs + " as urdfdom reads it", "",
+                         "write it so that both read it alike"});
   }
 }
 
 void Differences::tellHowManyMore() {
   if (count_ > kShown) {
-    problems_.push_back({source_,
-                         std::to_string(count_ - kShown) + " more that urdfdom reads otherwise",
-                         "what both read alike"});
+    problems_.push_back(
+        {source_, std::to_string(count_ - kShown) + " more that urdfdom reads otherwise", "", ""});
   }
 }
 

@@ -28,10 +28,10 @@ class Monitor::Parts {
         diagnostics_(ros::NodeHandle(), private_node, node_name, runner_.statistics(),
                      [this] { return runner_.currentSetup(); }),
         services_(private_node, {store_, joints_, clock_}, makeHooks(goes_on)) {
-    second_opinion_.askFor(runner_.currentSetup());
     tellInputs(*runner_.currentSetup());
     feed_.emplace(private_node, store_);
     joint_feed_.listenTo(jointTopics(*runner_.currentSetup()));
+    second_opinion_.askFor(runner_.currentSetup());
   }
 
  private:

@@ -143,9 +143,11 @@ class BadSetup(unittest.TestCase):
         rospy.ServiceProxy("/manager/load_nodelet", NodeletLoad)(
             "/remapped_nodelet", "collision_monitor/Monitor", names,
             ["/arm/" + name for name in names], [], "")
-        Probe("/remapped_nodelet").wait_for_level(State.UNKNOWN, "no pair of links is checked")
-        heard = [topic for topic, _ in rosgraph.Master("/bad_setup_test").getSystemState()[1]]
-        self.assertIn("/arm/joint_states", heard)
+        probe = Probe("/remapped_nodelet")
+        probe.wait_for_level(State.UNKNOWN, "no pair of links is checked")
+        master = rosgraph.Master("/bad_setup_test")
+        probe.wait(lambda: "/arm/joint_states" in dict(master.getSystemState()[1]),
+                   "a subscriber of /arm/joint_states")
 
     def test_nodelets_badOneLeavesTheManagerAlive_goodOneSpeaks(self):
         rospy.wait_for_service("/manager/load_nodelet", timeout=20.0)

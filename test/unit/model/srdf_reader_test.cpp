@@ -198,7 +198,7 @@ TEST(SrdfGroups, unknownMembers_areOneWarningAndLeftOut) {
   EXPECT_EQ(groupsOf("<group name='g'><link name='a'/><link name='q'/><joint name='aq'/>"
                      "<group name='h'/><chain base_link='a' tip_link='z'/></group>"),
             (Texts{"g: a",
-                   "test.srdf: groups with unknown members: link 'q' (line 2), joint 'aq' "
+                   "test.urdf (SRDF): groups with unknown members: link 'q' (line 2), joint 'aq' "
                    "(line 2), group 'h' (line 2) and link 'z' (line 2); the robot lacks them; "
                    "they are left out"}));
 }
