@@ -102,7 +102,7 @@ std::vector<std::string> jointFaults(const RobotModel& model,
       }
       continue;
     }
-    const std::string text = fault(model, model.joint(*id), joints.position[i], counts);
+    std::string text = fault(model, model.joint(*id), joints.position[i], counts);
     if (!text.empty()) {
       faults.add([&] { return text; });
     }

@@ -18,6 +18,15 @@
 namespace collision_monitor {
 namespace {
 
+std::string noSuchLink(const char* field, const std::string& name,
+                       const std::vector<std::string>& known) {
+  return std::string(field) + ": there is no link '" + name + "'" + suggestion(name, known);
+}
+
+std::string nothingToMeasure(const char* field, const std::string& name) {
+  return std::string(field) + ": link '" + name + "' has no collision geometry; leave it out";
+}
+
 using LinkSet = std::vector<unsigned char>;  ///< by LinkId
 
 LinkSet findLinks(const CycleSetup& setup, const std::vector<std::string>& names, const char* field,
@@ -32,15 +41,12 @@ LinkSet findLinks(const CycleSetup& setup, const std::vector<std::string>& names
   std::unordered_set<std::string_view> unknown;
   for (const std::string& name : names) {
     const auto link = model.findLink(name);
-    const std::string start = std::string(field) + ": ";
     if (!link) {
       if (unknown.insert(name).second) {
-        found.add(
-            [&] { return start + "there is no link '" + name + "'" + suggestion(name, known); });
+        found.add([&] { return noSuchLink(field, name, known); });
       }
     } else if (!hasShapes(model.link(*link))) {
-      found.add(
-          [&] { return start + "link '" + name + "' has no collision geometry; leave it out"; });
+      found.add([&] { return nothingToMeasure(field, name); });
     } else {
       links[index(*link)] = 1;
     }
