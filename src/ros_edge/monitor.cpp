@@ -67,7 +67,7 @@ class Monitor::Parts {
     ServiceHooks hooks;
     hooks.goes_on = goes_on;
     hooks.current_setup = [this] { return runner_.currentSetup(); };
-    hooks.replace_setup = [this](std::shared_ptr<const MonitorSetup> setup) {
+    hooks.replace_setup = [this](const std::shared_ptr<const MonitorSetup>& setup) {
       std::unique_ptr<Watch> watch = runner_.makeWatch(setup);  // before anything is changed
       tellInputs(*setup);
       joint_feed_.listenTo(jointTopics(*setup));
