@@ -8,6 +8,7 @@
 
 #include "narrow_phase/lanes/plain_twin.h"
 #include "pipeline/contact_of_pairs.h"
+#include "pipeline/float_unknown.h"
 #include "pipeline/states_block.h"
 
 namespace collision_monitor {
@@ -134,6 +135,44 @@ StateCheck checkByCycle(const CycleSetup& setup, const JointPositions& positions
   return check;
 }
 
+/// Pairs across two parts are no contact, whatever is measured.
+void partPairs(const CycleSetup& setup, StatesWork& work) {
+  for (std::size_t i = 0; i < work.pairs.size(); ++i) {
+    const CheckedLinkPair& links = setup.checked[setup.link_pair_of[i]];
+    if (!isJoined(work.poses, links.a, links.b)) {
+      work.pairs[i].is_apart = true;
+      work.contact_distances.of_pair[i] = -std::numeric_limits<double>::infinity();
+      work.is_split = true;
+    }
+  }
+}
+
+/// As checkStates, without what is not known in any state.
+void judgeStates(const CycleSetup& setup, const JointPositions& positions, StateQuestion question,
+                 StatesWork& work, std::vector<StateCheck>& checks) {
+  const std::size_t count = countStates(positions, work);
+  checks.resize(count);
+  StatesBlock block;
+  for (std::size_t first = 0; first < count; first += kStateCount) {
+    fillVariables(positions, first, work);
+    placeStates(setup, work);
+    if (question == StateQuestion::contact && count - first == 1) {
+      judgeAlone(setup, work, block);
+    } else {
+      judgeBlock(setup, question, work, block);
+    }
+    for (std::size_t lane = 0; lane < std::min(kStateCount, count - first); ++lane) {
+      checks[first + lane] = isFiniteState(work, lane) ? checkOf(setup, block, lane) : StateCheck{};
+    }
+  }
+}
+
+void addUnknown(const StatesWork& work, std::vector<StateCheck>& checks) noexcept {
+  for (StateCheck& check : checks) {
+    check.verdict = work.is_split ? std::max(check.verdict, Verdict::unknown) : check.verdict;
+  }
+}
+
 /// What a state says that is asked for contacts and has none.
 StateCheck withoutPair(Verdict verdict) noexcept {
   StateCheck check;
@@ -149,41 +188,13 @@ bool isOpen(const CycleSetup& setup, const StateCheck& check) noexcept {
                      (is_contact && check.distance > contactOfBodies(setup, check.pair)));
 }
 
-Pose unknownPose() {
-  Pose pose;
-  pose.translation.setConstant(std::numeric_limits<double>::quiet_NaN());
-  return pose;
-}
-
 }  // namespace
-
-StandingPoses standingAs(const RobotModel& model, const LinkPoses& poses,
-                         const std::vector<bool>& moves) {
-  const auto is_known = [&](LinkId link) { return poses.status[index(link)] == LinkStatus::known; };
-  StandingPoses standing;
-  for (const Robot& robot : model.robots) {
-    standing.world_from_root.push_back(
-        is_known(robot.root) ? poses.world_from_link[index(robot.root)] : unknownPose());
-  }
-  for (const Joint& joint : model.joints) {
-    const bool is_fixed = joint.type == JointType::fixed;
-    std::optional<Pose> held;
-    if (is_fixed || !moves[joint.first_variable]) {
-      if (is_known(joint.parent) && is_known(joint.child)) {
-        held = inverse(poses.world_from_link[index(joint.parent)]) *
-               poses.world_from_link[index(joint.child)];
-      } else if (!is_fixed) {
-        held = unknownPose();
-      }
-    }
-    standing.held.push_back(held);
-  }
-  return standing;
-}
 
 StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing) {
   StatesWork work;
-  work.plan = planKinematics(setup.model, standing);
+  work.poses = makeLinkPoses(setup.model);
+  std::fill(work.poses.status.begin(), work.poses.status.end(), LinkStatus::known);
+  work.plan = planKinematics(setup.model, floatUnknown(setup.model, standing, work.poses));
   for (const Body& body : setup.bodies) {
     LinkPlace place = work.plan.links[index(body.link)];
     place.frame_from_link = place.frame_from_link * body.link_from_body;
@@ -197,8 +208,7 @@ StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing
   work.rows = makeBodyPoses(setup).rows;
   work.variables.resize(work.plan.variable_count);
   work.frames.resize(work.plan.frames.size());
-  work.poses = makeLinkPoses(setup.model);
-  std::fill(work.poses.status.begin(), work.poses.status.end(), LinkStatus::known);
+  partPairs(setup, work);
   work.buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
   work.buffers.refine.limits.budget = std::numeric_limits<std::uint32_t>::max();
   return work;
@@ -236,26 +246,13 @@ double plainStateDistance(const CycleSetup& setup, const StatesWork& work, const
 
 void checkStates(const CycleSetup& setup, const JointPositions& positions, StateQuestion question,
                  StatesWork& work, std::vector<StateCheck>& checks) {
-  const std::size_t count = countStates(positions, work);
-  checks.resize(count);
-  StatesBlock block;
-  for (std::size_t first = 0; first < count; first += kStateCount) {
-    fillVariables(positions, first, work);
-    placeStates(setup, work);
-    if (question == StateQuestion::contact && count - first == 1) {
-      judgeAlone(setup, work, block);
-    } else {
-      judgeBlock(setup, question, work, block);
-    }
-    for (std::size_t lane = 0; lane < std::min(kStateCount, count - first); ++lane) {
-      checks[first + lane] = isFiniteState(work, lane) ? checkOf(setup, block, lane) : StateCheck{};
-    }
-  }
+  judgeStates(setup, positions, question, work, checks);
+  addUnknown(work, checks);
 }
 
 void checkStatesExactly(const CycleSetup& setup, const JointPositions& positions,
                         StateQuestion question, StatesWork& work, std::vector<StateCheck>& checks) {
-  checkStates(setup, positions, question, work, checks);
+  judgeStates(setup, positions, question, work, checks);
   for (std::size_t i = 0; i < checks.size(); ++i) {
     StateCheck& check = checks[i];
     if (isOpen(setup, check)) {
@@ -265,6 +262,7 @@ void checkStatesExactly(const CycleSetup& setup, const JointPositions& positions
       }
     }
   }
+  addUnknown(work, checks);
 }
 
 }  // namespace collision_monitor

@@ -119,9 +119,9 @@ void measureFarPairs(TrajectorySearch& search) {
   }
 }
 
-bool isKnown(const LinkPoses& start, LinkId link) noexcept {
-  return start.status[index(link)] == LinkStatus::known &&
-         isRigid(start.world_from_link[index(link)]);
+bool isKnown(const LinkPoses& start, const CheckedLinkPair& links) noexcept {
+  return isJoined(start, links.a, links.b) && isRigid(start.world_from_link[index(links.a)]) &&
+         isRigid(start.world_from_link[index(links.b)]);
 }
 
 TrajectorySearch searchAlong(const CycleSetup& setup, const JointPath& path, const LinkPoses& start,
@@ -156,7 +156,7 @@ TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
   std::vector<LinkPairIndex> moving;
   for (LinkPairIndex pair = 0; pair < setup.checked.size(); ++pair) {
     const CheckedLinkPair& links = setup.checked[pair];
-    if (!isKnown(start, links.a) || !isKnown(start, links.b)) {
+    if (!isKnown(start, links)) {
       continue;
     }
     PairApproach& approach = search.report.pairs[pair];

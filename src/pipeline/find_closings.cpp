@@ -20,7 +20,8 @@ void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration
     if (bounds.known[i] == 0 || velocities.known[link] == 0) {
       continue;
     }
-    const Twist own = velocities.of_link[link] - shared;
+    const bool has_shared = poses.part[link] == poses.part[root];
+    const Twist own = has_shared ? velocities.of_link[link] - shared : velocities.of_link[link];
     const Eigen::Vector3d center = poses.world_from_link[link] * body.link_from_body.translation;
     const double speed = velocityAt(own, center).norm() + own.angular.norm() * body.bounding_radius;
     if (std::isfinite(speed)) {

@@ -47,7 +47,7 @@ void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPose
     work.last_elapsed = 0.0;  // forgotten
   }
   for (std::size_t i = 0; i < setup.model.links.size(); ++i) {
-    work.has_motion[i] = last.known[i] & body_poses.link_known[i];
+    work.has_motion[i] = hasStayed(last, body_poses, i) ? 1 : 0;
     if (work.has_motion[i] == 0 || isSame(last.world_from_link[i], poses.world_from_link[i])) {
       work.link_motions[i] = {last.world_from_link[i]};
     } else {
@@ -90,6 +90,7 @@ void keepPoses(const LinkPoses& poses, const BodyPoses& body_poses, LastPoses& l
   std::copy(poses.world_from_link.begin(), poses.world_from_link.end(),
             last.world_from_link.begin());
   std::copy(body_poses.link_known.begin(), body_poses.link_known.end(), last.known.begin());
+  std::copy(body_poses.part.begin(), body_poses.part.end(), last.part.begin());
 }
 
 }  // namespace collision_monitor

@@ -57,6 +57,9 @@ template <class CoreA, class CoreB>
 void BlockSearch::visit(const PairRange& range) {
   for (std::size_t id = range.first; id < range.last; ++id) {
     const StatePair& pair = states.work.pairs[id];
+    if (pair.is_apart) {
+      continue;
+    }
     Truth counts = judged.is_open;
     const Number distance =
         stateDistanceWithin<CoreA, CoreB>(states, pair, reachOfPair(*this, pair), counts);

@@ -110,10 +110,6 @@ void findPassed(const CycleSetup& setup, const PairDistances& distances,
   }
 }
 
-bool isKnown(const BodyPoses& body_poses, const CheckedLinkPair& pair) noexcept {
-  return body_poses.link_known[index(pair.a)] != 0 && body_poses.link_known[index(pair.b)] != 0;
-}
-
 /// Where it is not, nobody knows when the pair touches, however far it is.
 bool isMotionKnown(const LinkVelocities& velocities, const CheckedLinkPair& pair) noexcept {
   return velocities.known[index(pair.a)] != 0 && velocities.known[index(pair.b)] != 0;
@@ -143,7 +139,7 @@ Verdict heldVerdict(const PairMemory& memory, std::size_t link_pair,
   return before == Verdict::contact && is_refuted ? Verdict::warning : before;
 }
 
-/// @pre both links are known
+/// @pre both links are known beside each other
 Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
                       const PairEvents& events, std::size_t link_pair,
                       const PairMemory& memory) noexcept {
@@ -175,7 +171,8 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     Verdict& reported = memory.reported[i];
     preferEstimate(distances, i, events);
-    const Verdict verdict = isKnown(body_poses, setup.checked[i])
+    const CheckedLinkPair& pair = setup.checked[i];
+    const Verdict verdict = isJoined(body_poses, pair.a, pair.b)
                                 ? judgeLinkPair(setup, distances, events, i, memory)
                                 : Verdict::unknown;
     const Detail detail = contactDetailOf(distances, events, i);
@@ -183,8 +180,7 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
         verdict == Verdict::contact ? std::max(memory.contact_detail[i], detail) : Detail::shapes;
     events.verdicts[i] = verdict;
     events.overall = std::max(events.overall, verdict);
-    has_unknown =
-        has_unknown || verdict == Verdict::unknown || !isMotionKnown(velocities, setup.checked[i]);
+    has_unknown = has_unknown || verdict == Verdict::unknown || !isMotionKnown(velocities, pair);
     const bool is_silent = reported == Verdict::clear && verdict == Verdict::unknown;
     if (verdict != reported && !is_silent) {
       events.changes.push_back({static_cast<LinkPairIndex>(i), reported, verdict});

@@ -11,7 +11,8 @@ namespace {
 bool hasNewLink(const BodyPoses& body_poses, const LastPoses& last) noexcept {
   bool has_new = false;
   for (std::size_t link = 0; link < last.known.size(); ++link) {
-    has_new |= body_poses.link_known[link] > last.known[link];
+    has_new |= body_poses.link_known[link] > last.known[link] ||
+               (body_poses.link_known[link] != 0 && body_poses.part[link] != last.part[link]);
   }
   return has_new;
 }
@@ -29,10 +30,10 @@ void forget(KnownGaps& gaps) noexcept {
 }
 
 /// How much a link's rotation has changed since the last cycle, in Frobenius' norm; < 0 if it is
-/// not known now or was not then.
+/// not known now or was not then, or has come to another part.
 double turnOf(const LinkPoses& poses, const BodyPoses& body_poses, const LastPoses& last,
               std::size_t link) noexcept {
-  return body_poses.link_known[link] != 0 && last.known[link] != 0
+  return hasStayed(last, body_poses, link)
              ? (poses.world_from_link[link].rotation - last.world_from_link[link].rotation).norm()
              : -1.0;
 }

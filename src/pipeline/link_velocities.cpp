@@ -21,7 +21,8 @@ void trackLink(const LinkPoses& poses, double duration, double share, std::size_
   const bool is_known = isPlaced(poses, link);
   Twist& twist = tracker.filtered.of_link[link];
   unsigned char& is_moving = tracker.filtered.known[link];
-  if (is_known && tracker.was_known[link] != 0 && duration > 0.0) {
+  const bool was_known = tracker.was_known[link] != 0 && tracker.part[link] == poses.part[link];
+  if (is_known && was_known && duration > 0.0) {
     const Twist now =
         twistBetween(tracker.world_from_link[link], poses.world_from_link[link], duration);
     twist = is_moving != 0 ? smoothed(twist, now, share) : now;
@@ -30,7 +31,17 @@ void trackLink(const LinkPoses& poses, double duration, double share, std::size_
     is_moving = 0;
   }
   tracker.was_known[link] = is_known ? 1 : 0;
+  tracker.part[link] = poses.part[link];
   tracker.world_from_link[link] = poses.world_from_link[link];
+}
+
+/// What the tracker says of a link, if it is of the part where the link is now.
+void tellVelocity(const VelocityTracker& tracker, std::size_t link, LinkPoses& poses) noexcept {
+  const bool is_top = poses.part[link] == link;
+  const bool is_of_part = tracker.part[link] == poses.part[link];
+  const bool is_told = is_of_part && tracker.filtered.known[link] != 0;
+  poses.velocities.of_link[link] = is_top ? Twist() : tracker.filtered.of_link[link];
+  poses.velocities.known[link] = isPlaced(poses, link) && (is_top || is_told) ? 1 : 0;
 }
 
 /// The sum of what the joint's velocities do; not finite where one of them is not known.
@@ -52,6 +63,7 @@ VelocityTracker makeVelocityTracker(const RobotModel& model) {
   tracker.stamp_ns.resize(model.robots.size(), 0);
   tracker.world_from_link.resize(model.links.size());
   tracker.was_known.resize(model.links.size(), 0);
+  tracker.part.resize(model.links.size(), kWorldPart);
   tracker.filtered.of_link.resize(model.links.size());
   tracker.filtered.known.resize(model.links.size(), 0);
   return tracker;
@@ -74,8 +86,7 @@ void trackVelocities(const RobotModel& model, const VelocityOptions& options,
       if (stamp_ns != tracker.stamp_ns[i]) {
         trackLink(poses, duration, share, link, tracker);
       }
-      poses.velocities.of_link[link] = tracker.filtered.of_link[link];
-      poses.velocities.known[link] = isPlaced(poses, link) ? tracker.filtered.known[link] : 0;
+      tellVelocity(tracker, link, poses);
     }
     tracker.stamp_ns[i] = stamp_ns;
   }
@@ -86,7 +97,7 @@ void applyJointVelocities(const RobotModel& model, const JointVelocities& veloci
   LinkVelocities& moving = poses.velocities;
   for (std::size_t link = 0; link < model.links.size(); ++link) {
     const auto& parent_joint = model.links[link].parent_joint;
-    if (!parent_joint || !isPlaced(poses, link)) {
+    if (!parent_joint || !isPlaced(poses, link) || poses.part[link] == link) {
       continue;
     }
     const Joint& joint = model.joint(*parent_joint);

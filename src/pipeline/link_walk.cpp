@@ -28,12 +28,12 @@ std::vector<LinkId> linksInPairs(const CycleSetup& setup) {
   return links;
 }
 
-std::vector<LinkBlock> makeLinkBlocks(const CycleSetup& setup, const std::vector<LinkId>& links) {
+std::vector<LinkBlock> makeLinkBlocks(const CycleSetup& setup, const std::vector<LinkId>& links,
+                                      const std::vector<double>& thickness) {
   const auto slotOf = [&](LinkId link) {
     const auto place = std::lower_bound(links.begin(), links.end(), link);
     return static_cast<std::uint32_t>(place - links.begin());
   };
-  const std::vector<double> thickness = thicknessOfPairs(setup);
   std::vector<LinkBlock> blocks;
   for (std::uint32_t i = 0; i < setup.checked.size(); ++i) {
     const CheckedLinkPair& pair = setup.checked[i];
@@ -101,6 +101,33 @@ void writeSteps(const SweepWork& sweep, PairReaches& reaches) noexcept {
   }
 }
 
+/// What is infinitely thick nothing passes through.
+void splitBlocks(const LinkPoses& poses, PairReaches& reaches) noexcept {
+  for (LinkBlock& block : reaches.blocks) {
+    std::size_t pair = block.pairs.first_pair;
+    const PartId part = poses.part[index(reaches.links[block.pairs.one])];
+    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+      if ((block.pairs.is_pair >> lane & 1U) != 0) {
+        const LinkId other = reaches.links[block.pairs.first + lane];
+        block.thickness[lane] =
+            poses.part[index(other)] == part ? reaches.thickness[pair] : kInfinity;
+        ++pair;
+      }
+    }
+  }
+}
+
+/// Costs nothing while all links stand in one part.
+void findSplit(const LinkPoses& poses, PairReaches& reaches) noexcept {
+  const bool was_split = reaches.is_split;
+  reaches.is_split = std::any_of(reaches.links.begin(), reaches.links.end(), [&](LinkId link) {
+    return poses.part[index(link)] != poses.part[index(reaches.links.front())];
+  });
+  if (was_split || reaches.is_split) {
+    splitBlocks(poses, reaches);
+  }
+}
+
 StepCap capOf(double step, double longest, LinkPairIndex pair) noexcept {
   return {longest, pair, step > longest};
 }
@@ -110,7 +137,8 @@ StepCap capOf(double step, double longest, LinkPairIndex pair) noexcept {
 PairReaches makePairReaches(const CycleSetup& setup) {
   PairReaches reaches;
   reaches.links = linksInPairs(setup);
-  reaches.blocks = makeLinkBlocks(setup, reaches.links);
+  reaches.thickness = thicknessOfPairs(setup);
+  reaches.blocks = makeLinkBlocks(setup, reaches.links, reaches.thickness);
   reaches.contact = std::max(0.0, setup.limits.contact_distance);  // as contactOfBodies
   reaches.stop =
       std::max(reaches.contact, setup.ahead.stop.stop_distance + setup.limits.hysteresis);
@@ -142,6 +170,7 @@ void findReaches(const CycleSetup& setup, const LinkPoses& poses, SweepWork& swe
                  PairReaches& reaches) noexcept {
   const bool has_step = sweep.elapsed > 0.0;
   writeLinks(setup, poses, sweep, reaches);
+  findSplit(poses, reaches);
   if (has_step) {
     writeSteps(sweep, reaches);
   }

@@ -67,6 +67,21 @@ void measureBatch(const CycleSetup& setup, const BodyPoses& body_poses, const Pa
   }
 }
 
+/// By ElementPairIndex: refined, or of two parts.
+const std::vector<unsigned char>& passedElements(const CycleSetup& setup,
+                                                 const BodyPoses& body_poses,
+                                                 RefineWork& refined) noexcept {
+  if (!body_poses.is_split) {
+    return refined.is_measured;
+  }
+  for (std::size_t i = 0; i < setup.element_pairs.size(); ++i) {
+    const CheckedLinkPair& links = setup.checked[setup.element_pairs[i].link_pair];
+    const bool is_passed = refined.is_measured[i] != 0 || !isJoined(body_poses, links.a, links.b);
+    refined.is_passed[i] = is_passed ? 1 : 0;
+  }
+  return refined.is_passed;
+}
+
 bool comesNearer(const PairDistance& one, const PairDistance& other) noexcept {
   return one.measured.distance < other.measured.distance;
 }
@@ -95,7 +110,7 @@ void addPairs(const CycleSetup& setup, const BodyPoses& body_poses,
   }
 }
 
-void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, const RefineWork& refined,
+void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, RefineWork& refined,
                     double reach, PairDistances& distances) noexcept {
   auto& measured = distances.measured;
   const auto nearest = std::min_element(measured.begin(), measured.end(), comesNearer);
@@ -106,7 +121,8 @@ void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, const 
   if (nearest != measured.end()) {
     found = {nearest->pair, nearest->measured.distance};
   }
-  searchBlocks(setup.blocks, body_poses.rows, {setup.element_pair_of, refined.is_measured}, found);
+  searchBlocks(setup.blocks, body_poses.rows,
+               {setup.element_pair_of, passedElements(setup, body_poses, refined)}, found);
   if (!(found.distance < std::numeric_limits<double>::infinity())) {
     return;
   }

@@ -30,7 +30,7 @@ class PathPoses {
   const JointPath& path_;
   const LinkPoses& start_;
   JointPositions positions_;
-  std::vector<LinkPlace> places_;  ///< by LinkId; a root is its own parent
+  std::vector<LinkPlace> places_;  ///< by LinkId; a root, or top of a part, is its own parent
 };
 
 }  // namespace collision_monitor

@@ -41,12 +41,63 @@ bool isKnown(const LinkPoses& poses, std::size_t link) noexcept {
   return poses.status[link] == LinkStatus::known && isRigid(poses.world_from_link[link]);
 }
 
+/// A link that floats alone can be measured against nothing, so it counts as unknown.
+void leaveLoneLinks(BodyPoses& body_poses) noexcept {
+  std::vector<std::uint32_t>& count = body_poses.links_of_part;
+  std::fill(count.begin(), count.end(), 0U);
+  const auto floats = [&](std::size_t link) {
+    return body_poses.link_known[link] != 0 && body_poses.part[link] != kWorldPart;
+  };
+  for (std::size_t link = 0; link < count.size(); ++link) {
+    if (floats(link)) {
+      ++count[body_poses.part[link]];
+    }
+  }
+  for (std::size_t link = 0; link < count.size(); ++link) {
+    if (floats(link) && count[body_poses.part[link]] < 2) {
+      body_poses.link_known[link] = 0;
+    }
+  }
+}
+
+/// Whether known links stand in several parts.
+bool isSplit(const BodyPoses& body_poses) noexcept {
+  const auto& known = body_poses.link_known;
+  const auto first =
+      static_cast<std::size_t>(std::find(known.begin(), known.end(), 1) - known.begin());
+  for (std::size_t link = first; link < known.size(); ++link) {
+    if (known[link] != 0 && body_poses.part[link] != body_poses.part[first]) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Fills what is known of the links, and how they stand together.
+void findLinks(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept {
+  bool floats = false;
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+    const std::size_t link = index(setup.bodies[i].link);
+    if (i == 0 || setup.bodies[i - 1].link != setup.bodies[i].link) {
+      body_poses.link_known[link] = isKnown(poses, link) ? 1 : 0;
+      body_poses.part[link] = poses.part[link];
+      floats = floats || poses.part[link] != kWorldPart;
+    }
+  }
+  if (floats) {
+    leaveLoneLinks(body_poses);
+  }
+  body_poses.is_split = floats && isSplit(body_poses);
+}
+
 }  // namespace
 
 LinkPoses makeLinkPoses(const RobotModel& model) {
   LinkPoses poses;
   poses.world_from_link.resize(model.links.size());
   poses.status.resize(model.links.size(), LinkStatus::missing);
+  poses.part.resize(model.links.size(), kWorldPart);
+  poses.part_status.resize(model.links.size(), LinkStatus::known);
   poses.age.resize(model.links.size(), 0.0);
   poses.robot_stamp_ns.resize(model.robots.size(), 0);
   poses.velocities.of_link.resize(model.links.size());
@@ -56,12 +107,10 @@ LinkPoses makeLinkPoses(const RobotModel& model) {
 
 void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept {
   const std::vector<Body>& bodies = setup.bodies;
+  findLinks(setup, poses, body_poses);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const std::size_t link = index(bodies[i].link);
     const Pose& world_from_link = poses.world_from_link[link];
-    if (i == 0 || bodies[i - 1].link != bodies[i].link) {
-      body_poses.link_known[link] = isKnown(poses, link) ? 1 : 0;
-    }
     const std::size_t slot = setup.blocks.slot_of[i];
     body_poses.known[i] = body_poses.link_known[link];
     if (body_poses.known[i] == 0) {
@@ -97,6 +146,8 @@ BodyPoses makeBodyPoses(const CycleSetup& setup) {
   body_poses.rows = makeBodyRows(setup.blocks, setup.cores, bounding_radii);
   body_poses.known.resize(setup.bodies.size(), 0);
   body_poses.link_known.resize(setup.model.links.size(), 0);
+  body_poses.part.resize(setup.model.links.size(), kWorldPart);
+  body_poses.links_of_part.resize(setup.model.links.size(), 0);
   body_poses.world_from_element.resize(setup.elements.size());
   return body_poses;
 }

@@ -35,6 +35,7 @@ RefineWork makeRefineWork(const CycleSetup& setup) {
   work.tasks.reserve(pairs);
   work.task_of.resize(pairs, kNone);
   work.is_measured.resize(pairs, 0);
+  work.is_passed.resize(pairs, 0);
   work.nearest.resize(setup.checked.size(), std::numeric_limits<double>::infinity());
   for (const Element& element : setup.elements) {
     work.balls.push_back(ballOf(element));

@@ -16,14 +16,29 @@ void countUnknown(const CycleSetup& setup, const BodyPoses& body_poses,
       ++counters.unknown_links;
     }
   }
-  if (counters.unknown_links == 0) {
+  if (counters.unknown_links == 0 && !body_poses.is_split) {
     return;
   }
   for (const BodyPair& pair : setup.table.pairs()) {
-    if (body_poses.known[index(pair.a)] == 0 || body_poses.known[index(pair.b)] == 0) {
+    if (!isJoined(body_poses, setup.bodies[index(pair.a)].link, setup.bodies[index(pair.b)].link)) {
       ++counters.unknown_pairs;
     }
   }
+}
+
+/// Boxes of bodies in two parts may meet, which means nothing.
+void dropUnjoined(const CycleSetup& setup, const BodyPoses& body_poses,
+                  std::vector<PairId>& candidates) noexcept {
+  if (!body_poses.is_split) {
+    return;
+  }
+  const auto is_apart = [&](PairId id) {
+    const BodyPair& pair = setup.table[id];
+    return !isJoined(body_poses, setup.bodies[index(pair.a)].link,
+                     setup.bodies[index(pair.b)].link);
+  };
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_apart),
+                   candidates.end());
 }
 
 }  // namespace
@@ -60,6 +75,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.memory.gaps = makeKnownGaps(setup);
   buffers.memory.last.world_from_link.resize(links);
   buffers.memory.last.known.resize(links, 0);
+  buffers.memory.last.part.resize(links, kWorldPart);
   buffers.memory.speed.stopped.resize(link_pairs, 0);
   buffers.counters.pairs = pairs;
   buffers.broad_phase = makeBroadPhase(kind, bodies, pairs);
@@ -103,6 +119,7 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   }
   growBounds(setup, poses, setup.ahead.horizon, buffers.bounds);
   findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
+  dropUnjoined(setup, buffers.body_poses, buffers.candidates);
   buffers.counters.candidates = buffers.candidates.size();
   findReaches(setup, poses, buffers.sweep, buffers.reaches);
   followWays(setup, poses, buffers);

@@ -35,7 +35,9 @@ std::uint64_t measureWaypoint(const CycleSetup& setup, const std::vector<LinkPai
   }
   for (const LinkPairIndex pair : pairs) {
     StateNumber& nearest = distances.nearest[pair];
-    std::fill(std::begin(nearest.of), std::end(nearest.of), distances.reach);
+    const CheckedLinkPair& links = setup.checked[pair];
+    const bool is_known = isJoined(distances.work.poses, links.a, links.b);
+    std::fill(std::begin(nearest.of), std::end(nearest.of), is_known ? distances.reach : kUnknown);
   }
   fillVariables(distances.positions, first, distances.work);
   placeStates(setup, distances.work);

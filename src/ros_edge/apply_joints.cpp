@@ -3,6 +3,7 @@
 #include "ros_edge/apply_joints.h"
 
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
@@ -76,6 +77,38 @@ NamedPositions readPositions(const RobotModel& model, const sensor_msgs::JointSt
   return named;
 }
 
+/// parent_from_child where it is given, or known before.
+std::optional<Pose> jointPose(const Joint& joint, const NamedPositions& named,
+                              const LinkPoses& before) {
+  const bool is_named = hasOneVariable(joint) && named.is_named[joint.first_variable] != 0;
+  const bool is_known = isJoined(before, joint.parent, joint.child);
+  if (is_named || (joint.type == JointType::fixed && !is_known)) {
+    return parentFromChild(joint, named.positions);
+  }
+  return is_known ? std::optional(inverse(before.world_from_link[index(joint.parent)]) *
+                                  before.world_from_link[index(joint.child)])
+                  : std::nullopt;
+}
+
+/// In the world, if it is known there.
+std::optional<Pose> rootPose(std::size_t root, const LinkPoses& before) {
+  return statusInWorld(before, idAt<LinkId>(root)) == LinkStatus::known
+             ? std::optional(before.world_from_link[root])
+             : std::nullopt;
+}
+
+/// Beside its parent link; a root in the world.
+void placeLink(const RobotModel& model, std::size_t link, const Pose& pose, LinkPoses& poses) {
+  poses.status[link] = LinkStatus::known;
+  poses.world_from_link[link] = pose;
+  if (const auto& joint = model.links[link].parent_joint) {
+    const std::size_t parent = index(model.joint(*joint).parent);
+    poses.world_from_link[link] = poses.world_from_link[parent] * pose;
+    poses.part[link] = poses.part[parent];
+    poses.part_status[link] = poses.part_status[parent];
+  }
+}
+
 }  // namespace
 
 std::string numberFault(double number) {
@@ -118,25 +151,16 @@ std::vector<std::string> applyJoints(const RobotModel& model, const sensor_msgs:
   }
   const NamedPositions named = readPositions(model, joints);
   const LinkPoses before = poses;
-  const auto is_known = [&](std::size_t link) { return before.status[link] == LinkStatus::known; };
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    if (!model.links[i].parent_joint) {
-      continue;
+    const auto& parent_joint = model.links[i].parent_joint;
+    const auto pose =
+        parent_joint ? jointPose(model.joint(*parent_joint), named, before) : rootPose(i, before);
+    if (pose) {
+      placeLink(model, i, *pose, poses);
+    } else {
+      const LinkStatus reason = statusInWorld(before, idAt<LinkId>(i));
+      floatFrom(i, reason == LinkStatus::known ? LinkStatus::missing : reason, poses);
     }
-    const Joint& joint = model.joint(*model.links[i].parent_joint);
-    const std::size_t parent = index(joint.parent);
-    const bool is_named = hasOneVariable(joint) && named.is_named[joint.first_variable] != 0;
-    Pose parent_from_child;
-    LinkStatus status = poses.status[parent];
-    if (is_named || (joint.type == JointType::fixed && !is_known(i))) {
-      parent_from_child = parentFromChild(joint, named.positions);
-    } else if (is_known(i) && is_known(parent)) {
-      parent_from_child = inverse(before.world_from_link[parent]) * before.world_from_link[i];
-    } else if (status == LinkStatus::known) {
-      status = is_known(i) ? LinkStatus::missing : before.status[i];
-    }
-    poses.status[i] = status;
-    poses.world_from_link[i] = poses.world_from_link[parent] * parent_from_child;
   }
   return {};
 }

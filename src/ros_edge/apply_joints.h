@@ -20,7 +20,8 @@ std::vector<std::string> jointFaults(const RobotModel& model,
 
 /// Moves the named joints, and those that mimic them, to the given positions; all other joints
 /// stay where `poses` has them. Fixed joints are taken from the model where `poses` does not
-/// know them, so that a robot whose moving joints are all named is known behind its root.
+/// know them, so that a robot whose moving joints are all named is one part, wherever its root is.
+/// What neither places begins a part that floats.
 /// @return as jointFaults: `poses` are unchanged if there are any.
 std::vector<std::string> applyJoints(const RobotModel& model, const sensor_msgs::JointState& joints,
                                      LinkPoses& poses);

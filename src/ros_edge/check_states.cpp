@@ -11,6 +11,7 @@
 
 #include "collision_monitor/pipeline/check_states.h"
 #include "ros_edge/apply_joints.h"
+#include "ros_edge/floating_parts.h"
 
 namespace collision_monitor {
 namespace {
@@ -104,7 +105,7 @@ std::string summaryText(const CheckStates::Response& response) {
 
 }  // namespace
 
-void answerCheckStates(const MonitorSetup& current, const LinkPoses& newest,
+void answerCheckStates(const MonitorSetup& current, const NewestState& newest,
                        const std::function<bool(double)>& progress,
                        const CheckStates::Request& request, CheckStates::Response& response) {
   const CycleSetup& setup = current.setup;
@@ -120,7 +121,7 @@ void answerCheckStates(const MonitorSetup& current, const LinkPoses& newest,
   const std::vector<int> places = placesOf(setup.model, request.joint_names);
   std::vector<bool> moves(places.size());
   std::transform(places.begin(), places.end(), moves.begin(), [](int place) { return place >= 0; });
-  StatesWork work = makeStatesWork(setup, standingAs(setup.model, newest, moves));
+  StatesWork work = makeStatesWork(setup, standingAs(setup.model, newest.poses, moves));
   const StateQuestion question =
       request.only_contacts != 0 ? StateQuestion::contact : StateQuestion::nearest;
   const auto check = request.enclosing_shapes != 0 ? checkStates : checkStatesExactly;
@@ -140,7 +141,9 @@ void answerCheckStates(const MonitorSetup& current, const LinkPoses& newest,
       return;
     }
   }
-  response.message = summaryText(response);
+  const std::string floating =
+      floatingPartsText(setup.model, work.poses, setup.checked, newest.reasons);
+  response.message = summaryText(response) + (floating.empty() ? "" : "; " + floating);
 }
 
 }  // namespace collision_monitor

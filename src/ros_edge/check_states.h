@@ -6,15 +6,15 @@
 
 #include <functional>
 
-#include "collision_monitor/pipeline/cycle_data.h"
 #include "ros_edge/monitor_setup.h"
+#include "ros_edge/newest_state.h"
 
 namespace collision_monitor {
 
 /// Answers the service of that name: the states of the named joints, all other joints where the
 /// newest poses have them. Works with buffers of its own.
 /// @param progress asked now and then with the part that is done, 0 to 1; false: give up
-void answerCheckStates(const MonitorSetup& current, const LinkPoses& newest,
+void answerCheckStates(const MonitorSetup& current, const NewestState& newest,
                        const std::function<bool(double)>& progress,
                        const CheckStates::Request& request, CheckStates::Response& response);
 

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "ros_edge/conversions.h"
+#include "ros_edge/floating_parts.h"
 #include "ros_edge/read_trajectory.h"
 #include "ros_edge/sentences.h"
 
@@ -59,8 +60,10 @@ std::vector<LinkPairIndex> orderOf(const TrajectoryReport& report) {
   return order;
 }
 
-void fill(const CycleSetup& setup, const CheckedLinkPair& links, const PairApproach& pair,
-          LinkApproach& message) {
+/// @param start where the trajectory begins: its parts are those of the whole way
+void fill(const MonitorSetup& current, const LinkPoses& start, const CheckedLinkPair& links,
+          const PairApproach& pair, LinkApproach& message) {
+  const CycleSetup& setup = current.setup;
   message.state = static_cast<std::uint8_t>(pair.state);
   if (pair.state == ApproachState::unknown) {
     message.time = message.at_least = kUnknown;
@@ -70,7 +73,7 @@ void fill(const CycleSetup& setup, const CheckedLinkPair& links, const PairAppro
   message.time = pair.time;
   message.at_least = pair.at_least;
   if (std::isfinite(pair.nearest.measured.distance)) {
-    toMessage(setup, pair.nearest, message.nearest);
+    toMessage(current, start, pair.nearest, message.nearest);
   } else {  // given up before anything was measured
     toUnknownMessage(setup, links.a, links.b, message.nearest);
   }
@@ -156,7 +159,7 @@ void answerCheckTrajectory(const MonitorSetup& current, const NewestState& newes
   const TrajectoryReport report = checkTrajectory(setup, path, start, options);
   for (const LinkPairIndex pair : orderOf(report)) {
     response.pairs.emplace_back();
-    fill(setup, setup.checked[pair], report.pairs[pair], response.pairs.back());
+    fill(current, start, setup.checked[pair], report.pairs[pair], response.pairs.back());
   }
   response.pairs_checked = static_cast<std::uint32_t>(report.pairs.size());
   response.pairs_unknown = static_cast<std::uint32_t>(
@@ -166,7 +169,9 @@ void answerCheckTrajectory(const MonitorSetup& current, const NewestState& newes
   if (report.first_contact != kNone) {
     response.contact_time = report.pairs[report.first_contact].time;
   }
-  response.message = summaryText(setup, report, response) + unknownStartText(unknown);
+  const std::string floating = floatingPartsText(setup.model, start, setup.checked, newest.reasons);
+  response.message = summaryText(setup, report, response) +
+                     (floating.empty() ? "" : "; " + floating) + unknownStartText(unknown);
 }
 
 }  // namespace collision_monitor

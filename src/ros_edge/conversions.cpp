@@ -21,6 +21,7 @@ void nameLinks(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance& messag
   message.link_b = setup.model.link(b).name;
   message.shape_a.clear();
   message.shape_b.clear();
+  message.frame_id.clear();
 }
 
 /// The row is left to those who publish it.
@@ -123,9 +124,19 @@ void fillNumbers(const GradientRow& row, LinkDistance& message) {
   }
 }
 
-void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message) {
-  nameBodies(setup, distance, message);
+std::string frameOf(const MonitorSetup& setup, const LinkPoses& poses, LinkId link) {
+  const PartId part = poses.part[index(link)];
+  return part == kWorldPart ? setup.world_frame
+                            : stripLeadingSlash(setup.setup.model.links[part].frame);
+}
+
+void toMessage(const MonitorSetup& setup, const LinkPoses& poses, const PairDistance& distance,
+               LinkDistance& message) {
+  const CycleSetup& cycle = setup.setup;
+  nameBodies(cycle, distance, message);
   fillNumbers(distance, message);
+  const BodyPair& pair = cycle.table[distance.pair];
+  message.frame_id = frameOf(setup, poses, cycle.bodies[index(pair.a)].link);
 }
 
 void toMessage(const CycleSetup& setup, const GradientRow& row, LinkDistance& message) {
@@ -157,7 +168,7 @@ void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& messag
     fillNumbers(unknownDistance(reachOf(setup.limits)), message);
   } else {
     const std::uint32_t speaker = speakerOf(setup, watch.buffers, link_pair);
-    toMessage(setup, watch.buffers.distances.measured[speaker], message);
+    toMessage(*watch.fixed, watch.poses, watch.buffers.distances.measured[speaker], message);
   }
   message.passed_at = passedAt(watch, link_pair);
 }

@@ -31,8 +31,12 @@ const PassedContact* passedOf(const Watch& watch, LinkPairIndex link_pair);
 /// [s] after the last cycle's data: when that contact began; NaN if there was none.
 double passedAt(const Watch& watch, LinkPairIndex link_pair);
 
+/// The frame of what is said of a link: the world's or, in a part that floats, its top link's.
+std::string frameOf(const MonitorSetup& setup, const LinkPoses& poses, LinkId link);
+
 /// A measured pair; its gradient row is left as it is.
-void toMessage(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message);
+void toMessage(const MonitorSetup& setup, const LinkPoses& poses, const PairDistance& distance,
+               LinkDistance& message);
 void toMessage(const CycleSetup& setup, const GradientRow& row, LinkDistance& message);
 /// Their two parts: names, which are always the same for a pair and its being refined, and numbers.
 void nameBodies(const CycleSetup& setup, const PairDistance& distance, LinkDistance& message);
@@ -41,7 +45,7 @@ void fillNumbers(const PairDistance& distance, LinkDistance& message);
 void fillNumbers(const GradientRow& row, LinkDistance& message);
 /// No pair: no names, and numbers that are NaN.
 void toUnknownMessage(LinkDistance& message);
-/// A pair of links of which one is unknown: numbers are NaN.
+/// A pair of links that is unknown: numbers are NaN.
 void toUnknownMessage(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance& message);
 /// A checked pair: the shapes that speak for it (speakerOf), or NaN where nothing was measured. A
 /// known pair that is out of reach was not measured; its distance is the reach then, a lower bound

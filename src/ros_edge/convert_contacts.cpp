@@ -33,6 +33,7 @@ void fillPair(const Watch& watch, const PairDistance& distance, Contact& message
   const CycleSetup& setup = watch.setup();
   const BodyPair& pair = setup.table[distance.pair];
   const CheckedLinkPair& links = setup.checked[setup.link_pair_of[index(distance.pair)]];
+  message.frame_id = frameOf(*watch.fixed, watch.poses, links.a);
   message.link_a = setup.model.link(links.a).name;
   message.link_b = setup.model.link(links.b).name;
   message.shape_a = shapeName(setup, distance, pair.a);

@@ -45,7 +45,7 @@ void fillLinks(const Watch& watch, State& message) {
   findUnknownLinks(watch, unknown);
   for (const LinkId link : unknown) {
     message.unknown_links.push_back(model.link(link).name + " (" +
-                                    statusText(watch.poses.status[index(link)]) + ")");
+                                    statusText(statusInWorld(watch.poses, link)) + ")");
   }
 }
 
@@ -97,7 +97,7 @@ void toMessage(const Watch& watch, const CycleFacts& facts, State& message) {
   message.has_closest = closest != kNone ? 1 : 0;
   if (closest != kNone) {
     const PairDistance& distance = watch.buffers.distances.measured[closest];
-    toMessage(watch.setup(), distance, message.closest);
+    toMessage(*watch.fixed, watch.poses, distance, message.closest);
     message.closest.passed_at = passedAt(watch, watch.setup().link_pair_of[index(distance.pair)]);
   } else {
     toUnknownMessage(message.closest);

@@ -39,6 +39,7 @@ const Distances& DistanceList::fill(const Watch& watch) {
     }
     const PairDistance& distance = watch.buffers.distances.measured[events.closest[i]];
     fillEntry(setup, distance, rows.of(distance));
+    message_.pairs[size_].frame_id = frameOf(*watch.fixed, watch.poses, setup.checked[i].a);
     message_.pairs[size_++].passed_at = passedAt(watch, i);
   }
   message_.pairs.resize(size_);

@@ -120,12 +120,14 @@ double PoseReader::refusedAhead(const Edge& edge) const {
 }
 
 std::string PoseReader::explain(LinkId link) const {
-  // The topmost fault is the cause; what is below it inherits it.
+  // What lies above the top of its part; of faults in a row the topmost is the cause.
   const Edge* cause = nullptr;
   for (std::size_t i = index(link);;) {
-    if (edges_[i].status != LinkStatus::known) {
-      cause = &edges_[i];
+    const bool is_fault = edges_[i].status != LinkStatus::known;
+    if (cause != nullptr && !is_fault) {
+      break;
     }
+    cause = is_fault ? &edges_[i] : cause;
     const auto& joint = model_.links[i].parent_joint;
     if (!joint) {
       break;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string_view>
 #include <unordered_set>
@@ -12,6 +13,7 @@
 #include "ros_edge/apply_joints.h"
 #include "ros_edge/conversions.h"
 #include "ros_edge/few_texts.h"
+#include "ros_edge/floating_parts.h"
 #include "ros_edge/nearest_name.h"
 #include "ros_edge/sentences.h"
 
@@ -82,15 +84,13 @@ std::string ignoredText(const CycleSetup& setup, const Selection& selection) {
   return ignored.empty() ? "" : "not checked: " + join(ignored);
 }
 
-/// Pairs of shapes to measure: asked for, and both known.
+/// Pairs of shapes to measure: asked for, and known beside each other.
 void selectPairs(const CycleSetup& setup, const Selection& selection, const BodyPoses& poses,
                  std::vector<PairId>& pairs) {
   pairs.clear();
   for (std::size_t i = 0; i < setup.table.size(); ++i) {
-    const BodyPair& pair = setup.table.pairs()[i];
     const CheckedLinkPair& links = setup.checked[setup.link_pair_of[i]];
-    if (selection.has(links.a, links.b) && poses.known[index(pair.a)] != 0 &&
-        poses.known[index(pair.b)] != 0) {
+    if (selection.has(links.a, links.b) && isJoined(poses, links.a, links.b)) {
       pairs.push_back(idAt<PairId>(i));
     }
   }
@@ -170,8 +170,9 @@ Reach measureReach(const CycleSetup& setup, const Selection& selection, double m
 }
 
 /// One entry a pair of links, its nearest shapes; nearest pairs first, then the unknown ones.
-void fillDistances(const CycleSetup& setup, const Selection& selection, const Scene& scene,
+void fillDistances(const MonitorSetup& current, const Selection& selection, const Scene& scene,
                    const Reach& reach, Distances& message) {
+  const CycleSetup& setup = current.setup;
   const std::vector<const PairDistance*> nearest =
       nearestOf(setup, scene.buffers.distances.measured);
   std::vector<LinkDistance> unknown;
@@ -187,7 +188,7 @@ void fillDistances(const CycleSetup& setup, const Selection& selection, const Sc
       toUnknownMessage(setup, pair.a, pair.b, unknown.back());
     } else if (i == reach.closest || nearest[i]->measured.distance <= reach.distance) {
       message.pairs.emplace_back();
-      toMessage(setup, *nearest[i], message.pairs.back());
+      toMessage(current, scene.poses, *nearest[i], message.pairs.back());
       toMessage(setup, rows.of(*nearest[i]), message.pairs.back());
     }
   }
@@ -221,15 +222,26 @@ std::string nothingCheckedText(const CycleSetup& setup, const Selection& selecti
                           : ignored);
 }
 
-std::string summaryText(const Distances& distances, const std::string& ignored) {
+/// What floats among the pairs that are asked for.
+std::string floatingTextOf(const CycleSetup& setup, const Selection& selection,
+                           const LinkPoses& poses, const std::vector<std::string>& reasons) {
+  std::vector<CheckedLinkPair> asked;
+  std::copy_if(setup.checked.begin(), setup.checked.end(), std::back_inserter(asked),
+               [&](const CheckedLinkPair& pair) { return selection.has(pair.a, pair.b); });
+  return floatingPartsText(setup.model, poses, asked, reasons);
+}
+
+std::string summaryText(const Distances& distances, const std::string& floating,
+                        const std::string& ignored) {
   const std::uint32_t measured = distances.pairs_checked - distances.pairs_unknown;
   return std::to_string(measured) + " pairs measured, " + std::to_string(distances.pairs_unknown) +
-         " unknown" + (ignored.empty() ? "" : "; " + ignored);
+         " unknown" + (floating.empty() ? "" : "; " + floating) +
+         (ignored.empty() ? "" : "; " + ignored);
 }
 
 }  // namespace
 
-void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
+void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
                         const GetDistances::Request& request, GetDistances::Response& response) {
   const CycleSetup& setup = current.setup;
   std::vector<std::string> faults;
@@ -238,7 +250,7 @@ void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
   if (std::isnan(request.max_distance)) {
     faults.emplace_back("max_distance is not a number; give metres, or 0 for no limit");
   }
-  Scene scene{newest, makeBuffers(setup, BroadPhaseKind::brute_force)};
+  Scene scene{newest.poses, makeBuffers(setup, BroadPhaseKind::brute_force)};
   if (!request.joints.name.empty() || !request.joints.position.empty()) {
     const std::vector<std::string> joint_faults =
         applyJoints(setup.model, request.joints, scene.poses);
@@ -259,7 +271,7 @@ void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
       setup, selection,
       request.max_distance > 0.0 ? request.max_distance : std::numeric_limits<double>::infinity(),
       buffers);
-  fillDistances(setup, selection, scene, reach, response.distances);
+  fillDistances(current, selection, scene, reach, response.distances);
   response.success = response.distances.pairs_checked > 0 ? 1 : 0;
   if (response.success == 0) {
     response.message = nothingCheckedText(setup, selection);
@@ -268,7 +280,8 @@ void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
   // Of all links, pairs that are ignored are many and no news.
   const bool is_explicit = !request.links_a.empty() && !request.links_b.empty();
   response.message =
-      summaryText(response.distances, is_explicit ? ignoredText(setup, selection) : "") +
+      summaryText(response.distances, floatingTextOf(setup, selection, scene.poses, newest.reasons),
+                  is_explicit ? ignoredText(setup, selection) : "") +
       nearestText(setup, buffers, reach);
 }
 

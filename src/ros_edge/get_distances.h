@@ -4,14 +4,14 @@
 
 #include <collision_monitor/GetDistances.h>
 
-#include "collision_monitor/pipeline/cycle_data.h"
 #include "ros_edge/monitor_setup.h"
+#include "ros_edge/newest_state.h"
 
 namespace collision_monitor {
 
 /// Answers the service of that name for the newest poses, or for them with some joints moved.
 /// Measures every pair that is asked for, near or far, with buffers of its own.
-void answerGetDistances(const MonitorSetup& current, const LinkPoses& newest,
+void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
                         const GetDistances::Request& request, GetDistances::Response& response);
 
 }  // namespace collision_monitor

@@ -60,6 +60,14 @@ Markers::Markers(const Watch& watch) {
   }
 }
 
+/// rviz is to take the newest that tf has of a part that floats: at the stamp of the data it may
+/// have none.
+std_msgs::Header Markers::headerOf(const Watch& watch, LinkId link) const {
+  return watch.poses.part[index(link)] == kWorldPart
+             ? header_
+             : makeHeader(0, frameOf(*watch.fixed, watch.poses, link));
+}
+
 const visualization_msgs::MarkerArray& Markers::draw(const Watch& watch) {
   header_ = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);
   drawn_.clear();
@@ -104,21 +112,22 @@ void Markers::placeShapes(const Watch& watch) {
   for (Marker& shape : array_.markers) {
     const auto body = static_cast<std::size_t>(shape.id);
     const bool is_known = poses.known[body] != 0;
+    const LinkId link = watch.setup().bodies[body].link;
     if (is_known) {
       toMessage(poses.world_from_body[body], shape.pose);
+      shape.header = headerOf(watch, link);
     }
-    const Verdict verdict =
-        is_known ? verdicts[index(watch.setup().bodies[body].link)] : Verdict::unknown;
+    const Verdict verdict = is_known ? verdicts[index(link)] : Verdict::unknown;
     shape.color = colourOf(verdict, kShapeAlpha);
-    shape.header = header_;
+    shape.header.stamp = shape.header.frame_id == header_.frame_id ? header_.stamp : ros::Time();
   }
 }
 
-Marker& Markers::add(const char* name_space, int id, int type) {
+Marker& Markers::add(const char* name_space, int id, int type, const std_msgs::Header& header) {
   drawn_.emplace(name_space, id);
   array_.markers.emplace_back();
   Marker& marker = array_.markers.back();
-  marker.header = header_;
+  marker.header = header;
   marker.ns = name_space;
   marker.id = id;
   marker.type = type;
@@ -129,23 +138,26 @@ Marker& Markers::add(const char* name_space, int id, int type) {
 void Markers::addContacts(const Watch& watch) {
   for (const PairDistance& distance : watch.buffers.distances.measured) {
     if (isInContact(watch, distance)) {
-      addContact(distance);
+      addContact(watch, distance);
     }
   }
   for (const PassedContact& passed : watch.buffers.distances.passed) {
-    addContact(passed.distance);
+    addContact(watch, passed.distance);
   }
 }
 
-void Markers::addContact(const PairDistance& distance) {
+void Markers::addContact(const Watch& watch, const PairDistance& distance) {
+  const CycleSetup& setup = watch.setup();
+  const std_msgs::Header header =
+      headerOf(watch, setup.checked[setup.link_pair_of[index(distance.pair)]].a);
   const SignedDistance& measured = distance.measured;
   const Eigen::Vector3d middle = 0.5 * (measured.point_on_a + measured.point_on_b);
   const int id = 2 * static_cast<int>(index(distance.pair));
-  Marker& point = add("contacts", id, Marker::SPHERE);
+  Marker& point = add("contacts", id, Marker::SPHERE, header);
   toMessage(middle, point.pose.position);
   toMessage(Eigen::Vector3d::Constant(kPointSize), point.scale);
   point.color = colourOf(Verdict::contact, 1.0F);
-  Marker& normal = add("contacts", id + 1, Marker::ARROW);
+  Marker& normal = add("contacts", id + 1, Marker::ARROW, header);
   normal.points.resize(2);
   toMessage(middle, normal.points[0]);
   toMessage(middle + kNormalLength * measured.normal_a_to_b, normal.points[1]);
@@ -167,7 +179,8 @@ void Markers::addDistances(const Watch& watch) {
     if (place != events.closest_of_all && measured.distance > setup.limits.report_distance) {
       continue;
     }
-    Marker& line = add("distances", static_cast<int>(i), Marker::LINE_LIST);
+    const std_msgs::Header header = headerOf(watch, setup.checked[i].a);
+    Marker& line = add("distances", static_cast<int>(i), Marker::LINE_LIST, header);
     line.points.resize(2);
     toMessage(measured.point_on_a, line.points[0]);
     toMessage(measured.point_on_b, line.points[1]);
@@ -176,7 +189,7 @@ void Markers::addDistances(const Watch& watch) {
     if (events.verdicts[i] == Verdict::clear && place != events.closest_of_all) {
       continue;
     }
-    Marker& label = add("labels", static_cast<int>(i), Marker::TEXT_VIEW_FACING);
+    Marker& label = add("labels", static_cast<int>(i), Marker::TEXT_VIEW_FACING, header);
     toMessage(takePlace(0.5 * (measured.point_on_a + measured.point_on_b), label_places_),
               label.pose.position);
     label.scale.z = kTextHeight;

@@ -13,7 +13,8 @@
 
 namespace collision_monitor {
 
-/// The picture of a cycle for rviz, in the world frame and with the stamp of the data.
+/// The picture of a cycle for rviz, in the world frame and with the stamp of the data; of a part
+/// that floats in the frame of its top link, without a stamp.
 ///
 /// Namespaces: `shapes` (id = body; green clear, yellow warning, red contact, grey
 /// unknown where the link was last seen), `contacts` (ids 2 n and 2 n + 1 = point and normal of
@@ -36,10 +37,12 @@ class Markers {
   void addShapes(const BodyPoses& poses);
   void placeShapes(const Watch& watch);
   void addContacts(const Watch& watch);
-  void addContact(const PairDistance& distance);
+  void addContact(const Watch& watch, const PairDistance& distance);
   void addDistances(const Watch& watch);
   void addDeletions();
-  visualization_msgs::Marker& add(const char* name_space, int id, int type);
+  visualization_msgs::Marker& add(const char* name_space, int id, int type,
+                                  const std_msgs::Header& header);
+  std_msgs::Header headerOf(const Watch& watch, LinkId link) const;
 
   std::vector<visualization_msgs::Marker> unseen_;  ///< shapes in the body frame
   /// Shapes that were seen come first and stay: they are most of its bytes.

@@ -14,10 +14,6 @@ namespace {
 
 constexpr double kWholeTurn = 2.0 * kPi;
 
-bool isKnown(const LinkPoses& poses, LinkId link) {
-  return poses.status[index(link)] == LinkStatus::known;
-}
-
 /// An angle is within half a turn of 0.
 double positionOf(const Joint& joint, const Pose& parent_from_child) {
   const Pose motion = inverse(joint.parent_from_joint) * parent_from_child;
@@ -52,7 +48,8 @@ std::optional<double> withinLimits(const Joint& joint, double angle) {
 
 NewestState makeNewestState(const RobotModel& model) {
   return {makeLinkPoses(model),
-          JointPositions(model.variable_count, std::numeric_limits<double>::quiet_NaN())};
+          JointPositions(model.variable_count, std::numeric_limits<double>::quiet_NaN()),
+          std::vector<std::string>(model.links.size())};
 }
 
 std::optional<double> newestPosition(const RobotModel& model, const NewestState& newest,
@@ -60,7 +57,7 @@ std::optional<double> newestPosition(const RobotModel& model, const NewestState&
   const Joint& one = model.joint(joint);
   const double told = newest.positions[one.first_variable];
   const bool is_told = std::isfinite(told);
-  if (!is_told && !(isKnown(newest.poses, one.parent) && isKnown(newest.poses, one.child))) {
+  if (!is_told && !isJoined(newest.poses, one.parent, one.child)) {
     return std::nullopt;
   }
   const auto& world_from_link = newest.poses.world_from_link;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "collision_monitor/model/kinematics.h"
 #include "collision_monitor/pipeline/cycle_data.h"
@@ -12,7 +14,8 @@ namespace collision_monitor {
 /// Where robots are now, as far as it is known.
 struct NewestState {
   LinkPoses poses;
-  JointPositions positions;  ///< as joint states tell, by variable; NaN: they do not
+  JointPositions positions;            ///< as joint states tell, by variable; NaN: they do not
+  std::vector<std::string> reasons{};  ///< by LinkId: why a part begins there, where one does
 };
 
 /// Nothing is known.

@@ -83,30 +83,44 @@ bool PoseReader::readRobot(const Robot& robot, std::int64_t stamp_ns) {
   return is_new;
 }
 
-/// @return true when the status of a link changed.
+/// @return true when the status of a link changed, or its part.
 bool PoseReader::placeLinks(LinkPoses& poses) const {
   bool has_changed = false;
   for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const Edge& edge = edges_[i];
-    LinkStatus status = edge.status;
-    double age = edge.age;
-    Pose world_from_parent;
-    if (const auto& joint = model_.links[i].parent_joint) {
-      const std::size_t parent = index(model_.joint(*joint).parent);
-      world_from_parent = poses.world_from_link[parent];
-      status = poses.status[parent] == LinkStatus::known ? status : poses.status[parent];
-      age = std::max(age, poses.age[parent]);
-    }
-    if (status == LinkStatus::known) {
-      poses.world_from_link[i] = world_from_parent * edge.parent_from_child;
-    }
-    has_changed = has_changed || status != poses.status[i];
-    poses.status[i] = status;
-    // Data of the near future, as of a localisation that dates its output
-    // ahead, are fresh.
-    poses.age[i] = std::max(0.0, age);
+    const PartId part = poses.part[i];
+    const LinkStatus part_status = poses.part_status[i];
+    const LinkStatus status = poses.status[i];
+    placeLink(i, poses);
+    has_changed = has_changed || status != poses.status[i] || part != poses.part[i] ||
+                  part_status != poses.part_status[i];
   }
   return has_changed;
+}
+
+/// Beside its parent link or, where that is not known, as the top of a part that floats.
+void PoseReader::placeLink(std::size_t link, LinkPoses& poses) const {
+  const Edge& edge = edges_[link];
+  if (edge.is_needed && edge.status != LinkStatus::known) {
+    floatFrom(link, edge.status, poses);
+    return;
+  }
+  Pose world_from_parent;
+  double age = 0.0;
+  poses.part[link] = kWorldPart;
+  poses.part_status[link] = LinkStatus::known;
+  if (const auto& joint = model_.links[link].parent_joint) {
+    const std::size_t parent = index(model_.joint(*joint).parent);
+    world_from_parent = poses.world_from_link[parent];
+    age = poses.age[parent];
+    poses.part[link] = poses.part[parent];
+    poses.part_status[link] = poses.part_status[parent];
+  }
+  poses.status[link] = edge.status;
+  if (edge.status == LinkStatus::known) {
+    poses.world_from_link[link] = world_from_parent * edge.parent_from_child;
+  }
+  // Data of the near future, as of a localisation that dates its output ahead, are fresh.
+  poses.age[link] = std::max({0.0, age, edge.age});
 }
 
 }  // namespace collision_monitor

@@ -141,10 +141,20 @@ std::string pairsSentence(Verdict verdict, const Watch& watch) {
 }
 
 std::string unknownLinksSentence(const Watch& watch) {
+  const std::vector<FloatingPart> parts = partsWithPairs(watch);
   std::vector<LinkId> links;
-  findUnknownLinks(watch, links);
-  return links.empty() ? "the pose of a link is not rigid"
-                       : unknownSentence(watch, links.front()) + andMore(links.size(), "link");
+  findLoneLinks(watch, links);
+  if (parts.empty() && links.empty()) {
+    return "the pose of a link is not rigid";
+  }
+  std::vector<std::string> texts;
+  if (!parts.empty()) {
+    texts.push_back(floatingSentence(watch, parts.front()) + andMore(parts.size(), "part"));
+  }
+  if (!links.empty()) {
+    texts.push_back(unknownSentence(watch, links.front()) + andMore(links.size(), "link"));
+  }
+  return join(texts);
 }
 
 std::string clearSentence(const Watch& watch) {
@@ -222,8 +232,7 @@ std::string changeSentence(const Watch& watch, const VerdictChange& change) {
   const CycleSetup& setup = watch.setup();
   const CheckedLinkPair& pair = setup.checked[change.link_pair];
   if (change.after == Verdict::unknown) {
-    const LinkId unknown =
-        watch.buffers.body_poses.link_known[index(pair.a)] == 0 ? pair.a : pair.b;
+    const LinkId unknown = MainPart(watch.poses, setup.checked).has(pair.a) ? pair.b : pair.a;
     const LinkId other = unknown == pair.a ? pair.b : pair.a;
     return unknownSentence(watch, unknown) + ", near " + setup.model.link(other).name + " before";
   }
@@ -234,24 +243,6 @@ std::string changeSentence(const Watch& watch, const VerdictChange& change) {
   }
   const std::string measured = pairSentence(watch, change.link_pair);
   return change.after == Verdict::clear ? measured + ", clear again" : measured;
-}
-
-std::string reasonSentence(const Watch& watch, LinkId link) {
-  return watch.clock.fault == ClockFault::none ? watch.reader.explain(link)
-                                               : clockSentence(watch.clock);
-}
-
-std::string unknownSentence(const Watch& watch, LinkId link) {
-  return "link " + watch.setup().model.link(link).name +
-         " is unknown: " + reasonSentence(watch, link);
-}
-
-std::string clockSentence(const ClockState& clock) {
-  const std::string stands =
-      "the clock has stood still for " + fixedText(clock.stood_for, 1) + " s";
-  return clock.fault == ClockFault::silent
-             ? stands + ": nothing comes on /clock (use_sim_time is set), and no pose grows old"
-             : stands + ", but transforms or joint states of later times come";
 }
 
 std::string stepSentence(const Watch& watch) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ros_edge/floating_parts.h"
 #include "ros_edge/watch.h"
 
 /// What a person reads: one sentence each, without full stop.
@@ -45,6 +46,16 @@ std::string unknownSentence(const Watch& watch, LinkId link);
 /// "the clock has stood still for 1.2 s: nothing comes on /clock ..."
 /// @pre it has a fault
 std::string clockSentence(const ClockState& clock);
+
+/// Parts that float beside the main one and have pairs of their own, which are known.
+std::vector<FloatingPart> partsWithPairs(const Watch& watch);
+
+/// The unknown links (findUnknownLinks) that are of none of these parts, into `links`.
+void findLoneLinks(const Watch& watch, std::vector<LinkId>& links);
+
+/// "the part of robot 'left' from link 'left/base' on floats: no transform from 'world' to
+/// 'left/base' yet; its 54 own pairs are checked, 120 pairs with others are unknown"
+std::string floatingSentence(const Watch& watch, const FloatingPart& part);
 
 /// Poses that come too seldom, how often they are needed, and whether the look at the way between
 /// them covers it; empty if they do not.

@@ -4,6 +4,7 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "ros_edge/check_states.h"
 #include "ros_edge/check_trajectory.h"
 #include "ros_edge/get_distances.h"
+#include "ros_edge/sentences.h"
 #include "ros_edge/startup_report.h"
 #include "ros_edge/watch.h"
 
@@ -38,22 +40,30 @@ NewestState Services::newestState(const MonitorSetup& current) const {
   const RobotModel& model = current.setup.model;
   NewestState newest = makeNewestState(model);
   const ros::Time now = ros::Time::now();
-  if (!now.isZero()) {
-    JointReader joints(model, inputs_.joints, jointTopics(current));
-    makePoseReader(current, inputs_.transforms, joints).read(now, newest.poses);
-    if (lookAtClock(inputs_, now).fault != ClockFault::none) {
-      growStale(newest.poses);
-      return newest;
-    }
-    joints.refresh();
-    joints.readNewestPositions(now, current.parameters.max_age, newest.positions);
+  const ClockState clock = lookAtClock(inputs_, now);
+  if (now.isZero()) {
+    std::fill(newest.reasons.begin(), newest.reasons.end(), "no time on /clock yet");
+    return newest;
   }
+  JointReader joints(model, inputs_.joints, jointTopics(current));
+  PoseReader reader = makePoseReader(current, inputs_.transforms, joints);
+  reader.read(now, newest.poses);
+  if (clock.fault != ClockFault::none) {
+    growStale(newest.poses);
+    std::fill(newest.reasons.begin(), newest.reasons.end(), clockSentence(clock));
+    return newest;
+  }
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    newest.reasons[i] = newest.poses.part[i] == i ? reader.explain(idAt<LinkId>(i)) : "";
+  }
+  joints.refresh();
+  joints.readNewestPositions(now, current.parameters.max_age, newest.positions);
   return newest;
 }
 
 bool Services::getDistances(GetDistances::Request& request, GetDistances::Response& response) {
   const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
-  answerGetDistances(*current, newestState(*current).poses, request, response);
+  answerGetDistances(*current, newestState(*current), request, response);
   return true;
 }
 
@@ -76,7 +86,7 @@ bool Services::checkStates(CheckStates::Request& request, CheckStates::Response&
                                      "check_states: " << std::lround(100.0 * done) << " % checked");
     return goesOn();
   };
-  answerCheckStates(*current, newestState(*current).poses, tell, request, response);
+  answerCheckStates(*current, newestState(*current), tell, request, response);
   return true;
 }
 

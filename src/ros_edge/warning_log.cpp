@@ -68,12 +68,17 @@ void WarningLog::logUnknownLinks(const Watch& watch) {
   last_unknown_ = now;
   told_unknown_ = unknown_;
   if (unknown_.empty()) {
-    ROS_INFO("the poses of all links are known");
+    ROS_INFO("every checked pair of links is known");
     return;
   }
+  for (const FloatingPart& part : partsWithPairs(watch)) {
+    ROS_WARN_STREAM("unknown: " << floatingSentence(watch, part));
+  }
   // One line for each cause: a joint that is silent hides every link behind it.
+  std::vector<LinkId> lone;
+  findLoneLinks(watch, lone);
   std::map<std::string, std::string> links_of_cause;
-  for (const LinkId link : unknown_) {
+  for (const LinkId link : lone) {
     std::string& links = links_of_cause[reasonSentence(watch, link)];
     links += (links.empty() ? "" : ", ") + watch.setup().model.link(link).name;
   }

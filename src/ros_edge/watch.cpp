@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ros_edge/floating_parts.h"
 #include "ros_edge/pair_counts.h"
 
 namespace collision_monitor {
@@ -86,9 +87,17 @@ void countStep(const SweepWork& work, StepCount& count) noexcept {
 
 void findUnknownLinks(const Watch& watch, std::vector<LinkId>& links) {
   links.clear();
-  const RobotModel& model = watch.setup().model;
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
-    if (hasShapes(model.links[i]) && watch.poses.status[i] != LinkStatus::known) {
+  const CycleSetup& setup = watch.setup();
+  const MainPart main(watch.poses, setup.checked);
+  std::vector<bool> is_unknown(setup.model.links.size());
+  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+    if (watch.buffers.events.verdicts[i] == Verdict::unknown) {
+      is_unknown[index(setup.checked[i].a)] = true;
+      is_unknown[index(setup.checked[i].b)] = true;
+    }
+  }
+  for (std::size_t i = 0; i < is_unknown.size(); ++i) {
+    if (is_unknown[i] && !main.has(idAt<LinkId>(i))) {
       links.push_back(idAt<LinkId>(i));
     }
   }

@@ -21,7 +21,7 @@ struct Watch {
 
   /// Brings poses and velocities up to date. Does not throw: what cannot be read is unknown, and
   /// all is old by a clock that has died.
-  /// @return true when a stamp or the status of a link changed.
+  /// @return true when a stamp, or the status or part of a link changed.
   bool read(const ros::Time& now, const ClockState& clock_now);
   /// Forgets where links were: time jumped.
   void forget();
@@ -76,7 +76,9 @@ struct CycleFacts {
   double cycle_time{0.0};  ///< [s]
 };
 
-/// Links with geometry whose pose is unknown, into `links`.
+/// Links that keep a checked pair unknown, into `links`: those of it that do not stand in the
+/// MainPart.
+/// @pre poses are judged
 void findUnknownLinks(const Watch& watch, std::vector<LinkId>& links);
 
 }  // namespace collision_monitor

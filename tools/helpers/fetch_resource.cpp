@@ -7,15 +7,21 @@
 
 #include "model/helper_main.h"
 
-/// Fetches files for Downloads: the question's bytes are the largest size [bytes] in digits.
+namespace {
+
+/// @param most largest size [bytes], in digits
+std::string fetch(const std::string& uri, const std::string& most) {
+  static resource_retriever::Retriever retriever;  // keeps its connection from file to file
+  const resource_retriever::MemoryResource resource = retriever.get(uri);
+  if (resource.size > std::stoull(most)) {
+    throw std::runtime_error(uri + ": larger than the limit of " + most + " bytes");
+  }
+  return std::string(resource.data.get(), resource.data.get() + resource.size);
+}
+
+}  // namespace
+
+/// Fetches files for Downloads.
 int main() {
-  resource_retriever::Retriever retriever;
-  const auto fetch = [&](const std::string& uri, const std::string& most) {
-    const resource_retriever::MemoryResource resource = retriever.get(uri);
-    if (resource.size > std::stoull(most)) {
-      throw std::runtime_error(uri + ": larger than the limit of " + most + " bytes");
-    }
-    return std::string(resource.data.get(), resource.data.get() + resource.size);
-  };
   return collision_monitor::answerQuestions(fetch, "larger than the limit, or without an end");
 }

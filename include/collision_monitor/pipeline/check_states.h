@@ -33,6 +33,7 @@ struct StatePair {
   double bounding_radii{0.0};  ///< [m] of both
   double contact_distance{0.0};
   double warning_distance{0.0};
+  bool is_apart{false};  ///< how its links stand to each other is not known
 };
 
 /// What checkStates works with, made once for a set-up and where its robots stand.
@@ -45,16 +46,19 @@ struct StatesWork {
   std::vector<StatePose> frames;
   std::vector<StatePose> bodies;  ///< by BodyId
   BodyRows rows;                  ///< of a state that is alone
-  LinkPoses poses;                ///< these two of a state that is refined
+  LinkPoses poses;                ///< these two of a state that is refined; parts are of all states
   CycleBuffers buffers;
+  bool is_split{false};  ///< a pair is apart: no state is clear
 };
 
 /// Roots, fixed joints, and joints whose first variable does not move, stand as in `poses`; fixed
-/// joints that are not known there as in the model.
+/// joints that are not known there as in the model. Roots of parts that float are not known.
 /// @param moves by variable
 StandingPoses standingAs(const RobotModel& model, const LinkPoses& poses,
                          const std::vector<bool>& moves);
 
+/// Links behind a root or joint that is not known stand in a part of their own: pairs of its links
+/// are judged as all others, and those across two parts are unknown in every state.
 StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing);
 
 /// Judges states by their enclosing shapes: each `variable_count` numbers of `positions` in a row

@@ -33,7 +33,7 @@ enum class ApproachState : unsigned char {
   clear,      ///< no contact on the whole way: proven
   contact,    ///< first at `time`, clear before: proven
   undecided,  ///< the budget or `progress` ended the search; clear up to `time`
-  unknown,    ///< a link's pose is unknown, or the path is not sound
+  unknown,    ///< how the links stand to each other is unknown, or the path is not sound
 };
 
 /// Of one pair of links.

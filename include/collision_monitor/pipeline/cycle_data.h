@@ -35,17 +35,52 @@ struct LinkVelocities {
   std::vector<unsigned char> known;  ///< by LinkId
 };
 
+/// Links whose poses are known beside each other: kWorldPart, or the LinkId of the top link of a
+/// part that floats.
+using PartId = std::uint32_t;
+constexpr PartId kWorldPart = 0xffffffffU;  ///< joined to the world
+
 /// One stamp for all links of a robot that are known.
+///
+/// Where it is not known how a link stands to its parent link, or a root to the world, a part
+/// begins that floats: the links from there on, as far as they are known beside each other. Its
+/// frame is that of its top link, which stands at the identity, and at rest. Nothing that joins
+/// links of two parts means anything.
 struct LinkPoses {
   std::int64_t stamp_ns{0};                  ///< the oldest of the robots' stamps
   std::vector<std::int64_t> robot_stamp_ns;  ///< by RobotId; 0: none yet
-  std::vector<Pose> world_from_link;
-  std::vector<LinkStatus> status;
-  std::vector<double> age;  ///< [s]; 0 for a link that only static transforms place
-  LinkVelocities velocities;
+  std::vector<Pose> world_from_link;         ///< of a part that floats: top_from_link
+  std::vector<LinkStatus> status;            ///< known: in its part
+  std::vector<PartId> part;                  ///< by LinkId
+  /// By LinkId: what keeps its part from being joined to what is above it; known: the world's part.
+  std::vector<LinkStatus> part_status;
+  std::vector<double> age;    ///< [s] in its part; 0 for a link that only static transforms place
+  LinkVelocities velocities;  ///< as seen from the frame of the part
 };
 
-/// Links all `missing`, their velocities unknown, sized for the model.
+/// Whether it is known how two links stand to each other.
+inline bool isJoined(const LinkPoses& poses, LinkId a, LinkId b) noexcept {
+  return poses.status[index(a)] == LinkStatus::known &&
+         poses.status[index(b)] == LinkStatus::known &&
+         poses.part[index(a)] == poses.part[index(b)];
+}
+
+/// `known`, or why it is not known where a link is in the world.
+inline LinkStatus statusInWorld(const LinkPoses& poses, LinkId link) noexcept {
+  const LinkStatus status = poses.status[index(link)];
+  return status == LinkStatus::known ? poses.part_status[index(link)] : status;
+}
+
+/// A part that floats begins at this link.
+inline void floatFrom(std::size_t link, LinkStatus reason, LinkPoses& poses) noexcept {
+  poses.world_from_link[link] = Pose();
+  poses.status[link] = LinkStatus::known;
+  poses.part[link] = static_cast<PartId>(link);
+  poses.part_status[link] = reason;
+  poses.age[link] = 0.0;
+}
+
+/// Links all `missing`, in the world's part, their velocities unknown, sized for the model.
 LinkPoses makeLinkPoses(const RobotModel& model);
 
 struct BodyPoses {
@@ -53,9 +88,19 @@ struct BodyPoses {
   std::vector<Ball> balls;  ///< that bound the bodies, in the world; next to each other for a cull
   BodyRows rows;            ///< the same in columns, NaN where the body is not known
   std::vector<unsigned char> known;
-  std::vector<unsigned char> link_known;  ///< by LinkId, of links with bodies: known and rigid
-  std::vector<Pose> world_from_element;   ///< by ElementId, of known links
+  /// By LinkId, of links with bodies: known and rigid, and not alone in a part that floats.
+  std::vector<unsigned char> link_known;
+  std::vector<PartId> part;                  ///< by LinkId
+  bool is_split{false};                      ///< known links with bodies stand in several parts
+  std::vector<std::uint32_t> links_of_part;  ///< by top link: scratch
+  std::vector<Pose> world_from_element;      ///< by ElementId, of known links
 };
+
+/// Whether a pair of these links can be measured.
+inline bool isJoined(const BodyPoses& poses, LinkId a, LinkId b) noexcept {
+  return poses.link_known[index(a)] != 0 && poses.link_known[index(b)] != 0 &&
+         poses.part[index(a)] == poses.part[index(b)];
+}
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -156,7 +201,7 @@ struct CycleCounters {
   std::size_t swept{0};          ///< pairs near enough for their speed to have met since the last
                                  ///< cycle, which were followed on their way
   std::size_t swept_left{0};     ///< pairs of elements for which the budget did not suffice
-  std::size_t unknown_pairs{0};  ///< pairs of bodies with an unknown link
+  std::size_t unknown_pairs{0};  ///< pairs of bodies with an unknown link, or across two parts
   std::size_t unknown_links{0};  ///< links with geometry whose pose is unknown
 };
 
@@ -165,7 +210,13 @@ struct LastPoses {
   std::int64_t stamp_ns{0};
   std::vector<Pose> world_from_link;
   std::vector<unsigned char> known;
+  std::vector<PartId> part;
 };
+
+/// Whether a link was known, and in the same part as now. What it did since is not known otherwise.
+inline bool hasStayed(const LastPoses& last, const BodyPoses& now, std::size_t link) noexcept {
+  return last.known[link] != 0 && now.link_known[link] != 0 && last.part[link] == now.part[link];
+}
 
 /// How far a body has come.
 struct BodyWay {

@@ -21,6 +21,7 @@ struct VelocityTracker {
   std::vector<std::int64_t> stamp_ns;    ///< by RobotId
   std::vector<Pose> world_from_link;     ///< by LinkId
   std::vector<unsigned char> was_known;  ///< by LinkId
+  std::vector<PartId> part;              ///< by LinkId: that it was known in
   LinkVelocities filtered;
 };
 
@@ -30,8 +31,9 @@ VelocityTracker makeVelocityTracker(const RobotModel& model);
 void resetTracker(VelocityTracker& tracker) noexcept;
 
 /// Fills `poses.velocities` from these poses and those of the stamp before. A link's velocity is
-/// unknown until it was known at two stamps in a row, no farther apart than the longest gap, and
-/// stays as it is while no new stamp comes.
+/// unknown until it was known at two stamps in a row, in the same part and no farther apart than
+/// the longest gap, and stays as it is while no new stamp comes. The top link of a part that floats
+/// rests.
 void trackVelocities(const RobotModel& model, const VelocityOptions& options,
                      VelocityTracker& tracker, LinkPoses& poses) noexcept;
 
@@ -39,7 +41,7 @@ void trackVelocities(const RobotModel& model, const VelocityOptions& options,
 using JointVelocities = std::vector<double>;
 
 /// Replaces the velocities of links whose joint and parent link move at known velocities; roots,
-/// and links behind joints that say nothing, keep what two stamps told.
+/// links behind joints that say nothing, and those where a part begins keep what they have.
 /// @pre `velocities` has RobotModel::variable_count entries
 void applyJointVelocities(const RobotModel& model, const JointVelocities& velocities,
                           LinkPoses& poses) noexcept;

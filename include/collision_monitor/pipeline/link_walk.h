@@ -13,7 +13,8 @@ namespace collision_monitor {
 /// A link and those in the slots from `pairs.first` on; pairs are LinkPairIndices.
 struct LinkBlock {
   PairBlock pairs;
-  alignas(64) double thickness[kBlockLanes] = {};  ///< [m] by lane: as thicknessOfPairs
+  /// [m] by lane: as thicknessOfPairs; infinite across two parts
+  alignas(64) double thickness[kBlockLanes] = {};
 };
 
 /// The columns of links, world frame, [m] and [s] or steps.
@@ -34,8 +35,10 @@ struct PairReaches {
   std::vector<LinkId> links;  ///< by slot: those that stand in checked pairs
   std::vector<Ball> balls;    ///< by slot: as linkBalls
   std::vector<LinkBlock> blocks;
-  double contact{0.0};  ///< [m] contact_distance
-  double stop{0.0};     ///< [m] at least that, and what scaleSpeed must hear of
+  std::vector<double> thickness;  ///< [m] by LinkPairIndex: as thicknessOfPairs
+  double contact{0.0};            ///< [m] contact_distance
+  double stop{0.0};               ///< [m] at least that, and what scaleSpeed must hear of
+  bool is_split{false};           ///< links stand in several parts
 
   BodyRows rows;                ///< of the links
   std::vector<double> of_pair;  ///< [m] by LinkPairIndex
@@ -62,6 +65,7 @@ std::vector<double> thicknessOfPairs(const CycleSetup& setup);
 /// as their twists say. Where the way between two cycles is looked at, only what leaves their
 /// screws is unseen: an even acceleration that changes the way of a step by w against that of the
 /// last one bends the path by w / 8.
+/// Pairs across two parts have no limit: how they move past each other is not known.
 /// Error: limits of steps are estimates, for the twists of one time stand for a whole step. The
 /// same bytes with every instruction set.
 /// @pre `sweep` is that of findMotions.

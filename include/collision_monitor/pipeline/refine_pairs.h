@@ -33,6 +33,7 @@ struct RefineWork {
   std::vector<RefineTask> tasks;
   std::vector<std::uint32_t> task_of;      ///< by ElementPairIndex: into tasks, or kNone
   std::vector<unsigned char> is_measured;  ///< by ElementPairIndex: in this cycle
+  std::vector<unsigned char> is_passed;    ///< by ElementPairIndex: scratch of measureClosest
   std::vector<double> nearest;             ///< by LinkPairIndex: [m] the least refined distance
   std::vector<Ball> balls;                 ///< by ElementId: of what is measured
   std::unique_ptr<RefineScratch> scratch;

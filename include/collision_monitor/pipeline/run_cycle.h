@@ -60,10 +60,13 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
 void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept;
 
 /// The rows of placeBodies alone, to the last bit: for those who measure all pairs of one pose.
+/// Parts that float are not told apart here.
+/// @pre all known links stand in one part
 void placeRows(const CycleSetup& setup, const LinkPoses& poses, BodyRows& rows) noexcept;
 
 /// Whether any pair is in contact when the links are in these poses: as placeBodies and then
 /// findContact of pair_blocks.h, but bodies are placed in `rows` only as the search comes to them.
+/// @pre as placeRows
 void findContact(const CycleSetup& setup, const LinkPoses& poses, const ContactDistances& limits,
                  BodyRows& rows, FoundContact& found) noexcept;
 
@@ -77,7 +80,7 @@ void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double re
 
 /// Grows the boxes by as far as their bodies can get in `duration` [s], so that bodies that may be
 /// within reach by then have boxes that meet, too. What all links share, the first robot's root
-/// moving with them, counts for nothing.
+/// moving with them, counts for nothing. Links of parts that float share nothing with the others.
 void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration,
                 BodyBounds& bounds) noexcept;
 
@@ -85,7 +88,7 @@ void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration
 KnownGaps makeKnownGaps(const CycleSetup& setup);
 
 /// Follows how far bodies have come, so that gaps stay what they are.
-/// Where a link was not known in the last cycle all gaps are forgotten.
+/// Where a link was not known in the last cycle, or in another part, all gaps are forgotten.
 /// @pre bodies are placed and bounded; motions are found; memory.last is that of the last cycle.
 void followWays(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept;
 
@@ -115,8 +118,9 @@ void measureWaiting(const CycleSetup& setup, CycleBuffers& buffers) noexcept;
 
 /// Makes sure that the closest of all known pairs is among `distances`, which hold the
 /// nearest within `reach` and what `refined` made of them. Costs nothing when one is that near;
-/// otherwise searches all pairs, except those that were refined. What it adds is not refined.
-void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, const RefineWork& refined,
+/// otherwise searches all pairs, except those that were refined and those across two parts. What it
+/// adds is not refined.
+void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, RefineWork& refined,
                     double reach, PairDistances& distances) noexcept;
 
 /// Fills closing speeds and times to contact; unknown where a link's velocity is.
@@ -127,7 +131,7 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                 const LinkVelocities& velocities, const PairDistances& distances,
                 PairMemory& memory, PairEvents& events) noexcept;
 
-/// The speed scale of all pairs: the least that one asks for; 0 while a link is unknown, and where
+/// The speed scale of all pairs: the least that one asks for; 0 while a pair is unknown, and where
 /// links met since the last cycle.
 void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistances& distances,
                 const PairEvents& events, SpeedScale& speed) noexcept;

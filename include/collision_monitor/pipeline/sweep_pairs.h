@@ -39,7 +39,7 @@ struct SweepTask {
 /// What sweepPairs works with and tells, sized at set-up.
 struct SweepWork {
   // By LinkId.
-  std::vector<unsigned char> has_motion;  ///< known in the last cycle and in this one
+  std::vector<unsigned char> has_motion;  ///< known in the last cycle and in this one, in one part
   std::vector<ScrewMotion> link_motions;
   // [m] how far any point may have come since the last cycle.
   std::vector<double> body_reach;     ///< by BodyId

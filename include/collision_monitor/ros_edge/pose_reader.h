@@ -35,6 +35,9 @@ struct PoseReaderOptions {
 /// transforms place have age 0. Links that neither have geometry nor lead to a
 /// link that has stay `missing` and hold nobody back.
 ///
+/// Where a link cannot be placed beside its parent link, or a root in the world, a part begins that
+/// floats (LinkPoses); the links below are placed in it as they would be in the world.
+///
 /// Robots keep their own stamps; LinkPoses::stamp_ns is the oldest of them, the
 /// time of the call when nothing moves, and left alone when nothing that moves
 /// is known. So it stands for robots of which nothing moves. Ages of `missing`
@@ -49,10 +52,10 @@ class PoseReader {
   /// Brings `poses` (sized for the model) up to date; looks nothing up when no
   /// message came since the last call. Does not throw: what cannot be looked up
   /// is unknown.
-  /// @return true when a stamp or the status of a link changed.
+  /// @return true when a stamp, or the status or part of a link changed.
   bool read(const ros::Time& now, LinkPoses& poses);
 
-  /// Why a link is unknown, as of the last read: "no transform for 0.52 s".
+  /// Why it is not known where the link's part is, as of the last read: "no transform for 0.52 s".
   std::string explain(LinkId link) const;
 
  private:
@@ -95,6 +98,7 @@ class PoseReader {
   bool askBuffer(std::int64_t stamp_ns, bool is_newest, Edge& edge) const;
   bool hasGapAt(const Edge& edge, std::int64_t stamp_ns) const;
   bool placeLinks(LinkPoses& poses) const;
+  void placeLink(std::size_t link, LinkPoses& poses) const;
   std::string explainJoint(const Edge& edge) const;
   std::string explainMissing(const Edge& edge) const;
   std::string explainContradiction(const Edge& edge) const;

@@ -32,11 +32,14 @@ const std::string kArm = robotXml(
 
 class LinkVelocitiesTest : public testing::Test {
  protected:
-  void placeAt(double seconds, double turn, double slide) {
+  void placeLinksOf(double turn, double slide) {
     JointPositions positions(model_.variable_count, 0.0);
     positions[variable("turn")] = turn;
     positions[variable("slide")] = slide;
     placeLinks(model_, positions, {Pose()}, poses_.world_from_link);
+  }
+  void placeAt(double seconds, double turn, double slide) {
+    placeLinksOf(turn, slide);
     std::fill(poses_.status.begin(), poses_.status.end(), LinkStatus::known);
     poses_.robot_stamp_ns[0] = static_cast<std::int64_t>(1e9 * seconds);
     trackVelocities(model_, options_, tracker_, poses_);
@@ -140,6 +143,55 @@ TEST_F(LinkVelocitiesTest, jointVelocitiesOfARootThatIsNotKnown_tellNothing) {
   placeAt(1.0, 0.0, 0.0);
   applyJointVelocities(model_, JointVelocities(model_.variable_count, 1.0), poses_);
   EXPECT_FALSE(isKnown("tip"));
+}
+
+/// The arm and what is on it float, as seen from the arm.
+void floatArm(std::size_t arm, LinkPoses& poses) {
+  const Pose arm_from_world = inverse(poses.world_from_link[arm]);
+  for (std::size_t link = arm; link < poses.part.size(); ++link) {
+    poses.world_from_link[link] = arm_from_world * poses.world_from_link[link];
+    poses.part[link] = static_cast<PartId>(arm);
+    poses.part_status[link] = LinkStatus::stale;
+  }
+}
+
+TEST_F(LinkVelocitiesTest, partThatFloats_movesAsSeenFromItsTop) {
+  options_.longest_gap = 10.0;
+  placeAt(1.0, 0.0, 0.0);
+  placeAt(1.1, 0.2, 0.1);
+  ASSERT_TRUE(isKnown("hand"));
+  floatArm(link("arm"), poses_);
+  trackVelocities(model_, options_, tracker_, poses_);
+  EXPECT_TRUE(isKnown("arm")) << "the top rests";
+  EXPECT_EQ(velocityOf("arm").norm(), 0.0);
+  EXPECT_FALSE(isKnown("hand")) << "what is known of it is as seen from the world, and no new "
+                                   "stamp has come";
+  EXPECT_TRUE(isKnown("base"));
+  for (const double seconds : {1.2, 1.3}) {
+    placeLinksOf(0.2, 10.0 * (seconds - 1.2));
+    floatArm(link("arm"), poses_);
+    poses_.robot_stamp_ns[0] = static_cast<std::int64_t>(1e9 * seconds);
+    trackVelocities(model_, options_, tracker_, poses_);
+    EXPECT_EQ(isKnown("tip"), seconds > 1.25) << "two stamps in one part";
+  }
+  EXPECT_NEAR(velocityOf("tip").x(), 10.0, 1e-9);
+  EXPECT_NEAR(velocityOf("tip").y(), 0.0, 1e-9);
+}
+
+TEST_F(LinkVelocitiesTest, jointsOfAPartThatFloats_tellAtOnce) {
+  placeAt(0.9, 0.5, 0.25);
+  placeAt(1.0, 0.5, 0.25);
+  ASSERT_TRUE(isKnown("base"));
+  floatArm(link("arm"), poses_);
+  trackVelocities(model_, options_, tracker_, poses_);
+  JointVelocities velocities(model_.variable_count, 0.0);
+  velocities[variable("turn")] = 3.0;
+  velocities[variable("slide")] = 2.0;
+  applyJointVelocities(model_, velocities, poses_);
+  ASSERT_TRUE(isKnown("tip"));
+  EXPECT_LT((velocityOf("tip") - Vector3d(2, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((velocityOf("finger") - Vector3d(0, 0, 4)).norm(), 1e-12);
+  EXPECT_EQ(velocityOf("arm").norm(), 0.0) << "nobody knows what the part hangs on";
 }
 
 }  // namespace

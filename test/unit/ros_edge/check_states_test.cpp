@@ -19,7 +19,10 @@ class CheckStatesServiceTest : public testing::Test {
  protected:
   CheckStates::Response ask() {
     CheckStates::Response response;
-    answerCheckStates(*setup_, poses_, progress_, request_, response);
+    NewestState newest = makeNewestState(setup_->setup.model);
+    newest.poses = poses_;
+    newest.reasons[0] = "no transform from 'world' to 'base' yet";
+    answerCheckStates(*setup_, newest, progress_, request_, response);
     return response;
   }
 
@@ -201,6 +204,73 @@ TEST_F(CheckStatesServiceTest, faults_areNamedAndNothingIsChecked) {
   EXPECT_NE(response.message.find("'follow' follows 'slide'"), std::string::npos);
   EXPECT_NE(response.message.find("positions has 2 values for 3 joints"), std::string::npos);
   EXPECT_TRUE(response.levels.empty());
+}
+
+TEST_F(CheckStatesServiceTest, partThatFloats_itsOwnPairsAreJudged) {
+  floatSlider(setup_->setup.model, poses_);
+  request_.joint_names = {"reach"};
+  // Tool and finger are 0.8 m apart in y; in x they are at 0.5 + reach and 0.1.
+  request_.positions = {0.0, -0.5};
+  for (const bool only_contacts : {false, true}) {
+    request_.only_contacts = only_contacts ? 1 : 0;
+    const auto response = ask();
+    EXPECT_EQ(response.levels, (std::vector<std::uint8_t>{State::UNKNOWN, State::UNKNOWN}));
+    EXPECT_EQ(response.message,
+              "2 states: 0 in contact, 2 unknown; the part of robot 'r' from link 'slider' on "
+              "floats: it is not known where it stands");
+  }
+  request_.only_contacts = 0;
+  const auto response = ask();
+  EXPECT_NEAR(response.distances[0], std::hypot(0.2, 0.8), 1e-9);
+  EXPECT_NEAR(response.distances[1], 0.8, 1e-9);
+  EXPECT_EQ(response.links_a[0], "tool");
+  EXPECT_EQ(response.links_b[1], "finger");
+}
+
+TEST_F(CheckStatesServiceTest, contactWithinAPartThatFloats_isTold) {
+  SetupOptions options;
+  options.limits.contact_distance = 0.85;
+  options.limits.warning_distance = options.limits.report_distance = 0.9;
+  setup_ = slidingSetup(options);
+  floatSlider(setup_->setup.model, poses_);
+  request_.joint_names = {"reach"};
+  request_.positions = {-0.5};
+  for (const bool only_contacts : {false, true}) {
+    for (const bool enclosing_shapes : {false, true}) {
+      request_.only_contacts = only_contacts ? 1 : 0;
+      request_.enclosing_shapes = enclosing_shapes ? 1 : 0;
+      const auto response = ask();
+      EXPECT_EQ(response.levels[0], State::CONTACT) << response.message;
+      EXPECT_EQ(response.links_a[0], "tool");
+      EXPECT_NEAR(response.distances[0], 0.8, 1e-9);
+    }
+  }
+}
+
+TEST_F(CheckStatesServiceTest, robotThatFloatsAsAWhole_isJudgedAsOneThatStands) {
+  request_.joint_names = {"slide", "reach"};
+  request_.positions = {0.0, 0.0, 0.0, -0.28, 0.0, -0.4};
+  const auto standing = ask();
+  poses_ = makeLinkPoses(setup_->setup.model);
+  const auto floating = ask();
+  EXPECT_EQ(floating.levels, standing.levels);
+  EXPECT_EQ(floating.distances, standing.distances);
+  EXPECT_EQ(floating.message, standing.message);
+}
+
+TEST_F(CheckStatesServiceTest, robotThatFloatsBesideAnother_isUnknownToIt) {
+  const std::string ball = "<sphere radius='0.1'/>";
+  const auto robot = [&](const std::string& name) {
+    return describeText("<robot name='" + name + "'>" + linkXml(name, ball) + "</robot>");
+  };
+  auto still = std::make_shared<MonitorSetup>();
+  still->setup = buildSetup({robot("left"), robot("right")}, textLoader({}), SetupOptions());
+  setup_ = still;
+  poses_ = makeLinkPoses(still->setup.model);
+  std::fill(poses_.status.begin(), poses_.status.end(), LinkStatus::known);
+  poses_.part[1] = 1;
+  poses_.part_status[1] = LinkStatus::missing;
+  EXPECT_EQ(ask().levels, std::vector<std::uint8_t>{State::UNKNOWN});
 }
 
 }  // namespace

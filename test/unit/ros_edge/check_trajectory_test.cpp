@@ -269,5 +269,43 @@ TEST_F(CheckTrajectoryTest, velocityThatLeadsBeyondSense_namesJointPointAndWhatI
             "point next to it; accepted: up to 1e9");
 }
 
+TEST_F(CheckTrajectoryTest, partThatFloats_itsOwnPairsAreChecked) {
+  floatSlider(setup_->setup.model, newest_.poses);
+  request_.trajectory.joint_names = {"reach"};
+  for (int i = 0; i <= 10; ++i) {  // more way-points than a block of states holds
+    addPoint(i, 0.25 - 0.1 * i);
+  }
+  request_.margin = 1.0;
+  const auto response = ask();
+  ASSERT_TRUE(response.success);
+  EXPECT_EQ(response.level, State::UNKNOWN);
+  EXPECT_EQ(response.pairs_unknown, 2U);
+  const LinkApproach* own = find(response, "tool", "finger");
+  EXPECT_EQ(own->state, LinkApproach::CLEAR);
+  EXPECT_NEAR(own->nearest.distance, 0.8, 1e-9);
+  EXPECT_EQ(own->nearest.frame_id, "slider");
+  EXPECT_EQ(find(response, "base", "tool")->state, LinkApproach::UNKNOWN);
+  EXPECT_NE(response.message.find("; 2 pairs unknown; the part of robot 'r' from link 'slider' on "
+                                  "floats: it is not known where it stands"),
+            std::string::npos)
+      << response.message;
+}
+
+TEST_F(CheckTrajectoryTest, robotThatFloatsAsAWhole_isCheckedAsOneThatStands) {
+  request_.trajectory.joint_names = {"slide", "reach"};
+  for (int i = 0; i <= 10; ++i) {
+    addPoint(i, 0.0);
+    request_.trajectory.points.back().positions = {0.0, 0.25 - 0.15 * i};
+  }
+  const auto standing = ask();
+  EXPECT_EQ(standing.level, State::CONTACT);
+  newest_.poses = makeLinkPoses(setup_->setup.model);
+  const auto floating = ask();
+  EXPECT_EQ(floating.level, standing.level);
+  EXPECT_EQ(floating.contact_time, standing.contact_time);
+  EXPECT_EQ(floating.pairs_unknown, 0U);
+  EXPECT_EQ(floating.message, standing.message);
+}
+
 }  // namespace
 }  // namespace collision_monitor::test

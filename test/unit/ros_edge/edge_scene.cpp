@@ -40,6 +40,17 @@ LinkPoses slidingPoses(const RobotModel& model, double slide, double reach) {
   return poses;
 }
 
+void floatSlider(const RobotModel& model, LinkPoses& poses) {
+  const std::size_t slider = index(linkNamed(model, "slider"));
+  const Pose slider_from_world = inverse(poses.world_from_link[slider]);
+  for (const char* name : {"slider", "tool", "finger"}) {
+    const std::size_t link = index(linkNamed(model, name));
+    poses.world_from_link[link] = slider_from_world * poses.world_from_link[link];
+    poses.part[link] = static_cast<PartId>(slider);
+    poses.part_status[link] = LinkStatus::stale;
+  }
+}
+
 std::unique_ptr<Watch> judged(const std::shared_ptr<const MonitorSetup>& setup,
                               const TransformStore& store, const LinkPoses& poses) {
   static const JointStore no_joint_states;

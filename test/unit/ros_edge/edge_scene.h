@@ -24,6 +24,10 @@ std::shared_ptr<const MonitorSetup> slidingSetup(const SetupOptions& options = S
 /// All links known, with the stamp 12.5 s.
 LinkPoses slidingPoses(const RobotModel& model, double slide, double reach);
 
+/// The slider floats with all that is on it, tool and finger: checked are its pair of these two and
+/// two pairs with the base. Poses are as seen from the slider.
+void floatSlider(const RobotModel& model, LinkPoses& poses);
+
 /// A watch that has judged these poses once.
 std::unique_ptr<Watch> judged(const std::shared_ptr<const MonitorSetup>& setup,
                               const TransformStore& store, const LinkPoses& poses);

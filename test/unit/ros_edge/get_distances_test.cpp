@@ -18,7 +18,10 @@ class GetDistancesTest : public testing::Test {
  protected:
   GetDistances::Response ask() {
     GetDistances::Response response;
-    answerGetDistances(*setup_, poses_, request_, response);
+    NewestState newest = makeNewestState(setup_->setup.model);
+    newest.poses = poses_;
+    newest.reasons[0] = "no transform from 'world' to 'base' yet";
+    answerGetDistances(*setup_, newest, request_, response);
     return response;
   }
   void move(const std::string& joint, double position) {
@@ -257,6 +260,43 @@ TEST_F(GetDistancesTest, allPairsOfAllLinksIgnored_theyAreNamed) {
   EXPECT_NE(response.message.find("base and tool (ignored: parameter ignore_pairs)"),
             std::string::npos)
       << response.message;
+}
+
+TEST_F(GetDistancesTest, partThatFloats_itsOwnPairsAreMeasured) {
+  floatSlider(setup_->setup.model, poses_);
+  const auto response = ask();
+  ASSERT_TRUE(response.success);
+  EXPECT_NEAR(distanceOf(response, "tool", "finger"), std::hypot(0.45, 0.8), 1e-9);
+  EXPECT_EQ(response.distances.pairs[0].frame_id, "slider");
+  EXPECT_EQ(response.distances.header.frame_id, "base");
+  EXPECT_EQ(response.distances.pairs_unknown, 2U);
+  EXPECT_TRUE(std::isnan(distanceOf(response, "base", "tool")));
+  EXPECT_EQ(response.message,
+            "1 pairs measured, 2 unknown; the part of robot 'r' from link 'slider' on floats: "
+            "it is not known where it stands");
+  request_.links_a = request_.links_b = {"tool", "finger"};
+  EXPECT_EQ(ask().message, "1 pairs measured, 0 unknown");
+}
+
+TEST_F(GetDistancesTest, jointThatJoinsTwoParts_measuresAllPairs) {
+  floatSlider(setup_->setup.model, poses_);
+  move("slide", 0.5);
+  const auto response = ask();
+  EXPECT_EQ(response.distances.pairs_unknown, 0U) << response.message;
+  EXPECT_NEAR(distanceOf(response, "base", "tool"), 1.05, 1e-9);
+  EXPECT_EQ(response.distances.pairs[0].frame_id, "base");
+}
+
+TEST_F(GetDistancesTest, rootThatIsNotKnown_isNoReasonForUnknown) {
+  poses_ = makeLinkPoses(setup_->setup.model);
+  EXPECT_EQ(ask().message,
+            "0 pairs measured, 3 unknown; link base is unknown: no transform from 'world' to "
+            "'base' yet (and 2 more)");
+  move("slide", 0.0);
+  move("reach", 0.25);
+  const auto response = ask();
+  EXPECT_EQ(response.distances.pairs_unknown, 0U) << response.message;
+  EXPECT_NEAR(distanceOf(response, "base", "tool"), 0.55, 1e-12);
 }
 
 }  // namespace

@@ -48,7 +48,9 @@ class JointPosesTest : public testing::Test {
     return reader_.read(now_, poses_);
   }
   std::size_t at(const std::string& link) const { return index(*model_.findLink(link)); }
-  LinkStatus status(const std::string& link) const { return poses_.status[at(link)]; }
+  LinkStatus status(const std::string& link) const {
+    return statusInWorld(poses_, *model_.findLink(link));
+  }
   double x(const std::string& link) const {
     return poses_.world_from_link[at(link)].translation.x();
   }

@@ -99,5 +99,13 @@ TEST_F(NewestStateTest, unknownLink_itsJointsAreUnlessJointStatesTell) {
   EXPECT_EQ(positionOf(newest, "slide"), 0.2);
 }
 
+TEST_F(NewestStateTest, linksOfTwoParts_tellNothing) {
+  NewestState newest = stateAt({1.0, 3.0, 0.1, 0.5});
+  newest.poses.part[2] = newest.poses.part[3] = newest.poses.part[4] = 2;
+  EXPECT_FALSE(positionOf(newest, "bend"));
+  EXPECT_NEAR(positionOf(newest, "slide").value(), 1.0, 1e-12);
+  EXPECT_NEAR(positionOf(newest, "spin").value(), 0.5, 1e-12);
+}
+
 }  // namespace
 }  // namespace collision_monitor::test

@@ -56,7 +56,9 @@ class PoseReaderTest : public testing::Test {
   }
 
   std::size_t at(const std::string& link) const { return index(*model_.findLink(link)); }
-  LinkStatus status(const std::string& link) const { return poses_.status[at(link)]; }
+  LinkStatus status(const std::string& link) const {
+    return statusInWorld(poses_, *model_.findLink(link));
+  }
   double age(const std::string& link) const { return poses_.age[at(link)]; }
   double x(const std::string& link) const {
     return poses_.world_from_link[at(link)].translation.x();
