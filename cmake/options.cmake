@@ -17,7 +17,7 @@ set(test_headers ${core_headers} <gtest/gtest.h> <rapidcheck.h>)
 set(edge_headers ${core_headers} <ros/ros.h>)
 
 # Most of the rest is instantiating the same templates: neighbours compiled together take a third of
-# the time. The core is not, so that each of its files is optimized by itself; under the sanitizers
+# the time. The core is not, but for what reads meshes, so that each of its files is optimized by itself; under the sanitizers
 # it is. That each source includes what it uses, a build with COLLISION_MONITOR_UNITY=OFF shows, as
 # does clang-tidy in .ci/run, which reads them alone.
 function(compile_together)

@@ -1,10 +1,10 @@
-# How COLLISION_MONITOR_SANITIZE builds.
+# How COLLISION_MONITOR_SANITIZE builds: its value names the sanitizers, as in `address,undefined`.
 if(COLLISION_MONITOR_SANITIZE)
   # A null pointer stops the program without help; these checks only make the build slow.
-  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined
+  add_compile_options(-fsanitize=${COLLISION_MONITOR_SANITIZE} -fno-sanitize-recover=undefined
                       -fno-sanitize=object-size,vptr,null,nonnull-attribute,returns-nonnull-attribute
                       -fno-omit-frame-pointer -g1 -O1)
-  add_link_options(-fsanitize=address,undefined)
+  add_link_options(-fsanitize=${COLLISION_MONITOR_SANITIZE})
 endif()
 
 # sanitize_quickly(LIBRARY SOURCE...): rooms whose files name nothing alike are compiled in one go.
