@@ -55,8 +55,9 @@ TEST(FitSphere, samePoints_giveRadiusZero) {
 }
 
 TEST(FitCapsule, twoBallsOfPoints_giveTheCapsuleAroundThem) {
-  Points points = moved(sphereMesh(0.1, 32), {}, {0, 0, 0.4}).vertices;
-  for (const auto& point : moved(sphereMesh(0.1, 32), {}, {0, 0, -0.4}).vertices) {
+  Points points = moved(sphereMesh(0.1, 32), Eigen::Vector3d::Zero(), {0, 0, 0.4}).vertices;
+  for (const auto& point :
+       moved(sphereMesh(0.1, 32), Eigen::Vector3d::Zero(), {0, 0, -0.4}).vertices) {
     points.push_back(point);
   }
   TriangleMesh mesh{points, {}};
@@ -102,7 +103,8 @@ TEST(FitRoundedBox, cornersOfARoundedBox_giveItBack) {
   const Vector3d half(0.2, 0.1, 0.05);
   Points points;
   for (const auto& corner : boxMesh(half).vertices) {
-    for (const auto& point : moved(sphereMesh(0.04, 24), {}, corner).vertices) {
+    for (const auto& point :
+         moved(sphereMesh(0.04, 24), Eigen::Vector3d::Zero(), corner).vertices) {
       points.push_back(point);
     }
   }

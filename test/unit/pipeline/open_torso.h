@@ -12,7 +12,7 @@ namespace collision_monitor::test::open_meshes {
 /// A torso of 0.6 m with four holes of one triangle: twelve edges are open.
 inline TriangleMesh torso() {
   TriangleMesh mesh = sphereMesh(0.3, 24);
-  for (const std::size_t hole : {700, 500, 300, 100}) {
+  for (const std::size_t hole : {500, 400, 300, 100}) {
     mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(hole));
   }
   return mesh;
@@ -33,6 +33,8 @@ inline TriangleMesh bin() {
 }
 
 /// A forearm that no convex geometry stands for.
-inline TriangleMesh forearm() { return moved(scaled(angleMesh(), 0.2), {}, {-0.02, -0.02, 0}); }
+inline TriangleMesh forearm() {
+  return moved(scaled(angleMesh(), 0.2), Eigen::Vector3d::Zero(), {-0.02, -0.02, 0});
+}
 
 }  // namespace collision_monitor::test::open_meshes
