@@ -31,6 +31,8 @@ OddityText textOf(Oddity oddity) {
     case Oddity::limit_without_range:
       return {"<limit> without lower and upper",
               "both are 0 then, as the URDF format has it, and the joint is locked"};
+    case Oddity::second_limit:
+      return {"several <limit> of one joint", "the first counts"};
     case Oddity::limit_beyond_sense:
       return {"limits beyond 1e9", "they are taken as unlimited"};
     case Oddity::no_speed_limit:

@@ -21,6 +21,7 @@ enum class Oddity : unsigned char {
   mimic_of_unknown_joint,
   no_limit,
   limit_without_range,
+  second_limit,
   limit_beyond_sense,
   no_speed_limit,
   other_up_axis,

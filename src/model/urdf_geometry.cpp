@@ -201,7 +201,7 @@ std::optional<Eigen::Vector3d> readMeshScale(const XMLElement& element, const Pl
 
 Pose readOrigin(const XMLElement& parent, const Place& place) {
   Pose pose;
-  const XMLElement* origin = parent.FirstChildElement("origin");
+  const XMLElement* origin = onlyChild(parent, "origin", place);
   if (origin == nullptr) {
     return pose;
   }

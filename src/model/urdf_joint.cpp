@@ -35,7 +35,7 @@ JointType readType(const XMLElement& element, const Place& place) {
 }
 
 std::string readEnd(const XMLElement& joint, const char* end, const Place& place) {
-  const XMLElement* element = joint.FirstChildElement(end);
+  const XMLElement* element = onlyChild(joint, end, place);
   if (element == nullptr) {
     place.addError(joint.GetLineNum(), "<joint> without <" + std::string(end) + ">",
                    "<" + std::string(end) + " link=\"...\"/>");
@@ -47,9 +47,12 @@ std::string readEnd(const XMLElement& joint, const char* end, const Place& place
 bool hasAxis(JointType type) { return type != JointType::fixed && type != JointType::floating; }
 
 void readAxis(const XMLElement& element, const Place& place, Joint& joint) {
-  const XMLElement* axis = element.FirstChildElement("axis");
   // Exporters write an axis of zeros on fixed joints, where it means nothing.
-  if (axis == nullptr || !hasAxis(joint.type)) {
+  if (!hasAxis(joint.type)) {
+    return;
+  }
+  const XMLElement* axis = onlyChild(element, "axis", place);
+  if (axis == nullptr) {
     return;
   }
   const NumberAttribute attribute{"xyz", "three finite numbers, not all 0", kInfinity};
@@ -109,6 +112,9 @@ void readLimit(const XMLElement& element, const Place& place, Joint& joint) {
     }
     return;
   }
+  if (limit->NextSiblingElement("limit") != nullptr) {
+    place.note(Oddity::second_limit);
+  }
   const char* const accepted = "one finite number, in radians or metres";
   const Numbers<1> zero = Numbers<1>::Zero();
   if (hasRange(joint.type)) {
@@ -137,6 +143,7 @@ void readMimic(const XMLElement& element, const Place& place, UrdfJoint& joint) 
     place.note(Oddity::mimic_on_fixed_joint);
     return;
   }
+  onlyChild(element, "mimic", place);
   if (!hasRange(joint.joint.type) && joint.joint.type != JointType::continuous) {
     place.addError(mimic->GetLineNum(), "mimic on a joint with several variables",
                    "mimic on a revolute, continuous or prismatic joint");

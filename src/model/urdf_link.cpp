@@ -40,6 +40,10 @@ std::optional<CollisionElement> readCollision(const XMLElement& element, const M
                    "one <geometry> with one shape");
     return std::nullopt;
   }
+  if (const XMLElement* second = geometry->NextSiblingElement("geometry")) {
+    place.addError(second->GetLineNum(), "<collision> with a second <geometry>",
+                   "one <geometry>; further ones in <collision> elements of their own");
+  }
   std::optional<Geometry> shape = readGeometry(*geometry, meshes, place);
   if (!shape) {
     return std::nullopt;

@@ -131,6 +131,17 @@ std::optional<std::string> readText(const XMLElement& element, const char* attri
   return std::string(text.substr(begin, text.find_last_not_of(kSpace) + 1 - begin));
 }
 
+const XMLElement* onlyChild(const XMLElement& element, const char* name, const Place& place) {
+  const XMLElement* first = element.FirstChildElement(name);
+  const XMLElement* second = first == nullptr ? nullptr : first->NextSiblingElement(name);
+  if (second != nullptr) {
+    place.addError(second->GetLineNum(),
+                   "<" + std::string(element.Name()) + "> with a second <" + name + ">",
+                   "one <" + std::string(name) + ">");
+  }
+  return first;
+}
+
 std::optional<std::string> readName(const XMLElement& element, const char* attribute,
                                     const Place& place) {
   const std::optional<std::string> text = readText(element, attribute, place);

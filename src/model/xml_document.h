@@ -28,6 +28,11 @@ std::string attributeOf(const tinyxml2::XMLElement& element, const char* attribu
 std::optional<std::string> readText(const tinyxml2::XMLElement& element, const char* attribute,
                                     const Place& place);
 
+/// The part of the element that may stand there once; null where there is none. Adds an error where
+/// a second one says something else, or the same again: whoever wrote it may mean either.
+const tinyxml2::XMLElement* onlyChild(const tinyxml2::XMLElement& element, const char* name,
+                                      const Place& place);
+
 /// A name of a link or joint, without the leading slash of old tf frames.
 std::optional<std::string> readName(const tinyxml2::XMLElement& element, const char* attribute,
                                     const Place& place);

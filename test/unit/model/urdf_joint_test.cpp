@@ -36,6 +36,15 @@ TEST(UrdfJoint, types_haveTheirVariables) {
   }
 }
 
+TEST(UrdfJoint, secondLimit_isAWarning) {
+  const ReadText read =
+      readJoint("revolute", "<limit lower='-1' upper='1'/><limit lower='-2' upper='2'/>");
+  EXPECT_EQ(jointOf(read).upper, 1.0);
+  EXPECT_EQ(read.warnings(),
+            std::vector<std::string>{
+                "test.urdf: several <limit> of one joint: joint 'j'; the first counts"});
+}
+
 TEST(UrdfJoint, axis_isNormalised) {
   EXPECT_TRUE(jointOf(readJoint("continuous", "<axis xyz='0 3 4'/>"))
                   .axis.isApprox(Eigen::Vector3d(0.0, 0.6, 0.8), 1e-15));
