@@ -20,7 +20,7 @@ using tinyxml2::XMLElement;
 class GroupReader {
  public:
   GroupReader(const XMLElement& root, const RobotModel& model, const NameIndex& names,
-              UnknownNames& unknown)
+              UnknownOfGroups& unknown)
       : model_(model), names_(names), unknown_(unknown) {
     for (const XMLElement* e = root.FirstChildElement(); e != nullptr;
          e = e->NextSiblingElement()) {
@@ -44,9 +44,56 @@ class GroupReader {
     }
   }
 
+  /// Names in what is no group.
+  void checkNames(const XMLElement& element) {
+    const std::string kind = element.Name();
+    if (kind == "virtual_joint") {
+      checkName(element, "child_link", Kind::link);
+    } else if (kind == "end_effector") {
+      checkName(element, "parent_link", Kind::link);
+      checkName(element, "group", Kind::group);
+      checkName(element, "parent_group", Kind::group);
+    } else if (kind == "passive_joint") {
+      checkName(element, "name", Kind::joint);
+    } else if (kind == "link_sphere_approximation") {
+      checkName(element, "link", Kind::link);
+    } else if (kind == "group_state") {
+      checkName(element, "group", Kind::group);
+      for (const XMLElement* e = element.FirstChildElement("joint"); e != nullptr;
+           e = e->NextSiblingElement("joint")) {
+        checkName(*e, "name", Kind::joint);
+      }
+    }
+  }
+
   std::vector<LinkGroup> take() { return std::move(groups_); }
 
  private:
+  enum class Kind : unsigned char { link, joint, group };
+
+  bool isKnown(const std::string& name, Kind kind) const {
+    switch (kind) {
+      case Kind::link:
+        return names_.link(withoutSlashes(name)).has_value();
+      case Kind::joint:
+        return child_of_virtual_joint_.count(name) != 0 ||
+               names_.joint(withoutSlashes(name)).has_value();
+      case Kind::group:
+        break;
+    }
+    return index_of_.count(name) != 0;
+  }
+
+  /// An attribute that is not there names nothing.
+  void checkName(const XMLElement& element, const char* attribute, Kind kind) {
+    static constexpr const char* kWords[] = {"link ", "joint ", "group "};
+    const char* name = element.Attribute(attribute);
+    if (name != nullptr && !isKnown(name, kind)) {
+      unknown_.others.add(kWords[static_cast<std::size_t>(kind)] + quoted(name),
+                          element.GetLineNum());
+    }
+  }
+
   void readMember(const XMLElement& member, LinkGroup& group) {
     const std::string kind = member.Name();
     if (kind == "link") {
@@ -62,7 +109,7 @@ class GroupReader {
     } else if (kind == "group") {
       const auto found = index_of_.find(attributeOf(member, "name"));
       if (found == index_of_.end()) {
-        unknown_.add("group " + quoted(attributeOf(member, "name")), member.GetLineNum());
+        unknown_.members.add("group " + quoted(attributeOf(member, "name")), member.GetLineNum());
       } else {
         group.groups.push_back(found->second);
       }
@@ -82,7 +129,7 @@ class GroupReader {
   std::optional<LinkId> findLinkNamed(const std::string& name, int line) {
     const std::optional<LinkId> link = names_.link(withoutSlashes(name));
     if (!link) {
-      unknown_.add("link " + quoted(name), line);
+      unknown_.members.add("link " + quoted(name), line);
       return std::nullopt;
     }
     return link;
@@ -100,7 +147,7 @@ class GroupReader {
     }
     const std::optional<JointId> joint = names_.joint(withoutSlashes(name));
     if (!joint) {
-      unknown_.add("joint " + quoted(name), member.GetLineNum());
+      unknown_.members.add("joint " + quoted(name), member.GetLineNum());
       return std::nullopt;
     }
     return model_.joint(*joint).child;
@@ -108,7 +155,7 @@ class GroupReader {
 
   const RobotModel& model_;
   const NameIndex& names_;
-  UnknownNames& unknown_;
+  UnknownOfGroups& unknown_;
   std::vector<LinkGroup> groups_;
   std::map<std::string, std::size_t> index_of_;
   std::map<std::string, std::string> child_of_virtual_joint_;
@@ -142,11 +189,14 @@ void addChain(const RobotModel& model, const LinkGroup::Chain& chain, std::vecto
 }  // namespace
 
 std::vector<LinkGroup> readGroups(const XMLElement& root, const RobotModel& model,
-                                  const NameIndex& names, UnknownNames& unknown) {
+                                  const NameIndex& names, UnknownOfGroups& unknown) {
   GroupReader reader(root, model, names, unknown);
-  for (const XMLElement* e = root.FirstChildElement("group"); e != nullptr;
-       e = e->NextSiblingElement("group")) {
-    reader.readMembers(*e);
+  for (const XMLElement* e = root.FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
+    if (std::strcmp(e->Name(), "group") == 0) {
+      reader.readMembers(*e);
+    } else {
+      reader.checkNames(*e);
+    }
   }
   return reader.take();
 }

@@ -28,8 +28,15 @@ class UnknownNames {
   std::vector<std::string> names_;
 };
 
+/// Names in groups, and in elements of which no pair depends: end effectors, virtual and passive
+/// joints, group states and sphere approximations.
+struct UnknownOfGroups {
+  UnknownNames members;
+  UnknownNames others;
+};
+
 /// The groups of an SRDF below `root`; readSrdf says what they hold.
 std::vector<LinkGroup> readGroups(const tinyxml2::XMLElement& root, const RobotModel& model,
-                                  const NameIndex& names, UnknownNames& unknown);
+                                  const NameIndex& names, UnknownOfGroups& unknown);
 
 }  // namespace collision_monitor

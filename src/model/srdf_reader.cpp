@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/model/srdf_reader.h"
 
+#include <algorithm>
 #include <cstring>
+#include <initializer_list>
 #include <set>
 #include <utility>
 
@@ -52,6 +54,20 @@ void checkRobot(const XMLElement& root, const std::string& urdf_name, const Plac
   }
 }
 
+/// Lines that disable something and do not say what.
+bool isComplete(const XMLElement& element, std::initializer_list<const char*> attributes,
+                UnknownNames& incomplete) {
+  return std::all_of(attributes.begin(), attributes.end(), [&](const char* attribute) {
+    const bool is_there =
+        attributeOf(element, attribute).find_first_not_of(" \t\r\n/") != std::string::npos;
+    if (!is_there) {
+      incomplete.add("<" + std::string(element.Name()) + "> without " + attribute,
+                     element.GetLineNum());
+    }
+    return is_there;
+  });
+}
+
 void readPair(const XMLElement& element, const Place& place, LinkLookup& links,
               std::vector<SrdfPairs::Entry>& entries) {
   const auto name_1 = readName(element, "link1", place);
@@ -74,14 +90,17 @@ void readPair(const XMLElement& element, const Place& place, LinkLookup& links,
   entries.push_back({*a, *b, reason == nullptr ? "" : reason});
 }
 
-void readRule(const XMLElement& element, const Place& place, LinkLookup& links, SrdfPairs& pairs) {
+void readRule(const XMLElement& element, const Place& place, LinkLookup& links, SrdfPairs& pairs,
+              UnknownNames& incomplete) {
   if (std::strcmp(element.Name(), "disable_collisions") == 0) {
-    readPair(element, place, links, pairs.disabled);
+    if (isComplete(element, {"link1", "link2"}, incomplete)) {
+      readPair(element, place, links, pairs.disabled);
+    }
   } else if (std::strcmp(element.Name(), "enable_collisions") == 0) {
     readPair(element, place, links, pairs.enabled);
   } else if (std::strcmp(element.Name(), "disable_default_collisions") == 0) {
-    if (const auto name = readName(element, "link", place)) {
-      if (const auto link = links.find(*name, element)) {
+    if (isComplete(element, {"link"}, incomplete)) {
+      if (const auto link = links.find(*readName(element, "link", place), element)) {
         pairs.disabled_by_default.push_back(*link);
       }
     }
@@ -106,11 +125,22 @@ void reportUnknownLinks(const LinkLookup& links, bool is_strict, const Place& pl
   }
 }
 
-void reportUnknownMembers(const UnknownNames& unknown, bool is_strict, const Place& place) {
-  if (!unknown.all().empty()) {
-    reportUnknown("groups with unknown members: " + someOf(unknown.all()),
-                  "names of the URDF and of groups", "the robot lacks them; they are left out",
-                  is_strict, place);
+void reportIncomplete(const UnknownNames& incomplete, bool is_strict, const Place& place) {
+  if (!incomplete.all().empty()) {
+    reportUnknown("lines that name no link: " + someOf(incomplete.all()), "names of links",
+                  "these lines are ignored", is_strict, place);
+  }
+}
+
+void reportUnknownOfGroups(const UnknownOfGroups& unknown, bool is_strict, const Place& place) {
+  const std::string accepted = "names of the URDF and of groups";
+  if (!unknown.members.all().empty()) {
+    reportUnknown("groups with unknown members: " + someOf(unknown.members.all()), accepted,
+                  "the robot lacks them; they are left out", is_strict, place);
+  }
+  if (!unknown.others.all().empty()) {
+    reportUnknown("other elements with unknown names: " + someOf(unknown.others.all()), accepted,
+                  "the robot lacks them; no pair depends on these elements", is_strict, place);
   }
 }
 
@@ -154,13 +184,15 @@ SrdfPairs readSrdf(const RobotDescription& description, RobotId robot, const Rob
   checkRobot(*root, model.robots[index(robot)].name, place);
   const NameIndex names(model, robot);
   LinkLookup links(names);
+  UnknownNames incomplete;
   for (const XMLElement* e = root->FirstChildElement(); e != nullptr; e = e->NextSiblingElement()) {
-    readRule(*e, place, links, pairs);
+    readRule(*e, place, links, pairs, incomplete);
   }
+  reportIncomplete(incomplete, description.is_strict, place);
   reportUnknownLinks(links, description.is_strict, place);
-  UnknownNames unknown_members;
-  pairs.groups = readGroups(*root, model, names, unknown_members);
-  reportUnknownMembers(unknown_members, description.is_strict, place);
+  UnknownOfGroups unknown;
+  pairs.groups = readGroups(*root, model, names, unknown);
+  reportUnknownOfGroups(unknown, description.is_strict, place);
   reportContradictions(pairs, model, place);
   return pairs;
 }

@@ -111,6 +111,30 @@ TEST(SrdfReader, strict_unknownNamesAreErrors) {
                                       "accepted: names of the URDF and of groups (strict)"}));
 }
 
+// Names of which no pair depends are told all the same: somebody meant something by them.
+TEST(SrdfReader, unknownNamesOfOtherElements_areToldAsThose) {
+  const std::string known = robotXml(
+      "<virtual_joint name='v' parent_frame='w' child_link='/a'/><group name='g'/>"
+      "<passive_joint name='v'/><passive_joint name='k'/><end_effector name='e' parent_link='c' "
+      "group='g' parent_group='g'/><group_state name='s' group='g'><joint name='j' value='0'/>"
+      "</group_state><link_sphere_approximation link='b'/><rotor_params name='x'/>");
+  EXPECT_TRUE(read(known, "", true).errors.empty());
+  const std::string lines =
+      "<virtual_joint name='v' parent_frame='w' child_link='p'/>"
+      "<passive_joint name='q'/><end_effector name='e' parent_link='r' group='s' "
+      "parent_group='t'/><group_state name='s' group='u'><joint name='v'/><joint name='w'/>"
+      "</group_state><link_sphere_approximation link='x'/>";
+  const std::string found =
+      "test.srdf: other elements with unknown names: link 'p' (line 2), joint 'q' (line 2), link "
+      "'r' (line 2), group 's' (line 2), group 't' (line 2), group 'u' (line 2), joint 'w' (line "
+      "2) and link 'x' (line 2); ";
+  EXPECT_EQ(
+      read(robotXml(lines)).warnings,
+      std::vector<std::string>{found + "the robot lacks them; no pair depends on these elements"});
+  EXPECT_EQ(read(robotXml(lines), "", true).errors,
+            std::vector<std::string>{found + "accepted: names of the URDF and of groups (strict)"});
+}
+
 TEST(SrdfReader, manyUnknownNames_areAFewAndHowManyMore) {
   std::string lines;
   for (int i = 0; i < 100'000; ++i) {
@@ -132,108 +156,6 @@ TEST(SrdfReader, sourceNotGiven_isThatOfTheUrdf) {
   EXPECT_EQ(report.errors[0].where.substr(0, 16), "test.urdf (SRDF)");
 }
 
-/// "name: a b" for each group of a robot whose root carries the branches a-b-c and x-y.
-std::vector<std::string> groupsOf(const std::string& srdf_xml, const std::string& prefix = "") {
-  RobotDescription description = test::describeText(
-      robotXml("<link name='root'/><link name='a'/><link name='b'/><link name='c'/><link name='x'/>"
-               "<link name='y'/>" +
-               jointXml("ra", "fixed", "root", "a") + jointXml("ab", "continuous", "a", "b") +
-               jointXml("bc", "continuous", "b", "c") + jointXml("rx", "continuous", "root", "x") +
-               jointXml("xy", "continuous", "x", "y")));
-  description.srdf_xml = robotXml(srdf_xml);
-  description.tf_prefix = prefix;
-  SetupReport report;
-  const RobotModel model = readRobots({description}, test::textLoader({}), report);
-  SetupReport srdf_report;
-  std::vector<std::string> texts;
-  const SrdfPairs srdf = readSrdf(description, RobotId{0}, model, srdf_report);
-  for (std::size_t i = 0; i < srdf.groups.size(); ++i) {
-    texts.push_back(srdf.groups[i].name + ":");
-    for (const LinkId link : linksOf(srdf.groups, i, model)) {
-      texts.back() += " " + model.link(link).name;
-    }
-  }
-  for (const Problem& warning : srdf_report.warnings) {
-    texts.push_back(toString(warning));
-  }
-  EXPECT_TRUE(srdf_report.errors.empty());
-  return texts;
-}
-
-using Texts = std::vector<std::string>;
-
-TEST(SrdfGroups, linksAndJoints_holdLinksAndChildLinks) {
-  EXPECT_EQ(groupsOf("<group name='g'><link name='/a'/><joint name='xy'/></group>"),
-            Texts{"g: a y"});
-  EXPECT_EQ(groupsOf("<group name='g'><link name='a'/><joint name='xy'/></group>", "left"),
-            Texts{"g: left/a left/y"});
-}
-
-TEST(SrdfGroups, virtualJoint_standsForTheLinkItMoves) {
-  EXPECT_EQ(groupsOf("<virtual_joint name='v' type='fixed' parent_frame='w' child_link='root'/>"
-                     "<group name='g'><joint name='v'/></group>"),
-            Texts{"g: root"});
-}
-
-TEST(SrdfGroups, chain_leavesItsBaseOut) {
-  EXPECT_EQ(groupsOf("<group name='g'><chain base_link='root' tip_link='b'/></group>"),
-            Texts{"g: a b"});
-  EXPECT_EQ(groupsOf("<group name='g'><chain base_link='b' tip_link='b'/></group>"), Texts{"g:"});
-}
-
-TEST(SrdfGroups, chainOverTwoBranches_holdsTheLinkWhereTheyMeet) {
-  EXPECT_EQ(groupsOf("<group name='g'><chain base_link='b' tip_link='y'/></group>"),
-            Texts{"g: root a b x y"});
-  EXPECT_EQ(groupsOf("<group name='g'><chain base_link='c' tip_link='a'/></group>"),
-            Texts{"g: a b c"});
-}
-
-TEST(SrdfGroups, subgroups_mayStandAfterAndInACircle) {
-  EXPECT_EQ(groupsOf("<group name='all'><group name='one'/><link name='x'/></group>"
-                     "<group name='one'><link name='a'/><group name='all'/></group>"),
-            (Texts{"all: a x", "one: a x"}));
-}
-
-TEST(SrdfGroups, unknownMembers_areOneWarningAndLeftOut) {
-  EXPECT_EQ(groupsOf("<group name='g'><link name='a'/><link name='q'/><joint name='aq'/>"
-                     "<group name='h'/><chain base_link='a' tip_link='z'/></group>"),
-            (Texts{"g: a",
-                   "test.urdf (SRDF): groups with unknown members: link 'q' (line 2), joint 'aq' "
-                   "(line 2), group 'h' (line 2) and link 'z' (line 2); the robot lacks them; "
-                   "they are left out"}));
-}
-
-// Groups in groups, of which each adds a link: what a group holds is found when it is asked for, or
-// all of them together would hold the square of links.
-TEST(SrdfGroups, chainOfTwentyThousand_isHeldAsItStandsInTheFile) {
-  constexpr std::size_t kCount = 20'000;
-  std::string links = "<link name='l0'/>";
-  std::string groups;
-  for (std::size_t i = 0; i < kCount; ++i) {
-    const std::string number = std::to_string(i);
-    const std::string next = std::to_string(i + 1);
-    links += "<link name='l" + next + "'/>" +
-             jointXml("j" + number, "continuous", "l" + number, "l" + next);
-    groups += "<group name='g" + number + "'><link name='l" + number + "'/>" +
-              (i + 1 < kCount ? "<group name='g" + next + "'/>" : "") + "</group>";
-  }
-  RobotDescription description = test::describeText(robotXml(links));
-  description.srdf_xml = robotXml(groups + "<group name='arm'><chain base_link='l0' tip_link='l" +
-                                  std::to_string(kCount) + "'/></group>");
-  SetupReport report;
-  const RobotModel model = readRobots({description}, test::textLoader({}), report);
-  const SrdfPairs srdf = readSrdf(description, RobotId{0}, model, report);
-  EXPECT_TRUE(report.errors.empty());
-  std::size_t held = 0;
-  for (const LinkGroup& group : srdf.groups) {
-    held += group.links.size();
-  }
-  EXPECT_EQ(held, kCount);
-  EXPECT_EQ(linksOf(srdf.groups, 0, model).size(), kCount);
-  EXPECT_EQ(linksOf(srdf.groups, kCount - 1, model).size(), 1U);
-  EXPECT_EQ(linksOf(srdf.groups, kCount, model).size(), kCount) << "the chain, without its base";
-}
-
 TEST(SrdfReader, srdfWithoutPairs_isFine) {
   const ReadSrdf srdf = read(robotXml("<group name='arm'/>"));
   EXPECT_TRUE(srdf.errors.empty());
@@ -242,18 +164,31 @@ TEST(SrdfReader, srdfWithoutPairs_isFine) {
 
 TEST(SrdfReader, faults_areReportedWithTheirLines) {
   const ReadSrdf srdf =
-      read(robotXml("<disable_collisions link1='a'/>\n"
-                    "<disable_default_collisions/>\n"
+      read(robotXml("<enable_collisions link1='a'/>\n\n"
                     "<disable_collisions link1='b' link2='b'/>"));
-  EXPECT_EQ(srdf.errors,
-            (std::vector<std::string>{
-                "test.srdf line 2: <disable_collisions> without link2; accepted: "
-                "link2=\"...\" that is not blank",
-                "test.srdf line 3: <disable_default_collisions> without link; accepted: "
-                "link=\"...\" that is not blank"}));
+  EXPECT_EQ(srdf.errors, std::vector<std::string>{
+                             "test.srdf line 2: <enable_collisions> without link2; accepted: "
+                             "link2=\"...\" that is not blank"});
   EXPECT_EQ(srdf.warnings,
             std::vector<std::string>{"test.srdf line 4: <disable_collisions> of 'b' with itself; "
                                      "the line is ignored"});
+}
+
+// As with unknown names: more pairs are checked, never fewer.
+TEST(SrdfReader, linesThatDisableNothing_areOneWarning) {
+  const std::string lines = robotXml(
+      "<disable_collisions link1='a'/>\n<disable_default_collisions/>\n"
+      "<disable_collisions link1=' / ' link2='b'/><disable_collisions link1='a' link2='c'/>");
+  const std::string found =
+      "test.srdf: lines that name no link: <disable_collisions> without link2 (line 2), "
+      "<disable_default_collisions> without link (line 3) and <disable_collisions> without link1 "
+      "(line 4); ";
+  const ReadSrdf srdf = read(lines);
+  EXPECT_TRUE(srdf.errors.empty());
+  EXPECT_EQ(srdf.warnings, std::vector<std::string>{found + "these lines are ignored"});
+  EXPECT_EQ(srdf.pairs.disabled.size(), 1U);
+  EXPECT_EQ(read(lines, "", true).errors,
+            std::vector<std::string>{found + "accepted: names of links (strict)"});
 }
 
 TEST(SrdfReader, contradiction_isAWarning) {
