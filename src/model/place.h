@@ -66,7 +66,11 @@ class Place {
   Oddities* oddities_;
 };
 
-/// Text between single quotes, cut in its middle when it is too long for a message.
+/// Text of others as messages and terminals take it: control characters as "\x1b", and cut in its
+/// middle, with its length, when it is too long.
+std::string legible(const std::string& text);
+
+/// The same between single quotes.
 std::string quoted(const std::string& text);
 
 /// "a, b and c"

@@ -10,6 +10,7 @@
 
 #include "collision_monitor/model/kinematics.h"
 #include "model/number_text.h"
+#include "model/place.h"
 #include "ros_edge/few_texts.h"
 #include "ros_edge/nearest_name.h"
 
@@ -31,7 +32,7 @@ std::string unknownJoint(const RobotModel& model, const std::string& name) {
   for (const Joint& joint : model.joints) {
     known.push_back(joint.name);
   }
-  return "there is no joint '" + name + "'" + suggestion(name, known);
+  return "there is no joint " + quoted(name) + suggestion(name, known);
 }
 
 /// How often each name stands in a request.

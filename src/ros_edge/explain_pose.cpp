@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "collision_monitor/ros_edge/pose_reader.h"
+#include "model/place.h"
 #include "ros_edge/sentences.h"
 
 namespace collision_monitor {
@@ -90,9 +91,9 @@ std::string PoseReader::explainMissing(const Edge& edge) const {
       std::string text = "transforms lead in a loop: ";
       const std::vector<std::string> loop = loopAbove(frame);
       for (const std::string& step : loop) {
-        text += step + " -> ";
+        text += legible(step) + " -> ";
       }
-      return text + loop.front() +
+      return text + legible(loop.front()) +
              ", each to its parent; one of these frames must be sent with another parent, or none";
     }
   }

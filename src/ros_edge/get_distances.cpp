@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "collision_monitor/pipeline/run_cycle.h"
+#include "model/place.h"
 #include "ros_edge/apply_joints.h"
 #include "ros_edge/conversions.h"
 #include "ros_edge/few_texts.h"
@@ -22,7 +23,7 @@ namespace {
 
 std::string noSuchLink(const char* field, const std::string& name,
                        const std::vector<std::string>& known) {
-  return std::string(field) + ": there is no link '" + name + "'" + suggestion(name, known);
+  return std::string(field) + ": there is no link " + quoted(name) + suggestion(name, known);
 }
 
 std::string nothingToMeasure(const char* field, const std::string& name) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "model/number_text.h"
+#include "model/place.h"
 #include "ros_edge/nearest_name.h"
 
 namespace collision_monitor {
@@ -44,7 +45,7 @@ bool isIn(double value, const NumberRange& range) {
 std::string toText(const XmlRpcValue& value) {
   switch (value.getType()) {
     case XmlRpcValue::TypeString:
-      return "'" + valueAs<std::string>(value) + "'";
+      return quoted(valueAs<std::string>(value));
     case XmlRpcValue::TypeBoolean:
       return valueAs<bool>(value) ? "true" : "false";
     case XmlRpcValue::TypeInt:

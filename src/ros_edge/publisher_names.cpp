@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/ros_edge/publisher_names.h"
 
+#include "model/place.h"
+
 namespace collision_monitor {
 
 PublisherId PublisherNames::idOf(const std::string& name) {
@@ -31,9 +33,9 @@ std::string whoSends(const std::string& first, const std::string& second) {
     return "somebody sends";
   }
   if (first.empty() || second.empty() || first == second) {
-    return "'" + (first.empty() ? second : first) + "' sends";
+    return quoted(first.empty() ? second : first) + " sends";
   }
-  return "'" + first + "' and '" + second + "' send";
+  return quoted(first) + " and " + quoted(second) + " send";
 }
 
 }  // namespace collision_monitor

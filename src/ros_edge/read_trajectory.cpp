@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "model/number_text.h"
+#include "model/place.h"
 #include "ros_edge/apply_joints.h"
 #include "ros_edge/few_texts.h"
 
@@ -19,7 +20,7 @@ std::string pointText(std::size_t point) { return "points[" + std::to_string(poi
 
 std::string jointFault(const std::string& field, const std::string& joint,
                        const std::string& fault) {
-  return field + " of joint '" + joint + "' " + fault;
+  return field + " of joint " + quoted(joint) + " " + fault;
 }
 
 /// One number a joint, and every number of use.

@@ -8,6 +8,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "model/place.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -21,6 +23,21 @@ TEST(Problems, toString_namesPlaceFoundAndAccepted) {
 TEST(Problems, toString_adviceIsNoInputThatIsAccepted) {
   EXPECT_EQ(toString({"r.urdf", "no limits: joint 'j'", "", "they are taken as unlimited"}),
             "r.urdf: no limits: joint 'j'; they are taken as unlimited");
+}
+
+TEST(Problems, quoted_letsNoTextRewriteATerminalOrFillAMessage) {
+  EXPECT_EQ(quoted("\x1b[2J\n\x7f\xC2\x9b"), "'\\x1b[2J\\x0a\\x7f\\x9b'");
+  EXPECT_EQ(quoted("gr\u00fcn"), "'gr\u00fcn'");
+  const std::string cut = quoted("a" + std::string(30'000'000, 'b') + "c");
+  EXPECT_EQ(cut, "'a" + std::string(59, 'b') + "[... of 30000002 bytes ...]" +
+                     std::string(89, 'b') + "c'");
+  std::string letters;
+  for (int i = 0; i < 100; ++i) {
+    letters += "\u00fc";
+  }
+  // No letter is cut in two: what reads messages wants UTF-8.
+  EXPECT_EQ(legible(letters).size(), 60 + std::string("[... of 200 bytes ...]").size() + 90);
+  EXPECT_EQ(legible("x" + letters).size(), 59 + std::string("[... of 201 bytes ...]").size() + 90);
 }
 
 TEST(Problems, toString_leavesOutWhatIsEmpty) {

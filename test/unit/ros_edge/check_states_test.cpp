@@ -194,6 +194,17 @@ TEST_F(CheckStatesServiceTest, aMillionUnknownJoints_areAFewAndHowManyMore) {
   EXPECT_LT(response.message.size(), 1000U);
 }
 
+TEST_F(CheckStatesServiceTest, oddNames_areShortenedAndHarmless) {
+  request_.joint_names = {std::string(30'000'000, 'a'), "\x1b[2Jreach"};
+  request_.positions = {0.0, 0.0};
+  const auto response = ask();
+  EXPECT_FALSE(response.success);
+  EXPECT_LT(response.message.size(), 1000U);
+  EXPECT_NE(response.message.find("[... of 30000000 bytes ...]"), std::string::npos);
+  EXPECT_NE(response.message.find("there is no joint '\\x1b[2Jreach'"), std::string::npos)
+      << response.message;
+}
+
 TEST_F(CheckStatesServiceTest, faults_areNamedAndNothingIsChecked) {
   EXPECT_NE(ask().message.find("joint_names is empty"), std::string::npos);
   request_.joint_names = {"reach", "slyde", "follow"};
