@@ -121,15 +121,16 @@ double PoseReader::refusedAhead(const Edge& edge) const {
 }
 
 std::string PoseReader::explain(LinkId link) const {
-  // What lies above the top of its part; of faults in a row the topmost is the cause.
+  // What lies above the top of its part; of faults in a row the topmost is the cause. Where a root
+  // stands is of no matter to what lies below another fault.
   const Edge* cause = nullptr;
   for (std::size_t i = index(link);;) {
+    const auto& joint = model_.links[i].parent_joint;
     const bool is_fault = edges_[i].status != LinkStatus::known;
-    if (cause != nullptr && !is_fault) {
+    if (cause != nullptr && (!is_fault || !joint)) {
       break;
     }
     cause = is_fault ? &edges_[i] : cause;
-    const auto& joint = model_.links[i].parent_joint;
     if (!joint) {
       break;
     }

@@ -28,8 +28,22 @@ MainPart::MainPart(const LinkPoses& poses, const std::vector<CheckedLinkPair>& p
         return;
       }
     }
-    if (!part_ && isJoined(poses, pair.a, pair.b)) {
-      part_ = poses.part[index(pair.a)];
+    consider(pair);
+  }
+}
+
+/// @pre no link is known in the world
+void MainPart::consider(const CheckedLinkPair& pair) {
+  if (poses_.robot_stamp_ns.size() > 1) {
+    if (!part_ && isJoined(poses_, pair.a, pair.b)) {
+      part_ = poses_.part[index(pair.a)];
+    }
+    return;
+  }
+  for (const LinkId link : {pair.a, pair.b}) {
+    if (isKnown(poses_, link) && (!topmost_ || link < *topmost_)) {
+      topmost_ = link;
+      part_ = poses_.part[index(link)];
     }
   }
 }

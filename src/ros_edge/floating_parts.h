@@ -22,15 +22,19 @@ struct FloatingPart {
 };
 
 /// The part that others are told apart from: the world's if a link of these pairs is known there,
-/// else that of the first pair that is known; none if none is.
+/// else of one robot that of its topmost link, for where its root stands is of no matter then, of
+/// several that of the first pair that is known; none if none is.
 class MainPart {
  public:
   MainPart(const LinkPoses& poses, const std::vector<CheckedLinkPair>& pairs);
   bool has(LinkId link) const;
 
  private:
+  void consider(const CheckedLinkPair& pair);
+
   const LinkPoses& poses_;
   std::optional<PartId> part_;
+  std::optional<LinkId> topmost_;  ///< of one robot
 };
 
 /// Parts beside the main one that have pairs with others, in order of their tops.

@@ -104,7 +104,8 @@ TEST_F(PoseReaderParts, faultsInARow_areOneCause) {
   options_.world_frame = "map";
   read(10.0);
   EXPECT_EQ(part("hand"), topAt("hand"));
-  EXPECT_EQ(explain("hand"), "no transform from 'map' to 'base' yet");
+  EXPECT_EQ(explain("hand"), "no transform from 'base' to 'arm' yet");
+  EXPECT_EQ(explain("base"), "no transform from 'map' to 'base' yet") << "a cause of its own";
 }
 
 TEST_F(PoseReaderParts, linkThatLeadsToNoGeometry_isNoPart) {
