@@ -154,7 +154,10 @@ bool CycleRunner::readPoses(const ros::Time& now) {
     seen_jumps_ = version.jumps;
     joints_.forget();
     watch_->forget();
-    ROS_WARN("time jumped back; poses are unknown until new transforms come");
+    const std::string sentence = jumps_.tell(SteadyClock::now());
+    if (!sentence.empty()) {
+      ROS_WARN_STREAM(sentence);
+    }
   }
   return watch_->read(now, lookAtClock({store_, joints_, clock_}, now));
 }

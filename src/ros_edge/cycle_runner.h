@@ -13,6 +13,7 @@
 #include "ros_edge/inputs.h"
 #include "ros_edge/pace.h"
 #include "ros_edge/publishers.h"
+#include "ros_edge/time_jumps.h"
 
 namespace collision_monitor {
 
@@ -67,6 +68,7 @@ class CycleRunner {
   SteadyClock::time_point last_summary_;
   std::uint64_t seen_data_{0};
   std::uint64_t seen_jumps_{0};
+  TimeJumps jumps_;
   std::uint8_t last_level_{0};
 
   std::atomic<bool> is_running_{true};
