@@ -13,6 +13,7 @@ namespace collision_monitor {
 
 enum class ClockFault : unsigned char {
   none,
+  not_started,   ///< no time at all yet
   silent,        ///< no message of the clock comes any more
   data_pass_it,  ///< the clock repeats one time, and data of later times come
 };

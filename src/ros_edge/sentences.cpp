@@ -166,7 +166,7 @@ std::string clearSentence(const Watch& watch) {
 
 std::string verdictSentence(const Watch& watch, const CycleFacts& facts) {
   if (facts.now.isZero()) {
-    return "no time on /clock yet";
+    return clockSentence({ClockFault::not_started, 0.0});
   }
   if (watch.clock.fault != ClockFault::none) {
     return clockSentence(watch.clock);

@@ -43,7 +43,7 @@ std::string reasonSentence(const Watch& watch, LinkId link);
 /// "link a is unknown: no transform for 0.52 s"
 std::string unknownSentence(const Watch& watch, LinkId link);
 
-/// "the clock has stood still for 1.2 s: nothing comes on /clock ..."
+/// "no time on /clock yet", "the clock has stood still for 1.2 s: nothing comes on /clock ..."
 /// @pre it has a fault
 std::string clockSentence(const ClockState& clock);
 

@@ -40,11 +40,12 @@ NewestState Services::newestState(const MonitorSetup& current) const {
   const RobotModel& model = current.setup.model;
   NewestState newest = makeNewestState(model);
   const ros::Time now = ros::Time::now();
-  const ClockState clock = lookAtClock(inputs_, now);
   if (now.isZero()) {
-    std::fill(newest.reasons.begin(), newest.reasons.end(), "no time on /clock yet");
+    std::fill(newest.reasons.begin(), newest.reasons.end(),
+              clockSentence({ClockFault::not_started, 0.0}));
     return newest;
   }
+  const ClockState clock = lookAtClock(inputs_, now);
   JointReader joints(model, inputs_.joints, jointTopics(current));
   PoseReader reader = makePoseReader(current, inputs_.transforms, joints);
   reader.read(now, newest.poses);

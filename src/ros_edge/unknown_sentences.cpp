@@ -42,6 +42,9 @@ std::string unknownSentence(const Watch& watch, LinkId link) {
 }
 
 std::string clockSentence(const ClockState& clock) {
+  if (clock.fault == ClockFault::not_started) {
+    return "no time on /clock yet";
+  }
   const std::string stands =
       "the clock has stood still for " + fixedText(clock.stood_for, 1) + " s";
   return clock.fault == ClockFault::silent

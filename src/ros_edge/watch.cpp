@@ -45,6 +45,7 @@ bool growStale(LinkPoses& poses) noexcept {
 bool Watch::read(const ros::Time& now, const ClockState& clock_now) {
   clock = clock_now;
   if (now.isZero()) {
+    clock.fault = ClockFault::not_started;
     std::fill(poses.status.begin(), poses.status.end(), LinkStatus::missing);
     std::fill(poses.velocities.known.begin(), poses.velocities.known.end(), 0);
     return false;

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "edge_scene.h"
+
 namespace collision_monitor::test {
 namespace {
 
@@ -29,6 +31,16 @@ TEST(LengthText, changesItsUnitWhereItWouldRoundUp) {
   EXPECT_EQ(lengthText(0.9994), "999 mm");
   EXPECT_EQ(lengthText(0.9996), "1.00 m");
   EXPECT_EQ(lengthText(12.345), "12.35 m");
+}
+
+using SentencesTest = EdgeScene;
+
+// As the log says it: who waits for a clock must not look for a transform.
+TEST_F(SentencesTest, beforeTheClockStarts_itIsTheReasonOfEachLink) {
+  const auto watch = watchAt(0.0);
+  watch->read(ros::Time(), ClockState());
+  EXPECT_EQ(unknownSentence(*watch, linkNamed(setup_->setup.model, "tool")),
+            "link tool is unknown: no time on /clock yet");
 }
 
 }  // namespace
