@@ -63,9 +63,12 @@ class EveryProgram(unittest.TestCase):
                 self.assertNotIn("terminate called", result.stderr)
 
     def test_bad_options_of_scripts_are_2(self):
-        for script in ("demo", "figures"):
-            with self.subTest(script):
-                self.assertEqual(run("bash", ROOT / "scripts" / script, "--frobnicate").returncode, 2)
+        for command in (("demo", "--frobnicate"), ("figures", "--frobnicate"), ("test", "--frobnicate"),
+                        ("test", "-R", "x", "--frobnicate"), ("test", "-R"), ("test", "unit_model")):
+            with self.subTest(command):
+                result = run("bash", ROOT / "scripts" / command[0], *command[1:])
+                self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+                self.assertNotIn("building", result.stdout)
 
 
 @unittest.skipUnless(PROGRAMS["COMPARE"], "COLLISION_MONITOR_COMPARE names no program")
