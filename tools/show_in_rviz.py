@@ -41,6 +41,9 @@ def main():
     names = [argument for argument in sys.argv[1:] if ":=" in argument]
     try:
         os.execvp("rviz", ["rviz", "-d", options.config, "-f", frame, *names])
+    except FileNotFoundError:
+        print("error: rviz is not installed; it is in the package rviz (Debian) or ros-noetic-rviz", file=sys.stderr)
+        return 1
     except OSError as error:
         print(f"error: rviz cannot be started: {error.strerror}", file=sys.stderr)
         return 1

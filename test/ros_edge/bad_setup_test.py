@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A set-up that cannot be used ends the node with every problem named; a nodelet that has one
 leaves its manager alive."""
+import pathlib
 import subprocess
 import sys
 import unittest
@@ -76,6 +77,14 @@ class BadSetup(unittest.TestCase):
                     arguments = ["file", *arguments]
                 code, output = run("rosrun", "collision_monitor", name, *arguments)
                 self.assertEqual(code, 2, name + output)
+
+    def test_rvizThatIsNotInstalled_isNamedWithItsPackage(self):
+        states = rospy.Publisher("/painted/state", State, queue_size=1, latch=True)
+        states.publish(State())
+        script = pathlib.Path(__file__).resolve().parents[2] / "tools" / "show_in_rviz.py"
+        code, output = run("env", "PATH=/nowhere", "/usr/bin/python3", str(script), "x.rviz", "--monitor", "/painted")
+        self.assertEqual(code, 1, output)
+        self.assertIn("rviz is not installed; it is in the package", output)
 
     def test_summaryOfADemoThatShowedNothing_isNoUsageFault(self):
         """2 is the command line everywhere."""

@@ -135,8 +135,7 @@ int run(int argc, char** argv) {
   std::string urdf;
   std::string srdf;
   ComparisonOptions options;
-  app.add_option("urdf", urdf, "URDF file; package:// names are looked up as rospack does")
-      ->required();
+  app.add_option("urdf", urdf, "URDF file; package:// names are looked up as rospack does");
   app.add_option("--srdf", srdf, "SRDF file with the pairs to ignore");
   constexpr std::size_t kMost = 1000000000;
   app.add_option("--poses", options.poses, "random poses, 1 to 1000000000")
@@ -151,6 +150,10 @@ int run(int argc, char** argv) {
                "enclosing shapes");
   try {
     app.parse(argc, argv);
+    // Not by required(), which is looked at before unknown options are.
+    if (urdf.empty()) {
+      throw CLI::RequiredError("urdf");
+    }
   } catch (const CLI::ParseError& fault) {
     return app.exit(fault) == 0 ? kDone : kUsageFault;
   }
