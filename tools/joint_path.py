@@ -5,6 +5,8 @@
 The file format is described in play_joint_path.py.
 """
 import math
+import os
+import stat
 import sys
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
@@ -12,6 +14,17 @@ from dataclasses import dataclass, field
 import yaml
 
 FRAME_FIELDS = 6
+
+
+def read_regular_file(path):
+    """@return its bytes. Raises PathError for what is no regular file: a pipe would be waited for, a device may
+    do anything."""
+    mode = os.stat(path).st_mode
+    if not stat.S_ISREG(mode):
+        kinds = {stat.S_IFDIR: "a folder", stat.S_IFIFO: "a pipe (FIFO)", stat.S_IFSOCK: "a socket"}
+        raise PathError([f"'{path}' is {kinds.get(stat.S_IFMT(mode), 'a device')}, not a regular file"])
+    with open(path, "rb") as file:
+        return file.read()
 
 
 class PathError(Exception):

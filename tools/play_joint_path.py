@@ -30,7 +30,7 @@ from tf2_ros import TransformBroadcaster
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 from joint_path import (FRAME_FIELDS, PathError, check_loop, check_robot, parse_path,  # noqa: E402
-                        quaternion_from_rpy, sample)
+                        quaternion_from_rpy, read_regular_file, sample)
 
 
 class Player:
@@ -121,13 +121,11 @@ def read_options(arguments):
 def main():
     options = read_options(rospy.myargv()[1:])
     try:
-        with open(options.path, "rb") as file:
-            path = parse_path(file.read(), options.path)
+        path = parse_path(read_regular_file(options.path), options.path)
         if options.loop:
             check_loop(path, options.path)
         if options.robot:
-            with open(options.robot, "rb") as file:
-                check_robot(path, options.path, file.read(), os.path.basename(options.robot))
+            check_robot(path, options.path, read_regular_file(options.robot), os.path.basename(options.robot))
     except (OSError, PathError) as error:
         print(f"error: {error}", file=sys.stderr)
         return 1

@@ -5,8 +5,10 @@
 Run with: python3 -m unittest discover -s test/tools -p '*_test.py'
 """
 import math
+import os
 import pathlib
 import sys
+import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -120,6 +122,18 @@ class BadFiles(unittest.TestCase):
         for text, expected in cases.items():
             with self.subTest(text):
                 self.assertEqual(self.problems_of(text), [expected])
+
+    def test_what_is_no_regular_file_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pipe = os.path.join(folder, "pipe.yaml")
+            os.mkfifo(pipe)
+            for path, kind in ((pipe, "a pipe (FIFO)"), (folder, "a folder"), ("/dev/zero", "a device")):
+                with self.assertRaises(joint_path.PathError) as raised:
+                    joint_path.read_regular_file(path)
+                self.assertEqual(raised.exception.problems, [f"'{path}' is {kind}, not a regular file"])
+            file = pathlib.Path(folder, "path.yaml")
+            file.write_bytes(b"joints: []")
+            self.assertEqual(joint_path.read_regular_file(file), b"joints: []")
 
     def test_broken_yaml_is_named(self):
         for text in ("joints: [a", b"joints: [\xff]"):

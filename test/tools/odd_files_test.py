@@ -58,6 +58,17 @@ class OddFiles(unittest.TestCase):
                 self.assertIn("is a pipe (FIFO), not a regular file", ended.stderr)
                 self.assertNotEqual(ended.returncode, 0)
 
+    def test_standard_input_without_end_is_refused(self):
+        for program in PROGRAMS[:2]:
+            with subprocess.Popen(["yes", "<a>"], stdout=subprocess.PIPE) as endless:
+                self.addCleanup(endless.kill)
+                ended = subprocess.run([program, "-"], stdin=endless.stdout, capture_output=True, text=True,
+                                       timeout=DEADLINE, check=False)
+                endless.kill()
+            self.assertEqual(ended.returncode, 1, ended.stderr)
+            self.assertIn("standard input is larger than the limit of 200000000 bytes", ended.stderr)
+            self.assertIn("files/max_size", ended.stderr)
+
     def test_mesh_that_is_a_pipe_in_a_package_root_is_refused(self):
         os.mkfifo(self.folder / "package.xml")
         self.urdf.write_text(ROBOT % "package://p/a.stl", encoding="utf-8")

@@ -8,7 +8,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 
@@ -20,7 +19,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string textOf(std::istream& stream) { return {std::istreambuf_iterator<char>(stream), {}}; }
+/// As long as files may be.
+std::string readStandardInput(SetupReport& report) {
+  std::string text;
+  std::string part(1 << 20, '\0');
+  while (std::cin.read(part.data(), static_cast<std::streamsize>(part.size())) ||
+         std::cin.gcount() > 0) {
+    text.append(part, 0, static_cast<std::size_t>(std::cin.gcount()));
+    if (text.size() > kUsualFileSize) {
+      report.errors.push_back({"robot",
+                               "standard input is larger than the limit of " +
+                                   std::to_string(kUsualFileSize) +
+                                   " bytes, as a monitor's parameter files/max_size",
+                               "the text of a URDF"});
+      return "";
+    }
+  }
+  return text;
+}
 
 std::string readParameter(const std::string& name, SetupReport& report) {
   // Nothing is subscribed to, and Ctrl-C stays what it is.
@@ -96,7 +112,7 @@ RobotDescription readDescription(const RobotSource& source, SetupReport& report)
     description.urdf_xml = readParameter(source.parameter, report);
   } else if (source.urdf == "-") {
     description.source = "standard input";
-    description.urdf_xml = textOf(std::cin);
+    description.urdf_xml = readStandardInput(report);
     description.directory = fs::current_path().string();
   } else {
     description.source = source.urdf;
