@@ -45,7 +45,7 @@ fs::path findHelper(const std::string& name) {
       looked += (looked.empty() ? "'" : ", '") + place.string() + "'";
     }
   }
-  throw std::runtime_error("the program '" + name + "' of this package is not at " + looked);
+  throw HelperFault("the program '" + name + "' of this package is not at " + looked);
 }
 
 }  // namespace collision_monitor

@@ -115,7 +115,7 @@ Message answerOne(const AnswerQuestion& answer, const Message& question) {
 
 }  // namespace
 
-int answerQuestions(const AnswerQuestion& answer, const std::string& memory_fault) {
+int answerQuestions(const AnswerQuestion& answer, const TellMemoryFault& memory_fault) {
   if (!isStartedByUs()) {
     std::fputs("this program is started by others of its package, not by hand\n", stderr);
     return EXIT_FAILURE;
@@ -130,8 +130,7 @@ int answerQuestions(const AnswerQuestion& answer, const std::string& memory_faul
       return EXIT_SUCCESS;
     }
     limitQuestion(question, own);
-    memory_answer = question.text + ": " + memory_fault + " (" +
-                    std::to_string(question.terms.memory / 1000000) + " MB)";
+    memory_answer = question.text + ": " + memory_fault(question.bytes, question.terms.memory);
     std::set_new_handler(tellMemoryFault);
     const Message reply = answerOne(answer, question);
     if (!sendMessage(kSocket, {reply.text, reply.bytes}, waitForever)) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -10,6 +11,9 @@ namespace collision_monitor {
 /// A program's answer to one question; throws std::exception with a sentence where there is none.
 using AnswerQuestion =
     std::function<std::string(const std::string& name, const std::string& bytes)>;
+
+/// What is said of a question that needs more memory than its limit [bytes].
+using TellMemoryFault = std::function<std::string(const std::string& bytes, std::uint64_t limit)>;
 
 /// The other side of HelperProcess: the whole of such a program's main. Answers one question after
 /// the other from the socket that is its standard input, until that is closed.
@@ -20,6 +24,6 @@ using AnswerQuestion =
 /// own, also where the libraries that answer take no note of it.
 /// @param memory_fault that answer, to stand behind the name
 /// @return exit code
-int answerQuestions(const AnswerQuestion& answer, const std::string& memory_fault);
+int answerQuestions(const AnswerQuestion& answer, const TellMemoryFault& memory_fault);
 
 }  // namespace collision_monitor

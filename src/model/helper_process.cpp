@@ -29,16 +29,18 @@ using Clock = std::chrono::steady_clock;
 
 /// Waits for the socket until the time is over, and looks now and then whether that is still
 /// wanted.
-WaitForPeer waitForAnswer(int socket, std::string_view name, double seconds) {
+WaitForPeer waitForAnswer(int socket, std::string_view name, const HelperLimits& limits) {
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                           std::chrono::duration<double>(seconds));
+                                           std::chrono::duration<double>(limits.seconds));
   return [=](short events) {
     for (;;) {
       throwIfInterrupted();
       const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now());
       if (left.count() <= 0) {
-        throw HelperTimeout(std::string(name) + ": not read within the limit of " +
-                            shortText(seconds) + " s");
+        const char* const parameter = limits.time_parameter;
+        throw HelperTimeout(
+            std::string(name) + ": not read within the limit of " + shortText(limits.seconds) +
+            " s" + (parameter == nullptr ? "" : std::string(" (parameter ") + parameter + ")"));
       }
       constexpr std::chrono::milliseconds kBetweenLooks(50);
       pollfd entry{socket, events, 0};
@@ -88,8 +90,8 @@ class SpawnPlan {
 };
 
 [[noreturn]] void refuseStart(const std::filesystem::path& program, int error) {
-  throw std::runtime_error("the program '" + program.string() + "' cannot be started: " +
-                           std::error_code(error, std::generic_category()).message());
+  throw HelperFault("the program '" + program.string() + "' cannot be started: " +
+                    std::error_code(error, std::generic_category()).message());
 }
 
 }  // namespace
@@ -143,7 +145,7 @@ std::string HelperProcess::ask(std::string_view name, std::string_view bytes,
   }
   const auto memory = static_cast<std::uint64_t>(limits.memory);
   const auto seconds = static_cast<std::uint64_t>(std::ceil(limits.seconds));
-  const WaitForPeer wait = waitForAnswer(socket_.get(), name, limits.seconds);
+  const WaitForPeer wait = waitForAnswer(socket_.get(), name, limits);
   Message answer;
   try {
     if (!sendMessage(socket_.get(), {name, bytes, {memory, seconds}}, wait) ||
@@ -156,6 +158,7 @@ std::string HelperProcess::ask(std::string_view name, std::string_view bytes,
   }
   if (answer.terms.is_last != 0) {
     end();
+    throw HelperFault(answer.text);
   }
   if (!answer.text.empty()) {
     throw std::runtime_error(answer.text);

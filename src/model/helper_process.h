@@ -15,13 +15,20 @@ namespace collision_monitor {
 
 /// What one answer of a helper may take.
 struct HelperLimits {
-  double seconds{0.0};  ///< of wall time
-  double memory{0.0};   ///< [bytes] beyond what the program has when it starts
+  double seconds{0.0};                  ///< of wall time
+  double memory{0.0};                   ///< [bytes] beyond what the program has when it starts
+  const char* time_parameter{nullptr};  ///< that sets `seconds`, for messages
+};
+
+/// That there is no answer says nothing against what was asked: the program is not there, or a
+/// limit ended it.
+struct HelperFault : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 /// An answer took longer than its limit.
-struct HelperTimeout : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct HelperTimeout : HelperFault {
+  using HelperFault::HelperFault;
 };
 
 /// A program of this package that does what could crash, hang or fill the memory, so that this
@@ -38,8 +45,8 @@ class HelperProcess {
 
   /// Sends a name and bytes, and waits for the answer. After a question that killed its helper the
   /// next one has a new helper.
-  /// @throws HelperTimeout; std::runtime_error with a sentence: what the helper says, how it died,
-  /// the limit that it met, or why it cannot be started.
+  /// @throws HelperFault with a sentence: the limit that it met, or why it cannot be started;
+  /// std::runtime_error: what the helper says, or how it died.
   /// @throws Interrupted
   std::string ask(std::string_view name, std::string_view bytes, const HelperLimits& limits);
 
@@ -54,7 +61,7 @@ class HelperProcess {
 
 /// Where a program of this package is: beside the library or the executable that holds this code,
 /// in the folders that builds, devel and install spaces have for programs.
-/// @throws std::runtime_error that names the places where it was looked for.
+/// @throws HelperFault that names the places where it was looked for.
 std::filesystem::path findHelper(const std::string& name);
 
 }  // namespace collision_monitor

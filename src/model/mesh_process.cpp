@@ -19,7 +19,8 @@ TriangleMesh MeshProcess::read(const std::string& bytes, const std::string& file
     helper_ = std::make_unique<HelperProcess>(options_.program.empty() ? findHelper("read_meshes")
                                                                        : options_.program);
   }
-  return meshFromBytes(helper_->ask(file_name, bytes, {options_.seconds, options_.memory}));
+  return meshFromBytes(
+      helper_->ask(file_name, bytes, {options_.seconds, options_.memory, "files/mesh_time"}));
 }
 
 }  // namespace collision_monitor

@@ -18,8 +18,9 @@ class MeshProcess {
   explicit MeshProcess(MeshReading options);
 
   /// As readMesh, to the last bit.
-  /// @throws std::runtime_error as readMesh; with a sentence that names the file and how the
-  /// process died or which limit it met; where the program of that process is not found.
+  /// @throws HelperFault with a sentence that names the file and which limit it met, or where the
+  /// program of that process is not found; std::runtime_error as readMesh, and how the process
+  /// died.
   /// @throws Interrupted
   TriangleMesh read(const std::string& bytes, const std::string& file_name);
 

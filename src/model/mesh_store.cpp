@@ -12,8 +12,15 @@
 namespace collision_monitor {
 namespace {
 
+constexpr const char* kFiles =
+    "a regular file that can be read, by package://PACKAGE/PATH, file:///PATH or a path";
+constexpr const char* kFormats = "a mesh file that can be read: STL, DAE, OBJ or PLY";
+
+bool startsWith(const std::string& text, const char* start) { return text.rfind(start, 0) == 0; }
+
 bool isRelative(const std::string& name) {
-  return name.find("://") == std::string::npos && name.front() != '/';
+  return name.find("://") == std::string::npos && name.front() != '/' &&
+         !startsWith(name, "file:/") && !startsWith(name, "package:/");
 }
 
 /// Where the path begins in a URI: behind "scheme://", whose slashes are no folders.
@@ -48,9 +55,10 @@ const StoredMesh& MeshStore::find(const std::string& name, const std::string& di
   if (!isRelative(name)) {
     uris.push_back(name);
   } else if (directory.empty()) {
-    throw std::runtime_error(
+    throw MeshFault(
         "a relative mesh name needs a description read from a file, or the monitor's "
-        "mesh_directory");
+        "mesh_directory",
+        kFiles);
   } else {
     for (const std::string& folder : foldersOf(directory)) {
       uris.push_back(normalised(std::string(folder).append("/").append(name)));
@@ -62,7 +70,8 @@ const StoredMesh& MeshStore::find(const std::string& name, const std::string& di
       return stored;
     }
   }
-  throw std::runtime_error(load(uris.front()).fault);
+  const StoredMesh& first = load(uris.front());
+  throw MeshFault(first.fault, first.accepted);
 }
 
 const StoredMesh& MeshStore::load(const std::string& uri) {
@@ -71,11 +80,16 @@ const StoredMesh& MeshStore::load(const std::string& uri) {
   if (is_new) {
     throwIfInterrupted();
     try {
+      stored.accepted = kFiles;
       const std::string bytes = load_resource_(uri);
+      stored.accepted = kFormats;
       stored.mesh = process_.read(bytes, uri);
       stored.up_axis = declaredUpAxis(bytes);
-    } catch (const std::exception& error) {
-      stored.fault = error.what();
+    } catch (const HelperFault& fault) {
+      stored.accepted = "";  // the limit says it
+      stored.fault = fault.what();
+    } catch (const std::exception& fault) {
+      stored.fault = fault.what();
     }
   }
   return stored;

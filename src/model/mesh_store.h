@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,15 @@ enum class UpAxis : unsigned char { x, y, z };
 struct StoredMesh {
   TriangleMesh mesh;  ///< in the axes of the file
   UpAxis up_axis{UpAxis::z};
-  std::string fault;  ///< why there is no mesh, empty if there is one
+  std::string fault;         ///< why there is no mesh, empty if there is one
+  const char* accepted{""};  ///< of the fault, as in Problem
+};
+
+/// Why there is no mesh.
+struct MeshFault : std::runtime_error {
+  MeshFault(const std::string& reason, const char* what_is_accepted)
+      : std::runtime_error(reason), accepted(what_is_accepted) {}
+  const char* accepted;  ///< as in StoredMesh
 };
 
 /// The meshes of a set of robots: finds the file behind a name, and reads each
@@ -34,7 +43,8 @@ class MeshStore {
   /// loader as they are. A relative name is looked for in `directory`, then in
   /// the folders above it up to the package root, the nearest that has a
   /// package.xml: both customs are found in published robots.
-  /// @throws std::runtime_error with a sentence when there is none, or it cannot be read.
+  /// So does a file: or package: with one slash, whose fault the loader tells.
+  /// @throws MeshFault with a sentence when there is none, or it cannot be read.
   const StoredMesh& find(const std::string& name, const std::string& directory);
 
  private:

@@ -55,10 +55,20 @@ std::string listOf(const std::vector<std::string>& elements) {
              : text + "; and " + std::to_string(elements.size() - kShown) + " more";
 }
 
+/// "cannot be read" of "'a.stl' cannot be read", "no triangles" of "a.stl: no triangles".
+std::string withoutName(const std::string& reason, const std::string& name) {
+  for (const std::string& start : {name + ": ", "'" + name + "' "}) {
+    if (reason.rfind(start, 0) == 0) {
+      return reason.substr(start.size());
+    }
+  }
+  return reason;
+}
+
 /// @param meshes `found` is the quoted name of each
 Problem unreadable(const std::string& source, const std::string& reason,
                    const std::vector<Problem>& meshes) {
-  const char* const accepted = "a mesh file that can be read: STL, DAE, OBJ or PLY";
+  const std::string& accepted = meshes.front().accepted;
   if (meshes.size() == 1) {
     return {meshes.front().where, "mesh " + meshes.front().found + ": " + reason, accepted};
   }
@@ -127,8 +137,10 @@ void Place::addWarning(int line, const std::string& found, const std::string& ad
 
 void Place::note(Oddity oddity) const { oddities_->noted[oddity].push_back(element_); }
 
-void Place::noteUnreadable(int line, const std::string& mesh, const std::string& reason) const {
-  oddities_->unreadable[reason].push_back(problemAt(line, quoted(mesh), ""));
+void Place::noteUnreadable(int line, const std::string& mesh, const std::string& reason,
+                           const std::string& accepted) const {
+  oddities_->unreadable[withoutName(reason, mesh)].push_back(
+      problemAt(line, quoted(mesh), accepted));
 }
 
 Problem Place::problemAt(int line, const std::string& found, const std::string& accepted) const {

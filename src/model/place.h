@@ -55,7 +55,10 @@ class Place {
   /// This element shows the oddity.
   void note(Oddity oddity) const;
   /// This element names a mesh that cannot be read.
-  void noteUnreadable(int line, const std::string& mesh, const std::string& reason) const;
+  /// @param reason may begin with the name, which is told once
+  /// @param accepted as in Problem
+  void noteUnreadable(int line, const std::string& mesh, const std::string& reason,
+                      const std::string& accepted) const;
 
  private:
   Problem problemAt(int line, const std::string& found, const std::string& accepted) const;

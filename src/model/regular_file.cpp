@@ -47,7 +47,8 @@ void checkIsRegular(const fs::path& path, const struct stat& status) {
 }
 
 [[noreturn]] void refuseSize(const fs::path& path, std::uintmax_t most) {
-  refuse(path, "is larger than the limit of " + std::to_string(most) + " bytes");
+  refuse(path, "is larger than the limit of " + std::to_string(most) +
+                   " bytes (parameter files/max_size)");
 }
 
 /// Opens the file and no other that takes its place meanwhile.

@@ -125,7 +125,9 @@ std::optional<Geometry> readMeshElement(const XMLElement& element, const MeshSou
     }
     return result;
   } catch (const std::exception& error) {
-    place.noteUnreadable(element.GetLineNum(), *name, error.what());
+    const auto* fault = dynamic_cast<const MeshFault*>(&error);
+    place.noteUnreadable(element.GetLineNum(), *name, error.what(),
+                         fault == nullptr ? "" : fault->accepted);
     return std::nullopt;
   }
 }

@@ -32,7 +32,7 @@ std::string Downloads::load(const std::string& uri) {
   }
   try {
     return helper_->ask(uri, std::to_string(rules_.max_size),
-                        {rules_.download_time, memoryFor(rules_.max_size)});
+                        {rules_.download_time, memoryFor(rules_.max_size), "files/download_time"});
   } catch (const HelperTimeout& fault) {
     fault_of_[serverOf(uri)] = fault.what();
     throw;

@@ -107,7 +107,10 @@ class Loader {
     if (scheme == "file") {
       return readRegularFile(pathOfFileUri(rest), rules_.max_size);
     }
-    if (scheme == "package" && rest.rfind("//", 0) == 0) {
+    if (scheme == "package" && rest.rfind("//", 0) != 0) {
+      throw std::runtime_error("'" + uri + "' has fewer slashes than package://PACKAGE/PATH");
+    }
+    if (scheme == "package") {
       return readRegularFile(pathInPackage(rest.substr(2), folders_), rules_.max_size);
     }
     if (std::find(rules_.schemes.begin(), rules_.schemes.end(), scheme) == rules_.schemes.end()) {

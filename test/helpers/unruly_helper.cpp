@@ -62,4 +62,9 @@ std::string answer(const std::string& name, const std::string& bytes) {
 }  // namespace
 
 /// A helper for tests of the other side.
-int main() { return collision_monitor::answerQuestions(answer, "eats too much"); }
+int main() {
+  return collision_monitor::answerQuestions(
+      answer, [](const std::string& /*bytes*/, std::uint64_t limit) {
+        return "eats too much (" + std::to_string(limit / 1000000) + " MB)";
+      });
+}

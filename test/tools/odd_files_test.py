@@ -5,18 +5,26 @@
 
 COLLISION_MONITOR_FIT, COLLISION_MONITOR_PAIRS and COLLISION_MONITOR_COMPARE name the programs; ctest sets them.
 """
+import functools
 import glob
+import http.server
 import os
 import pathlib
 import signal
 import subprocess
 import tempfile
+import threading
 import time
 import unittest
 
 PROGRAMS = [os.environ.get("COLLISION_MONITOR_" + name) for name in ("FIT", "PAIRS", "COMPARE")]
 DEADLINE = 60.0
 ROBOT = "<robot name='r'><link name='a'><collision><geometry><mesh filename='%s'/></geometry></collision></link></robot>"
+
+
+class QuietHandler(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
 
 
 def children_of(process):
@@ -84,6 +92,17 @@ class OddFiles(unittest.TestCase):
                                        timeout=DEADLINE, check=False)
                 self.assertIn(text, ended.stderr)
                 self.assertEqual("has the scheme" in ended.stderr, not arguments)
+
+    def test_page_in_place_of_a_file_is_told(self):
+        handler = functools.partial(QuietHandler, directory=str(self.folder))
+        with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+            threading.Thread(target=server.serve_forever, daemon=True).start()
+            self.urdf.write_text(ROBOT % f"http://127.0.0.1:{server.server_port}/missing.stl", encoding="utf-8")
+            ended = subprocess.run([PROGRAMS[0], self.urdf, "--scheme", "http"], capture_output=True, text=True,
+                                   timeout=DEADLINE, check=False)
+            server.shutdown()
+        self.assertEqual(ended.returncode, 1, ended.stderr)
+        self.assertIn("the server answers with a web page", ended.stderr)
 
     def test_ctrl_c_ends_a_program_and_its_reader(self):
         count = 300000

@@ -10,5 +10,9 @@ int main() {
   const auto read = [](const std::string& name, const std::string& bytes) {
     return toBytes(readMesh(bytes, name));
   };
-  return answerQuestions(read, "needs more memory than its limit");
+  const auto tell = [](const std::string& /*bytes*/, std::uint64_t limit) {
+    return "needs more memory than the limit of " + std::to_string(limit / 1000000) +
+           " MB (parameter files/mesh_memory)";
+  };
+  return answerQuestions(read, tell);
 }

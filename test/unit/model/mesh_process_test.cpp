@@ -88,7 +88,7 @@ TEST(MeshProcess, polygonThatTakesForEver_meetsTheLimitOfTime) {
   reading.seconds = 0.2;
   MeshProcess process(reading);
   EXPECT_EQ(messageOf([&] { process.read(text + face + "\n", "many.obj"); }),
-            "many.obj: not read within the limit of 0.2 s");
+            "many.obj: not read within the limit of 0.2 s (parameter files/mesh_time)");
   expectTheTriangle(process.read(kTriangleObj, "a.obj"));
 }
 

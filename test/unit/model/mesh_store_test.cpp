@@ -44,6 +44,14 @@ TEST(MeshStore, schemesAndAbsolutePaths_goToTheLoaderAsTheyAre) {
   EXPECT_TRUE(finds(files, "/y/a.obj", "/elsewhere"));
 }
 
+// RFC 8089 has file:/ for file:///, and the loader takes it. It was looked for beside the URDF.
+TEST(MeshStore, schemeWithOneSlash_isNoRelativeName) {
+  CountingLoader files{{{"file:/x/a.obj", kObj}}, {}};
+  EXPECT_TRUE(finds(files, "file:/x/a.obj", "/elsewhere"));
+  EXPECT_FALSE(finds(files, "package:/p/a.obj", "/elsewhere"));
+  EXPECT_EQ(files.asked["package:/p/a.obj"], 1);
+}
+
 TEST(MeshStore, relativeName_isFoundBesideTheUrdf) {
   CountingLoader files{{{"/p/urdf/meshes/a.obj", kObj}}, {}};
   EXPECT_TRUE(finds(files, "meshes/a.obj", "/p/urdf"));

@@ -75,10 +75,12 @@ TEST(RegularFile, moreThanTheLimit_isRefused) {
   const std::filesystem::path file = folder.path() / "a";
   std::ofstream(file) << "12345";
   EXPECT_EQ(readRegularFile(file, 5), "12345");
-  EXPECT_EQ(readFaultOf(file, 4), "'" + file.string() + "' is larger than the limit of 4 bytes");
+  EXPECT_EQ(
+      readFaultOf(file, 4),
+      "'" + file.string() + "' is larger than the limit of 4 bytes (parameter files/max_size)");
   // Its size is said to be 0.
   EXPECT_EQ(readFaultOf("/proc/self/status", 10),
-            "'/proc/self/status' is larger than the limit of 10 bytes");
+            "'/proc/self/status' is larger than the limit of 10 bytes (parameter files/max_size)");
 }
 
 TEST(RegularFile, isInterrupted) {

@@ -128,37 +128,6 @@ TEST(UrdfFaults, geometryAndOrigins) {
   });
 }
 
-TEST(UrdfFaults, meshes) {
-  const std::string at = "test.urdf line 2, link 'a', collision 1: ";
-  const std::string readable = "; accepted: a mesh file that can be read: STL, DAE, OBJ or PLY";
-  expectFaults({
-      {"missing",
-       robotXml(linkXml("a", "<mesh filename='package://p/x.stl'/>")),
-       {at + "mesh 'package://p/x.stl': no file package://p/x.stl" + readable}},
-      {"relative",
-       robotXml(linkXml("a", "<mesh filename='x.stl'/>")),
-       {at +
-        "mesh 'x.stl': a relative mesh name needs a description read from a "
-        "file, or the monitor's mesh_directory" +
-        readable}},
-      {"no name",
-       robotXml(linkXml("a", "<mesh/>")),
-       {at + "<mesh> without filename; accepted: filename=\"...\" that is not blank"}},
-      {"flat scale, and missing",
-       robotXml(linkXml("a", "<mesh filename='/x.stl' scale='1 0 1'/>")),
-       {at + "mesh scale '1 0 1'; accepted: three numbers other than 0",
-        at + "mesh '/x.stl': no file /x.stl" + readable}},
-      {"several for one reason",
-       robotXml(linkXml("a", "<mesh filename='x.stl'/>") +
-                linkXml("b", "<mesh filename='y.stl'/>") + jointXml("j", "fixed", "a", "b")),
-       {"test.urdf: 2 meshes: a relative mesh name needs a description read from a file, or the "
-        "monitor's mesh_directory: 'x.stl' in line 2, link 'a', collision 1; 'y.stl' in line 2, "
-        "link "
-        "'b', collision 1" +
-        readable}},
-  });
-}
-
 TEST(UrdfFaults, names) {
   expectFaults({
       {"no name",

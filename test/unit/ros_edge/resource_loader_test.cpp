@@ -65,6 +65,7 @@ TEST(ResourceLoader, whatIsNotThere_isNamed) {
   for (const auto& [uri, part] :
        {std::pair("package://no_such_package/a.stl", "'no_such_package'"),
         std::pair("package:///a.stl", "a slash too many"),
+        std::pair("package:/p/a.stl", "fewer slashes than package://PACKAGE/PATH"),
         std::pair("urdf/arm.urdf", "'urdf/arm.urdf' is no absolute path"),
         std::pair("/no such folder/a.stl", "'/no such folder/a.stl' cannot be read")}) {
     try {
@@ -201,7 +202,9 @@ TEST(ResourceLoader, silentServer_isGivenUp_andNotAskedAgain) {
       load(server.root() + name);
       ADD_FAILURE();
     } catch (const std::runtime_error& fault) {
-      EXPECT_NE(std::string(fault.what()).find("a.stl: not read within the limit of 0.3 s"),
+      EXPECT_NE(std::string(fault.what())
+                    .find("a.stl: not read within the limit of 0.3 s (parameter "
+                          "files/download_time)"),
                 std::string::npos)
           << fault.what();
     }
@@ -215,9 +218,11 @@ TEST(ResourceLoader, endlessServer_isGivenUp) {
   LoadRules rules;
   rules.schemes = {"http"};
   rules.max_size = 1000000;
-  EXPECT_NE(faultOfLoading(server.root() + "a.stl", rules)
-                .find("a.stl: larger than the limit, or without an end"),
-            std::string::npos);
+  EXPECT_NE(
+      faultOfLoading(server.root() + "a.stl", rules)
+          .find("a.stl: larger than the limit of 1000000 bytes (parameter files/max_size), or "
+                "without an end"),
+      std::string::npos);
 }
 #endif
 
