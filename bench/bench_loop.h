@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "support/instruction_sets.h"
+#include "thread_time.h"
 
 namespace collision_monitor::test {
 
@@ -27,32 +27,24 @@ void askInTurn(benchmark::State& state, const std::vector<Item>& items, const Qu
   state.SetItemsProcessed(state.iterations());
 }
 
-/// The thread's own time [ns], so that what else runs counts little.
-inline double threadTime() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
-}
-
 /// Median over several runs of the time of one call of `work` [ns].
 template <class Work>
 double medianTime(const Work& work) {
   constexpr double kRun = 1e7;  // [ns]
   constexpr int kRuns = 9;
-  const auto timeOf = [&](int calls) {
-    const double start = threadTime();
-    for (int i = 0; i < calls; ++i) {
-      work();
-    }
-    return threadTime() - start;
+  const auto timeOfMany = [&](int calls) {
+    return timeOf([&] {
+      for (int i = 0; i < calls; ++i) {
+        work();
+      }
+    });
   };
-  const int calls = std::max(1, static_cast<int>(kRun / std::max(1.0, timeOf(1))));
+  const int calls = std::max(1, static_cast<int>(kRun / std::max(1.0, timeOfMany(1))));
   std::vector<double> times;
   for (int run = 0; run < kRuns; ++run) {
-    times.push_back(timeOf(calls) / calls);
+    times.push_back(timeOfMany(calls) / calls);
   }
-  std::nth_element(times.begin(), times.begin() + kRuns / 2, times.end());
-  return times[kRuns / 2];
+  return medianOf(times);
 }
 
 /// Takes "--only INSTRUCTION_SET" out of a program's arguments; batched kernels keep to it while

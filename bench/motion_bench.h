@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <string>
-#include <vector>
+
+#include "thread_time.h"
 
 /// The parts of motion_bench, which print one line a number, as figures/motion.py reads them.
 namespace collision_monitor::test {
@@ -29,14 +29,7 @@ inline double millisecondsSince(std::clock_t start) {
 /// [ms] Median of several runs.
 template <class Run>
 double medianMilliseconds(int runs, const Run& run) {
-  std::vector<double> times;
-  for (int i = 0; i < runs; ++i) {
-    const std::clock_t start = std::clock();
-    run();
-    times.push_back(millisecondsSince(start));
-  }
-  std::sort(times.begin(), times.end());
-  return times[times.size() / 2];
+  return 1e-6 * medianTimeOf(runs, run);
 }
 
 }  // namespace collision_monitor::test

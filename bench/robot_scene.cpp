@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <limits>
 #include <random>
-#include <stdexcept>
 
 #include "collision_monitor/narrow_phase/distance.h"
 #include "pipeline/measure_elements.h"
 #include "robot_moves.h"
-#include "support_fcl/fcl_mesh.h"
 
 namespace collision_monitor::test {
 namespace {
@@ -33,15 +31,6 @@ std::vector<LinkPoses> moveThrough(const RobotModel& model) {
   return states;
 }
 
-const CollisionElement& sourceOf(const RobotModel& model, const Element& element) {
-  for (const CollisionElement& source : model.link(element.link).collisions) {
-    if (source.name == element.name) {
-      return source;
-    }
-  }
-  throw std::runtime_error("no collision element is called " + element.name);
-}
-
 struct ToHull {
   ConvexGeometry operator()(const TriangleMesh& mesh) const { return ConvexHull(mesh.vertices); }
   template <class Primitive>
@@ -50,39 +39,20 @@ struct ToHull {
   }
 };
 
-struct ToFcl {
-  FclGeometry operator()(const TriangleMesh& mesh) const { return toFcl(mesh); }
-  template <class Primitive>
-  FclGeometry operator()(const Primitive& primitive) const {
-    return toFclGeometry(primitive);
-  }
-};
-
-RobotScene::Objects place(const std::vector<FclGeometry>& geometries,
-                          const std::vector<Pose>& poses) {
-  RobotScene::Objects objects;
-  for (std::size_t i = 0; i < geometries.size(); ++i) {
-    objects.push_back(
-        std::make_unique<FclObject>(geometries[i], poses[i].rotation, poses[i].translation));
-  }
-  return objects;
-}
-
 void addElements(RobotScene& scene) {
-  std::vector<FclGeometry> geometries;
+  const std::vector<FclGeometry> geometries = fclGeometries(scene.setup);
   std::vector<FclGeometry> hulls;
   for (const Element& element : scene.setup.elements) {
     const CollisionElement& source = sourceOf(scene.setup.model, element);
     scene.hulls.emplace_back(std::visit(ToHull{}, source.geometry));
-    geometries.push_back(std::visit(ToFcl{}, source.geometry));
     hulls.push_back(toFclGeometry(*scene.hulls.back()));
   }
   for (const LinkPoses& state : scene.states) {
     placeBodies(scene.setup, state, scene.poses);
     placeElements(scene.setup, state, scene.poses);
     scene.world_from_element.push_back(scene.poses.world_from_element);
-    scene.fcl_states.push_back(place(geometries, scene.poses.world_from_element));
-    scene.fcl_hulls.push_back(place(hulls, scene.poses.world_from_element));
+    scene.fcl_states.push_back(placeFcl(geometries, scene.poses.world_from_element));
+    scene.fcl_hulls.push_back(placeFcl(hulls, scene.poses.world_from_element));
   }
 }
 

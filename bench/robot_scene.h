@@ -10,8 +10,8 @@
 
 #include "collision_monitor/narrow_phase/convex_pairs.h"
 #include "collision_monitor/pipeline/run_cycle.h"
+#include "fcl_elements.h"
 #include "support/file_loader.h"
-#include "support_fcl/fcl_adapter.h"
 
 /// A robot of the shared data that moves through random configurations, for us and for FCL.
 namespace collision_monitor::test {
@@ -41,9 +41,8 @@ struct RobotScene {
   std::vector<ConvexWarmStart> warm;                  ///< of hulls, by ElementPairIndex
   std::vector<ConvexQuery> queries;                   ///< of hulls, the same way
   std::vector<ConvexDistance> answers;                ///< to them
-  using Objects = std::vector<std::unique_ptr<FclObject>>;
-  std::vector<Objects> fcl_states;  ///< by state and ElementId: the geometries
-  std::vector<Objects> fcl_hulls;
+  std::vector<FclObjects> fcl_states;                 ///< by state: the geometries
+  std::vector<FclObjects> fcl_hulls;
 };
 
 std::unique_ptr<RobotScene> makeRobotScene(const RobotFile& robot);

@@ -5,16 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
-#include "collision_monitor/geometry/mesh_tree.h"
-#include "collision_monitor/geometry/winding.h"
 #include "collision_monitor/pipeline/run_cycle.h"
-#include "fitting/closed_surface.h"
 #include "random_poses.h"
 #include "support_fcl/fcl_adapter.h"
-#include "support_fcl/fcl_mesh.h"
+#include "support_fcl/solid.h"
 
 namespace collision_monitor {
 namespace {
@@ -22,81 +18,31 @@ namespace {
 constexpr std::size_t kMostWrong = 100;
 constexpr std::uint32_t kNoBudget = 1000000000;
 
-struct MakeFcl {
-  template <class Primitive>
-  test::FclGeometry operator()(const Primitive& primitive) const {
-    return test::toFclGeometry(primitive);
-  }
-  test::FclGeometry operator()(const TriangleMesh& mesh) const { return test::toFcl(mesh); }
-};
-
-/// Points of a geometry of which one is inside whatever it is inside of. Into a closed surface that
-/// it does not meet any would do; into an open one it may reach with some of them.
-struct MarkPoints {
-  using Points = std::vector<Eigen::Vector3d>;
-
-  Points operator()(const TriangleMesh& mesh) const { return MeshTree(mesh).probes(); }
-  Points operator()(const Sphere&) const { return {Eigen::Vector3d::Zero()}; }
-  Points operator()(const Capsule& capsule) const { return box(0.0, capsule.half_length); }
-  Points operator()(const Cylinder& c) const {
-    return box(std::sqrt(0.5) * c.radius, c.half_length);
-  }
-  Points operator()(const Box& shape) const {
-    Points points = box(1.0, 1.0);
-    for (Eigen::Vector3d& point : points) {
-      point = point.cwiseProduct(shape.half_extents);
-    }
-    return points;
-  }
-
- private:
-  static Points box(double width, double height) {
-    Points points;
-    for (int corner = 0; corner < 8; ++corner) {
-      points.emplace_back((corner & 1) != 0 ? width : -width, (corner & 2) != 0 ? width : -width,
-                          (corner & 4) != 0 ? height : -height);
-    }
-    return points;
-  }
-};
-
 /// A collision element as FCL has it, and what FCL does not know: its inside.
 struct Solid {
   LinkId link;
   Pose link_from_geometry;
   Pose world_from_geometry;
   std::unique_ptr<test::FclObject> object;
-  std::optional<TriangleBvh> surface;  ///< that goes around its inside
-  std::vector<Eigen::Vector3d> marks;
+  test::Inside inside;
 };
 
 Solid makeSolid(LinkId link, const CollisionElement& element) {
-  const auto* mesh = std::get_if<TriangleMesh>(&element.geometry);
-  if (mesh != nullptr && mesh->triangles.empty()) {
+  const test::FclGeometry geometry = test::fclGeometryOf(element.geometry);
+  if (geometry == nullptr) {
     throw std::runtime_error("collision '" + element.name +
                              "': its mesh has no triangle with an area, which FCL cannot measure");
   }
-  Solid solid{link, element.link_from_geometry, {}, nullptr, std::nullopt, {}};
-  solid.marks = std::visit(MarkPoints(), element.geometry);
-  solid.object = std::make_unique<test::FclObject>(std::visit(MakeFcl{}, element.geometry));
-  if (mesh != nullptr) {
-    const auto closed = closedSurface(*mesh);
-    solid.surface.emplace(closed ? *closed : orientedSurface(*mesh));
-  }
-  return solid;
-}
-
-// Most points are not even in the box of the surface, all of whose triangles count.
-bool holds(const TriangleBvh& surface, const Eigen::Vector3d& point) {
-  return meets(surface.bounds(), {point, point}) && std::abs(windingNumber(surface, point)) > 0.5;
+  return {link,
+          element.link_from_geometry,
+          {},
+          std::make_unique<test::FclObject>(geometry),
+          test::insideOf(element.geometry)};
 }
 
 bool holdsMarkOf(const Solid& outer, const Solid& inner) {
-  const Pose outer_from_inner = inverse(outer.world_from_geometry) * inner.world_from_geometry;
-  return outer.surface &&
-         std::any_of(inner.marks.begin(), inner.marks.end(), [&](const Eigen::Vector3d& mark) {
-           return holds(*outer.surface, outer_from_inner * mark);
-         });
+  return test::holdsMarkOf(outer.inside, outer.world_from_geometry, inner.inside,
+                           inner.world_from_geometry);
 }
 
 /// One run over one robot.
