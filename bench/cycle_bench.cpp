@@ -8,14 +8,12 @@
 //   cycle_bench RATE_HZ SPEED [ROBOT...]    robots by a part of their names; panda_moveit and atlas
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <numeric>
 #include <string>
 
-#include "collision_monitor/pipeline/link_velocities.h"
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "robot_moves.h"
 
@@ -30,27 +28,11 @@ double microsecondsSince(Clock::time_point start) {
 }
 
 std::vector<Move> makeMoves(const RobotModel& model, double rate, double speed) {
-  constexpr int kMoves = 20;
-  constexpr double kDuration = 0.5;  // [s]
-  std::mt19937_64 random(20260101);
-  std::vector<Move> moves(kMoves);
-  std::int64_t stamp_ns = 1'000'000'000;
-  for (Move& move : moves) {
-    const JointPositions from = drawPositions(model, random);
-    const JointPositions to = drawPositions(model, random);
-    double farthest = 0.0;
-    for (std::size_t i = 0; i < from.size(); ++i) {
-      farthest = std::max(farthest, std::abs(to[i] - from[i]));
-    }
-    VelocityTracker tracker = makeVelocityTracker(model);
-    for (double time = 0.0; time < kDuration; time += 1.0 / rate) {
-      LinkPoses& poses =
-          move.emplace_back(posesAt(model, between(from, to, speed * time / farthest)));
-      stamp_ns += static_cast<std::int64_t>(1e9 / rate);
-      poses.stamp_ns = stamp_ns;
-      std::fill(poses.robot_stamp_ns.begin(), poses.robot_stamp_ns.end(), stamp_ns);
-      trackVelocities(model, {}, tracker, poses);
-    }
+  constexpr std::size_t kMoves = 20;
+  Mover mover(model, rate, speed);
+  std::vector<Move> moves;
+  while (moves.size() < kMoves) {
+    moves.push_back(mover.next());
   }
   return moves;
 }

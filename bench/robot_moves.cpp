@@ -3,7 +3,10 @@
 #include "robot_moves.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+
+#include "collision_monitor/pipeline/link_velocities.h"
 
 namespace collision_monitor::test {
 
@@ -17,12 +20,16 @@ std::optional<RobotFile> findRobot(const std::string& name) {
   return std::nullopt;
 }
 
+bool isDrawn(const Joint& joint) {
+  return !joint.mimic &&
+         (joint.type == JointType::revolute || joint.type == JointType::continuous ||
+          joint.type == JointType::prismatic);
+}
+
 JointPositions drawPositions(const RobotModel& model, std::mt19937_64& random) {
   JointPositions positions = defaultPositions(model);
   for (const Joint& joint : model.joints) {
-    const bool moves = joint.type == JointType::revolute || joint.type == JointType::continuous ||
-                       joint.type == JointType::prismatic;
-    if (moves && !joint.mimic) {
+    if (isDrawn(joint)) {
       const double reach = joint.type == JointType::prismatic ? 1.0 : 3.0;
       positions[joint.first_variable] = std::uniform_real_distribution<double>(
           std::max(joint.lower, -reach), std::min(joint.upper, reach))(random);
@@ -44,6 +51,31 @@ LinkPoses posesAt(const RobotModel& model, const JointPositions& positions) {
   std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
   placeLinks(model, positions, std::vector<Pose>(model.robots.size()), poses.world_from_link);
   return poses;
+}
+
+Mover::Mover(const RobotModel& model, double rate, double speed)
+    : model_(model), rate_(rate), speed_(speed) {}
+
+std::vector<LinkPoses> Mover::next() {
+  constexpr double kDuration = 0.5;  // [s]
+  const JointPositions from = drawPositions(model_, random_);
+  const JointPositions to = drawPositions(model_, random_);
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    farthest = std::max(farthest, std::abs(to[i] - from[i]));
+  }
+  const double shares_a_second = farthest > 0.0 ? speed_ / farthest : 0.0;
+  VelocityTracker tracker = makeVelocityTracker(model_);
+  std::vector<LinkPoses> move;
+  for (double time = 0.0; time < kDuration; time += 1.0 / rate_) {
+    LinkPoses& poses =
+        move.emplace_back(posesAt(model_, between(from, to, shares_a_second * time)));
+    stamp_ns_ += static_cast<std::int64_t>(1e9 / rate_);
+    poses.stamp_ns = stamp_ns_;
+    std::fill(poses.robot_stamp_ns.begin(), poses.robot_stamp_ns.end(), stamp_ns_);
+    trackVelocities(model_, {}, tracker, poses);
+  }
+  return move;
 }
 
 }  // namespace collision_monitor::test
