@@ -4,11 +4,13 @@
 // What users reach, on one robot: set up as a monitor is by default. One line a number: its name,
 // the number, its unit. A robot is the first of the shared data or urdf/ with this in its name;
 // --list prints the names of all, one a folder of the shared data.
-//   product_bench ROBOT [--part states|all]
+//   product_bench ROBOT [--part start|states|cycle|trajectory]... [--cycles N]
 //   product_bench --list
 #include "product_bench.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <optional>
 #include <string>
@@ -19,28 +21,38 @@
 namespace collision_monitor::test {
 namespace {
 
-const char* const kUsage = "product_bench ROBOT [--part states|all] | --list\n";
+const char* const kUsage =
+    "product_bench ROBOT [--part start|states|cycle|trajectory]... [--cycles N] | --list\n";
 
 struct Arguments {
   std::string robot;
-  std::string part{"all"};
+  std::vector<std::string> parts;  ///< none: all
+  std::size_t cycles{10000};
 
-  bool asksFor(const char* name) const { return part == "all" || part == name; }
+  bool asksFor(const char* part) const {
+    return parts.empty() || std::find(parts.begin(), parts.end(), part) != parts.end();
+  }
 };
+
+bool isPart(const std::string& word) {
+  return word == "start" || word == "states" || word == "cycle" || word == "trajectory";
+}
 
 std::optional<Arguments> readArguments(const std::vector<std::string>& words) {
   Arguments arguments;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i] == "--part" && i + 1 < words.size()) {
-      arguments.part = words[++i];
+    if (words[i] == "--part" && i + 1 < words.size() && isPart(words[i + 1])) {
+      arguments.parts.push_back(words[++i]);
+    } else if (words[i] == "--cycles" && i + 1 < words.size()) {
+      arguments.cycles = std::strtoul(words[++i].c_str(), nullptr, 10);
     } else if (arguments.robot.empty() && words[i].rfind("--", 0) != 0) {
       arguments.robot = words[i];
     } else {
       return std::nullopt;
     }
   }
-  const bool is_part = arguments.asksFor("states");
-  return is_part && !arguments.robot.empty() ? std::optional<Arguments>(arguments) : std::nullopt;
+  return arguments.cycles > 0 && !arguments.robot.empty() ? std::optional<Arguments>(arguments)
+                                                          : std::nullopt;
 }
 
 void printSize(const CycleSetup& setup) {
@@ -63,11 +75,20 @@ int measure(const Arguments& arguments) {
   if (!robot) {
     return 1;
   }
+  if (arguments.asksFor("start")) {
+    measureStart(*robot);
+  }
   const CycleSetup setup =
       buildSetup({describe(*robot)}, fileLoader(robot->package_root), SetupOptions());
   printSize(setup);
   if (arguments.asksFor("states")) {
     measureStates(setup);
+  }
+  if (arguments.asksFor("cycle")) {
+    measureCycles(setup, arguments.cycles);
+  }
+  if (arguments.asksFor("trajectory")) {
+    measureTrajectory(setup);
   }
   return 0;
 }
