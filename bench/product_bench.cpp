@@ -75,11 +75,10 @@ int measure(const Arguments& arguments) {
   if (!robot) {
     return 1;
   }
-  if (arguments.asksFor("start")) {
-    measureStart(*robot);
-  }
   const CycleSetup setup =
-      buildSetup({describe(*robot)}, fileLoader(robot->package_root), SetupOptions());
+      arguments.asksFor("start")
+          ? measureStart(*robot)
+          : buildSetup({describe(*robot)}, fileLoader(robot->package_root), SetupOptions());
   printSize(setup);
   if (arguments.asksFor("states")) {
     measureStates(setup);

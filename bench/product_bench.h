@@ -25,7 +25,8 @@ void measureTrajectory(const CycleSetup& setup);
 
 /// Time of building the set-up as the node does, without kept fits and with them, and the memory
 /// that one robot takes: first of all, so that it is not what others left.
-void measureStart(const RobotFile& robot);
+/// @return the last set-up.
+CycleSetup measureStart(const RobotFile& robot);
 
 inline void print(const std::string& name, double value, const char* unit) {
   std::printf("%s %.9g %s\n", name.c_str(), value, unit);

@@ -12,8 +12,8 @@
 namespace collision_monitor::test {
 namespace {
 
-constexpr double kSpeed = 1.0;     // [rad/s]
-constexpr double kLongest = 10e9;  // [ns] that cycles without a budget may take
+constexpr double kSpeed = 1.0;    // [rad/s]
+constexpr double kLongest = 6e9;  // [ns] that cycles without a budget may take
 constexpr std::uint32_t kNoBudget = 1'000'000'000;
 
 /// What a cycle says of contacts.

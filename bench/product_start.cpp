@@ -93,7 +93,7 @@ void printMemory(const CycleSetup& setup, double before) {
 
 }  // namespace
 
-void measureStart(const RobotFile& robot) {
+CycleSetup measureStart(const RobotFile& robot) {
   constexpr std::size_t kStarts = 3;
   constexpr double kLong = 2.0;  // [s] such a start is measured once
   findPackages(robot);
@@ -103,16 +103,18 @@ void measureStart(const RobotFile& robot) {
   while (first.times.empty() || (first.times.size() < kStarts && first.times.back() < kLong)) {
     fit_cache.emplace();
     const double resident = memoryOf("VmRSS");
-    const CycleSetup setup = first.build(robot, fit_cache->path());
+    const CycleSetup new_setup = first.build(robot, fit_cache->path());
     if (first.times.size() == 1) {
-      printMemory(setup, resident);
+      printMemory(new_setup, resident);
     }
   }
+  CycleSetup setup = later.build(robot, fit_cache->path());
   while (later.times.size() < kStarts) {
-    later.build(robot, fit_cache->path());
+    setup = later.build(robot, fit_cache->path());
   }
   first.print("start_without_cache");
   later.print("start_from_cache");
+  return setup;
 }
 
 }  // namespace collision_monitor::test

@@ -54,7 +54,7 @@ Scene makeScene(const CycleSetup& setup) {
 template <class Query>
 void timeFcl(const std::string& name, const Scene& scene, const Query& query) {
   constexpr double kLong = 2e9;    // [ns]
-  constexpr double kEnough = 3e9;  // [ns]
+  constexpr double kEnough = 2e9;  // [ns]
   constexpr std::size_t kLeast = 5;
   std::vector<double> times;
   std::size_t asked = 0;
