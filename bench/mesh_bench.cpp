@@ -10,6 +10,7 @@
 
 #include "bench_loop.h"
 #include "collision_monitor/narrow_phase/mesh_distance.h"
+#include "support/mesh_overlap.h"
 #include "support/query_meshes.h"
 #include "support_fcl/fcl_mesh.h"
 

@@ -9,6 +9,7 @@
 #include "collision_monitor/narrow_phase/distance.h"
 #include "pipeline/measure_elements.h"
 #include "robot_moves.h"
+#include "support/mesh_overlap.h"
 
 namespace collision_monitor::test {
 namespace {

@@ -3,6 +3,7 @@
 #include "collision_monitor/pipeline/check_states.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -96,45 +97,6 @@ void judgeAlone(const CycleSetup& setup, StatesWork& work, StatesBlock& block) n
   block.is_warning.of[0] = 0.0;
 }
 
-/// Into measured, or kNone. Where limits allow some depth, what is in contact need not be nearest.
-std::uint32_t nearestInContact(const PairDistances& distances, const PairEvents& events) noexcept {
-  std::uint32_t nearest = kNone;
-  for (std::size_t i = 0; i < events.verdicts.size(); ++i) {
-    const std::uint32_t closest = events.closest[i];
-    if (events.verdicts[i] == Verdict::contact && closest != kNone &&
-        (nearest == kNone || distances.measured[closest].measured.distance <
-                                 distances.measured[nearest].measured.distance)) {
-      nearest = closest;
-    }
-  }
-  return nearest;
-}
-
-/// One state as a cycle sees it, with nothing before it.
-StateCheck checkByCycle(const CycleSetup& setup, const JointPositions& positions, std::size_t state,
-                        StateQuestion question, StatesWork& work) {
-  fillVariables(positions, state, work);
-  placeFrames(work.plan, work.variables, work.frames);
-  readLinkPoses(work, 0, work.poses.world_from_link);
-  resetMemory(work.buffers);
-  runCycle(setup, work.poses, work.buffers);
-  const PairEvents& events = work.buffers.events;
-  StateCheck check;
-  check.verdict = events.overall;
-  const PairDistances& distances = work.buffers.distances;
-  const std::uint32_t place = question == StateQuestion::contact
-                                  ? nearestInContact(distances, events)
-                                  : events.closest_of_all;
-  if (place != kNone) {
-    const PairDistance& nearest = distances.measured[place];
-    check.has_pair = true;
-    check.quality = nearest.quality;
-    check.pair = nearest.pair;
-    check.distance = nearest.measured.distance;
-  }
-  return check;
-}
-
 /// Pairs across two parts are no contact, whatever is measured.
 void partPairs(const CycleSetup& setup, StatesWork& work) {
   for (std::size_t i = 0; i < work.pairs.size(); ++i) {
@@ -147,37 +109,10 @@ void partPairs(const CycleSetup& setup, StatesWork& work) {
   }
 }
 
-/// As checkStates, without what is not known in any state.
-void judgeStates(const CycleSetup& setup, const JointPositions& positions, StateQuestion question,
-                 StatesWork& work, std::vector<StateCheck>& checks) {
-  const std::size_t count = countStates(positions, work);
-  checks.resize(count);
-  StatesBlock block;
-  for (std::size_t first = 0; first < count; first += kStateCount) {
-    fillVariables(positions, first, work);
-    placeStates(setup, work);
-    if (question == StateQuestion::contact && count - first == 1) {
-      judgeAlone(setup, work, block);
-    } else {
-      judgeBlock(setup, question, work, block);
-    }
-    for (std::size_t lane = 0; lane < std::min(kStateCount, count - first); ++lane) {
-      checks[first + lane] = isFiniteState(work, lane) ? checkOf(setup, block, lane) : StateCheck{};
-    }
-  }
-}
-
 void addUnknown(const StatesWork& work, std::vector<StateCheck>& checks) noexcept {
   for (StateCheck& check : checks) {
     check.verdict = work.is_split ? std::max(check.verdict, Verdict::unknown) : check.verdict;
   }
-}
-
-/// What a state says that is asked for contacts and has none.
-StateCheck withoutPair(Verdict verdict) noexcept {
-  StateCheck check;
-  check.verdict = verdict == Verdict::warning ? Verdict::clear : verdict;
-  return check;
 }
 
 /// Whether geometries decide: of bodies, another pair than the nearest may be the contact.
@@ -186,6 +121,59 @@ bool isOpen(const CycleSetup& setup, const StateCheck& check) noexcept {
   const bool is_near = is_contact || check.verdict == Verdict::warning;
   return is_near && (check.quality != Quality::exact ||
                      (is_contact && check.distance > contactOfBodies(setup, check.pair)));
+}
+
+using BlockChecks = std::array<StateCheck, kStateCount>;
+
+/// By enclosing shapes. @param count  states that the block has
+void judgeShapes(const CycleSetup& setup, StateQuestion question, std::size_t count,
+                 StatesWork& work, BlockChecks& checks) noexcept {
+  StatesBlock block;
+  if (question == StateQuestion::contact && count == 1) {
+    judgeAlone(setup, work, block);
+  } else {
+    judgeBlock(setup, question, work, block);
+  }
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    checks[lane] = isFiniteState(work, lane) ? checkOf(setup, block, lane) : StateCheck{};
+  }
+}
+
+/// By the geometries. For the nearest, where enclosing shapes leave the answer open.
+void judgeGeometries(const CycleSetup& setup, StateQuestion question, std::size_t count,
+                     StatesWork& work, BlockChecks& checks) noexcept {
+  const bool asks_contact = question == StateQuestion::contact;
+  if (!asks_contact) {
+    judgeShapes(setup, question, count, work, checks);
+  }
+  std::array<bool, kStateCount> open{};
+  bool has_open = false;
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    if (asks_contact) {
+      checks[lane] = StateCheck();
+    }
+    open[lane] = isFiniteState(work, lane) && (asks_contact || isOpen(setup, checks[lane]));
+    has_open = has_open || open[lane];
+  }
+  if (has_open) {
+    refineStates(setup, question, open, work, checks);
+  }
+}
+
+/// @param is_exact the geometries decide
+void judgeStates(const CycleSetup& setup, const JointPositions& positions, StateQuestion question,
+                 bool is_exact, StatesWork& work, std::vector<StateCheck>& checks) {
+  const std::size_t total = countStates(positions, work);
+  checks.resize(total);
+  BlockChecks of_block;
+  for (std::size_t first = 0; first < total; first += kStateCount) {
+    const std::size_t count = std::min(kStateCount, total - first);
+    fillVariables(positions, first, work);
+    placeStates(setup, work);
+    (is_exact ? judgeGeometries : judgeShapes)(setup, question, count, work, of_block);
+    std::copy_n(of_block.begin(), count, checks.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+  addUnknown(work, checks);
 }
 
 }  // namespace
@@ -209,8 +197,7 @@ StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing
   work.variables.resize(work.plan.variable_count);
   work.frames.resize(work.plan.frames.size());
   partPairs(setup, work);
-  work.buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
-  work.buffers.refine.limits.budget = std::numeric_limits<std::uint32_t>::max();
+  work.refinement = makeStatesRefinement(setup, work);
   return work;
 }
 
@@ -246,23 +233,12 @@ double plainStateDistance(const CycleSetup& setup, const StatesWork& work, const
 
 void checkStates(const CycleSetup& setup, const JointPositions& positions, StateQuestion question,
                  StatesWork& work, std::vector<StateCheck>& checks) {
-  judgeStates(setup, positions, question, work, checks);
-  addUnknown(work, checks);
+  judgeStates(setup, positions, question, false, work, checks);
 }
 
 void checkStatesExactly(const CycleSetup& setup, const JointPositions& positions,
                         StateQuestion question, StatesWork& work, std::vector<StateCheck>& checks) {
-  judgeStates(setup, positions, question, work, checks);
-  for (std::size_t i = 0; i < checks.size(); ++i) {
-    StateCheck& check = checks[i];
-    if (isOpen(setup, check)) {
-      check = checkByCycle(setup, positions, i, question, work);
-      if (question == StateQuestion::contact && check.verdict != Verdict::contact) {
-        check = withoutPair(check.verdict);
-      }
-    }
-  }
-  addUnknown(work, checks);
+  judgeStates(setup, positions, question, true, work, checks);
 }
 
 }  // namespace collision_monitor

@@ -11,7 +11,7 @@
 #include "collision_monitor/narrow_phase/distance.h"
 #include "collision_monitor/narrow_phase/mesh_depth.h"
 #include "narrow_phase/core_distance.h"
-#include "narrow_phase/mesh/mesh_hulls.h"
+#include "pipeline/element_parts.h"
 
 namespace collision_monitor {
 namespace {
@@ -25,39 +25,6 @@ constexpr std::uint32_t kMostPoints = 120;  // of two meshes
 
 bool areExact(const PlacedElement& a, const PlacedElement& b) noexcept {
   return a.element.is_exact && b.element.is_exact;
-}
-
-PlacedMesh meshOf(const PlacedElement& placed) noexcept {
-  return {*placed.element.mesh, placed.world_from_element};
-}
-
-/// Cheaper to measure than triangles around it. A hull is not, and has its mesh.
-bool isSimple(const PlacedElement& placed) noexcept {
-  const std::optional<ConvexGeometry>& convex = placed.element.convex;
-  return convex && !std::holds_alternative<ConvexHull>(*convex);
-}
-
-PlacedConvex convexOf(const PlacedElement& placed) noexcept {
-  return {*placed.element.convex, placed.world_from_element};
-}
-
-/// Least signed distance of the inner shapes; false where an element has none.
-bool measureInside(const PlacedElement& a, const PlacedElement& b, SignedDistance& least) noexcept {
-  least.distance = std::numeric_limits<double>::infinity();
-  const InnerShapes& in_a = a.element.inner;
-  const InnerShapes& in_b = b.element.inner;
-  for (const auto* inner_a : {&in_a.sphere, &in_a.capsule}) {
-    for (const auto* inner_b : {&in_b.sphere, &in_b.capsule}) {
-      if (!*inner_a || !*inner_b) {
-        continue;
-      }
-      const SignedDistance found =
-          distanceBetween((*inner_a)->shape, a.world_from_element * (*inner_a)->geometry_from_body,
-                          (*inner_b)->shape, b.world_from_element * (*inner_b)->geometry_from_body);
-      least = found.distance < least.distance ? found : least;
-    }
-  }
-  return least.distance < std::numeric_limits<double>::infinity();
 }
 
 ElementDistance measureConvex(const PlacedElement& a, const PlacedElement& b,
@@ -101,12 +68,6 @@ MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
   }
   nearest = found.nearest.a == TrianglePair::kNone ? nearest : found.nearest;
   return found;
-}
-
-HeldSurface heldSurfaceOf(const PlacedElement& placed) noexcept {
-  const Element& element = placed.element;
-  return element.convex ? HeldSurface{*element.convex, nullptr, placed.world_from_element}
-                        : HeldSurface{*element.hull, &*element.mesh, placed.world_from_element};
 }
 
 /// Where the hulls tell the distance, or that it is enough.
@@ -191,6 +152,24 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
 
 }  // namespace
 
+bool measureInside(const PlacedElement& a, const PlacedElement& b, SignedDistance& least) noexcept {
+  least.distance = std::numeric_limits<double>::infinity();
+  const InnerShapes& in_a = a.element.inner;
+  const InnerShapes& in_b = b.element.inner;
+  for (const auto* inner_a : {&in_a.sphere, &in_a.capsule}) {
+    for (const auto* inner_b : {&in_b.sphere, &in_b.capsule}) {
+      if (!*inner_a || !*inner_b) {
+        continue;
+      }
+      const SignedDistance found =
+          distanceBetween((*inner_a)->shape, a.world_from_element * (*inner_a)->geometry_from_body,
+                          (*inner_b)->shape, b.world_from_element * (*inner_b)->geometry_from_body);
+      least = found.distance < least.distance ? found : least;
+    }
+  }
+  return least.distance < std::numeric_limits<double>::infinity();
+}
+
 std::optional<Shape> shapeOf(const std::optional<ConvexGeometry>& geometry) noexcept {
   const auto take = [](const auto& held) noexcept -> std::optional<Shape> {
     if constexpr (std::is_convertible_v<decltype(held), Shape>) {
@@ -212,6 +191,16 @@ ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
     answer.quality = answer.quality == Quality::exact ? Quality::lower_bound : answer.quality;
   }
   return answer;
+}
+
+double boundByHulls(const PlacedElement& a, const PlacedElement& b,
+                    ElementSearch& search) noexcept {
+  const MeshDistance found =
+      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stopBeyond(a, b, search),
+                      search.scratch.mesh, {search.memory.warm, search.memory.nearest});
+  return found.state == MeshState::unknown
+             ? -std::numeric_limits<double>::infinity()
+             : found.measured.distance - a.element.padding - b.element.padding;
 }
 
 std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,

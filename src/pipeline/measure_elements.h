@@ -37,6 +37,10 @@ struct ElementSearch {
 ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
                                 ElementSearch& search) noexcept;
 
+/// [m] A lower bound of the distance of two elements, by what is convex around them;
+/// -infinity where that meets. @param search of which `enough` may end it.
+double boundByHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch& search) noexcept;
+
 /// Of two elements known to overlap, a deeper estimate if one is found, by depthOf.
 /// @param overlap of quality estimate, changed if it can be bettered.
 /// @return steps spent.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <limits>
 
 #include "collision_monitor/pipeline/check_states.h"
@@ -33,6 +34,8 @@ void readLinkPoses(const StatesWork& work, std::size_t lane, std::vector<Pose>& 
 
 /// Of a pair that measureLinkPairs is to leave out, in every state.
 constexpr double kNotAsked = -std::numeric_limits<double>::infinity();
+/// Of a state in which pairs are near that may be in contact, whatever their distance is then.
+constexpr double kContactsAsked = -std::numeric_limits<double>::max();
 
 /// Distances of the nearest bodies of pairs of links in each state.
 /// @pre the states are placed.
@@ -40,6 +43,34 @@ constexpr double kNotAsked = -std::numeric_limits<double>::infinity();
 /// is less than that; NaN where a pose is not finite.
 void measureLinkPairs(const CycleSetup& setup, const StatesWork& work,
                       std::vector<StateNumber>& nearest) noexcept;
+
+/// Which pairs are listed.
+struct NearQuery {
+  const StateNumber& asked;  ///< [m] by state: how far; kContactsAsked or kNotAsked
+  std::size_t first;         ///< those pairs of elements of StatesRefinement::order
+  std::size_t last;
+};
+
+/// Places the balls about elements in the states of the block.
+void placeCenters(StatesWork& work) noexcept;
+
+/// Lists pairs of bodies that are near in some states, those of one vector from `lane` on, in
+/// StatesRefinement::near.
+/// @pre the states are placed, and the balls are.
+/// @return how many states that were: of them distances are told.
+std::size_t listNear(const CycleSetup& setup, const NearQuery& query, std::size_t lane,
+                     StatesWork& work) noexcept;
+
+/// What checkStatesExactly needs beside what enclosing shapes do.
+StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork& work);
+
+/// Judges those states of the block by the geometries that enclosing shapes leave open.
+/// @pre the states are placed.
+/// @param open  by state
+/// @param checks  of the states: what enclosing shapes say, then what the geometries do
+void refineStates(const CycleSetup& setup, StateQuestion question,
+                  const std::array<bool, kStateCount>& open, StatesWork& work,
+                  std::array<StateCheck, kStateCount>& checks) noexcept;
 
 /// Where the kernel is not sure: state `lane` of a pair of bodies by the plain twin.
 double plainStateDistance(const CycleSetup& setup, const StatesWork& work, const StatePair& pair,

@@ -9,6 +9,7 @@
 
 #include "collision_monitor/narrow_phase/mesh_distance.h"
 #include "support/fixed_seed.h"
+#include "support/mesh_overlap.h"
 #include "support/query_meshes.h"
 #include "support/sample_meshes.h"
 #include "support_fcl/fcl_mesh.h"

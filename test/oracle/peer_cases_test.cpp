@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "support/mesh_overlap.h"
 #include "support/peer_cases.h"
 
 #include <gtest/gtest.h>

@@ -125,13 +125,40 @@ struct PlacedConvex {
   const Pose& world_from_body;
 };
 
-/// True when surfaces touch or cross, or one mesh that has an inside holds a point of the other.
+/// What a search for contact found of two meshes.
+struct MeshContact {
+  enum class State : unsigned char {
+    apart,
+    contact,
+    open,  ///< the budget ended the search, or a pose is not finite
+  };
+  State state{State::open};
+  TrianglePair triangles;   ///< that are in contact; a start for the next query
+  std::uint32_t visits{0};  ///< nodes opened and triangles looked at
+  double outside{std::numeric_limits<double>::infinity()};  ///< [m] as MeshDistance::outside
+};
+
+/// What is asked about contact. The defaults: whether the meshes overlap, whatever it takes.
+struct MeshContactQuery {
+  double distance{0.0};      ///< [m] surfaces that near are in contact; 0 or more, finite
+  bool asks_outside{false};  ///< MeshContact::outside is wanted, too
+  std::uint32_t visit_budget{std::numeric_limits<std::uint32_t>::max()};  ///< as MeshQueryLimits
+};
+
+/// Whether surfaces come within a distance of each other, or one mesh that has an inside holds a
+/// point of the other. Ends at the first contact, and measures nothing.
 ///
-/// Error: surfaces within 1e-14 of the size may be called either way.
-/// Each connected piece of a mesh is asked for being inside the other; where that is open, also the
-/// corners that are farthest in fourteen directions. Poses that are not finite
-/// give `true`: unknown is not clear.
-bool overlap(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory) noexcept;
+/// Error: surfaces within 1e-14 of the size may be called either way; of a distance above 0 as
+/// distanceBetween. Each connected piece of a mesh is asked for being inside the other; where that
+/// is open, also the corners that are farthest in fourteen directions.
+/// @param start triangles that were in contact before, which are asked first. It changes the time
+/// and which contact is found; never whether there is one.
+MeshContact contactOf(const PlacedMesh& a, const PlacedMesh& b, const MeshContactQuery& query,
+                      MeshQueryMemory& memory, const TrianglePair& start = TrianglePair{}) noexcept;
+
+/// The same of a mesh and a solid. @param start of which `a` counts.
+MeshContact contactOf(const PlacedMesh& a, const PlacedConvex& b, const MeshContactQuery& query,
+                      MeshQueryMemory& memory, const TrianglePair& start = TrianglePair{}) noexcept;
 
 /// Distance of two meshes, 0 when they overlap (see mesh_depth.h and mesh_way_out.h).
 ///

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <memory>
 #include <vector>
 
 #include "collision_monitor/model/state_kinematics.h"
@@ -36,6 +38,54 @@ struct StatePair {
   bool is_apart{false};  ///< how its links stand to each other is not known
 };
 
+/// A pair of bodies that is near in some of a block's states.
+struct NearInStates {
+  std::uint32_t pair{0};                     ///< a PairId
+  std::array<double, kStateCount> distance;  ///< [m] by state; infinite where it is not near
+};
+
+/// What is known of two elements in the state at hand.
+struct ElementsInState {
+  ElementPairIndex elements{0};
+  std::uint32_t bodies{0};   ///< PairId of the nearest
+  double bound{0.0};         ///< [m] their distance
+  std::uint64_t touched{0};  ///< of StatesRefinement::touched
+};
+
+/// Two elements, and the pairs of bodies that stand for them.
+struct StateElementPair {
+  std::uint32_t a{0};  ///< ElementIds
+  std::uint32_t b{0};
+  double radii{0.0};             ///< [m] of the balls about both
+  double contact_distance{0.0};  ///< [m] of their bodies, at most
+  std::uint32_t first{0};        ///< into StatesRefinement::body_pairs
+  std::uint32_t last{0};
+};
+
+/// A point in each state.
+struct StatePoint {
+  StateNumber of[3];
+};
+
+/// What checkStatesExactly works with beside that.
+struct StatesRefinement {
+  std::vector<LinkPlace> places;  ///< by ElementId: frame_from_link is frame_from_element
+  std::vector<Ball> balls;        ///< by ElementId: about it and its padding, in its frame
+  std::vector<StateElementPair> element_pairs;  ///< by ElementPairIndex; none that are apart
+  std::vector<std::uint32_t> body_pairs;        ///< PairIds, in order of element pair
+  std::vector<StatePoint> centers;              ///< by ElementId: of the balls
+  std::vector<Pose> world_from_element;         ///< by ElementId, in the state at hand
+  std::vector<std::uint64_t> placed_in;         ///< by ElementId: the state for which it is that
+  std::uint64_t state{0};                       ///< counts states
+  RefineStore memory;
+  std::unique_ptr<RefineScratch> scratch;
+  std::vector<NearInStates> near;
+  std::vector<std::uint32_t> place_of;  ///< by ElementPairIndex: into `pairs`, or kNone
+  std::vector<ElementsInState> pairs;   ///< in the state at hand
+  std::vector<std::uint64_t> touched;   ///< by ElementPairIndex: the last state with a contact
+  std::vector<ElementPairIndex> order;  ///< those that were in contact last come first
+};
+
 /// What checkStates works with, made once for a set-up and where its robots stand.
 struct StatesWork {
   KinematicsPlan plan;
@@ -46,8 +96,8 @@ struct StatesWork {
   std::vector<StatePose> frames;
   std::vector<StatePose> bodies;  ///< by BodyId
   BodyRows rows;                  ///< of a state that is alone
-  LinkPoses poses;                ///< these two of a state that is refined; parts are of all states
-  CycleBuffers buffers;
+  LinkPoses poses;                ///< which links are known, and in which part, in all states
+  StatesRefinement refinement;
   bool is_split{false};  ///< a pair is apart: no state is clear
 };
 
@@ -72,7 +122,11 @@ void checkStates(const CycleSetup& setup, const JointPositions& positions, State
                  StatesWork& work, std::vector<StateCheck>& checks);
 
 /// The same, and where enclosing shapes that are not the geometry itself come as near as a
-/// warning, the geometries decide, as in a cycle without a budget.
+/// warning, the geometries decide, with the verdicts of a cycle without a budget.
+///
+/// Each question takes the cheapest search that answers it: whether geometries touch is no question
+/// of their distance, and how deep those are that overlap is not asked. Then the distance is that
+/// of what was found (Quality::estimate), 0 or the depth of inner shapes.
 void checkStatesExactly(const CycleSetup& setup, const JointPositions& positions,
                         StateQuestion question, StatesWork& work, std::vector<StateCheck>& checks);
 

@@ -85,8 +85,8 @@ double holdFor(double change, const MeshTree& tree, const Vector3d& point,
 
 }  // namespace
 
-PointInMesh lookInside(const MeshTree& tree, const Vector3d& point,
-                       MeshQueryMemory& memory) noexcept {
+PointInMesh lookInside(const MeshTree& tree, const Vector3d& point, MeshQueryMemory& memory,
+                       bool asks_hold) noexcept {
   constexpr double kLeastError = 0.01;
   PointInMesh answer;
   if (tree.isClosed()) {
@@ -101,11 +101,11 @@ PointInMesh lookInside(const MeshTree& tree, const Vector3d& point,
   const WindingNumber number = windingByHalf(tree, point, kLeastError, memory);
   const double beyond = std::abs(number.value) - 0.5;
   answer.is_inside = beyond > number.error;
-  answer.hold = holdFor(std::abs(beyond) - number.error, tree, point, memory);
-  if (answer.is_inside) {
-    answer.hold = std::min(answer.hold, -outside);
-  }
   answer.visits = number.visits;
+  if (asks_hold) {
+    answer.hold = holdFor(std::abs(beyond) - number.error, tree, point, memory);
+    answer.hold = answer.is_inside ? std::min(answer.hold, -outside) : answer.hold;
+  }
   return answer;
 }
 

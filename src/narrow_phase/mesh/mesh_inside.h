@@ -39,8 +39,9 @@ struct PointInMesh {
 /// Winding Numbers" (2013), for the threshold. `hold`: off its surface the winding number has the
 /// gradient of the solid angle of the rim, by Biot and Savart no more than its length over
 /// 4 pi times the squared distance; docs/decisions/inside-of-open-meshes.md.
+/// @param asks_hold `hold` is wanted, too, which takes most of the time: else it means nothing.
 /// @pre the mesh has an inside.
-PointInMesh lookInside(const MeshTree& tree, const Eigen::Vector3d& point,
-                       MeshQueryMemory& memory) noexcept;
+PointInMesh lookInside(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory,
+                       bool asks_hold = true) noexcept;
 
 }  // namespace collision_monitor

@@ -110,7 +110,8 @@ struct Holding {
 
 /// Meant for surfaces that do not cross. Each piece of one is then held by a closed one as a whole
 /// or not at all; an open one is asked for all probes of the other.
-Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory) noexcept;
+/// @param asks_outside Holding::outside is wanted, too: else it means nothing.
+Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory, bool asks_outside = true) noexcept;
 
 /// [m] Whether something is inside an open mesh is not asked again for ways shorter than that. The
 /// inside does not end at the rim by more than a convention, and a search that comes near shall not

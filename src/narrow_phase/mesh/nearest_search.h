@@ -55,11 +55,11 @@ void offer(const TrianglePair& triangles, const MeshQueryMemory::Waiting& bounds
 
 /// Branch and bound from the pairs that wait, the nearest bound first. `open(pair, limit, waiting)`
 /// measures two triangles, or lets the children of one bound wait.
-/// @param rounding [m] nothing is nearer than that.
+/// @param enough [m] what is so near ends the search.
 template <class Open>
-void searchNearest(double rounding, std::uint32_t visit_budget, WaitingPairs& waiting,
+void searchNearest(double enough, std::uint32_t visit_budget, WaitingPairs& waiting,
                    NearestSearch& search, const Open& open) noexcept {
-  while (!waiting.empty() && search.best.squared_distance > rounding * rounding) {
+  while (!waiting.empty() && search.best.squared_distance > enough * enough) {
     const MeshQueryMemory::Waiting next = waiting.pop();
     const auto bound = static_cast<double>(next.squared_bound);
     if (!(next.squared_bound < asLimit(search.best.squared_distance))) {

@@ -14,6 +14,7 @@
 #include "support/convex_reference.h"
 #include "support/expect_distance.h"
 #include "support/fixed_seed.h"
+#include "support/mesh_overlap.h"
 #include "support/query_meshes.h"
 #include "support/random_pairs.h"
 #include "support/reference_features.h"

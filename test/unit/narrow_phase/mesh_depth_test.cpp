@@ -10,6 +10,7 @@
 #include "collision_monitor/narrow_phase/mesh_way_out.h"
 #include "support/allocation_guard.h"
 #include "support/expect_distance.h"
+#include "support/mesh_overlap.h"
 #include "support/query_meshes.h"
 #include "support/sample_meshes.h"
 

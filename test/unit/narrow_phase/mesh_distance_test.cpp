@@ -10,6 +10,7 @@
 
 #include "collision_monitor/narrow_phase/mesh_depth.h"
 #include "support/expect_distance.h"
+#include "support/mesh_overlap.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor::test {

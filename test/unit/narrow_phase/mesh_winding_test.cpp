@@ -11,6 +11,7 @@
 #include "collision_monitor/narrow_phase/mesh_depth.h"
 #include "collision_monitor/narrow_phase/mesh_openness.h"
 #include "narrow_phase/mesh/mesh_inside.h"
+#include "support/mesh_overlap.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor::test::mesh_winding {

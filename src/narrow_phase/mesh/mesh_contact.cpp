@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "narrow_phase/mesh/mesh_inside.h"
+#include "narrow_phase/mesh/mesh_search.h"
+
+namespace collision_monitor {
+namespace {
+
+// Whether two triangles are within a distance of each other.
+bool areWithin(const MeshPair& pair, const TrianglePair& triangles, double distance) noexcept {
+  const Triangle& of_a = pair.a.triangles()[triangles.a];
+  const Triangle of_b = triangleOfB(pair, triangles.b);
+  if (distance <= 0.0) {
+    return overlap(of_a, of_b);
+  }
+  PointPair start;
+  start.squared_distance =
+      std::nextafter(distance * distance, std::numeric_limits<double>::infinity());
+  return boundedDistance(of_a, of_b, start, start.squared_distance).nearest.squared_distance <
+         start.squared_distance;
+}
+
+void searchContact(const MeshPair& pair, const MeshContactQuery& query, MeshQueryMemory& memory,
+                   MeshContact& found) noexcept {
+  // The least float above 0: only bounds that touch, up to the slack, are opened.
+  constexpr float kTouching = std::numeric_limits<float>::min();
+  const float limit = query.distance <= 0.0 ? kTouching : asLimit(query.distance * query.distance);
+  WaitingPairs waiting(memory);
+  waiting.push({0.0F, 0, 0});
+  while (!waiting.empty()) {
+    if (found.visits >= query.visit_budget) {
+      return;
+    }
+    ++found.visits;
+    const MeshQueryMemory::Waiting next = waiting.pop();
+    const std::uint32_t child_a = childOf(pair.a, next.a);
+    const std::uint32_t child_b = childOf(pair.b, next.b);
+    if (!isTriangle(child_a) || !isTriangle(child_b)) {
+      openLarger(pair, next, limit, waiting);
+    } else if (areWithin(pair, {triangleAt(child_a), triangleAt(child_b)}, query.distance)) {
+      found.state = MeshContact::State::contact;
+      found.triangles = {triangleAt(child_a), triangleAt(child_b)};
+      return;
+    }
+  }
+  found.state = MeshContact::State::apart;
+}
+
+// A point of `other` that is in `solid`, in the frame of `other`.
+const Eigen::Vector3d* findHeld(const MeshTree& solid, const MeshTree& other,
+                                const Pose& solid_from_other, bool asks_outside,
+                                MeshQueryMemory& memory, Holding& holding) noexcept {
+  if (!solid.hasInside()) {
+    return nullptr;
+  }
+  for (const Eigen::Vector3d& probe : solid.isClosed() ? other.pieces() : other.probes()) {
+    const PointInMesh lies = lookInside(solid, solid_from_other * probe, memory, asks_outside);
+    holding.visits += lies.visits;
+    if (lies.is_inside) {
+      return &probe;
+    }
+    holding.outside = std::min(holding.outside, std::max(lies.hold, leastHold(solid)));
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+double leastHold(const MeshTree& open) noexcept { return 1e-3 * open.radius(); }
+
+Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory, bool asks_outside) noexcept {
+  Holding holding;
+  if (const auto* of_b = findHeld(pair.a, pair.b, pair.a_from_b, asks_outside, memory, holding)) {
+    holding.point = pair.a_from_b * *of_b;
+  } else if (const auto* of_a =
+                 findHeld(pair.b, pair.a, inverse(pair.a_from_b), asks_outside, memory, holding)) {
+    holding.point = *of_a;
+  }
+  return holding;
+}
+
+MeshContact contactOf(const PlacedMesh& a, const PlacedMesh& b, const MeshContactQuery& query,
+                      MeshQueryMemory& memory, const TrianglePair& start) noexcept {
+  MeshContact found;
+  if (!isFinite(a.world_from_mesh) || !isFinite(b.world_from_mesh)) {
+    return found;
+  }
+  const MeshPair pair = makeMeshPair(a, b);
+  if (start.a < a.tree.triangles().size() && start.b < b.tree.triangles().size()) {
+    ++found.visits;
+    if (areWithin(pair, start, query.distance)) {
+      found.state = MeshContact::State::contact;
+      found.triangles = start;
+      return found;
+    }
+  }
+  searchContact(pair, query, memory, found);
+  if (found.state == MeshContact::State::apart) {
+    const Holding held = pointHeld(pair, memory, query.asks_outside);
+    found.visits += held.visits;
+    found.outside = held.outside;
+    found.state = held.point ? MeshContact::State::contact : MeshContact::State::apart;
+  }
+  return found;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/narrow_phase/mesh_distance.h"
+
+namespace collision_monitor::test {
+
+/// Whether two meshes overlap; what is unknown is not apart.
+inline bool overlap(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory) {
+  return contactOf(a, b, {}, memory).state != MeshContact::State::apart;
+}
+
+}  // namespace collision_monitor::test
