@@ -238,6 +238,7 @@ void timeCycles(const std::string& what, const CycleSetup& setup, const std::vec
 
 void timeRobot(const RobotFile& robot, double rate, double speed) {
   CycleSetup setup = buildSetup({describe(robot)}, fileLoader(robot.package_root), SetupOptions());
+  setup.refine.tolerance = kMonitorTolerance;
   const std::vector<Move> moves = makeMoves(setup.model, rate, speed);
   std::printf("%s at %.0f Hz, %g rad/s: %zu shapes, %zu pairs of %zu pairs of links\n",
               robot.name.c_str(), rate, speed, setup.bodies.size(), setup.table.size(),

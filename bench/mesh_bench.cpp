@@ -93,7 +93,7 @@ void addOurs(const std::string& gap_name, double gap) {
   benchmark::RegisterBenchmark((gap_name + "overlap").c_str(), [gap](benchmark::State& state) {
     forPoses(state, gap, [](const ScenePose& pose) {
       Scene& s = scene();
-      return overlap({s.tree, pose.world_from_a}, {s.tree, pose.world_from_b}, *s.memory);
+      return meshesOverlap({s.tree, pose.world_from_a}, {s.tree, pose.world_from_b}, *s.memory);
     });
   });
   benchmark::RegisterBenchmark((gap_name + "distance_cold").c_str(),

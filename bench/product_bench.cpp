@@ -75,10 +75,11 @@ int measure(const Arguments& arguments) {
   if (!robot) {
     return 1;
   }
-  const CycleSetup setup =
+  CycleSetup setup =
       arguments.asksFor("start")
           ? measureStart(*robot)
           : buildSetup({describe(*robot)}, fileLoader(robot->package_root), SetupOptions());
+  setup.refine.tolerance = kMonitorTolerance;
   printSize(setup);
   if (arguments.asksFor("states")) {
     measureStates(setup);

@@ -24,6 +24,9 @@ bool isDrawn(const Joint& joint);
 /// Each of these joints anywhere between its limits, where these are not too wide.
 JointPositions drawPositions(const RobotModel& model, std::mt19937_64& random);
 
+/// As a monitor is set up by default: it tells distances of meshes to 0.1 mm.
+constexpr double kMonitorTolerance = 1e-4;  // [m]
+
 JointPositions between(const JointPositions& from, const JointPositions& to, double share);
 
 /// Every link known, roots at the origin.

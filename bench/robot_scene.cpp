@@ -137,8 +137,8 @@ bool touch(RobotScene& scene, ElementPairIndex pair) {
   const PlacedElement a = placed(scene, ids.a);
   const PlacedElement b = placed(scene, ids.b);
   return a.element.mesh && b.element.mesh
-             ? overlap({*a.element.mesh, a.world_from_element},
-                       {*b.element.mesh, b.world_from_element}, scene.scratch->mesh)
+             ? meshesOverlap({*a.element.mesh, a.world_from_element},
+                             {*b.element.mesh, b.world_from_element}, scene.scratch->mesh)
              : measurePair(scene, pair, 1e-6) <= 0.0;
 }
 

@@ -17,11 +17,11 @@ namespace collision_monitor {
 namespace {
 
 // Work other than opening nodes, in units of it.
-constexpr std::uint32_t kSetUpSteps = 8;    // poses and inner shapes
-constexpr std::uint32_t kApartSteps = 8;    // two convex geometries
-constexpr std::uint32_t kDepthSteps = 60;   // depth of two convex geometries
-constexpr std::uint32_t kPointSteps = 20;   // depth of one point in a mesh
-constexpr std::uint32_t kMostPoints = 120;  // of two meshes
+constexpr std::uint32_t kSetUpSteps = 8;   // poses and inner shapes
+constexpr std::uint32_t kApartSteps = 8;   // two convex geometries
+constexpr std::uint32_t kDepthSteps = 60;  // depth of two convex geometries
+constexpr std::uint32_t kPointSteps = 20;  // depth of one point in a mesh
+constexpr std::uint32_t kMostPoints = 24;  // of two meshes, in a cycle
 
 bool areExact(const PlacedElement& a, const PlacedElement& b) noexcept {
   return a.element.is_exact && b.element.is_exact;
@@ -53,7 +53,7 @@ double stopBeyond(const PlacedElement& a, const PlacedElement& b,
 
 MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
                           ElementSearch& search) noexcept {
-  const MeshQueryLimits limits{stopBeyond(a, b, search), search.budget};
+  const MeshQueryLimits limits{stopBeyond(a, b, search), search.budget, search.tolerance};
   TrianglePair& nearest = search.memory.nearest;
   MeshDistance found;
   if (isSimple(b)) {

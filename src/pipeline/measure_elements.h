@@ -24,6 +24,7 @@ struct ElementSearch {
   RefineScratch& scratch;
   /// [m] > 0. How far meshes are apart need not be known beyond: a lower bound is then complete.
   double enough{std::numeric_limits<double>::infinity()};
+  double tolerance{0.0};  ///< [m] as MeshQueryLimits::tolerance
 };
 
 /// Signed distance of what two elements are, less their paddings.

@@ -8,6 +8,7 @@
 
 #include "geometry/constants.h"
 #include "pipeline/recall_elements.h"
+#include "pipeline/touch_elements.h"
 
 namespace collision_monitor {
 namespace {
@@ -130,7 +131,8 @@ struct Goal {
 
 ElementSearch searchFor(const Refinement& all, const RefineTask& task, const Goal& goal) noexcept {
   return {goal.budget - static_cast<std::uint32_t>(all.work.steps),
-          all.memory.refined.of(task.pair), *all.work.scratch, goal.enough};
+          all.memory.refined.of(task.pair), *all.work.scratch, goal.enough,
+          all.work.limits.tolerance};
 }
 
 ElementDistance recallTask(const Refinement& all, const RefineTask& task) noexcept {
@@ -176,9 +178,26 @@ void report(const Refinement& all, RefineTask& task, const ElementDistance& foun
   }
 }
 
-/// Tells contacts of enclosing shapes that are none of the geometries, and no more: a search for
-/// what is that near takes a part of the steps of one for the distance. Leaves a part of the budget
-/// for distances, so that every pair has its turn.
+/// Keeps that the elements are so far apart at least, where nothing better is known.
+void keepApart(const Refinement& all, const RefineTask& task, const ElementDistance& recalled,
+               const ElementContact& contact) noexcept {
+  const double apart = clearBeyond(all);
+  if (recalled.quality != Quality::unknown && recalled.measured.distance >= apart) {
+    return;
+  }
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  ElementDistance found;
+  found.quality = Quality::lower_bound;
+  found.measured.distance = apart;
+  found.is_complete = true;
+  found.outside = contact.outside;
+  all.memory.refined.of(task.pair).last = {found, placed(all, pair.a).world_from_element,
+                                           placed(all, pair.b).world_from_element};
+}
+
+/// Tells contacts of enclosing shapes that are none of the geometries, and no more: whether
+/// geometries touch takes a part of the steps of their distance. Leaves a part of the budget for
+/// distances, so that every pair has its turn.
 void decideContact(const Refinement& all, const RefineTask& task) noexcept {
   const Goal goal{clearBeyond(all), all.work.limits.budget / 4 * 3};
   if (task.bound > goal.enough || !(all.work.steps < goal.budget)) {
@@ -187,8 +206,16 @@ void decideContact(const Refinement& all, const RefineTask& task) noexcept {
   const ElementDistance recalled = recallTask(all, task);
   const bool is_clear =
       recalled.quality == Quality::lower_bound && recalled.measured.distance >= goal.enough;
-  if (!is_clear && !isEnough(recalled, goal.enough)) {
-    measureTask(all, task, goal, recalled);
+  if (is_clear || isEnough(recalled, goal.enough)) {
+    return;
+  }
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  ElementSearch search = searchFor(all, task, goal);
+  const ElementContact contact =
+      touchElements(placed(all, pair.a), placed(all, pair.b), {goal.enough, true}, search);
+  all.work.steps += contact.steps;
+  if (contact.state == ElementContact::State::apart) {
+    keepApart(all, task, recalled, contact);
   }
 }
 

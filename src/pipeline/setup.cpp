@@ -29,6 +29,14 @@ struct NumberCheck {
     }
   }
 
+  void isWithin(double least, double most, const char* name, double value, const char* unit) const {
+    if (!(value >= least && value <= most)) {
+      report.errors.push_back(
+          {where + name, shortText(value) + unit,
+           "from " + shortText(least) + unit + " to " + shortText(most) + unit});
+    }
+  }
+
   void isFinite(const char* name, double value, const char* unit) const {
     if (!std::isfinite(value)) {
       report.errors.push_back({where + name, shortText(value) + unit, "a finite number"});
@@ -106,6 +114,8 @@ void checkInput(const std::vector<RobotDescription>& robots, const SetupOptions&
     report.errors.push_back({"robots", "none", "at least one robot description"});
   }
   check.atLeast(0.0, "refine_distance", options.refine.limits.distance, " m");
+  check.isWithin(0.0, std::max(0.0, options.limits.warning_distance), "distance_tolerance",
+                 options.refine.limits.tolerance, " m");
   checkLookAhead(options.ahead, options.where + "look_ahead/", report);
 }
 

@@ -28,6 +28,7 @@ const Distances& DistanceList::fill(const Watch& watch) {
   message_.pairs_unknown = static_cast<std::uint32_t>(
       std::count(events.verdicts.begin(), events.verdicts.end(), Verdict::unknown));
   message_.truncated = 0;
+  message_.tolerance = setup.refine.tolerance;
   GradientRows rows(setup, watch.poses);
   size_ = 0;
   for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {

@@ -188,7 +188,8 @@ void readFitting(ParameterStruct& fields, Parameters& parameters) {
 }
 
 /// What is measured where enclosing shapes come near, and how much of it in one cycle.
-void readRefining(ParameterStruct& fields, RefineOptions& refine) {
+/// @param most  [m] a larger tolerance could hide all that warnings tell
+void readRefining(ParameterStruct& fields, double most, RefineOptions& refine) {
   std::size_t geometry = 0;
   fields.read("refine_geometry", {"mesh", "hull", "none"}, geometry);
   constexpr RefineGeometry kGeometries[] = {RefineGeometry::mesh, RefineGeometry::hull,
@@ -198,6 +199,9 @@ void readRefining(ParameterStruct& fields, RefineOptions& refine) {
   double budget = refine.limits.budget;
   fields.readWhole("refine_budget", {0.0, 4e9}, budget);
   refine.limits.budget = static_cast<std::uint32_t>(budget);
+  constexpr double kTolerance = 1e-4;
+  refine.limits.tolerance = std::min(kTolerance, most);
+  fields.read("distance_tolerance", {0.0, most}, refine.limits.tolerance);
 }
 
 /// Names that other software keeps in a node's private namespace.
@@ -239,7 +243,8 @@ Parameters readParameters(const XmlRpcValue& values, const std::string& where,
   readTiming(fields, parameters);
   readTopic(fields, "joint_states", parameters.joint_states, report);
   readFitting(fields, parameters);
-  readRefining(fields, parameters.setup.refine);
+  readRefining(fields, std::max(0.0, parameters.setup.limits.warning_distance),
+               parameters.setup.refine);
   fields.read("continuous", parameters.setup.is_continuous);
   fields.read("ignore_default_overlap", parameters.setup.ignore_default_overlap);
   readBroadPhase(fields, parameters);

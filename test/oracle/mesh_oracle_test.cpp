@@ -45,7 +45,7 @@ void compareKind(const Kind& kind, int poses) {
     const MeshDistance found = distanceBetween({tree_a, a}, {tree_b, b}, *memory);
     const double truth = std::max(0.0, fclMeshDistance(object_a, object_b));
     ASSERT_NEAR(found.measured.distance, truth, kAgreement) << kind.name << " " << i;
-    const bool meets = overlap({tree_a, a}, {tree_b, b}, *memory);
+    const bool meets = meshesOverlap({tree_a, a}, {tree_b, b}, *memory);
     ASSERT_EQ(meets, fclMeshOverlap(object_a, object_b)) << kind.name << " " << i;
     worst = std::max(worst, std::abs(found.measured.distance - truth));
     overlaps += meets ? 1 : 0;

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/mesh_overlap.h"
 #include "support/peer_cases.h"
 
 #include <gtest/gtest.h>
@@ -20,6 +19,7 @@
 #include "support/convex_measure.h"
 #include "support/convex_reference.h"
 #include "support/file_loader.h"
+#include "support/mesh_overlap.h"
 #include "support/reference_distance.h"
 #include "support/sample_meshes.h"
 #include "support_fcl/fcl_mesh.h"
@@ -165,7 +165,7 @@ TEST(PeerCases, sphereMeshesInEachOther_overlapAndDoNotThrow) {
     const Pose world_from_a;
     const PlacedMesh small{a, world_from_a};
     const PlacedMesh large{b, peer.world_from_b};
-    EXPECT_TRUE(overlap(small, large, *memory));
+    EXPECT_TRUE(meshesOverlap(small, large, *memory));
     EXPECT_EQ(distanceBetween(small, large, *memory).state, MeshState::overlapping);
     EXPECT_EQ(distanceBetween(large, small, *memory).state, MeshState::overlapping);
     KeptDepth nothing;

@@ -7,7 +7,7 @@
 namespace collision_monitor::test {
 
 /// Whether two meshes overlap; what is unknown is not apart.
-inline bool overlap(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory) {
+inline bool meshesOverlap(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory) {
   return contactOf(a, b, {}, memory).state != MeshContact::State::apart;
 }
 

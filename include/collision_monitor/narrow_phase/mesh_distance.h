@@ -57,6 +57,9 @@ struct MeshQueryLimits {
   double stop_beyond{std::numeric_limits<double>::infinity()};
   /// Nodes opened and triangles measured at most; after that the answer is what is proven.
   std::uint32_t visit_budget{std::numeric_limits<std::uint32_t>::max()};
+  /// [m] 0 or more. What is found nearest may be farther than the nearest by that: the distance is
+  /// then a proven lower bound that is short by no more, and so is the point on B moved.
+  double tolerance{0.0};
 };
 
 /// What a query about two meshes leaves for the next one about the same: a front of pairs, of
@@ -71,7 +74,7 @@ struct MeshQueryLimits {
 /// Lin, "Accurate and Fast Proximity Queries Between Polyhedra Using Convex Surface Decomposition"
 /// (2001), for the front of the tree of pairs, which is kept here with bounds.
 struct MeshFront {
-  static constexpr std::uint32_t kCapacity = 512;
+  static constexpr std::uint32_t kCapacity = 2048;
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
   /// Two bounds or triangles, as MeshQueryMemory::Waiting.
@@ -90,7 +93,7 @@ struct MeshFront {
   double apart{0.0};    ///< [m] the surfaces were, and neither inside the other
   double outside{0.0};  ///< [m] as MeshDistance::outside
   std::uint32_t size{0};
-  std::array<Kept, kCapacity> kept;
+  std::array<Kept, kCapacity> kept{};  ///< set, so that no cycle is the first to touch its memory
 };
 
 /// What a query needs to remember on its way. One for each thread; its content means nothing

@@ -51,6 +51,9 @@ struct RefineLimits {
   /// Nodes of hierarchies opened and triangles measured in one cycle; other work is converted.
   /// Independent of the clock, so that the same input gives the same output.
   std::uint32_t budget{10000};
+  /// [m] 0 or more: how much less than the exact one the distance of a mesh may be, as
+  /// MeshQueryLimits::tolerance.
+  double tolerance{0.0};
 };
 
 struct RefineOptions {

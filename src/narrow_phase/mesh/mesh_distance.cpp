@@ -48,8 +48,14 @@ void report(const MeshPair& pair, const NearestSearch& search, const Pose& world
   const double distance = std::sqrt(search.best.squared_distance);
   answer.state = distance > pair.rounding ? MeshState::exact : MeshState::overlapping;
   answer.nearest = search.nearest;
-  answer.measured = placed(world_from_a, {distance, search.best.on_a, search.best.on_b,
-                                          normalBetween(pair, search, distance)});
+  const Eigen::Vector3d normal = normalBetween(pair, search, distance);
+  SignedDistance measured{distance, search.best.on_a, search.best.on_b, normal};
+  const double bound = std::sqrt(search.squaredBound());
+  if (answer.state == MeshState::exact && bound < distance) {
+    measured.distance = bound;
+    measured.point_on_b = measured.point_on_a + bound * normal;
+  }
+  answer.measured = placed(world_from_a, measured);
 }
 
 bool isPairOf(const MeshPair& pair, const TrianglePair& triangles) noexcept {
@@ -103,8 +109,11 @@ void searchFromFront(const MeshPair& pair, double step, std::uint32_t visit_budg
   }
   const double squared_distance = search.best.squared_distance;
   if (squared_distance > pair.rounding * pair.rounding) {
-    if (covers(front, squared_distance)) {
-      takeNearer(squared_distance, front, waiting);
+    const double squared_goal = search.squaredGoal();
+    if (covers(front, squared_goal)) {
+      const TakenPairs taken = takeNearer(pair, squared_goal, visit_budget, front, waiting);
+      search.squared_left = taken.squared_left;
+      search.visits += taken.visits;
     } else {
       restart(step, squared_distance, front);
       waiting.push({0.0F, 0, 0});
@@ -124,6 +133,7 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
   const MeshPair pair = makeMeshPair(a, b);
   NearestSearch search;
   search.best.squared_distance = limits.stop_beyond * limits.stop_beyond;
+  search.tolerance = limits.tolerance;
   if (isPairOf(pair, start)) {
     measureTriangles(pair, start, search.bounds, search);
   }
@@ -146,6 +156,7 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
   const double step = follow(pair, front);
   NearestSearch search;
   search.best.squared_distance = limits.stop_beyond * limits.stop_beyond;
+  search.tolerance = limits.tolerance;
   search.front = &front;
   WaitingPairs waiting(memory);
   searchFromFront(pair, step, limits.visit_budget, waiting, search);

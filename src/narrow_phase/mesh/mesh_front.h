@@ -15,8 +15,14 @@ double follow(const MeshPair& pair, MeshFront& front) noexcept;
 /// True when all that was not kept is at least this far away.
 bool covers(const MeshFront& front, double squared_distance) noexcept;
 
-/// Lets the pairs wait that may be nearer, the nearest on top, and keeps them no longer.
-void takeNearer(double squared_distance, MeshFront& front, WaitingPairs& waiting) noexcept;
+/// Bounds anew the pairs that may have come nearer than the goal, and lets those wait that have,
+/// the nearest on top; keeps the rest. What the budget leaves waits with the bound that it had.
+struct TakenPairs {
+  double squared_left;   ///< [m^2] of a lower bound of all that are kept or were never
+  std::uint32_t visits;  ///< for what it took
+};
+TakenPairs takeNearer(const MeshPair& pair, double squared_goal, std::uint32_t visit_budget,
+                      MeshFront& front, WaitingPairs& waiting) noexcept;
 
 /// Forgets all pairs: a search from the roots keeps others.
 /// @param step what `follow` said: the margin is to last for several of them.

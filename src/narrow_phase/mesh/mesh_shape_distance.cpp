@@ -29,8 +29,12 @@ SignedDistance coresOf(const MeshAndCore& pair, const NearestSearch& search,
     if (lies.is_inside && lies.hold < distance) {
       return {-lies.hold, best.on_b - lies.hold / length * way, best.on_b, -1.0 / length * way};
     }
-    const double sign = lies.is_inside ? -1.0 : 1.0;
-    return {sign * distance, best.on_a, best.on_b, sign / length * way};
+    if (lies.is_inside) {
+      return {-distance, best.on_a, best.on_b, -1.0 / length * way};
+    }
+    const double bound = std::sqrt(search.squaredBound());
+    const Vector3d on_b = bound < distance ? best.on_a + bound / length * way : best.on_b;
+    return {bound, best.on_a, on_b, 1.0 / length * way};
   }
   const Vector3d normal = anyNormalOf(prepare(pair.mesh.triangles()[search.nearest.a]));
   return {0.0, best.on_a, best.on_a, pair.core_from_mesh.rotation * normal};
@@ -66,6 +70,8 @@ MeshDistance measureCore(const PlacedMesh& a, const SweptCore& b, const Pose& wo
   NearestSearch search;
   const double core_limit = std::max(limits.stop_beyond + b.radius, 0.0);
   search.best.squared_distance = core_limit * core_limit;
+  search.tolerance = limits.tolerance;
+  search.radius = b.radius;
   search.best.on_b = anyPointOf(b.core);
   if (start.a < a.tree.triangles().size()) {
     measureTriangle(pair, start.a, search);

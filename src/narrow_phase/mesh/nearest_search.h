@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "narrow_phase/mesh/mesh_front.h"
 #include "narrow_phase/mesh/mesh_search.h"
 
@@ -12,14 +15,32 @@ namespace collision_monitor {
 struct NearestSearch {
   PointPair best;
   TrianglePair nearest;
+  double tolerance{0.0};  ///< [m] what is nearer than the best by less than that is left
+  double radius{0.0};     ///< [m] to be taken off distances: half of what is left then, at most
   std::uint32_t visits{0};
   double squared_open{std::numeric_limits<double>::infinity()};  ///< least bound left unopened
+  double squared_left{std::numeric_limits<double>::infinity()};  ///< and left by the tolerance
   MeshFront* front{nullptr};  ///< keeps what is left, if there is one
   /// Where `nearest` hangs.
   MeshQueryMemory::Waiting bounds{0.0F, MeshFront::kNone, MeshFront::kNone};
 
   /// False when the budget ended the search before it was certain.
-  bool isComplete() const noexcept { return best.squared_distance <= squared_open; }
+  bool isComplete() const noexcept { return squaredGoal() <= squared_open; }
+
+  /// [m^2] What is as far is not looked at.
+  double squaredGoal() const noexcept {
+    if (tolerance <= 0.0 || nearest.a == TrianglePair::kNone) {
+      return best.squared_distance;
+    }
+    const double distance = std::sqrt(best.squared_distance);
+    const double goal = distance - std::min(tolerance, 0.5 * std::max(0.0, distance - radius));
+    return goal * goal;
+  }
+
+  /// [m^2] Nothing is nearer.
+  double squaredBound() const noexcept {
+    return std::min(best.squared_distance, std::max(squaredGoal(), squared_left));
+  }
 
   /// [m^2] What is farther is neither looked at nor kept.
   double squaredReach() const noexcept {
@@ -27,7 +48,9 @@ struct NearestSearch {
                             : collision_monitor::squaredReach(best.squared_distance, *front);
   }
 
-  void leave(const MeshQueryMemory::Waiting& pair, double squared_bound) const noexcept {
+  /// It is looked at no more.
+  void leave(const MeshQueryMemory::Waiting& pair, double squared_bound) noexcept {
+    squared_left = std::min(squared_left, squared_bound);
     if (front != nullptr && pair.a != MeshFront::kNone) {
       keep(pair.a, pair.b, squared_bound, *front);
     }
@@ -42,7 +65,7 @@ void offer(const TrianglePair& triangles, const MeshQueryMemory::Waiting& bounds
            NearestSearch& search, const Measure& measure) noexcept {
   PointPair start = search.best;
   start.squared_distance = search.squaredReach();
-  const TriangleDistance found = measure(start, search.best.squared_distance);
+  const TriangleDistance found = measure(start, search.squaredGoal());
   if (found.nearest.squared_distance < search.best.squared_distance) {
     search.leave(search.bounds, search.best.squared_distance);
     search.best = found.nearest;
@@ -50,6 +73,8 @@ void offer(const TrianglePair& triangles, const MeshQueryMemory::Waiting& bounds
     search.bounds = bounds;
   } else if (bounds.a != search.bounds.a || bounds.b != search.bounds.b) {
     search.leave(bounds, found.squared_bound);
+  } else if (bounds.a == MeshFront::kNone) {
+    search.squared_left = std::min(search.squared_left, found.squared_bound);
   }
 }
 
@@ -62,7 +87,7 @@ void searchNearest(double enough, std::uint32_t visit_budget, WaitingPairs& wait
   while (!waiting.empty() && search.best.squared_distance > enough * enough) {
     const MeshQueryMemory::Waiting next = waiting.pop();
     const auto bound = static_cast<double>(next.squared_bound);
-    if (!(next.squared_bound < asLimit(search.best.squared_distance))) {
+    if (!(next.squared_bound < asLimit(search.squaredGoal()))) {
       search.leave(next, bound);
       continue;
     }

@@ -69,7 +69,7 @@ TEST_F(MeshLaws, distanceAndOverlap_areThoseOfAllPairsOfTriangles) {
     ASSERT_EQ(found.state, truth > kMeshExact ? MeshState::exact : MeshState::overlapping) << i;
     ASSERT_NEAR(found.measured.distance, truth, kMeshExact) << i;
     expectConsistent(found.measured);
-    ASSERT_EQ(overlap({a, scene.world_from_a}, {b, scene.world_from_b}, *memory_),
+    ASSERT_EQ(meshesOverlap({a, scene.world_from_a}, {b, scene.world_from_b}, *memory_),
               truth <= kMeshExact)
         << i << ": " << truth;
     worst = std::max(worst, std::abs(found.measured.distance - truth));
@@ -218,7 +218,7 @@ TEST_F(MeshLaws, queries_allocateNothing) {
     const Pose b = randomPose(random_, 1.0);
     distanceBetween({tree, a}, {tree, b}, *memory_);
     distanceBetween({tree, a}, {box, b}, *memory_);
-    overlap({tree, a}, {tree, b}, *memory_);
+    meshesOverlap({tree, a}, {tree, b}, *memory_);
   }
   EXPECT_EQ(guard.count(), 0U);
 }

@@ -120,11 +120,11 @@ TEST_F(MeshDepthTest, bodiesInEachOther_areHeldByLessAndFreedByMore) {
     ASSERT_TRUE(found.found.is_complete);
     ASSERT_LE(found.at_least, found.out.length + kExact);
     const auto moved = [&](const Vector3d& way) { return Pose{b.rotation, b.translation + way}; };
-    ASSERT_FALSE(overlap({body, a}, {body, moved((found.out.length + 1e-9) * found.out.direction)},
-                         *memory_));
+    ASSERT_FALSE(meshesOverlap(
+        {body, a}, {body, moved((found.out.length + 1e-9) * found.out.direction)}, *memory_));
     for (int k = 0; k < 10 && found.at_least > 0.0; ++k, ++deep) {
       const Vector3d way = 0.999 * found.at_least * randomPoint(random, 1.0).normalized();
-      ASSERT_TRUE(overlap({body, a}, {body, moved(way)}, *memory_));
+      ASSERT_TRUE(meshesOverlap({body, a}, {body, moved(way)}, *memory_));
     }
   }
   EXPECT_GT(deep, 100);

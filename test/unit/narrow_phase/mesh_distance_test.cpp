@@ -26,7 +26,7 @@ class Meshes : public testing::Test {
   }
   bool meet(const MeshTree& a, const Pose& world_from_a, const MeshTree& b,
             const Pose& world_from_b) {
-    return overlap({a, world_from_a}, {b, world_from_b}, *memory_);
+    return meshesOverlap({a, world_from_a}, {b, world_from_b}, *memory_);
   }
   MeshDistance shapeDistance(const MeshTree& a, const Shape& b, const Pose& world_from_b) {
     return distanceBetween({a, at(0, 0, 0)}, {b, world_from_b}, *memory_);

@@ -47,7 +47,8 @@ class MeshWinding : public testing::Test {
     const Pose here;
     const Pose there{Eigen::Matrix3d::Identity(), to_b};
     const MeshDistance found = distanceBetween({a, here}, {b, there}, *memory_);
-    EXPECT_EQ(overlap({a, here}, {b, there}, *memory_), found.state == MeshState::overlapping);
+    EXPECT_EQ(meshesOverlap({a, here}, {b, there}, *memory_),
+              found.state == MeshState::overlapping);
     return found;
   }
   MeshDistance distance(const MeshTree& a, const ConvexGeometry& b, const Vector3d& to_b) {

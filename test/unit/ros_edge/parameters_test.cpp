@@ -225,6 +225,7 @@ TEST(Parameters, fitting_isRead) {
   values["refine_geometry"] = "hull";
   values["refine_distance"] = 0.03;
   values["refine_budget"] = 500;
+  values["distance_tolerance"] = 0.002;
   values["continuous"] = false;
   values["shape_rules"] = "package://robot/rules.yaml";
   values["fit_cache"] = "none";
@@ -232,6 +233,7 @@ TEST(Parameters, fitting_isRead) {
   const Parameters parameters = readParameters(values, "/m", report);
   EXPECT_TRUE(report.errors.empty());
   EXPECT_EQ(parameters.setup.default_limits.max_shapes, 7U);
+  EXPECT_EQ(parameters.setup.refine.limits.tolerance, 0.002);
   EXPECT_EQ(parameters.setup.default_limits.target_overshoot, 0.02);
   EXPECT_EQ(parameters.setup.refine.geometry, RefineGeometry::hull);
   EXPECT_EQ(parameters.setup.refine.limits.distance, 0.03);
