@@ -6,6 +6,7 @@ foreach(name dae_check dae_nodes helper_main mesh_builder mesh_bytes mesh_reader
         xml_document)
   list(APPEND mesh_reading_sources ${PROJECT_SOURCE_DIR}/src/model/${name}.cpp)
 endforeach()
+list(APPEND mesh_reading_sources ${PROJECT_SOURCE_DIR}/src/geometry/weld_vertices.cpp)
 add_library(${PROJECT_NAME}_mesh_reading OBJECT ${mesh_reading_sources})
 set_target_properties(${PROJECT_NAME}_mesh_reading PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_include_directories(${PROJECT_NAME}_mesh_reading

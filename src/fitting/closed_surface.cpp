@@ -8,6 +8,7 @@
 
 #include "collision_monitor/geometry/winding.h"
 #include "geometry/constants.h"
+#include "geometry/triangle_sides.h"
 #include "geometry/weld_vertices.h"
 
 namespace collision_monitor {
@@ -33,26 +34,11 @@ TriangleMesh welded(const TriangleMesh& mesh) {
 
 /// Every edge has one triangle in each direction.
 bool isClosed(const TriangleMesh& mesh) {
-  // An edge as a number, smaller vertex first, then the direction.
-  std::vector<std::array<std::uint32_t, 3>> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = t[i];
-      const std::uint32_t to = t[(i + 1) % 3];
-      edges.push_back({std::min(from, to), std::max(from, to), from < to ? 0u : 1u});
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    // Sorted, a closed surface reads: forward, backward, forward, backward, no pair twice.
-    const auto& edge = edges[i];
-    if (edge[2] != i % 2 ||
-        (i % 2 == 1 && (edge[0] != edges[i - 1][0] || edge[1] != edges[i - 1][1]))) {
-      return false;
-    }
-  }
-  return !edges.empty() && edges.size() % 2 == 0;
+  bool is_closed = !mesh.triangles.empty();
+  forEdges(sidesOf(mesh.triangles, mesh.vertices.size()), [&](auto first, auto last) {
+    is_closed = is_closed && last - first == 2 && first->is_forward != (first + 1)->is_forward;
+  });
+  return is_closed;
 }
 
 double volumeOf(const TriangleMesh& mesh, const Vector3d& centre) {

@@ -17,24 +17,52 @@ constexpr double kFlat = 1e-13;  // of the extent: corners this near to a plane 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
-// The diagonals of a flat hull belong to a triangle on either side.
-using TriangleOfEdge = std::multimap<DirectedEdge, std::uint32_t>;
+
+// The triangles that run along each edge, sorted by edge. The diagonals of a flat hull belong to a
+// triangle on either side.
+class TriangleOfEdge {
+ public:
+  using Entry = std::pair<DirectedEdge, std::uint32_t>;
+
+  explicit TriangleOfEdge(const TriangleMesh& mesh) {
+    entries_.reserve(3 * mesh.triangles.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& corners = mesh.triangles[t];
+      for (std::size_t k = 0; k < 3; ++k) {
+        entries_.push_back({{corners[k], corners[(k + 1) % 3]}, t});
+      }
+    }
+    std::sort(entries_.begin(), entries_.end());
+    first_.assign(mesh.vertices.size() + 1, 0);
+    for (const Entry& entry : entries_) {
+      ++first_[entry.first.first + 1];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  }
+
+  const std::vector<Entry>& all() const { return entries_; }
+
+  std::pair<const Entry*, const Entry*> of(const DirectedEdge& edge) const {
+    const Entry* first = entries_.data() + first_[edge.first];
+    const Entry* const end = entries_.data() + first_[edge.first + 1];
+    const auto is_before = [&](const Entry& entry) { return entry.first.second < edge.second; };
+    first = std::partition_point(first, end, is_before);
+    const Entry* last = first;
+    while (last != end && last->first == edge) {
+      ++last;
+    }
+    return {first, last};
+  }
+
+ private:
+  std::vector<Entry> entries_;
+  std::vector<std::size_t> first_;  // by the vertex where an edge begins
+};
 
 Eigen::Vector3d crossOf(const TriangleMesh& mesh, std::uint32_t triangle) {
   const auto& corners = mesh.triangles[triangle];
   const Eigen::Vector3d& a = mesh.vertices[corners[0]];
   return (mesh.vertices[corners[1]] - a).cross(mesh.vertices[corners[2]] - a);
-}
-
-TriangleOfEdge mapEdges(const TriangleMesh& mesh) {
-  TriangleOfEdge triangle_of;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& corners = mesh.triangles[t];
-    for (std::size_t k = 0; k < 3; ++k) {
-      triangle_of.insert({{corners[k], corners[(k + 1) % 3]}, t});
-    }
-  }
-  return triangle_of;
 }
 
 ConvexHull::Face supportingFace(const TriangleMesh& mesh, const Eigen::Vector3d& normal) {
@@ -66,8 +94,8 @@ void floodFace(const TriangleMesh& mesh, const TriangleOfEdge& triangle_of, std:
     const auto corners = mesh.triangles[open.back()];
     open.pop_back();
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto [first, last] = triangle_of.equal_range({corners[(k + 1) % 3], corners[k]});
-      for (auto next = first; next != last; ++next) {
+      const auto [first, last] = triangle_of.of({corners[(k + 1) % 3], corners[k]});
+      for (const auto* next = first; next != last; ++next) {
         if (face_of[next->second] == kNone && liesIn(face, mesh, next->second, slack)) {
           face_of[next->second] = id;
           open.push_back(next->second);
@@ -80,9 +108,13 @@ void floodFace(const TriangleMesh& mesh, const TriangleOfEdge& triangle_of, std:
 std::vector<ConvexHull::Edge> edgesBetween(const TriangleOfEdge& triangle_of,
                                            const std::vector<std::uint32_t>& face_of) {
   std::vector<ConvexHull::Edge> edges;
-  for (const auto& [edge, triangle] : triangle_of) {
-    const auto other = triangle_of.find({edge.second, edge.first});
-    if (edge.first > edge.second || other == triangle_of.end() || triangle_of.count(edge) > 1) {
+  for (const auto& [edge, triangle] : triangle_of.all()) {
+    if (edge.first > edge.second) {
+      continue;
+    }
+    const auto [own, own_end] = triangle_of.of(edge);
+    const auto [other, other_end] = triangle_of.of({edge.second, edge.first});
+    if (other == other_end || own_end - own > 1) {
       continue;
     }
     const std::uint32_t left = face_of[triangle];
@@ -132,7 +164,7 @@ bool areClosed(const HullFaces& gathered, const TriangleMesh& mesh) {
 
 HullFaces gatherFaces(const TriangleMesh& mesh, double extent) {
   HullFaces gathered;
-  const TriangleOfEdge triangle_of = mapEdges(mesh);
+  const TriangleOfEdge triangle_of(mesh);
   std::vector<double> areas(mesh.triangles.size());
   for (std::uint32_t t = 0; t < areas.size(); ++t) {
     areas[t] = crossOf(mesh, t).norm();

@@ -25,4 +25,6 @@ void throwIfInterrupted() {
   }
 }
 
+GoesOn goesOnHere() { return asked == nullptr ? GoesOn() : GoesOn(std::ref(*asked)); }
+
 }  // namespace collision_monitor

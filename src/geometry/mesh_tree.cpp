@@ -214,7 +214,11 @@ void boundBySlabs(const std::vector<Builder::Extents>& extents,
 
 MeshTree MeshTree::ofOpen(const TriangleMesh& mesh) {
   checkMesh(mesh);
-  const TriangleMesh oriented = orientedSurface(mesh);
+  return ofOriented(orientedSurface(mesh));
+}
+
+MeshTree MeshTree::ofOriented(const TriangleMesh& oriented) {
+  checkMesh(oriented);
   return MeshTree(oriented, false, openSurfaceOf(oriented));
 }
 

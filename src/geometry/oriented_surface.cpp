@@ -4,54 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <tuple>
 
 #include "collision_monitor/geometry/winding.h"
+#include "geometry/triangle_sides.h"
 #include "geometry/weld_vertices.h"
 
 namespace collision_monitor {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
-
-// A side of a triangle, smaller vertex first.
-struct Side {
-  std::uint32_t low;
-  std::uint32_t high;
-  std::uint32_t triangle;
-  bool is_forward;  // from low to high
-
-  bool hasEdgeOf(const Side& other) const { return low == other.low && high == other.high; }
-};
-
-// By edge; not of triangles that have a corner twice.
-std::vector<Side> sidesOf(const std::vector<Corners>& triangles) {
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    const Corners& t = triangles[i];
-    for (std::size_t k = 0; k < 3 && t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; ++k) {
-      const std::uint32_t from = t[k];
-      const std::uint32_t to = t[(k + 1) % 3];
-      sides.push_back({std::min(from, to), std::max(from, to), i, from < to});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
-  return sides;
-}
-
-// Calls visit(first, last) for the sides along each edge.
-template <class Visit>
-void forEdges(const std::vector<Side>& sides, const Visit& visit) {
-  for (auto first = sides.begin(); first != sides.end();) {
-    const auto last = std::find_if_not(first, sides.end(),
-                                       [&](const Side& side) { return side.hasEdgeOf(*first); });
-    visit(first, last);
-    first = last;
-  }
-}
 
 std::vector<Corners> weldedTriangles(const TriangleMesh& mesh) {
   const std::vector<std::uint32_t> first = firstEquals(mesh.vertices);
@@ -89,15 +50,15 @@ using Neighbours = std::vector<std::array<Neighbour, 3>>;
 
 constexpr std::uint32_t kNobody = 0xffffffffU;
 
-Neighbours neighboursOf(const std::vector<Corners>& triangles) {
+Neighbours neighboursOf(const std::vector<Corners>& triangles, std::size_t vertex_count) {
   Neighbours neighbours(triangles.size(), {{{kNobody, false}, {kNobody, false}, {kNobody, false}}});
-  const auto add = [&](const Side& side, const Side& other) {
+  const auto add = [&](const TriangleSide& side, const TriangleSide& other) {
     const auto free =
         std::find_if(neighbours[side.triangle].begin(), neighbours[side.triangle].end() - 1,
                      [](const Neighbour& n) { return n.triangle == kNobody; });
     *free = {other.triangle, side.is_forward == other.is_forward};
   };
-  forEdges(sidesOf(triangles), [&](auto first, auto last) {
+  forEdges(sidesOf(triangles, vertex_count), [&](auto first, auto last) {
     if (last - first == 2) {
       add(*first, *(first + 1));
       add(*(first + 1), *first);
@@ -118,7 +79,7 @@ class Turning {
   Turning(const TriangleMesh& mesh, std::vector<Corners>& triangles)
       : mesh_(mesh),
         triangles_(triangles),
-        neighbours_(neighboursOf(triangles)),
+        neighbours_(neighboursOf(triangles, mesh.vertices.size())),
         is_seen_(triangles.size(), 0),
         turns_(triangles.size(), 0) {}
 
@@ -178,7 +139,7 @@ TriangleMesh orientedSurface(const TriangleMesh& mesh) {
 SurfaceRim rimOf(const TriangleMesh& mesh) {
   SurfaceRim rim;
   rim.edges.vertices = mesh.vertices;
-  forEdges(sidesOf(weldedTriangles(mesh)), [&](auto first, auto last) {
+  forEdges(sidesOf(weldedTriangles(mesh), mesh.vertices.size()), [&](auto first, auto last) {
     int ends = 0;
     for (auto side = first; side != last; ++side) {
       ends += side->is_forward ? 1 : -1;

@@ -3,24 +3,66 @@
 #include "geometry/weld_vertices.h"
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
+#include <cstring>
+#include <limits>
 
 namespace collision_monitor {
+namespace {
+
+constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
+
+/// Adding 0 turns -0 into 0: they are equal, and so their hashes must be.
+std::size_t hashOf(const Eigen::Vector3d& vertex) noexcept {
+  std::uint64_t hash = 0;
+  for (const double coordinate : {vertex.x() + 0.0, vertex.y() + 0.0, vertex.z() + 0.0}) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &coordinate, sizeof bits);
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15ULL;
+    hash ^= hash >> 32U;
+  }
+  return hash;
+}
+
+}  // namespace
+
+std::uint32_t VertexTable::firstEqual(const Eigen::Vector3d& vertex, std::uint32_t own,
+                                      const std::vector<Eigen::Vector3d>& vertices) {
+  if (2 * count_ >= slots_.size()) {
+    grow(vertices);
+  }
+  const std::size_t last = slots_.size() - 1;
+  std::size_t slot = hashOf(vertex) & last;
+  while (slots_[slot] != kFree && vertices[slots_[slot]] != vertex) {
+    slot = (slot + 1) & last;
+  }
+  if (slots_[slot] == kFree) {
+    slots_[slot] = own;
+    ++count_;
+  }
+  return slots_[slot];
+}
+
+void VertexTable::grow(const std::vector<Eigen::Vector3d>& vertices) {
+  constexpr std::size_t kFirst = 64;  // a power of two, as all that follow
+  const std::vector<std::uint32_t> old = std::move(slots_);
+  slots_.assign(std::max(kFirst, 4 * old.size()), kFree);
+  const std::size_t last = slots_.size() - 1;
+  for (const std::uint32_t number : old) {
+    if (number != kFree) {
+      std::size_t slot = hashOf(vertices[number]) & last;
+      while (slots_[slot] != kFree) {
+        slot = (slot + 1) & last;
+      }
+      slots_[slot] = number;
+    }
+  }
+}
 
 std::vector<std::uint32_t> firstEquals(const std::vector<Eigen::Vector3d>& vertices) {
-  std::vector<std::uint32_t> order(vertices.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto key = [&](std::uint32_t i) {
-    return std::make_tuple(vertices[i].x(), vertices[i].y(), vertices[i].z());
-  };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::tuple_cat(key(a), std::make_tuple(a)) < std::tuple_cat(key(b), std::make_tuple(b));
-  });
+  VertexTable table;
   std::vector<std::uint32_t> first(vertices.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool equals_last = i > 0 && key(order[i]) == key(order[i - 1]);
-    first[order[i]] = equals_last ? first[order[i - 1]] : order[i];
+  for (std::uint32_t i = 0; i < first.size(); ++i) {
+    first[i] = table.firstEqual(vertices[i], i, vertices);
   }
   return first;
 }

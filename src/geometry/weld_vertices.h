@@ -3,10 +3,28 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace collision_monitor {
+
+/// Finds vertices by their coordinates. 0 and -0 are equal. @pre no coordinate is NaN.
+class VertexTable {
+ public:
+  /// The number of the first vertex of the list that equals this one; if none was looked for
+  /// before, that is `own`.
+  /// @param vertices a list that may grow at its end; holds `vertex` at `own` or will do so before
+  /// the next call.
+  std::uint32_t firstEqual(const Eigen::Vector3d& vertex, std::uint32_t own,
+                           const std::vector<Eigen::Vector3d>& vertices);
+
+ private:
+  void grow(const std::vector<Eigen::Vector3d>& vertices);
+
+  std::vector<std::uint32_t> slots_;  ///< numbers of vertices, each near the place of its hash
+  std::size_t count_{0};
+};
 
 /// For each vertex the first one that equals it.
 std::vector<std::uint32_t> firstEquals(const std::vector<Eigen::Vector3d>& vertices);

@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -24,14 +23,6 @@ bool hasArea(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
 
 }  // namespace
 
-std::size_t MeshBuilder::Hash::operator()(const std::array<double, 3>& position) const noexcept {
-  std::size_t seed = 0;
-  for (const double coordinate : position) {
-    seed = seed * 0x9E3779B97F4A7C15ull + std::hash<double>()(coordinate);
-  }
-  return seed ^ (seed >> 29);
-}
-
 std::uint32_t MeshBuilder::addVertex(const Eigen::Vector3d& vertex) {
   if (!vertex.allFinite()) {
     throw std::runtime_error("vertex " + std::to_string(mesh_.vertices.size()) +
@@ -40,14 +31,13 @@ std::uint32_t MeshBuilder::addVertex(const Eigen::Vector3d& vertex) {
   if (mesh_.vertices.size() >= std::numeric_limits<std::uint32_t>::max()) {
     throw std::runtime_error("more vertices than a mesh can index");
   }
-  // Adding 0 turns -0 into 0: they compare equal, and so their hashes must be.
-  const std::array<double, 3> key{vertex.x() + 0.0, vertex.y() + 0.0, vertex.z() + 0.0};
-  const auto [found, is_new] =
-      index_of_.emplace(key, static_cast<std::uint32_t>(mesh_.vertices.size()));
-  if (is_new) {
-    mesh_.vertices.emplace_back(key[0], key[1], key[2]);
+  const auto own = static_cast<std::uint32_t>(mesh_.vertices.size());
+  const std::uint32_t first = table_.firstEqual(vertex, own, mesh_.vertices);
+  if (first == own) {
+    // Adding 0 turns -0 into 0, so that the order of equal vertices leaves no trace.
+    mesh_.vertices.emplace_back(vertex + Eigen::Vector3d::Zero());
   }
-  return found->second;
+  return first;
 }
 
 void MeshBuilder::addTriangle(const std::array<std::uint32_t, 3>& corners) {

@@ -5,10 +5,10 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <unordered_map>
 #include <utility>
 
 #include "collision_monitor/geometry/triangle_mesh.h"
+#include "geometry/weld_vertices.h"
 
 namespace collision_monitor {
 
@@ -26,12 +26,8 @@ class MeshBuilder {
   TriangleMesh takeMesh() { return std::move(mesh_); }
 
  private:
-  struct Hash {
-    std::size_t operator()(const std::array<double, 3>& position) const noexcept;
-  };
-
   TriangleMesh mesh_;
-  std::unordered_map<std::array<double, 3>, std::uint32_t, Hash> index_of_;
+  VertexTable table_;
 };
 
 }  // namespace collision_monitor

@@ -10,6 +10,7 @@
 
 #include "collision_monitor/geometry/triangle_bvh.h"
 #include "collision_monitor/narrow_phase/distance.h"
+#include "collision_monitor/narrow_phase/mesh_openness.h"
 #include "fitting/closed_surface.h"
 #include "narrow_phase/mesh/mesh_inside.h"
 #include "pipeline/open_meshes.h"
@@ -39,8 +40,7 @@ void addCorners(const Vector3d& centre, double half, TriangleMesh& cells) {
 }
 
 /// The corners of cells that are inside the mesh and in none of the shapes.
-TriangleMesh hollowOf(const TriangleMesh& mesh, const Fit& fit) {
-  const MeshTree tree = treeOfOpen(mesh);
+TriangleMesh hollowOf(const TriangleMesh& mesh, const MeshTree& tree, const Fit& fit) {
   const Aabb box = TriangleBvh(mesh).bounds();
   const Vector3d size = box.max - box.min;
   const double cell = size.maxCoeff() / kCells;
@@ -63,10 +63,15 @@ TriangleMesh hollowOf(const TriangleMesh& mesh, const Fit& fit) {
 
 void fillHollow(const Geometry& geometry, const ShapeKinds& kinds, Fit& fit) {
   const auto* mesh = std::get_if<TriangleMesh>(&geometry);
-  if (mesh == nullptr || mesh->triangles.empty() || fit.shapes.size() < 2 || closedSurface(*mesh)) {
+  if (mesh == nullptr || mesh->triangles.empty() || closedSurface(*mesh)) {
     return;
   }
-  const TriangleMesh hollow = hollowOf(*mesh, fit);
+  const MeshTree tree = treeOfOpen(*mesh);
+  fit.openness = opennessOf(tree);
+  if (fit.shapes.size() < 2) {
+    return;
+  }
+  const TriangleMesh hollow = hollowOf(*mesh, tree, fit);
   if (hollow.vertices.empty()) {
     return;
   }

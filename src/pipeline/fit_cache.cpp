@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Part of every key: to be changed with every change of fitting that gives other shapes.
-const std::string kMethod = "collision_monitor fits, method 7";
+const std::string kMethod = "collision_monitor fits, method 8";
 
 /// Appends the bytes of plain values, so that no two different lists give the same bytes.
 struct Bytes {
@@ -126,6 +126,7 @@ std::string fitKey(const std::vector<Geometry>& geometries, const FitLimits& lim
 FitCache::FitCache(fs::path directory) : directory_(std::move(directory)) {}
 
 const std::vector<Fit>* FitCache::findRepeated(const std::string& key) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = kept_.find(key);
   return found == kept_.end() ? nullptr : &found->second;
 }
@@ -143,6 +144,7 @@ std::optional<std::vector<Fit>> FitCache::load(const std::string& key,
     // No file, or one that the disk fails to give: as good as a damaged one.
   }
   if (!fits || !holdFor(*fits, geometries)) {
+    const std::lock_guard<std::mutex> lock(mutex_);
     ++rejected_count_;
     return std::nullopt;
   }
@@ -150,11 +152,21 @@ std::optional<std::vector<Fit>> FitCache::load(const std::string& key,
 }
 
 void FitCache::keep(const std::string& key, const std::vector<Fit>& fits, bool is_from_file) {
-  kept_[key] = fits;
-  // After one failure the others would fail too, each perhaps after a time-out of the network.
-  if (!directory_.empty() && !is_from_file && write_fault_.empty()) {
+  bool can_write = !directory_.empty() && !is_from_file;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    kept_[key] = fits;
+    // After one failure the others would fail too, each perhaps after a time-out of the network.
+    can_write = can_write && write_fault_.empty();
+  }
+  if (can_write) {
     write(key, fits);
   }
+}
+
+void FitCache::noteFault(const std::string& fault) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  write_fault_ = fault;
 }
 
 fs::path FitCache::fileOf(const std::string& key) const { return directory_ / (key + ".fit"); }
@@ -174,7 +186,7 @@ void FitCache::write(const std::string& key, const std::vector<Fit>& fits) {
     }
   }
   if (fault) {
-    write_fault_ = fault.message();
+    noteFault(fault.message());
     std::error_code ignored;
     fs::remove(temporary, ignored);
   }

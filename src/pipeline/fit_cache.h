@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,8 +22,8 @@ std::string fitKey(const std::vector<Geometry>& geometries, const FitLimits& lim
 /// Files are never trusted: what is no regular file, damaged, of another version, or does not
 /// provably enclose the geometry is none, counted, and overwritten by what is fitted instead. They
 /// are written under another name and renamed, so that programs that start at once never see half a
-/// file. Any file may be deleted at any time. Limits: for one thread; other programs may use the
-/// directory at the same time.
+/// file. Any file may be deleted at any time. Several threads, and other programs, may use it at
+/// the same time.
 class FitCache {
  public:
   /// An empty directory means memory alone.
@@ -38,7 +39,7 @@ class FitCache {
   /// Keeps fits in memory, and in the directory if they are not from there.
   void keep(const std::string& key, const std::vector<Fit>& fits, bool is_from_file);
 
-  /// Files that were there and of no use.
+  /// Files that were there and of no use. Both are to be asked when all threads are done.
   std::size_t rejectedCount() const { return rejected_count_; }
   /// Why the directory could not be written, once; empty if it could.
   const std::string& writeFault() const { return write_fault_; }
@@ -46,8 +47,10 @@ class FitCache {
  private:
   std::filesystem::path fileOf(const std::string& key) const;
   void write(const std::string& key, const std::vector<Fit>& fits);
+  void noteFault(const std::string& fault);
 
   std::filesystem::path directory_;
+  mutable std::mutex mutex_;  ///< of all below
   std::map<std::string, std::vector<Fit>> kept_;
   std::size_t rejected_count_{0};
   std::string write_fault_;

@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/pipeline/fit_links.h"
 
+#include <chrono>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "collision_monitor/fitting/covering.h"
 #include "collision_monitor/geometry/interruption.h"
+#include "geometry/all_cores.h"
 #include "pipeline/fill_hollow.h"
 #include "pipeline/fit_cache.h"
 
@@ -85,29 +89,113 @@ void reportFault(const Link& link, const FitLimits& limits, const std::string& f
   }
 }
 
-void fitLink(const Link& link, const FitLimits& limits, FitCache& cache, LinkFit& fit) {
+/// @return false, behind an error, where the geometry is of no use.
+bool takeSoundGiven(const Link& link, const FitLimits& limits, const GivenShapes& given,
+                    LinkFit& fit, SetupReport& report) {
+  try {
+    takeGiven(link, given, fit, report);
+    return true;
+  } catch (const std::invalid_argument& fault) {
+    reportFault(link, limits, fault.what(), report);
+    return false;
+  }
+}
+
+/// A link that gets its shapes from its geometries.
+struct FitTask {
+  const Link* link{nullptr};
+  std::size_t number{0};  ///< of the link
+  std::size_t place{0};   ///< in the list of all fits
+  FitLimits limits;
+  std::string key;
+  std::string fault;  ///< why there are no shapes
+};
+
+std::vector<Geometry> geometriesOf(const Link& link) {
   std::vector<Geometry> geometries;
   for (const CollisionElement& element : link.collisions) {
     geometries.push_back(element.geometry);
   }
-  const std::string key = fitKey(geometries, limits);
-  if (const std::vector<Fit>* repeated = cache.findRepeated(key)) {
-    fit.source = FitSource::repeated;
-    fit.fits = *repeated;
-    return;
-  }
-  if (std::optional<std::vector<Fit>> loaded = cache.load(key, geometries)) {
+  return geometries;
+}
+
+void fitLink(FitTask& task, FitCache& cache, LinkFit& fit) {
+  const std::vector<Geometry> geometries = geometriesOf(*task.link);
+  if (std::optional<std::vector<Fit>> loaded = cache.load(task.key, geometries)) {
     fit.source = FitSource::cached;
     fit.fits = std::move(*loaded);
-  } else {
+    cache.keep(task.key, fit.fits, true);
+    return;
+  }
+  try {
     fit.source = FitSource::fitted;
-    fit.fits = fitGeometries(geometries, limits);
+    fit.fits = fitGeometries(geometries, task.limits);
+    for (std::size_t i = 0; i < geometries.size(); ++i) {
+      fillHollow(geometries[i], task.limits.kinds, fit.fits[i]);
+      fit.fits[i].inner = inscribeShapes(geometries[i]);
+    }
+    cache.keep(task.key, fit.fits, false);
+  } catch (const std::invalid_argument& fault) {
+    task.fault = fault.what();
   }
-  for (std::size_t i = 0; i < geometries.size(); ++i) {
-    fillHollow(geometries[i], limits.kinds, fit.fits[i]);
-  }
-  cache.keep(key, fit.fits, fit.source == FitSource::cached);
 }
+
+/// Links that are alike are fitted once; on all processors, each link on one.
+class LinkFitter {
+  using Clock = std::chrono::steady_clock;
+
+ public:
+  LinkFitter(const FitSettings& settings, const FitProgress& progress, std::size_t total)
+      : cache_(settings.cache_directory), progress_(progress), total_(total) {}
+
+  void fit(std::vector<FitTask>& tasks, std::vector<LinkFit>& fits) {
+    forEachOnAllCores(tasks.size(), [&](std::size_t i) {
+      tasks[i].key = fitKey(geometriesOf(*tasks[i].link), tasks[i].limits);
+    });
+    std::map<std::string, std::size_t> first_of;
+    std::vector<std::size_t> first;
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      if (first_of.emplace(tasks[i].key, i).second) {
+        first.push_back(i);
+      }
+    }
+    forEachOnAllCores(first.size(), [&](std::size_t i) {
+      FitTask& task = tasks[first[i]];
+      tellUpTo(first[i], tasks);
+      const auto start = Clock::now();
+      fitLink(task, cache_, fits[task.place]);
+      fits[task.place].seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    });
+    if (!tasks.empty()) {
+      tellUpTo(tasks.size() - 1, tasks);
+    }
+    for (FitTask& task : tasks) {
+      const FitTask& like = tasks[first_of.at(task.key)];
+      if (like.place != task.place) {
+        task.fault = like.fault;
+        fits[task.place].fits = fits[like.place].fits;
+        fits[task.place].source = FitSource::repeated;
+      }
+    }
+  }
+
+  const FitCache& cache() const { return cache_; }
+
+ private:
+  /// In the order of links, whatever the order in which threads come here.
+  void tellUpTo(std::size_t last, const std::vector<FitTask>& tasks) {
+    const std::lock_guard<std::mutex> lock(telling_);
+    for (; progress_ && told_ <= last; ++told_) {
+      progress_(tasks[told_].link->name, tasks[told_].number, total_);
+    }
+  }
+
+  FitCache cache_;
+  const FitProgress& progress_;
+  std::size_t total_;
+  std::size_t told_{0};  ///< tasks
+  std::mutex telling_;
+};
 
 void reportCache(const std::filesystem::path& directory, const FitCache& cache,
                  SetupReport& report) {
@@ -142,8 +230,8 @@ const char* nameOf(FitSource source) noexcept {
 
 std::vector<LinkFit> fitLinks(const RobotModel& model, const FitSettings& settings,
                               const FitProgress& progress, SetupReport& report) {
-  FitCache cache(settings.cache_directory);
   std::vector<LinkFit> all;
+  std::vector<FitTask> tasks;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     throwIfInterrupted();
     const Link& link = model.links[i];
@@ -151,30 +239,37 @@ std::vector<LinkFit> fitLinks(const RobotModel& model, const FitSettings& settin
     if (link.collisions.empty() && !rules.given) {
       continue;
     }
-    if (progress) {
-      progress(link.name, i, model.links.size());
-    }
     LinkFit fit;
     fit.link = idAt<LinkId>(i);
     fit.padding = rules.padding.value_or(settings.padding);
     const FitLimits limits = limitsFor(settings, rules);
-    try {
-      if (rules.given) {
-        takeGiven(link, *rules.given, fit, report);
-      } else {
-        fitLink(link, limits, cache, fit);
-      }
-    } catch (const std::invalid_argument& fault) {
-      reportFault(link, limits, fault.what(), report);
+    if (!rules.given) {
+      tasks.push_back({&link, i, all.size(), limits, {}, {}});
+    } else if (!takeSoundGiven(link, limits, *rules.given, fit, report)) {
       continue;
     }
     all.push_back(std::move(fit));
   }
+  LinkFitter fitter(settings, progress, model.links.size());
+  fitter.fit(tasks, all);
+  std::vector<bool> is_faulty(all.size(), false);
+  for (const FitTask& task : tasks) {
+    if (!task.fault.empty()) {
+      reportFault(*task.link, task.limits, task.fault, report);
+      is_faulty[task.place] = true;
+    }
+  }
+  std::vector<LinkFit> fits;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!is_faulty[i]) {
+      fits.push_back(std::move(all[i]));
+    }
+  }
   if (progress) {
     progress("", model.links.size(), model.links.size());
   }
-  reportCache(settings.cache_directory, cache, report);
-  return all;
+  reportCache(settings.cache_directory, fitter.cache(), report);
+  return fits;
 }
 
 }  // namespace collision_monitor

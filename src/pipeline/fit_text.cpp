@@ -12,8 +12,9 @@
 namespace collision_monitor {
 namespace {
 
-const std::string kHeader = "collision_monitor fits 2\n";
+const std::string kHeader = "collision_monitor fits 3\n";
 const std::string kHashLine = "sha256 ";
+constexpr double kNotMeasured = -1.0;
 
 // ---- writing
 
@@ -23,6 +24,13 @@ void append(const Eigen::Vector3d& vector, std::string& text) {
   append(vector.x(), text);
   append(vector.y(), text);
   append(vector.z(), text);
+}
+
+void append(const Pose& pose, std::string& text) {
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    append(Eigen::Vector3d(pose.rotation.row(row)), text);
+  }
+  append(pose.translation, text);
 }
 
 void append(const Overshoot& overshoot, std::string& text) {
@@ -35,13 +43,22 @@ void append(const Enclosure& enclosure, std::string& text) {
   text += std::string("shape ") + kindName(enclosure.shape);
   append(coreHalfExtents(enclosure.shape), text);
   append(radiusOf(enclosure.shape), text);
-  for (Eigen::Index row = 0; row < 3; ++row) {
-    append(Eigen::Vector3d(enclosure.geometry_from_body.rotation.row(row)), text);
-  }
-  append(enclosure.geometry_from_body.translation, text);
+  append(enclosure.geometry_from_body, text);
   append(enclosure.overshoot, text);
   append(enclosure.widening, text);
   text += enclosure.is_exact ? " exact\n" : " enclosing\n";
+}
+
+void append(const std::optional<PosedShape>& inner, std::string& text) {
+  if (!inner) {
+    text += "none\n";
+    return;
+  }
+  text += kindName(inner->shape);
+  append(coreHalfExtents(inner->shape), text);
+  append(radiusOf(inner->shape), text);
+  append(inner->geometry_from_body, text);
+  text += "\n";
 }
 
 // ---- reading; a stream that failed stays so, and everything read from it then is of no use
@@ -98,26 +115,51 @@ std::optional<Shape> makeShape(const std::string& kind, const Eigen::Vector3d& c
   return std::nullopt;
 }
 
-void read(std::istream& in, Enclosure& enclosure) {
-  expect(in, "shape");
-  std::string kind;
-  in >> kind;
+void read(std::istream& in, Pose& pose) {
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    Eigen::Vector3d numbers = Eigen::Vector3d::Zero();
+    read(in, numbers);
+    pose.rotation.row(row) = numbers;
+  }
+  read(in, pose.translation);
+}
+
+/// A shape behind the name of its kind, and where it is.
+std::optional<Shape> readShape(const std::string& kind, std::istream& in, Pose& pose) {
   Eigen::Vector3d core = Eigen::Vector3d::Zero();
   double radius = 0.0;
   read(in, core);
   read(in, radius);
-  for (Eigen::Index row = 0; row < 3; ++row) {
-    Eigen::Vector3d numbers = Eigen::Vector3d::Zero();
-    read(in, numbers);
-    enclosure.geometry_from_body.rotation.row(row) = numbers;
+  read(in, pose);
+  const std::optional<Shape> shape = makeShape(kind, core, radius);
+  if (!shape) {
+    in.setstate(std::ios::failbit);
   }
-  read(in, enclosure.geometry_from_body.translation);
+  return shape;
+}
+
+void read(std::istream& in, std::optional<PosedShape>& inner) {
+  std::string kind;
+  in >> kind;
+  if (kind == "none") {
+    return;
+  }
+  Pose pose;
+  if (const std::optional<Shape> shape = readShape(kind, in, pose)) {
+    inner = PosedShape{*shape, pose};
+  }
+}
+
+void read(std::istream& in, Enclosure& enclosure) {
+  expect(in, "shape");
+  std::string kind;
+  in >> kind;
+  const std::optional<Shape> shape = readShape(kind, in, enclosure.geometry_from_body);
   read(in, enclosure.overshoot);
   read(in, enclosure.widening);
   std::string exactness;
   in >> exactness;
   enclosure.is_exact = exactness == "exact";
-  const std::optional<Shape> shape = makeShape(kind, core, radius);
   if (!shape || (!enclosure.is_exact && exactness != "enclosing")) {
     in.setstate(std::ios::failbit);
     return;
@@ -154,6 +196,13 @@ void read(std::istream& in, Fit& fit) {
     read(in, shape);
     fit.shape_of.push_back(static_cast<std::uint32_t>(shape));
   }
+  expect(in, "inner");
+  read(in, fit.inner.sphere);
+  read(in, fit.inner.capsule);
+  expect(in, "openness");
+  double openness = kNotMeasured;
+  read(in, openness);
+  fit.openness = openness == kNotMeasured ? std::nullopt : std::optional<double>(openness);
 }
 
 }  // namespace
@@ -179,6 +228,12 @@ std::string toText(const std::vector<Fit>& fits) {
     for (const std::uint32_t shape : fit.shape_of) {
       text += std::to_string(shape) + "\n";
     }
+    text += "inner\n";
+    append(fit.inner.sphere, text);
+    append(fit.inner.capsule, text);
+    text += "openness";
+    append(fit.openness.value_or(kNotMeasured), text);
+    text += "\n";
   }
   return text + kHashLine + sha256(text) + "\n";
 }

@@ -6,10 +6,13 @@
 
 #include "collision_monitor/geometry/convex_hull.h"
 #include "collision_monitor/geometry/interruption.h"
+#include "collision_monitor/narrow_phase/mesh_openness.h"
 #include "fitting/closed_surface.h"
 #include "fitting/surrounding_mesh.h"
+#include "geometry/all_cores.h"
 #include "pipeline/convex_mesh.h"
 #include "pipeline/open_meshes.h"
+#include "pipeline/prove_inner.h"
 #include "setup_parts.h"
 
 namespace collision_monitor {
@@ -98,18 +101,52 @@ void addShape(std::size_t body, CycleSetup& setup) {
   setup.elements.push_back(std::move(element));
 }
 
-/// One element of the URDF, which the bodies [first, last) enclose.
-void addGeometry(const CollisionElement& collision, const FillElement& how, std::size_t first,
-                 std::size_t last, CycleSetup& setup) {
-  Element& element = how.element;
-  element.name = collision.name;
-  element.link_from_element = collision.link_from_geometry;
-  std::visit(how, collision.geometry);
-  if (element.is_exact) {
-    element.inner = inscribeShapes(collision.geometry);
+/// One element of the URDF, which the bodies [first, last) enclose; or those alone.
+struct ElementTask {
+  const CollisionElement* collision;
+  const Fit* fit;
+  RefineGeometry refine;
+  bool has_geometry;
+  std::size_t first;
+  std::size_t last;
+  LinkId link;
+  Element element;
+  double openness;    ///< of its mesh; 0 where that is closed or stands for nothing
+  std::string fault;  ///< why the geometry is of no use
+};
+
+InnerShapes innerShapes(const Geometry& geometry, const Fit& fit, const MeshTree* tree) {
+  if (std::holds_alternative<TriangleMesh>(geometry)) {
+    const bool are_known = fit.inner.sphere || fit.inner.capsule;
+    if (are_known ? areInside(fit.inner, *tree) : !tree->isClosed()) {
+      return fit.inner;
+    }
   }
-  element.is_body = last == first + 1 && setup.bodies[first].is_exact;
-  for (std::size_t body = first; body < last; ++body) {
+  return inscribeShapes(geometry);
+}
+
+void makeElement(ElementTask& task) {
+  const Geometry& geometry = task.collision->geometry;
+  Element& element = task.element;
+  try {
+    std::visit(FillElement{task.refine, element}, geometry);
+    if (element.is_exact) {
+      element.inner = innerShapes(geometry, *task.fit, element.mesh ? &*element.mesh : nullptr);
+      if (element.mesh && element.mesh->openSurface()) {
+        task.openness = task.fit->openness ? *task.fit->openness : opennessOf(*element.mesh);
+      }
+    }
+  } catch (const std::invalid_argument& fault) {
+    task.fault = fault.what();
+  }
+}
+
+void addGeometry(ElementTask& task, CycleSetup& setup) {
+  Element& element = task.element;
+  element.name = task.collision->name;
+  element.link_from_element = task.collision->link_from_geometry;
+  element.is_body = task.last == task.first + 1 && setup.bodies[task.first].is_exact;
+  for (std::size_t body = task.first; body < task.last; ++body) {
     setup.bodies[body].element = idAt<ElementId>(setup.elements.size());
   }
   setup.elements.push_back(std::move(element));
@@ -121,11 +158,35 @@ void addShapes(std::size_t first, std::size_t last, CycleSetup& setup) {
   }
 }
 
-void warnOfOpenMeshes(const CycleSetup& setup, SetupReport& report) {
+/// Those of a link, behind the bodies that were given to it.
+void addTasks(const LinkFit& fit, const Link& link, RefineGeometry refine, std::size_t& body,
+              const CycleSetup& setup, std::vector<ElementTask>& tasks) {
+  for (std::size_t i = 0; i < fit.fits.size(); ++i) {
+    const std::size_t first = body;
+    body += fit.fits[i].shapes.size();
+    const bool has_geometry = refine != RefineGeometry::none || setup.bodies[first].is_exact;
+    Element element;
+    element.link = fit.link;
+    element.padding = fit.padding;
+    tasks.push_back({&link.collisions[i],
+                     &fit.fits[i],
+                     refine,
+                     has_geometry,
+                     first,
+                     body,
+                     fit.link,
+                     std::move(element),
+                     0.0,
+                     {}});
+  }
+}
+
+void warnOfOpenMeshes(const std::vector<ElementTask>& tasks, const CycleSetup& setup,
+                      SetupReport& report) {
   OpenMeshes open;
-  for (const Element& element : setup.elements) {
-    if (element.mesh && element.is_exact) {
-      open.look(setup.model.link(element.link).name, element.name, *element.mesh);
+  for (const ElementTask& task : tasks) {
+    if (task.openness > 0.0) {
+      open.look(setup.model.link(task.link).name, task.collision->name, task.openness);
     }
   }
   if (const std::optional<Problem> warning = open.warning()) {
@@ -138,33 +199,36 @@ void warnOfOpenMeshes(const CycleSetup& setup, SetupReport& report) {
 void makeElements(const std::vector<LinkFit>& fits, const ElementSettings& settings,
                   CycleSetup& setup, SetupReport& report) {
   std::size_t body = 0;
+  std::vector<ElementTask> tasks;
   for (const LinkFit& fit : fits) {
     const Link& link = setup.model.link(fit.link);
-    const RefineGeometry refine = settings.refineFor(fit.link);
-    addShapes(body, body + fit.given.size(), setup);
-    body += fit.given.size();
-    for (std::size_t i = 0; i < fit.fits.size(); ++i) {
-      throwIfInterrupted();
-      const std::size_t first = body;
-      body += fit.fits[i].shapes.size();
-      if (refine == RefineGeometry::none && !setup.bodies[first].is_exact) {
-        addShapes(first, body, setup);
-        continue;
-      }
-      try {
-        Element element;
-        element.link = fit.link;
-        element.padding = fit.padding;
-        addGeometry(link.collisions[i], {refine, element}, first, body, setup);
-      } catch (const std::invalid_argument& fault) {
-        report.warnings.push_back(
-            {"link '" + link.name + "', collision '" + link.collisions[i].name + "'", fault.what(),
-             "", "its enclosing shapes stand for it"});
-        addShapes(first, body, setup);
-      }
+    if (!fit.given.empty()) {
+      ElementTask given{};
+      given.first = body;
+      given.last = body += fit.given.size();
+      tasks.push_back(std::move(given));
     }
+    addTasks(fit, link, settings.refineFor(fit.link), body, setup, tasks);
   }
-  warnOfOpenMeshes(setup, report);
+  forEachOnAllCores(tasks.size(), [&](std::size_t i) {
+    throwIfInterrupted();
+    if (tasks[i].has_geometry) {
+      makeElement(tasks[i]);
+    }
+  });
+  for (ElementTask& task : tasks) {
+    if (task.has_geometry && task.fault.empty()) {
+      addGeometry(task, setup);
+      continue;
+    }
+    if (task.has_geometry) {
+      report.warnings.push_back({"link '" + setup.model.link(task.link).name + "', collision '" +
+                                     task.collision->name + "'",
+                                 task.fault, "", "its enclosing shapes stand for it"});
+    }
+    addShapes(task.first, task.last, setup);
+  }
+  warnOfOpenMeshes(tasks, setup, report);
 }
 
 }  // namespace collision_monitor

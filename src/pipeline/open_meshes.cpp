@@ -13,11 +13,10 @@ namespace collision_monitor {
 
 MeshTree treeOfOpen(const TriangleMesh& mesh) {
   const TriangleMesh oriented = orientedSurface(mesh);
-  return closedSurface(oriented) ? MeshTree(oriented, true) : MeshTree::ofOpen(mesh);
+  return closedSurface(oriented) ? MeshTree(oriented, true) : MeshTree::ofOriented(oriented);
 }
 
-void OpenMeshes::look(const std::string& link, const std::string& collision, const MeshTree& tree) {
-  const double openness = opennessOf(tree);
+void OpenMeshes::look(const std::string& link, const std::string& collision, double openness) {
   if (openness >= kTooOpen) {
     char number[16];
     std::snprintf(number, sizeof(number), "%.2f", openness);
@@ -41,7 +40,7 @@ std::optional<Problem> warnOfOpenMeshes(const RobotModel& model) {
     for (const CollisionElement& collision : link.collisions) {
       const auto* mesh = std::get_if<TriangleMesh>(&collision.geometry);
       if (mesh != nullptr && !closedSurface(*mesh)) {
-        open.look(link.name, collision.name, treeOfOpen(*mesh));
+        open.look(link.name, collision.name, opennessOf(treeOfOpen(*mesh)));
       }
     }
   }

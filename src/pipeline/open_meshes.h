@@ -19,7 +19,8 @@ MeshTree treeOfOpen(const TriangleMesh& mesh);
 /// Warns of meshes from kTooOpen on, in one line.
 class OpenMeshes {
  public:
-  void look(const std::string& link, const std::string& collision, const MeshTree& tree);
+  /// @param openness as opennessOf measures it
+  void look(const std::string& link, const std::string& collision, double openness);
   /// Nothing where there is none.
   std::optional<Problem> warning() const;
 

@@ -3,8 +3,6 @@
 #include "fit_robot.h"
 
 #include <algorithm>
-#include <chrono>
-#include <map>
 
 #include "collision_monitor/fitting/fit_parts.h"
 #include "measure_fit.h"
@@ -14,32 +12,6 @@
 
 namespace collision_monitor::fit_tool {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// Measures the time between the calls of a FitProgress, by link.
-class LinkTimer {
- public:
-  void start(const std::string& link) {
-    stop();
-    link_ = link;
-    started_ = Clock::now();
-  }
-  void stop() {
-    if (!link_.empty()) {
-      seconds_[link_] = std::chrono::duration<double>(Clock::now() - started_).count();
-    }
-  }
-  double secondsOf(const std::string& link) const {
-    const auto found = seconds_.find(link);
-    return found == seconds_.end() ? 0.0 : found->second;
-  }
-
- private:
-  std::string link_;
-  Clock::time_point started_;
-  std::map<std::string, double> seconds_;
-};
 
 std::vector<SrdfPairs> readGroups(const RobotDescription& description, const RobotModel& model,
                                   SetupReport& report) {
@@ -135,18 +107,11 @@ FittedRobot fitRobot(const RobotDescription& description, const ResourceLoader& 
   }
   throwIfErrors(robot.report);
 
-  LinkTimer timer;
-  const auto timed = [&](const std::string& link, std::size_t done, std::size_t total) {
-    timer.start(link);
-    if (progress) {
-      progress(link, done, total);
-    }
-  };
-  const std::vector<LinkFit> fits = fitLinks(robot.model, settings, timed, robot.report);
+  const std::vector<LinkFit> fits = fitLinks(robot.model, settings, progress, robot.report);
   throwIfErrors(robot.report);
   for (const LinkFit& fit : fits) {
     const Link& link = robot.model.link(fit.link);
-    FittedLink fitted{fit.link, fit.source, timer.secondsOf(link.name), fit.padding, {}};
+    FittedLink fitted{fit.link, fit.source, fit.seconds, fit.padding, {}};
     if (fit.source == FitSource::given) {
       fitted.parts.push_back(givenPart(link, fit));
     }

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "collision_monitor/fitting/enclose.h"
+#include "collision_monitor/fitting/inner_shape.h"
 
 namespace collision_monitor {
 
@@ -34,6 +36,9 @@ struct Fit {
   std::vector<std::uint32_t> shape_of;
   /// Of the union of the shapes: over the points of each that no other holds.
   Overshoot overshoot;
+  InnerShapes inner;  ///< in the geometry; none where nobody looked for them
+  /// Of a mesh that is not closed, as opennessOf measures it; none where nobody did.
+  std::optional<double> openness;
 };
 
 /// Encloses each geometry in one or more shapes. The part that sticks out farthest is cut first, so

@@ -34,4 +34,8 @@ class Interruptible {
 /// @throws Interrupted where the work of this thread is wanted no more
 void throwIfInterrupted();
 
+/// What throwIfInterrupted asks on this thread, for others that do a part of its work; empty if
+/// there is nothing to ask.
+GoesOn goesOnHere();
+
 }  // namespace collision_monitor

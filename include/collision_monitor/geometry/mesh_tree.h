@@ -70,6 +70,8 @@ class MeshTree {
   /// those of orientedSurface. Takes about a quarter more memory.
   /// @throws std::invalid_argument as the constructor.
   static MeshTree ofOpen(const TriangleMesh& mesh);
+  /// The same of what orientedSurface made.
+  static MeshTree ofOriented(const TriangleMesh& oriented);
 
   const std::vector<MeshTreeNode>& nodes() const noexcept { return nodes_; }
   /// In the order of the tree.

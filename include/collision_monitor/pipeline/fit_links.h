@@ -41,9 +41,11 @@ struct LinkFit {
   std::vector<Enclosure> given;
   bool is_proven{true};  ///< false: given shapes for which the user answers
   double padding{0.0};   ///< [m] to be added to every shape
+  double seconds{0.0};   ///< fitting took, or loading and proving; 0 for the others
 };
 
-/// Called before each link that is fitted, and once at the end with `done` == `total`.
+/// Called before each link that is fitted, in their order, and once at the end with `done` ==
+/// `total`. Never on two threads at once.
 using FitProgress =
     std::function<void(const std::string& link, std::size_t done, std::size_t total)>;
 
@@ -53,6 +55,7 @@ constexpr double kGivenTolerance = 1e-5;
 
 /// Shapes for every link that has geometry or given shapes, in order of link.
 ///
+/// Works on all processors; what comes out does not depend on how many there are.
 /// Fits come from the cache directory where it has them. Links that have the same geometries and
 /// limits share one fit. Given shapes are proven to cover the link's geometry (fitting/covering.h).
 ///
