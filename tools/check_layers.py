@@ -41,7 +41,7 @@ RESERVED = {
     re.compile(r"^yaml-cpp/"): {"model"},
     re.compile(r"^(urdf_model|urdf_parser|console_bridge)/"): {"model"},
     re.compile(r"^openssl/"): {"pipeline"},
-    re.compile(r"^hwy/"): {"geometry", "model", "broad_phase", "narrow_phase", "motion", "pipeline"},
+    re.compile(r"^hwy/"): {"geometry", "fitting", "model", "broad_phase", "narrow_phase", "motion", "pipeline"},
     re.compile(r"^libqhull"): {"geometry"},
     re.compile(r"^fcl/"): set(),
 }

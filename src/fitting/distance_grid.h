@@ -10,6 +10,7 @@
 
 #include "collision_monitor/fitting/posed_shape.h"
 #include "collision_monitor/geometry/triangle_mesh.h"
+#include "fitting/pattern_lanes.h"
 
 namespace collision_monitor {
 
@@ -61,6 +62,9 @@ class DistanceGrid {
     return outside > 0.0f ? inner + std::sqrt(outside) : inner;
   }
   double nodesPerMetre() const noexcept { return nodes_per_metre_; }
+  GridRows rows() const noexcept {
+    return {distance_.data(), size_[0], size_[0] * size_[1], {last_[0], last_[1], last_[2]}};
+  }
 
   /// Points of the surface, about one spacing apart.
   Points surface() const;

@@ -13,6 +13,21 @@ using Eigen::Vector3f;
 constexpr int kSteps = 5;  // along an edge of the core
 constexpr double kHalfPi = 1.57079632679489661923;
 
+struct PatternPoint {
+  Vector3f fraction;
+  Vector3f outward;
+  double share{0.0};
+};
+
+void add(const PatternPoint& point, PatternPatch& patch) {
+  const std::size_t place = patch.rows.count++;
+  for (std::size_t k = 0; k < 3; ++k) {
+    patch.rows.fraction[k][place] = point.fraction[static_cast<Eigen::Index>(k)];
+    patch.rows.outward[k][place] = point.outward[static_cast<Eigen::Index>(k)];
+  }
+  patch.share[place] = point.share;
+}
+
 float stepOf(int i) { return 2.0f * static_cast<float>(i) / kSteps - 1.0f; }
 double shareOf(int i) { return (i == 0 || i == kSteps ? 0.5 : 1.0) / kSteps; }
 
@@ -24,7 +39,7 @@ void addFaces(int k, SurfacePattern& pattern) {
         point.fraction[k] = side;
         point.fraction[(k + 1) % 3] = stepOf(i);
         point.fraction[(k + 2) % 3] = stepOf(j);
-        pattern[static_cast<std::size_t>(k)].push_back(point);
+        add(point, pattern[static_cast<std::size_t>(k)]);
       }
     }
   }
@@ -44,7 +59,7 @@ void addEdges(int k, SurfacePattern& pattern) {
       for (int i = 0; i <= kSteps; ++i) {
         PatternPoint point{side, outward, shareOf(i) / kAngles};
         point.fraction[k] = stepOf(i);
-        pattern[3 + static_cast<std::size_t>(k)].push_back(point);
+        add(point, pattern[3 + static_cast<std::size_t>(k)]);
       }
     }
   }
@@ -57,7 +72,7 @@ void addCorners(SurfacePattern& pattern) {
     for (const auto& inward :
          {Vector3f(1, 1, 1), Vector3f(1, .3f, .3f), Vector3f(.3f, 1, .3f), Vector3f(.3f, .3f, 1),
           Vector3f(1, 1, .3f), Vector3f(1, .3f, 1), Vector3f(.3f, 1, 1)}) {
-      pattern[6].push_back({side, side.cwiseProduct(inward).normalized(), 1.0 / 7.0});
+      add({side, side.cwiseProduct(inward).normalized(), 1.0 / 7.0}, pattern[6]);
     }
   }
 }
@@ -77,6 +92,24 @@ SurfacePattern makePattern() {
 const SurfacePattern& surfacePattern() {
   static const SurfacePattern pattern = makePattern();
   return pattern;
+}
+
+PatternFrame patternInGrid(const PlacedCore& core, const DistanceGrid& grid) noexcept {
+  const DistanceGrid::Place centre = grid.inGrid(core.centre);
+  const Eigen::Matrix3d in_grid = grid.nodesPerMetre() * core.rotation;
+  const Eigen::Matrix3f of_fraction = (in_grid * core.half_extents.asDiagonal()).cast<float>();
+  const Eigen::Matrix3f of_outward = (core.radius * in_grid).cast<float>();
+  PatternFrame frame{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto row = static_cast<Eigen::Index>(axis);
+    frame.centre[axis] = centre[row];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto column = static_cast<Eigen::Index>(k);
+      frame.of_fraction[k][axis] = of_fraction(row, column);
+      frame.of_outward[k][axis] = of_outward(row, column);
+    }
+  }
+  return frame;
 }
 
 std::array<double, 7> patchAreas(const PlacedCore& core) noexcept {

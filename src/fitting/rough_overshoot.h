@@ -4,38 +4,29 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include "collision_monitor/fitting/overshoot.h"
 #include "fitting/core_descent.h"
 #include "fitting/distance_grid.h"
+#include "fitting/pattern_lanes.h"
 
 namespace collision_monitor {
 
-/// A point of every rounded box: of its core the corner (1, 1, 1) times `fraction`, from there the
-/// radius outward. It stands for `share` of its patch.
-struct PatternPoint {
-  Eigen::Vector3f fraction;
-  Eigen::Vector3f outward;
-  double share{0.0};
+/// Points of every rounded box, each with the share of its patch that it stands for.
+struct PatternPatch {
+  PatternRows rows;
+  std::array<double, PatternRows::kMost> share{};
 };
 
 /// Points of the faces across x, y, z, of the edges along x, y, z, and of the corners.
-using SurfacePattern = std::array<std::vector<PatternPoint>, 7>;
+using SurfacePattern = std::array<PatternPatch, 7>;
 const SurfacePattern& surfacePattern();
 
 /// Areas of one face, edge or corner of each patch.
 std::array<double, 7> patchAreas(const PlacedCore& core) noexcept;
 
-/// Columns that take a point's fraction, and its way outward, into the grid.
-inline Eigen::Matrix<float, 4, 6> patternInGrid(const PlacedCore& core,
-                                                const DistanceGrid& grid) noexcept {
-  Eigen::Matrix<float, 4, 6> columns = Eigen::Matrix<float, 4, 6>::Zero();
-  const Eigen::Matrix3d in_grid = grid.nodesPerMetre() * core.rotation;
-  columns.topLeftCorner<3, 3>() = (in_grid * core.half_extents.asDiagonal()).cast<float>();
-  columns.topRightCorner<3, 3>() = (core.radius * in_grid).cast<float>();
-  return columns;
-}
+/// What takes the pattern of a core into the grid.
+PatternFrame patternInGrid(const PlacedCore& core, const DistanceGrid& grid) noexcept;
 
 /// The overshoot of a core with its radius, from some hundred points and a grid: microseconds,
 /// where measureOvershoot takes milliseconds. For searches.
@@ -49,8 +40,9 @@ OvershootSum roughOvershoot(const PlacedCore& core, const DistanceGrid& grid, co
                             const IsEnough& is_enough) noexcept {
   const SurfacePattern& pattern = surfacePattern();
   const auto areas = patchAreas(core);
-  const DistanceGrid::Place centre = grid.inGrid(core.centre);
-  const Eigen::Matrix<float, 4, 6> columns = patternInGrid(core, grid);
+  const PatternFrame frame = patternInGrid(core, grid);
+  const GridRows rows = grid.rows();
+  PatternPlaces places;
   constexpr double kCopies[] = {2.0, 2.0, 2.0, 4.0, 4.0, 4.0, 8.0};
   double rest = 0.0;
   for (std::size_t patch = 0; patch < pattern.size(); ++patch) {
@@ -63,16 +55,15 @@ OvershootSum roughOvershoot(const PlacedCore& core, const DistanceGrid& grid, co
       continue;
     }
     rest -= kCopies[patch] * areas[patch];
-    for (const auto& sample : pattern[patch]) {
-      DistanceGrid::Place place = centre;
-      for (Eigen::Index k = 0; k < 3; ++k) {
-        place += columns.col(k).array() * sample.fraction[k] +
-                 columns.col(k + 3).array() * sample.outward[k];
-      }
+    placePattern(pattern[patch].rows, frame, rows, places);
+    for (std::size_t i = 0; i < pattern[patch].rows.count; ++i) {
       // Most points are inside or near, and then it matters little whether they count.
-      const float distance = grid.distanceAt(place);
+      const float distance = places.distance[i];
+      const DistanceGrid::Place place(places.place[0][i], places.place[1][i], places.place[2][i],
+                                      0.0f);
       if (!(distance > 0.0f) || counts(grid.outOfGrid(place))) {
-        sum.add(grid.spacing() * static_cast<double>(distance), areas[patch] * sample.share);
+        sum.add(grid.spacing() * static_cast<double>(distance),
+                areas[patch] * pattern[patch].share[i]);
       }
     }
     OvershootSum least = sum;

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace collision_monitor {
+
+/// Some points of every rounded box, in rows: of its core the corner (1, 1, 1) times `fraction`,
+/// from there the radius outward.
+struct PatternRows {
+  static constexpr std::size_t kMost = 80;  ///< a multiple of all widths of registers
+
+  alignas(64) float fraction[3][kMost]{};
+  alignas(64) float outward[3][kMost]{};
+  std::size_t count{0};
+};
+
+/// What takes a point's fraction, and its way outward, into a grid.
+struct PatternFrame {
+  float centre[3];
+  float of_fraction[3][3];  ///< columns
+  float of_outward[3][3];
+};
+
+/// The numbers of a DistanceGrid.
+struct GridRows {
+  const float* distance;
+  int size_x;
+  int size_xy;
+  float last[3];
+};
+
+/// Where the points are in the grid, and what it says there. Beyond the last nothing is told.
+struct PatternPlaces {
+  alignas(64) float place[3][PatternRows::kMost];
+  alignas(64) float distance[PatternRows::kMost];
+};
+
+/// The same as DistanceGrid::distanceAt of each point, many at once. Rounds alike on all machines.
+void placePattern(const PatternRows& rows, const PatternFrame& frame, const GridRows& grid,
+                  PatternPlaces& places) noexcept;
+
+}  // namespace collision_monitor
