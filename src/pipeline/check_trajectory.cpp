@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/pipeline/check_trajectory.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "geometry/constants.h"
@@ -14,15 +15,18 @@ namespace {
 constexpr std::size_t kMostHalvings = 50;
 /// [m] Two links are mostly no nearer between two way-points than by this less than at both.
 constexpr double kBeyondMargin = 0.1;
+/// Parts of so many segments are looked at as a whole first: far pairs end there.
+constexpr std::size_t kSegmentsAtOnce = 8;
 /// Progress is told after parts of 1/16 of the way from one point to the next, and longer ones.
 constexpr std::size_t kToldHalvings = 4;
 
-Halving& halvingAt(TrajectorySearch& search, std::size_t depth) {
-  while (search.halvings.size() <= depth) {
-    search.halvings.emplace_back();
-    search.halvings.back().ways.resize(search.path.joints.size());
+Halving& halvingAt(const TrajectorySearch& search, std::size_t depth,
+                   std::deque<Halving>& halvings) {
+  while (halvings.size() <= depth) {
+    halvings.emplace_back();
+    halvings.back().ways.resize(search.path.joints.size());
   }
-  return search.halvings[depth];
+  return halvings[depth];
 }
 
 /// Tells how much is done; false once the search is to end.
@@ -38,7 +42,7 @@ bool goesOn(TrajectorySearch& search, std::size_t segment, double share) {
 /// Settles pairs in the part of the way between two instants of one segment, earlier halves first.
 void explore(TrajectorySearch& search, Instant& begin, Instant& end,
              const std::vector<LinkPairIndex>& pairs, std::size_t depth) {
-  Halving& halving = halvingAt(search, depth);
+  Halving& halving = halvingAt(search, depth, search.halvings);
   for (std::size_t i = 0; i < halving.ways.size(); ++i) {
     halving.ways[i] = wayOf(search.path, {begin.segment, begin.share, end.share}, i);
   }
@@ -61,8 +65,9 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
   Instant& middle = halving.middle;
   middle.segment = begin.segment;
   middle.share = 0.5 * (begin.share + end.share);
-  search.poses.place(middle.segment, middle.share, middle.world_from_link);
+  place(search, middle);
   search.measures.steps += middle.world_from_link.size();
+  noteBalls(search, halving.open, middle);
   sampleBalls(search, halving.open, middle);
   explore(search, begin, middle, halving.open, depth + 1);
   if (depth < kToldHalvings) {
@@ -78,26 +83,99 @@ void checkStanding(TrajectorySearch& search, const std::vector<LinkPairIndex>& p
   }
 }
 
-void followPath(TrajectorySearch& search, const std::vector<LinkPairIndex>& moving,
-                Instant& begin) {
-  Instant end;
-  const std::size_t segments = search.path.times.size() - 1;
-  for (std::size_t segment = 0; segment < segments; ++segment) {
-    begin.segment = end.segment = segment;
+/// What is not settled is left open where the search ends.
+void giveUpAll(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs,
+               const Instant& at) {
+  for (const LinkPairIndex pair : pairs) {
+    if (search.report.pairs[pair].state == ApproachState::clear) {
+      giveUp(search, pair, at);
+    }
+  }
+}
+
+/// Pairs that the samples at two stops do not settle; how far joints go between them is filled in.
+void listOpen(TrajectorySearch& search, std::size_t first, std::size_t last,
+              const std::vector<LinkPairIndex>& pairs, Halving& range) {
+  std::fill(range.ways.begin(), range.ways.end(), 0.0);
+  for (std::size_t stop = first; stop < last; ++stop) {
+    for (std::size_t i = 0; i < range.ways.size(); ++i) {
+      range.ways[i] += wayOf(search.path, {search.first_stop + stop, 0.0, 1.0}, i);
+    }
+  }
+  search.measures.steps += pairs.size();
+  range.open.clear();
+  for (const LinkPairIndex pair : pairs) {
+    if (!settleFar(search, pair, search.stops[first], search.stops[last], range.ways)) {
+      range.open.push_back(pair);
+    }
+  }
+}
+
+/// Settles pairs between two stops.
+/// @param moving all pairs, which the end of the search leaves open
+void exploreStops(TrajectorySearch& search, std::size_t first, std::size_t last,
+                  const std::vector<LinkPairIndex>& pairs, const std::vector<LinkPairIndex>& moving,
+                  std::size_t depth) {
+  Instant& begin = search.stops[first];
+  Instant& end = search.stops[last];
+  if (last - first == 1) {
+    begin.segment = end.segment = search.first_stop + first;
     begin.share = 0.0;
     end.share = 1.0;
-    search.poses.place(segment, 1.0, end.world_from_link);
-    sampleWaypoint(search, moving, segment + 1, end);
-    explore(search, begin, end, moving, 0);
-    std::swap(begin, end);
-    if (!goesOn(search, segment, 1.0)) {
-      for (const LinkPairIndex pair : moving) {
-        if (search.report.pairs[pair].state == ApproachState::clear) {
-          giveUp(search, pair, begin);
-        }
-      }
+    explore(search, begin, end, pairs, 0);
+    return;
+  }
+  Halving& range = halvingAt(search, depth, search.ranges);
+  listOpen(search, first, last, pairs, range);
+  const std::size_t middle = first + (last - first) / 2;
+  Instant& at_middle = search.stops[middle];
+  sampleWaypoint(search, range.open, search.first_stop + middle, at_middle);
+  exploreStops(search, first, middle, range.open, moving, depth + 1);
+  if (!goesOn(search, at_middle.segment, at_middle.share)) {
+    giveUpAll(search, moving, at_middle);
+    return;
+  }
+  exploreStops(search, middle, last, range.open, moving, depth + 1);
+}
+
+/// Places the links at the next stops. @return how many segments they bound.
+/// @param measured behind the last way-point whose bodies are: beyond the next it is a stop alone
+std::size_t placeStops(TrajectorySearch& search, const std::vector<LinkPairIndex>& moving,
+                       std::size_t measured) {
+  const std::size_t first = search.first_stop;
+  const std::size_t last = std::min(first + kSegmentsAtOnce, measured - 1);
+  const std::size_t count = std::max<std::size_t>(1, last - first);
+  for (std::size_t i = 1; i <= count; ++i) {
+    Instant& stop = search.stops[i];
+    stop.segment = first + i - 1;
+    stop.share = 1.0;
+    place(search, stop);
+    noteBalls(search, moving, stop);
+  }
+  return count;
+}
+
+void followPath(TrajectorySearch& search, std::vector<LinkPairIndex> moving) {
+  const std::size_t segments = search.path.times.size() - 1;
+  std::size_t measured = lookAhead(search, moving, 0);
+  sampleWaypoint(search, moving, 0, search.stops[0]);
+  noteBalls(search, moving, search.stops[0]);
+  while (search.first_stop < segments) {
+    const std::size_t count = placeStops(search, moving, measured);
+    measured = lookAhead(search, moving, search.first_stop + count);
+    Instant& end = search.stops[count];
+    sampleWaypoint(search, moving, search.first_stop + count, end);
+    exploreStops(search, 0, count, moving, moving, 0);
+    if (!goesOn(search, end.segment, 1.0)) {
+      giveUpAll(search, moving, end);
       return;
     }
+    std::swap(search.stops[0], end);
+    search.first_stop += count;
+    const auto is_done = [&](LinkPairIndex pair) {
+      return search.report.pairs[pair].state != ApproachState::clear;
+    };
+    moving.erase(std::remove_if(moving.begin(), moving.end(), is_done), moving.end());
   }
 }
 
@@ -106,15 +184,23 @@ void measureFarPairs(TrajectorySearch& search) {
   Instant at;
   for (LinkPairIndex pair = 0; pair < search.chains.size(); ++pair) {
     PairApproach& approach = search.report.pairs[pair];
+    if (approach.state != ApproachState::clear || search.found[pair] == Found::elements) {
+      continue;
+    }
     const double found = approach.nearest.measured.distance;
-    const bool is_far = approach.state == ApproachState::clear && search.is_final[pair] == 0;
+    const bool is_bound = search.found[pair] == Found::bounds;
     const bool is_by_waypoint = search.by_waypoints[pair].bound < found;
-    if (is_far && (is_by_waypoint || found == kInfinity)) {
-      const NearPlace& place = is_by_waypoint ? search.by_waypoints[pair] : search.by_balls[pair];
-      at.segment = place.segment;
-      at.share = place.share;
-      search.poses.place(at.segment, at.share, at.world_from_link);
-      keepNearest(search, pair, bodyDistance(search.measures, pair, at.world_from_link), at, false);
+    const NearPlace& nearest = is_by_waypoint ? search.by_waypoints[pair] : search.by_balls[pair];
+    at.segment = nearest.segment;
+    at.share = nearest.share;
+    if (is_bound && search.options.margin > 0.0) {
+      place(search, at);
+      keepNearest(search, pair, elementDistance(search.measures, pair, at.world_from_link), at,
+                  Found::elements);
+    } else if (!is_bound && (is_by_waypoint || found == kInfinity)) {
+      place(search, at);
+      keepNearest(search, pair, bodyDistance(search.measures, pair, at.world_from_link), at,
+                  Found::bodies);
     }
   }
 }
@@ -133,10 +219,13 @@ TrajectorySearch searchAlong(const CycleSetup& setup, const JointPath& path, con
                           PathPoses(setup.model, path, start),
                           LinkPairMeasures(setup),
                           std::vector<LinkChain>(count),
-                          std::vector<unsigned char>(count, 0),
+                          std::vector<Found>(count, Found::bodies),
                           std::vector<NearPlace>(count),
                           std::vector<NearPlace>(count),
                           {},
+                          {},
+                          std::vector<Instant>(kSegmentsAtOnce + 1),
+                          0,
                           {},
                           false,
                           {}};
@@ -169,12 +258,12 @@ TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
   if (path.times.size() >= kStateCount && !moving.empty()) {
     search.waypoints = makeWaypointDistances(setup, path, start, options.margin + kBeyondMargin);
   }
-  Instant begin;
-  search.poses.place(0, 0.0, begin.world_from_link);
+  Instant& begin = search.stops[0];
+  place(search, begin);
   sampleBalls(search, standing, begin);
-  sampleWaypoint(search, moving, 0, begin);
+  noteBalls(search, standing, begin);
   checkStanding(search, standing, begin);
-  followPath(search, moving, begin);
+  followPath(search, std::move(moving));
   measureFarPairs(search);
   search.report.steps = search.measures.steps;
   return std::move(search.report);

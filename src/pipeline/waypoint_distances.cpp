@@ -5,6 +5,26 @@
 #include <algorithm>
 
 namespace collision_monitor {
+namespace {
+
+void measureBlock(const CycleSetup& setup, const std::vector<LinkPairIndex>& pairs,
+                  std::size_t first, WaypointDistances& distances,
+                  std::vector<StateNumber>& nearest) noexcept {
+  for (StateNumber& numbers : nearest) {
+    std::fill(std::begin(numbers.of), std::end(numbers.of), kNotAsked);
+  }
+  for (const LinkPairIndex pair : pairs) {
+    StateNumber& numbers = nearest[pair];
+    const CheckedLinkPair& links = setup.checked[pair];
+    const bool is_known = isJoined(distances.work.poses, links.a, links.b);
+    std::fill(std::begin(numbers.of), std::end(numbers.of), is_known ? distances.reach : kUnknown);
+  }
+  fillVariables(distances.positions, first, distances.work);
+  placeStates(setup, distances.work);
+  measureLinkPairs(setup, distances.work, nearest);
+}
+
+}  // namespace
 
 WaypointDistances makeWaypointDistances(const CycleSetup& setup, const JointPath& path,
                                         const LinkPoses& start, double reach) {
@@ -13,36 +33,35 @@ WaypointDistances makeWaypointDistances(const CycleSetup& setup, const JointPath
     moves[setup.model.joint(joint).first_variable] = true;
   }
   WaypointDistances distances{
-      reach, makeStatesWork(setup, standingAs(setup.model, start, moves)), {}, {}};
+      reach, makeStatesWork(setup, standingAs(setup.model, start, moves)), {}, {}, 0, 0};
   JointPositions state(setup.model.variable_count, 0.0);
   for (std::size_t i = 0; i < path.times.size(); ++i) {
     setPositions(setup.model, path, i, 0.0, state);
     distances.positions.insert(distances.positions.end(), state.begin(), state.end());
   }
-  distances.nearest.resize(setup.checked.size());
+  constexpr std::size_t kMostNumbers = 1U << 16U;  // 4 MB
+  const std::size_t blocks = (path.times.size() + kStateCount - 1) / kStateCount;
+  const std::size_t most = std::max<std::size_t>(1, kMostNumbers / setup.checked.size());
+  distances.nearest.assign(std::min(blocks, most), std::vector<StateNumber>(setup.checked.size()));
   return distances;
 }
 
 std::uint64_t measureWaypoint(const CycleSetup& setup, const std::vector<LinkPairIndex>& pairs,
                               std::size_t waypoint, WaypointDistances& distances) noexcept {
-  const std::size_t first = waypoint - waypoint % kStateCount;
-  if (first == distances.first) {
+  if (waypoint >= distances.first && waypoint < distances.last) {
     return 0;
   }
-  distances.first = first;
-  for (StateNumber& nearest : distances.nearest) {
-    std::fill(std::begin(nearest.of), std::end(nearest.of), kNotAsked);
+  const std::size_t end = distances.positions.size() / setup.model.variable_count;
+  distances.first = distances.last = waypoint - waypoint % kStateCount;
+  std::uint64_t steps = 0;
+  for (std::vector<StateNumber>& nearest : distances.nearest) {
+    if (distances.last < end) {
+      measureBlock(setup, pairs, distances.last, distances, nearest);
+      distances.last = std::min(end, distances.last + kStateCount);
+      steps += setup.table.size();
+    }
   }
-  for (const LinkPairIndex pair : pairs) {
-    StateNumber& nearest = distances.nearest[pair];
-    const CheckedLinkPair& links = setup.checked[pair];
-    const bool is_known = isJoined(distances.work.poses, links.a, links.b);
-    std::fill(std::begin(nearest.of), std::end(nearest.of), is_known ? distances.reach : kUnknown);
-  }
-  fillVariables(distances.positions, first, distances.work);
-  placeStates(setup, distances.work);
-  measureLinkPairs(setup, distances.work, distances.nearest);
-  return setup.table.size();
+  return steps;
 }
 
 }  // namespace collision_monitor
