@@ -57,10 +57,29 @@ PairIds bodyPairsOf(const LinkPairMeasures& measures, LinkPairIndex pair) noexce
   return {all + measures.first_body_pair[pair], all + measures.first_body_pair[pair + 1]};
 }
 
+/// Measures the bodies of each pair of elements into `nearest_bodies`.
+void measureBodies(LinkPairMeasures& measures, LinkPairIndex pair,
+                   const std::vector<Pose>& world_from_link) noexcept {
+  const ElementPairIndex first = measures.first_element_pair[pair];
+  std::fill_n(measures.nearest_bodies.begin(), measures.first_element_pair[pair + 1] - first,
+              nothingNear());
+  for (const PairId bodies : bodyPairsOf(measures, pair)) {
+    const ElementPairIndex elements = measures.setup.element_pair_of[index(bodies)];
+    improveByBodies(measures, bodies, world_from_link, measures.nearest_bodies[elements - first]);
+  }
+}
+
+/// How elements are measured.
+struct Question {
+  double enough;
+  ElementDistance (&measure)(const PlacedElement& a, const PlacedElement& b,
+                             ElementSearch& search) noexcept;
+};
+
 /// What is known of two elements, from that of their bodies and their own distance.
 PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pair,
                                 PairDistance distance, const std::vector<Pose>& world_from_link,
-                                double enough) noexcept {
+                                const Question& question) noexcept {
   const CycleSetup& setup = measures.setup;
   const Element& a = setup.elements[index(setup.element_pairs[pair].a)];
   const Element& b = setup.elements[index(setup.element_pairs[pair].b)];
@@ -70,8 +89,8 @@ PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pai
   const Pose world_from_a = world_from_link[index(a.link)] * a.link_from_element;
   const Pose world_from_b = world_from_link[index(b.link)] * b.link_from_element;
   ElementSearch search{std::numeric_limits<std::uint32_t>::max(), measures.memory.of(pair),
-                       *measures.scratch, enough};
-  const ElementDistance found = measureElements({a, world_from_a}, {b, world_from_b}, search);
+                       *measures.scratch, question.enough};
+  const ElementDistance found = question.measure({a, world_from_a}, {b, world_from_b}, search);
   measures.steps += found.steps;
   measures.outside = std::min(measures.outside, found.outside);
   const bool is_nearer = !(found.measured.distance > distance.measured.distance);
@@ -150,6 +169,7 @@ LinkPairMeasures::LinkPairMeasures(const CycleSetup& cycle_setup)
       body_pairs(cycle_setup.table.size()),
       first_element_pair(
           startsOf(linkPairsOf(cycle_setup.element_pairs), cycle_setup.checked.size())),
+      has_meshes(cycle_setup.checked.size(), 0),
       memory(kindsOf(cycle_setup)),
       scratch(std::make_unique<RefineScratch>()) {
   std::vector<std::uint32_t> next = first_body_pair;
@@ -161,6 +181,11 @@ LinkPairMeasures::LinkPairMeasures(const CycleSetup& cycle_setup)
     most = std::max(most, first_element_pair[i + 1] - first_element_pair[i]);
   }
   nearest_bodies.resize(most);
+  for (const ElementPair& pair : setup.element_pairs) {
+    const bool are_convex =
+        setup.elements[index(pair.a)].convex && setup.elements[index(pair.b)].convex;
+    has_meshes[pair.link_pair] |= are_convex ? 0U : 1U;
+  }
 }
 
 double ballDistance(const LinkPairMeasures& measures, LinkPairIndex pair,
@@ -182,23 +207,36 @@ PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
   return nearest;
 }
 
+PairDistance hullDistance(LinkPairMeasures& measures, LinkPairIndex pair,
+                          const std::vector<Pose>& world_from_link, double enough) noexcept {
+  const ElementPairIndex first = measures.first_element_pair[pair];
+  const ElementPairIndex last = measures.first_element_pair[pair + 1];
+  measureBodies(measures, pair, world_from_link);
+  PairDistance nearest = nothingNear();
+  for (ElementPairIndex elements = first; elements < last; ++elements) {
+    const PairDistance& bodies = measures.nearest_bodies[elements - first];
+    if (bodies.measured.distance < nearest.measured.distance) {
+      const PairDistance found =
+          measureElementPair(measures, elements, bodies, world_from_link, {enough, measureByHulls});
+      nearest = found.measured.distance < nearest.measured.distance ? found : nearest;
+    }
+  }
+  return nearest;
+}
+
 PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                              const std::vector<Pose>& world_from_link, double enough) noexcept {
   const ElementPairIndex first = measures.first_element_pair[pair];
   const ElementPairIndex last = measures.first_element_pair[pair + 1];
-  std::fill_n(measures.nearest_bodies.begin(), last - first, nothingNear());
-  for (const PairId bodies : bodyPairsOf(measures, pair)) {
-    const ElementPairIndex elements = measures.setup.element_pair_of[index(bodies)];
-    improveByBodies(measures, bodies, world_from_link, measures.nearest_bodies[elements - first]);
-  }
+  measureBodies(measures, pair, world_from_link);
   PairDistance nearest = nothingNear();
   measures.leeway = measures.outside = kInfinity;
   for (ElementPairIndex elements = first; elements < last; ++elements) {
     const PairDistance& bodies = measures.nearest_bodies[elements - first];
     const double contact = contactOfElements(measures.setup, elements);
     if (mayTellMore(bodies, nearest) || bodies.measured.distance - contact < measures.leeway) {
-      const PairDistance found =
-          measureElementPair(measures, elements, bodies, world_from_link, enough);
+      const PairDistance found = measureElementPair(measures, elements, bodies, world_from_link,
+                                                    {enough, measureElements});
       const bool is_overlap = found.quality == Quality::estimate;
       measures.leeway =
           std::min(measures.leeway, is_overlap ? -kInfinity : found.measured.distance - contact);

@@ -150,6 +150,16 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
   return answer;
 }
 
+/// Of elements, from what is within their paddings.
+ElementDistance padded(const PlacedElement& a, const PlacedElement& b,
+                       ElementDistance answer) noexcept {
+  if (a.element.padding + b.element.padding > 0.0) {
+    answer.measured = swept(answer.measured, a.element.padding, b.element.padding);
+    answer.quality = answer.quality == Quality::exact ? Quality::lower_bound : answer.quality;
+  }
+  return answer;
+}
+
 }  // namespace
 
 bool measureInside(const PlacedElement& a, const PlacedElement& b, SignedDistance& least) noexcept {
@@ -183,14 +193,24 @@ std::optional<Shape> shapeOf(const std::optional<ConvexGeometry>& geometry) noex
 
 ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
                                 ElementSearch& search) noexcept {
-  ElementDistance answer = a.element.convex && b.element.convex ? measureConvex(a, b, search)
-                                                                : measureMeshes(a, b, search);
-  const double padding = a.element.padding + b.element.padding;
-  if (padding > 0.0) {
-    answer.measured = swept(answer.measured, a.element.padding, b.element.padding);
-    answer.quality = answer.quality == Quality::exact ? Quality::lower_bound : answer.quality;
+  return padded(a, b,
+                a.element.convex && b.element.convex ? measureConvex(a, b, search)
+                                                     : measureMeshes(a, b, search));
+}
+
+ElementDistance measureByHulls(const PlacedElement& a, const PlacedElement& b,
+                               ElementSearch& search) noexcept {
+  const MeshDistance found =
+      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stopBeyond(a, b, search),
+                      search.scratch.mesh, {search.memory.warm, search.memory.nearest});
+  ElementDistance answer;
+  answer.steps = kApartSteps + found.visits;
+  if (found.state != MeshState::unknown) {
+    answer.measured = found.measured;
+    answer.has_points = found.state == MeshState::exact;
+    answer.quality = answer.has_points && areExact(a, b) ? Quality::exact : Quality::lower_bound;
   }
-  return answer;
+  return padded(a, b, answer);
 }
 
 double boundByHulls(const PlacedElement& a, const PlacedElement& b,

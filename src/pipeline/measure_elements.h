@@ -42,6 +42,12 @@ ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
 /// -infinity where that meets. @param search of which `enough` may end it.
 double boundByHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch& search) noexcept;
 
+/// What is convex around two elements tells of their distance: exact with points where it is that
+/// of the elements, else a lower bound; nothing where it meets. As much as measureElements asks
+/// first. @param search of which `enough` may end it.
+ElementDistance measureByHulls(const PlacedElement& a, const PlacedElement& b,
+                               ElementSearch& search) noexcept;
+
 /// Of two elements known to overlap, a deeper estimate if one is found, by depthOf.
 /// @param overlap of quality estimate, changed if it can be bettered.
 /// @return steps spent.

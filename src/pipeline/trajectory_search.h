@@ -17,7 +17,7 @@
 namespace collision_monitor {
 
 /// How a distance was measured.
-enum class Level : unsigned char { balls, bodies, elements };
+enum class Level : unsigned char { balls, bodies, hulls, elements };
 
 struct Sample {
   double bound{0.0};   ///< [m] the links are at least so far apart
@@ -73,6 +73,15 @@ struct TrajectorySearch {
   bool is_ended{false};                        ///< by options.progress
   std::optional<WaypointDistances> waypoints;  ///< where there are enough of them to pay
 };
+
+/// [m] What is farther apart need not be known.
+double wantedOf(const TrajectorySearch& search, LinkPairIndex pair) noexcept;
+
+/// What balls, bodies or hulls say of elements. Where some depth is allowed, those that overlap say
+/// nothing: see contactOfBodies.
+Sample sampleBy(const TrajectorySearch& search, double distance, Level level) noexcept;
+
+double timeOf(const TrajectorySearch& search, const Instant& at) noexcept;
 
 /// Places the links.
 /// @pre segment and share are set.

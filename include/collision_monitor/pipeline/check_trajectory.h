@@ -17,7 +17,8 @@ namespace collision_monitor {
 
 struct TrajectoryOptions {
   /// [m] Pairs that come nearer are near misses, whose nearest approach is searched for; of the
-  /// others it is only proven that they stay farther apart.
+  /// others it is only proven that they stay farther apart. 0 or less: contacts alone are searched
+  /// for, which is faster.
   double margin{0.05};
   double resolution{1e-3};  ///< [m] so much nearer than found may a near miss come
   double tolerance{1e-6};   ///< [m] this much beyond contact_distance is contact
@@ -40,7 +41,8 @@ enum class ApproachState : unsigned char {
 struct PairApproach {
   ApproachState state{ApproachState::unknown};
   double time{0.0};  ///< [s] of `nearest`; undecided: up to where it is clear
-  /// The nearest that was measured; in contact, the first. Points are those of that time.
+  /// The nearest that was measured; in contact, the first. Points are those of that time. Where
+  /// contacts alone were searched for, it may be a bound that is raised and has no points.
   PairDistance nearest;
   double at_least{0.0};  ///< [m] proven: at no time nearer, up to the contact if there is one
 };
@@ -56,8 +58,10 @@ struct TrajectoryReport {
 ///
 /// Where two links stand at both ends of a part of the way, and how far they can come nearer in
 /// between (boundMotion), bounds their distance on all of it; a part that leaves open what is asked
-/// is halved. Balls, enclosing shapes and the geometries themselves are asked in this order; of
-/// many way-points the shapes are, several way-points at once.
+/// is halved. Balls, enclosing shapes, hulls and the geometries themselves are asked in this order,
+/// and searches stop at what settles the part. Of many way-points the shapes are measured several
+/// way-points at once; the geometries of what may be a near miss are where these are nearest, so
+/// that what stays farther apart need not be measured. Far pairs are settled over several segments.
 ///
 /// Error: `time` of a contact is where the pair is within `tolerance` of contact_distance, and up
 /// to there nothing was nearer. `at_least` holds but for rounding.
