@@ -85,23 +85,32 @@ void keepContact(TrajectorySearch& search, LinkPairIndex pair, const Instant& at
   }
 }
 
+/// What comes after bodies.
+void raiseFromBodies(TrajectorySearch& search, LinkPairIndex pair, double way,
+                     Instant& at) noexcept {
+  const bool has_hulls =
+      search.measures.has_meshes[pair] != 0 && at.samples[pair].level < Level::hulls;
+  (has_hulls ? raiseToHulls : raiseToElements)(search, pair, enoughFor(search, pair, way), at);
+}
+
 /// Raises what helps to settle a part, the cheaper first; false if nothing does.
 bool raiseOne(TrajectorySearch& search, LinkPairIndex pair, double way, Instant& begin,
               Instant& end) noexcept {
   for (Instant* at : {&begin, &end}) {
     if (at->samples[pair].level == Level::balls) {
-      raiseToBodies(search, pair, *at);
+      // Where bodies did not tell at the other end, they mostly do not here.
+      const Level other = (at == &begin ? end : begin).samples[pair].level;
+      other > Level::bodies ? raiseFromBodies(search, pair, way, *at)
+                            : raiseToBodies(search, pair, *at);
       return true;
     }
   }
-  const bool has_hulls = search.measures.has_meshes[pair] != 0;
   for (const Level level : {Level::bodies, Level::hulls}) {
     for (Instant* at : {&begin, &end}) {
       // A bound that is sufficient by itself is not what fails: the way is too long.
       const Sample& sample = at->samples[pair];
       if (sample.level == level && !isEnough(search, pair, sample.bound, sample.leeway)) {
-        (level == Level::bodies && has_hulls ? raiseToHulls : raiseToElements)(
-            search, pair, enoughFor(search, pair, way), *at);
+        raiseFromBodies(search, pair, way, *at);
         return true;
       }
     }
