@@ -3,6 +3,7 @@
 #include "collision_monitor/pipeline/check_trajectory.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "geometry/constants.h"
@@ -179,29 +180,46 @@ void followPath(TrajectorySearch& search, std::vector<LinkPairIndex> moving) {
   }
 }
 
-/// Pairs that were far are measured where their bodies were nearest at a way-point, or their balls.
+/// A pair that is to be measured where its bodies were nearest at a way-point, or its balls.
+struct FarPair {
+  NearPlace at;
+  LinkPairIndex pair;
+};
+
+/// Clear pairs that are not measured there yet, in order of time.
+std::vector<FarPair> listFarPairs(const TrajectorySearch& search) {
+  std::vector<FarPair> far;
+  for (LinkPairIndex pair = 0; pair < search.chains.size(); ++pair) {
+    const PairApproach& approach = search.report.pairs[pair];
+    const double found = approach.nearest.measured.distance;
+    const bool is_by_waypoint = search.by_waypoints[pair].bound < found;
+    const bool is_asked = search.found[pair] == Found::bodies
+                              ? is_by_waypoint || found == kInfinity
+                              : search.found[pair] == Found::bounds && search.options.margin > 0.0;
+    if (approach.state == ApproachState::clear && is_asked) {
+      far.push_back({is_by_waypoint ? search.by_waypoints[pair] : search.by_balls[pair], pair});
+    }
+  }
+  std::sort(far.begin(), far.end(), [](const FarPair& one, const FarPair& other) {
+    return std::tie(one.at.segment, one.at.share, one.pair) <
+           std::tie(other.at.segment, other.at.share, other.pair);
+  });
+  return far;
+}
+
 void measureFarPairs(TrajectorySearch& search) {
   Instant at;
-  for (LinkPairIndex pair = 0; pair < search.chains.size(); ++pair) {
-    PairApproach& approach = search.report.pairs[pair];
-    if (approach.state != ApproachState::clear || search.found[pair] == Found::elements) {
-      continue;
-    }
-    const double found = approach.nearest.measured.distance;
-    const bool is_bound = search.found[pair] == Found::bounds;
-    const bool is_by_waypoint = search.by_waypoints[pair].bound < found;
-    const NearPlace& nearest = is_by_waypoint ? search.by_waypoints[pair] : search.by_balls[pair];
-    at.segment = nearest.segment;
-    at.share = nearest.share;
-    if (is_bound && search.options.margin > 0.0) {
+  for (const FarPair& far : listFarPairs(search)) {
+    if (at.world_from_link.empty() || at.segment != far.at.segment || at.share != far.at.share) {
+      at.segment = far.at.segment;
+      at.share = far.at.share;
       place(search, at);
-      keepNearest(search, pair, elementDistance(search.measures, pair, at.world_from_link), at,
-                  Found::elements);
-    } else if (!is_bound && (is_by_waypoint || found == kInfinity)) {
-      place(search, at);
-      keepNearest(search, pair, bodyDistance(search.measures, pair, at.world_from_link), at,
-                  Found::bodies);
     }
+    const bool is_of_bodies = search.found[far.pair] == Found::bodies;
+    const PairDistance distance =
+        is_of_bodies ? bodyDistance(search.measures, far.pair, at.world_from_link)
+                     : elementDistance(search.measures, far.pair, at.world_from_link);
+    keepNearest(search, far.pair, distance, at, is_of_bodies ? Found::bodies : Found::elements);
   }
 }
 
