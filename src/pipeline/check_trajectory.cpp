@@ -113,10 +113,8 @@ void listOpen(TrajectorySearch& search, std::size_t first, std::size_t last,
 }
 
 /// Settles pairs between two stops.
-/// @param moving all pairs, which the end of the search leaves open
 void exploreStops(TrajectorySearch& search, std::size_t first, std::size_t last,
-                  const std::vector<LinkPairIndex>& pairs, const std::vector<LinkPairIndex>& moving,
-                  std::size_t depth) {
+                  const std::vector<LinkPairIndex>& pairs, std::size_t depth) {
   Instant& begin = search.stops[first];
   Instant& end = search.stops[last];
   if (last - first == 1) {
@@ -131,18 +129,17 @@ void exploreStops(TrajectorySearch& search, std::size_t first, std::size_t last,
   const std::size_t middle = first + (last - first) / 2;
   Instant& at_middle = search.stops[middle];
   sampleWaypoint(search, range.open, search.first_stop + middle, at_middle);
-  exploreStops(search, first, middle, range.open, moving, depth + 1);
+  exploreStops(search, first, middle, range.open, depth + 1);
   if (!goesOn(search, at_middle.segment, at_middle.share)) {
-    giveUpAll(search, moving, at_middle);
+    giveUpAll(search, search.moving, at_middle);
     return;
   }
-  exploreStops(search, middle, last, range.open, moving, depth + 1);
+  exploreStops(search, middle, last, range.open, depth + 1);
 }
 
 /// Places the links at the next stops. @return how many segments they bound.
 /// @param measured behind the last way-point whose bodies are: beyond the next it is a stop alone
-std::size_t placeStops(TrajectorySearch& search, const std::vector<LinkPairIndex>& moving,
-                       std::size_t measured) {
+std::size_t placeStops(TrajectorySearch& search, std::size_t measured) {
   const std::size_t first = search.first_stop;
   const std::size_t last = std::min(first + kSegmentsAtOnce, measured - 1);
   const std::size_t count = std::max<std::size_t>(1, last - first);
@@ -151,22 +148,23 @@ std::size_t placeStops(TrajectorySearch& search, const std::vector<LinkPairIndex
     stop.segment = first + i - 1;
     stop.share = 1.0;
     place(search, stop);
-    noteBalls(search, moving, stop);
+    noteBalls(search, search.moving, stop);
   }
   return count;
 }
 
-void followPath(TrajectorySearch& search, std::vector<LinkPairIndex> moving) {
+void followPath(TrajectorySearch& search) {
+  std::vector<LinkPairIndex>& moving = search.moving;
   const std::size_t segments = search.path.times.size() - 1;
   std::size_t measured = lookAhead(search, moving, 0);
   sampleWaypoint(search, moving, 0, search.stops[0]);
   noteBalls(search, moving, search.stops[0]);
   while (search.first_stop < segments) {
-    const std::size_t count = placeStops(search, moving, measured);
+    const std::size_t count = placeStops(search, measured);
     measured = lookAhead(search, moving, search.first_stop + count);
     Instant& end = search.stops[count];
     sampleWaypoint(search, moving, search.first_stop + count, end);
-    exploreStops(search, 0, count, moving, moving, 0);
+    exploreStops(search, 0, count, moving, 0);
     if (!goesOn(search, end.segment, 1.0)) {
       giveUpAll(search, moving, end);
       return;
@@ -242,6 +240,7 @@ TrajectorySearch searchAlong(const CycleSetup& setup, const JointPath& path, con
                           std::vector<NearPlace>(count),
                           {},
                           {},
+                          {},
                           std::vector<Instant>(kSegmentsAtOnce + 1),
                           0,
                           {},
@@ -260,7 +259,7 @@ TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
     return search.report;
   }
   std::vector<LinkPairIndex> standing;
-  std::vector<LinkPairIndex> moving;
+  std::vector<LinkPairIndex>& moving = search.moving;
   for (LinkPairIndex pair = 0; pair < setup.checked.size(); ++pair) {
     const CheckedLinkPair& links = setup.checked[pair];
     if (!isKnown(start, links)) {
@@ -281,7 +280,7 @@ TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
   sampleBalls(search, standing, begin);
   noteBalls(search, standing, begin);
   checkStanding(search, standing, begin);
-  followPath(search, std::move(moving));
+  followPath(search);
   measureFarPairs(search);
   search.report.steps = search.measures.steps;
   return std::move(search.report);

@@ -65,6 +65,7 @@ struct TrajectorySearch {
   std::vector<Found> found;             ///< by LinkPairIndex: what `nearest` is of
   std::vector<NearPlace> by_balls;      ///< by LinkPairIndex
   std::vector<NearPlace> by_waypoints;  ///< by LinkPairIndex
+  std::vector<LinkPairIndex> moving;    ///< that the path moves, without those that are in contact
   std::deque<Halving> halvings;         ///< by depth; a deque, for places in it stay
   std::deque<Halving> ranges;  ///< by depth: of parts of several segments, without `middle`
   std::vector<Instant> stops;  ///< the way-points at hand, from way-point `first_stop` on
