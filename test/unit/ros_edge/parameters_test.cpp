@@ -8,28 +8,12 @@
 #include <set>
 
 #include "edge_scene.h"
+#include "parameter_faults.h"
 
 namespace collision_monitor::test {
 namespace {
 
 using XmlRpc::XmlRpcValue;
-
-XmlRpcValue emptyStruct() {
-  XmlRpcValue values;
-  values["rate"] = 1;
-  return values;
-}
-
-/// Where the problems are, without the namespace.
-std::set<std::string> faults(const XmlRpcValue& values) {
-  SetupReport report;
-  readParameters(values, "/m", report);
-  std::set<std::string> places;
-  for (const Problem& problem : report.errors) {
-    places.insert(problem.where);
-  }
-  return places;
-}
 
 TEST(Parameters, nothingSet_defaultsAreLegal) {
   SetupReport report;
@@ -216,51 +200,6 @@ TEST(Parameters, endsOfRanges) {
   }
   values["heartbeat_rate"] = 0.5;
   EXPECT_EQ(faults(values).size(), 1U) << "slower than once a second";
-}
-
-TEST(Parameters, fitting_isRead) {
-  XmlRpcValue values;
-  values["max_shapes_per_link"] = 7;
-  values["target_overshoot"] = 0.02;
-  values["refine_geometry"] = "hull";
-  values["refine_distance"] = 0.03;
-  values["refine_budget"] = 500;
-  values["distance_tolerance"] = 0.002;
-  values["continuous"] = false;
-  values["shape_rules"] = "package://robot/rules.yaml";
-  values["fit_cache"] = "none";
-  SetupReport report;
-  const Parameters parameters = readParameters(values, "/m", report);
-  EXPECT_TRUE(report.errors.empty());
-  EXPECT_EQ(parameters.setup.default_limits.max_shapes, 7U);
-  EXPECT_EQ(parameters.setup.refine.limits.tolerance, 0.002);
-  EXPECT_EQ(parameters.setup.default_limits.target_overshoot, 0.02);
-  EXPECT_EQ(parameters.setup.refine.geometry, RefineGeometry::hull);
-  EXPECT_EQ(parameters.setup.refine.limits.distance, 0.03);
-  EXPECT_EQ(parameters.setup.refine.limits.budget, 500U);
-  EXPECT_FALSE(parameters.setup.is_continuous);
-  EXPECT_EQ(parameters.shape_rules, "package://robot/rules.yaml");
-  EXPECT_EQ(parameters.fit_cache, "none");
-  const Parameters defaults = readParameters(emptyStruct(), "/m", report);
-  EXPECT_EQ(defaults.setup.default_limits.max_shapes, 4U);
-  EXPECT_EQ(defaults.setup.default_limits.target_overshoot, 0.01);
-  EXPECT_EQ(defaults.setup.refine.geometry, RefineGeometry::mesh);
-  EXPECT_TRUE(defaults.setup.is_continuous);
-}
-
-TEST(Parameters, fittingOutOfRange) {
-  for (const double count : {0.0, -1.0, 1001.0, 2.5}) {
-    XmlRpcValue values;
-    values["max_shapes_per_link"] = count;
-    EXPECT_EQ(faults(values), (std::set<std::string>{"parameter /m/max_shapes_per_link"})) << count;
-  }
-  XmlRpcValue values;
-  values["target_overshoot"] = -0.01;
-  values["shape_rules"] = 3;
-  values["fit_cache"] = false;
-  EXPECT_EQ(faults(values),
-            (std::set<std::string>{"parameter /m/target_overshoot", "parameter /m/shape_rules",
-                                   "parameter /m/fit_cache"}));
 }
 
 TEST(Parameters, limitsOutOfOrder) {
