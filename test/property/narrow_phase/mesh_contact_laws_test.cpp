@@ -10,6 +10,7 @@
 #include "support/allocation_guard.h"
 #include "support/expect_distance.h"
 #include "support/fixed_seed.h"
+#include "support/query_meshes.h"
 #include "support/random_pairs.h"
 #include "support/sample_meshes.h"
 

@@ -10,11 +10,12 @@
 #include "support/fixed_seed.h"
 #include "support/geometry_setup.h"
 #include "support/hand_made_setup.h"
+#include "support/query_meshes.h"
 #include "support/random_model.h"
 #include "support/sample_meshes.h"
 
 // States of robots of meshes, held to cycles without a budget.
-namespace collision_monitor::test {
+namespace collision_monitor::test::exact_states {
 namespace {
 
 Geometry anyGeometry(Random& random) {
@@ -147,4 +148,4 @@ TEST(ExactStatesLaws, checkingAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace collision_monitor::test
+}  // namespace collision_monitor::test::exact_states

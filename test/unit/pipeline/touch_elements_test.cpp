@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/geometry_setup.h"
+#include "support/query_meshes.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor::test {
@@ -102,7 +103,7 @@ TEST_F(TouchElements, poseNotFinite_isNotTold) {
 }
 
 TEST_F(TouchElements, theSameAgain_costsLessThanTheFirstTime) {
-  set(scaled(bumpyMesh(0.1, 20), 1.0), angleMesh());
+  set(bumpyMesh(0.1, 20), angleMesh());
   const ElementContact first = touch(0.08);
   const ElementContact again = touch(0.0801);
   EXPECT_EQ(first.state, State::contact);
