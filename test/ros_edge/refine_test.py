@@ -10,7 +10,7 @@ import rospy
 import rostest
 from std_srvs.srv import Trigger
 
-from collision_monitor.msg import LinkDistance, State
+from collision_monitor.msg import Distances, LinkDistance, State
 from collision_monitor.srv import GetDistances
 from monitor_probe import Probe
 
@@ -34,7 +34,8 @@ class Refine(unittest.TestCase):
     def test_mesh_isClearByTheExactDistance(self):
         state = self.probe.wait_for_level(State.OK)
         self.assertEqual(state.closest.quality, LinkDistance.EXACT)
-        self.assertAlmostEqual(state.closest.distance, 0.02, places=6)
+        self.assertLess(state.closest.distance, 0.02 + 1e-6)
+        self.assertGreater(state.closest.distance, 0.02 - 1e-4, "short by distance_tolerance at most")
         self.assertEqual(state.closest.shape_a, "bars")
         self.assertEqual((state.pairs_refined, state.pairs_left), (1, 0))
         self.assertEqual(state.sentence, "clear; left/angle is 20 mm from right/angle")
@@ -57,6 +58,17 @@ class Refine(unittest.TestCase):
         self.assertTrue(answer.success, answer.message)
         self.assertEqual(answer.distances.pairs[0].quality, LinkDistance.EXACT)
         self.assertAlmostEqual(answer.distances.pairs[0].distance, 0.02, places=6)
+        self.assertEqual(answer.distances.tolerance, 0.0)
+
+    def test_tolerance_isToldAndNoneMakesDistancesExact(self):
+        distances = rospy.wait_for_message(NODE + "/distances", Distances, timeout=20.0)
+        self.assertEqual(distances.tolerance, 1e-4)
+        rospy.set_param(NODE + "/distance_tolerance", 0.0)
+        try:
+            self.assertTrue(self.reload_with("mesh").success)
+            self.probe.wait_for_distance(0.02)
+        finally:
+            rospy.delete_param(NODE + "/distance_tolerance")
 
     def test_unknownGeometry_isRefusedAndChangesNothing(self):
         answer = self.reload_with("exact")

@@ -83,12 +83,36 @@ double holdFor(double change, const MeshTree& tree, const Vector3d& point,
   return distance - 1.0 / (1.0 / distance + 4.0 * kPi * change / open.rim_length);
 }
 
-// How often a closed surface goes around the point.
-int turnsAbout(const MeshTree& tree, const Vector3d& point, MeshQueryMemory& memory,
-               std::uint32_t& visits) noexcept {
+}  // namespace
+
+PointInMesh lookInside(const MeshTree& tree, const Vector3d& point, MeshQueryMemory& memory,
+                       bool asks_hold) noexcept {
+  constexpr double kLeastError = 0.01;
+  PointInMesh answer;
+  if (tree.isClosed()) {
+    answer.is_inside = isInside(tree, point, memory);
+    return answer;
+  }
+  const double outside = outsideBounds(tree, point);
+  if (!(outside < 0.0)) {
+    answer.hold = outside;
+    return answer;
+  }
+  const WindingNumber number = windingByHalf(tree, point, kLeastError, memory);
+  const double beyond = std::abs(number.value) - 0.5;
+  answer.is_inside = beyond > number.error;
+  answer.visits = number.visits;
+  if (asks_hold) {
+    answer.hold = holdFor(std::abs(beyond) - number.error, tree, point, memory);
+    answer.hold = answer.is_inside ? std::min(answer.hold, -outside) : answer.hold;
+  }
+  return answer;
+}
+
+bool isInside(const MeshTree& tree, const Vector3d& point, MeshQueryMemory& memory) noexcept {
   const Vector3d centered = point - tree.center();
   if (!(centered.norm() <= tree.radius())) {
-    return 0;
+    return false;
   }
   const Eigen::Vector3f rough = centered.cast<float>();
   const auto slack = static_cast<float>(1e-6 * tree.radius());
@@ -96,7 +120,6 @@ int turnsAbout(const MeshTree& tree, const Vector3d& point, MeshQueryMemory& mem
   waiting.push({0.0F, 0, 0});
   int turns = 0;
   while (!waiting.empty()) {
-    ++visits;
     const std::uint32_t child = childOf(tree, waiting.pop().a);
     if (isTriangle(child)) {
       const Triangle& triangle = tree.triangles()[triangleAt(child)];
@@ -111,40 +134,7 @@ int turnsAbout(const MeshTree& tree, const Vector3d& point, MeshQueryMemory& mem
       }
     }
   }
-  return turns;
-}
-
-}  // namespace
-
-PointInMesh lookInside(const MeshTree& tree, const Vector3d& point, MeshQueryMemory& memory,
-                       bool asks_hold) noexcept {
-  constexpr double kLeastError = 0.01;
-  constexpr std::uint32_t kHoldVisits = 50;  // what the nearest point of the rim takes
-  PointInMesh answer;
-  if (tree.isClosed()) {
-    answer.is_inside = turnsAbout(tree, point, memory, answer.visits) != 0;
-    return answer;
-  }
-  const double outside = outsideBounds(tree, point);
-  if (!(outside < 0.0)) {
-    answer.hold = outside;
-    return answer;
-  }
-  const WindingNumber number = windingByHalf(tree, point, kLeastError, memory);
-  const double beyond = std::abs(number.value) - 0.5;
-  answer.is_inside = beyond > number.error;
-  answer.visits = number.visits;
-  if (asks_hold) {
-    answer.visits += kHoldVisits;
-    answer.hold = holdFor(std::abs(beyond) - number.error, tree, point, memory);
-    answer.hold = answer.is_inside ? std::min(answer.hold, -outside) : answer.hold;
-  }
-  return answer;
-}
-
-bool isInside(const MeshTree& tree, const Vector3d& point, MeshQueryMemory& memory) noexcept {
-  std::uint32_t visits = 0;
-  return turnsAbout(tree, point, memory, visits) != 0;
+  return turns != 0;
 }
 
 }  // namespace collision_monitor
