@@ -16,13 +16,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-struct Ball {
+struct InnerBall {
   Vector3d centre;
   double radius;
 };
 
 /// Whether the box of a child is certainly outside of a ball. @param ball in the frame of nodes
-bool isBeyond(const MeshTreeNode& node, std::size_t slot, const Ball& ball) {
+bool isBeyond(const MeshTreeNode& node, std::size_t slot, const InnerBall& ball) {
   Vector3d gap;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
@@ -34,7 +34,7 @@ bool isBeyond(const MeshTreeNode& node, std::size_t slot, const Ball& ball) {
 
 /// Calls isClear(triangle) for all that may reach into the ball, until it says no.
 template <class IsClear>
-bool allClear(const MeshTree& tree, const Ball& ball, const IsClear& is_clear) {
+bool allClear(const MeshTree& tree, const InnerBall& ball, const IsClear& is_clear) {
   std::vector<std::uint32_t> open{0};
   while (!open.empty()) {
     const MeshTreeNode& node = tree.nodes()[open.back()];
@@ -63,7 +63,8 @@ bool isClear(const MeshTree& tree, const Vector3d& a, const Vector3d& b, double 
   Vector3d from = a;
   for (double i = 1.0; i <= pieces; ++i) {
     const Vector3d to = i == pieces ? b : Vector3d(a + i / pieces * (b - a));
-    const Ball ball{0.5 * (from + to) - tree.center(), radius + 0.5 * (to - from).norm() + slack};
+    const InnerBall ball{0.5 * (from + to) - tree.center(),
+                         radius + 0.5 * (to - from).norm() + slack};
     const auto is_far = [&](const Triangle& triangle) {
       return clearanceBound(triangle, from, to, radius) >= radius;
     };

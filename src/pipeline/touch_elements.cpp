@@ -14,7 +14,7 @@ namespace {
 using State = ElementContact::State;
 
 // Work other than opening nodes, in units of it.
-constexpr std::uint32_t kSetUpSteps = 2;  // poses and last triangles
+constexpr std::uint32_t kStartSteps = 2;  // poses and last triangles
 constexpr std::uint32_t kHullSteps = 8;   // two convex geometries
 constexpr std::uint32_t kInnerSteps = 2;
 
@@ -109,7 +109,7 @@ ElementContact touchElements(const PlacedElement& a, const PlacedElement& b,
     return touchConvex(a, b, goal.distance + paddings, search);
   }
   const double reach = std::max(goal.distance, 0.0) + paddings;
-  std::uint32_t steps = kSetUpSteps;
+  std::uint32_t steps = kStartSteps;
   const HullAnswer hulls = askHulls(a, b, reach, search, steps);
   if (hulls != HullAnswer::open) {
     return settled(hulls == HullAnswer::apart ? State::apart : State::contact, steps);
