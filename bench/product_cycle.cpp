@@ -31,7 +31,8 @@ Said whatIsSaid(const PairEvents& events) {
 }
 
 /// Cycles of a robot that moves, each twice, of which the shorter time counts: what else runs on
-/// the machine is in one of them at most. Then those without a budget, for what they say.
+/// the machine is in one of them at most. Then those without budget and tolerance, for what they
+/// say.
 class Cycles {
  public:
   Cycles(const CycleSetup& setup, double rate)
@@ -40,6 +41,7 @@ class Cycles {
         buffers_(makeBuffers(setup, BroadPhaseKind::automatic)),
         unlimited_(makeBuffers(setup, BroadPhaseKind::automatic)) {
     unlimited_.refine.limits.budget = kNoBudget;
+    unlimited_.refine.limits.tolerance = 0.0;
     unlimited_.sweep.budget = kNoBudget;
   }
 

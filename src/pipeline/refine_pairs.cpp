@@ -179,12 +179,8 @@ void report(const Refinement& all, RefineTask& task, const ElementDistance& foun
 }
 
 /// Keeps that the elements are so far apart at least, where nothing better is known.
-void keepApart(const Refinement& all, const RefineTask& task, const ElementDistance& recalled,
+void keepApart(const Refinement& all, const RefineTask& task, double apart,
                const ElementContact& contact) noexcept {
-  const double apart = clearBeyond(all);
-  if (recalled.quality != Quality::unknown && recalled.measured.distance >= apart) {
-    return;
-  }
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   ElementDistance found;
   found.quality = Quality::lower_bound;
@@ -195,19 +191,13 @@ void keepApart(const Refinement& all, const RefineTask& task, const ElementDista
                                            placed(all, pair.b).world_from_element};
 }
 
-/// Tells contacts of enclosing shapes that are none of the geometries, and no more: whether
-/// geometries touch takes a part of the steps of their distance. Leaves a part of the budget for
-/// distances, so that every pair has its turn.
-void decideContact(const Refinement& all, const RefineTask& task) noexcept {
-  const Goal goal{clearBeyond(all), all.work.limits.budget / 4 * 3};
-  if (task.bound > goal.enough || !(all.work.steps < goal.budget)) {
-    return;
-  }
+/// Whether the elements are farther apart than that; if so, it is kept.
+bool areApart(const Refinement& all, const RefineTask& task, const Goal& goal) noexcept {
   const ElementDistance recalled = recallTask(all, task);
-  const bool is_clear =
+  const bool is_apart =
       recalled.quality == Quality::lower_bound && recalled.measured.distance >= goal.enough;
-  if (is_clear || isEnough(recalled, goal.enough)) {
-    return;
+  if (is_apart || isEnough(recalled, goal.enough) || !(all.work.steps < goal.budget)) {
+    return true;
   }
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   ElementSearch search = searchFor(all, task, goal);
@@ -215,8 +205,23 @@ void decideContact(const Refinement& all, const RefineTask& task) noexcept {
       touchElements(placed(all, pair.a), placed(all, pair.b), {goal.enough, true}, search);
   all.work.steps += contact.steps;
   if (contact.state == ElementContact::State::apart) {
-    keepApart(all, task, recalled, contact);
+    keepApart(all, task, goal.enough, contact);
   }
+  return contact.state == ElementContact::State::apart;
+}
+
+/// Tells contacts of enclosing shapes that are none of the geometries, and no more: whether
+/// geometries touch takes a part of the steps of their distance. First whether they are so far
+/// apart that no contact is held, then whether they touch. Leaves a part of the budget for
+/// distances, so that every pair has its turn.
+void decideContact(const Refinement& all, const RefineTask& task) noexcept {
+  constexpr double kPastThreshold = 1e-6;
+  const Goal clear{clearBeyond(all), all.work.limits.budget / 4 * 3};
+  if (task.bound > clear.enough || areApart(all, task, clear)) {
+    return;
+  }
+  const double contact = std::max(0.0, all.setup.limits.contact_distance);
+  areApart(all, task, {contact + kPastThreshold, clear.budget});
 }
 
 void refine(const Refinement& all, RefineTask& task) noexcept {
