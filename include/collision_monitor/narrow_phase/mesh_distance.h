@@ -74,7 +74,7 @@ struct MeshQueryLimits {
 /// Lin, "Accurate and Fast Proximity Queries Between Polyhedra Using Convex Surface Decomposition"
 /// (2001), for the front of the tree of pairs, which is kept here with bounds.
 struct MeshFront {
-  static constexpr std::uint32_t kCapacity = 2048;
+  static constexpr std::uint32_t kCapacity = 4096;
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
   /// Two bounds or triangles, as MeshQueryMemory::Waiting.
