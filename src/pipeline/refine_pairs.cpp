@@ -191,8 +191,9 @@ void keepApart(const Refinement& all, const RefineTask& task, double apart,
                                            placed(all, pair.b).world_from_element};
 }
 
-/// Whether the elements are farther apart than that; if so, it is kept.
-bool areApart(const Refinement& all, const RefineTask& task, const Goal& goal) noexcept {
+/// @return whether nothing is left to decide: they are farther apart, which is kept, or were
+/// measured, or the budget is spent.
+bool tryDecide(const Refinement& all, const RefineTask& task, const Goal& goal) noexcept {
   const ElementDistance recalled = recallTask(all, task);
   const bool is_apart =
       recalled.quality == Quality::lower_bound && recalled.measured.distance >= goal.enough;
@@ -217,11 +218,11 @@ bool areApart(const Refinement& all, const RefineTask& task, const Goal& goal) n
 void decideContact(const Refinement& all, const RefineTask& task) noexcept {
   constexpr double kPastThreshold = 1e-6;
   const Goal clear{clearBeyond(all), all.work.limits.budget / 4 * 3};
-  if (task.bound > clear.enough || areApart(all, task, clear)) {
+  if (task.bound > clear.enough || tryDecide(all, task, clear)) {
     return;
   }
   const double contact = std::max(0.0, all.setup.limits.contact_distance);
-  areApart(all, task, {contact + kPastThreshold, clear.budget});
+  tryDecide(all, task, {contact + kPastThreshold, clear.budget});
 }
 
 void refine(const Refinement& all, RefineTask& task) noexcept {
