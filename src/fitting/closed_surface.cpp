@@ -81,11 +81,11 @@ std::optional<TriangleMesh> closedSurface(const TriangleMesh& mesh) {
 }
 
 double windingNumber(const TriangleBvh& surface, const Vector3d& point) noexcept {
-  double angles = 0.0;
+  SolidAngles angles(point);
   for (const auto& triangle : surface.triangles()) {
-    angles += solidAngle(triangle, point);
+    angles.add(triangle);
   }
-  return angles / (4.0 * kPi);
+  return angles.sum() / (4.0 * kPi);
 }
 
 }  // namespace collision_monitor

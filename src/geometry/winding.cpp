@@ -37,15 +37,36 @@ void add(const WindingMoments& part, WindingMoments& whole) noexcept {
 
 }  // namespace
 
-double solidAngle(const Triangle& triangle, const Vector3d& point) noexcept {
-  const Vector3d a = triangle[0] - point;
-  const Vector3d b = triangle[1] - point;
-  const Vector3d c = triangle[2] - point;
+void SolidAngles::add(const Triangle& triangle) noexcept {
+  const Vector3d a = triangle[0] - point_;
+  const Vector3d b = triangle[1] - point_;
+  const Vector3d c = triangle[2] - point_;
   const double la = a.norm();
   const double lb = b.norm();
   const double lc = c.norm();
-  return 2.0 * std::atan2(a.dot(b.cross(c)),
-                          la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  const double y = a.dot(b.cross(c));
+  const double x = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+  const double size = std::abs(x) + std::abs(y);
+  if (!(size > 0.0)) {
+    return;
+  }
+  const double real = (real_ * x - imaginary_ * y) / size;
+  const double imaginary = (real_ * y + imaginary_ * x) / size + 0.0;
+  // Two angles from 0 to pi, or two below 0, may have gone round together.
+  if (imaginary_ >= 0.0 && y >= 0.0) {
+    const bool is_whole_turn = imaginary == 0.0 && real > 0.0 && real_ < 0.0;
+    turns_ += imaginary < 0.0 || is_whole_turn ? 1.0 : 0.0;
+  } else if (imaginary_ < 0.0 && y < 0.0) {
+    turns_ -= imaginary >= 0.0 ? 1.0 : 0.0;
+  }
+  constexpr double kSmall = 1e-100;
+  const double scale = std::abs(real) + std::abs(imaginary) < kSmall ? 1.0 / kSmall : 1.0;
+  real_ = scale * real;
+  imaginary_ = scale * imaginary;
+}
+
+double SolidAngles::sum() const noexcept {
+  return 2.0 * std::atan2(imaginary_, real_) + 4.0 * kPi * turns_;
 }
 
 WindingMoments momentsOf(const Triangle& triangle) noexcept {

@@ -12,11 +12,27 @@
 /// number. docs/decisions/inside-of-open-meshes.md says what is made of it.
 namespace collision_monitor {
 
-/// How much of all directions from the point the triangle covers, of 4 pi; > 0 where its front,
-/// from which its corners turn left, looks away from the point. Units: [sr].
-/// Error: 1e-15 times a few. Limits: of points in its plane, to rounding, the sign is any.
-/// Source: van Oosterom, Strackee, "The Solid Angle of a Plane Triangle" (1983).
-double solidAngle(const Triangle& triangle, const Eigen::Vector3d& point) noexcept;
+/// How much of all directions from a point triangles cover, summed. Of one it is > 0 where its
+/// front, from which its corners turn left, looks away from the point.
+///
+/// The half of a triangle's angle is that of a complex number, and a sum of angles that of a
+/// product: so there is one arc tangent for all triangles. Units: [sr].
+/// Error: 1e-15 times a few for each triangle. Limits: of points in its plane, to rounding, the
+/// sign is any.
+/// Source: van Oosterom, Strackee, "The Solid Angle of a Plane Triangle" (1983), for the number.
+class SolidAngles {
+ public:
+  explicit SolidAngles(const Eigen::Vector3d& point) noexcept : point_(point) {}
+
+  void add(const Triangle& triangle) noexcept;
+  double sum() const noexcept;
+
+ private:
+  Eigen::Vector3d point_;
+  double real_{1.0};       ///< of the product
+  double imaginary_{0.0};  ///< never -0
+  double turns_{0.0};      ///< that half of the sum is ahead of the angle of the product
+};
 
 /// A part of a surface as points far from it see it.
 struct WindingMoments {

@@ -19,7 +19,7 @@ WindingNumber sum(const MeshTree& tree, const Eigen::Vector3d& point, double mos
                   MeshQueryMemory& memory) noexcept {
   const std::vector<WindingMoments>& moments = tree.openSurface()->moments;
   WindingNumber number{0.0, kRounding, 0};
-  double angles = 0.0;
+  SolidAngles angles(point);
   WaitingPairs waiting(memory);
   waiting.push({0.0F, 0, 0});
   while (!waiting.empty()) {
@@ -36,14 +36,14 @@ WindingNumber sum(const MeshTree& tree, const Eigen::Vector3d& point, double mos
         continue;
       }
       if (isTriangle(child)) {
-        angles += solidAngle(tree.triangles()[triangleAt(child)], point);
+        angles.add(tree.triangles()[triangleAt(child)]);
         ++number.visits;
       } else {
         waiting.push({0.0F, child, 0});
       }
     }
   }
-  number.value += angles / (4.0 * kPi);
+  number.value += angles.sum() / (4.0 * kPi);
   return number;
 }
 

@@ -59,6 +59,16 @@ TriangleMesh anyOpen() {
   return mesh;
 }
 
+/// As van Oosterom and Strackee have it, with an arc tangent for each triangle.
+double solidAngle(const Triangle& triangle, const Vector3d& point) {
+  const Vector3d a = triangle[0] - point;
+  const Vector3d b = triangle[1] - point;
+  const Vector3d c = triangle[2] - point;
+  const double base = a.norm() * b.norm() * c.norm();
+  const double sides = a.dot(b) * c.norm() + b.dot(c) * a.norm() + c.dot(a) * b.norm();
+  return 2.0 * std::atan2(a.dot(b.cross(c)), base + sides);
+}
+
 double sumOfAll(const MeshTree& tree, const Vector3d& point) {
   double angles = 0.0;
   for (const Triangle& triangle : tree.triangles()) {

@@ -18,11 +18,17 @@ using Eigen::Vector3d;
 constexpr double kExact = 1e-14;
 
 double windingOfAll(const TriangleMesh& mesh, const Vector3d& point) {
-  double angles = 0.0;
+  SolidAngles angles(point);
   for (const auto& t : mesh.triangles) {
-    angles += solidAngle({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}, point);
+    angles.add({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
   }
-  return angles / (4.0 * kPi);
+  return angles.sum() / (4.0 * kPi);
+}
+
+double solidAngle(const Triangle& triangle, const Vector3d& point) {
+  SolidAngles angles(point);
+  angles.add(triangle);
+  return angles.sum();
 }
 
 /// A box whose last side, of two triangles, is missing.
@@ -38,6 +44,21 @@ TEST(SolidAngle, octant_isAnEighthOfAllDirections) {
   // From far off, the area seen over the squared distance.
   const double far = solidAngle(octant, Vector3d(-1e3, -1e3, -1e3));
   EXPECT_NEAR(far * 3.0e6, 0.5 * std::sqrt(3.0), 1e-3);
+}
+
+TEST(SolidAngle, surfacesThatGoAroundManyTimes_areCounted) {
+  const TriangleMesh box = boxMesh({1, 2, 3});
+  TriangleMesh often = box;
+  for (int i = 1; i < 500; ++i) {
+    often.triangles.insert(often.triangles.end(), box.triangles.begin(), box.triangles.end());
+  }
+  EXPECT_NEAR(windingOfAll(often, Vector3d(0.1, 0.2, 0.3)), 500.0, 1e-10);
+  EXPECT_NEAR(windingOfAll(often, Vector3d(0, 0, 0)), 500.0, 1e-10);
+  EXPECT_NEAR(windingOfAll(often, Vector3d(1.5, 0.2, 0.3)), 0.0, 1e-10);
+  for (auto& triangle : often.triangles) {
+    std::swap(triangle[1], triangle[2]);
+  }
+  EXPECT_NEAR(windingOfAll(often, Vector3d(0.1, 0.2, 0.3)), -500.0, 1e-10);
 }
 
 TEST(SolidAngle, trianglesWithoutArea_coverNothing) {
