@@ -9,13 +9,9 @@
 namespace collision_monitor {
 namespace {
 
-bool isMeasuredAsMesh(const Element& element) noexcept {
-  return element.mesh && (!element.convex || std::holds_alternative<ConvexHull>(*element.convex));
-}
-
-/// A front where two meshes are searched.
+/// A front where a mesh is searched, beside another or a solid.
 RefineKind refineKindOf(const Element& a, const Element& b) noexcept {
-  const bool has_front = isMeasuredAsMesh(a) && isMeasuredAsMesh(b);
+  const bool has_front = (a.mesh && !a.convex) || (b.mesh && !b.convex);
   const bool has_depth = a.mesh && b.mesh && !(a.convex && b.convex);
   if (a.is_body && b.is_body) {
     return RefineKind::never;

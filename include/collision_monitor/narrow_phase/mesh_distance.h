@@ -62,15 +62,17 @@ struct MeshQueryLimits {
   double tolerance{0.0};
 };
 
-/// What a query about two meshes leaves for the next one about the same: a front of pairs, of
-/// bounds or triangles, beyond which the search did not look, each with the motion before which it
-/// need not be looked at. Some thousands of bytes.
+/// What a query about two meshes, or a mesh and a solid, leaves for the next one about the same: a
+/// front of pairs, of bounds or triangles, beyond which the search did not look, each with the
+/// motion before which it need not be looked at. Some ten thousand bytes.
 ///
 /// Between two poses no point of B comes farther, seen from A, than the ball about it does. What
 /// was at least d away is then at least d less these steps away, and stays unseen until that is
-/// less than the nearest distance. Pairs that were farther than the nearest by a margin are not
-/// kept; `cover` stands for all of them. When that is used up the search starts from the roots.
-/// Source: Verlet, "Computer 'experiments' on classical fluids I" (1967), for the margin; Ehmann,
+/// less than the nearest distance. Children of one bound are kept as one as long as none of them
+/// is looked at. Triangles keep the direction that they were last apart along: while it still parts
+/// them, they are not measured. Where there is no room for all, `cover` stands for those that are
+/// farthest; when that is used up the search starts from the roots.
+/// Source: Verlet, "Computer 'experiments' on classical fluids I" (1967), for the motion; Ehmann,
 /// Lin, "Accurate and Fast Proximity Queries Between Polyhedra Using Convex Surface Decomposition"
 /// (2001), for the front of the tree of pairs, which is kept here with bounds.
 struct MeshFront {
@@ -79,21 +81,27 @@ struct MeshFront {
 
   /// Two bounds or triangles, as MeshQueryMemory::Waiting.
   struct Kept {
-    float due;  ///< [m] of `moved` and the nearest distance together: from there on to be looked at
     std::uint32_t a;
     std::uint32_t b;
+    /// Of triangles the direction, roughly: three numbers of ten bits; 0: none. Of bounds a bit for
+    /// each child that is meant; 0: all.
+    std::uint32_t detail{0};
   };
 
-  std::optional<Pose> a_from_b;   ///< of the last query; none: there was none
-  Kept nearest{0, kNone, kNone};  ///< the nearest triangles then
-  double moved{0.0};              ///< [m] all steps since the search from the roots
-  double cover{0.0};              ///< [m] as Kept::due, of all that is not kept
-  double margin{0.0};             ///< [m] how much farther than the nearest pairs are kept
-  double room{std::numeric_limits<double>::infinity()};  ///< [m] margin for which `kept` suffices
-  double apart{0.0};    ///< [m] the surfaces were, and neither inside the other
-  double outside{0.0};  ///< [m] as MeshDistance::outside
+  std::optional<Pose> a_from_b;  ///< of the last query; none: there was none
+  Kept nearest{kNone, kNone};    ///< the nearest triangles then
+  double moved{0.0};             ///< [m] all steps since `due` was 0
+  double cover{0.0};             ///< [m] as `due`, of all that is not kept
+  double margin{0.0};            ///< [m] how much farther than the nearest triangles are measured
+  double apart{0.0};             ///< [m] the surfaces were, and neither inside the other
+  double outside{0.0};           ///< [m] as MeshDistance::outside
+  std::uint32_t from_roots{0};   ///< visits of the last search from there,
+  bool is_whole{false};          ///< and of those that went on with it until it was complete
   std::uint32_t size{0};
-  std::array<Kept, kCapacity> kept{};  ///< set, so that no cycle is the first to touch its memory
+  // Set, so that no cycle is the first to touch their memory.
+  /// [m] of `moved` and the nearest distance together: from there on the pair is to be looked at
+  std::array<float, kCapacity> due{};
+  std::array<Kept, kCapacity> kept{};
 };
 
 /// What a query needs to remember on its way. One for each thread; its content means nothing
@@ -198,9 +206,12 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedShape& b, MeshQuer
 ///
 /// Of a half space the distance is exact in either sign, at the corner that is lowest, and no limit
 /// applies. A hull costs a search for each triangle near it: a mesh of its surface has less to do
-/// where it has many corners.
+/// where it has many corners. @param front as of two meshes.
 MeshDistance distanceBetween(const PlacedMesh& a, const PlacedConvex& b, MeshQueryMemory& memory,
                              const TrianglePair& start = TrianglePair{},
+                             const MeshQueryLimits& limits = MeshQueryLimits{}) noexcept;
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedConvex& b, MeshQueryMemory& memory,
+                             MeshFront& front,
                              const MeshQueryLimits& limits = MeshQueryLimits{}) noexcept;
 
 }  // namespace collision_monitor

@@ -45,6 +45,8 @@ PointPair nearestPoints(const Triangle& a, const Triangle& b,
 struct TriangleDistance {
   PointPair nearest;
   double squared_bound;  ///< [m^2] of a lower bound of the distance
+  /// Of any length, from A to B: along it they are as far apart; 0: none is known.
+  Eigen::Vector3d direction{Eigen::Vector3d::Zero()};
 };
 
 /// As nearestPoints, but looks no further where the direction of the start, or the plane of a
@@ -52,5 +54,10 @@ struct TriangleDistance {
 /// @param squared_enough [m^2] not more than the start.
 TriangleDistance boundedDistance(const Triangle& a, const Triangle& b, const PointPair& start,
                                  double squared_enough) noexcept;
+
+/// [m^2] The square of how far a direction of any length, from A to B, separates the triangles; 0
+/// where it does not.
+double squaredGapAlong(const Eigen::Vector3d& direction, const Triangle& a,
+                       const Triangle& b) noexcept;
 
 }  // namespace collision_monitor

@@ -64,8 +64,8 @@ enum class RefineKind : unsigned char {
 /// What a pair has forgotten costs time, as resetMemory does.
 class RefineStore {
  public:
-  static constexpr std::size_t kMostPlain = 2048;   ///< memories of pairs without meshes
-  static constexpr std::size_t kMostMeshes = 1024;  ///< of each other kind
+  static constexpr std::size_t kMostPlain = 2048;  ///< memories of pairs without meshes
+  static constexpr std::size_t kMostMeshes = 640;  ///< of each other kind
 
   RefineStore() = default;
   /// @param kinds by ElementPairIndex

@@ -33,11 +33,12 @@ double depthInBox(const MeshTree& solid, const Vector3d& point) noexcept {
 
 // @param is_known whether it is known to be inside, which of an open solid is no answer: it tells
 // no hold.
-PointInMesh lookInside(const DepthSearch& search, const Vector3d& point, bool is_known) noexcept {
+PointInMesh lookInside(const DepthSearch& search, const Vector3d& point, bool is_known,
+                       bool asks_hold) noexcept {
   const bool is_about_deepest = (point - search.deepest.at).norm() < search.deepest.depth;
   PointInMesh lies;
   lies.is_inside = search.solid.isClosed() && (is_known || is_about_deepest);
-  return lies.is_inside ? lies : lookInside(search.solid, point, search.memory);
+  return lies.is_inside ? lies : lookInside(search.solid, point, search.memory, asks_hold);
 }
 
 // A corner of an open solid is no deeper than its way through a hole.
@@ -66,7 +67,8 @@ MeasuredPlace measurePlace(DepthSearch& search, const Vector3d& center, double r
   if (!(found.deepest > search.beyond)) {
     return found;
   }
-  const PointInMesh lies = in_box > 0.0 ? lookInside(search, center, is_inside) : PointInMesh();
+  const PointInMesh lies =
+      in_box > 0.0 ? lookInside(search, center, is_inside, radius == 0.0) : PointInMesh();
   if (lies.is_inside) {
     if (radius == 0.0) {
       holdBack(lies.hold, center, found);

@@ -28,25 +28,15 @@ Eigen::AlignedBox3d boxOf(const ConvexCore& core) noexcept {
   return box;
 }
 
-PlacedBound boundOfCore(const MeshAndCore& pair) noexcept {
-  const Eigen::AlignedBox3d box = boxOf(pair.core);
+PlacedBound boundOfCore(const MeshTree& mesh, const Pose& mesh_from_core,
+                        const Eigen::AlignedBox3d& box) noexcept {
   const Vector3d half_extents = 0.5 * box.sizes();
-  const Pose mesh_from_core = inverse(pair.core_from_mesh);
-  const Pose centered{mesh_from_core.rotation, mesh_from_core * box.center() - pair.mesh.center()};
-  const double size = pair.mesh.radius() + half_extents.norm() + centered.translation.norm();
+  const Pose centered{mesh_from_core.rotation, mesh_from_core * box.center() - mesh.center()};
+  const double size = mesh.radius() + half_extents.norm() + centered.translation.norm();
   constexpr float kUp = 1.0F + 1e-6F;
   const Eigen::Vector3f half = kUp * half_extents.cast<float>();
   return place(makePlacement(centered, size),
                {Eigen::Vector3f::Zero(), half, {0.0F, 0.0F, 1.0F / kUp}, 0.0F, half.z()});
-}
-
-void openNode(const MeshAndCore& pair, std::uint32_t node, const PlacedBound& core, float limit,
-              WaitingPairs& waiting) noexcept {
-  NodeBounds children;
-  const std::uint32_t nearer = boundNearer(pair.mesh.nodes()[node], core, limit, children);
-  waiting.pushNearer(children, nearer, [node](float bound, std::uint32_t slot) {
-    return MeshQueryMemory::Waiting{bound, (node << kSlotBits) + slot, 0};
-  });
 }
 
 // The core's frame. Calls visit(point) for its corners, or those of a round or many-cornered one
@@ -85,8 +75,17 @@ void forProbes(const ConvexCore& core, const Visit& visit) noexcept {
 MeshAndCore makeMeshAndCore(const PlacedMesh& a, const SweptCore& b,
                             const Pose& world_from_b) noexcept {
   const Pose core_from_mesh = inverse(world_from_b) * a.world_from_mesh;
+  const Pose mesh_from_core = inverse(core_from_mesh);
   const double size = a.tree.radius() + a.tree.center().norm() + core_from_mesh.translation.norm();
-  return {a.tree, core_from_mesh, b.core, b.radius, kTouchingShare * size};
+  const Eigen::AlignedBox3d box = boxOf(b.core);
+  return {a.tree,
+          core_from_mesh,
+          mesh_from_core,
+          b.core,
+          box,
+          boundOfCore(a.tree, mesh_from_core, box),
+          b.radius,
+          kTouchingShare * size};
 }
 
 Vector3d anyPointOf(const ConvexCore& core) noexcept {
@@ -94,31 +93,41 @@ Vector3d anyPointOf(const ConvexCore& core) noexcept {
                                              : Vector3d(Vector3d::Zero());
 }
 
+Triangle triangleInCore(const MeshAndCore& pair, std::uint32_t triangle) noexcept {
+  const Triangle& in_mesh = pair.mesh.triangles()[triangle];
+  return {pair.core_from_mesh * in_mesh[0], pair.core_from_mesh * in_mesh[1],
+          pair.core_from_mesh * in_mesh[2]};
+}
+
 void measureTriangle(const MeshAndCore& pair, std::uint32_t triangle,
-                     NearestSearch& search) noexcept {
-  offer({triangle, TrianglePair::kNone}, search.bounds, search,
-        [&](const PointPair& start, double) {
-          const Triangle& in_mesh = pair.mesh.triangles()[triangle];
-          const Triangle in_core = {pair.core_from_mesh * in_mesh[0],
-                                    pair.core_from_mesh * in_mesh[1],
-                                    pair.core_from_mesh * in_mesh[2]};
-          const PointPair found = nearestPoints(in_core, pair.core, start);
-          return TriangleDistance{found, found.squared_distance};
+                     const MeshQueryMemory::Waiting& bounds, NearestSearch& search) noexcept {
+  offer({triangle, TrianglePair::kNone}, bounds, search,
+        [&](const PointPair& start, double squared_enough) {
+          return boundedDistance(triangleInCore(pair, triangle), pair.core, start, squared_enough);
         });
 }
 
-void searchFrom(const MeshAndCore& pair, double enough, std::uint32_t visit_budget,
-                MeshQueryMemory& memory, NearestSearch& search) noexcept {
-  const PlacedBound core = boundOfCore(pair);
+void openMesh(const MeshAndCore& pair, Slot slot, float limit, OpenedPair& opened) noexcept {
+  const std::uint32_t node = childOf(pair.mesh, slot);
+  opened.is_of_a = true;
+  opened.first = node << kSlotBits;
+  opened.other = 0;
+  opened.nearer = boundNearer(pair.mesh.nodes()[node], pair.bound, limit, opened.bounds);
+}
+
+void searchFromRoot(const MeshAndCore& pair, double enough, std::uint32_t visit_budget,
+                    MeshQueryMemory& memory, NearestSearch& search) noexcept {
   WaitingPairs from_root(memory);
   from_root.push({0.0F, 0, 0});
   searchNearest(std::max(pair.rounding, enough), visit_budget, from_root, search,
                 [&](const MeshQueryMemory::Waiting& next, float limit, WaitingPairs& waiting) {
                   const std::uint32_t child = childOf(pair.mesh, next.a);
                   if (isTriangle(child)) {
-                    measureTriangle(pair, triangleAt(child), search);
+                    measureTriangle(pair, triangleAt(child), next, search);
                   } else {
-                    openNode(pair, child, core, limit, waiting);
+                    OpenedPair opened;
+                    openMesh(pair, next.a, limit, opened);
+                    waiting.pushNearer(opened);
                   }
                 });
 }
@@ -129,9 +138,9 @@ CoreInMesh lookInside(const MeshAndCore& pair, const NearestSearch& search, Mesh
   if (!pair.mesh.hasInside()) {
     return lies;
   }
-  const Pose mesh_from_core = inverse(pair.core_from_mesh);
   const auto look = [&](const Vector3d& in_core) noexcept {
-    const PointInMesh point = lookInside(pair.mesh, mesh_from_core * in_core, memory, asks_hold);
+    const PointInMesh point =
+        lookInside(pair.mesh, pair.mesh_from_core * in_core, memory, asks_hold);
     lies.visits += point.visits;
     lies.is_inside = point.is_inside;
     lies.hold = point.is_inside ? point.hold

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "geometry/constants.h"
 #include "narrow_phase/convex/convex_core.h"
 #include "narrow_phase/mesh/nearest_search.h"
@@ -13,9 +15,12 @@ namespace collision_monitor {
 struct MeshAndCore {
   const MeshTree& mesh;
   Pose core_from_mesh;
+  Pose mesh_from_core;
   ConvexCore core;
-  double radius;    ///< [m] of the shape about its core
-  double rounding;  ///< [m] a core this near touches the surface
+  Eigen::AlignedBox3d box;  ///< of the core
+  PlacedBound bound;        ///< of the core, for nodes of the mesh
+  double radius;            ///< [m] of the shape about its core
+  double rounding;          ///< [m] a core this near touches the surface
 };
 
 MeshAndCore makeMeshAndCore(const PlacedMesh& a, const SweptCore& b,
@@ -24,12 +29,19 @@ MeshAndCore makeMeshAndCore(const PlacedMesh& a, const SweptCore& b,
 /// A point of the core; a hull need not hold the origin of its frame.
 Eigen::Vector3d anyPointOf(const ConvexCore& core) noexcept;
 
+/// A triangle of the mesh in the frame of the core.
+Triangle triangleInCore(const MeshAndCore& pair, std::uint32_t triangle) noexcept;
+
+/// @param bounds where the triangle hangs, if the search has a front.
 void measureTriangle(const MeshAndCore& pair, std::uint32_t triangle,
-                     NearestSearch& search) noexcept;
+                     const MeshQueryMemory::Waiting& bounds, NearestSearch& search) noexcept;
+
+/// Of a node: as openPair.
+void openMesh(const MeshAndCore& pair, Slot slot, float limit, OpenedPair& opened) noexcept;
 
 /// Branch and bound from the root. @param enough [m] cores that near end the search.
-void searchFrom(const MeshAndCore& pair, double enough, std::uint32_t visit_budget,
-                MeshQueryMemory& memory, NearestSearch& search) noexcept;
+void searchFromRoot(const MeshAndCore& pair, double enough, std::uint32_t visit_budget,
+                    MeshQueryMemory& memory, NearestSearch& search) noexcept;
 
 /// How the core lies in the inside of the mesh.
 struct CoreInMesh {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "narrow_phase/core_distance.h"
-#include "narrow_phase/mesh/nearest_search.h"
+#include "narrow_phase/mesh/front_search.h"
 #include "narrow_phase/mesh/triangle_edges.h"
 
 namespace collision_monitor {
@@ -20,8 +20,8 @@ void measureTriangles(const MeshPair& pair, const TrianglePair& triangles,
   });
 }
 
-void searchFrom(const MeshPair& pair, std::uint32_t visit_budget, WaitingPairs& pairs,
-                NearestSearch& search) noexcept {
+void searchPairs(const MeshPair& pair, std::uint32_t visit_budget, WaitingPairs& pairs,
+                 NearestSearch& search) noexcept {
   searchNearest(
       pair.rounding, visit_budget, pairs, search,
       [&](const MeshQueryMemory::Waiting& next, float limit, WaitingPairs& waiting) {
@@ -98,30 +98,35 @@ MeshDistance answerOf(const MeshPair& pair, const NearestSearch& search, const P
   return answer;
 }
 
-// From the pairs that the last query kept, if nothing else can be nearer; else from the roots.
-void searchFromFront(const MeshPair& pair, double step, std::uint32_t visit_budget,
-                     WaitingPairs& waiting, NearestSearch& search) noexcept {
-  MeshFront& front = *search.front;
-  if (front.nearest.a != MeshFront::kNone) {
-    const TrianglePair start{triangleAt(childOf(pair.a, front.nearest.a)),
-                             triangleAt(childOf(pair.b, front.nearest.b))};
-    measureTriangles(pair, start, {0.0F, front.nearest.a, front.nearest.b}, search);
+// As searchFromFront wants it.
+struct MeshQuery {
+  const MeshPair& pair;
+
+  bool areTriangles(Slot a, Slot b) const noexcept {
+    return isTriangle(childOf(pair.a, a)) && isTriangle(childOf(pair.b, b));
   }
-  const double squared_distance = search.best.squared_distance;
-  if (squared_distance > pair.rounding * pair.rounding) {
-    const double squared_goal = search.squaredGoal();
-    if (covers(front, squared_goal)) {
-      const TakenPairs taken = takeNearer(pair, squared_goal, visit_budget, front, waiting);
-      search.squared_left = taken.squared_left;
-      search.visits += taken.visits;
-    } else {
-      restart(step, squared_distance, front);
-      waiting.push({0.0F, 0, 0});
-    }
-    searchFrom(pair, visit_budget, waiting, search);
+  TrianglePair trianglesAt(Slot a, Slot b) const noexcept {
+    return {triangleAt(childOf(pair.a, a)), triangleAt(childOf(pair.b, b))};
   }
-  front.nearest = {0.0F, search.bounds.a, search.bounds.b};
-}
+  void measure(const MeshQueryMemory::Waiting& bounds, NearestSearch& search) const noexcept {
+    measureTriangles(pair, trianglesAt(bounds.a, bounds.b), bounds, search);
+  }
+  void open(Slot a, Slot b, float limit, OpenedPair& opened) const noexcept {
+    openPair(pair, a, b, limit, opened);
+  }
+  double squaredGapAlong(const Eigen::Vector3d& direction, Slot a, Slot b) const noexcept {
+    const TrianglePair triangles = trianglesAt(a, b);
+    const Triangle& of_a = pair.a.triangles()[triangles.a];
+    const Triangle& of_b = pair.b.triangles()[triangles.b];
+    const Eigen::Vector3d in_b = pair.a_from_b.rotation.transpose() * direction;
+    const double end_of_a =
+        std::max({direction.dot(of_a[0]), direction.dot(of_a[1]), direction.dot(of_a[2])});
+    const double start_of_b = direction.dot(pair.a_from_b.translation) +
+                              std::min({in_b.dot(of_b[0]), in_b.dot(of_b[1]), in_b.dot(of_b[2])});
+    const double gap = start_of_b - end_of_a;
+    return gap > 0.0 ? gap * gap / direction.squaredNorm() : 0.0;
+  }
+};
 
 }  // namespace
 
@@ -139,7 +144,7 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
   }
   WaitingPairs waiting(memory);
   waiting.push({0.0F, 0, 0});
-  searchFrom(pair, limits.visit_budget, waiting, search);
+  searchPairs(pair, limits.visit_budget, waiting, search);
   MeshDistance answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
   if (answer.state != MeshState::overlapping) {
     reportContainment(pair, a.world_from_mesh, memory, answer);
@@ -153,13 +158,15 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
     return {};
   }
   const MeshPair pair = makeMeshPair(a, b);
-  const double step = follow(pair, front);
+  const double step = follow({pair.a_from_b, pair.a.center(), pair.a.radius(), pair.b.center(),
+                              pair.b.radius(), pair.rounding},
+                             front);
   NearestSearch search;
   search.best.squared_distance = limits.stop_beyond * limits.stop_beyond;
   search.tolerance = limits.tolerance;
   search.front = &front;
   WaitingPairs waiting(memory);
-  searchFromFront(pair, step, limits.visit_budget, waiting, search);
+  searchFromFront(MeshQuery{pair}, step, pair.rounding, limits.visit_budget, waiting, search);
   MeshDistance answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
   if (step < std::min(front.apart, front.outside)) {
     answer.outside = front.outside - step;

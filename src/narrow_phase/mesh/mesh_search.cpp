@@ -40,26 +40,27 @@ double WaitingPairs::leastBound(double start) const noexcept {
   return start;
 }
 
+void openPair(const MeshPair& pair, Slot a, Slot b, float limit, OpenedPair& opened) noexcept {
+  const std::uint32_t child_a = childOf(pair.a, a);
+  const std::uint32_t child_b = childOf(pair.b, b);
+  opened.is_of_a =
+      isTriangle(child_b) || (!isTriangle(child_a) && sizeOf(pair.a, a) > sizeOf(pair.b, b));
+  const std::uint32_t node = opened.is_of_a ? child_a : child_b;
+  opened.first = node << kSlotBits;
+  opened.other = opened.is_of_a ? b : a;
+  opened.nearer =
+      opened.is_of_a
+          ? boundNearer(pair.a.nodes()[node], place(pair.bounds_to_a, boundAt(pair.b, b)), limit,
+                        opened.bounds)
+          : boundNearer(pair.b.nodes()[node], place(pair.bounds_to_b, boundAt(pair.a, a)), limit,
+                        opened.bounds);
+}
+
 void openLarger(const MeshPair& pair, const MeshQueryMemory::Waiting& bounds, float limit,
                 WaitingPairs& waiting) noexcept {
-  const std::uint32_t child_a = childOf(pair.a, bounds.a);
-  const std::uint32_t child_b = childOf(pair.b, bounds.b);
-  const bool opens_a = isTriangle(child_b) || (!isTriangle(child_a) &&
-                                               sizeOf(pair.a, bounds.a) > sizeOf(pair.b, bounds.b));
-  NodeBounds children;
-  if (opens_a) {
-    const PlacedBound other = place(pair.bounds_to_a, boundAt(pair.b, bounds.b));
-    const std::uint32_t nearer = boundNearer(pair.a.nodes()[child_a], other, limit, children);
-    waiting.pushNearer(children, nearer, [&](float bound, std::uint32_t slot) {
-      return MeshQueryMemory::Waiting{bound, (child_a << kSlotBits) + slot, bounds.b};
-    });
-  } else {
-    const PlacedBound other = place(pair.bounds_to_b, boundAt(pair.a, bounds.a));
-    const std::uint32_t nearer = boundNearer(pair.b.nodes()[child_b], other, limit, children);
-    waiting.pushNearer(children, nearer, [&](float bound, std::uint32_t slot) {
-      return MeshQueryMemory::Waiting{bound, bounds.a, (child_b << kSlotBits) + slot};
-    });
-  }
+  OpenedPair opened;
+  openPair(pair, bounds.a, bounds.b, limit, opened);
+  waiting.pushNearer(opened);
 }
 
 float asLimit(double squared_distance) noexcept {

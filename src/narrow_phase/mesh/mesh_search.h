@@ -51,6 +51,20 @@ MeshPair makeMeshPair(const PlacedMesh& a, const PlacedMesh& b) noexcept;
 /// A triangle of B in the frame of A.
 Triangle triangleOfB(const MeshPair& pair, std::uint32_t triangle) noexcept;
 
+/// One of two bounds, opened: its children beside the other.
+struct OpenedPair {
+  NodeBounds bounds;
+  std::uint32_t nearer;  ///< a bit for each child whose squared bound is below the limit
+  Slot first;            ///< of the children
+  Slot other;
+  bool is_of_a;
+
+  MeshQueryMemory::Waiting childAt(std::uint32_t slot) const noexcept {
+    return is_of_a ? MeshQueryMemory::Waiting{bounds.squared[slot], first + slot, other}
+                   : MeshQueryMemory::Waiting{bounds.squared[slot], other, first + slot};
+  }
+};
+
 /// The pairs that wait to be looked at.
 class WaitingPairs {
  public:
@@ -58,15 +72,15 @@ class WaitingPairs {
 
   explicit WaitingPairs(MeshQueryMemory& memory) noexcept : memory_(memory) {}
 
+  void clear() noexcept { size_ = 0; }
   bool empty() const noexcept { return size_ == 0; }
   Waiting pop() noexcept { return memory_.waiting[--size_]; }
   void push(const Waiting& pair) noexcept { memory_.waiting[size_++] = pair; }
 
-  /// Adds the children that `nearer` has a bit for, the first in order last. `makePair` turns a
-  /// bound and a slot of the node into a pair.
-  template <class MakePair>
-  void pushNearer(const NodeBounds& bounds, std::uint32_t nearer,
-                  const MakePair& makePair) noexcept {
+  /// Adds the children that `nearer` has a bit for, the first in order last. `childAt(slot)` makes
+  /// a pair of one.
+  template <class ChildAt>
+  void pushNearer(const NodeBounds& bounds, std::uint32_t nearer, const ChildAt& childAt) noexcept {
     const std::size_t bottom = size_;
     std::array<float, MeshTreeNode::kWidth> orders;
     for (; nearer != 0; nearer &= nearer - 1) {
@@ -78,8 +92,12 @@ class WaitingPairs {
         orders[place - bottom] = orders[place - bottom - 1];
       }
       orders[place - bottom] = order;
-      memory_.waiting[place] = makePair(bounds.squared[slot], slot);
+      memory_.waiting[place] = childAt(slot);
     }
+  }
+  void pushNearer(const OpenedPair& opened) noexcept {
+    pushNearer(opened.bounds, opened.nearer,
+               [&](std::uint32_t slot) { return opened.childAt(slot); });
   }
 
   /// The least bound that waits; `start` if none is less.
@@ -89,6 +107,9 @@ class WaitingPairs {
   MeshQueryMemory& memory_;
   std::size_t size_{0};
 };
+
+/// Opens the larger of two bounds, of which at least one is a node: always the same one.
+void openPair(const MeshPair& pair, Slot a, Slot b, float limit, OpenedPair& opened) noexcept;
 
 /// Opens the larger of two bounds, of which at least one is a node, and lets its children wait
 /// whose squared distance to the other bound may be below `limit`.

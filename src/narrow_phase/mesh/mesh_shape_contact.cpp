@@ -21,10 +21,10 @@ MeshContact touchCore(const PlacedMesh& a, const SweptCore& b, const Pose& world
       std::nextafter(enough * enough, std::numeric_limits<double>::infinity());
   search.best.on_b = anyPointOf(b.core);
   if (start.a < a.tree.triangles().size()) {
-    measureTriangle(pair, start.a, search);
+    measureTriangle(pair, start.a, search.bounds, search);
   }
   if (search.nearest.a == TrianglePair::kNone) {
-    searchFrom(pair, enough, query.visit_budget, memory, search);
+    searchFromRoot(pair, enough, query.visit_budget, memory, search);
   }
   found.visits = 1 + search.visits;
   if (search.nearest.a != TrianglePair::kNone) {

@@ -9,7 +9,9 @@
 #include "collision_monitor/geometry/visit_held.h"
 #include "narrow_phase/convex/convex_core.h"
 #include "narrow_phase/core_distance.h"
+#include "narrow_phase/mesh/front_search.h"
 #include "narrow_phase/mesh/mesh_and_core.h"
+#include "narrow_phase/mesh/triangle_core.h"
 #include "narrow_phase/mesh/triangle_edges.h"
 
 namespace collision_monitor {
@@ -62,8 +64,71 @@ void report(const MeshAndCore& pair, const NearestSearch& search, const CoreInMe
   }
 }
 
+// As searchFromFront wants it.
+struct CoreQuery {
+  const MeshAndCore& pair;
+
+  bool areTriangles(Slot a, Slot) const noexcept { return isTriangle(childOf(pair.mesh, a)); }
+  std::uint32_t triangleIn(Slot slot) const noexcept {
+    return triangleAt(childOf(pair.mesh, slot));
+  }
+  void measure(const MeshQueryMemory::Waiting& bounds, NearestSearch& search) const noexcept {
+    measureTriangle(pair, triangleIn(bounds.a), bounds, search);
+  }
+  void open(Slot a, Slot, float limit, OpenedPair& opened) const noexcept {
+    openMesh(pair, a, limit, opened);
+  }
+  double squaredGapAlong(const Vector3d& direction, Slot a, Slot) const noexcept {
+    return collision_monitor::squaredGapAlong(direction, triangleInCore(pair, triangleIn(a)),
+                                              pair.core);
+  }
+};
+
+// What an earlier query left.
+struct CoreStart {
+  TrianglePair nearest;
+  MeshFront* front{nullptr};
+};
+
+// A core that has not come as far as to the surface is where it was.
+CoreInMesh lookInside(const MeshAndCore& pair, const NearestSearch& search, double step,
+                      MeshQueryMemory& memory) noexcept {
+  CoreInMesh lies;
+  if (search.front != nullptr && step < std::min(search.front->apart, search.front->outside)) {
+    lies.hold = search.front->outside - step;
+    return lies;
+  }
+  return collision_monitor::lookInside(pair, search, memory);
+}
+
+double searchCore(const MeshAndCore& pair, const CoreStart& start, std::uint32_t visit_budget,
+                  MeshQueryMemory& memory, NearestSearch& search) noexcept {
+  search.front = start.front;
+  if (start.front != nullptr) {
+    const double step = follow({pair.mesh_from_core, pair.mesh.center(), pair.mesh.radius(),
+                                pair.box.center(), 0.5 * pair.box.diagonal().norm(), pair.rounding},
+                               *start.front);
+    WaitingPairs waiting(memory);
+    searchFromFront(CoreQuery{pair}, step, pair.rounding, visit_budget, waiting, search);
+    return step;
+  }
+  if (start.nearest.a < pair.mesh.triangles().size()) {
+    measureTriangle(pair, start.nearest.a, search.bounds, search);
+  }
+  searchFromRoot(pair, 0.0, visit_budget, memory, search);
+  return kInfinity;
+}
+
+void keepLies(const NearestSearch& search, const CoreInMesh& lies) noexcept {
+  if (search.front != nullptr) {
+    const double squared = std::min(search.squaredBound(), search.squared_open);
+    search.front->apart = lies.is_inside ? 0.0 : std::sqrt(squared);
+    search.front->outside = lies.hold;
+  }
+}
+
 MeshDistance measureCore(const PlacedMesh& a, const SweptCore& b, const Pose& world_from_b,
-                         MeshQueryMemory& memory, const TrianglePair& start,
+                         MeshQueryMemory& memory, const CoreStart& start,
                          const MeshQueryLimits& limits) noexcept {
   const MeshAndCore pair = makeMeshAndCore(a, b, world_from_b);
   MeshDistance answer;
@@ -73,15 +138,14 @@ MeshDistance measureCore(const PlacedMesh& a, const SweptCore& b, const Pose& wo
   search.tolerance = limits.tolerance;
   search.radius = b.radius;
   search.best.on_b = anyPointOf(b.core);
-  if (start.a < a.tree.triangles().size()) {
-    measureTriangle(pair, start.a, search);
-  }
-  searchFrom(pair, 0.0, limits.visit_budget, memory, search);
-  const CoreInMesh lies = lookInside(pair, search, memory);
+  const double step = searchCore(pair, start, limits.visit_budget, memory, search);
+  const CoreInMesh lies = lookInside(pair, search, step, memory);
+  keepLies(search, lies);
   if (lies.is_inside && search.nearest.a == TrianglePair::kNone) {
     // All of the surface is farther than was asked for, and so is the way out.
+    search.front = nullptr;
     search.best.squared_distance = std::numeric_limits<double>::infinity();
-    searchFrom(pair, 0.0, limits.visit_budget, memory, search);
+    searchFromRoot(pair, 0.0, limits.visit_budget, memory, search);
   }
   answer.visits = search.visits + lies.visits;
   answer.outside = lies.is_inside ? kInfinity : lies.hold;
@@ -90,19 +154,8 @@ MeshDistance measureCore(const PlacedMesh& a, const SweptCore& b, const Pose& wo
   return answer;
 }
 
-}  // namespace
-
-MeshDistance distanceBetween(const PlacedMesh& a, const PlacedShape& b, MeshQueryMemory& memory,
-                             const TrianglePair& start, const MeshQueryLimits& limits) noexcept {
-  if (!isFinite(a.world_from_mesh) || !isFinite(b.world_from_shape)) {
-    return {};
-  }
-  const ConvexCore core{ConvexCore::Kind::box, coreHalfExtents(b.shape)};
-  return measureCore(a, {core, radiusOf(b.shape)}, b.world_from_shape, memory, start, limits);
-}
-
-MeshDistance distanceBetween(const PlacedMesh& a, const PlacedConvex& b, MeshQueryMemory& memory,
-                             const TrianglePair& start, const MeshQueryLimits& limits) noexcept {
+MeshDistance measureConvex(const PlacedMesh& a, const PlacedConvex& b, MeshQueryMemory& memory,
+                           const CoreStart& start, const MeshQueryLimits& limits) noexcept {
   if (!isFinite(a.world_from_mesh) || !isFinite(b.world_from_body)) {
     return {};
   }
@@ -114,6 +167,27 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedConvex& b, MeshQue
     }
   };
   return visitHeld(measure, b.geometry);
+}
+
+}  // namespace
+
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedShape& b, MeshQueryMemory& memory,
+                             const TrianglePair& start, const MeshQueryLimits& limits) noexcept {
+  if (!isFinite(a.world_from_mesh) || !isFinite(b.world_from_shape)) {
+    return {};
+  }
+  const ConvexCore core{ConvexCore::Kind::box, coreHalfExtents(b.shape)};
+  return measureCore(a, {core, radiusOf(b.shape)}, b.world_from_shape, memory, {start}, limits);
+}
+
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedConvex& b, MeshQueryMemory& memory,
+                             const TrianglePair& start, const MeshQueryLimits& limits) noexcept {
+  return measureConvex(a, b, memory, {start}, limits);
+}
+
+MeshDistance distanceBetween(const PlacedMesh& a, const PlacedConvex& b, MeshQueryMemory& memory,
+                             MeshFront& front, const MeshQueryLimits& limits) noexcept {
+  return measureConvex(a, b, memory, {{}, &front}, limits);
 }
 
 }  // namespace collision_monitor

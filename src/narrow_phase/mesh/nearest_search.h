@@ -42,17 +42,18 @@ struct NearestSearch {
     return std::min(best.squared_distance, std::max(squaredGoal(), squared_left));
   }
 
-  /// [m^2] What is farther is neither looked at nor kept.
+  /// [m^2] Triangles that are farther are not measured.
   double squaredReach() const noexcept {
     return front == nullptr ? best.squared_distance
                             : collision_monitor::squaredReach(best.squared_distance, *front);
   }
 
-  /// It is looked at no more.
-  void leave(const MeshQueryMemory::Waiting& pair, double squared_bound) noexcept {
+  /// It is looked at no more. @param detail as MeshFront::Kept.
+  void leave(const MeshQueryMemory::Waiting& pair, double squared_bound,
+             std::uint32_t detail = 0) noexcept {
     squared_left = std::min(squared_left, squared_bound);
     if (front != nullptr && pair.a != MeshFront::kNone) {
-      keep(pair.a, pair.b, squared_bound, *front);
+      keep(pair.a, pair.b, squared_bound, detail, *front);
     }
   }
 };
@@ -67,19 +68,21 @@ void offer(const TrianglePair& triangles, const MeshQueryMemory::Waiting& bounds
   start.squared_distance = search.squaredReach();
   const TriangleDistance found = measure(start, search.squaredGoal());
   if (found.nearest.squared_distance < search.best.squared_distance) {
-    search.leave(search.bounds, search.best.squared_distance);
+    search.leave(search.bounds, search.best.squared_distance,
+                 packed(search.best.on_b - search.best.on_a));
     search.best = found.nearest;
     search.nearest = triangles;
     search.bounds = bounds;
   } else if (bounds.a != search.bounds.a || bounds.b != search.bounds.b) {
-    search.leave(bounds, found.squared_bound);
+    search.leave(bounds, found.squared_bound, packed(found.direction));
   } else if (bounds.a == MeshFront::kNone) {
     search.squared_left = std::min(search.squared_left, found.squared_bound);
   }
 }
 
 /// Branch and bound from the pairs that wait, the nearest bound first. `open(pair, limit, waiting)`
-/// measures two triangles, or lets the children of one bound wait.
+/// measures two triangles, or lets the children of one bound wait whose squared bound is below the
+/// limit.
 /// @param enough [m] what is so near ends the search.
 template <class Open>
 void searchNearest(double enough, std::uint32_t visit_budget, WaitingPairs& waiting,
@@ -92,12 +95,12 @@ void searchNearest(double enough, std::uint32_t visit_budget, WaitingPairs& wait
       continue;
     }
     if (search.visits >= visit_budget) {
-      search.squared_open = waiting.leastBound(bound);
+      search.squared_open = std::min(search.squared_open, waiting.leastBound(bound));
       search.leave(next, bound);
       break;
     }
     ++search.visits;
-    open(next, asLimit(search.squaredReach()), waiting);
+    open(next, asLimit(search.best.squared_distance), waiting);
   }
   while (search.front != nullptr && !waiting.empty()) {
     const MeshQueryMemory::Waiting next = waiting.pop();

@@ -55,20 +55,20 @@ PointOnMesh nearestOnMesh(const MeshTree& mesh, const Vector3d& point, std::uint
   WaitingPairs from_root(memory);
   from_root.push({0.0F, 0, 0});
   constexpr std::uint32_t kNoBudget = std::numeric_limits<std::uint32_t>::max();
-  searchNearest(limits.enough, kNoBudget, from_root, search,
-                [&](const MeshQueryMemory::Waiting& next, float limit, WaitingPairs& waiting) {
-                  const std::uint32_t child = childOf(mesh, next.a);
-                  if (isTriangle(child)) {
-                    measureTriangle(mesh, triangleAt(child), point, search);
-                    return;
-                  }
-                  NodeBounds children;
-                  const std::uint32_t nearer =
-                      boundNearer(mesh.nodes()[child], bound, limit, children);
-                  waiting.pushNearer(children, nearer, [child](float below, std::uint32_t slot) {
-                    return MeshQueryMemory::Waiting{below, (child << kSlotBits) + slot, 0};
-                  });
-                });
+  searchNearest(
+      limits.enough, kNoBudget, from_root, search,
+      [&](const MeshQueryMemory::Waiting& next, float limit, WaitingPairs& waiting) {
+        const std::uint32_t child = childOf(mesh, next.a);
+        if (isTriangle(child)) {
+          measureTriangle(mesh, triangleAt(child), point, search);
+          return;
+        }
+        NodeBounds children;
+        const std::uint32_t nearer = boundNearer(mesh.nodes()[child], bound, limit, children);
+        waiting.pushNearer(children, nearer, [&](std::uint32_t slot) {
+          return MeshQueryMemory::Waiting{children.squared[slot], (child << kSlotBits) + slot, 0};
+        });
+      });
   return answerOf(search);
 }
 

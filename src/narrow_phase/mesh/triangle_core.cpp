@@ -193,6 +193,16 @@ void improveByFeatures(const Triangle& triangle, const ConvexCore& cylinder,
   }
 }
 
+// From the box about the triangle to the one about the core; 0 for hulls.
+Vector3d wayToBox(const Triangle& triangle, const ConvexCore& core) noexcept {
+  if (core.kind == ConvexCore::Kind::hull) {
+    return Vector3d::Zero();
+  }
+  const Vector3d least = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]);
+  const Vector3d most = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
+  return (-core.half_extents - most).cwiseMax(0.0) - (least - core.half_extents).cwiseMax(0.0);
+}
+
 // By GJK: whatever the bounds say, its points are points of both.
 PointPair nearestBySearch(const Triangle& triangle, const ConvexCore& core,
                           const PointPair& start) noexcept {
@@ -221,6 +231,35 @@ PointPair nearestBySearch(const Triangle& triangle, const ConvexCore& core,
 }
 
 }  // namespace
+
+double squaredGapAlong(const Vector3d& direction, const Triangle& triangle,
+                       const ConvexCore& core) noexcept {
+  const double end_of_triangle = std::max(
+      {direction.dot(triangle[0]), direction.dot(triangle[1]), direction.dot(triangle[2])});
+  std::uint32_t vertex = 0;
+  const double gap = direction.dot(supportPoint(core, -direction, vertex)) - end_of_triangle;
+  return gap > 0.0 ? gap * gap / direction.squaredNorm() : 0.0;
+}
+
+TriangleDistance boundedDistance(const Triangle& triangle, const ConvexCore& core,
+                                 const PointPair& start, double squared_enough) noexcept {
+  const Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  const Vector3d to_core = normal.dot(triangle[0]) < 0.0 ? normal : Vector3d(-normal);
+  for (const Vector3d& direction : {Vector3d(start.on_b - start.on_a), to_core}) {
+    const double squared = squaredGapAlong(direction, triangle, core);
+    if (squared >= squared_enough) {
+      return {start, squared, direction};
+    }
+  }
+  const Vector3d to_box = wayToBox(triangle, core);
+  if (to_box.squaredNorm() >= squared_enough) {
+    return {start, to_box.squaredNorm(), to_box};
+  }
+  const PointPair best = nearestPoints(triangle, core, start);
+  const bool is_nearer = best.squared_distance < start.squared_distance;
+  return {best, best.squared_distance,
+          is_nearer ? Vector3d(best.on_b - best.on_a) : Vector3d(Vector3d::Zero())};
+}
 
 PointPair nearestPoints(const Triangle& triangle, const ConvexCore& core,
                         const PointPair& start) noexcept {

@@ -18,4 +18,14 @@ namespace collision_monitor {
 PointPair nearestPoints(const Triangle& triangle, const ConvexCore& core,
                         const PointPair& start) noexcept;
 
+/// As nearestPoints, but looks no further where the direction of the start, the plane of the
+/// triangle or the sides of a box show them to be `squared_enough` apart.
+/// @param squared_enough [m^2] not more than the start.
+TriangleDistance boundedDistance(const Triangle& triangle, const ConvexCore& core,
+                                 const PointPair& start, double squared_enough) noexcept;
+
+/// [m^2] As of two triangles: from the triangle to the core.
+double squaredGapAlong(const Eigen::Vector3d& direction, const Triangle& triangle,
+                       const ConvexCore& core) noexcept;
+
 }  // namespace collision_monitor

@@ -101,14 +101,19 @@ double gapOf(const Heights& heights) noexcept {
              : 0.0;
 }
 
-// The square of how far a direction separates the triangles. Where surfaces are convex, that of the
-// nearest points so far separates nearly all pairs by more than these are apart.
-double squaredGapAlong(const Vector3d& direction, const Triangle& a, const Triangle& b) noexcept {
-  const double end_of_a = std::max({direction.dot(a[0]), direction.dot(a[1]), direction.dot(a[2])});
-  const double start_of_b =
-      std::min({direction.dot(b[0]), direction.dot(b[1]), direction.dot(b[2])});
-  const double gap = start_of_b - end_of_a;
-  return gap > 0.0 ? gap * gap / direction.squaredNorm() : 0.0;
+// Two triangles that the plane of the one separates, or neither.
+struct PlaneGap {
+  double gap;          // [m]
+  Vector3d direction;  // from A to B
+};
+
+PlaneGap planeGapOf(const PreparedTriangle& a, const PreparedTriangle& b) noexcept {
+  const Heights of_b = heightsOver(a, b.corners, 0.0);
+  const Heights of_a = heightsOver(b, a.corners, 0.0);
+  const double over_a = gapOf(of_b);
+  const double over_b = gapOf(of_a);
+  return over_a >= over_b ? PlaneGap{over_a, of_b[0] > 0.0 ? a.normal : Vector3d(-a.normal)}
+                          : PlaneGap{over_b, of_a[0] > 0.0 ? Vector3d(-b.normal) : b.normal};
 }
 
 PointPair exchanged(const PointPair& pair) noexcept {
@@ -155,28 +160,40 @@ bool overlap(const Triangle& a, const Triangle& b) noexcept {
   return of_a.low <= of_b.high + rounding && of_b.low <= of_a.high + rounding;
 }
 
+double squaredGapAlong(const Vector3d& direction, const Triangle& a, const Triangle& b) noexcept {
+  const double end_of_a = std::max({direction.dot(a[0]), direction.dot(a[1]), direction.dot(a[2])});
+  const double start_of_b =
+      std::min({direction.dot(b[0]), direction.dot(b[1]), direction.dot(b[2])});
+  const double gap = start_of_b - end_of_a;
+  return gap > 0.0 ? gap * gap / direction.squaredNorm() : 0.0;
+}
+
 TriangleDistance boundedDistance(const Triangle& a, const Triangle& b, const PointPair& start,
                                  double squared_enough) noexcept {
-  const double squared_gap = squaredGapAlong(start.on_b - start.on_a, a, b);
+  // Where surfaces are convex, the direction of the nearest points so far separates nearly all.
+  const Vector3d from_a_to_b = start.on_b - start.on_a;
+  const double squared_gap = squaredGapAlong(from_a_to_b, a, b);
   if (squared_gap >= squared_enough) {
-    return {start, squared_gap};
+    return {start, squared_gap, from_a_to_b};
   }
   const PreparedTriangle on_a = prepare(a);
   const PreparedTriangle on_b = prepare(b);
-  const double gap = std::max(gapOf(heightsOver(on_a, b, 0.0)), gapOf(heightsOver(on_b, a, 0.0)));
-  if (gap * gap >= squared_enough) {
-    return {start, gap * gap};
+  const PlaneGap plane = planeGapOf(on_a, on_b);
+  if (plane.gap * plane.gap >= squared_enough) {
+    return {start, plane.gap * plane.gap, plane.direction};
   }
   PointPair best = start;
-  improveByFaces(on_a, b, gap == 0.0, best);
+  improveByFaces(on_a, b, plane.gap == 0.0, best);
   PointPair from_b = exchanged(best);
-  improveByFaces(on_b, a, gap == 0.0, from_b);
+  improveByFaces(on_b, a, plane.gap == 0.0, from_b);
   best = exchanged(from_b);
   const EdgePair edges = nearestEdges(on_a, on_b);
   if (edges.squared_distance < best.squared_distance) {
     improveByEdges(on_a.edges[edges.a], on_b.edges[edges.b], best);
   }
-  return {best, best.squared_distance};
+  const bool is_nearer = best.squared_distance < start.squared_distance;
+  return {best, best.squared_distance,
+          is_nearer ? Vector3d(best.on_b - best.on_a) : Vector3d(Vector3d::Zero())};
 }
 
 PointPair nearestPoints(const Triangle& a, const Triangle& b, const PointPair& start) noexcept {

@@ -154,6 +154,92 @@ TEST_F(MeshFrontLaws, moreThanTheFrontHolds_isFoundFromTheRoots) {
   }
 }
 
+/// All that a full front keeps may have come near at once.
+TEST_F(MeshFrontLaws, jumpOfAFullFront_isAsFromTheRoots) {
+  const MeshTree fine(sphereMesh(0.5, 80), true);
+  const MeshTree around(sphereMesh(0.51, 80), false);
+  const auto front = std::make_unique<MeshFront>();
+  for (int jump = 0; jump < 20; ++jump) {
+    const bool is_beside = jump % 2 == 1;
+    const Pose pose = is_beside ? randomPose(random_, 1.2) : stepFrom(Pose{}, 1e-4, random_);
+    const MeshDistance truth = distanceBetween({fine, Pose{}}, {around, pose}, *memory_);
+    const MeshDistance found = distanceBetween({fine, Pose{}}, {around, pose}, *memory_, *front);
+    ASSERT_EQ(found.state, truth.state) << jump;
+    ASSERT_NEAR(found.measured.distance, truth.measured.distance, kRounding) << jump;
+  }
+}
+
+TEST_F(MeshFrontLaws, withATolerance_shortByNoMore) {
+  MeshQueryLimits limits;
+  limits.tolerance = 1e-3;
+  const auto front = std::make_unique<MeshFront>();
+  Pose pose = randomPose(random_, 1.0);
+  for (int step = 0; step < 500; ++step) {
+    pose = nextPose(pose, 1e-3, random_);
+    const MeshDistance truth = distanceBetween({trees_[0], Pose{}}, {trees_[1], pose}, *memory_);
+    const MeshDistance found =
+        distanceBetween({trees_[0], Pose{}}, {trees_[1], pose}, *memory_, *front, limits);
+    ASSERT_EQ(found.state, truth.state) << step;
+    ASSERT_LE(found.measured.distance, truth.measured.distance + kRounding) << step;
+    ASSERT_GE(found.measured.distance, truth.measured.distance - limits.tolerance) << step;
+  }
+}
+
+/// Solids of each kind beside a mesh.
+TEST_F(MeshFrontLaws, solids_areAsFromTheRoots) {
+  constexpr double kSearched = 1e-9;  // [m] with cylinders
+  const std::vector<ConvexGeometry> solids{Sphere{0.1}, Capsule{0.05, 0.2}, Box{{0.1, 0.2, 0.05}},
+                                           RoundedBox{{0.1, 0.05, 0.1}, 0.03}, Cylinder{0.1, 0.1}};
+  int overlapping = 0;
+  double visits = 0.0;
+  double visits_from_roots = 0.0;
+  for (int walk = 0; walk < 60; ++walk) {
+    const MeshTree& mesh = anyTree();
+    const ConvexGeometry& solid = solids[random_() % solids.size()];
+    const auto front = std::make_unique<MeshFront>();
+    const double shift = std::pow(10.0, uniform(random_, -6.0, -2.0));
+    Pose pose = randomPose(random_, 1.0);
+    for (int step = 0; step < 100; ++step) {
+      SCOPED_TRACE(testing::Message() << "walk " << walk << ", step " << step);
+      pose = nextPose(pose, shift, random_);
+      const MeshQueryLimits unhurried{anyLimits().stop_beyond};
+      const MeshDistance truth =
+          distanceBetween({mesh, Pose{}}, PlacedConvex{solid, pose}, *memory_, {}, unhurried);
+      const MeshDistance found =
+          distanceBetween({mesh, Pose{}}, PlacedConvex{solid, pose}, *memory_, *front, unhurried);
+      ASSERT_EQ(found.state, truth.state);
+      ASSERT_NEAR(found.measured.distance, truth.measured.distance, kSearched);
+      visits += found.visits;
+      visits_from_roots += truth.visits;
+      overlapping += truth.state == MeshState::overlapping ? 1 : 0;
+    }
+  }
+  EXPECT_GT(overlapping, 200);
+  EXPECT_LT(visits, 0.7 * visits_from_roots) << "most steps are small";
+}
+
+/// What the budget leaves is a bound, and no front is the worse for it.
+TEST_F(MeshFrontLaws, solidsWithABudget_boundedByTheTruth) {
+  const ConvexGeometry solid = Box{{0.1, 0.2, 0.05}};
+  const auto front = std::make_unique<MeshFront>();
+  Pose pose = randomPose(random_, 1.0);
+  for (int step = 0; step < 2000; ++step) {
+    pose = nextPose(pose, 1e-3, random_);
+    MeshQueryLimits limits;
+    limits.visit_budget = random_() % 3 == 0 ? 1000000 : static_cast<std::uint32_t>(random_() % 9);
+    const MeshDistance truth =
+        distanceBetween({trees_[0], Pose{}}, PlacedConvex{solid, pose}, *memory_);
+    const MeshDistance found =
+        distanceBetween({trees_[0], Pose{}}, PlacedConvex{solid, pose}, *memory_, *front, limits);
+    if (found.state == MeshState::lower_bound) {
+      ASSERT_LE(found.measured.distance, truth.measured.distance + kRounding) << step;
+    } else if (limits.visit_budget > 9 || found.state == MeshState::exact) {
+      ASSERT_EQ(found.state, truth.state) << step;
+      ASSERT_NEAR(found.measured.distance, truth.measured.distance, kRounding) << step;
+    }
+  }
+}
+
 TEST_F(MeshFrontLaws, queries_allocateNothing) {
   const auto front = std::make_unique<MeshFront>();
   Pose pose = randomPose(random_, 1.0);
