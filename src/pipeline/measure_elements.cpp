@@ -21,7 +21,6 @@ constexpr std::uint32_t kSetUpSteps = 8;   // poses and inner shapes
 constexpr std::uint32_t kApartSteps = 8;   // two convex geometries
 constexpr std::uint32_t kDepthSteps = 60;  // depth of two convex geometries
 constexpr std::uint32_t kPointSteps = 20;  // depth of one point in a mesh
-constexpr std::uint32_t kMostPoints = 24;  // of two meshes, in a cycle
 
 bool areExact(const PlacedElement& a, const PlacedElement& b) noexcept {
   return a.element.is_exact && b.element.is_exact;
@@ -51,21 +50,28 @@ double stopBeyond(const PlacedElement& a, const PlacedElement& b,
   return search.enough + a.element.padding + b.element.padding;
 }
 
+template <class Start>
+MeshDistance searchFrom(Start& start, const PlacedElement& a, const PlacedElement& b,
+                        ElementSearch& search) noexcept {
+  const MeshQueryLimits limits{stopBeyond(a, b, search), search.budget, search.tolerance};
+  if (isSimple(b)) {
+    return distanceBetween(meshOf(a), convexOf(b), search.scratch.mesh, start, limits);
+  }
+  if (!isSimple(a)) {
+    return distanceBetween(meshOf(a), meshOf(b), search.scratch.mesh, start, limits);
+  }
+  MeshDistance found = distanceBetween(meshOf(b), convexOf(a), search.scratch.mesh, start, limits);
+  found.measured = swapped(found.measured);
+  return found;
+}
+
 MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
                           ElementSearch& search) noexcept {
-  const MeshQueryLimits limits{stopBeyond(a, b, search), search.budget, search.tolerance};
-  TrianglePair& nearest = search.memory.nearest;
-  MeshDistance found;
-  if (isSimple(b)) {
-    found = distanceBetween(meshOf(a), convexOf(b), search.scratch.mesh, nearest, limits);
-  } else if (isSimple(a)) {
-    found = distanceBetween(meshOf(b), convexOf(a), search.scratch.mesh, nearest, limits);
-    found.measured = swapped(found.measured);
-  } else if (search.memory.front) {
-    return distanceBetween(meshOf(a), meshOf(b), search.scratch.mesh, *search.memory.front, limits);
-  } else {
-    found = distanceBetween(meshOf(a), meshOf(b), search.scratch.mesh, nearest, limits);
+  if (search.memory.front) {
+    return searchFrom(*search.memory.front, a, b, search);
   }
+  TrianglePair& nearest = search.memory.nearest;
+  const MeshDistance found = searchFrom(nearest, a, b, search);
   nearest = found.nearest.a == TrianglePair::kNone ? nearest : found.nearest;
   return found;
 }
@@ -223,9 +229,10 @@ double boundByHulls(const PlacedElement& a, const PlacedElement& b,
              : found.measured.distance - a.element.padding - b.element.padding;
 }
 
-std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
+std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b,
+                             std::uint32_t most_points, ElementSearch& search,
                              SignedDistance& overlap) noexcept {
-  const std::uint32_t points = std::min(kMostPoints, search.budget / kPointSteps);
+  const std::uint32_t points = std::min(most_points, search.budget / kPointSteps);
   if (!search.memory.depth || points == 0) {
     return 0;
   }

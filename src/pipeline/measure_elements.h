@@ -50,8 +50,10 @@ ElementDistance measureByHulls(const PlacedElement& a, const PlacedElement& b,
 
 /// Of two elements known to overlap, a deeper estimate if one is found, by depthOf.
 /// @param overlap of quality estimate, changed if it can be bettered.
+/// @param most_points as the budget of depthOf, less where the steps left do not suffice.
 /// @return steps spent.
-std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
+std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b,
+                             std::uint32_t most_points, ElementSearch& search,
                              SignedDistance& overlap) noexcept;
 
 }  // namespace collision_monitor

@@ -245,17 +245,27 @@ void refine(const Refinement& all, RefineTask& task) noexcept {
   report(all, task, found);
 }
 
-/// Depths of what overlaps change no verdict, so they come last and take what is left.
+bool isOverlap(const Refinement& all, const RefineTask& task) noexcept {
+  return all.work.is_measured[task.pair] != 0 &&
+         all.distances.measured[task.place].quality == Quality::estimate;
+}
+
+/// Depths of what overlaps change no verdict, so they come last and take what is left. A cycle
+/// looks at some points, and at a few of each pair at least: the rest has its turn in the next.
 void deepenOverlaps(const Refinement& all) noexcept {
+  constexpr std::uint32_t kMostPoints = 24;
+  constexpr std::uint32_t kFewestPoints = 2;
   RefineWork& work = all.work;
+  const auto overlaps = static_cast<std::uint32_t>(
+      std::count_if(work.tasks.begin(), work.tasks.end(),
+                    [&](const RefineTask& task) { return isOverlap(all, task); }));
   for (const RefineTask& task : work.tasks) {
-    PairDistance& distance = all.distances.measured[task.place];
-    if (work.is_measured[task.pair] != 0 && distance.quality == Quality::estimate &&
-        work.steps < work.limits.budget) {
+    if (isOverlap(all, task) && work.steps < work.limits.budget) {
       const ElementPair& pair = all.setup.element_pairs[task.pair];
       ElementSearch search = searchFor(all, task, {0.0, work.limits.budget});
-      work.steps +=
-          deepenElements(placed(all, pair.a), placed(all, pair.b), search, distance.measured);
+      work.steps += deepenElements(placed(all, pair.a), placed(all, pair.b),
+                                   std::max(kFewestPoints, kMostPoints / overlaps), search,
+                                   all.distances.measured[task.place].measured);
     }
   }
 }
