@@ -28,10 +28,14 @@ std::optional<Problem> OpenMeshes::warning() const {
   if (names_.empty()) {
     return std::nullopt;
   }
-  return Problem{"refinement", "meshes so open that their inside is a convention: " + names_,
-                 "openness below 0.05 (0 is closed, 0.5 a sheet); in these, contact is also "
-                 "wherever the surface covers more than half of all directions, and refine: hull "
-                 "in a rule closes them"};
+  return Problem{"meshes",
+                 "too open to tell well what is inside (0 is closed, 0.5 a sheet, from 0.05 on is "
+                 "too open): " +
+                     names_,
+                 "",
+                 "what such a surface surrounds in more than half of all directions counts as "
+                 "inside it, and as contact; where that is wrong, mend the mesh, or take its "
+                 "convex hull (refine: hull in a rule of shape_rules)"};
 }
 
 std::optional<Problem> warnOfOpenMeshes(const RobotModel& model) {

@@ -144,6 +144,9 @@ TEST(OpenMeshes, meshTooOpen_isNamedInOneWarning) {
   const auto warning = warnOfOpenMeshes(open.setup.model);
   ASSERT_TRUE(warning);
   EXPECT_EQ(warning->found, found);
+  const std::string text = toString(*warning);
+  EXPECT_EQ(text.find("meshes: too open to tell well what is inside ("), 0U) << text;
+  EXPECT_EQ(text.find("accepted"), std::string::npos) << text;
 }
 
 TEST(OpenMeshes, closedMeshWithTurnedTriangles_isClosedAgain) {
