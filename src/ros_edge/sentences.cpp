@@ -258,17 +258,21 @@ std::string stepSentence(const Watch& watch) {
   const std::string every = "every " + fixedText(1e3 * step.step, 1) + " ms";
   const std::string needed = "every " + fixedText(1e3 * cap.longest, 1) + " ms";
   if (is_covered) {
-    return "from pose to pose, " + every + ", " + links +
-           " come farther past each other than they are thick; the monitor looks at the way "
-           "between "
-           "the poses, so nothing is missed (without that they would be needed " +
+    return links +
+           " move so fast that they could pass through each other from one pose to the "
+           "next (" +
+           every +
+           "); the monitor also looks at the way in between, so nothing "
+           "is missed (without that, poses would be needed " +
            needed + ")";
   }
-  return "poses " + every + " are too few: in between, " + links +
+  return "poses " + every + " are too few: from one to the next, " + links +
          (setup.is_continuous
-              ? " may leave the way that is looked at by more than they are thick"
+              ? " speed up or slow down so much that they may pass through each other unseen, "
+                "though "
+                "the monitor looks at the way in between"
               : " can pass through each other unseen (parameter continuous is off)") +
-         "; at these speeds they are needed " + needed;
+         "; at these speeds poses are needed " + needed;
 }
 
 std::string stateSentence(const Watch& watch, const CycleFacts& facts) {

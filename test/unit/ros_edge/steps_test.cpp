@@ -19,9 +19,11 @@ TEST_F(StepsTest, posesTooFewForTheAcceleration_namePairAndStep) {
     runCycle(watch->setup(), watch->poses, watch->buffers);
   }
   // 5.75 m in a step bend the way by an eighth of it; both are 0.2 m thick.
-  EXPECT_EQ(stepSentence(*watch),
-            "poses every 30.0 ms are too few: in between, base and tool may leave the way that is "
-            "looked at by more than they are thick; at these speeds they are needed every 22.4 ms");
+  EXPECT_EQ(
+      stepSentence(*watch),
+      "poses every 30.0 ms are too few: from one to the next, base and tool speed up or slow "
+      "down so much that they may pass through each other unseen, though the monitor looks at "
+      "the way in between; at these speeds poses are needed every 22.4 ms");
 }
 
 TEST_F(StepsTest, stepOverTheCap_isAWarningThatSaysWhatCoversIt) {
@@ -38,15 +40,15 @@ TEST_F(StepsTest, stepOverTheCap_isAWarningThatSaysWhatCoversIt) {
   EXPECT_NEAR(moved(setup_, 1.5).step_cap, 0.4 / 50.0, 1e-9);
   EXPECT_EQ(
       moved(setup_, 1.5).step_warning,
-      "from pose to pose, every 30.0 ms, base and tool come farther past each other than they "
-      "are thick; the monitor looks at the way between the poses, so nothing is missed "
-      "(without that they would be needed every 8.0 ms)");
+      "base and tool move so fast that they could pass through each other from one pose to the "
+      "next (every 30.0 ms); the monitor also looks at the way in between, so nothing is missed "
+      "(without that, poses would be needed every 8.0 ms)");
   auto not_continuous = std::make_shared<MonitorSetup>(*setup_);
   not_continuous->setup.is_continuous = false;
   EXPECT_EQ(moved(not_continuous, 1.5).step_warning,
-            "poses every 30.0 ms are too few: in between, base and tool can pass through each "
-            "other unseen (parameter continuous is off); at these speeds they are needed every "
-            "8.0 ms");
+            "poses every 30.0 ms are too few: from one to the next, base and tool can pass through "
+            "each other unseen (parameter continuous is off); at these speeds poses are needed "
+            "every 8.0 ms");
 }
 
 TEST_F(StepsTest, stepsAreCountedOnce) {
