@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/ros_edge/resource_loader.h"
 
-#include <ros/package.h>
+#include <rospack/rospack.h>
 
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "ros_edge/downloads.h"
 
@@ -60,11 +62,26 @@ std::string pathOfFileUri(const std::string& rest) {
 
 using Folders = std::map<std::string, std::string>;  ///< of packages, by name; "": not found
 
-/// Each package is looked for once: rospack writes lines of its own for one that it does not find.
+/// "" if there is none. As ros::package::getPath, which writes lines of its own to stderr then.
+std::string findPackage(const std::string& name) {
+  static std::mutex mutex;  // rospack is not made for several threads
+  const std::lock_guard<std::mutex> lock(mutex);
+  rospack::Rospack packages;
+  packages.setQuiet(true);
+  std::vector<std::string> search_path;
+  std::string path;
+  if (packages.getSearchPathFromEnv(search_path)) {
+    packages.crawl(search_path, false);
+    packages.find(name, path);
+  }
+  return path;
+}
+
+/// Each package is looked for once.
 std::string packageFolder(const std::string& name, Folders& folders) {
   const auto [place, is_new] = folders.try_emplace(name);
   if (is_new && !name.empty()) {
-    place->second = ros::package::getPath(name);
+    place->second = findPackage(name);
   }
   if (place->second.empty()) {
     throw std::runtime_error("package '" + name + "' is not found where ROS_PACKAGE_PATH leads to");

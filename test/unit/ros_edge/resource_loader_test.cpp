@@ -77,6 +77,12 @@ TEST(ResourceLoader, whatIsNotThere_isNamed) {
   }
 }
 
+TEST(ResourceLoader, packageThatIsNotThere_isNamedByTheErrorAlone) {
+  testing::internal::CaptureStderr();
+  EXPECT_THROW(makeResourceLoader()("package://no_such_package/a.stl"), std::exception);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "rospack has lines of its own";
+}
+
 std::string faultOfLoading(const std::string& uri, const LoadRules& rules = {}) {
   try {
     makeResourceLoader(rules)(uri);
