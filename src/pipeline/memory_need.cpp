@@ -89,22 +89,25 @@ void checkMemory(const PairCounts& counts, std::uint64_t limit, SetupReport& rep
     return;
   }
   const std::string pairs =
-      std::to_string(counts.link_pairs) + " pairs of " + std::to_string(counts.links) +
-      " links with shapes" +
-      (counts.checked == 0 ? ""
-                           : ", of which " + std::to_string(counts.checked) + " are checked with " +
-                                 std::to_string(counts.body_pairs) + " pairs of shapes");
+      std::to_string(counts.links) + " links with shapes make " +
+      std::to_string(counts.link_pairs) + " pairs" +
+      (counts.checked == 0
+           ? ""
+           : ", of which " + std::to_string(counts.checked) + " are checked; these have " +
+                 std::to_string(counts.body_pairs) + " pairs of shapes");
   const std::string most =
-      need > available ? (limit > 0 ? "at most the " + bytesText(available) + " of memory_limit"
-                                    : "at most " + bytesText(available) + ", which is available")
-                       : "at most " + std::to_string(kMostIds) + " pairs of shapes or elements";
+      need > available
+          ? (limit > 0 ? "at most " + bytesText(available) + " (parameter memory_limit)"
+                       : "at most " + bytesText(available) + ", as much as is available")
+          : "at most " + std::to_string(kMostIds) + " pairs of shapes or elements";
   report.errors.push_back(
       {"memory",
-       pairs + ", which need " + (counts.checked == 0 ? "more than " : "") + bytesText(need),
-       most +
-           "; disable_collisions or disable_default_collisions lines of an SRDF and the parameter "
-           "ignore_pairs leave pairs out, and fewer collision elements or shapes a link make "
-           "fewer"});
+       std::string("the set-up needs ") + (counts.checked == 0 ? "more than " : "") +
+           bytesText(need) + ": its " + pairs,
+       most,
+       "to need less, leave out pairs (disable_collisions or disable_default_collisions in an "
+       "SRDF, or the parameter ignore_pairs), or give the links fewer collision elements or "
+       "shapes"});
 }
 
 }  // namespace collision_monitor

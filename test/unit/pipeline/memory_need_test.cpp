@@ -104,11 +104,12 @@ TEST(MemoryNeed, moreThanTheLimit_isAnErrorThatCountsLinksPairsAndBytes) {
   options.memory_limit = 5'000'000;
   const std::string fault = faultOf(options);
   EXPECT_NE(
-      fault.find("19900 pairs of 200 links with shapes, of which 19701 are checked with 19701 "
-                 "pairs of shapes, which need "),
+      fault.find(" MB: its 200 links with shapes make 19900 pairs, of which 19701 are checked; "
+                 "these have 19701 pairs of shapes; accepted: at most 5 MB (parameter "
+                 "memory_limit); to need less, leave out pairs ("),
       std::string::npos)
       << fault;
-  EXPECT_NE(fault.find("at most the 5 MB of memory_limit; "), std::string::npos) << fault;
+  EXPECT_EQ(fault.find("memory: the set-up needs "), 0U) << fault;
   EXPECT_NE(fault.find("ignore_pairs"), std::string::npos) << fault;
   options.memory_limit = 100'000'000;
   EXPECT_EQ(faultOf(options), "");
@@ -119,9 +120,11 @@ TEST(MemoryNeed, moreThanTheLimit_isAnErrorThatCountsLinksPairsAndBytes) {
 TEST(MemoryNeed, listOfPairsBeyondTheLimit_isRefusedBeforeItIsMade) {
   SetupOptions options;
   options.memory_limit = 100'000;
-  EXPECT_NE(faultOf(options).find("19900 pairs of 200 links with shapes, which need more than "),
+  const std::string fault = faultOf(options);
+  EXPECT_EQ(fault.find("memory: the set-up needs more than "), 0U) << fault;
+  EXPECT_NE(fault.find(": its 200 links with shapes make 19900 pairs; accepted: "),
             std::string::npos)
-      << faultOf(options);
+      << fault;
 }
 
 TEST(MemoryNeed, morePairsThanIds_isAnError) {
