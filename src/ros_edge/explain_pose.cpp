@@ -34,15 +34,36 @@ std::string countText(std::uint64_t count) {
   return std::to_string(count) + (count == 1 ? " transform" : " transforms");
 }
 
-/// Whoever sends transforms without a stamp, or by another clock, wonders why none arrives.
-std::string refused(const TransformStore& store) {
-  const std::uint64_t without_stamp = store.refusedWithoutStamp();
-  const std::uint64_t ahead = store.refusedAhead();
-  return (without_stamp == 0 ? "" : "; refused for want of a stamp: " + countText(without_stamp)) +
-         (ahead == 0 ? "" : "; refused as too far in the future: " + countText(ahead));
-}
+double toSeconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
 
 }  // namespace
+
+/// [s] Before the last read.
+double PoseReader::since(std::int64_t then_ns) const { return toSeconds(now_ns_ - then_ns); }
+
+/// Whether what came then may still be sent now.
+bool PoseReader::isOfNow(std::int64_t then_ns) const {
+  constexpr double kSlow = 1.0;  // [s] few sources send more rarely
+  return since(then_ns) <= std::max(max_age_, kSlow);
+}
+
+/// Of data that were refused some time ago: why there are none of that time, either.
+std::string PoseReader::explainBefore(const Refusal& refusal) const {
+  return refusal.ahead_ns == 0 ? ""
+                               : "; what came last, " + inSeconds(since(refusal.at_ns)) +
+                                     " ago, was refused: it was " +
+                                     inSeconds(toSeconds(refusal.ahead_ns)) + " in the future";
+}
+
+/// Whoever sends transforms without a stamp, or by another clock, wonders why none arrives.
+std::string PoseReader::refused(const Refusals& refusals, const char* reason) const {
+  if (refusals.count == 0) {
+    return "";
+  }
+  return std::string("; refused ") + reason + ": " + countText(refusals.count) +
+         (isOfNow(refusals.last_ns) ? ""
+                                    : ", the last " + inSeconds(since(refusals.last_ns)) + " ago");
+}
 
 /// Who said different things of one time.
 std::string PoseReader::explainContradiction(const Edge& edge) const {
@@ -68,19 +89,19 @@ std::string PoseReader::explainJoint(const Edge& edge) const {
   // A mimic joint waits for its source.
   const Joint& joint = edge.joint->mimic ? model_.joint(edge.joint->mimic->source) : *edge.joint;
   const std::string what = "state of joint '" + joint.name + "'";
-  const double ahead = joints_->refusedAhead(joint.first_variable);
-  if (ahead > 0.0) {
-    return explainAge(-ahead, max_age_, what);
+  const Refusal refusal = joints_->refusedAhead(joint.first_variable);
+  if (refusal.ahead_ns > 0 && isOfNow(refusal.at_ns)) {
+    return explainAge(-toSeconds(refusal.ahead_ns), max_age_, what);
   }
   switch (edge.status) {
     case LinkStatus::stale:
-      return explainAge(edge.age, max_age_, what);
+      return explainAge(edge.age, max_age_, what) + explainBefore(refusal);
     case LinkStatus::not_finite:
       return "the position of joint '" + joint.name + "' is not finite or beyond 1e9";
     case LinkStatus::contradicted:
       return explainContradiction(edge);
     default:
-      return "no " + what + " yet";
+      return "no " + what + " yet" + explainBefore(refusal);
   }
 }
 
@@ -98,14 +119,19 @@ std::string PoseReader::explainMissing(const Edge& edge) const {
     }
   }
   return std::string(edge.is_connected ? "no usable" : "no") + " transform from '" +
-         edge.parent_frame + "' to '" + edge.child_frame + "' yet" + refused(store_);
+         edge.parent_frame + "' to '" + edge.child_frame + "' yet" +
+         refused(store_.refusedWithoutStamp(), "for want of a stamp") +
+         refused(store_.refusedAhead(), "as too far in the future");
 }
 
-/// [s] How far the data were ahead of now that were refused for it, at most; 0 if none were.
-double PoseReader::refusedAhead(const Edge& edge) const {
-  std::int64_t ahead_ns = 0;
+/// Of the data that place the link: the latest that were refused for being too far ahead of now.
+Refusal PoseReader::refusedAhead(const Edge& edge) const {
+  Refusal latest;
   const auto look = [&](std::size_t record) {
-    ahead_ns = std::max(ahead_ns, records_[record].refused_ahead_ns);
+    const Refusal& refusal = records_[record].refusal;
+    if (refusal.ahead_ns > 0 && refusal.at_ns >= latest.at_ns) {
+      latest = refusal;
+    }
   };
   std::for_each(edge.path.begin(), edge.path.end(), look);
   for (const std::string& frame : {edge.child_frame, edge.parent_frame}) {
@@ -117,7 +143,7 @@ double PoseReader::refusedAhead(const Edge& edge) const {
       }
     }
   }
-  return 1e-9 * static_cast<double>(ahead_ns);
+  return latest;
 }
 
 std::string PoseReader::explain(LinkId link) const {
@@ -144,13 +170,13 @@ std::string PoseReader::explain(LinkId link) const {
   if (cause->joint != nullptr) {
     return explainJoint(*cause);
   }
-  const double ahead = refusedAhead(*cause);
-  if (ahead > 0.0) {
-    return explainAge(-ahead, max_age_, "transform" + to);
+  const Refusal refusal = refusedAhead(*cause);
+  if (refusal.ahead_ns > 0 && isOfNow(refusal.at_ns)) {
+    return explainAge(-toSeconds(refusal.ahead_ns), max_age_, "transform" + to);
   }
   switch (cause->status) {
     case LinkStatus::stale:
-      return explainAge(cause->age, max_age_, "transform" + to);
+      return explainAge(cause->age, max_age_, "transform" + to) + explainBefore(refusal);
     case LinkStatus::not_finite:
       return "the transform to '" + cause->child_frame +
              "' is not finite, no rotation or farther than 1e9 m";

@@ -84,10 +84,10 @@ void JointReader::refresh() {
   }
 }
 
-double JointReader::refusedAhead(std::size_t variable) const {
+Refusal JointReader::refusedAhead(std::size_t variable) const {
   const auto place = std::find(variables_.begin(), variables_.end(), variable);
   return place == variables_.end()
-             ? 0.0
+             ? Refusal()
              : store_.refusedAhead(
                    records_[static_cast<std::size_t>(place - variables_.begin())].record);
 }

@@ -92,7 +92,8 @@ void JointStore::accept(const std::string& topic, const sensor_msgs::JointState&
   }
   const auto stamp_ns = static_cast<std::int64_t>(message.header.stamp.toNSec());
   // Read under the lock: what came before a jump back must not be kept after `forget`.
-  const std::int64_t ahead_ns = stamp_ns - static_cast<std::int64_t>(time_source_().toNSec());
+  const auto now_ns = static_cast<std::int64_t>(time_source_().toNSec());
+  const bool is_too_far_ahead = stamp_ns - now_ns > history_ns_;
   const PublisherId sent_by = publishers_.idOf(publisher);
   Topic& known = topics_[topic];
   if (known.names != message.name) {
@@ -105,8 +106,8 @@ void JointStore::accept(const std::string& topic, const sensor_msgs::JointState&
     History& history = histories_[known.records[i]];
     later_ += stamp_ns > history.heard_ns ? 1 : 0;
     history.heard_ns = std::max(history.heard_ns, stamp_ns);
-    history.refused_ahead_ns = ahead_ns > history_ns_ ? ahead_ns : 0;
-    if (history.refused_ahead_ns == 0) {
+    history.refusal = is_too_far_ahead ? Refusal{stamp_ns - now_ns, now_ns} : Refusal();
+    if (!is_too_far_ahead) {
       keepSample({stamp_ns, positionOf(message, i), valueOr(message.velocity, i)}, sent_by,
                  history);
     }
@@ -173,9 +174,9 @@ std::optional<JointStore::Record> JointStore::find(const std::string& topic,
   return place == known->second.places.end() ? std::nullopt : std::optional(place->second);
 }
 
-double JointStore::refusedAhead(Record record) const {
+Refusal JointStore::refusedAhead(Record record) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return toSeconds(histories_[record].refused_ahead_ns);
+  return histories_[record].refusal;
 }
 
 void JointStore::readNewest(const std::vector<Wanted>& wanted,

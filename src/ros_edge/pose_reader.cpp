@@ -23,9 +23,9 @@ PoseReader::PoseReader(const RobotModel& model, const TransformStore& store,
 
 bool PoseReader::read(const ros::Time& now, LinkPoses& poses) {
   refresh();
-  const auto now_ns = static_cast<std::int64_t>(now.toNSec());
+  now_ns_ = static_cast<std::int64_t>(now.toNSec());
   for (Edge& edge : edges_) {
-    judge(now_ns, edge);
+    judge(now_ns_, edge);
   }
   std::int64_t oldest_ns = std::numeric_limits<std::int64_t>::max();
   bool is_new = false;
@@ -37,7 +37,7 @@ bool PoseReader::read(const ros::Time& now, LinkPoses& poses) {
   }
   if (oldest_ns == std::numeric_limits<std::int64_t>::max()) {
     // Nothing moves, or nothing that moves is known: then the last stamp stays.
-    oldest_ns = isAllKnown() ? now_ns : poses.stamp_ns;
+    oldest_ns = isAllKnown() ? now_ns_ : poses.stamp_ns;
   }
   for (std::int64_t& stamp_ns : poses.robot_stamp_ns) {
     stamp_ns = stamp_ns > 0 ? stamp_ns : oldest_ns;

@@ -46,10 +46,11 @@ ros::Time TransformStore::readTimeLocked() {
     for (FrameRecord& record : records_) {
       record.newest_ns = record.heard_ns = 0;
       record.contradiction = Contradiction();
-      record.refused_ahead_ns = 0;
+      record.refusal = Refusal();
       record.pose_ns = record.is_static ? record.pose_ns : -1;
       record.is_bad = false;
     }
+    without_stamp_ = ahead_ = Refusals();
     ++version_.jumps;
     ++version_.data;
   }
@@ -86,19 +87,19 @@ void TransformStore::refreshRecords(std::vector<FrameRecord>& records) const {
   for (std::size_t i = 0; i < records.size() && i < records_.size(); ++i) {
     records[i].is_bad = records_[i].is_bad;
     records[i].newest_ns = records_[i].newest_ns;
-    records[i].refused_ahead_ns = records_[i].refused_ahead_ns;
+    records[i].refusal = records_[i].refusal;
     records[i].parent_from_frame = records_[i].parent_from_frame;
     records[i].pose_ns = records_[i].pose_ns;
     records[i].contradiction = records_[i].contradiction;
   }
 }
 
-std::uint64_t TransformStore::refusedWithoutStamp() const {
+Refusals TransformStore::refusedWithoutStamp() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return without_stamp_;
 }
 
-std::uint64_t TransformStore::refusedAhead() const {
+Refusals TransformStore::refusedAhead() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return ahead_;
 }

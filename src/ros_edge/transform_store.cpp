@@ -141,7 +141,7 @@ void TransformStore::acceptOne(const geometry_msgs::TransformStamped& transform,
   }
   if (!is_static && transform.header.stamp.isZero()) {
     // tf2 would read it as "always", so the link would never be old.
-    ++without_stamp_;
+    without_stamp_ = {without_stamp_.count + 1, nanoseconds(last_time_)};
     return;
   }
   const std::size_t frame = recordOf(child, expected);
@@ -223,10 +223,13 @@ bool TransformStore::isSameAsBefore(const geometry_msgs::TransformStamped& trans
 
 /// Notes it in the record, and that it is no more.
 bool TransformStore::isTooFarAhead(std::int64_t stamp_ns, FrameRecord& record) {
-  const std::int64_t ahead_ns = stamp_ns - nanoseconds(last_time_);
-  const bool is_refused = ahead_ns > history_ns_;
-  record.refused_ahead_ns = is_refused ? ahead_ns : 0;
-  ahead_ += is_refused ? 1 : 0;
+  const std::int64_t now_ns = nanoseconds(last_time_);
+  const bool is_refused = stamp_ns - now_ns > history_ns_;
+  record.refusal = Refusal();
+  if (is_refused) {
+    record.refusal = {stamp_ns - now_ns, now_ns};
+    ahead_ = {ahead_.count + 1, now_ns};
+  }
   return is_refused;
 }
 
@@ -236,7 +239,7 @@ void TransformStore::attach(std::size_t frame, const std::string& parent, bool i
   records_[frame].is_static = is_static;
   records_[frame].parent = parent;
   records_[frame].pose_ns = -1;
-  records_[frame].refused_ahead_ns = 0;
+  records_[frame].refusal = Refusal();
   filter_.wantParent(parent);
   ++version_.topology;
 }

@@ -32,7 +32,7 @@ class JointReader {
   std::string publisher(PublisherId id) const { return store_.publisher(id); }
 
   /// As JointStore::refusedAhead, by variable.
-  double refusedAhead(std::size_t variable) const;
+  Refusal refusedAhead(std::size_t variable) const;
 
   /// Positions at a stamp; NaN where JointStore::readAt has none.
   void readPositions(std::int64_t stamp_ns, double longest_gap, JointPositions& positions);

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "collision_monitor/ros_edge/publisher_names.h"
+#include "collision_monitor/ros_edge/refusal.h"
 
 namespace collision_monitor {
 
@@ -64,8 +65,8 @@ class JointStore {
   /// How many joints were heard of; a joint that was not found may be once this changes.
   std::size_t recordCount() const;
   std::optional<Record> find(const std::string& topic, const std::string& joint) const;
-  /// [s] How far ahead of now the last sample was, if it was refused for that; 0 if it was not.
-  double refusedAhead(Record record) const;
+  /// Of the last sample, if it was too far ahead of now.
+  Refusal refusedAhead(Record record) const;
 
   /// A record that is to be read.
   struct Wanted {
@@ -90,10 +91,10 @@ class JointStore {
   struct History {
     /// By stamp. Another joint, or another robot's, may be as far behind as `max_age` lets it.
     std::deque<JointSample> samples;
-    std::int64_t refused_ahead_ns{0};  ///< as refusedAhead
-    std::int64_t heard_ns{0};          ///< the latest stamp, of what was refused too
-    PublisherId sent_by{};             ///< the newest sample
-    Contradiction contradiction;       ///< the last
+    Refusal refusal;              ///< of the last sample
+    std::int64_t heard_ns{0};     ///< the latest stamp, of what was refused too
+    PublisherId sent_by{};        ///< the newest sample
+    Contradiction contradiction;  ///< the last
   };
   struct Topic {
     std::unordered_set<std::string> wanted;

@@ -102,12 +102,17 @@ class PoseReader {
   std::string explainJoint(const Edge& edge) const;
   std::string explainMissing(const Edge& edge) const;
   std::string explainContradiction(const Edge& edge) const;
-  double refusedAhead(const Edge& edge) const;
+  Refusal refusedAhead(const Edge& edge) const;
+  double since(std::int64_t then_ns) const;
+  bool isOfNow(std::int64_t then_ns) const;
+  std::string explainBefore(const Refusal& refusal) const;
+  std::string refused(const Refusals& refusals, const char* reason) const;
 
   const RobotModel& model_;
   const TransformStore& store_;
   std::string world_frame_;
   double max_age_;
+  std::int64_t now_ns_{0};  ///< of the last read
   JointReader* joints_;
   JointPositions positions_;  ///< of all joints at the stamp that is being read
   std::vector<Edge> edges_;   ///< by LinkId

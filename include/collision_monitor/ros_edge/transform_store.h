@@ -18,21 +18,21 @@
 #include "collision_monitor/geometry/pose.h"
 #include "collision_monitor/ros_edge/frame_filter.h"
 #include "collision_monitor/ros_edge/publisher_names.h"
+#include "collision_monitor/ros_edge/refusal.h"
 
 namespace collision_monitor {
 
 /// What is known of the transforms that name one frame as their child.
 struct FrameRecord {
   std::string name;
-  std::string parent;                ///< "" until a transform came
-  bool is_static{false};             ///< from tf_static
-  bool is_bad{false};                ///< the last transform was NaN, infinite or no rotation
-  std::int64_t newest_ns{0};         ///< stamp; 0 until a transform with a stamp came
-  std::int64_t refused_ahead_ns{0};  ///< of the last transform, if it was refused for being so far
-                                     ///< ahead of now; 0 if it was not
-  std::int64_t heard_ns{0};          ///< the latest stamp, of what was refused too
-  PublisherId sent_by{};             ///< what is newest
-  Contradiction contradiction;       ///< the last
+  std::string parent;           ///< "" until a transform came
+  bool is_static{false};        ///< from tf_static
+  bool is_bad{false};           ///< the last transform was NaN, infinite or no rotation
+  std::int64_t newest_ns{0};    ///< stamp; 0 until a transform with a stamp came
+  Refusal refusal;              ///< of the last transform
+  std::int64_t heard_ns{0};     ///< the latest stamp, of what was refused too
+  PublisherId sent_by{};        ///< what is newest
+  Contradiction contradiction;  ///< the last
   /// As of pose_ns, which is the newest stamp unless data came out of order. Static: at all times.
   Pose parent_from_frame;
   std::int64_t pose_ns{-1};  ///< -1: no pose
@@ -101,10 +101,10 @@ class TransformStore {
   /// it was received, or if nothing came before or after it. tf2 interpolates across any gap and
   /// tells nobody how wide it is.
   double gapAt(std::size_t frame, std::int64_t stamp_ns) const;
-  /// Transforms that were refused because they had no stamp.
-  std::uint64_t refusedWithoutStamp() const;
-  /// Transforms that were refused because they were too far ahead of now.
-  std::uint64_t refusedAhead() const;
+  /// Transforms that were refused because they had no stamp, since time last jumped back.
+  Refusals refusedWithoutStamp() const;
+  /// Transforms that were refused because they were too far ahead of now, since then.
+  Refusals refusedAhead() const;
   /// Messages that were refused because they were too long, and frames because they were too many.
   std::uint64_t refusedTooMany() const;
   /// "" if it is not known.
@@ -142,8 +142,8 @@ class TransformStore {
   std::unordered_map<std::string, std::size_t> places_;
   Version version_;
   ros::Time last_time_;
-  std::uint64_t without_stamp_{0};
-  std::uint64_t ahead_{0};
+  Refusals without_stamp_;
+  Refusals ahead_;
   std::uint64_t too_long_{0};
   FrameFilter filter_;
   PublisherNames publishers_;

@@ -131,6 +131,20 @@ TEST_F(JointPosesTest, stateFarAheadOfNow_isToldUntilAGoodOneComes) {
   EXPECT_EQ(status("arm"), LinkStatus::known);
 }
 
+TEST_F(JointPosesTest, stateRefusedSomeTimeAgo_isNoLongerTheNewest) {
+  read(10.0);
+  send(10.0, "slide", 0.2);
+  send(3610.0, "slide", 0.7);
+  send(3610.0, "reach", 0.7);
+  read(15.0);
+  const std::string before =
+      "; what came last, 5.00 s ago, was refused: it was 3600.00 s in the future";
+  EXPECT_EQ(explain("arm"), "no state of joint 'slide' for 5.00 s" + before);
+  send(15.0, "slide", 0.2);
+  read(15.0);
+  EXPECT_EQ(explain("hand"), "no state of joint 'reach' yet" + before);
+}
+
 TEST_F(JointPosesTest, nanPosition_isNotFiniteUntilAGoodOneComes) {
   send(10.0, "slide", 0.2);
   send(10.0, "reach", std::nan(""));

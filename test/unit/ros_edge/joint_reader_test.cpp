@@ -71,10 +71,11 @@ TEST(JointStore, sampleFarAheadOfNow_isRefusedAndHidesNothing) {
   store.keepFor(2.0);
   store.accept("t", jointState(4600.0, {"a", "b"}, {7.0, 7.0}));
   const JointStore::Record a = *store.find("t", "a");
-  EXPECT_NEAR(store.refusedAhead(a), 3600.0, 1e-9);
+  EXPECT_EQ(store.refusedAhead(a).ahead_ns, 3600'000'000'000);
+  EXPECT_EQ(store.refusedAhead(a).at_ns, 1000'000'000'000);
   store.accept("t", jointState(1000.0, {"a"}, {0.1}));
-  EXPECT_EQ(store.refusedAhead(a), 0.0);
-  EXPECT_NEAR(store.refusedAhead(*store.find("t", "b")), 3600.0, 1e-9);
+  EXPECT_EQ(store.refusedAhead(a).ahead_ns, 0);
+  EXPECT_EQ(store.refusedAhead(*store.find("t", "b")).ahead_ns, 3600'000'000'000);
   std::vector<NewestSample> samples;
   store.readNewest({{a}, {*store.find("t", "b")}}, samples);
   EXPECT_EQ(samples[0].position, 0.1);

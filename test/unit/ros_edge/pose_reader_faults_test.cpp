@@ -47,6 +47,7 @@ TEST_F(PoseReaderFaults, transformFartherThanNumbersAreFine_isNotFinite) {
 }
 
 TEST_F(PoseReaderFaults, transformWithoutStamp_isRefused) {
+  read(10.0);
   send("base", "arm", 0.0, 0.5);
   read(10.0);
   EXPECT_EQ(status("arm"), LinkStatus::missing) << "it would never grow old";
@@ -77,6 +78,30 @@ TEST_F(PoseReaderFaults, transformFarAheadOfNow_isToldUntilAGoodOneComes) {
   sendArm(10.6, 0.5);
   read(10.6);
   EXPECT_EQ(status("hand"), LinkStatus::known);
+}
+
+TEST_F(PoseReaderFaults, transformRefusedSomeTimeAgo_isNoLongerTheNewest) {
+  sendArm(10.0, 0.5);
+  store_.accept({transformAlongX("base", "arm", 3610.0, 0.5)}, false);
+  read(15.0);
+  EXPECT_EQ(explain("arm"),
+            "no transform for 5.00 s; what came last, 5.00 s ago, was refused: it was 3600.00 s in "
+            "the future");
+  EXPECT_EQ(explain("hand"), "no transform to 'arm'" + explain("arm").substr(12));
+}
+
+TEST_F(PoseReaderFaults, transformsRefusedSomeTimeAgo_areToldWithTheirTime) {
+  read(10.0);
+  store_.accept({transformAlongX("base", "arm", 0.0, 0.5)}, false);
+  store_.accept({transformAlongX("base", "arm", 3610.0, 0.5)}, false);
+  read(12.5);
+  const std::string none = "no transform from 'base' to 'arm' yet";
+  EXPECT_EQ(explain("arm"), none +
+                                "; refused for want of a stamp: 1 transform, the last 2.50 s ago"
+                                "; refused as too far in the future: 1 transform, the last 2.50 s "
+                                "ago");
+  read(1.0);
+  EXPECT_EQ(explain("arm"), none) << "time jumped back";
 }
 
 /// Simulated time starts over, and one message of before comes late.

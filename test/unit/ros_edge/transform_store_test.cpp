@@ -59,12 +59,12 @@ TEST_F(TransformStoreTest, transformFarAheadOfNow_isRefusedAndHidesNothing) {
   std::vector<FrameRecord> records;
   store_.copyRecords(records);
   EXPECT_EQ(records[0].parent, "");
-  EXPECT_EQ(records[0].refused_ahead_ns, 3600'000'000'000);
-  EXPECT_EQ(store_.refusedAhead(), 1U);
+  EXPECT_EQ(records[0].refusal.ahead_ns, 3600'000'000'000);
+  EXPECT_EQ(store_.refusedAhead().count, 1U);
   send("base", "arm", 99.0, 0.9);
   send("base", "arm", 100.0, 1.0);
   store_.refreshRecords(records);
-  EXPECT_EQ(records[0].refused_ahead_ns, 0);
+  EXPECT_EQ(records[0].refusal.ahead_ns, 0);
   EXPECT_EQ(records[0].newest_ns, 100'000'000'000);
   EXPECT_DOUBLE_EQ(lookUp("base", "arm", 99.5, {0}), 0.95);
   send("base", "arm", 110.0, 2.0);
@@ -75,7 +75,7 @@ TEST_F(TransformStoreTest, transformFarAheadOfNow_isRefusedAndHidesNothing) {
 TEST_F(TransformStoreTest, staticTransformFarAheadOfNow_isOfEveryTime) {
   store_.accept({transformAlongX("base", "arm", 3700.0, 7.0)}, true);
   EXPECT_DOUBLE_EQ(lookUp("base", "arm", 50.0, {0}), 7.0);
-  EXPECT_EQ(store_.refusedAhead(), 0U);
+  EXPECT_EQ(store_.refusedAhead().count, 0U);
 }
 
 TEST_F(TransformStoreTest, shortHistory_reachesToTheLastOneBeforeIt) {
