@@ -9,6 +9,8 @@
 #include <system_error>
 #include <vector>
 
+#include "model/visible_text.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -19,12 +21,13 @@ std::optional<std::string> parseNumber(std::string_view word, double& number) {
     digits.remove_prefix(1);
   }
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  const std::string shown = "'" + std::string(word.substr(0, 40)) + "'";
+  const std::string shown = "'" + asciiText(word.substr(0, 40)) + "'";
   if (error == std::errc::result_out_of_range) {
     return shown + " is out of range";
   }
   if (error != std::errc() || end != digits.data() + digits.size()) {
-    return shown + " is not a number";
+    return shown + " is not a number" +
+           (isAscii(word) ? "" : " (numbers are written in ASCII, with its spaces between them)");
   }
   if (!std::isfinite(number)) {
     return shown + " is not finite";

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "model/visible_text.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -84,26 +86,6 @@ Problem unreadable(const std::string& source, const std::string& reason,
 /// The bytes behind the first of a letter in UTF-8: messages must stay UTF-8 where they are cut.
 bool isInsideLetter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-/// Control characters, which could rewrite a terminal, by their numbers; those of Unicode, too.
-std::string escaped(const std::string& text) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string safe;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    const bool is_control = c < 0x20 || c == 0x7F;
-    const bool starts_control = c == 0xC2 && i + 1 < text.size() &&
-                                static_cast<unsigned char>(text[i + 1]) < 0xA0 &&
-                                isInsideLetter(text[i + 1]);
-    if (is_control || starts_control) {
-      const auto code = is_control ? c : static_cast<unsigned char>(text[++i]);
-      safe += {'\\', 'x', kDigits[code / 16], kDigits[code % 16]};
-    } else {
-      safe += text[i];
-    }
-  }
-  return safe;
-}
-
 }  // namespace
 
 void reportOddities(const std::string& source, const Oddities& oddities, SetupReport& report) {
@@ -162,7 +144,7 @@ std::string legible(const std::string& text) {
   constexpr std::size_t kHead = 60;
   constexpr std::size_t kTail = 90;
   if (text.size() <= kLongest) {
-    return escaped(text);
+    return visibleText(text);
   }
   std::size_t head = kHead;
   while (head > 0 && isInsideLetter(text[head])) {
@@ -172,8 +154,8 @@ std::string legible(const std::string& text) {
   while (tail < text.size() && isInsideLetter(text[tail])) {
     ++tail;
   }
-  return escaped(text.substr(0, head)) + "[... of " + std::to_string(text.size()) + " bytes ...]" +
-         escaped(text.substr(tail));
+  return visibleText(text.substr(0, head)) + "[... of " + std::to_string(text.size()) +
+         " bytes ...]" + visibleText(text.substr(tail));
 }
 
 std::string someOf(const std::vector<std::string>& items) {

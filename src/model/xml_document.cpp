@@ -70,6 +70,20 @@ const XMLElement* findXacro(const XMLElement& root) {
   return nullptr;
 }
 
+/// Of text that is not made of single bytes: by its byte order mark, or by what XML begins with.
+const char* wideEncodingOf(std::string_view text) {
+  const auto begins = [&](std::string_view start) { return text.substr(0, start.size()) == start; };
+  using namespace std::string_view_literals;
+  if (begins("\xFF\xFE\0\0"sv) || begins("\0\0\xFE\xFF"sv) || begins("<\0\0\0"sv) ||
+      begins("\0\0\0<"sv)) {
+    return "UTF-32";
+  }
+  if (begins("\xFF\xFE"sv) || begins("\xFE\xFF"sv) || begins("<\0"sv) || begins("\0<"sv)) {
+    return "UTF-16";
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::string attributeOf(const XMLElement& element, const char* attribute) {
@@ -82,6 +96,12 @@ const XMLElement* parseRobotXml(const std::string& text, const std::string& kind
   const std::string accepted = "the XML of one " + kind + " with the root element <robot>";
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     place.addError(0, "empty " + kind, accepted);
+    return nullptr;
+  }
+  if (const char* const encoding = wideEncodingOf(text)) {
+    place.addError(
+        0, kind + " in " + encoding,
+        std::string("UTF-8; 'iconv -f ") + encoding + " -t UTF-8 FILE' turns it into that");
     return nullptr;
   }
   if (text.find('\0') != std::string::npos) {

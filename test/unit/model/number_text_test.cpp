@@ -34,6 +34,15 @@ TEST(NumberText, faultsNameTheWordOrTheCount) {
   EXPECT_EQ(faultOf("1e999 0 0"), "'1e999' is out of range");
   EXPECT_EQ(faultOf("+-1 0 0"), "'+-1' is not a number");
   EXPECT_EQ(faultOf("0.1m 0 0"), "'0.1m' is not a number");
+  const std::string ascii =
+      " is not a number (numbers are written in ASCII, with its spaces between them)";
+  EXPECT_EQ(faultOf("1\xC2\xA0"
+                    "0 0"),
+            "'1<U+00A0>0'" + ascii);
+  EXPECT_EQ(faultOf("1 \xE2\x88\x92"
+                    "2 0"),
+            "'<U+2212>2'" + ascii);
+  EXPECT_EQ(faultOf("1 \xE9 0"), "'\\xe9'" + ascii);
   EXPECT_EQ(faultOf("1 2"), "2 numbers");
   EXPECT_EQ(faultOf("1"), "1 number");
   EXPECT_EQ(faultOf(""), "0 numbers");

@@ -41,6 +41,14 @@ TEST(UrdfFaults, notAUrdfAtAll) {
       {"zero byte",
        std::string("<robot>\0</robot>", 16),
        {"test.urdf: URDF with a zero byte; " + kOneRobot}},
+      {"UTF-16",
+       std::string("\xFF\xFE<\0r\0o\0b\0o\0t\0/\0>\0", 18),
+       {"test.urdf: URDF in UTF-16; accepted: UTF-8; 'iconv -f UTF-16 -t UTF-8 FILE' turns it into "
+        "that"}},
+      {"UTF-32 without a mark",
+       std::string("\0\0\0<\0\0\0r", 8),
+       {"test.urdf: URDF in UTF-32; accepted: UTF-8; 'iconv -f UTF-32 -t UTF-8 FILE' turns it into "
+        "that"}},
       {"no links", "<robot name='r'/>", {"test.urdf: no links; accepted: at least one <link>"}},
   });
 }

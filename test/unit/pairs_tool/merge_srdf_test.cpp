@@ -110,7 +110,8 @@ TEST(MergeSrdf, whatIsNoSrdfOfTheRobot_isRefused) {
       {inRobot("<link name='a'/>"), "as in a URDF"},
       {inRobot("<disable_collisions link1='${a}' link2='b'/>"), "xacro"},
       {"<!DOCTYPE robot [<!ENTITY e 'x'>]>" + inRobot(""), ""},
-      {std::string("<\0r\0o\0b\0", 8), "zero byte"}};
+      {std::string("<r\0o", 4), "zero byte"},
+      {std::string("<\0r\0o\0b\0", 8), "SRDF in UTF-16"}};
   for (const auto& [srdf, expected] : cases) {
     const std::string fault = faultOf(srdf);
     EXPECT_NE(fault, "") << srdf;
