@@ -11,6 +11,7 @@
 
 #include "model/dae_elements.h"
 #include "model/number_text.h"
+#include "model/visible_text.h"
 #include "model/xml_document.h"
 
 namespace collision_monitor {
@@ -19,6 +20,16 @@ namespace {
 using tinyxml2::XMLElement;
 
 using ArraySizes = std::map<std::string, std::uint64_t>;  ///< by id
+
+/// "with count 3, stride 3": as the file has it.
+std::string accessText(const XMLElement& accessor) {
+  std::string text = "with count " + visibleText(attributeOf(accessor, "count"));
+  for (const char* attribute : {"stride", "offset"}) {
+    const std::string value = attributeOf(accessor, attribute);
+    text += value.empty() ? "" : std::string(", ") + attribute + " " + visibleText(value);
+  }
+  return text;
+}
 
 /// Source: COLLADA 1.4.1, chapter 5: values from `offset` on, `stride` from one to the next, of
 /// each as many as there are parameters.
@@ -38,8 +49,9 @@ void checkAccessor(const XMLElement& accessor, const ArraySizes& size_of) {
   const std::uint64_t needed =
       accessor.UnsignedAttribute("offset") + (count - 1) * stride + std::max(stride, parameters);
   if (needed > array->second) {
-    refuseElement(accessor, "needs " + std::to_string(needed) + " numbers of an array of " +
-                                std::to_string(array->second));
+    refuseElement(accessor, accessText(accessor) + " reads " + std::to_string(needed) +
+                                " numbers of the <float_array> '" + visibleText(array->first) +
+                                "', which holds only " + std::to_string(array->second));
   }
 }
 

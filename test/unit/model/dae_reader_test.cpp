@@ -104,8 +104,14 @@ TEST(DaeReader, daeIndexThatIsNone_isAnError) {
 TEST(DaeReader, daeArrayThatIsTooShort_isAnError) {
   std::string text = dae("", "<node id='n'>" + kInstance + "</node>");
   text.replace(text.find("count='9'>0 0 0 1 0 0 0 2 0"), 27, "count='8'>0 0 0 1 0 0 0 2");
-  EXPECT_EQ(messageOf([&] { readMesh(text, "a.dae"); }),
-            "a.dae: line 1: <accessor> needs 9 numbers of an array of 8");
+  EXPECT_EQ(
+      messageOf([&] { readMesh(text, "a.dae"); }),
+      "a.dae: line 1: <accessor> with count 3, stride 3 reads 9 numbers of the <float_array> 'pa', "
+      "which holds only 8");
+  text.replace(text.find("count='3' stride"), 9, "count='-3'");
+  EXPECT_NE(
+      messageOf([&] { readMesh(text, "a.dae"); }).find("<accessor> with count -3, stride 3 reads "),
+      std::string::npos);
 }
 
 /// assimp would make room for that many.
