@@ -94,8 +94,8 @@ struct Truth {
 bool isInside(const Scene& scene, const std::vector<Pose>& poses, const ElementPair& pair) {
   const std::size_t a = index(pair.a);
   const std::size_t b = index(pair.b);
-  return holdsMarkOf(scene.insides[a], poses[a], scene.insides[b], poses[b]) ||
-         holdsMarkOf(scene.insides[b], poses[b], scene.insides[a], poses[a]);
+  return holdsMarkOf(scene.insides[a], poses[a], scene.insides[b], poses[b]) != Holds::no ||
+         holdsMarkOf(scene.insides[b], poses[b], scene.insides[a], poses[a]) != Holds::no;
 }
 
 /// What is inside is looked for where surfaces do not meet.

@@ -52,8 +52,13 @@ struct MarkPoints {
 };
 
 // Most points are not even in the box of the surface, all of whose triangles count.
-bool holds(const TriangleBvh& surface, const Eigen::Vector3d& point) {
-  return meets(surface.bounds(), {point, point}) && std::abs(windingNumber(surface, point)) > 0.5;
+Holds holds(const TriangleBvh& surface, const Eigen::Vector3d& point) {
+  constexpr double kSurelyInside = 0.52;
+  if (!meets(surface.bounds(), {point, point})) {
+    return Holds::no;
+  }
+  const double winding = std::abs(windingNumber(surface, point));
+  return winding > kSurelyInside ? Holds::yes : winding > 0.5 ? Holds::undecided : Holds::no;
 }
 
 }  // namespace
@@ -70,13 +75,20 @@ Inside insideOf(const Geometry& geometry) {
   return inside;
 }
 
-bool holdsMarkOf(const Inside& outer, const Pose& world_from_outer, const Inside& inner,
-                 const Pose& world_from_inner) {
+Holds holdsMarkOf(const Inside& outer, const Pose& world_from_outer, const Inside& inner,
+                  const Pose& world_from_inner) {
+  Holds most = Holds::no;
+  if (!outer.surface) {
+    return most;
+  }
   const Pose outer_from_inner = inverse(world_from_outer) * world_from_inner;
-  return outer.surface &&
-         std::any_of(inner.marks.begin(), inner.marks.end(), [&](const Eigen::Vector3d& mark) {
-           return holds(*outer.surface, outer_from_inner * mark);
-         });
+  for (const Eigen::Vector3d& mark : inner.marks) {
+    most = std::max(most, holds(*outer.surface, outer_from_inner * mark));
+    if (most == Holds::yes) {
+      break;
+    }
+  }
+  return most;
 }
 
 }  // namespace collision_monitor::test

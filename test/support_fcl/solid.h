@@ -25,8 +25,12 @@ struct Inside {
 
 Inside insideOf(const Geometry& geometry);
 
+/// Undecided is what either answer is right for: a winding number above 1/2, to 0.52
+/// (docs/accuracy.md, "Where exactness of meshes ends").
+enum class Holds { no, undecided, yes };
+
 /// Whether a mark of `inner` is inside the mesh `outer`.
-bool holdsMarkOf(const Inside& outer, const Pose& world_from_outer, const Inside& inner,
-                 const Pose& world_from_inner);
+Holds holdsMarkOf(const Inside& outer, const Pose& world_from_outer, const Inside& inner,
+                  const Pose& world_from_inner);
 
 }  // namespace collision_monitor::test

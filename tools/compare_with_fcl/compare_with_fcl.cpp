@@ -109,6 +109,12 @@ int compareExact(const RobotDescription& robot, const ComparisonOptions& options
   for (const std::string& line : found.wrong) {
     std::printf("wrong: %s\n", line.c_str());
   }
+  if (found.undecided > 0) {
+    std::printf(
+        "undecided: %zu verdicts, where a link reaches just into the mouth of an open mesh "
+        "(winding number 0.50 to 0.52): either answer is right\n",
+        found.undecided);
+  }
   const std::size_t wrong = found.missed + found.wrong_contacts;
   const bool agrees = wrong + found.complete_wrong == 0;
   std::printf(

@@ -40,7 +40,9 @@ Solid makeSolid(LinkId link, const CollisionElement& element) {
           test::insideOf(element.geometry)};
 }
 
-bool holdsMarkOf(const Solid& outer, const Solid& inner) {
+enum class Truth { clear, undecided, contact };
+
+test::Holds holdsMarkOf(const Solid& outer, const Solid& inner) {
   return test::holdsMarkOf(outer.inside, outer.world_from_geometry, inner.inside,
                            inner.world_from_geometry);
 }
@@ -54,7 +56,7 @@ class ExactComparer {
         refined_(makeBuffers(setup, BroadPhaseKind::sweep_and_prune)),
         complete_(makeBuffers(setup, BroadPhaseKind::sweep_and_prune)),
         solids_of_(setup.model.links.size()),
-        is_contact_(setup.checked.size()) {
+        truths_(setup.checked.size()) {
     enclosing_.refine.limits.budget = 0;
     complete_.refine.limits.budget = kNoBudget;
     for (std::size_t i = 0; i < setup.model.links.size(); ++i) {
@@ -92,17 +94,30 @@ class ExactComparer {
     }
   }
 
-  bool isContact(const CheckedLinkPair& pair) const {
+  static Truth truthOf(const Solid& a, const Solid& b) {
+    if (!a.object->getAABB().overlap(b.object->getAABB())) {
+      return Truth::clear;
+    }
+    if (test::fclOverlap(*a.object, *b.object).value_or(false)) {
+      return Truth::contact;
+    }
+    const test::Holds holds = std::max(holdsMarkOf(a, b), holdsMarkOf(b, a));
+    return holds == test::Holds::yes         ? Truth::contact
+           : holds == test::Holds::undecided ? Truth::undecided
+                                             : Truth::clear;
+  }
+
+  Truth truthOf(const CheckedLinkPair& pair) const {
+    Truth truth = Truth::clear;
     for (const Solid& a : solids_of_[index(pair.a)]) {
       for (const Solid& b : solids_of_[index(pair.b)]) {
-        if (a.object->getAABB().overlap(b.object->getAABB()) &&
-            (test::fclOverlap(*a.object, *b.object).value_or(false) || holdsMarkOf(a, b) ||
-             holdsMarkOf(b, a))) {
-          return true;
+        truth = std::max(truth, truthOf(a, b));
+        if (truth == Truth::contact) {
+          return truth;
         }
       }
     }
-    return false;
+    return truth;
   }
 
   /// The same without a budget.
@@ -114,13 +129,18 @@ class ExactComparer {
     const CycleBuffers& complete = refined_.counters.left > 0 ? complete_ : refined_;
     for (std::size_t i = 0; i < setup_.checked.size(); ++i) {
       const bool ours = complete.events.verdicts[i] == Verdict::contact;
-      result_.complete_wrong += ours != is_contact_[i] && !isTouch(nearestOf(complete, i)) ? 1 : 0;
+      const bool is_right = agree(ours, truths_[i]) || isTouch(nearestOf(complete, i));
+      result_.complete_wrong += is_right ? 0 : 1;
     }
   }
 
   static PairDistance nearestOf(const CycleBuffers& buffers, std::size_t i) {
     const std::uint32_t place = buffers.events.closest[i];
     return place == kNone ? PairDistance() : buffers.distances.measured[place];
+  }
+
+  static bool agree(bool is_contact, Truth truth) {
+    return truth == Truth::undecided || is_contact == (truth == Truth::contact);
   }
 
   /// Right either way.
@@ -130,15 +150,16 @@ class ExactComparer {
 
   void comparePair(std::size_t i) {
     const CheckedLinkPair& pair = setup_.checked[i];
-    const bool is_contact = is_contact_[i] = isContact(pair);
+    const Truth truth = truths_[i] = truthOf(pair);
     const bool of_shapes = enclosing_.events.verdicts[i] == Verdict::contact;
     const bool ours = refined_.events.verdicts[i] == Verdict::contact;
     const PairDistance nearest = nearestOf(refined_, i);
     ++result_.pairs;
-    result_.contacts += is_contact ? 1 : 0;
+    result_.contacts += truth == Truth::contact ? 1 : 0;
+    result_.undecided += truth == Truth::undecided ? 1 : 0;
     result_.enclosing_contacts += of_shapes ? 1 : 0;
-    result_.enclosing_alarms += of_shapes && !is_contact ? 1 : 0;
-    if (ours == is_contact || isTouch(nearest)) {
+    result_.enclosing_alarms += of_shapes && truth == Truth::clear ? 1 : 0;
+    if (agree(ours, truth) || isTouch(nearest)) {
       return;
     }
     if (ours && nearest.quality == Quality::lower_bound) {
@@ -160,7 +181,7 @@ class ExactComparer {
   CycleBuffers refined_;
   CycleBuffers complete_;
   std::vector<std::vector<Solid>> solids_of_;  ///< by LinkId
-  std::vector<bool> is_contact_;               ///< in truth, by LinkPairIndex
+  std::vector<Truth> truths_;                  ///< by LinkPairIndex
   ExactComparison result_;
 };
 

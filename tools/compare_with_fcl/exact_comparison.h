@@ -15,6 +15,7 @@ struct ExactComparison {
   std::size_t poses{0};
   std::size_t pairs{0};
   std::size_t contacts{0};            ///< in truth
+  std::size_t undecided{0};           ///< either answer is right (test::Holds)
   std::size_t enclosing_contacts{0};  ///< of enclosing shapes
   std::size_t enclosing_alarms{0};    ///< of these, false
   std::size_t refined_alarms{0};      ///< false ones that are left: lower bounds, as they say
