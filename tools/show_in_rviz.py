@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Waits for the monitor and becomes rviz, with the monitor's world frame as the fixed frame.
 
-Nothing else knows that frame before: by default it is the root link of the robot's URDF. ROS's own
-NAME:=VALUE are handed on to rviz.
+Nothing else knows that frame before: by default it is the root link of the robot's URDF. With --frame
+it waits for nobody. ROS's own NAME:=VALUE are handed on to rviz.
 """
 import argparse
 import os
@@ -28,16 +28,22 @@ def wait_for_frame(topic):
     return None
 
 
+def frame_of_monitor(name):
+    rospy.init_node("show_in_rviz")
+    frame = wait_for_frame(rospy.resolve_name(name + "/state"))
+    rospy.signal_shutdown("rviz takes its place")  # and its name
+    return frame
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("config", help="rviz's file")
     parser.add_argument("--monitor", default="/collision_monitor", help="the monitor (default %(default)s)")
+    parser.add_argument("--frame", help="the fixed frame, instead of the monitor's")
     options = parser.parse_args(rospy.myargv()[1:])
-    rospy.init_node("show_in_rviz")
-    frame = wait_for_frame(rospy.resolve_name(options.monitor + "/state"))
+    frame = options.frame or frame_of_monitor(options.monitor)
     if frame is None:
         return 0
-    rospy.signal_shutdown("rviz takes its place")  # and its name
     names = [argument for argument in sys.argv[1:] if ":=" in argument]
     try:
         os.execvp("rviz", ["rviz", "-d", options.config, "-f", frame, *names])

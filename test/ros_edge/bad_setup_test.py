@@ -82,9 +82,10 @@ class BadSetup(unittest.TestCase):
         states = rospy.Publisher("/painted/state", State, queue_size=1, latch=True)
         states.publish(State())
         script = pathlib.Path(__file__).resolve().parents[2] / "tools" / "show_in_rviz.py"
-        code, output = run("env", "PATH=/nowhere", "/usr/bin/python3", str(script), "x.rviz", "--monitor", "/painted")
-        self.assertEqual(code, 1, output)
-        self.assertIn("rviz is not installed; it is in the package", output)
+        for frame in (["--monitor", "/painted"], ["--frame", "world"]):
+            code, output = run("env", "PATH=/nowhere", "/usr/bin/python3", str(script), "x.rviz", *frame)
+            self.assertEqual(code, 1, output)
+            self.assertIn("rviz is not installed; it is in the package", output)
 
     def test_summaryOfADemoThatShowedNothing_isNoUsageFault(self):
         """2 is the command line everywhere."""
