@@ -259,19 +259,15 @@ std::string stepSentence(const Watch& watch) {
   const std::string needed = "every " + fixedText(1e3 * cap.longest, 1) + " ms";
   if (is_covered) {
     return links +
-           " move so fast that they could pass through each other from one pose to the "
-           "next (" +
-           every +
-           "); the monitor also looks at the way in between, so nothing "
-           "is missed (without that, poses would be needed " +
-           needed + ")";
+           " move so fast that they could pass through each other from one pose to the next (" +
+           every + "); the monitor also looks at the way in between, so nothing is missed " +
+           "(without that, poses would be needed " + needed + ")";
   }
-  return "poses " + every + " are too few: from one to the next, " + links +
-         (setup.is_continuous
-              ? " speed up or slow down so much that they may pass through each other unseen, "
-                "though "
-                "the monitor looks at the way in between"
-              : " can pass through each other unseen (parameter continuous is off)") +
+  const char* const danger =
+      setup.is_continuous ? " speed up or slow down so much that they may pass through each other "
+                            "unseen, though the monitor looks at the way in between"
+                          : " can pass through each other unseen (parameter continuous is off)";
+  return "poses " + every + " are too few: from one to the next, " + links + danger +
          "; at these speeds poses are needed " + needed;
 }
 
