@@ -42,7 +42,6 @@ class Cycles {
         unlimited_(makeBuffers(setup, BroadPhaseKind::automatic)) {
     unlimited_.refine.limits.budget = kNoBudget;
     unlimited_.refine.limits.tolerance = 0.0;
-    unlimited_.sweep.budget = kNoBudget;
   }
 
   void run(std::size_t cycles) {

@@ -97,6 +97,7 @@ std::uint32_t search(MeshQueryMemory& memory, std::uint32_t budget, Sweep& sweep
     const std::uint32_t child_a = childOf(sweep.pair.a, next.a);
     const std::uint32_t child_b = childOf(sweep.pair.b, next.b);
     if (isTriangle(child_a) && isTriangle(child_b)) {
+      steps += kVisitsToMeasure - 1;
       measureTriangles(triangleAt(child_a), triangleAt(child_b), sweep);
     } else {
       openLarger(sweep.pair, next, limit, waiting);

@@ -31,7 +31,6 @@ SweepWork makeSweepWork(const CycleSetup& setup) {
   work.last_motions = work.link_motions;
   work.tasks.reserve(setup.element_pairs.size());
   work.task_of.resize(setup.element_pairs.size(), kNone);
-  work.budget = setup.refine.budget;
   return work;
 }
 

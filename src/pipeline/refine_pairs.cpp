@@ -4,20 +4,14 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 
 #include "geometry/constants.h"
 #include "pipeline/recall_elements.h"
+#include "pipeline/refine_tasks.h"
 #include "pipeline/touch_elements.h"
 
 namespace collision_monitor {
 namespace {
-
-/// Two bodies that are the geometry themselves are measured exactly already.
-bool isRefinable(const CycleSetup& setup, ElementPairIndex pair) noexcept {
-  const ElementPair& elements = setup.element_pairs[pair];
-  return !setup.elements[index(elements.a)].is_body || !setup.elements[index(elements.b)].is_body;
-}
 
 /// What every step needs.
 struct Refinement {
@@ -28,46 +22,10 @@ struct Refinement {
   PairDistances& distances;
 };
 
-void forgetLastCycle(const CycleSetup& setup, RefineWork& work) noexcept {
-  for (const RefineTask& task : work.tasks) {
-    work.task_of[task.pair] = kNone;
-    work.is_measured[task.pair] = 0;
-    work.nearest[setup.element_pairs[task.pair].link_pair] =
-        std::numeric_limits<double>::infinity();
-  }
-  work.tasks.clear();
-  work.refined = work.left = work.steps = 0;
-}
-
-/// One task a pair of elements, with its nearest bodies.
-void listTasks(const Refinement& all) noexcept {
-  RefineWork& work = all.work;
-  for (std::uint32_t i = 0; i < all.distances.measured.size(); ++i) {
-    const PairDistance& distance = all.distances.measured[i];
-    const ElementPairIndex pair = all.setup.element_pair_of[index(distance.pair)];
-    if (!(distance.measured.distance <= work.limits.distance) || !isRefinable(all.setup, pair)) {
-      continue;
-    }
-    if (work.task_of[pair] == kNone) {
-      work.task_of[pair] = static_cast<std::uint32_t>(work.tasks.size());
-      const std::uint32_t waited = all.memory.waited[pair];
-      work.tasks.push_back({pair, i, distance.measured.distance, waited, kInfinity});
-    }
-    RefineTask& task = work.tasks[work.task_of[pair]];
-    if (distance.measured.distance < task.bound) {
-      task.place = i;
-      task.bound = distance.measured.distance;
-    }
-  }
-}
-
-void sortTasks(RefineWork& work) noexcept {
-  std::sort(work.tasks.begin(), work.tasks.end(), [](const RefineTask& x, const RefineTask& y) {
-    return std::tie(y.waited, x.bound, x.pair) < std::tie(x.waited, y.bound, y.pair);
-  });
-  for (std::uint32_t i = 0; i < work.tasks.size(); ++i) {
-    work.task_of[work.tasks[i].pair] = i;
-  }
+/// Of steps. A part is kept for what happens between two cycles.
+std::uint32_t budgetOf(const Refinement& all) noexcept {
+  const std::uint32_t budget = all.work.limits.budget;
+  return all.setup.is_continuous ? budget - budget / 10 : budget;
 }
 
 /// Where a proven bound without points is larger, the points follow it along the normal.
@@ -211,14 +169,19 @@ bool tryDecide(const Refinement& all, const RefineTask& task, const Goal& goal) 
   return contact.state == ElementContact::State::apart;
 }
 
+/// What overlapped mostly still does.
+bool hasOverlapped(const Refinement& all, const RefineTask& task) noexcept {
+  return all.memory.refined.lastOf(task.pair).found.quality == Quality::estimate;
+}
+
 /// Tells contacts of enclosing shapes that are none of the geometries, and no more: whether
 /// geometries touch takes a part of the steps of their distance. First whether they are so far
-/// apart that no contact is held, then whether they touch. Leaves a part of the budget for
-/// distances, so that every pair has its turn.
+/// apart that no contact is held, unless they overlapped in the last cycle; then whether they
+/// touch. Leaves a part of the budget for distances, so that every pair has its turn.
 void decideContact(const Refinement& all, const RefineTask& task) noexcept {
   constexpr double kPastThreshold = 1e-6;
-  const Goal clear{clearBeyond(all), all.work.limits.budget / 4 * 3};
-  if (task.bound > clear.enough || tryDecide(all, task, clear)) {
+  const Goal clear{clearBeyond(all), budgetOf(all) / 4 * 3};
+  if (task.bound > clear.enough || (!hasOverlapped(all, task) && tryDecide(all, task, clear))) {
     return;
   }
   const double contact = std::max(0.0, all.setup.limits.contact_distance);
@@ -227,7 +190,7 @@ void decideContact(const Refinement& all, const RefineTask& task) noexcept {
 
 void refine(const Refinement& all, RefineTask& task) noexcept {
   std::uint32_t& waited = all.memory.waited[task.pair];
-  const Goal goal{enoughFor(all, task), all.work.limits.budget};
+  const Goal goal{enoughFor(all, task), budgetOf(all)};
   ElementDistance found = recallTask(all, task);
   if (isEnough(found, goal.enough)) {
     waited = 0;
@@ -260,9 +223,9 @@ void deepenOverlaps(const Refinement& all) noexcept {
       std::count_if(work.tasks.begin(), work.tasks.end(),
                     [&](const RefineTask& task) { return isOverlap(all, task); }));
   for (const RefineTask& task : work.tasks) {
-    if (isOverlap(all, task) && work.steps < work.limits.budget) {
+    if (isOverlap(all, task) && work.steps < budgetOf(all)) {
       const ElementPair& pair = all.setup.element_pairs[task.pair];
-      ElementSearch search = searchFor(all, task, {0.0, work.limits.budget});
+      ElementSearch search = searchFor(all, task, {0.0, budgetOf(all)});
       work.steps += deepenElements(placed(all, pair.a), placed(all, pair.b),
                                    std::max(kFewestPoints, kMostPoints / overlaps), search,
                                    all.distances.measured[task.place].measured);
@@ -288,9 +251,7 @@ void dropFarther(const Refinement& all) noexcept {
 void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
                  RefineWork& work, PairDistances& distances) noexcept {
   const Refinement all{setup, body_poses, memory, work, distances};
-  forgetLastCycle(setup, work);
-  listTasks(all);
-  sortTasks(work);
+  listTasks(setup, memory, distances, work);
   for (const RefineTask& task : work.tasks) {
     decideContact(all, task);
   }

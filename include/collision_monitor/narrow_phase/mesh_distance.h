@@ -45,7 +45,7 @@ struct MeshDistance {
   MeshState state{MeshState::unknown};
   SignedDistance measured;  ///< NaN-free in every state
   TrianglePair nearest;     ///< kNone where none was found; a start for the next query
-  std::uint32_t visits{0};  ///< nodes opened and triangles measured
+  std::uint32_t visits{0};  ///< nodes opened; other work is converted
   /// [m] Where they are apart: how far one may go, seen from the other, until it can be inside an
   /// open mesh though it has not met its surface. Infinite for closed meshes.
   double outside{std::numeric_limits<double>::infinity()};
@@ -55,7 +55,8 @@ struct MeshDistance {
 struct MeshQueryLimits {
   /// Farther apart is not measured: the answer is then lower_bound with this distance.
   double stop_beyond{std::numeric_limits<double>::infinity()};
-  /// Nodes opened and triangles measured at most; after that the answer is what is proven.
+  /// Visits after which nothing more is begun; the answer is then what is proven. Triangles are
+  /// measured to the end, and those that were nearest before in any case.
   std::uint32_t visit_budget{std::numeric_limits<std::uint32_t>::max()};
   /// [m] 0 or more. What is found nearest may be farther than the nearest by that: the distance is
   /// then a proven lower bound that is short by no more, and so is the point on B moved.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <limits>
 
 #include "collision_monitor/geometry/triangle.h"
@@ -47,6 +48,7 @@ struct TriangleDistance {
   double squared_bound;  ///< [m^2] of a lower bound of the distance
   /// Of any length, from A to B: along it they are as far apart; 0: none is known.
   Eigen::Vector3d direction{Eigen::Vector3d::Zero()};
+  std::uint32_t visits{1};  ///< what it took, in nodes opened; 1 where the bound told enough
 };
 
 /// As nearestPoints, but looks no further where the direction of the start, or the plane of a

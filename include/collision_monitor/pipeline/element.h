@@ -48,7 +48,8 @@ struct RefineLimits {
   /// [m] Pairs whose enclosing shapes are this near, or nearer. Raised to where verdicts are made:
   /// warning_distance + hysteresis.
   double distance{0.05};
-  /// Nodes of hierarchies opened and triangles measured in one cycle; other work is converted.
+  /// Nodes of hierarchies opened in one cycle; other work is converted. A tenth is left to what
+  /// happens between two cycles, if that is looked at.
   /// Independent of the clock, so that the same input gives the same output.
   std::uint32_t budget{10000};
   /// [m] 0 or more: how much less than the exact one the distance of a mesh may be, as

@@ -53,7 +53,6 @@ struct SweepWork {
   StepLimit step;
   std::vector<SweepTask> tasks;
   std::vector<std::uint32_t> task_of;  ///< by ElementPairIndex: into tasks, or kNone
-  std::uint32_t budget{0};             ///< of steps, as RefineLimits::budget
   std::size_t swept{0};                ///< these two as in CycleCounters
   std::size_t left{0};
 };
@@ -74,13 +73,11 @@ void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const Swe
 /// the very start of the way is that of the last cycle, and not told again.
 ///
 /// Pairs farther apart than they can have come nearer are passed over; then moving spheres, then
-/// the bodies, then the elements are asked, the last within a budget. What the budget leaves open
-/// is told as a contact of enclosing shapes: a budget that is too small can raise false
-/// alarms and hides nothing.
-/// Error: contacts deeper than rounding are found; what is told as exact is within 1e-7 m of
-/// contact_distance.
-/// Limits: of meshes, surfaces count, and a contact is told at touch where contact_distance is
-/// negative.
+/// the bodies, then the elements are asked, the last with what refinePairs left of its budget. What
+/// that leaves open is told as a contact of enclosing shapes: a budget that is too small can raise
+/// false alarms and hides nothing. Error: contacts deeper than rounding are found; what is told as
+/// exact is within 1e-7 m of contact_distance. Limits: of meshes, surfaces count, and a contact is
+/// told at touch where contact_distance is negative.
 /// @param refined what refinePairs did to `distances`; its scratch is used.
 void sweepPairs(const CycleSetup& setup, const RefineWork& refined, SweepWork& work,
                 PairDistances& distances) noexcept;

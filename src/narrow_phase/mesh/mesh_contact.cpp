@@ -6,12 +6,15 @@
 
 #include "narrow_phase/mesh/mesh_inside.h"
 #include "narrow_phase/mesh/mesh_search.h"
+#include "narrow_phase/mesh/triangle_edges.h"
 
 namespace collision_monitor {
 namespace {
 
-// Whether two triangles are within a distance of each other.
-bool areWithin(const MeshPair& pair, const TrianglePair& triangles, double distance) noexcept {
+// Whether two triangles are within a distance of each other. Surfaces that are apart mostly are so
+// along one direction: that of the last two triangles is tried first.
+bool areWithin(const MeshPair& pair, const TrianglePair& triangles, double distance,
+               Eigen::Vector3d& direction) noexcept {
   const Triangle& of_a = pair.a.triangles()[triangles.a];
   const Triangle of_b = triangleOfB(pair, triangles.b);
   if (distance <= 0.0) {
@@ -20,8 +23,10 @@ bool areWithin(const MeshPair& pair, const TrianglePair& triangles, double dista
   PointPair start;
   start.squared_distance =
       std::nextafter(distance * distance, std::numeric_limits<double>::infinity());
-  return boundedDistance(of_a, of_b, start, start.squared_distance).nearest.squared_distance <
-         start.squared_distance;
+  start.on_b = direction;
+  const TriangleDistance found = boundedDistance(of_a, of_b, start, start.squared_distance);
+  direction = found.visits > 1 ? direction : found.direction;
+  return found.nearest.squared_distance < start.squared_distance;
 }
 
 void searchContact(const MeshPair& pair, const MeshContactQuery& query, MeshQueryMemory& memory,
@@ -29,6 +34,7 @@ void searchContact(const MeshPair& pair, const MeshContactQuery& query, MeshQuer
   // The least float above 0: only bounds that touch, up to the slack, are opened.
   constexpr float kTouching = std::numeric_limits<float>::min();
   const float limit = query.distance <= 0.0 ? kTouching : asLimit(query.distance * query.distance);
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   WaitingPairs waiting(memory);
   waiting.push({0.0F, 0, 0});
   while (!waiting.empty()) {
@@ -41,9 +47,13 @@ void searchContact(const MeshPair& pair, const MeshContactQuery& query, MeshQuer
     const std::uint32_t child_b = childOf(pair.b, next.b);
     if (!isTriangle(child_a) || !isTriangle(child_b)) {
       openLarger(pair, next, limit, waiting);
-    } else if (areWithin(pair, {triangleAt(child_a), triangleAt(child_b)}, query.distance)) {
+      continue;
+    }
+    found.visits += kVisitsToMeasure - 1;
+    const TrianglePair triangles{triangleAt(child_a), triangleAt(child_b)};
+    if (areWithin(pair, triangles, query.distance, direction)) {
       found.state = MeshContact::State::contact;
-      found.triangles = {triangleAt(child_a), triangleAt(child_b)};
+      found.triangles = triangles;
       return;
     }
   }
@@ -92,7 +102,8 @@ MeshContact contactOf(const PlacedMesh& a, const PlacedMesh& b, const MeshContac
   const MeshPair pair = makeMeshPair(a, b);
   if (start.a < a.tree.triangles().size() && start.b < b.tree.triangles().size()) {
     ++found.visits;
-    if (areWithin(pair, start, query.distance)) {
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+    if (areWithin(pair, start, query.distance, direction)) {
       found.state = MeshContact::State::contact;
       found.triangles = start;
       return found;

@@ -67,6 +67,7 @@ void offer(const TrianglePair& triangles, const MeshQueryMemory::Waiting& bounds
   PointPair start = search.best;
   start.squared_distance = search.squaredReach();
   const TriangleDistance found = measure(start, search.squaredGoal());
+  search.visits += found.visits - 1;
   if (found.nearest.squared_distance < search.best.squared_distance) {
     search.leave(search.bounds, search.best.squared_distance,
                  packed(search.best.on_b - search.best.on_a));

@@ -18,6 +18,10 @@ namespace {
 
 using Eigen::Vector3d;
 
+// As TriangleDistance::visits.
+constexpr std::uint32_t kVisitsOfBox = 6;
+constexpr std::uint32_t kVisitsOfSearch = 9;
+
 // A point is a segment of no length.
 PointPair nearestToSegment(const Triangle& triangle, const Vector3d& half_extents,
                            const PointPair& start) noexcept {
@@ -255,10 +259,15 @@ TriangleDistance boundedDistance(const Triangle& triangle, const ConvexCore& cor
   if (to_box.squaredNorm() >= squared_enough) {
     return {start, to_box.squaredNorm(), to_box};
   }
+  const bool is_box = core.kind == ConvexCore::Kind::box && core.half_extents.x() > 0.0;
+  const bool is_segment = core.kind == ConvexCore::Kind::box && !is_box;
   const PointPair best = nearestPoints(triangle, core, start);
   const bool is_nearer = best.squared_distance < start.squared_distance;
   return {best, best.squared_distance,
-          is_nearer ? Vector3d(best.on_b - best.on_a) : Vector3d(Vector3d::Zero())};
+          is_nearer ? Vector3d(best.on_b - best.on_a) : Vector3d(Vector3d::Zero()),
+          is_segment ? kVisitsToMeasure
+          : is_box   ? kVisitsOfBox
+                     : kVisitsOfSearch};
 }
 
 PointPair nearestPoints(const Triangle& triangle, const ConvexCore& core,

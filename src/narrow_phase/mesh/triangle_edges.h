@@ -34,6 +34,9 @@ struct PreparedTriangle {
   bool hasPlane() const noexcept { return normal.squaredNorm() > 0.0; }
 };
 
+/// To measure two triangles takes as long as to open so many nodes.
+constexpr std::uint32_t kVisitsToMeasure = 3;
+
 PreparedTriangle prepare(const Triangle& triangle) noexcept;
 
 /// Squared sine of edges that count as parallel.

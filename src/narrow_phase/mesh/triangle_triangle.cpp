@@ -193,7 +193,8 @@ TriangleDistance boundedDistance(const Triangle& a, const Triangle& b, const Poi
   }
   const bool is_nearer = best.squared_distance < start.squared_distance;
   return {best, best.squared_distance,
-          is_nearer ? Vector3d(best.on_b - best.on_a) : Vector3d(Vector3d::Zero())};
+          is_nearer ? Vector3d(best.on_b - best.on_a) : Vector3d(Vector3d::Zero()),
+          kVisitsToMeasure};
 }
 
 PointPair nearestPoints(const Triangle& a, const Triangle& b, const PointPair& start) noexcept {

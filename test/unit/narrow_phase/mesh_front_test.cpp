@@ -86,7 +86,7 @@ TEST_F(MeshFronts, searchThatTheBudgetEnds_goesOnInTheNext) {
   for (int query = 0; query < 100 && found.state != MeshState::exact; ++query) {
     EXPECT_GE(found.measured.distance, bound) << "what is proven stays";
     EXPECT_LE(found.measured.distance, truth);
-    EXPECT_LE(found.visits, limits.visit_budget);
+    EXPECT_LE(found.visits, limits.visit_budget + 2) << "triangles are measured to the end";
     bound = found.measured.distance - 1e-6;  // a rounding of the bounds
     found = distance(bumpy_, bumpy_, pose, limits);
   }
