@@ -57,7 +57,8 @@ void SolidAngles::add(const Triangle& triangle) noexcept {
     const bool is_whole_turn = imaginary == 0.0 && real > 0.0 && real_ < 0.0;
     turns_ += imaginary < 0.0 || is_whole_turn ? 1.0 : 0.0;
   } else if (imaginary_ < 0.0 && y < 0.0) {
-    turns_ -= imaginary >= 0.0 ? 1.0 : 0.0;
+    const bool is_half_turn = imaginary == 0.0 && (real < 0.0 || real_ < 0.0);
+    turns_ -= imaginary > 0.0 || is_half_turn ? 1.0 : 0.0;
   }
   constexpr double kSmall = 1e-100;
   const double scale = std::abs(real) + std::abs(imaginary) < kSmall ? 1.0 / kSmall : 1.0;

@@ -3,6 +3,7 @@
 #include "pipeline/measure_elements.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <type_traits>
@@ -47,7 +48,9 @@ ElementDistance measureConvex(const PlacedElement& a, const PlacedElement& b,
 /// What is left of it after the paddings is still enough.
 double stopBeyond(const PlacedElement& a, const PlacedElement& b,
                   const ElementSearch& search) noexcept {
-  return search.enough + a.element.padding + b.element.padding;
+  const double paddings = a.element.padding + b.element.padding;
+  const double sum = search.enough + paddings;
+  return paddings > 0.0 ? std::nextafter(sum, std::numeric_limits<double>::infinity()) : sum;
 }
 
 template <class Start>

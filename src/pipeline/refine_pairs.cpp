@@ -169,9 +169,12 @@ bool tryDecide(const Refinement& all, const RefineTask& task, const Goal& goal) 
   return contact.state == ElementContact::State::apart;
 }
 
-/// What overlapped mostly still does.
-bool hasOverlapped(const Refinement& all, const RefineTask& task) noexcept {
-  return all.memory.refined.lastOf(task.pair).found.quality == Quality::estimate;
+/// Whether elements that were measured have come so little farther since that to follow them takes
+/// less than to decide anything anew.
+bool isFollowed(const Refinement& all, const RefineTask& task, double little) noexcept {
+  const ElementDistance& last = all.memory.refined.lastOf(task.pair).found;
+  return last.has_points && last.quality != Quality::estimate &&
+         last.measured.distance - recallTask(all, task).measured.distance < little;
 }
 
 /// Tells contacts of enclosing shapes that are none of the geometries, and no more: whether
@@ -180,8 +183,14 @@ bool hasOverlapped(const Refinement& all, const RefineTask& task) noexcept {
 /// touch. Leaves a part of the budget for distances, so that every pair has its turn.
 void decideContact(const Refinement& all, const RefineTask& task) noexcept {
   constexpr double kPastThreshold = 1e-6;
+  constexpr double kLittle = 0.2;  // of how far no contact is held
   const Goal clear{clearBeyond(all), budgetOf(all) / 4 * 3};
-  if (task.bound > clear.enough || (!hasOverlapped(all, task) && tryDecide(all, task, clear))) {
+  if (task.bound > clear.enough || isFollowed(all, task, kLittle * clear.enough)) {
+    return;
+  }
+  const bool has_overlapped =
+      all.memory.refined.lastOf(task.pair).found.quality == Quality::estimate;
+  if (!has_overlapped && tryDecide(all, task, clear)) {
     return;
   }
   const double contact = std::max(0.0, all.setup.limits.contact_distance);

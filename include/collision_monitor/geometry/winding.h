@@ -12,13 +12,13 @@
 /// number. docs/decisions/inside-of-open-meshes.md says what is made of it.
 namespace collision_monitor {
 
-/// How much of all directions from a point triangles cover, summed. Of one it is > 0 where its
-/// front, from which its corners turn left, looks away from the point.
+/// How much of all directions from a point triangles cover, summed. What a triangle covers is > 0
+/// if the point is behind it; seen from the front, its corners turn left.
 ///
 /// The half of a triangle's angle is that of a complex number, and a sum of angles that of a
 /// product: so there is one arc tangent for all triangles. Units: [sr].
-/// Error: 1e-15 times a few for each triangle. Limits: of points in its plane, to rounding, the
-/// sign is any.
+/// Error: 1e-15 times a few for each triangle of the size of 1 m; 1e-13 over the distance [m] from
+/// its edges where that is small. Limits: of points in its plane, to rounding, the sign is any.
 /// Source: van Oosterom, Strackee, "The Solid Angle of a Plane Triangle" (1983), for the number.
 class SolidAngles {
  public:
@@ -31,7 +31,7 @@ class SolidAngles {
   Eigen::Vector3d point_;
   double real_{1.0};       ///< of the product
   double imaginary_{0.0};  ///< never -0
-  double turns_{0.0};      ///< that half of the sum is ahead of the angle of the product
+  double turns_{0.0};      ///< whole ones that the angle of the product does not show
 };
 
 /// A part of a surface as points far from it see it.

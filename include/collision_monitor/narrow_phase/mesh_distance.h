@@ -65,7 +65,7 @@ struct MeshQueryLimits {
 
 /// What a query about two meshes, or a mesh and a solid, leaves for the next one about the same: a
 /// front of pairs, of bounds or triangles, beyond which the search did not look, each with the
-/// motion before which it need not be looked at. Some ten thousand bytes.
+/// motion before which it need not be looked at. 64 kB.
 ///
 /// Between two poses no point of B comes farther, seen from A, than the ball about it does. What
 /// was at least d away is then at least d less these steps away, and stays unseen until that is
@@ -186,7 +186,8 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
 /// The same from what the last query about the same two meshes left: where they have moved little,
 /// in a fraction of the time.
 /// @param front changes the time and, of points equally near, which are found; never the distance,
-/// but for rounding. A search that the budget ended goes on from there.
+/// but for rounding. A search that the budget ended goes on from there. Whether a mesh has got
+/// inside an open one is not asked again for ways of a thousandth of the open one's radius.
 MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory,
                              MeshFront& front,
                              const MeshQueryLimits& limits = MeshQueryLimits{}) noexcept;
@@ -197,7 +198,7 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
 /// off the nearest point of the surface, or out of the mesh. If the core itself meets the surface,
 /// the bound is minus the radius. Error: of distances > 0 as for two meshes. Limits: a core inside
 /// a mesh is seen when the surface does not cross it; one that reaches into an open mesh through a
-/// hole, by its corners and its middle.
+/// hole, by its corners and its nearest point.
 /// @param start of which `a` counts.
 MeshDistance distanceBetween(const PlacedMesh& a, const PlacedShape& b, MeshQueryMemory& memory,
                              const TrianglePair& start = TrianglePair{},

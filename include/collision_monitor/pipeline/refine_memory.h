@@ -42,7 +42,7 @@ struct RefineMemory {
   ConvexWarmStart warm;
   TrianglePair nearest;
   LastMeasurement last;
-  std::unique_ptr<MeshFront> front;  ///< of two meshes; none: searches start from the roots
+  std::unique_ptr<MeshFront> front;  ///< where a mesh is searched; none: from the roots
   std::unique_ptr<KeptDepth> depth;  ///< of two with meshes, of which one is not convex
 };
 

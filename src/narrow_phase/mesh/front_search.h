@@ -125,6 +125,7 @@ bool takeNearer(const Query& query, std::uint32_t visit_budget, WaitingPairs& wa
   for (std::uint32_t i = 0; i < front.size;) {
     const bool is_due = front.due[i] < now;
     if (is_due && !taken.hasRoom()) {
+      search.visits += bounded / kBoundsPerVisit;
       return false;
     }
     const bool is_bounded = is_due && bounded < most;

@@ -16,6 +16,9 @@ namespace {
 constexpr double kSteps = 32.0;
 constexpr double kShare = 0.05;
 
+// [m] What is farther is not kept, for bounds of empty slots are not much farther.
+constexpr double kKeptWithin = 1e14;
+
 // [m] Beyond this, sums in single precision lose what they are kept for.
 constexpr double kLongest = 1.0;
 
@@ -71,7 +74,7 @@ void drop(std::uint32_t at, MeshFront& front) noexcept {
 
 std::uint32_t packed(const Eigen::Vector3d& direction) noexcept {
   const double longest = direction.cwiseAbs().maxCoeff();
-  if (!(longest > 0.0)) {
+  if (!(longest > 0.0) || !direction.allFinite()) {
     return 0;
   }
   std::uint32_t bits = 0;
@@ -124,7 +127,7 @@ bool covers(double squared_goal, const MeshFront& front) noexcept {
 void restart(MeshFront& front) noexcept {
   front.size = 0;
   front.moved = 0.0;
-  front.cover = std::numeric_limits<double>::infinity();
+  front.cover = kKeptWithin;
   front.from_roots = 0;
   front.is_whole = false;
 }
@@ -136,7 +139,7 @@ void setMargin(double step, double squared_distance, MeshFront& front) noexcept 
 
 double squaredReach(double squared_distance, const MeshFront& front) noexcept {
   const double reach = std::sqrt(squared_distance) + front.margin;
-  return reach * reach;
+  return std::max(reach * reach, squared_distance);
 }
 
 void keep(std::uint32_t a, std::uint32_t b, double squared_bound, std::uint32_t detail,

@@ -22,11 +22,11 @@ struct FollowedPair {
 /// infinity if there was none.
 double follow(const FollowedPair& pair, MeshFront& front) noexcept;
 
-/// As MeshFront::due: what is due before may be nearer than the goal.
+/// [m] Pairs whose MeshFront::due is less may be nearer than the goal.
 float dueNow(double squared_goal, const MeshFront& front) noexcept;
 
-/// True when all that was not kept is no nearer than the goal, and less of what was kept is due
-/// than a search from the roots looks at.
+/// True when all that was not kept is no nearer than the goal, and no more of what was kept is due
+/// than the search from the roots looked at.
 bool covers(double squared_goal, const MeshFront& front) noexcept;
 
 /// Forgets all pairs: a search from the roots keeps others.
@@ -45,7 +45,8 @@ float dueOf(double squared_bound, const MeshFront& front) noexcept;
 /// [m^2] And back: as far as it was known, less the motion since.
 float boundDue(float due, const MeshFront& front) noexcept;
 
-/// Keeps a pair that is at least as far away as given. @param detail as MeshFront::Kept.
+/// Keeps a pair that is at least as far away as given, or leaves it to `cover`.
+/// @param detail as MeshFront::Kept.
 void keep(std::uint32_t a, std::uint32_t b, double squared_bound, std::uint32_t detail,
           MeshFront& front) noexcept;
 

@@ -11,6 +11,7 @@
 #include "narrow_phase/core_distance.h"
 #include "narrow_phase/mesh/front_search.h"
 #include "narrow_phase/mesh/mesh_and_core.h"
+#include "narrow_phase/mesh/mesh_inside.h"
 #include "narrow_phase/mesh/triangle_core.h"
 #include "narrow_phase/mesh/triangle_edges.h"
 
@@ -64,6 +65,14 @@ void report(const MeshAndCore& pair, const NearestSearch& search, const CoreInMe
   }
 }
 
+// What was asked for, not less by a rounding.
+void reportLimit(const NearestSearch& search, double stop_beyond, MeshDistance& answer) noexcept {
+  if (answer.state == MeshState::lower_bound && search.nearest.a == TrianglePair::kNone &&
+      search.isComplete() && stop_beyond + search.radius >= 0.0) {
+    answer.measured.distance = stop_beyond;
+  }
+}
+
 // As searchFromFront wants it.
 struct CoreQuery {
   const MeshAndCore& pair;
@@ -90,15 +99,24 @@ struct CoreStart {
   MeshFront* front{nullptr};
 };
 
-// A core that has not come as far as to the surface is where it was.
+// A core that has not come as far as to the surface is where it was; through a hole of an open one
+// the point that is nearest now, which is another one, may have got.
 CoreInMesh lookInside(const MeshAndCore& pair, const NearestSearch& search, double step,
                       MeshQueryMemory& memory) noexcept {
   CoreInMesh lies;
-  if (search.front != nullptr && step < std::min(search.front->apart, search.front->outside)) {
-    lies.hold = search.front->outside - step;
-    return lies;
+  if (search.front == nullptr || !(step < std::min(search.front->apart, search.front->outside))) {
+    return collision_monitor::lookInside(pair, search, memory);
   }
-  return collision_monitor::lookInside(pair, search, memory);
+  lies.hold = search.front->outside - step;
+  if (pair.mesh.openSurface()) {
+    const PointInMesh point =
+        collision_monitor::lookInside(pair.mesh, pair.mesh_from_core * search.best.on_b, memory);
+    lies.visits = point.visits;
+    lies.is_inside = point.is_inside;
+    lies.hold = point.is_inside ? point.hold
+                                : std::min(lies.hold, std::max(point.hold, leastHold(pair.mesh)));
+  }
+  return lies;
 }
 
 double searchCore(const MeshAndCore& pair, const CoreStart& start, std::uint32_t visit_budget,
@@ -121,8 +139,8 @@ double searchCore(const MeshAndCore& pair, const CoreStart& start, std::uint32_t
 
 void keepLies(const NearestSearch& search, const CoreInMesh& lies) noexcept {
   if (search.front != nullptr) {
-    const double squared = std::min(search.squaredBound(), search.squared_open);
-    search.front->apart = lies.is_inside ? 0.0 : std::sqrt(squared);
+    const double apart = std::sqrt(std::min(search.squaredBound(), search.squared_open));
+    search.front->apart = lies.is_inside || !std::isfinite(apart) ? 0.0 : apart;
     search.front->outside = lies.hold;
   }
 }
@@ -150,6 +168,7 @@ MeshDistance measureCore(const PlacedMesh& a, const SweptCore& b, const Pose& wo
   answer.visits = search.visits + lies.visits;
   answer.outside = lies.is_inside ? kInfinity : lies.hold;
   report(pair, search, lies, answer);
+  reportLimit(search, limits.stop_beyond, answer);
   answer.measured = placed(world_from_b, answer.measured);
   return answer;
 }

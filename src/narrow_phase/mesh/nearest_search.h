@@ -19,7 +19,7 @@ struct NearestSearch {
   double radius{0.0};     ///< [m] to be taken off distances: half of what is left then, at most
   std::uint32_t visits{0};
   double squared_open{std::numeric_limits<double>::infinity()};  ///< least bound left unopened
-  double squared_left{std::numeric_limits<double>::infinity()};  ///< and left by the tolerance
+  double squared_left{std::numeric_limits<double>::infinity()};  ///< of all that was left
   MeshFront* front{nullptr};  ///< keeps what is left, if there is one
   /// Where `nearest` hangs.
   MeshQueryMemory::Waiting bounds{0.0F, MeshFront::kNone, MeshFront::kNone};

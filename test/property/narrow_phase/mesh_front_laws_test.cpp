@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "collision_monitor/narrow_phase/mesh_distance.h"
+#include "collision_monitor/narrow_phase/triangle_triangle.h"
 #include "support/allocation_guard.h"
 #include "support/fixed_seed.h"
 #include "support/query_meshes.h"
@@ -238,6 +239,29 @@ TEST_F(MeshFrontLaws, solidsWithABudget_boundedByTheTruth) {
     } else if (limits.visit_budget > 9 || found.state == MeshState::exact) {
       ASSERT_EQ(found.state, truth.state) << step;
       ASSERT_NEAR(found.measured.distance, truth.measured.distance, kRounding) << step;
+    }
+  }
+}
+
+/// Where a front knows no step yet, and the nearest triangles are told with a tolerance.
+TEST_F(MeshFrontLaws, firstQueries_nameTheNearestTriangles) {
+  MeshQueryLimits limits;
+  limits.tolerance = 0.02;
+  for (int query = 0; query < 2000; ++query) {
+    const MeshTree& a = trees_[random_() % 3];
+    const MeshTree& b = trees_[random_() % 3];
+    const Pose pose = randomPose(random_, 2.0);
+    const auto front = std::make_unique<MeshFront>();
+    const MeshDistance truth = distanceBetween({a, Pose{}}, {b, pose}, *memory_);
+    const MeshDistance found = distanceBetween({a, Pose{}}, {b, pose}, *memory_, *front, limits);
+    ASSERT_LE(found.measured.distance, truth.measured.distance + kRounding) << query;
+    if (found.state == MeshState::exact) {
+      Triangle of_b = b.triangles()[found.nearest.b];
+      for (Eigen::Vector3d& corner : of_b) {
+        corner = pose * corner;
+      }
+      const double squared = nearestPoints(a.triangles()[found.nearest.a], of_b).squared_distance;
+      ASSERT_LE(std::sqrt(squared), truth.measured.distance + limits.tolerance) << query;
     }
   }
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <memory>
 
@@ -104,6 +106,48 @@ TEST_F(MeshFronts, limitThatGrows_findsWhatItHid) {
   const MeshDistance found = distance(cube_, small_, at(3, 0, 0), limits);
   EXPECT_EQ(found.state, MeshState::exact);
   EXPECT_NEAR(found.measured.distance, 1.9, kExact);
+}
+
+/// Farther than bounds reach, and back.
+TEST_F(MeshFronts, fartherThanIsKept_isForgottenOnTheWayBack) {
+  for (const double far : {1e14, 2e15, 1e16}) {
+    distance(cube_, small_, at(far, 0, 0));
+    EXPECT_NEAR(distance(cube_, small_, at(1.3, 0, 0)).measured.distance, 0.2, kExact) << far;
+    const ConvexGeometry ball = Sphere{0.1};
+    const auto solid_front = std::make_unique<MeshFront>();
+    distanceBetween({cube_, at(0, 0, 0)}, PlacedConvex{ball, at(far, 0, 0)}, *memory_,
+                    *solid_front);
+    const MeshDistance inside = distanceBetween(
+        {cube_, at(0, 0, 0)}, PlacedConvex{ball, at(0.5, 0, 0)}, *memory_, *solid_front);
+    EXPECT_NEAR(inside.measured.distance, -0.6, kExact) << far;
+  }
+}
+
+/// A tube without ends, and beside the bar in it a flange that is nearest at first.
+TEST_F(MeshFronts, nearestPointThatGoesIntoAnOpenMesh_isAsked) {
+  TriangleMesh tube = boxMesh({0.06, 0.06, 0.3});
+  const auto is_end = [&](const auto& t) {
+    return tube.vertices[t[0]].z() == tube.vertices[t[1]].z() &&
+           tube.vertices[t[0]].z() == tube.vertices[t[2]].z();
+  };
+  tube.triangles.erase(std::remove_if(tube.triangles.begin(), tube.triangles.end(), is_end),
+                       tube.triangles.end());
+  const auto first = static_cast<std::uint32_t>(tube.vertices.size());
+  for (const double z : {0.9, 1.0}) {
+    tube.vertices.emplace_back(0.055, -0.05, z);
+    tube.vertices.emplace_back(0.055, 0.05, z);
+  }
+  tube.triangles.push_back({first, first + 1, first + 3});
+  tube.triangles.push_back({first, first + 3, first + 2});
+  const MeshTree open = MeshTree::ofOpen(tube);
+  const ConvexGeometry bar = Box{{0.01, 0.01, 1.5}};
+  for (const double x : {0.0, -0.001, -0.002, -0.004, -0.006, -0.008}) {
+    const PlacedConvex placed{bar, at(x, 0, 0)};
+    const MeshDistance found = distanceBetween({open, at(0, 0, 0)}, placed, *memory_, *front_);
+    const MeshDistance truth = distanceBetween({open, at(0, 0, 0)}, placed, *memory_);
+    EXPECT_EQ(found.state, truth.state) << x;
+    EXPECT_NEAR(found.measured.distance, truth.measured.distance, kExact) << x;
+  }
 }
 
 }  // namespace
