@@ -74,7 +74,7 @@ MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
     return searchFrom(*search.memory.front, a, b, search);
   }
   TrianglePair& nearest = search.memory.nearest;
-  const MeshDistance found = searchFrom(nearest, a, b, search);
+  MeshDistance found = searchFrom(nearest, a, b, search);
   nearest = found.nearest.a == TrianglePair::kNone ? nearest : found.nearest;
   return found;
 }

@@ -80,7 +80,7 @@ std::uint32_t packed(const Eigen::Vector3d& direction) noexcept {
   std::uint32_t bits = 0;
   for (const double x : direction) {
     const double share = x / longest * (kMiddle - 1) + kMiddle;
-    bits = (bits << kBits) + static_cast<std::uint32_t>(share + 0.5);
+    bits = (bits << kBits) + static_cast<std::uint32_t>(std::lround(share));
   }
   return bits;
 }
