@@ -115,19 +115,23 @@ bool isMotionKnown(const LinkVelocities& velocities, const CheckedLinkPair& pair
   return velocities.known[index(pair.a)] != 0 && velocities.known[index(pair.b)] != 0;
 }
 
-/// The finest that shows the pair to be in contact, if it is.
-Detail contactDetailOf(const PairDistances& distances, const PairEvents& events,
-                       std::size_t link_pair) noexcept {
+/// The finest that shows the pair to be in contact, if it is. What is apart now shows nothing of a
+/// contact on the way.
+Detail contactDetailOf(const CycleSetup& setup, const PairDistances& distances,
+                       const PairEvents& events, std::size_t link_pair) noexcept {
   const std::uint32_t passed = events.passed[link_pair];
   const std::uint32_t closest = events.closest[link_pair];
   Detail detail = events.estimated[link_pair] != kNone ? Detail::geometries : Detail::shapes;
   if (passed != kNone) {
     detail = std::max(detail, detailOf(distances.passed[passed].distance));
   }
-  if (closest != kNone) {
-    detail = std::max(detail, detailOf(distances.measured[closest]));
+  if (closest == kNone) {
+    return detail;
   }
-  return detail;
+  const PairDistance& nearest = distances.measured[closest];
+  const bool is_shown =
+      passed == kNone || nearest.measured.distance <= setup.limits.contact_distance;
+  return is_shown ? std::max(detail, detailOf(nearest)) : detail;
 }
 
 /// What hysteresis starts from. A contact of bounds, as where the budget was spent, is no contact
@@ -175,7 +179,7 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
     const Verdict verdict = isJoined(body_poses, pair.a, pair.b)
                                 ? judgeLinkPair(setup, distances, events, i, memory)
                                 : Verdict::unknown;
-    const Detail detail = contactDetailOf(distances, events, i);
+    const Detail detail = contactDetailOf(setup, distances, events, i);
     memory.contact_detail[i] =
         verdict == Verdict::contact ? std::max(memory.contact_detail[i], detail) : Detail::shapes;
     events.verdicts[i] = verdict;
