@@ -25,7 +25,7 @@ struct Refinement {
 /// Of steps. A part is kept for what happens between two cycles.
 std::uint32_t budgetOf(const Refinement& all) noexcept {
   const std::uint32_t budget = all.work.limits.budget;
-  return all.setup.is_continuous ? budget - budget / 10 : budget;
+  return all.setup.is_continuous ? budget - budget / 4 : budget;
 }
 
 /// Where a proven bound without points is larger, the points follow it along the normal.

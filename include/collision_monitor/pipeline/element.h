@@ -48,7 +48,7 @@ struct RefineLimits {
   /// [m] Pairs whose enclosing shapes are this near, or nearer. Raised to where verdicts are made:
   /// warning_distance + hysteresis.
   double distance{0.05};
-  /// Nodes of hierarchies opened in one cycle; other work is converted. A tenth is left to what
+  /// Nodes of hierarchies opened in one cycle; other work is converted. A quarter is left to what
   /// happens between two cycles, if that is looked at.
   /// Independent of the clock, so that the same input gives the same output.
   std::uint32_t budget{10000};
