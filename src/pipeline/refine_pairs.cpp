@@ -151,8 +151,8 @@ void keepApart(const Refinement& all, const RefineTask& task, double apart,
 
 /// @return whether nothing is left to decide: they are farther apart, which is kept, or were
 /// measured, or the budget is spent.
-bool tryDecide(const Refinement& all, const RefineTask& task, const Goal& goal) noexcept {
-  const ElementDistance recalled = recallTask(all, task);
+bool tryDecide(const Refinement& all, const RefineTask& task, const ElementDistance& recalled,
+               const Goal& goal) noexcept {
   const bool is_apart =
       recalled.quality == Quality::lower_bound && recalled.measured.distance >= goal.enough;
   if (is_apart || isEnough(recalled, goal.enough) || !(all.work.steps < goal.budget)) {
@@ -171,10 +171,10 @@ bool tryDecide(const Refinement& all, const RefineTask& task, const Goal& goal) 
 
 /// Whether elements that were measured have come so little farther since that to follow them takes
 /// less than to decide anything anew.
-bool isFollowed(const Refinement& all, const RefineTask& task, double little) noexcept {
-  const ElementDistance& last = all.memory.refined.lastOf(task.pair).found;
+bool isFollowed(const ElementDistance& last, const ElementDistance& recalled,
+                double little) noexcept {
   return last.has_points && last.quality != Quality::estimate &&
-         last.measured.distance - recallTask(all, task).measured.distance < little;
+         last.measured.distance - recalled.measured.distance < little;
 }
 
 /// Tells contacts of enclosing shapes that are none of the geometries, and no more: whether
@@ -185,16 +185,18 @@ void decideContact(const Refinement& all, const RefineTask& task) noexcept {
   constexpr double kPastThreshold = 1e-6;
   constexpr double kLittle = 0.2;  // of how far no contact is held
   const Goal clear{clearBeyond(all), budgetOf(all) / 4 * 3};
-  if (task.bound > clear.enough || isFollowed(all, task, kLittle * clear.enough)) {
+  if (task.bound > clear.enough) {
     return;
   }
-  const bool has_overlapped =
-      all.memory.refined.lastOf(task.pair).found.quality == Quality::estimate;
-  if (!has_overlapped && tryDecide(all, task, clear)) {
+  const ElementDistance& last = all.memory.refined.lastOf(task.pair).found;
+  const ElementDistance recalled = recallTask(all, task);
+  const bool has_overlapped = last.quality == Quality::estimate;
+  if (isFollowed(last, recalled, kLittle * clear.enough) ||
+      (!has_overlapped && tryDecide(all, task, recalled, clear))) {
     return;
   }
   const double contact = std::max(0.0, all.setup.limits.contact_distance);
-  tryDecide(all, task, {contact + kPastThreshold, clear.budget});
+  tryDecide(all, task, recalled, {contact + kPastThreshold, clear.budget});
 }
 
 void refine(const Refinement& all, RefineTask& task) noexcept {

@@ -91,13 +91,13 @@ struct MeshFront {
 
   std::optional<Pose> a_from_b;  ///< of the last query; none: there was none
   Kept nearest{kNone, kNone};    ///< the nearest triangles then
-  double moved{0.0};             ///< [m] all steps since `due` was 0
-  double cover{0.0};             ///< [m] as `due`, of all that is not kept
+  double moved{0.0};             ///< [m] all steps that dues include
+  double cover{0.0};             ///< [m] what is not kept is not due before
   double margin{0.0};            ///< [m] how much farther than the nearest triangles are measured
   double apart{0.0};             ///< [m] the surfaces were, and neither inside the other
   double outside{0.0};           ///< [m] as MeshDistance::outside
-  std::uint32_t from_roots{0};   ///< visits of the last search from there,
-  bool is_whole{false};          ///< and of those that went on with it until it was complete
+  std::uint32_t from_roots{0};   ///< visits until a search from there was complete
+  bool is_whole{false};          ///< it was complete
   std::uint32_t size{0};
   // Set, so that no cycle is the first to touch their memory.
   /// [m] of `moved` and the nearest distance together: from there on the pair is to be looked at

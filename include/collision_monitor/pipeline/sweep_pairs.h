@@ -75,9 +75,11 @@ void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const Swe
 /// Pairs farther apart than they can have come nearer are passed over; then moving spheres, then
 /// the bodies, then the elements are asked, the last with what refinePairs left of its budget. What
 /// that leaves open is told as a contact of enclosing shapes: a budget that is too small can raise
-/// false alarms and hides nothing. Error: contacts deeper than rounding are found; what is told as
-/// exact is within 1e-7 m of contact_distance. Limits: of meshes, surfaces count, and a contact is
-/// told at touch where contact_distance is negative.
+/// false alarms and hides nothing.
+/// Error: contacts deeper than rounding are found; what is told as exact is within 1e-7 m of
+/// contact_distance.
+/// Limits: of meshes, surfaces count, and a contact is told at touch where contact_distance is
+/// negative.
 /// @param refined what refinePairs did to `distances`; its scratch is used.
 void sweepPairs(const CycleSetup& setup, const RefineWork& refined, SweepWork& work,
                 PairDistances& distances) noexcept;

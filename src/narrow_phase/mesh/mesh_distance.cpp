@@ -116,15 +116,8 @@ struct MeshQuery {
   }
   double squaredGapAlong(const Eigen::Vector3d& direction, Slot a, Slot b) const noexcept {
     const TrianglePair triangles = trianglesAt(a, b);
-    const Triangle& of_a = pair.a.triangles()[triangles.a];
-    const Triangle& of_b = pair.b.triangles()[triangles.b];
-    const Eigen::Vector3d in_b = pair.a_from_b.rotation.transpose() * direction;
-    const double end_of_a =
-        std::max({direction.dot(of_a[0]), direction.dot(of_a[1]), direction.dot(of_a[2])});
-    const double start_of_b = direction.dot(pair.a_from_b.translation) +
-                              std::min({in_b.dot(of_b[0]), in_b.dot(of_b[1]), in_b.dot(of_b[2])});
-    const double gap = start_of_b - end_of_a;
-    return gap > 0.0 ? gap * gap / direction.squaredNorm() : 0.0;
+    return collision_monitor::squaredGapAlong(direction, pair.a.triangles()[triangles.a],
+                                              triangleOfB(pair, triangles.b));
   }
 };
 

@@ -127,6 +127,28 @@ TEST_F(TwoBalls, forgetPoses_leavesWhatWasReportedToBeTakenBack) {
   EXPECT_EQ(buffers_.events.changes[0].after, Verdict::clear);
 }
 
+/// As a search on the way tells it that the budget ended: the hysteresis holds none of it.
+TEST_F(TwoBalls, contactOnTheWayThatTheBudgetLeftOpen_isNotHeld) {
+  runWithGap(0.002);
+  const auto judge = [&] {
+    judgePairs(setup_, buffers_.body_poses, poses_.velocities, buffers_.distances, buffers_.memory,
+               buffers_.events);
+    return verdict();
+  };
+  PassedContact passed;
+  passed.distance = buffers_.distances.measured[0];
+  passed.distance.quality = Quality::lower_bound;
+  buffers_.distances.passed = {passed};
+  EXPECT_EQ(judge(), Verdict::contact);
+  buffers_.distances.passed.clear();
+  EXPECT_EQ(judge(), Verdict::warning);
+  passed.distance.quality = Quality::exact;
+  buffers_.distances.passed = {passed};
+  EXPECT_EQ(judge(), Verdict::contact);
+  buffers_.distances.passed.clear();
+  EXPECT_EQ(judge(), Verdict::contact) << "one of the geometries is held";
+}
+
 TEST(CarryOver, pairsOfTheSameLinks_keepWhatWasReportedAndOthersAreDropped) {
   const CycleSetup from = handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}, {2, Sphere{0.1}}});
   CycleSetup to = handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}});
