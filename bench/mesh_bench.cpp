@@ -11,6 +11,7 @@
 #include "bench_loop.h"
 #include "collision_monitor/narrow_phase/mesh_distance.h"
 #include "support/mesh_overlap.h"
+#include "support/own_front.h"
 #include "support/query_meshes.h"
 #include "support_fcl/fcl_mesh.h"
 
@@ -30,7 +31,7 @@ struct ScenePose {
   Pose moved_b;
   Eigen::Vector3d away;  ///< from A, unit
   TrianglePair nearest;
-  std::unique_ptr<MeshFront> front;
+  std::unique_ptr<OwnFront> front;
 };
 
 struct Scene {
@@ -64,7 +65,7 @@ std::vector<ScenePose> posesAtGap(double gap) {
     Pose moved = b;
     moved.translation += 1e-3 * away;
     moved.rotation = Eigen::AngleAxisd(1e-3, away).toRotationMatrix() * moved.rotation;
-    poses.push_back({a, b, moved, away, measure(a, b).nearest, std::make_unique<MeshFront>()});
+    poses.push_back({a, b, moved, away, measure(a, b).nearest, std::make_unique<OwnFront>()});
   }
   return poses;
 }

@@ -34,7 +34,9 @@ constexpr std::uint64_t kBroadPhaseLists = 8;
 std::uint64_t storedMemories(std::uint64_t element_pairs) noexcept {
   return std::min<std::uint64_t>(element_pairs, RefineStore::kMostPlain) * sizeof(RefineMemory) +
          std::min<std::uint64_t>(element_pairs, RefineStore::kMostMeshes) *
-             (sizeof(MeshFront) + sizeof(KeptDepth));
+             (sizeof(MeshFront) + sizeof(KeptDepth) +
+              RefineStore::kBlocksOfPair * sizeof(MeshFront::Block)) +
+         RefineStore::kBlocksOfAll * sizeof(MeshFront::Block);
 }
 
 template <class Part>

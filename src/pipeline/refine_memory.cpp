@@ -24,6 +24,7 @@ void forget(RefineMemory& memory) noexcept {
   memory.front = std::move(front);
   memory.depth = std::move(depth);
   if (memory.front) {
+    memory.front->pool.clear(*memory.front);
     memory.front->a_from_b.reset();
     memory.front->nearest.a = MeshFront::kNone;
   }
@@ -34,6 +35,12 @@ void forget(RefineMemory& memory) noexcept {
 
 RefineStore::RefineStore(std::vector<RefineKind> kinds)
     : slot_of_(kinds.size(), kNoSlot), kinds_(std::move(kinds)) {
+  const auto with_front =
+      static_cast<std::size_t>(std::count_if(kinds_.begin(), kinds_.end(), [](RefineKind kind) {
+        return kind == RefineKind::front || kind == RefineKind::both;
+      }));
+  pool_ = std::make_unique<FrontPool>(
+      with_front == 0 ? 0 : kBlocksOfPair * std::min(with_front, kMostMeshes) + kBlocksOfAll);
   for (const RefineKind kind :
        {RefineKind::plain, RefineKind::front, RefineKind::depth, RefineKind::both}) {
     const auto pairs = static_cast<std::size_t>(std::count(kinds_.begin(), kinds_.end(), kind));
@@ -48,7 +55,7 @@ void RefineStore::addSlots(RefineKind kind, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) {
     RefineMemory& memory = slots_.emplace_back().memory;
     if (kind == RefineKind::front || kind == RefineKind::both) {
-      memory.front = std::make_unique<MeshFront>();
+      memory.front = std::make_unique<MeshFront>(*pool_);
     }
     if (kind == RefineKind::depth || kind == RefineKind::both) {
       memory.depth = std::make_unique<KeptDepth>();

@@ -5,12 +5,12 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <optional>
 
 #include "collision_monitor/geometry/mesh_tree.h"
 #include "collision_monitor/geometry/pose.h"
 #include "collision_monitor/geometry/shapes.h"
 #include "collision_monitor/narrow_phase/convex_distance.h"
+#include "collision_monitor/narrow_phase/mesh_front.h"
 #include "collision_monitor/narrow_phase/signed_distance.h"
 
 /// Exact questions about meshes: do they overlap, how far are they apart, and where?
@@ -61,48 +61,6 @@ struct MeshQueryLimits {
   /// [m] 0 or more. What is found nearest may be farther than the nearest by that: the distance is
   /// then a proven lower bound that is short by no more, and so is the point on B moved.
   double tolerance{0.0};
-};
-
-/// What a query about two meshes, or a mesh and a solid, leaves for the next one about the same: a
-/// front of pairs, of bounds or triangles, beyond which the search did not look, each with the
-/// motion before which it need not be looked at. 64 kB.
-///
-/// Between two poses no point of B comes farther, seen from A, than the ball about it does. What
-/// was at least d away is then at least d less these steps away, and stays unseen until that is
-/// less than the nearest distance. Children of one bound are kept as one as long as none of them
-/// is looked at. Triangles keep the direction that they were last apart along: while it still parts
-/// them, they are not measured. Where there is no room for all, `cover` stands for those that are
-/// farthest; when that is used up the search starts from the roots.
-/// Source: Verlet, "Computer 'experiments' on classical fluids I" (1967), for the motion; Ehmann,
-/// Lin, "Accurate and Fast Proximity Queries Between Polyhedra Using Convex Surface Decomposition"
-/// (2001), for the front of the tree of pairs, which is kept here with bounds.
-struct MeshFront {
-  static constexpr std::uint32_t kCapacity = 4096;
-  static constexpr std::uint32_t kNone = 0xffffffffu;
-
-  /// Two bounds or triangles, as MeshQueryMemory::Waiting.
-  struct Kept {
-    std::uint32_t a;
-    std::uint32_t b;
-    /// Of triangles the direction, roughly: three numbers of ten bits; 0: none. Of bounds a bit for
-    /// each child that is meant; 0: all.
-    std::uint32_t detail{0};
-  };
-
-  std::optional<Pose> a_from_b;  ///< of the last query; none: there was none
-  Kept nearest{kNone, kNone};    ///< the nearest triangles then
-  double moved{0.0};             ///< [m] all steps that dues include
-  double cover{0.0};             ///< [m] what is not kept is not due before
-  double margin{0.0};            ///< [m] how much farther than the nearest triangles are measured
-  double apart{0.0};             ///< [m] the surfaces were, and neither inside the other
-  double outside{0.0};           ///< [m] as MeshDistance::outside
-  std::uint32_t from_roots{0};   ///< visits until a search from there was complete
-  bool is_whole{false};          ///< it was complete
-  std::uint32_t size{0};
-  // Set, so that no cycle is the first to touch their memory.
-  /// [m] of `moved` and the nearest distance together: from there on the pair is to be looked at
-  std::array<float, kCapacity> due{};
-  std::array<Kept, kCapacity> kept{};
 };
 
 /// What a query needs to remember on its way. One for each thread; its content means nothing

@@ -67,6 +67,11 @@ class RefineStore {
   static constexpr std::size_t kMostPlain = 2048;  ///< memories of pairs without meshes
   static constexpr std::size_t kMostMeshes = 640;  ///< of each other kind
 
+  /// Blocks of fronts for each pair that has one, and for all together: few pairs are near each
+  /// other at a time, and of these some need many.
+  static constexpr std::size_t kBlocksOfPair = 2;
+  static constexpr std::size_t kBlocksOfAll = 4 * std::size_t{MeshFront::kMostBlocks};
+
   RefineStore() = default;
   /// @param kinds by ElementPairIndex
   explicit RefineStore(std::vector<RefineKind> kinds);
@@ -106,6 +111,7 @@ class RefineStore {
   void takeOut(Order& order, std::uint32_t slot) noexcept;
   void putFirst(Order& order, std::uint32_t slot) noexcept;
 
+  std::unique_ptr<FrontPool> pool_;
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> slot_of_;  ///< by ElementPairIndex
   std::vector<RefineKind> kinds_;       ///< by ElementPairIndex

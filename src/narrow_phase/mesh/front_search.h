@@ -6,13 +6,16 @@
 #include <cmath>
 #include <limits>
 
+#include "narrow_phase/mesh/front_lanes.h"
 #include "narrow_phase/mesh/nearest_search.h"
 
 /// Branch and bound from what the last search left. A query has:
 /// - areTriangles(a, b): whether nothing of a pair can be opened;
 /// - measure(bounds, search): two triangles, or a triangle and a solid;
 /// - squaredGapAlong(direction, a, b) [m^2]: a lower bound of the same;
-/// - open(a, b, limit, opened): as openPair.
+/// - choose(a, b, opened): as of two meshes;
+/// - moving(): which bounds move;
+/// - restingFromNode(opened): as directionFor.
 namespace collision_monitor {
 
 /// The waiting pairs that a front gives: the nearest stays on top.
@@ -43,6 +46,12 @@ class TakenPairs {
 constexpr std::uint32_t kAllChildren = (1U << MeshTreeNode::kWidth) - 1;
 constexpr float kNoChild = 1e30F;  ///< [m^2] beyond it slots are empty
 
+/// [m^2] Of a bound that may have got lost.
+inline float squaredBound(double bound) noexcept {
+  constexpr double kRoundedDown = 1.0 - std::numeric_limits<float>::epsilon();
+  return static_cast<float>(kRoundedDown * std::max(bound, 0.0) * std::max(bound, 0.0));
+}
+
 /// [m^2] Least bound of some children; kNoChild if there are none.
 inline float leastBound(const OpenedPair& opened, std::uint32_t children) noexcept {
   float least = kNoChild;
@@ -53,57 +62,109 @@ inline float leastBound(const OpenedPair& opened, std::uint32_t children) noexce
   return least;
 }
 
-/// A kept pair that may have come nearer than the limit, bounded anew.
-struct BoundedPair {
-  MeshFront::Kept kept;
-  float squared_bound;  ///< [m^2] of what is kept of it; kNoChild: nothing
-};
-
+/// Triangles that the direction they were last apart along does not part any more are taken.
 template <class Query>
-BoundedPair boundTriangles(const Query& query, const MeshFront::Kept& kept, float old_bound,
-                           float limit, TakenPairs& taken) noexcept {
-  constexpr float kRoundedDown = 1.0F - std::numeric_limits<float>::epsilon();
-  if (kept.detail != 0) {
-    const double squared = query.squaredGapAlong(directionOf(kept.detail), kept.a, kept.b);
-    const float along = kRoundedDown * static_cast<float>(std::min(squared, 1e29));
-    if (!(along < limit)) {
-      return {kept, along};
+bool boundTriangles(const Query& query, float limit, FrontEntry& entry,
+                    TakenPairs& taken) noexcept {
+  if (entry.direction != 0) {
+    const auto& [a, b] = entry.pair;
+    const double squared = query.squaredGapAlong(directionOf(entry.direction), a, b);
+    if (!(squared < static_cast<double>(limit))) {
+      entry.bound = std::sqrt(squared);
+      return true;
     }
   }
-  taken.push({old_bound, kept.a, kept.b});
-  return {kept, kNoChild};
+  taken.push({squaredBound(entry.bound), entry.pair.a, entry.pair.b});
+  return false;
 }
 
-/// Takes the children that are nearer than the limit.
+/// [m] Least of some children's; infinity if there are none.
+inline float leastOf(const std::array<float, MeshTreeNode::kWidth>& gaps,
+                     std::uint32_t children) noexcept {
+  float least = std::numeric_limits<float>::infinity();
+  for (; children != 0; children &= children - 1) {
+    least = std::min(least, gaps[static_cast<std::size_t>(__builtin_ctz(children))]);
+  }
+  return least;
+}
+
+/// Keeps children with a direction that parts the nearest of them, and as an entry of their own
+/// those that it does not part nearly as well.
 template <class Query>
-BoundedPair boundChildren(const Query& query, const MeshFront::Kept& kept, float limit,
-                          TakenPairs& taken) noexcept {
+void keepParted(const Query& query, const OpenedPair& opened, double goal, FrontEntry& entry,
+                MeshFront& front) noexcept {
+  constexpr double kNearly = 0.25;
+  const auto resting_from_node = query.restingFromNode(opened);
+  const std::uint32_t all = entry.children;
+  entry.direction = 0;
+  entry.bound = std::sqrt(static_cast<double>(leastBound(opened, all)));
+  const std::uint32_t direction = directionFor(opened, all, resting_from_node);
+  if (direction == 0) {
+    return;
+  }
+  const auto gaps = gapsAlong(direction, opened, resting_from_node);
+  const double enough = goal + kNearly * (entry.bound - goal);
+  std::uint32_t parted = 0;
+  for (std::uint32_t slot = 0; slot < MeshTreeNode::kWidth; ++slot) {
+    parted |= static_cast<double>(gaps[slot]) > enough ? 1U << slot : 0U;
+  }
+  parted &= all;
+  const std::uint32_t others = all & ~parted;
+  if (parted == 0 || (others != 0 && !hasRoom(front))) {
+    return;
+  }
+  entry.children = parted;
+  entry.direction = direction;
+  entry.bound = static_cast<double>(leastOf(gaps, parted));
+  if (others != 0) {
+    keep({entry.pair, std::sqrt(static_cast<double>(leastBound(opened, others))), 0, others},
+         query.moving(), front);
+  }
+}
+
+/// Takes the children that are nearer than the limit, unless the direction that parted them all
+/// still does.
+template <class Query>
+bool boundChildren(const Query& query, float limit, FrontEntry& entry, MeshFront& front,
+                   TakenPairs& taken) noexcept {
+  const double goal = std::sqrt(static_cast<double>(limit));
+  const std::uint32_t meant = entry.children == 0 ? kAllChildren : entry.children;
   OpenedPair opened;
-  query.open(kept.a, kept.b, limit, opened);
-  const std::uint32_t meant = kept.detail == 0 ? kAllChildren : kept.detail;
+  query.choose(entry.pair.a, entry.pair.b, opened);
+  if (entry.direction != 0) {
+    const auto gaps = gapsAlong(entry.direction, opened, query.restingFromNode(opened));
+    entry.bound = static_cast<double>(leastOf(gaps, meant));
+    if (entry.bound > goal) {
+      return true;
+    }
+  }
+  collision_monitor::boundChildren(limit, opened);
   for (std::uint32_t nearer = opened.nearer & meant; nearer != 0; nearer &= nearer - 1) {
     taken.push(opened.childAt(static_cast<std::uint32_t>(__builtin_ctz(nearer))));
   }
-  const std::uint32_t rest = meant & ~opened.nearer;
-  return {{kept.a, kept.b, rest}, leastBound(opened, rest)};
+  entry.children = meant & ~opened.nearer;
+  if (!(leastBound(opened, entry.children) < kNoChild)) {
+    return false;
+  }
+  keepParted(query, opened, goal, entry, front);
+  return true;
 }
 
-/// Bounds a kept pair anew. @return whether something of it is still kept in its place.
+/// Bounds a kept pair anew that may have come nearer than the limit.
+/// @return whether something of it is still kept in its place.
 template <class Query>
 bool boundAnew(const Query& query, std::uint32_t at, float limit, MeshFront& front,
                TakenPairs& taken) noexcept {
-  const MeshFront::Kept kept = front.kept[at];
-  const BoundedPair found =
-      query.areTriangles(kept.a, kept.b)
-          ? boundTriangles(query, kept, boundDue(front.due[at], front), limit, taken)
-          : boundChildren(query, kept, limit, taken);
-  if (!(found.squared_bound < kNoChild)) {
+  FrontEntry entry = entryAt(at, front);
+  const bool is_kept = query.areTriangles(entry.pair.a, entry.pair.b)
+                           ? boundTriangles(query, limit, entry, taken)
+                           : boundChildren(query, limit, entry, front, taken);
+  if (is_kept) {
+    renew(at, entry, front);
+  } else {
     drop(at, front);
-    return false;
   }
-  front.kept[at] = found.kept;
-  front.due[at] = dueOf(static_cast<double>(found.squared_bound), front);
-  return true;
+  return is_kept;
 }
 
 /// Bounds anew the pairs that may have come nearer than the goal, and lets those wait that have,
@@ -115,33 +176,24 @@ bool takeNearer(const Query& query, std::uint32_t visit_budget, WaitingPairs& wa
   // To bound a pair anew takes a part of what opening one does.
   constexpr std::uint32_t kBoundsPerVisit = 2;
   MeshFront& front = *search.front;
-  const float now = dueNow(search.squaredGoal(), front);
+  const float goal = roundedUp(std::sqrt(search.squaredGoal()));
   const float limit = asLimit(search.squaredGoal());
   TakenPairs taken(waiting);
-  float least_due = std::numeric_limits<float>::infinity();
   std::uint32_t bounded = 0;
-  bool is_complete = true;
   const std::uint32_t most = visit_budget / 2 * kBoundsPerVisit;  // the other half opens pairs
-  for (std::uint32_t i = 0; i < front.size;) {
-    const bool is_due = front.due[i] < now;
-    if (is_due && !taken.hasRoom()) {
-      search.visits += bounded / kBoundsPerVisit;
-      return false;
-    }
-    const bool is_bounded = is_due && bounded < most;
-    bounded += is_bounded ? 1 : 0;
-    if (is_bounded && !boundAnew(query, i, limit, front, taken)) {
-      continue;  // another one has taken its place
-    }
-    is_complete = is_complete && is_bounded == is_due;
-    least_due = std::min(least_due, front.due[i]);
-    ++i;
+  std::uint32_t at = nextBelow(goal, 0, front);
+  while (at < front.size && bounded < most && taken.hasRoom()) {
+    ++bounded;
+    const bool is_kept = boundAnew(query, at, limit, front, taken);
+    at = nextBelow(goal, is_kept ? at + 1 : at, front);  // else another one has taken its place
   }
-  const double left =
-      std::max(std::min(static_cast<double>(least_due), front.cover) - front.moved, 0.0);
-  search.squared_left = std::min(search.squared_left, left * left);
-  search.squared_open = is_complete ? search.squared_open : left * left;
   search.visits += bounded / kBoundsPerVisit;
+  if (at < front.size && !taken.hasRoom()) {
+    return false;
+  }
+  const double left = std::max(std::min(static_cast<double>(leastBound(front)), front.cover), 0.0);
+  search.squared_left = std::min(search.squared_left, left * left);
+  search.squared_open = at == front.size ? search.squared_open : left * left;
   return true;
 }
 
@@ -155,12 +207,13 @@ void lookAt(const Query& query, const MeshQueryMemory::Waiting& next, WaitingPai
     return;
   }
   OpenedPair opened;
-  query.open(next.a, next.b, asLimit(search.squaredGoal()), opened);
+  query.choose(next.a, next.b, opened);
+  boundChildren(asLimit(search.squaredGoal()), opened);
   waiting.pushNearer(opened);
   const std::uint32_t rest = kAllChildren & ~opened.nearer;
   const float least = leastBound(opened, rest);
   if (least < kNoChild) {
-    search.leave(next, static_cast<double>(least), rest);
+    search.leave(next, static_cast<double>(least), 0, rest);
   }
 }
 

@@ -101,18 +101,22 @@ Triangle triangleInCore(const MeshAndCore& pair, std::uint32_t triangle) noexcep
 
 void measureTriangle(const MeshAndCore& pair, std::uint32_t triangle,
                      const MeshQueryMemory::Waiting& bounds, NearestSearch& search) noexcept {
-  offer({triangle, TrianglePair::kNone}, bounds, search,
-        [&](const PointPair& start, double squared_enough) {
-          return boundedDistance(triangleInCore(pair, triangle), pair.core, start, squared_enough);
-        });
+  const Triangle in_core = triangleInCore(pair, triangle);
+  offer(
+      {triangle, TrianglePair::kNone}, bounds, search,
+      [&](const PointPair& start, double squared_enough) {
+        return boundedDistance(in_core, pair.core, start, squared_enough);
+      },
+      [&](const Vector3d& direction) { return squaredGapAlong(direction, in_core, pair.core); });
 }
 
-void openMesh(const MeshAndCore& pair, Slot slot, float limit, OpenedPair& opened) noexcept {
+void choose(const MeshAndCore& pair, Slot slot, OpenedPair& opened) noexcept {
   const std::uint32_t node = childOf(pair.mesh, slot);
   opened.is_of_a = true;
   opened.first = node << kSlotBits;
   opened.other = 0;
-  opened.nearer = boundNearer(pair.mesh.nodes()[node], pair.bound, limit, opened.bounds);
+  opened.node = &pair.mesh.nodes()[node];
+  opened.placed = pair.bound;
 }
 
 void searchFromRoot(const MeshAndCore& pair, double enough, std::uint32_t visit_budget,
@@ -126,7 +130,8 @@ void searchFromRoot(const MeshAndCore& pair, double enough, std::uint32_t visit_
                     measureTriangle(pair, triangleAt(child), next, search);
                   } else {
                     OpenedPair opened;
-                    openMesh(pair, next.a, limit, opened);
+                    choose(pair, next.a, opened);
+                    boundChildren(limit, opened);
                     waiting.pushNearer(opened);
                   }
                 });

@@ -36,8 +36,8 @@ Triangle triangleInCore(const MeshAndCore& pair, std::uint32_t triangle) noexcep
 void measureTriangle(const MeshAndCore& pair, std::uint32_t triangle,
                      const MeshQueryMemory::Waiting& bounds, NearestSearch& search) noexcept;
 
-/// Of a node: as openPair.
-void openMesh(const MeshAndCore& pair, Slot slot, float limit, OpenedPair& opened) noexcept;
+/// A node of the mesh and the core: as of two meshes.
+void choose(const MeshAndCore& pair, Slot slot, OpenedPair& opened) noexcept;
 
 /// Branch and bound from the root. @param enough [m] cores that near end the search.
 void searchFromRoot(const MeshAndCore& pair, double enough, std::uint32_t visit_budget,

@@ -140,6 +140,34 @@ std::uint32_t boundNode(const MeshTreeNode& node, const PlacedBound& bound, floa
   return nearer;
 }
 
+// How far `other` lies beyond children along unit vectors.
+HWY_INLINE Number gapAlong(const Children& children, const Other& other, const Vector& u) {
+  const Shadow of_children = shadowOf(children, u, dot(u, children.normal));
+  const Shadow of_other = shadowOf(other, u, dot(u, other.normal));
+  return hn::Sub(hn::Sub(hn::Sub(of_other.middle, of_children.middle),
+                         hn::Add(of_other.half, of_children.half)),
+                 other.slack);
+}
+
+void gapsOfChildren(const MeshTreeNode& node, const PlacedBound& bound, const float* direction,
+                    float* gaps) {
+  for (std::size_t first = 0; first < MeshTreeNode::kWidth; first += hn::Lanes(Some())) {
+    hn::StoreU(gapAlong(childrenOf(node, first), everywhere(bound), vector(direction)), Some(),
+               gaps + first);
+  }
+}
+
+void gapsAlongMany(const Bound& child, const PlacedBound& bound, const Directions& directions,
+                   float* gaps) {
+  const Children everywhere_child{vector(child.center.data()), vector(child.half.data()),
+                                  vector(child.normal.data()), number(child.slab_center),
+                                  number(child.slab_half)};
+  for (std::size_t first = 0; first < kDirections; first += hn::Lanes(Some())) {
+    const Vector u = load(directions.at, first);
+    hn::StoreU(gapAlong(everywhere_child, everywhere(bound), u), Some(), gaps + first);
+  }
+}
+
 // NOLINTNEXTLINE(google-readability-namespace-comments)
 }  // namespace HWY_NAMESPACE
 }  // namespace collision_monitor
@@ -150,6 +178,8 @@ namespace collision_monitor {
 namespace {
 
 HWY_EXPORT(boundNode);
+HWY_EXPORT(gapsOfChildren);
+HWY_EXPORT(gapsAlongMany);
 
 }  // namespace
 
@@ -186,6 +216,21 @@ PlacedBound place(const BoundPlacement& placement, const Bound& bound) noexcept 
 std::uint32_t boundNearer(const MeshTreeNode& node, const PlacedBound& other, float limit,
                           NodeBounds& bounds) noexcept {
   return HWY_DYNAMIC_DISPATCH(boundNode)(node, other, limit, bounds);
+}
+
+std::array<float, MeshTreeNode::kWidth> gapsAlong(const MeshTreeNode& node,
+                                                  const PlacedBound& other,
+                                                  const Eigen::Vector3f& direction) noexcept {
+  std::array<float, MeshTreeNode::kWidth> gaps;
+  HWY_DYNAMIC_DISPATCH(gapsOfChildren)(node, other, direction.data(), gaps.data());
+  return gaps;
+}
+
+std::array<float, kDirections> gapsAlong(const Bound& child, const PlacedBound& other,
+                                         const Directions& directions) noexcept {
+  std::array<float, kDirections> gaps;
+  HWY_DYNAMIC_DISPATCH(gapsAlongMany)(child, other, directions, gaps.data());
+  return gaps;
 }
 
 }  // namespace collision_monitor

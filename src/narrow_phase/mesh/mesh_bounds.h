@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 
 #include "collision_monitor/geometry/mesh_tree.h"
@@ -63,5 +64,21 @@ PlacedBound place(const BoundPlacement& placement, const Bound& bound) noexcept;
 /// @return a bit for each child whose squared bound is below `limit`.
 std::uint32_t boundNearer(const MeshTreeNode& node, const PlacedBound& other, float limit,
                           NodeBounds& bounds) noexcept;
+
+/// [m] How far `other` lies beyond each child along a unit vector, in the node's frame; rounded
+/// down. Of empty slots it is far below 0.
+std::array<float, MeshTreeNode::kWidth> gapsAlong(const MeshTreeNode& node,
+                                                  const PlacedBound& other,
+                                                  const Eigen::Vector3f& direction) noexcept;
+
+/// Unit vectors that are tried at once.
+constexpr std::size_t kDirections = MeshTreeNode::kWidth;
+struct alignas(32) Directions {
+  float at[3][kDirections];
+};
+
+/// The same of one child along each.
+std::array<float, kDirections> gapsAlong(const Bound& child, const PlacedBound& other,
+                                         const Directions& directions) noexcept;
 
 }  // namespace collision_monitor

@@ -14,10 +14,14 @@ namespace {
 
 void measureTriangles(const MeshPair& pair, const TrianglePair& triangles,
                       const MeshQueryMemory::Waiting& bounds, NearestSearch& search) noexcept {
-  offer(triangles, bounds, search, [&](const PointPair& start, double squared_enough) {
-    return boundedDistance(pair.a.triangles()[triangles.a], triangleOfB(pair, triangles.b), start,
-                           squared_enough);
-  });
+  const Triangle& a = pair.a.triangles()[triangles.a];
+  const Triangle b = triangleOfB(pair, triangles.b);
+  offer(
+      triangles, bounds, search,
+      [&](const PointPair& start, double squared_enough) {
+        return boundedDistance(a, b, start, squared_enough);
+      },
+      [&](const Eigen::Vector3d& direction) { return squaredGapAlong(direction, a, b); });
 }
 
 void searchPairs(const MeshPair& pair, std::uint32_t visit_budget, WaitingPairs& pairs,
@@ -111,8 +115,13 @@ struct MeshQuery {
   void measure(const MeshQueryMemory::Waiting& bounds, NearestSearch& search) const noexcept {
     measureTriangles(pair, trianglesAt(bounds.a, bounds.b), bounds, search);
   }
-  void open(Slot a, Slot b, float limit, OpenedPair& opened) const noexcept {
-    openPair(pair, a, b, limit, opened);
+  void choose(Slot a, Slot b, OpenedPair& opened) const noexcept {
+    collision_monitor::choose(pair, a, b, opened);
+  }
+  MovingBounds moving() const noexcept { return movingBounds(pair.b, false); }
+  Eigen::Matrix3d restingFromNode(const OpenedPair& opened) const noexcept {
+    return opened.is_of_a ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
+                          : Eigen::Matrix3d(-pair.a_from_b.rotation);
   }
   double squaredGapAlong(const Eigen::Vector3d& direction, Slot a, Slot b) const noexcept {
     const TrianglePair triangles = trianglesAt(a, b);
@@ -151,14 +160,14 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
     return {};
   }
   const MeshPair pair = makeMeshPair(a, b);
-  const double step = follow({pair.a_from_b, pair.a.center(), pair.a.radius(), pair.b.center(),
-                              pair.b.radius(), pair.rounding},
-                             front);
+  const double step =
+      follow({pair.a_from_b, pair.b, pair.a.center(), pair.a.radius(), 1.0, pair.rounding}, front);
   NearestSearch search;
   search.best.squared_distance = limits.stop_beyond * limits.stop_beyond;
   search.tolerance = limits.tolerance;
   search.front = &front;
   WaitingPairs waiting(memory);
+  search.moving = MeshQuery{pair}.moving();
   searchFromFront(MeshQuery{pair}, step, pair.rounding, limits.visit_budget, waiting, search);
   MeshDistance answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
   if (step < std::min(front.apart, front.outside)) {

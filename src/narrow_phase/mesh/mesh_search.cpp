@@ -40,7 +40,7 @@ double WaitingPairs::leastBound(double start) const noexcept {
   return start;
 }
 
-void openPair(const MeshPair& pair, Slot a, Slot b, float limit, OpenedPair& opened) noexcept {
+void choose(const MeshPair& pair, Slot a, Slot b, OpenedPair& opened) noexcept {
   const std::uint32_t child_a = childOf(pair.a, a);
   const std::uint32_t child_b = childOf(pair.b, b);
   opened.is_of_a =
@@ -48,18 +48,20 @@ void openPair(const MeshPair& pair, Slot a, Slot b, float limit, OpenedPair& ope
   const std::uint32_t node = opened.is_of_a ? child_a : child_b;
   opened.first = node << kSlotBits;
   opened.other = opened.is_of_a ? b : a;
-  opened.nearer =
-      opened.is_of_a
-          ? boundNearer(pair.a.nodes()[node], place(pair.bounds_to_a, boundAt(pair.b, b)), limit,
-                        opened.bounds)
-          : boundNearer(pair.b.nodes()[node], place(pair.bounds_to_b, boundAt(pair.a, a)), limit,
-                        opened.bounds);
+  opened.node = opened.is_of_a ? &pair.a.nodes()[node] : &pair.b.nodes()[node];
+  opened.placed = opened.is_of_a ? place(pair.bounds_to_a, boundAt(pair.b, b))
+                                 : place(pair.bounds_to_b, boundAt(pair.a, a));
+}
+
+void boundChildren(float limit, OpenedPair& opened) noexcept {
+  opened.nearer = boundNearer(*opened.node, opened.placed, limit, opened.bounds);
 }
 
 void openLarger(const MeshPair& pair, const MeshQueryMemory::Waiting& bounds, float limit,
                 WaitingPairs& waiting) noexcept {
   OpenedPair opened;
-  openPair(pair, bounds.a, bounds.b, limit, opened);
+  choose(pair, bounds.a, bounds.b, opened);
+  boundChildren(limit, opened);
   waiting.pushNearer(opened);
 }
 

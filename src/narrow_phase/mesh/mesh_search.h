@@ -53,11 +53,13 @@ Triangle triangleOfB(const MeshPair& pair, std::uint32_t triangle) noexcept;
 
 /// One of two bounds, opened: its children beside the other.
 struct OpenedPair {
-  NodeBounds bounds;
-  std::uint32_t nearer;  ///< a bit for each child whose squared bound is below the limit
-  Slot first;            ///< of the children
+  const MeshTreeNode* node;  ///< with the children
+  PlacedBound placed;        ///< the other, in their frame
+  Slot first;                ///< of the children
   Slot other;
   bool is_of_a;
+  NodeBounds bounds;
+  std::uint32_t nearer;  ///< a bit for each child whose squared bound is below the limit
 
   MeshQueryMemory::Waiting childAt(std::uint32_t slot) const noexcept {
     return is_of_a ? MeshQueryMemory::Waiting{bounds.squared[slot], first + slot, other}
@@ -108,8 +110,12 @@ class WaitingPairs {
   std::size_t size_{0};
 };
 
-/// Opens the larger of two bounds, of which at least one is a node: always the same one.
-void openPair(const MeshPair& pair, Slot a, Slot b, float limit, OpenedPair& opened) noexcept;
+/// Finds which of two bounds to open, of which at least one is a node: the larger, always the same
+/// one. Its children are not bounded yet.
+void choose(const MeshPair& pair, Slot a, Slot b, OpenedPair& opened) noexcept;
+
+/// Bounds the children.
+void boundChildren(float limit, OpenedPair& opened) noexcept;
 
 /// Opens the larger of two bounds, of which at least one is a node, and lets its children wait
 /// whose squared distance to the other bound may be below `limit`.

@@ -84,8 +84,12 @@ struct CoreQuery {
   void measure(const MeshQueryMemory::Waiting& bounds, NearestSearch& search) const noexcept {
     measureTriangle(pair, triangleIn(bounds.a), bounds, search);
   }
-  void open(Slot a, Slot, float limit, OpenedPair& opened) const noexcept {
-    openMesh(pair, a, limit, opened);
+  void choose(Slot a, Slot, OpenedPair& opened) const noexcept {
+    collision_monitor::choose(pair, a, opened);
+  }
+  MovingBounds moving() const noexcept { return movingBounds(pair.mesh, true); }
+  const Eigen::Matrix3d& restingFromNode(const OpenedPair&) const noexcept {
+    return pair.core_from_mesh.rotation;
   }
   double squaredGapAlong(const Vector3d& direction, Slot a, Slot) const noexcept {
     return collision_monitor::squaredGapAlong(direction, triangleInCore(pair, triangleIn(a)),
@@ -122,9 +126,10 @@ CoreInMesh lookInside(const MeshAndCore& pair, const NearestSearch& search, doub
 double searchCore(const MeshAndCore& pair, const CoreStart& start, std::uint32_t visit_budget,
                   MeshQueryMemory& memory, NearestSearch& search) noexcept {
   search.front = start.front;
+  search.moving = CoreQuery{pair}.moving();
   if (start.front != nullptr) {
-    const double step = follow({pair.mesh_from_core, pair.mesh.center(), pair.mesh.radius(),
-                                pair.box.center(), 0.5 * pair.box.diagonal().norm(), pair.rounding},
+    const double step = follow({pair.core_from_mesh, pair.mesh, pair.box.center(),
+                                0.5 * pair.box.diagonal().norm(), -1.0, pair.rounding},
                                *start.front);
     WaitingPairs waiting(memory);
     searchFromFront(CoreQuery{pair}, step, pair.rounding, visit_budget, waiting, search);

@@ -21,6 +21,7 @@ struct NearestSearch {
   double squared_open{std::numeric_limits<double>::infinity()};  ///< least bound left unopened
   double squared_left{std::numeric_limits<double>::infinity()};  ///< of all that was left
   MeshFront* front{nullptr};  ///< keeps what is left, if there is one
+  MovingBounds moving;        ///< of the front
   /// Where `nearest` hangs.
   MeshQueryMemory::Waiting bounds{0.0F, MeshFront::kNone, MeshFront::kNone};
 
@@ -48,12 +49,12 @@ struct NearestSearch {
                             : collision_monitor::squaredReach(best.squared_distance, *front);
   }
 
-  /// It is looked at no more. @param detail as MeshFront::Kept.
+  /// It is looked at no more. @param direction, children: as FrontEntry.
   void leave(const MeshQueryMemory::Waiting& pair, double squared_bound,
-             std::uint32_t detail = 0) noexcept {
+             std::uint32_t direction = 0, std::uint32_t children = 0) noexcept {
     squared_left = std::min(squared_left, squared_bound);
     if (front != nullptr && pair.a != MeshFront::kNone) {
-      keep(pair.a, pair.b, squared_bound, detail, *front);
+      keep({{pair.a, pair.b}, std::sqrt(squared_bound), direction, children}, moving, *front);
     }
   }
 };
@@ -61,21 +62,24 @@ struct NearestSearch {
 /// Replaces the nearest points by those that `measure(start, squared_enough)` gives for two
 /// triangles, if they are nearer.
 /// @param bounds where the triangles hang, if the search has a front.
-template <class Measure>
+/// @param gapAlong [m^2] how far a direction separates the triangles, as squaredGapAlong.
+template <class Measure, class GapAlong>
 void offer(const TrianglePair& triangles, const MeshQueryMemory::Waiting& bounds,
-           NearestSearch& search, const Measure& measure) noexcept {
+           NearestSearch& search, const Measure& measure, const GapAlong& gapAlong) noexcept {
   PointPair start = search.best;
   start.squared_distance = search.squaredReach();
   const TriangleDistance found = measure(start, search.squaredGoal());
   search.visits += found.visits - 1;
   if (found.nearest.squared_distance < search.best.squared_distance) {
-    search.leave(search.bounds, search.best.squared_distance,
-                 packed(search.best.on_b - search.best.on_a));
+    search.leave(search.bounds, search.best.squared_distance);
     search.best = found.nearest;
     search.nearest = triangles;
     search.bounds = bounds;
   } else if (bounds.a != search.bounds.a || bounds.b != search.bounds.b) {
-    search.leave(bounds, found.squared_bound, packed(found.direction));
+    const std::uint32_t direction = search.front == nullptr ? 0 : packed(found.direction);
+    const double along = direction == 0 ? 0.0 : gapAlong(directionOf(direction));
+    const bool suffices = along >= search.squaredGoal();
+    search.leave(bounds, suffices ? along : found.squared_bound, suffices ? direction : 0);
   } else if (bounds.a == MeshFront::kNone) {
     search.squared_left = std::min(search.squared_left, found.squared_bound);
   }

@@ -10,6 +10,7 @@
 #include "support/allocation_guard.h"
 #include "support/expect_distance.h"
 #include "support/fixed_seed.h"
+#include "support/own_front.h"
 #include "support/query_meshes.h"
 #include "support/random_pairs.h"
 #include "support/sample_meshes.h"
@@ -96,7 +97,7 @@ TEST_F(MeshContactLaws, distanceWithinATolerance_isALowerBoundThatIsShortByNoMor
   for (int walk = 0; walk < 40; ++walk) {
     const MeshTree a = anyMesh();
     const MeshTree b = anyMesh();
-    const auto front = std::make_unique<MeshFront>();
+    const auto front = std::make_unique<OwnFront>();
     const double tolerance = std::pow(10.0, uniform(random_, -5.0, -2.0));
     const MeshQueryLimits limits{std::numeric_limits<double>::infinity(),
                                  MeshQueryLimits().visit_budget, tolerance};

@@ -13,6 +13,7 @@
 #include "collision_monitor/narrow_phase/triangle_triangle.h"
 #include "support/allocation_guard.h"
 #include "support/fixed_seed.h"
+#include "support/own_front.h"
 #include "support/query_meshes.h"
 #include "support/random_poses.h"
 #include "support/sample_meshes.h"
@@ -93,7 +94,7 @@ TEST_F(MeshFrontLaws, answers_areThoseFromTheRoots) {
   for (int walk = 0; walk < 60; ++walk) {
     const MeshTree& a = anyTree();
     const MeshTree& b = anyTree();
-    const auto front = std::make_unique<MeshFront>();
+    const auto front = std::make_unique<OwnFront>();
     const double shift = std::pow(10.0, uniform(random_, -7.0, -2.0));
     Pose world_from_a = randomPose(random_, 0.5);
     Pose world_from_b = randomPose(random_, 1.0);
@@ -123,7 +124,7 @@ TEST_F(MeshFrontLaws, answers_areThoseFromTheRoots) {
 }
 
 TEST_F(MeshFrontLaws, posesNotFiniteBetween_areUnknownAndLeaveNoTrace) {
-  const auto front = std::make_unique<MeshFront>();
+  const auto front = std::make_unique<OwnFront>();
   Pose pose = randomPose(random_, 1.0);
   for (int step = 0; step < 300; ++step) {
     pose = nextPose(pose, 1e-3, random_);
@@ -142,18 +143,20 @@ TEST_F(MeshFrontLaws, posesNotFiniteBetween_areUnknownAndLeaveNoTrace) {
   }
 }
 
-/// Where neighbours' distances differ least: faces side by side, whose pairs fill the front.
+/// Where neighbours' distances differ least: faces side by side, whose pairs fill any front.
 TEST_F(MeshFrontLaws, moreThanTheFrontHolds_isFoundFromTheRoots) {
   const MeshTree fine(sphereMesh(0.5, 80), true);
   const MeshTree around(sphereMesh(0.51, 80), false);
-  const auto front = std::make_unique<MeshFront>();
-  Pose pose{};
-  for (int step = 0; step < 30; ++step) {
-    pose = stepFrom(pose, 1e-4, random_);
-    const MeshDistance truth = distanceBetween({fine, Pose{}}, {around, pose}, *memory_);
-    const MeshDistance found = distanceBetween({fine, Pose{}}, {around, pose}, *memory_, *front);
-    ASSERT_EQ(found.state, truth.state) << step;
-    ASSERT_NEAR(found.measured.distance, truth.measured.distance, kRounding) << step;
+  for (const std::size_t blocks : {0, 1, 3}) {
+    const auto front = std::make_unique<OwnFront>(blocks);
+    Pose pose{};
+    for (int step = 0; step < 30; ++step) {
+      pose = stepFrom(pose, 1e-4, random_);
+      const MeshDistance truth = distanceBetween({fine, Pose{}}, {around, pose}, *memory_);
+      const MeshDistance found = distanceBetween({fine, Pose{}}, {around, pose}, *memory_, *front);
+      ASSERT_EQ(found.state, truth.state) << blocks << ' ' << step;
+      ASSERT_NEAR(found.measured.distance, truth.measured.distance, kRounding) << step;
+    }
   }
 }
 
@@ -161,21 +164,47 @@ TEST_F(MeshFrontLaws, moreThanTheFrontHolds_isFoundFromTheRoots) {
 TEST_F(MeshFrontLaws, jumpOfAFullFront_isAsFromTheRoots) {
   const MeshTree fine(sphereMesh(0.5, 80), true);
   const MeshTree around(sphereMesh(0.51, 80), false);
-  const auto front = std::make_unique<MeshFront>();
-  for (int jump = 0; jump < 20; ++jump) {
-    const bool is_beside = jump % 2 == 1;
-    const Pose pose = is_beside ? randomPose(random_, 1.2) : stepFrom(Pose{}, 1e-4, random_);
-    const MeshDistance truth = distanceBetween({fine, Pose{}}, {around, pose}, *memory_);
-    const MeshDistance found = distanceBetween({fine, Pose{}}, {around, pose}, *memory_, *front);
-    ASSERT_EQ(found.state, truth.state) << jump;
-    ASSERT_NEAR(found.measured.distance, truth.measured.distance, kRounding) << jump;
+  for (const std::size_t blocks : {1, 8}) {
+    const auto front = std::make_unique<OwnFront>(blocks);
+    for (int jump = 0; jump < 10; ++jump) {
+      const bool is_beside = jump % 2 == 1;
+      const Pose pose = is_beside ? randomPose(random_, 1.2) : stepFrom(Pose{}, 1e-4, random_);
+      const MeshDistance truth = distanceBetween({fine, Pose{}}, {around, pose}, *memory_);
+      const MeshDistance found = distanceBetween({fine, Pose{}}, {around, pose}, *memory_, *front);
+      ASSERT_EQ(found.state, truth.state) << blocks << ' ' << jump;
+      ASSERT_NEAR(found.measured.distance, truth.measured.distance, kRounding) << jump;
+    }
+  }
+}
+
+/// Fronts that take blocks from each other, in turns and with long rests.
+TEST_F(MeshFrontLaws, frontsOfOnePool_areAsFromTheRoots) {
+  FrontPool pool(3);
+  std::vector<std::unique_ptr<MeshFront>> fronts;
+  std::vector<Pose> poses(trees_.size());
+  for (std::size_t i = 0; i < trees_.size(); ++i) {
+    fronts.push_back(std::make_unique<MeshFront>(pool));
+  }
+  for (int turn = 0; turn < 12; ++turn) {
+    const std::size_t asked = random_() % trees_.size();
+    for (int step = 0; step < 1500; ++step) {
+      const std::size_t i = step % 100 == 0 ? random_() % trees_.size() : asked;
+      poses[i] = nextPose(poses[i], 1e-3, random_);
+      const PlacedMesh b{trees_[i], poses[i]};
+      const MeshDistance found = distanceBetween({trees_[0], Pose{}}, b, *memory_, *fronts[i]);
+      if (step % 50 == 0) {
+        const MeshDistance truth = distanceBetween({trees_[0], Pose{}}, b, *memory_);
+        ASSERT_EQ(found.state, truth.state) << turn << ' ' << step;
+        ASSERT_NEAR(found.measured.distance, truth.measured.distance, kRounding) << turn;
+      }
+    }
   }
 }
 
 TEST_F(MeshFrontLaws, withATolerance_shortByNoMore) {
   MeshQueryLimits limits;
   limits.tolerance = 1e-3;
-  const auto front = std::make_unique<MeshFront>();
+  const auto front = std::make_unique<OwnFront>();
   Pose pose = randomPose(random_, 1.0);
   for (int step = 0; step < 500; ++step) {
     pose = nextPose(pose, 1e-3, random_);
@@ -199,7 +228,7 @@ TEST_F(MeshFrontLaws, solids_areAsFromTheRoots) {
   for (int walk = 0; walk < 60; ++walk) {
     const MeshTree& mesh = anyTree();
     const ConvexGeometry& solid = solids[random_() % solids.size()];
-    const auto front = std::make_unique<MeshFront>();
+    const auto front = std::make_unique<OwnFront>();
     const double shift = std::pow(10.0, uniform(random_, -6.0, -2.0));
     Pose pose = randomPose(random_, 1.0);
     for (int step = 0; step < 100; ++step) {
@@ -224,7 +253,7 @@ TEST_F(MeshFrontLaws, solids_areAsFromTheRoots) {
 /// What the budget leaves is a bound, and no front is the worse for it.
 TEST_F(MeshFrontLaws, solidsWithABudget_boundedByTheTruth) {
   const ConvexGeometry solid = Box{{0.1, 0.2, 0.05}};
-  const auto front = std::make_unique<MeshFront>();
+  const auto front = std::make_unique<OwnFront>();
   Pose pose = randomPose(random_, 1.0);
   for (int step = 0; step < 2000; ++step) {
     pose = nextPose(pose, 1e-3, random_);
@@ -251,7 +280,7 @@ TEST_F(MeshFrontLaws, firstQueries_nameTheNearestTriangles) {
     const MeshTree& a = trees_[random_() % 3];
     const MeshTree& b = trees_[random_() % 3];
     const Pose pose = randomPose(random_, 2.0);
-    const auto front = std::make_unique<MeshFront>();
+    const auto front = std::make_unique<OwnFront>();
     const MeshDistance truth = distanceBetween({a, Pose{}}, {b, pose}, *memory_);
     const MeshDistance found = distanceBetween({a, Pose{}}, {b, pose}, *memory_, *front, limits);
     ASSERT_LE(found.measured.distance, truth.measured.distance + kRounding) << query;
@@ -267,7 +296,7 @@ TEST_F(MeshFrontLaws, firstQueries_nameTheNearestTriangles) {
 }
 
 TEST_F(MeshFrontLaws, queries_allocateNothing) {
-  const auto front = std::make_unique<MeshFront>();
+  const auto front = std::make_unique<OwnFront>();
   Pose pose = randomPose(random_, 1.0);
   const AllocationGuard guard;
   for (int i = 0; i < 100; ++i) {

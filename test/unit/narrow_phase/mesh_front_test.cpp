@@ -9,6 +9,7 @@
 
 #include "collision_monitor/narrow_phase/mesh_distance.h"
 #include "support/expect_distance.h"
+#include "support/own_front.h"
 #include "support/query_meshes.h"
 #include "support/sample_meshes.h"
 
@@ -24,7 +25,7 @@ class MeshFronts : public testing::Test {
   }
 
   std::unique_ptr<MeshQueryMemory> memory_ = std::make_unique<MeshQueryMemory>();
-  std::unique_ptr<MeshFront> front_ = std::make_unique<MeshFront>();
+  std::unique_ptr<OwnFront> front_ = std::make_unique<OwnFront>();
   const MeshTree cube_{boxMesh({1, 1, 1}), true};
   const MeshTree small_{boxMesh({0.1, 0.1, 0.1}), true};
   const MeshTree bumpy_{bumpyMesh(1.0, 40), true};
@@ -114,7 +115,7 @@ TEST_F(MeshFronts, fartherThanIsKept_isForgottenOnTheWayBack) {
     distance(cube_, small_, at(far, 0, 0));
     EXPECT_NEAR(distance(cube_, small_, at(1.3, 0, 0)).measured.distance, 0.2, kExact) << far;
     const ConvexGeometry ball = Sphere{0.1};
-    const auto solid_front = std::make_unique<MeshFront>();
+    const auto solid_front = std::make_unique<OwnFront>();
     distanceBetween({cube_, at(0, 0, 0)}, PlacedConvex{ball, at(far, 0, 0)}, *memory_,
                     *solid_front);
     const MeshDistance inside = distanceBetween(
