@@ -89,7 +89,7 @@ class Stages {
     measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
     end("9 measureClosest");
     if (setup.is_continuous) {
-      sweepPairs(setup, buffers.refine, buffers.sweep, buffers.distances);
+      sweepPairs(setup, buffers.memory.refined, buffers.refine, buffers.sweep, buffers.distances);
       end("a sweepPairs");
     }
   }

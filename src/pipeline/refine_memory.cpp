@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/ball_motion.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -16,6 +18,14 @@ RefineKind slotKindOf(RefineKind kind) noexcept {
 }  // namespace
 
 const LastMeasurement RefineStore::kNothingMeasured{};
+
+void remember(const LastMeasurement& measurement, RefineMemory& memory) noexcept {
+  if (!isSame(memory.last.world_from_a, measurement.world_from_a) ||
+      !isSame(memory.last.world_from_b, measurement.world_from_b)) {
+    memory.before = memory.last;
+  }
+  memory.last = measurement;
+}
 
 void forget(RefineMemory& memory) noexcept {
   std::unique_ptr<MeshFront> front = std::move(memory.front);

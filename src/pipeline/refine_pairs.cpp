@@ -119,7 +119,7 @@ ElementDistance measureTask(const Refinement& all, const RefineTask& task, const
     found.quality = Quality::lower_bound;
     found.measured.distance = recalled.measured.distance;
   }
-  search.memory.last = {found, a.world_from_element, b.world_from_element};
+  remember({found, a.world_from_element, b.world_from_element}, search.memory);
   return found;
 }
 
@@ -145,8 +145,8 @@ void keepApart(const Refinement& all, const RefineTask& task, double apart,
   found.measured.distance = apart;
   found.is_complete = true;
   found.outside = contact.outside;
-  all.memory.refined.of(task.pair).last = {found, placed(all, pair.a).world_from_element,
-                                           placed(all, pair.b).world_from_element};
+  remember({found, placed(all, pair.a).world_from_element, placed(all, pair.b).world_from_element},
+           all.memory.refined.of(task.pair));
 }
 
 /// @return whether nothing is left to decide: they are farther apart, which is kept, or were

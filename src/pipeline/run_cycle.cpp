@@ -130,7 +130,7 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   measureWaiting(setup, buffers);
   measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
   if (setup.is_continuous) {
-    sweepPairs(setup, buffers.refine, buffers.sweep, buffers.distances);
+    sweepPairs(setup, buffers.memory.refined, buffers.refine, buffers.sweep, buffers.distances);
   }
   keepPoses(poses, buffers.body_poses, buffers.memory.last);
   findClosings(setup, poses, buffers.distances);

@@ -3,10 +3,13 @@
 #include "collision_monitor/pipeline/sweep_pairs.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 #include "collision_monitor/motion/moving_sphere.h"
+#include "motion/approach.h"
 #include "pipeline/contact_of_pairs.h"
+#include "pipeline/recall_elements.h"
 #include "pipeline/sweep_elements.h"
 
 namespace collision_monitor {
@@ -18,6 +21,7 @@ constexpr std::uint32_t kBodySteps = 500;
 /// What every step needs.
 struct Sweeping {
   const CycleSetup& setup;
+  const RefineStore& memory;
   const RefineWork& refined;
   SweepWork& work;
   PairDistances& distances;
@@ -131,6 +135,36 @@ MovingElement movingElement(const Sweeping& all, ElementId id, const ScrewMotion
   return {all.setup.elements[index(id)], all.work.element_balls[index(id)], motion};
 }
 
+/// [m] How much farther apart elements are at a time than where they are in contact, as far as
+/// their last measurements tell: a lower bound.
+double gapAt(double time, const Sweeping& all, ElementPairIndex pair, const MovingElement& a,
+             const MovingElement& b) noexcept {
+  const Pose world_from_a = poseAt(a.motion, time);
+  const Pose world_from_b = poseAt(b.motion, time);
+  double gap = -std::numeric_limits<double>::infinity();
+  for (const LastMeasurement* measured : {&all.memory.lastOf(pair), &all.memory.beforeOf(pair)}) {
+    const ElementDistance known = recallElements(*measured, {a.element, world_from_a},
+                                                 {b.element, world_from_b}, {a.ball, b.ball});
+    if (known.quality == Quality::exact || known.quality == Quality::lower_bound) {
+      gap = std::max(gap, std::min(known.measured.distance - contactOfElements(all.setup, pair),
+                                   known.outside));
+    }
+  }
+  return gap;
+}
+
+/// Whether elements are so far apart at the start and at the end that they cannot have met between:
+/// to meet, one has to use up both gaps.
+bool staysApart(const Sweeping& all, ElementPairIndex pair, const MovingElement& a,
+                const MovingElement& b) noexcept {
+  const bool is_a_smaller = a.ball.radius < b.ball.radius;
+  const MovingElement& smaller = is_a_smaller ? a : b;
+  const Approach approach =
+      approachAt((is_a_smaller ? b : a).motion, smaller.motion, smaller.ball, 0.0);
+  const double way = ofBall(approach, approach.center, approach.radius).within(1.0);
+  return gapAt(0.0, all, pair, a, b) + gapAt(1.0, all, pair, a, b) > way + SweepLimits().tolerance;
+}
+
 void sweepTask(const Sweeping& all, const SweepTask& task, std::uint32_t& steps_left) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   const Element& a = all.setup.elements[index(pair.a)];
@@ -141,9 +175,12 @@ void sweepTask(const Sweeping& all, const SweepTask& task, std::uint32_t& steps_
   limits.contact_distance = all.setup.limits.contact_distance;
   limits.from = task.from;
   limits.budget = steps_left;
-  SweptContact found =
-      sweepElements(movingElement(all, pair.a, motion_a), movingElement(all, pair.b, motion_b),
-                    limits, *all.refined.scratch);
+  const MovingElement moving_a = movingElement(all, pair.a, motion_a);
+  const MovingElement moving_b = movingElement(all, pair.b, motion_b);
+  if (staysApart(all, task.pair, moving_a, moving_b)) {
+    return;
+  }
+  SweptContact found = sweepElements(moving_a, moving_b, limits, *all.refined.scratch);
   steps_left -= std::min(steps_left, found.steps);
   if (!isNew(found)) {
     return;
@@ -170,9 +207,9 @@ std::uint32_t stepsFor(double elapsed, const RefineWork& refined) noexcept {
 
 }  // namespace
 
-void sweepPairs(const CycleSetup& setup, const RefineWork& refined, SweepWork& work,
-                PairDistances& distances) noexcept {
-  const Sweeping all{setup, refined, work, distances};
+void sweepPairs(const CycleSetup& setup, const RefineStore& memory, const RefineWork& refined,
+                SweepWork& work, PairDistances& distances) noexcept {
+  const Sweeping all{setup, memory, refined, work, distances};
   for (const SweepTask& task : work.tasks) {
     work.task_of[task.pair] = kNone;
   }

@@ -42,9 +42,13 @@ struct RefineMemory {
   ConvexWarmStart warm;
   TrianglePair nearest;
   LastMeasurement last;
+  LastMeasurement before;  ///< of `last`, where they were elsewhere
   std::unique_ptr<MeshFront> front;  ///< where a mesh is searched; none: from the roots
   std::unique_ptr<KeptDepth> depth;  ///< of two with meshes, of which one is not convex
 };
+
+/// Keeps a measurement as the last one.
+void remember(const LastMeasurement& measurement, RefineMemory& memory) noexcept;
 
 /// Leaves it as new.
 void forget(RefineMemory& memory) noexcept;
@@ -83,6 +87,11 @@ class RefineStore {
   /// What is left of the last measurement; as new if the pair has no memory.
   const LastMeasurement& lastOf(ElementPairIndex pair) const noexcept {
     return slot_of_[pair] == kNoSlot ? kNothingMeasured : slots_[slot_of_[pair]].memory.last;
+  }
+
+  /// The one before that, at other poses; as new if there is none.
+  const LastMeasurement& beforeOf(ElementPairIndex pair) const noexcept {
+    return slot_of_[pair] == kNoSlot ? kNothingMeasured : slots_[slot_of_[pair]].memory.before;
   }
 
   /// How many memories there are.

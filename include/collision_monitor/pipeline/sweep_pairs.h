@@ -73,16 +73,18 @@ void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const Swe
 /// the very start of the way is that of the last cycle, and not told again.
 ///
 /// Pairs farther apart than they can have come nearer are passed over; then moving spheres, then
-/// the bodies, then the elements are asked, the last with what refinePairs left of its budget. What
+/// the bodies are asked; then elements, unless they were so far apart at both ends that they cannot
+/// have met between, with what refinePairs left of its budget. What
 /// that leaves open is told as a contact of enclosing shapes: a budget that is too small can raise
 /// false alarms and hides nothing.
 /// Error: contacts deeper than rounding are found; what is told as exact is within 1e-7 m of
 /// contact_distance.
 /// Limits: of meshes, surfaces count, and a contact is told at touch where contact_distance is
 /// negative.
-/// @param refined what refinePairs did to `distances`; its scratch is used.
-void sweepPairs(const CycleSetup& setup, const RefineWork& refined, SweepWork& work,
-                PairDistances& distances) noexcept;
+/// @param memory what is known of elements at either end. @param refined what refinePairs did to
+/// `distances`; its scratch is used.
+void sweepPairs(const CycleSetup& setup, const RefineStore& memory, const RefineWork& refined,
+                SweepWork& work, PairDistances& distances) noexcept;
 
 /// Keeps the poses for the next cycle.
 void keepPoses(const LinkPoses& poses, const BodyPoses& body_poses, LastPoses& last) noexcept;
