@@ -27,8 +27,8 @@ class QuietHandler(http.server.SimpleHTTPRequestHandler):
         pass
 
 
-def children_of(process):
-    """Numbers of the processes that it started."""
+def busy_children_of(process):
+    """Numbers of the processes that it started and that run at this moment."""
     found = []
     for path in glob.glob("/proc/[0-9]*/stat"):
         try:
@@ -40,9 +40,13 @@ def children_of(process):
     return found
 
 
-def wait_for(predicate, what):
+def wait_for(look, what):
+    """Returns what look() found: a second look may find less."""
     end = time.monotonic() + DEADLINE
-    while not predicate():
+    while True:
+        found = look()
+        if found:
+            return found
         if time.monotonic() > end:
             raise AssertionError("waited for " + what)
         time.sleep(0.01)
@@ -111,11 +115,11 @@ class OddFiles(unittest.TestCase):
             file.write("f " + " ".join(str(i + 1) for i in range(count)) + "\n")
         self.urdf.write_text(ROBOT % "polygon.obj", encoding="utf-8")
         for program in PROGRAMS:
-            with subprocess.Popen([program, self.urdf], stdout=subprocess.DEVNULL,
-                                  stderr=subprocess.DEVNULL) as process:
+            # Scripts start what runs in the background with SIGINT ignored, and children inherit it.
+            with subprocess.Popen([program, self.urdf], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                                  preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as process:
                 self.addCleanup(process.kill)
-                wait_for(lambda: children_of(process.pid), "the reader of " + program)
-                reader = children_of(process.pid)[0]
+                reader = wait_for(lambda: busy_children_of(process.pid), "the reader of " + program)[0]
                 process.send_signal(signal.SIGINT)
                 self.assertEqual(process.wait(timeout=DEADLINE), -signal.SIGINT)
                 wait_for(lambda: not os.path.exists("/proc/%d" % reader), "the end of the reader of " + program)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "table.h"
@@ -31,6 +32,12 @@ const char* wordOf(PairFinding finding) noexcept {
   return "";
 }
 
+/// How near the enclosing shapes came, which overlap before what they enclose does.
+std::string nearestText(const PairFound& pair) {
+  const std::string amount = fit_tool::fixed(1e3 * std::abs(pair.nearest), 1) + " mm";
+  return pair.nearest < 0.0 ? "though shapes overlapped by " + amount : "shapes by " + amount;
+}
+
 std::string reasonOf(const RobotModel& model, const PairFound& pair, std::size_t states) {
   const std::string seen = " in all " + std::to_string(states) + " states";
   switch (pair.finding) {
@@ -42,9 +49,8 @@ std::string reasonOf(const RobotModel& model, const PairFound& pair, std::size_t
     case PairFinding::unclear:
       return stateText(model, pair);
     case PairFinding::never:
-      return pair.is_proven
-                 ? "proven" + std::string(pair.joints.empty() ? ": fixed apart" : "")
-                 : "apart" + seen + ", shapes by " + fit_tool::fixed(1e3 * pair.nearest, 1) + " mm";
+      return pair.is_proven ? "proven" + std::string(pair.joints.empty() ? ": fixed apart" : "")
+                            : "apart" + seen + ", " + nearestText(pair);
   }
   return "";
 }

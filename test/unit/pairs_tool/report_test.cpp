@@ -60,6 +60,14 @@ TEST(Report, whatIsProvenSaysSo) {
   EXPECT_NE(scene.table().find("always  touch in all 100 states\n"), std::string::npos);
 }
 
+TEST(Report, shapesThatOverlappedOfGeometriesThatDidNot_areNotCalledApart) {
+  Scene scene;
+  scene.add(0, 1, PairFinding::never).nearest = -0.0005;
+  EXPECT_NE(
+      scene.table().find("never  apart in all 100 states, though shapes overlapped by 0.5 mm\n"),
+      std::string::npos);
+}
+
 /// "arm-hand Never", each.
 std::vector<std::string> linesOf(const Scene& scene, bool trusts_samples, std::size_t left_out) {
   const PairLines found = pairs_tool::linesOf(scene.model, scene.pairs, trusts_samples);
