@@ -183,7 +183,7 @@ bool isFollowed(const ElementDistance& last, const ElementDistance& recalled,
 /// touch. Leaves a part of the budget for distances, so that every pair has its turn.
 void decideContact(const Refinement& all, const RefineTask& task) noexcept {
   constexpr double kPastThreshold = 1e-6;
-  constexpr double kLittle = 0.2;  // of how far no contact is held
+  constexpr double kLittle = 1.0;  // of how far no contact is held
   const Goal clear{clearBeyond(all), budgetOf(all) / 4 * 3};
   if (task.bound > clear.enough) {
     return;

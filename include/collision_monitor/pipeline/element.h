@@ -51,7 +51,7 @@ struct RefineLimits {
   /// Nodes of hierarchies opened in one cycle; other work is converted. A quarter is left to what
   /// happens between two cycles, if that is looked at.
   /// Independent of the clock, so that the same input gives the same output.
-  std::uint32_t budget{10000};
+  std::uint32_t budget{8000};
   /// [m] 0 or more: how much less than the exact one the distance of a mesh may be, as
   /// MeshQueryLimits::tolerance.
   double tolerance{0.0};

@@ -76,7 +76,12 @@ HWY_INLINE Number gain(const FrontStep& step, const Step& all, Code direction, C
                    hn::Add(dot(all.rows[2], c), all.shift.z)};
   const Vector turned{dot(all.columns[0], n), dot(all.columns[1], n), dot(all.columns[2], n)};
   const Number lost = hn::Mul(r, hn::Sqrt(dot(turned, turned)));
-  const Number along = hn::Div(hn::Sub(dot(n, way), lost), hn::Sqrt(dot(n, n)));
+  const Number in_bits = hn::Sub(dot(n, way), lost);
+  // Each coordinate of a packed direction is off by half a bit at most.
+  constexpr float kLength = kPackedMiddle - 1;
+  constexpr float kOff = 0.87F;
+  const Number along = hn::Min(hn::Mul(in_bits, number(1.0F / (kLength - kOff))),
+                               hn::Mul(in_bits, number(1.0F / (kLength + kOff))));
   const Number anywhere = hn::Neg(hn::Add(hn::Sqrt(dot(way, way)), hn::Mul(r, number(step.size))));
   const auto has_none = hn::RebindMask(Many(), hn::Eq(direction, hn::Zero(Codes())));
   return hn::IfThenElse(has_none, anywhere, along);

@@ -174,7 +174,7 @@ template <class Query>
 bool takeNearer(const Query& query, std::uint32_t visit_budget, WaitingPairs& waiting,
                 NearestSearch& search) noexcept {
   // To bound a pair anew takes a part of what opening one does.
-  constexpr std::uint32_t kBoundsPerVisit = 2;
+  constexpr std::uint32_t kBoundsPerVisit = 1;
   MeshFront& front = *search.front;
   const float goal = roundedUp(std::sqrt(search.squaredGoal()));
   const float limit = asLimit(search.squaredGoal());

@@ -182,11 +182,9 @@ bool hasRoom(MeshFront& front) noexcept {
 }
 
 std::uint32_t packed(const Eigen::Vector3d& direction) noexcept {
-  const double longest = direction.cwiseAbs().maxCoeff();
-  if (!(longest > 0.0) || !direction.allFinite()) {
-    return 0;
-  }
-  return numbersOf(direction * ((kPackedMiddle - 1) / longest));
+  const double length = direction.stableNorm();
+  return length > 0.0 && std::isfinite(length) ? numbersOf(direction / length * (kPackedMiddle - 1))
+                                               : 0;
 }
 
 Eigen::Vector3d directionOf(std::uint32_t packed) noexcept {

@@ -78,10 +78,10 @@ FrontEntry entryAt(std::uint32_t at, const MeshFront& front) noexcept;
 /// Keeps a pair no longer: the last one takes its place.
 void drop(std::uint32_t at, MeshFront& front) noexcept;
 
-/// A vector, in shares of its longest coordinate: three numbers of ten bits. 0: none.
+/// A direction of any length: three numbers of ten bits, in shares of the length. 0: none.
 std::uint32_t packed(const Eigen::Vector3d& direction) noexcept;
 
-/// And back, of any length.
+/// And back, within half a bit a coordinate, so not of unit length.
 Eigen::Vector3d directionOf(std::uint32_t packed) noexcept;
 
 /// The direction in which the child that is nearest to the other bound is farthest from it, of
