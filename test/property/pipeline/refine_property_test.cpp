@@ -227,6 +227,32 @@ TEST_P(RefinedAndEnclosing, refinedDistancesAreNeverBelowThoseOfEnclosingShapes)
 
 INSTANTIATE_TEST_SUITE_P(Shapes, RefinedAndEnclosing, testing::Values(1U, 2U));
 
+/// A tolerance may shorten a distance past a threshold.
+TEST(RefineProperty, tolerance_changesNoVerdict) {
+  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  constexpr double kTolerance = 5e-3;
+  CycleSetup setup = mixedSetup(mixedGeometries());
+  setup.refine.budget = 10000000;
+  CycleBuffers exact = makeBuffers(setup, BroadPhaseKind::brute_force);
+  CycleBuffers tolerant = makeBuffers(setup, BroadPhaseKind::brute_force);
+  tolerant.refine.limits.tolerance = kTolerance;
+  LinkPoses poses = test::randomLinkPoses(setup, 0.25, kSeed);
+  Random random(kSeed);
+  int shorter = 0;
+  for (int cycle = 0; cycle < 20000; ++cycle) {
+    creep(random, poses);
+    runCycle(setup, poses, exact);
+    runCycle(setup, poses, tolerant);
+    ASSERT_EQ(exact.events.verdicts, tolerant.events.verdicts) << cycle;
+    const std::vector<PairDistance> of_exact = nearestOf(exact);
+    const std::vector<PairDistance> of_tolerant = nearestOf(tolerant);
+    for (std::size_t i = 0; i < of_exact.size(); ++i) {
+      shorter += of_tolerant[i].measured.distance < of_exact[i].measured.distance - 1e-9 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(shorter, 100) << "the tolerance is not used";
+}
+
 TEST(RefineProperty, linksInOtherOrder_sameDistancesAndOppositeNormals) {
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   std::vector<Geometry> geometries = mixedGeometries();
