@@ -70,7 +70,7 @@ void makeRoom(MeshFront& front) noexcept {
   if (front.size == 0) {
     return;
   }
-  std::array<float, MeshFront::kCapacity> sorted;
+  std::array<float, MeshFront::kCapacity> sorted{};
   for (std::uint32_t i = 0; i < front.size; ++i) {
     sorted[i] = blockOf(i, front).bound[placeOf(i)];
   }
