@@ -21,7 +21,7 @@ namespace {
 constexpr std::uint32_t kSetUpSteps = 8;   // poses and inner shapes
 constexpr std::uint32_t kApartSteps = 8;   // two convex geometries
 constexpr std::uint32_t kDepthSteps = 60;  // depth of two convex geometries
-constexpr std::uint32_t kPointSteps = 20;  // depth of one point in a mesh
+constexpr std::uint32_t kPointSteps = 4;   // depth of one point in a mesh, without nodes
 
 bool areExact(const PlacedElement& a, const PlacedElement& b) noexcept {
   return a.element.is_exact && b.element.is_exact;
@@ -246,7 +246,7 @@ std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b,
   if (deepest.distance < overlap.distance) {
     overlap = deepest;
   }
-  return kPointSteps * found.points;
+  return kPointSteps * found.points + found.visits;
 }
 
 }  // namespace collision_monitor

@@ -55,6 +55,7 @@ struct MeshDepth {
   /// no inside.
   SignedDistance deepest;
   std::uint32_t points{0};  ///< measured
+  std::uint32_t visits{0};  ///< nodes opened for them
   bool is_complete{false};  ///< no corner is deeper
 };
 

@@ -16,6 +16,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Parts of an open surface that are looked at in the time of a node.
+constexpr std::uint32_t kPartsPerVisit = 8;
+
 // What is left of a place that may have corners within the radius that are deep enough to count.
 struct MeasuredPlace {
   bool is_deep{false};
@@ -62,6 +65,7 @@ MeasuredPlace measurePlace(DepthSearch& search, const Vector3d& center, double r
   const double enough = std::max(search.beyond - radius, 0.0);
   found.nearest = nearestOnMesh(search.solid, center, start, {enough}, search.memory);
   search.points += found.nearest.visits > 0 ? 1 : 0;
+  search.visits += found.nearest.visits;
   found.distance = found.nearest.distance;
   found.deepest = radius + found.distance;
   if (!(found.deepest > search.beyond)) {
@@ -69,6 +73,7 @@ MeasuredPlace measurePlace(DepthSearch& search, const Vector3d& center, double r
   }
   const PointInMesh lies =
       in_box > 0.0 ? lookInside(search, center, is_inside, radius == 0.0) : PointInMesh();
+  search.visits += lies.visits / kPartsPerVisit;
   if (lies.is_inside) {
     if (radius == 0.0) {
       holdBack(lies.hold, center, found);

@@ -33,6 +33,7 @@ struct DepthSearch {
   DeepCorner deepest{};
   double beyond{0.0};       ///< [m] what is not deeper does not count
   std::uint32_t points{0};  ///< measured
+  std::uint32_t visits{0};  ///< as MeshDepth
 };
 
 /// Measures the corner that was the deepest; if it is inside it is the deepest known.

@@ -94,7 +94,7 @@ template <class Query>
 void keepParted(const Query& query, const OpenedPair& opened, double goal, FrontEntry& entry,
                 MeshFront& front) noexcept {
   constexpr double kNearly = 0.25;
-  const auto resting_from_node = query.restingFromNode(opened);
+  const auto& resting_from_node = query.restingFromNode(opened);
   const std::uint32_t all = entry.children;
   entry.direction = 0;
   entry.bound = std::sqrt(static_cast<double>(leastBound(opened, all)));
@@ -222,7 +222,9 @@ void lookAt(const Query& query, const MeshQueryMemory::Waiting& next, WaitingPai
 template <class Query>
 void searchFromFront(const Query& query, double step, double enough, std::uint32_t visit_budget,
                      WaitingPairs& waiting, NearestSearch& search) noexcept {
+  constexpr std::uint32_t kPairsPerVisit = 128;  // that are loosened
   MeshFront& front = *search.front;
+  search.visits += front.size / kPairsPerVisit;
   if (front.nearest.a != MeshFront::kNone) {
     query.measure({0.0F, front.nearest.a, front.nearest.b}, search);
   }

@@ -117,6 +117,7 @@ MeshDepth depthOf(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& mem
     }
     searchBothWays(pointsFor(share, point_budget), ways, kept);
     answer.points = ways[0].points + ways[1].points;
+    answer.visits = ways[0].visits + ways[1].visits;
     kept.in_a = answerOf(ways, kept.side, a_from_b);
   }
   answer.is_complete = isComplete(kept);
