@@ -152,6 +152,7 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
     reportOverlap(a, b, answer);
   } else if (found.state != MeshState::unknown) {
     answer.measured = found.measured;
+    answer.shortfall = found.shortfall;
     answer.has_points = found.state == MeshState::exact;
     answer.is_complete = answer.has_points || found.measured.distance >= stopBeyond(a, b, search);
     answer.quality = answer.has_points && areExact(a, b) ? Quality::exact : Quality::lower_bound;

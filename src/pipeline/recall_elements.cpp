@@ -48,4 +48,32 @@ ElementDistance recallElements(const LastMeasurement& last, const PlacedElement&
   return recalled;
 }
 
+std::optional<ElementDistance> recallWithin(double tolerance, const LastMeasurement& last,
+                                            const PlacedElement& a, const PlacedElement& b,
+                                            const ElementDistance& recalled) noexcept {
+  const double bound = recalled.measured.distance;
+  if (!last.found.has_points || !last.found.is_complete || !(bound > 0.0) ||
+      recalled.quality != Quality::lower_bound || (a.element.convex && b.element.convex)) {
+    return std::nullopt;
+  }
+  const auto carried = [](const Eigen::Vector3d& point, const Pose& before, const Pose& now) {
+    return Eigen::Vector3d(now * (inverse(before) * point));
+  };
+  const SignedDistance& measured = last.found.measured;
+  const Eigen::Vector3d on_a =
+      carried(measured.point_on_a, last.world_from_a, a.world_from_element);
+  const Eigen::Vector3d way =
+      carried(measured.point_on_b, last.world_from_b, b.world_from_element) - on_a;
+  const double length = way.norm();
+  if (!(length + last.found.shortfall - bound <= tolerance)) {
+    return std::nullopt;
+  }
+  ElementDistance found = recalled;
+  found.quality = last.found.quality;
+  found.has_points = found.is_complete = true;
+  const Eigen::Vector3d normal = way / length;
+  found.measured = {bound, on_a, on_a + bound * normal, normal};
+  return found;
+}
+
 }  // namespace collision_monitor

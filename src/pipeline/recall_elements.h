@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "pipeline/measure_elements.h"
 
 namespace collision_monitor {
@@ -16,5 +18,13 @@ Ball ballOf(const Element& element);
 /// @param balls of a and b.
 ElementDistance recallElements(const LastMeasurement& last, const PlacedElement& a,
                                const PlacedElement& b, const std::array<Ball, 2>& balls) noexcept;
+
+/// The last distance, if all that elements have moved since leaves it within a tolerance: the lower
+/// bound that is recalled, between the points that were nearest, where they are now. Those of the
+/// triangles that were found are no nearer than the elements are.
+/// @param recalled what recallElements says. @param tolerance [m] as RefineLimits.
+std::optional<ElementDistance> recallWithin(double tolerance, const LastMeasurement& last,
+                                            const PlacedElement& a, const PlacedElement& b,
+                                            const ElementDistance& recalled) noexcept;
 
 }  // namespace collision_monitor

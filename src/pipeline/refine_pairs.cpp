@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "geometry/constants.h"
 #include "pipeline/decide_contact.h"
@@ -113,10 +114,20 @@ void report(const Refinement& all, RefineTask& task, const ElementDistance& foun
   }
 }
 
+/// What is recalled, within the tolerance where no verdict depends on that.
+ElementDistance recallEnough(const Refinement& all, const RefineTask& task) noexcept {
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  const ElementDistance recalled = recallTask(all, task);
+  const std::optional<ElementDistance> within =
+      recallWithin(all.work.limits.tolerance, all.memory.refined.lastOf(task.pair),
+                   placed(all, pair.a), placed(all, pair.b), recalled);
+  return within && !isAtThreshold(all, *within) ? *within : recalled;
+}
+
 void refine(const Refinement& all, RefineTask& task) noexcept {
   std::uint32_t& waited = all.memory.waited[task.pair];
   const Goal goal{enoughFor(all, task), budgetOf(all)};
-  ElementDistance found = recallTask(all, task);
+  ElementDistance found = recallEnough(all, task);
   if (isEnough(found, goal.enough)) {
     waited = 0;
   } else if (all.work.steps < goal.budget) {

@@ -46,6 +46,7 @@ struct MeshDistance {
   SignedDistance measured;  ///< NaN-free in every state
   TrianglePair nearest;     ///< kNone where none was found; a start for the next query
   std::uint32_t visits{0};  ///< nodes opened; other work is converted
+  double shortfall{0.0};    ///< [m] the nearest triangles are so much farther, within the tolerance
   /// [m] Where they are apart: how far one may go, seen from the other, until it can be inside an
   /// open mesh though it has not met its surface. Infinite for closed meshes.
   double outside{std::numeric_limits<double>::infinity()};

@@ -23,6 +23,7 @@ struct ElementDistance {
   Quality quality{Quality::unknown};
   bool has_points{false};  ///< false: a lower bound without points
   SignedDistance measured;
+  double shortfall{0.0};    ///< [m] as MeshDistance::shortfall
   std::uint32_t steps{0};   ///< spent of the budget
   bool is_complete{false};  ///< false: a larger budget would have told more
   /// [m] as MeshDistance::outside
@@ -42,7 +43,7 @@ struct RefineMemory {
   ConvexWarmStart warm;
   TrianglePair nearest;
   LastMeasurement last;
-  LastMeasurement before;  ///< of `last`, where they were elsewhere
+  LastMeasurement before;            ///< of `last`, where they were elsewhere
   std::unique_ptr<MeshFront> front;  ///< where a mesh is searched; none: from the roots
   std::unique_ptr<KeptDepth> depth;  ///< of two with meshes, of which one is not convex
 };

@@ -56,6 +56,7 @@ void report(const MeshPair& pair, const NearestSearch& search, const Pose& world
   SignedDistance measured{distance, search.best.on_a, search.best.on_b, normal};
   const double bound = std::sqrt(search.squaredBound());
   if (answer.state == MeshState::exact && bound < distance) {
+    answer.shortfall = distance - bound;
     measured.distance = bound;
     measured.point_on_b = measured.point_on_a + bound * normal;
   }

@@ -53,6 +53,7 @@ void report(const MeshAndCore& pair, const NearestSearch& search, const CoreInMe
   const bool meets = search.best.squared_distance <= radius * radius;
   if (search.nearest.a != TrianglePair::kNone && (search.isComplete() || (meets && !is_inside))) {
     answer.measured = swept(coresOf(pair, search, lies), 0.0, radius);
+    answer.shortfall = std::sqrt(search.best.squared_distance) - std::sqrt(search.squaredBound());
     answer.state = answer.measured.distance > 0.0 ? MeshState::exact : MeshState::overlapping;
   } else if (!std::isfinite(core_distance)) {
     answer.state = MeshState::unknown;
