@@ -35,7 +35,7 @@ void forget(RefineMemory& memory) noexcept {
   memory.depth = std::move(depth);
   if (memory.front) {
     memory.front->pool.clear(*memory.front);
-    memory.front->a_from_b.reset();
+    memory.front->resting_from_moving.reset();
     memory.front->nearest.a = MeshFront::kNone;
   }
   if (memory.depth) {

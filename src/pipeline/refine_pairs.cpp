@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geometry/constants.h"
+#include "pipeline/contact_of_pairs.h"
 #include "pipeline/decide_contact.h"
 #include "pipeline/refine_tasks.h"
 #include "pipeline/refinement.h"
@@ -24,7 +25,8 @@ void raiseBound(double bound, PairDistance& distance) noexcept {
   }
 }
 
-void takeOver(const ElementDistance& found, PairDistance& distance) noexcept {
+/// @param contact [m] contactOfElements: a bound that is not above it proves nothing of contact.
+void takeOver(const ElementDistance& found, double contact, PairDistance& distance) noexcept {
   const bool is_nearer = !(found.measured.distance > distance.measured.distance);
   // Where shapes overlap, theirs is the depth of two of several shapes, which bounds nothing.
   const bool is_depth = found.has_points && distance.measured.distance < 0.0;
@@ -32,11 +34,12 @@ void takeOver(const ElementDistance& found, PairDistance& distance) noexcept {
       (found.quality == Quality::lower_bound && is_nearer && !is_depth)) {
     return;  // the enclosing shapes know better
   }
-  distance.quality = found.quality;
   if (found.has_points) {
+    distance.quality = found.quality;
     distance.measured = found.measured;
     distance.is_refined = true;
-  } else {
+  } else if (found.quality != Quality::lower_bound || found.measured.distance > contact) {
+    distance.quality = found.quality;
     raiseBound(found.measured.distance, distance);
   }
 }
@@ -69,13 +72,18 @@ bool isAtThreshold(const Refinement& all, const ElementDistance& found) noexcept
          holds(limits.warning_distance) || holds(limits.warning_distance + limits.hysteresis);
 }
 
-/// Measured within the tolerance, and exactly where a verdict depends on that.
+/// Measured within the tolerance, and exactly where a verdict depends on that: not complete until
+/// that is done.
 ElementDistance measureForVerdict(const Refinement& all, const RefineTask& task, const Goal& goal,
                                   ElementSearch& search) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   ElementDistance found = measureElements(placed(all, pair.a), placed(all, pair.b), search);
   all.work.steps += found.steps;
-  if (isAtThreshold(all, found) && all.work.steps < goal.budget) {
+  if (!isAtThreshold(all, found)) {
+    return found;
+  }
+  found.is_complete = false;
+  if (all.work.steps < goal.budget) {
     ElementSearch exactly = searchFor(all, task, goal);
     exactly.tolerance = 0.0;
     const ElementDistance exact =
@@ -105,7 +113,7 @@ void report(const Refinement& all, RefineTask& task, const ElementDistance& foun
   RefineWork& work = all.work;
   task.outside = found.outside;
   PairDistance& distance = all.distances.measured[task.place];
-  takeOver(found, distance);
+  takeOver(found, contactOfElements(all.setup, task.pair), distance);
   work.is_measured[task.pair] = 1;
   ++(found.is_complete ? work.refined : work.left);
   if (found.is_complete) {

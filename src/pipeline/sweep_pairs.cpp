@@ -135,8 +135,8 @@ MovingElement movingElement(const Sweeping& all, ElementId id, const ScrewMotion
   return {all.setup.elements[index(id)], all.work.element_balls[index(id)], motion};
 }
 
-/// [m] How much farther apart elements are at a time than where they are in contact, as far as
-/// their last measurements tell: a lower bound.
+/// [m] How far beyond contact elements are at a time, as far as their last measurements tell: a
+/// lower bound.
 double gapAt(double time, const Sweeping& all, ElementPairIndex pair, const MovingElement& a,
              const MovingElement& b) noexcept {
   const Pose world_from_a = poseAt(a.motion, time);

@@ -20,13 +20,13 @@ class FrontPool;
 ///
 /// Each pair has a lower bound of its distance, which every step of the motion loosens, and is not
 /// looked at until that is less than the nearest distance. A pair that was last apart along a
-/// direction loses what the step moves it along that direction, and what the ball about the moving
-/// one turns: nearly nothing where surfaces slide past each other. Children of one bound are kept
-/// as one as long as none of them is looked at. Where there is no room for all, `cover` stands for
-/// those that are farthest; when that is used up the search starts from the roots.
-/// Source: Verlet, "Computer 'experiments' on classical fluids I" (1967), for the motion; Ehmann,
-/// Lin, "Accurate and Fast Proximity Queries Between Polyhedra Using Convex Surface Decomposition"
-/// (2001), for the front of the tree of pairs, which is kept here with bounds.
+/// direction loses how far the step moves it along that direction, and how far the points of the
+/// ball about the moving one turn: nearly nothing where surfaces slide past each other. Children of
+/// one bound are kept as one as long as none of them is looked at. Where there is no room for all,
+/// `cover` stands for those that are farthest; when that is used up the search starts from the
+/// roots. Source: Verlet, "Computer 'experiments' on classical fluids I" (1967), for the motion;
+/// Ehmann, Lin, "Accurate and Fast Proximity Queries Between Polyhedra Using Convex Surface
+/// Decomposition" (2001), for the front of the tree of pairs, which is kept here with bounds.
 struct MeshFront {
   static constexpr std::uint32_t kNone = 0xffffffffU;
   static constexpr std::uint32_t kBlockSize = 512;
@@ -44,9 +44,10 @@ struct MeshFront {
     std::array<float, kBlockSize> bound;  ///< [m] the pair is no nearer
     /// Along which the pair is as far apart as its bound says: as `packed`; 0: along any.
     std::array<std::uint32_t, kBlockSize> direction;
-    /// The ball about the one that moves: its centre as `packed`, in shares of the mesh's radius;
-    /// and its radius, times 256, with a bit for each child of a bound that is meant; 0: all.
+    /// Of the ball about the one that moves, as `packed`, in units of 1/511 of the mesh's radius.
     std::array<std::uint32_t, kBlockSize> center;
+    /// Its radius, 24 bits in 1/2048 of that unit; then a bit for each child of a bound that is
+    /// meant; none: all are.
     std::array<std::uint32_t, kBlockSize> extent;
     std::array<Kept, kBlockSize> kept;
   };
@@ -57,15 +58,15 @@ struct MeshFront {
   ~MeshFront() = default;
 
   FrontPool& pool;
-  std::optional<Pose> a_from_b;  ///< of the last query; none: there was none
-  Kept nearest{kNone, kNone};    ///< the nearest triangles then
-  double cover{0.0};             ///< [m] what is not kept is no nearer
-  double margin{0.0};            ///< [m] how much farther than the nearest triangles are measured
-  double apart{0.0};             ///< [m] the surfaces were, and neither inside the other
-  double outside{0.0};           ///< [m] as MeshDistance::outside
-  std::uint32_t from_roots{0};   ///< visits until a search from there was complete
-  bool is_whole{false};          ///< it was complete
-  std::uint32_t size{0};         ///< pairs
+  std::optional<Pose> resting_from_moving;  ///< of the last query; none: there was none
+  Kept nearest{kNone, kNone};               ///< the nearest triangles then
+  double cover{0.0};                        ///< [m] what is not kept is no nearer
+  double margin{0.0};           ///< [m] how much farther than the nearest triangles are measured
+  double apart{0.0};            ///< [m] the surfaces were, and neither inside the other
+  double outside{0.0};          ///< [m] as MeshDistance::outside
+  std::uint32_t from_roots{0};  ///< visits until the search from the roots was complete
+  bool is_whole{false};         ///< it was complete
+  std::uint32_t size{0};        ///< pairs
   std::uint32_t block_count{0};
   std::array<Block*, kMostBlocks> blocks{};
   std::uint64_t followed_at{0};  ///< FrontPool::clock of the last query
@@ -74,7 +75,8 @@ struct MeshFront {
 };
 
 /// Room for many fronts, in blocks that go to those that need them. What no query has asked for a
-/// while gives its blocks to the others. Must outlive its fronts; not for two threads at a time.
+/// while gives its blocks to the others. It and its fronts end together: a front that is gone would
+/// stay in its list. Not for two threads at a time.
 class FrontPool {
  public:
   explicit FrontPool(std::size_t blocks);

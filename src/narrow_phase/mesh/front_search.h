@@ -173,27 +173,26 @@ bool boundAnew(const Query& query, std::uint32_t at, float limit, MeshFront& fro
 template <class Query>
 bool takeNearer(const Query& query, std::uint32_t visit_budget, WaitingPairs& waiting,
                 NearestSearch& search) noexcept {
-  // To bound a pair anew takes a part of what opening one does.
-  constexpr std::uint32_t kBoundsPerVisit = 1;
   MeshFront& front = *search.front;
   const float goal = roundedUp(std::sqrt(search.squaredGoal()));
   const float limit = asLimit(search.squaredGoal());
   TakenPairs taken(waiting);
   std::uint32_t bounded = 0;
-  const std::uint32_t most = visit_budget / 2 * kBoundsPerVisit;  // the other half opens pairs
+  const std::uint32_t left = visit_budget - std::min(visit_budget, search.visits);
+  const std::uint32_t most = left / 2;  // the other half opens pairs
   std::uint32_t at = nextBelow(goal, 0, front);
   while (at < front.size && bounded < most && taken.hasRoom()) {
     ++bounded;
     const bool is_kept = boundAnew(query, at, limit, front, taken);
     at = nextBelow(goal, is_kept ? at + 1 : at, front);  // else another one has taken its place
   }
-  search.visits += bounded / kBoundsPerVisit;
+  search.visits += bounded;
   if (at < front.size && !taken.hasRoom()) {
     return false;
   }
-  const double left = std::max(std::min(static_cast<double>(leastBound(front)), front.cover), 0.0);
-  search.squared_left = std::min(search.squared_left, left * left);
-  search.squared_open = at == front.size ? search.squared_open : left * left;
+  const double least = std::max(std::min(static_cast<double>(leastBound(front)), front.cover), 0.0);
+  search.squared_left = std::min(search.squared_left, least * least);
+  search.squared_open = at == front.size ? search.squared_open : least * least;
   return true;
 }
 
@@ -224,7 +223,7 @@ void searchFromFront(const Query& query, double step, double enough, std::uint32
                      WaitingPairs& waiting, NearestSearch& search) noexcept {
   constexpr std::uint32_t kPairsPerVisit = 128;  // that are loosened
   MeshFront& front = *search.front;
-  search.visits += front.size / kPairsPerVisit;
+  search.visits += step > 0.0 ? front.size / kPairsPerVisit : 0;
   if (front.nearest.a != MeshFront::kNone) {
     query.measure({0.0F, front.nearest.a, front.nearest.b}, search);
   }

@@ -197,20 +197,23 @@ Eigen::Vector3d directionOf(std::uint32_t packed) noexcept {
 double follow(const FollowedPair& pair, MeshFront& front) noexcept {
   front.pool.touch(front);
   double step = std::numeric_limits<double>::infinity();
-  if (front.a_from_b) {
-    const Pose& before = *front.a_from_b;
+  if (front.resting_from_moving) {
+    const Pose& before = *front.resting_from_moving;
     const double of_moving =
         motionOfBall(pair.moving.center(), pair.moving.radius(), before, pair.resting_from_moving);
     const double of_resting = motionOfBall(pair.center_of_resting, pair.radius_of_resting,
                                            inverse(before), inverse(pair.resting_from_moving));
     step = std::min(of_moving, of_resting) + pair.rounding;
+    if (isSame(before, pair.resting_from_moving)) {
+      return 0.0;
+    }
     if (of_moving < kLongestStep) {
       loosen(stepOf(pair, before, of_moving), front);
     } else {
-      front.cover = -std::numeric_limits<double>::infinity();
+      front.cover = -std::numeric_limits<double>::infinity();  // then no bound is read
     }
   }
-  front.a_from_b = pair.resting_from_moving;
+  front.resting_from_moving = pair.resting_from_moving;
   front.cover -= step;
   return step;
 }

@@ -227,37 +227,6 @@ TEST_P(RefinedAndEnclosing, refinedDistancesAreNeverBelowThoseOfEnclosingShapes)
 
 INSTANTIATE_TEST_SUITE_P(Shapes, RefinedAndEnclosing, testing::Values(1U, 2U));
 
-/// A tolerance may shorten a distance past a threshold; and what has hardly moved is not measured.
-TEST(RefineProperty, tolerance_changesNoVerdictAndNoDistanceByMore) {
-  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
-  constexpr double kTolerance = 5e-3;
-  CycleSetup setup = mixedSetup(mixedGeometries());
-  setup.refine.budget = 10000000;
-  CycleBuffers exact = makeBuffers(setup, BroadPhaseKind::brute_force);
-  CycleBuffers tolerant = makeBuffers(setup, BroadPhaseKind::brute_force);
-  tolerant.refine.limits.tolerance = kTolerance;
-  LinkPoses poses = test::randomLinkPoses(setup, 0.25, kSeed);
-  Random random(kSeed);
-  int shorter = 0;
-  for (int cycle = 0; cycle < 20000; ++cycle) {
-    creep(random, poses);
-    runCycle(setup, poses, exact);
-    runCycle(setup, poses, tolerant);
-    ASSERT_EQ(exact.events.verdicts, tolerant.events.verdicts) << cycle;
-    const std::vector<PairDistance> of_exact = nearestOf(exact);
-    const std::vector<PairDistance> of_tolerant = nearestOf(tolerant);
-    for (std::size_t i = 0; i < of_exact.size(); ++i) {
-      if (of_exact[i].quality == Quality::exact && of_tolerant[i].quality == Quality::exact) {
-        const double short_by = of_exact[i].measured.distance - of_tolerant[i].measured.distance;
-        ASSERT_GE(short_by, -1e-9) << cycle;
-        ASSERT_LE(short_by, kTolerance + 1e-9) << cycle;
-        shorter += short_by > 1e-9 ? 1 : 0;
-      }
-    }
-  }
-  EXPECT_GT(shorter, 1000) << "the tolerance is not used";
-}
-
 TEST(RefineProperty, linksInOtherOrder_sameDistancesAndOppositeNormals) {
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   std::vector<Geometry> geometries = mixedGeometries();

@@ -111,6 +111,24 @@ TEST(RefineBudget, budgetSpentAndOneMovedFar_theEnclosingShapesSpeak) {
   EXPECT_EQ(scene.buffers.events.overall, Verdict::contact);
 }
 
+/// Geometries that are not convex are in contact however deep they overlap: a bound between that
+/// and 0 rules no contact out.
+TEST(RefineBudget, contactOfSomeDepth_isNotRuledOutByABoundBelowZero) {
+  SetupOptions options;
+  options.default_limits.max_shapes = 1;
+  options.limits.contact_distance = -0.003;
+  options.limits.hysteresis = 0.0;
+  Scene scene({test::angleMesh(), test::angleMesh()}, options);
+  scene.poses.world_from_link[1] = test::hookedPose();
+  scene.poses.world_from_link[1].translation.y() -= 0.0195;  // 0.5 mm apart
+  scene.run();
+  ASSERT_NE(scene.verdict(), Verdict::contact);
+  scene.poses.world_from_link[1].translation.y() -= 0.002;
+  scene.buffers.refine.limits.budget = 0;
+  scene.run();
+  EXPECT_EQ(scene.verdict(), Verdict::contact);
+}
+
 /// A ball in the hollow of a thick shell, twice, far from each other: they are apart, and
 /// everywhere by nearly the same distance, which takes long to find.
 Scene ballsInShells() {
