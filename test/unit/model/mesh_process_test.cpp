@@ -44,12 +44,11 @@ TEST(MeshProcess, everyMeshOfEveryRobot_isReadToTheLastBit) {
 
 TEST(MeshProcess, faultsAreThoseOfTheReader) {
   MeshProcess process({});
-  for (const auto& [bytes, name] :
-       {std::pair(std::string(), "a.stl"), std::pair(kTriangleObj, "a.txt"),
-        std::pair(std::string("v 0 0\n"), "a.obj")}) {
-    const std::string fault = messageOf([&] { readMesh(bytes, name); });
+  for (const auto& file : {std::pair(std::string(), "a.stl"), std::pair(kTriangleObj, "a.txt"),
+                           std::pair(std::string("v 0 0\n"), "a.obj")}) {
+    const std::string fault = messageOf([&] { readMesh(file.first, file.second); });
     EXPECT_NE(fault, "no exception");
-    EXPECT_EQ(messageOf([&] { process.read(bytes, name); }), fault);
+    EXPECT_EQ(messageOf([&] { process.read(file.first, file.second); }), fault);
   }
 }
 
