@@ -21,7 +21,7 @@ double longCapsule(const NormalisedPoints& cloud, int starts) {
   const Points spread = spreadDirections(starts);
   const Points representatives = representativesOf(cloud.points);
   for (int i = 0; i < starts; ++i) {
-    PlacedCore core;
+    TurnedCore core;
     core.rotation = rotationWithAxis(spread[static_cast<std::size_t>(i)]);
     core.half_extents.z() = 0.1 + 0.7 * (i % 7) / 7.0;
     const DescentGoal goal{{false, false, true}, 0.0};
@@ -46,7 +46,7 @@ double longRoundedBox(const NormalisedPoints& cloud, int starts) {
   const DescentGoal goal{{true, true, true}, 0.0};
   int i = 0;
   for (const auto& rotation : spreadRotations(starts)) {
-    PlacedCore core = boxWithAxes(rotation, cloud.points);
+    TurnedCore core = boxWithAxes(rotation, cloud.points);
     core.half_extents *= 0.2 + 0.7 * (i++ % 5) / 5.0;
     core = refineCore(descended(core, representatives, goal), representatives, cloud.points, goal);
     best = std::min(best, volumeOf(core));

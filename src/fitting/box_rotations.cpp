@@ -175,7 +175,7 @@ std::vector<Candidate> startBoxes(const Points& points, BoxSearch& search) {
 
 }  // namespace
 
-PlacedCore boxWithAxes(const Matrix3d& axes, const Points& points) {
+TurnedCore boxWithAxes(const Matrix3d& axes, const Points& points) {
   Vector3d low = axes.transpose() * points[0];
   Vector3d high = low;
   for (const auto& point : points) {

@@ -10,7 +10,7 @@
 namespace collision_monitor {
 
 /// The box with these axes (columns) that holds all points, in closed form: a core of radius 0.
-PlacedCore boxWithAxes(const Eigen::Matrix3d& axes, const Points& points);
+TurnedCore boxWithAxes(const Eigen::Matrix3d& axes, const Points& points);
 
 /// Rotations whose boxes are small, different from each other and locally least, best first.
 /// @pre the points are normalised; `count` >= 1.

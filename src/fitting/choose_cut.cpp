@@ -21,7 +21,7 @@ constexpr double kWorthIt = 0.9;         // of the cost before the cut
 /// Of both shapes, where each sticks out over the mesh and the other.
 double costOf(const CutChoice& choice, const RoughGoal& goal) {
   OvershootSum sum;
-  const auto add = [&](const PlacedCore& core, const PlacedCore& other) {
+  const auto add = [&](const TurnedCore& core, const TurnedCore& other) {
     RoughGoal one = goal;
     one.others.push_back(other);
     sum.add(one.overshootOf(core));
@@ -108,7 +108,7 @@ double costOf(const Overshoot& overshoot) noexcept {
   return overshoot.fourth_power_mean + overshoot.max;
 }
 
-std::optional<CutChoice> chooseCut(const Points& samples, const PlacedCore& whole,
+std::optional<CutChoice> chooseCut(const Points& samples, const TurnedCore& whole,
                                    const RoughGoal& goal) {
   const Matrix3d& frame = whole.rotation;
   const std::vector<Vector3d> axes =

@@ -27,7 +27,7 @@ struct CutChoice {
 /// @param samples points of the part's surface, close together against its size.
 /// @param whole the shape that the part has.
 /// @return nothing when the part has no extent along any axis.
-std::optional<CutChoice> chooseCut(const Points& samples, const PlacedCore& whole,
+std::optional<CutChoice> chooseCut(const Points& samples, const TurnedCore& whole,
                                    const RoughGoal& goal);
 
 }  // namespace collision_monitor

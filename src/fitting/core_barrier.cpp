@@ -18,12 +18,12 @@ constexpr int kRotation = 3;
 constexpr int kExtents = 6;
 constexpr int kRadius = 9;
 
-double grownVolume(const PlacedCore& core, double growth) {
+double grownVolume(const TurnedCore& core, double growth) {
   return volumeOf(RoundedBox{core.half_extents, core.radius + growth});
 }
 
 /// d volume / d (half extents, radius).
-Eigen::Vector4d volumeGradient(const PlacedCore& core, double growth) {
+Eigen::Vector4d volumeGradient(const TurnedCore& core, double growth) {
   const Vector3d& h = core.half_extents;
   const double r = core.radius + growth;
   const double sum = h.sum();
@@ -84,7 +84,7 @@ CoreBarrier::CoreBarrier(const Points& points, const DescentGoal& goal) : goal_(
   release(kRadius, true);
 }
 
-bool CoreBarrier::place(const PlacedCore& core) {
+bool CoreBarrier::place(const TurnedCore& core) {
   core_ = core;
   for (int k = 0; k < 3; ++k) {
     if (goal_.free_extents[k] && !(core.half_extents[k] > 0.0)) {

@@ -25,7 +25,7 @@ class CoreBarrier {
   CoreBarrier(const Points& points, const DescentGoal& goal);
 
   /// Takes a core to evaluate at. False, and nothing may be asked, when a slack is not positive.
-  bool place(const PlacedCore& core);
+  bool place(const TurnedCore& core);
 
   double value(double weight) const;
 
@@ -47,7 +47,7 @@ class CoreBarrier {
 
   DescentGoal goal_;
   std::vector<int> free_variables_;
-  PlacedCore core_;
+  TurnedCore core_;
   Coordinates points_;
   Coordinates in_core_;  ///< the points in the core's frame
   Coordinates beyond_;   ///< from the nearest point of the core, signed; 0 inside

@@ -23,13 +23,13 @@ constexpr double kShortening = 0.7;
 constexpr int kMaxShortenings = 40;
 
 /// From the nearest point of the core to the point, in the core's frame; 0 inside.
-Vector3d beyondCore(const PlacedCore& core, const Vector3d& point) {
+Vector3d beyondCore(const TurnedCore& core, const Vector3d& point) {
   const Vector3d in_core = core.rotation.transpose() * (point - core.centre);
   return in_core - in_core.cwiseMax(-core.half_extents).cwiseMin(core.half_extents);
 }
 
-PlacedCore moved(const PlacedCore& core, const Step& step) {
-  PlacedCore result = core;
+TurnedCore moved(const TurnedCore& core, const Step& step) {
+  TurnedCore result = core;
   result.centre += core.rotation * step.segment<3>(0);
   const Vector3d turn = step.segment<3>(3);
   if (turn.squaredNorm() > 0.0) {
@@ -41,7 +41,7 @@ PlacedCore moved(const PlacedCore& core, const Step& step) {
 }
 
 /// One damped Newton step; false when no step is worth while any more.
-bool improve(CoreBarrier& barrier, double weight, PlacedCore& core, double& value) {
+bool improve(CoreBarrier& barrier, double weight, TurnedCore& core, double& value) {
   Step gradient;
   CoreBarrier::Hessian hessian;
   barrier.differentiate(weight, gradient, hessian);
@@ -53,7 +53,7 @@ bool improve(CoreBarrier& barrier, double weight, PlacedCore& core, double& valu
   }
   double length = std::min(1.0, 0.5 / newton.cwiseAbs().maxCoeff());
   for (int i = 0; i < kMaxShortenings; ++i) {
-    const PlacedCore next = moved(core, length * newton);
+    const TurnedCore next = moved(core, length * newton);
     if (barrier.place(next)) {
       const double next_value = barrier.value(weight);
       if (next_value < value + 0.1 * length * slope) {
@@ -69,11 +69,11 @@ bool improve(CoreBarrier& barrier, double weight, PlacedCore& core, double& valu
 
 }  // namespace
 
-double distanceToCore(const PlacedCore& core, const Vector3d& point) noexcept {
+double distanceToCore(const TurnedCore& core, const Vector3d& point) noexcept {
   return beyondCore(core, point).norm();
 }
 
-double enclosingRadius(const PlacedCore& core, const Points& points) noexcept {
+double enclosingRadius(const TurnedCore& core, const Points& points) noexcept {
   double squared = 0.0;
   for (const auto& point : points) {
     squared = std::max(squared, beyondCore(core, point).squaredNorm());
@@ -81,7 +81,7 @@ double enclosingRadius(const PlacedCore& core, const Points& points) noexcept {
   return std::sqrt(squared);
 }
 
-void descend(const Points& points, const DescentGoal& goal, PlacedCore& core) {
+void descend(const Points& points, const DescentGoal& goal, TurnedCore& core) {
   CoreBarrier barrier(points, goal);
   double weight = goal.first_weight;
   while (weight <= goal.last_weight) {

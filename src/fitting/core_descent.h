@@ -10,7 +10,7 @@ namespace collision_monitor {
 
 /// A rounded box while it is being fitted. A zero half extent that is not free stays zero, so that
 /// spheres and capsules are fitted as what they are: rounded boxes with fewer freedoms.
-struct PlacedCore {
+struct TurnedCore {
   Eigen::Matrix3d rotation{Eigen::Matrix3d::Identity()};
   Eigen::Vector3d centre{Eigen::Vector3d::Zero()};
   Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};
@@ -22,10 +22,10 @@ struct PlacedCore {
 using FreeExtents = Eigen::Matrix<bool, 3, 1>;
 
 /// The distance of a point to the core, 0 inside.
-double distanceToCore(const PlacedCore& core, const Eigen::Vector3d& point) noexcept;
+double distanceToCore(const TurnedCore& core, const Eigen::Vector3d& point) noexcept;
 
 /// The distance of the farthest point from the core: the radius that encloses all.
-double enclosingRadius(const PlacedCore& core, const Points& points) noexcept;
+double enclosingRadius(const TurnedCore& core, const Points& points) noexcept;
 
 /// What a descent may change and what it minimises.
 struct DescentGoal {
@@ -49,6 +49,6 @@ struct DescentGoal {
 /// Units: any; sizes near 1 are best conditioned.
 /// Source: Boyd, Vandenberghe, "Convex Optimization" (2004), section 11.3 (barrier method) and
 /// 11.6 (second-order cones: for a fixed rotation the feasible set is convex).
-void descend(const Points& points, const DescentGoal& goal, PlacedCore& core);
+void descend(const Points& points, const DescentGoal& goal, TurnedCore& core);
 
 }  // namespace collision_monitor

@@ -17,7 +17,7 @@ constexpr double kRankingWeight = 3000.0;
 constexpr double kAlike = 0.03;  // of the size, which is 1
 
 /// A start for descend, which needs every point strictly inside and every free extent above zero.
-PlacedCore withRoom(PlacedCore core, const DescentGoal& goal, const Points& points) {
+TurnedCore withRoom(TurnedCore core, const DescentGoal& goal, const Points& points) {
   // Of the size, which is 1: about what the first weight leaves.
   const double room = goal.first_weight > kRoughWeight ? 0.005 : 0.02;
   for (int k = 0; k < 3; ++k) {
@@ -30,7 +30,7 @@ PlacedCore withRoom(PlacedCore core, const DescentGoal& goal, const Points& poin
 }
 
 /// Adds the points that lie farthest outside to `subset`; returns the largest distance outside.
-double addLeftOut(const Points& points, const PlacedCore& core, Points& subset) {
+double addLeftOut(const Points& points, const TurnedCore& core, Points& subset) {
   constexpr std::size_t kMaxAdded = 20;
   std::vector<std::pair<double, std::size_t>> outside;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -48,7 +48,7 @@ double addLeftOut(const Points& points, const PlacedCore& core, Points& subset) 
 
 /// One weight of a descent for each core; least volume first.
 void descendTo(double weight, const Points& points, DescentGoal goal,
-               std::vector<PlacedCore>& cores) {
+               std::vector<TurnedCore>& cores) {
   goal.first_weight = weight;
   goal.last_weight = weight;
   for (auto& core : cores) {
@@ -58,11 +58,11 @@ void descendTo(double weight, const Points& points, DescentGoal goal,
 }
 
 /// Of cores that lie in one valley, and would end in one place, only the first.
-std::vector<PlacedCore> distinctOf(const std::vector<PlacedCore>& cores) {
-  std::vector<PlacedCore> distinct;
+std::vector<TurnedCore> distinctOf(const std::vector<TurnedCore>& cores) {
+  std::vector<TurnedCore> distinct;
   for (const auto& core : cores) {
     if (std::none_of(distinct.begin(), distinct.end(),
-                     [&](const PlacedCore& other) { return areAlike(core, other, kAlike); })) {
+                     [&](const TurnedCore& other) { return areAlike(core, other, kAlike); })) {
       distinct.push_back(core);
     }
   }
@@ -71,12 +71,12 @@ std::vector<PlacedCore> distinctOf(const std::vector<PlacedCore>& cores) {
 
 }  // namespace
 
-double volumeOf(const PlacedCore& core, double growth) noexcept {
+double volumeOf(const TurnedCore& core, double growth) noexcept {
   return volumeOf(RoundedBox{core.half_extents, core.radius + growth});
 }
 
-bool areAlike(const PlacedCore& a, const PlacedCore& b, double tolerance) noexcept {
-  const auto spread = [](const PlacedCore& core) -> Eigen::Matrix3d {
+bool areAlike(const TurnedCore& a, const TurnedCore& b, double tolerance) noexcept {
+  const auto spread = [](const TurnedCore& core) -> Eigen::Matrix3d {
     const Eigen::Matrix3d halves = core.rotation * core.half_extents.asDiagonal();
     return halves * halves.transpose();
   };
@@ -85,38 +85,38 @@ bool areAlike(const PlacedCore& a, const PlacedCore& b, double tolerance) noexce
          tolerance;
 }
 
-PlacedCore descended(const PlacedCore& start, const Points& points, const DescentGoal& goal) {
-  PlacedCore enclosing = start;
+TurnedCore descended(const TurnedCore& start, const Points& points, const DescentGoal& goal) {
+  TurnedCore enclosing = start;
   enclosing.radius = enclosingRadius(start, points);
-  PlacedCore core = withRoom(start, goal, points);
+  TurnedCore core = withRoom(start, goal, points);
   descend(points, goal, core);
   core.radius = enclosingRadius(core, points);
   return std::min(enclosing, core, IsSmaller{goal.growth});
 }
 
-PlacedCore refineCore(const PlacedCore& start, Points representatives, const Points& points,
+TurnedCore refineCore(const TurnedCore& start, Points representatives, const Points& points,
                       const DescentGoal& goal) {
   constexpr int kMaxRounds = 5;
   constexpr double kHair = 5e-4;  // of the size, which is 1
-  PlacedCore core = start;
-  PlacedCore best = start;
+  TurnedCore core = start;
+  TurnedCore best = start;
   best.radius = enclosingRadius(start, points);
   for (int round = 0; round < kMaxRounds; ++round) {
     if (addLeftOut(points, core, representatives) < kHair && round > 0) {
       break;
     }
     core = descended(core, representatives, goal);
-    PlacedCore enclosing = core;
+    TurnedCore enclosing = core;
     enclosing.radius = enclosingRadius(core, points);
     best = std::min(best, enclosing, IsSmaller{goal.growth});
   }
   return best;
 }
 
-std::vector<PlacedCore> descendAll(std::vector<PlacedCore> starts, const Points& representatives,
+std::vector<TurnedCore> descendAll(std::vector<TurnedCore> starts, const Points& representatives,
                                    const Points& points, const DescentGoal& goal) {
   descendTo(kRoughWeight, representatives, goal, starts);
-  std::vector<PlacedCore> fits = distinctOf(starts);
+  std::vector<TurnedCore> fits = distinctOf(starts);
   if (fits.size() > kMaxFits) {
     descendTo(kRankingWeight, representatives, goal, fits);
     fits = distinctOf(fits);
@@ -131,7 +131,7 @@ std::vector<PlacedCore> descendAll(std::vector<PlacedCore> starts, const Points&
   return fits;
 }
 
-PosedShape placedInCloud(const PlacedCore& core, const NormalisedPoints& cloud) {
+PosedShape placedInCloud(const TurnedCore& core, const NormalisedPoints& cloud) {
   return {RoundedBox{cloud.scale * core.half_extents, cloud.scale * core.radius},
           {core.rotation, cloud.centre + cloud.scale * core.centre}};
 }

@@ -9,35 +9,35 @@
 
 namespace collision_monitor {
 
-double volumeOf(const PlacedCore& core, double growth = 0.0) noexcept;
+double volumeOf(const TurnedCore& core, double growth = 0.0) noexcept;
 
 /// Orders cores by the volume that counts.
 struct IsSmaller {
   double growth{0.0};
-  bool operator()(const PlacedCore& a, const PlacedCore& b) const noexcept {
+  bool operator()(const TurnedCore& a, const TurnedCore& b) const noexcept {
     return volumeOf(a, growth) < volumeOf(b, growth);
   }
 };
 
 /// Whether two cores have nearly the same centre, radius, and half extents along the same axes,
 /// whatever these are called.
-bool areAlike(const PlacedCore& a, const PlacedCore& b, double tolerance) noexcept;
+bool areAlike(const TurnedCore& a, const TurnedCore& b, double tolerance) noexcept;
 
 /// descend, from any core: made to enclose first, and never for a larger grown volume.
-PlacedCore descended(const PlacedCore& start, const Points& points, const DescentGoal& goal);
+TurnedCore descended(const TurnedCore& start, const Points& points, const DescentGoal& goal);
 
 /// Descends on the representatives, adds the points that the fit leaves out, and repeats until none
 /// is left out by more than a hair. The radius returned holds all points.
 /// Source: Agarwal, Har-Peled, Varadarajan, "Geometric Approximation via Coresets" (2005).
-PlacedCore refineCore(const PlacedCore& start, Points representatives, const Points& points,
+TurnedCore refineCore(const TurnedCore& start, Points representatives, const Points& points,
                       const DescentGoal& goal);
 
 /// Descends from every start, at first only as far as it takes to tell valleys from each other, and
 /// to the bottom of the deepest few; least volume first.
-std::vector<PlacedCore> descendAll(std::vector<PlacedCore> starts, const Points& representatives,
+std::vector<TurnedCore> descendAll(std::vector<TurnedCore> starts, const Points& representatives,
                                    const Points& points, const DescentGoal& goal);
 
 /// The placed core back in the frame and size of the original points.
-PosedShape placedInCloud(const PlacedCore& core, const NormalisedPoints& cloud);
+PosedShape placedInCloud(const TurnedCore& core, const NormalisedPoints& cloud);
 
 }  // namespace collision_monitor

@@ -28,7 +28,7 @@ struct Scene {
   bool sees(double cost) const { return cost > kVisible * goal.grid.spacing(); }
 
   /// By which kinds are compared. Units: metres.
-  double coarsenessOf(const PlacedCore& core) const {
+  double coarsenessOf(const TurnedCore& core) const {
     return coarseness(goal.overshootOf(core).total());
   }
 
@@ -42,7 +42,7 @@ struct Scene {
 RoughFit leastCoarse(const std::vector<PosedShape>& fits, const Scene& scene) {
   RoughFit best;
   for (const auto& fit : fits) {
-    const PlacedCore core = coreOf(fit);
+    const TurnedCore core = coreOf(fit);
     double cost = scene.goal.costOf(core);
     if (!scene.sees(cost)) {
       cost = std::min(scene.coarsenessOnMesh(fit), kVisible * scene.goal.grid.spacing());

@@ -14,13 +14,13 @@ namespace {
 
 /// Descends on the representatives, adds the points that the box leaves out, and repeats until the
 /// box of a few is the box of all.
-PlacedCore refineBox(Eigen::Matrix3d axes, Points representatives, const Points& points) {
+TurnedCore refineBox(Eigen::Matrix3d axes, Points representatives, const Points& points) {
   constexpr int kMaxRounds = 6;
   constexpr double kHair = 1e-4;  // of the volume
-  PlacedCore best = boxWithAxes(axes, points);
+  TurnedCore best = boxWithAxes(axes, points);
   for (int round = 0; round < kMaxRounds; ++round) {
     axes = refineBoxRotation(axes, representatives);
-    const PlacedCore fit = boxWithAxes(axes, points);
+    const TurnedCore fit = boxWithAxes(axes, points);
     best = volumeOf(fit) < volumeOf(best) ? fit : best;
     if (volumeOf(fit) <= (1.0 + kHair) * volumeOf(boxWithAxes(axes, representatives))) {
       break;
@@ -44,7 +44,7 @@ std::vector<PosedShape> smallBoxes(const Points& points) {
     return {{Box{}, {Eigen::Matrix3d::Identity(), points[0]}}};
   }
   const Points representatives = representativesOf(cloud.points);
-  std::vector<PlacedCore> cores;
+  std::vector<TurnedCore> cores;
   for (const auto& axes : smallBoxRotations(representatives, kMaxFits)) {
     cores.push_back(refineBox(axes, representatives, cloud.points));
   }

@@ -46,8 +46,8 @@ Vector2d circleCentre(const std::vector<Vector2d>& points) {
 
 /// A capsule along `axis`: its line through the centre of the points' shadow, its ends as near as
 /// the points allow.
-PlacedCore capsuleAlong(const Vector3d& axis, const Points& points) {
-  PlacedCore core;
+TurnedCore capsuleAlong(const Vector3d& axis, const Points& points) {
+  TurnedCore core;
   core.rotation = rotationWithAxis(axis);
   std::vector<Vector2d> shadow;
   for (const auto& point : points) {
@@ -74,18 +74,18 @@ PlacedCore capsuleAlong(const Vector3d& axis, const Points& points) {
 }
 
 /// The best capsules of which no two have nearly the same axis, and some along natural axes.
-std::vector<PlacedCore> startCapsules(const Points& points) {
-  std::vector<PlacedCore> all;
+std::vector<TurnedCore> startCapsules(const Points& points) {
+  std::vector<TurnedCore> all;
   for (const auto& axis : spreadDirections(kStartDirections)) {
     if (axis.z() > 0.0) {
       all.push_back(capsuleAlong(axis, points));
     }
   }
   std::sort(all.begin(), all.end(), IsSmaller{});
-  std::vector<PlacedCore> chosen;
+  std::vector<TurnedCore> chosen;
   for (const auto& candidate : all) {
     const Vector3d axis = candidate.rotation.col(2);
-    const bool is_new = std::all_of(chosen.begin(), chosen.end(), [&](const PlacedCore& other) {
+    const bool is_new = std::all_of(chosen.begin(), chosen.end(), [&](const TurnedCore& other) {
       return std::abs(axis.dot(other.rotation.col(2))) < kSameAxis;
     });
     if (is_new && chosen.size() < kDescents) {

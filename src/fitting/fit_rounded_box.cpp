@@ -22,8 +22,8 @@ constexpr double kStartExtents[] = {0.85, 0.5};
 // worse than the rest; the more growth, the more its corners have to be worth.
 constexpr double kGrowths[] = {0.0, 0.1, 0.3, 1.0};
 
-PlacedCore startFrom(const PosedShape& fit, double fraction, const NormalisedPoints& cloud) {
-  PlacedCore core;
+TurnedCore startFrom(const PosedShape& fit, double fraction, const NormalisedPoints& cloud) {
+  TurnedCore core;
   core.rotation = fit.geometry_from_body.rotation;
   core.centre = (fit.geometry_from_body.translation - cloud.centre) / cloud.scale;
   core.half_extents = fraction / cloud.scale * coreHalfExtents(fit.shape);
@@ -39,7 +39,7 @@ std::vector<PosedShape> smallRoundedBoxes(const Points& points,
   if (!(cloud.scale > 0.0)) {
     return {};
   }
-  std::vector<PlacedCore> starts;
+  std::vector<TurnedCore> starts;
   for (const auto& box : boxes) {
     for (const double fraction : kStartExtents) {
       starts.push_back(startFrom(box, fraction, cloud));
@@ -47,13 +47,13 @@ std::vector<PosedShape> smallRoundedBoxes(const Points& points,
   }
   starts.push_back(startFrom(capsules.front(), 1.0, cloud));
   const Points representatives = representativesOf(cloud.points);
-  std::vector<PlacedCore> cores;
+  std::vector<TurnedCore> cores;
   for (const double growth : kGrowths) {
     DescentGoal goal;
     goal.growth = growth;
     for (const auto& core : descendAll(starts, representatives, cloud.points, goal)) {
       if (std::none_of(cores.begin(), cores.end(),
-                       [&](const PlacedCore& other) { return areAlike(core, other, kSame); })) {
+                       [&](const TurnedCore& other) { return areAlike(core, other, kSame); })) {
         cores.push_back(core);
       }
     }

@@ -20,7 +20,7 @@ enum Kind : std::size_t { kSphere, kCapsule, kBox, kRoundedBox };
 constexpr double kRoundings[] = {0.3, 0.6, 1.0};
 
 /// Whether the point is strictly inside the core with its radius.
-bool holds(const PlacedCore& core, const Vector3d& point) {
+bool holds(const TurnedCore& core, const Vector3d& point) {
   const Vector3d offset = point - core.centre;
   const double reach = core.half_extents.sum() + core.radius;
   if (offset.squaredNorm() > reach * reach) {
@@ -37,25 +37,25 @@ double roughCost(const OvershootSum& sum) noexcept {
 }
 
 /// Keeps the better of the best so far and another core.
-void consider(const PlacedCore& core, Kind kind, const RoughGoal& goal, RoughFit& best) {
+void consider(const TurnedCore& core, Kind kind, const RoughGoal& goal, RoughFit& best) {
   const double cost = goal.costOf(core, best.cost);
   if (cost < best.cost) {
     best = {core, kind, cost};
   }
 }
 
-PlacedCore roundedIn(const PlacedCore& box, double rounding, const Points& points) {
-  PlacedCore core = box;
+TurnedCore roundedIn(const TurnedCore& box, double rounding, const Points& points) {
+  TurnedCore core = box;
   core.half_extents = (box.half_extents - Vector3d::Constant(rounding)).cwiseMax(0.0);
   core.radius = enclosingRadius(core, points);
   return core;
 }
 
 /// Along the longest axis, which becomes z.
-PlacedCore capsuleIn(const PlacedCore& box, const Points& points) {
+TurnedCore capsuleIn(const TurnedCore& box, const Points& points) {
   Eigen::Index longest = 0;
   box.half_extents.maxCoeff(&longest);
-  PlacedCore core = box;
+  TurnedCore core = box;
   for (Eigen::Index k = 0; k < 3; ++k) {
     core.rotation.col((k + 2 - longest + 3) % 3) = box.rotation.col(k);
   }
@@ -68,9 +68,9 @@ PlacedCore capsuleIn(const PlacedCore& box, const Points& points) {
 
 /// The core of a kind that is moved by `step` (in sizes): turn, shift, change of extents.
 template <int N>
-PlacedCore stepped(const RoughFit& fit, double size, const Eigen::Matrix<double, N, 1>& step,
+TurnedCore stepped(const RoughFit& fit, double size, const Eigen::Matrix<double, N, 1>& step,
                    const Points& points) {
-  PlacedCore core = fit.core;
+  TurnedCore core = fit.core;
   const Vector3d turn = step.template head<3>();
   if (turn.squaredNorm() > 0.0) {
     core.rotation = fit.core.rotation * Eigen::AngleAxisd(turn.norm(), turn.normalized());
@@ -105,7 +105,7 @@ RoughFit polishedIn(const RoughFit& fit, const Points& points, const RoughGoal& 
 
 }  // namespace
 
-PlacedCore boxAround(const Matrix3d& frame, const Points& points) {
+TurnedCore boxAround(const Matrix3d& frame, const Points& points) {
   Vector3d low = frame.transpose() * points.front();
   Vector3d high = low;
   for (const auto& point : points) {
@@ -113,26 +113,26 @@ PlacedCore boxAround(const Matrix3d& frame, const Points& points) {
     low = low.cwiseMin(at);
     high = high.cwiseMax(at);
   }
-  PlacedCore core;
+  TurnedCore core;
   core.rotation = frame;
   core.centre = frame * (0.5 * (low + high));
   core.half_extents = 0.5 * (high - low);
   return core;
 }
 
-OvershootSum RoughGoal::overshootOf(const PlacedCore& core, double bound) const noexcept {
+OvershootSum RoughGoal::overshootOf(const TurnedCore& core, double bound) const noexcept {
   constexpr double kNear = 0.05;  // of the size: a shape's own face at the plane
   const double near = plane ? kNear * (core.half_extents.norm() + core.radius) : 0.0;
   const auto counts = [&](const Vector3d& point) {
     return !(plane && std::abs(plane->heightOf(point)) < near) &&
            std::none_of(others.begin(), others.end(),
-                        [&](const PlacedCore& other) { return holds(other, point); });
+                        [&](const TurnedCore& other) { return holds(other, point); });
   };
   return roughOvershoot(core, grid, counts,
                         [&](const OvershootSum& least) { return roughCost(least) >= bound; });
 }
 
-double RoughGoal::costOf(const PlacedCore& core, double bound) const noexcept {
+double RoughGoal::costOf(const TurnedCore& core, double bound) const noexcept {
   return roughCost(overshootOf(core, bound));
 }
 
@@ -140,7 +140,7 @@ RoughFit fitRoughly(const Points& points, const std::vector<Matrix3d>& frames,
                     const RoughGoal& goal) {
   RoughFit best;
   for (const auto& frame : frames) {
-    const PlacedCore box = boxAround(frame, points);
+    const TurnedCore box = boxAround(frame, points);
     if (goal.kinds.box) {
       consider(box, kBox, goal, best);
     }
@@ -155,7 +155,7 @@ RoughFit fitRoughly(const Points& points, const std::vector<Matrix3d>& frames,
     }
   }
   if (goal.kinds.sphere && !(goal.kinds.capsule && goal.kinds.rounded_box)) {
-    PlacedCore core;
+    TurnedCore core;
     core.centre = fitSphere(points).geometry_from_body.translation;
     core.radius = enclosingRadius(core, points);
     consider(core, kSphere, goal, best);
@@ -177,7 +177,7 @@ RoughFit polished(const RoughFit& fit, const Points& points, const RoughGoal& go
 }
 
 PosedShape placedShape(const RoughFit& fit) {
-  const PlacedCore& core = fit.core;
+  const TurnedCore& core = fit.core;
   const Pose pose{core.rotation, core.centre};
   switch (fit.kind) {
     case kSphere:
@@ -191,7 +191,7 @@ PosedShape placedShape(const RoughFit& fit) {
   }
 }
 
-PlacedCore coreOf(const PosedShape& shape) noexcept {
+TurnedCore coreOf(const PosedShape& shape) noexcept {
   const Pose& pose = shape.geometry_from_body;
   return {pose.rotation, pose.translation, coreHalfExtents(shape.shape), radiusOf(shape.shape)};
 }

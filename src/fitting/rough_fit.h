@@ -20,26 +20,26 @@ struct RoughGoal {
 
   const DistanceGrid& grid;
   ShapeKinds kinds;
-  std::vector<PlacedCore> others;  ///< points in other shapes do not count
+  std::vector<TurnedCore> others;  ///< points in other shapes do not count
   std::optional<CutPlane> plane;   ///< points near it do not count
 
   /// @param bound see costOf.
-  OvershootSum overshootOf(const PlacedCore& core, double bound = kNoBound) const noexcept;
+  OvershootSum overshootOf(const TurnedCore& core, double bound = kNoBound) const noexcept;
   /// Between the mean and the maximum. Units: metres.
   /// @param bound where the cost is not below it, the answer may be anything not below it: a part
   /// of the work often tells.
-  double costOf(const PlacedCore& core, double bound = kNoBound) const noexcept;
+  double costOf(const TurnedCore& core, double bound = kNoBound) const noexcept;
 };
 
 /// A shape that was found by search on a grid.
 struct RoughFit {
-  PlacedCore core;
+  TurnedCore core;
   std::size_t kind{0};                                   ///< index of the alternative of Shape
   double cost{std::numeric_limits<double>::infinity()};  ///< [m]
 };
 
 /// The least box along a frame's axes around points. @pre there is a point.
-PlacedCore boxAround(const Eigen::Matrix3d& frame, const Points& points);
+TurnedCore boxAround(const Eigen::Matrix3d& frame, const Points& points);
 
 /// The best of some shapes with axes along one of the frames. Encloses the points.
 RoughFit fitRoughly(const Points& points, const std::vector<Eigen::Matrix3d>& frames,
@@ -50,6 +50,6 @@ RoughFit polished(const RoughFit& fit, const Points& points, const RoughGoal& go
 
 /// The same shape as one of the kinds, exactly, and the other way round.
 PosedShape placedShape(const RoughFit& fit);
-PlacedCore coreOf(const PosedShape& shape) noexcept;
+TurnedCore coreOf(const PosedShape& shape) noexcept;
 
 }  // namespace collision_monitor

@@ -94,7 +94,7 @@ const SurfacePattern& surfacePattern() {
   return pattern;
 }
 
-PatternFrame patternInGrid(const PlacedCore& core, const DistanceGrid& grid) noexcept {
+PatternFrame patternInGrid(const TurnedCore& core, const DistanceGrid& grid) noexcept {
   const DistanceGrid::Place centre = grid.inGrid(core.centre);
   const Eigen::Matrix3d in_grid = grid.nodesPerMetre() * core.rotation;
   const Eigen::Matrix3f of_fraction = (in_grid * core.half_extents.asDiagonal()).cast<float>();
@@ -112,7 +112,7 @@ PatternFrame patternInGrid(const PlacedCore& core, const DistanceGrid& grid) noe
   return frame;
 }
 
-std::array<double, 7> patchAreas(const PlacedCore& core) noexcept {
+std::array<double, 7> patchAreas(const TurnedCore& core) noexcept {
   const Vector3d& h = core.half_extents;
   const double r = core.radius;
   return {4 * h.y() * h.z(),       4 * h.z() * h.x(),       4 * h.x() * h.y(),

@@ -23,10 +23,10 @@ using SurfacePattern = std::array<PatternPatch, 7>;
 const SurfacePattern& surfacePattern();
 
 /// Areas of one face, edge or corner of each patch.
-std::array<double, 7> patchAreas(const PlacedCore& core) noexcept;
+std::array<double, 7> patchAreas(const TurnedCore& core) noexcept;
 
 /// What takes the pattern of a core into the grid.
-PatternFrame patternInGrid(const PlacedCore& core, const DistanceGrid& grid) noexcept;
+PatternFrame patternInGrid(const TurnedCore& core, const DistanceGrid& grid) noexcept;
 
 /// The overshoot of a core with its radius, from some hundred points and a grid: microseconds,
 /// where measureOvershoot takes milliseconds. For searches.
@@ -36,7 +36,7 @@ PatternFrame patternInGrid(const PlacedCore& core, const DistanceGrid& grid) noe
 /// @param is_enough is asked after each patch, with a sum whose figures those of the whole cannot
 /// fall below, whether that will do; then it is returned.
 template <class Counts, class IsEnough>
-OvershootSum roughOvershoot(const PlacedCore& core, const DistanceGrid& grid, const Counts& counts,
+OvershootSum roughOvershoot(const TurnedCore& core, const DistanceGrid& grid, const Counts& counts,
                             const IsEnough& is_enough) noexcept {
   const SurfacePattern& pattern = surfacePattern();
   const auto areas = patchAreas(core);

@@ -6,7 +6,6 @@
 #include "collision_monitor/geometry/bounds.h"
 #include "collision_monitor/pipeline/sweep_pairs.h"
 #include "geometry/ball_motion.h"
-#include "pipeline/recall_elements.h"
 
 namespace collision_monitor {
 namespace {
@@ -24,9 +23,6 @@ SweepWork makeSweepWork(const CycleSetup& setup) {
   work.link_motions.resize(setup.model.links.size());
   work.body_reach.resize(setup.bodies.size(), 0.0);
   work.element_reach.resize(setup.elements.size(), 0.0);
-  for (const Element& element : setup.elements) {
-    work.element_balls.push_back(ballOf(element));
-  }
   work.had_motion = work.has_motion;
   work.last_motions = work.link_motions;
   work.tasks.reserve(setup.element_pairs.size());

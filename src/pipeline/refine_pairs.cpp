@@ -99,7 +99,7 @@ ElementDistance measureTask(const Refinement& all, const RefineTask& task, const
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   ElementSearch search = searchFor(all, task, goal);
   ElementDistance found = measureForVerdict(all, task, goal, search);
-  if (!found.is_complete && recalled.quality == Quality::lower_bound &&
+  if (!found.has_points && !found.is_complete && recalled.quality == Quality::lower_bound &&
       !(recalled.measured.distance < found.measured.distance)) {
     found.quality = Quality::lower_bound;
     found.measured.distance = recalled.measured.distance;

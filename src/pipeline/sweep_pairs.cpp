@@ -132,7 +132,7 @@ void sweepDistance(const Sweeping& all, const PairDistance& distance) noexcept {
 }
 
 MovingElement movingElement(const Sweeping& all, ElementId id, const ScrewMotion& motion) noexcept {
-  return {all.setup.elements[index(id)], all.work.element_balls[index(id)], motion};
+  return {all.setup.elements[index(id)], all.refined.balls[index(id)], motion};
 }
 
 /// [m] How far beyond contact elements are at a time, as far as their last measurements tell: a

@@ -44,7 +44,6 @@ struct SweepWork {
   // [m] how far any point may have come since the last cycle.
   std::vector<double> body_reach;     ///< by BodyId
   std::vector<double> element_reach;  ///< by ElementId
-  std::vector<Ball> element_balls;    ///< by ElementId: of what is measured
   double elapsed{0.0};                ///< [s] between the stamps of the last poses and these
   // The step before, of last_elapsed [s], by LinkId.
   std::vector<unsigned char> had_motion;
@@ -74,13 +73,11 @@ void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const Swe
 ///
 /// Pairs farther apart than they can have come nearer are passed over; then moving spheres, then
 /// the bodies are asked; then elements, unless they were so far apart at both ends that they cannot
-/// have met between, with what refinePairs left of its budget. What
-/// that leaves open is told as a contact of enclosing shapes: a budget that is too small can raise
-/// false alarms and hides nothing.
-/// Error: contacts deeper than rounding are found; what is told as exact is within 1e-7 m of
-/// contact_distance.
-/// Limits: of meshes, surfaces count, and a contact is told at touch where contact_distance is
-/// negative.
+/// have met between, with what refinePairs left of its budget. What that leaves open is told as a
+/// contact of enclosing shapes: a budget that is too small can raise false alarms and hides
+/// nothing. Error: contacts deeper than rounding are found; what is told as exact is within 1e-7 m
+/// of contact_distance. Limits: of meshes, surfaces count, and a contact is told at touch where
+/// contact_distance is negative.
 /// @param memory what is known of elements at either end. @param refined what refinePairs did to
 /// `distances`; its scratch is used.
 void sweepPairs(const CycleSetup& setup, const RefineStore& memory, const RefineWork& refined,

@@ -14,7 +14,6 @@
 /// - measure(bounds, search): two triangles, or a triangle and a solid;
 /// - squaredGapAlong(direction, a, b) [m^2]: a lower bound of the same;
 /// - choose(a, b, opened): as of two meshes;
-/// - moving(): which bounds move;
 /// - restingFromNode(opened): as directionFor.
 namespace collision_monitor {
 
@@ -92,7 +91,7 @@ inline float leastOf(const std::array<float, MeshTreeNode::kWidth>& gaps,
 /// those that it does not part nearly as well.
 template <class Query>
 void keepParted(const Query& query, const OpenedPair& opened, double goal, FrontEntry& entry,
-                MeshFront& front) noexcept {
+                const NearestSearch& search) noexcept {
   constexpr double kNearly = 0.25;
   const auto& resting_from_node = query.restingFromNode(opened);
   const std::uint32_t all = entry.children;
@@ -110,7 +109,7 @@ void keepParted(const Query& query, const OpenedPair& opened, double goal, Front
   }
   parted &= all;
   const std::uint32_t others = all & ~parted;
-  if (parted == 0 || (others != 0 && !hasRoom(front))) {
+  if (parted == 0 || (others != 0 && !ensureRoom(*search.front))) {
     return;
   }
   entry.children = parted;
@@ -118,14 +117,14 @@ void keepParted(const Query& query, const OpenedPair& opened, double goal, Front
   entry.bound = static_cast<double>(leastOf(gaps, parted));
   if (others != 0) {
     keep({entry.pair, std::sqrt(static_cast<double>(leastBound(opened, others))), 0, others},
-         query.moving(), front);
+         search.moving, *search.front);
   }
 }
 
 /// Takes the children that are nearer than the limit, unless the direction that parted them all
 /// still does.
 template <class Query>
-bool boundChildren(const Query& query, float limit, FrontEntry& entry, MeshFront& front,
+bool boundChildren(const Query& query, float limit, FrontEntry& entry, const NearestSearch& search,
                    TakenPairs& taken) noexcept {
   const double goal = std::sqrt(static_cast<double>(limit));
   const std::uint32_t meant = entry.children == 0 ? kAllChildren : entry.children;
@@ -146,19 +145,20 @@ bool boundChildren(const Query& query, float limit, FrontEntry& entry, MeshFront
   if (!(leastBound(opened, entry.children) < kNoChild)) {
     return false;
   }
-  keepParted(query, opened, goal, entry, front);
+  keepParted(query, opened, goal, entry, search);
   return true;
 }
 
 /// Bounds a kept pair anew that may have come nearer than the limit.
 /// @return whether something of it is still kept in its place.
 template <class Query>
-bool boundAnew(const Query& query, std::uint32_t at, float limit, MeshFront& front,
+bool boundAnew(const Query& query, std::uint32_t at, float limit, const NearestSearch& search,
                TakenPairs& taken) noexcept {
+  MeshFront& front = *search.front;
   FrontEntry entry = entryAt(at, front);
   const bool is_kept = query.areTriangles(entry.pair.a, entry.pair.b)
                            ? boundTriangles(query, limit, entry, taken)
-                           : boundChildren(query, limit, entry, front, taken);
+                           : boundChildren(query, limit, entry, search, taken);
   if (is_kept) {
     renew(at, entry, front);
   } else {
@@ -183,7 +183,7 @@ bool takeNearer(const Query& query, std::uint32_t visit_budget, WaitingPairs& wa
   std::uint32_t at = nextBelow(goal, 0, front);
   while (at < front.size && bounded < most && taken.hasRoom()) {
     ++bounded;
-    const bool is_kept = boundAnew(query, at, limit, front, taken);
+    const bool is_kept = boundAnew(query, at, limit, search, taken);
     at = nextBelow(goal, is_kept ? at + 1 : at, front);  // else another one has taken its place
   }
   search.visits += bounded;

@@ -119,7 +119,6 @@ struct MeshQuery {
   void choose(Slot a, Slot b, OpenedPair& opened) const noexcept {
     collision_monitor::choose(pair, a, b, opened);
   }
-  MovingBounds moving() const noexcept { return movingBounds(pair.b, false); }
   Eigen::Matrix3d restingFromNode(const OpenedPair& opened) const noexcept {
     return opened.is_of_a ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
                           : Eigen::Matrix3d(-pair.a_from_b.rotation);
@@ -168,7 +167,7 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
   search.tolerance = limits.tolerance;
   search.front = &front;
   WaitingPairs waiting(memory);
-  search.moving = MeshQuery{pair}.moving();
+  search.moving = movingBounds(pair.b, false);
   searchFromFront(MeshQuery{pair}, step, pair.rounding, limits.visit_budget, waiting, search);
   MeshDistance answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
   if (step < std::min(front.apart, front.outside)) {

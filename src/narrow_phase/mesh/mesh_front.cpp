@@ -177,7 +177,7 @@ void drop(std::uint32_t at, MeshFront& front) noexcept {
   to.kept[place] = from.kept[placeOf(last)];
 }
 
-bool hasRoom(MeshFront& front) noexcept {
+bool ensureRoom(MeshFront& front) noexcept {
   return front.size < front.block_count * MeshFront::kBlockSize || front.pool.grow(front);
 }
 
@@ -265,10 +265,10 @@ void keep(const FrontEntry& entry, const MovingBounds& moving, MeshFront& front)
   if (!(entry.bound < front.cover)) {
     return;
   }
-  if (!hasRoom(front)) {
+  if (!ensureRoom(front)) {
     makeRoom(front);
   }
-  if (!hasRoom(front)) {
+  if (!ensureRoom(front)) {
     front.cover = entry.bound;  // there is no room at all
   } else if (entry.bound < front.cover) {
     const std::uint32_t at = front.size++;

@@ -53,8 +53,8 @@ inline MeshFront::Block& blockOf(std::uint32_t at, const MeshFront& front) noexc
 }
 inline std::size_t placeOf(std::uint32_t at) noexcept { return at % MeshFront::kBlockSize; }
 
-/// Whether there is room for one more pair, without another having to go.
-bool hasRoom(MeshFront& front) noexcept;
+/// Takes a block where it needs one. @return whether there is room for one more pair.
+bool ensureRoom(MeshFront& front) noexcept;
 
 /// Forgets all pairs: a search from the roots keeps others.
 void restart(MeshFront& front) noexcept;

@@ -88,7 +88,6 @@ struct CoreQuery {
   void choose(Slot a, Slot, OpenedPair& opened) const noexcept {
     collision_monitor::choose(pair, a, opened);
   }
-  MovingBounds moving() const noexcept { return movingBounds(pair.mesh, true); }
   const Eigen::Matrix3d& restingFromNode(const OpenedPair&) const noexcept {
     return pair.core_from_mesh.rotation;
   }
@@ -127,7 +126,7 @@ CoreInMesh lookInside(const MeshAndCore& pair, const NearestSearch& search, doub
 double searchCore(const MeshAndCore& pair, const CoreStart& start, std::uint32_t visit_budget,
                   MeshQueryMemory& memory, NearestSearch& search) noexcept {
   search.front = start.front;
-  search.moving = CoreQuery{pair}.moving();
+  search.moving = movingBounds(pair.mesh, true);
   if (start.front != nullptr) {
     const double step = follow({pair.core_from_mesh, pair.mesh, pair.box.center(),
                                 0.5 * pair.box.diagonal().norm(), -1.0, pair.rounding},

@@ -23,7 +23,7 @@ RoughGoal plainGoal(const DistanceGrid& grid) { return {grid, {}, {}, {}}; }
 
 TEST(RoughOvershoot, boxAroundABall_sticksOutAtItsCorners) {
   const DistanceGrid grid(test::sphereMesh(0.1, 48));
-  PlacedCore box;
+  TurnedCore box;
   box.half_extents = Vector3d::Constant(0.1);
   const Overshoot overshoot = roughOvershoot(box, grid, kEverywhere, kToTheEnd).total();
   EXPECT_NEAR(overshoot.max, 0.1 * (std::sqrt(3.0) - 1.0), grid.spacing());
@@ -33,7 +33,7 @@ TEST(RoughOvershoot, boxAroundABall_sticksOutAtItsCorners) {
 
 TEST(RoughOvershoot, pointsThatDoNotCount_areLeftOut) {
   const DistanceGrid grid(test::sphereMesh(0.1, 48));
-  PlacedCore box;
+  TurnedCore box;
   box.half_extents = {0.1, 0.1, 0.3};  // half of it reaches far above and below the ball
   const auto near = [](const Vector3d& point) { return std::abs(point.z()) < 0.1; };
   EXPECT_GT(roughOvershoot(box, grid, kEverywhere, kToTheEnd).total().max, 0.2);
@@ -42,14 +42,14 @@ TEST(RoughOvershoot, pointsThatDoNotCount_areLeftOut) {
 
 TEST(RoughGoal, pointsInOtherShapes_doNotCount) {
   const DistanceGrid grid(test::boxMesh({0.1, 0.1, 0.1}));
-  PlacedCore wide;
+  TurnedCore wide;
   wide.half_extents = {0.3, 0.1, 0.1};
   RoughGoal goal = plainGoal(grid);
   EXPECT_NEAR(goal.overshootOf(wide).total().max, 0.2, grid.spacing());
-  PlacedCore right = wide;
+  TurnedCore right = wide;
   right.centre = {0.25, 0.0, 0.0};
   right.half_extents = {0.15, 0.11, 0.11};
-  PlacedCore left = right;
+  TurnedCore left = right;
   left.centre.x() = -0.25;
   goal.others = {right, left};
   EXPECT_LT(goal.overshootOf(wide).total().max, grid.spacing());
@@ -58,7 +58,7 @@ TEST(RoughGoal, pointsInOtherShapes_doNotCount) {
 TEST(RoughGoal, boundedCost_isTheCostBelowTheBoundAndNotBelowItElse) {
   const DistanceGrid grid(test::sphereMesh(0.1, 48));
   const RoughGoal goal = plainGoal(grid);
-  PlacedCore core;
+  TurnedCore core;
   core.half_extents = {0.1, 0.08, 0.06};
   core.radius = 0.03;
   const double cost = goal.costOf(core);
@@ -111,7 +111,7 @@ TEST(ChooseCut, hammer_isCutBetweenHeadAndHandle) {
   const TriangleMesh head =
       test::moved(test::boxMesh({0.05, 0.12, 0.05}), Vector3d::Zero(), {0.25, 0.0, 0.0});
   const DistanceGrid grid(test::joined(test::boxMesh({0.2, 0.02, 0.02}), head));
-  PlacedCore whole;
+  TurnedCore whole;
   whole.centre = {0.05, 0.0, 0.0};
   whole.half_extents = {0.25, 0.12, 0.05};
   const auto cut = chooseCut(grid.surface(), whole, plainGoal(grid));
@@ -123,7 +123,7 @@ TEST(ChooseCut, hammer_isCutBetweenHeadAndHandle) {
 
 TEST(ChooseCut, onePoint_cannotBeCut) {
   const DistanceGrid grid(TriangleMesh{{{1, 2, 3}}, {}});
-  EXPECT_FALSE(chooseCut({{1, 2, 3}}, PlacedCore(), plainGoal(grid)).has_value());
+  EXPECT_FALSE(chooseCut({{1, 2, 3}}, TurnedCore(), plainGoal(grid)).has_value());
 }
 
 }  // namespace

@@ -70,32 +70,22 @@ TEST_F(RecallElements, overlapThatMoved_saysNothing) {
   EXPECT_FALSE(recalled.is_complete || recalled.has_points);
 }
 
-/// A ball beside a mesh of half an edge of 0.1 m, 0.3 m apart.
-class RecallWithin : public testing::Test {
+/// The first ball has a mesh in its place.
+class RecallWithin : public RecallElements {
  protected:
-  RecallWithin() {
-    ball_.convex = Sphere{0.1};
-    last_.found.quality = Quality::exact;
-    last_.found.is_complete = last_.found.has_points = true;
-    last_.found.measured = {0.3, {0.1, 0, 0}, {0.4, 0, 0}, {1, 0, 0}};
-    last_.world_from_b = at(0.5, 0, 0);
+  RecallWithin() { last_.found.measured = {0.3, {0.1, 0, 0}, {0.4, 0, 0}, {1, 0, 0}}; }
+
+  std::optional<ElementDistance> within(double tolerance, const Pose& world_from_b) const {
+    const Pose origin;
+    return recallWithin(tolerance, last_, {mesh_, origin}, {ball_, world_from_b},
+                        recall(origin, world_from_b));
   }
 
-  std::optional<ElementDistance> recall(double tolerance, const Pose& world_from_b) const {
-    const PlacedElement a{mesh_, origin_};
-    const PlacedElement b{ball_, world_from_b};
-    const Ball ball{Eigen::Vector3d::Zero(), 0.1};
-    return recallWithin(tolerance, last_, a, b, recallElements(last_, a, b, {ball, ball}));
-  }
-
-  Pose origin_;
   Element mesh_;
-  Element ball_;
-  LastMeasurement last_;
 };
 
 TEST_F(RecallWithin, movedAHalfOfTheTolerance_isTheBoundBetweenThePoints) {
-  const auto found = recall(0.011, at(0.505, 0, 0));
+  const auto found = within(0.011, at(0.505, 0, 0));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->quality, Quality::exact);
   EXPECT_TRUE(found->has_points && found->is_complete);
@@ -105,20 +95,20 @@ TEST_F(RecallWithin, movedAHalfOfTheTolerance_isTheBoundBetweenThePoints) {
   EXPECT_NEAR(found->measured.normal_a_to_b.x(), 1.0, 1e-9);
 }
 
-TEST_F(RecallWithin, movedMore_isNotWithin) { EXPECT_FALSE(recall(0.009, at(0.505, 0, 0))); }
+TEST_F(RecallWithin, movedMore_isNotWithin) { EXPECT_FALSE(within(0.009, at(0.505, 0, 0))); }
 
 TEST_F(RecallWithin, measuredWithATolerance_hasThatLessLeft) {
   last_.found.shortfall = 0.002;
-  EXPECT_FALSE(recall(0.011, at(0.505, 0, 0)));
-  EXPECT_TRUE(recall(0.0121, at(0.505, 0, 0)));
+  EXPECT_FALSE(within(0.011, at(0.505, 0, 0)));
+  EXPECT_TRUE(within(0.0121, at(0.505, 0, 0)));
 }
 
 TEST_F(RecallWithin, boundOrOverlap_isNotWithin) {
   last_.found.has_points = false;
-  EXPECT_FALSE(recall(1.0, at(0.505, 0, 0)));
+  EXPECT_FALSE(within(1.0, at(0.505, 0, 0)));
   last_.found.has_points = true;
   last_.found.quality = Quality::estimate;
-  EXPECT_FALSE(recall(1.0, at(0.505, 0, 0)));
+  EXPECT_FALSE(within(1.0, at(0.505, 0, 0)));
 }
 
 }  // namespace
