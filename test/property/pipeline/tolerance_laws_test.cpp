@@ -76,7 +76,8 @@ TEST(ToleranceLaws, noVerdictIsAnother_andNoDistanceShortByMore) {
   EXPECT_GT(shorter, 1000) << "the tolerance is not used";
 }
 
-/// Where the budget ended before it was known on which side of the threshold a pair is.
+/// Where the budget ended before it was known on which side of the threshold a pair is. What is
+/// told meanwhile has its own points.
 TEST(ToleranceLaws, shortBudgetAtAThreshold_isMadeUpForAtRest) {
   constexpr double kContact = 0.02;
   CycleSetup setup = setupOf({bumpyMesh(0.2, 16), bumpyMesh(0.1, 12)}, kContact);
@@ -98,6 +99,12 @@ TEST(ToleranceLaws, shortBudgetAtAThreshold_isMadeUpForAtRest) {
     CycleBuffers tolerant = buffersWithin(2e-3, setup);
     tolerant.refine.limits.budget = 20 + static_cast<std::uint32_t>(random() % 1500);
     runCycle(setup, poses, tolerant);
+    poses.world_from_link[1].translation += randomPoint(random, 2e-4);
+    runCycle(setup, poses, tolerant);
+    const SignedDistance& told = nearestOf(tolerant, 0)->measured;
+    ASSERT_LE((told.point_on_b - told.point_on_a - told.distance * told.normal_a_to_b).norm(), 1e-9)
+        << round;
+    runCycle(setup, poses, exact);
     tolerant.refine.limits.budget = kAmple;
     runCycle(setup, poses, tolerant);
     ASSERT_EQ(tolerant.events.verdicts, exact.events.verdicts) << round;
