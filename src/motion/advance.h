@@ -62,7 +62,7 @@ SweptContact advance(const MovingBall& a, const MovingBall& b, const SweepLimits
       return found;
     }
     found.time += safeTime(a, b, found.time, seen);
-    if (!(found.time < 1.0)) {
+    if (!(found.time < limits.until)) {
       found.state = SweepState::clear;
       found.time = 1.0;
       return found;

@@ -150,7 +150,8 @@ bool advanceOnce(const MovingMesh& a, const MovingMesh& b, const SweepLimits& li
   const Pose world_from_b = poseAt(b.motion, found.time);
   const MeshPair pair = makeMeshPair({a.tree, world_from_a}, {b.tree, world_from_b});
   const Approach approach = approachAt(a.motion, b.motion, ballOf(b.tree), found.time);
-  Sweep sweep{pair, placedInA(approach, world_from_a), limits, 1.0 - found.time, {}, {}, false};
+  const double rest = limits.until - found.time;
+  Sweep sweep{pair, placedInA(approach, world_from_a), limits, rest, {}, {}, false};
   if (progress.last.a != TrianglePair::kNone) {
     measureTriangles(progress.last.a, progress.last.b, sweep);
   }
@@ -167,7 +168,7 @@ bool advanceOnce(const MovingMesh& a, const MovingMesh& b, const SweepLimits& li
     if (held.point) {
       found.state = SweepState::contact;
       found.measured = contactAt(world_from_a * *held.point);
-    } else if (sweep.nearest.a == TrianglePair::kNone && !(sweep.soonest < 1.0 - found.time)) {
+    } else if (sweep.nearest.a == TrianglePair::kNone && !(sweep.soonest < rest)) {
       found.state = SweepState::clear;
       found.time = 1.0;
     } else {
@@ -232,7 +233,7 @@ SweptContact firstContact(const MovingMesh& a, const MovingShape& b, const Sweep
     query.visit_budget = budget;
     // What is farther cannot come so near any more.
     query.stop_beyond = nearest + 2.0 * limits.tolerance +
-                        ofBall(approach, approach.center, approach.radius).within(1.0 - time);
+                        ofBall(approach, approach.center, approach.radius).within(limits.until - time);
     const Pose world_from_a = poseAt(a.motion, time);
     const Pose world_from_b = poseAt(b.motion, time);
     const MeshDistance found = distanceBetween(

@@ -153,16 +153,23 @@ double gapAt(double time, const Sweeping& all, ElementPairIndex pair, const Movi
   return gap;
 }
 
-/// Whether elements are so far apart at the start and at the end that they cannot have met between:
-/// to meet, one has to use up both gaps.
-bool staysApart(const Sweeping& all, ElementPairIndex pair, const MovingElement& a,
-                const MovingElement& b) noexcept {
+/// Leaves of the way the times at which elements may meet, as far apart as they are at the start and
+/// at the end: to meet, one has to use up the first gap, and to come apart again the second.
+void narrow(const Sweeping& all, ElementPairIndex pair, const MovingElement& a,
+            const MovingElement& b, SweepLimits& limits) noexcept {
   const bool is_a_smaller = a.ball.radius < b.ball.radius;
   const MovingElement& smaller = is_a_smaller ? a : b;
   const Approach approach =
       approachAt((is_a_smaller ? b : a).motion, smaller.motion, smaller.ball, 0.0);
-  const double way = ofBall(approach, approach.center, approach.radius).within(1.0);
-  return gapAt(0.0, all, pair, a, b) + gapAt(1.0, all, pair, a, b) > way + SweepLimits().tolerance;
+  const Consumption motion = ofBall(approach, approach.center, approach.radius);
+  const double before = gapAt(0.0, all, pair, a, b) - limits.tolerance;
+  const double until = motion.within(1.0) - (gapAt(1.0, all, pair, a, b) - limits.tolerance);
+  if (before > 0.0) {
+    limits.from = std::max(limits.from, timeToConsume(before, motion));
+  }
+  if (until < motion.within(1.0)) {
+    limits.until = until > 0.0 ? std::min(1.0, timeToConsume(until, motion)) : 0.0;
+  }
 }
 
 void sweepTask(const Sweeping& all, const SweepTask& task, std::uint32_t& steps_left) noexcept {
@@ -177,7 +184,8 @@ void sweepTask(const Sweeping& all, const SweepTask& task, std::uint32_t& steps_
   limits.budget = steps_left;
   const MovingElement moving_a = movingElement(all, pair.a, motion_a);
   const MovingElement moving_b = movingElement(all, pair.b, motion_b);
-  if (staysApart(all, task.pair, moving_a, moving_b)) {
+  narrow(all, task.pair, moving_a, moving_b, limits);
+  if (!(limits.from < limits.until)) {
     return;
   }
   SweptContact found = sweepElements(moving_a, moving_b, limits, *all.refined.scratch);

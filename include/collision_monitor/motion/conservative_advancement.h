@@ -53,6 +53,7 @@ struct SweepLimits {
   double contact_distance{0.0};  ///< [m] this near is contact
   double tolerance{1e-7};        ///< [m] and so is this much farther
   double from{0.0};              ///< earlier times are known to be clear
+  double until{1.0};             ///< and so are these and later ones
   std::uint32_t budget{2000};    ///< of steps
 };
 

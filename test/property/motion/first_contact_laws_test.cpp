@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+
 #include "collision_monitor/motion/conservative_advancement.h"
 #include "collision_monitor/motion/moving_sphere.h"
 #include "collision_monitor/motion/time_of_contact.h"
@@ -140,6 +142,22 @@ RC_GTEST_PROP(FirstContactLaws, sweptBounds_holdTheBodyAndMissNoContact, ()) {
   }
 }
 
+/// What is known to be clear at the end is not looked at, and everything before it is.
+template <class Meet>
+void expectNothingElseUntil(double until, const SweptContact& found, SweepLimits limits,
+                            const Meet& meet) {
+  constexpr double kTime = 1e-6;
+  RC_PRE(found.state == SweepState::clear || std::abs(found.time - until) > kTime);
+  limits.until = until;
+  const SweptContact before = meet(limits);
+  if (found.state == SweepState::contact && found.time < until) {
+    RC_ASSERT(before.state == SweepState::contact);
+    RC_ASSERT(std::abs(before.time - found.time) < kTime);
+  } else {
+    RC_ASSERT(before.state == SweepState::clear);
+  }
+}
+
 /// As expectTrue, for what `meet` and `distance_at` say of meshes.
 template <class Meet, class DistanceAt>
 void expectTrueOfMeshes(const Meet& meet, const DistanceAt& distance_at) {
@@ -155,6 +173,7 @@ void expectTrueOfMeshes(const Meet& meet, const DistanceAt& distance_at) {
   if (found.state == SweepState::contact) {
     RC_ASSERT(distance_at(found.time) <= kDistance);
   }
+  expectNothingElseUntil(0.01 * *rc::gen::inRange(1, 100), found, limits, meet);
 }
 
 RC_GTEST_PROP(FirstContactLaws, meshes_clearBeforeAndNearAtTheTime, ()) {
