@@ -123,8 +123,6 @@ bool isOpen(const CycleSetup& setup, const StateCheck& check) noexcept {
                      (is_contact && check.distance > contactOfBodies(setup, check.pair)));
 }
 
-using BlockChecks = std::array<StateCheck, kStateCount>;
-
 /// By enclosing shapes. @param count  states that the block has
 void judgeShapes(const CycleSetup& setup, StateQuestion question, std::size_t count,
                  StatesWork& work, BlockChecks& checks) noexcept {
@@ -139,23 +137,42 @@ void judgeShapes(const CycleSetup& setup, StateQuestion question, std::size_t co
   }
 }
 
-/// By the geometries. For the nearest, where enclosing shapes leave the answer open.
+bool hasOpen(const OpenStates& open) noexcept {
+  return std::any_of(open.begin(), open.end(), [](bool is_open) { return is_open; });
+}
+
+/// Of open states by enclosing shapes; those stay open of which that leaves the answer open.
+void judgeApart(const CycleSetup& setup, std::size_t count, StatesWork& work, OpenStates& open,
+                BlockChecks& checks) noexcept {
+  BlockChecks by_shapes;
+  judgeShapes(setup, StateQuestion::nearest, count, work, by_shapes);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    if (open[lane]) {
+      checks[lane] = by_shapes[lane];
+      open[lane] = isOpen(setup, checks[lane]);
+    }
+  }
+}
+
+/// By the geometries. For the nearest: contacts first, which most states end with that have some;
+/// then where enclosing shapes leave the answer open.
 void judgeGeometries(const CycleSetup& setup, StateQuestion question, std::size_t count,
                      StatesWork& work, BlockChecks& checks) noexcept {
-  const bool asks_contact = question == StateQuestion::contact;
-  if (!asks_contact) {
-    judgeShapes(setup, question, count, work, checks);
-  }
-  std::array<bool, kStateCount> open{};
-  bool has_open = false;
+  OpenStates open{};
   for (std::size_t lane = 0; lane < count; ++lane) {
-    if (asks_contact) {
-      checks[lane] = StateCheck();
-    }
-    open[lane] = isFiniteState(work, lane) && (asks_contact || isOpen(setup, checks[lane]));
-    has_open = has_open || open[lane];
+    checks[lane] = StateCheck();
+    open[lane] = isFiniteState(work, lane);
   }
-  if (has_open) {
+  placeCenters(work);
+  if (question == StateQuestion::nearest) {
+    if (work.refinement.has_geometries) {
+      settleContacts(setup, work, open, checks);
+    }
+    if (hasOpen(open)) {
+      judgeApart(setup, count, work, open, checks);
+    }
+  }
+  if (hasOpen(open)) {
     refineStates(setup, question, open, work, checks);
   }
 }

@@ -79,7 +79,10 @@ std::size_t listNearInLanes(const CycleSetup& setup, const NearQuery& query, std
   NearSearch search{
       {setup, work, lane}, hn::LoadU(Lanes(), query.asked.of + lane), refinement.near};
   for (std::size_t i = query.first; i < query.last; ++i) {
-    search.visit(refinement.element_pairs[refinement.order[i]]);
+    const StateElementPair& pair = refinement.element_pairs[refinement.order[i]];
+    if (pair.are_convex || !query.is_convex_only) {
+      search.visit(pair);
+    }
   }
   return hn::Lanes(Lanes());
 }

@@ -10,30 +10,49 @@
 namespace collision_monitor {
 namespace {
 
-/// @param asked [m] by state: changed to how far is to be asked for then
-void findNearestOf(const CycleSetup& setup, StateNumber& asked, StatesWork& work,
-                   std::array<StateCheck, kStateCount>& checks) noexcept {
-  const NearQuery query{asked, 0, work.refinement.order.size()};
-  for (std::size_t lane = 0; lane < kStateCount;) {
-    const std::size_t end = lane + listNear(setup, query, lane, work);
-    for (const std::size_t first = lane; lane < end; ++lane) {
-      if (asked.of[lane] == kNotAsked) {
-        continue;
-      }
+/// Lists what is near in those states of one vector that are asked, and visits each of them.
+/// @param visit  takes the state and whether all poses are finite. @return how many states those
+/// are that the vector holds
+template <class Visit>
+std::size_t visitVector(const CycleSetup& setup, const NearQuery& query, std::size_t first,
+                        StatesWork& work, const Visit& visit) noexcept {
+  const std::size_t count = listNear(setup, query, first, work);
+  for (std::size_t place = 0; place < count; ++place) {
+    if (query.asked.of[first + place] != kNotAsked) {
       ++work.refinement.state;
-      const StateSearch state{setup, work, lane};
-      const bool is_known = listElements(state, lane - first);
-      findNearest(state, is_known, checks[lane]);
+      const StateSearch state{setup, work, first + place};
+      visit(state, listElements(state, place));
       forgetElements(work.refinement);
-      const double distance = checks[lane].distance;
-      asked.of[lane] = distance > asked.of[lane] && distance < kInfinity ? distance : kNotAsked;
     }
+  }
+  return count;
+}
+
+template <class Visit>
+void visitAll(const CycleSetup& setup, const NearQuery& query, StatesWork& work,
+              const Visit& visit) noexcept {
+  for (std::size_t lane = 0; lane < kStateCount;) {
+    lane += visitVector(setup, query, lane, work, visit);
   }
 }
 
+/// @param asked [m] by state: changed to how far is to be asked for then
+void findNearestOf(const CycleSetup& setup, StateNumber& asked, StatesWork& work,
+                   BlockChecks& checks) noexcept {
+  const NearQuery query{asked, 0, work.refinement.order.size()};
+  visitAll(setup, query, work, [&](const StateSearch& state, bool is_known) noexcept {
+    StateCheck& check = checks[state.lane] = StateCheck();
+    check.verdict = is_known ? Verdict::clear : Verdict::unknown;
+    check.distance = kInfinity;
+    findNearest(state, check);
+    double& reach = asked.of[state.lane];
+    reach = check.distance > reach && check.distance < kInfinity ? check.distance : kNotAsked;
+  });
+}
+
 /// What is as near as a warning mostly is the nearest. Else pairs are listed up to its distance.
-void refineNearest(const CycleSetup& setup, const std::array<bool, kStateCount>& open,
-                   StatesWork& work, std::array<StateCheck, kStateCount>& checks) noexcept {
+void refineNearest(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
+                   BlockChecks& checks) noexcept {
   StateNumber asked;
   for (std::size_t lane = 0; lane < kStateCount; ++lane) {
     asked.of[lane] = open[lane] ? setup.limits.warning_distance : kNotAsked;
@@ -48,30 +67,21 @@ void refineNearest(const CycleSetup& setup, const std::array<bool, kStateCount>&
 /// Asks those states of one vector for a contact of some pairs, and closes them where one is found.
 /// @return how many states that were
 std::size_t findContacts(const CycleSetup& setup, const NearQuery& query, std::size_t first,
-                         StateNumber& asked, StatesWork& work,
-                         std::array<StateCheck, kStateCount>& checks) noexcept {
-  const std::size_t count = listNear(setup, query, first, work);
-  for (std::size_t place = 0; place < count; ++place) {
-    const std::size_t lane = first + place;
-    if (asked.of[lane] == kNotAsked) {
-      continue;
-    }
-    ++work.refinement.state;
-    const StateSearch state{setup, work, lane};
-    if (!listElements(state, place)) {
-      checks[lane].verdict = Verdict::unknown;
-    }
-    if (findContact(state, checks[lane])) {
-      asked.of[lane] = kNotAsked;
-    }
-    forgetElements(work.refinement);
-  }
-  return count;
+                         StateNumber& asked, StatesWork& work, BlockChecks& checks) noexcept {
+  return visitVector(setup, query, first, work,
+                     [&](const StateSearch& state, bool is_known) noexcept {
+                       if (!is_known) {
+                         checks[state.lane].verdict = Verdict::unknown;
+                       }
+                       if (findContact(state, checks[state.lane])) {
+                         asked.of[state.lane] = kNotAsked;
+                       }
+                     });
 }
 
 /// Those that were in contact last alone at first: mostly one of them is again.
-void refineContacts(const CycleSetup& setup, const std::array<bool, kStateCount>& open,
-                    StatesWork& work, std::array<StateCheck, kStateCount>& checks) noexcept {
+void refineContacts(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
+                    BlockChecks& checks) noexcept {
   StateNumber asked;
   for (std::size_t lane = 0; lane < kStateCount; ++lane) {
     asked.of[lane] = open[lane] ? kContactsAsked : kNotAsked;
@@ -103,6 +113,7 @@ void listBodies(const CycleSetup& setup, const StatesWork& work, StatesRefinemen
     pair.b = static_cast<std::uint32_t>(index(setup.element_pairs[i].b));
     pair.radii = refinement.balls[pair.a].radius + refinement.balls[pair.b].radius;
     pair.contact_distance = std::max(0.0, setup.limits.contact_distance);
+    pair.are_convex = setup.elements[pair.a].convex && setup.elements[pair.b].convex;
     pair.first = static_cast<std::uint32_t>(refinement.body_pairs.size());
     refinement.body_pairs.insert(refinement.body_pairs.end(), bodies[i].begin(), bodies[i].end());
     pair.last = static_cast<std::uint32_t>(refinement.body_pairs.size());
@@ -134,6 +145,8 @@ StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork&
     kinds.push_back(areBodies(setup, pair) ? RefineKind::never : RefineKind::plain);
     refinement.order.push_back(pair);
   }
+  refinement.has_geometries = std::any_of(
+      kinds.begin(), kinds.end(), [](RefineKind kind) { return kind != RefineKind::never; });
   refinement.memory = RefineStore(std::move(kinds));
   refinement.scratch = std::make_unique<RefineScratch>();
   refinement.near.reserve(setup.table.size());
@@ -143,10 +156,24 @@ StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork&
   return refinement;
 }
 
-void refineStates(const CycleSetup& setup, StateQuestion question,
-                  const std::array<bool, kStateCount>& open, StatesWork& work,
-                  std::array<StateCheck, kStateCount>& checks) noexcept {
-  placeCenters(work);
+void settleContacts(const CycleSetup& setup, StatesWork& work, OpenStates& open,
+                    BlockChecks& checks) noexcept {
+  refineContacts(setup, open, work, checks);
+  StateNumber touching;
+  for (std::size_t lane = 0; lane < kStateCount; ++lane) {
+    const bool is_contact = open[lane] && checks[lane].verdict == Verdict::contact;
+    touching.of[lane] = is_contact ? kContactsAsked : kNotAsked;
+    open[lane] = open[lane] && !is_contact;
+  }
+  // How deep concave geometries are is not asked for.
+  const bool is_convex_only = setup.limits.contact_distance <= 0.0;
+  visitAll(
+      setup, {touching, 0, work.refinement.order.size(), is_convex_only}, work,
+      [&](const StateSearch& state, bool) noexcept { findNearest(state, checks[state.lane]); });
+}
+
+void refineStates(const CycleSetup& setup, StateQuestion question, const OpenStates& open,
+                  StatesWork& work, BlockChecks& checks) noexcept {
   (question == StateQuestion::contact ? refineContacts : refineNearest)(setup, open, work, checks);
 }
 

@@ -191,12 +191,8 @@ bool findContact(const StateSearch& state, StateCheck& check) noexcept {
   return false;
 }
 
-void findNearest(const StateSearch& state, bool is_known, StateCheck& best) noexcept {
+void findNearest(const StateSearch& state, StateCheck& best) noexcept {
   std::vector<ElementsInState>& pairs = state.refinement().pairs;
-  best = StateCheck();
-  best.verdict = is_known ? Verdict::clear : Verdict::unknown;
-  best.distance = kInfinity;
-  findContact(state, best);
   raiseBounds(state, best);
   std::sort(pairs.begin(), pairs.end(),
             [](const ElementsInState& one, const ElementsInState& other) {

@@ -30,6 +30,7 @@ void forgetElements(StatesRefinement& refinement) noexcept;
 bool findContact(const StateSearch& state, StateCheck& check) noexcept;
 
 /// The nearest listed pair, and the worst verdict.
-void findNearest(const StateSearch& state, bool is_known, StateCheck& best) noexcept;
+/// @param best  what is known: a contact that was found, or that none was
+void findNearest(const StateSearch& state, StateCheck& best) noexcept;
 
 }  // namespace collision_monitor

@@ -44,11 +44,16 @@ constexpr double kContactsAsked = -std::numeric_limits<double>::max();
 void measureLinkPairs(const CycleSetup& setup, const StatesWork& work,
                       std::vector<StateNumber>& nearest) noexcept;
 
+/// By state of a block.
+using BlockChecks = std::array<StateCheck, kStateCount>;
+using OpenStates = std::array<bool, kStateCount>;
+
 /// Which pairs are listed.
 struct NearQuery {
   const StateNumber& asked;  ///< [m] by state: how far; kContactsAsked or kNotAsked
   std::size_t first;         ///< those pairs of elements of StatesRefinement::order
   std::size_t last;
+  bool is_convex_only{false};  ///< of those, pairs of convex elements alone
 };
 
 /// Places the balls about elements in the states of the block.
@@ -64,13 +69,19 @@ std::size_t listNear(const CycleSetup& setup, const NearQuery& query, std::size_
 /// What checkStatesExactly needs beside what enclosing shapes do.
 StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork& work);
 
-/// Judges those states of the block by the geometries that enclosing shapes leave open.
-/// @pre the states are placed.
+/// Asks the geometries which states of the block are in contact, and of those for the nearest pair.
+/// @pre the states are placed, and the balls are.
+/// @param open  by state: these are asked. Those in contact are closed, and `checks` tells of them.
+void settleContacts(const CycleSetup& setup, StatesWork& work, OpenStates& open,
+                    BlockChecks& checks) noexcept;
+
+/// Judges those states of the block by the geometries that enclosing shapes leave open. Of
+/// StateQuestion::nearest without those in contact.
+/// @pre the states are placed, and the balls are.
 /// @param open  by state
 /// @param checks  of the states: what enclosing shapes say, then what the geometries do
-void refineStates(const CycleSetup& setup, StateQuestion question,
-                  const std::array<bool, kStateCount>& open, StatesWork& work,
-                  std::array<StateCheck, kStateCount>& checks) noexcept;
+void refineStates(const CycleSetup& setup, StateQuestion question, const OpenStates& open,
+                  StatesWork& work, BlockChecks& checks) noexcept;
 
 /// Where the kernel is not sure: state `lane` of a pair of bodies by the plain twin.
 double plainStateDistance(const CycleSetup& setup, const StatesWork& work, const StatePair& pair,

@@ -60,6 +60,7 @@ struct StateElementPair {
   double contact_distance{0.0};  ///< [m] of their bodies, at most
   std::uint32_t first{0};        ///< into StatesRefinement::body_pairs
   std::uint32_t last{0};
+  bool are_convex{false};
 };
 
 /// A point in each state.
@@ -84,6 +85,7 @@ struct StatesRefinement {
   std::vector<ElementsInState> pairs;   ///< in the state at hand
   std::vector<std::uint64_t> touched;   ///< by ElementPairIndex: the last state with a contact
   std::vector<ElementPairIndex> order;  ///< those that were in contact last come first
+  bool has_geometries{false};           ///< behind some enclosing shapes
 };
 
 /// What checkStates works with, made once for a set-up and where its robots stand.
