@@ -41,6 +41,28 @@ void dropUnjoined(const CycleSetup& setup, const BodyPoses& body_poses,
                    candidates.end());
 }
 
+/// Distances of what is near, up to what the budget allows.
+void measureNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+  const double reach = reachOf(setup.limits);
+  placeBodies(setup, poses, buffers.body_poses);
+  placeElements(setup, poses, buffers.body_poses);
+  boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
+  findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
+  if (setup.is_continuous) {
+    sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
+  }
+  growBounds(setup, poses, setup.ahead.horizon, buffers.bounds);
+  findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
+  dropUnjoined(setup, buffers.body_poses, buffers.candidates);
+  buffers.counters.candidates = buffers.candidates.size();
+  findReaches(setup, poses, buffers.sweep, buffers.reaches);
+  followWays(setup, poses, buffers);
+  cullCandidates(setup, buffers);
+  measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
+  keepNear(setup, buffers);
+  refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
+}
+
 }  // namespace
 
 CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
@@ -108,25 +130,19 @@ double nearReachOf(const CycleSetup& setup) noexcept {
   return std::max(setup.refine.distance, setup.limits.warning_distance + setup.limits.hysteresis);
 }
 
+void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+  constexpr int kMost = 50;
+  for (int i = 0; i < kMost; ++i) {
+    measureNear(setup, poses, buffers);
+    if (buffers.refine.left == 0) {
+      return;
+    }
+  }
+}
+
 void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   const double reach = reachOf(setup.limits);
-  placeBodies(setup, poses, buffers.body_poses);
-  placeElements(setup, poses, buffers.body_poses);
-  boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
-  findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
-  if (setup.is_continuous) {
-    sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
-  }
-  growBounds(setup, poses, setup.ahead.horizon, buffers.bounds);
-  findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
-  dropUnjoined(setup, buffers.body_poses, buffers.candidates);
-  buffers.counters.candidates = buffers.candidates.size();
-  findReaches(setup, poses, buffers.sweep, buffers.reaches);
-  followWays(setup, poses, buffers);
-  cullCandidates(setup, buffers);
-  measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
-  keepNear(setup, buffers);
-  refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
+  measureNear(setup, poses, buffers);
   measureWaiting(setup, buffers);
   measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
   if (setup.is_continuous) {

@@ -135,7 +135,7 @@ void CycleRunner::runOnce() {
     }
     is_new = true;
   }
-  runCycle(watch_->setup(), watch_->poses, watch_->buffers);
+  watch_->cycle();
   ++facts_.cycles;
   countStep(watch_->buffers.sweep, facts_.steps);
   facts_.cycle_time = toSeconds(SteadyClock::now() - start);

@@ -62,8 +62,18 @@ bool Watch::read(const ros::Time& now, const ClockState& clock_now) {
   return is_new;
 }
 
+void Watch::cycle() noexcept {
+  const auto known = std::count(poses.status.begin(), poses.status.end(), LinkStatus::known);
+  if (known > links_known) {
+    learnPairs(setup(), poses, buffers);
+  }
+  links_known = known;
+  runCycle(setup(), poses, buffers);
+}
+
 void Watch::forget() {
   forgetPoses(buffers);
+  links_known = 0;
   resetTracker(tracker);
 }
 
@@ -73,6 +83,7 @@ void Watch::speakAgain() {
   buffers.memory.reported = believed;
   buffers.memory.speed.scale = 0.0;  // as it was sent
   forgetPoses(buffers);
+  links_known = 0;
 }
 
 std::vector<LinkPairIndex> Watch::succeed(const Watch& former) {

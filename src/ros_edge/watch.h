@@ -25,6 +25,8 @@ struct Watch {
   bool read(const ros::Time& now, const ClockState& clock_now);
   /// Forgets where links were: time jumped.
   void forget();
+  /// One cycle; before it, what links that come to be known bring with them is learned.
+  void cycle() noexcept;
   /// It is switched off: listeners go on believing what they were told.
   void fallSilent();
   /// It is switched on again: what is not as listeners believe is a change.
@@ -43,6 +45,7 @@ struct Watch {
   ClockState clock;
   std::vector<Verdict> believed;  ///< by LinkPairIndex, while it is switched off
   std::uint32_t pairs_ignored;    ///< as in State
+  std::ptrdiff_t links_known{0};  ///< in the last cycle
 
   const CycleSetup& setup() const noexcept { return fixed->setup; }
 };
