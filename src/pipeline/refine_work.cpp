@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -23,6 +24,14 @@ RefineKind refineKindOf(const Element& a, const Element& b) noexcept {
 }
 
 }  // namespace
+
+std::uint32_t budgetOf(const RefineWork& work) noexcept {
+  constexpr double kUsual = 0.004;  // [s] up to there the budget is as given
+  constexpr double kMost = 4.0;
+  constexpr double kAny = std::numeric_limits<std::uint32_t>::max();
+  const double times = std::max(1.0, std::min(kMost, work.elapsed / kUsual));
+  return static_cast<std::uint32_t>(std::min(kAny, times * work.limits.budget));
+}
 
 RefineWork makeRefineWork(const CycleSetup& setup) {
   RefineWork work;

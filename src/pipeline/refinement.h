@@ -21,7 +21,7 @@ struct Refinement {
 
 /// Of steps. A part is kept for what happens between two cycles.
 inline std::uint32_t budgetOf(const Refinement& all) noexcept {
-  const std::uint32_t budget = all.work.limits.budget;
+  const std::uint32_t budget = budgetOf(all.work);
   return all.setup.is_continuous ? budget - budget / 4 : budget;
 }
 

@@ -60,6 +60,7 @@ void measureNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
   cullCandidates(setup, buffers);
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   keepNear(setup, buffers);
+  buffers.refine.elapsed = buffers.sweep.elapsed;
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
 }
 

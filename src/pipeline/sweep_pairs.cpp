@@ -203,16 +203,6 @@ void sweepTask(const Sweeping& all, const SweepTask& task, std::uint32_t& steps_
   tell(all, task.bodies, found, quality, is_contact);
 }
 
-/// What refinement has not spent of the cycle's budget, or more where poses come seldom: there is
-/// more to find on a long way, and more time for it.
-std::uint32_t stepsFor(double elapsed, const RefineWork& refined) noexcept {
-  constexpr double kWholeBudget = 0.01;  // [s]
-  const std::uint32_t budget = refined.limits.budget;
-  const std::uint32_t left = budget - std::min(budget, static_cast<std::uint32_t>(refined.steps));
-  const double share = std::min(1.0, std::max(0.0, elapsed) / kWholeBudget);
-  return std::max(left, static_cast<std::uint32_t>(share * budget));
-}
-
 }  // namespace
 
 void sweepPairs(const CycleSetup& setup, const RefineStore& memory, const RefineWork& refined,
@@ -232,7 +222,8 @@ void sweepPairs(const CycleSetup& setup, const RefineStore& memory, const Refine
   std::sort(work.tasks.begin(), work.tasks.end(), [](const SweepTask& x, const SweepTask& y) {
     return std::tie(x.from, x.pair) < std::tie(y.from, y.pair);
   });
-  std::uint32_t steps_left = stepsFor(work.elapsed, refined);
+  const std::uint32_t budget = budgetOf(refined);
+  std::uint32_t steps_left = budget - std::min(budget, static_cast<std::uint32_t>(refined.steps));
   for (const SweepTask& task : work.tasks) {
     sweepTask(all, task, steps_left);
   }

@@ -49,7 +49,7 @@ struct RefineLimits {
   /// warning_distance + hysteresis.
   double distance{0.05};
   /// Nodes of hierarchies opened in one cycle; other work is converted. A quarter is left to what
-  /// happens between two cycles, if that is looked at.
+  /// happens between two cycles, if that is looked at. Where poses come seldom it grows: budgetOf.
   /// Independent of the clock, so that the same input gives the same output.
   std::uint32_t budget{8000};
   /// [m] 0 or more: how much less than the exact one the distance of a mesh may be, as

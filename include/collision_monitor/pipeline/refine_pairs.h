@@ -30,6 +30,7 @@ struct RefineTask {
 /// What refinePairs works with and tells, sized at set-up.
 struct RefineWork {
   RefineLimits limits;
+  double elapsed{0.0};  ///< [s] between the stamps of the last poses and these; 0: not known
   std::vector<RefineTask> tasks;
   std::vector<std::uint32_t> task_of;      ///< by ElementPairIndex: into tasks, or kNone
   std::vector<unsigned char> is_measured;  ///< by ElementPairIndex: in this cycle
@@ -41,6 +42,9 @@ struct RefineWork {
   std::size_t left{0};
   std::size_t steps{0};
 };
+
+/// Of steps in a cycle. Where poses come seldom there is more time, and after a long way more to do.
+std::uint32_t budgetOf(const RefineWork& work) noexcept;
 
 RefineWork makeRefineWork(const CycleSetup& setup);
 

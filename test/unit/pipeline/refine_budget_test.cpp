@@ -25,6 +25,33 @@ TEST(RefineBudget, noBudget_lowerBoundsStay) {
   EXPECT_EQ(scene.buffers.counters.left, 1U);
 }
 
+TEST(RefineBudget, posesThatComeSeldom_fourTimesAsMuchAtMost) {
+  RefineWork work;
+  work.limits.budget = 1000;
+  for (const double elapsed : {0.0, 0.001, 0.004}) {
+    work.elapsed = elapsed;
+    EXPECT_EQ(budgetOf(work), 1000U) << elapsed;
+  }
+  work.elapsed = 0.008;
+  EXPECT_EQ(budgetOf(work), 2000U);
+  for (const double elapsed : {0.016, 0.02, 1e9}) {
+    work.elapsed = elapsed;
+    EXPECT_EQ(budgetOf(work), 4000U) << elapsed;
+  }
+  work.limits.budget = 4'000'000'000U;
+  EXPECT_EQ(budgetOf(work), 4'294'967'295U);
+}
+
+TEST(RefineBudget, stepBetweenStamps_isWhatPosesComeBy) {
+  Scene scene = hookedAngles(RefineGeometry::mesh);
+  scene.poses.stamp_ns = 1'000'000'000;
+  scene.run();
+  EXPECT_EQ(scene.buffers.refine.elapsed, 0.0) << "nothing came before";
+  scene.poses.stamp_ns += 20'000'000;
+  scene.run();
+  EXPECT_EQ(scene.buffers.refine.elapsed, 0.02);
+}
+
 /// Hooked angles, 1 mm apart and so within the hysteresis of a contact, that rest.
 Scene restingAngles() {
   Scene scene = hookedAngles(RefineGeometry::mesh);
