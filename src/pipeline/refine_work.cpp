@@ -29,7 +29,8 @@ std::uint32_t budgetOf(const RefineWork& work) noexcept {
   constexpr double kUsual = 0.004;  // [s] up to there the budget is as given
   constexpr double kMost = 4.0;
   constexpr double kAny = std::numeric_limits<std::uint32_t>::max();
-  const double times = std::max(1.0, std::min(kMost, work.elapsed / kUsual));
+  const double time = std::min(work.elapsed, work.limits.period);
+  const double times = std::max(1.0, std::min(kMost, time / kUsual));
   return static_cast<std::uint32_t>(std::min(kAny, times * work.limits.budget));
 }
 

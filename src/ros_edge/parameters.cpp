@@ -8,6 +8,7 @@
 #include <string>
 
 #include "ros_edge/file_parameters.h"
+#include "ros_edge/pace.h"
 #include "ros_edge/parameter_struct.h"
 
 namespace collision_monitor {
@@ -245,6 +246,9 @@ Parameters readParameters(const XmlRpcValue& values, const std::string& where,
   readFitting(fields, parameters);
   readRefining(fields, std::max(0.0, parameters.setup.limits.warning_distance),
                parameters.setup.refine);
+  if (parameters.trigger == Trigger::timer) {
+    parameters.setup.refine.limits.period = periodOf(parameters);
+  }
   fields.read("continuous", parameters.setup.is_continuous);
   fields.read("ignore_default_overlap", parameters.setup.ignore_default_overlap);
   readBroadPhase(fields, parameters);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -55,6 +56,8 @@ struct RefineLimits {
   /// [m] 0 or more: how much less than the exact one the distance of a mesh may be, as
   /// MeshQueryLimits::tolerance.
   double tolerance{0.0};
+  /// [s] There is no more time for a cycle than that, however seldom poses come.
+  double period{std::numeric_limits<double>::infinity()};
 };
 
 struct RefineOptions {

@@ -38,6 +38,9 @@ TEST(RefineBudget, posesThatComeSeldom_fourTimesAsMuchAtMost) {
     work.elapsed = elapsed;
     EXPECT_EQ(budgetOf(work), 4000U) << elapsed;
   }
+  work.limits.period = 0.008;
+  EXPECT_EQ(budgetOf(work), 2000U) << "cycles come more often than poses";
+  work.limits.period = 1.0;
   work.limits.budget = 4'000'000'000U;
   EXPECT_EQ(budgetOf(work), 4'294'967'295U);
 }

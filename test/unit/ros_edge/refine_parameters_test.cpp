@@ -43,6 +43,16 @@ TEST(Parameters, fitting_isRead) {
   EXPECT_TRUE(defaults.setup.is_continuous);
 }
 
+TEST(Parameters, timer_leavesACycleItsPeriod) {
+  XmlRpcValue values;
+  values["rate"] = 200.0;
+  SetupReport report;
+  EXPECT_EQ(readParameters(values, "/m", report).setup.refine.limits.period, 0.005);
+  values["trigger"] = "pose";
+  EXPECT_TRUE(std::isinf(readParameters(values, "/m", report).setup.refine.limits.period))
+      << "cycles come as poses do";
+}
+
 TEST(Parameters, fittingOutOfRange) {
   for (const double count : {0.0, -1.0, 1001.0, 2.5}) {
     XmlRpcValue values;
