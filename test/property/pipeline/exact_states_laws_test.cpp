@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "collision_monitor/model/kinematics.h"
 #include "collision_monitor/pipeline/check_states.h"
 #include "support/allocation_guard.h"
+#include "support/convex_measure.h"
 #include "support/fixed_seed.h"
 #include "support/geometry_setup.h"
 #include "support/hand_made_setup.h"
@@ -88,6 +90,22 @@ struct Scene {
     return closest == kNone ? nullptr : &buffers.distances.measured[closest];
   }
 
+  /// [m] Of the pairs of convex elements where the last cycle was.
+  double leastOfConvex() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const ElementPair& pair : setup.element_pairs) {
+      const auto& a = setup.elements[index(pair.a)].convex;
+      const auto& b = setup.elements[index(pair.b)].convex;
+      if (a && b) {
+        const auto& poses = buffers.body_poses.world_from_element;
+        const ConvexDistance found =
+            measureCold(*a, poses[index(pair.a)], *b, poses[index(pair.b)]);
+        least = std::min(least, found.measured.distance);
+      }
+    }
+    return least;
+  }
+
   static constexpr std::size_t kCount = 19;
   CycleSetup setup;
   StatesWork work;
@@ -114,6 +132,8 @@ TEST(ExactStatesLaws, verdictsAreThoseOfCyclesWithoutABudget) {
       if (verdict == Verdict::warning && closest != nullptr && closest->quality == Quality::exact) {
         ASSERT_NEAR(nearest[i].distance, closest->measured.distance, 1e-9);
         ASSERT_EQ(nearest[i].quality, Quality::exact);
+      } else if (verdict == Verdict::contact) {
+        ASSERT_LE(nearest[i].distance, scene.leastOfConvex() + 1e-9);
       }
     }
   }
