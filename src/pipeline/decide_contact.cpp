@@ -24,7 +24,7 @@ void keepApart(const Refinement& all, const RefineTask& task, double apart,
 
 /// @return whether nothing is left to decide: they are farther apart, which is kept, or were
 /// measured, or the budget is spent.
-bool tryDecide(const Refinement& all, const RefineTask& task, const ElementDistance& recalled,
+bool tryDecide(const Refinement& all, RefineTask& task, const ElementDistance& recalled,
                const Goal& goal) noexcept {
   constexpr std::uint32_t kMostHard = 8;  // pairs that are hard to decide leave some to the others
   const bool is_apart =
@@ -37,7 +37,7 @@ bool tryDecide(const Refinement& all, const RefineTask& task, const ElementDista
   search.budget = std::min(search.budget, budgetOf(all) / kMostHard);
   const ElementContact contact =
       touchElements(placed(all, pair.a), placed(all, pair.b), {goal.enough, true}, search);
-  all.work.steps += contact.steps;
+  spend(all, task, contact.steps);
   if (contact.state == ElementContact::State::apart) {
     keepApart(all, task, goal.enough, contact);
   }
@@ -54,7 +54,7 @@ bool isFollowed(const ElementDistance& last, const ElementDistance& recalled,
 
 }  // namespace
 
-void decideContact(const Refinement& all, const RefineTask& task) noexcept {
+void decideContact(const Refinement& all, RefineTask& task) noexcept {
   constexpr double kPastThreshold = 1e-6;
   const Goal clear{clearBeyond(all), budgetOf(all) / 4 * 3};
   if (task.bound > clear.enough) {

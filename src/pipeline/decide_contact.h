@@ -10,6 +10,6 @@ namespace collision_monitor {
 /// geometries touch takes a part of the steps of their distance. First whether they are so far
 /// apart that no contact is held, unless they overlapped in the last cycle; then whether they
 /// touch. Leaves a part of the budget for distances, so that every pair has its turn.
-void decideContact(const Refinement& all, const RefineTask& task) noexcept;
+void decideContact(const Refinement& all, RefineTask& task) noexcept;
 
 }  // namespace collision_monitor

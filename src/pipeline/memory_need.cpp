@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::uint64_t kId = sizeof(std::uint32_t);
 
-/// Of CycleSetup::checked, PairReaches, PairEvents and PairMemory; blocks at their emptiest hold
-/// some two pairs.
-constexpr std::uint64_t kOfCheckedPair = sizeof(CheckedLinkPair) + sizeof(LinkBlock) / 2 +
-                                         2 * sizeof(double) + sizeof(Verdict) + 4 * kId +
-                                         sizeof(VerdictChange) + sizeof(double) + 4;
+/// Of CycleSetup::checked, PairReaches, PairEvents, PairMemory and BudgetTally; blocks at their
+/// emptiest hold some two pairs.
+constexpr std::uint64_t kOfCheckedPair =
+    sizeof(CheckedLinkPair) + sizeof(LinkBlock) / 2 + 2 * sizeof(double) + sizeof(Verdict) +
+    4 * kId + sizeof(VerdictChange) + sizeof(double) + 4 + sizeof(std::uint64_t) + kId;
 
 /// Of the table, its blocks, candidates and distances.
 constexpr std::uint64_t kOfBodyPair = 2 * sizeof(BodyPair) + kId + sizeof(PairBlock) / 2 + 3 * kId +

@@ -74,11 +74,11 @@ bool isAtThreshold(const Refinement& all, const ElementDistance& found) noexcept
 
 /// Measured within the tolerance, and exactly where a verdict depends on that: not complete until
 /// that is done.
-ElementDistance measureForVerdict(const Refinement& all, const RefineTask& task, const Goal& goal,
+ElementDistance measureForVerdict(const Refinement& all, RefineTask& task, const Goal& goal,
                                   ElementSearch& search) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   ElementDistance found = measureElements(placed(all, pair.a), placed(all, pair.b), search);
-  all.work.steps += found.steps;
+  spend(all, task, found.steps);
   if (!isAtThreshold(all, found)) {
     return found;
   }
@@ -88,13 +88,13 @@ ElementDistance measureForVerdict(const Refinement& all, const RefineTask& task,
     exactly.tolerance = 0.0;
     const ElementDistance exact =
         measureElements(placed(all, pair.a), placed(all, pair.b), exactly);
-    all.work.steps += exact.steps;
+    spend(all, task, exact.steps);
     found = exact.is_complete ? exact : found;
   }
   return found;
 }
 
-ElementDistance measureTask(const Refinement& all, const RefineTask& task, const Goal& goal,
+ElementDistance measureTask(const Refinement& all, RefineTask& task, const Goal& goal,
                             const ElementDistance& recalled) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   ElementSearch search = searchFor(all, task, goal);
@@ -166,13 +166,14 @@ void deepenOverlaps(const Refinement& all) noexcept {
   const auto overlaps = static_cast<std::uint32_t>(
       std::count_if(work.tasks.begin(), work.tasks.end(),
                     [&](const RefineTask& task) { return isOverlap(all, task); }));
-  for (const RefineTask& task : work.tasks) {
+  for (RefineTask& task : work.tasks) {
     if (isOverlap(all, task) && work.steps < budgetOf(all)) {
       const ElementPair& pair = all.setup.element_pairs[task.pair];
       ElementSearch search = searchFor(all, task, {0.0, budgetOf(all)});
-      work.steps += deepenElements(placed(all, pair.a), placed(all, pair.b),
-                                   std::max(kFewestPoints, kMostPoints / overlaps), search,
-                                   all.distances.measured[task.place].measured);
+      spend(all, task,
+            deepenElements(placed(all, pair.a), placed(all, pair.b),
+                           std::max(kFewestPoints, kMostPoints / overlaps), search,
+                           all.distances.measured[task.place].measured));
     }
   }
 }
@@ -196,7 +197,7 @@ void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemor
                  RefineWork& work, PairDistances& distances) noexcept {
   const Refinement all{setup, body_poses, memory, work, distances};
   listTasks(setup, memory, distances, work);
-  for (const RefineTask& task : work.tasks) {
+  for (RefineTask& task : work.tasks) {
     decideContact(all, task);
   }
   for (RefineTask& task : work.tasks) {

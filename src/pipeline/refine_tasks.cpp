@@ -50,7 +50,8 @@ void listTasks(const CycleSetup& setup, const PairMemory& memory, const PairDist
     }
     if (work.task_of[pair] == kNone) {
       work.task_of[pair] = static_cast<std::uint32_t>(work.tasks.size());
-      work.tasks.push_back({pair, i, distance.measured.distance, memory.waited[pair], kInfinity});
+      work.tasks.push_back(
+          {pair, i, distance.measured.distance, memory.waited[pair], 0, kInfinity});
     }
     RefineTask& task = work.tasks[work.task_of[pair]];
     if (distance.measured.distance < task.bound) {

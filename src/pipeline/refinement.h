@@ -50,6 +50,12 @@ inline ElementSearch searchFor(const Refinement& all, const RefineTask& task,
           all.work.limits.tolerance};
 }
 
+/// Counts work that was done for a pair.
+inline void spend(const Refinement& all, RefineTask& task, std::uint32_t steps) noexcept {
+  all.work.steps += steps;
+  task.steps += steps;
+}
+
 inline ElementDistance recallTask(const Refinement& all, const RefineTask& task) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   return recallElements(all.memory.refined.lastOf(task.pair), placed(all, pair.a),

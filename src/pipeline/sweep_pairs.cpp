@@ -115,7 +115,8 @@ void sweepDistance(const Sweeping& all, const PairDistance& distance) noexcept {
   const ElementPairIndex pair = setup.element_pair_of[index(distance.pair)];
   ++all.work.swept;
   if (all.isOfElements(distance.pair)) {
-    addTask(all, {pair, distance.pair, 0.0, distance.measured});  // stands for all of their bodies
+    // It stands for all of their bodies.
+    addTask(all, {pair, distance.pair, 0.0, distance.measured, 0});
     return;
   }
   const SweptContact found = sweepBodies(all, distance.pair);
@@ -124,7 +125,7 @@ void sweepDistance(const Sweeping& all, const PairDistance& distance) noexcept {
   }
   const ElementPair& elements = setup.element_pairs[pair];
   if (!setup.elements[index(elements.a)].is_body || !setup.elements[index(elements.b)].is_body) {
-    addTask(all, {pair, distance.pair, found.time, found.measured});
+    addTask(all, {pair, distance.pair, found.time, found.measured, 0});
   } else if (isNew(found)) {
     const bool is_exact = distance.quality == Quality::exact && found.state == SweepState::contact;
     tell(all, distance.pair, found, is_exact ? Quality::exact : Quality::lower_bound, false);
@@ -172,7 +173,7 @@ void narrow(const Sweeping& all, ElementPairIndex pair, const MovingElement& a,
   }
 }
 
-void sweepTask(const Sweeping& all, const SweepTask& task, std::uint32_t& steps_left) noexcept {
+void sweepTask(const Sweeping& all, SweepTask& task) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   const Element& a = all.setup.elements[index(pair.a)];
   const Element& b = all.setup.elements[index(pair.b)];
@@ -181,7 +182,7 @@ void sweepTask(const Sweeping& all, const SweepTask& task, std::uint32_t& steps_
   SweepLimits limits;
   limits.contact_distance = all.setup.limits.contact_distance;
   limits.from = task.from;
-  limits.budget = steps_left;
+  limits.budget = all.work.budget - std::min(all.work.budget, all.work.steps);
   const MovingElement moving_a = movingElement(all, pair.a, motion_a);
   const MovingElement moving_b = movingElement(all, pair.b, motion_b);
   narrow(all, task.pair, moving_a, moving_b, limits);
@@ -189,7 +190,8 @@ void sweepTask(const Sweeping& all, const SweepTask& task, std::uint32_t& steps_
     return;
   }
   SweptContact found = sweepElements(moving_a, moving_b, limits, *all.refined.scratch);
-  steps_left -= std::min(steps_left, found.steps);
+  task.steps = found.steps;
+  all.work.steps += found.steps;
   if (!isNew(found)) {
     return;
   }
@@ -213,6 +215,9 @@ void sweepPairs(const CycleSetup& setup, const RefineStore& memory, const Refine
   }
   work.tasks.clear();
   work.swept = work.left = 0;
+  const std::uint32_t budget = budgetOf(refined);
+  work.budget = budget - std::min(budget, static_cast<std::uint32_t>(refined.steps));
+  work.steps = 0;
   distances.passed.clear();
   for (const PairDistance& distance : distances.measured) {
     if (mayHaveMet(all, distance)) {
@@ -222,10 +227,8 @@ void sweepPairs(const CycleSetup& setup, const RefineStore& memory, const Refine
   std::sort(work.tasks.begin(), work.tasks.end(), [](const SweepTask& x, const SweepTask& y) {
     return std::tie(x.from, x.pair) < std::tie(y.from, y.pair);
   });
-  const std::uint32_t budget = budgetOf(refined);
-  std::uint32_t steps_left = budget - std::min(budget, static_cast<std::uint32_t>(refined.steps));
-  for (const SweepTask& task : work.tasks) {
-    sweepTask(all, task, steps_left);
+  for (SweepTask& task : work.tasks) {
+    sweepTask(all, task);
   }
 }
 

@@ -88,6 +88,7 @@ void CycleRunner::takeOverSetup() {
   }
   watch_.swap(next);
   publishers_.startWatch(*watch_);
+  statistics_.startWork(watch_->budget);
   pace_.last_state = SteadyClock::time_point();
   const std::lock_guard<std::mutex> lock(mutex_);
   former_ = std::move(next);
@@ -144,6 +145,7 @@ void CycleRunner::runOnce() {
       toSeconds(SteadyClock::now() - start) > periodOf(watch_->fixed->parameters);
   facts_.overruns += is_overrun ? 1 : 0;
   statistics_.addCycle(facts_.cycle_time, is_overrun);
+  statistics_.addWork(watch_->buffers, facts_.cycle_time, watch_->budget);
 }
 
 /// @return true when something differs from the last cycle.

@@ -35,7 +35,7 @@ class CycleRunner {
   void replaceWatch(std::unique_ptr<Watch> watch);
   std::shared_ptr<const MonitorSetup> currentSetup() const;
   void setEnabled(bool is_enabled);
-  const CycleStatistics& statistics() const noexcept { return statistics_; }
+  CycleStatistics& statistics() noexcept { return statistics_; }
 
  private:
   void run();

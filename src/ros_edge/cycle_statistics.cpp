@@ -21,6 +21,21 @@ void CycleStatistics::setSummary(CycleSummary summary) {
   summary_ = std::move(summary);
 }
 
+void CycleStatistics::startWork(const BudgetTally& tally) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  budget_use_ = tally.use;
+}
+
+void CycleStatistics::addWork(const CycleBuffers& buffers, double cycle_time, BudgetTally& tally) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (is_use_taken_) {
+    restart(tally);
+    is_use_taken_ = false;
+  }
+  collision_monitor::addCycle(buffers, cycle_time, tally);
+  budget_use_ = tally.use;
+}
+
 CycleStatistics::Times CycleStatistics::times() const {
   std::array<double, kMemory> sorted{};
   Times times;
@@ -48,6 +63,15 @@ CycleCounts CycleStatistics::counts() const {
 CycleSummary CycleStatistics::summary() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return summary_;
+}
+
+BudgetUse CycleStatistics::takeBudgetUse() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const BudgetUse taken = budget_use_;
+  budget_use_ = {};
+  budget_use_.setup = taken.setup;
+  is_use_taken_ = true;
+  return taken;
 }
 
 }  // namespace collision_monitor

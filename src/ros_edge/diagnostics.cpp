@@ -8,6 +8,8 @@
 #include <iterator>
 #include <utility>
 
+#include "ros_edge/budget_report.h"
+#include "ros_edge/numbered_values.h"
 #include "ros_edge/pair_counts.h"
 
 namespace collision_monitor {
@@ -19,18 +21,10 @@ namespace {
 
 constexpr double kReportPeriod = 1.0;  // [s]
 
-/// "unknown link 1", "unknown link 2": who reads values by key would see the last one alone.
-void addNumbered(const std::string& key, const std::vector<std::string>& values,
-                 DiagnosticStatusWrapper& status) {
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    status.add(key + " " + std::to_string(i + 1), values[i]);
-  }
-}
-
 }  // namespace
 
 Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-                         const std::string& node_name, const CycleStatistics& statistics,
+                         const std::string& node_name, CycleStatistics& statistics,
                          SetupGetter current_setup)
     : statistics_(statistics),
       current_setup_(std::move(current_setup)),
@@ -41,6 +35,7 @@ Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& pri
     describeVerdict(statistics_.summary(), status);
   });
   updater_.add("cycle", [this](DiagnosticStatusWrapper& status) { reportCycle(status); });
+  updater_.add("budget", [this](DiagnosticStatusWrapper& status) { reportBudget(status); });
   updater_.add("step", [this](DiagnosticStatusWrapper& status) { reportStep(status); });
   updater_.add("setup", [this](DiagnosticStatusWrapper& status) {
     describeSetup(*current_setup_(), status);
@@ -107,6 +102,12 @@ void Diagnostics::reportCycle(DiagnosticStatusWrapper& status) {
   status.add("followed between cycles", summary.swept);
   last_time_ = now;
   last_counts_ = counts;
+}
+
+/// The set-up first: while it is held, no other one has its address.
+void Diagnostics::reportBudget(DiagnosticStatusWrapper& status) {
+  const std::shared_ptr<const MonitorSetup> setup = current_setup_();
+  describeBudget(*setup, statistics_.takeBudgetUse(), status);
 }
 
 /// A step over the cap is a warning where nothing covers it. Where the look at the way does, it is

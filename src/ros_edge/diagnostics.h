@@ -35,22 +35,22 @@ void describeVerdict(const CycleSummary& summary,
 void describeSetup(const MonitorSetup& setup, diagnostic_updater::DiagnosticStatusWrapper& status);
 
 /// Publishes /diagnostics once a wall second, also while a simulated clock stands still.
-/// Four entries: the verdict with its data, the cycle with its times, the step between poses with
-/// what it may be, the set-up with its warnings.
+/// Five entries: the verdict with its data, the cycle with its times, the budget with the pairs
+/// that take most of it, the step between poses with what it may be, the set-up with its warnings.
 class Diagnostics {
  public:
   using SetupGetter = std::function<std::shared_ptr<const MonitorSetup>()>;
 
   /// @pre `statistics` outlives the diagnostics.
   Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-              const std::string& node_name, const CycleStatistics& statistics,
-              SetupGetter current_setup);
+              const std::string& node_name, CycleStatistics& statistics, SetupGetter current_setup);
 
  private:
   void reportCycle(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void reportBudget(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportStep(diagnostic_updater::DiagnosticStatusWrapper& status);
 
-  const CycleStatistics& statistics_;
+  CycleStatistics& statistics_;
   SetupGetter current_setup_;
   diagnostic_updater::Updater updater_;
   CycleCounts last_counts_;

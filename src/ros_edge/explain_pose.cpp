@@ -6,6 +6,7 @@
 #include "collision_monitor/ros_edge/pose_reader.h"
 #include "model/place.h"
 #include "ros_edge/sentences.h"
+#include "ros_edge/to_seconds.h"
 
 namespace collision_monitor {
 namespace {
@@ -33,8 +34,6 @@ std::string explainAge(double age, double max_age, const std::string& what) {
 std::string countText(std::uint64_t count) {
   return std::to_string(count) + (count == 1 ? " transform" : " transforms");
 }
-
-double toSeconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
 
 }  // namespace
 

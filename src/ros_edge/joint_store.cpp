@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "collision_monitor/geometry/pose.h"
+#include "ros_edge/to_seconds.h"
 
 namespace collision_monitor {
 namespace {
@@ -21,8 +22,6 @@ double positionOf(const sensor_msgs::JointState& message, std::size_t place) {
   const double position = valueOr(message.position, place);
   return std::abs(position) <= kFarthest ? position : std::numeric_limits<double>::quiet_NaN();
 }
-
-double toSeconds(std::int64_t nanoseconds) { return 1e-9 * static_cast<double>(nanoseconds); }
 
 JointSample newestOf(const std::deque<JointSample>& samples) {
   return samples.empty() ? JointSample() : samples.back();

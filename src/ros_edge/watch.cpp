@@ -19,6 +19,7 @@ Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformSto
       tracker(makeVelocityTracker(fixed->setup.model)),
       joint_velocities(fixed->setup.model.variable_count),
       buffers(makeBuffers(fixed->setup, fixed->parameters.broad_phase)),
+      budget(makeBudgetTally(fixed->setup)),
       believed(buffers.memory.reported),
       pairs_ignored(static_cast<std::uint32_t>(
           countOf(PairReason::ignored_by_user, countPairs(fixed->setup.link_pairs)))) {}

@@ -8,6 +8,7 @@
 #include "collision_monitor/pipeline/link_velocities.h"
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "collision_monitor/ros_edge/pose_reader.h"
+#include "pipeline/budget_use.h"
 #include "ros_edge/clock_watch.h"
 #include "ros_edge/monitor_setup.h"
 
@@ -42,6 +43,7 @@ struct Watch {
   VelocityTracker tracker;
   JointVelocities joint_velocities;
   CycleBuffers buffers;
+  BudgetTally budget;
   ClockState clock;
   std::vector<Verdict> believed;  ///< by LinkPairIndex, while it is switched off
   std::uint32_t pairs_ignored;    ///< as in State

@@ -218,7 +218,7 @@ class Verdicts(TwoBoxes):
                 entries.update({status.name: status for status in message.status})
                 self.probe.condition.notify_all()
         subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, keep)
-        for entry in ("verdict", "cycle", "step", "setup"):
+        for entry in ("verdict", "cycle", "budget", "step", "setup"):
             self.probe.wait(lambda name="collision_monitor: " + entry: name in entries, entry)
         values = {value.key: value.value for value in entries["collision_monitor: cycle"].values}
         self.assertGreater(float(values["frequency [Hz]"]), 0.0)

@@ -23,6 +23,7 @@ struct RefineTask {
   std::uint32_t place{0};   ///< in PairDistances: its nearest bodies
   double bound{0.0};        ///< [m] their distance
   std::uint32_t waited{0};  ///< as PairMemory::waited
+  std::uint32_t steps{0};   ///< spent of the budget on this pair
   /// [m] as ElementDistance::outside, where it was measured
   double outside{std::numeric_limits<double>::infinity()};
 };

@@ -34,6 +34,7 @@ struct SweepTask {
   PairId bodies{};          ///< that met first
   double from{0.0};         ///< then; the elements were apart before
   SignedDistance measured;  ///< of the bodies
+  std::uint32_t steps{0};   ///< spent of the budget on this pair
 };
 
 /// What sweepPairs works with and tells, sized at set-up.
@@ -54,6 +55,8 @@ struct SweepWork {
   std::vector<std::uint32_t> task_of;  ///< by ElementPairIndex: into tasks, or kNone
   std::size_t swept{0};                ///< these two as in CycleCounters
   std::size_t left{0};
+  std::uint32_t budget{0};  ///< of steps, for elements
+  std::uint32_t steps{0};   ///< spent of it; not less than it where it did not suffice
 };
 
 SweepWork makeSweepWork(const CycleSetup& setup);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "edge_scene.h"
 #include "ros_edge/enabling.h"
 
 namespace collision_monitor::test {
@@ -45,6 +46,37 @@ TEST(CycleStatistics, everyCycleCounts) {
   EXPECT_EQ(statistics.counts().overruns, 20U);
   EXPECT_GE(statistics.counts().newest_end, before.newest_end);
   EXPECT_EQ(statistics.times().count, 1024U);
+}
+
+using CycleStatisticsTest = EdgeScene;
+
+TEST_F(CycleStatisticsTest, useOfTheBudget_isThatSinceItWasTaken) {
+  CycleStatistics statistics;
+  const auto watch = watchAt(0.25);
+  watch->buffers.counters.left = 1;
+  watch->buffers.refine.steps = 10;
+  for (int i = 0; i < 3; ++i) {
+    statistics.addWork(watch->buffers, 0.001, watch->budget);
+  }
+  const BudgetUse first = statistics.takeBudgetUse();
+  EXPECT_EQ(first.setup, &setup_->setup);
+  EXPECT_EQ(first.short_cycles, 3U);
+  EXPECT_EQ(first.short_steps, 30U);
+  EXPECT_EQ(statistics.takeBudgetUse().cycles, 0U) << "none since";
+  statistics.addWork(watch->buffers, 0.001, watch->budget);
+  const BudgetUse second = statistics.takeBudgetUse();
+  EXPECT_EQ(second.cycles, 1U);
+  EXPECT_EQ(second.steps, 10U);
+}
+
+TEST_F(CycleStatisticsTest, useOfTheBudget_endsWithItsSetup) {
+  CycleStatistics statistics;
+  const auto watch = watchAt(0.25);
+  statistics.addWork(watch->buffers, 0.001, watch->budget);
+  const auto next_setup = slidingSetup();
+  statistics.startWork(makeBudgetTally(next_setup->setup));
+  EXPECT_EQ(statistics.takeBudgetUse().setup, &next_setup->setup);
+  EXPECT_EQ(statistics.takeBudgetUse().cycles, 0U);
 }
 
 TEST(Enabling, offForAWhile_onAgainByItself) {

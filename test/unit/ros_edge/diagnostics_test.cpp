@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include "edge_scene.h"
+#include "status_values.h"
 
 namespace collision_monitor::test {
 namespace {
@@ -34,15 +33,6 @@ TEST(CycleReport, overruns_areAWarning) {
   const DiagnosticStatus status = statusOf({100, 2, 0.01, 1.01});
   EXPECT_EQ(status.level, DiagnosticStatus::WARN);
   EXPECT_EQ(status.message, "2 of 100 cycles took longer than the period");
-}
-
-/// Fails where two values have the same key.
-std::map<std::string, std::string> valuesOf(const DiagnosticStatus& status) {
-  std::map<std::string, std::string> values;
-  for (const diagnostic_msgs::KeyValue& value : status.values) {
-    EXPECT_TRUE(values.emplace(value.key, value.value).second) << value.key;
-  }
-  return values;
 }
 
 TEST(DiagnosticVerdict, everyUnknownLinkHasAKeyOfItsOwn) {

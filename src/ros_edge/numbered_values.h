@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
+
+#include <string>
+#include <vector>
+
+namespace collision_monitor {
+
+/// "unknown link 1", "unknown link 2": who reads values by key would see the last one alone.
+inline void addNumbered(const std::string& key, const std::vector<std::string>& values,
+                        diagnostic_updater::DiagnosticStatusWrapper& status) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    status.add(key + " " + std::to_string(i + 1), values[i]);
+  }
+}
+
+}  // namespace collision_monitor
