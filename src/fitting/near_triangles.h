@@ -19,9 +19,12 @@ class NearTriangles {
   /// Among the triangles known so far; an upper bound of the distance to the mesh.
   NearestPoint nearestKnown(const Eigen::Vector3d& point) const noexcept {
     NearestPoint nearest;
-    for (const auto triangle : known_) {
-      const NearestPoint found = mesh_.nearestOn(triangle, point);
-      nearest = found.distance < nearest.distance ? found : nearest;
+    for (const Known& known : known_) {
+      const double reach = nearest.distance + known.radius;
+      if ((point - known.centre).squaredNorm() < reach * reach) {
+        const NearestPoint found = mesh_.nearestOn(known.triangle, point);
+        nearest = found.distance < nearest.distance ? found : nearest;
+      }
     }
     return nearest;
   }
@@ -29,15 +32,33 @@ class NearTriangles {
   /// Among all, and known from now on. Error: up to the fraction `tolerance` too far.
   NearestPoint nearestOfAll(const Eigen::Vector3d& point, double tolerance) {
     NearestPoint nearest = mesh_.nearestTo(point, nearestKnown(point), tolerance);
-    if (std::find(known_.begin(), known_.end(), nearest.leaf_triangle) == known_.end()) {
-      known_.push_back(nearest.leaf_triangle);
+    if (std::none_of(known_.begin(), known_.end(),
+                     [&](const Known& known) { return known.triangle == nearest.leaf_triangle; })) {
+      add(nearest.leaf_triangle);
     }
     return nearest;
   }
 
  private:
+  struct Known {
+    std::uint32_t triangle;  ///< of a leaf
+    Eigen::Vector3d centre;
+    double radius;  ///< of a ball about it, with room for the rounding of distances
+  };
+
+  void add(std::uint32_t triangle) {
+    constexpr double kRounding = 1e-9;
+    const auto& corners = mesh_.triangles()[triangle];
+    const Eigen::Vector3d centre = (corners[0] + corners[1] + corners[2]) / 3.0;
+    double radius = 0.0;
+    for (const Eigen::Vector3d& corner : corners) {
+      radius = std::max(radius, (corner - centre).norm());
+    }
+    known_.push_back({triangle, centre, radius + kRounding * mesh_.unitFrame().scale});
+  }
+
   const TriangleBvh& mesh_;
-  std::vector<std::uint32_t> known_;
+  std::vector<Known> known_;
 };
 
 }  // namespace collision_monitor

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "collision_monitor/fitting/fit_sphere.h"
+#include "fitting/near_cores.h"
 #include "fitting/simplex_search.h"
 
 namespace collision_monitor {
@@ -18,17 +19,6 @@ enum Kind : std::size_t { kSphere, kCapsule, kBox, kRoundedBox };
 
 // Of the least half extent of a box: what its edges are rounded by.
 constexpr double kRoundings[] = {0.3, 0.6, 1.0};
-
-/// Whether the point is strictly inside the core with its radius.
-bool holds(const TurnedCore& core, const Vector3d& point) {
-  const Vector3d offset = point - core.centre;
-  const double reach = core.half_extents.sum() + core.radius;
-  if (offset.squaredNorm() > reach * reach) {
-    return false;
-  }
-  const Vector3d beyond = (core.rotation.transpose() * offset).cwiseAbs() - core.half_extents;
-  return beyond.maxCoeff() < 0.0 || beyond.cwiseMax(0.0).squaredNorm() < core.radius * core.radius;
-}
 
 /// Between the mean and the maximum. Units: metres.
 double roughCost(const OvershootSum& sum) noexcept {
@@ -123,10 +113,9 @@ TurnedCore boxAround(const Matrix3d& frame, const Points& points) {
 OvershootSum RoughGoal::overshootOf(const TurnedCore& core, double bound) const noexcept {
   constexpr double kNear = 0.05;  // of the size: a shape's own face at the plane
   const double near = plane ? kNear * (core.half_extents.norm() + core.radius) : 0.0;
+  const NearCores near_others(others, core, grid.spacing());
   const auto counts = [&](const Vector3d& point) {
-    return !(plane && std::abs(plane->heightOf(point)) < near) &&
-           std::none_of(others.begin(), others.end(),
-                        [&](const TurnedCore& other) { return holds(other, point); });
+    return !(plane && std::abs(plane->heightOf(point)) < near) && !near_others.hold(point);
   };
   return roughOvershoot(core, grid, counts,
                         [&](const OvershootSum& least) { return roughCost(least) >= bound; });

@@ -9,6 +9,7 @@
 #include "collision_monitor/geometry/convex_hull.h"
 #include "geometry/hull_faces.h"
 #include "geometry/hull_graph.h"
+#include "geometry/vertex_blocks.h"
 
 namespace collision_monitor {
 namespace {
@@ -95,6 +96,8 @@ void ConvexHull::mapDirections() {
   const double cells_a_side = kCellsAVertex / 6.0 * static_cast<double>(vertices_.size());
   rows_ = std::min(kMostRows, static_cast<std::size_t>(std::sqrt(cells_a_side)));
   farthest_.resize(6 * rows_ * rows_);
+  const VertexBlocks blocks(vertices_);
+  std::uint32_t last = 0;
   const auto middleOf = [this](std::size_t row) {
     return (2.0 * static_cast<double>(row) + 1.0) / static_cast<double>(rows_) - 1.0;
   };
@@ -105,7 +108,8 @@ void ConvexHull::mapDirections() {
       direction[(side / 2 + 1) % 3] = middleOf(row);
       for (std::size_t column = 0; column < rows_; ++column) {
         direction[(side / 2 + 2) % 3] = middleOf(column);
-        farthest_[cellOf(direction)] = lookAtAll(direction);
+        last = blocks.farthest(direction, last);
+        farthest_[cellOf(direction)] = last;
       }
     }
   }

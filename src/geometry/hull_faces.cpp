@@ -10,6 +10,8 @@
 #include <set>
 #include <utility>
 
+#include "geometry/vertex_blocks.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -65,12 +67,11 @@ Eigen::Vector3d crossOf(const TriangleMesh& mesh, std::uint32_t triangle) {
   return (mesh.vertices[corners[1]] - a).cross(mesh.vertices[corners[2]] - a);
 }
 
-ConvexHull::Face supportingFace(const TriangleMesh& mesh, const Eigen::Vector3d& normal) {
-  ConvexHull::Face face{normal, -std::numeric_limits<double>::infinity()};
-  for (const auto& vertex : mesh.vertices) {
-    face.offset = std::max(face.offset, normal.dot(vertex));
-  }
-  return face;
+// Through the farthest vertex, which is near to the triangle.
+ConvexHull::Face supportingFace(const TriangleMesh& mesh, const VertexBlocks& blocks,
+                                const Eigen::Vector3d& normal, std::uint32_t triangle) {
+  const std::uint32_t farthest = blocks.farthest(normal, mesh.triangles[triangle][0]);
+  return {normal, normal.dot(mesh.vertices[farthest])};
 }
 
 bool liesIn(const ConvexHull::Face& face, const TriangleMesh& mesh, std::uint32_t triangle,
@@ -165,6 +166,7 @@ bool areClosed(const HullFaces& gathered, const TriangleMesh& mesh) {
 HullFaces gatherFaces(const TriangleMesh& mesh, double extent) {
   HullFaces gathered;
   const TriangleOfEdge triangle_of(mesh);
+  const VertexBlocks blocks(mesh.vertices);
   std::vector<double> areas(mesh.triangles.size());
   for (std::uint32_t t = 0; t < areas.size(); ++t) {
     areas[t] = crossOf(mesh, t).norm();
@@ -177,7 +179,8 @@ HullFaces gatherFaces(const TriangleMesh& mesh, double extent) {
   for (const std::uint32_t seed : order) {
     if (face_of[seed] == kNone && areas[seed] > 0.0) {
       const auto id = static_cast<std::uint32_t>(gathered.faces.size());
-      gathered.faces.push_back(supportingFace(mesh, crossOf(mesh, seed) / areas[seed]));
+      gathered.faces.push_back(
+          supportingFace(mesh, blocks, crossOf(mesh, seed) / areas[seed], seed));
       floodFace(mesh, triangle_of, seed, gathered.faces.back(), kFlat * extent, id, face_of);
     }
   }

@@ -10,6 +10,7 @@ namespace collision_monitor {
 namespace {
 
 constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kFirst = 64;  // slots; a power of two, as all that follow
 
 /// Adding 0 turns -0 into 0: they are equal, and so their hashes must be.
 std::size_t hashOf(const Eigen::Vector3d& vertex) noexcept {
@@ -28,7 +29,7 @@ std::size_t hashOf(const Eigen::Vector3d& vertex) noexcept {
 std::uint32_t VertexTable::firstEqual(const Eigen::Vector3d& vertex, std::uint32_t own,
                                       const std::vector<Eigen::Vector3d>& vertices) {
   if (2 * count_ >= slots_.size()) {
-    grow(vertices);
+    growTo(std::max(kFirst, 4 * slots_.size()), vertices);
   }
   const std::size_t last = slots_.size() - 1;
   std::size_t slot = hashOf(vertex) & last;
@@ -42,10 +43,17 @@ std::uint32_t VertexTable::firstEqual(const Eigen::Vector3d& vertex, std::uint32
   return slots_[slot];
 }
 
-void VertexTable::grow(const std::vector<Eigen::Vector3d>& vertices) {
-  constexpr std::size_t kFirst = 64;  // a power of two, as all that follow
+void VertexTable::reserve(std::size_t count) {
+  std::size_t size = kFirst;
+  while (size < 2 * count + 2) {
+    size *= 2;
+  }
+  slots_.assign(size, kFree);
+}
+
+void VertexTable::growTo(std::size_t size, const std::vector<Eigen::Vector3d>& vertices) {
   const std::vector<std::uint32_t> old = std::move(slots_);
-  slots_.assign(std::max(kFirst, 4 * old.size()), kFree);
+  slots_.assign(size, kFree);
   const std::size_t last = slots_.size() - 1;
   for (const std::uint32_t number : old) {
     if (number != kFree) {

@@ -12,6 +12,9 @@ namespace collision_monitor {
 /// Finds vertices by their coordinates. 0 and -0 are equal. @pre no coordinate is NaN.
 class VertexTable {
  public:
+  /// Makes room for as many different vertices. @pre none was looked for.
+  void reserve(std::size_t count);
+
   /// The number of the first vertex of the list that equals this one; if none was looked for
   /// before, that is `own`.
   /// @param vertices a list that may grow at its end; holds `vertex` at `own` or will do so before
@@ -20,7 +23,7 @@ class VertexTable {
                            const std::vector<Eigen::Vector3d>& vertices);
 
  private:
-  void grow(const std::vector<Eigen::Vector3d>& vertices);
+  void growTo(std::size_t size, const std::vector<Eigen::Vector3d>& vertices);
 
   std::vector<std::uint32_t> slots_;  ///< numbers of vertices, each near the place of its hash
   std::size_t count_{0};

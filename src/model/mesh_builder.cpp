@@ -23,6 +23,14 @@ bool hasArea(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
 
 }  // namespace
 
+MeshBuilder::MeshBuilder(std::size_t likely_triangles) {
+  // Euler: half as many vertices.
+  const std::size_t likely_vertices = likely_triangles / 2 + 2;
+  mesh_.triangles.reserve(likely_triangles);
+  mesh_.vertices.reserve(likely_vertices);
+  table_.reserve(likely_vertices);
+}
+
 std::uint32_t MeshBuilder::addVertex(const Eigen::Vector3d& vertex) {
   if (!vertex.allFinite()) {
     throw std::runtime_error("vertex " + std::to_string(mesh_.vertices.size()) +

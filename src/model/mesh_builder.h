@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -15,6 +16,10 @@ namespace collision_monitor {
 /// Puts a mesh together vertex by vertex; equal vertices become one.
 class MeshBuilder {
  public:
+  MeshBuilder() = default;
+  /// Makes room for a closed surface of as many triangles; there may be more.
+  explicit MeshBuilder(std::size_t likely_triangles);
+
   /// @throws std::runtime_error if the vertex is not finite.
   std::uint32_t addVertex(const Eigen::Vector3d& vertex);
 

@@ -12,7 +12,7 @@ namespace collision_monitor {
 MeshProcess::MeshProcess(MeshReading options) : options_(std::move(options)) {}
 
 TriangleMesh MeshProcess::read(const std::string& bytes, const std::string& file_name) {
-  if (options_.is_in_process) {
+  if (options_.is_in_process || isReadWithoutAssimp(bytes, file_name)) {
     return readMesh(bytes, file_name);
   }
   if (!helper_) {

@@ -12,7 +12,8 @@
 namespace collision_monitor {
 
 /// Reads mesh files in a process of its own, which is started for the first of them and serves
-/// all, unless one kills it; or in this one, as the options say.
+/// all, unless one kills it; or in this one, as the options say. Binary STLs are always read in
+/// this one.
 class MeshProcess {
  public:
   explicit MeshProcess(MeshReading options);

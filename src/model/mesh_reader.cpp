@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "model/binary_stl.h"
 #include "model/dae_check.h"
 #include "model/mesh_builder.h"
 #include "model/obj_text.h"
@@ -132,7 +133,7 @@ std::string shortened(const std::string& reason) {
 /// The file as assimp reads all of it.
 std::string prepared(const std::string& bytes, const std::string& format) {
   if (format == "stl") {
-    return completeStl(bytes);
+    return completeTextStl(bytes);
   }
   if (format == "obj") {
     return plainObj(bytes);
@@ -145,7 +146,24 @@ std::string prepared(const std::string& bytes, const std::string& format) {
   return bytes;
 }
 
+TriangleMesh readByAssimp(const std::string& bytes, const std::string& format) {
+  const std::string content = prepared(bytes, format);
+  Assimp::Importer importer;
+  importer.SetIOHandler(new NoOtherFiles);  // which the importer owns
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  // Else assimp draws the nodes of a DAE whose meshes it does not find.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  if (importer.ReadFileFromMemory(content.data(), content.size(), 0, format.c_str()) == nullptr) {
+    throw std::runtime_error(shortened(importer.GetErrorString()));
+  }
+  return collect(*importer.GetScene());
+}
+
 }  // namespace
+
+bool isReadWithoutAssimp(const std::string& bytes, const std::string& file_name) {
+  return extensionOf(file_name) == "stl" && !bytes.empty() && !isTextStl(bytes);
+}
 
 TriangleMesh readMesh(const std::string& bytes, const std::string& file_name) {
   const std::string format = extensionOf(file_name);
@@ -157,16 +175,8 @@ TriangleMesh readMesh(const std::string& bytes, const std::string& file_name) {
     throw std::runtime_error(file_name + ": the file is empty");
   }
   try {
-    const std::string content = prepared(bytes, format);
-    Assimp::Importer importer;
-    importer.SetIOHandler(new NoOtherFiles);  // which the importer owns
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-    // Else assimp draws the nodes of a DAE whose meshes it does not find.
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-    if (importer.ReadFileFromMemory(content.data(), content.size(), 0, format.c_str()) == nullptr) {
-      throw std::runtime_error(shortened(importer.GetErrorString()));
-    }
-    TriangleMesh mesh = collect(*importer.GetScene());
+    TriangleMesh mesh =
+        isReadWithoutAssimp(bytes, file_name) ? readBinaryStl(bytes) : readByAssimp(bytes, format);
     if (mesh.vertices.empty()) {
       throw std::runtime_error("no triangles");
     }

@@ -3,17 +3,11 @@
 #include "model/stl_check.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <stdexcept>
 #include <string_view>
 
 namespace collision_monitor {
 namespace {
-
-// Source: the STL formats as 3D Systems published them (StereoLithography Interface
-// Specification, 1989): 80 bytes of header, a little-endian count, 50 bytes a triangle.
-constexpr std::size_t kHeaderSize = 84;
-constexpr std::size_t kTriangleSize = 50;
 
 constexpr std::string_view kWhitespace = " \t\r\n";
 
@@ -24,14 +18,6 @@ std::string inSmallLetters(std::string_view text) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
   return small;
-}
-
-/// A header that says "solid" proves nothing: exporters write it into binary files
-/// too. Text has no control bytes, and 512 bytes of triangles always do.
-bool isText(std::string_view bytes) {
-  const std::string_view start = bytes.substr(0, 512);
-  return inSmallLetters(start.substr(0, 5)) == "solid" &&
-         std::none_of(start.begin(), start.end(), [](char c) { return c >= 0 && c < '\t'; });
 }
 
 /// Without what editors put before the first word: blanks and a byte order mark.
@@ -67,8 +53,17 @@ WordCounts countWords(std::string_view text) {
   return counts;
 }
 
-/// Nothing but the words counts: numbers are the same in small letters, and names are not kept.
-std::string completeText(std::string text) {
+}  // namespace
+
+bool isTextStl(const std::string& bytes) {
+  const std::string_view start = trimmed(bytes).substr(0, 512);
+  return inSmallLetters(start.substr(0, 5)) == "solid" &&
+         std::none_of(start.begin(), start.end(), [](char c) { return c >= 0 && c < '\t'; });
+}
+
+std::string completeTextStl(const std::string& bytes) {
+  // Nothing but the words counts: numbers are the same in small letters, and names are not kept.
+  std::string text = inSmallLetters(trimmed(bytes));
   const WordCounts counts = countWords(text);
   if (counts.vertices != 3 * counts.facets || counts.solids == 0) {
     throw std::runtime_error(
@@ -76,33 +71,6 @@ std::string completeText(std::string text) {
         "for every endfacet, and endsolid at its end");
   }
   return text;
-}
-
-std::size_t countOf(const std::string& bytes) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    count |= static_cast<std::size_t>(static_cast<unsigned char>(bytes[80 + i])) << (8 * i);
-  }
-  return count;
-}
-
-}  // namespace
-
-std::string completeStl(const std::string& bytes) {
-  if (isText(trimmed(bytes))) {
-    return completeText(inSmallLetters(trimmed(bytes)));
-  }
-  if (bytes.size() < kHeaderSize) {
-    throw std::runtime_error("too short for an STL file: " + std::to_string(bytes.size()) +
-                             " bytes");
-  }
-  const std::size_t count = countOf(bytes);
-  const std::size_t present = (bytes.size() - kHeaderSize) / kTriangleSize;
-  if (count > present) {
-    throw std::runtime_error("the binary STL is cut short: it announces " + std::to_string(count) +
-                             " triangles and holds " + std::to_string(present));
-  }
-  return bytes.substr(0, kHeaderSize + count * kTriangleSize);
 }
 
 }  // namespace collision_monitor

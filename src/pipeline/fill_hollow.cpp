@@ -50,7 +50,7 @@ TriangleMesh hollowOf(const TriangleMesh& mesh, const MeshTree& tree, const Fit&
     for (double y = 0.5 * cell; y < size.y(); y += cell) {
       for (double z = 0.5 * cell; z < size.z(); z += cell) {
         const Vector3d centre = box.min + Vector3d(x, y, z);
-        if (!isInShapes(centre, fit) && lookInside(tree, centre, *memory).is_inside) {
+        if (!isInShapes(centre, fit) && lookInside(tree, centre, *memory, false).is_inside) {
           addCorners(centre, 0.5 * cell, cells);
         }
       }

@@ -35,6 +35,13 @@ struct Bytes {
     add(vector.y());
     add(vector.z());
   }
+  /// Of elements that are three numbers in a row.
+  template <class Element>
+  void addAll(const std::vector<Element>& list) {
+    using Number = std::decay_t<decltype(list[0][0])>;
+    static_assert(sizeof(Element) == 3 * sizeof(Number), "no gaps");
+    text.append(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(Element));
+  }
   void operator()(const Sphere& sphere) { add(sphere.radius); }
   void operator()(const Capsule& capsule) {
     add(capsule.half_length);
@@ -48,14 +55,8 @@ struct Bytes {
   void operator()(const TriangleMesh& mesh) {
     add(mesh.vertices.size());
     add(mesh.triangles.size());
-    for (const Eigen::Vector3d& vertex : mesh.vertices) {
-      add(vertex);
-    }
-    for (const auto& triangle : mesh.triangles) {
-      for (const std::uint32_t corner : triangle) {
-        add(corner);
-      }
-    }
+    addAll(mesh.vertices);
+    addAll(mesh.triangles);
   }
 
   std::string text;

@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 
-#include "collision_monitor/geometry/convex_hull.h"
 #include "collision_monitor/geometry/interruption.h"
 #include "collision_monitor/narrow_phase/mesh_openness.h"
-#include "fitting/closed_surface.h"
-#include "fitting/surrounding_mesh.h"
 #include "geometry/all_cores.h"
-#include "pipeline/convex_mesh.h"
+#include "pipeline/fill_element.h"
 #include "pipeline/open_meshes.h"
 #include "pipeline/prove_inner.h"
 #include "setup_parts.h"
@@ -23,70 +19,6 @@ struct MakeConvex {
   ConvexGeometry operator()(const Capsule& s) const { return s; }
   ConvexGeometry operator()(const Box& s) const { return s; }
   ConvexGeometry operator()(const RoundedBox& s) const { return s; }
-};
-
-/// The mesh with its stray vertices as triangles of one point: what encloses it encloses them.
-TriangleMesh withStrayVertices(const TriangleMesh& mesh) {
-  TriangleMesh all = mesh;
-  std::vector<bool> is_used(mesh.vertices.size(), false);
-  for (const auto& triangle : mesh.triangles) {
-    for (const std::uint32_t corner : triangle) {
-      is_used[corner] = true;
-    }
-  }
-  for (std::size_t i = 0; i < is_used.size(); ++i) {
-    if (!is_used[i]) {
-      const auto vertex = static_cast<std::uint32_t>(i);
-      all.triangles.push_back({vertex, vertex, vertex});
-    }
-  }
-  return all;
-}
-
-/// Fills in what an element is, from the geometry of the URDF.
-struct FillElement {
-  RefineGeometry refine;
-  Element& element;
-
-  void operator()(const Cylinder& cylinder) const {
-    const TriangleMesh around = surroundingMesh(cylinder);
-    double reach = 0.0;
-    for (const Eigen::Vector3d& corner : around.vertices) {
-      reach = std::max(reach, corner.head<2>().norm());
-    }
-    element.convex = cylinder;
-    element.mesh.emplace(around, true);
-    element.mesh_excess = reach - cylinder.radius;
-    element.is_exact = true;
-  }
-
-  void operator()(const TriangleMesh& mesh) const {
-    const TriangleMesh whole = withStrayVertices(mesh);
-    const bool is_closed = closedSurface(mesh).has_value();
-    ConvexHull hull(mesh.vertices);
-    const bool is_convex =
-        is_closed && whole.triangles.size() == mesh.triangles.size() && isSurfaceOf(mesh, hull);
-    if (refine == RefineGeometry::hull && !is_convex) {
-      element.mesh.emplace(convexHullOf(mesh.vertices), hull.hasVolume());
-    } else {
-      element.mesh.emplace(is_closed ? MeshTree(whole, true) : treeOfOpen(whole));
-      element.is_exact = true;
-    }
-    const bool stands_for_it = is_convex || refine == RefineGeometry::hull;
-    (stands_for_it ? element.convex : element.hull) = std::move(hull);
-  }
-
-  void operator()(const Box& box) const {
-    element.convex = box;
-    element.mesh.emplace(surroundingMesh(box), box.half_extents.minCoeff() > 0.0);
-    element.is_exact = true;
-  }
-
-  template <class Primitive>
-  void operator()(const Primitive& primitive) const {
-    element.convex = primitive;
-    element.is_exact = true;
-  }
 };
 
 /// A body's shape where no geometry is to stand behind it.
@@ -125,20 +57,74 @@ InnerShapes innerShapes(const Geometry& geometry, const Fit& fit, const MeshTree
   return inscribeShapes(geometry);
 }
 
-void makeElement(ElementTask& task) {
-  const Geometry& geometry = task.collision->geometry;
-  Element& element = task.element;
-  try {
-    std::visit(FillElement{task.refine, element}, geometry);
-    if (element.is_exact) {
-      element.inner = innerShapes(geometry, *task.fit, element.mesh ? &*element.mesh : nullptr);
-      if (element.mesh && element.mesh->openSurface()) {
-        task.openness = task.fit->openness ? *task.fit->openness : opennessOf(*element.mesh);
-      }
+bool areSame(const Geometry& a, const Geometry& b) {
+  const auto* mesh_a = std::get_if<TriangleMesh>(&a);
+  const auto* mesh_b = std::get_if<TriangleMesh>(&b);
+  return mesh_a != nullptr && mesh_b != nullptr && mesh_a->vertices == mesh_b->vertices &&
+         mesh_a->triangles == mesh_b->triangles;
+}
+
+/// By task: the first one with the same mesh, which is made once for all. Often both arms, and all
+/// legs, have the same.
+std::vector<std::size_t> firstAlike(const std::vector<ElementTask>& tasks) {
+  std::vector<std::size_t> first(tasks.size());
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    first[i] = 0;
+    while (first[i] < i &&
+           !(tasks[i].has_geometry && tasks[first[i]].has_geometry &&
+             tasks[i].refine == tasks[first[i]].refine &&
+             areSame(tasks[i].collision->geometry, tasks[first[i]].collision->geometry))) {
+      ++first[i];
     }
+  }
+  return first;
+}
+
+/// What the work says of the geometry is kept, not thrown.
+template <class Work>
+void tryTo(const Work& work, ElementTask& task) {
+  try {
+    work(task);
   } catch (const std::invalid_argument& fault) {
     task.fault = fault.what();
   }
+}
+
+void makeGeometry(ElementTask& task) {
+  fillElement(task.collision->geometry, task.refine, task.element);
+}
+
+/// What depends on the fit, too.
+void complete(ElementTask& task) {
+  Element& element = task.element;
+  if (element.is_exact) {
+    element.inner =
+        innerShapes(task.collision->geometry, *task.fit, element.mesh ? &*element.mesh : nullptr);
+    if (element.mesh && element.mesh->openSurface()) {
+      task.openness = task.fit->openness ? *task.fit->openness : opennessOf(*element.mesh);
+    }
+  }
+}
+
+void makeAll(std::vector<ElementTask>& tasks) {
+  const std::vector<std::size_t> first = firstAlike(tasks);
+  forEachOnAllCores(tasks.size(), [&](std::size_t i) {
+    throwIfInterrupted();
+    if (tasks[i].has_geometry && first[i] == i) {
+      tryTo(makeGeometry, tasks[i]);
+    }
+  });
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    tasks[i].fault = tasks[first[i]].fault;
+  }
+  forEachOnAllCores(tasks.size(), [&](std::size_t i) {
+    if (first[i] != i) {
+      fillAs(tasks[first[i]].element, tasks[i].element);
+    }
+    if (tasks[i].has_geometry && tasks[i].fault.empty()) {
+      tryTo(complete, tasks[i]);
+    }
+  });
 }
 
 void addGeometry(ElementTask& task, CycleSetup& setup) {
@@ -210,12 +196,7 @@ void makeElements(const std::vector<LinkFit>& fits, const ElementSettings& setti
     }
     addTasks(fit, link, settings.refineFor(fit.link), body, setup, tasks);
   }
-  forEachOnAllCores(tasks.size(), [&](std::size_t i) {
-    throwIfInterrupted();
-    if (tasks[i].has_geometry) {
-      makeElement(tasks[i]);
-    }
-  });
+  makeAll(tasks);
   for (ElementTask& task : tasks) {
     if (task.has_geometry && task.fault.empty()) {
       addGeometry(task, setup);

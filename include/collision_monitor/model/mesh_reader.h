@@ -27,4 +27,8 @@ namespace collision_monitor {
 /// empty, malformed or cut short, no polygons, a vertex that is not finite.
 TriangleMesh readMesh(const std::string& bytes, const std::string& file_name);
 
+/// Whether readMesh does without assimp, and so can neither crash nor be kept busy: of a binary
+/// STL.
+bool isReadWithoutAssimp(const std::string& bytes, const std::string& file_name);
+
 }  // namespace collision_monitor

@@ -8,7 +8,7 @@ namespace collision_monitor {
 
 /// How mesh files are read. A malformed one may crash the library that does it, or keep it busy for
 /// ever; so a program of this package does, and this process lives on
-/// (docs/decisions/helper-processes.md).
+/// (docs/decisions/helper-processes.md). Binary STLs need none.
 struct MeshReading {
   double seconds{60.0};  ///< a file may take, more than 0
   double memory{2e9};    ///< [bytes] a file may take

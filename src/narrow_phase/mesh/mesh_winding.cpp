@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "narrow_phase/mesh/mesh_winding.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/constants.h"
@@ -14,15 +15,16 @@ namespace {
 constexpr double kRounding = 1e-9;
 
 // The sum of all parts, each either as its moments have it or, where these are off by more than
-// `most_of_part`, as its own parts have it.
+// `most_of_part`, as its own parts have it. Ends, with what is summed by then, where the error is
+// above `most_of_all`.
 WindingNumber sum(const MeshTree& tree, const Eigen::Vector3d& point, double most_of_part,
-                  MeshQueryMemory& memory) noexcept {
+                  double most_of_all, MeshQueryMemory& memory) noexcept {
   const std::vector<WindingMoments>& moments = tree.openSurface()->moments;
   WindingNumber number{0.0, kRounding, 0};
   SolidAngles angles(point);
   WaitingPairs waiting(memory);
   waiting.push({0.0F, 0, 0});
-  while (!waiting.empty()) {
+  while (!waiting.empty() && number.error <= most_of_all) {
     const std::uint32_t node = waiting.pop().a;
     ++number.visits;
     const BoundedNumber part = windingOf(moments[node], point);
@@ -47,17 +49,17 @@ WindingNumber sum(const MeshTree& tree, const Eigen::Vector3d& point, double mos
   return number;
 }
 
-// From coarse to fine.
+// From coarse to fine. A number of a larger error than `most` is never enough.
 template <class IsEnough>
-WindingNumber search(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory,
-                     const IsEnough& isEnough) noexcept {
+WindingNumber search(const MeshTree& tree, const Eigen::Vector3d& point, double most,
+                     MeshQueryMemory& memory, const IsEnough& isEnough) noexcept {
   constexpr double kCoarsest = 0x1p-6;
   constexpr double kStep = 0x1p-3;
   std::uint32_t visits = 0;
   double most_of_part = kCoarsest;
   WindingNumber number;
   do {
-    number = sum(tree, point, most_of_part, memory);
+    number = sum(tree, point, most_of_part, most, memory);
     visits += number.visits;
     most_of_part *= kStep;
   } while (number.error > kRounding && !isEnough(number));
@@ -69,13 +71,13 @@ WindingNumber search(const MeshTree& tree, const Eigen::Vector3d& point, MeshQue
 
 WindingNumber windingNumber(const MeshTree& tree, const Eigen::Vector3d& point, double error,
                             MeshQueryMemory& memory) noexcept {
-  return search(tree, point, memory,
+  return search(tree, point, std::max(error, kRounding), memory,
                 [&](const WindingNumber& number) { return number.error <= error; });
 }
 
 WindingNumber windingByHalf(const MeshTree& tree, const Eigen::Vector3d& point, double error,
                             MeshQueryMemory& memory) noexcept {
-  return search(tree, point, memory, [&](const WindingNumber& number) {
+  return search(tree, point, kInfinity, memory, [&](const WindingNumber& number) {
     return number.error <= error || std::abs(std::abs(number.value) - 0.5) > number.error;
   });
 }
