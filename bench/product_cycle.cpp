@@ -64,6 +64,7 @@ class Cycles {
     test::print(name + "_p999", sorted[std::min(count - 1, count * 999 / 1000)], "us");
     test::print(name + "_worst", sorted.back(), "us");
     test::print(name + "_worst_later", worst_later_, "us");
+    test::print(name + "_learning", learning_, "us");
     test::print(name + "_contacts", contacts_);
     test::print(name + "_compared", compared_);
     test::print(name + "_differing", differing_);
@@ -77,6 +78,7 @@ class Cycles {
     for (int pass = 0; pass < 2; ++pass) {
       resetMemory(buffers_);
       said_.clear();
+      learn(move.front());
       for (std::size_t i = 0; i < move.size(); ++i) {
         const double taken = timeOf([&] { runCycle(setup_, move[i], buffers_); });
         times[i] = std::min(times[i], 1e-3 * taken);
@@ -85,6 +87,11 @@ class Cycles {
     }
     times_.insert(times_.end(), times.begin(), times.end());
     worst_later_ = std::max(worst_later_, *std::max_element(times.begin() + 1, times.end()));
+  }
+
+  /// As the node does where links come to be known.
+  void learn(const LinkPoses& poses) {
+    learning_ = std::max(learning_, 1e-3 * timeOf([&] { learnPairs(setup_, poses, buffers_); }));
   }
 
   void compare(const std::vector<LinkPoses>& move) {
@@ -118,6 +125,7 @@ class Cycles {
   CycleBuffers unlimited_;
   std::vector<double> times_;  ///< [us]
   double worst_later_{0.0};    ///< [us] but for the first cycles of moves
+  double learning_{0.0};       ///< [us] before the first cycle of a move, at most
   std::vector<Said> said_;     ///< in the last move
   double taken_without_{0.0};  ///< [ns]
   std::size_t compared_{0};    ///< cycles; of these:

@@ -41,6 +41,7 @@ COLUMNS = (
     ("99.9 %", 7, "cycle", "cycle_1000Hz_p999", ".0f"),
     ("worst", 7, "cycle", "cycle_1000Hz_worst", ".0f"),
     ("other", 6, "cycle", "cycle_1000Hz_differing", ".0f"),
+    ("learn", 8, "cycle", "cycle_1000Hz_learning", ".0f"),
     ("50 Hz", 8, "cycle", "cycle_50Hz_median", ".1f"),
     ("worst", 7, "cycle", "cycle_50Hz_worst", ".0f"),
     ("other", 6, "cycle", "cycle_50Hz_differing", ".0f"),
