@@ -59,6 +59,7 @@ COLUMNS = (
 )
 LEGEND = """\
 1 kHz, 50 Hz: a cycle [us]; other: cycles of which a contact or the level is another without a budget
+learn: what is measured before the first cycle [us]
 contact, nearest: check_states [us a state], beside FCL; wrong: states with a wrong verdict
 path: check_trajectory [ms], alone: contacts alone; start, kept: without and with kept fits [s]
 """

@@ -232,8 +232,9 @@ SweptContact firstContact(const MovingMesh& a, const MovingShape& b, const Sweep
     MeshQueryLimits query;
     query.visit_budget = budget;
     // What is farther cannot come so near any more.
-    query.stop_beyond = nearest + 2.0 * limits.tolerance +
-                        ofBall(approach, approach.center, approach.radius).within(limits.until - time);
+    query.stop_beyond =
+        nearest + 2.0 * limits.tolerance +
+        ofBall(approach, approach.center, approach.radius).within(limits.until - time);
     const Pose world_from_a = poseAt(a.motion, time);
     const Pose world_from_b = poseAt(b.motion, time);
     const MeshDistance found = distanceBetween(

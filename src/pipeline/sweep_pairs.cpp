@@ -154,8 +154,8 @@ double gapAt(double time, const Sweeping& all, ElementPairIndex pair, const Movi
   return gap;
 }
 
-/// Leaves of the way the times at which elements may meet, as far apart as they are at the start and
-/// at the end: to meet, one has to use up the first gap, and to come apart again the second.
+/// Leaves of the way the times at which elements may meet, as far apart as they are at the start
+/// and at the end: to meet, one has to use up the first gap, and to come apart again the second.
 void narrow(const Sweeping& all, ElementPairIndex pair, const MovingElement& a,
             const MovingElement& b, SweepLimits& limits) noexcept {
   const bool is_a_smaller = a.ball.radius < b.ball.radius;

@@ -44,7 +44,8 @@ struct RefineWork {
   std::size_t steps{0};
 };
 
-/// Of steps in a cycle. Where poses come seldom there is more time, and after a long way more to do.
+/// Of steps in a cycle. Where poses come seldom there is more time, and after a long way more to
+/// do.
 std::uint32_t budgetOf(const RefineWork& work) noexcept;
 
 RefineWork makeRefineWork(const CycleSetup& setup);

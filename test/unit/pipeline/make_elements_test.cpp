@@ -9,7 +9,7 @@
 namespace collision_monitor::test {
 namespace {
 
-SetupOptions optionsFor(RefineGeometry refine) {
+SetupOptions refinedAs(RefineGeometry refine) {
   SetupOptions options;
   options.refine.geometry = refine;
   return options;
@@ -32,10 +32,10 @@ TEST(MakeElements, ofSameMeshesEachIsAsIfAlone) {
     TriangleMesh other = mesh;
     other.vertices[1].x() += 1e-6;
     for (const RefineGeometry refine : {RefineGeometry::mesh, RefineGeometry::hull}) {
-      const CycleSetup all = geometrySetup({mesh, Sphere{0.1}, other, mesh}, optionsFor(refine));
+      const CycleSetup all = geometrySetup({mesh, Sphere{0.1}, other, mesh}, refinedAs(refine));
       ASSERT_EQ(all.elements.size(), 4U);
-      const Element alone = geometrySetup({mesh}, optionsFor(refine)).elements.front();
-      const Element other_alone = geometrySetup({other}, optionsFor(refine)).elements.front();
+      const Element alone = geometrySetup({mesh}, refinedAs(refine)).elements.front();
+      const Element other_alone = geometrySetup({other}, refinedAs(refine)).elements.front();
       expectSame(all.elements[0], alone);
       expectSame(all.elements[2], other_alone);
       expectSame(all.elements[3], alone);
