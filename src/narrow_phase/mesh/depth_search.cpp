@@ -16,9 +16,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Parts of an open surface that are looked at in the time of a node.
-constexpr std::uint32_t kPartsPerVisit = 8;
-
 // What is left of a place that may have corners within the radius that are deep enough to count.
 struct MeasuredPlace {
   bool is_deep{false};
@@ -73,7 +70,7 @@ MeasuredPlace measurePlace(DepthSearch& search, const Vector3d& center, double r
   }
   const PointInMesh lies =
       in_box > 0.0 ? lookInside(search, center, is_inside, radius == 0.0) : PointInMesh();
-  search.visits += lies.visits / kPartsPerVisit;
+  search.visits += lies.visits;
   if (lies.is_inside) {
     if (radius == 0.0) {
       holdBack(lies.hold, center, found);

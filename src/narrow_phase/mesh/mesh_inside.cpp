@@ -16,6 +16,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Parts of an open surface that are looked at in the time of a node.
+constexpr std::uint32_t kPartsPerVisit = 8;
+
 // > 0 where the point is left of the edge seen from above. Both directions of an edge give the
 // same number with opposite signs, to the last bit.
 double sideOf(const Vector3d& from, const Vector3d& to, const Vector3d& point) noexcept {
@@ -101,7 +104,7 @@ PointInMesh lookInside(const MeshTree& tree, const Vector3d& point, MeshQueryMem
   const WindingNumber number = windingByHalf(tree, point, kLeastError, memory);
   const double beyond = std::abs(number.value) - 0.5;
   answer.is_inside = beyond > number.error;
-  answer.visits = number.visits;
+  answer.visits = 1 + number.visits / kPartsPerVisit;
   if (asks_hold) {
     answer.hold = holdFor(std::abs(beyond) - number.error, tree, point, memory);
     answer.hold = answer.is_inside ? std::min(answer.hold, -outside) : answer.hold;

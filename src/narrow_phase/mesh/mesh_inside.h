@@ -27,7 +27,7 @@ struct PointInMesh {
   /// [m] How far the point may go without crossing the surface until that can change. Infinite for
   /// closed meshes.
   double hold{std::numeric_limits<double>::infinity()};
-  std::uint32_t visits{0};  ///< parts of an open surface looked at
+  std::uint32_t visits{0};  ///< of an open surface, in the time of nodes
 };
 
 /// The same for any mesh. Inside of an open one are the points of its box whose winding number is

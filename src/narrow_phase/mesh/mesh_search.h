@@ -132,7 +132,7 @@ struct Holding {
   /// [m] Where there is none: how far one may go, seen from the other, until there can be one
   /// though the surfaces have not met.
   double outside{std::numeric_limits<double>::infinity()};
-  std::uint32_t visits{0};  ///< parts of open surfaces looked at
+  std::uint32_t visits{0};  ///< of open surfaces, in the time of nodes
 };
 
 /// Meant for surfaces that do not cross. Each piece of one is then held by a closed one as a whole

@@ -116,11 +116,12 @@ TEST(BudgetUse, wayThatTheBudgetDoesNotSufficeFor_counts) {
   Scene scene = shellAndAngles(true);
   scene.poses.stamp_ns = 1'000'000'000;
   scene.buffers.refine.limits.budget = 1000000;
+  scene.moveTo(0, -0.085);
   scene.run();
   BudgetTally tally = makeBudgetTally(scene.setup);
-  scene.buffers.refine.limits.budget = 40;
-  scene.poses.stamp_ns += 10'000'000;
-  scene.moveTo(0, 0.05);
+  scene.buffers.refine.limits.budget = 3500;
+  scene.poses.stamp_ns += 1'000'000;
+  scene.moveTo(0, 0.085);  // farther than both gaps
   scene.run();
   EXPECT_GT(scene.buffers.sweep.steps, 0U);
   EXPECT_EQ(sumOfSteps(scene.buffers.sweep.tasks), scene.buffers.sweep.steps);
