@@ -41,13 +41,15 @@ void dropUnjoined(const CycleSetup& setup, const BodyPoses& body_poses,
                    candidates.end());
 }
 
+void place(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept {
+  placeBodies(setup, poses, body_poses);
+  placeElements(setup, poses, body_poses);
+}
+
 /// Distances of what is near, up to what the budget allows.
 void measureNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   const double reach = reachOf(setup.limits);
-  placeBodies(setup, poses, buffers.body_poses);
-  placeElements(setup, poses, buffers.body_poses);
   boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
-  findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
   if (setup.is_continuous) {
     sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
   }
@@ -133,6 +135,7 @@ double nearReachOf(const CycleSetup& setup) noexcept {
 
 void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   constexpr int kMost = 50;
+  place(setup, poses, buffers.body_poses);
   for (int i = 0; i < kMost; ++i) {
     measureNear(setup, poses, buffers);
     if (buffers.refine.left == 0) {
@@ -143,6 +146,8 @@ void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& b
 
 void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   const double reach = reachOf(setup.limits);
+  place(setup, poses, buffers.body_poses);
+  findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
   measureNear(setup, poses, buffers);
   measureWaiting(setup, buffers);
   measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);

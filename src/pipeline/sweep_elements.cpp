@@ -15,7 +15,7 @@ SweptContact sweepConvex(const MovingElement& a, const MovingElement& b, SweepLi
                          RefineScratch& scratch) noexcept {
   ConvexWarmStart warm;
   ConvexSearch search{scratch.convex, warm};
-  limits.budget = (limits.budget + kConvexSteps - 1) / kConvexSteps;
+  limits.budget = limits.budget / kConvexSteps + (limits.budget % kConvexSteps == 0 ? 0 : 1);
   SweptContact found =
       firstContact(MovingConvex{*a.element.convex, a.ball, a.motion},
                    MovingConvex{*b.element.convex, b.ball, b.motion}, limits, search);

@@ -86,8 +86,8 @@ std::string budgetAdvice(const Parameters& parameters, const RefineLimits& limit
   constexpr double kRoom = 0.5;
   const double period = periodOf(parameters);
   const std::string now = std::to_string(limits.budget) + " now";
-  const std::string took = "cycles that spent it took " + fixedText(1e3 * time, 1) + " ms of the " +
-                           fixedText(1e3 * period, 1) + " ms of a period";
+  const std::string took = "cycles that ran out of it took " + fixedText(1e3 * time, 1) +
+                           " ms on average; a period is " + fixedText(1e3 * period, 1) + " ms";
   return time < kRoom * period ? "raise refine_budget (" + now + "): " + took
                                : "raise refine_budget (" + now + ") and lower rate (" +
                                      parameterText(parameters.rate) + " Hz now): " + took;
@@ -96,7 +96,9 @@ std::string budgetAdvice(const Parameters& parameters, const RefineLimits& limit
 std::string toleranceAdvice(const CycleSetup& setup) {
   return "raise distance_tolerance (" + parameterText(setup.refine.tolerance) + " m now, at most " +
          parameterText(setup.limits.warning_distance) +
-         " m): distances of meshes may then be short by that, and verdicts stay";
+         " m): distances of meshes may then be up to that much too small; verdicts by distance do "
+         "not "
+         "change";
 }
 
 std::string hullAdvice(LinkId link, const MonitorSetup& setup) {
@@ -105,7 +107,7 @@ std::string hullAdvice(LinkId link, const MonitorSetup& setup) {
   const std::string rule = "{link: " + name + ", refine: hull}";
   return "if the hull of " + name + " may stand for its " +
          std::to_string(searchedTriangles(link, setup.setup)) + " triangles, " +
-         (file.empty() ? "name a file by shape_rules with shapes: [" + rule + "]"
+         (file.empty() ? "write shapes: [" + rule + "] into a file and set shape_rules to its path"
                        : "add the rule " + rule + " to " + file);
 }
 
@@ -167,15 +169,15 @@ std::vector<std::string> adviceFor(const MonitorSetup& setup, const std::vector<
 void summarizeBudget(const CycleSetup& setup, const BudgetUse& use,
                      const std::vector<Eater>& eaters, DiagnosticStatusWrapper& status) {
   if (use.short_cycles == 0) {
-    status.summary(DiagnosticStatus::OK,
-                   use.cycles == 0 ? "no cycle since the last report" : "refine_budget suffices");
+    status.summary(DiagnosticStatus::OK, use.cycles == 0 ? "no cycle since the last report"
+                                                         : "refine_budget sufficed in all cycles");
     return;
   }
   std::string text = "refine_budget did not suffice in " + std::to_string(use.short_cycles) +
                      " of the " + std::to_string(use.cycles) + " cycles since the last report";
   for (std::size_t i = 0; i < eaters.size(); ++i) {
-    text += (i == 0 ? "; most steps: " : ", ") + pairText(eaters[i], setup) + " (" +
-            percentText(eaters[i].share) + ")";
+    text += (i == 0 ? "; these pairs took most of its steps: " : ", ") +
+            pairText(eaters[i], setup) + " (" + percentText(eaters[i].share) + ")";
   }
   status.summary(DiagnosticStatus::WARN, text);
 }

@@ -4,6 +4,7 @@
 
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "support/geometry_setup.h"
+#include "support/hand_made_setup.h"
 
 namespace collision_monitor::test {
 namespace {
@@ -45,6 +46,34 @@ TEST(LearnPairs, moreThanOneCycleMeasures_theFirstVerdictIsOfTheGeometries) {
   EXPECT_EQ(scene.buffers.counters.left, 0U);
   EXPECT_NE(scene.buffers.events.overall, Verdict::contact);
   EXPECT_TRUE(scene.buffers.distances.passed.empty());
+}
+
+TEST(LearnPairs, betweenTwoCycles_changesNoStep) {
+  CycleSetup setup =
+      handMadeSetup({{0, Box{{0.001, 0.3, 0.3}}}, {1, Sphere{0.01}}, {2, Sphere{0.01}}});
+  setup.is_continuous = true;
+  double longest = 0.0;
+  for (const bool learns : {false, true}) {
+    CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::automatic);
+    LinkPoses poses = knownPoses(setup);
+    poses.world_from_link[1].translation.x() = -0.5;
+    poses.world_from_link[2].translation.z() = 5.0;
+    poses.status[2] = LinkStatus::missing;
+    for (int cycle = 1; cycle <= 3; ++cycle) {
+      poses.stamp_ns = 1'000'000'000 + cycle * 20'000'000;
+      if (cycle == 3) {
+        poses.world_from_link[1].translation.x() += 0.32;  // it was at rest
+        poses.status[2] = LinkStatus::known;
+        if (learns) {
+          learnPairs(setup, poses, buffers);
+        }
+      }
+      runCycle(setup, poses, buffers);
+    }
+    EXPECT_TRUE(buffers.sweep.step.on_way.is_exceeded);
+    longest = learns ? longest : buffers.sweep.step.on_way.longest;
+    EXPECT_EQ(buffers.sweep.step.on_way.longest, longest);
+  }
 }
 
 TEST(LearnPairs, noBudgetAtAll_ends) {

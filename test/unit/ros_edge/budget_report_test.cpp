@@ -60,9 +60,9 @@ TEST(BudgetReport, budgetThatDoesNotSuffice_isAWarningThatNamesThePairs) {
   const DiagnosticStatus status = statusOf(setup, shortUse(setup));
   EXPECT_EQ(status.level, DiagnosticStatus::WARN);
   EXPECT_EQ(status.message,
-            "refine_budget did not suffice in 40 of the 100 cycles since the last report; most "
-            "steps: link_0 and link_1 (75 %), link_1 and link_2 (20 %), link_0 and link_2 "
-            "(5 %)");
+            "refine_budget did not suffice in 40 of the 100 cycles since the last report; these "
+            "pairs took most of its steps: link_0 and link_1 (75 %), link_1 and link_2 (20 %), "
+            "link_0 and link_2 (5 %)");
   const auto values = valuesOf(status);
   EXPECT_EQ(values.at("refine_budget"), "8000");
   EXPECT_EQ(values.at("cycles since the last report"), "100");
@@ -76,12 +76,12 @@ TEST(BudgetReport, budgetThatDoesNotSuffice_isAWarningThatNamesThePairs) {
 TEST(BudgetReport, advice_fitsThePairs) {
   const MonitorSetup setup = meshesAndACylinder();
   EXPECT_EQ(adviceOf(statusOf(setup, shortUse(setup))),
-            "raise refine_budget (8000 now): cycles that spent it took 2.0 ms of the 10.0 ms of a "
-            "period\n"
+            "raise refine_budget (8000 now): cycles that ran out of it took 2.0 ms on average; a "
+            "period is 10.0 ms\n"
             "raise distance_tolerance (0.0001 m now, at most 0.05 m): distances of meshes may then "
-            "be short by that, and verdicts stay\n"
-            "if the hull of link_1 may stand for its 32 triangles, name a file by shape_rules with "
-            "shapes: [{link: link_1, refine: hull}]\n"
+            "be up to that much too small; verdicts by distance do not change\n"
+            "if the hull of link_1 may stand for its 32 triangles, write shapes: [{link: "
+            "link_1, refine: hull}] into a file and set shape_rules to its path\n"
             "if link_0 and link_1 never touch (rosrun collision_monitor pairs finds out), or are "
             "allowed to, leave them out by ignore_pairs: [[link_0, link_1]] or in the SRDF\n"
             "if link_1 and link_2 never touch (rosrun collision_monitor pairs finds out), or are "
@@ -105,7 +105,7 @@ TEST(BudgetReport, budgetThatSuffices_isOkAndGivesNoAdvice) {
   use.most = {};
   const DiagnosticStatus status = statusOf(setup, use);
   EXPECT_EQ(status.level, DiagnosticStatus::OK);
-  EXPECT_EQ(status.message, "refine_budget suffices");
+  EXPECT_EQ(status.message, "refine_budget sufficed in all cycles");
   EXPECT_EQ(valuesOf(status).at("steps of a cycle, worst"), "9500");
   EXPECT_EQ(adviceOf(status), "");
 }
@@ -135,8 +135,8 @@ TEST(BudgetReport, noBudgetAtAll_noPairIsBlamed) {
   EXPECT_EQ(status.message,
             "refine_budget did not suffice in 40 of the 100 cycles since the last report");
   EXPECT_EQ(adviceOf(status),
-            "raise refine_budget (8000 now): cycles that spent it took 2.0 ms of the 10.0 ms of a "
-            "period\n");
+            "raise refine_budget (8000 now): cycles that ran out of it took 2.0 ms on average; a "
+            "period is 10.0 ms\n");
 }
 
 TEST(BudgetReport, cyclesThatFillTheirPeriod_needALowerRateToo) {
@@ -145,7 +145,7 @@ TEST(BudgetReport, cyclesThatFillTheirPeriod_needALowerRateToo) {
   use.short_time = 0.36;
   const std::string advice = adviceOf(statusOf(setup, use));
   EXPECT_EQ(advice.find("raise refine_budget (8000 now) and lower rate (100 Hz now): cycles that "
-                        "spent it took 9.0 ms of the 10.0 ms of a period\n"),
+                        "ran out of it took 9.0 ms on average; a period is 10.0 ms\n"),
             0U)
       << advice;
 }
