@@ -131,6 +131,22 @@ TEST(BudgetUse, wayThatTheBudgetDoesNotSufficeFor_counts) {
   EXPECT_EQ(tally.use.most[0].link_pair, kBallAndShell);
 }
 
+TEST(BudgetUse, largestBudgetThatThereIs_leavesNoWayOpen) {
+  SetupOptions options;
+  options.refine.limits.budget = 4'000'000'000U;
+  const TriangleMesh prism = test::prismMesh(0.1, 0.1, 6);
+  CycleSetup setup = test::geometrySetup({prism, prism}, options);
+  setup.is_continuous = true;
+  Scene scene(std::move(setup));
+  for (const double side : {-1.0, 1.0}) {
+    scene.poses.stamp_ns += 20'000'000;
+    scene.poses.world_from_link[1].translation = {0.0, 0.3 * side, 0.2 + 0.02 * side};
+    scene.run();
+  }
+  EXPECT_GT(scene.buffers.counters.swept, 0U);
+  EXPECT_EQ(scene.buffers.counters.swept_left, 0U);
+}
+
 TEST(BudgetUse, wayThatIsLeftOpenWithStepsToSpare_isNoWantOfBudget) {
   Scene scene = shellAndAngles(true);
   scene.run();

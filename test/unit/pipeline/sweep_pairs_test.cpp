@@ -10,7 +10,6 @@
 #include "geometry/constants.h"
 #include "support/geometry_setup.h"
 #include "support/hand_made_setup.h"
-#include "support/sample_meshes.h"
 
 namespace collision_monitor::test {
 namespace {
@@ -273,18 +272,6 @@ TEST(SweepPairs, budgetSpent_aContactOfEnclosingShapes) {
   EXPECT_EQ(scene.passed()[0].distance.quality, Quality::lower_bound);
   EXPECT_EQ(scene.buffers.counters.swept_left, 1U);
   EXPECT_EQ(scene.verdict(), Verdict::contact);
-}
-
-TEST(SweepPairs, largestBudgetThatThereIs_leavesNothingOpen) {
-  SetupOptions options;
-  options.refine.limits.budget = 4'000'000'000U;
-  Scene scene(geometrySetup({prismMesh(0.1, 0.1, 6), prismMesh(0.1, 0.1, 6)}, options));
-  scene.link(1).translation = {0.0, -0.3, 0.18};
-  scene.run();
-  scene.link(1).translation = {0.0, 0.3, 0.22};
-  scene.run();
-  EXPECT_GT(scene.buffers.counters.swept, 0U);
-  EXPECT_EQ(scene.buffers.counters.swept_left, 0U);
 }
 
 TEST(SweepPairs, elementsFartherAtBothEndsThanTheWay_takeNoBudget) {
