@@ -18,7 +18,7 @@
 
 #include "collision_monitor/narrow_phase/mesh_depth.h"
 #include "collision_monitor/pipeline/run_cycle.h"
-#include "robot_moves.h"
+#include "support/robot_moves.h"
 
 namespace collision_monitor::test {
 namespace {

@@ -7,7 +7,7 @@
 #include "collision_monitor/pipeline/check_trajectory.h"
 #include "fcl_path.h"
 #include "motion_bench.h"
-#include "robot_moves.h"
+#include "support/robot_moves.h"
 
 namespace collision_monitor::test {
 namespace {

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "robot_moves.h"
+#include "support/robot_moves.h"
 
 namespace collision_monitor::test {
 namespace {

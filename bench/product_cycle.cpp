@@ -6,7 +6,7 @@
 
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "product_bench.h"
-#include "robot_moves.h"
+#include "support/robot_moves.h"
 #include "thread_time.h"
 
 namespace collision_monitor::test {

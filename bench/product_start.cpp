@@ -11,7 +11,7 @@
 #include "collision_monitor/pipeline/run_cycle.h"
 #include "collision_monitor/ros_edge/resource_loader.h"
 #include "product_bench.h"
-#include "robot_moves.h"
+#include "support/robot_moves.h"
 #include "support/scratch_folder.h"
 #include "thread_time.h"
 

@@ -8,7 +8,7 @@
 #include "collision_monitor/pipeline/check_states.h"
 #include "fcl_elements.h"
 #include "product_bench.h"
-#include "robot_moves.h"
+#include "support/robot_moves.h"
 #include "support_fcl/solid.h"
 #include "thread_time.h"
 

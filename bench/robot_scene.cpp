@@ -8,8 +8,8 @@
 
 #include "collision_monitor/narrow_phase/distance.h"
 #include "pipeline/measure_elements.h"
-#include "robot_moves.h"
 #include "support/mesh_overlap.h"
+#include "support/robot_moves.h"
 
 namespace collision_monitor::test {
 namespace {

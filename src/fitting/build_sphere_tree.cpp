@@ -165,17 +165,6 @@ struct Build {
   }
 };
 
-bool isHeldByAnother(const Vector3d& point, std::size_t own,
-                     const std::vector<SphereNode>& spheres) {
-  for (std::size_t i = 0; i < spheres.size(); ++i) {
-    const double radius = spheres[i].radius;
-    if (i != own && (point - spheres[i].centre).squaredNorm() < radius * radius) {
-      return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 SphereTree buildSphereTree(const Geometry& geometry, const SphereTreeLimits& limits) {
@@ -184,31 +173,6 @@ SphereTree buildSphereTree(const Geometry& geometry, const SphereTreeLimits& lim
     throw std::invalid_argument("max_leaves is 0; at least 1 is accepted");
   }
   return std::visit(Build{limits}, geometry);
-}
-
-Overshoot measureOvershoot(const std::vector<SphereNode>& spheres, const TriangleBvh& mesh,
-                           int count) {
-  Overshoot overshoot;
-  double total_area = 0.0;
-  for (std::size_t i = 0; i < spheres.size(); ++i) {
-    const auto samples = sampleSurface(Sphere{spheres[i].radius}, count);
-    NearestPoint nearest;
-    for (const auto& sample : samples) {
-      const Vector3d point = spheres[i].centre + sample.point;
-      if (isHeldByAnother(point, i, spheres)) {
-        continue;
-      }
-      const NearestPoint start = nearest.leaf_triangle == NearestPoint::kNone
-                                     ? NearestPoint{}
-                                     : mesh.nearestOn(nearest.leaf_triangle, point);
-      nearest = mesh.nearestTo(point, start, kTolerance);
-      overshoot.max = std::max(overshoot.max, nearest.distance);
-      overshoot.mean += sample.area * nearest.distance;
-      total_area += sample.area;
-    }
-  }
-  overshoot.mean = total_area > 0.0 ? overshoot.mean / total_area : overshoot.max;
-  return overshoot;
 }
 
 }  // namespace collision_monitor

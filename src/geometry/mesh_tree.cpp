@@ -212,11 +212,6 @@ void boundBySlabs(const std::vector<Builder::Extents>& extents,
 
 }  // namespace
 
-MeshTree MeshTree::ofOpen(const TriangleMesh& mesh) {
-  checkMesh(mesh);
-  return ofOriented(orientedSurface(mesh));
-}
-
 MeshTree MeshTree::ofOriented(const TriangleMesh& oriented) {
   checkMesh(oriented);
   return MeshTree(oriented, false, openSurfaceOf(oriented));

@@ -45,10 +45,6 @@ std::vector<SphereNode> spheresOfLevel(const SphereTree& tree, std::uint32_t lev
   return cut(tree, [&](const SphereNode& node) { return node.level >= level; });
 }
 
-std::vector<SphereNode> spheresWithin(const SphereTree& tree, double max_overshoot) {
-  return cut(tree, [&](const SphereNode& node) { return node.overshoot <= max_overshoot; });
-}
-
 SphereTree placed(const SphereTree& tree, const Pose& link_from_geometry) {
   const Eigen::Matrix3d& rotation = link_from_geometry.rotation;
   // |R| <= 1 + |R^T R - I|, which itself is computed within 12 u.

@@ -126,12 +126,6 @@ std::string fitKey(const std::vector<Geometry>& geometries, const FitLimits& lim
 
 FitCache::FitCache(fs::path directory) : directory_(std::move(directory)) {}
 
-const std::vector<Fit>* FitCache::findRepeated(const std::string& key) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = kept_.find(key);
-  return found == kept_.end() ? nullptr : &found->second;
-}
-
 std::optional<std::vector<Fit>> FitCache::load(const std::string& key,
                                                const std::vector<Geometry>& geometries) {
   std::error_code ignored;
@@ -156,7 +150,6 @@ void FitCache::keep(const std::string& key, const std::vector<Fit>& fits, bool i
   bool can_write = !directory_.empty() && !is_from_file;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    kept_[key] = fits;
     // After one failure the others would fail too, each perhaps after a time-out of the network.
     can_write = can_write && write_fault_.empty();
   }

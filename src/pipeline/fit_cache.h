@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -17,7 +16,7 @@ namespace collision_monitor {
 /// bit, the limits. Where a geometry sits on its link does not matter.
 std::string fitKey(const std::vector<Geometry>& geometries, const FitLimits& limits);
 
-/// Fits of earlier set-ups, one file a link in a directory, and those of this set-up in memory.
+/// Fits of earlier set-ups, one file a link in a directory.
 ///
 /// Files are never trusted: what is no regular file, damaged, of another version, or does not
 /// provably enclose the geometry is none, counted, and overwritten by what is fitted instead. They
@@ -26,17 +25,14 @@ std::string fitKey(const std::vector<Geometry>& geometries, const FitLimits& lim
 /// the same time.
 class FitCache {
  public:
-  /// An empty directory means memory alone.
+  /// An empty directory keeps nothing.
   explicit FitCache(std::filesystem::path directory);
-
-  /// Fits of this set-up, by a key that was kept before.
-  const std::vector<Fit>* findRepeated(const std::string& key) const;
 
   /// Fits from the directory, proven to enclose the geometries.
   std::optional<std::vector<Fit>> load(const std::string& key,
                                        const std::vector<Geometry>& geometries);
 
-  /// Keeps fits in memory, and in the directory if they are not from there.
+  /// Keeps fits in the directory if they are not from there.
   void keep(const std::string& key, const std::vector<Fit>& fits, bool is_from_file);
 
   /// Files that were there and of no use. Both are to be asked when all threads are done.
@@ -51,7 +47,6 @@ class FitCache {
 
   std::filesystem::path directory_;
   mutable std::mutex mutex_;  ///< of all below
-  std::map<std::string, std::vector<Fit>> kept_;
   std::size_t rejected_count_{0};
   std::string write_fault_;
 };

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "collision_monitor/geometry/mesh_tree.h"
 #include "collision_monitor/geometry/triangle_mesh.h"
+#include "collision_monitor/geometry/winding.h"
 #include "support/random_poses.h"
 
 /// Meshes for tests of mesh queries that no simpler test would break.
@@ -13,5 +15,10 @@ TriangleMesh bumpyMesh(double length, int sectors);
 
 /// Triangles without order: `count` of them, with needles, segments and points among them.
 TriangleMesh triangleSoup(double reach, int count, Random& random);
+
+/// A surface that need not be closed, as set-ups make it.
+inline MeshTree openTree(const TriangleMesh& mesh) {
+  return MeshTree::ofOriented(orientedSurface(mesh));
+}
 
 }  // namespace collision_monitor::test

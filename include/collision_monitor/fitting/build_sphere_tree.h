@@ -41,11 +41,4 @@ struct SphereTreeLimits {
 /// `max_leaves` of 0.
 SphereTree buildSphereTree(const Geometry& geometry, const SphereTreeLimits& limits);
 
-/// How far the union of spheres reaches beyond the surface: at points of the spheres that no
-/// other sphere holds. Points inside a closed surface count like those outside.
-/// Error: `max` is a lower bound, from about `count` samples a sphere.
-/// Limits: `{0, 0}` when there is no sphere.
-Overshoot measureOvershoot(const std::vector<SphereNode>& spheres, const TriangleBvh& mesh,
-                           int count);
-
 }  // namespace collision_monitor

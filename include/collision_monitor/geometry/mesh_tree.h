@@ -66,11 +66,10 @@ class MeshTree {
   /// m, or a triangle names a vertex that is not there.
   explicit MeshTree(const TriangleMesh& mesh, bool is_closed = false);
 
-  /// A surface that need not be closed: winding numbers tell what is inside. Its triangles are
-  /// those of orientedSurface. Takes about a quarter more memory.
+  /// A surface that need not be closed: winding numbers tell what is inside. Takes about a quarter
+  /// more memory.
+  /// @param oriented what orientedSurface made.
   /// @throws std::invalid_argument as the constructor.
-  static MeshTree ofOpen(const TriangleMesh& mesh);
-  /// The same of what orientedSurface made.
   static MeshTree ofOriented(const TriangleMesh& oriented);
 
   const std::vector<MeshTreeNode>& nodes() const noexcept { return nodes_; }

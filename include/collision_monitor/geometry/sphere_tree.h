@@ -45,10 +45,6 @@ std::uint32_t levelCount(const SphereTree& tree) noexcept;
 /// the last gives the leaves.
 std::vector<SphereNode> spheresOfLevel(const SphereTree& tree, std::uint32_t level);
 
-/// The coarsest cut whose spheres each overshoot by `max_overshoot` at most; leaves that overshoot
-/// more are in it too, for there is nothing finer.
-std::vector<SphereNode> spheresWithin(const SphereTree& tree, double max_overshoot);
-
 /// The tree seen from another frame: `link_from_geometry` as stored is applied to the surface.
 /// Error: radii grow by what the pose and its application may lack in rounding, about 1e-15 of the
 /// lengths for a rotation that is orthonormal up to rounding.

@@ -92,7 +92,7 @@ RC_GTEST_PROP(SphereTreeLaws, everyCutEncloses_alsoFromAnotherFrame, ()) {
           .toRotationMatrix();
   link_from_geometry.translation = vector(5.0);
   const SphereTree tree = placed(buildSphereTree(mesh, {}), link_from_geometry);
-  const auto spheres = spheresWithin(tree, between(0.0, 0.5));
+  const auto spheres = spheresOfLevel(tree, static_cast<std::uint32_t>(between(0.0, 8.0)));
   for (const auto& triangle : mesh.triangles) {
     for (const auto& sample : samplesOf(mesh, triangle)) {
       const LongVector in_link = link_from_geometry.rotation.cast<long double>() * sample +

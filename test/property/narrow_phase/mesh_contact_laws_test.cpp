@@ -30,7 +30,7 @@ class MeshContactLaws : public testing::Test {
       case 1:
         return MeshTree(bumpyMesh(0.4, 10), true);
       case 2:
-        return MeshTree::ofOpen(sphereMesh(0.3, 12));
+        return test::openTree(sphereMesh(0.3, 12));
       default:
         return MeshTree(triangleSoup(0.4, 30, random_));
     }

@@ -88,7 +88,7 @@ Vector3d pointOff(const MeshTree& tree) {
 }
 
 RC_GTEST_PROP(MeshWindingLaws, hierarchy_isOffTheSumOfAllTrianglesByNoMoreThanIsTold, ()) {
-  const MeshTree tree = MeshTree::ofOpen(anyOpen());
+  const MeshTree tree = test::openTree(anyOpen());
   const Vector3d point = pointOff(tree);
   const double exact = sumOfAll(tree, point);
   for (const double error : {0.3, 1e-2, 1e-4, 1e-9}) {
@@ -103,7 +103,7 @@ RC_GTEST_PROP(MeshWindingLaws, hierarchy_isOffTheSumOfAllTrianglesByNoMoreThanIs
 RC_GTEST_PROP(MeshWindingLaws, closedMeshes_haveTheInsideOfTheExactTest, ()) {
   const TriangleMesh mesh = anyClosed();
   const MeshTree closed(mesh, true);
-  const MeshTree tree = MeshTree::ofOpen(mesh);
+  const MeshTree tree = test::openTree(mesh);
   const Vector3d point = pointOff(tree);
   const bool is_inside = isInside(closed, point, memory());
   const WindingNumber number = windingNumber(tree, point, 1e-3, memory());
@@ -120,17 +120,17 @@ RC_GTEST_PROP(MeshWindingLaws, oneRigidMotionOnBoth_changesNothing, ()) {
   }
   const Vector3d turn = anyPoint(3000);
   const Vector3d shift = anyPoint(1000);
-  const MeshTree tree = MeshTree::ofOpen(mesh);
+  const MeshTree tree = test::openTree(mesh);
   const Vector3d point = pointOff(tree);
   // The same way as the vertices go.
   const Vector3d image = moved(TriangleMesh{{point}, {}}, turn, shift).vertices[0];
-  const MeshTree elsewhere = MeshTree::ofOpen(moved(mesh, turn, shift));
+  const MeshTree elsewhere = test::openTree(moved(mesh, turn, shift));
   const double number = windingNumber(tree, point, 1e-9, memory()).value;
   RC_ASSERT(std::abs(number - windingNumber(elsewhere, image, 1e-9, memory()).value) < 1e-7);
 }
 
 RC_GTEST_PROP(MeshWindingLaws, decision_isThatOfTheSumButNearOneHalf, ()) {
-  const MeshTree tree = MeshTree::ofOpen(anyOpen());
+  const MeshTree tree = test::openTree(anyOpen());
   const Vector3d point = pointOff(tree);
   const double beyond = std::abs(sumOfAll(tree, point)) - 0.5;
   const bool is_inside = lookInside(tree, point, memory()).is_inside;
@@ -145,7 +145,7 @@ RC_GTEST_PROP(MeshWindingLaws, decision_isThatOfTheSumButNearOneHalf, ()) {
 }
 
 RC_GTEST_PROP(MeshWindingLaws, waysShorterThanTheHold_changeNothing, ()) {
-  const MeshTree tree = MeshTree::ofOpen(anyOpen());
+  const MeshTree tree = test::openTree(anyOpen());
   const Vector3d point = pointOff(tree);
   const PointInMesh lies = lookInside(tree, point, memory());
   const double way = 0.999 * std::min(lies.hold, distanceTo(tree, point));
@@ -160,7 +160,7 @@ RC_GTEST_PROP(MeshWindingLaws, waysShorterThanTheHold_changeNothing, ()) {
 }
 
 RC_GTEST_PROP(MeshWindingLaws, queries_doNotAllocate, ()) {
-  const MeshTree tree = MeshTree::ofOpen(anyOpen());
+  const MeshTree tree = test::openTree(anyOpen());
   const Vector3d point = anyPoint(700);
   memory();
   const AllocationGuard guard;

@@ -35,14 +35,6 @@ TEST(SphereTree, levelsTakeTheLeavesAboveThem) {
   EXPECT_EQ(radiiOf(spheresOfLevel(tree, 99)), (std::vector<double>{3, 2, 2}));
 }
 
-TEST(SphereTree, cutByOvershoot_isTheCoarsestThatIsGoodEnough) {
-  const SphereTree tree = smallTree();
-  EXPECT_EQ(radiiOf(spheresWithin(tree, 4.0)), (std::vector<double>{8}));
-  EXPECT_EQ(radiiOf(spheresWithin(tree, 3.9)), (std::vector<double>{5, 3}));
-  EXPECT_EQ(radiiOf(spheresWithin(tree, 1.5)), (std::vector<double>{3, 2, 2}));
-  EXPECT_EQ(radiiOf(spheresWithin(tree, 0.0)), (std::vector<double>{3, 2, 2}));
-}
-
 TEST(SphereTree, withoutNodes_hasNoLevelsAndNoSpheres) {
   EXPECT_EQ(levelCount(SphereTree{}), 0u);
   EXPECT_TRUE(spheresOfLevel(SphereTree{}, 0).empty());

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "collision_monitor/narrow_phase/mesh_distance.h"
+#include "support/query_meshes.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor::test {
@@ -71,7 +72,7 @@ TEST_F(MeshContactTest, poseNotFinite_isOpen) {
 TEST_F(MeshContactTest, holeInTheOuterMesh_outsideIsToldWhereAsked) {
   TriangleMesh open = boxMesh({0.1, 0.1, 0.1});
   open.triangles.pop_back();
-  const MeshTree outer = MeshTree::ofOpen(open);
+  const MeshTree outer = test::openTree(open);
   EXPECT_EQ(contactOf({outer, Pose()}, {small_, at(0.0)}, {}, *memory_).state, State::contact);
   MeshContactQuery query;
   query.asks_outside = true;

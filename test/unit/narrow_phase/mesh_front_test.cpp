@@ -140,7 +140,7 @@ TEST_F(MeshFronts, nearestPointThatGoesIntoAnOpenMesh_isAsked) {
   }
   tube.triangles.push_back({first, first + 1, first + 3});
   tube.triangles.push_back({first, first + 3, first + 2});
-  const MeshTree open = MeshTree::ofOpen(tube);
+  const MeshTree open = test::openTree(tube);
   const ConvexGeometry bar = Box{{0.01, 0.01, 1.5}};
   for (const double x : {0.0, -0.001, -0.002, -0.004, -0.006, -0.008}) {
     const PlacedConvex placed{bar, at(x, 0, 0)};

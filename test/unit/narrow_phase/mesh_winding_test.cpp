@@ -12,6 +12,7 @@
 #include "collision_monitor/narrow_phase/mesh_openness.h"
 #include "narrow_phase/mesh/mesh_inside.h"
 #include "support/mesh_overlap.h"
+#include "support/query_meshes.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor::test::mesh_winding {
@@ -41,7 +42,7 @@ class MeshWinding : public testing::Test {
     return lookInside(tree, point, *memory_).is_inside;
   }
   bool holds(const TriangleMesh& mesh, const Vector3d& point) {
-    return holds(MeshTree::ofOpen(mesh), point);
+    return holds(test::openTree(mesh), point);
   }
   MeshDistance distance(const MeshTree& a, const MeshTree& b, const Vector3d& to_b) {
     const Pose here;
@@ -61,7 +62,7 @@ class MeshWinding : public testing::Test {
 };
 
 TEST_F(MeshWinding, cubeWithoutOneSide_fiveSixthsInTheMiddle) {
-  const MeshTree tree = MeshTree::ofOpen(openBox());
+  const MeshTree tree = test::openTree(openBox());
   const WindingNumber number = windingNumber(tree, Vector3d::Zero(), 1e-9, *memory_);
   EXPECT_NEAR(number.value, 5.0 / 6.0, 2e-9);
   EXPECT_LE(number.error, 1e-9);
@@ -69,7 +70,7 @@ TEST_F(MeshWinding, cubeWithoutOneSide_fiveSixthsInTheMiddle) {
 }
 
 TEST_F(MeshWinding, openBox_endsAtItsHole) {
-  const MeshTree tree = MeshTree::ofOpen(openBox());
+  const MeshTree tree = test::openTree(openBox());
   for (const double x : {0.0, 0.7}) {
     EXPECT_TRUE(holds(tree, {x, 0, 0.9}));
     EXPECT_FALSE(holds(tree, {x, 0, 1.001}));
@@ -146,7 +147,7 @@ TEST_F(MeshWinding, trianglesWithoutArea_changeNothing) {
 }
 
 TEST_F(MeshWinding, meshInsideAnOpenOne_overlaps) {
-  const MeshTree box = MeshTree::ofOpen(openBox());
+  const MeshTree box = test::openTree(openBox());
   const MeshTree small(boxMesh({0.1, 0.1, 0.1}), true);
   EXPECT_EQ(distance(box, small, {0.3, 0, 0}).state, MeshState::overlapping);
   EXPECT_EQ(distance(small, box, {0.3, 0, 0}).state, MeshState::overlapping);
@@ -156,7 +157,7 @@ TEST_F(MeshWinding, meshInsideAnOpenOne_overlaps) {
 }
 
 TEST_F(MeshWinding, barThatReachesInThroughTheHole_overlaps) {
-  const MeshTree box = MeshTree::ofOpen(openBox());
+  const MeshTree box = test::openTree(openBox());
   const MeshTree bar(boxMesh({0.1, 0.1, 1.0}), true);
   EXPECT_EQ(distance(box, bar, {0, 0, 1.9}).state, MeshState::overlapping);
   EXPECT_EQ(distance(box, bar, {0, 0, 2.1}).state, MeshState::exact);
@@ -165,7 +166,7 @@ TEST_F(MeshWinding, barThatReachesInThroughTheHole_overlaps) {
 }
 
 TEST_F(MeshWinding, shapesInsideAnOpenMesh_overlapAndAreAsDeepAsIsProven) {
-  const MeshTree box = MeshTree::ofOpen(openBox());
+  const MeshTree box = test::openTree(openBox());
   const ConvexHull hull(boxMesh({0.1, 0.1, 0.1}).vertices);
   for (const ConvexGeometry& geometry :
        {ConvexGeometry(Sphere{0.1}), ConvexGeometry(Capsule{0.1, 0.1}),
@@ -184,7 +185,7 @@ TEST_F(MeshWinding, shapesInsideAnOpenMesh_overlapAndAreAsDeepAsIsProven) {
 }
 
 TEST_F(MeshWinding, depthOfMeshes_isNotBeyondTheHole) {
-  const MeshTree box = MeshTree::ofOpen(openBox());
+  const MeshTree box = test::openTree(openBox());
   const MeshTree small(boxMesh({0.1, 0.1, 0.1}), true);
   const Pose here;
   for (const double height : {-0.5, 0.0, 0.5, 0.85}) {
@@ -201,14 +202,14 @@ TEST_F(MeshWinding, depthOfMeshes_isNotBeyondTheHole) {
 
 TEST_F(MeshWinding, openness) {
   EXPECT_EQ(opennessOf(MeshTree(boxMesh({1, 1, 1}), true)), 0.0);
-  EXPECT_NEAR(opennessOf(MeshTree::ofOpen(sheet())), 0.5, 0.006);
-  EXPECT_GT(opennessOf(MeshTree::ofOpen(bowl())), 2.0 * kTooOpen);
-  EXPECT_GT(opennessOf(MeshTree::ofOpen(openBox())), kTooOpen);
+  EXPECT_NEAR(opennessOf(test::openTree(sheet())), 0.5, 0.006);
+  EXPECT_GT(opennessOf(test::openTree(bowl())), 2.0 * kTooOpen);
+  EXPECT_GT(opennessOf(test::openTree(openBox())), kTooOpen);
   TriangleMesh torso = sphereMesh(1.0, 24);
   for (const std::size_t hole : {500, 400, 300, 100}) {
     torso.triangles.erase(torso.triangles.begin() + static_cast<std::ptrdiff_t>(hole));
   }
-  EXPECT_LT(opennessOf(MeshTree::ofOpen(torso)), 0.5 * kTooOpen) << "twelve edges are open";
+  EXPECT_LT(opennessOf(test::openTree(torso)), 0.5 * kTooOpen) << "twelve edges are open";
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_monitor/model/joint_path.h"
 #include "collision_monitor/model/kinematics.h"
 #include "collision_monitor/pipeline/cycle_data.h"
 #include "support/file_loader.h"
@@ -31,6 +32,10 @@ JointPositions between(const JointPositions& from, const JointPositions& to, dou
 
 /// Every link known, roots at the origin.
 LinkPoses posesAt(const RobotModel& model, const JointPositions& positions);
+
+/// All joints that move go evenly from one random configuration to the next, and to two more: 100
+/// way-points a tenth of a second apart.
+JointPath randomPath(const RobotModel& model);
 
 /// The robots go from one random configuration towards the next, the fastest joint at a speed, for
 /// half a second, and poses come at a rate; then from and to others. Always the same moves.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "robot_moves.h"
+#include "support/robot_moves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +51,33 @@ LinkPoses posesAt(const RobotModel& model, const JointPositions& positions) {
   std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
   placeLinks(model, positions, std::vector<Pose>(model.robots.size()), poses.world_from_link);
   return poses;
+}
+
+JointPath randomPath(const RobotModel& model) {
+  constexpr std::size_t kWaypoints = 100;
+  constexpr std::size_t kPartWaypoints = 25;
+  JointPath path;
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    if (isDrawn(model.joints[i])) {
+      path.joints.push_back(idAt<JointId>(i));
+    }
+  }
+  std::mt19937_64 random(20260101);
+  JointPositions from = drawPositions(model, random);
+  JointPositions to = drawPositions(model, random);
+  for (std::size_t k = 0; k < kWaypoints; ++k) {
+    path.times.push_back(0.1 * static_cast<double>(k));
+    if (k > 0 && k % kPartWaypoints == 0) {
+      from = to;
+      to = drawPositions(model, random);
+    }
+    const double share = static_cast<double>(k % kPartWaypoints) / kPartWaypoints;
+    const JointPositions positions = between(from, to, share);
+    for (const JointId joint : path.joints) {
+      path.positions.push_back(positions[model.joint(joint).first_variable]);
+    }
+  }
+  return path;
 }
 
 Mover::Mover(const RobotModel& model, double rate, double speed)
