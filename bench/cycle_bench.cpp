@@ -16,9 +16,9 @@
 #include <optional>
 #include <string>
 
-#include "collision_monitor/narrow_phase/mesh_depth.h"
-#include "collision_monitor/pipeline/run_cycle.h"
-#include "support/robot_moves.h"
+#include "narrow_phase/mesh_depth/mesh_depth.h"
+#include "pipeline/cycle/run_cycle.h"
+#include "support/robots/robot_moves.h"
 
 namespace collision_monitor::test {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench_loop.h"
-#include "collision_monitor/narrow_phase/mesh_distance.h"
+#include "narrow_phase/mesh/mesh_distance.h"
 #include "support/mesh_overlap.h"
 #include "support/own_front.h"
 #include "support/query_meshes.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bench_loop.h"
-#include "collision_monitor/narrow_phase/distance.h"
 #include "collision_monitor/narrow_phase/pair_rows.h"
+#include "narrow_phase/distance.h"
 #include "support/instruction_sets.h"
 #include "support/random_pairs.h"
 #include "support_fcl/fcl_adapter.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "bench_loop.h"
-#include "collision_monitor/ros_edge/pose_reader.h"
-#include "support/urdf_text.h"
+#include "ros_edge/poses/pose_reader.h"
+#include "support/robots/urdf_text.h"
 
 // Poses of all links of an arm and of a humanoid, at one stamp, from ten seconds of data at 100 Hz:
 // PoseReader after a message and without one, beside tf2's buffer asked for every link from the

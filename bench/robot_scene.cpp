@@ -6,10 +6,10 @@
 #include <limits>
 #include <random>
 
-#include "collision_monitor/narrow_phase/distance.h"
-#include "pipeline/measure_elements.h"
+#include "narrow_phase/distance.h"
+#include "pipeline/refine/measure_elements.h"
 #include "support/mesh_overlap.h"
-#include "support/robot_moves.h"
+#include "support/robots/robot_moves.h"
 
 namespace collision_monitor::test {
 namespace {

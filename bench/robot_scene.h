@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "collision_monitor/narrow_phase/convex_pairs.h"
-#include "collision_monitor/pipeline/run_cycle.h"
 #include "fcl_elements.h"
-#include "support/file_loader.h"
+#include "narrow_phase/convex/convex_pairs.h"
+#include "pipeline/cycle/run_cycle.h"
+#include "support/robots/file_loader.h"
 
 /// A robot of the shared data that moves through random configurations, for us and for FCL.
 namespace collision_monitor::test {

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "bench_loop.h"
-#include "collision_monitor/pipeline/check_states.h"
-#include "support/file_loader.h"
+#include "pipeline/states/check_states.h"
 #include "support/instruction_sets.h"
 #include "support/random_poses.h"
+#include "support/robots/file_loader.h"
 #include "support_fcl/fcl_adapter.h"
 
 // A table: robots of the shared data with one shape a link, at random joint positions. Times of

@@ -1,12 +1,13 @@
 # Sources of the core that the program read_meshes has, too: compiled once for both. The program is
 # not linked to the core, whose libraries take three times as long to load as all else there.
 set(mesh_reading_sources)
-foreach(name binary_stl dae_check dae_nodes helper_main mesh_builder mesh_bytes mesh_reader
-        message_channel number_text obj_text place ply_check problems stl_check triangulate
-        visible_text xml_declaration xml_document)
+foreach(name mesh_loading/helper_main mesh_loading/message_channel mesh_files/binary_stl
+        mesh_files/dae_check mesh_files/dae_nodes mesh_files/mesh_builder mesh_files/mesh_bytes
+        mesh_files/mesh_reader mesh_files/obj_text mesh_files/ply_check mesh_files/stl_check
+        mesh_files/triangulate number_text place problems xml_declaration xml_document visible_text)
   list(APPEND mesh_reading_sources ${PROJECT_SOURCE_DIR}/src/model/${name}.cpp)
 endforeach()
-list(APPEND mesh_reading_sources ${PROJECT_SOURCE_DIR}/src/geometry/weld_vertices.cpp)
+list(APPEND mesh_reading_sources ${PROJECT_SOURCE_DIR}/src/geometry/meshes/weld_vertices.cpp)
 add_library(${PROJECT_NAME}_mesh_reading OBJECT ${mesh_reading_sources})
 set_target_properties(${PROJECT_NAME}_mesh_reading PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_include_directories(${PROJECT_NAME}_mesh_reading

@@ -22,14 +22,47 @@ MAY_INCLUDE = {
     "pipeline": GEOMETRY | {"fitting", "model", "pipeline"} | PHASES,
     "ros_edge": GEOMETRY | {"fitting", "model", "pipeline", "ros_edge"} | PHASES,
 }
-# The same for folders within a room: what stands in the room itself is free to both sides.
+# The same for folders within a room: what stands in the room itself is free to both sides. Rooms
+# that are not named here have folders that may include each other.
+CONVEX = {"closed_form", "contact", "gjk"}
+MESHES = {"mesh", "mesh_front", "mesh_depth", "triangle"}
 MAY_INCLUDE_WITHIN = {
-    "narrow_phase": {
-        "contact": {"contact"},
-        "closed_form": {"closed_form", "contact"},
+    "geometry": {
         "lanes": {"lanes"},
-        "convex": {"convex", "closed_form", "contact"},
-        "mesh": {"mesh", "convex", "closed_form", "contact"},
+        "meshes": {"meshes"},
+        "bvh": {"bvh", "meshes"},
+        "hulls": {"hulls", "bvh"},
+    },
+    "fitting": {
+        "search": {"search"},
+        "proofs": {"proofs", "search"},
+        "shapes": {"shapes", "proofs", "search"},
+        "inner": {"inner", "proofs", "search"},
+        "parts": {"parts", "shapes", "proofs", "search"},
+        "sphere_trees": {"sphere_trees", "shapes", "proofs", "search"},
+    },
+    "model": {
+        "mesh_files": {"mesh_files"},
+        "mesh_loading": {"mesh_loading", "mesh_files"},
+        "urdf": {"urdf", "mesh_loading", "mesh_files"},
+        "srdf": {"srdf"},
+        "rules": {"rules"},
+        "kinematics": {"kinematics"},
+        "second_reader": {"second_reader"},
+    },
+    "narrow_phase": {
+        "closed_form": {"closed_form"},
+        "contact": {"contact", "closed_form"},
+        "gjk": CONVEX,
+        "epa": CONVEX | {"epa"},
+        "sat": CONVEX | {"sat"},
+        "warm_start": CONVEX | {"warm_start"},
+        "convex": CONVEX | {"convex", "epa", "sat", "warm_start"},
+        "simd": {"simd", "closed_form"},
+        "triangle": CONVEX | {"triangle"},
+        "mesh": CONVEX | MESHES | {"warm_start"},
+        "mesh_front": CONVEX | MESHES,
+        "mesh_depth": CONVEX | MESHES,
     },
 }
 # Headers that only the named rooms may know; all other third-party headers are free.
@@ -60,7 +93,7 @@ def included_room(include, path):
         # One level deep are the generated message headers.
         return parts[1] if len(parts) > 2 else "ros_edge"
     if (path.parent / include).exists():
-        return path.parent.name
+        return None  # beside it
     return parts[0] if parts[0] in MAY_INCLUDE else None
 
 

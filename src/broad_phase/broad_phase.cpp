@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/broad_phase/broad_phase.h"
+#include "broad_phase/broad_phase.h"
 
 #include <algorithm>
 
-#include "collision_monitor/geometry/visit_held.h"
+#include "geometry/bvh/visit_held.h"
 
 namespace collision_monitor {
 namespace {

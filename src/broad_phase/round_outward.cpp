@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "broad_phase/round_outward.h"
 
-#include "collision_monitor/geometry/lane_targets.h"
+#include "geometry/lanes/lane_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "broad_phase/round_outward.cpp"

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "collision_monitor/geometry/interruption.h"
+#include "geometry/interruption.h"
 
 namespace collision_monitor {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/geometry/point_triangle.h"
+#include "geometry/point_triangle.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

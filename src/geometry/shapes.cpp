@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision_monitor/geometry/visit_held.h"
+#include "geometry/bvh/visit_held.h"
 #include "geometry/constants.h"
 
 namespace collision_monitor {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/model/xml_declaration.h"
+#include "model/xml_declaration.h"
 
 #include <algorithm>
 #include <string_view>

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "collision_monitor/model/xml_declaration.h"
+#include "model/xml_declaration.h"
 
 namespace collision_monitor {
 namespace {

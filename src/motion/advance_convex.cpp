@@ -3,10 +3,10 @@
 #include <optional>
 #include <type_traits>
 
-#include "collision_monitor/geometry/visit_held.h"
-#include "collision_monitor/motion/time_of_contact.h"
-#include "collision_monitor/narrow_phase/distance.h"
+#include "geometry/bvh/visit_held.h"
 #include "motion/advance.h"
+#include "motion/time_of_contact.h"
+#include "narrow_phase/distance.h"
 
 namespace collision_monitor {
 namespace {

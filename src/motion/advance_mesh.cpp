@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "motion/advance.h"
-#include "narrow_phase/core_distance.h"
+#include "narrow_phase/closed_form/core_distance.h"
 #include "narrow_phase/mesh/mesh_search.h"
-#include "narrow_phase/mesh/triangle_edges.h"
+#include "narrow_phase/triangle/triangle_edges.h"
 
 namespace collision_monitor {
 namespace {

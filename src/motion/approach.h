@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "collision_monitor/motion/conservative_advancement.h"
+#include "motion/conservative_advancement.h"
 
 /// How fast two bodies on screw motions can come nearer: the bounds behind conservative
 /// advancement.

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/motion/link_velocity.h"
+#include "motion/link_velocity.h"
 
 #include <cmath>
 
-#include "collision_monitor/motion/screw_motion.h"
+#include "motion/screw_motion.h"
 
 namespace collision_monitor {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/motion/moving_sphere.h"
+#include "motion/moving_sphere.h"
 
 #include <limits>
 

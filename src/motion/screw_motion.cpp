@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/motion/screw_motion.h"
+#include "motion/screw_motion.h"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/motion/time_of_contact.h"
+#include "motion/time_of_contact.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "narrow_phase/closed_form/separating_axes.h"
+#include "narrow_phase/sat/separating_axes.h"
 
 namespace collision_monitor {
 namespace {

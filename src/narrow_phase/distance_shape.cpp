@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <variant>
 
-#include "collision_monitor/narrow_phase/distance.h"
-#include "narrow_phase/core_distance.h"
+#include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/distance.h"
 
 namespace collision_monitor {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/narrow_phase/geometry_distance.h"
+#include "narrow_phase/geometry_distance.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
-#include "collision_monitor/geometry/visit_held.h"
-#include "collision_monitor/narrow_phase/mesh_depth.h"
-#include "collision_monitor/narrow_phase/mesh_way_out.h"
-#include "narrow_phase/core_distance.h"
+#include "geometry/bvh/visit_held.h"
+#include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/mesh_depth/mesh_depth.h"
+#include "narrow_phase/mesh_depth/mesh_way_out.h"
 
 namespace collision_monitor {
 namespace {

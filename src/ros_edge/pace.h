@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "collision_monitor/ros_edge/parameters.h"
+#include "ros_edge/parameters/parameters.h"
 
 /// When cycles begin and states are due, by wall time.
 namespace collision_monitor {

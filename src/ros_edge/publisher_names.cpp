@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/ros_edge/publisher_names.h"
+#include "ros_edge/publisher_names.h"
 
 #include "model/place.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "ros_edge/floating_parts.h"
-#include "ros_edge/pair_counts.h"
+#include "ros_edge/outputs/pair_counts.h"
+#include "ros_edge/poses/floating_parts.h"
 
 namespace collision_monitor {
 

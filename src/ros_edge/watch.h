@@ -5,12 +5,12 @@
 #include <memory>
 #include <vector>
 
-#include "collision_monitor/pipeline/link_velocities.h"
-#include "collision_monitor/pipeline/run_cycle.h"
-#include "collision_monitor/ros_edge/pose_reader.h"
-#include "pipeline/budget_use.h"
-#include "ros_edge/clock_watch.h"
-#include "ros_edge/monitor_setup.h"
+#include "pipeline/cycle/budget_use.h"
+#include "pipeline/cycle/link_velocities.h"
+#include "pipeline/cycle/run_cycle.h"
+#include "ros_edge/inputs/clock_watch.h"
+#include "ros_edge/parameters/monitor_setup.h"
+#include "ros_edge/poses/pose_reader.h"
 
 namespace collision_monitor {
 

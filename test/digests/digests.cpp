@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "digests/robot_digests.h"
-#include "support/file_loader.h"
+#include "support/robots/file_loader.h"
 
 namespace collision_monitor::test {
 namespace {

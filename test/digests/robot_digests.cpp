@@ -4,11 +4,11 @@
 
 #include <random>
 
-#include "collision_monitor/pipeline/check_states.h"
-#include "collision_monitor/pipeline/check_trajectory.h"
-#include "collision_monitor/pipeline/run_cycle.h"
 #include "collision_monitor/pipeline/search_pairs.h"
-#include "support/robot_moves.h"
+#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/states/check_states.h"
+#include "pipeline/trajectory/check_trajectory.h"
+#include "support/robots/robot_moves.h"
 
 namespace collision_monitor::test {
 namespace {

@@ -35,10 +35,10 @@ class Layers(unittest.TestCase):
         self.assertIn("src/geometry/pose.cpp: geometry may not include model", result.stdout)
 
     def test_include_against_the_arrow_between_folders_is_named(self):
-        result = check_one_file("src/narrow_phase/convex/gjk.cpp",
+        result = check_one_file("src/narrow_phase/gjk/gjk.cpp",
                                 '#include "narrow_phase/mesh/mesh_search.h"\n')
         self.assertEqual(result.returncode, 1)
-        self.assertIn("src/narrow_phase/convex/gjk.cpp: convex may not include mesh", result.stdout)
+        self.assertIn("src/narrow_phase/gjk/gjk.cpp: gjk may not include mesh", result.stdout)
 
     def test_folder_without_a_place_is_named(self):
         result = check_one_file("src/narrow_phase/attic/gjk.cpp", "#include <cmath>\n")

@@ -8,12 +8,12 @@
 #include <memory>
 #include <vector>
 
-#include "collision_monitor/geometry/convex_hull.h"
-#include "collision_monitor/narrow_phase/geometry_distance.h"
-#include "support/convex_measure.h"
-#include "support/convex_reference.h"
+#include "geometry/hulls/convex_hull.h"
+#include "narrow_phase/geometry_distance.h"
 #include "support/fixed_seed.h"
 #include "support/query_meshes.h"
+#include "support/reference/convex_measure.h"
+#include "support/reference/convex_reference.h"
 #include "support/sample_meshes.h"
 #include "support_fcl/fcl_adapter.h"
 #include "support_fcl/fcl_mesh.h"

@@ -7,11 +7,11 @@
 #include <cstdio>
 #include <utility>
 
-#include "collision_monitor/narrow_phase/distance.h"
+#include "narrow_phase/distance.h"
 #include "support/expect_distance.h"
 #include "support/fixed_seed.h"
 #include "support/random_pairs.h"
-#include "support/reference_distance.h"
+#include "support/reference/reference_distance.h"
 #include "support_fcl/fcl_adapter.h"
 
 // Prints the tables of docs/accuracy.md: for each kind of pair the worst error of this package

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "collision_monitor/narrow_phase/mesh_distance.h"
+#include "narrow_phase/mesh/mesh_distance.h"
 #include "support/fixed_seed.h"
 #include "support/mesh_overlap.h"
 #include "support/query_meshes.h"

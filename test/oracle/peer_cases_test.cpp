@@ -11,16 +11,16 @@
 #include <optional>
 #include <type_traits>
 
-#include "collision_monitor/geometry/convex_hull.h"
-#include "collision_monitor/model/mesh_reader.h"
-#include "collision_monitor/narrow_phase/geometry_distance.h"
-#include "collision_monitor/narrow_phase/mesh_depth.h"
-#include "collision_monitor/narrow_phase/mesh_way_out.h"
-#include "support/convex_measure.h"
-#include "support/convex_reference.h"
-#include "support/file_loader.h"
+#include "geometry/hulls/convex_hull.h"
+#include "model/mesh_files/mesh_reader.h"
+#include "narrow_phase/geometry_distance.h"
+#include "narrow_phase/mesh_depth/mesh_depth.h"
+#include "narrow_phase/mesh_depth/mesh_way_out.h"
 #include "support/mesh_overlap.h"
-#include "support/reference_distance.h"
+#include "support/reference/convex_measure.h"
+#include "support/reference/convex_reference.h"
+#include "support/reference/reference_distance.h"
+#include "support/robots/file_loader.h"
 #include "support/sample_meshes.h"
 #include "support_fcl/fcl_mesh.h"
 

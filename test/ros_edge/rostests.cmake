@@ -1,6 +1,6 @@
 # A rostest starts its own master and nodes, waits for conditions with a deadline, and never sleeps
 # blindly.
-file(GLOB rostests CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/*.test)
+file(GLOB rostests CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/launch/*.test)
 foreach(file ${rostests})
   get_filename_component(name ${file} NAME_WE)
   add_test(NAME ros_edge_${name}

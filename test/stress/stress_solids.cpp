@@ -8,9 +8,9 @@
 #include <memory>
 #include <optional>
 
-#include "collision_monitor/geometry/convex_hull.h"
-#include "collision_monitor/narrow_phase/geometry_distance.h"
-#include "support/convex_measure.h"
+#include "geometry/hulls/convex_hull.h"
+#include "narrow_phase/geometry_distance.h"
+#include "support/reference/convex_measure.h"
 
 namespace collision_monitor::test {
 namespace {

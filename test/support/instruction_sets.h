@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "collision_monitor/geometry/lane_targets.h"
+#include "geometry/lanes/lane_targets.h"
 // Above first.
 #include <hwy/targets.h>
 

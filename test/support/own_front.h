@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "collision_monitor/narrow_phase/mesh_front.h"
+#include "narrow_phase/mesh_front/mesh_front.h"
 
 namespace collision_monitor::test {
 

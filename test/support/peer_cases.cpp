@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "support/file_loader.h"
+#include "support/robots/file_loader.h"
 
 namespace collision_monitor::test {
 namespace {

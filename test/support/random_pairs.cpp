@@ -6,7 +6,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "support/reference_distance.h"
+#include "support/reference/reference_distance.h"
 
 namespace collision_monitor::test {
 namespace {

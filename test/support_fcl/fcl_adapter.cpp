@@ -14,7 +14,7 @@
 #include <exception>
 #include <vector>
 
-#include "collision_monitor/geometry/convex_hull.h"
+#include "geometry/hulls/convex_hull.h"
 
 namespace collision_monitor::test {
 namespace {

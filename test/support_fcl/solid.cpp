@@ -7,7 +7,7 @@
 
 #include "collision_monitor/geometry/mesh_tree.h"
 #include "collision_monitor/geometry/winding.h"
-#include "fitting/closed_surface.h"
+#include "fitting/proofs/closed_surface.h"
 #include "support_fcl/fcl_mesh.h"
 
 namespace collision_monitor::test {

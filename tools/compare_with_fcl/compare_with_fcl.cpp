@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "collision_monitor/model/regular_file.h"
-#include "collision_monitor/ros_edge/resource_loader.h"
 #include "comparison.h"
 #include "exact_comparison.h"
+#include "model/mesh_files/regular_file.h"
+#include "ros_edge/parameters/resource_loader.h"
 
 /// Compares our distances and verdicts with FCL's on the enclosing shapes of a robot.
 namespace collision_monitor {

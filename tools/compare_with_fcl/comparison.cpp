@@ -7,9 +7,9 @@
 #include <limits>
 #include <optional>
 
-#include "collision_monitor/pipeline/run_cycle.h"
+#include "pipeline/cycle/run_cycle.h"
 #include "random_poses.h"
-#include "support/reference_distance.h"
+#include "support/reference/reference_distance.h"
 #include "support_fcl/fcl_adapter.h"
 
 namespace collision_monitor {

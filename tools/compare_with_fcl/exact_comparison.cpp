@@ -7,7 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "collision_monitor/pipeline/run_cycle.h"
+#include "pipeline/cycle/run_cycle.h"
 #include "random_poses.h"
 #include "support_fcl/fcl_adapter.h"
 #include "support_fcl/solid.h"

@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "collision_monitor/pipeline/cycle_data.h"
 #include "comparison.h"
+#include "pipeline/data/cycle_data.h"
 
 namespace collision_monitor {
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "exports.h"
 
-#include "collision_monitor/fitting/build_sphere_tree.h"
+#include "fitting/sphere_trees/build_sphere_tree.h"
+#include "pictures/write_html.h"
 #include "table.h"
-#include "write_html.h"
 #include "write_urdf.h"
 
 namespace collision_monitor::fit_tool {

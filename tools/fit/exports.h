@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "collision_monitor/fitting/export_spheres.h"
 #include "fit_robot.h"
+#include "fitting/sphere_trees/export_spheres.h"
 
 namespace collision_monitor::fit_tool {
 

@@ -7,12 +7,12 @@
 #include "exports.h"
 #include "options.h"
 #include "output_files.h"
+#include "pictures/write_html.h"
 #include "progress.h"
 #include "read_robot.h"
-#include "ros_edge/fit_options.h"
+#include "ros_edge/parameters/fit_options.h"
 #include "sphere_overlaps.h"
 #include "table.h"
-#include "write_html.h"
 
 /// Encloses the links of a robot and says how well: `fit --help`.
 namespace collision_monitor::fit_tool {

@@ -6,9 +6,9 @@
 
 #include "collision_monitor/fitting/fit_parts.h"
 #include "measure_fit.h"
-#include "model/link_selection.h"
-#include "pipeline/open_meshes.h"
-#include "surface_mesh.h"
+#include "model/rules/link_selection.h"
+#include "pictures/surface_mesh.h"
+#include "pipeline/fits/open_meshes.h"
 
 namespace collision_monitor::fit_tool {
 namespace {

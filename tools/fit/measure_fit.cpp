@@ -9,8 +9,8 @@
 
 #include "collision_monitor/fitting/inner_shape.h"
 #include "collision_monitor/geometry/bounds.h"
-#include "collision_monitor/geometry/convex_hull.h"
 #include "geometry/constants.h"
+#include "geometry/hulls/convex_hull.h"
 
 namespace collision_monitor::fit_tool {
 namespace {

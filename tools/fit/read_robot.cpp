@@ -11,8 +11,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "collision_monitor/model/regular_file.h"
-#include "collision_monitor/ros_edge/resource_loader.h"
+#include "model/mesh_files/regular_file.h"
+#include "ros_edge/parameters/resource_loader.h"
 
 namespace collision_monitor::fit_tool {
 namespace {

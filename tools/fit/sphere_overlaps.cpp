@@ -9,7 +9,7 @@
 
 #include "collision_monitor/model/kinematics.h"
 #include "collision_monitor/model/pair_rules.h"
-#include "collision_monitor/narrow_phase/geometry_distance.h"
+#include "narrow_phase/geometry_distance.h"
 #include "table.h"
 
 namespace collision_monitor::fit_tool {

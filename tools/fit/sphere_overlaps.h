@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "collision_monitor/fitting/export_spheres.h"
 #include "collision_monitor/model/problems.h"
 #include "collision_monitor/model/robot_model.h"
+#include "fitting/sphere_trees/export_spheres.h"
 
 namespace collision_monitor::fit_tool {
 

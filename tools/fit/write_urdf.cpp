@@ -9,8 +9,8 @@
 #include <charconv>
 #include <map>
 
-#include "collision_monitor/geometry/rpy.h"
-#include "collision_monitor/model/xml_declaration.h"
+#include "geometry/rpy.h"
+#include "model/xml_declaration.h"
 
 namespace collision_monitor::fit_tool {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "model/helper_main.h"
+#include "model/mesh_loading/helper_main.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/model/mesh_reader.h"
-#include "model/helper_main.h"
-#include "model/mesh_bytes.h"
+#include "model/mesh_files/mesh_bytes.h"
+#include "model/mesh_files/mesh_reader.h"
+#include "model/mesh_loading/helper_main.h"
 
 /// Reads meshes for MeshProcess.
 int main() {

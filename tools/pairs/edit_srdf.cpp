@@ -9,7 +9,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "collision_monitor/model/xml_declaration.h"
+#include "model/xml_declaration.h"
 
 namespace collision_monitor::pairs_tool {
 namespace {

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "collision_monitor/model/srdf_reader.h"
-#include "collision_monitor/model/xml_declaration.h"
 #include "edit_srdf.h"
+#include "model/xml_declaration.h"
 #include "srdf_places.h"
 
 namespace collision_monitor::pairs_tool {

@@ -12,7 +12,7 @@
 #include "progress.h"
 #include "read_robot.h"
 #include "report.h"
-#include "ros_edge/fit_options.h"
+#include "ros_edge/parameters/fit_options.h"
 
 /// Finds out which pairs of links can touch: `pairs --help`.
 namespace collision_monitor::pairs_tool {

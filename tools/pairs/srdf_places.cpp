@@ -11,7 +11,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "collision_monitor/model/xml_declaration.h"
+#include "model/xml_declaration.h"
 
 namespace collision_monitor::pairs_tool {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "ros_edge/conversions.h"
-#include "ros_edge/marker_shapes.h"
+#include "ros_edge/markers/marker_shapes.h"
+#include "ros_edge/outputs/conversions.h"
 
 namespace collision_monitor::two_capsules {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "collision_monitor/narrow_phase/distance.h"
-#include "fitting/point_cloud.h"
+#include "fitting/search/point_cloud.h"
+#include "narrow_phase/distance.h"
 
 namespace collision_monitor::two_capsules {
 namespace {

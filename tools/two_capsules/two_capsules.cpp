@@ -11,7 +11,7 @@
 
 #include "draw.h"
 #include "keyboard.h"
-#include "ros_edge/node_arguments.h"
+#include "ros_edge/node/node_arguments.h"
 
 namespace collision_monitor::two_capsules {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/narrow_phase/distance.h"
 #include "narrow_phase/closed_form/closest_points.h"
-#include "narrow_phase/core_distance.h"
+#include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/distance.h"
 
 namespace collision_monitor {
 namespace {

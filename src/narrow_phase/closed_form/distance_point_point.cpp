@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/narrow_phase/distance.h"
-#include "narrow_phase/core_distance.h"
+#include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/distance.h"
 
 namespace collision_monitor {
 

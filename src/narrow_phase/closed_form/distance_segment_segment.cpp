@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "collision_monitor/narrow_phase/distance.h"
 #include "narrow_phase/closed_form/closest_points.h"
-#include "narrow_phase/core_distance.h"
+#include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/distance.h"
 
 namespace collision_monitor {
 namespace {

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "narrow_phase/closed_form/core_distance.h"
 #include "narrow_phase/contact/hull_patch.h"
-#include "narrow_phase/core_distance.h"
 
 namespace collision_monitor {
 namespace {

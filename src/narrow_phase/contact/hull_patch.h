@@ -4,7 +4,7 @@
 
 #include "collision_monitor/geometry/hull.h"
 #include "collision_monitor/geometry/shapes.h"
-#include "collision_monitor/narrow_phase/manifold.h"
+#include "narrow_phase/contact/manifold.h"
 
 namespace collision_monitor {
 

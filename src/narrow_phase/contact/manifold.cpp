@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/narrow_phase/manifold.h"
+#include "narrow_phase/contact/manifold.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "narrow_phase/closed_form/core_distance.h"
 #include "narrow_phase/contact/manifold_points.h"
-#include "narrow_phase/core_distance.h"
 
 namespace collision_monitor {
 namespace {

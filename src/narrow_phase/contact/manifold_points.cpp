@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "narrow_phase/core_distance.h"
+#include "narrow_phase/closed_form/core_distance.h"
 
 namespace collision_monitor {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "collision_monitor/narrow_phase/manifold.h"
+#include "narrow_phase/contact/manifold.h"
 
 /// The pieces that manifolds are made of.
 namespace collision_monitor {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "narrow_phase/convex/confirm_cylinder.h"
+#include "narrow_phase/warm_start/confirm_cylinder.h"
 
 namespace collision_monitor {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "collision_monitor/narrow_phase/convex_pairs.h"
-#include "narrow_phase/convex/cylinder_rows.h"
+#include "narrow_phase/convex/convex_pairs.h"
+#include "narrow_phase/warm_start/cylinder_rows.h"
 
 /// Pairs with a cylinder in and out of CylinderRows.
 namespace collision_monitor {

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "collision_monitor/geometry/visit_held.h"
 #include "collision_monitor/narrow_phase/convex_distance.h"
-#include "collision_monitor/narrow_phase/distance.h"
-#include "narrow_phase/convex/confirm_nearest.h"
-#include "narrow_phase/convex/convex_core.h"
+#include "geometry/bvh/visit_held.h"
+#include "narrow_phase/closed_form/core_distance.h"
 #include "narrow_phase/convex/distance_half_space.h"
-#include "narrow_phase/convex/flat_contact.h"
 #include "narrow_phase/convex/search_cores.h"
-#include "narrow_phase/core_distance.h"
+#include "narrow_phase/distance.h"
+#include "narrow_phase/gjk/convex_core.h"
+#include "narrow_phase/gjk/flat_contact.h"
+#include "narrow_phase/warm_start/confirm_nearest.h"
 
 namespace collision_monitor {
 namespace {

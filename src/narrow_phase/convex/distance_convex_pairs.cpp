@@ -3,13 +3,13 @@
 #include <array>
 #include <cmath>
 
-#include "collision_monitor/narrow_phase/convex_pairs.h"
-#include "narrow_phase/convex/convex_core.h"
+#include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/convex/convex_pairs.h"
 #include "narrow_phase/convex/cylinder_pairs.h"
-#include "narrow_phase/convex/flat_contact.h"
-#include "narrow_phase/convex/proof_rows.h"
-#include "narrow_phase/convex/support_plane.h"
-#include "narrow_phase/core_distance.h"
+#include "narrow_phase/gjk/convex_core.h"
+#include "narrow_phase/gjk/flat_contact.h"
+#include "narrow_phase/gjk/support_plane.h"
+#include "narrow_phase/warm_start/proof_rows.h"
 
 namespace collision_monitor {
 namespace {

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "narrow_phase/convex/confirm_depth.h"
-#include "narrow_phase/convex/distance_parallel_axes.h"
-#include "narrow_phase/convex/epa.h"
-#include "narrow_phase/convex/flat_contact.h"
-#include "narrow_phase/convex/gjk.h"
-#include "narrow_phase/convex/hull_depth.h"
-#include "narrow_phase/convex/round_depth.h"
-#include "narrow_phase/core_distance.h"
+#include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/epa/epa.h"
+#include "narrow_phase/epa/round_depth.h"
+#include "narrow_phase/gjk/distance_parallel_axes.h"
+#include "narrow_phase/gjk/flat_contact.h"
+#include "narrow_phase/gjk/gjk.h"
+#include "narrow_phase/sat/hull_depth.h"
+#include "narrow_phase/warm_start/confirm_depth.h"
 
 namespace collision_monitor {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "collision_monitor/narrow_phase/convex_distance.h"
-#include "narrow_phase/convex/convex_pair.h"
+#include "narrow_phase/gjk/convex_pair.h"
 
 namespace collision_monitor {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "narrow_phase/mesh/mesh_inside.h"
-#include "narrow_phase/mesh/mesh_support.h"
-#include "narrow_phase/mesh/triangle_core.h"
-#include "narrow_phase/mesh/triangle_edges.h"
+#include "narrow_phase/mesh_depth/mesh_support.h"
+#include "narrow_phase/triangle/triangle_core.h"
+#include "narrow_phase/triangle/triangle_edges.h"
 
 namespace collision_monitor {
 namespace {

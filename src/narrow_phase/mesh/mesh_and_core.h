@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "geometry/constants.h"
-#include "narrow_phase/convex/convex_core.h"
+#include "narrow_phase/gjk/convex_core.h"
 #include "narrow_phase/mesh/nearest_search.h"
 
 /// What questions about a mesh and a solid shape share: the search for the nearest triangle.

@@ -6,7 +6,7 @@
 
 #include "narrow_phase/mesh/mesh_inside.h"
 #include "narrow_phase/mesh/mesh_search.h"
-#include "narrow_phase/mesh/triangle_edges.h"
+#include "narrow_phase/triangle/triangle_edges.h"
 
 namespace collision_monitor {
 namespace {

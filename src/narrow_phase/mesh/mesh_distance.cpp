@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/narrow_phase/mesh_distance.h"
+#include "narrow_phase/mesh/mesh_distance.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "narrow_phase/core_distance.h"
-#include "narrow_phase/mesh/front_search.h"
-#include "narrow_phase/mesh/triangle_edges.h"
+#include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/mesh_front/front_search.h"
+#include "narrow_phase/triangle/triangle_edges.h"
 
 namespace collision_monitor {
 namespace {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <optional>
 
-#include "collision_monitor/geometry/visit_held.h"
-#include "narrow_phase/convex/confirm_nearest.h"
-#include "narrow_phase/convex/convex_core.h"
-#include "narrow_phase/convex/gjk.h"
-#include "narrow_phase/core_distance.h"
-#include "narrow_phase/mesh/point_on_mesh.h"
+#include "geometry/bvh/visit_held.h"
+#include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/gjk/convex_core.h"
+#include "narrow_phase/gjk/gjk.h"
+#include "narrow_phase/mesh_depth/point_on_mesh.h"
+#include "narrow_phase/warm_start/confirm_nearest.h"
 
 namespace collision_monitor {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "collision_monitor/narrow_phase/mesh_distance.h"
+#include "narrow_phase/mesh/mesh_distance.h"
 
 namespace collision_monitor {
 

@@ -9,7 +9,7 @@
 #include "geometry/constants.h"
 #include "narrow_phase/mesh/mesh_search.h"
 #include "narrow_phase/mesh/mesh_winding.h"
-#include "narrow_phase/mesh/point_on_mesh.h"
+#include "narrow_phase/mesh_depth/point_on_mesh.h"
 
 namespace collision_monitor {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "collision_monitor/geometry/mesh_tree.h"
-#include "collision_monitor/narrow_phase/mesh_distance.h"
+#include "narrow_phase/mesh/mesh_distance.h"
 
 namespace collision_monitor {
 

@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "collision_monitor/narrow_phase/mesh_distance.h"
-#include "collision_monitor/narrow_phase/triangle_triangle.h"
 #include "narrow_phase/mesh/mesh_bounds.h"
+#include "narrow_phase/mesh/mesh_distance.h"
+#include "narrow_phase/triangle/triangle_triangle.h"
 
 /// What the queries about two meshes share: pairs of bounds on a stack, the nearest on top.
 namespace collision_monitor {

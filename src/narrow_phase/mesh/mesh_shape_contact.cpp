@@ -4,7 +4,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "collision_monitor/geometry/visit_held.h"
+#include "geometry/bvh/visit_held.h"
 #include "narrow_phase/mesh/mesh_and_core.h"
 
 namespace collision_monitor {

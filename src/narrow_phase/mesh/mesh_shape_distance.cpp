@@ -6,14 +6,14 @@
 #include <limits>
 #include <type_traits>
 
-#include "collision_monitor/geometry/visit_held.h"
-#include "narrow_phase/convex/convex_core.h"
-#include "narrow_phase/core_distance.h"
-#include "narrow_phase/mesh/front_search.h"
+#include "geometry/bvh/visit_held.h"
+#include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/gjk/convex_core.h"
 #include "narrow_phase/mesh/mesh_and_core.h"
 #include "narrow_phase/mesh/mesh_inside.h"
-#include "narrow_phase/mesh/triangle_core.h"
-#include "narrow_phase/mesh/triangle_edges.h"
+#include "narrow_phase/mesh_front/front_search.h"
+#include "narrow_phase/triangle/triangle_core.h"
+#include "narrow_phase/triangle/triangle_edges.h"
 
 namespace collision_monitor {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "narrow_phase/mesh/mesh_front.h"
 #include "narrow_phase/mesh/mesh_search.h"
+#include "narrow_phase/mesh_front/front_entries.h"
 
 /// Branch and bound for the nearest points of a mesh and something else.
 namespace collision_monitor {

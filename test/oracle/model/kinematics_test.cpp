@@ -15,7 +15,7 @@
 #include <map>
 #include <random>
 
-#include "support/file_loader.h"
+#include "support/robots/file_loader.h"
 
 namespace collision_monitor {
 namespace {

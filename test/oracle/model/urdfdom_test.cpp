@@ -7,8 +7,8 @@
 
 #include <Eigen/Geometry>
 
-#include "collision_monitor/model/second_reader.h"
-#include "support/file_loader.h"
+#include "model/second_reader/second_reader.h"
+#include "support/robots/file_loader.h"
 
 namespace collision_monitor {
 namespace {

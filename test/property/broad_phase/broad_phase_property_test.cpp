@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "collision_monitor/broad_phase/broad_phase.h"
+#include "broad_phase/broad_phase.h"
 #include "geometry/constants.h"
 #include "support/allocation_guard.h"
 #include "support/fixed_seed.h"

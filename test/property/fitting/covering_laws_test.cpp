@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "collision_monitor/fitting/covering.h"
-#include "support/extended_distance.h"
+#include "fitting/proofs/covering.h"
 #include "support/fixed_seed.h"
 #include "support/random_poses.h"
+#include "support/reference/extended_distance.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor {

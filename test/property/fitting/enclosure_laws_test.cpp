@@ -7,13 +7,13 @@
 #include <cmath>
 
 #include "collision_monitor/fitting/enclose.h"
-#include "collision_monitor/fitting/fit_box.h"
-#include "collision_monitor/fitting/fit_capsule.h"
-#include "collision_monitor/fitting/fit_rounded_box.h"
-#include "collision_monitor/fitting/fit_sphere.h"
-#include "collision_monitor/fitting/proof.h"
-#include "support/extended_distance.h"
+#include "fitting/proofs/proof.h"
+#include "fitting/shapes/fit_box.h"
+#include "fitting/shapes/fit_capsule.h"
+#include "fitting/shapes/fit_rounded_box.h"
+#include "fitting/shapes/fit_sphere.h"
 #include "support/fixed_seed.h"
+#include "support/reference/extended_distance.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor {

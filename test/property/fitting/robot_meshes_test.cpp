@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "collision_monitor/fitting/enclose.h"
-#include "support/extended_distance.h"
-#include "support/file_loader.h"
+#include "support/reference/extended_distance.h"
+#include "support/robots/file_loader.h"
 
 namespace collision_monitor {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "collision_monitor/fitting/build_sphere_tree.h"
 #include "collision_monitor/fitting/inner_shape.h"
-#include "support/file_loader.h"
+#include "fitting/sphere_trees/build_sphere_tree.h"
+#include "support/robots/file_loader.h"
 
 namespace collision_monitor {
 namespace {

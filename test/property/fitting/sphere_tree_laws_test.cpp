@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision_monitor/fitting/build_sphere_tree.h"
 #include "collision_monitor/fitting/enclose.h"
 #include "collision_monitor/fitting/inner_shape.h"
-#include "collision_monitor/geometry/convex_hull.h"
-#include "support/extended_distance.h"
+#include "fitting/sphere_trees/build_sphere_tree.h"
+#include "geometry/hulls/convex_hull.h"
 #include "support/fixed_seed.h"
+#include "support/reference/extended_distance.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor::sphere_tree_laws {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-#include "collision_monitor/geometry/convex_hull.h"
+#include "geometry/hulls/convex_hull.h"
 #include "support/fixed_seed.h"
 
 namespace collision_monitor {

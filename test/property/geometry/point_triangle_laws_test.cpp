@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "collision_monitor/geometry/point_triangle.h"
+#include "geometry/point_triangle.h"
 #include "support/fixed_seed.h"
 #include "support/random_poses.h"
 

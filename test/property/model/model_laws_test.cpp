@@ -7,11 +7,11 @@
 #include <algorithm>
 
 #include "collision_monitor/model/kinematics.h"
-#include "model/merge_capsules.h"
-#include "model/mesh_store.h"
-#include "model/triangulate.h"
+#include "model/mesh_files/triangulate.h"
+#include "model/mesh_loading/mesh_store.h"
+#include "model/urdf/merge_capsules.h"
 #include "support/fixed_seed.h"
-#include "support/urdf_text.h"
+#include "support/robots/urdf_text.h"
 
 namespace collision_monitor {
 namespace {

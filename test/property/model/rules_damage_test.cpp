@@ -6,7 +6,7 @@
 #include <random>
 
 #include "collision_monitor/model/shape_rules.h"
-#include "support/file_loader.h"
+#include "support/robots/file_loader.h"
 
 namespace collision_monitor {
 namespace {

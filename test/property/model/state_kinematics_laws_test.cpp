@@ -4,10 +4,10 @@
 
 #include <cstring>
 
-#include "collision_monitor/model/state_kinematics.h"
+#include "model/kinematics/state_kinematics.h"
 #include "support/fixed_seed.h"
 #include "support/instruction_sets.h"
-#include "support/random_model.h"
+#include "support/robots/random_model.h"
 
 namespace collision_monitor::test {
 namespace {

@@ -5,13 +5,13 @@
 
 #include <cmath>
 
-#include "collision_monitor/motion/conservative_advancement.h"
-#include "collision_monitor/motion/moving_sphere.h"
-#include "collision_monitor/motion/time_of_contact.h"
-#include "support/convex_measure.h"
+#include "motion/conservative_advancement.h"
+#include "motion/moving_sphere.h"
+#include "motion/time_of_contact.h"
 #include "support/fixed_seed.h"
 #include "support/query_meshes.h"
-#include "support/random_motions.h"
+#include "support/reference/convex_measure.h"
+#include "support/robots/random_motions.h"
 
 namespace collision_monitor::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/fixed_seed.h"
-#include "support/random_motions.h"
+#include "support/robots/random_motions.h"
 
 namespace collision_monitor::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "support/convex_cases.h"
-#include "support/convex_measure.h"
 #include "support/fixed_seed.h"
+#include "support/reference/convex_measure.h"
 
 // Laws that hold for every two convex geometries. Lengths are whole millimetres and turns are often
 // quarter turns, so that parallel, touching and concentric pairs are common.

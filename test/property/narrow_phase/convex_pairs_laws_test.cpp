@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "collision_monitor/narrow_phase/convex_pairs.h"
+#include "narrow_phase/convex/convex_pairs.h"
 #include "support/convex_cases.h"
 #include "support/fixed_seed.h"
 #include "support/instruction_sets.h"

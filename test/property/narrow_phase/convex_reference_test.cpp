@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "support/convex_reference.h"
+#include "support/reference/convex_reference.h"
 
 #include <gtest/gtest.h>
 

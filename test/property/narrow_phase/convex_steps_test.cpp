@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "support/convex_cases.h"
-#include "support/convex_measure.h"
 #include "support/fixed_seed.h"
+#include "support/reference/convex_measure.h"
 
 // Convex pairs that move in small steps, each measured with what the last one left: every answer
 // proves itself, and is that of a cold search.

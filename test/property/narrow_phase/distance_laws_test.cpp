@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "collision_monitor/narrow_phase/distance.h"
+#include "narrow_phase/distance.h"
 #include "support/expect_distance.h"
 #include "support/fixed_seed.h"
 #include "support/random_pairs.h"

@@ -4,11 +4,11 @@
 
 #include <tuple>
 
-#include "collision_monitor/narrow_phase/distance.h"
+#include "narrow_phase/distance.h"
 #include "support/expect_distance.h"
 #include "support/fixed_seed.h"
 #include "support/random_pairs.h"
-#include "support/reference_distance.h"
+#include "support/reference/reference_distance.h"
 
 namespace collision_monitor::test {
 namespace {

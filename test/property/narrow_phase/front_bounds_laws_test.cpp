@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include "collision_monitor/narrow_phase/mesh_distance.h"
-#include "narrow_phase/mesh/mesh_front.h"
+#include "narrow_phase/mesh/mesh_distance.h"
+#include "narrow_phase/mesh_front/front_entries.h"
 #include "support/fixed_seed.h"
 #include "support/own_front.h"
 #include "support/query_meshes.h"

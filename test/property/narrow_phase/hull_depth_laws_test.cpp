@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "collision_monitor/narrow_phase/convex_distance.h"
-#include "narrow_phase/convex/convex_core.h"
-#include "narrow_phase/convex/epa.h"
-#include "narrow_phase/convex/gjk.h"
-#include "narrow_phase/convex/hull_depth.h"
+#include "narrow_phase/epa/epa.h"
+#include "narrow_phase/gjk/convex_core.h"
+#include "narrow_phase/gjk/gjk.h"
+#include "narrow_phase/sat/hull_depth.h"
 #include "support/fixed_seed.h"
 #include "support/random_poses.h"
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "collision_monitor/narrow_phase/mesh_depth.h"
+#include "narrow_phase/mesh_depth/mesh_depth.h"
 #include "support/fixed_seed.h"
 #include "support/query_meshes.h"
 #include "support/random_poses.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision_monitor/narrow_phase/distance.h"
-#include "collision_monitor/narrow_phase/manifold.h"
+#include "narrow_phase/contact/manifold.h"
+#include "narrow_phase/distance.h"
 #include "support/fixed_seed.h"
 #include "support/random_pairs.h"
 

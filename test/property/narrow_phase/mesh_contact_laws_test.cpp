@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "collision_monitor/narrow_phase/mesh_distance.h"
+#include "narrow_phase/mesh/mesh_distance.h"
 #include "support/allocation_guard.h"
 #include "support/expect_distance.h"
 #include "support/fixed_seed.h"

@@ -9,8 +9,8 @@
 #include <memory>
 #include <vector>
 
-#include "collision_monitor/narrow_phase/mesh_distance.h"
-#include "collision_monitor/narrow_phase/triangle_triangle.h"
+#include "narrow_phase/mesh/mesh_distance.h"
+#include "narrow_phase/triangle/triangle_triangle.h"
 #include "support/allocation_guard.h"
 #include "support/fixed_seed.h"
 #include "support/own_front.h"

@@ -9,15 +9,15 @@
 #include <limits>
 #include <memory>
 
-#include "collision_monitor/narrow_phase/mesh_distance.h"
+#include "narrow_phase/mesh/mesh_distance.h"
 #include "support/allocation_guard.h"
-#include "support/convex_reference.h"
 #include "support/expect_distance.h"
 #include "support/fixed_seed.h"
 #include "support/mesh_overlap.h"
 #include "support/query_meshes.h"
 #include "support/random_pairs.h"
-#include "support/reference_features.h"
+#include "support/reference/convex_reference.h"
+#include "support/reference/reference_features.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor::test {

@@ -12,7 +12,7 @@
 #include "geometry/constants.h"
 #include "narrow_phase/mesh/mesh_inside.h"
 #include "narrow_phase/mesh/mesh_winding.h"
-#include "narrow_phase/mesh/point_on_mesh.h"
+#include "narrow_phase/mesh_depth/point_on_mesh.h"
 #include "support/allocation_guard.h"
 #include "support/query_meshes.h"
 #include "support/sample_meshes.h"

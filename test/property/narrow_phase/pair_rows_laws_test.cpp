@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-#include "collision_monitor/narrow_phase/distance.h"
 #include "collision_monitor/narrow_phase/pair_rows.h"
+#include "narrow_phase/distance.h"
 #include "support/expect_distance.h"
 #include "support/fixed_seed.h"
 #include "support/instruction_sets.h"

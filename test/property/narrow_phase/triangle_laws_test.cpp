@@ -9,12 +9,12 @@
 #include <sstream>
 #include <vector>
 
-#include "collision_monitor/narrow_phase/triangle_triangle.h"
-#include "narrow_phase/mesh/triangle_edges.h"
+#include "narrow_phase/triangle/triangle_edges.h"
+#include "narrow_phase/triangle/triangle_triangle.h"
 #include "support/fixed_seed.h"
 #include "support/instruction_sets.h"
 #include "support/random_poses.h"
-#include "support/reference_features.h"
+#include "support/reference/reference_features.h"
 
 namespace collision_monitor::test::triangle_laws {
 namespace {

@@ -6,15 +6,15 @@
 #include <limits>
 
 #include "collision_monitor/model/kinematics.h"
-#include "collision_monitor/narrow_phase/distance.h"
-#include "collision_monitor/pipeline/check_states.h"
-#include "pipeline/link_pair_distance.h"
-#include "pipeline/states_block.h"
+#include "narrow_phase/distance.h"
+#include "pipeline/states/check_states.h"
+#include "pipeline/states/states_block.h"
+#include "pipeline/trajectory/link_pair_distance.h"
 #include "support/allocation_guard.h"
 #include "support/fixed_seed.h"
-#include "support/hand_made_setup.h"
 #include "support/instruction_sets.h"
-#include "support/random_model.h"
+#include "support/robots/hand_made_setup.h"
+#include "support/robots/random_model.h"
 
 // Many states against each state alone, measured pair by pair with the plain routines.
 namespace collision_monitor::test {

@@ -6,14 +6,14 @@
 #include <limits>
 
 #include "collision_monitor/model/kinematics.h"
-#include "collision_monitor/pipeline/check_states.h"
+#include "pipeline/states/check_states.h"
 #include "support/allocation_guard.h"
-#include "support/convex_measure.h"
 #include "support/fixed_seed.h"
-#include "support/geometry_setup.h"
-#include "support/hand_made_setup.h"
 #include "support/query_meshes.h"
-#include "support/random_model.h"
+#include "support/reference/convex_measure.h"
+#include "support/robots/geometry_setup.h"
+#include "support/robots/hand_made_setup.h"
+#include "support/robots/random_model.h"
 #include "support/sample_meshes.h"
 
 // States of robots of meshes, held to cycles without a budget.

@@ -9,12 +9,12 @@
 #include <iostream>
 
 #include "collision_monitor/model/kinematics.h"
-#include "collision_monitor/pipeline/gradient_row.h"
-#include "collision_monitor/pipeline/link_velocities.h"
-#include "collision_monitor/pipeline/run_cycle.h"
+#include "pipeline/answers/gradient_row.h"
+#include "pipeline/cycle/link_velocities.h"
+#include "pipeline/cycle/run_cycle.h"
 #include "support/fixed_seed.h"
-#include "support/hand_made_setup.h"
 #include "support/random_poses.h"
+#include "support/robots/hand_made_setup.h"
 
 // Derivatives against central differences of the distance, on random trees of links with joints of
 // every type.

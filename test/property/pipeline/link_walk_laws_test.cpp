@@ -5,15 +5,15 @@
 #include <cmath>
 #include <cstring>
 
-#include "collision_monitor/pipeline/link_walk.h"
-#include "collision_monitor/pipeline/motion_bound.h"
-#include "collision_monitor/pipeline/run_cycle.h"
 #include "geometry/constants.h"
-#include "pipeline/setup_parts.h"
+#include "pipeline/cycle/link_walk.h"
+#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/data/motion_bound.h"
+#include "pipeline/setup/setup_parts.h"
 #include "support/fixed_seed.h"
-#include "support/hand_made_setup.h"
 #include "support/instruction_sets.h"
 #include "support/random_poses.h"
+#include "support/robots/hand_made_setup.h"
 
 // The walk over pairs of links in lanes against one pair after the other.
 namespace collision_monitor::test::link_walk_laws {

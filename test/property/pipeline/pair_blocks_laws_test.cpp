@@ -7,11 +7,11 @@
 #include <cstring>
 #include <limits>
 
-#include "collision_monitor/narrow_phase/distance.h"
-#include "collision_monitor/pipeline/run_cycle.h"
+#include "narrow_phase/distance.h"
+#include "pipeline/cycle/run_cycle.h"
 #include "support/fixed_seed.h"
-#include "support/hand_made_setup.h"
 #include "support/instruction_sets.h"
+#include "support/robots/hand_made_setup.h"
 
 namespace collision_monitor::test::pair_blocks_laws {
 namespace {

@@ -7,12 +7,12 @@
 #include <cstring>
 #include <vector>
 
-#include "collision_monitor/narrow_phase/distance.h"
-#include "collision_monitor/pipeline/link_velocities.h"
-#include "collision_monitor/pipeline/run_cycle.h"
+#include "narrow_phase/distance.h"
+#include "pipeline/cycle/link_velocities.h"
+#include "pipeline/cycle/run_cycle.h"
 #include "support/allocation_guard.h"
-#include "support/hand_made_setup.h"
 #include "support/random_poses.h"
+#include "support/robots/hand_made_setup.h"
 
 namespace collision_monitor::run_cycle_laws {
 namespace {

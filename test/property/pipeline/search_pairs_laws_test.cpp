@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "collision_monitor/pipeline/search_pairs.h"
-#include "pipeline/prove_apart.h"
-#include "support/file_loader.h"
+#include "pipeline/pair_search/prove_apart.h"
+#include "support/robots/file_loader.h"
 
 // What is said of pairs of links, held to other states than those it was found in, each measured
 // alone by the plain routines.

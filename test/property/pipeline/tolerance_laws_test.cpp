@@ -4,12 +4,12 @@
 
 #include <vector>
 
-#include "collision_monitor/pipeline/run_cycle.h"
+#include "pipeline/cycle/run_cycle.h"
 #include "support/fixed_seed.h"
-#include "support/geometry_setup.h"
-#include "support/hand_made_setup.h"
 #include "support/query_meshes.h"
 #include "support/random_poses.h"
+#include "support/robots/geometry_setup.h"
+#include "support/robots/hand_made_setup.h"
 #include "support/sample_meshes.h"
 
 // What a tolerance of distances may change, and what it may not.

@@ -5,12 +5,12 @@
 
 #include <map>
 
-#include "collision_monitor/pipeline/check_trajectory.h"
-#include "collision_monitor/pipeline/motion_bound.h"
-#include "pipeline/link_pair_distance.h"
-#include "pipeline/path_poses.h"
-#include "support/file_loader.h"
+#include "pipeline/data/motion_bound.h"
+#include "pipeline/trajectory/check_trajectory.h"
+#include "pipeline/trajectory/link_pair_distance.h"
+#include "pipeline/trajectory/path_poses.h"
 #include "support/fixed_seed.h"
+#include "support/robots/file_loader.h"
 
 namespace collision_monitor::test {
 namespace {

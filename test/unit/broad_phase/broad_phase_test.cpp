@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collision_monitor/broad_phase/broad_phase.h"
+#include "broad_phase/broad_phase.h"
 
 #include <gtest/gtest.h>
 

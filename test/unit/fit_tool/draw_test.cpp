@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "draw.h"
+#include "pictures/draw.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <cmath>
 
 #include "geometry/constants.h"
-#include "picture.h"
+#include "pictures/picture.h"
+#include "pictures/surface_mesh.h"
 #include "support/random_poses.h"
 #include "support/sample_meshes.h"
-#include "surface_mesh.h"
 
 namespace collision_monitor::fit_tool {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "collision_monitor/geometry/bounds.h"
 #include "collision_monitor/model/srdf_reader.h"
-#include "support/file_loader.h"
+#include "support/robots/file_loader.h"
 
 namespace collision_monitor::fit_tool {
 namespace {

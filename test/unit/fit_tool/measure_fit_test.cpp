@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "geometry/constants.h"
+#include "pictures/surface_mesh.h"
 #include "support/sample_meshes.h"
-#include "surface_mesh.h"
 
 namespace collision_monitor::fit_tool {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "support/file_loader.h"
+#include "support/robots/file_loader.h"
 #include "support/scratch_folder.h"
 
 namespace collision_monitor::fit_tool {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "exports.h"
-#include "support/urdf_text.h"
+#include "support/robots/urdf_text.h"
 
 namespace collision_monitor::fit_tool {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "write_html.h"
+#include "pictures/write_html.h"
 
 #include <gtest/gtest.h>
 
 #include "progress.h"
-#include "support/file_loader.h"
+#include "support/robots/file_loader.h"
 #include "table.h"
 
 namespace collision_monitor::fit_tool {

@@ -6,13 +6,13 @@
 
 #include <algorithm>
 
-#include "collision_monitor/fitting/covering.h"
-#include "collision_monitor/geometry/visit_held.h"
 #include "collision_monitor/model/urdf_reader.h"
 #include "exports.h"
 #include "fit_robot.h"
-#include "support/file_loader.h"
+#include "fitting/proofs/covering.h"
+#include "geometry/bvh/visit_held.h"
 #include "support/random_poses.h"
+#include "support/robots/file_loader.h"
 
 namespace collision_monitor::fit_tool {
 namespace {

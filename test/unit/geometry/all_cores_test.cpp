@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "collision_monitor/geometry/interruption.h"
+#include "geometry/interruption.h"
 
 namespace collision_monitor {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include "collision_monitor/narrow_phase/distance.h"
+#include "narrow_phase/distance.h"
 #include "support/expect_distance.h"
 
 namespace collision_monitor::test {

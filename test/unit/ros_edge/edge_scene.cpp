@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "collision_monitor/model/kinematics.h"
-#include "support/urdf_text.h"
+#include "support/robots/urdf_text.h"
 
 namespace collision_monitor::test {
 

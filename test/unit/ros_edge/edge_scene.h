@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "ros_edge/conversions.h"
+#include "ros_edge/outputs/conversions.h"
 #include "ros_edge/watch.h"
 
 namespace collision_monitor::test {

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "broad_phase/methods/brute_force.h"
+#include "broad_phase/methods/neighbour_list.h"
+#include "broad_phase/methods/sweep_and_prune.h"
+
+namespace collision_monitor {
+
+/// Chooses by number of bodies, motion and density: the neighbour list, which says how
+/// coherent the motion is and how many boxes its sweep looks at; brute force for few bodies in
+/// disordered motion; sweep and prune for coherent motion in scenes so crowded that a sweep sees
+/// very many boxes for each body. Looks again after some calls. The rule counts work and not
+/// time, so that the same input takes the same way.
+/// docs/decisions/broad-phase.md has the measurements behind it.
+class Automatic {
+ public:
+  explicit Automatic(std::size_t body_count = 0);
+
+  /// Every pair of boxes that meet, sorted.
+  void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
+
+  /// As BruteForce::markPairs, for so few bodies that nothing is quicker.
+  /// @return false when they are more.
+  bool markPairs(const std::vector<SmallBox>& boxes, const PairTable& table,
+                 std::vector<std::uint64_t>& marks) noexcept;
+
+ private:
+  enum class Way : unsigned char { neighbour_list, brute_force, sweep_and_prune };
+
+  Way chooseWay(std::size_t body_count, std::size_t pair_count) const noexcept;
+
+  NeighbourList neighbour_list_;
+  BruteForce brute_force_;
+  SweepAndPrune sweep_and_prune_;
+  Way way_{Way::neighbour_list};
+  std::size_t calls_{0};  ///< on this way
+};
+
+}  // namespace collision_monitor

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "broad_phase/pair_keys.h"
+#include "collision_monitor/broad_phase/small_box.h"
+
+namespace collision_monitor {
+
+/// A binary tree of boxes over bodies of any sizes. Boxes are refitted in every call; where
+/// swapping a node with one of its sibling's children makes the sibling smaller, they are rotated.
+/// Bodies that become known are inserted where they cost least surface, others are
+/// taken out; a tree that has grown far looser than it was built is built anew.
+///
+/// Source: Kopta, Ize, Spjut, Brunvand, Davis, Kensler, "Fast, Effective BVH Updates for Animated
+/// Scenes" (2012) for rotations; Catto, "Dynamic Bounding Volume Hierarchies" (2019) for insertion.
+class AabbTree {
+ public:
+  explicit AabbTree(std::size_t body_count);
+
+  /// Every pair of boxes that meet, in no order.
+  /// @pre as many boxes as the constructor was told.
+  void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+  /// Nodes below the number of bodies are leaves, each its body's.
+  struct Node {
+    SmallBox box;
+    std::uint32_t parent{kNone};
+    std::array<std::uint32_t, 2> children{kNone, kNone};
+  };
+  /// A part of leaves_ that becomes a subtree below `parent`.
+  struct Span {
+    std::size_t first;
+    std::size_t last;
+    std::uint32_t parent;
+    std::size_t side;
+  };
+
+  bool isLeaf(std::uint32_t node) const noexcept { return node < in_tree_.size(); }
+  void update(const std::vector<SmallBox>& boxes) noexcept;
+  void build(const std::vector<SmallBox>& boxes) noexcept;
+  std::size_t splitSpan(const Span& span) noexcept;
+  double refit() noexcept;
+  void rotate(std::uint32_t node) noexcept;
+  void insert(std::uint32_t leaf) noexcept;
+  std::uint32_t bestSibling(const SmallBox& box) const noexcept;
+  void remove(std::uint32_t leaf) noexcept;
+  void refitAbove(std::uint32_t node) noexcept;
+  void attach(std::uint32_t node, std::uint32_t parent, std::size_t side) noexcept;
+  std::size_t sideOf(std::uint32_t node) const noexcept;
+
+  std::vector<Node> nodes_;
+  std::vector<unsigned char> in_tree_;  ///< by body
+  std::vector<std::uint32_t> free_;     ///< inner nodes that are not used
+  std::uint32_t root_{kNone};
+  double built_area_{0.0};  ///< [m^2] summed over inner nodes when the tree was built
+  std::vector<std::uint32_t> leaves_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Span> spans_;
+  std::vector<std::array<std::uint32_t, 2>> stack_;
+};
+
+}  // namespace collision_monitor

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "collision_monitor/fitting/overshoot.h"
+#include "fitting/proofs/distance_grid.h"
+#include "fitting/search/core_descent.h"
+#include "fitting/search/pattern_lanes.h"
+
+namespace collision_monitor {
+
+/// Points of every rounded box, each with the share of its patch that it stands for.
+struct PatternPatch {
+  PatternRows rows;
+  std::array<double, PatternRows::kMost> share{};
+};
+
+/// Points of the faces across x, y, z, of the edges along x, y, z, and of the corners.
+using SurfacePattern = std::array<PatternPatch, 7>;
+const SurfacePattern& surfacePattern();
+
+/// Areas of one face, edge or corner of each patch.
+std::array<double, 7> patchAreas(const TurnedCore& core) noexcept;
+
+/// What takes the pattern of a core into the grid.
+PatternFrame patternInGrid(const TurnedCore& core, const DistanceGrid& grid) noexcept;
+
+/// The overshoot of a core with its radius, from some hundred points and a grid: microseconds,
+/// where measureOvershoot takes milliseconds. For searches.
+/// Frames: core and grid in the geometry's. Error: that of the grid; spikes narrower than a sixth
+/// of the core may be missed.
+/// @param counts whether a point of the surface counts.
+/// @param is_enough is asked after each patch, with a sum whose figures those of the whole cannot
+/// fall below, whether that will do; then it is returned.
+template <class Counts, class IsEnough>
+OvershootSum roughOvershoot(const TurnedCore& core, const DistanceGrid& grid, const Counts& counts,
+                            const IsEnough& is_enough) noexcept {
+  const SurfacePattern& pattern = surfacePattern();
+  const auto areas = patchAreas(core);
+  const PatternFrame frame = patternInGrid(core, grid);
+  const GridRows rows = grid.rows();
+  PatternPlaces places;
+  constexpr double kCopies[] = {2.0, 2.0, 2.0, 4.0, 4.0, 4.0, 8.0};
+  double rest = 0.0;
+  for (std::size_t patch = 0; patch < pattern.size(); ++patch) {
+    rest += kCopies[patch] * areas[patch];
+  }
+  OvershootSum sum;
+  // The corners first: they stick out farthest.
+  for (std::size_t patch = pattern.size(); patch-- > 0;) {
+    if (!(areas[patch] > 0.0)) {
+      continue;
+    }
+    rest -= kCopies[patch] * areas[patch];
+    placePattern(pattern[patch].rows, frame, rows, places);
+    for (std::size_t i = 0; i < pattern[patch].rows.count; ++i) {
+      // Most points are inside or near, and then it matters little whether they count.
+      const float distance = places.distance[i];
+      const DistanceGrid::Place place(places.place[0][i], places.place[1][i], places.place[2][i],
+                                      0.0f);
+      if (!(distance > 0.0f) || counts(grid.outOfGrid(place))) {
+        sum.add(grid.spacing() * static_cast<double>(distance),
+                areas[patch] * pattern[patch].share[i]);
+      }
+    }
+    OvershootSum least = sum;
+    least.add(0.0, std::max(rest, 0.0));
+    if (is_enough(least)) {
+      return least;
+    }
+  }
+  return sum;
+}
+
+}  // namespace collision_monitor

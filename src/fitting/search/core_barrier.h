@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "fitting/search/core_descent.h"
+
+namespace collision_monitor {
+
+/// The function that a descent minimises, weight * log(volume) - sum of log(slack), where a slack
+/// is radius^2 - distance^2 of a point to the core, or a free half extent.
+///
+/// It is evaluated for all points together, coordinate by coordinate in arrays: this is where fits
+/// spend their time, and arrays are what compilers turn into vector instructions.
+///
+/// Variables: centre and rotation vector in the core's frame, half extents, radius.
+class CoreBarrier {
+ public:
+  static constexpr int kVariables = 10;
+  using Step = Eigen::Matrix<double, kVariables, 1>;
+  using Hessian = Eigen::Matrix<double, kVariables, kVariables>;
+
+  CoreBarrier(const Points& points, const DescentGoal& goal);
+
+  /// Takes a core to evaluate at. False, and nothing may be asked, when a slack is not positive.
+  bool place(const TurnedCore& core);
+
+  double value(double weight) const;
+
+  /// Gradient and a positive definite model of the Hessian (its lower half): without the curvature
+  /// of log(volume) and of rotations, which is negative. Variables that are fixed, or that change
+  /// nothing, get no gradient.
+  void differentiate(double weight, Step& gradient, Hessian& hessian);
+
+ private:
+  using Column = Eigen::Array<double, Eigen::Dynamic, 1>;
+  using Coordinates = Eigen::Array<double, Eigen::Dynamic, 3>;
+  using Rows = Eigen::Array<double, Eigen::Dynamic, kVariables>;
+
+  /// Adds the curvature of the distances along one axis of the core.
+  void addCurvature(int axis, Hessian& hessian);
+  /// Adds what the gradients of the slacks give.
+  void addSlopes(Step& gradient, Hessian& hessian);
+  void fixTheOthers(Step& gradient, Hessian& hessian) const;
+
+  DescentGoal goal_;
+  std::vector<int> free_variables_;
+  TurnedCore core_;
+  Coordinates points_;
+  Coordinates in_core_;  ///< the points in the core's frame
+  Coordinates beyond_;   ///< from the nearest point of the core, signed; 0 inside
+  Column slack_;
+  Column weighted_;  ///< room for products
+  Rows slack_gradient_;
+};
+
+}  // namespace collision_monitor

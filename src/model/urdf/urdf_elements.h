@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tinyxml2.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_monitor/model/robot_model.h"
+#include "model/mesh_loading/mesh_store.h"
+#include "model/place.h"
+
+/// The elements of one URDF as they stand in it, names not yet resolved.
+namespace collision_monitor {
+
+struct UrdfLink {
+  std::string name;               ///< without leading slash
+  bool is_absolute_frame{false};  ///< the name began with a slash
+  int line{0};
+  std::vector<CollisionElement> collisions;
+};
+
+struct UrdfMimic {
+  std::string source;
+  double multiplier{1.0};
+  double offset{0.0};
+};
+
+struct UrdfJoint {
+  std::string parent;
+  std::string child;
+  std::optional<UrdfMimic> mimic;
+  int line{0};
+  Joint joint;  ///< all that needs no other element; name without prefix
+};
+
+struct UrdfRobot {
+  std::string name;
+  std::vector<UrdfLink> links;
+  std::vector<UrdfJoint> joints;
+};
+
+/// What reading the geometry of a robot needs beside its XML.
+struct MeshSource {
+  MeshStore& store;
+  const RobotDescription& description;  ///< whose folder and up axis rule apply
+};
+
+/// Readers add an error for every fault and return what can be used to look for more.
+UrdfRobot readUrdfRobot(const tinyxml2::XMLElement& robot, const MeshSource& meshes,
+                        const Place& place);
+std::optional<UrdfLink> readUrdfLink(const tinyxml2::XMLElement& link, const MeshSource& meshes,
+                                     const Place& place);
+std::optional<UrdfJoint> readUrdfJoint(const tinyxml2::XMLElement& joint, const Place& place);
+
+/// The one shape of a `<geometry>`: box, sphere, cylinder, capsule or mesh.
+///
+/// A capsule's length is the distance between the centres of its caps, as Bullet
+/// reads it, so it is 2 radius + length long from tip to tip.
+/// Source: Bullet's URDF importer, which hands radius and length to
+/// btCapsuleShapeZ, whose height leaves the caps out.
+std::optional<Geometry> readGeometry(const tinyxml2::XMLElement& geometry, const MeshSource& meshes,
+                                     const Place& place);
+
+/// The scale of a `<mesh>`: 1 if there is none, nothing behind an error.
+std::optional<Eigen::Vector3d> readMeshScale(const tinyxml2::XMLElement& mesh, const Place& place);
+
+/// The `<origin>` of an element: identity if there is none.
+/// Rotation: fixed axes, R = Rz(yaw) Ry(pitch) Rx(roll).
+Pose readOrigin(const tinyxml2::XMLElement& parent, const Place& place);
+
+}  // namespace collision_monitor

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+
+#include "narrow_phase/gjk/convex_pair.h"
+#include "narrow_phase/gjk/simplex.h"
+
+namespace collision_monitor {
+
+/// What GJK knows of two cores: the true distance lies between `lower` and the simplex's.
+struct GjkResult {
+  enum class State : unsigned char {
+    settled,     ///< both bounds have met
+    stopped,     ///< proven to be farther apart than asked for
+    stalled,     ///< rounding or the limit of steps stands between the bounds
+    overlapping  ///< the simplex holds the origin, or touches it
+  };
+
+  State state{State::stalled};
+  Simplex simplex;
+  double gap{-std::numeric_limits<double>::infinity()};  ///< along the simplex's normal
+  double lower{-std::numeric_limits<double>::infinity()};
+  Eigen::Vector3d lower_direction{Eigen::Vector3d::UnitX()};  ///< unit, from A to B, in A's frame
+};
+
+/// Walks from the simplex of the last search to the one nearest to the origin.
+///
+/// Error: settled means that the bounds differ by toleranceOf(pair) at most.
+/// Limits: at most 128 steps; polytopes take fewer than ten, cylinders some tens.
+/// Source: Gilbert, Johnson, Keerthi (1988); van den Bergen (2003), section 4.3, for the bound
+/// that the support plane proves; Cameron, "Enhancing GJK" (1997), for the warm start.
+GjkResult searchNearest(ConvexPair& pair, const ConvexWarmStart& warm, double enough) noexcept;
+
+/// What the next search of the pair may start from: some points of the difference.
+void keepWarm(const SupportVertex* vertices, int count, const ConvexPair& pair,
+              ConvexWarmStart& warm) noexcept;
+
+}  // namespace collision_monitor

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "narrow_phase/mesh_depth/mesh_depth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/ball_motion.h"
+#include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/mesh_depth/depth_front.h"
+#include "narrow_phase/mesh_depth/depth_search.h"
+
+namespace collision_monitor {
+namespace {
+
+// Points that a query measures while there are any left: as many after a step as long as the depth,
+// or as a share of the smaller mesh where that is more; fewer after a shorter one, but some always.
+constexpr std::uint32_t kFewestPoints = 4;
+constexpr double kPointsAStep = 120.0;
+constexpr double kLeastShare = 0.02;
+// [m] Limits are taken together with the way gone: farther on they would be rounded by more than
+// depths are.
+constexpr double kLongestWay = 1000.0;
+
+// Both ways round: corners of A in B, and of B in A.
+using BothWays = std::array<DepthSearch, 2>;
+
+bool isWaiting(const KeptDepth& kept) noexcept {
+  return kept.sides[0].waiting > 0 || kept.sides[1].waiting > 0;
+}
+
+// What was dropped is known only of where the search began.
+bool isComplete(const KeptDepth& kept) noexcept {
+  const bool is_whole = kept.sides[0].is_whole && kept.sides[1].is_whole;
+  return !isWaiting(kept) && (is_whole || kept.moved <= kDepthRounding);
+}
+
+// [m] How far any point of B may have come, seen from A, since the last query.
+double follow(const MeshTree& b, const Pose& a_from_b, KeptDepth& kept) noexcept {
+  const double step = kept.a_from_b ? motionOfBall(b.center(), b.radius(), *kept.a_from_b, a_from_b)
+                                    : std::numeric_limits<double>::infinity();
+  kept.a_from_b = a_from_b;
+  kept.moved += step;
+  return step;
+}
+
+// The corner that was the deepest. After less than half the way to the surface it is still inside.
+void measureKept(double step, BothWays& ways, const KeptDepth& kept) noexcept {
+  ways[0].moved = ways[1].moved = kept.moved;
+  if (kept.deepest.bound != KeptDepth::kNoBound) {
+    const bool is_inside = step < -0.5 * kept.in_a.distance;
+    measureDeepest(kept.deepest, is_inside, ways[kept.side]);
+  }
+  ways[0].beyond = ways[1].beyond = ways[kept.side].deepest.depth;
+}
+
+// [m] A step of this length, and the deepest corner may be any other.
+double longStep(const BothWays& ways) noexcept {
+  return std::max(ways[0].beyond,
+                  kLeastShare * std::min(ways[0].mesh.radius(), ways[1].mesh.radius()));
+}
+
+std::uint32_t pointsFor(double share, std::uint32_t point_budget) noexcept {
+  const double points = share < 1.0 ? share * kPointsAStep : point_budget;
+  return std::min(point_budget, std::max(kFewestPoints, static_cast<std::uint32_t>(points)));
+}
+
+void restart(BothWays& ways, KeptDepth& kept) noexcept {
+  for (std::size_t i = 0; i < 2; ++i) {
+    restart(ways[i].solid.hasInside(), kept.sides[i]);
+  }
+  ways[0].moved = ways[1].moved = kept.moved = 0.0;
+}
+
+void searchBothWays(std::uint32_t point_budget, BothWays& ways, KeptDepth& kept) noexcept {
+  searchDeepest(kept.sides[1].waiting > 0 ? point_budget / 2 : point_budget, ways[0]);
+  ways[1].beyond = ways[0].beyond;
+  searchDeepest(point_budget - std::min(point_budget, ways[0].points), ways[1]);
+  kept.side = ways[1].deepest.depth > ways[0].deepest.depth ? 1 : 0;
+  kept.deepest = ways[kept.side].deepest.corner;
+  passOverDeepest(ways[1 - kept.side]);
+}
+
+// In A's frame, from its surface to that of B.
+SignedDistance answerOf(const BothWays& ways, std::size_t side, const Pose& a_from_b) noexcept {
+  const DeepCorner& found = ways[side].deepest;
+  if (!(found.depth > 0.0)) {
+    return {};
+  }
+  const SignedDistance to_corner{-found.depth, found.on_surface, found.at,
+                                 (found.on_surface - found.at) / found.depth};
+  return side == 1 ? to_corner : swapped(placed(a_from_b, to_corner));
+}
+
+}  // namespace
+
+MeshDepth depthOf(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory,
+                  KeptDepth& kept, std::uint32_t point_budget) noexcept {
+  if (!isFinite(a.world_from_mesh) || !isFinite(b.world_from_mesh)) {
+    return {};
+  }
+  const Pose a_from_b = inverse(a.world_from_mesh) * b.world_from_mesh;
+  const bool stands = kept.a_from_b && isSame(*kept.a_from_b, a_from_b);
+  MeshDepth answer;
+  if (!stands || !isComplete(kept)) {
+    BothWays ways = {
+        DepthSearch{a.tree, b.tree, inverse(a_from_b), memory, kept.sides[0]},
+        DepthSearch{b.tree, a.tree, a_from_b, memory, kept.sides[1]},
+    };
+    const double step = follow(b.tree, a_from_b, kept);
+    measureKept(step, ways, kept);
+    const double share = step / longStep(ways);
+    const bool is_spent = kept.moved > kLongestWay || !(isWaiting(kept) || isComplete(kept));
+    if (!(share < 1.0) || is_spent) {
+      restart(ways, kept);
+    }
+    searchBothWays(pointsFor(share, point_budget), ways, kept);
+    answer.points = ways[0].points + ways[1].points;
+    answer.visits = ways[0].visits + ways[1].visits;
+    kept.in_a = answerOf(ways, kept.side, a_from_b);
+  }
+  answer.is_complete = isComplete(kept);
+  answer.deepest = placed(a.world_from_mesh, kept.in_a);
+  return answer;
+}
+
+void forget(KeptDepth& kept) noexcept {
+  kept.a_from_b.reset();
+  kept.deepest = KeptDepth::Corner();
+  kept.in_a = SignedDistance();
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "narrow_phase/mesh_front/mesh_front.h"
+
+namespace collision_monitor {
+
+FrontPool::FrontPool(std::size_t blocks) : blocks_(blocks) {
+  free_.reserve(blocks);
+  for (MeshFront::Block& block : blocks_) {
+    free_.push_back(&block);
+  }
+}
+
+bool FrontPool::grow(MeshFront& front) noexcept {
+  // In queries of any front. Those asked in every cycle do not take each other's.
+  constexpr std::uint64_t kUnasked = 5000;
+  if (front.block_count == MeshFront::kMostBlocks) {
+    return false;
+  }
+  if (free_.empty() && oldest_ != nullptr && oldest_->followed_at + kUnasked < clock_) {
+    clear(*oldest_);
+  }
+  if (free_.empty()) {
+    return false;
+  }
+  if (front.block_count == 0) {
+    putNewest(front);
+  }
+  front.blocks[front.block_count++] = free_.back();
+  free_.pop_back();
+  return true;
+}
+
+void FrontPool::clear(MeshFront& front) noexcept {
+  if (front.block_count > 0) {
+    takeOut(front);
+  }
+  while (front.block_count > 0) {
+    free_.push_back(front.blocks[--front.block_count]);
+  }
+  front.size = 0;
+  front.cover = -std::numeric_limits<double>::infinity();
+}
+
+void FrontPool::touch(MeshFront& front) noexcept {
+  front.followed_at = ++clock_;
+  if (front.block_count > 0 && newest_ != &front) {
+    takeOut(front);
+    putNewest(front);
+  }
+}
+
+void FrontPool::takeOut(MeshFront& front) noexcept {
+  (front.newer == nullptr ? newest_ : front.newer->older) = front.older;
+  (front.older == nullptr ? oldest_ : front.older->newer) = front.newer;
+}
+
+void FrontPool::putNewest(MeshFront& front) noexcept {
+  front.newer = nullptr;
+  front.older = newest_;
+  (newest_ == nullptr ? oldest_ : newest_->newer) = &front;
+  newest_ = &front;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "narrow_phase/mesh/nearest_search.h"
+#include "narrow_phase/mesh_front/front_lanes.h"
+
+/// Branch and bound from what the last search left. A query has:
+/// - areTriangles(a, b): whether nothing of a pair can be opened;
+/// - measure(bounds, search): two triangles, or a triangle and a solid;
+/// - squaredGapAlong(direction, a, b) [m^2]: a lower bound of the same;
+/// - choose(a, b, opened): as of two meshes;
+/// - restingFromNode(opened): as directionFor.
+namespace collision_monitor {
+
+/// The waiting pairs that a front gives: the nearest stays on top.
+class TakenPairs {
+ public:
+  explicit TakenPairs(WaitingPairs& waiting) noexcept : waiting_(waiting) {}
+
+  /// Whether there is room for all children of a bound.
+  bool hasRoom() const noexcept { return size_ + MeshTreeNode::kWidth <= MeshFront::kCapacity; }
+
+  void push(MeshQueryMemory::Waiting next) noexcept {
+    ++size_;
+    if (next.squared_bound > least_) {
+      const MeshQueryMemory::Waiting nearest = waiting_.pop();
+      waiting_.push(next);
+      next = nearest;
+    }
+    waiting_.push(next);
+    least_ = next.squared_bound;
+  }
+
+ private:
+  WaitingPairs& waiting_;
+  std::uint32_t size_{0};
+  float least_{std::numeric_limits<float>::infinity()};
+};
+
+constexpr std::uint32_t kAllChildren = (1U << MeshTreeNode::kWidth) - 1;
+constexpr float kNoChild = 1e30F;  ///< [m^2] beyond it slots are empty
+
+/// [m^2] Of a bound that may have got lost.
+inline float squaredBound(double bound) noexcept {
+  constexpr double kRoundedDown = 1.0 - std::numeric_limits<float>::epsilon();
+  return static_cast<float>(kRoundedDown * std::max(bound, 0.0) * std::max(bound, 0.0));
+}
+
+/// [m^2] Least bound of some children; kNoChild if there are none.
+inline float leastBound(const OpenedPair& opened, std::uint32_t children) noexcept {
+  float least = kNoChild;
+  for (std::uint32_t slot = 0; slot < MeshTreeNode::kWidth; ++slot) {
+    const float bound = (children >> slot & 1U) != 0 ? opened.bounds.squared[slot] : kNoChild;
+    least = std::min(least, bound);
+  }
+  return least;
+}
+
+/// Triangles that the direction they were last apart along does not part any more are taken.
+template <class Query>
+bool boundTriangles(const Query& query, float limit, FrontEntry& entry,
+                    TakenPairs& taken) noexcept {
+  if (entry.direction != 0) {
+    const auto& [a, b] = entry.pair;
+    const double squared = query.squaredGapAlong(directionOf(entry.direction), a, b);
+    if (!(squared < static_cast<double>(limit))) {
+      entry.bound = std::sqrt(squared);
+      return true;
+    }
+  }
+  taken.push({squaredBound(entry.bound), entry.pair.a, entry.pair.b});
+  return false;
+}
+
+/// [m] Least of some children's; infinity if there are none.
+inline float leastOf(const std::array<float, MeshTreeNode::kWidth>& gaps,
+                     std::uint32_t children) noexcept {
+  float least = std::numeric_limits<float>::infinity();
+  for (; children != 0; children &= children - 1) {
+    least = std::min(least, gaps[static_cast<std::size_t>(__builtin_ctz(children))]);
+  }
+  return least;
+}
+
+/// Keeps children with a direction that parts the nearest of them, and as an entry of their own
+/// those that it does not part nearly as well.
+template <class Query>
+void keepParted(const Query& query, const OpenedPair& opened, double goal, FrontEntry& entry,
+                const NearestSearch& search) noexcept {
+  constexpr double kNearly = 0.25;
+  const auto& resting_from_node = query.restingFromNode(opened);
+  const std::uint32_t all = entry.children;
+  entry.direction = 0;
+  entry.bound = std::sqrt(static_cast<double>(leastBound(opened, all)));
+  const std::uint32_t direction = directionFor(opened, all, resting_from_node);
+  if (direction == 0) {
+    return;
+  }
+  const auto gaps = gapsAlong(direction, opened, resting_from_node);
+  const double enough = goal + kNearly * (entry.bound - goal);
+  std::uint32_t parted = 0;
+  for (std::uint32_t slot = 0; slot < MeshTreeNode::kWidth; ++slot) {
+    parted |= static_cast<double>(gaps[slot]) > enough ? 1U << slot : 0U;
+  }
+  parted &= all;
+  const std::uint32_t others = all & ~parted;
+  if (parted == 0 || (others != 0 && !ensureRoom(*search.front))) {
+    return;
+  }
+  entry.children = parted;
+  entry.direction = direction;
+  entry.bound = static_cast<double>(leastOf(gaps, parted));
+  if (others != 0) {
+    keep({entry.pair, std::sqrt(static_cast<double>(leastBound(opened, others))), 0, others},
+         search.moving, *search.front);
+  }
+}
+
+/// Takes the children that are nearer than the limit, unless the direction that parted them all
+/// still does.
+template <class Query>
+bool boundChildren(const Query& query, float limit, FrontEntry& entry, const NearestSearch& search,
+                   TakenPairs& taken) noexcept {
+  const double goal = std::sqrt(static_cast<double>(limit));
+  const std::uint32_t meant = entry.children == 0 ? kAllChildren : entry.children;
+  OpenedPair opened;
+  query.choose(entry.pair.a, entry.pair.b, opened);
+  if (entry.direction != 0) {
+    const auto gaps = gapsAlong(entry.direction, opened, query.restingFromNode(opened));
+    entry.bound = static_cast<double>(leastOf(gaps, meant));
+    if (entry.bound > goal) {
+      return true;
+    }
+  }
+  collision_monitor::boundChildren(limit, opened);
+  for (std::uint32_t nearer = opened.nearer & meant; nearer != 0; nearer &= nearer - 1) {
+    taken.push(opened.childAt(static_cast<std::uint32_t>(__builtin_ctz(nearer))));
+  }
+  entry.children = meant & ~opened.nearer;
+  if (!(leastBound(opened, entry.children) < kNoChild)) {
+    return false;
+  }
+  keepParted(query, opened, goal, entry, search);
+  return true;
+}
+
+/// Bounds a kept pair anew that may have come nearer than the limit.
+/// @return whether something of it is still kept in its place.
+template <class Query>
+bool boundAnew(const Query& query, std::uint32_t at, float limit, const NearestSearch& search,
+               TakenPairs& taken) noexcept {
+  MeshFront& front = *search.front;
+  FrontEntry entry = entryAt(at, front);
+  const bool is_kept = query.areTriangles(entry.pair.a, entry.pair.b)
+                           ? boundTriangles(query, limit, entry, taken)
+                           : boundChildren(query, limit, entry, search, taken);
+  if (is_kept) {
+    renew(at, entry, front);
+  } else {
+    drop(at, front);
+  }
+  return is_kept;
+}
+
+/// Bounds anew the pairs that may have come nearer than the goal, and lets those wait that have,
+/// the nearest on top; keeps the rest. What there is no budget for is as far as it was known.
+/// @return false where there was no room, and the search has to start from the roots.
+template <class Query>
+bool takeNearer(const Query& query, std::uint32_t visit_budget, WaitingPairs& waiting,
+                NearestSearch& search) noexcept {
+  MeshFront& front = *search.front;
+  const float goal = roundedUp(std::sqrt(search.squaredGoal()));
+  const float limit = asLimit(search.squaredGoal());
+  TakenPairs taken(waiting);
+  std::uint32_t bounded = 0;
+  const std::uint32_t left = visit_budget - std::min(visit_budget, search.visits);
+  const std::uint32_t most = left / 2;  // the other half opens pairs
+  std::uint32_t at = nextBelow(goal, 0, front);
+  while (at < front.size && bounded < most && taken.hasRoom()) {
+    ++bounded;
+    const bool is_kept = boundAnew(query, at, limit, search, taken);
+    at = nextBelow(goal, is_kept ? at + 1 : at, front);  // else another one has taken its place
+  }
+  search.visits += bounded;
+  if (at < front.size && !taken.hasRoom()) {
+    return false;
+  }
+  const double least = std::max(std::min(static_cast<double>(leastBound(front)), front.cover), 0.0);
+  search.squared_left = std::min(search.squared_left, least * least);
+  search.squared_open = at == front.size ? search.squared_open : least * least;
+  return true;
+}
+
+/// Measures triangles, or lets the children of a bound wait that are nearer than the goal; the
+/// others are kept as one.
+template <class Query>
+void lookAt(const Query& query, const MeshQueryMemory::Waiting& next, WaitingPairs& waiting,
+            NearestSearch& search) noexcept {
+  if (query.areTriangles(next.a, next.b)) {
+    query.measure(next, search);
+    return;
+  }
+  OpenedPair opened;
+  query.choose(next.a, next.b, opened);
+  boundChildren(asLimit(search.squaredGoal()), opened);
+  waiting.pushNearer(opened);
+  const std::uint32_t rest = kAllChildren & ~opened.nearer;
+  const float least = leastBound(opened, rest);
+  if (least < kNoChild) {
+    search.leave(next, static_cast<double>(least), 0, rest);
+  }
+}
+
+/// From the pairs that the last query kept, if nothing else can be nearer; else from the roots.
+/// @param step what `follow` said. @param enough [m] what is so near ends the search.
+template <class Query>
+void searchFromFront(const Query& query, double step, double enough, std::uint32_t visit_budget,
+                     WaitingPairs& waiting, NearestSearch& search) noexcept {
+  constexpr std::uint32_t kPairsPerVisit = 128;  // that are loosened
+  MeshFront& front = *search.front;
+  search.visits += step > 0.0 ? front.size / kPairsPerVisit : 0;
+  if (front.nearest.a != MeshFront::kNone) {
+    query.measure({0.0F, front.nearest.a, front.nearest.b}, search);
+  }
+  setMargin(step, search.best.squared_distance, front);
+  if (search.best.squared_distance > enough * enough) {
+    const bool is_near =
+        covers(search.squaredGoal(), front) && takeNearer(query, visit_budget, waiting, search);
+    if (!is_near) {
+      restart(front);
+      waiting.clear();
+      waiting.push({0.0F, 0, 0});
+    }
+    searchNearest(enough, visit_budget, waiting, search,
+                  [&](const MeshQueryMemory::Waiting& next, float, WaitingPairs& pairs) {
+                    lookAt(query, next, pairs, search);
+                  });
+    front.from_roots += front.is_whole ? 0 : search.visits;
+    front.is_whole = front.is_whole || search.isComplete();
+  }
+  front.nearest = {search.bounds.a, search.bounds.b};
+}
+
+}  // namespace collision_monitor

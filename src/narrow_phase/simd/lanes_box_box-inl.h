@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Two boxes in lanes: distance_box_box.cpp for pairs in general position. Boxes with parallel
+// axes are left to it.
+#if defined(COLLISION_MONITOR_LANES_BOX_BOX_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COLLISION_MONITOR_LANES_BOX_BOX_INL_H_
+#undef COLLISION_MONITOR_LANES_BOX_BOX_INL_H_
+#else
+#define COLLISION_MONITOR_LANES_BOX_BOX_INL_H_
+#endif
+
+#include "narrow_phase/simd/lanes_box_contact-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace collision_monitor {
+namespace HWY_NAMESPACE {
+
+/// Half of what the distance may err by [m]; the rest is left for the point.
+constexpr double kProofAllowance = 5e-13;
+
+/// Of eight corners the one nearest to a box at the origin.
+struct CornerLanes {
+  Number distance_squared;
+  Vector3 corner;
+};
+
+HWY_INLINE void considerCorner(const Vector3& corner, const Vector3& half, CornerLanes& nearest) {
+  const Vector3 beyond = absolute(corner) - half;
+  const Vector3 outside{hn::Max(beyond.x, zero()), hn::Max(beyond.y, zero()),
+                        hn::Max(beyond.z, zero())};
+  const Number distance_squared = dot(outside, outside);
+  const Truth is_nearer = hn::Lt(distance_squared, nearest.distance_squared);
+  nearest.distance_squared = hn::IfThenElse(is_nearer, distance_squared, nearest.distance_squared);
+  nearest.corner = select(is_nearer, corner, nearest.corner);
+}
+
+/// Corners of the box with this center and these half axes.
+HWY_INLINE CornerLanes nearestCorner(const Vector3& center, const Axes& sides,
+                                     const Vector3& half) {
+  CornerLanes nearest{number(std::numeric_limits<double>::infinity()), center};
+  for (const Vector3& x : {center - sides.x, center + sides.x}) {
+    for (const Vector3& y : {x - sides.y, x + sides.y}) {
+      considerCorner(y - sides.z, half, nearest);
+      considerCorner(y + sides.z, half, nearest);
+    }
+  }
+  return nearest;
+}
+
+/// Columns into rows.
+HWY_INLINE Axes transposed(const Axes& axes) {
+  return {{axes.x.x, axes.y.x, axes.z.x},
+          {axes.x.y, axes.y.y, axes.z.y},
+          {axes.x.z, axes.y.z, axes.z.z}};
+}
+
+HWY_INLINE Axes scaledAxes(const Vector3& s, const Axes& axes) {
+  return {scaled(s.x, axes.x), scaled(s.y, axes.y), scaled(s.z, axes.z)};
+}
+
+/// Gap of the boxes along a unit direction from A to B: a lower bound of their distance.
+HWY_INLINE Number gapAlong(const BoxPairLanes& pair, const Vector3& direction) {
+  const Number reach_a = dot(absolute(direction), pair.half_a);
+  const Number reach_b = dot(absolute(into(pair.b_axes, direction)), pair.half_b);
+  return hn::Sub(hn::Sub(dot(direction, pair.center_of_b), reach_a), reach_b);
+}
+
+/// Boxes apart of which a corner is nearest; in A's frame. Sure where a plane between the points
+/// proves it: where axes tie, a face or an edge may be nearest all the same.
+HWY_INLINE CoreAnswer cornerDistance(const BoxPairLanes& pair) {
+  const CornerLanes of_b =
+      nearestCorner(pair.center_of_b, scaledAxes(pair.half_b, pair.b_axes), pair.half_a);
+  const Vector3 center_of_a = negated(into(pair.b_axes, pair.center_of_b));
+  const CornerLanes of_a =
+      nearestCorner(center_of_a, scaledAxes(pair.half_a, transposed(pair.b_axes)), pair.half_b);
+  const Vector3 on_a = clamped(pair.half_a, of_b.corner);
+  const Vector3 between_of_b = of_b.corner - on_a;
+  const Vector3 between_of_a = out(pair.b_axes, clamped(pair.half_b, of_a.corner) - of_a.corner);
+  const Truth is_of_b = hn::Le(of_b.distance_squared, of_a.distance_squared);
+  const Vector3 between = select(is_of_b, between_of_b, between_of_a);
+  const Vector3 corner_of_a = pair.center_of_b + out(pair.b_axes, of_a.corner);
+  const Number distance = norm(between);
+  const Vector3 normal = scaled(hn::Div(number(1.0), distance), between);
+  const Truth is_proven =
+      hn::Ge(gapAlong(pair, normal), hn::Sub(distance, number(kProofAllowance)));
+  return {sureWhere(is_proven, distance), select(is_of_b, on_a, corner_of_a), normal};
+}
+
+HWY_INLINE BoxPairLanes boxPairInLanes(const BoxCore& a, const BoxCore& b) {
+  const Vector3 center = into(a.axes, b.center - a.center);
+  return {{into(a.axes, b.axes.x), into(a.axes, b.axes.y), into(a.axes, b.axes.z)},
+          center,
+          a.half_extents,
+          b.half_extents,
+          toleranceInLanes(a.half_extents, b.half_extents, center)};
+}
+
+HWY_INLINE Truth isSkew(const BoxPairLanes& pair) {
+  return hn::And(hn::And(isSkew(pair.b_axes.x), isSkew(pair.b_axes.y)), isSkew(pair.b_axes.z));
+}
+
+/// In A's frame.
+HWY_INLINE CoreAnswer answerAlong(const BoxPairLanes& pair, const BestAxis& best) {
+  const AxisContact contact = contactAlong(pair, best);
+  CoreAnswer cores{contact.gap, contact.point_on_a, contact.normal};
+  const Truth by_corner = hn::AndNot(contact.holds, hn::Gt(contact.gap, number(kTouching)));
+  if (!hn::AllFalse(Lanes(), by_corner)) {
+    const CoreAnswer corner = cornerDistance(pair);
+    cores = {hn::IfThenElse(by_corner, corner.distance, cores.distance),
+             select(by_corner, corner.point_on_a, cores.point_on_a),
+             select(by_corner, corner.normal, cores.normal)};
+  }
+  const Truth is_sure = hn::And(isSkew(pair), hn::Or(contact.holds, by_corner));
+  cores.distance = sureWhere(is_sure, cores.distance);
+  return cores;
+}
+
+HWY_INLINE CoreAnswer coreDistance(const BoxCore& a, const BoxCore& b) {
+  const BoxPairLanes pair = boxPairInLanes(a, b);
+  const CoreAnswer cores = answerAlong(pair, bestAxis<false>(pair));
+  return {cores.distance, a.center + out(a.axes, cores.point_on_a), out(a.axes, cores.normal)};
+}
+
+/// Of boxes that overlap the best axis says how deep, and no point needs to prove it.
+HWY_INLINE Number separationWithin(const BoxCore& a, const BoxCore& b, Number reach,
+                                   Truth& counts) {
+  const BoxPairLanes pair = boxPairInLanes(a, b);
+  const Number apart = hn::Max(hn::Add(reach, pair.tolerance), zero());
+  BestAxis best = bestOfFaces<false>(pair);
+  counts = hn::AndNot(hn::Gt(best.numerator, apart), counts);
+  if (hn::AllFalse(Lanes(), counts)) {
+    return best.numerator;
+  }
+  considerAllEdges<false>(pair, best);
+  // A numerator is no larger than its gap where that is positive.
+  counts = hn::AndNot(hn::Gt(best.numerator, apart), counts);
+  if (hn::AllFalse(Lanes(), counts)) {
+    return best.numerator;
+  }
+  const Number gap = hn::Div(best.numerator, hn::Sqrt(best.sine_squared));
+  const Truth is_depth = hn::And(isSkew(pair), hn::Le(gap, zero()));
+  if (hn::AllFalse(Lanes(), hn::AndNot(is_depth, counts))) {
+    return gap;
+  }
+  return hn::IfThenElse(is_depth, gap, answerAlong(pair, best).distance);
+}
+
+// NOLINTNEXTLINE(google-readability-namespace-comments)
+}  // namespace HWY_NAMESPACE
+}  // namespace collision_monitor
+HWY_AFTER_NAMESPACE();
+
+#endif

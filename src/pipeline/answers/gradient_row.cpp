@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/answers/gradient_row.h"
+
+#include <algorithm>
+
+#include "collision_monitor/model/kinematics.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Adds to the variable's entry, or makes one.
+void add(std::uint32_t variable, double value, GradientRow& row) noexcept {
+  const auto place = std::find_if(row.begin(), row.end(), [&](const GradientEntry& entry) {
+    return entry.variable == variable;
+  });
+  if (place == row.end()) {
+    row.push_back({variable, value});
+  } else {
+    place->value += value;
+  }
+}
+
+}  // namespace
+
+GradientRows::GradientRows(const CycleSetup& setup, const LinkPoses& poses)
+    : setup_(setup), joined_(setup.model.links.size()) {
+  row_.reserve(setup.model.variable_count);
+  twists_.reserve(setup.model.variable_count);
+  for (const Joint& joint : setup.model.joints) {
+    addLink(poses, joint);
+  }
+}
+
+void GradientRows::addLink(const LinkPoses& poses, const Joint& joint) {
+  const std::size_t first = twists_.size();
+  for (std::size_t k = 0; k < freedomOf(joint); ++k) {
+    twists_.push_back(jointTwist(joint, k, poses.world_from_link[index(joint.parent)],
+                                 poses.world_from_link[index(joint.child)]));
+  }
+  joined_[index(joint.child)] = {joint.parent, joint.first_variable, first, twists_.size(), false};
+}
+
+void GradientRows::addJoint(const Wrench& pull, const Joined& joined) noexcept {
+  for (std::size_t i = joined.first; i < joined.last; ++i) {
+    add(static_cast<std::uint32_t>(joined.first_variable + i - joined.first),
+        power(pull, twists_[i]), row_);
+  }
+}
+
+const GradientRow& GradientRows::of(const PairDistance& distance) noexcept {
+  const CheckedLinkPair& pair = setup_.checked[setup_.link_pair_of[index(distance.pair)]];
+  LinkId a = pair.a;
+  LinkId b = pair.b;
+  // As distanceRate has it: the distance grows as a force of 1 along the normal does work on B.
+  const SignedDistance& measured = distance.measured;
+  const Wrench on_b = forceAt(measured.point_on_b, measured.normal_a_to_b);
+  const Wrench on_a = -on_b;
+  row_.clear();
+  // Parents stand before their children: the later of the two links is no ancestor of the other.
+  while (a != b) {
+    const bool is_a = index(a) > index(b);
+    const bool climbs_a = joined_[index(is_a ? a : b)].is_root ? !is_a : is_a;
+    LinkId& link = climbs_a ? a : b;
+    const Joined& joined = joined_[index(link)];
+    if (joined.is_root) {
+      break;  // two robots, both at their roots
+    }
+    addJoint(climbs_a ? on_a : on_b, joined);
+    link = joined.parent;
+  }
+  // Mostly it is in the opposite order.
+  std::reverse(row_.begin(), row_.end());
+  std::sort(row_.begin(), row_.end(), [](const GradientEntry& one, const GradientEntry& other) {
+    return one.variable < other.variable;
+  });
+  return row_;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <utility>
+
+#include "narrow_phase/sat/separating_axes.h"
+#include "pipeline/cycle/near_bodies.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Without a root.
+/// @param distance [m] nearer pairs must stay
+bool ballsPart(const Ball& a, const Ball& b, double distance) noexcept {
+  constexpr double kRounding = 1e-12;
+  const double reach = a.radius + b.radius + distance;
+  const double squared_distance = (b.center - a.center).squaredNorm();
+  return (reach < 0.0) | (squared_distance > reach * reach * (1.0 + kRounding));
+}
+
+bool orientedBoxesPart(const CycleSetup& setup, const BodyPoses& poses, const BodyPair& pair,
+                       double distance) noexcept {
+  const std::size_t a = index(pair.a);
+  const std::size_t b = index(pair.b);
+  const BoxPair boxes = makeBoxPair(setup.cores[a].half_extents, poses.world_from_body[a],
+                                    setup.cores[b].half_extents, poses.world_from_body[b]);
+  const double gap =
+      separationsOfBoxes(boxes).largest - setup.cores[a].radius - setup.cores[b].radius;
+  return gap > distance + toleranceOf(boxes);
+}
+
+/// Without a branch of its own: which of the candidates are left is hard to predict.
+template <class IsFar>
+void keepUnless(const IsFar& is_far, std::vector<PairId>& candidates) noexcept {
+  std::size_t kept = 0;
+  for (const PairId id : candidates) {
+    candidates[kept] = id;
+    kept += is_far(id) ? 0 : 1;
+  }
+  candidates.resize(kept);
+}
+
+/// By the distances that were measured before, less the ways since. Of elements that were refined
+/// in the last cycle, and hence will most likely be in this one, all but the nearest bodies wait.
+void cullByGaps(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  constexpr double kRounding = 1e-9;  // of what was measured then, and of what would be now
+  const KnownGaps& gaps = buffers.memory.gaps;
+  const NearBodies near = nearBodies(setup, buffers);
+  buffers.waiting.clear();
+  const auto isFar = [&](PairId id) {
+    const BodyWay& a = gaps.ways[index(setup.table[id].a)];
+    const BodyWay& b = gaps.ways[index(setup.table[id].b)];
+    const ElementPairIndex elements = setup.element_pair_of[index(id)];
+    const double gap = gaps.of_pair[index(id)] - (a.all + b.all) - kRounding;
+    const double nearest = gaps.nearest[elements] + (a.of_link + b.of_link);
+    if (gap > near.limitOf(id, nearest)) {
+      return true;
+    }
+    const bool waits = gap > nearest && buffers.refine.is_measured[elements] != 0;
+    if (waits) {
+      buffers.waiting.push_back(id);
+    }
+    return waits;
+  };
+  keepUnless(isFar, buffers.candidates);
+}
+
+void cullBySpheres(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  const std::vector<Ball>& balls = buffers.body_poses.balls;
+  const auto isFar = [&](PairId id) {
+    const BodyPair& pair = setup.table[id];
+    const Ball& a = balls[index(pair.a)];
+    const Ball& b = balls[index(pair.b)];
+    if (!ballsPart(a, b, buffers.reaches.of_pair[setup.link_pair_of[index(id)]])) {
+      return false;
+    }
+    const double gap = (b.center - a.center).norm() - a.radius - b.radius;
+    rememberGap(gap, pair, id, buffers.memory.gaps);
+    return true;
+  };
+  keepUnless(isFar, buffers.candidates);
+}
+
+void cullByBoxes(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  const auto isFar = [&](PairId id) {
+    return orientedBoxesPart(setup, buffers.body_poses, setup.table[id],
+                             buffers.reaches.of_pair[setup.link_pair_of[index(id)]]);
+  };
+  keepUnless(isFar, buffers.candidates);
+}
+
+}  // namespace
+
+void cullCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  CycleCounters& counters = buffers.counters;
+  std::size_t left = buffers.candidates.size();
+  const auto countCulled = [&] {
+    const std::size_t before = std::exchange(left, buffers.candidates.size());
+    return before - left;
+  };
+  cullByGaps(setup, buffers);
+  counters.culled_by_gaps = countCulled();
+  cullBySpheres(setup, buffers);
+  counters.culled_by_spheres = countCulled();
+  if (buffers.culls_by_boxes) {
+    cullByBoxes(setup, buffers);
+  }
+  counters.culled_by_boxes = countCulled();
+}
+
+}  // namespace collision_monitor

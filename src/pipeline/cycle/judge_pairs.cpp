@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "islands.h"
+#include "pipeline/cycle/run_cycle.h"
+
+namespace collision_monitor {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// False for a time that is unknown and for a threshold that is switched off.
+bool isSoon(double time, double threshold, double hysteresis) noexcept {
+  return threshold > 0.0 && time <= threshold + hysteresis;
+}
+
+/// A verdict is raised at its thresholds and left only `hysteresis` beyond them.
+Verdict verdictFor(double distance, double time, const Limits& limits, Verdict before) noexcept {
+  const bool was_touching = before == Verdict::contact;
+  if (distance <= limits.contact_distance + (was_touching ? limits.hysteresis : 0.0) ||
+      isSoon(time, limits.contact_time, was_touching ? limits.time_hysteresis : 0.0)) {
+    return Verdict::contact;
+  }
+  const bool was_near = was_touching || before == Verdict::warning;
+  if (distance <= limits.warning_distance + (was_near ? limits.hysteresis : 0.0) ||
+      isSoon(time, limits.warning_time, was_near ? limits.time_hysteresis : 0.0)) {
+    return Verdict::warning;
+  }
+  // Also where the distance is NaN, which would be a fault of ours: never "clear".
+  return distance > limits.warning_distance ? Verdict::clear : Verdict::unknown;
+}
+
+/// Fills what is closest, what touches first and what is estimated, of each pair of links and of
+/// all. A time that is unknown is not sooner than any.
+/// @return whether a time is unknown.
+bool findClosestAndSoonest(const CycleSetup& setup, const PairDistances& distances,
+                           PairEvents& events) noexcept {
+  std::fill(events.closest.begin(), events.closest.end(), kNone);
+  std::fill(events.soonest.begin(), events.soonest.end(), kNone);
+  std::fill(events.estimated.begin(), events.estimated.end(), kNone);
+  events.closest_of_all = kNone;
+  events.time_to_contact = kNever;
+  bool has_unknown = false;
+  const auto& measured = distances.measured;
+  const auto is_nearer = [&](std::uint32_t one, std::uint32_t other) {
+    return other == kNone || measured[one].measured.distance < measured[other].measured.distance;
+  };
+  for (std::uint32_t i = 0; i < measured.size(); ++i) {
+    const std::uint32_t link_pair = setup.link_pair_of[index(measured[i].pair)];
+    if (is_nearer(i, events.closest[link_pair])) {
+      events.closest[link_pair] = i;
+    }
+    if (is_nearer(i, events.closest_of_all)) {
+      events.closest_of_all = i;
+    }
+    if (measured[i].quality == Quality::estimate && is_nearer(i, events.estimated[link_pair])) {
+      events.estimated[link_pair] = i;
+    }
+    const double time = measured[i].time_to_contact;
+    std::uint32_t& soonest = events.soonest[link_pair];
+    if (time < (soonest == kNone ? kNever : measured[soonest].time_to_contact)) {
+      soonest = i;
+      events.time_to_contact = std::min(events.time_to_contact, time);
+    }
+    has_unknown = has_unknown || std::isnan(time);
+  }
+  return has_unknown;
+}
+
+/// A contact that is certain stands for its links before a bound that is deeper.
+void preferEstimate(const PairDistances& distances, std::size_t link_pair,
+                    PairEvents& events) noexcept {
+  std::uint32_t& closest = events.closest[link_pair];
+  if (events.estimated[link_pair] != kNone &&
+      distances.measured[closest].quality == Quality::lower_bound) {
+    closest = events.estimated[link_pair];
+  }
+}
+
+/// Anew if it was one that an estimate now stands before.
+void findClosestOfAll(const CycleSetup& setup, const PairDistances& distances,
+                      PairEvents& events) noexcept {
+  std::uint32_t& nearest = events.closest_of_all;
+  const auto& measured = distances.measured;
+  if (nearest == kNone ||
+      events.closest[setup.link_pair_of[index(measured[nearest].pair)]] == nearest) {
+    return;
+  }
+  nearest = kNone;
+  for (const std::uint32_t closest : events.closest) {
+    if (closest != kNone && (nearest == kNone || measured[closest].measured.distance <
+                                                     measured[nearest].measured.distance)) {
+      nearest = closest;
+    }
+  }
+}
+
+void findPassed(const CycleSetup& setup, const PairDistances& distances,
+                PairEvents& events) noexcept {
+  std::fill(events.passed.begin(), events.passed.end(), kNone);
+  const auto& passed = distances.passed;
+  for (std::uint32_t i = 0; i < passed.size(); ++i) {
+    std::uint32_t& first = events.passed[setup.link_pair_of[index(passed[i].distance.pair)]];
+    if (first == kNone || passed[i].time < passed[first].time) {
+      first = i;
+    }
+  }
+}
+
+/// Where it is not, nobody knows when the pair touches, however far it is.
+bool isMotionKnown(const LinkVelocities& velocities, const CheckedLinkPair& pair) noexcept {
+  return velocities.known[index(pair.a)] != 0 && velocities.known[index(pair.b)] != 0;
+}
+
+/// The finest that shows the pair to be in contact, if it is. What is apart now shows nothing of a
+/// contact on the way.
+Detail contactDetailOf(const CycleSetup& setup, const PairDistances& distances,
+                       const PairEvents& events, std::size_t link_pair) noexcept {
+  const std::uint32_t passed = events.passed[link_pair];
+  const std::uint32_t closest = events.closest[link_pair];
+  Detail detail = events.estimated[link_pair] != kNone ? Detail::geometries : Detail::shapes;
+  if (passed != kNone) {
+    detail = std::max(detail, detailOf(distances.passed[passed].distance));
+  }
+  if (closest == kNone) {
+    return detail;
+  }
+  const PairDistance& nearest = distances.measured[closest];
+  const bool is_shown =
+      passed == kNone || nearest.measured.distance <= setup.limits.contact_distance;
+  return is_shown ? std::max(detail, detailOf(nearest)) : detail;
+}
+
+/// What hysteresis starts from. A contact of bounds, as where the budget was spent, is no contact
+/// as soon as something finer than these bounds is seen to be apart, however near it is.
+Verdict heldVerdict(const PairMemory& memory, std::size_t link_pair,
+                    const PairDistance& nearest) noexcept {
+  const Verdict before = memory.reported[link_pair];
+  const bool is_refuted = detailOf(nearest) > memory.contact_detail[link_pair];
+  return before == Verdict::contact && is_refuted ? Verdict::warning : before;
+}
+
+/// @pre both links are known beside each other
+Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
+                      const PairEvents& events, std::size_t link_pair,
+                      const PairMemory& memory) noexcept {
+  const std::uint32_t closest = events.closest[link_pair];
+  // Another element may be deeper, as far as limits allow.
+  if (events.passed[link_pair] != kNone || events.estimated[link_pair] != kNone) {
+    return Verdict::contact;
+  }
+  if (closest == kNone) {
+    return Verdict::clear;  // known, and out of reach of every threshold
+  }
+  const PairDistance& nearest = distances.measured[closest];
+  const std::uint32_t soonest = events.soonest[link_pair];
+  const double time = soonest == kNone ? kNever : distances.measured[soonest].time_to_contact;
+  return verdictFor(nearest.measured.distance, time, setup.limits,
+                    heldVerdict(memory, link_pair, nearest));
+}
+
+}  // namespace
+
+void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
+                const LinkVelocities& velocities, const PairDistances& distances,
+                PairMemory& memory, PairEvents& events) noexcept {
+  bool has_unknown = findClosestAndSoonest(setup, distances, events);
+  findPassed(setup, distances, events);
+  events.changes.clear();
+  // A link that stands in no checked pair can be unknown without harm.
+  events.overall = Verdict::clear;
+  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+    Verdict& reported = memory.reported[i];
+    preferEstimate(distances, i, events);
+    const CheckedLinkPair& pair = setup.checked[i];
+    const Verdict verdict = isJoined(body_poses, pair.a, pair.b)
+                                ? judgeLinkPair(setup, distances, events, i, memory)
+                                : Verdict::unknown;
+    const Detail detail = contactDetailOf(setup, distances, events, i);
+    memory.contact_detail[i] =
+        verdict == Verdict::contact ? std::max(memory.contact_detail[i], detail) : Detail::shapes;
+    events.verdicts[i] = verdict;
+    events.overall = std::max(events.overall, verdict);
+    has_unknown = has_unknown || verdict == Verdict::unknown || !isMotionKnown(velocities, pair);
+    const bool is_silent = reported == Verdict::clear && verdict == Verdict::unknown;
+    if (verdict != reported && !is_silent) {
+      events.changes.push_back({static_cast<LinkPairIndex>(i), reported, verdict});
+      reported = verdict;
+    }
+  }
+  findClosestOfAll(setup, distances, events);
+  if (has_unknown && events.time_to_contact == kNever) {
+    events.time_to_contact = kUnknown;
+  }
+  findIslands(setup.checked, events);
+}
+
+}  // namespace collision_monitor

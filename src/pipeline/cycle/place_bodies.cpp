@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+
+#include "collision_monitor/geometry/bounds.h"
+#include "pipeline/blocks/contact_of_pairs.h"
+#include "pipeline/cycle/run_cycle.h"
+
+namespace collision_monitor {
+namespace {
+
+/// rotation * v
+std::array<double, 3> turned(const Eigen::Matrix3d& rotation, const double* v) noexcept {
+  const double* r = rotation.data();
+  return {r[0] * v[0] + r[3] * v[1] + r[6] * v[2], r[1] * v[0] + r[4] * v[1] + r[7] * v[2],
+          r[2] * v[0] + r[5] * v[1] + r[8] * v[2]};
+}
+
+/// pose * point
+std::array<double, 3> moved(const Pose& pose, const double* point) noexcept {
+  const std::array<double, 3> there = turned(pose.rotation, point);
+  const double* t = pose.translation.data();
+  return {there[0] + t[0], there[1] + t[1], there[2] + t[2]};
+}
+
+/// world_from_link * link_from_part. Number by number, and written where it is to stand: the copy
+/// of a pose that was just written so stalls the processor for longer than the product takes.
+void place(const Pose& world_from_link, const Pose& link_from_part,
+           Pose& world_from_part) noexcept {
+  for (std::size_t axis = 0; axis < 9; axis += 3) {
+    const auto column = turned(world_from_link.rotation, link_from_part.rotation.data() + axis);
+    std::copy(column.begin(), column.end(), world_from_part.rotation.data() + axis);
+  }
+  const auto translation = moved(world_from_link, link_from_part.translation.data());
+  std::copy(translation.begin(), translation.end(), world_from_part.translation.data());
+}
+
+/// Checked here as well as at the edge: a NaN that slips through must read as unknown.
+bool isKnown(const LinkPoses& poses, std::size_t link) noexcept {
+  return poses.status[link] == LinkStatus::known && isRigid(poses.world_from_link[link]);
+}
+
+/// A link that floats alone can be measured against nothing, so it counts as unknown.
+void leaveLoneLinks(BodyPoses& body_poses) noexcept {
+  std::vector<std::uint32_t>& count = body_poses.links_of_part;
+  std::fill(count.begin(), count.end(), 0U);
+  const auto floats = [&](std::size_t link) {
+    return body_poses.link_known[link] != 0 && body_poses.part[link] != kWorldPart;
+  };
+  for (std::size_t link = 0; link < count.size(); ++link) {
+    if (floats(link)) {
+      ++count[body_poses.part[link]];
+    }
+  }
+  for (std::size_t link = 0; link < count.size(); ++link) {
+    if (floats(link) && count[body_poses.part[link]] < 2) {
+      body_poses.link_known[link] = 0;
+    }
+  }
+}
+
+/// Whether known links stand in several parts.
+bool isSplit(const BodyPoses& body_poses) noexcept {
+  const auto& known = body_poses.link_known;
+  const auto first =
+      static_cast<std::size_t>(std::find(known.begin(), known.end(), 1) - known.begin());
+  for (std::size_t link = first; link < known.size(); ++link) {
+    if (known[link] != 0 && body_poses.part[link] != body_poses.part[first]) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Fills what is known of the links, and how they stand together.
+void findLinks(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept {
+  bool floats = false;
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+    const std::size_t link = index(setup.bodies[i].link);
+    if (i == 0 || setup.bodies[i - 1].link != setup.bodies[i].link) {
+      body_poses.link_known[link] = isKnown(poses, link) ? 1 : 0;
+      body_poses.part[link] = poses.part[link];
+      floats = floats || poses.part[link] != kWorldPart;
+    }
+  }
+  if (floats) {
+    leaveLoneLinks(body_poses);
+  }
+  body_poses.is_split = floats && isSplit(body_poses);
+}
+
+}  // namespace
+
+LinkPoses makeLinkPoses(const RobotModel& model) {
+  LinkPoses poses;
+  poses.world_from_link.resize(model.links.size());
+  poses.status.resize(model.links.size(), LinkStatus::missing);
+  poses.part.resize(model.links.size(), kWorldPart);
+  poses.part_status.resize(model.links.size(), LinkStatus::known);
+  poses.age.resize(model.links.size(), 0.0);
+  poses.robot_stamp_ns.resize(model.robots.size(), 0);
+  poses.velocities.of_link.resize(model.links.size());
+  poses.velocities.known.resize(model.links.size(), 0);
+  return poses;
+}
+
+void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept {
+  const std::vector<Body>& bodies = setup.bodies;
+  findLinks(setup, poses, body_poses);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const std::size_t link = index(bodies[i].link);
+    const Pose& world_from_link = poses.world_from_link[link];
+    const std::size_t slot = setup.blocks.slot_of[i];
+    body_poses.known[i] = body_poses.link_known[link];
+    if (body_poses.known[i] == 0) {
+      loseBody(slot, body_poses.rows);
+      continue;
+    }
+    place(world_from_link, bodies[i].link_from_body, body_poses.world_from_body[i]);
+    const double* center = body_poses.world_from_body[i].translation.data();
+    std::copy(center, center + 3, body_poses.balls[i].center.data());
+    writeBody(setup.cores[i].kind, body_poses.world_from_body[i], slot, body_poses.rows);
+  }
+}
+
+void placeElements(const CycleSetup& setup, const LinkPoses& poses,
+                   BodyPoses& body_poses) noexcept {
+  for (std::size_t i = 0; i < setup.elements.size(); ++i) {
+    const Element& element = setup.elements[i];
+    if (body_poses.link_known[index(element.link)] != 0) {
+      place(poses.world_from_link[index(element.link)], element.link_from_element,
+            body_poses.world_from_element[i]);
+    }
+  }
+}
+
+BodyPoses makeBodyPoses(const CycleSetup& setup) {
+  BodyPoses body_poses;
+  body_poses.world_from_body.resize(setup.bodies.size());
+  std::vector<double> bounding_radii;
+  for (const Body& body : setup.bodies) {
+    bounding_radii.push_back(body.bounding_radius);
+    body_poses.balls.push_back({Eigen::Vector3d::Zero(), body.bounding_radius});
+  }
+  body_poses.rows = makeBodyRows(setup.blocks, setup.cores, bounding_radii);
+  body_poses.known.resize(setup.bodies.size(), 0);
+  body_poses.link_known.resize(setup.model.links.size(), 0);
+  body_poses.part.resize(setup.model.links.size(), kWorldPart);
+  body_poses.links_of_part.resize(setup.model.links.size(), 0);
+  body_poses.world_from_element.resize(setup.elements.size());
+  return body_poses;
+}
+
+ContactDistances contactDistancesOf(const CycleSetup& setup) {
+  ContactDistances limits;
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    limits.of_pair.push_back(contactOfBodies(setup, idAt<PairId>(i)));
+    limits.largest = std::max(limits.largest, limits.of_pair.back());
+  }
+  return limits;
+}
+
+void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double reach,
+                 BodyBounds& bounds) noexcept {
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+    bounds.known[i] = body_poses.known[i];
+    if (bounds.known[i] != 0) {
+      bounds.boxes[i] = aabbOf(setup.bodies[i].shape, body_poses.world_from_body[i], 0.5 * reach);
+    }
+  }
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/cycle/run_cycle.h"
+
+namespace collision_monitor {
+namespace {
+
+/// What a cycle sees of a pair of links that are at their stop distance, beside what SpeedScale
+/// remembers; bits of one byte.
+constexpr unsigned char kWasStopped = 1;
+constexpr unsigned char kCloses = 2;
+constexpr unsigned char kRests = 4;
+constexpr unsigned char kMayTouch = 8;  ///< by a bound; remembered until the geometries are seen
+
+/// What all pairs ask for together.
+struct Demand {
+  double scale{1.0};
+  bool is_free{true};  ///< nothing closes, nothing near rests, and nothing is unknown
+};
+
+void ask(double scale, Demand& demand) noexcept {
+  demand.scale = std::min(demand.scale, scale);
+  demand.is_free = false;
+}
+
+void askForMeasured(const CycleSetup& setup, const PairDistance& distance, Demand& demand,
+                    unsigned char& seen) noexcept {
+  const StopRule& rule = setup.ahead.stop;
+  const double gap = distance.measured.distance;
+  const double closing = distance.closing_speed;
+  if (std::isnan(closing)) {
+    ask(scaleForUnknownSpeed(gap, setup.limits.warning_distance, rule), demand);
+  } else if (closing > rule.rest_speed) {
+    ask(scaleForPair(gap, closing, rule), demand);
+    seen |= gap <= rule.stop_distance ? kCloses : 0;
+  } else if (closing >= -rule.rest_speed) {
+    // One that touches was stopped, or should have been.
+    if (isTouching(distance, setup.limits.contact_distance)) {
+      seen |= distance.quality == Quality::lower_bound ? kMayTouch : kWasStopped;
+    }
+    seen |= gap <= rule.stop_distance + setup.limits.hysteresis ? kRests : 0;
+    // It may rest because it was slowed down: then it must not be let go all at once.
+    demand.is_free = demand.is_free && gap > setup.limits.warning_distance;
+  }
+}
+
+}  // namespace
+
+void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistances& distances,
+                const PairEvents& events, SpeedScale& speed) noexcept {
+  const StopRule& rule = setup.ahead.stop;
+  Demand demand;
+  for (const PairDistance& distance : distances.measured) {
+    const std::uint32_t link_pair = setup.link_pair_of[index(distance.pair)];
+    askForMeasured(setup, distance, demand, speed.stopped[link_pair]);
+  }
+  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+    const unsigned char seen = speed.stopped[i];
+    const std::uint32_t closest = events.closest[i];
+    const bool is_seen = closest != kNone && distances.measured[closest].quality == Quality::exact;
+    const unsigned char stops = seen & (is_seen ? kWasStopped : kWasStopped | kMayTouch);
+    const bool rests = (seen & kRests) != 0 && stops != 0;
+    const bool closes = (seen & kCloses) != 0;
+    if (rests && !closes) {
+      ask(rule.creep_scale, demand);
+    }
+    if (events.verdicts[i] == Verdict::unknown || events.passed[i] != kNone) {
+      ask(0.0, demand);
+    }
+    speed.stopped[i] = closes ? kWasStopped : rests ? stops : 0;
+  }
+  const double duration = 1e-9 * static_cast<double>(stamp_ns - speed.stamp_ns);
+  speed.scale =
+      demand.is_free ? demand.scale : releasedScale(speed.scale, demand.scale, duration, rule);
+  speed.stamp_ns = stamp_ns;
+}
+
+}  // namespace collision_monitor

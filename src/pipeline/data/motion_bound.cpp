@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/data/motion_bound.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "geometry/constants.h"
+
+namespace collision_monitor {
+namespace {
+
+/// What moves the joint of a link, if the path does.
+std::optional<ChainJoint> movedJoint(const RobotModel& model, const JointPath& path, LinkId link) {
+  const auto& parent_joint = model.link(link).parent_joint;
+  if (!parent_joint) {
+    return std::nullopt;
+  }
+  const Joint& joint = model.joint(*parent_joint);
+  const JointId source = joint.mimic ? joint.mimic->source : *parent_joint;
+  const auto place = std::find(path.joints.begin(), path.joints.end(), source);
+  if (place == path.joints.end() || joint.type == JointType::fixed) {
+    return std::nullopt;
+  }
+  return ChainJoint{link, joint.axis, joint.type == JointType::prismatic,
+                    static_cast<std::size_t>(place - path.joints.begin()),
+                    joint.mimic ? std::abs(joint.mimic->multiplier) : 1.0};
+}
+
+/// The link and what it hangs on, up to the root.
+std::vector<LinkId> ancestorsOf(const RobotModel& model, LinkId link) {
+  std::vector<LinkId> chain{link};
+  while (const auto& joint = model.link(chain.back()).parent_joint) {
+    chain.push_back(model.joint(*joint).parent);
+  }
+  return chain;
+}
+
+/// A ball that a joint moves along, in the world.
+struct Load {
+  Eigen::Vector3d center;
+  double radius;
+  double moved{0.0};  ///< [m] any point of it, by the joints so far
+};
+
+void moveBy(const ChainJoint& joint, const std::vector<Pose>& world_from_link, double way,
+            Load& load) noexcept {
+  if (way == 0.0) {
+    return;
+  }
+  if (joint.is_prismatic) {
+    load.moved += way;
+    return;
+  }
+  const Pose& frame = world_from_link[index(joint.child)];
+  const Eigen::Vector3d axis = frame.rotation * joint.axis;
+  const double lever =
+      axis.cross(load.center - frame.translation).norm() + load.radius + load.moved;
+  load.moved += way * lever;
+}
+
+Load loadOf(const Ball& ball, const Pose& world_from_link) noexcept {
+  return {world_from_link * ball.center, ball.radius};
+}
+
+}  // namespace
+
+LinkChain chainBetween(const RobotModel& model, const JointPath& path, LinkId a, LinkId b) {
+  std::vector<LinkId> up = ancestorsOf(model, a);
+  std::vector<LinkId> down = ancestorsOf(model, b);
+  while (!up.empty() && !down.empty() && up.back() == down.back()) {
+    up.pop_back();
+    down.pop_back();
+  }
+  up.insert(up.end(), down.rbegin(), down.rend());
+  LinkChain chain{a, b, {}};
+  for (const LinkId link : up) {
+    if (const auto joint = movedJoint(model, path, link)) {
+      chain.joints.push_back(*joint);
+    }
+  }
+  return chain;
+}
+
+std::vector<Ball> linkBalls(const CycleSetup& setup) {
+  std::vector<Ball> balls(setup.model.links.size());
+  std::vector<Aabb> boxes(setup.model.links.size(), {Eigen::Vector3d::Constant(kInfinity),
+                                                     Eigen::Vector3d::Constant(-kInfinity)});
+  for (const Body& body : setup.bodies) {
+    const Aabb box = aabbOf(body.shape, body.link_from_body, 0.0);
+    Aabb& all = boxes[index(body.link)];
+    all = {all.min.cwiseMin(box.min), all.max.cwiseMax(box.max)};
+  }
+  for (const Body& body : setup.bodies) {
+    Ball& ball = balls[index(body.link)];
+    const Aabb& box = boxes[index(body.link)];
+    ball.center = 0.5 * (box.min + box.max);
+    const double reach =
+        (body.link_from_body.translation - ball.center).norm() + body.bounding_radius;
+    ball.radius = std::max(ball.radius, reach);
+  }
+  return balls;
+}
+
+double boundMotion(const LinkChain& chain, const std::vector<Ball>& balls,
+                   const std::vector<Pose>& world_from_link,
+                   const std::vector<double>& ways) noexcept {
+  // Up to this many joints may move A.
+  constexpr std::size_t kMostSplits = 32;
+  const auto move_by = [&](const ChainJoint& joint, Load& load) {
+    moveBy(joint, world_from_link, joint.factor * ways[joint.path_joint], load);
+  };
+  std::array<double, kMostSplits + 1> moved_b;
+  Load b = loadOf(balls[index(chain.b)], world_from_link[index(chain.b)]);
+  for (std::size_t split = chain.joints.size(); split > 0; --split) {
+    moved_b[std::min(split, kMostSplits)] = b.moved;
+    move_by(chain.joints[split - 1], b);
+  }
+  moved_b[0] = b.moved;
+  double least = b.moved;
+  Load a = loadOf(balls[index(chain.a)], world_from_link[index(chain.a)]);
+  for (std::size_t split = 1; split <= std::min(chain.joints.size(), kMostSplits); ++split) {
+    move_by(chain.joints[split - 1], a);
+    least = std::min(least, a.moved + moved_b[split]);
+  }
+  return least;
+}
+
+}  // namespace collision_monitor

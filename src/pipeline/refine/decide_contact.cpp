@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/refine/decide_contact.h"
+
+#include <algorithm>
+
+#include "pipeline/refine/touch_elements.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Keeps that the elements are so far apart at least, where nothing better is known.
+void keepApart(const Refinement& all, const RefineTask& task, double apart,
+               const ElementContact& contact) noexcept {
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  ElementDistance found;
+  found.quality = Quality::lower_bound;
+  found.measured.distance = apart;
+  found.is_complete = true;
+  found.outside = contact.outside;
+  remember({found, placed(all, pair.a).world_from_element, placed(all, pair.b).world_from_element},
+           all.memory.refined.of(task.pair));
+}
+
+/// @return whether nothing is left to decide: they are farther apart, which is kept, or were
+/// measured, or the budget is spent.
+bool tryDecide(const Refinement& all, RefineTask& task, const ElementDistance& recalled,
+               const Goal& goal) noexcept {
+  constexpr std::uint32_t kMostHard = 8;  // pairs that are hard to decide leave some to the others
+  const bool is_apart =
+      recalled.quality == Quality::lower_bound && recalled.measured.distance >= goal.enough;
+  if (is_apart || isEnough(recalled, goal.enough) || !(all.work.steps < goal.budget)) {
+    return true;
+  }
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  ElementSearch search = searchFor(all, task, goal);
+  search.budget = std::min(search.budget, budgetOf(all) / kMostHard);
+  const ElementContact contact =
+      touchElements(placed(all, pair.a), placed(all, pair.b), {goal.enough, true}, search);
+  spend(all, task, contact.steps);
+  if (contact.state == ElementContact::State::apart) {
+    keepApart(all, task, goal.enough, contact);
+  }
+  return contact.state == ElementContact::State::apart;
+}
+
+/// Whether elements that were measured have come so little farther since that to follow them takes
+/// less than to decide anything anew.
+bool isFollowed(const ElementDistance& last, const ElementDistance& recalled,
+                double little) noexcept {
+  return last.has_points && last.quality != Quality::estimate &&
+         last.measured.distance - recalled.measured.distance < little;
+}
+
+}  // namespace
+
+void decideContact(const Refinement& all, RefineTask& task) noexcept {
+  constexpr double kPastThreshold = 1e-6;
+  const Goal clear{clearBeyond(all), budgetOf(all) / 4 * 3};
+  if (task.bound > clear.enough) {
+    return;
+  }
+  const ElementDistance& last = all.memory.refined.lastOf(task.pair).found;
+  const ElementDistance recalled = recallTask(all, task);
+  const bool has_overlapped = last.quality == Quality::estimate;
+  if (isFollowed(last, recalled, clear.enough) ||
+      (!has_overlapped && tryDecide(all, task, recalled, clear))) {
+    return;
+  }
+  const double contact = std::max(0.0, all.setup.limits.contact_distance);
+  tryDecide(all, task, recalled, {contact + kPastThreshold, clear.budget});
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/refine/measure_elements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+#include "geometry/bvh/visit_held.h"
+#include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/distance.h"
+#include "narrow_phase/mesh_depth/mesh_depth.h"
+#include "pipeline/refine/element_parts.h"
+
+namespace collision_monitor {
+namespace {
+
+// Work other than opening nodes, in units of it.
+constexpr std::uint32_t kSetUpSteps = 8;   // poses and inner shapes
+constexpr std::uint32_t kApartSteps = 8;   // two convex geometries
+constexpr std::uint32_t kDepthSteps = 60;  // depth of two convex geometries
+constexpr std::uint32_t kPointSteps = 4;   // depth of one point in a mesh, without nodes
+
+bool areExact(const PlacedElement& a, const PlacedElement& b) noexcept {
+  return a.element.is_exact && b.element.is_exact;
+}
+
+ElementDistance measureConvex(const PlacedElement& a, const PlacedElement& b,
+                              ElementSearch& search) noexcept {
+  ConvexSearch convex{search.scratch.convex, search.memory.warm};
+  const ConvexDistance found = signedDistanceBetween(
+      *a.element.convex, a.world_from_element, *b.element.convex, b.world_from_element, convex);
+  ElementDistance answer;
+  answer.steps = found.measured.distance > 0.0 ? kApartSteps : kDepthSteps;
+  answer.is_complete = true;
+  if (found.quality != DistanceQuality::unknown) {
+    answer.quality = found.quality == DistanceQuality::exact && areExact(a, b)
+                         ? Quality::exact
+                         : Quality::lower_bound;
+    answer.has_points = true;
+    answer.measured = found.measured;
+  }
+  return answer;
+}
+
+/// What is left of it after the paddings is still enough.
+double stopBeyond(const PlacedElement& a, const PlacedElement& b,
+                  const ElementSearch& search) noexcept {
+  const double paddings = a.element.padding + b.element.padding;
+  const double sum = search.enough + paddings;
+  return paddings > 0.0 ? std::nextafter(sum, std::numeric_limits<double>::infinity()) : sum;
+}
+
+template <class Start>
+MeshDistance searchFrom(Start& start, const PlacedElement& a, const PlacedElement& b,
+                        ElementSearch& search) noexcept {
+  const MeshQueryLimits limits{stopBeyond(a, b, search), search.budget, search.tolerance};
+  if (isSimple(b)) {
+    return distanceBetween(meshOf(a), convexOf(b), search.scratch.mesh, start, limits);
+  }
+  if (!isSimple(a)) {
+    return distanceBetween(meshOf(a), meshOf(b), search.scratch.mesh, start, limits);
+  }
+  MeshDistance found = distanceBetween(meshOf(b), convexOf(a), search.scratch.mesh, start, limits);
+  found.measured = swapped(found.measured);
+  return found;
+}
+
+MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
+                          ElementSearch& search) noexcept {
+  if (search.memory.front) {
+    return searchFrom(*search.memory.front, a, b, search);
+  }
+  TrianglePair& nearest = search.memory.nearest;
+  MeshDistance found = searchFrom(nearest, a, b, search);
+  nearest = found.nearest.a == TrianglePair::kNone ? nearest : found.nearest;
+  return found;
+}
+
+/// Where the hulls tell the distance, or that it is enough.
+bool measureHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
+                  ElementDistance& answer) noexcept {
+  const double stop_beyond = stopBeyond(a, b, search);
+  const MeshDistance found =
+      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stop_beyond, search.scratch.mesh,
+                      {search.memory.warm, search.memory.nearest});
+  answer.steps += kApartSteps + found.visits;
+  if (found.state != MeshState::exact && !(found.measured.distance >= stop_beyond)) {
+    return false;
+  }
+  answer.measured = found.measured;
+  answer.has_points = found.state == MeshState::exact;
+  answer.is_complete = true;
+  answer.quality = answer.has_points && areExact(a, b) ? Quality::exact : Quality::lower_bound;
+  return true;
+}
+
+/// Of surfaces around the geometries, the answer of the geometries: not so near, not so deep.
+SignedDistance withoutExcess(const PlacedElement& a, const PlacedElement& b,
+                             const SignedDistance& of_surfaces) noexcept {
+  return swept(of_surfaces, -a.element.mesh_excess, -b.element.mesh_excess);
+}
+
+/// A search that the budget ended within a solid has a depth and no points to show for it.
+void matchPoints(SignedDistance& overlap) noexcept {
+  overlap.distance = std::min(overlap.distance, 0.0);  // surfaces touch but for rounding
+  const Eigen::Vector3d between = overlap.point_on_b - overlap.point_on_a;
+  constexpr double kRounding = 1e-9;
+  if ((between - overlap.distance * overlap.normal_a_to_b).norm() > kRounding) {
+    overlap.distance = 0.0;
+    overlap.point_on_b = overlap.point_on_a;
+  }
+}
+
+/// What surrounds a geometry may overlap where the geometry does not: then nothing is told.
+void reportOverlap(const PlacedElement& a, const PlacedElement& b,
+                   ElementDistance& answer) noexcept {
+  answer.is_complete = true;
+  if (areExact(a, b) && answer.measured.distance <= 0.0) {
+    answer.quality = Quality::estimate;
+    answer.has_points = true;
+  }
+}
+
+ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
+                              ElementSearch& search) noexcept {
+  ElementDistance answer;
+  answer.steps = kSetUpSteps;
+  // What overlapped mostly still does, and then hulls say nothing.
+  const bool overlapped = search.memory.last.found.quality == Quality::estimate;
+  if (!overlapped && measureHulls(a, b, search, answer)) {
+    return answer;
+  }
+  const bool is_inside = measureInside(a, b, answer.measured) && answer.measured.distance < 0.0;
+  if (is_inside && a.element.mesh && b.element.mesh) {
+    reportOverlap(a, b, answer);  // a search would say no more than that
+    return answer;
+  }
+  const MeshDistance found = searchMeshes(a, b, search);
+  answer.steps += found.visits;
+  answer.outside = found.outside;
+  if (found.state == MeshState::overlapping) {
+    SignedDistance of_geometries = found.measured;
+    matchPoints(of_geometries);
+    if (!is_inside || of_geometries.distance < answer.measured.distance) {
+      answer.measured = of_geometries;
+    }
+    reportOverlap(a, b, answer);
+  } else if (is_inside) {
+    reportOverlap(a, b, answer);
+  } else if (found.state != MeshState::unknown) {
+    answer.measured = found.measured;
+    answer.shortfall = found.shortfall;
+    answer.has_points = found.state == MeshState::exact;
+    answer.is_complete = answer.has_points || found.measured.distance >= stopBeyond(a, b, search);
+    answer.quality = answer.has_points && areExact(a, b) ? Quality::exact : Quality::lower_bound;
+  }
+  return answer;
+}
+
+/// Of elements, from what is within their paddings.
+ElementDistance padded(const PlacedElement& a, const PlacedElement& b,
+                       ElementDistance answer) noexcept {
+  if (a.element.padding + b.element.padding > 0.0) {
+    answer.measured = swept(answer.measured, a.element.padding, b.element.padding);
+    answer.quality = answer.quality == Quality::exact ? Quality::lower_bound : answer.quality;
+  }
+  return answer;
+}
+
+}  // namespace
+
+bool measureInside(const PlacedElement& a, const PlacedElement& b, SignedDistance& least) noexcept {
+  least.distance = std::numeric_limits<double>::infinity();
+  const InnerShapes& in_a = a.element.inner;
+  const InnerShapes& in_b = b.element.inner;
+  for (const auto* inner_a : {&in_a.sphere, &in_a.capsule}) {
+    for (const auto* inner_b : {&in_b.sphere, &in_b.capsule}) {
+      if (!*inner_a || !*inner_b) {
+        continue;
+      }
+      const SignedDistance found =
+          distanceBetween((*inner_a)->shape, a.world_from_element * (*inner_a)->geometry_from_body,
+                          (*inner_b)->shape, b.world_from_element * (*inner_b)->geometry_from_body);
+      least = found.distance < least.distance ? found : least;
+    }
+  }
+  return least.distance < std::numeric_limits<double>::infinity();
+}
+
+std::optional<Shape> shapeOf(const std::optional<ConvexGeometry>& geometry) noexcept {
+  const auto take = [](const auto& held) noexcept -> std::optional<Shape> {
+    if constexpr (std::is_convertible_v<decltype(held), Shape>) {
+      return Shape(held);
+    } else {
+      return std::nullopt;
+    }
+  };
+  return geometry ? visitHeld(take, *geometry) : std::nullopt;
+}
+
+ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
+                                ElementSearch& search) noexcept {
+  return padded(a, b,
+                a.element.convex && b.element.convex ? measureConvex(a, b, search)
+                                                     : measureMeshes(a, b, search));
+}
+
+ElementDistance measureByHulls(const PlacedElement& a, const PlacedElement& b,
+                               ElementSearch& search) noexcept {
+  const MeshDistance found =
+      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stopBeyond(a, b, search),
+                      search.scratch.mesh, {search.memory.warm, search.memory.nearest});
+  ElementDistance answer;
+  answer.steps = kApartSteps + found.visits;
+  if (found.state != MeshState::unknown) {
+    answer.measured = found.measured;
+    answer.has_points = found.state == MeshState::exact;
+    answer.quality = answer.has_points && areExact(a, b) ? Quality::exact : Quality::lower_bound;
+  }
+  return padded(a, b, answer);
+}
+
+double boundByHulls(const PlacedElement& a, const PlacedElement& b,
+                    ElementSearch& search) noexcept {
+  const MeshDistance found =
+      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stopBeyond(a, b, search),
+                      search.scratch.mesh, {search.memory.warm, search.memory.nearest});
+  return found.state == MeshState::unknown
+             ? -std::numeric_limits<double>::infinity()
+             : found.measured.distance - a.element.padding - b.element.padding;
+}
+
+std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b,
+                             std::uint32_t most_points, ElementSearch& search,
+                             SignedDistance& overlap) noexcept {
+  const std::uint32_t points = std::min(most_points, search.budget / kPointSteps);
+  if (!search.memory.depth || points == 0) {
+    return 0;
+  }
+  const MeshDepth found =
+      depthOf(meshOf(a), meshOf(b), search.scratch.mesh, *search.memory.depth, points);
+  const SignedDistance deepest =
+      swept(withoutExcess(a, b, found.deepest), a.element.padding, b.element.padding);
+  if (deepest.distance < overlap.distance) {
+    overlap = deepest;
+  }
+  return kPointSteps * found.points + found.visits;
+}
+
+}  // namespace collision_monitor

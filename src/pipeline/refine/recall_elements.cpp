@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/refine/recall_elements.h"
+
+#include <algorithm>
+
+#include "geometry/ball_motion.h"
+
+namespace collision_monitor {
+namespace {
+
+// [m] How far any point of one may have come, seen from the other.
+double motionSince(const LastMeasurement& last, const PlacedElement& a, const PlacedElement& b,
+                   const std::array<Ball, 2>& balls) noexcept {
+  constexpr double kRounding = 1e-12;  // of coordinates of some metres
+  const Pose a_from_b = inverse(last.world_from_a) * last.world_from_b;
+  const Pose a_from_b_now = inverse(a.world_from_element) * b.world_from_element;
+  return kRounding +
+         std::min(motionOfBall(balls[1].center, balls[1].radius, a_from_b, a_from_b_now),
+                  motionOfBall(balls[0].center, balls[0].radius, inverse(a_from_b),
+                               inverse(a_from_b_now)));
+}
+
+}  // namespace
+
+Ball ballOf(const Element& element) {
+  return element.convex ? ballOf(*element.convex) : ballOf(*element.mesh);
+}
+
+ElementDistance recallElements(const LastMeasurement& last, const PlacedElement& a,
+                               const PlacedElement& b, const std::array<Ball, 2>& balls) noexcept {
+  ElementDistance recalled = last.found;
+  recalled.steps = 0;
+  if (isSame(last.world_from_a, a.world_from_element) &&
+      isSame(last.world_from_b, b.world_from_element)) {
+    return recalled;
+  }
+  recalled.has_points = recalled.is_complete = false;
+  if (recalled.quality == Quality::exact || recalled.quality == Quality::lower_bound) {
+    recalled.quality = Quality::lower_bound;
+    // What has gone far enough to be inside an open mesh is no longer known to be apart.
+    const double motion = motionSince(last, a, b, balls);
+    recalled.measured.distance = std::min(recalled.measured.distance, recalled.outside) - motion;
+    recalled.outside -= motion;
+  } else {
+    recalled.quality = Quality::unknown;
+  }
+  return recalled;
+}
+
+std::optional<ElementDistance> recallWithin(double tolerance, const LastMeasurement& last,
+                                            const PlacedElement& a, const PlacedElement& b,
+                                            const ElementDistance& recalled) noexcept {
+  const double bound = recalled.measured.distance;
+  if (!last.found.has_points || !last.found.is_complete || !(bound > 0.0) ||
+      recalled.quality != Quality::lower_bound || (a.element.convex && b.element.convex)) {
+    return std::nullopt;
+  }
+  const auto carried = [](const Eigen::Vector3d& point, const Pose& before, const Pose& now) {
+    return Eigen::Vector3d(now * (inverse(before) * point));
+  };
+  const SignedDistance& measured = last.found.measured;
+  const Eigen::Vector3d on_a =
+      carried(measured.point_on_a, last.world_from_a, a.world_from_element);
+  const Eigen::Vector3d way =
+      carried(measured.point_on_b, last.world_from_b, b.world_from_element) - on_a;
+  const double length = way.norm();
+  if (!(length + last.found.shortfall - bound <= tolerance)) {
+    return std::nullopt;
+  }
+  ElementDistance found = recalled;
+  found.quality = last.found.quality;
+  found.has_points = found.is_complete = true;
+  const Eigen::Vector3d normal = way / length;
+  found.measured = {bound, on_a, on_a + bound * normal, normal};
+  return found;
+}
+
+}  // namespace collision_monitor

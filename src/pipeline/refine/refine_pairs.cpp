@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/refine/refine_pairs.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "geometry/constants.h"
+#include "pipeline/blocks/contact_of_pairs.h"
+#include "pipeline/refine/decide_contact.h"
+#include "pipeline/refine/refine_tasks.h"
+#include "pipeline/refine/refinement.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Where a proven bound without points is larger, the points follow it along the normal.
+void raiseBound(double bound, PairDistance& distance) noexcept {
+  SignedDistance& measured = distance.measured;
+  if (bound > measured.distance) {
+    measured.distance = bound;
+    measured.point_on_b = measured.point_on_a + bound * measured.normal_a_to_b;
+    distance.is_raised = true;
+  }
+}
+
+/// @param contact [m] contactOfElements: a bound that is not above it proves nothing of contact.
+void takeOver(const ElementDistance& found, double contact, PairDistance& distance) noexcept {
+  const bool is_nearer = !(found.measured.distance > distance.measured.distance);
+  // Where shapes overlap, theirs is the depth of two of several shapes, which bounds nothing.
+  const bool is_depth = found.has_points && distance.measured.distance < 0.0;
+  if (found.quality == Quality::unknown ||
+      (found.quality == Quality::lower_bound && is_nearer && !is_depth)) {
+    return;  // the enclosing shapes know better
+  }
+  if (found.has_points) {
+    distance.quality = found.quality;
+    distance.measured = found.measured;
+    distance.is_refined = true;
+  } else if (found.quality != Quality::lower_bound || found.measured.distance > contact) {
+    distance.quality = found.quality;
+    raiseBound(found.measured.distance, distance);
+  }
+}
+
+/// Whether the pair is farther than what its links are known to be, and in no contact. Bodies that
+/// overlap do not tell how deep their elements do.
+bool isSettled(const Refinement& all, const RefineTask& task) noexcept {
+  const Limits& limits = all.setup.limits;
+  return task.bound > all.work.nearest[all.setup.element_pairs[task.pair].link_pair] &&
+         task.bound > std::max(0.0, limits.contact_distance + limits.hysteresis);
+}
+
+/// Beyond this a pair is not the nearest of its links, and in no contact.
+double enoughFor(const Refinement& all, const RefineTask& task) noexcept {
+  const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
+  return std::max(all.work.nearest[link_pair], clearBeyond(all));
+}
+
+/// Whether the tolerance leaves open on which side of a threshold of verdicts a distance is.
+bool isAtThreshold(const Refinement& all, const ElementDistance& found) noexcept {
+  const Limits& limits = all.setup.limits;
+  if (!found.has_points || found.quality == Quality::estimate) {
+    return false;
+  }
+  const double least = found.measured.distance;
+  const auto holds = [&](double threshold) {
+    return least <= threshold && threshold < least + all.work.limits.tolerance;
+  };
+  return holds(limits.contact_distance) || holds(limits.contact_distance + limits.hysteresis) ||
+         holds(limits.warning_distance) || holds(limits.warning_distance + limits.hysteresis);
+}
+
+/// Measured within the tolerance, and exactly where a verdict depends on that: not complete until
+/// that is done.
+ElementDistance measureForVerdict(const Refinement& all, RefineTask& task, const Goal& goal,
+                                  ElementSearch& search) noexcept {
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  ElementDistance found = measureElements(placed(all, pair.a), placed(all, pair.b), search);
+  spend(all, task, found.steps);
+  if (!isAtThreshold(all, found)) {
+    return found;
+  }
+  found.is_complete = false;
+  if (all.work.steps < goal.budget) {
+    ElementSearch exactly = searchFor(all, task, goal);
+    exactly.tolerance = 0.0;
+    const ElementDistance exact =
+        measureElements(placed(all, pair.a), placed(all, pair.b), exactly);
+    spend(all, task, exact.steps);
+    found = exact.is_complete ? exact : found;
+  }
+  return found;
+}
+
+ElementDistance measureTask(const Refinement& all, RefineTask& task, const Goal& goal,
+                            const ElementDistance& recalled) noexcept {
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  ElementSearch search = searchFor(all, task, goal);
+  ElementDistance found = measureForVerdict(all, task, goal, search);
+  if (!found.has_points && !found.is_complete && recalled.quality == Quality::lower_bound &&
+      !(recalled.measured.distance < found.measured.distance)) {
+    found.quality = Quality::lower_bound;
+    found.measured.distance = recalled.measured.distance;
+  }
+  remember({found, placed(all, pair.a).world_from_element, placed(all, pair.b).world_from_element},
+           search.memory);
+  return found;
+}
+
+void report(const Refinement& all, RefineTask& task, const ElementDistance& found) noexcept {
+  RefineWork& work = all.work;
+  task.outside = found.outside;
+  PairDistance& distance = all.distances.measured[task.place];
+  takeOver(found, contactOfElements(all.setup, task.pair), distance);
+  work.is_measured[task.pair] = 1;
+  ++(found.is_complete ? work.refined : work.left);
+  if (found.is_complete) {
+    double& nearest = work.nearest[all.setup.element_pairs[task.pair].link_pair];
+    nearest = std::min(nearest, distance.measured.distance);
+  }
+}
+
+/// What is recalled, within the tolerance where no verdict depends on that.
+ElementDistance recallEnough(const Refinement& all, const RefineTask& task) noexcept {
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  const ElementDistance recalled = recallTask(all, task);
+  const std::optional<ElementDistance> within =
+      recallWithin(all.work.limits.tolerance, all.memory.refined.lastOf(task.pair),
+                   placed(all, pair.a), placed(all, pair.b), recalled);
+  return within && !isAtThreshold(all, *within) ? *within : recalled;
+}
+
+void refine(const Refinement& all, RefineTask& task) noexcept {
+  std::uint32_t& waited = all.memory.waited[task.pair];
+  const Goal goal{enoughFor(all, task), budgetOf(all)};
+  ElementDistance found = recallEnough(all, task);
+  if (isEnough(found, goal.enough)) {
+    waited = 0;
+  } else if (all.work.steps < goal.budget) {
+    waited = 0;
+    found = measureTask(all, task, goal, found);
+  } else {
+    ++waited;
+    found.is_complete = false;
+    if (found.quality == Quality::unknown) {
+      ++all.work.left;
+      return;
+    }
+  }
+  report(all, task, found);
+}
+
+bool isOverlap(const Refinement& all, const RefineTask& task) noexcept {
+  return all.work.is_measured[task.pair] != 0 &&
+         all.distances.measured[task.place].quality == Quality::estimate;
+}
+
+/// Depths of what overlaps change no verdict, so they come last and take what is left. A cycle
+/// looks at some points, and at a few of each pair at least: the rest has its turn in the next.
+void deepenOverlaps(const Refinement& all) noexcept {
+  constexpr std::uint32_t kMostPoints = 24;
+  constexpr std::uint32_t kFewestPoints = 2;
+  RefineWork& work = all.work;
+  const auto overlaps = static_cast<std::uint32_t>(
+      std::count_if(work.tasks.begin(), work.tasks.end(),
+                    [&](const RefineTask& task) { return isOverlap(all, task); }));
+  for (RefineTask& task : work.tasks) {
+    if (isOverlap(all, task) && work.steps < budgetOf(all)) {
+      const ElementPair& pair = all.setup.element_pairs[task.pair];
+      ElementSearch search = searchFor(all, task, {0.0, budgetOf(all)});
+      spend(all, task,
+            deepenElements(placed(all, pair.a), placed(all, pair.b),
+                           std::max(kFewestPoints, kMostPoints / overlaps), search,
+                           all.distances.measured[task.place].measured));
+    }
+  }
+}
+
+/// Leaves of every pair of elements that was measured the entry of its nearest bodies.
+void dropFarther(const Refinement& all) noexcept {
+  auto& measured = all.distances.measured;
+  std::size_t kept = 0;
+  for (std::uint32_t i = 0; i < measured.size(); ++i) {
+    const ElementPairIndex pair = all.setup.element_pair_of[index(measured[i].pair)];
+    if (all.work.is_measured[pair] == 0 || all.work.tasks[all.work.task_of[pair]].place == i) {
+      measured[kept++] = measured[i];
+    }
+  }
+  measured.resize(kept);
+}
+
+}  // namespace
+
+void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
+                 RefineWork& work, PairDistances& distances) noexcept {
+  const Refinement all{setup, body_poses, memory, work, distances};
+  listTasks(setup, memory, distances, work);
+  for (RefineTask& task : work.tasks) {
+    decideContact(all, task);
+  }
+  for (RefineTask& task : work.tasks) {
+    if (isSettled(all, task)) {
+      memory.waited[task.pair] = 0;
+    } else {
+      refine(all, task);
+    }
+  }
+  deepenOverlaps(all);
+  dropFarther(all);
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "pipeline/refine/recall_elements.h"
+#include "pipeline/refine/refine_pairs.h"
+
+namespace collision_monitor {
+namespace {
+
+/// A front where a mesh is searched, beside another or a solid.
+RefineKind refineKindOf(const Element& a, const Element& b) noexcept {
+  const bool has_front = (a.mesh && !a.convex) || (b.mesh && !b.convex);
+  const bool has_depth = a.mesh && b.mesh && !(a.convex && b.convex);
+  if (a.is_body && b.is_body) {
+    return RefineKind::never;
+  }
+  if (has_front) {
+    return has_depth ? RefineKind::both : RefineKind::front;
+  }
+  return has_depth ? RefineKind::depth : RefineKind::plain;
+}
+
+}  // namespace
+
+std::uint32_t budgetOf(const RefineWork& work) noexcept {
+  constexpr double kUsual = 0.004;  // [s] up to there the budget is as given
+  constexpr double kMost = 4.0;
+  constexpr double kAny = std::numeric_limits<std::uint32_t>::max();
+  const double time = std::min(work.elapsed, work.limits.period);
+  const double times = std::max(1.0, std::min(kMost, time / kUsual));
+  return static_cast<std::uint32_t>(std::min(kAny, times * work.limits.budget));
+}
+
+RefineWork makeRefineWork(const CycleSetup& setup) {
+  RefineWork work;
+  const std::size_t pairs = setup.element_pairs.size();
+  work.limits = setup.refine;
+  work.tasks.reserve(pairs);
+  work.task_of.resize(pairs, kNone);
+  work.is_measured.resize(pairs, 0);
+  work.is_passed.resize(pairs, 0);
+  work.nearest.resize(setup.checked.size(), std::numeric_limits<double>::infinity());
+  for (const Element& element : setup.elements) {
+    work.balls.push_back(ballOf(element));
+  }
+  work.scratch = std::make_unique<RefineScratch>();
+  return work;
+}
+
+RefineStore makeRefineMemory(const CycleSetup& setup) {
+  std::vector<RefineKind> kinds;
+  kinds.reserve(setup.element_pairs.size());
+  for (const ElementPair& pair : setup.element_pairs) {
+    kinds.push_back(refineKindOf(setup.elements[index(pair.a)], setup.elements[index(pair.b)]));
+  }
+  return RefineStore(std::move(kinds));
+}
+
+}  // namespace collision_monitor

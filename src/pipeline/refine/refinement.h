@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+
+#include "pipeline/refine/recall_elements.h"
+#include "pipeline/refine/refine_pairs.h"
+
+/// What the steps of refinePairs share.
+namespace collision_monitor {
+
+/// What every step needs.
+struct Refinement {
+  const CycleSetup& setup;
+  const BodyPoses& body_poses;
+  PairMemory& memory;
+  RefineWork& work;
+  PairDistances& distances;
+};
+
+/// Of steps. A part is kept for what happens between two cycles.
+inline std::uint32_t budgetOf(const Refinement& all) noexcept {
+  const std::uint32_t budget = budgetOf(all.work);
+  return all.setup.is_continuous ? budget - budget / 4 : budget;
+}
+
+inline PlacedElement placed(const Refinement& all, ElementId id) noexcept {
+  return {all.setup.elements[index(id)], all.body_poses.world_from_element[index(id)]};
+}
+
+/// Beyond this a pair is in no contact.
+inline double clearBeyond(const Refinement& all) noexcept {
+  constexpr double kNotTouching = 1e-3;
+  constexpr double kPastThreshold = 1e-6;  // a contact is held at its threshold, which is enough
+  const Limits& limits = all.setup.limits;
+  return std::max(limits.contact_distance + limits.hysteresis + kPastThreshold, kNotTouching);
+}
+
+/// How far searches go.
+struct Goal {
+  double enough;         ///< [m] how far elements are apart need not be known beyond
+  std::uint32_t budget;  ///< of all steps of the cycle
+};
+
+inline ElementSearch searchFor(const Refinement& all, const RefineTask& task,
+                               const Goal& goal) noexcept {
+  return {goal.budget - static_cast<std::uint32_t>(all.work.steps),
+          all.memory.refined.of(task.pair), *all.work.scratch, goal.enough,
+          all.work.limits.tolerance};
+}
+
+/// Counts work that was done for a pair.
+inline void spend(const Refinement& all, RefineTask& task, std::uint32_t steps) noexcept {
+  all.work.steps += steps;
+  task.steps += steps;
+}
+
+inline ElementDistance recallTask(const Refinement& all, const RefineTask& task) noexcept {
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  return recallElements(all.memory.refined.lastOf(task.pair), placed(all, pair.a),
+                        placed(all, pair.b),
+                        {all.work.balls[index(pair.a)], all.work.balls[index(pair.b)]});
+}
+
+/// Whether there is nothing left to find nearer than `enough`.
+inline bool isEnough(const ElementDistance& found, double enough) noexcept {
+  return found.is_complete && (found.has_points || found.quality != Quality::lower_bound ||
+                               found.measured.distance >= enough);
+}
+
+}  // namespace collision_monitor

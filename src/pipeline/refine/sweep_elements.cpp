@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/refine/sweep_elements.h"
+
+#include "narrow_phase/closed_form/core_distance.h"
+#include "pipeline/refine/measure_elements.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Work of one distance of convex geometries, in nodes opened.
+constexpr std::uint32_t kConvexSteps = 8;
+
+SweptContact sweepConvex(const MovingElement& a, const MovingElement& b, SweepLimits limits,
+                         RefineScratch& scratch) noexcept {
+  ConvexWarmStart warm;
+  ConvexSearch search{scratch.convex, warm};
+  limits.budget = limits.budget / kConvexSteps + (limits.budget % kConvexSteps == 0 ? 0 : 1);
+  SweptContact found =
+      firstContact(MovingConvex{*a.element.convex, a.ball, a.motion},
+                   MovingConvex{*b.element.convex, b.ball, b.motion}, limits, search);
+  found.steps *= kConvexSteps;
+  return found;
+}
+
+SweptContact sweepMeshes(const MovingElement& a, const MovingElement& b, const SweepLimits& limits,
+                         RefineScratch& scratch) noexcept {
+  const auto mesh_of = [](const MovingElement& moving) noexcept {
+    return MovingMesh{*moving.element.mesh, moving.motion};
+  };
+  const std::optional<Shape> shape_a = shapeOf(a.element.convex);
+  const std::optional<Shape> shape_b = shapeOf(b.element.convex);
+  if (shape_b) {
+    return firstContact(mesh_of(a), MovingShape{*shape_b, b.motion}, limits, scratch.mesh);
+  }
+  if (shape_a) {
+    SweptContact found =
+        firstContact(mesh_of(b), MovingShape{*shape_a, a.motion}, limits, scratch.mesh);
+    found.measured = swapped(found.measured);
+    return found;
+  }
+  return firstContact(mesh_of(a), mesh_of(b), limits, scratch.mesh);
+}
+
+}  // namespace
+
+SweptContact sweepElements(const MovingElement& a, const MovingElement& b,
+                           const SweepLimits& limits, RefineScratch& scratch) noexcept {
+  SweepLimits unpadded = limits;
+  unpadded.contact_distance += a.element.padding + b.element.padding;
+  const bool are_convex = a.element.convex && b.element.convex;
+  SweptContact found =
+      are_convex ? sweepConvex(a, b, unpadded, scratch) : sweepMeshes(a, b, unpadded, scratch);
+  const double excess = are_convex ? 0.0 : a.element.mesh_excess + b.element.mesh_excess;
+  if (found.state == SweepState::contact && excess > 0.0) {
+    found.state = SweepState::undecided;
+  }
+  found.measured = swept(found.measured, a.element.padding, b.element.padding);
+  return found;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/refine/touch_elements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "pipeline/refine/element_parts.h"
+
+namespace collision_monitor {
+namespace {
+
+using State = ElementContact::State;
+
+// Work other than opening nodes, in units of it.
+constexpr std::uint32_t kStartSteps = 2;  // poses and last triangles
+constexpr std::uint32_t kHullSteps = 8;   // two convex geometries
+constexpr std::uint32_t kInnerSteps = 2;
+
+ElementContact settled(State state, std::uint32_t steps) noexcept {
+  ElementContact found;
+  found.state = state;
+  found.steps = steps;
+  found.is_complete = true;
+  return found;
+}
+
+/// Formulas tell the distance of two shapes at no more cost than that they touch.
+bool areShapes(const PlacedElement& a, const PlacedElement& b) noexcept {
+  return shapeOf(a.element.convex) && shapeOf(b.element.convex);
+}
+
+ElementContact measureContact(const PlacedElement& a, const PlacedElement& b, double reach,
+                              ElementSearch& search) noexcept {
+  ConvexSearch convex{search.scratch.convex, search.memory.warm};
+  const ConvexDistance found = signedDistanceBetween(
+      *a.element.convex, a.world_from_element, *b.element.convex, b.world_from_element, convex);
+  const State state = found.quality == DistanceQuality::unknown ? State::unknown
+                      : found.measured.distance > reach         ? State::apart
+                                                                : State::contact;
+  return settled(state, kHullSteps);
+}
+
+enum class HullAnswer : unsigned char { apart, contact, open };
+
+/// Of what holds the geometries; a contact only where that is shown on the surfaces themselves.
+HullAnswer askHulls(const PlacedElement& a, const PlacedElement& b, double reach,
+                    ElementSearch& search, std::uint32_t& steps) noexcept {
+  const double beyond = std::nextafter(reach, std::numeric_limits<double>::infinity());
+  const MeshDistance found =
+      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), beyond, search.scratch.mesh,
+                      {search.memory.warm, search.memory.nearest});
+  steps += kHullSteps + found.visits;
+  const bool is_told = found.state == MeshState::exact || found.state == MeshState::lower_bound;
+  if (is_told && found.measured.distance > reach) {
+    return HullAnswer::apart;
+  }
+  return found.state == MeshState::exact ? HullAnswer::contact : HullAnswer::open;
+}
+
+ElementContact touchConvex(const PlacedElement& a, const PlacedElement& b, double reach,
+                           ElementSearch& search) noexcept {
+  if (reach < 0.0 || areShapes(a, b)) {
+    return measureContact(a, b, reach, search);
+  }
+  if (!isFinite(a.world_from_element) || !isFinite(b.world_from_element)) {
+    return settled(State::unknown, 0);
+  }
+  std::uint32_t steps = 0;
+  const bool is_apart = askHulls(a, b, reach, search, steps) == HullAnswer::apart;
+  return settled(is_apart ? State::apart : State::contact, steps);
+}
+
+bool overlapInside(const PlacedElement& a, const PlacedElement& b, double reach) noexcept {
+  SignedDistance least;
+  return measureInside(a, b, least) && least.distance <= reach;
+}
+
+ElementContact touchTriangles(const PlacedElement& a, const PlacedElement& b,
+                              const ContactGoal& goal, double reach, std::uint32_t steps,
+                              ElementSearch& search) noexcept {
+  TrianglePair& last = search.memory.nearest;
+  MeshQueryMemory& memory = search.scratch.mesh;
+  const MeshContactQuery query{reach, goal.asks_outside,
+                               search.budget - std::min(search.budget, steps)};
+  const MeshContact found = isSimple(b)   ? contactOf(meshOf(a), convexOf(b), query, memory, last)
+                            : isSimple(a) ? contactOf(meshOf(b), convexOf(a), query, memory, last)
+                                          : contactOf(meshOf(a), meshOf(b), query, memory, last);
+  if (found.state == MeshContact::State::contact && found.triangles.a != TrianglePair::kNone) {
+    last = found.triangles;
+  }
+  ElementContact answer;
+  answer.steps = steps + found.visits;
+  answer.is_complete = found.state != MeshContact::State::open;
+  answer.state = found.state == MeshContact::State::apart     ? State::apart
+                 : found.state == MeshContact::State::contact ? State::contact
+                                                              : State::unknown;
+  answer.outside = found.outside;
+  return answer;
+}
+
+}  // namespace
+
+ElementContact touchElements(const PlacedElement& a, const PlacedElement& b,
+                             const ContactGoal& goal, ElementSearch& search) noexcept {
+  const double paddings = a.element.padding + b.element.padding;
+  if (a.element.convex && b.element.convex) {
+    return touchConvex(a, b, goal.distance + paddings, search);
+  }
+  const double reach = std::max(goal.distance, 0.0) + paddings;
+  std::uint32_t steps = kStartSteps;
+  const HullAnswer hulls = askHulls(a, b, reach, search, steps);
+  if (hulls != HullAnswer::open) {
+    return settled(hulls == HullAnswer::apart ? State::apart : State::contact, steps);
+  }
+  steps += kInnerSteps;
+  if (overlapInside(a, b, reach)) {
+    return settled(State::contact, steps);
+  }
+  return touchTriangles(a, b, goal, reach, steps, search);
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "memory_need.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "pipeline/cycle/run_cycle.h"
+
+namespace collision_monitor {
+namespace {
+
+constexpr std::uint64_t kId = sizeof(std::uint32_t);
+
+/// Of CycleSetup::checked, PairReaches, PairEvents, PairMemory and BudgetTally; blocks at their
+/// emptiest hold some two pairs.
+constexpr std::uint64_t kOfCheckedPair =
+    sizeof(CheckedLinkPair) + sizeof(LinkBlock) / 2 + 2 * sizeof(double) + sizeof(Verdict) +
+    4 * kId + sizeof(VerdictChange) + sizeof(double) + 4 + sizeof(std::uint64_t) + kId;
+
+/// Of the table, its blocks, candidates and distances.
+constexpr std::uint64_t kOfBodyPair = 2 * sizeof(BodyPair) + kId + sizeof(PairBlock) / 2 + 3 * kId +
+                                      sizeof(PairDistance) + sizeof(PassedContact) + sizeof(double);
+
+/// Of what is refined and swept, and of gaps.
+constexpr std::uint64_t kOfElementPair = sizeof(ElementPair) + sizeof(RefineTask) +
+                                         sizeof(SweepTask) + 2 * kId + 1 + sizeof(double) + kId +
+                                         (kId + 1) + kId;
+
+/// Lists of a broad phase that all pairs of a robot's bodies fit into.
+constexpr std::uint64_t kBroadPhaseLists = 8;
+
+std::uint64_t storedMemories(std::uint64_t element_pairs) noexcept {
+  return std::min<std::uint64_t>(element_pairs, RefineStore::kMostPlain) * sizeof(RefineMemory) +
+         std::min<std::uint64_t>(element_pairs, RefineStore::kMostMeshes) *
+             (sizeof(MeshFront) + sizeof(KeptDepth) +
+              RefineStore::kBlocksOfPair * sizeof(MeshFront::Block)) +
+         RefineStore::kBlocksOfAll * sizeof(MeshFront::Block);
+}
+
+template <class Part>
+std::vector<std::uint64_t> countByLink(const std::vector<Part>& parts, std::size_t link_count) {
+  std::vector<std::uint64_t> counts(link_count, 0);
+  for (const Part& part : parts) {
+    ++counts[index(part.link)];
+  }
+  return counts;
+}
+
+std::string bytesText(std::uint64_t bytes) {
+  const double megabytes = 1e-6 * static_cast<double>(bytes);
+  return megabytes < 10000.0 ? std::to_string(std::lround(megabytes)) + " MB"
+                             : std::to_string(std::lround(1e-3 * megabytes)) + " GB";
+}
+
+}  // namespace
+
+PairCounts countPairs(const CycleSetup& setup) {
+  const std::size_t link_count = setup.model.links.size();
+  const std::vector<std::uint64_t> bodies = countByLink(setup.bodies, link_count);
+  const std::vector<std::uint64_t> elements = countByLink(setup.elements, link_count);
+  PairCounts counts;
+  counts.bodies = setup.bodies.size();
+  counts.links = static_cast<std::uint64_t>(
+      std::count_if(bodies.begin(), bodies.end(), [](std::uint64_t count) { return count > 0; }));
+  counts.link_pairs = counts.links < 2 ? 0 : counts.links * (counts.links - 1) / 2;
+  for (const LinkPair& pair : setup.link_pairs) {
+    if (isChecked(pair.reason)) {
+      ++counts.checked;
+      counts.body_pairs += bodies[index(pair.a)] * bodies[index(pair.b)];
+      counts.element_pairs += elements[index(pair.a)] * elements[index(pair.b)];
+    }
+  }
+  return counts;
+}
+
+std::uint64_t memoryNeedOf(const PairCounts& counts) noexcept {
+  return counts.link_pairs * sizeof(LinkPair) + counts.checked * kOfCheckedPair +
+         counts.body_pairs * kOfBodyPair + counts.element_pairs * kOfElementPair +
+         storedMemories(counts.element_pairs) +
+         kBroadPhaseLists * sizeof(PairKey) * roomForPairs(counts.bodies);
+}
+
+void checkMemory(const PairCounts& counts, std::uint64_t limit, SetupReport& report) {
+  const std::uint64_t available = limit > 0 ? limit : availableMemory();
+  const std::uint64_t need = memoryNeedOf(counts);
+  constexpr std::uint64_t kMostIds = 0xfffffff0U;
+  const bool have_ids = std::max(counts.body_pairs, counts.element_pairs) < kMostIds;
+  if (need <= available && have_ids) {
+    return;
+  }
+  const std::string pairs =
+      std::to_string(counts.links) + " links with shapes make " +
+      std::to_string(counts.link_pairs) + " pairs" +
+      (counts.checked == 0
+           ? ""
+           : ", of which " + std::to_string(counts.checked) + " are checked; these have " +
+                 std::to_string(counts.body_pairs) + " pairs of shapes");
+  const std::string most =
+      need > available
+          ? (limit > 0 ? "at most " + bytesText(available) + " (parameter memory_limit)"
+                       : "at most " + bytesText(available) + ", as much as is available")
+          : "at most " + std::to_string(kMostIds) + " pairs of shapes or elements";
+  report.errors.push_back(
+      {"memory",
+       std::string("the set-up needs ") + (counts.checked == 0 ? "more than " : "") +
+           bytesText(need) + ": its " + pairs,
+       most,
+       "to need less, leave out pairs (disable_collisions or disable_default_collisions in an "
+       "SRDF, or the parameter ignore_pairs), or give the links fewer collision elements or "
+       "shapes"});
+}
+
+}  // namespace collision_monitor

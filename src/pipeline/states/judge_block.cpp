@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/lanes/lane_targets.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pipeline/states/judge_block.cpp"
+#include "hwy/foreach_target.h"
+// The order matters: Highway first includes this file once for each target.
+#include "pipeline/states/state_bodies-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace collision_monitor {
+namespace HWY_NAMESPACE {
+
+/// What is known so far of the states in the lanes.
+struct JudgedLanes {
+  Number distance, pair;
+  Truth is_contact, is_warning, is_unknown;
+  Truth is_open;  ///< still to be searched
+};
+
+struct BlockSearch {
+  StateLanes states;
+  StateQuestion question;
+  JudgedLanes& judged;
+
+  template <class CoreA, class CoreB>
+  void visit(const PairRange& range);
+};
+
+/// [m] A pair that is farther apart does not change the answer.
+HWY_INLINE Number reachOfPair(const BlockSearch& search, const StatePair& pair) {
+  return search.question == StateQuestion::contact
+             ? number(pair.contact_distance)
+             : hn::Max(search.judged.distance, number(pair.warning_distance));
+}
+
+HWY_INLINE void judge(const BlockSearch& search, std::size_t id, Truth counts, Number distance) {
+  const StatePair& pair = search.states.work.pairs[id];
+  JudgedLanes& judged = search.judged;
+  const Truth is_contact = hn::And(counts, hn::Le(distance, number(pair.contact_distance)));
+  const Truth is_taken = search.question == StateQuestion::contact
+                             ? is_contact
+                             : hn::And(counts, hn::Lt(distance, judged.distance));
+  judged.distance = hn::IfThenElse(is_taken, distance, judged.distance);
+  judged.pair = hn::IfThenElse(is_taken, number(static_cast<double>(id)), judged.pair);
+  judged.is_contact = hn::Or(judged.is_contact, is_contact);
+  judged.is_unknown = hn::Or(judged.is_unknown, hn::AndNot(hn::Eq(distance, distance), counts));
+  if (search.question == StateQuestion::nearest) {
+    judged.is_warning =
+        hn::Or(judged.is_warning, hn::And(counts, hn::Le(distance, number(pair.warning_distance))));
+  } else {
+    judged.is_open = hn::AndNot(is_contact, judged.is_open);
+  }
+}
+
+template <class CoreA, class CoreB>
+void BlockSearch::visit(const PairRange& range) {
+  for (std::size_t id = range.first; id < range.last; ++id) {
+    const StatePair& pair = states.work.pairs[id];
+    if (pair.is_apart) {
+      continue;
+    }
+    Truth counts = judged.is_open;
+    const Number distance =
+        stateDistanceWithin<CoreA, CoreB>(states, pair, reachOfPair(*this, pair), counts);
+    if (hn::AllFalse(Lanes(), counts)) {
+      continue;
+    }
+    judge(*this, id, counts, distance);
+    if (hn::AllFalse(Lanes(), judged.is_open)) {
+      return;
+    }
+  }
+}
+
+void placeBody(const LinkPlace& place, const Core& core, std::size_t lane, const StatePose& frame,
+               StatePose& body) {
+  const PoseLanes world_from_frame = load(frame, lane);
+  const Pose& local = place.frame_from_link;
+  const auto axis = [&](Eigen::Index i) HWY_ATTR {
+    return out(world_from_frame.axes, everywhere(Eigen::Vector3d(local.rotation.col(i))));
+  };
+  store(world_from_frame * everywhere(local.translation), lane, body.translation);
+  if (core.kind != CoreKind::point) {
+    store(axis(2), lane, body.axis_z);
+  }
+  if (core.kind == CoreKind::box) {
+    store(axis(0), lane, body.axis_x);
+    store(axis(1), lane, body.axis_y);
+  }
+}
+
+void placeInLanes(const CycleSetup& setup, StatesWork& work) {
+  for (std::size_t i = 0; i < work.bodies.size(); ++i) {
+    const LinkPlace& place = work.body_places[i];
+    if (place.frame != MovingFrame::kWorld) {
+      for (std::size_t lane = 0; lane < kStateCount; lane += hn::Lanes(Lanes())) {
+        placeBody(place, setup.cores[i], lane, work.frames[place.frame], work.bodies[i]);
+      }
+    }
+  }
+}
+
+HWY_INLINE void storeTruth(Truth truth, std::size_t lane, StateNumber& to) {
+  hn::Store(hn::IfThenElseZero(truth, number(1.0)), Lanes(), to.of + lane);
+}
+
+void judgeLanes(const CycleSetup& setup, StateQuestion question, const StatesWork& work,
+                StatesBlock& block) {
+  for (std::size_t lane = 0; lane < kStateCount; lane += hn::Lanes(Lanes())) {
+    const Truth none = hn::Ne(zero(), zero());
+    JudgedLanes judged{
+        number(std::numeric_limits<double>::infinity()), zero(), none, none, none, hn::Not(none)};
+    BlockSearch search{{setup, work, lane}, question, judged};
+    for (const PairRange& range : setup.ranges) {
+      visitKinds(range, search);
+      if (hn::AllFalse(Lanes(), judged.is_open)) {
+        break;
+      }
+    }
+    hn::Store(judged.distance, Lanes(), block.distance.of + lane);
+    hn::Store(judged.pair, Lanes(), block.pair.of + lane);
+    storeTruth(judged.is_contact, lane, block.is_contact);
+    storeTruth(judged.is_warning, lane, block.is_warning);
+    storeTruth(judged.is_unknown, lane, block.is_unknown);
+  }
+}
+
+// NOLINTNEXTLINE(google-readability-namespace-comments)
+}  // namespace HWY_NAMESPACE
+}  // namespace collision_monitor
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace collision_monitor {
+namespace {
+HWY_EXPORT(placeInLanes);
+HWY_EXPORT(judgeLanes);
+}  // namespace
+
+void placeStates(const CycleSetup& setup, StatesWork& work) noexcept {
+  placeFrames(work.plan, work.variables, work.frames);
+  HWY_DYNAMIC_DISPATCH(placeInLanes)(setup, work);
+}
+
+void judgeBlock(const CycleSetup& setup, StateQuestion question, const StatesWork& work,
+                StatesBlock& block) noexcept {
+  HWY_DYNAMIC_DISPATCH(judgeLanes)(setup, question, work, block);
+}
+
+}  // namespace collision_monitor
+#endif

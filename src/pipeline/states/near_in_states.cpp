@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "geometry/lanes/lane_targets.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pipeline/states/near_in_states.cpp"
+#include "hwy/foreach_target.h"
+// The order matters: Highway first includes this file once for each target.
+#include "pipeline/states/state_bodies-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace collision_monitor {
+namespace HWY_NAMESPACE {
+
+/// Lists the pairs of bodies that are near in some of the states.
+struct NearSearch {
+  StateLanes states;
+  Number asked;
+  std::vector<NearInStates>& near;
+
+  template <class CoreA, class CoreB>
+  void measure(std::uint32_t id, Truth counts) {
+    const StatePair& pair = states.work.pairs[id];
+    const Number reach = hn::Max(asked, number(pair.contact_distance));
+    const Number distance = stateDistanceWithin<CoreA, CoreB>(states, pair, reach, counts);
+    // What is not a number is near.
+    counts = hn::AndNot(hn::Gt(distance, reach), counts);
+    if (!hn::AllFalse(Lanes(), counts)) {
+      NearInStates& found = near.emplace_back();
+      found.pair = id;
+      const Number far = number(std::numeric_limits<double>::infinity());
+      hn::StoreU(hn::IfThenElse(counts, distance, far), Lanes(), found.distance.data());
+    }
+  }
+
+  void visit(std::uint32_t id, Truth counts) {
+    const StatePair& pair = states.work.pairs[id];
+    const CoreKind a = states.setup.cores[pair.a].kind;
+    const CoreKind b = states.setup.cores[pair.b].kind;
+    if (a == CoreKind::box) {
+      measure<BoxCore, BoxCore>(id, counts);
+    } else if (a == CoreKind::segment) {
+      b == CoreKind::box ? measure<SegmentCore, BoxCore>(id, counts)
+                         : measure<SegmentCore, SegmentCore>(id, counts);
+    } else if (b == CoreKind::box) {
+      measure<PointCore, BoxCore>(id, counts);
+    } else {
+      b == CoreKind::segment ? measure<PointCore, SegmentCore>(id, counts)
+                             : measure<PointCore, PointCore>(id, counts);
+    }
+  }
+
+  /// Where the balls about two elements leave them a chance to be within reach.
+  HWY_INLINE Truth ballsMeet(const StateElementPair& pair) const {
+    const auto& centers = states.work.refinement.centers;
+    const Vector3 between =
+        load(centers[pair.b].of, states.lane) - load(centers[pair.a].of, states.lane);
+    const Number allowed =
+        hn::Add(number(pair.radii), hn::Max(asked, number(pair.contact_distance)));
+    return hn::And(hn::Gt(asked, number(kNotAsked)),
+                   hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed))));
+  }
+
+  void visit(const StateElementPair& pair) {
+    const Truth counts = ballsMeet(pair);
+    if (hn::AllFalse(Lanes(), counts)) {
+      return;
+    }
+    const std::vector<std::uint32_t>& bodies = states.work.refinement.body_pairs;
+    for (std::uint32_t i = pair.first; i < pair.last; ++i) {
+      visit(bodies[i], counts);
+    }
+  }
+};
+
+std::size_t listNearInLanes(const CycleSetup& setup, const NearQuery& query, std::size_t lane,
+                            StatesWork& work) {
+  StatesRefinement& refinement = work.refinement;
+  refinement.near.clear();
+  NearSearch search{
+      {setup, work, lane}, hn::LoadU(Lanes(), query.asked.of + lane), refinement.near};
+  for (std::size_t i = query.first; i < query.last; ++i) {
+    const StateElementPair& pair = refinement.element_pairs[refinement.order[i]];
+    if (pair.are_convex || !query.is_convex_only) {
+      search.visit(pair);
+    }
+  }
+  return hn::Lanes(Lanes());
+}
+
+void placeCentersInLanes(StatesWork& work) {
+  StatesRefinement& refinement = work.refinement;
+  for (std::size_t i = 0; i < refinement.places.size(); ++i) {
+    const LinkPlace& place = refinement.places[i];
+    for (std::size_t lane = 0; lane < kStateCount; lane += hn::Lanes(Lanes())) {
+      Vector3 center = everywhere(place.frame_from_link * refinement.balls[i].center);
+      if (place.frame != MovingFrame::kWorld) {
+        center = load(work.frames[place.frame], lane) * center;
+      }
+      store(center, lane, refinement.centers[i].of);
+    }
+  }
+}
+
+// NOLINTNEXTLINE(google-readability-namespace-comments)
+}  // namespace HWY_NAMESPACE
+}  // namespace collision_monitor
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace collision_monitor {
+namespace {
+HWY_EXPORT(listNearInLanes);
+HWY_EXPORT(placeCentersInLanes);
+}  // namespace
+
+std::size_t listNear(const CycleSetup& setup, const NearQuery& query, std::size_t lane,
+                     StatesWork& work) noexcept {
+  return HWY_DYNAMIC_DISPATCH(listNearInLanes)(setup, query, lane, work);
+}
+
+void placeCenters(StatesWork& work) noexcept { HWY_DYNAMIC_DISPATCH(placeCentersInLanes)(work); }
+
+}  // namespace collision_monitor
+#endif

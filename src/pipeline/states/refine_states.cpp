@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <utility>
+
+#include "geometry/constants.h"
+#include "pipeline/refine/recall_elements.h"
+#include "pipeline/states/state_elements.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Lists what is near in those states of one vector that are asked, and visits each of them.
+/// @param visit  takes the state and whether all poses are finite. @return how many states those
+/// are that the vector holds
+template <class Visit>
+std::size_t visitVector(const CycleSetup& setup, const NearQuery& query, std::size_t first,
+                        StatesWork& work, const Visit& visit) noexcept {
+  const std::size_t count = listNear(setup, query, first, work);
+  for (std::size_t place = 0; place < count; ++place) {
+    if (query.asked.of[first + place] != kNotAsked) {
+      ++work.refinement.state;
+      const StateSearch state{setup, work, first + place};
+      visit(state, listElements(state, place));
+      forgetElements(work.refinement);
+    }
+  }
+  return count;
+}
+
+template <class Visit>
+void visitAll(const CycleSetup& setup, const NearQuery& query, StatesWork& work,
+              const Visit& visit) noexcept {
+  for (std::size_t lane = 0; lane < kStateCount;) {
+    lane += visitVector(setup, query, lane, work, visit);
+  }
+}
+
+/// @param asked [m] by state: changed to how far is to be asked for then
+void findNearestOf(const CycleSetup& setup, StateNumber& asked, StatesWork& work,
+                   BlockChecks& checks) noexcept {
+  const NearQuery query{asked, 0, work.refinement.order.size()};
+  visitAll(setup, query, work, [&](const StateSearch& state, bool is_known) noexcept {
+    StateCheck& check = checks[state.lane] = StateCheck();
+    check.verdict = is_known ? Verdict::clear : Verdict::unknown;
+    check.distance = kInfinity;
+    findNearest(state, check);
+    double& reach = asked.of[state.lane];
+    reach = check.distance > reach && check.distance < kInfinity ? check.distance : kNotAsked;
+  });
+}
+
+/// What is as near as a warning mostly is the nearest. Else pairs are listed up to its distance.
+void refineNearest(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
+                   BlockChecks& checks) noexcept {
+  StateNumber asked;
+  for (std::size_t lane = 0; lane < kStateCount; ++lane) {
+    asked.of[lane] = open[lane] ? setup.limits.warning_distance : kNotAsked;
+  }
+  findNearestOf(setup, asked, work, checks);
+  if (std::any_of(std::begin(asked.of), std::end(asked.of),
+                  [](double distance) { return distance != kNotAsked; })) {
+    findNearestOf(setup, asked, work, checks);
+  }
+}
+
+/// Asks those states of one vector for a contact of some pairs, and closes them where one is found.
+/// @return how many states that were
+std::size_t findContacts(const CycleSetup& setup, const NearQuery& query, std::size_t first,
+                         StateNumber& asked, StatesWork& work, BlockChecks& checks) noexcept {
+  return visitVector(setup, query, first, work,
+                     [&](const StateSearch& state, bool is_known) noexcept {
+                       if (!is_known) {
+                         checks[state.lane].verdict = Verdict::unknown;
+                       }
+                       if (findContact(state, checks[state.lane])) {
+                         asked.of[state.lane] = kNotAsked;
+                       }
+                     });
+}
+
+/// Those that were in contact last alone at first: mostly one of them is again.
+void refineContacts(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
+                    BlockChecks& checks) noexcept {
+  StateNumber asked;
+  for (std::size_t lane = 0; lane < kStateCount; ++lane) {
+    asked.of[lane] = open[lane] ? kContactsAsked : kNotAsked;
+    if (open[lane]) {
+      checks[lane] = StateCheck();
+      checks[lane].verdict = Verdict::clear;
+    }
+  }
+  const std::size_t all = work.refinement.order.size();
+  const std::size_t few = std::min<std::size_t>(6, all);
+  for (std::size_t lane = 0; lane < kStateCount;) {
+    findContacts(setup, {asked, 0, few}, lane, asked, work, checks);
+    lane += findContacts(setup, {asked, few, all}, lane, asked, work, checks);
+  }
+}
+
+/// The pairs of bodies of each pair of elements, without those that are apart.
+void listBodies(const CycleSetup& setup, const StatesWork& work, StatesRefinement& refinement) {
+  refinement.element_pairs.resize(setup.element_pairs.size());
+  std::vector<std::vector<std::uint32_t>> bodies(setup.element_pairs.size());
+  for (std::uint32_t id = 0; id < setup.table.size(); ++id) {
+    if (!work.pairs[id].is_apart) {
+      bodies[setup.element_pair_of[id]].push_back(id);
+    }
+  }
+  for (ElementPairIndex i = 0; i < setup.element_pairs.size(); ++i) {
+    StateElementPair& pair = refinement.element_pairs[i];
+    pair.a = static_cast<std::uint32_t>(index(setup.element_pairs[i].a));
+    pair.b = static_cast<std::uint32_t>(index(setup.element_pairs[i].b));
+    pair.radii = refinement.balls[pair.a].radius + refinement.balls[pair.b].radius;
+    pair.contact_distance = std::max(0.0, setup.limits.contact_distance);
+    pair.are_convex = setup.elements[pair.a].convex && setup.elements[pair.b].convex;
+    pair.first = static_cast<std::uint32_t>(refinement.body_pairs.size());
+    refinement.body_pairs.insert(refinement.body_pairs.end(), bodies[i].begin(), bodies[i].end());
+    pair.last = static_cast<std::uint32_t>(refinement.body_pairs.size());
+  }
+}
+
+void placeElements(const CycleSetup& setup, const KinematicsPlan& plan,
+                   StatesRefinement& refinement) {
+  for (const Element& element : setup.elements) {
+    LinkPlace place = plan.links[index(element.link)];
+    place.frame_from_link = place.frame_from_link * element.link_from_element;
+    refinement.places.push_back(place);
+    refinement.balls.push_back(ballOf(element));
+    refinement.balls.back().radius += element.padding;
+  }
+  refinement.centers.resize(setup.elements.size());
+  refinement.world_from_element.resize(setup.elements.size());
+  refinement.placed_in.resize(setup.elements.size(), 0);
+}
+
+}  // namespace
+
+StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork& work) {
+  StatesRefinement refinement;
+  placeElements(setup, work.plan, refinement);
+  listBodies(setup, work, refinement);
+  std::vector<RefineKind> kinds;
+  for (ElementPairIndex pair = 0; pair < setup.element_pairs.size(); ++pair) {
+    kinds.push_back(areBodies(setup, pair) ? RefineKind::never : RefineKind::plain);
+    refinement.order.push_back(pair);
+  }
+  refinement.has_geometries = std::any_of(
+      kinds.begin(), kinds.end(), [](RefineKind kind) { return kind != RefineKind::never; });
+  refinement.memory = RefineStore(std::move(kinds));
+  refinement.scratch = std::make_unique<RefineScratch>();
+  refinement.near.reserve(setup.table.size());
+  refinement.place_of.resize(setup.element_pairs.size(), kNone);
+  refinement.pairs.reserve(setup.element_pairs.size());
+  refinement.touched.resize(setup.element_pairs.size(), 0);
+  return refinement;
+}
+
+void settleContacts(const CycleSetup& setup, StatesWork& work, OpenStates& open,
+                    BlockChecks& checks) noexcept {
+  refineContacts(setup, open, work, checks);
+  StateNumber touching;
+  for (std::size_t lane = 0; lane < kStateCount; ++lane) {
+    const bool is_contact = open[lane] && checks[lane].verdict == Verdict::contact;
+    touching.of[lane] = is_contact ? kContactsAsked : kNotAsked;
+    open[lane] = open[lane] && !is_contact;
+  }
+  // How deep concave geometries are is not asked for.
+  const bool is_convex_only = setup.limits.contact_distance <= 0.0;
+  visitAll(
+      setup, {touching, 0, work.refinement.order.size(), is_convex_only}, work,
+      [&](const StateSearch& state, bool) noexcept { findNearest(state, checks[state.lane]); });
+}
+
+void refineStates(const CycleSetup& setup, StateQuestion question, const OpenStates& open,
+                  StatesWork& work, BlockChecks& checks) noexcept {
+  (question == StateQuestion::contact ? refineContacts : refineNearest)(setup, open, work, checks);
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Pairs of bodies in several states at once.
+#if defined(COLLISION_MONITOR_STATE_BODIES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef COLLISION_MONITOR_STATE_BODIES_INL_H
+#undef COLLISION_MONITOR_STATE_BODIES_INL_H
+#else
+#define COLLISION_MONITOR_STATE_BODIES_INL_H
+#endif
+
+#include "model/kinematics/state_lanes-inl.h"
+#include "narrow_phase/simd/lanes_box_box-inl.h"
+#include "narrow_phase/simd/lanes_points-inl.h"
+#include "narrow_phase/simd/lanes_segment_box-inl.h"
+#include "pipeline/states/states_block.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace collision_monitor {
+namespace HWY_NAMESPACE {
+
+/// The states of a block that one vector holds: from `lane` on.
+struct StateLanes {
+  const CycleSetup& setup;
+  const StatesWork& work;
+  std::size_t lane;
+};
+
+/// A body in several states, as the cores of shape_lanes-inl.h read it.
+struct BodyInStates {
+  const StatePose& pose;
+  const Core& core;
+  std::size_t lane;
+
+  HWY_INLINE Number at(std::size_t c) const {
+    switch (c) {
+      case column::radius:
+        return number(core.radius);
+      case column::half_x:
+        return number(core.half_extents[0]);
+      case column::half_y:
+        return number(core.half_extents[1]);
+      case column::half_z:
+        return number(core.half_extents[2]);
+      default:
+        break;
+    }
+    const StateNumber* columns[] = {pose.translation, pose.axis_z, pose.axis_x, pose.axis_y};
+    return load(columns[c / 4][c % 4], lane);
+  }
+};
+
+/// Where bounding spheres leave a pair a chance to be within `reach`.
+HWY_INLINE Truth spheresMeet(const StateLanes& states, const StatePair& pair, Number reach) {
+  const Vector3 between = load(states.work.bodies[pair.b].translation, states.lane) -
+                          load(states.work.bodies[pair.a].translation, states.lane);
+  const Number allowed = hn::Add(number(pair.bounding_radii), reach);
+  return hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed)));
+}
+
+/// Has the plain twin measure the lanes whose distance is NaN.
+inline HWY_NOINLINE Number finished(const StateLanes& states, const StatePair& pair,
+                                    Number distance) {
+  HWY_ALIGN double distances[hn::MaxLanes(Lanes())];
+  hn::Store(distance, Lanes(), distances);
+  for (std::size_t i = 0; i < hn::Lanes(Lanes()); ++i) {
+    if (!(distances[i] == distances[i])) {
+      distances[i] = plainStateDistance(states.setup, states.work, pair, states.lane + i);
+    }
+  }
+  return hn::Load(Lanes(), distances);
+}
+
+/// The signed distance of a pair, as distanceWithin of its cores in the states that count.
+template <class CoreA, class CoreB>
+HWY_INLINE Number stateDistanceWithin(const StateLanes& states, const StatePair& pair, Number reach,
+                                      Truth& counts) {
+  counts = hn::And(counts, spheresMeet(states, pair, reach));
+  if (hn::AllFalse(Lanes(), counts)) {
+    return zero();
+  }
+  const std::vector<Core>& cores = states.setup.cores;
+  const CoreA a(BodyInStates{states.work.bodies[pair.a], cores[pair.a], states.lane});
+  const CoreB b(BodyInStates{states.work.bodies[pair.b], cores[pair.b], states.lane});
+  const Number distance = distanceWithin(a, b, reach, counts);
+  const bool is_sure = hn::AllFalse(Lanes(), hn::AndNot(hn::Eq(distance, distance), counts));
+  return HWY_LIKELY(is_sure) ? distance : finished(states, pair, distance);
+}
+
+/// Calls visitor.visit with the kinds of core that the pairs of a range have.
+template <class Visitor>
+void visitKinds(const PairRange& range, Visitor& visitor) {
+  if (range.a == CoreKind::box) {
+    visitor.template visit<BoxCore, BoxCore>(range);
+  } else if (range.a == CoreKind::segment) {
+    range.b == CoreKind::box ? visitor.template visit<SegmentCore, BoxCore>(range)
+                             : visitor.template visit<SegmentCore, SegmentCore>(range);
+  } else if (range.b == CoreKind::box) {
+    visitor.template visit<PointCore, BoxCore>(range);
+  } else {
+    range.b == CoreKind::segment ? visitor.template visit<PointCore, SegmentCore>(range)
+                                 : visitor.template visit<PointCore, PointCore>(range);
+  }
+}
+
+// NOLINTNEXTLINE(google-readability-namespace-comments)
+}  // namespace HWY_NAMESPACE
+}  // namespace collision_monitor
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/states/state_elements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "geometry/constants.h"
+#include "pipeline/blocks/contact_of_pairs.h"
+#include "pipeline/refine/touch_elements.h"
+
+namespace collision_monitor {
+namespace {
+
+bool areConvex(const CycleSetup& setup, ElementPairIndex pair) noexcept {
+  const ElementPair& elements = setup.element_pairs[pair];
+  return setup.elements[index(elements.a)].convex && setup.elements[index(elements.b)].convex;
+}
+
+PlacedElement placed(const StateSearch& state, ElementId id) noexcept {
+  StatesRefinement& refinement = state.refinement();
+  const std::size_t i = index(id);
+  if (refinement.placed_in[i] != refinement.state) {
+    const LinkPlace& place = refinement.places[i];
+    refinement.world_from_element[i] =
+        place.frame == MovingFrame::kWorld
+            ? place.frame_from_link
+            : poseOf(state.work.frames[place.frame], state.lane) * place.frame_from_link;
+    refinement.placed_in[i] = refinement.state;
+  }
+  return {state.setup.elements[i], refinement.world_from_element[i]};
+}
+
+ElementSearch searchFor(const StateSearch& state, ElementPairIndex pair, double enough) noexcept {
+  StatesRefinement& refinement = state.refinement();
+  return {std::numeric_limits<std::uint32_t>::max(), refinement.memory.of(pair),
+          *refinement.scratch, enough};
+}
+
+bool isTouching(const StateSearch& state, const ElementsInState& pair) noexcept {
+  const ElementPair& elements = state.setup.element_pairs[pair.elements];
+  ElementSearch search = searchFor(state, pair.elements, kInfinity);
+  const ElementContact found =
+      touchElements(placed(state, elements.a), placed(state, elements.b),
+                    {contactOfElements(state.setup, pair.elements), false}, search);
+  // What is not told is as the enclosing shapes say, which touch.
+  return found.state != ElementContact::State::apart;
+}
+
+/// What is known of the distance of two elements, and of their bodies'.
+StateCheck measure(const StateSearch& state, const ElementsInState& pair, double enough) noexcept {
+  StateCheck check;
+  check.has_pair = true;
+  check.pair = idAt<PairId>(pair.bodies);
+  check.distance = pair.bound;
+  check.quality = Quality::lower_bound;
+  if (areBodies(state.setup, pair.elements)) {
+    const BodyPair& bodies = state.setup.table[check.pair];
+    const bool are_exact = state.setup.bodies[index(bodies.a)].is_exact &&
+                           state.setup.bodies[index(bodies.b)].is_exact;
+    check.quality = are_exact ? Quality::exact : Quality::lower_bound;
+    return check;
+  }
+  const ElementPair& elements = state.setup.element_pairs[pair.elements];
+  ElementSearch search = searchFor(state, pair.elements, enough);
+  const ElementDistance found =
+      measureElements(placed(state, elements.a), placed(state, elements.b), search);
+  const bool is_nearer = !(found.measured.distance > pair.bound);
+  // Where shapes overlap, theirs is the depth of two of several shapes, which bounds nothing.
+  const bool is_depth = found.has_points && pair.bound < 0.0;
+  if (found.quality != Quality::unknown &&
+      !(found.quality == Quality::lower_bound && is_nearer && !is_depth)) {
+    check.quality = found.quality;
+    check.distance = found.measured.distance;
+  }
+  return check;
+}
+
+Verdict verdictOf(const StateSearch& state, const ElementsInState& pair,
+                  const StateCheck& check) noexcept {
+  const double contact = areBodies(state.setup, pair.elements)
+                             ? state.work.pairs[pair.bodies].contact_distance
+                             : state.setup.limits.contact_distance;
+  return check.quality == Quality::estimate || check.distance <= contact ? Verdict::contact
+         : check.distance <= state.setup.limits.warning_distance         ? Verdict::warning
+                                                                         : Verdict::clear;
+}
+
+/// Those that were in contact last come first, then those whose bodies are deepest.
+bool comesFirst(const ElementsInState& one, const ElementsInState& other) noexcept {
+  return std::tie(other.touched, one.bound, one.elements) <
+         std::tie(one.touched, other.bound, other.elements);
+}
+
+/// How deep geometries are that overlap is not asked for.
+StateCheck contactCheck(const StateSearch& state, const ElementsInState& pair) noexcept {
+  const ElementPair& elements = state.setup.element_pairs[pair.elements];
+  const Element& a = state.setup.elements[index(elements.a)];
+  const Element& b = state.setup.elements[index(elements.b)];
+  const double reach = contactOfElements(state.setup, pair.elements) + a.padding + b.padding;
+  StateCheck check;
+  if (!areBodies(state.setup, pair.elements) && a.is_exact && b.is_exact && reach == 0.0) {
+    check.has_pair = true;
+    check.pair = idAt<PairId>(pair.bodies);
+    check.quality = Quality::estimate;
+  } else {
+    check = measure(state, pair, kInfinity);
+  }
+  check.verdict = Verdict::contact;
+  return check;
+}
+
+void putFirst(ElementPairIndex pair, std::vector<ElementPairIndex>& order) noexcept {
+  const auto place = std::find(order.begin(), order.end(), pair);
+  std::rotate(order.begin(), place, place + 1);
+}
+
+/// Of the pairs whose depth or distance may be less than the best.
+bool mayBeNearer(const StateSearch& state, const ElementsInState& pair,
+                 const StateCheck& best) noexcept {
+  // How deep concave geometries are is not asked for.
+  return pair.bound < best.distance &&
+         (best.distance > 0.0 || areConvex(state.setup, pair.elements));
+}
+
+/// Raises bounds to those of what is convex around the geometries.
+void raiseBounds(const StateSearch& state, const StateCheck& best) noexcept {
+  for (ElementsInState& pair : state.refinement().pairs) {
+    if (mayBeNearer(state, pair, best) && !areConvex(state.setup, pair.elements)) {
+      const ElementPair& elements = state.setup.element_pairs[pair.elements];
+      ElementSearch search = searchFor(state, pair.elements, best.distance);
+      pair.bound = std::max(
+          pair.bound, boundByHulls(placed(state, elements.a), placed(state, elements.b), search));
+    }
+  }
+}
+
+}  // namespace
+
+bool areBodies(const CycleSetup& setup, ElementPairIndex pair) noexcept {
+  const ElementPair& elements = setup.element_pairs[pair];
+  return setup.elements[index(elements.a)].is_body && setup.elements[index(elements.b)].is_body;
+}
+
+bool listElements(const StateSearch& state, std::size_t place) noexcept {
+  StatesRefinement& refinement = state.refinement();
+  bool is_known = true;
+  for (const NearInStates& near : refinement.near) {
+    const double distance = near.distance[place];
+    is_known = is_known && !std::isnan(distance);
+    if (!(distance < kInfinity)) {
+      continue;
+    }
+    const ElementPairIndex elements = state.setup.element_pair_of[near.pair];
+    std::uint32_t& listed = refinement.place_of[elements];
+    if (listed == kNone) {
+      listed = static_cast<std::uint32_t>(refinement.pairs.size());
+      constexpr std::uint64_t kFirst = std::numeric_limits<std::uint64_t>::max();
+      const std::uint64_t touched =
+          areBodies(state.setup, elements) ? kFirst : refinement.touched[elements];
+      refinement.pairs.push_back({elements, near.pair, distance, touched});
+    } else if (distance < refinement.pairs[listed].bound) {
+      refinement.pairs[listed].bodies = near.pair;
+      refinement.pairs[listed].bound = distance;
+    }
+  }
+  return is_known;
+}
+
+void forgetElements(StatesRefinement& refinement) noexcept {
+  for (const ElementsInState& pair : refinement.pairs) {
+    refinement.place_of[pair.elements] = kNone;
+  }
+  refinement.pairs.clear();
+}
+
+bool findContact(const StateSearch& state, StateCheck& check) noexcept {
+  StatesRefinement& refinement = state.refinement();
+  std::sort(refinement.pairs.begin(), refinement.pairs.end(), comesFirst);
+  for (const ElementsInState& pair : refinement.pairs) {
+    if (!(pair.bound > state.work.pairs[pair.bodies].contact_distance) &&
+        (areBodies(state.setup, pair.elements) || isTouching(state, pair))) {
+      refinement.touched[pair.elements] = refinement.state;
+      putFirst(pair.elements, refinement.order);
+      check = contactCheck(state, pair);
+      return true;
+    }
+  }
+  return false;
+}
+
+void findNearest(const StateSearch& state, StateCheck& best) noexcept {
+  std::vector<ElementsInState>& pairs = state.refinement().pairs;
+  raiseBounds(state, best);
+  std::sort(pairs.begin(), pairs.end(),
+            [](const ElementsInState& one, const ElementsInState& other) {
+              return std::tie(one.bound, one.elements) < std::tie(other.bound, other.elements);
+            });
+  for (const ElementsInState& pair : pairs) {
+    if (mayBeNearer(state, pair, best)) {
+      constexpr double kNotTouching = 1e-3;
+      StateCheck found = measure(state, pair, std::max(best.distance, kNotTouching));
+      found.verdict = std::max(best.verdict, verdictOf(state, pair, found));
+      best.verdict = found.verdict;
+      best = found.distance < best.distance ? found : best;
+    }
+  }
+}
+
+}  // namespace collision_monitor

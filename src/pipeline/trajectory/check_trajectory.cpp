@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/trajectory/check_trajectory.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "geometry/constants.h"
+#include "pipeline/trajectory/trajectory_search.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Halves of halves ...: parts of 1e-15 of the way from one point to the next.
+constexpr std::size_t kMostHalvings = 50;
+/// [m] Two links are mostly no nearer between two way-points than by this less than at both.
+constexpr double kBeyondMargin = 0.1;
+/// Parts of so many segments are looked at as a whole first: far pairs end there.
+constexpr std::size_t kSegmentsAtOnce = 8;
+/// Progress is told after parts of 1/16 of the way from one point to the next, and longer ones.
+constexpr std::size_t kToldHalvings = 4;
+
+Halving& halvingAt(const TrajectorySearch& search, std::size_t depth,
+                   std::deque<Halving>& halvings) {
+  while (halvings.size() <= depth) {
+    halvings.emplace_back();
+    halvings.back().ways.resize(search.path.joints.size());
+  }
+  return halvings[depth];
+}
+
+/// Tells how much is done; false once the search is to end.
+bool goesOn(TrajectorySearch& search, std::size_t segment, double share) {
+  const auto segments = static_cast<double>(search.path.times.size() - 1);
+  const double done = (static_cast<double>(segment) + share) / segments;
+  if (search.options.progress && !search.is_ended) {
+    search.is_ended = !search.options.progress(done) && done < 1.0;
+  }
+  return !search.is_ended;
+}
+
+/// Settles pairs in the part of the way between two instants of one segment, earlier halves first.
+void explore(TrajectorySearch& search, Instant& begin, Instant& end,
+             const std::vector<LinkPairIndex>& pairs, std::size_t depth) {
+  Halving& halving = halvingAt(search, depth, search.halvings);
+  for (std::size_t i = 0; i < halving.ways.size(); ++i) {
+    halving.ways[i] = wayOf(search.path, {begin.segment, begin.share, end.share}, i);
+  }
+  search.measures.steps += pairs.size();
+  halving.open.clear();
+  for (const LinkPairIndex pair : pairs) {
+    if (!settle(search, pair, begin, end, halving.ways)) {
+      halving.open.push_back(pair);
+    }
+  }
+  if (halving.open.empty()) {
+    return;
+  }
+  if (search.is_ended || search.measures.steps >= search.options.budget || depth == kMostHalvings) {
+    for (const LinkPairIndex pair : halving.open) {
+      giveUp(search, pair, begin);
+    }
+    return;
+  }
+  Instant& middle = halving.middle;
+  middle.segment = begin.segment;
+  middle.share = 0.5 * (begin.share + end.share);
+  place(search, middle);
+  search.measures.steps += middle.world_from_link.size();
+  noteBalls(search, halving.open, middle);
+  sampleBalls(search, halving.open, middle);
+  explore(search, begin, middle, halving.open, depth + 1);
+  if (depth < kToldHalvings) {
+    goesOn(search, middle.segment, middle.share);
+  }
+  explore(search, middle, end, halving.open, depth + 1);
+}
+
+/// Pairs that the path does not move, and all pairs where there is one way-point only.
+void checkStanding(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs, Instant& at) {
+  for (const LinkPairIndex pair : pairs) {
+    settle(search, pair, at, at, std::vector<double>(search.path.joints.size(), 0.0));
+  }
+}
+
+/// What is not settled is left open where the search ends.
+void giveUpAll(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs,
+               const Instant& at) {
+  for (const LinkPairIndex pair : pairs) {
+    if (search.report.pairs[pair].state == ApproachState::clear) {
+      giveUp(search, pair, at);
+    }
+  }
+}
+
+/// Pairs that the samples at two stops do not settle; how far joints go between them is filled in.
+void listOpen(TrajectorySearch& search, std::size_t first, std::size_t last,
+              const std::vector<LinkPairIndex>& pairs, Halving& range) {
+  std::fill(range.ways.begin(), range.ways.end(), 0.0);
+  for (std::size_t stop = first; stop < last; ++stop) {
+    for (std::size_t i = 0; i < range.ways.size(); ++i) {
+      range.ways[i] += wayOf(search.path, {search.first_stop + stop, 0.0, 1.0}, i);
+    }
+  }
+  search.measures.steps += pairs.size();
+  range.open.clear();
+  for (const LinkPairIndex pair : pairs) {
+    if (!settleFar(search, pair, search.stops[first], search.stops[last], range.ways)) {
+      range.open.push_back(pair);
+    }
+  }
+}
+
+/// Settles pairs between two stops.
+void exploreStops(TrajectorySearch& search, std::size_t first, std::size_t last,
+                  const std::vector<LinkPairIndex>& pairs, std::size_t depth) {
+  Instant& begin = search.stops[first];
+  Instant& end = search.stops[last];
+  if (last - first == 1) {
+    begin.segment = end.segment = search.first_stop + first;
+    begin.share = 0.0;
+    end.share = 1.0;
+    explore(search, begin, end, pairs, 0);
+    return;
+  }
+  Halving& range = halvingAt(search, depth, search.ranges);
+  listOpen(search, first, last, pairs, range);
+  const std::size_t middle = first + (last - first) / 2;
+  Instant& at_middle = search.stops[middle];
+  sampleWaypoint(search, range.open, search.first_stop + middle, at_middle);
+  exploreStops(search, first, middle, range.open, depth + 1);
+  if (!goesOn(search, at_middle.segment, at_middle.share)) {
+    giveUpAll(search, search.moving, at_middle);
+    return;
+  }
+  exploreStops(search, middle, last, range.open, depth + 1);
+}
+
+/// Places the links at the next stops. @return how many segments they bound.
+/// @param measured behind the last way-point whose bodies are: beyond the next it is a stop alone
+std::size_t placeStops(TrajectorySearch& search, std::size_t measured) {
+  const std::size_t first = search.first_stop;
+  const std::size_t last = std::min(first + kSegmentsAtOnce, measured - 1);
+  const std::size_t count = std::max<std::size_t>(1, last - first);
+  for (std::size_t i = 1; i <= count; ++i) {
+    Instant& stop = search.stops[i];
+    stop.segment = first + i - 1;
+    stop.share = 1.0;
+    place(search, stop);
+    noteBalls(search, search.moving, stop);
+  }
+  return count;
+}
+
+void followPath(TrajectorySearch& search) {
+  std::vector<LinkPairIndex>& moving = search.moving;
+  const std::size_t segments = search.path.times.size() - 1;
+  std::size_t measured = lookAhead(search, moving, 0);
+  sampleWaypoint(search, moving, 0, search.stops[0]);
+  noteBalls(search, moving, search.stops[0]);
+  while (search.first_stop < segments) {
+    const std::size_t count = placeStops(search, measured);
+    measured = lookAhead(search, moving, search.first_stop + count);
+    Instant& end = search.stops[count];
+    sampleWaypoint(search, moving, search.first_stop + count, end);
+    exploreStops(search, 0, count, moving, 0);
+    if (!goesOn(search, end.segment, 1.0)) {
+      giveUpAll(search, moving, end);
+      return;
+    }
+    std::swap(search.stops[0], end);
+    search.first_stop += count;
+    const auto is_done = [&](LinkPairIndex pair) {
+      return search.report.pairs[pair].state != ApproachState::clear;
+    };
+    moving.erase(std::remove_if(moving.begin(), moving.end(), is_done), moving.end());
+  }
+}
+
+/// A pair that is to be measured where its bodies were nearest at a way-point, or its balls.
+struct FarPair {
+  NearPlace at;
+  LinkPairIndex pair;
+};
+
+/// Clear pairs that are not measured there yet, in order of time.
+std::vector<FarPair> listFarPairs(const TrajectorySearch& search) {
+  std::vector<FarPair> far;
+  for (LinkPairIndex pair = 0; pair < search.chains.size(); ++pair) {
+    const PairApproach& approach = search.report.pairs[pair];
+    const double found = approach.nearest.measured.distance;
+    const bool is_by_waypoint = search.by_waypoints[pair].bound < found;
+    const bool is_asked = search.found[pair] == Found::bodies
+                              ? is_by_waypoint || found == kInfinity
+                              : search.found[pair] == Found::bounds && search.options.margin > 0.0;
+    if (approach.state == ApproachState::clear && is_asked) {
+      far.push_back({is_by_waypoint ? search.by_waypoints[pair] : search.by_balls[pair], pair});
+    }
+  }
+  std::sort(far.begin(), far.end(), [](const FarPair& one, const FarPair& other) {
+    return std::tie(one.at.segment, one.at.share, one.pair) <
+           std::tie(other.at.segment, other.at.share, other.pair);
+  });
+  return far;
+}
+
+void measureFarPairs(TrajectorySearch& search) {
+  Instant at;
+  for (const FarPair& far : listFarPairs(search)) {
+    if (at.world_from_link.empty() || at.segment != far.at.segment || at.share != far.at.share) {
+      at.segment = far.at.segment;
+      at.share = far.at.share;
+      place(search, at);
+    }
+    const bool is_of_bodies = search.found[far.pair] == Found::bodies;
+    const PairDistance distance =
+        is_of_bodies ? bodyDistance(search.measures, far.pair, at.world_from_link)
+                     : elementDistance(search.measures, far.pair, at.world_from_link);
+    keepNearest(search, far.pair, distance, at, is_of_bodies ? Found::bodies : Found::elements);
+  }
+}
+
+bool isKnown(const LinkPoses& start, const CheckedLinkPair& links) noexcept {
+  return isJoined(start, links.a, links.b) && isRigid(start.world_from_link[index(links.a)]) &&
+         isRigid(start.world_from_link[index(links.b)]);
+}
+
+TrajectorySearch searchAlong(const CycleSetup& setup, const JointPath& path, const LinkPoses& start,
+                             const TrajectoryOptions& options) {
+  const std::size_t count = setup.checked.size();
+  TrajectorySearch search{setup,
+                          path,
+                          options,
+                          PathPoses(setup.model, path, start),
+                          LinkPairMeasures(setup),
+                          std::vector<LinkChain>(count),
+                          std::vector<Found>(count, Found::bodies),
+                          std::vector<NearPlace>(count),
+                          std::vector<NearPlace>(count),
+                          {},
+                          {},
+                          {},
+                          std::vector<Instant>(kSegmentsAtOnce + 1),
+                          0,
+                          {},
+                          false,
+                          {}};
+  search.report.pairs.resize(count);
+  return search;
+}
+
+}  // namespace
+
+TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
+                                 const LinkPoses& start, const TrajectoryOptions& options) {
+  TrajectorySearch search = searchAlong(setup, path, start, options);
+  if (!isSound(path)) {
+    return search.report;
+  }
+  std::vector<LinkPairIndex> standing;
+  std::vector<LinkPairIndex>& moving = search.moving;
+  for (LinkPairIndex pair = 0; pair < setup.checked.size(); ++pair) {
+    const CheckedLinkPair& links = setup.checked[pair];
+    if (!isKnown(start, links)) {
+      continue;
+    }
+    PairApproach& approach = search.report.pairs[pair];
+    approach.state = ApproachState::clear;
+    approach.at_least = approach.nearest.measured.distance = kInfinity;
+    search.chains[pair] = chainBetween(setup.model, path, links.a, links.b);
+    const bool is_moving = path.times.size() > 1 && !search.chains[pair].joints.empty();
+    (is_moving ? moving : standing).push_back(pair);
+  }
+  if (path.times.size() >= kStateCount && !moving.empty()) {
+    search.waypoints = makeWaypointDistances(setup, path, start, options.margin + kBeyondMargin);
+  }
+  Instant& begin = search.stops[0];
+  place(search, begin);
+  sampleBalls(search, standing, begin);
+  noteBalls(search, standing, begin);
+  checkStanding(search, standing, begin);
+  followPath(search);
+  measureFarPairs(search);
+  search.report.steps = search.measures.steps;
+  return std::move(search.report);
+}
+
+}  // namespace collision_monitor

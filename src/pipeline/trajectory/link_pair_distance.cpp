@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/trajectory/link_pair_distance.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "geometry/constants.h"
+#include "narrow_phase/distance.h"
+#include "pipeline/blocks/contact_of_pairs.h"
+#include "pipeline/data/motion_bound.h"
+#include "pipeline/refine/measure_elements.h"
+
+namespace collision_monitor {
+namespace {
+
+PairDistance nothingNear() noexcept {
+  PairDistance distance;
+  distance.measured.distance = std::numeric_limits<double>::infinity();
+  return distance;
+}
+
+/// Replaces `nearest` by the distance of two bodies if that is less.
+void improveByBodies(LinkPairMeasures& measures, PairId pair,
+                     const std::vector<Pose>& world_from_link, PairDistance& nearest) noexcept {
+  const CycleSetup& setup = measures.setup;
+  const Body& a = setup.bodies[index(setup.table[pair].a)];
+  const Body& b = setup.bodies[index(setup.table[pair].b)];
+  const Pose& world_from_a = world_from_link[index(a.link)];
+  const Pose& world_from_b = world_from_link[index(b.link)];
+  const double reach = nearest.measured.distance + a.bounding_radius + b.bounding_radius;
+  const double between =
+      (world_from_a * a.link_from_body.translation - world_from_b * b.link_from_body.translation)
+          .squaredNorm();
+  if (reach < 0.0 || between > reach * reach) {
+    return;
+  }
+  ++measures.steps;
+  const SignedDistance measured = distanceBetween(a.shape, world_from_a * a.link_from_body, b.shape,
+                                                  world_from_b * b.link_from_body);
+  if (measured.distance < nearest.measured.distance) {
+    nearest = {pair, a.is_exact && b.is_exact ? Quality::exact : Quality::lower_bound, false,
+               measured};
+  }
+}
+
+struct PairIds {
+  const PairId* first;
+  const PairId* last;
+  const PairId* begin() const noexcept { return first; }
+  const PairId* end() const noexcept { return last; }
+};
+
+PairIds bodyPairsOf(const LinkPairMeasures& measures, LinkPairIndex pair) noexcept {
+  const PairId* all = measures.body_pairs.data();
+  return {all + measures.first_body_pair[pair], all + measures.first_body_pair[pair + 1]};
+}
+
+/// Measures the bodies of each pair of elements into `nearest_bodies`.
+void measureBodies(LinkPairMeasures& measures, LinkPairIndex pair,
+                   const std::vector<Pose>& world_from_link) noexcept {
+  const ElementPairIndex first = measures.first_element_pair[pair];
+  std::fill_n(measures.nearest_bodies.begin(), measures.first_element_pair[pair + 1] - first,
+              nothingNear());
+  for (const PairId bodies : bodyPairsOf(measures, pair)) {
+    const ElementPairIndex elements = measures.setup.element_pair_of[index(bodies)];
+    improveByBodies(measures, bodies, world_from_link, measures.nearest_bodies[elements - first]);
+  }
+}
+
+/// How elements are measured.
+struct Question {
+  double enough;
+  ElementDistance (&measure)(const PlacedElement& a, const PlacedElement& b,
+                             ElementSearch& search) noexcept;
+};
+
+/// What is known of two elements, from that of their bodies and their own distance.
+PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pair,
+                                PairDistance distance, const std::vector<Pose>& world_from_link,
+                                const Question& question) noexcept {
+  const CycleSetup& setup = measures.setup;
+  const Element& a = setup.elements[index(setup.element_pairs[pair].a)];
+  const Element& b = setup.elements[index(setup.element_pairs[pair].b)];
+  if (a.is_body && b.is_body) {
+    return distance;
+  }
+  const Pose world_from_a = world_from_link[index(a.link)] * a.link_from_element;
+  const Pose world_from_b = world_from_link[index(b.link)] * b.link_from_element;
+  ElementSearch search{std::numeric_limits<std::uint32_t>::max(), measures.memory.of(pair),
+                       *measures.scratch, question.enough};
+  const ElementDistance found = question.measure({a, world_from_a}, {b, world_from_b}, search);
+  measures.steps += found.steps;
+  measures.outside = std::min(measures.outside, found.outside);
+  const bool is_nearer = !(found.measured.distance > distance.measured.distance);
+  // As in refinePairs: the depth of bodies bounds nothing.
+  const bool is_depth = found.has_points && distance.measured.distance < 0.0;
+  if (found.quality == Quality::unknown ||
+      (found.quality == Quality::lower_bound && is_nearer && !is_depth)) {
+    return distance;  // the enclosing shapes know better
+  }
+  if (found.has_points) {
+    return {distance.pair, found.quality, true, found.measured};
+  }
+  distance.measured.distance = found.measured.distance;
+  return distance;
+}
+
+/// Whether two elements whose bodies are `bodies` apart may be nearer than `nearest`, or prove an
+/// overlap where it does not.
+bool mayTellMore(const PairDistance& bodies, const PairDistance& nearest) noexcept {
+  return bodies.measured.distance < nearest.measured.distance ||
+         (bodies.measured.distance <= 0.0 && nearest.quality != Quality::estimate);
+}
+
+/// Where an overlap is proven whose depth is an estimate, so is all that is deeper.
+void addTo(PairDistance& nearest, const PairDistance& distance) noexcept {
+  const bool was_estimate = nearest.quality == Quality::estimate;
+  const bool is_estimate = distance.quality == Quality::estimate;
+  const bool is_nearer = distance.measured.distance < nearest.measured.distance;
+  if (was_estimate ? is_nearer && distance.quality != Quality::lower_bound
+                   : is_nearer || (is_estimate && nearest.quality == Quality::lower_bound)) {
+    nearest = distance;
+  }
+  if (was_estimate || is_estimate) {
+    nearest.quality = Quality::estimate;
+  }
+}
+
+/// Where the members of each group start when they stand in order of their groups; and the end.
+std::vector<std::uint32_t> startsOf(const std::vector<std::uint32_t>& group_of,
+                                    std::size_t group_count) {
+  std::vector<std::uint32_t> starts(group_count + 1, 0);
+  for (const std::uint32_t group : group_of) {
+    ++starts[group + 1];
+  }
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  return starts;
+}
+
+/// Without what only cycles use.
+std::vector<RefineKind> kindsOf(const CycleSetup& setup) {
+  std::vector<RefineKind> kinds;
+  kinds.reserve(setup.element_pairs.size());
+  for (const ElementPair& pair : setup.element_pairs) {
+    const bool are_bodies =
+        setup.elements[index(pair.a)].is_body && setup.elements[index(pair.b)].is_body;
+    kinds.push_back(are_bodies ? RefineKind::never : RefineKind::plain);
+  }
+  return kinds;
+}
+
+std::vector<std::uint32_t> linkPairsOf(const std::vector<ElementPair>& pairs) {
+  std::vector<std::uint32_t> link_pairs;
+  link_pairs.reserve(pairs.size());
+  for (const ElementPair& pair : pairs) {
+    link_pairs.push_back(pair.link_pair);
+  }
+  return link_pairs;
+}
+
+}  // namespace
+
+LinkPairMeasures::LinkPairMeasures(const CycleSetup& cycle_setup)
+    : setup(cycle_setup),
+      balls(linkBalls(cycle_setup)),
+      first_body_pair(startsOf(cycle_setup.link_pair_of, cycle_setup.checked.size())),
+      body_pairs(cycle_setup.table.size()),
+      first_element_pair(
+          startsOf(linkPairsOf(cycle_setup.element_pairs), cycle_setup.checked.size())),
+      has_meshes(cycle_setup.checked.size(), 0),
+      memory(kindsOf(cycle_setup)),
+      scratch(std::make_unique<RefineScratch>()) {
+  std::vector<std::uint32_t> next = first_body_pair;
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    body_pairs[next[setup.link_pair_of[i]]++] = idAt<PairId>(i);
+  }
+  std::uint32_t most = 0;
+  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+    most = std::max(most, first_element_pair[i + 1] - first_element_pair[i]);
+  }
+  nearest_bodies.resize(most);
+  for (const ElementPair& pair : setup.element_pairs) {
+    const bool are_convex =
+        setup.elements[index(pair.a)].convex && setup.elements[index(pair.b)].convex;
+    has_meshes[pair.link_pair] |= are_convex ? 0U : 1U;
+  }
+}
+
+double ballDistance(const LinkPairMeasures& measures, LinkPairIndex pair,
+                    const std::vector<Pose>& world_from_link) noexcept {
+  const CheckedLinkPair& links = measures.setup.checked[pair];
+  const Ball& a = measures.balls[index(links.a)];
+  const Ball& b = measures.balls[index(links.b)];
+  return (world_from_link[index(links.a)] * a.center - world_from_link[index(links.b)] * b.center)
+             .norm() -
+         a.radius - b.radius;
+}
+
+PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
+                          const std::vector<Pose>& world_from_link) noexcept {
+  PairDistance nearest = nothingNear();
+  for (const PairId bodies : bodyPairsOf(measures, pair)) {
+    improveByBodies(measures, bodies, world_from_link, nearest);
+  }
+  return nearest;
+}
+
+PairDistance hullDistance(LinkPairMeasures& measures, LinkPairIndex pair,
+                          const std::vector<Pose>& world_from_link, double enough) noexcept {
+  const ElementPairIndex first = measures.first_element_pair[pair];
+  const ElementPairIndex last = measures.first_element_pair[pair + 1];
+  measureBodies(measures, pair, world_from_link);
+  PairDistance nearest = nothingNear();
+  for (ElementPairIndex elements = first; elements < last; ++elements) {
+    const PairDistance& bodies = measures.nearest_bodies[elements - first];
+    if (bodies.measured.distance < nearest.measured.distance) {
+      const PairDistance found =
+          measureElementPair(measures, elements, bodies, world_from_link, {enough, measureByHulls});
+      nearest = found.measured.distance < nearest.measured.distance ? found : nearest;
+    }
+  }
+  return nearest;
+}
+
+PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
+                             const std::vector<Pose>& world_from_link, double enough) noexcept {
+  const ElementPairIndex first = measures.first_element_pair[pair];
+  const ElementPairIndex last = measures.first_element_pair[pair + 1];
+  measureBodies(measures, pair, world_from_link);
+  PairDistance nearest = nothingNear();
+  measures.leeway = measures.outside = kInfinity;
+  for (ElementPairIndex elements = first; elements < last; ++elements) {
+    const PairDistance& bodies = measures.nearest_bodies[elements - first];
+    const double contact = contactOfElements(measures.setup, elements);
+    if (mayTellMore(bodies, nearest) || bodies.measured.distance - contact < measures.leeway) {
+      const PairDistance found = measureElementPair(measures, elements, bodies, world_from_link,
+                                                    {enough, measureElements});
+      const bool is_overlap = found.quality == Quality::estimate;
+      measures.leeway =
+          std::min(measures.leeway, is_overlap ? -kInfinity : found.measured.distance - contact);
+      addTo(nearest, found);
+    }
+  }
+  return nearest;
+}
+
+}  // namespace collision_monitor

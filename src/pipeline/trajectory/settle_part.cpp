@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "geometry/constants.h"
+#include "pipeline/trajectory/trajectory_search.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Whether bounds settle a part of the way: no contact, and nothing nearer that must be known.
+bool isEnough(const TrajectorySearch& search, LinkPairIndex pair, double bound,
+              double leeway) noexcept {
+  return leeway > search.options.tolerance && bound > wantedOf(search, pair);
+}
+
+/// [m] Elements that are so far apart settle a part of the way by themselves.
+double enoughFor(const TrajectorySearch& search, LinkPairIndex pair, double way) noexcept {
+  const double contact = std::max(0.0, search.setup.limits.contact_distance);
+  return std::max(wantedOf(search, pair), contact + search.options.tolerance) +
+         search.options.tolerance + way;
+}
+
+/// [m] How far the links may go until they are in contact.
+double wayOf(const Sample& sample) noexcept { return std::min(sample.leeway, sample.outside); }
+
+void raiseToBodies(TrajectorySearch& search, LinkPairIndex pair, Instant& at) noexcept {
+  Sample& sample = at.samples[pair];
+  const PairDistance distance = bodyDistance(search.measures, pair, at.world_from_link);
+  const Sample found = sampleBy(search, distance.measured.distance, Level::bodies);
+  sample.bound = std::max(sample.bound, found.bound);
+  sample.leeway = std::max(sample.leeway, found.leeway);
+  sample.level = Level::bodies;
+  keepNearest(search, pair, distance, at, Found::bodies);
+}
+
+/// @param enough [m] > 0: farther apart is not measured
+void raiseToHulls(TrajectorySearch& search, LinkPairIndex pair, double enough,
+                  Instant& at) noexcept {
+  Sample& sample = at.samples[pair];
+  const PairDistance distance = hullDistance(search.measures, pair, at.world_from_link, enough);
+  // Where some depth is allowed, that is asked of each pair of elements.
+  const bool is_final = distance.is_refined && search.setup.limits.contact_distance >= 0.0;
+  const Sample found = sampleBy(search, distance.measured.distance, Level::hulls);
+  sample.bound = std::max(sample.bound, found.bound);
+  sample.leeway = std::max(sample.leeway, found.leeway);
+  sample.level = is_final ? Level::elements : Level::hulls;
+  const bool is_told = found.bound > wantedOf(search, pair);
+  keepNearest(search, pair, distance, at,
+              is_final  ? Found::elements
+              : is_told ? Found::bounds
+                        : Found::bodies);
+}
+
+/// @param enough [m] > 0: farther apart is not measured
+void raiseToElements(TrajectorySearch& search, LinkPairIndex pair, double enough,
+                     Instant& at) noexcept {
+  Sample& sample = at.samples[pair];
+  const PairDistance distance = elementDistance(search.measures, pair, at.world_from_link, enough);
+  // An estimate of a depth is a contact, however deep that may be allowed to be.
+  const bool is_overlap = distance.quality == Quality::estimate;
+  sample.bound = is_overlap ? -kInfinity : std::max(sample.bound, distance.measured.distance);
+  sample.outside = std::max(sample.leeway, search.measures.outside);
+  sample.leeway = is_overlap ? -kInfinity : std::max(sample.leeway, search.measures.leeway);
+  sample.level = Level::elements;
+  sample.is_bound = distance.measured.distance >= enough;
+  keepNearest(search, pair, distance, at, sample.is_bound ? Found::bounds : Found::elements);
+}
+
+bool isContact(const TrajectorySearch& search, LinkPairIndex pair, const Instant& at) noexcept {
+  const Sample& sample = at.samples[pair];
+  return sample.level == Level::elements && sample.leeway <= search.options.tolerance;
+}
+
+void keepContact(TrajectorySearch& search, LinkPairIndex pair, const Instant& at) {
+  PairApproach& approach = search.report.pairs[pair];
+  approach.state = ApproachState::contact;
+  approach.nearest = elementDistance(search.measures, pair, at.world_from_link);
+  approach.time = timeOf(search, at);
+  approach.at_least = std::min(approach.at_least, approach.nearest.measured.distance);
+  const LinkPairIndex first = search.report.first_contact;
+  if (first == kNone || approach.time < search.report.pairs[first].time) {
+    search.report.first_contact = pair;
+    search.report.world_from_link = at.world_from_link;
+  }
+}
+
+/// What comes after bodies.
+void raiseFromBodies(TrajectorySearch& search, LinkPairIndex pair, double way,
+                     Instant& at) noexcept {
+  const bool has_hulls =
+      search.measures.has_meshes[pair] != 0 && at.samples[pair].level < Level::hulls;
+  (has_hulls ? raiseToHulls : raiseToElements)(search, pair, enoughFor(search, pair, way), at);
+}
+
+/// Raises what helps to settle a part, the cheaper first; false if nothing does.
+bool raiseOne(TrajectorySearch& search, LinkPairIndex pair, double way, Instant& begin,
+              Instant& end) noexcept {
+  for (Instant* at : {&begin, &end}) {
+    if (at->samples[pair].level == Level::balls) {
+      // Where bodies did not tell at the other end, they mostly do not here.
+      const Level other = (at == &begin ? end : begin).samples[pair].level;
+      other > Level::bodies ? raiseFromBodies(search, pair, way, *at)
+                            : raiseToBodies(search, pair, *at);
+      return true;
+    }
+  }
+  for (const Level level : {Level::bodies, Level::hulls}) {
+    for (Instant* at : {&begin, &end}) {
+      // A bound that is sufficient by itself is not what fails: the way is too long.
+      const Sample& sample = at->samples[pair];
+      if (sample.level == level && !isEnough(search, pair, sample.bound, sample.leeway)) {
+        raiseFromBodies(search, pair, way, *at);
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// What a sample says of another time, up to which the links go a way.
+void carryOver(const Sample& from, double way, Sample& to) noexcept {
+  if (to.level != Level::elements || to.is_bound) {
+    to.bound = std::max(to.bound, from.bound - way);
+    to.leeway = std::max(to.leeway, wayOf(from) - way);
+  }
+}
+
+/// [m] A lower bound on the way between two samples, or of what is left of it until contact.
+double between(double begin, double end, double way) noexcept {
+  return 0.5 * (std::max(begin, end - way) + std::max(end, begin - way) - way);
+}
+
+}  // namespace
+
+bool settleFar(TrajectorySearch& search, LinkPairIndex pair, const Instant& begin,
+               const Instant& end, const std::vector<double>& ways) noexcept {
+  PairApproach& approach = search.report.pairs[pair];
+  if (approach.state != ApproachState::clear) {
+    return true;
+  }
+  const Sample& at_begin = begin.samples[pair];
+  const Sample& at_end = end.samples[pair];
+  // The way takes time to bound.
+  if (!isEnough(search, pair, std::max(at_begin.bound, at_end.bound),
+                std::max(wayOf(at_begin), wayOf(at_end)))) {
+    return false;
+  }
+  const double way =
+      boundMotion(search.chains[pair], search.measures.balls, begin.world_from_link, ways);
+  const double bound = between(at_begin.bound, at_end.bound, way);
+  if (!isEnough(search, pair, bound, between(wayOf(at_begin), wayOf(at_end), way))) {
+    return false;
+  }
+  approach.at_least = std::min(approach.at_least, bound);
+  return true;
+}
+
+bool settle(TrajectorySearch& search, LinkPairIndex pair, Instant& begin, Instant& end,
+            const std::vector<double>& ways) {
+  PairApproach& approach = search.report.pairs[pair];
+  if (approach.state != ApproachState::clear) {
+    return true;
+  }
+  const double way =
+      boundMotion(search.chains[pair], search.measures.balls, begin.world_from_link, ways);
+  Sample& at_begin = begin.samples[pair];
+  Sample& at_end = end.samples[pair];
+  double bound = 0.0;
+  do {
+    if (isContact(search, pair, begin)) {
+      keepContact(search, pair, begin);
+      return true;
+    }
+    carryOver(at_begin, way, at_end);
+    carryOver(at_end, way, at_begin);
+    bound = 0.5 * (at_begin.bound + at_end.bound - way);
+    if (isEnough(search, pair, bound, 0.5 * (wayOf(at_begin) + wayOf(at_end) - way))) {
+      approach.at_least = std::min(approach.at_least, bound);
+      return true;
+    }
+  } while (raiseOne(search, pair, way, begin, end));
+  if (way > search.options.tolerance) {
+    return false;
+  }
+  if (isContact(search, pair, end)) {
+    keepContact(search, pair, end);
+  } else {
+    approach.at_least = std::min(approach.at_least, bound);
+  }
+  return true;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/node/cycle_runner.h"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "ros_edge/outputs/sentences.h"
+
+namespace collision_monitor {
+namespace {
+
+double toSeconds(SteadyClock::duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+}  // namespace
+
+CycleRunner::CycleRunner(const ros::NodeHandle& private_node, Inputs inputs,
+                         std::shared_ptr<const MonitorSetup> setup)
+    : store_(inputs.transforms),
+      joints_(inputs.joints),
+      clock_(inputs.clock),
+      publishers_(private_node) {
+  replaceWatch(makeWatch(std::move(setup)));
+  thread_ = std::thread([this] { run(); });
+}
+
+CycleRunner::~CycleRunner() {
+  is_running_ = false;
+  store_.wake();
+  thread_.join();
+}
+
+std::unique_ptr<Watch> CycleRunner::makeWatch(std::shared_ptr<const MonitorSetup> setup) const {
+  return std::make_unique<Watch>(std::move(setup), store_, joints_);
+}
+
+void CycleRunner::replaceWatch(std::unique_ptr<Watch> watch) {
+  std::unique_ptr<Watch> former;  // ends after the lock
+  std::unique_lock<std::mutex> lock(mutex_);
+  current_ = watch->fixed;
+  next_ = std::move(watch);
+  if (thread_.joinable()) {
+    store_.wake();
+    taken_over_.wait(lock, [this] { return !next_ && !is_taking_over_; });
+  }
+  former = std::move(former_);
+}
+
+std::shared_ptr<const MonitorSetup> CycleRunner::currentSetup() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return current_;
+}
+
+void CycleRunner::setEnabled(bool is_enabled) {
+  if (is_enabled) {
+    enabling_.switchOn();
+  } else {
+    enabling_.switchOffFor(currentSetup()->parameters.disable_timeout);
+  }
+  store_.wake();
+}
+
+void CycleRunner::run() {
+  pace_.planned_start = SteadyClock::now();
+  while (is_running_) {
+    takeOverSetup();
+    runOnce();
+    waitForNext();
+  }
+}
+
+void CycleRunner::takeOverSetup() {
+  std::unique_ptr<Watch> next;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!next_) {
+      return;
+    }
+    next = std::move(next_);
+    is_taking_over_ = true;
+  }
+  if (watch_) {
+    succeedWatch(*watch_, *next);
+  }
+  watch_.swap(next);
+  publishers_.startWatch(*watch_);
+  statistics_.startWork(watch_->budget);
+  pace_.last_state = SteadyClock::time_point();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  former_ = std::move(next);
+  is_taking_over_ = false;
+  taken_over_.notify_all();
+}
+
+void CycleRunner::succeedWatch(Watch& former, Watch& next) {
+  if (!facts_.is_enabled) {
+    former.speakAgain();
+  }
+  for (const LinkPairIndex pair : next.succeed(former)) {
+    publishers_.publishDropped(former, pair);
+  }
+  if (!facts_.is_enabled) {
+    next.fallSilent();
+  }
+}
+
+void CycleRunner::waitForNext() {
+  const Parameters& parameters = watch_->fixed->parameters;
+  const SteadyClock::time_point now = SteadyClock::now();
+  pace_.planned_start = nextStart(parameters, pace_, now);
+  if (parameters.trigger == Trigger::pose) {
+    // News first: where they come no faster than `rate`, there is nothing left to sleep.
+    store_.waitForNews(seen_data_, endOfWait(parameters, pace_, now));
+  }
+  std::this_thread::sleep_until(pace_.planned_start);
+}
+
+void CycleRunner::runOnce() {
+  const SteadyClock::time_point start = SteadyClock::now();
+  facts_.now = store_.readTime();
+  const bool was_enabled = facts_.is_enabled;
+  const ros::SteadyTime steady_now = ros::SteadyTime::now();
+  facts_.is_enabled = enabling_.isOn(steady_now);
+  facts_.enabled_again_in = enabling_.secondsUntilOn(steady_now);
+  bool is_new = readPoses(facts_.now);
+  if (facts_.is_enabled != was_enabled) {
+    ROS_WARN_STREAM("the monitor is switched " << (facts_.is_enabled ? "on" : "off"));
+    if (facts_.is_enabled) {
+      watch_->speakAgain();
+    } else {
+      watch_->fallSilent();
+    }
+    is_new = true;
+  }
+  watch_->cycle();
+  ++facts_.cycles;
+  countStep(watch_->buffers.sweep, facts_.steps);
+  facts_.cycle_time = toSeconds(SteadyClock::now() - start);
+  publish(is_new);
+  const bool is_overrun =
+      toSeconds(SteadyClock::now() - start) > periodOf(watch_->fixed->parameters);
+  facts_.overruns += is_overrun ? 1 : 0;
+  statistics_.addCycle(facts_.cycle_time, is_overrun);
+  statistics_.addWork(watch_->buffers, facts_.cycle_time, watch_->budget);
+}
+
+/// @return true when something differs from the last cycle.
+bool CycleRunner::readPoses(const ros::Time& now) {
+  const TransformStore::Version version = store_.version();
+  seen_data_ = version.data;
+  if (version.jumps != seen_jumps_) {
+    seen_jumps_ = version.jumps;
+    joints_.forget();
+    watch_->forget();
+    const std::string sentence = jumps_.tell(SteadyClock::now());
+    if (!sentence.empty()) {
+      ROS_WARN_STREAM(sentence);
+    }
+  }
+  return watch_->read(now, lookAtClock({store_, joints_, clock_}, now));
+}
+
+void CycleRunner::publish(bool is_new) {
+  const Watch& watch = *watch_;
+  if (facts_.is_enabled) {
+    publishers_.publishChanges(watch);
+  }
+  const SteadyClock::time_point now = SteadyClock::now();
+  const std::uint8_t level = levelOf(watch, facts_);
+  const bool is_due = isStateDue(watch.fixed->parameters, pace_, now);
+  if (!is_new && !is_due && level == last_level_) {
+    return;
+  }
+  last_level_ = level;
+  pace_.last_state = now;
+  const State& state = publishers_.publishCycle(watch, facts_);
+  publishers_.publishMarkers(watch);
+  constexpr double kSummaryPeriod = 0.2;
+  if (toSeconds(now - last_summary_) >= kSummaryPeriod) {
+    last_summary_ = now;
+    summarize(state);
+  }
+}
+
+void CycleRunner::summarize(const State& state) {
+  CycleSummary summary;
+  summary.level = state.level;
+  summary.sentence = state.sentence;
+  summary.age = state.age;
+  summary.time_to_contact = state.time_to_contact;
+  summary.speed_scale = state.speed_scale;
+  summary.pairs = state.pairs_checked;
+  summary.candidates = state.pairs_candidates;
+  summary.measured = state.pairs_measured;
+  summary.refined = state.pairs_refined;
+  summary.left = state.pairs_left;
+  summary.swept = state.pairs_swept;
+  summary.step = state.step;
+  summary.step_limit = state.step_limit;
+  summary.step_cap = state.step_cap;
+  summary.step_warning = state.step_warning;
+  summary.steps = facts_.steps;
+  summary.refused = store_.refusedTooMany() + joints_.refusedTooLong();
+  summary.unknown_links = state.unknown_links;
+  statistics_.setSummary(std::move(summary));
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/DiagnosticStatusWrapper.h>
+
+#include "pipeline/cycle/budget_use.h"
+#include "ros_edge/parameters/monitor_setup.h"
+
+namespace collision_monitor {
+
+/// The entry `budget`: whether refine_budget sufficed; if not, on which pairs of links it went, and
+/// what helps each of them. No two values have the same key.
+/// @param spent since the last report
+void describeBudget(const MonitorSetup& setup, const BudgetUse& spent,
+                    diagnostic_updater::DiagnosticStatusWrapper& status);
+
+}  // namespace collision_monitor

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "pipeline/cycle/budget_use.h"
+#include "ros_edge/pace.h"
+#include "ros_edge/watch.h"
+
+namespace collision_monitor {
+
+/// What /diagnostics says of the last cycle; plain data, copied under a lock.
+struct CycleSummary {
+  std::uint8_t level{0};  ///< as in State
+  std::string sentence;
+  double age{0.0};              ///< [s]
+  double time_to_contact{0.0};  ///< [s] as in State
+  double speed_scale{0.0};      ///< as in State
+  std::size_t pairs{0};
+  std::size_t candidates{0};
+  std::size_t measured{0};
+  std::size_t refined{0};
+  std::size_t left{0};
+  std::size_t swept{0};
+  double step{0.0};        ///< [s] as in State
+  double step_limit{0.0};  ///< [s]
+  double step_cap{0.0};    ///< [s]
+  std::string step_warning;
+  StepCount steps;
+  std::uint64_t refused{
+      0};  ///< messages of inputs that were too long, and frames that were too many
+  std::vector<std::string> unknown_links;
+};
+
+/// Cycles since start.
+struct CycleCounts {
+  std::uint64_t cycles{0};
+  std::uint64_t overruns{0};           ///< of these, they took longer than the period
+  SteadyClock::time_point newest_end;  ///< when the newest ended; of none yet: the start
+};
+
+/// Counts and times of cycles, and a summary of the last that was published, written by the cycle's
+/// thread and read by that of the diagnostics.
+class CycleStatistics {
+ public:
+  /// Units: seconds.
+  void addCycle(double cycle_time, bool is_overrun);
+  void setSummary(CycleSummary summary);
+  /// Another set-up is watched, whose work is added to `tally`; what was not taken is forgotten.
+  void startWork(const BudgetTally& tally);
+  /// Adds the cycle that has just ended to `tally`, which begins anew where its use was taken.
+  /// Neither allocates nor throws. @pre as addCycle of budget_use.h
+  void addWork(const CycleBuffers& buffers, double cycle_time, BudgetTally& tally);
+
+  struct Times {
+    double median{0.0};
+    double worst{0.0};
+    std::size_t count{0};
+  };
+  /// Of the last cycles, at most 1024. Units: seconds.
+  Times times() const;
+  /// Up to this moment, however seldom states are published.
+  CycleCounts counts() const;
+  CycleSummary summary() const;
+  /// Since it was last taken, or since another set-up is watched.
+  BudgetUse takeBudgetUse();
+
+ private:
+  static constexpr std::size_t kMemory = 1024;
+
+  mutable std::mutex mutex_;
+  std::array<double, kMemory> times_{};
+  CycleCounts counts_{0, 0, SteadyClock::now()};
+  CycleSummary summary_;
+  BudgetUse budget_use_;
+  bool is_use_taken_{false};
+};
+
+}  // namespace collision_monitor

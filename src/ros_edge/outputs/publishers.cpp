@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/outputs/publishers.h"
+
+#include <std_msgs/Bool.h>
+#include <std_msgs/Float64.h>
+
+#include "ros_edge/outputs/sentences.h"
+
+namespace collision_monitor {
+namespace {
+
+constexpr std::uint32_t kQueueSize = 10;
+/// Many pairs can change in one cycle, and each change is said once only.
+constexpr std::uint32_t kWarningQueueSize = 1000;
+
+/// In the sense of cob_collision_monitor: false stops whoever listens. A monitor that does not know
+/// or is switched off vouches for nothing.
+bool isValid(const State& state) {
+  return state.enabled != 0 && (state.level == State::OK || state.level == State::WARNING);
+}
+
+/// [s] Who begins to listen is noticed this soon.
+constexpr double kAskPeriod = 0.01;
+
+/// Who comes late gets the last message sent: while nobody listens, only another value is sent.
+template <class Message, class Value>
+void publishLatched(Value value, bool is_heard, const ros::Publisher& publisher,
+                    std::optional<Value>& last) {
+  if (last == value && !is_heard) {
+    return;
+  }
+  last = value;
+  Message message;
+  message.data = value;
+  publisher.publish(message);
+}
+
+}  // namespace
+
+Publishers::Publishers(ros::NodeHandle private_node)
+    : state_publisher_(private_node.advertise<State>("state", kQueueSize, true)),
+      is_valid_publisher_(
+          private_node.advertise<std_msgs::Bool>("state_is_valid", kQueueSize, true)),
+      speed_scale_publisher_(
+          private_node.advertise<std_msgs::Float64>("speed_scale", kQueueSize, true)),
+      contacts_publisher_(private_node.advertise<Contacts>("contacts", kQueueSize)),
+      distances_publisher_(private_node.advertise<Distances>("distances", kQueueSize)),
+      warnings_publisher_(private_node.advertise<Warning>("warnings", kWarningQueueSize)),
+      markers_publisher_(
+          private_node.advertise<visualization_msgs::MarkerArray>("markers", kQueueSize)) {}
+
+void Publishers::startWatch(const Watch& watch) {
+  markers_ = std::make_unique<Markers>(watch);
+  distances_ = DistanceList();
+  log_.reset();
+}
+
+void Publishers::publishChanges(const Watch& watch) {
+  for (const VerdictChange& change : watch.buffers.events.changes) {
+    Warning warning;
+    toMessage(watch, change, warning);
+    warnings_publisher_.publish(warning);
+    log_.logChange(change, warning.sentence);
+  }
+  log_.logUnknownLinks(watch);
+  log_.logStep(watch);
+}
+
+void Publishers::publishDropped(const Watch& former, LinkPairIndex pair) {
+  Warning warning;
+  toDroppedMessage(former, pair, warning);
+  warnings_publisher_.publish(warning);
+  log_.logChange({pair, former.buffers.memory.reported[pair], Verdict::clear}, warning.sentence);
+}
+
+void Publishers::askWhoListens(ros::SteadyTime now) {
+  if ((now - asked_).toSec() < kAskPeriod) {
+    return;
+  }
+  asked_ = now;
+  listeners_.to_is_valid = is_valid_publisher_.getNumSubscribers() > 0;
+  listeners_.to_speed_scale = speed_scale_publisher_.getNumSubscribers() > 0;
+  listeners_.to_contacts = contacts_publisher_.getNumSubscribers() > 0;
+  listeners_.to_distances = distances_publisher_.getNumSubscribers() > 0;
+  listeners_.to_markers = markers_publisher_.getNumSubscribers() > 0;
+}
+
+/// First all is computed and then all is sent: each message wakes roscpp's network thread unless it
+/// is still awake from the one before.
+const State& Publishers::publishCycle(const Watch& watch, const CycleFacts& facts) {
+  askWhoListens(ros::SteadyTime::now());
+  toMessage(watch, facts, state_);
+  if (listeners_.to_contacts) {
+    toMessage(watch, contacts_);
+  }
+  const Distances* distances = listeners_.to_distances ? &distances_.fill(watch) : nullptr;
+  state_publisher_.publish(state_);
+  publishLatched<std_msgs::Bool>(isValid(state_), listeners_.to_is_valid, is_valid_publisher_,
+                                 is_valid_);
+  publishLatched<std_msgs::Float64>(state_.speed_scale, listeners_.to_speed_scale,
+                                    speed_scale_publisher_, speed_scale_);
+  if (listeners_.to_contacts) {
+    contacts_publisher_.publish(contacts_);
+  }
+  if (distances != nullptr) {
+    distances_publisher_.publish(*distances);
+  }
+  return state_;
+}
+
+void Publishers::publishMarkers(const Watch& watch) {
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  const double period = 1.0 / watch.fixed->parameters.marker_rate;
+  if (!listeners_.to_markers || (now - last_markers_).toSec() < period) {
+    return;
+  }
+  last_markers_ = now;
+  markers_publisher_.publish(markers_->draw(watch));
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/outputs/sentences.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <string_view>
+
+#include "ros_edge/outputs/conversions.h"
+
+namespace collision_monitor {
+namespace {
+
+/// [m] Less than can be told from 0 in print.
+constexpr double kTouching = 0.5e-4;
+
+/// [m/s] Slower than can be told from rest in print.
+constexpr double kResting = 0.005;
+
+const std::string& nameOf(const CycleSetup& setup, BodyId body) {
+  return setup.model.link(setup.bodies[index(body)].link).name;
+}
+
+/// Said in every cycle, so in one piece of memory.
+std::string concatenate(std::initializer_list<std::string_view> parts) {
+  std::size_t size = 0;
+  for (const std::string_view part : parts) {
+    size += part.size();
+  }
+  std::string text;
+  text.reserve(size);
+  for (const std::string_view part : parts) {
+    text += part;
+  }
+  return text;
+}
+
+std::string placeText(const CycleSetup& setup, const PairDistance& distance) {
+  const BodyPair& pair = setup.table[distance.pair];
+  const std::string& a = nameOf(setup, pair.a);
+  const std::string& b = nameOf(setup, pair.b);
+  const double value = distance.measured.distance;
+  const bool is_bound = distance.quality == Quality::lower_bound;
+  const char* of_shapes = is_bound ? " (enclosing shapes)" : "";
+  const bool is_estimate = distance.quality == Quality::estimate;
+  if (std::abs(value) < kTouching && is_estimate) {
+    return concatenate({a, " overlaps ", b});
+  }
+  if (value > 0.0 && value < kTouching) {
+    return concatenate({a, " is less than 0.1 mm from ", b, of_shapes});
+  }
+  if (std::abs(value) < kTouching) {
+    return concatenate({a, " touches ", b, of_shapes});
+  }
+  if (value < 0.0) {
+    const char* by = is_estimate ? " by at least " : " by ";
+    return concatenate({a, " overlaps ", b, by, lengthText(value), of_shapes});
+  }
+  const char* is = is_bound ? " is at least " : " is ";
+  return concatenate({a, is, lengthText(value), " from ", b});
+}
+
+/// ", closing at 0.20 m/s, contact in 0.06 s"; empty for a pair that rests or is not known to move.
+std::string motionText(const PairDistance& distance) {
+  const double closing = distance.closing_speed;
+  if (!(std::abs(closing) >= kResting)) {
+    return "";
+  }
+  const std::string speed = fixedText(std::abs(closing), 2);
+  if (closing < 0.0) {
+    return concatenate({", moving apart at ", speed, " m/s"});
+  }
+  if (distance.measured.distance < 0.0) {
+    return concatenate({", going deeper at ", speed, " m/s"});
+  }
+  const double time = distance.time_to_contact;
+  if (!(std::isfinite(time) && time > 0.0)) {
+    return concatenate({", closing at ", speed, " m/s"});
+  }
+  const bool is_bound = distance.quality == Quality::lower_bound;
+  return concatenate({", closing at ", speed, " m/s, contact in ", fixedText(time, 2),
+                      is_bound ? " s at the earliest" : " s"});
+}
+
+/// Of the pairs of links with this verdict, the one with the least distance; kNone if none was
+/// measured.
+LinkPairIndex nearestWith(Verdict verdict, const Watch& watch, std::size_t& count) {
+  const PairDistances& distances = watch.buffers.distances;
+  const std::vector<Verdict>& verdicts = watch.buffers.events.verdicts;
+  LinkPairIndex nearest = kNone;
+  double least = std::numeric_limits<double>::infinity();
+  count = 0;
+  for (LinkPairIndex i = 0; i < verdicts.size(); ++i) {
+    if (verdicts[i] != verdict) {
+      continue;
+    }
+    ++count;
+    const std::uint32_t place = speakerOf(watch.setup(), watch.buffers, i);
+    if (place != kNone && distances.measured[place].measured.distance < least) {
+      least = distances.measured[place].measured.distance;
+      nearest = i;
+    }
+  }
+  return nearest;
+}
+
+std::string andMore(std::size_t count, const char* what) {
+  return count < 2 ? ""
+                   : concatenate({" (and ", std::to_string(count - 1), " more ", what,
+                                  count == 2 ? ")" : "s)"});
+}
+
+std::string passedSentence(const Watch& watch, const PassedContact& passed) {
+  const CycleSetup& setup = watch.setup();
+  const BodyPair& pair = setup.table[passed.distance.pair];
+  const bool is_bound = passed.distance.quality == Quality::lower_bound;
+  return nameOf(setup, pair.a) + " touched " + nameOf(setup, pair.b) +
+         (is_bound ? " (enclosing shapes)" : "") + " between two cycles, " +
+         fixedText(1e3 * passed.time * watch.buffers.sweep.elapsed, 1) +
+         " ms after the poses of the last one";
+}
+
+/// Of a pair that was measured: what it is now, or that it touched on its way.
+std::string pairSentence(const Watch& watch, LinkPairIndex link_pair) {
+  const PassedContact* passed = passedOf(watch, link_pair);
+  return passed != nullptr
+             ? passedSentence(watch, *passed)
+             : distanceSentence(watch.setup(),
+                                watch.buffers.distances
+                                    .measured[speakerOf(watch.setup(), watch.buffers, link_pair)]);
+}
+
+std::string pairsSentence(Verdict verdict, const Watch& watch) {
+  std::size_t count = 0;
+  const LinkPairIndex nearest = nearestWith(verdict, watch, count);
+  return nearest == kNone ? std::to_string(count) + " pairs of links are near each other"
+                          : pairSentence(watch, nearest) + andMore(count, "pair");
+}
+
+std::string unknownLinksSentence(const Watch& watch) {
+  const std::vector<FloatingPart> parts = partsWithPairs(watch);
+  std::vector<LinkId> links;
+  findLoneLinks(watch, links);
+  if (parts.empty() && links.empty()) {
+    return "the pose of a link is not rigid";
+  }
+  std::vector<std::string> texts;
+  if (!parts.empty()) {
+    texts.push_back(floatingSentence(watch, parts.front()) + andMore(parts.size(), "part"));
+  }
+  if (!links.empty()) {
+    texts.push_back(unknownSentence(watch, links.front()) + andMore(links.size(), "link"));
+  }
+  return join(texts);
+}
+
+std::string clearSentence(const Watch& watch) {
+  const std::uint32_t closest = watch.buffers.events.closest_of_all;
+  return closest == kNone ? "clear"
+                          : "clear; " + distanceSentence(watch.setup(),
+                                                         watch.buffers.distances.measured[closest]);
+}
+
+std::string verdictSentence(const Watch& watch, const CycleFacts& facts) {
+  if (facts.now.isZero()) {
+    return clockSentence({ClockFault::not_started, 0.0});
+  }
+  if (watch.clock.fault != ClockFault::none) {
+    return clockSentence(watch.clock);
+  }
+  if (watch.setup().checked.empty()) {
+    return "no pair of links is checked, so nothing can be said";
+  }
+  switch (watch.buffers.events.overall) {
+    case Verdict::contact:
+    case Verdict::warning:
+      return pairsSentence(watch.buffers.events.overall, watch);
+    case Verdict::unknown:
+      return unknownLinksSentence(watch);
+    case Verdict::clear:
+      break;
+  }
+  return clearSentence(watch);
+}
+
+}  // namespace
+
+std::string fixedText(double value, int decimals) {
+  // The largest number has 309 digits before the point.
+  std::array<char, 400> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::fixed, decimals);
+  return {text.data(), end.ptr};
+}
+
+std::string lengthText(double length) {
+  const double size = std::abs(length);
+  if (size < 0.00995) {
+    return fixedText(1000.0 * size, 1) + " mm";
+  }
+  return size < 0.9995 ? fixedText(1000.0 * size, 0) + " mm" : fixedText(size, 2) + " m";
+}
+
+std::string secondsText(double time) { return fixedText(time, 3) + " s"; }
+
+std::string join(const std::vector<std::string>& texts) {
+  std::string joined;
+  for (const std::string& text : texts) {
+    joined += (joined.empty() ? "" : "; ") + text;
+  }
+  return joined;
+}
+
+std::string distanceSentence(const CycleSetup& setup, const PairDistance& distance) {
+  return placeText(setup, distance) + motionText(distance);
+}
+
+std::uint32_t speakerOf(const CycleSetup& setup, const CycleBuffers& buffers,
+                        LinkPairIndex link_pair) {
+  const Limits& limits = setup.limits;
+  const std::uint32_t closest = buffers.events.closest[link_pair];
+  const std::uint32_t soonest = buffers.events.soonest[link_pair];
+  const bool is_near = closest != kNone && buffers.distances.measured[closest].measured.distance <=
+                                               limits.warning_distance + limits.hysteresis;
+  return is_near || soonest == kNone ? closest : soonest;
+}
+
+std::string changeSentence(const Watch& watch, const VerdictChange& change) {
+  const CycleSetup& setup = watch.setup();
+  const CheckedLinkPair& pair = setup.checked[change.link_pair];
+  if (change.after == Verdict::unknown) {
+    const LinkId unknown = MainPart(watch.poses, setup.checked).has(pair.a) ? pair.b : pair.a;
+    const LinkId other = unknown == pair.a ? pair.b : pair.a;
+    return unknownSentence(watch, unknown) + ", near " + setup.model.link(other).name + " before";
+  }
+  const std::uint32_t speaker = speakerOf(setup, watch.buffers, change.link_pair);
+  if (speaker == kNone) {
+    return setup.model.link(pair.a).name + " is clear of " + setup.model.link(pair.b).name +
+           " by more than " + lengthText(reachOf(setup.limits));
+  }
+  const std::string measured = pairSentence(watch, change.link_pair);
+  return change.after == Verdict::clear ? measured + ", clear again" : measured;
+}
+
+std::string stepSentence(const Watch& watch) {
+  const CycleSetup& setup = watch.setup();
+  const StepLimit& step = watch.buffers.sweep.step;
+  const bool is_covered = !step.on_way.is_exceeded;
+  const StepCap& cap = is_covered ? step.at_poses : step.on_way;
+  if (!cap.is_exceeded) {
+    return "";
+  }
+  const CheckedLinkPair& pair = setup.checked[cap.pair];
+  const std::string links = setup.model.link(pair.a).name + " and " + setup.model.link(pair.b).name;
+  const std::string every = "every " + fixedText(1e3 * step.step, 1) + " ms";
+  const std::string needed = "every " + fixedText(1e3 * cap.longest, 1) + " ms";
+  if (is_covered) {
+    return links +
+           " move so fast that they could pass through each other from one pose to the next (" +
+           every + "); the monitor also looks at the way in between, so nothing is missed " +
+           "(without that, poses would be needed " + needed + ")";
+  }
+  const char* const danger =
+      setup.is_continuous ? " speed up or slow down so much that they may pass through each other "
+                            "unseen, though the monitor looks at the way in between"
+                          : " can pass through each other unseen (parameter continuous is off)";
+  return "poses " + every + " are too few: from one to the next, " + links + danger +
+         "; at these speeds poses are needed " + needed;
+}
+
+std::string stateSentence(const Watch& watch, const CycleFacts& facts) {
+  const std::string sentence = verdictSentence(watch, facts);
+  return facts.is_enabled ? sentence
+                          : "switched off for another " + fixedText(facts.enabled_again_in, 0) +
+                                " s; " + sentence;
+}
+
+const char* statusText(LinkStatus status) noexcept {
+  switch (status) {
+    case LinkStatus::known:
+      return "known";
+    case LinkStatus::stale:
+      return "stale";
+    case LinkStatus::missing:
+      return "missing";
+    case LinkStatus::not_finite:
+      return "not finite";
+    case LinkStatus::contradicted:
+      return "contradicted";
+  }
+  return "unknown";
+}
+
+}  // namespace collision_monitor

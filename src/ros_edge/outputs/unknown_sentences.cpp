@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "ros_edge/outputs/sentences.h"
+
+namespace collision_monitor {
+
+std::vector<FloatingPart> partsWithPairs(const Watch& watch) {
+  std::vector<FloatingPart> parts = findFloatingParts(watch.poses, watch.setup().checked);
+  const auto has_none = [](const FloatingPart& part) { return part.own_pairs == 0; };
+  parts.erase(std::remove_if(parts.begin(), parts.end(), has_none), parts.end());
+  return parts;
+}
+
+void findLoneLinks(const Watch& watch, std::vector<LinkId>& links) {
+  findUnknownLinks(watch, links);
+  for (const FloatingPart& part : partsWithPairs(watch)) {
+    const auto is_of_part = [&](LinkId link) {
+      return watch.poses.part[index(link)] == static_cast<PartId>(index(part.top));
+    };
+    links.erase(std::remove_if(links.begin(), links.end(), is_of_part), links.end());
+  }
+}
+
+std::string floatingSentence(const Watch& watch, const FloatingPart& part) {
+  const bool has_one = part.own_pairs == 1;
+  return floatingText(watch.setup().model, part, reasonSentence(watch, part.top)) + "; its " +
+         std::to_string(part.own_pairs) + (has_one ? " own pair is" : " own pairs are") +
+         " checked, " + std::to_string(part.other_pairs) +
+         (part.other_pairs == 1 ? " pair with others is" : " pairs with others are") + " unknown";
+}
+
+std::string reasonSentence(const Watch& watch, LinkId link) {
+  return watch.clock.fault == ClockFault::none ? watch.reader.explain(link)
+                                               : clockSentence(watch.clock);
+}
+
+std::string unknownSentence(const Watch& watch, LinkId link) {
+  return "link " + watch.setup().model.link(link).name +
+         " is unknown: " + reasonSentence(watch, link);
+}
+
+std::string clockSentence(const ClockState& clock) {
+  if (clock.fault == ClockFault::not_started) {
+    return "no time on /clock yet";
+  }
+  const std::string stands =
+      "the clock has stood still for " + fixedText(clock.stood_for, 1) + " s";
+  return clock.fault == ClockFault::silent
+             ? stands + ": nothing comes on /clock (use_sim_time is set), and no pose grows old"
+             : stands + ", but transforms or joint states of later times come";
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/outputs/warning_log.h"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "ros_edge/outputs/sentences.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Wall seconds between two lines of one cause.
+constexpr double kPeriod = 1.0;
+
+bool isTooSoon(const ros::SteadyTime& last, const ros::SteadyTime& now, double period = kPeriod) {
+  return !last.isZero() && (now - last).toSec() < period;
+}
+
+}  // namespace
+
+/// So that those that are kept are as many as changed lately.
+void WarningLog::forgetOld(const ros::SteadyTime& now) {
+  if (last_of_change_.size() < most_kept_) {
+    return;
+  }
+  for (auto it = last_of_change_.begin(); it != last_of_change_.end();) {
+    it = isTooSoon(it->second, now) ? std::next(it) : last_of_change_.erase(it);
+  }
+  most_kept_ = std::max(kFewKept, 2 * last_of_change_.size());
+}
+
+void WarningLog::logChange(const VerdictChange& change, const std::string& sentence) {
+  constexpr std::uint64_t kVerdicts = 4;
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  forgetOld(now);
+  ros::SteadyTime& last = last_of_change_[kVerdicts * std::uint64_t{change.link_pair} +
+                                          static_cast<std::uint64_t>(change.after)];
+  if (isTooSoon(last, now)) {
+    return;
+  }
+  last = now;
+  switch (change.after) {
+    case Verdict::contact:
+      ROS_WARN_STREAM("contact: " << sentence);
+      break;
+    case Verdict::warning:
+      ROS_WARN_STREAM("near: " << sentence);
+      break;
+    case Verdict::unknown:
+      ROS_WARN_STREAM("unknown: " << sentence);
+      break;
+    case Verdict::clear:
+      ROS_INFO_STREAM("clear: " << sentence);
+      break;
+  }
+}
+
+void WarningLog::logUnknownLinks(const Watch& watch) {
+  findUnknownLinks(watch, unknown_);
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if (unknown_ == told_unknown_ || isTooSoon(last_unknown_, now)) {
+    return;
+  }
+  last_unknown_ = now;
+  told_unknown_ = unknown_;
+  if (unknown_.empty()) {
+    ROS_INFO("every checked pair of links is known");
+    return;
+  }
+  for (const FloatingPart& part : partsWithPairs(watch)) {
+    ROS_WARN_STREAM("unknown: " << floatingSentence(watch, part));
+  }
+  // One line for each cause: a joint that is silent hides every link behind it.
+  std::vector<LinkId> lone;
+  findLoneLinks(watch, lone);
+  std::map<std::string, std::string> links_of_cause;
+  for (const LinkId link : lone) {
+    std::string& links = links_of_cause[reasonSentence(watch, link)];
+    links += (links.empty() ? "" : ", ") + watch.setup().model.link(link).name;
+  }
+  for (const auto& [cause, links] : links_of_cause) {
+    ROS_WARN_STREAM("unknown: " << links << ": " << cause);
+  }
+}
+
+void WarningLog::logStep(const Watch& watch) {
+  constexpr double kStepPeriod = 10.0;  // [s]
+  const StepLimit& step = watch.buffers.sweep.step;
+  const ros::SteadyTime now = ros::SteadyTime::now();
+  if (step.on_way.is_exceeded) {
+    if (!isTooSoon(last_step_, now, kStepPeriod)) {
+      last_step_ = now;
+      ROS_WARN_STREAM(stepSentence(watch));
+    }
+  } else if (step.at_poses.is_exceeded && !has_told_cap_) {
+    has_told_cap_ = true;
+    ROS_INFO_STREAM(stepSentence(watch) << " (said once; /diagnostics goes on)");
+  }
+}
+
+void WarningLog::reset() {
+  last_of_change_.clear();
+  told_unknown_.clear();
+  has_told_cap_ = false;
+}
+
+}  // namespace collision_monitor

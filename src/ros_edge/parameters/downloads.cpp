@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/parameters/downloads.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace collision_monitor {
+namespace {
+
+/// "http://server:80" of a URI.
+std::string serverOf(const std::string& uri) {
+  const std::size_t slashes = uri.find("://");
+  const std::size_t start = slashes == std::string::npos ? 0 : slashes + 3;
+  return uri.substr(0, std::min(uri.find('/', start), uri.size()));
+}
+
+/// [bytes] resource_retriever lets a buffer grow by doubling and copies it; a copy is the answer.
+/// The rest is what threads that look for a name take of the address space.
+double memoryFor(std::uintmax_t size) { return 5.0 * static_cast<double>(size) + 3e8; }
+
+}  // namespace
+
+std::string Downloads::load(const std::string& uri) {
+  // What many files wait for, one after the other, could take as long as for ever.
+  const auto known = fault_of_.find(serverOf(uri));
+  if (known != fault_of_.end()) {
+    throw std::runtime_error(uri + ": not asked for after " + known->second);
+  }
+  if (!helper_) {
+    helper_ = std::make_unique<HelperProcess>(findHelper("fetch_resource"));
+  }
+  try {
+    return helper_->ask(uri, std::to_string(rules_.max_size),
+                        {rules_.download_time, memoryFor(rules_.max_size), "files/download_time"});
+  } catch (const HelperTimeout& fault) {
+    fault_of_[serverOf(uri)] = fault.what();
+    throw;
+  }
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "collision_monitor/pipeline/setup.h"
+#include "geometry/interruption.h"
+#include "ros_edge/parameters/parameters.h"
+
+namespace collision_monitor {
+
+/// Warnings of a set-up that are found while it is watched already.
+class LaterWarnings {
+ public:
+  void add(const std::vector<Problem>& warnings) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
+  }
+  std::vector<Problem> all() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return warnings_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<Problem> warnings_;
+};
+
+/// All that a reload replaces at once; shared by the cycle and the services, never changed.
+struct MonitorSetup {
+  Parameters parameters;
+  CycleSetup setup;
+  std::string world_frame;
+  std::vector<RobotDescription> descriptions;  ///< that it was built from
+  std::shared_ptr<LaterWarnings> later_warnings{std::make_shared<LaterWarnings>()};
+};
+
+/// The topic of each robot's joint states, by RobotId; "": none.
+std::vector<std::string> jointTopics(const MonitorSetup& setup);
+
+/// The frames of tf that hold the links, and that of the world.
+std::vector<std::string> frameNames(const MonitorSetup& setup);
+
+/// Reads parameters and descriptions anew and builds the set-up. May wait for descriptions.
+/// @throws SetupError with every problem of parameters, URDFs and SRDFs.
+/// @throws Interrupted where `goes_on` said no
+std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node,
+                                                     GoesOn goes_on);
+
+}  // namespace collision_monitor

@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/parameters/parameters.h"
+
+#include <ros/names.h>
+
+#include <array>
+#include <string>
+
+#include "ros_edge/pace.h"
+#include "ros_edge/parameters/file_parameters.h"
+#include "ros_edge/parameters/parameter_struct.h"
+
+namespace collision_monitor {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+constexpr NumberRange kAnyLength{-1e6, 1e6};
+constexpr NumberRange kLength{0.0, 1e6};
+constexpr NumberRange kTime{0.0, 1e6, true};
+constexpr NumberRange kDuration{0.0, 1e3};
+
+void readLimits(const XmlRpcValue& values, const std::string& where, Limits& limits,
+                SetupReport& report) {
+  ParameterStruct fields(values, where, report);
+  fields.read("contact_distance", kAnyLength, limits.contact_distance);
+  fields.read("warning_distance", kAnyLength, limits.warning_distance);
+  fields.read("hysteresis", kLength, limits.hysteresis);
+  fields.read("report_distance", kAnyLength, limits.report_distance);
+  fields.read("contact_time", kDuration, limits.contact_time);
+  fields.read("warning_time", kDuration, limits.warning_time);
+  fields.read("time_hysteresis", kDuration, limits.time_hysteresis);
+  fields.refuseOthers();
+  checkLimits(limits, "parameter " + where + "/", report);
+}
+
+void readLookAhead(const XmlRpcValue& values, const std::string& where, LookAhead& ahead,
+                   SetupReport& report) {
+  constexpr NumberRange kReaction{1e-3, 1e3};
+  ParameterStruct fields(values, where, report);
+  fields.read("horizon", kDuration, ahead.horizon);
+  fields.read("stop_distance", kAnyLength, ahead.stop.stop_distance);
+  fields.read("stop_time", kReaction, ahead.stop.stop_time);
+  fields.read("release_time", kReaction, ahead.stop.release_time);
+  fields.read("rest_speed", {0.0, 1e3}, ahead.stop.rest_speed);
+  fields.read("creep_scale", {0.0, 1.0}, ahead.stop.creep_scale);
+  fields.refuseOthers();
+}
+
+/// A name that ROS can resolve, or none.
+/// @param accepted "the name of a topic"
+void readName(ParameterStruct& fields, const std::string& field, const char* accepted,
+              std::string& name, SetupReport& report) {
+  fields.read(field, name);
+  std::string fault = "begins with ~";
+  if (name.rfind('~', 0) == 0 || !ros::names::validate(name, fault)) {
+    report.errors.push_back(
+        {"parameter " + fields.pathOf(field), "'" + name + "': " + fault, accepted});
+  }
+}
+
+void readTopic(ParameterStruct& fields, const std::string& field, std::string& topic,
+               SetupReport& report) {
+  readName(fields, field, "the name of a topic", topic, report);
+}
+
+RobotSource readRobot(const XmlRpcValue& values, const std::string& where, SetupReport& report) {
+  RobotSource robot;
+  ParameterStruct fields(values, where, report);
+  fields.read("name", robot.name);
+  readName(fields, "description", "the name of a parameter", robot.description, report);
+  readName(fields, "semantic", "the name of a parameter", robot.semantic, report);
+  fields.read("file", robot.file);
+  fields.read("semantic_file", robot.semantic_file);
+  fields.read("tf_prefix", robot.tf_prefix);
+  readTopic(fields, "joint_states", robot.joint_states, report);
+  fields.refuseOthers();
+  if (values.getType() != XmlRpcValue::TypeStruct) {
+    return robot;  // that was told, and the rest would only follow from it
+  }
+  if (robot.description.empty() == robot.file.empty()) {
+    report.errors.push_back({"parameter " + where, robot.file.empty() ? "no source" : "two sources",
+                             "either 'description' (a parameter's name) or 'file'"});
+  }
+  if (!robot.semantic.empty() && !robot.semantic_file.empty()) {
+    report.errors.push_back({"parameter " + where, "two sources of the SRDF",
+                             "either 'semantic' or 'semantic_file', or neither"});
+  }
+  return robot;
+}
+
+std::vector<RobotSource> readRobotList(const XmlRpcValue& values, const std::string& where,
+                                       SetupReport& report) {
+  std::vector<RobotSource> robots;
+  if (values.getType() != XmlRpcValue::TypeArray) {
+    report.errors.push_back({"parameter " + where, toText(values), "a list of robots"});
+    return robots;
+  }
+  for (int i = 0; i < values.size(); ++i) {
+    const std::string place = where + "[" + std::to_string(i) + "]";
+    robots.push_back(readRobot(values[i], place, report));
+    if (robots.back().name.empty()) {
+      robots.back().name = "robot_" + std::to_string(i);
+    }
+    for (std::size_t other = 0; other + 1 < robots.size(); ++other) {
+      if (robots[other].name == robots.back().name) {
+        report.errors.push_back(
+            {"parameter " + place + "/name", "'" + robots.back().name + "' twice", "unique names"});
+      }
+    }
+  }
+  return robots;
+}
+
+NamedPair readPair(const XmlRpcValue& value, const std::string& where, SetupReport& report) {
+  if (value.getType() != XmlRpcValue::TypeArray || value.size() != 2) {
+    report.errors.push_back(
+        {"parameter " + where, toText(value), "a list of two names of links or patterns"});
+    return {};
+  }
+  std::array<std::string, 2> names;
+  for (int i = 0; i < 2; ++i) {
+    if (value[i].getType() == XmlRpcValue::TypeString) {
+      names.at(static_cast<std::size_t>(i)) = static_cast<std::string>(value[i]);
+    } else {  // YAML reads the name 7 as a number
+      report.errors.push_back({"parameter " + where + "[" + std::to_string(i) + "]",
+                               toText(value[i]), "a name of a link or a pattern, in quotes"});
+    }
+  }
+  return {names[0], names[1]};
+}
+
+std::vector<NamedPair> readPairs(const XmlRpcValue& values, const std::string& where,
+                                 SetupReport& report) {
+  std::vector<NamedPair> pairs;
+  if (values.getType() != XmlRpcValue::TypeArray) {
+    report.errors.push_back({"parameter " + where, toText(values), "a list of pairs of links"});
+    return pairs;
+  }
+  for (int i = 0; i < values.size(); ++i) {
+    pairs.push_back(readPair(values[i], where + "[" + std::to_string(i) + "]", report));
+  }
+  return pairs;
+}
+
+void readTiming(ParameterStruct& fields, Parameters& parameters) {
+  fields.read("rate", {0.0, 10000.0, true}, parameters.rate);
+  std::size_t trigger = 0;
+  fields.read("trigger", {"timer", "pose"}, trigger);
+  parameters.trigger = trigger == 0 ? Trigger::timer : Trigger::pose;
+  std::size_t source = 0;
+  fields.read("pose_source", {"tf", "joint_states"}, source);
+  parameters.pose_source = source == 0 ? PoseSource::tf : PoseSource::joint_states;
+  fields.read("max_age", kTime, parameters.max_age);
+  fields.read("clock_timeout", kTime, parameters.clock_timeout);
+  fields.read("velocity_filter", kDuration, parameters.velocity_filter);
+  fields.read("heartbeat_rate", {1.0, 1000.0}, parameters.heartbeat_rate);
+  fields.read("marker_rate", {0.0, 1000.0, true}, parameters.marker_rate);
+  fields.read("disable_timeout", kTime, parameters.disable_timeout);
+  fields.read("wait_for_description", {0.0, 1e6}, parameters.wait_for_description);
+}
+
+void readBroadPhase(ParameterStruct& fields, Parameters& parameters) {
+  std::size_t choice = 0;
+  fields.read("broad_phase",
+              {"auto", "brute_force", "sweep_and_prune", "hashed_bins", "aabb_tree",
+               "neighbour_list", "combination"},
+              choice);
+  parameters.broad_phase = static_cast<BroadPhaseKind>(choice);
+}
+
+void readMemoryLimit(ParameterStruct& fields, SetupOptions& options) {
+  constexpr double kMegabyte = 1e6;
+  double megabytes = 0.0;
+  fields.readWhole("memory_limit", {0.0, 1e9}, megabytes);
+  options.memory_limit = static_cast<std::uint64_t>(megabytes * kMegabyte);
+}
+
+/// How links get their shapes.
+void readFitting(ParameterStruct& fields, Parameters& parameters) {
+  fields.read("shape_rules", parameters.shape_rules);
+  double max_shapes = parameters.setup.default_limits.max_shapes;
+  fields.readWhole("max_shapes_per_link", {1.0, 1000.0}, max_shapes);
+  parameters.setup.default_limits.max_shapes = static_cast<std::uint32_t>(max_shapes);
+  fields.read("target_overshoot", kLength, parameters.setup.default_limits.target_overshoot);
+  fields.read("fit_cache", parameters.fit_cache);
+  fields.read("padding", {0.0, 1e3}, parameters.setup.padding);
+}
+
+/// What is measured where enclosing shapes come near, and how much of it in one cycle.
+/// @param most  [m] a larger tolerance could hide all that warnings tell
+void readRefining(ParameterStruct& fields, double most, RefineOptions& refine) {
+  std::size_t geometry = 0;
+  fields.read("refine_geometry", {"mesh", "hull", "none"}, geometry);
+  constexpr RefineGeometry kGeometries[] = {RefineGeometry::mesh, RefineGeometry::hull,
+                                            RefineGeometry::none};
+  refine.geometry = kGeometries[geometry];
+  fields.read("refine_distance", kLength, refine.limits.distance);
+  double budget = refine.limits.budget;
+  fields.readWhole("refine_budget", {0.0, 4e9}, budget);
+  refine.limits.budget = static_cast<std::uint32_t>(budget);
+  constexpr double kTolerance = 1e-4;
+  refine.limits.tolerance = std::min(kTolerance, most);
+  fields.read("distance_tolerance", {0.0, most}, refine.limits.tolerance);
+}
+
+/// Names that other software keeps in a node's private namespace.
+void tolerateForeign(ParameterStruct& fields) {
+  for (const char* name :
+       {"diagnostic_period", "robot_description", "robot_description_semantic",
+        "robot_description_planning", "robot_description_kinematics", "num_worker_threads"}) {
+    fields.tolerate(name);
+  }
+}
+
+}  // namespace
+
+Parameters readParameters(const XmlRpcValue& values, const std::string& where,
+                          SetupReport& report) {
+  Parameters parameters;
+  parameters.setup.where = "parameter " + where + "/";
+  ParameterStruct fields(values, where, report);
+  if (const XmlRpcValue* robots = fields.find("robots")) {
+    parameters.robots = readRobotList(*robots, fields.pathOf("robots"), report);
+  }
+  if (const XmlRpcValue* limits = fields.find("limits")) {
+    readLimits(*limits, fields.pathOf("limits"), parameters.setup.limits, report);
+  }
+  if (const XmlRpcValue* ahead = fields.find("look_ahead")) {
+    readLookAhead(*ahead, fields.pathOf("look_ahead"), parameters.setup.ahead, report);
+  }
+  if (const XmlRpcValue* pairs = fields.find("ignore_pairs")) {
+    parameters.setup.ignored_pairs = readPairs(*pairs, fields.pathOf("ignore_pairs"), report);
+  }
+  if (const XmlRpcValue* files = fields.find("files")) {
+    readFileParameters(*files, fields.pathOf("files"), parameters.loading, parameters.setup.meshes,
+                       report);
+  }
+  fields.read("mesh_directory", parameters.mesh_directory);
+  fields.read("obey_up_axis", parameters.obey_up_axis);
+  fields.read("strict", parameters.is_strict);
+  fields.read("world_frame", parameters.world_frame);
+  readTiming(fields, parameters);
+  readTopic(fields, "joint_states", parameters.joint_states, report);
+  readFitting(fields, parameters);
+  readRefining(fields, std::max(0.0, parameters.setup.limits.warning_distance),
+               parameters.setup.refine);
+  if (parameters.trigger == Trigger::timer) {
+    parameters.setup.refine.limits.period = periodOf(parameters);
+  }
+  fields.read("continuous", parameters.setup.is_continuous);
+  fields.read("ignore_default_overlap", parameters.setup.ignore_default_overlap);
+  readBroadPhase(fields, parameters);
+  readMemoryLimit(fields, parameters.setup);
+  tolerateForeign(fields);
+  fields.refuseOthers();
+  return parameters;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <string>
+#include <vector>
+
+#include "collision_monitor/model/problems.h"
+#include "pipeline/cycle/run_cycle.h"
+#include "ros_edge/parameters/resource_loader.h"
+
+namespace collision_monitor {
+
+/// Where one robot's description comes from: a parameter or a file.
+struct RobotSource {
+  std::string name;           ///< what errors call it
+  std::string description;    ///< parameter that holds the URDF
+  std::string semantic;       ///< parameter that holds the SRDF, "" for none
+  std::string file;           ///< URDF file or package:// URI, instead of `description`
+  std::string semantic_file;  ///< SRDF file or package:// URI, instead of `semantic`
+  std::string tf_prefix;      ///< as in RobotDescription
+  std::string joint_states;   ///< topic of its joint states; "": that of all robots
+};
+
+enum class Trigger : unsigned char {
+  timer,  ///< `rate` times a second
+  pose,   ///< as soon as a robot has a new complete stamp, at most 1.01 `rate` times a second
+};
+
+enum class PoseSource : unsigned char {
+  tf,            ///< all links
+  joint_states,  ///< links behind fixed joints and joints with one variable; tf places the others
+};
+
+/// The private parameters of the node; config/monitor.yaml explains each.
+struct Parameters {
+  std::vector<RobotSource> robots;  ///< empty: robot_description
+  std::string mesh_directory;       ///< for relative mesh names of URDFs that are not files
+  LoadRules loading;                ///< of robots, meshes and rules; that of meshes is in `setup`
+  bool obey_up_axis{false};         ///< as RobotDescription::obeys_up_axis
+  bool is_strict{false};            ///< as in RobotDescription
+  std::string world_frame;          ///< empty: the root link of the first robot
+  double rate{100.0};               ///< [Hz]
+  Trigger trigger{Trigger::timer};
+  PoseSource pose_source{PoseSource::tf};
+  double max_age{0.5};                       ///< [s]
+  double clock_timeout{1.0};                 ///< [s] of wall time
+  std::string joint_states{"joint_states"};  ///< topic; "": none
+  double velocity_filter{0.02};              ///< [s] as VelocityOptions::time_constant
+  double heartbeat_rate{2.0};                ///< [Hz]
+  double marker_rate{30.0};                  ///< [Hz]
+  SetupOptions setup;       ///< its texts and folders are filled in when it is built
+  std::string shape_rules;  ///< file or package:// URI, "" for none
+  std::string fit_cache;    ///< folder; "": the usual one; "none": none
+  BroadPhaseKind broad_phase{BroadPhaseKind::automatic};
+  double disable_timeout{60.0};      ///< [s]
+  double wait_for_description{5.0};  ///< [s]
+};
+
+/// Reads the parameters from the struct that the parameter server holds for a namespace.
+/// Names that are unknown, values of a wrong type or out of range are added to
+/// `report`, all of them; each keeps its default then.
+/// `where` is the namespace, for messages.
+Parameters readParameters(const XmlRpc::XmlRpcValue& values, const std::string& where,
+                          SetupReport& report);
+
+}  // namespace collision_monitor

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/parameters/robot_descriptions.h"
+
+#include <ros/names.h>
+
+#include <string>
+
+#include "geometry/interruption.h"
+#include "ros_edge/name_beside.h"
+
+namespace collision_monitor {
+namespace {
+
+/// A search takes names as they were remapped for the process. What was remapped for a nodelet is
+/// resolved, and the search would not know it.
+std::string nameForSearch(const ros::NodeHandle& node, const std::string& name) {
+  if (ros::names::getUnresolvedRemappings().count(name) > 0) {
+    return name;
+  }
+  const std::string plain = nameBeside(node, name);
+  const std::string remapped = node.resolveName(plain, true);
+  return remapped == node.resolveName(plain, false) ? name : remapped;
+}
+
+/// The parameter that a search for `name` starts from. A search takes names as they were remapped,
+/// not as the node's namespace resolves them.
+std::string startOfSearch(const ros::NodeHandle& node, const std::string& name) {
+  const ros::M_string& remapped = ros::names::getUnresolvedRemappings();
+  const auto found = remapped.find(name);
+  return node.resolveName(found == remapped.end() ? name : found->second, false);
+}
+
+/// Wall time: a simulated clock may not have started.
+bool waitForParameter(const ros::NodeHandle& node, const std::string& name,
+                      const ros::WallTime& deadline, std::string& text) {
+  constexpr double kPollPeriod = 0.1;
+  for (;;) {
+    std::string resolved;
+    if (node.searchParam(name, resolved) && node.getParam(resolved, text) && !text.empty()) {
+      return true;
+    }
+    throwIfInterrupted();
+    if (ros::WallTime::now() >= deadline) {
+      return false;
+    }
+    ros::WallDuration(kPollPeriod).sleep();
+  }
+}
+
+std::string readFile(const std::string& uri, const std::string& what, const std::string& robot,
+                     const ResourceLoader& load_resource, SetupReport& report) {
+  try {
+    return load_resource(uri);
+  } catch (const std::exception& fault) {
+    report.errors.push_back({"robot '" + robot + "', " + what + " '" + uri + "'", fault.what(),
+                             "a readable file or package:// URI"});
+    return "";
+  }
+}
+
+RobotDescription fromParameter(const ros::NodeHandle& node, const RobotSource& robot,
+                               const ros::WallTime& deadline, SetupReport& report) {
+  RobotDescription description;
+  const std::string name = nameForSearch(node, robot.description);
+  description.source = "parameter " + startOfSearch(node, name);
+  if (waitForParameter(node, name, deadline, description.urdf_xml)) {
+    std::string resolved;
+    node.searchParam(name, resolved);
+    description.source = "parameter " + resolved;
+  } else {
+    report.errors.push_back(
+        {"robot '" + robot.name + "'",
+         "no URDF in " + description.source + " nor under the same name in a namespace above",
+         "a parameter that holds the text of a URDF"});
+  }
+  return description;
+}
+
+RobotDescription fromFile(const RobotSource& robot, const ResourceLoader& load_resource,
+                          SetupReport& report) {
+  RobotDescription description;
+  description.source = robot.file;
+  description.urdf_xml = readFile(robot.file, "file", robot.name, load_resource, report);
+  const std::size_t slash = robot.file.rfind('/');
+  description.directory = slash == std::string::npos ? "" : robot.file.substr(0, slash);
+  return description;
+}
+
+/// An SRDF that was named must be there; the one that goes with robot_description by custom may.
+void addSemantic(const ros::NodeHandle& node, const RobotSource& robot, bool is_required,
+                 RobotDescription& description, SetupReport& report) {
+  if (robot.semantic.empty()) {
+    return;
+  }
+  const std::string name = nameForSearch(node, robot.semantic);
+  const std::string accepted = "a parameter that holds the text of an SRDF";
+  std::string resolved;
+  if (node.searchParam(name, resolved)) {
+    description.srdf_source = "parameter " + resolved;
+    if (!node.getParam(resolved, description.srdf_xml)) {
+      report.errors.push_back(
+          {"robot '" + robot.name + "'", "no text in parameter " + resolved, accepted});
+    }
+  } else if (is_required) {
+    report.errors.push_back({"robot '" + robot.name + "'",
+                             "no SRDF in parameter " + startOfSearch(node, name) +
+                                 " nor under the same name in a namespace above",
+                             accepted});
+  }
+}
+
+}  // namespace
+
+std::vector<RobotDescription> loadDescriptions(const ros::NodeHandle& private_node,
+                                               const Parameters& parameters,
+                                               const ResourceLoader& load_resource,
+                                               SetupReport& report) {
+  std::vector<RobotSource> sources = parameters.robots;
+  const bool is_default = sources.empty();
+  if (is_default) {
+    RobotSource robot;
+    robot.name = "robot_description";
+    robot.description = "robot_description";
+    robot.semantic = "robot_description_semantic";
+    sources.push_back(robot);
+  }
+  const ros::WallTime deadline =
+      ros::WallTime::now() + ros::WallDuration(parameters.wait_for_description);
+  std::vector<RobotDescription> descriptions;
+  for (const RobotSource& robot : sources) {
+    RobotDescription description = robot.file.empty()
+                                       ? fromParameter(private_node, robot, deadline, report)
+                                       : fromFile(robot, load_resource, report);
+    addSemantic(private_node, robot, !is_default, description, report);
+    if (!robot.semantic_file.empty()) {
+      description.srdf_source = robot.semantic_file;
+      description.srdf_xml =
+          readFile(robot.semantic_file, "semantic_file", robot.name, load_resource, report);
+    }
+    description.tf_prefix = robot.tf_prefix;
+    description.obeys_up_axis = parameters.obey_up_axis;
+    description.is_strict = parameters.is_strict;
+    if (robot.file.empty()) {
+      description.directory = parameters.mesh_directory;
+    }
+    descriptions.push_back(std::move(description));
+  }
+  return descriptions;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/parameters/startup_report.h"
+
+#include <ros/console.h>
+
+#include <sstream>
+
+#include "ros_edge/outputs/pair_counts.h"
+#include "ros_edge/pace.h"
+
+namespace collision_monitor {
+
+std::string summaryOf(const MonitorSetup& setup) {
+  const std::size_t warnings = setup.setup.report.warnings.size();
+  const std::size_t pairs = setup.setup.checked.size();
+  std::ostringstream text;
+  text << "watching " << setup.setup.model.robots.size() << " robot"
+       << (setup.setup.model.robots.size() == 1 ? "" : "s") << " in frame '" << setup.world_frame
+       << "': " << setup.setup.bodies.size() << " shapes, " << pairs
+       << (pairs == 1 ? " pair of links, " : " pairs of links, ")
+       << (setup.parameters.trigger == Trigger::pose ? "at most " : "at ")
+       << 1.0 / periodOf(setup.parameters) << " Hz"
+       << notCheckedText(countPairs(setup.setup.link_pairs)) << "; " << warnings
+       << (warnings == 1 ? " warning" : " warnings");
+  return text.str();
+}
+
+void logSetup(const MonitorSetup& setup) {
+  for (const Problem& warning : setup.setup.report.warnings) {
+    ROS_WARN_STREAM(toString(warning));
+  }
+  ROS_INFO_STREAM(summaryOf(setup));
+}
+
+void logFailure(const std::exception& error) {
+  std::istringstream lines(failureText(error));
+  for (std::string line; std::getline(lines, line);) {
+    ROS_FATAL_STREAM(line);
+  }
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/poses/apply_joints.h"
+
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "collision_monitor/model/kinematics.h"
+#include "model/number_text.h"
+#include "model/place.h"
+#include "ros_edge/few_texts.h"
+#include "ros_edge/nearest_name.h"
+
+namespace collision_monitor {
+namespace {
+
+struct NamedPositions {
+  JointPositions positions;
+  std::vector<unsigned char> is_named;  ///< by variable
+};
+
+bool hasOneVariable(const Joint& joint) {
+  return joint.type == JointType::revolute || joint.type == JointType::continuous ||
+         joint.type == JointType::prismatic;
+}
+
+std::string unknownJoint(const RobotModel& model, const std::string& name) {
+  std::vector<std::string> known;
+  for (const Joint& joint : model.joints) {
+    known.push_back(joint.name);
+  }
+  return "there is no joint " + quoted(name) + suggestion(name, known);
+}
+
+/// How often each name stands in a request.
+using NameCounts = std::unordered_map<std::string_view, std::size_t>;
+
+NameCounts countNames(const std::vector<std::string>& names) {
+  NameCounts counts;
+  for (const std::string& name : names) {
+    ++counts[name];
+  }
+  return counts;
+}
+
+/// What is wrong with one entry; empty if nothing is.
+/// @pre the model has the joint
+std::string fault(const RobotModel& model, const Joint& joint, double position,
+                  const NameCounts& counts) {
+  const std::string named = "joint '" + joint.name + "'";
+  if (!hasOneVariable(joint)) {
+    return named + " is fixed, planar or floating, and a JointState cannot place it; leave it out";
+  }
+  if (joint.mimic && counts.count(model.joint(joint.mimic->source).name) == 0) {
+    return named + " follows '" + model.joint(joint.mimic->source).name + "'; name that one";
+  }
+  const std::string of_number = numberFault(position);
+  if (!of_number.empty()) {
+    return "the position of " + named + " " + of_number;
+  }
+  return counts.at(joint.name) > 1 ? named + " stands twice" : "";
+}
+
+NamedPositions readPositions(const RobotModel& model, const sensor_msgs::JointState& joints) {
+  NamedPositions named{JointPositions(model.variable_count, 0.0),
+                       std::vector<unsigned char>(model.variable_count, 0)};
+  for (std::size_t i = 0; i < joints.name.size(); ++i) {
+    const Joint& joint = model.joint(*model.findJoint(joints.name[i]));
+    // The value of a mimic joint follows from that of its source.
+    if (!joint.mimic) {
+      named.positions[joint.first_variable] = joints.position[i];
+      named.is_named[joint.first_variable] = 1;
+    }
+  }
+  return named;
+}
+
+/// parent_from_child where it is given, or known before.
+std::optional<Pose> jointPose(const Joint& joint, const NamedPositions& named,
+                              const LinkPoses& before) {
+  const bool is_named = hasOneVariable(joint) && named.is_named[joint.first_variable] != 0;
+  const bool is_known = isJoined(before, joint.parent, joint.child);
+  if (is_named || (joint.type == JointType::fixed && !is_known)) {
+    return parentFromChild(joint, named.positions);
+  }
+  return is_known ? std::optional(inverse(before.world_from_link[index(joint.parent)]) *
+                                  before.world_from_link[index(joint.child)])
+                  : std::nullopt;
+}
+
+/// In the world, if it is known there.
+std::optional<Pose> rootPose(std::size_t root, const LinkPoses& before) {
+  return statusInWorld(before, idAt<LinkId>(root)) == LinkStatus::known
+             ? std::optional(before.world_from_link[root])
+             : std::nullopt;
+}
+
+/// Beside its parent link; a root in the world.
+void placeLink(const RobotModel& model, std::size_t link, const Pose& pose, LinkPoses& poses) {
+  poses.status[link] = LinkStatus::known;
+  poses.world_from_link[link] = pose;
+  if (const auto& joint = model.links[link].parent_joint) {
+    const std::size_t parent = index(model.joint(*joint).parent);
+    poses.world_from_link[link] = poses.world_from_link[parent] * pose;
+    poses.part[link] = poses.part[parent];
+    poses.part_status[link] = poses.part_status[parent];
+  }
+}
+
+}  // namespace
+
+std::string numberFault(double number) {
+  if (!std::isfinite(number)) {
+    return "is not finite";
+  }
+  return std::abs(number) <= kFarthest ? "" : "is " + shortText(number) + "; accepted: -1e9 to 1e9";
+}
+
+std::vector<std::string> jointFaults(const RobotModel& model,
+                                     const sensor_msgs::JointState& joints) {
+  if (joints.name.size() != joints.position.size()) {
+    return {"joints has " + std::to_string(joints.name.size()) + " names and " +
+            std::to_string(joints.position.size()) + " positions; give one position for each name"};
+  }
+  const NameCounts counts = countNames(joints.name);
+  std::unordered_set<std::string_view> unknown;
+  FewTexts faults;
+  for (std::size_t i = 0; i < joints.name.size(); ++i) {
+    const auto id = model.findJoint(joints.name[i]);
+    if (!id) {
+      if (unknown.insert(joints.name[i]).second) {
+        faults.add([&] { return unknownJoint(model, joints.name[i]); });
+      }
+      continue;
+    }
+    std::string text = fault(model, model.joint(*id), joints.position[i], counts);
+    if (!text.empty()) {
+      faults.add([&] { return text; });
+    }
+  }
+  return faults.all();
+}
+
+std::vector<std::string> applyJoints(const RobotModel& model, const sensor_msgs::JointState& joints,
+                                     LinkPoses& poses) {
+  std::vector<std::string> faults = jointFaults(model, joints);
+  if (!faults.empty()) {
+    return faults;
+  }
+  const NamedPositions named = readPositions(model, joints);
+  const LinkPoses before = poses;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const auto& parent_joint = model.links[i].parent_joint;
+    const auto pose =
+        parent_joint ? jointPose(model.joint(*parent_joint), named, before) : rootPose(i, before);
+    if (pose) {
+      placeLink(model, i, *pose, poses);
+    } else {
+      const LinkStatus reason = statusInWorld(before, idAt<LinkId>(i));
+      floatFrom(i, reason == LinkStatus::known ? LinkStatus::missing : reason, poses);
+    }
+  }
+  return {};
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <tf2/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/constants.h"
+#include "ros_edge/poses/pose_reader.h"
+
+/// What places each link: finding it in tf or among the joints, judging it,
+/// looking it up.
+namespace collision_monitor {
+
+void PoseReader::makeEdges() {
+  edges_.resize(model_.links.size());
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Link& link = model_.links[i];
+    edges_[i].child_frame = stripLeadingSlash(link.frame);
+    edges_[i].parent_frame = world_frame_;
+    if (link.parent_joint) {
+      const Joint& joint = model_.joint(*link.parent_joint);
+      edges_[i].parent_frame = stripLeadingSlash(model_.link(joint.parent).frame);
+      edges_[i].joint = joints_ != nullptr && freedomOf(joint) <= 1 ? &joint : nullptr;
+    }
+  }
+  // Children stand behind their parents.
+  for (std::size_t i = edges_.size(); i-- > 0;) {
+    const Link& link = model_.links[i];
+    edges_[i].is_needed = edges_[i].is_needed || hasShapes(link);
+    if (edges_[i].is_needed && link.parent_joint) {
+      edges_[index(model_.joint(*link.parent_joint).parent)].is_needed = true;
+    }
+  }
+}
+
+void PoseReader::refresh() {
+  const TransformStore::Version version = store_.version();
+  if (!has_records_ || version.topology != seen_.topology || version.jumps != seen_.jumps) {
+    store_.copyRecords(records_);
+    places_.clear();
+    for (std::size_t i = 0; i < records_.size(); ++i) {
+      places_.emplace(records_[i].name, i);
+    }
+    for (Edge& edge : edges_) {
+      connect(edge);
+    }
+    has_records_ = true;
+  } else if (version.data != seen_.data) {
+    store_.refreshRecords(records_);
+  }
+  seen_ = version;
+  if (joints_ != nullptr) {
+    joints_->refresh();
+  }
+}
+
+/// "" for a frame without parent.
+std::string PoseReader::parentOf(const std::string& frame) const {
+  const auto place = places_.find(frame);
+  return place == places_.end() ? "" : records_[place->second].parent;
+}
+
+/// The frame and what is above it, up to a frame without parent; empty if that leads in a loop.
+std::vector<std::string> PoseReader::chainAbove(const std::string& frame) const {
+  std::vector<std::string> chain;
+  for (std::string next = frame; !next.empty(); next = parentOf(next)) {
+    // Of the frames of a chain only the last has no record: one more, and a frame stands twice.
+    if (chain.size() > records_.size()) {
+      return {};
+    }
+    chain.push_back(next);
+  }
+  return chain;
+}
+
+/// Each frame of it once, the first by name first. @pre chainAbove(frame) is empty.
+std::vector<std::string> PoseReader::loopAbove(const std::string& frame) const {
+  std::string next = frame;
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    next = parentOf(next);  // after as many steps as there are frames, it is in the loop
+  }
+  std::vector<std::string> loop;
+  for (; loop.empty() || next != loop.front(); next = parentOf(next)) {
+    loop.push_back(next);
+  }
+  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+  return loop;
+}
+
+void PoseReader::connect(Edge& edge) const {
+  edge.read_ns = -1;
+  edge.path.clear();
+  edge.moving_path.clear();
+  edge.up_count = 0;
+  if (edge.joint != nullptr) {
+    edge.is_connected = true;
+    return;
+  }
+  std::vector<std::string> up = chainAbove(edge.child_frame);
+  std::vector<std::string> down = chainAbove(edge.parent_frame);
+  // Around a loop, several ways join two frames, and none is the right one.
+  edge.is_connected = edge.child_frame == edge.parent_frame ||
+                      (!up.empty() && !down.empty() && up.back() == down.back());
+  if (!edge.is_connected) {
+    return;
+  }
+  while (!up.empty() && !down.empty() && up.back() == down.back()) {
+    up.pop_back();
+    down.pop_back();
+  }
+  edge.up_count = up.size();
+  up.insert(up.end(), down.begin(), down.end());
+  for (const std::string& frame : up) {
+    const std::size_t place = places_.at(frame);
+    edge.path.push_back(place);
+    if (!records_[place].is_static) {
+      edge.moving_path.push_back(place);
+    }
+  }
+}
+
+bool PoseReader::isMoving(const Edge& edge) {
+  return edge.joint != nullptr ? edge.joint->type != JointType::fixed : !edge.moving_path.empty();
+}
+
+/// The largest number for what does not move, 0 if nothing came yet.
+std::int64_t PoseReader::newestOf(const Edge& edge) const {
+  std::int64_t newest_ns = std::numeric_limits<std::int64_t>::max();
+  if (edge.joint != nullptr) {
+    return isMoving(edge) ? joints_->newest(edge.joint->first_variable).stamp_ns : newest_ns;
+  }
+  for (const std::size_t frame : edge.moving_path) {
+    newest_ns = std::min(newest_ns, records_[frame].newest_ns);
+  }
+  return newest_ns;
+}
+
+bool PoseReader::isBad(const Edge& edge) const {
+  if (edge.joint != nullptr) {
+    return isMoving(edge) && !std::isfinite(joints_->newest(edge.joint->first_variable).position);
+  }
+  return std::any_of(edge.path.begin(), edge.path.end(),
+                     [&](std::size_t frame) { return records_[frame].is_bad; });
+}
+
+/// As long as a pose is believed: of two publishers that contradict each other at every stamp, one
+/// always comes first.
+bool PoseReader::isContradicted(const Edge& edge) const {
+  if (edge.joint != nullptr) {
+    const NewestSample& newest = joints_->newest(edge.joint->first_variable);
+    return isMoving(edge) && isRecent(newest.contradiction, newest.stamp_ns, max_age_);
+  }
+  return std::any_of(edge.moving_path.begin(), edge.moving_path.end(), [&](std::size_t frame) {
+    return isRecent(records_[frame].contradiction, records_[frame].newest_ns, max_age_);
+  });
+}
+
+void PoseReader::judge(std::int64_t now_ns, Edge& edge) const {
+  edge.status = LinkStatus::missing;
+  edge.age = kInfinity;
+  if (!edge.is_needed || !edge.is_connected) {
+    return;
+  }
+  edge.newest_ns = newestOf(edge);
+  if (edge.newest_ns == 0) {
+    return;
+  }
+  edge.age = isMoving(edge) ? 1e-9 * static_cast<double>(now_ns - edge.newest_ns) : 0.0;
+  if (isBad(edge)) {
+    edge.status = LinkStatus::not_finite;
+  } else if (isContradicted(edge)) {
+    edge.status = LinkStatus::contradicted;
+  } else {
+    edge.status = std::abs(edge.age) <= max_age_ ? LinkStatus::known : LinkStatus::stale;
+  }
+}
+
+void PoseReader::look(std::int64_t stamp_ns, Edge& edge) const {
+  if (edge.joint == nullptr) {
+    lookUpTransform(stamp_ns, edge);
+    return;
+  }
+  const bool is_known = !isMoving(edge) || std::isfinite(positions_[edge.joint->first_variable]);
+  edge.read_ns = is_known ? stamp_ns : -1;
+  edge.status = is_known ? LinkStatus::known : LinkStatus::stale;
+  if (is_known) {
+    edge.parent_from_child = parentFromChild(*edge.joint, positions_);
+  }
+}
+
+void PoseReader::lookUpTransform(std::int64_t stamp_ns, Edge& edge) const {
+  const bool is_newest = stamp_ns == 0 || stamp_ns == edge.newest_ns;
+  edge.read_ns = -1;
+  edge.status = LinkStatus::missing;
+  if (!is_newest && hasGapAt(edge, stamp_ns)) {
+    edge.status = LinkStatus::stale;
+  } else if (compose(stamp_ns, edge) || askBuffer(stamp_ns, is_newest, edge)) {
+    edge.read_ns = stamp_ns;
+    edge.status = LinkStatus::known;
+  }
+}
+
+/// From the records, which is many times faster than by name.
+/// @return false when one of them has no pose at the stamp.
+bool PoseReader::compose(std::int64_t stamp_ns, Edge& edge) const {
+  const bool has_poses = std::all_of(edge.path.begin(), edge.path.end(), [&](std::size_t frame) {
+    const FrameRecord& record = records_[frame];
+    return record.is_static ? record.pose_ns >= 0 : record.pose_ns == stamp_ns;
+  });
+  if (!has_poses) {
+    return false;
+  }
+  const auto climb = [&](std::size_t first, std::size_t last) {
+    Pose top_from_bottom;
+    for (std::size_t i = first; i < last; ++i) {
+      top_from_bottom = records_[edge.path[i]].parent_from_frame * top_from_bottom;
+    }
+    return top_from_bottom;
+  };
+  edge.parent_from_child = climb(0, edge.up_count);
+  if (edge.up_count < edge.path.size()) {
+    edge.parent_from_child =
+        inverse(climb(edge.up_count, edge.path.size())) * edge.parent_from_child;
+  }
+  return true;
+}
+
+/// At a stamp that is not the newest, the data may begin later or have a gap
+/// there; tf2 throws in the first case, which is slow, and bridges the second
+/// with invented poses.
+bool PoseReader::askBuffer(std::int64_t stamp_ns, bool is_newest, Edge& edge) const {
+  ros::Time stamp;
+  stamp.fromNSec(static_cast<std::uint64_t>(stamp_ns));
+  const tf2::BufferCore& buffer = store_.bufferOf(edge.moving_path);
+  try {
+    if (!is_newest && !buffer.canTransform(edge.parent_frame, edge.child_frame, stamp)) {
+      return false;
+    }
+    edge.parent_from_child =
+        toPose(buffer.lookupTransform(edge.parent_frame, edge.child_frame, stamp).transform);
+  } catch (const tf2::TransformException&) {
+    return false;  // the data went away in between, as when time jumps
+  }
+  return true;
+}
+
+bool PoseReader::hasGapAt(const Edge& edge, std::int64_t stamp_ns) const {
+  return std::any_of(edge.moving_path.begin(), edge.moving_path.end(),
+                     [&](std::size_t frame) { return store_.gapAt(frame, stamp_ns) > max_age_; });
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/time.h>
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "pipeline/data/cycle_data.h"
+#include "ros_edge/poses/joint_reader.h"
+#include "ros_edge/poses/transform_store.h"
+
+namespace collision_monitor {
+
+struct PoseReaderOptions {
+  std::string world_frame;  ///< frame of all poses; empty: the root of the first robot
+  double max_age{0.5};      ///< [s] data older, or as far in the future, are stale
+};
+
+/// Reads the poses of all links from a transform store or, where joints place
+/// them, from joint states.
+///
+/// Each link is looked up from its parent link, once, and the chain is composed
+/// here; what stands between the two in tf does not matter. All moving links of
+/// a robot are read at one stamp: the newest that all of them have whose data
+/// are not older than `max_age`. At a link's newest stamp its pose stands in the
+/// store's records. Between two samples tf2 interpolates, unless they are more
+/// than `max_age` apart: the link is stale then. Links below a loop of frames are
+/// `missing`. With joint
+/// states, links behind fixed joints and joints with one variable are placed by
+/// the model's kinematics, at the same stamp and by the same rules; tf places
+/// roots and links behind planar and floating joints. Links that only static
+/// transforms place have age 0. Links that neither have geometry nor lead to a
+/// link that has stay `missing` and hold nobody back.
+///
+/// Where a link cannot be placed beside its parent link, or a root in the world, a part begins that
+/// floats (LinkPoses); the links below are placed in it as they would be in the world.
+///
+/// Robots keep their own stamps; LinkPoses::stamp_ns is the oldest of them, the
+/// time of the call when nothing moves, and left alone when nothing that moves
+/// is known. So it stands for robots of which nothing moves. Ages of `missing`
+/// links are infinite.
+class PoseReader {
+ public:
+  /// @param joints nullptr: all from tf
+  /// @pre `model`, `store` and `joints` outlive the reader.
+  PoseReader(const RobotModel& model, const TransformStore& store, const PoseReaderOptions& options,
+             JointReader* joints = nullptr);
+
+  /// Brings `poses` (sized for the model) up to date; looks nothing up when no
+  /// message came since the last call. Does not throw: what cannot be looked up
+  /// is unknown.
+  /// @return true when a stamp, or the status or part of a link changed.
+  bool read(const ros::Time& now, LinkPoses& poses);
+
+  /// Why it is not known where the link's part is, as of the last read: "no transform for 0.52 s".
+  std::string explain(LinkId link) const;
+
+ private:
+  /// What places one link: the transform from its parent link, or from the
+  /// world for a root.
+  struct Edge {
+    const Joint* joint{nullptr};  ///< that places the link; nullptr: tf does
+    std::string parent_frame;
+    std::string child_frame;
+    bool is_needed{false};     ///< the link or one below it has geometry
+    bool is_connected{false};  ///< the joint, or tf, joins the two frames
+    /// Frames between them, as indices of records: from the child up, then from the parent up.
+    std::vector<std::size_t> path;
+    std::size_t up_count{0};               ///< of these, above the child
+    std::vector<std::size_t> moving_path;  ///< of these, not static
+    std::int64_t newest_ns{0};             ///< newest stamp that the whole path has
+    std::int64_t read_ns{-1};              ///< stamp of parent_from_child; -1: not read
+    Pose parent_from_child;
+    LinkStatus status{LinkStatus::missing};
+    double age{0.0};
+  };
+
+  static bool isMoving(const Edge& edge);
+  std::int64_t newestOf(const Edge& edge) const;
+  bool isBad(const Edge& edge) const;
+  bool isContradicted(const Edge& edge) const;
+  void makeEdges();
+  void refresh();
+  void connect(Edge& edge) const;
+  std::string parentOf(const std::string& frame) const;
+  std::vector<std::string> chainAbove(const std::string& frame) const;
+  std::vector<std::string> loopAbove(const std::string& frame) const;
+  void judge(std::int64_t now_ns, Edge& edge) const;
+  std::int64_t commonStamp(const Robot& robot) const;
+  bool isAllKnown() const;
+  bool readRobot(const Robot& robot, std::int64_t stamp_ns);
+  void look(std::int64_t stamp_ns, Edge& edge) const;
+  void lookUpTransform(std::int64_t stamp_ns, Edge& edge) const;
+  bool compose(std::int64_t stamp_ns, Edge& edge) const;
+  bool askBuffer(std::int64_t stamp_ns, bool is_newest, Edge& edge) const;
+  bool hasGapAt(const Edge& edge, std::int64_t stamp_ns) const;
+  bool placeLinks(LinkPoses& poses) const;
+  void placeLink(std::size_t link, LinkPoses& poses) const;
+  std::string explainJoint(const Edge& edge) const;
+  std::string explainMissing(const Edge& edge) const;
+  std::string explainContradiction(const Edge& edge) const;
+  Refusal refusedAhead(const Edge& edge) const;
+  double since(std::int64_t then_ns) const;
+  bool isOfNow(std::int64_t then_ns) const;
+  std::string explainBefore(const Refusal& refusal) const;
+  std::string refused(const Refusals& refusals, const char* reason) const;
+
+  const RobotModel& model_;
+  const TransformStore& store_;
+  std::string world_frame_;
+  double max_age_;
+  std::int64_t now_ns_{0};  ///< of the last read
+  JointReader* joints_;
+  JointPositions positions_;  ///< of all joints at the stamp that is being read
+  std::vector<Edge> edges_;   ///< by LinkId
+  std::vector<FrameRecord> records_;
+  std::unordered_map<std::string, std::size_t> places_;  ///< of records, by frame
+  TransformStore::Version seen_;
+  bool has_records_{false};
+};
+
+}  // namespace collision_monitor

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include "ros_edge/direct_queue.h"
+#include "ros_edge/poses/transform_store.h"
+
+namespace collision_monitor {
+
+/// Subscribes to tf and tf_static and feeds a store with what comes, at once. Stops with its life.
+class TransformFeed {
+ public:
+  TransformFeed(ros::NodeHandle node, TransformStore& store);
+
+ private:
+  TransformStore& store_;
+  DirectQueue queue_;  ///< ends after the subscribers
+  ros::Subscriber moving_;
+  ros::Subscriber static_;
+};
+
+}  // namespace collision_monitor

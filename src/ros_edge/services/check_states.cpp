@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/services/check_states.h"
+
+#include <collision_monitor/LinkDistance.h>
+#include <collision_monitor/State.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "pipeline/states/check_states.h"
+#include "ros_edge/poses/apply_joints.h"
+#include "ros_edge/poses/floating_parts.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Half a minute of arms whose meshes are near in every state, and some 20 MB. More gain nothing
+/// from being one call, and others wait for its end.
+constexpr std::size_t kMostStates = 100'000;
+/// Tenths of a second at most: so soon a call gives up.
+constexpr std::size_t kStatesAtOnce = 1000;
+
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+
+/// The number of states; a sentence for each thing that is wrong.
+std::size_t countStates(const RobotModel& model, const CheckStates::Request& request,
+                        std::vector<std::string>& faults) {
+  sensor_msgs::JointState names;
+  names.name = request.joint_names;
+  names.position.resize(names.name.size(), 0.0);
+  faults = jointFaults(model, names);
+  const std::size_t joints = request.joint_names.size();
+  if (model.variable_count == 0 && joints == 0 && request.positions.empty()) {
+    return 1;  // nothing moves: the one state there is
+  }
+  if (joints == 0) {
+    faults.emplace_back("joint_names is empty; name the joints that move");
+    return 0;
+  }
+  if (request.positions.empty() || request.positions.size() % joints != 0) {
+    faults.push_back("positions has " + std::to_string(request.positions.size()) + " values for " +
+                     std::to_string(joints) + " joints; give one for each joint of each state");
+  }
+  if (request.positions.size() / joints > kMostStates) {
+    faults.push_back("positions has " + std::to_string(request.positions.size() / joints) +
+                     " states; give at most " + std::to_string(kMostStates) + " in one call");
+  }
+  return faults.empty() ? request.positions.size() / joints : 0;
+}
+
+/// By variable: its place in a state of the request, or -1.
+std::vector<int> placesOf(const RobotModel& model, const std::vector<std::string>& joint_names) {
+  std::vector<int> places(model.variable_count, -1);
+  for (std::size_t i = 0; i < joint_names.size(); ++i) {
+    const Joint& joint = model.joint(*model.findJoint(joint_names[i]));
+    // The value of a mimic joint follows from that of its source.
+    if (!joint.mimic) {
+      places[joint.first_variable] = static_cast<int>(i);
+    }
+  }
+  return places;
+}
+
+struct StateRange {
+  std::size_t first;
+  std::size_t last;  ///< the one behind
+};
+
+/// NaN where a number means nothing: the state is unknown then.
+void positionsOf(const CheckStates::Request& request, const std::vector<int>& places,
+                 const StateRange& range, JointPositions& positions) {
+  positions.clear();
+  for (std::size_t state = range.first; state < range.last; ++state) {
+    const double* first = request.positions.data() + state * request.joint_names.size();
+    for (const int place : places) {
+      const double position = place < 0 ? 0.0 : first[place];
+      positions.push_back(std::abs(position) <= kFarthest ? position : kNotANumber);
+    }
+  }
+}
+
+void addCheck(const CycleSetup& setup, const StateCheck& check, CheckStates::Response& response) {
+  response.levels.push_back(static_cast<std::uint8_t>(check.verdict));
+  response.distances.push_back(check.has_pair ? check.distance : kNotANumber);
+  response.qualities.push_back(
+      static_cast<std::uint8_t>(check.has_pair ? check.quality : Quality::unknown));
+  response.links_a.emplace_back();
+  response.links_b.emplace_back();
+  if (check.has_pair) {
+    const CheckedLinkPair& pair = setup.checked[setup.link_pair_of[index(check.pair)]];
+    response.links_a.back() = setup.model.link(pair.a).name;
+    response.links_b.back() = setup.model.link(pair.b).name;
+  }
+}
+
+std::string summaryText(const CheckStates::Response& response) {
+  const auto count = [&](std::uint8_t level) {
+    return std::to_string(std::count(response.levels.begin(), response.levels.end(), level));
+  };
+  return std::to_string(response.levels.size()) + " states: " + count(State::CONTACT) +
+         " in contact, " + count(State::UNKNOWN) + " unknown";
+}
+
+}  // namespace
+
+void answerCheckStates(const MonitorSetup& current, const NewestState& newest,
+                       const std::function<bool(double)>& progress,
+                       const CheckStates::Request& request, CheckStates::Response& response) {
+  const CycleSetup& setup = current.setup;
+  std::vector<std::string> faults;
+  const std::size_t count = countStates(setup.model, request, faults);
+  response.success = faults.empty() ? 1 : 0;
+  if (!faults.empty()) {
+    for (const std::string& fault : faults) {
+      response.message += (response.message.empty() ? "" : "; ") + fault;
+    }
+    return;
+  }
+  const std::vector<int> places = placesOf(setup.model, request.joint_names);
+  std::vector<bool> moves(places.size());
+  std::transform(places.begin(), places.end(), moves.begin(), [](int place) { return place >= 0; });
+  StatesWork work = makeStatesWork(setup, standingAs(setup.model, newest.poses, moves));
+  const StateQuestion question =
+      request.only_contacts != 0 ? StateQuestion::contact : StateQuestion::nearest;
+  const auto check = request.enclosing_shapes != 0 ? checkStates : checkStatesExactly;
+  JointPositions positions;
+  std::vector<StateCheck> checks;
+  for (std::size_t first = 0; first < count; first += kStatesAtOnce) {
+    const std::size_t last = std::min(count, first + kStatesAtOnce);
+    positionsOf(request, places, {first, last}, positions);
+    check(setup, positions, question, work, checks);
+    for (const StateCheck& one : checks) {
+      addCheck(setup, one, response);
+    }
+    if (progress && !progress(static_cast<double>(last) / static_cast<double>(count))) {
+      response = CheckStates::Response();
+      response.message = "given up after " + std::to_string(last) + " of " + std::to_string(count) +
+                         " states: the monitor ends";
+      return;
+    }
+  }
+  const std::string floating =
+      floatingPartsText(setup.model, work.poses, setup.checked, newest.reasons);
+  response.message = summaryText(response) + (floating.empty() ? "" : "; " + floating);
+}
+
+}  // namespace collision_monitor

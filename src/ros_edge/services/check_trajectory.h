@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <collision_monitor/CheckTrajectory.h>
+
+#include "pipeline/trajectory/check_trajectory.h"
+#include "ros_edge/parameters/monitor_setup.h"
+#include "ros_edge/poses/newest_state.h"
+
+namespace collision_monitor {
+
+/// Answers the service of that name; joints that the trajectory does not name stay as `newest` has
+/// them, and the others go from there to its first point. Works with buffers of its own.
+/// @param progress as TrajectoryOptions::progress
+void answerCheckTrajectory(const MonitorSetup& current, const NewestState& newest,
+                           const std::function<bool(double)>& progress,
+                           const CheckTrajectory::Request& request,
+                           CheckTrajectory::Response& response);
+
+}  // namespace collision_monitor

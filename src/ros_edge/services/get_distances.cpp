@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/services/get_distances.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <string_view>
+#include <unordered_set>
+
+#include "model/place.h"
+#include "pipeline/cycle/run_cycle.h"
+#include "ros_edge/few_texts.h"
+#include "ros_edge/nearest_name.h"
+#include "ros_edge/outputs/conversions.h"
+#include "ros_edge/outputs/sentences.h"
+#include "ros_edge/poses/apply_joints.h"
+#include "ros_edge/poses/floating_parts.h"
+
+namespace collision_monitor {
+namespace {
+
+std::string noSuchLink(const char* field, const std::string& name,
+                       const std::vector<std::string>& known) {
+  return std::string(field) + ": there is no link " + quoted(name) + suggestion(name, known);
+}
+
+std::string nothingToMeasure(const char* field, const std::string& name) {
+  return std::string(field) + ": link '" + name + "' has no collision geometry; leave it out";
+}
+
+using LinkSet = std::vector<unsigned char>;  ///< by LinkId
+
+LinkSet findLinks(const CycleSetup& setup, const std::vector<std::string>& names, const char* field,
+                  std::vector<std::string>& faults) {
+  const RobotModel& model = setup.model;
+  LinkSet links(model.links.size(), names.empty() ? 1 : 0);
+  std::vector<std::string> known;
+  for (const Link& link : model.links) {
+    known.push_back(link.name);
+  }
+  FewTexts found;
+  std::unordered_set<std::string_view> unknown;
+  for (const std::string& name : names) {
+    const auto link = model.findLink(name);
+    if (!link) {
+      if (unknown.insert(name).second) {
+        found.add([&] { return noSuchLink(field, name, known); });
+      }
+    } else if (!hasShapes(model.link(*link))) {
+      found.add([&] { return nothingToMeasure(field, name); });
+    } else {
+      links[index(*link)] = 1;
+    }
+  }
+  const std::vector<std::string> texts = found.all();
+  faults.insert(faults.end(), texts.begin(), texts.end());
+  return links;
+}
+
+/// Which pairs of links are asked for.
+struct Selection {
+  LinkSet a;
+  LinkSet b;
+
+  bool has(LinkId one, LinkId other) const {
+    return (a[index(one)] != 0 && b[index(other)] != 0) ||
+           (a[index(other)] != 0 && b[index(one)] != 0);
+  }
+};
+
+/// The reasons of the pairs that are asked for and ignored.
+std::string ignoredText(const CycleSetup& setup, const Selection& selection) {
+  FewTexts found;
+  for (const LinkPair& pair : setup.link_pairs) {
+    if (!isChecked(pair.reason) && selection.has(pair.a, pair.b)) {
+      found.add([&] {
+        return setup.model.link(pair.a).name + " and " + setup.model.link(pair.b).name + " (" +
+               reasonText(pair.reason) + ")";
+      });
+    }
+  }
+  const std::vector<std::string> ignored = found.all();
+  return ignored.empty() ? "" : "not checked: " + join(ignored);
+}
+
+/// Pairs of shapes to measure: asked for, and known beside each other.
+void selectPairs(const CycleSetup& setup, const Selection& selection, const BodyPoses& poses,
+                 std::vector<PairId>& pairs) {
+  pairs.clear();
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    const CheckedLinkPair& links = setup.checked[setup.link_pair_of[i]];
+    if (selection.has(links.a, links.b) && isJoined(poses, links.a, links.b)) {
+      pairs.push_back(idAt<PairId>(i));
+    }
+  }
+}
+
+/// What was measured, and where the links were.
+struct Scene {
+  LinkPoses poses;
+  CycleBuffers buffers;
+};
+
+/// By LinkPairIndex: the nearest shapes, null if none were measured. A contact that is certain
+/// stands before a bound that is deeper.
+std::vector<const PairDistance*> nearestOf(const CycleSetup& setup,
+                                           const std::vector<PairDistance>& measured) {
+  std::vector<const PairDistance*> nearest(setup.checked.size(), nullptr);
+  std::vector<const PairDistance*> estimated(setup.checked.size(), nullptr);
+  const auto improve = [](const PairDistance& distance, const PairDistance*& best) {
+    if (best == nullptr || distance.measured.distance < best->measured.distance) {
+      best = &distance;
+    }
+  };
+  for (const PairDistance& distance : measured) {
+    const std::uint32_t link_pair = setup.link_pair_of[index(distance.pair)];
+    improve(distance, nearest[link_pair]);
+    if (distance.quality == Quality::estimate) {
+      improve(distance, estimated[link_pair]);
+    }
+  }
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    if (estimated[i] != nullptr && nearest[i]->quality == Quality::lower_bound) {
+      nearest[i] = estimated[i];
+    }
+  }
+  return nearest;
+}
+
+/// Of the pairs that are asked for, the nearest; kNone if none was measured.
+LinkPairIndex closestOf(const CycleSetup& setup, const Selection& selection,
+                        const std::vector<const PairDistance*>& nearest) {
+  LinkPairIndex closest = kNone;
+  for (LinkPairIndex i = 0; i < nearest.size(); ++i) {
+    const CheckedLinkPair& pair = setup.checked[i];
+    if (nearest[i] != nullptr && selection.has(pair.a, pair.b) &&
+        (closest == kNone || nearest[i]->measured.distance < nearest[closest]->measured.distance)) {
+      closest = i;
+    }
+  }
+  return closest;
+}
+
+/// Measures all pairs that are asked for, and refines those within the distance.
+void measureWithin(const CycleSetup& setup, double distance, CycleBuffers& buffers) {
+  measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
+  buffers.refine.limits = {distance, std::numeric_limits<std::uint32_t>::max()};
+  refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
+}
+
+/// Which pairs are told: those within the distance, and the closest.
+struct Reach {
+  double distance;  ///< [m]
+  LinkPairIndex closest;
+};
+
+/// Where no pair is within the distance, all are refined: it takes that to know which is closest.
+Reach measureReach(const CycleSetup& setup, const Selection& selection, double max_distance,
+                   CycleBuffers& buffers) {
+  measureWithin(setup, max_distance, buffers);
+  std::vector<const PairDistance*> nearest = nearestOf(setup, buffers.distances.measured);
+  LinkPairIndex closest = closestOf(setup, selection, nearest);
+  if (closest != kNone && nearest[closest]->measured.distance > max_distance) {
+    measureWithin(setup, std::numeric_limits<double>::infinity(), buffers);
+    nearest = nearestOf(setup, buffers.distances.measured);
+    closest = closestOf(setup, selection, nearest);
+  }
+  return {max_distance, closest};
+}
+
+/// One entry a pair of links, its nearest shapes; nearest pairs first, then the unknown ones.
+void fillDistances(const MonitorSetup& current, const Selection& selection, const Scene& scene,
+                   const Reach& reach, Distances& message) {
+  const CycleSetup& setup = current.setup;
+  const std::vector<const PairDistance*> nearest =
+      nearestOf(setup, scene.buffers.distances.measured);
+  std::vector<LinkDistance> unknown;
+  GradientRows rows(setup, scene.poses);
+  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+    const CheckedLinkPair& pair = setup.checked[i];
+    if (!selection.has(pair.a, pair.b)) {
+      continue;
+    }
+    ++message.pairs_checked;
+    if (nearest[i] == nullptr) {
+      unknown.emplace_back();
+      toUnknownMessage(setup, pair.a, pair.b, unknown.back());
+    } else if (i == reach.closest || nearest[i]->measured.distance <= reach.distance) {
+      message.pairs.emplace_back();
+      toMessage(current, scene.poses, *nearest[i], message.pairs.back());
+      toMessage(setup, rows.of(*nearest[i]), message.pairs.back());
+    }
+  }
+  std::stable_sort(message.pairs.begin(), message.pairs.end(),
+                   [](const LinkDistance& one, const LinkDistance& other) {
+                     return one.distance < other.distance;
+                   });
+  message.closest = message.pairs.empty() ? -1 : 0;
+  message.pairs_unknown = static_cast<std::uint32_t>(unknown.size());
+  message.pairs.insert(message.pairs.end(), unknown.begin(), unknown.end());
+}
+
+/// "; none within 10 mm, the nearest: a is 12 mm from b"; empty where one is.
+std::string nearestText(const CycleSetup& setup, const CycleBuffers& buffers, const Reach& reach) {
+  if (reach.closest == kNone) {
+    return "";
+  }
+  const PairDistance& closest = *nearestOf(setup, buffers.distances.measured)[reach.closest];
+  return closest.measured.distance <= reach.distance
+             ? ""
+             : "; none within " + lengthText(reach.distance) +
+                   ", the nearest: " + distanceSentence(setup, closest);
+}
+
+/// Why no pair of these links is checked. One that is not ignored either is a link and itself.
+std::string nothingCheckedText(const CycleSetup& setup, const Selection& selection) {
+  const std::string ignored = ignoredText(setup, selection);
+  return "no pair of these links is checked; " +
+         (ignored.empty() ? "a link is not checked with itself, and no other link with collision "
+                            "geometry is asked for"
+                          : ignored);
+}
+
+/// What floats among the pairs that are asked for.
+std::string floatingTextOf(const CycleSetup& setup, const Selection& selection,
+                           const LinkPoses& poses, const std::vector<std::string>& reasons) {
+  std::vector<CheckedLinkPair> asked;
+  std::copy_if(setup.checked.begin(), setup.checked.end(), std::back_inserter(asked),
+               [&](const CheckedLinkPair& pair) { return selection.has(pair.a, pair.b); });
+  return floatingPartsText(setup.model, poses, asked, reasons);
+}
+
+std::string summaryText(const Distances& distances, const std::string& floating,
+                        const std::string& ignored) {
+  const std::uint32_t measured = distances.pairs_checked - distances.pairs_unknown;
+  return std::to_string(measured) + " pairs measured, " + std::to_string(distances.pairs_unknown) +
+         " unknown" + (floating.empty() ? "" : "; " + floating) +
+         (ignored.empty() ? "" : "; " + ignored);
+}
+
+}  // namespace
+
+void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
+                        const GetDistances::Request& request, GetDistances::Response& response) {
+  const CycleSetup& setup = current.setup;
+  std::vector<std::string> faults;
+  const Selection selection{findLinks(setup, request.links_a, "links_a", faults),
+                            findLinks(setup, request.links_b, "links_b", faults)};
+  if (std::isnan(request.max_distance)) {
+    faults.emplace_back("max_distance is not a number; give metres, or 0 for no limit");
+  }
+  Scene scene{newest.poses, makeBuffers(setup, BroadPhaseKind::brute_force)};
+  if (!request.joints.name.empty() || !request.joints.position.empty()) {
+    const std::vector<std::string> joint_faults =
+        applyJoints(setup.model, request.joints, scene.poses);
+    faults.insert(faults.end(), joint_faults.begin(), joint_faults.end());
+  }
+  response.success = 0;
+  response.distances.closest = -1;
+  if (!faults.empty()) {
+    response.message = join(faults);
+    return;
+  }
+  CycleBuffers& buffers = scene.buffers;
+  placeBodies(setup, scene.poses, buffers.body_poses);
+  placeElements(setup, scene.poses, buffers.body_poses);
+  selectPairs(setup, selection, buffers.body_poses, buffers.candidates);
+  response.distances.header = makeHeader(scene.poses.stamp_ns, current.world_frame);
+  const Reach reach = measureReach(
+      setup, selection,
+      request.max_distance > 0.0 ? request.max_distance : std::numeric_limits<double>::infinity(),
+      buffers);
+  fillDistances(current, selection, scene, reach, response.distances);
+  response.success = response.distances.pairs_checked > 0 ? 1 : 0;
+  if (response.success == 0) {
+    response.message = nothingCheckedText(setup, selection);
+    return;
+  }
+  // Of all links, pairs that are ignored are many and no news.
+  const bool is_explicit = !request.links_a.empty() && !request.links_b.empty();
+  response.message =
+      summaryText(response.distances, floatingTextOf(setup, selection, scene.poses, newest.reasons),
+                  is_explicit ? ignoredText(setup, selection) : "") +
+      nearestText(setup, buffers, reach);
+}
+
+}  // namespace collision_monitor

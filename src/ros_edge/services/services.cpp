@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/services/services.h"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "model/number_text.h"
+#include "ros_edge/outputs/sentences.h"
+#include "ros_edge/parameters/startup_report.h"
+#include "ros_edge/services/check_states.h"
+#include "ros_edge/services/check_trajectory.h"
+#include "ros_edge/services/get_distances.h"
+#include "ros_edge/watch.h"
+
+namespace collision_monitor {
+
+Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, ServiceHooks hooks)
+    : private_node_(private_node), inputs_(inputs), hooks_(std::move(hooks)) {
+  get_distances_ = private_node_.advertiseService("get_distances", &Services::getDistances, this);
+  ros::NodeHandle background_node(private_node_);
+  background_node.setCallbackQueue(&background_.queue());
+  check_trajectory_ =
+      background_node.advertiseService("check_trajectory", &Services::checkTrajectory, this);
+  check_states_ = background_node.advertiseService("check_states", &Services::checkStates, this);
+  set_enabled_ = private_node_.advertiseService("set_enabled", &Services::setEnabled, this);
+  reload_ = private_node_.advertiseService("reload", &Services::reload, this);
+}
+
+/// Servers that end wait for the call at hand.
+Services::~Services() { background_.end(); }
+
+/// Whether a long call may go on.
+bool Services::goesOn() const { return hooks_.goes_on() && !background_.isEnding(); }
+
+NewestState Services::newestState(const MonitorSetup& current) const {
+  const RobotModel& model = current.setup.model;
+  NewestState newest = makeNewestState(model);
+  const ros::Time now = ros::Time::now();
+  if (now.isZero()) {
+    std::fill(newest.reasons.begin(), newest.reasons.end(),
+              clockSentence({ClockFault::not_started, 0.0}));
+    return newest;
+  }
+  const ClockState clock = lookAtClock(inputs_, now);
+  JointReader joints(model, inputs_.joints, jointTopics(current));
+  PoseReader reader = makePoseReader(current, inputs_.transforms, joints);
+  reader.read(now, newest.poses);
+  if (clock.fault != ClockFault::none) {
+    growStale(newest.poses);
+    std::fill(newest.reasons.begin(), newest.reasons.end(), clockSentence(clock));
+    return newest;
+  }
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    newest.reasons[i] = newest.poses.part[i] == i ? reader.explain(idAt<LinkId>(i)) : "";
+  }
+  joints.refresh();
+  joints.readNewestPositions(now, current.parameters.max_age, newest.positions);
+  return newest;
+}
+
+bool Services::getDistances(GetDistances::Request& request, GetDistances::Response& response) {
+  const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
+  answerGetDistances(*current, newestState(*current), request, response);
+  return true;
+}
+
+bool Services::checkTrajectory(CheckTrajectory::Request& request,
+                               CheckTrajectory::Response& response) {
+  const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
+  const auto tell = [this](double done) {
+    ROS_INFO_STREAM_DELAYED_THROTTLE(
+        2.0, "check_trajectory: " << std::lround(100.0 * done) << " % checked");
+    return goesOn();
+  };
+  answerCheckTrajectory(*current, newestState(*current), tell, request, response);
+  return true;
+}
+
+bool Services::checkStates(CheckStates::Request& request, CheckStates::Response& response) {
+  const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
+  const auto tell = [this](double done) {
+    ROS_INFO_STREAM_DELAYED_THROTTLE(2.0,
+                                     "check_states: " << std::lround(100.0 * done) << " % checked");
+    return goesOn();
+  };
+  answerCheckStates(*current, newestState(*current), tell, request, response);
+  return true;
+}
+
+bool Services::setEnabled(std_srvs::SetBool::Request& request,
+                          std_srvs::SetBool::Response& response) {
+  const bool is_enabled = request.data != 0;
+  hooks_.set_enabled(is_enabled);
+  response.success = 1;
+  const std::string seconds = shortText(hooks_.current_setup()->parameters.disable_timeout);
+  response.message = is_enabled ? "switched on"
+                                : "switched off; switches itself on again in " + seconds +
+                                      " s (parameter disable_timeout)";
+  return true;
+}
+
+bool Services::reload(std_srvs::Trigger::Request& /*request*/,
+                      std_srvs::Trigger::Response& response) {
+  const std::unique_lock<std::mutex> lock(reload_mutex_, std::try_to_lock);
+  response.success = 0;
+  if (!lock.owns_lock()) {
+    response.message = "another reload is running; try again when it is done";
+    return true;
+  }
+  try {
+    const std::shared_ptr<const MonitorSetup> made =
+        makeMonitorSetup(private_node_, [this] { return goesOn(); });
+    hooks_.replace_setup(made);
+    logSetup(*made);
+    response.message = summaryOf(*made);
+    response.success = 1;
+  } catch (const std::exception& error) {
+    response.message = "nothing was changed: " + failureText(error);
+  } catch (const Interrupted&) {
+    response.message = "nothing was changed: the monitor ends";
+  }
+  return true;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <collision_monitor/CheckStates.h>
+#include <collision_monitor/CheckTrajectory.h>
+#include <collision_monitor/GetDistances.h>
+#include <ros/node_handle.h>
+#include <ros/service_server.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+
+#include "ros_edge/inputs/background_queue.h"
+#include "ros_edge/inputs/inputs.h"
+#include "ros_edge/parameters/monitor_setup.h"
+#include "ros_edge/poses/newest_state.h"
+
+namespace collision_monitor {
+
+/// What the services ask of the monitor. All may be called from any thread.
+struct ServiceHooks {
+  std::function<std::shared_ptr<const MonitorSetup>()> current_setup;
+  std::function<void(std::shared_ptr<const MonitorSetup>)> replace_setup;
+  std::function<void(bool)> set_enabled;
+  GoesOn goes_on;  ///< whether long calls may
+};
+
+/// get_distances, check_trajectory, check_states, set_enabled and reload, beside the cycle and
+/// without touching its data. The two checks may take seconds and run in the background, the others
+/// on the callback queue of the node handle.
+class Services {
+ public:
+  /// @pre the inputs outlive the services.
+  Services(const ros::NodeHandle& private_node, const Inputs& inputs, ServiceHooks hooks);
+  ~Services();
+  Services(const Services&) = delete;
+  Services& operator=(const Services&) = delete;
+
+ private:
+  bool goesOn() const;
+  NewestState newestState(const MonitorSetup& current) const;
+  bool getDistances(GetDistances::Request& request, GetDistances::Response& response);
+  bool checkTrajectory(CheckTrajectory::Request& request, CheckTrajectory::Response& response);
+  bool checkStates(CheckStates::Request& request, CheckStates::Response& response);
+  bool setEnabled(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  bool reload(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+
+  ros::NodeHandle private_node_;
+  Inputs inputs_;
+  ServiceHooks hooks_;
+  std::mutex reload_mutex_;
+  BackgroundQueue background_;  ///< outlives its services
+  ros::ServiceServer get_distances_;
+  ros::ServiceServer check_trajectory_;
+  ros::ServiceServer check_states_;
+  ros::ServiceServer set_enabled_;
+  ros::ServiceServer reload_;
+};
+
+}  // namespace collision_monitor

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+
+#include "narrow_phase/mesh/mesh_distance.h"
+#include "support/query_meshes.h"
+#include "support/sample_meshes.h"
+
+namespace collision_monitor::test {
+namespace {
+
+using State = MeshContact::State;
+
+/// A box of 0.2 m, and the same at x.
+class MeshContactTest : public testing::Test {
+ protected:
+  MeshContact touch(double x, const MeshContactQuery& query, const TrianglePair& start = {}) {
+    return contactOf({box_, Pose()}, {box_, at(x)}, query, *memory_, start);
+  }
+  static Pose at(double x) {
+    Pose pose;
+    pose.translation = {x, 0.01, 0.02};
+    return pose;
+  }
+
+  MeshTree box_{boxMesh({0.1, 0.1, 0.1}), true};
+  MeshTree small_{boxMesh({0.02, 0.02, 0.02}), true};
+  std::unique_ptr<MeshQueryMemory> memory_ = std::make_unique<MeshQueryMemory>();
+};
+
+TEST_F(MeshContactTest, surfacesThatCross_areInContact) {
+  const MeshContact found = touch(0.15, {});
+  EXPECT_EQ(found.state, State::contact);
+  EXPECT_LT(found.triangles.a, box_.triangles().size());
+}
+
+TEST_F(MeshContactTest, apart_isNoContactUpToTheDistanceAskedFor) {
+  EXPECT_EQ(touch(0.21, {}).state, State::apart);
+  EXPECT_EQ(touch(0.21, {0.009}).state, State::apart);
+  EXPECT_EQ(touch(0.21, {0.011}).state, State::contact);
+}
+
+TEST_F(MeshContactTest, oneInsideOfTheOther_isContactWithoutTriangles) {
+  const MeshContact found = contactOf({box_, Pose()}, {small_, at(0.0)}, {}, *memory_);
+  EXPECT_EQ(found.state, State::contact);
+  EXPECT_EQ(found.triangles.a, TrianglePair::kNone);
+  EXPECT_EQ(contactOf({small_, at(0.0)}, {box_, Pose()}, {}, *memory_).state, State::contact);
+}
+
+TEST_F(MeshContactTest, trianglesInContactBefore_areAskedFirst) {
+  const MeshContact before = touch(0.15, {});
+  const MeshContact again = touch(0.151, {}, before.triangles);
+  EXPECT_EQ(again.state, State::contact);
+  EXPECT_EQ(again.visits, 1U);
+  EXPECT_EQ(touch(0.3, {}, before.triangles).state, State::apart) << "they are asked, not believed";
+}
+
+TEST_F(MeshContactTest, budgetSpent_isOpen) {
+  MeshContactQuery query;
+  query.visit_budget = 1;
+  EXPECT_EQ(touch(0.15, query).state, State::open);
+  EXPECT_LE(touch(0.15, query).visits, 1U);
+}
+
+TEST_F(MeshContactTest, poseNotFinite_isOpen) {
+  EXPECT_EQ(touch(std::numeric_limits<double>::quiet_NaN(), {}).state, State::open);
+}
+
+TEST_F(MeshContactTest, holeInTheOuterMesh_outsideIsToldWhereAsked) {
+  TriangleMesh open = boxMesh({0.1, 0.1, 0.1});
+  open.triangles.pop_back();
+  const MeshTree outer = test::openTree(open);
+  EXPECT_EQ(contactOf({outer, Pose()}, {small_, at(0.0)}, {}, *memory_).state, State::contact);
+  MeshContactQuery query;
+  query.asks_outside = true;
+  const MeshContact beside = contactOf({outer, Pose()}, {small_, at(0.3)}, query, *memory_);
+  EXPECT_EQ(beside.state, State::apart);
+  EXPECT_LT(beside.outside, 0.5) << "how far it may go until it can be inside";
+  EXPECT_GT(beside.outside, 0.0);
+}
+
+}  // namespace
+}  // namespace collision_monitor::test

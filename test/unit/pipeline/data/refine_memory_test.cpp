@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/data/refine_memory.h"
+
+#include <gtest/gtest.h>
+
+namespace collision_monitor {
+namespace {
+
+constexpr auto kMost = static_cast<ElementPairIndex>(RefineStore::kMostPlain);
+
+std::vector<RefineKind> plainPairs(std::size_t count) {
+  return std::vector<RefineKind>(count, RefineKind::plain);
+}
+
+/// Leaves the number of steps that names the pair.
+void mark(RefineStore& store, ElementPairIndex pair) { store.of(pair).last.found.steps = pair + 1; }
+
+TEST(RefineStore, fewPairs_eachKeepsItsOwn) {
+  RefineStore store(plainPairs(kMost));
+  EXPECT_EQ(store.size(), kMost);
+  for (ElementPairIndex pair = 0; pair < kMost; ++pair) {
+    mark(store, pair);
+  }
+  for (ElementPairIndex pair = 0; pair < kMost; ++pair) {
+    ASSERT_EQ(store.lastOf(pair).found.steps, pair + 1);
+  }
+}
+
+TEST(RefineStore, morePairsThanMemories_thoseAskedForLastKeepTheirs) {
+  RefineStore store(plainPairs(3 * std::size_t{kMost}));
+  EXPECT_EQ(store.size(), kMost);
+  for (ElementPairIndex pair = 0; pair < kMost; ++pair) {
+    mark(store, pair);
+  }
+  store.of(0);
+  mark(store, kMost);
+  EXPECT_EQ(store.lastOf(0).found.steps, 1U) << "asked for again";
+  EXPECT_EQ(store.lastOf(1).found.steps, 0U) << "the oldest";
+  EXPECT_EQ(store.lastOf(2).found.steps, 3U);
+  EXPECT_EQ(store.lastOf(kMost).found.steps, kMost + 1);
+  EXPECT_EQ(store.of(1).last.found.steps, 0U) << "as new, of whose ever it was";
+}
+
+TEST(RefineStore, meshes_haveWhatTheirKindSays) {
+  RefineStore store({RefineKind::never, RefineKind::plain, RefineKind::front, RefineKind::depth,
+                     RefineKind::both});
+  EXPECT_EQ(store.size(), 4U);
+  for (ElementPairIndex pair = 1; pair < 5; ++pair) {
+    EXPECT_EQ(store.of(pair).front != nullptr, pair == 2 || pair == 4) << pair;
+    EXPECT_EQ(store.of(pair).depth != nullptr, pair == 3 || pair == 4) << pair;
+  }
+}
+
+TEST(RefineStore, pairWhoseBodiesSayAll_hasOneAllTheSame) {
+  RefineStore store({RefineKind::never, RefineKind::never});
+  mark(store, 0);
+  mark(store, 1);
+  EXPECT_EQ(store.lastOf(1).found.steps, 2U);
+  EXPECT_EQ(store.lastOf(0).found.steps, 0U);
+}
+
+TEST(RefineStore, forgetAll_leavesAllAsNew) {
+  RefineStore store(plainPairs(2));
+  mark(store, 0);
+  mark(store, 1);
+  store.forgetAll();
+  EXPECT_EQ(store.lastOf(0).found.steps, 0U);
+  EXPECT_EQ(store.lastOf(1).found.steps, 0U);
+}
+
+}  // namespace
+}  // namespace collision_monitor

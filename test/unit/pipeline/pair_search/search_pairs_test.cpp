@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "collision_monitor/pipeline/search_pairs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "pipeline/pair_search/prove_apart.h"
+#include "support/robots/urdf_text.h"
+
+namespace collision_monitor::test {
+namespace {
+
+const char* const kBall = "<sphere radius='0.1'/>";
+const char* const kOneOut = "<origin xyz='1 0 0'/>";
+
+std::string fixedTo(const std::string& parent, const std::string& link, const std::string& place) {
+  return linkXml(link, kBall) +
+         jointXml(link + "_joint", "fixed", parent, link, "<origin xyz='" + place + "'/>");
+}
+
+std::string turning(const std::string& parent, const std::string& link, const std::string& more) {
+  return jointXml(link + "_joint", "revolute", parent, link, "<axis xyz='0 0 1'/>" + more);
+}
+
+std::string limits(const std::string& lower, const std::string& upper) {
+  return "<limit lower='" + lower + "' upper='" + upper + "' velocity='1' effort='1'/>";
+}
+
+/// Balls of 0.1 m. The arm, 1 m out, turns about the base by up to 1 rad to both sides; what else
+/// there is stands fixed on the base, but for a finger that turns with the arm, twice as far and
+/// the other way, and a hand behind four joints.
+CycleSetup robot(const std::string& more = "") {
+  const std::string little = limits("-0.01", "0.01");
+  const std::string xml =
+      linkXml("base", kBall) + linkXml("arm", kBall, kOneOut) +
+      turning("base", "arm", limits("-1", "1")) + fixedTo("base", "plate", "0 0 0.15") +
+      fixedTo("base", "post", "1 1 0") +
+      fixedTo("base", "wall",
+              std::to_string(std::cos(0.9)) + " " + std::to_string(std::sin(0.9)) + " 0") +
+      more;
+  SetupOptions options;
+  options.ignore_default_overlap = false;
+  return buildSetup({describeText(robotXml(xml))}, textLoader({}), options);
+}
+
+PairFound of(const CycleSetup& setup, const std::vector<PairFound>& pairs, const std::string& a,
+             const std::string& b) {
+  for (const PairFound& pair : pairs) {
+    if (setup.model.link(pair.a).name == a && setup.model.link(pair.b).name == b) {
+      return pair;
+    }
+  }
+  throw std::out_of_range(a + " and " + b);
+}
+
+double armOf(const CycleSetup& setup, const JointPositions& state) {
+  return state.at(setup.model.joint(*setup.model.findJoint("arm_joint")).first_variable);
+}
+
+PairSearchOptions few(std::size_t states) {
+  PairSearchOptions options;
+  options.states = states;
+  return options;
+}
+
+TEST(SearchPairs, everyKindOfPair) {
+  const CycleSetup setup = robot();
+  const std::vector<PairFound> pairs = searchPairs(setup, few(500));
+  ASSERT_EQ(pairs.size(), 10U) << "of five links";
+  EXPECT_EQ(of(setup, pairs, "base", "arm").finding, PairFinding::adjacent);
+  const PairFound plate = of(setup, pairs, "base", "plate");
+  EXPECT_EQ(plate.finding, PairFinding::always);
+  EXPECT_TRUE(plate.is_proven) << "nothing moves them";
+  EXPECT_TRUE(plate.joints.empty());
+  const PairFound fixed = of(setup, pairs, "base", "post");
+  EXPECT_EQ(fixed.finding, PairFinding::never);
+  EXPECT_TRUE(fixed.is_proven);
+  EXPECT_NEAR(fixed.nearest, std::sqrt(2.0) - 0.2, 1e-12);
+  const PairFound post = of(setup, pairs, "arm", "post");
+  EXPECT_EQ(post.finding, PairFinding::never);
+  EXPECT_TRUE(post.is_proven) << "0.21 m apart where they are nearest, by one joint";
+  EXPECT_EQ(post.joints, std::vector<JointId>{*setup.model.findJoint("arm_joint")});
+  EXPECT_GE(post.nearest, std::sqrt(2.0) - 1.2 - 1e-12);
+  const PairFound wall = of(setup, pairs, "arm", "wall");
+  EXPECT_EQ(wall.finding, PairFinding::sometimes);
+  EXPECT_FALSE(wall.is_proven);
+  EXPECT_LE(std::abs(armOf(setup, wall.touching) - 0.9), 2.0 * std::asin(0.1) + 1e-5);
+}
+
+TEST(SearchPairs, whatStatesDoNotShow_aProofFinds) {
+  const CycleSetup setup = robot();
+  // The default state alone.
+  const PairFound wall = of(setup, searchPairs(setup, few(1)), "arm", "wall");
+  EXPECT_EQ(wall.finding, PairFinding::sometimes);
+  EXPECT_LE(std::abs(armOf(setup, wall.touching) - 0.9), 2.0 * std::asin(0.1) + 1e-5);
+}
+
+TEST(SearchPairs, tooFewCells_noProof) {
+  const CycleSetup setup = robot();
+  PairSearchOptions options = few(100);
+  options.most_cells = 2;
+  const PairFound post = of(setup, searchPairs(setup, options), "arm", "post");
+  EXPECT_EQ(post.finding, PairFinding::never);
+  EXPECT_FALSE(post.is_proven);
+}
+
+TEST(SearchPairs, jointThatFollows_goesAsFarAsItsFactor) {
+  // The arm does not reach 1.8 rad, a finger that turns twice as far does.
+  const std::string gate = fixedTo(
+      "base", "gate", std::to_string(std::cos(1.8)) + " " + std::to_string(std::sin(1.8)) + " 0.5");
+  const auto finger = [&](const std::string& factor) {
+    return gate + linkXml("finger", kBall, "<origin xyz='1 0 0.5'/>") +
+           turning("base", "finger",
+                   limits("-4", "4") + "<mimic joint='arm_joint' multiplier='" + factor + "'/>");
+  };
+  const CycleSetup setup = robot(finger("-2"));
+  const PairFound found = of(setup, searchPairs(setup, few(1)), "gate", "finger");
+  EXPECT_EQ(found.finding, PairFinding::sometimes);
+  EXPECT_LE(std::abs(-2.0 * armOf(setup, found.touching) - 1.8), 2.0 * std::asin(0.1) + 1e-5);
+  const CycleSetup slower = robot(finger("1.5"));
+  EXPECT_TRUE(of(slower, searchPairs(slower, few(1)), "gate", "finger").is_proven);
+}
+
+TEST(SearchPairs, fourJoints_areSeenAndNotProven) {
+  const std::string little = limits("-0.01", "0.01");
+  const CycleSetup setup =
+      robot("<link name='one'/><link name='two'/>" +
+            linkXml("hand", kBall, "<origin xyz='2 0 0'/>") + turning("arm", "one", little) +
+            turning("one", "two", little) + turning("two", "hand", little));
+  const PairFound hand = of(setup, searchPairs(setup, few(200)), "base", "hand");
+  EXPECT_EQ(hand.finding, PairFinding::never);
+  EXPECT_FALSE(hand.is_proven);
+  EXPECT_EQ(hand.joints.size(), 4U);
+}
+
+TEST(SearchPairs, continuousJoint_isProvenForAllTurns_notWhereAnotherFollowsItAtHalfTheRate) {
+  const std::string wheel =
+      linkXml("wheel", kBall, "<origin xyz='3 0 0'/>") +
+      jointXml("wheel_joint", "continuous", "base", "wheel", "<axis xyz='0 0 1'/>") +
+      linkXml("slow", kBall, "<origin xyz='4 0 0'/>") +
+      turning("base", "slow", limits("-9", "9") + "<mimic joint='wheel_joint' multiplier='0.5'/>");
+  const CycleSetup setup = robot(wheel);
+  const std::vector<PairFound> pairs = searchPairs(setup, few(50));
+  EXPECT_TRUE(of(setup, pairs, "plate", "wheel").is_proven);
+  EXPECT_FALSE(of(setup, pairs, "plate", "slow").is_proven);
+}
+
+TEST(SearchPairs, slideThatFollowsAContinuousJoint_hasNoEnd_andNoProof) {
+  // After one turn and a half the nut is at the end.
+  const CycleSetup setup =
+      robot(linkXml("screw", kBall, "<origin xyz='0 0 3'/>") +
+            jointXml("screw_joint", "continuous", "base", "screw", "<axis xyz='0 0 1'/>") +
+            linkXml("nut", kBall) +
+            jointXml("nut_joint", "prismatic", "base", "nut",
+                     "<origin xyz='0 0 6'/><axis xyz='0 0 1'/>" + limits("-99", "99") +
+                         "<mimic joint='screw_joint'/>") +
+            fixedTo("base", "end", "0 0 15.4"));
+  const PairFound nut = of(setup, searchPairs(setup, few(50)), "nut", "end");
+  EXPECT_EQ(nut.finding, PairFinding::never);
+  EXPECT_FALSE(nut.is_proven);
+}
+
+TEST(SearchPairs, floatingJoint_provesNothing) {
+  const CycleSetup setup =
+      robot(linkXml("drone", kBall) +
+            jointXml("air", "floating", "base", "drone", "<origin xyz='9 0 0'/>"));
+  const PairFound drone = of(setup, searchPairs(setup, few(50)), "arm", "drone");
+  EXPECT_EQ(drone.finding, PairFinding::never);
+  EXPECT_FALSE(drone.is_proven);
+}
+
+TEST(SearchPairs, sameSeed_sameStates) {
+  const CycleSetup setup = robot();
+  PairSearchOptions options = few(100);
+  const PairFound one = of(setup, searchPairs(setup, options), "arm", "wall");
+  EXPECT_EQ(of(setup, searchPairs(setup, options), "arm", "wall").touching, one.touching);
+  options.seed = 2;
+  EXPECT_NE(of(setup, searchPairs(setup, options), "arm", "wall").touching, one.touching);
+}
+
+TEST(SearchPairs, progress_goesToTheEnd) {
+  PairSearchOptions options = few(21);
+  std::vector<std::size_t> states;
+  std::vector<std::size_t> pairs;
+  options.state_progress = [&](std::size_t done, std::size_t total) {
+    EXPECT_EQ(total, 21U);
+    states.push_back(done);
+  };
+  std::size_t pair_count = 0;
+  options.proof_progress = [&](std::size_t done, std::size_t total) {
+    EXPECT_EQ(done, pairs.size());
+    pairs.push_back(done);
+    pair_count = total;
+  };
+  EXPECT_EQ(searchPairs(robot(), options).size(), pair_count);
+  EXPECT_EQ(states, (std::vector<std::size_t>{8, 16, 21}));
+  EXPECT_EQ(pairs.size(), pair_count + 1);
+}
+
+TEST(TouchOf, sharesWhatIsCertain) {
+  PairDistance distance;
+  const auto touch = [&](Quality quality, double value) {
+    distance.quality = quality;
+    distance.measured.distance = value;
+    return touchOf(distance);
+  };
+  EXPECT_EQ(touch(Quality::exact, 1e-6), Touch::apart);
+  EXPECT_EQ(touch(Quality::lower_bound, 1e-6), Touch::apart);
+  EXPECT_EQ(touch(Quality::exact, 0.0), Touch::touching);
+  EXPECT_EQ(touch(Quality::estimate, 0.0), Touch::touching);
+  EXPECT_EQ(touch(Quality::lower_bound, -0.1), Touch::unclear);
+  EXPECT_EQ(touch(Quality::unknown, 1.0), Touch::unclear);
+}
+
+TEST(JointRanges, limitsAndWhatHasNone) {
+  const std::string slide = "<axis xyz='1 0 0'/>";
+  const CycleSetup setup =
+      robot("<link name='a'/><link name='b'/><link name='c'/>" +
+            jointXml("slide", "prismatic", "base", "a", slide + limits("-0.2", "0.5")) +
+            jointXml("roll", "continuous", "base", "b", slide) +
+            jointXml("air", "floating", "base", "c"));
+  const std::vector<JointRange> ranges = jointRanges(setup.model);
+  ASSERT_EQ(ranges.size(), 3U);
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 100; ++i) {
+    const JointPositions state = drawState(setup.model, ranges, random);
+    for (const JointRange& range : ranges) {
+      const Joint& joint = setup.model.joint(range.joint);
+      const double half_turn = std::acos(-1.0);
+      const double lower = joint.name == "slide" ? -0.2 : joint.name == "roll" ? -half_turn : -1.0;
+      const double upper = joint.name == "slide" ? 0.5 : joint.name == "roll" ? half_turn : 1.0;
+      EXPECT_NEAR(range.lower, lower, 1e-12);
+      EXPECT_NEAR(range.upper, upper, 1e-12);
+      EXPECT_TRUE(range.is_whole);
+      EXPECT_GE(state[joint.first_variable], lower - 1e-12);
+      EXPECT_LE(state[joint.first_variable], upper + 1e-12);
+    }
+    const double* air =
+        state.data() + setup.model.joint(*setup.model.findJoint("air")).first_variable;
+    EXPECT_NEAR(air[3] * air[3] + air[4] * air[4] + air[5] * air[5] + air[6] * air[6], 1.0, 1e-12);
+    EXPECT_LE(std::abs(air[2]), 1.0);
+  }
+}
+
+TEST(JointRanges, limitOnOneSide_isKept) {
+  const std::string slide = "<axis xyz='1 0 0'/>";
+  const CycleSetup setup =
+      robot("<link name='a'/><link name='b'/>" +
+            jointXml("out", "prismatic", "base", "a", slide + limits("3", "1e16")) +
+            jointXml("in", "prismatic", "base", "b", slide + limits("-1e16", "0.2")));
+  std::size_t found = 0;
+  for (const JointRange& range : jointRanges(setup.model)) {
+    const std::string& name = setup.model.joint(range.joint).name;
+    if (name == "out" || name == "in") {
+      ++found;
+      EXPECT_EQ(range.lower, name == "out" ? 3.0 : -1.0);
+      EXPECT_EQ(range.upper, name == "out" ? 4.0 : 0.2);
+      EXPECT_FALSE(range.is_whole) << "it may do more";
+    }
+  }
+  EXPECT_EQ(found, 2U);
+}
+
+}  // namespace
+}  // namespace collision_monitor::test

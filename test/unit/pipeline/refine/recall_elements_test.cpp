@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/refine/recall_elements.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "support/expect_distance.h"
+
+namespace collision_monitor::test {
+namespace {
+
+/// Two balls of 0.1 m that were measured with their centres 0.5 m apart.
+class RecallElements : public testing::Test {
+ protected:
+  RecallElements() {
+    ball_.convex = Sphere{0.1};
+    last_.found.quality = Quality::exact;
+    last_.found.is_complete = last_.found.has_points = true;
+    last_.found.steps = 7;
+    last_.found.measured.distance = 0.3;
+    last_.world_from_b = at(0.5, 0, 0);
+  }
+
+  ElementDistance recall(const Pose& world_from_a, const Pose& world_from_b) const {
+    return recallElements(last_, {ball_, world_from_a}, {ball_, world_from_b},
+                          {ballOf(ball_), ballOf(ball_)});
+  }
+
+  Element ball_;
+  LastMeasurement last_;
+};
+
+TEST_F(RecallElements, nearTheHoleOfAMesh_noMoreThanTheWayThere) {
+  last_.found.outside = 0.05;
+  const ElementDistance recalled = recall(Pose(), at(0.5, 0.02, 0));
+  EXPECT_EQ(recalled.quality, Quality::lower_bound);
+  EXPECT_NEAR(recalled.measured.distance, 0.03, 1e-9);
+  EXPECT_NEAR(recalled.outside, 0.03, 1e-9);
+  EXPECT_EQ(recall(Pose(), at(0.5, 0, 0)).measured.distance, 0.3);
+}
+
+TEST_F(RecallElements, nothingMoved_theSameAtNoCost) {
+  const ElementDistance recalled = recall(Pose(), at(0.5, 0, 0));
+  EXPECT_EQ(recalled.quality, Quality::exact);
+  EXPECT_TRUE(recalled.is_complete && recalled.has_points);
+  EXPECT_EQ(recalled.measured.distance, 0.3);
+  EXPECT_EQ(recalled.steps, 0U);
+}
+
+TEST_F(RecallElements, oneMoved_aBoundLessItsWay) {
+  const ElementDistance recalled = recall(Pose(), at(0.5, 0.03, 0.04));
+  EXPECT_EQ(recalled.quality, Quality::lower_bound);
+  EXPECT_FALSE(recalled.is_complete || recalled.has_points);
+  EXPECT_NEAR(recalled.measured.distance, 0.25, 1e-9);
+  EXPECT_LT(recalled.measured.distance, 0.25) << "rounding is allowed for";
+}
+
+TEST_F(RecallElements, bothMovedTheSameWay_nothingIsLostButRounding) {
+  EXPECT_NEAR(recall(at(1, 2, 3), at(1.5, 2, 3)).measured.distance, 0.3, 1e-9);
+}
+
+TEST_F(RecallElements, overlapThatMoved_saysNothing) {
+  last_.found.quality = Quality::estimate;
+  last_.found.measured.distance = -0.02;
+  EXPECT_EQ(recall(Pose(), at(0.5, 0, 0)).quality, Quality::estimate) << "while it stands";
+  const ElementDistance recalled = recall(Pose(), at(0.5, 0, 1e-6));
+  EXPECT_EQ(recalled.quality, Quality::unknown);
+  EXPECT_FALSE(recalled.is_complete || recalled.has_points);
+}
+
+/// The first ball has a mesh in its place.
+class RecallWithin : public RecallElements {
+ protected:
+  RecallWithin() { last_.found.measured = {0.3, {0.1, 0, 0}, {0.4, 0, 0}, {1, 0, 0}}; }
+
+  std::optional<ElementDistance> within(double tolerance, const Pose& world_from_b) const {
+    const Pose origin;
+    return recallWithin(tolerance, last_, {mesh_, origin}, {ball_, world_from_b},
+                        recall(origin, world_from_b));
+  }
+
+  Element mesh_;
+};
+
+TEST_F(RecallWithin, movedAHalfOfTheTolerance_isTheBoundBetweenThePoints) {
+  const auto found = within(0.011, at(0.505, 0, 0));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->quality, Quality::exact);
+  EXPECT_TRUE(found->has_points && found->is_complete);
+  EXPECT_NEAR(found->measured.distance, 0.295, 1e-9);
+  EXPECT_NEAR(found->measured.point_on_a.x(), 0.1, 1e-9);
+  EXPECT_NEAR(found->measured.point_on_b.x(), 0.395, 1e-9);
+  EXPECT_NEAR(found->measured.normal_a_to_b.x(), 1.0, 1e-9);
+}
+
+TEST_F(RecallWithin, movedMore_isNotWithin) { EXPECT_FALSE(within(0.009, at(0.505, 0, 0))); }
+
+TEST_F(RecallWithin, measuredWithATolerance_hasThatLessLeft) {
+  last_.found.shortfall = 0.002;
+  EXPECT_FALSE(within(0.011, at(0.505, 0, 0)));
+  EXPECT_TRUE(within(0.0121, at(0.505, 0, 0)));
+}
+
+TEST_F(RecallWithin, boundOrOverlap_isNotWithin) {
+  last_.found.has_points = false;
+  EXPECT_FALSE(within(1.0, at(0.505, 0, 0)));
+  last_.found.has_points = true;
+  last_.found.quality = Quality::estimate;
+  EXPECT_FALSE(within(1.0, at(0.505, 0, 0)));
+}
+
+}  // namespace
+}  // namespace collision_monitor::test

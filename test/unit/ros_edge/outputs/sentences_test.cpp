@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/outputs/sentences.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <limits>
+
+#include "unit/ros_edge/edge_scene.h"
+
+namespace collision_monitor::test {
+namespace {
+
+TEST(FixedText, isWhatPrintfSays) {
+  for (const double value :
+       {0.0, -0.0, 0.125, 2.5, 0.05, 9.995, -1.25, 1234.5678, 1e22, 5e-324,
+        std::numeric_limits<double>::max(), std::numeric_limits<double>::infinity()}) {
+    for (const int decimals : {0, 1, 2, 3}) {
+      char expected[400];
+      std::snprintf(expected, sizeof expected, "%.*f", decimals, value);
+      EXPECT_EQ(fixedText(value, decimals), expected) << decimals;
+    }
+  }
+}
+
+TEST(LengthText, changesItsUnitWhereItWouldRoundUp) {
+  EXPECT_EQ(lengthText(0.0), "0.0 mm");
+  EXPECT_EQ(lengthText(-0.00994), "9.9 mm");
+  EXPECT_EQ(lengthText(0.00996), "10 mm");
+  EXPECT_EQ(lengthText(0.9994), "999 mm");
+  EXPECT_EQ(lengthText(0.9996), "1.00 m");
+  EXPECT_EQ(lengthText(12.345), "12.35 m");
+}
+
+using SentencesTest = EdgeScene;
+
+// As the log says it: who waits for a clock must not look for a transform.
+TEST_F(SentencesTest, beforeTheClockStarts_itIsTheReasonOfEachLink) {
+  const auto watch = watchAt(0.0);
+  watch->read(ros::Time(), ClockState());
+  EXPECT_EQ(unknownSentence(*watch, linkNamed(setup_->setup.model, "tool")),
+            "link tool is unknown: no time on /clock yet");
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
