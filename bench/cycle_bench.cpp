@@ -17,7 +17,20 @@
 #include <string>
 
 #include "narrow_phase/mesh_depth/mesh_depth.h"
+#include "pipeline/cycle/bound_bodies.h"
+#include "pipeline/cycle/cull_candidates.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/distance_cache.h"
+#include "pipeline/cycle/find_closings.h"
+#include "pipeline/cycle/judge_pairs.h"
+#include "pipeline/cycle/keep_near.h"
+#include "pipeline/cycle/measure_pairs.h"
+#include "pipeline/cycle/place_bodies.h"
 #include "pipeline/cycle/run_cycle.h"
+#include "pipeline/cycle/scale_speed.h"
+#include "pipeline/data/activation_distance.h"
+#include "pipeline/look_ahead/find_motions.h"
+#include "pipeline/look_ahead/link_walk.h"
 #include "support/robots/robot_moves.h"
 
 namespace collision_monitor::test {
@@ -45,7 +58,7 @@ class Stages {
  public:
   /// As runCycle, but for what counts.
   void run(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) {
-    const double reach = reachOf(setup.limits);
+    const double reach = activationDistanceOf(setup.limits);
     last_ = Clock::now();
     find(setup, poses, reach, buffers);
     measure(setup, reach, buffers);
@@ -75,11 +88,11 @@ class Stages {
     end("5 growBounds");
     findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
     end("6 findCandidates");
-    findReaches(setup, poses, buffers.sweep, buffers.reaches);
-    end("6b findReaches");
-    followWays(setup, poses, buffers);
+    findActivationDistances(setup, poses, buffers.sweep, buffers.activation);
+    end("6b findActivationDistances");
+    accumulateTravel(setup, poses, buffers);
     cullCandidates(setup, buffers);
-    end("6c followWays, cullCandidates");
+    end("6c accumulateTravel, cullCandidates");
   }
 
   void measure(const CycleSetup& setup, double reach, CycleBuffers& buffers) {
@@ -87,8 +100,8 @@ class Stages {
     keepNear(setup, buffers);
     end("7 measurePairs, keepNear");
     refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
-    measureWaiting(setup, buffers);
-    end("8 refinePairs, measureWaiting");
+    measureDeferred(setup, buffers);
+    end("8 refinePairs, measureDeferred");
     measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
     end("9 measureClosest");
     if (setup.is_continuous) {
@@ -124,7 +137,7 @@ struct CycleTimes {
 
   bool add(double time, const PairDistances& distances) {
     const bool is_deep =
-        std::any_of(distances.measured.begin(), distances.measured.end(),
+        std::any_of(distances.pairs.begin(), distances.pairs.end(),
                     [](const PairDistance& pair) { return pair.quality == Quality::estimate; });
     (is_deep ? deep : free).push_back(time);
     return is_deep;
@@ -145,7 +158,7 @@ struct Depths {
     if (cycles++ % kEvery != 0) {
       return;
     }
-    for (const PairDistance& found : buffers.distances.measured) {
+    for (const PairDistance& found : buffers.distances.pairs) {
       const ElementPair& pair = setup.element_pairs[setup.element_pair_of[index(found.pair)]];
       const std::optional<MeshTree>& a = setup.elements[index(pair.a)].mesh;
       const std::optional<MeshTree>& b = setup.elements[index(pair.b)].mesh;

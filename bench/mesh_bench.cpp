@@ -51,7 +51,7 @@ MeshDistance measure(const Pose& a, const Pose& b, const TrianglePair& start = T
   return distanceBetween({s.tree, a}, {s.tree, b}, *s.memory, start);
 }
 
-// Steps along a line through A's centre, never farther than the distance allows.
+// Steps along a line through A's center, never farther than the distance allows.
 std::vector<ScenePose> posesAtGap(double gap) {
   Random random(20260101);
   std::vector<ScenePose> poses;

@@ -7,6 +7,9 @@
 #include <random>
 
 #include "narrow_phase/distance.h"
+#include "pipeline/cycle/bound_bodies.h"
+#include "pipeline/cycle/measure_pairs.h"
+#include "pipeline/cycle/place_bodies.h"
 #include "pipeline/refine/measure_elements.h"
 #include "support/mesh_overlap.h"
 #include "support/robots/robot_moves.h"
@@ -91,7 +94,7 @@ std::unique_ptr<RobotScene> makeRobotScene(const RobotFile& robot) {
   scene->boxes.boxes.resize(scene->setup.bodies.size());
   scene->boxes.known.resize(scene->setup.bodies.size());
   scene->candidates.reserve(scene->setup.table.size());
-  scene->distances.measured.reserve(scene->setup.table.size());
+  scene->distances.pairs.reserve(scene->setup.table.size());
   scene->memory = makeRefineMemory(scene->setup);
   scene->warm.resize(scene->setup.element_pairs.size());
   scene->queries.resize(scene->warm.size());
@@ -109,7 +112,7 @@ void boundPairs(RobotScene& scene, std::size_t state) {
   findCandidates(scene.broad_phase, scene.boxes, setup.table, scene.candidates);
   measurePairs(setup, scene.poses, scene.candidates, scene.distances);
   scene.bounds.clear();
-  for (const PairDistance& distance : scene.distances.measured) {
+  for (const PairDistance& distance : scene.distances.pairs) {
     scene.bounds.emplace_back(distance.measured.distance,
                               setup.element_pair_of[index(distance.pair)]);
   }

@@ -10,7 +10,7 @@
 
 #include "fcl_elements.h"
 #include "narrow_phase/convex/convex_pairs.h"
-#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/cycle/cycle_buffers.h"
 #include "support/robots/file_loader.h"
 
 /// A robot of the shared data that moves through random configurations, for us and for FCL.

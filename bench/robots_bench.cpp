@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bench_loop.h"
+#include "pipeline/cycle/place_bodies.h"
 #include "robot_scene.h"
 
 // One state of a robot, poses given, at a time: least distance and all contacts of the collision

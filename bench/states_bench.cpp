@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "bench_loop.h"
+#include "pipeline/blocks/search_blocks.h"
+#include "pipeline/cycle/place_bodies.h"
 #include "pipeline/states/check_states.h"
 #include "support/instruction_sets.h"
 #include "support/random_poses.h"

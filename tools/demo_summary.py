@@ -14,12 +14,12 @@ import time
 
 import rosgraph
 import rospy
-from collision_monitor.msg import Contacts, LinkDistance, State, Warning as VerdictChange
+from collision_monitor.msg import Contacts, LinkDistance, State, PairWarning
 from std_msgs.msg import Float64
 
 LEVELS = {State.OK: "ok", State.WARNING: "warning", State.UNKNOWN: "unknown", State.CONTACT: "contact"}
-VERDICTS = {VerdictChange.CLEAR: "clear", VerdictChange.WARNING: "WARNING",
-            VerdictChange.UNKNOWN: "UNKNOWN", VerdictChange.CONTACT: "CONTACT"}
+VERDICTS = {PairWarning.CLEAR: "clear", PairWarning.WARNING: "WARNING",
+            PairWarning.UNKNOWN: "UNKNOWN", PairWarning.CONTACT: "CONTACT"}
 QUALITIES = {LinkDistance.EXACT: "exact", LinkDistance.LOWER_BOUND: "or more", LinkDistance.UNKNOWN: "unknown",
              LinkDistance.ESTIMATE: "or deeper"}
 COLOURS = {"clear": "32", "WARNING": "33", "CONTACT": "31", "UNKNOWN": "90"}
@@ -89,7 +89,7 @@ class Reporter:
         self.heard_at, self.silent = None, 0.0
         self.subscribers = [
             rospy.Subscriber(f"{monitor}/state", State, self.on_state, queue_size=100),
-            rospy.Subscriber(f"{monitor}/warnings", VerdictChange, self.on_change, queue_size=1000),
+            rospy.Subscriber(f"{monitor}/warnings", PairWarning, self.on_change, queue_size=1000),
             rospy.Subscriber(f"{monitor}/contacts", Contacts, self.on_contacts, queue_size=100),
             rospy.Subscriber(f"{player}/progress", Float64, self.on_progress, queue_size=100)]
 

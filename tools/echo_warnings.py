@@ -7,7 +7,7 @@ import sys
 
 import rospy
 
-from collision_monitor.msg import Warning as CollisionWarning
+from collision_monitor.msg import PairWarning
 
 
 def main():
@@ -15,7 +15,7 @@ def main():
     parser.add_argument("--monitor", default="/collision_monitor", help="the monitor (default %(default)s)")
     options = parser.parse_args(rospy.myargv()[1:])
     rospy.init_node("echo_warnings", anonymous=True)
-    rospy.Subscriber(options.monitor + "/warnings", CollisionWarning,
+    rospy.Subscriber(options.monitor + "/warnings", PairWarning,
                      lambda warning: print(warning.sentence, flush=True))
     rospy.spin()
     return 0

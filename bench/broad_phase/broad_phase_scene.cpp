@@ -45,13 +45,13 @@ BoxScene::BoxScene(SceneKind kind, std::size_t count)
 }
 
 void BoxScene::place(std::size_t body) {
-  Eigen::Vector3d centre = test::randomPoint(random_, 0.5 * side_);
+  Eigen::Vector3d center = test::randomPoint(random_, 0.5 * side_);
   if (kind_ == SceneKind::clustered && body % 2 == 0) {
     test::Random of_crowd(body / 200);
-    centre =
+    center =
         test::randomPoint(of_crowd, 0.5 * side_) + test::randomPoint(random_, 0.5 * kCrowdSide);
   }
-  bounds_.boxes[body] = {centre - half_edges_[body], centre + half_edges_[body]};
+  bounds_.boxes[body] = {center - half_edges_[body], center + half_edges_[body]};
 }
 
 void BoxScene::advance() {

@@ -26,7 +26,7 @@ class BoxScene {
   BoxScene(SceneKind kind, std::size_t count);
 
   const BodyBounds& bounds() const noexcept { return bounds_; }
-  double side() const noexcept { return side_; }  ///< of the cube that centres stay in [m]
+  double side() const noexcept { return side_; }  ///< of the cube that centers stay in [m]
   void advance();
 
  private:

@@ -47,9 +47,9 @@ def capsule(start, end, radius):
             "rpy": rpy_along(along), "radius": radius, "length": math.hypot(*along)}
 
 
-def capsule_about(centre, axis, length, radius):
+def capsule_about(center, axis, length, radius):
     half = [0.5 * length * a for a in axis]
-    return capsule([c - h for c, h in zip(centre, half)], [c + h for c, h in zip(centre, half)],
+    return capsule([c - h for c, h in zip(center, half)], [c + h for c, h in zip(center, half)],
                    radius)
 
 

@@ -25,11 +25,11 @@ TriangleMesh meshOf(const Geometry& geometry) {
 }
 
 std::vector<double> waysOf(const JointPath& path, const PathPart& part) {
-  std::vector<double> ways;
+  std::vector<double> travels;
   for (std::size_t i = 0; i < path.joints.size(); ++i) {
-    ways.push_back(wayOf(path, part, i));
+    travels.push_back(wayOf(path, part, i));
   }
-  return ways;
+  return travels;
 }
 
 /// How far a distance lasts from a share of a segment on: halved until it does.
@@ -106,10 +106,10 @@ std::vector<std::uint64_t> countSamples(FclPath& all, double step) {
   std::vector<Pose> world_from_link;
   for (std::size_t segment = 0; segment + 1 < all.path.times.size(); ++segment) {
     all.poses.place(segment, 0.0, world_from_link);
-    const std::vector<double> ways = waysOf(all.path, {segment, 0.0, 1.0});
+    const std::vector<double> travels = waysOf(all.path, {segment, 0.0, 1.0});
     double farthest = 0.0;
     for (const LinkChain& chain : all.chains) {
-      farthest = std::max(farthest, boundMotion(chain, all.balls, world_from_link, ways));
+      farthest = std::max(farthest, boundMotion(chain, all.balls, world_from_link, travels));
     }
     counts.push_back(
         std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(farthest / step))));

@@ -33,7 +33,7 @@ void count(const PlateCrossing& scene, Tally& tally) {
   ++tally.count;
   tally.told += is_told ? 1 : 0;
   tally.shown += shown ? 1 : 0;
-  tally.steps += found.steps;
+  tally.steps += found.work;
   if (is_told) {
     const double distance = distanceAt(scene, found.time);
     tally.farthest = std::max(tally.farthest, distance);

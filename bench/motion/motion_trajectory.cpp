@@ -48,7 +48,7 @@ void printReport(const JointPath& path, const TrajectoryReport& report) {
   print("pairs", static_cast<double>(report.pairs.size()));
   print("contacts", count_of(ApproachState::contact));
   print("undecided", count_of(ApproachState::undecided) + count_of(ApproachState::unknown));
-  print("steps", static_cast<double>(report.steps));
+  print("steps", static_cast<double>(report.work));
 }
 
 /// Of all samples, and of a part of them if there are many.

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "product_bench.h"
 #include "support/robots/robot_moves.h"

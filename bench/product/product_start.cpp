@@ -8,6 +8,7 @@
 #include <fstream>
 #include <optional>
 
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "product_bench.h"
 #include "ros_edge/parameters/resource_loader.h"

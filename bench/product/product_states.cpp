@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fcl_elements.h"
+#include "pipeline/cycle/place_bodies.h"
 #include "pipeline/states/check_states.h"
 #include "product_bench.h"
 #include "support/robots/robot_moves.h"

@@ -21,37 +21,39 @@ constexpr std::size_t kCallsUntilNextTrial = 100;
 Automatic::Automatic(std::size_t body_count)
     : neighbour_list_(body_count), brute_force_(body_count), sweep_and_prune_(body_count) {}
 
-Automatic::Way Automatic::chooseWay(std::size_t body_count, std::size_t pair_count) const noexcept {
+Automatic::Method Automatic::chooseMethod(std::size_t body_count,
+                                          std::size_t pair_count) const noexcept {
   if (!neighbour_list_.isCoherent()) {
-    return body_count <= kFewBodies ? Way::brute_force : Way::neighbour_list;
+    return body_count <= kFewBodies ? Method::brute_force : Method::neighbour_list;
   }
   const bool is_crowded =
       neighbour_list_.work() > kMuchWork * body_count && pair_count > kManyPairs * body_count;
-  return is_crowded ? Way::sweep_and_prune : Way::neighbour_list;
+  return is_crowded ? Method::sweep_and_prune : Method::neighbour_list;
 }
 
 void Automatic::findMeetings(const std::vector<SmallBox>& boxes,
                              std::vector<PairKey>& found) noexcept {
-  const Way way = boxes.size() <= kVeryFewBodies ? Way::brute_force : way_;
+  const Method method = boxes.size() <= kVeryFewBodies ? Method::brute_force : method_;
   ++calls_;
-  switch (way) {
-    case Way::brute_force:
+  switch (method) {
+    case Method::brute_force:
       brute_force_.findMeetings(boxes, found);
       break;
-    case Way::sweep_and_prune:
+    case Method::sweep_and_prune:
       sweep_and_prune_.findMeetings(boxes, found);
       break;
-    case Way::neighbour_list:
+    case Method::neighbour_list:
       neighbour_list_.findMeetings(boxes, found);
       if (calls_ >= kTrialCalls) {
-        way_ = chooseWay(boxes.size(), found.size());
-        calls_ = way_ == way ? calls_ : 0;
+        method_ = chooseMethod(boxes.size(), found.size());
+        calls_ = method_ == method ? calls_ : 0;
       }
       return;
   }
-  const bool is_disordered = way == Way::sweep_and_prune && calls_ > 1 && sweep_and_prune_.isAnew();
+  const bool is_disordered =
+      method == Method::sweep_and_prune && calls_ > 1 && sweep_and_prune_.isAnew();
   if (calls_ >= kCallsUntilNextTrial || is_disordered) {
-    way_ = Way::neighbour_list;
+    method_ = Method::neighbour_list;
     calls_ = 0;
   }
 }

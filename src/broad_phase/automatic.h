@@ -27,14 +27,14 @@ class Automatic {
                  std::vector<std::uint64_t>& marks) noexcept;
 
  private:
-  enum class Way : unsigned char { neighbour_list, brute_force, sweep_and_prune };
+  enum class Method : unsigned char { neighbour_list, brute_force, sweep_and_prune };
 
-  Way chooseWay(std::size_t body_count, std::size_t pair_count) const noexcept;
+  Method chooseMethod(std::size_t body_count, std::size_t pair_count) const noexcept;
 
   NeighbourList neighbour_list_;
   BruteForce brute_force_;
   SweepAndPrune sweep_and_prune_;
-  Way way_{Way::neighbour_list};
+  Method method_{Method::neighbour_list};
   std::size_t calls_{0};  ///< on this way
 };
 

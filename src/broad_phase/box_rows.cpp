@@ -6,6 +6,7 @@
 
 #include "broad_phase/row_pointers.h"
 #include "collision_monitor/broad_phase/pair_table.h"
+#include "collision_monitor/geometry/ids.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "broad_phase/box_rows.cpp"
@@ -127,7 +128,7 @@ HWY_INLINE std::size_t pairRowOfTable(const RowPointers& rows, std::size_t row, 
                 meetOnAxis(rows, row, other, 2));
     const auto id = hn::LoadU(integers, ids + row * last + other);
     const auto is_pair =
-        hn::And(hn::RebindMask(integers, meet), hn::Ne(id, hn::Set(integers, kNoPair)));
+        hn::And(hn::RebindMask(integers, meet), hn::Ne(id, hn::Set(integers, kNone)));
     hn::StoreU(packed(id, is_pair), integers, found + count);
     count += hn::CountTrue(integers, is_pair);
   }

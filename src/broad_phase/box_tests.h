@@ -41,7 +41,7 @@ inline SmallBox unionOf(const SmallBox& a, const SmallBox& b) noexcept {
 }
 
 /// Middle of the box along one axis. Units: metres. Finite also for boxes without end.
-inline double centreOf(const SmallBox& box, std::size_t axis) noexcept {
+inline double centerOf(const SmallBox& box, std::size_t axis) noexcept {
   constexpr double kFar = 1e18;
   return 0.5 * (std::max<double>(box.min[axis], -kFar) + std::min<double>(box.max[axis], kFar));
 }

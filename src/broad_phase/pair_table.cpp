@@ -6,6 +6,8 @@
 #include <cassert>
 #include <utility>
 
+#include "collision_monitor/geometry/ids.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -23,7 +25,7 @@ PairTable::PairTable(std::vector<BodyPair> pairs, std::size_t body_count)
 }
 
 void PairTable::fillDense() {
-  dense_.resize(body_count_ * body_count_ + kRowPadding, kNoPair);
+  dense_.resize(body_count_ * body_count_ + kRowPadding, kNone);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     assert(pairs_[i].a < pairs_[i].b && index(pairs_[i].b) < body_count_);
     dense_[index(pairs_[i].a) * body_count_ + index(pairs_[i].b)] = static_cast<std::uint32_t>(i);
@@ -56,8 +58,8 @@ bool PairTable::find(BodyId one, BodyId other, PairId& id) const noexcept {
   const BodyId b = std::max(one, other);
   if (!dense_.empty()) {
     const std::uint32_t found = dense_[index(a) * body_count_ + index(b)];
-    id = found != kNoPair ? PairId{found} : id;
-    return found != kNoPair;
+    id = found != kNone ? PairId{found} : id;
+    return found != kNone;
   }
   const auto last = partners_.begin() + first_partner_[index(a) + 1];
   const auto found =

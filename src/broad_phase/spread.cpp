@@ -22,11 +22,11 @@ std::array<Spread, 3> spreadsOf(const std::vector<SmallBox>& boxes) noexcept {
       const SmallBox& box = boxes[body];
       const double width = static_cast<double>(box.max[axis]) - box.min[axis];
       if (std::isfinite(width)) {
-        const double centre = centreOf(box, axis);
+        const double center = centerOf(box, axis);
         count += 1.0;
         widths += width;
-        sum += centre;
-        squares += centre * centre;
+        sum += center;
+        squares += center * center;
       }
     }
     if (count > 0.0) {

@@ -12,7 +12,7 @@ namespace collision_monitor {
 /// How boxes lie along one axis. Units: metres.
 struct Spread {
   double mean_width{0.0};
-  double range{0.0};  ///< of centres, were they spread evenly: outliers hardly count
+  double range{0.0};  ///< of centers, were they spread evenly: outliers hardly count
 };
 
 /// Of some thousand boxes, evenly chosen; those without end are left out.

@@ -14,7 +14,7 @@ inline bool isSame(const Pose& one, const Pose& other) noexcept {
 }
 
 /// [m] No point of a ball goes farther from one pose to the other, straight or on any other way on
-/// which centre and rotation go no farther than that.
+/// which center and rotation go no farther than that.
 ///
 /// Two rotations by t from each other differ by 2 sin(t / 2) as operators and by sqrt(2) times as
 /// much in Frobenius' norm. Error: some ulps of the coordinates.

@@ -49,8 +49,8 @@ inline BasedTriangle baseOf(const Triangle& triangle) noexcept {
 /// A point of the triangle: the one nearest to `point` where that is inside the triangle. What is
 /// nearest to its boundary is left to the edges. Triangles without area are legal.
 /// Error: some ulps of the triangle's size and of the distance, however thin it is.
-inline Eigen::Vector3d footOn(const BasedTriangle& triangle,
-                              const Eigen::Vector3d& point) noexcept {
+inline Eigen::Vector3d closestOn(const BasedTriangle& triangle,
+                                 const Eigen::Vector3d& point) noexcept {
   // Across the base at the foot of the point, a triangle is a short segment perpendicular to the
   // base, on which the nearest point is found by one more projection. No area is divided by.
   if (!(triangle.squared_length > 0.0)) {

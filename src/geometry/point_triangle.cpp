@@ -26,27 +26,27 @@ struct Foot {
 
 /// The foot is a weighted mean of the corners, so that it is on the triangle whatever the normal's
 /// error. When it is not inside, the nearest point is on an edge that it lies beyond.
-Foot footOf(const Vector3d& point, const Vector3d (&corners)[3]) {
-  Foot foot;
+Foot closestOf(const Vector3d& point, const Vector3d (&corners)[3]) {
+  Foot closest;
   const Vector3d ab = corners[1] - corners[0];
   const Vector3d ac = corners[2] - corners[0];
   const Vector3d normal = ab.cross(ac);
   const double longest_squared = std::max(ab.squaredNorm(), ac.squaredNorm());
-  foot.is_thin = !(normal.squaredNorm() > kThin * longest_squared * longest_squared);
-  if (foot.is_thin) {
-    return foot;
+  closest.is_thin = !(normal.squaredNorm() > kThin * longest_squared * longest_squared);
+  if (closest.is_thin) {
+    return closest;
   }
   double weights[3];
   for (int i = 0; i < 3; ++i) {
     const Vector3d& from = corners[(i + 1) % 3];
     const Vector3d& to = corners[(i + 2) % 3];
     weights[i] = normal.dot((to - from).cross(point - from));
-    foot.is_beyond[i] = weights[i] < 0.0;
+    closest.is_beyond[i] = weights[i] < 0.0;
   }
-  foot.is_inside = !foot.is_beyond[0] && !foot.is_beyond[1] && !foot.is_beyond[2];
+  closest.is_inside = !closest.is_beyond[0] && !closest.is_beyond[1] && !closest.is_beyond[2];
   const double sum = weights[0] + weights[1] + weights[2];
-  foot.point = corners[0] + weights[1] / sum * ab + weights[2] / sum * ac;
-  return foot;
+  closest.point = corners[0] + weights[1] / sum * ab + weights[2] / sum * ac;
+  return closest;
 }
 
 }  // namespace
@@ -66,15 +66,15 @@ Vector3d closestPointOnSegment(const Vector3d& point, const Vector3d& a,
 Vector3d closestPointOnTriangle(const Vector3d& point, const Vector3d& a, const Vector3d& b,
                                 const Vector3d& c) noexcept {
   const Vector3d corners[3] = {a, b, c};
-  const Foot foot = footOf(point, corners);
-  if (foot.is_inside) {
-    return foot.point;
+  const Foot closest = closestOf(point, corners);
+  if (closest.is_inside) {
+    return closest.point;
   }
-  Vector3d nearest = foot.is_thin ? footOn(baseOf({a, b, c}), point) : a;
+  Vector3d nearest = closest.is_thin ? closestOn(baseOf({a, b, c}), point) : a;
   double least_squared =
-      foot.is_thin ? (nearest - point).squaredNorm() : std::numeric_limits<double>::infinity();
+      closest.is_thin ? (nearest - point).squaredNorm() : std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
-    if (foot.is_beyond[i]) {
+    if (closest.is_beyond[i]) {
       const Vector3d candidate =
           closestPointOnSegment(point, corners[(i + 1) % 3], corners[(i + 2) % 3]);
       const double squared = (candidate - point).squaredNorm();

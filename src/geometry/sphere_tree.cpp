@@ -14,18 +14,18 @@ constexpr double kUnitRoundOff = 0.5 * std::numeric_limits<double>::epsilon();
 template <class Ends>
 std::vector<SphereNode> cut(const SphereTree& tree, const Ends& ends) {
   std::vector<SphereNode> result;
-  std::vector<std::uint32_t> waiting;
+  std::vector<std::uint32_t> to_visit;
   if (!tree.nodes.empty()) {
-    waiting.push_back(0);
+    to_visit.push_back(0);
   }
-  for (std::size_t i = 0; i < waiting.size(); ++i) {
-    const SphereNode& node = tree.nodes[waiting[i]];
+  for (std::size_t i = 0; i < to_visit.size(); ++i) {
+    const SphereNode& node = tree.nodes[to_visit[i]];
     if (node.child_count == 0 || ends(node)) {
       result.push_back(node);
       continue;
     }
     for (std::uint32_t child = 0; child < node.child_count; ++child) {
-      waiting.push_back(node.first_child + child);
+      to_visit.push_back(node.first_child + child);
     }
   }
   return result;
@@ -52,9 +52,9 @@ SphereTree placed(const SphereTree& tree, const Pose& link_from_geometry) {
       (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).norm() + 16.0 * kUnitRoundOff;
   SphereTree result = tree;
   for (auto& node : result.nodes) {
-    const double lengths = node.centre.norm() + link_from_geometry.translation.norm();
-    node.centre = link_from_geometry * node.centre;
-    // A centre whose terms cancel errs by a few u of them.
+    const double lengths = node.center.norm() + link_from_geometry.translation.norm();
+    node.center = link_from_geometry * node.center;
+    // A center whose terms cancel errs by a few u of them.
     const double allowance = 16.0 * kUnitRoundOff * (1.0 + stretch) * lengths;
     node.radius = node.radius * (1.0 + stretch) + allowance;
   }

@@ -12,7 +12,7 @@ namespace collision_monitor {
 
 /// A sphere about one part of a surface.
 struct SphereNode {
-  Eigen::Vector3d centre{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d center{Eigen::Vector3d::Zero()};
   double radius{0.0};
   double overshoot{0.0};  ///< [m] the farthest that a sample of the sphere is from the surface
   std::uint32_t first_child{0};

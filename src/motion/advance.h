@@ -20,7 +20,7 @@ struct Sighting {
   SignedDistance measured;
   double gap{0.0};        ///< [m] proven, beyond the distance asked for
   bool has_plane{false};  ///< a plane across the normal parts the bodies by the gap
-  std::uint32_t steps{1};
+  std::uint32_t work{1};
 };
 
 inline bool isFinite(const ScrewMotion& motion) noexcept {
@@ -53,9 +53,9 @@ SweptContact advance(const MovingBall& a, const MovingBall& b, const SweepLimits
   }
   found.state = SweepState::undecided;
   found.time = limits.from;
-  while (found.steps < limits.budget) {
-    const Sighting seen = look(found.time, limits.budget - found.steps);
-    found.steps += seen.steps;
+  while (found.work < limits.budget) {
+    const Sighting seen = look(found.time, limits.budget - found.work);
+    found.work += seen.work;
     found.measured = seen.measured;
     if (seen.state != SweepState::clear) {
       found.state = seen.state;

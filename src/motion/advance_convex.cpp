@@ -15,8 +15,8 @@ Sighting sight(const ConvexDistance& found, const SweepLimits& limits) noexcept 
   Sighting seen;
   seen.measured = found.measured;
   seen.gap = found.measured.distance - limits.contact_distance;
-  seen.has_plane = found.quality == DistanceQuality::exact;
-  if (found.quality == DistanceQuality::unknown) {
+  seen.has_plane = found.quality == Quality::exact;
+  if (found.quality == Quality::unknown) {
     seen.state = SweepState::unknown;
   } else if (seen.gap > limits.tolerance) {
     seen.state = SweepState::clear;
@@ -128,7 +128,7 @@ SweptContact firstContact(const MovingShape& a, const MovingShape& b,
   const auto look = [&](double time, std::uint32_t /*budget*/) noexcept {
     const SignedDistance measured =
         distanceBetween(a.shape, poseAt(a.motion, time), b.shape, poseAt(b.motion, time));
-    return sight({measured, DistanceQuality::exact}, limits);
+    return sight({measured, Quality::exact}, limits);
   };
   return advance({ball_a, a.motion}, {ball_b, b.motion}, rest, look);
 }

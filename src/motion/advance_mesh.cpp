@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collision_monitor/geometry/ids.h"
 #include "motion/advance.h"
 #include "narrow_phase/closed_form/core_distance.h"
 #include "narrow_phase/mesh/mesh_search.h"
@@ -12,7 +13,7 @@
 namespace collision_monitor {
 namespace {
 
-using Waiting = MeshQueryMemory::Waiting;
+using NodePair = MeshQueryMemory::NodePair;
 
 /// Both meshes at one time, in the frame of A, and what is looked for: the earliest time at which
 /// two of their triangles may have come as near as asked for.
@@ -82,28 +83,28 @@ double squaredReach(const Sweep& sweep, Slot slot_of_b) noexcept {
 
 /// @return nodes opened and triangles measured; more than `budget` if it was spent.
 std::uint32_t search(MeshQueryMemory& memory, std::uint32_t budget, Sweep& sweep) noexcept {
-  std::uint32_t steps = 0;
-  WaitingPairs waiting(memory);
-  waiting.push({0.0F, 0, 0});
-  while (!waiting.empty() && !sweep.is_contact) {
-    const Waiting next = waiting.pop();
+  std::uint32_t work = 0;
+  NodePairQueue queue(memory);
+  queue.push({0.0F, 0, 0});
+  while (!queue.empty() && !sweep.is_contact) {
+    const NodePair next = queue.pop();
     const float limit = asLimit(squaredReach(sweep, next.b));
     if (!(next.squared_bound < limit)) {
       continue;
     }
-    if (++steps > budget) {
-      return steps;
+    if (++work > budget) {
+      return work;
     }
     const std::uint32_t child_a = childOf(sweep.pair.a, next.a);
     const std::uint32_t child_b = childOf(sweep.pair.b, next.b);
     if (isTriangle(child_a) && isTriangle(child_b)) {
-      steps += kVisitsToMeasure - 1;
+      work += kVisitsToMeasure - 1;
       measureTriangles(triangleAt(child_a), triangleAt(child_b), sweep);
     } else {
-      openLarger(sweep.pair, next, limit, waiting);
+      openLarger(sweep.pair, next, limit, queue);
     }
   }
-  return steps;
+  return work;
 }
 
 /// Whether one is inside the other, where it can get there through a hole; if not, until when that
@@ -152,35 +153,35 @@ bool advanceOnce(const MovingMesh& a, const MovingMesh& b, const SweepLimits& li
   const Approach approach = approachAt(a.motion, b.motion, ballOf(b.tree), found.time);
   const double rest = limits.until - found.time;
   Sweep sweep{pair, placedInA(approach, world_from_a), limits, rest, {}, {}, false};
-  if (progress.last.a != TrianglePair::kNone) {
+  if (progress.last.a != kNone) {
     measureTriangles(progress.last.a, progress.last.b, sweep);
   }
-  const std::uint32_t left = limits.budget - found.steps;
-  const std::uint32_t steps = search(memory, left, sweep);
-  found.steps += steps;
+  const std::uint32_t left = limits.budget - found.work;
+  const std::uint32_t work = search(memory, left, sweep);
+  found.work += work;
   progress.last = sweep.nearest;
   if (sweep.is_contact) {
     found.state = SweepState::contact;
     found.measured = contactOf(sweep, world_from_a);
-  } else if (steps <= left) {
+  } else if (work <= left) {
     const Holding held = lookInside(memory, sweep);
-    found.steps += held.visits;
+    found.work += held.visits;
     if (held.point) {
       found.state = SweepState::contact;
       found.measured = contactAt(world_from_a * *held.point);
-    } else if (sweep.nearest.a == TrianglePair::kNone && !(sweep.soonest < rest)) {
+    } else if (sweep.nearest.a == kNone && !(sweep.soonest < rest)) {
       found.state = SweepState::clear;
       found.time = 1.0;
     } else {
       found.time += sweep.soonest;
     }
   }
-  return steps <= left;
+  return work <= left;
 }
 
 Sighting sight(const MeshDistance& found, const SweepLimits& limits) noexcept {
   Sighting seen;
-  seen.steps = found.visits + 1;
+  seen.work = found.visits + 1;
   seen.measured = found.measured;
   seen.gap = found.measured.distance - nearestOf(limits);
   const bool is_near = found.state == MeshState::overlapping || seen.gap <= limits.tolerance;
@@ -215,7 +216,7 @@ SweptContact firstContact(const MovingMesh& a, const MovingMesh& b, const SweepL
   found.state = SweepState::undecided;
   found.time = limits.from;
   Progress progress{found, {}};
-  while (progress.found.state == SweepState::undecided && progress.found.steps < limits.budget &&
+  while (progress.found.state == SweepState::undecided && progress.found.work < limits.budget &&
          advanceOnce(a, b, limits, memory, progress)) {
   }
   return progress.found;

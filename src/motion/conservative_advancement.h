@@ -45,7 +45,7 @@ struct SweptContact {
   SweepState state{SweepState::unknown};
   double time{0.0};
   SignedDistance measured;  ///< of contact, at that time
-  std::uint32_t steps{0};   ///< distances measured; of meshes, nodes opened and triangles measured
+  std::uint32_t work{0};    ///< distances measured; of meshes, nodes opened and triangles measured
 };
 
 /// What is asked for, and how much work may go into it.

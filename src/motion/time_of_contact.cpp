@@ -55,7 +55,7 @@ std::optional<double> timeOfContact(const Sphere& a, const Pose& world_from_a, c
     return std::nullopt;
   }
   const double length_squared = travel.squaredNorm();
-  // How far the centre passes by; a difference of squares would lose it where they graze.
+  // How far the center passes by; a difference of squares would lose it where they graze.
   const double aside = (between + approach / length_squared * travel).norm();
   if (aside > reach) {
     return std::nullopt;

@@ -24,7 +24,7 @@ SignedDistance inCanonicalOrder(const A& a, const Pose& world_from_a, const B& b
 
 // Calls `use` with the shape as one of the three swept kinds. Not std::visit, which may throw.
 template <class Use>
-SignedDistance withSwept(const Shape& shape, const Use& use) noexcept {
+SignedDistance withInflated(const Shape& shape, const Use& use) noexcept {
   static_assert(std::variant_size_v<Shape> == 4, "every kind of shape stands below");
   if (const auto* sphere = std::get_if<Sphere>(&shape)) {
     return use(*sphere);
@@ -42,9 +42,9 @@ SignedDistance withSwept(const Shape& shape, const Use& use) noexcept {
 
 SignedDistance distanceBetween(const Shape& a, const Pose& world_from_a, const Shape& b,
                                const Pose& world_from_b) noexcept {
-  return withSwept(a, [&](const auto& swept_a) noexcept {
-    return withSwept(b, [&](const auto& swept_b) noexcept {
-      return inCanonicalOrder(swept_a, world_from_a, swept_b, world_from_b);
+  return withInflated(a, [&](const auto& inflated_a) noexcept {
+    return withInflated(b, [&](const auto& inflated_b) noexcept {
+      return inCanonicalOrder(inflated_a, world_from_a, inflated_b, world_from_b);
     });
   });
 }

@@ -50,7 +50,7 @@ ConvexDistance measure(const PlacedTree& a, const PlacedTree& b, GeometrySearch&
     return {};
   }
   if (found.state != MeshState::overlapping) {
-    return {found.measured, DistanceQuality::exact};
+    return {found.measured, Quality::exact};
   }
   constexpr std::uint32_t kPoints = 200;
   KeptDepth nothing;
@@ -58,7 +58,7 @@ ConvexDistance measure(const PlacedTree& a, const PlacedTree& b, GeometrySearch&
   const WayOut out = wayOut(mesh_a, mesh_b, deep.deepest.normal_a_to_b);
   const Eigen::Vector3d& point = found.measured.point_on_a;
   return {{-out.length, point, point - out.length * out.direction, out.direction},
-          DistanceQuality::lower_bound};
+          Quality::lower_bound};
 }
 
 ConvexDistance measure(const PlacedTree& a, const PlacedSolid& b, GeometrySearch& search) noexcept {
@@ -69,7 +69,7 @@ ConvexDistance measure(const PlacedTree& a, const PlacedSolid& b, GeometrySearch
     return {};
   }
   const bool is_exact = found.state == MeshState::exact || isHalfSpace(b.geometry);
-  return {found.measured, is_exact ? DistanceQuality::exact : DistanceQuality::estimate};
+  return {found.measured, is_exact ? Quality::exact : Quality::estimate};
 }
 
 ConvexDistance measure(const PlacedSolid& a, const PlacedTree& b, GeometrySearch& search) noexcept {
@@ -84,11 +84,10 @@ void descend(const PlacedUnion& a, std::uint32_t index, const Placed<Other>& oth
   const SphereNode& node = a.geometry.tree.nodes[index];
   const bool is_leaf = node.child_count == 0;
   const ConvexGeometry sphere = Sphere{is_leaf ? node.radius : a.geometry.reach[index]};
-  const Pose at{Eigen::Matrix3d::Identity(), a.world_from_body * node.centre};
+  const Pose at{Eigen::Matrix3d::Identity(), a.world_from_body * node.center};
   forget(search.convex.warm);
   const ConvexDistance here = measure(PlacedSolid{sphere, at}, other, search);
-  if (least.quality != DistanceQuality::unknown &&
-      here.measured.distance >= least.measured.distance) {
+  if (least.quality != Quality::unknown && here.measured.distance >= least.measured.distance) {
     return;
   }
   if (is_leaf) {
@@ -106,7 +105,7 @@ ConvexDistance measureUnion(const PlacedUnion& a, const Placed<Other>& b,
   ConvexDistance least;
   descend(a, 0, b, search, least);
   if (least.measured.distance < 0.0 && !isHalfSpace(b.geometry)) {
-    least.quality = DistanceQuality::estimate;
+    least.quality = Quality::estimate;
   }
   return least;
 }
@@ -142,7 +141,7 @@ SphereUnion makeSphereUnion(SphereTree tree) {
     made.reach[i] = nodes[i].child_count == 0 ? nodes[i].radius : 0.0;
     for (std::uint32_t k = 0; k < nodes[i].child_count; ++k) {
       const std::size_t child = nodes[i].first_child + k;
-      const double beyond = (nodes[child].centre - nodes[i].centre).norm() + made.reach[child];
+      const double beyond = (nodes[child].center - nodes[i].center).norm() + made.reach[child];
       made.reach[i] = std::max(made.reach[i], kUp * beyond);
     }
   }

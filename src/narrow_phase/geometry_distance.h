@@ -16,7 +16,7 @@ namespace collision_monitor {
 /// The leaves of a sphere tree as a solid: the union of their spheres.
 struct SphereUnion {
   SphereTree tree;
-  /// [m] By node: radius about its centre that holds all leaves below it, whose spheres may stick
+  /// [m] By node: radius about its center that holds all leaves below it, whose spheres may stick
   /// out of the node's own.
   std::vector<double> reach;
 };

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "pipeline/answers/carry_over.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/run_cycle.h"
 #include "ros_edge/outputs/pair_counts.h"
 #include "ros_edge/poses/floating_parts.h"
 
@@ -78,16 +81,16 @@ void Watch::forget() {
   resetTracker(tracker);
 }
 
-void Watch::fallSilent() { believed = buffers.memory.reported; }
+void Watch::pauseReporting() { believed = buffers.memory.reported; }
 
-void Watch::speakAgain() {
+void Watch::resumeReporting() {
   buffers.memory.reported = believed;
   buffers.memory.speed.scale = 0.0;  // as it was sent
   forgetPoses(buffers);
   links_known = 0;
 }
 
-std::vector<LinkPairIndex> Watch::succeed(const Watch& former) {
+std::vector<LinkPairIndex> Watch::inheritVerdicts(const Watch& former) {
   return carryOver(former.setup(), former.buffers.memory, setup(), buffers.memory);
 }
 

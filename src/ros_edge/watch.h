@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "pipeline/cycle/budget_use.h"
-#include "pipeline/cycle/link_velocities.h"
-#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/answers/budget_use.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/look_ahead/link_velocities.h"
 #include "ros_edge/inputs/clock_watch.h"
 #include "ros_edge/parameters/monitor_setup.h"
 #include "ros_edge/poses/pose_reader.h"
@@ -29,12 +29,12 @@ struct Watch {
   /// One cycle; before it, what links that come to be known bring with them is learned.
   void cycle() noexcept;
   /// It is switched off: listeners go on believing what they were told.
-  void fallSilent();
+  void pauseReporting();
   /// It is switched on again: what is not as listeners believe is a change.
-  void speakAgain();
+  void resumeReporting();
   /// What another watch has reported is carried on by this one.
   /// @return pairs of the other that it checks no more, and that were not clear
-  std::vector<LinkPairIndex> succeed(const Watch& former);
+  std::vector<LinkPairIndex> inheritVerdicts(const Watch& former);
 
   std::shared_ptr<const MonitorSetup> fixed;
   JointReader joints;

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "collision_monitor/pipeline/search_pairs.h"
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "pipeline/states/check_states.h"
 #include "pipeline/trajectory/check_trajectory.h"
@@ -35,8 +36,8 @@ void add(const PairDistance& distance, Digest& digest) {
 }
 
 void add(const PairDistances& distances, Digest& digest) {
-  digest.add(distances.measured.size());
-  for (const PairDistance& distance : distances.measured) {
+  digest.add(distances.pairs.size());
+  for (const PairDistance& distance : distances.pairs) {
     add(distance, digest);
   }
   digest.add(distances.passed.size());

@@ -11,13 +11,13 @@
 
 namespace {
 
-volatile bool is_enough = false;
+volatile bool reaches_cutoff = false;
 
 /// Deeper than any stack, whatever the compiler makes of it.
 int nestForEver() {
   volatile char filler[4096];
   filler[0] = 1;
-  return is_enough ? 0 : nestForEver() + filler[0];
+  return reaches_cutoff ? 0 : nestForEver() + filler[0];
 }
 
 /// What may go wrong in a helper, by the name of the question.

@@ -83,7 +83,7 @@ TEST(PeerCases, everyConvexPair_isDecidedByTheReference) {
     const ConvexDistance found = measure(peer);
     const double distance = found.measured.distance;
     const double lengths = lengthsOf(peer);
-    EXPECT_EQ(found.quality, DistanceQuality::exact);
+    EXPECT_EQ(found.quality, Quality::exact);
     const Truth truth = truthOf(peer, distance);
     const double error = std::abs(distance - truth.distance) / lengths;
     EXPECT_LE(error, truth.error);

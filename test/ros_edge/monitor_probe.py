@@ -11,7 +11,7 @@ from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import JointState
 from std_msgs.msg import Bool
 
-from collision_monitor.msg import Contacts, Distances, State, Warning as WarningMessage
+from collision_monitor.msg import Contacts, Distances, State, PairWarning
 
 NODE = "/collision_monitor"
 DEADLINE = 20.0  # wall seconds; far more than anything takes, so a failure is a failure
@@ -44,7 +44,7 @@ class Probe:
             rospy.Subscriber(name + "/contacts", Contacts, self._keep("contacts")),
             rospy.Subscriber(name + "/distances", Distances, self._keep("distances")),
             rospy.Subscriber(name + "/state_is_valid", Bool, self._keep("is_valid")),
-            rospy.Subscriber(name + "/warnings", WarningMessage, self._keep_warning)]
+            rospy.Subscriber(name + "/warnings", PairWarning, self._keep_warning)]
 
     def _keep_state(self, message):
         with self.condition:

@@ -54,7 +54,7 @@ class TwoRobots(unittest.TestCase):
         answer = get_distances(links_a=["left/box_b"], links_b=["right/box_b"])
         self.assertTrue(answer.success, answer.message)
         self.assertEqual(len(answer.distances.pairs), 1)
-        # Edges of 0.1 m, centres 0.24 m apart.
+        # Edges of 0.1 m, centers 0.24 m apart.
         self.assertAlmostEqual(answer.distances.pairs[0].distance, 0.14, places=6)
 
     def test_pairThatIgnorePairsNames_isLeftOutWhileItDoes(self):

@@ -11,7 +11,7 @@ from sensor_msgs.msg import JointState
 from std_msgs.msg import Float64
 from std_srvs.srv import SetBool, Trigger
 
-from collision_monitor.msg import LinkDistance, State, Warning as WarningMessage
+from collision_monitor.msg import LinkDistance, State, PairWarning
 from collision_monitor.srv import CheckStates, CheckTrajectory, GetDistances
 from diagnostic_msgs.msg import DiagnosticArray
 from monitor_probe import NODE, Probe, TwoBoxes
@@ -53,12 +53,12 @@ class Verdicts(TwoBoxes):
         self.probe.wait_for_level(State.OK)
         self.probe.wait(lambda: self.probe.is_valid.data is True, "state_is_valid true")
         self.probe.wait(lambda: self.probe.warnings and
-                        self.probe.warnings[-1].after == WarningMessage.CLEAR, "the last warning")
+                        self.probe.warnings[-1].after == PairWarning.CLEAR, "the last warning")
         verdicts = [warning.after for warning in self.probe.warnings]
         # robot_state_publisher may show the jump of the joint at once or not; the order holds.
-        self.assertEqual(verdicts, [WarningMessage.WARNING, WarningMessage.CONTACT,
-                                    WarningMessage.CLEAR])
-        self.assertEqual(self.probe.warnings[0].before, WarningMessage.CLEAR)
+        self.assertEqual(verdicts, [PairWarning.WARNING, PairWarning.CONTACT,
+                                    PairWarning.CLEAR])
+        self.assertEqual(self.probe.warnings[0].before, PairWarning.CLEAR)
 
     def test_distances_holdTheClosestPairWithDataStamp(self):
         self.joints.set(slide=0.0)
@@ -152,27 +152,27 @@ class Verdicts(TwoBoxes):
 
     def test_contactThatEndsWhileSwitchedOff_isTakenBack(self):
         self.joints.set(slide=-0.13)
-        self.wait_for_warning(WarningMessage.CONTACT, "box_a overlaps box_b")
+        self.wait_for_warning(PairWarning.CONTACT, "box_a overlaps box_b")
         self.assertTrue(self.service("set_enabled", SetBool)(False).success)
         self.joints.set(slide=0.3)
-        self.wait_for_warning(WarningMessage.CLEAR, "clear")  # disable_timeout is 0.75 s here
-        self.assertEqual(self.probe.warnings[-1].before, WarningMessage.CONTACT)
+        self.wait_for_warning(PairWarning.CLEAR, "clear")  # disable_timeout is 0.75 s here
+        self.assertEqual(self.probe.warnings[-1].before, PairWarning.CONTACT)
 
     def test_contactThatIsCheckedNoMore_isTakenBackAndToldAnew(self):
         reload_setup = self.service("reload", Trigger)
         self.joints.set(slide=-0.13)
-        self.wait_for_warning(WarningMessage.CONTACT, "box_a overlaps box_b")
+        self.wait_for_warning(PairWarning.CONTACT, "box_a overlaps box_b")
         rospy.set_param(NODE + "/ignore_pairs", [["box_a", "box_b"]])
         self.assertTrue(reload_setup().success)
-        self.wait_for_warning(WarningMessage.CLEAR, "box_a and box_b are not checked any more")
+        self.wait_for_warning(PairWarning.CLEAR, "box_a and box_b are not checked any more")
         rospy.delete_param(NODE + "/ignore_pairs")
         self.assertTrue(reload_setup().success)
-        self.wait_for_warning(WarningMessage.CONTACT, "box_a overlaps box_b")
+        self.wait_for_warning(PairWarning.CONTACT, "box_a overlaps box_b")
         told = len(self.probe.warnings)
         self.assertTrue(reload_setup().success)
         self.joints.set(slide=0.3)
-        self.wait_for_warning(WarningMessage.CLEAR, "clear")
-        self.assertNotIn(WarningMessage.CONTACT, [w.after for w in self.probe.warnings[told:]])
+        self.wait_for_warning(PairWarning.CLEAR, "clear")
+        self.assertNotIn(PairWarning.CONTACT, [w.after for w in self.probe.warnings[told:]])
 
     def test_reload_takesNewLimits_andKeepsTheOldSetUpOnFailure(self):
         reload_setup = self.service("reload", Trigger)

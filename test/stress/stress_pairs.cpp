@@ -50,7 +50,7 @@ void judge(const PosedConvexPair& pair, const ConvexDistance& answer, Tally& tal
   const double joined =
       (found.point_on_b - found.point_on_a - found.distance * found.normal_a_to_b).norm();
   tally.joined_error = std::max(tally.joined_error, joined);
-  const bool is_exact = answer.quality == DistanceQuality::exact;
+  const bool is_exact = answer.quality == Quality::exact;
   tally.bounds += is_exact ? 0 : 1;
   // Closed forms promise lengths up to 10 m. Over a kilometre their distance is exact, and their
   // normal less so where cores all but touch.

@@ -87,7 +87,7 @@ SphereUnion anyUnion(const ConvexPoolRecipe& recipe, Random& random) {
   for (std::size_t i = 1; i < 4; ++i) {
     const ConvexGeometry sphere = makeConvexPool(ConvexKind::sphere, 1, recipe, random)[0];
     tree.nodes[i].radius = std::get<Sphere>(sphere).radius;
-    tree.nodes[i].centre = randomPoint(random, 2.0 * tree.nodes[i].radius);
+    tree.nodes[i].center = randomPoint(random, 2.0 * tree.nodes[i].radius);
     tree.nodes[i].level = 1;
   }
   return makeSphereUnion(tree);
@@ -112,8 +112,7 @@ SolidTally stressMeshes(ConvexKind other, long count, const ConvexPoolRecipe& re
     const ConvexDistance truth =
         measureCold(a.convex, pair.world_from_a, b.convex, pair.world_from_b);
     const ConvexDistance found = measure(a.ref(), pair.world_from_a, b.ref(), pair.world_from_b);
-    judge(pair, found.measured, {truth.measured.distance, truth.quality == DistanceQuality::exact},
-          tally);
+    judge(pair, found.measured, {truth.measured.distance, truth.quality == Quality::exact}, tally);
   }
   return tally;
 }
@@ -130,10 +129,10 @@ SolidTally stressUnions(ConvexKind other, long count, const ConvexPoolRecipe& re
     Truth truth;
     for (std::size_t i = 1; i < spheres.tree.nodes.size(); ++i) {
       const SphereNode& node = spheres.tree.nodes[i];
-      const Pose at{Eigen::Matrix3d::Identity(), pair.world_from_a * node.centre};
+      const Pose at{Eigen::Matrix3d::Identity(), pair.world_from_a * node.center};
       const ConvexDistance leaf = measureCold(Sphere{node.radius}, at, b.convex, pair.world_from_b);
       truth.distance = std::min(truth.distance, leaf.measured.distance);
-      truth.is_exact = truth.is_exact && leaf.quality == DistanceQuality::exact;
+      truth.is_exact = truth.is_exact && leaf.quality == Quality::exact;
     }
     const ConvexDistance found = measure(&spheres, pair.world_from_a, b.ref(), pair.world_from_b);
     judge(pair, found.measured, truth, tally);

@@ -178,7 +178,7 @@ PosedConvexPair placeConvexPair(const ConvexGeometry& a, const ConvexGeometry& b
     ConvexSearch search{workspace, warm};
     const ConvexDistance now =
         signedDistanceBetween(a, pair.world_from_a, b, pair.world_from_b, search);
-    if (now.quality != DistanceQuality::unknown) {
+    if (now.quality != Quality::unknown) {
       pair.world_from_b.translation +=
           (wantedGap(nearness, random) - now.measured.distance) * now.measured.normal_a_to_b;
     }

@@ -31,7 +31,7 @@ enum class Nearness : unsigned char {
 /// How the two rotations relate.
 enum class Alignment : unsigned char {
   random,
-  aligned,        ///< by multiples of 90 degrees; centres often share coordinates
+  aligned,        ///< by multiples of 90 degrees; centers often share coordinates
   near_parallel,  ///< as aligned but for an angle from 1e-16 to 1e-3 rad
 };
 

@@ -27,8 +27,8 @@ TriangleMesh boxMesh(const Eigen::Vector3d& half_extents) {
   return mesh;
 }
 
-TriangleMesh boxMeshAt(const Eigen::Vector3d& half_extents, const Eigen::Vector3d& centre) {
-  return moved(boxMesh(half_extents), Eigen::Vector3d::Zero(), centre);
+TriangleMesh boxMeshAt(const Eigen::Vector3d& half_extents, const Eigen::Vector3d& center) {
+  return moved(boxMesh(half_extents), Eigen::Vector3d::Zero(), center);
 }
 
 TriangleMesh prismMesh(double radius, double half_length, int sides) {

@@ -10,8 +10,8 @@ namespace collision_monitor::test {
 /// Corners at +-half, twelve outward triangles.
 TriangleMesh boxMesh(const Eigen::Vector3d& half_extents);
 
-/// The same about another centre.
-TriangleMesh boxMeshAt(const Eigen::Vector3d& half_extents, const Eigen::Vector3d& centre);
+/// The same about another center.
+TriangleMesh boxMeshAt(const Eigen::Vector3d& half_extents, const Eigen::Vector3d& center);
 
 /// A closed tube around z with `sides` corners on either rim, which lie on the circle.
 TriangleMesh prismMesh(double radius, double half_length, int sides);

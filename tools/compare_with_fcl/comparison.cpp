@@ -7,6 +7,8 @@
 #include <limits>
 #include <optional>
 
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/measure_pairs.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "random_poses.h"
 #include "support/reference/reference_distance.h"
@@ -78,7 +80,7 @@ class Comparer {
     for (std::size_t i = 0; i < setup.table.size(); ++i) {
       all_pairs_.push_back(idAt<PairId>(i));
     }
-    distances_.measured.reserve(all_pairs_.size());
+    distances_.pairs.reserve(all_pairs_.size());
   }
 
   void comparePose(const LinkPoses& poses) {
@@ -101,7 +103,7 @@ class Comparer {
   /// @return the distance that FCL, or where it cannot be trusted the reference, gives.
   double comparePair(std::size_t i) {
     const PosedPair pair = posedPair(setup_, buffers_.body_poses, i);
-    const double ours = distances_.measured[i].measured.distance;
+    const double ours = distances_.pairs[i].measured.distance;
     KindTally& tally = result_.kinds[kindOf(pair)];
     const std::optional<double> fcl = fclDistanceOf(pair);
     if (!fcl) {
@@ -122,7 +124,7 @@ class Comparer {
 
   /// Of an overlap FCL tells the fact; the reference tells the depth.
   double compareOverlap(std::size_t i, const PosedPair& pair, KindTally& tally) {
-    const double ours = distances_.measured[i].measured.distance;
+    const double ours = distances_.pairs[i].measured.distance;
     if (!(ours <= kTolerance)) {
       return decide(i, pair, std::numeric_limits<double>::quiet_NaN(), tally);
     }
@@ -137,7 +139,7 @@ class Comparer {
   }
 
   double decide(std::size_t i, const PosedPair& pair, double fcl, KindTally& tally) {
-    const double ours = distances_.measured[i].measured.distance;
+    const double ours = distances_.pairs[i].measured.distance;
     const double truth = referenceOf(pair);
     const bool for_us = std::abs(ours - truth) <= kTolerance;
     ++(for_us ? tally.decided_for_us : tally.decided_for_fcl);

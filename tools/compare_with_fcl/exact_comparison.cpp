@@ -7,6 +7,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "collision_monitor/geometry/ids.h"
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "random_poses.h"
 #include "support_fcl/fcl_adapter.h"
@@ -136,7 +138,7 @@ class ExactComparer {
 
   static PairDistance nearestOf(const CycleBuffers& buffers, std::size_t i) {
     const std::uint32_t place = buffers.events.closest[i];
-    return place == kNone ? PairDistance() : buffers.distances.measured[place];
+    return place == kNone ? PairDistance() : buffers.distances.pairs[place];
   }
 
   static bool agree(bool is_contact, Truth truth) {

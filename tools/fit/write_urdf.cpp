@@ -34,9 +34,9 @@ class PieceList {
  public:
   explicit PieceList(const Pose& link_from_body) : link_from_body_(link_from_body) {}
 
-  void add(const Geometry& geometry, const Eigen::Vector3d& centre,
+  void add(const Geometry& geometry, const Eigen::Vector3d& center,
            const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity()) {
-    pieces_.push_back({geometry, link_from_body_ * Pose{rotation, centre}});
+    pieces_.push_back({geometry, link_from_body_ * Pose{rotation, center}});
   }
   std::vector<UrdfPiece> take() { return std::move(pieces_); }
 
@@ -63,10 +63,10 @@ void addEdges(const RoundedBox& box, Eigen::Index axis, PieceList& pieces) {
           .toRotationMatrix();
   for (const double y : endsOf(box.half_extents[second])) {
     for (const double z : endsOf(box.half_extents[third])) {
-      Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-      centre[second] = y;
-      centre[third] = z;
-      pieces.add(Cylinder{box.half_extents[axis], box.radius}, centre, along_axis);
+      Eigen::Vector3d center = Eigen::Vector3d::Zero();
+      center[second] = y;
+      center[third] = z;
+      pieces.add(Cylinder{box.half_extents[axis], box.radius}, center, along_axis);
     }
   }
 }

@@ -109,11 +109,11 @@ std::string totalsOf(const std::vector<PairFound>& pairs) {
 }  // namespace
 
 std::string stateText(const RobotModel& model, const PairFound& pair) {
-  constexpr int kEnough = 32;
+  constexpr int kCutoff = 32;
   std::string text = "at";
   for (const JointId id : pair.joints) {
     const Joint& joint = model.joint(id);
-    std::array<char, kEnough> number{};
+    std::array<char, kCutoff> number{};
     std::snprintf(number.data(), number.size(), "%.9g", pair.touching[joint.first_variable]);
     text += " " + joint.name + "=" + number.data();
   }

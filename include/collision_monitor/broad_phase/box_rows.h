@@ -58,7 +58,7 @@ PairedRows sweepRows(const BoxRows& rows, std::size_t row, std::size_t last, std
                      std::vector<RowPair>& hits) noexcept;
 
 /// Of a table of pairs those that meet: every body has its row, and the pair of the rows a and b
-/// has the id at a * last + b of `ids`, or is none where that is kNoPair. Writes ids in place of
+/// has the id at a * last + b of `ids`, or is none where that is kNone. Writes ids in place of
 /// rows.
 /// @pre padding begins at `last`, also of `ids`; `found` has room for last - row ids and
 /// kRowPadding more.

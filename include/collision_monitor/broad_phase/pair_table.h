@@ -17,7 +17,6 @@ struct BodyPair {
 };
 
 /// No PairId.
-constexpr std::uint32_t kNoPair = 0xffffffffU;
 
 /// The fixed list of pairs that may touch, in the order given, and the way back from two
 /// bodies to their pair. Built at set-up, read-only after.
@@ -35,8 +34,8 @@ class PairTable {
   /// @return false when they may not touch; `id` is then left alone.
   bool find(BodyId one, BodyId other, PairId& id) const noexcept;
 
-  /// The pairs of body a with every body b, by a * body_count + b: an id, or kNoPair where there
-  /// is none or b < a. Behind the last stands kRowPadding times kNoPair. Null for more than a
+  /// The pairs of body a with every body b, by a * body_count + b: an id, or kNone where there
+  /// is none or b < a. Behind the last stands kRowPadding times kNone. Null for more than a
   /// robot's bodies.
   const std::uint32_t* idsOfAll() const noexcept { return dense_.empty() ? nullptr : &dense_[0]; }
 

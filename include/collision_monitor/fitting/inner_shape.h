@@ -29,7 +29,7 @@ struct InnerShapes {
 /// for rounding, less 1e-9 of the mesh's size. That they are the largest is not proven: each is
 /// the best of several local searches.
 /// Limits: none for an open, inconsistent or flat mesh and for primitives without volume.
-/// Source: centres to start from are medial: Ma, Bae, Choi, "3D medial axis point approximation
+/// Source: centers to start from are medial: Ma, Bae, Choi, "3D medial axis point approximation
 /// using nearest neighbors and the normal field" (2012). Solid angles: van Oosterom, Strackee,
 /// "The Solid Angle of a Plane Triangle" (1983).
 /// @throws std::invalid_argument with a sentence: no vertices, a vertex that is not finite or

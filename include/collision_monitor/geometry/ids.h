@@ -13,6 +13,9 @@ namespace collision_monitor {
 enum class BodyId : std::uint32_t {};  ///< one shape fixed to a link
 enum class PairId : std::uint32_t {};  ///< two bodies that may touch
 
+/// No index.
+constexpr std::uint32_t kNone = 0xffffffffU;
+
 template <class Id>
 constexpr std::size_t index(Id id) noexcept {
   return static_cast<std::size_t>(id);

@@ -24,7 +24,6 @@ namespace collision_monitor {
 /// Frames: the mesh's axes, origin at MeshTree::center(). Units: metres.
 struct alignas(64) MeshTreeNode {
   static constexpr std::uint32_t kWidth = 8;
-  static constexpr std::uint32_t kNone = 0xffffffffu;
   static constexpr std::uint32_t kTriangle = 0x80000000u;  ///< marks a child that is a triangle
 
   float center[3][kWidth];

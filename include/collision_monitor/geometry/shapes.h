@@ -8,7 +8,7 @@
 namespace collision_monitor {
 
 /// Convex shapes as a core and a radius, each in its own body frame with its
-/// centre at the origin.
+/// center at the origin.
 ///
 /// The shape is every point within `radius` of its core: a point (sphere), a
 /// segment along z (capsule), a box (oriented box, rounded box). Therefore the

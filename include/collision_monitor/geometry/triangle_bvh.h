@@ -9,14 +9,13 @@
 #include <vector>
 
 #include "collision_monitor/geometry/bounds.h"
+#include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/geometry/triangle_mesh.h"
 
 namespace collision_monitor {
 
 /// The point of a mesh that is nearest to a query point.
 struct NearestPoint {
-  static constexpr std::uint32_t kNone = 0xffffffffu;
-
   double distance{std::numeric_limits<double>::infinity()};  ///< [m], never negative
   Eigen::Vector3d point{Eigen::Vector3d::Zero()};
   std::uint32_t leaf_triangle{kNone};  ///< into TriangleBvh::triangles; kNone: none is so near
@@ -49,7 +48,7 @@ class TriangleBvh {
 
   /// The unit frame: the mesh lies between -1 and 1.
   struct UnitFrame {
-    Eigen::Vector3d centre{Eigen::Vector3d::Zero()};
+    Eigen::Vector3d center{Eigen::Vector3d::Zero()};
     double scale{1.0};  ///< [m] a unit
   };
 

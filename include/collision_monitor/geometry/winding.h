@@ -38,12 +38,12 @@ class SolidAngles {
 struct WindingMoments {
   Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< [m] of the area
   Eigen::Vector3d normal{Eigen::Vector3d::Zero()};  ///< [m^2] unit normals, summed over the area
-  /// [m^3] way from the centre times unit normal, summed over the area and made symmetric: xx, yy,
+  /// [m^3] way from the center times unit normal, summed over the area and made symmetric: xx, yy,
   /// zz, xy, yz, zx.
   std::array<double, 6> spread{};
   double area{0.0};     ///< [m^2]
-  double squared{0.0};  ///< [m^4] squared way from the centre, summed over the area
-  double radius{0.0};   ///< [m] no point is farther from the centre
+  double squared{0.0};  ///< [m^4] squared way from the center, summed over the area
+  double radius{0.0};   ///< [m] no point is farther from the center
 };
 
 WindingMoments momentsOf(const Triangle& triangle) noexcept;
@@ -59,7 +59,7 @@ struct BoundedNumber {
 
 /// What a part of a surface adds to the winding number of a point outside the ball about it.
 ///
-/// Expands (y - x) / |y - x|^3 about the centre, to first order. Error: 3 / (4 pi d^4) * squared,
+/// Expands (y - x) / |y - x|^3 about the center, to first order. Error: 3 / (4 pi d^4) * squared,
 /// with d the distance of the point from the ball, for no third derivative of 1 / r exceeds
 /// 6 / r^4.
 /// Source: Barill, Dickson, Schmidt, Levin, Jacobson, "Fast Winding Numbers for Soups and Clouds"

@@ -20,7 +20,7 @@ namespace collision_monitor {
 /// rules for a link the last one that sets a field decides about it.
 ///
 /// Frames: shapes are placed in the frame of their link; `rpy` turns about fixed axes as in a URDF.
-/// Units: metres and radians. A capsule's `length` is the distance between the centres of its caps,
+/// Units: metres and radians. A capsule's `length` is the distance between the centers of its caps,
 /// a rounded box's `size` that of the box before it is rounded: as a whole each is 2 radius longer.
 struct ShapeRulesText {
   std::string source;  ///< what messages call it: a file name

@@ -35,7 +35,7 @@ using ResourceLoader = std::function<std::string(const std::string& uri)>;
 /// sphere, cylinder, capsule, mesh with scale), all joint types, mimic.
 ///
 /// Shapes: a `<capsule radius length>` is read as Bullet does, `length` being the
-/// distance between the centres of its caps; it is not part of the URDF specification.
+/// distance between the centers of its caps; it is not part of the URDF specification.
 /// A cylinder with spheres of its radius on both ends, all in one link, becomes one
 /// capsule. Meshes are scaled, also by negative and non-uniform scales.
 /// Frames: `rpy` turns about fixed axes, R = Rz(yaw) Ry(pitch) Rx(roll).

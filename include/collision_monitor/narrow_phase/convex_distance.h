@@ -13,6 +13,7 @@
 #include "collision_monitor/geometry/pose.h"
 #include "collision_monitor/geometry/shapes.h"
 #include "collision_monitor/narrow_phase/convex_workspace.h"
+#include "collision_monitor/narrow_phase/quality.h"
 #include "collision_monitor/narrow_phase/signed_distance.h"
 
 /// Signed distance of any two convex geometries: what a URDF or a scene names, not only the shapes
@@ -23,17 +24,9 @@ namespace collision_monitor {
 using ConvexGeometry =
     std::variant<Sphere, Capsule, Box, RoundedBox, Cylinder, ConvexHull, HalfSpace>;
 
-enum class DistanceQuality : unsigned char {
-  exact,
-  lower_bound,  ///< the shapes are at least this far apart, or at most this deep: proven
-  estimate,     ///< the shapes overlap for certain, at least that deep and perhaps deeper
-  /// Means nothing: a pose is not finite, or, of a mesh, 1e15 m off; or both are half spaces.
-  unknown,
-};
-
 struct ConvexDistance {
   SignedDistance measured;
-  DistanceQuality quality{DistanceQuality::unknown};
+  Quality quality{Quality::unknown};
 };
 
 /// What a search may use and what it leaves for the next one.
@@ -42,7 +35,7 @@ struct ConvexSearch {
   ConvexWarmStart& warm;       ///< of this pair; an empty one is always right
   /// [m] pairs proven to be farther apart than this need not be measured: the answer is then a
   /// lower bound not below it.
-  double enough{std::numeric_limits<double>::infinity()};
+  double cutoff{std::numeric_limits<double>::infinity()};
 };
 
 /// The least distance of A and B, or the length of the least translation that separates them.

@@ -26,7 +26,7 @@ struct ConvexWarmStart {
   };
 
   /// Of polytopes that overlap: one inside of their difference that held the origin.
-  struct Inside {
+  struct CachedPolytope {
     static constexpr std::size_t kMaxCorners = 24;
     static constexpr std::size_t kMaxFaces = 2 * kMaxCorners - 4;
     using Face = std::array<std::uint8_t, 3>;  ///< corners, counter-clockwise seen from outside
@@ -38,10 +38,10 @@ struct ConvexWarmStart {
   std::uint32_t size{0};
   std::uint32_t vertex_of_a{0};  ///< of a hull; 0 for other cores
   std::uint32_t vertex_of_b{0};
-  std::uint8_t inside_corners{0};  ///< how many `inside` has
-  std::uint8_t inside_faces{0};    ///< 0: there is no such polytope
+  std::uint8_t polytope_corners{0};  ///< how many `polytope` has
+  std::uint8_t polytope_faces{0};    ///< 0: there is no such polytope
   std::array<Ends, 4> ends;
-  Inside inside;
+  CachedPolytope polytope;
 };
 
 /// Makes it empty: for another pair.
@@ -49,7 +49,7 @@ inline void forget(ConvexWarmStart& warm) noexcept {
   warm.size = 0;
   warm.vertex_of_a = 0;
   warm.vertex_of_b = 0;
-  warm.inside_faces = 0;
+  warm.polytope_faces = 0;
 }
 
 /// A polytope inside of the difference B - A, grown by EPA until a face of it is one of the

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "broad_phase/box_tests.h"
+#include "collision_monitor/geometry/ids.h"
 
 namespace collision_monitor {
 namespace {
@@ -109,7 +110,7 @@ std::size_t AabbTree::sideOf(std::uint32_t node) const noexcept {
   return nodes_[node].parent != kNone && nodes_[nodes_[node].parent].children[1] == node ? 1 : 0;
 }
 
-/// Top down, halves of equal number along the axis on which centres spread most.
+/// Top down, halves of equal number along the axis on which centers spread most.
 void AabbTree::build(const std::vector<SmallBox>& boxes) noexcept {
   leaves_.clear();
   free_.clear();
@@ -149,11 +150,11 @@ std::size_t AabbTree::splitSpan(const Span& span) noexcept {
   std::size_t widest = 0;
   double width = -1.0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    double low = centreOf(nodes_[*first].box, axis);
+    double low = centerOf(nodes_[*first].box, axis);
     double high = low;
     for (auto leaf = first; leaf != last; ++leaf) {
-      low = std::min(low, centreOf(nodes_[*leaf].box, axis));
-      high = std::max(high, centreOf(nodes_[*leaf].box, axis));
+      low = std::min(low, centerOf(nodes_[*leaf].box, axis));
+      high = std::max(high, centerOf(nodes_[*leaf].box, axis));
     }
     if (high - low > width) {
       width = high - low;
@@ -163,7 +164,7 @@ std::size_t AabbTree::splitSpan(const Span& span) noexcept {
   const std::size_t middle = (span.first + span.last) / 2;
   std::nth_element(first, leaves_.begin() + static_cast<std::ptrdiff_t>(middle), last,
                    [&](std::uint32_t one, std::uint32_t other) {
-                     return centreOf(nodes_[one].box, widest) < centreOf(nodes_[other].box, widest);
+                     return centerOf(nodes_[one].box, widest) < centerOf(nodes_[other].box, widest);
                    });
   return middle;
 }

@@ -8,6 +8,7 @@
 
 #include "broad_phase/pair_keys.h"
 #include "collision_monitor/broad_phase/small_box.h"
+#include "collision_monitor/geometry/ids.h"
 
 namespace collision_monitor {
 
@@ -27,7 +28,6 @@ class AabbTree {
   void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffU;
   /// Nodes below the number of bodies are leaves, each its body's.
   struct Node {
     SmallBox box;

@@ -7,11 +7,11 @@
 
 #include "broad_phase/box_tests.h"
 #include "broad_phase/spread.h"
+#include "collision_monitor/geometry/ids.h"
 
 namespace collision_monitor {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffU;
 constexpr double kCellWidth = 2.0;  ///< in mean widths of a box
 constexpr std::int64_t kMostCells = 64;
 constexpr std::int32_t kFarCell = 1 << 20;

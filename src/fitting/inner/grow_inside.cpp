@@ -45,15 +45,15 @@ void growBall(double tolerance, NearTriangles& near, EmptyBall& ball) {
     const EmptyBall start = ball;
     const auto cost = [&](const Vector3d& step) {
       return step.norm() < kReach
-                 ? -near.nearestKnown(start.centre + start.radius * step).distance / start.radius
+                 ? -near.nearestKnown(start.center + start.radius * step).distance / start.radius
                  : 0.0;
     };
     const Vector3d step = searchSimplex<3>({firstStep(round), 1e-6, 120}, cost);
-    const Vector3d centre = start.centre + start.radius * step;
-    const double hoped = near.nearestKnown(centre).distance;
-    const double found = near.nearestOfAll(centre, tolerance).distance;
+    const Vector3d center = start.center + start.radius * step;
+    const double hoped = near.nearestKnown(center).distance;
+    const double found = near.nearestOfAll(center, tolerance).distance;
     if (found > start.radius) {
-      ball = {centre, found};
+      ball = {center, found};
     }
     idle = found >= hoped && found <= start.radius * (1.0 + kGain) ? idle + 1 : 0;
   }
@@ -105,10 +105,10 @@ InnerSegment innerSegment(const TriangleBvh& surface, const Vector3d& a, const V
 
 EmptyBall growBall(const TriangleBvh& surface, const EmptyBall& ball) {
   NearTriangles near(surface);
-  lookAround(ball.centre, ball.radius, near);
-  EmptyBall grown{ball.centre, near.nearestOfAll(ball.centre, kCoarse).distance};
+  lookAround(ball.center, ball.radius, near);
+  EmptyBall grown{ball.center, near.nearestOfAll(ball.center, kCoarse).distance};
   growBall(kCoarse, near, grown);
-  grown.radius = near.nearestOfAll(grown.centre, kFine).distance;
+  grown.radius = near.nearestOfAll(grown.center, kFine).distance;
   growBall(kFine, near, grown);
   return grown;
 }

@@ -45,7 +45,7 @@ class Inscriber {
     std::stable_sort(balls_.begin(), balls_.end(),
                      [](const auto& a, const auto& b) { return a.radius > b.radius; });
     while (!balls_.empty() && !inner.sphere) {
-      inner.sphere = proven({balls_[0].centre, balls_[0].centre, balls_[0].radius}, true);
+      inner.sphere = proven({balls_[0].center, balls_[0].center, balls_[0].radius}, true);
       if (!inner.sphere) {
         balls_.erase(balls_.begin());
       }
@@ -64,7 +64,7 @@ class Inscriber {
     for (std::size_t i = 0; i < balls_.size(); ++i) {
       for (std::size_t j = i + 1; j < balls_.size(); ++j) {
         // Balls come largest first, so the second bounds the radius; a look at the mesh is dear.
-        const InnerSegment hoped{balls_[i].centre, balls_[j].centre, balls_[j].radius};
+        const InnerSegment hoped{balls_[i].center, balls_[j].center, balls_[j].radius};
         if (volumeOf(hoped) > best_volume) {
           starts.push_back(segmentBetween(hoped.a, hoped.b));
           best_volume = std::max(best_volume, volumeOf(starts.back()));
@@ -74,7 +74,7 @@ class Inscriber {
     const EmptyBall& largest = balls_.front();
     for (int axis = 0; axis < 3; ++axis) {
       const Vector3d half = 0.25 * largest.radius * Vector3d::Unit(axis);
-      starts.push_back(segmentBetween(largest.centre - half, largest.centre + half));
+      starts.push_back(segmentBetween(largest.center - half, largest.center + half));
     }
     sortByVolume(starts);
     starts.resize(std::min(starts.size(), kCapsuleStarts));
@@ -89,7 +89,7 @@ class Inscriber {
   /// proofs take longer than searches.
   std::optional<PosedShape> largestCapsule() const {
     const EmptyBall& largest = balls_.front();
-    std::vector<InnerSegment> segments{{largest.centre, largest.centre, largest.radius}};
+    std::vector<InnerSegment> segments{{largest.center, largest.center, largest.radius}};
     for (const auto& start : capsuleStarts()) {
       if (start.radius > 0.0) {
         segments.push_back(growSegment(bvh_, start));

@@ -58,18 +58,18 @@ std::vector<SurfacePoint> spreadOver(const std::vector<Triangle>& triangles, int
   return points;
 }
 
-NearestPoint nearestToCentre(const TriangleBvh& surface, const SurfacePoint& from, double radius) {
+NearestPoint nearestToCenter(const TriangleBvh& surface, const SurfacePoint& from, double radius) {
   return surface.nearestTo(from.point + radius * from.inward, NearestPoint{}, kTolerance);
 }
 
 /// The first radius, of a series up to `largest`, at which something is in the ball. From small to
-/// large, because in a thin wall a large ball's centre is outside, and both faces are about as far.
+/// large, because in a thin wall a large ball's center is outside, and both faces are about as far.
 double radiusToShrink(const TriangleBvh& surface, const SurfacePoint& from, double largest) {
   constexpr double kFirst = 1.0 / 4096.0;
   constexpr double kGrowth = 4.0;
   double radius = kFirst * largest;
   while (radius < largest &&
-         nearestToCentre(surface, from, radius).distance >= radius * (1.0 - kTolerance)) {
+         nearestToCenter(surface, from, radius).distance >= radius * (1.0 - kTolerance)) {
     radius *= kGrowth;
   }
   return std::min(radius, largest);
@@ -79,7 +79,7 @@ std::optional<EmptyBall> emptyBallAt(const TriangleBvh& surface, const SurfacePo
                                      double largest) {
   double radius = radiusToShrink(surface, from, largest);
   for (int i = 0; i < kMaxRounds; ++i) {
-    const NearestPoint nearest = nearestToCentre(surface, from, radius);
+    const NearestPoint nearest = nearestToCenter(surface, from, radius);
     if (nearest.distance >= radius * (1.0 - kTolerance)) {
       return EmptyBall{from.point + radius * from.inward, nearest.distance / (1.0 + kTolerance)};
     }
@@ -116,7 +116,7 @@ std::vector<EmptyBall> separateBalls(const std::vector<EmptyBall>& balls, std::s
   std::vector<EmptyBall> kept;
   for (const auto& ball : balls) {
     const bool is_new = std::none_of(kept.begin(), kept.end(), [&](const EmptyBall& other) {
-      return (ball.centre - other.centre).norm() < 0.5 * other.radius;
+      return (ball.center - other.center).norm() < 0.5 * other.radius;
     });
     if (is_new && kept.size() < most) {
       kept.push_back(ball);

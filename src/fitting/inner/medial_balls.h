@@ -10,7 +10,7 @@ namespace collision_monitor {
 
 /// A ball without a point of the surface in it.
 struct EmptyBall {
-  Eigen::Vector3d centre{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d center{Eigen::Vector3d::Zero()};
   double radius{0.0};
 };
 
@@ -25,7 +25,7 @@ struct EmptyBall {
 /// @pre triangles are counter-clockwise seen from outside.
 std::vector<EmptyBall> medialBalls(const TriangleBvh& surface, int count);
 
-/// Of balls, largest first, those whose centres lie in no larger one that was kept, at most `most`.
+/// Of balls, largest first, those whose centers lie in no larger one that was kept, at most `most`.
 std::vector<EmptyBall> separateBalls(const std::vector<EmptyBall>& balls, std::size_t most);
 
 }  // namespace collision_monitor

@@ -41,12 +41,12 @@ bool isClosed(const TriangleMesh& mesh) {
   return is_closed;
 }
 
-double volumeOf(const TriangleMesh& mesh, const Vector3d& centre) {
+double volumeOf(const TriangleMesh& mesh, const Vector3d& center) {
   double volume = 0.0;
   for (const auto& t : mesh.triangles) {
-    const Vector3d a = mesh.vertices[t[0]] - centre;
-    const Vector3d b = mesh.vertices[t[1]] - centre;
-    const Vector3d c = mesh.vertices[t[2]] - centre;
+    const Vector3d a = mesh.vertices[t[0]] - center;
+    const Vector3d b = mesh.vertices[t[1]] - center;
+    const Vector3d c = mesh.vertices[t[2]] - center;
     volume += a.dot(b.cross(c)) / 6.0;
   }
   return volume;

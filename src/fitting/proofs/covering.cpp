@@ -172,7 +172,7 @@ double worstVertex(const std::vector<PosedShape>& shapes, const TriangleMesh& me
   return worst;
 }
 
-/// A ball lies in a convex shape with its centre and its radius to spare; the capsule follows.
+/// A ball lies in a convex shape with its center and its radius to spare; the capsule follows.
 double excessOfRound(const Capsule& capsule, const Pose& pose, const PosedShape& shape) {
   const Eigen::Vector3d half_axis = capsule.half_length * pose.rotation.col(2);
   const Points ends{pose.translation + half_axis, pose.translation - half_axis};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/interruption.h"
 
 namespace collision_monitor {
@@ -17,7 +18,6 @@ using Eigen::Vector3i;
 constexpr double kNodes = 40000.0;
 constexpr double kMargin = 0.15;  // of the longest side, on every side
 constexpr int kMaxSteps = 128;    // along an edge, of samples on the surface
-constexpr std::uint32_t kNone = 0xffffffffU;
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 }  // namespace

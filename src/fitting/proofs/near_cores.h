@@ -22,7 +22,7 @@ class NearCores {
       : all_(all) {
     const double reach = reachOf(core) + slack;
     for (const TurnedCore& other : all) {
-      if (distanceTo(other, core.centre) <= kRounding * (reach + other.radius)) {
+      if (distanceTo(other, core.center) <= kRounding * (reach + other.radius)) {
         if (count_ == near_.size()) {
           is_full_ = true;
           return;
@@ -40,7 +40,7 @@ class NearCores {
                          [&](const TurnedCore& core) { return holds(core, point); });
     }
     return std::any_of(near_.begin(), near_.begin() + count_, [&](const Near& near) {
-      return (point - near.core->centre).squaredNorm() <= near.squared_reach &&
+      return (point - near.core->center).squaredNorm() <= near.squared_reach &&
              holds(*near.core, point);
     });
   }
@@ -51,11 +51,11 @@ class NearCores {
 
   struct Near {
     const TurnedCore* core{nullptr};
-    double squared_reach{0.0};  ///< [m^2] about its centre
+    double squared_reach{0.0};  ///< [m^2] about its center
   };
 
   static Eigen::Vector3d beyond(const TurnedCore& core, const Eigen::Vector3d& point) noexcept {
-    return (core.rotation.transpose() * (point - core.centre)).cwiseAbs() - core.half_extents;
+    return (core.rotation.transpose() * (point - core.center)).cwiseAbs() - core.half_extents;
   }
   static double reachOf(const TurnedCore& core) noexcept {
     return core.half_extents.norm() + core.radius;

@@ -21,7 +21,7 @@ class NearTriangles {
     NearestPoint nearest;
     for (const Known& known : known_) {
       const double reach = nearest.distance + known.radius;
-      if ((point - known.centre).squaredNorm() < reach * reach) {
+      if ((point - known.center).squaredNorm() < reach * reach) {
         const NearestPoint found = mesh_.nearestOn(known.triangle, point);
         nearest = found.distance < nearest.distance ? found : nearest;
       }
@@ -42,19 +42,19 @@ class NearTriangles {
  private:
   struct Known {
     std::uint32_t triangle;  ///< of a leaf
-    Eigen::Vector3d centre;
+    Eigen::Vector3d center;
     double radius;  ///< of a ball about it, with room for the rounding of distances
   };
 
   void add(std::uint32_t triangle) {
     constexpr double kRounding = 1e-9;
     const auto& corners = mesh_.triangles()[triangle];
-    const Eigen::Vector3d centre = (corners[0] + corners[1] + corners[2]) / 3.0;
+    const Eigen::Vector3d center = (corners[0] + corners[1] + corners[2]) / 3.0;
     double radius = 0.0;
     for (const Eigen::Vector3d& corner : corners) {
-      radius = std::max(radius, (corner - centre).norm());
+      radius = std::max(radius, (corner - center).norm());
     }
-    known_.push_back({triangle, centre, radius + kRounding * mesh_.unitFrame().scale});
+    known_.push_back({triangle, center, radius + kRounding * mesh_.unitFrame().scale});
   }
 
   const TriangleBvh& mesh_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/interruption.h"
 
 namespace collision_monitor {
@@ -36,7 +37,7 @@ class SurfaceSampler {
   SurfaceSampler(const Shape& shape, int count)
       : half_extents_(coreHalfExtents(shape)),
         radius_(radiusOf(shape)),
-        most_steps_(std::max(count / 4.0, kLeastSteps)) {
+        most_work_(std::max(count / 4.0, kLeastSteps)) {
     const Vector3d& h = half_extents_;
     const double faces = 8.0 * (h.x() * h.y() + h.y() * h.z() + h.z() * h.x());
     const double area = faces + 4.0 * kHalfPi * radius_ * (h.sum() + 2.0 * radius_);
@@ -62,7 +63,7 @@ class SurfaceSampler {
 
   /// Steps that cover a length. Needles would get millions of them at the spacing of their area.
   int stepCount(double length) const {
-    return static_cast<int>(std::clamp(std::ceil(length / spacing_), kLeastSteps, most_steps_));
+    return static_cast<int>(std::clamp(std::ceil(length / spacing_), kLeastSteps, most_work_));
   }
 
   void add(const Vector3d& point, double area) { samples_.push_back({point, area}); }
@@ -123,7 +124,7 @@ class SurfaceSampler {
 
   Vector3d half_extents_;
   double radius_;
-  double most_steps_;
+  double most_work_;
   double spacing_{0.0};
   std::vector<SurfaceSample> samples_;
 };
@@ -157,7 +158,7 @@ Overshoot measureOvershoot(const PosedShape& fit, const TriangleBvh& mesh,
     throwIfInterrupted();
     const Vector3d point = fit.geometry_from_body * sample.point;
     // The triangle nearest to the last sample bounds the search: neighbours follow each other.
-    const NearestPoint start = nearest.leaf_triangle == NearestPoint::kNone
+    const NearestPoint start = nearest.leaf_triangle == kNone
                                    ? NearestPoint{}
                                    : mesh.nearestOn(nearest.leaf_triangle, point);
     nearest = mesh.nearestTo(point, start, sampling.tolerance);

@@ -20,7 +20,7 @@ namespace collision_monitor {
 /// Units: metres. @pre points and fit are finite.
 double provenExcess(const PosedShape& fit, const Points& points) noexcept;
 
-/// The same for a solid cylinder around the body's z axis, centred at the body's origin.
+/// The same for a solid cylinder around the body's z axis, centered at the body's origin.
 ///
 /// The farthest points of a cylinder from a convex set lie on its rims. A rim point at azimuth phi
 /// is beyond a core with half extents (a, b, l) by |(R |cos phi| - a)+| and |(R |sin phi| - b)+|
@@ -30,7 +30,7 @@ double provenExcess(const PosedShape& fit, const Points& points) noexcept;
 /// @pre the fit is placed by the identity.
 double provenExcess(const PosedShape& fit, const Cylinder& cylinder) noexcept;
 
-/// The same for a capsule in the body's place: a ball lies in a convex shape if its centre does,
+/// The same for a capsule in the body's place: a ball lies in a convex shape if its center does,
 /// with the ball's radius to spare.
 /// @pre the fit is placed by the identity.
 double provenExcess(const PosedShape& fit, const Capsule& capsule) noexcept;

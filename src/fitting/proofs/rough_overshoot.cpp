@@ -95,14 +95,14 @@ const SurfacePattern& surfacePattern() {
 }
 
 PatternFrame patternInGrid(const TurnedCore& core, const DistanceGrid& grid) noexcept {
-  const DistanceGrid::Place centre = grid.inGrid(core.centre);
+  const DistanceGrid::Place center = grid.inGrid(core.center);
   const Eigen::Matrix3d in_grid = grid.nodesPerMetre() * core.rotation;
   const Eigen::Matrix3f of_fraction = (in_grid * core.half_extents.asDiagonal()).cast<float>();
   const Eigen::Matrix3f of_outward = (core.radius * in_grid).cast<float>();
   PatternFrame frame{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto row = static_cast<Eigen::Index>(axis);
-    frame.centre[axis] = centre[row];
+    frame.center[axis] = center[row];
     for (std::size_t k = 0; k < 3; ++k) {
       const auto column = static_cast<Eigen::Index>(k);
       frame.of_fraction[k][axis] = of_fraction(row, column);

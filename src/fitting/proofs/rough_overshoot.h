@@ -35,9 +35,9 @@ PatternFrame patternInGrid(const TurnedCore& core, const DistanceGrid& grid) noe
 /// @param counts whether a point of the surface counts.
 /// @param is_enough is asked after each patch, with a sum whose figures those of the whole cannot
 /// fall below, whether that will do; then it is returned.
-template <class Counts, class IsEnough>
+template <class Counts, class ReachesCutoff>
 OvershootSum roughOvershoot(const TurnedCore& core, const DistanceGrid& grid, const Counts& counts,
-                            const IsEnough& is_enough) noexcept {
+                            const ReachesCutoff& reaches_cutoff) noexcept {
   const SurfacePattern& pattern = surfacePattern();
   const auto areas = patchAreas(core);
   const PatternFrame frame = patternInGrid(core, grid);
@@ -68,7 +68,7 @@ OvershootSum roughOvershoot(const TurnedCore& core, const DistanceGrid& grid, co
     }
     OvershootSum least = sum;
     least.add(0.0, std::max(rest, 0.0));
-    if (is_enough(least)) {
+    if (reaches_cutoff(least)) {
       return least;
     }
   }

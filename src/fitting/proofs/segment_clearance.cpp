@@ -69,19 +69,19 @@ double largestCoordinate(const Triangle& triangle, const Vector3d& a, const Vect
 
 /// The least of `enough` and the bounds of all triangles.
 double clearanceOfPiece(const TriangleBvh& mesh, const Vector3d& a, const Vector3d& b,
-                        double enough) {
-  visitNear(mesh, unitQuery(mesh.unitFrame(), a.cwiseMin(b), a.cwiseMax(b)), enough,
+                        double cutoff) {
+  visitNear(mesh, unitQuery(mesh.unitFrame(), a.cwiseMin(b), a.cwiseMax(b)), cutoff,
             [&](std::uint32_t triangle) {
-              enough = std::min(enough, clearanceBound(mesh.triangles()[triangle], a, b, enough));
-              return enough;
+              cutoff = std::min(cutoff, clearanceBound(mesh.triangles()[triangle], a, b, cutoff));
+              return cutoff;
             });
-  return enough;
+  return cutoff;
 }
 
 }  // namespace
 
 double clearanceBound(const Triangle& triangle, const Vector3d& a, const Vector3d& b,
-                      double enough) noexcept {
+                      double cutoff) noexcept {
   const double allowance = 64.0 * kUnitRoundOff * largestCoordinate(triangle, a, b);
   Line left;
   Line right;
@@ -94,7 +94,7 @@ double clearanceBound(const Triangle& triangle, const Vector3d& a, const Vector3
     const double lowest = std::max(left.at(place), right.at(place));
     bound = std::max(bound, lowest - allowance);
     Line cut;
-    if (bound >= enough || place == 0.0 || place == 1.0 || !boundFrom(triangle, a, b, place, cut)) {
+    if (bound >= cutoff || place == 0.0 || place == 1.0 || !boundFrom(triangle, a, b, place, cut)) {
       break;
     }
     (cut.at_a > cut.at_b ? left : right) = cut;

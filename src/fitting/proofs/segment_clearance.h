@@ -18,7 +18,7 @@ namespace collision_monitor {
 /// Error: below the distance by about 1e-12 of the lengths. 0 when they cross or touch.
 /// Source: Kelley, "The Cutting-Plane Method for Solving Convex Programs" (1960).
 double clearanceBound(const TriangleBvh::Triangle& triangle, const Eigen::Vector3d& a,
-                      const Eigen::Vector3d& b, double enough) noexcept;
+                      const Eigen::Vector3d& b, double cutoff) noexcept;
 
 /// The same over all triangles of a mesh. Limits: a == b is legal.
 double clearanceBound(const TriangleBvh& mesh, const Eigen::Vector3d& a,

@@ -72,7 +72,7 @@ TriangleMesh surroundingMesh(const Cylinder& cylinder) {
 
 TriangleMesh surroundingMesh(const Capsule& capsule) {
   // A profile around a half disc by tangents every 2 a: its corners are at 1 / cos(a) from the
-  // centre. Turned about the axis in flat steps it holds the ball once more widened by the polygon.
+  // center. Turned about the axis in flat steps it holds the ball once more widened by the polygon.
   constexpr int kTangents = kSides / 2;  // from pole to pole, both included
   const double half_step = 0.5 * kPi / kTangents;
   const double corner = capsule.radius * (1.0 + kAllowance) / std::cos(half_step);

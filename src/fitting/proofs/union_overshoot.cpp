@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fitting/proofs/union_overshoot.h"
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/interruption.h"
 
 namespace collision_monitor {
@@ -33,7 +34,7 @@ std::vector<MeasuredSample> measureSamples(const PosedShape& fit, const Triangle
       samples.push_back({point, 0.0, sample.area});
       continue;
     }
-    const NearestPoint start = nearest.leaf_triangle == NearestPoint::kNone
+    const NearestPoint start = nearest.leaf_triangle == kNone
                                    ? NearestPoint{}
                                    : mesh.nearestOn(nearest.leaf_triangle, point);
     nearest = mesh.nearestTo(point, start, sampling.tolerance);

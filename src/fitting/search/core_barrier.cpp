@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kCentre = 0;
+constexpr int kCenter = 0;
 constexpr int kRotation = 3;
 constexpr int kExtents = 6;
 constexpr int kRadius = 9;
@@ -72,7 +72,7 @@ CoreBarrier::CoreBarrier(const Points& points, const DescentGoal& goal) : goal_(
     }
   };
   for (int k = 0; k < 3; ++k) {
-    release(kCentre + k, true);
+    release(kCenter + k, true);
   }
   for (int k = 0; k < 3; ++k) {
     // A turn about axis k changes nothing when the core has no extent across it.
@@ -97,7 +97,7 @@ bool CoreBarrier::place(const TurnedCore& core) {
   slack_.setConstant(core.radius * core.radius);
   for (int k = 0; k < 3; ++k) {
     const Vector3d axis = core.rotation.col(k);
-    const double middle = axis.dot(core.centre);
+    const double middle = axis.dot(core.center);
     const double reach = core.half_extents[k];
     in_core_.col(k) =
         points_.col(0) * axis.x() + points_.col(1) * axis.y() + points_.col(2) * axis.z() - middle;
@@ -119,7 +119,7 @@ void CoreBarrier::addCurvature(int axis, Hessian& hessian) {
   const int u = (axis + 1) % 3;
   const int v = (axis + 2) % 3;
   // The gradient of |beyond| along the axis: sign * (-1, axis x point), and -1 for the extent.
-  const int variables[] = {kCentre + axis, kRotation + u, kRotation + v, kExtents + axis};
+  const int variables[] = {kCenter + axis, kRotation + u, kRotation + v, kExtents + axis};
   auto rows = slack_gradient_.leftCols<4>();
   rows.col(0) = -beyond_.col(axis).sign();
   rows.col(1) = rows.col(0) * in_core_.col(v);
@@ -138,7 +138,7 @@ void CoreBarrier::addSlopes(Step& gradient, Hessian& hessian) {
   for (int k = 0; k < 3; ++k) {
     const int u = (k + 1) % 3;
     const int v = (k + 2) % 3;
-    slack_gradient_.col(kCentre + k) = 2.0 * beyond_.col(k);
+    slack_gradient_.col(kCenter + k) = 2.0 * beyond_.col(k);
     slack_gradient_.col(kRotation + k) =
         2.0 * (in_core_.col(u) * beyond_.col(v) - in_core_.col(v) * beyond_.col(u));
     slack_gradient_.col(kExtents + k) = 2.0 * beyond_.col(k).abs();

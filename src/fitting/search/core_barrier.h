@@ -15,7 +15,7 @@ namespace collision_monitor {
 /// It is evaluated for all points together, coordinate by coordinate in arrays: this is where fits
 /// spend their time, and arrays are what compilers turn into vector instructions.
 ///
-/// Variables: centre and rotation vector in the core's frame, half extents, radius.
+/// Variables: center and rotation vector in the core's frame, half extents, radius.
 class CoreBarrier {
  public:
   static constexpr int kVariables = 10;

@@ -24,13 +24,13 @@ constexpr int kMaxShortenings = 40;
 
 /// From the nearest point of the core to the point, in the core's frame; 0 inside.
 Vector3d beyondCore(const TurnedCore& core, const Vector3d& point) {
-  const Vector3d in_core = core.rotation.transpose() * (point - core.centre);
+  const Vector3d in_core = core.rotation.transpose() * (point - core.center);
   return in_core - in_core.cwiseMax(-core.half_extents).cwiseMin(core.half_extents);
 }
 
 TurnedCore moved(const TurnedCore& core, const Step& step) {
   TurnedCore result = core;
-  result.centre += core.rotation * step.segment<3>(0);
+  result.center += core.rotation * step.segment<3>(0);
   const Vector3d turn = step.segment<3>(3);
   if (turn.squaredNorm() > 0.0) {
     result.rotation = core.rotation * Eigen::AngleAxisd(turn.norm(), turn.normalized());

@@ -12,7 +12,7 @@ namespace collision_monitor {
 /// spheres and capsules are fitted as what they are: rounded boxes with fewer freedoms.
 struct TurnedCore {
   Eigen::Matrix3d rotation{Eigen::Matrix3d::Identity()};
-  Eigen::Vector3d centre{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d center{Eigen::Vector3d::Zero()};
   Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};
   double radius{0.0};
 };

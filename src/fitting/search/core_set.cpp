@@ -80,7 +80,7 @@ bool areAlike(const TurnedCore& a, const TurnedCore& b, double tolerance) noexce
     const Eigen::Matrix3d halves = core.rotation * core.half_extents.asDiagonal();
     return halves * halves.transpose();
   };
-  return (a.centre - b.centre).norm() + std::abs(a.radius - b.radius) +
+  return (a.center - b.center).norm() + std::abs(a.radius - b.radius) +
              (spread(a) - spread(b)).norm() <
          tolerance;
 }
@@ -133,7 +133,7 @@ std::vector<TurnedCore> descendAll(std::vector<TurnedCore> starts, const Points&
 
 PosedShape placedInCloud(const TurnedCore& core, const NormalisedPoints& cloud) {
   return {RoundedBox{cloud.scale * core.half_extents, cloud.scale * core.radius},
-          {core.rotation, cloud.centre + cloud.scale * core.centre}};
+          {core.rotation, cloud.center + cloud.scale * core.center}};
 }
 
 }  // namespace collision_monitor

@@ -19,7 +19,7 @@ struct IsSmaller {
   }
 };
 
-/// Whether two cores have nearly the same centre, radius, and half extents along the same axes,
+/// Whether two cores have nearly the same center, radius, and half extents along the same axes,
 /// whatever these are called.
 bool areAlike(const TurnedCore& a, const TurnedCore& b, double tolerance) noexcept;
 

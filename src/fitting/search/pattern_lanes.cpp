@@ -22,7 +22,7 @@ using IntLanes = hn::Vec<Ints>;
 FloatLanes placesAlong(const PatternRows& rows, const PatternFrame& frame, std::size_t axis,
                        std::size_t first) {
   const Floats tag;
-  FloatLanes place = hn::Set(tag, frame.centre[axis]);
+  FloatLanes place = hn::Set(tag, frame.center[axis]);
   for (std::size_t k = 0; k < 3; ++k) {
     const FloatLanes fraction = hn::Load(tag, rows.fraction[k] + first);
     const FloatLanes outward = hn::Load(tag, rows.outward[k] + first);

@@ -19,7 +19,7 @@ struct PatternRows {
 
 /// What takes a point's fraction, and its way outward, into a grid.
 struct PatternFrame {
-  float centre[3];
+  float center[3];
   float of_fraction[3][3];  ///< columns
   float of_outward[3][3];
 };

@@ -106,12 +106,12 @@ NormalisedPoints normalise(const Points& points) {
     high = high.cwiseMax(point);
   }
   NormalisedPoints result;
-  result.centre = 0.5 * low + 0.5 * high;
+  result.center = 0.5 * low + 0.5 * high;
   result.scale = (0.5 * high - 0.5 * low).norm();
   if (result.scale > 0.0) {
     result.points.reserve(points.size());
     for (const auto& point : points) {
-      result.points.emplace_back((point - result.centre) / result.scale);
+      result.points.emplace_back((point - result.center) / result.scale);
     }
   }
   return result;

@@ -9,11 +9,11 @@
 
 namespace collision_monitor {
 
-/// Points moved and scaled so that their bounding box is centred and its half diagonal is 1: the
+/// Points moved and scaled so that their bounding box is centered and its half diagonal is 1: the
 /// searches then need no notion of size.
 struct NormalisedPoints {
   Points points;
-  Eigen::Vector3d centre{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d center{Eigen::Vector3d::Zero()};
   double scale{0.0};  ///< 0 when all points coincide
 };
 

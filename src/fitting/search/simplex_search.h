@@ -37,13 +37,13 @@ void moveWorst(SimplexCorners<N>& simplex, const Evaluate& evaluate) {
   using Vector = Eigen::Matrix<double, N, 1>;
   const SimplexCorner<N>& best = simplex.front();
   SimplexCorner<N>& worst = simplex.back();
-  Vector centre = Vector::Zero();
+  Vector center = Vector::Zero();
   for (std::size_t i = 0; i < N; ++i) {
-    centre += simplex[i].at / N;
+    center += simplex[i].at / N;
   }
-  const SimplexCorner<N> reflected = evaluate(2.0 * centre - worst.at, worst.cost);
+  const SimplexCorner<N> reflected = evaluate(2.0 * center - worst.at, worst.cost);
   if (reflected < best) {
-    worst = std::min(reflected, evaluate(3.0 * centre - 2.0 * worst.at, reflected.cost));
+    worst = std::min(reflected, evaluate(3.0 * center - 2.0 * worst.at, reflected.cost));
     return;
   }
   if (reflected < simplex[N - 1]) {
@@ -51,7 +51,7 @@ void moveWorst(SimplexCorners<N>& simplex, const Evaluate& evaluate) {
     return;
   }
   const SimplexCorner<N>& towards = std::min(worst, reflected);
-  const SimplexCorner<N> contracted = evaluate(0.5 * (centre + towards.at), towards.cost);
+  const SimplexCorner<N> contracted = evaluate(0.5 * (center + towards.at), towards.cost);
   if (contracted < towards) {
     worst = contracted;
     return;

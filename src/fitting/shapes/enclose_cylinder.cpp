@@ -53,9 +53,9 @@ RoundedBox searchRoundedBox(const Cylinder& cylinder, double max_half_width) {
         }
       }
     }
-    const Eigen::Array2d centre(best.half_extents.x(), best.half_extents.z());
-    low = (centre - step).max(0.0);
-    high = (centre + step).min(highest);
+    const Eigen::Array2d center(best.half_extents.x(), best.half_extents.z());
+    low = (center - step).max(0.0);
+    high = (center + step).min(highest);
   }
   return best;
 }

@@ -31,20 +31,20 @@ constexpr double kGrowths[] = {0.1, 0.3, 1.0};
 
 /// A nearly smallest circle around 2-D points.
 /// Source: Badoiu, Clarkson, "Smaller Core-Sets for Balls" (2003), section 3.
-Vector2d circleCentre(const std::vector<Vector2d>& points) {
+Vector2d circleCenter(const std::vector<Vector2d>& points) {
   constexpr int kRounds = 20;
-  Vector2d centre = Vector2d::Zero();
+  Vector2d center = Vector2d::Zero();
   for (int i = 1; i <= kRounds; ++i) {
     const auto farthest =
         std::max_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
-          return (a - centre).squaredNorm() < (b - centre).squaredNorm();
+          return (a - center).squaredNorm() < (b - center).squaredNorm();
         });
-    centre += (*farthest - centre) / (i + 1.0);
+    center += (*farthest - center) / (i + 1.0);
   }
-  return centre;
+  return center;
 }
 
-/// A capsule along `axis`: its line through the centre of the points' shadow, its ends as near as
+/// A capsule along `axis`: its line through the center of the points' shadow, its ends as near as
 /// the points allow.
 TurnedCore capsuleAlong(const Vector3d& axis, const Points& points) {
   TurnedCore core;
@@ -53,21 +53,21 @@ TurnedCore capsuleAlong(const Vector3d& axis, const Points& points) {
   for (const auto& point : points) {
     shadow.emplace_back(core.rotation.leftCols<2>().transpose() * point);
   }
-  const Vector2d centre = circleCentre(shadow);
+  const Vector2d center = circleCenter(shadow);
   double radius_squared = 0.0;
   for (const auto& point : shadow) {
-    radius_squared = std::max(radius_squared, (point - centre).squaredNorm());
+    radius_squared = std::max(radius_squared, (point - center).squaredNorm());
   }
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double room = radius_squared - (shadow[i] - centre).squaredNorm();
+    const double room = radius_squared - (shadow[i] - center).squaredNorm();
     const double cap = std::sqrt(std::max(room, 0.0));
     const double height = axis.dot(points[i]);
     low = std::min(low, height + cap);
     high = std::max(high, height - cap);
   }
-  core.centre = core.rotation.leftCols<2>() * centre + 0.5 * (low + high) * axis;
+  core.center = core.rotation.leftCols<2>() * center + 0.5 * (low + high) * axis;
   core.half_extents.z() = std::max(0.5 * (high - low), 0.0);
   core.radius = enclosingRadius(core, points);
   return core;

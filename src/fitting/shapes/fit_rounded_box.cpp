@@ -25,7 +25,7 @@ constexpr double kGrowths[] = {0.0, 0.1, 0.3, 1.0};
 TurnedCore startFrom(const PosedShape& fit, double fraction, const NormalisedPoints& cloud) {
   TurnedCore core;
   core.rotation = fit.geometry_from_body.rotation;
-  core.centre = (fit.geometry_from_body.translation - cloud.centre) / cloud.scale;
+  core.center = (fit.geometry_from_body.translation - cloud.center) / cloud.scale;
   core.half_extents = fraction / cloud.scale * coreHalfExtents(fit.shape);
   return core;
 }

@@ -12,7 +12,7 @@ namespace {
 
 /// A ball and the points on its surface that determine it.
 struct Ball {
-  Eigen::Vector3d centre{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d center{Eigen::Vector3d::Zero()};
   double radius{std::numeric_limits<double>::infinity()};
   Points support;
 };
@@ -22,9 +22,9 @@ struct Ball {
 bool circumscribe(const Points& support, Ball& ball) {
   const auto edge_count = static_cast<Eigen::Index>(support.size()) - 1;
   ball.support = support;
-  ball.centre = support[0];
+  ball.center = support[0];
   if (edge_count > 0) {
-    // The centre is support[0] + sum of x_j edge_j with edge_i . (centre - support[0]) =
+    // The center is support[0] + sum of x_j edge_j with edge_i . (center - support[0]) =
     // |edge_i|^2 / 2 for every i.
     Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> edges(3, edge_count);
     for (Eigen::Index i = 0; i < edge_count; ++i) {
@@ -36,20 +36,20 @@ bool circumscribe(const Points& support, Ball& ball) {
     if (!solver.isInvertible()) {
       return false;
     }
-    ball.centre += edges * solver.solve(0.5 * gram.diagonal());
+    ball.center += edges * solver.solve(0.5 * gram.diagonal());
   }
   ball.radius = 0.0;
   for (const auto& point : support) {
-    ball.radius = std::max(ball.radius, (point - ball.centre).norm());
+    ball.radius = std::max(ball.radius, (point - ball.center).norm());
   }
   return true;
 }
 
 bool holdsAll(const Ball& ball, const Points& points) {
-  // Rounding in the circumcentre: a point of the support may come out farther by this.
+  // Rounding in the circumcenter: a point of the support may come out farther by this.
   const double limit = ball.radius * (1.0 + 1e-12);
   return std::all_of(points.begin(), points.end(),
-                     [&](const auto& p) { return (p - ball.centre).norm() <= limit; });
+                     [&](const auto& p) { return (p - ball.center).norm() <= limit; });
 }
 
 /// The smallest ball of up to five points of which the last lies on its surface.
@@ -72,10 +72,10 @@ Ball smallestBall(const Points& candidates) {
   return best;
 }
 
-std::size_t farthestFrom(const Eigen::Vector3d& centre, const Points& points) {
+std::size_t farthestFrom(const Eigen::Vector3d& center, const Points& points) {
   std::size_t farthest = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    if ((points[i] - centre).squaredNorm() > (points[farthest] - centre).squaredNorm()) {
+    if ((points[i] - center).squaredNorm() > (points[farthest] - center).squaredNorm()) {
       farthest = i;
     }
   }
@@ -86,8 +86,8 @@ std::size_t farthestFrom(const Eigen::Vector3d& centre, const Points& points) {
 void growOver(const Points& points, Ball& ball) {
   for (;;) {
     Points candidates = ball.support;
-    candidates.push_back(points[farthestFrom(ball.centre, points)]);
-    const double reach = (candidates.back() - ball.centre).norm();
+    candidates.push_back(points[farthestFrom(ball.center, points)]);
+    const double reach = (candidates.back() - ball.center).norm();
     if (reach <= ball.radius * (1.0 + 1e-13)) {
       return;
     }
@@ -113,8 +113,8 @@ PosedShape fitSphere(const Points& points) {
   }
   growOver(few, ball);
   growOver(points, ball);
-  const double radius = (points[farthestFrom(ball.centre, points)] - ball.centre).norm();
-  return {Sphere{radius}, {Eigen::Matrix3d::Identity(), ball.centre}};
+  const double radius = (points[farthestFrom(ball.center, points)] - ball.center).norm();
+  return {Sphere{radius}, {Eigen::Matrix3d::Identity(), ball.center}};
 }
 
 }  // namespace collision_monitor

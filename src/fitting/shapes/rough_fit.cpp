@@ -68,7 +68,7 @@ TurnedCore stepped(const RoughFit& fit, double size, const Eigen::Matrix<double,
   if constexpr (N == 3) {
     return boxAround(core.rotation, points);
   } else {
-    core.centre += size * core.rotation * step.template segment<3>(3);
+    core.center += size * core.rotation * step.template segment<3>(3);
     if constexpr (N == 7) {
       core.half_extents.z() = std::abs(core.half_extents.z() + size * step[6]);
     } else {
@@ -105,7 +105,7 @@ TurnedCore boxAround(const Matrix3d& frame, const Points& points) {
   }
   TurnedCore core;
   core.rotation = frame;
-  core.centre = frame * (0.5 * (low + high));
+  core.center = frame * (0.5 * (low + high));
   core.half_extents = 0.5 * (high - low);
   return core;
 }
@@ -145,7 +145,7 @@ RoughFit fitRoughly(const Points& points, const std::vector<Matrix3d>& frames,
   }
   if (goal.kinds.sphere && !(goal.kinds.capsule && goal.kinds.rounded_box)) {
     TurnedCore core;
-    core.centre = fitSphere(points).geometry_from_body.translation;
+    core.center = fitSphere(points).geometry_from_body.translation;
     core.radius = enclosingRadius(core, points);
     consider(core, kSphere, goal, best);
   }
@@ -167,7 +167,7 @@ RoughFit polished(const RoughFit& fit, const Points& points, const RoughGoal& go
 
 PosedShape placedShape(const RoughFit& fit) {
   const TurnedCore& core = fit.core;
-  const Pose pose{core.rotation, core.centre};
+  const Pose pose{core.rotation, core.center};
   switch (fit.kind) {
     case kSphere:
       return {Sphere{core.radius}, pose};

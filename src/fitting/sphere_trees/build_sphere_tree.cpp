@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "collision_monitor/geometry/ids.h"
 #include "fitting/proofs/check_geometry.h"
 #include "fitting/proofs/surrounding_mesh.h"
 #include "fitting/search/point_cloud.h"
@@ -87,10 +88,10 @@ class SphereTreeBuilder {
   /// The least ball, proven: a computed distance errs by less than 4 u of it, and the corners
   /// stand for points that are up to cutError() away for each cut.
   void enclose(const Points& corners, SphereNode& node) const {
-    node.centre = fitSphere(corners).geometry_from_body.translation;
+    node.center = fitSphere(corners).geometry_from_body.translation;
     double reach = 0.0;
     for (const auto& corner : corners) {
-      reach = std::max(reach, (corner - node.centre).norm());
+      reach = std::max(reach, (corner - node.center).norm());
     }
     node.radius = reach * (1.0 + 16.0 * kUnitRoundOff) + node.level * surface_.cutError();
     node.radius += node.radius > 0.0 ? kUnderflow : 0.0;
@@ -100,8 +101,8 @@ class SphereTreeBuilder {
     double farthest = 0.0;
     NearestPoint nearest;
     for (const auto& direction : directions_) {
-      const Vector3d point = node.centre + node.radius * direction;
-      const NearestPoint start = nearest.leaf_triangle == NearestPoint::kNone
+      const Vector3d point = node.center + node.radius * direction;
+      const NearestPoint start = nearest.leaf_triangle == kNone
                                      ? NearestPoint{}
                                      : bvh_.nearestOn(nearest.leaf_triangle, point);
       nearest = bvh_.nearestTo(point, start, kTolerance);

@@ -44,19 +44,19 @@ std::string textNotBelow(double value) {
 
 /// A sphere as text.
 struct SphereText {
-  std::array<std::string, 3> centre;
+  std::array<std::string, 3> center;
   std::string radius;
 };
 
 SphereText textOf(const SphereNode& sphere) {
   SphereText text;
-  Eigen::Vector3d centre;
+  Eigen::Vector3d center;
   for (Eigen::Index i = 0; i < 3; ++i) {
-    text.centre[static_cast<std::size_t>(i)] = textOf(sphere.centre[i]);
-    centre[i] = readAgain(text.centre[static_cast<std::size_t>(i)]);
+    text.center[static_cast<std::size_t>(i)] = textOf(sphere.center[i]);
+    center[i] = readAgain(text.center[static_cast<std::size_t>(i)]);
   }
   // The sum and the length are rounded, by a few units of 1e-16.
-  const double radius = (sphere.radius + (centre - sphere.centre).norm()) * (1.0 + 1e-15);
+  const double radius = (sphere.radius + (center - sphere.center).norm()) * (1.0 + 1e-15);
   text.radius = textNotBelow(std::max(radius, kLeastRadius));
   return text;
 }
@@ -69,7 +69,7 @@ void check(const LinkSpheres& link) {
   }
   for (const auto& tree : link.trees) {
     for (const auto& node : tree.nodes) {
-      if (!node.centre.allFinite() || !std::isfinite(node.radius) || node.radius < 0.0) {
+      if (!node.center.allFinite() || !std::isfinite(node.radius) || node.radius < 0.0) {
         throw std::invalid_argument("link '" + link.link +
                                     "': a sphere is not finite or has a negative radius");
       }
@@ -136,8 +136,8 @@ std::string toYaml(const std::vector<LinkSpheres>& links) {
     for (std::uint32_t level = 0; level < levels; ++level) {
       entries += "      - level: " + std::to_string(level) + "\n        spheres:\n";
       for (const auto& sphere : spheresOf(link, level)) {
-        entries += "          - {center: [" + sphere.centre[0] + ", " + sphere.centre[1] + ", " +
-                   sphere.centre[2] + "], radius: " + sphere.radius + "}\n";
+        entries += "          - {center: [" + sphere.center[0] + ", " + sphere.center[1] + ", " +
+                   sphere.center[2] + "], radius: " + sphere.radius + "}\n";
       }
     }
   }
@@ -154,8 +154,8 @@ std::string toSrdf(const std::vector<LinkSpheres>& links, std::uint32_t level) {
     }
     text += "<link_sphere_approximation link=" + quotedForXml(link.link) + ">\n";
     for (const auto& sphere : spheres) {
-      text += "  <sphere center=\"" + sphere.centre[0] + " " + sphere.centre[1] + " " +
-              sphere.centre[2] + "\" radius=\"" + sphere.radius + "\"/>\n";
+      text += "  <sphere center=\"" + sphere.center[0] + " " + sphere.center[1] + " " +
+              sphere.center[2] + "\" radius=\"" + sphere.radius + "\"/>\n";
     }
     text += "</link_sphere_approximation>\n";
   }

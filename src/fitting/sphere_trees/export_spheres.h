@@ -16,7 +16,7 @@ struct LinkSpheres {
 };
 
 /// Text that other programs read. Numbers have a decimal point and 9 significant digits in every
-/// locale. Each radius is grown by what its centre lost to rounding and then rounded up, so that a
+/// locale. Each radius is grown by what its center lost to rounding and then rounded up, so that a
 /// sphere as it is read again holds the sphere of the tree.
 ///
 /// Frames: that of the link. Units: metres.

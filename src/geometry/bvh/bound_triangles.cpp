@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "collision_monitor/geometry/ids.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -26,7 +28,7 @@ float roundedUp(double value) noexcept {
 // several at once, from -O2 on, and bounds would be computed for numbers that are not stored.
 [[gnu::noinline]] float nearestFloat(double value) noexcept { return static_cast<float>(value); }
 
-// Half the width that an interval needs about a centre that was rounded to a float.
+// Half the width that an interval needs about a center that was rounded to a float.
 float halfAbout(float center, double low, double high, double rounding) noexcept {
   const auto exact_center = static_cast<double>(center);
   return roundedUp(std::max(high - exact_center, exact_center - low) + rounding);
@@ -53,7 +55,7 @@ void boundNothing(std::uint32_t slot, MeshTreeNode& node) noexcept {
   }
   node.slab_center[slot] = 0.0F;
   node.slab_half[slot] = 0.0F;
-  node.child[slot] = MeshTreeNode::kNone;
+  node.child[slot] = kNone;
 }
 
 void boundByBox(const Eigen::Vector3f& low, const Eigen::Vector3f& high, double size,

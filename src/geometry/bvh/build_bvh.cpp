@@ -73,9 +73,9 @@ Item itemOf(const TriangleBvh::UnitFrame& frame, const Triangle& triangle, std::
   item.triangle = index;
   item.box.low.setZero();
   item.box.high.setZero();
-  item.box.low.head<3>() = ((low - frame.centre.array()) / frame.scale).cast<float>() - kBvhPadding;
+  item.box.low.head<3>() = ((low - frame.center.array()) / frame.scale).cast<float>() - kBvhPadding;
   item.box.high.head<3>() =
-      ((high - frame.centre.array()) / frame.scale).cast<float>() + kBvhPadding;
+      ((high - frame.center.array()) / frame.scale).cast<float>() + kBvhPadding;
   return item;
 }
 

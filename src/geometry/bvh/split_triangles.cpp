@@ -24,7 +24,7 @@ void include(const SplitItem& item, SplitRange& to) noexcept {
   to.centers.include(item.doubledCenter());
 }
 
-// Which bin a centre falls into.
+// Which bin a center falls into.
 struct Binning {
   Eigen::Index axis;
   float low;

@@ -42,13 +42,13 @@ struct SplitRange {
   std::uint32_t first{0};
   std::uint32_t count{0};
   RoughBox box;
-  RoughBox centers;  ///< of the items' doubled centres
+  RoughBox centers;  ///< of the items' doubled centers
 };
 
 SplitRange makeRange(const SplitItem* items, std::uint32_t first, std::uint32_t count) noexcept;
 
 /// Reorders the items of `range` and divides it where the surface area heuristic is least among
-/// planes across the longest axis of the centres; in halves when all centres are equal or
+/// planes across the longest axis of the centers; in halves when all centers are equal or
 /// `by_count` asks for it.
 /// @pre range.count >= 2. Neither part is empty.
 void splitRange(SplitItem* items, const SplitRange& range, bool by_count, SplitRange& lower,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/geometry/triangle_bvh.h"
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/bvh/build_bvh.h"
 #include "geometry/bvh/visit_near.h"
 #include "geometry/meshes/check_mesh.h"
@@ -47,7 +48,7 @@ TriangleBvh::TriangleBvh(const TriangleMesh& mesh) {
   checkMesh(mesh);
   triangles_ = trianglesOf(mesh);
   bounds_ = boundsOf(triangles_);
-  unit_frame_.centre = 0.5 * bounds_.min + 0.5 * bounds_.max;
+  unit_frame_.center = 0.5 * bounds_.min + 0.5 * bounds_.max;
   const double scale = (0.5 * bounds_.max - 0.5 * bounds_.min).maxCoeff();
   unit_frame_.scale = scale > kLeastScale ? scale : 1.0;
   nodes_ = buildBvh(unit_frame_, triangles_);
@@ -67,13 +68,13 @@ NearestPoint TriangleBvh::nearestTo(const Vector3d& point, const NearestPoint& s
                                     double tolerance) const noexcept {
   NearestPoint best = start;
   const double needed = 1.0 / (1.0 + tolerance);
-  Vector3d way = best.point - point;
+  Vector3d delta = best.point - point;
   // What lies beyond the plane through the nearest point so far, across the way there, is no
   // nearer.
   const auto isBeyond = [&](const Triangle& triangle) {
-    const double reach = needed * way.squaredNorm();
-    return best.leaf_triangle != NearestPoint::kNone && way.dot(triangle[0] - point) >= reach &&
-           way.dot(triangle[1] - point) >= reach && way.dot(triangle[2] - point) >= reach;
+    const double reach = needed * delta.squaredNorm();
+    return best.leaf_triangle != kNone && delta.dot(triangle[0] - point) >= reach &&
+           delta.dot(triangle[1] - point) >= reach && delta.dot(triangle[2] - point) >= reach;
   };
   visitNear(*this, unitQuery(unit_frame_, point, point), needed * start.distance,
             [&](std::uint32_t triangle) {
@@ -81,7 +82,7 @@ NearestPoint TriangleBvh::nearestTo(const Vector3d& point, const NearestPoint& s
                 const NearestPoint found = nearestOn(triangle, point);
                 if (found.distance < best.distance) {
                   best = found;
-                  way = best.point - point;
+                  delta = best.point - point;
                 }
               }
               return needed * best.distance;

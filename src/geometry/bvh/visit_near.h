@@ -24,8 +24,8 @@ inline UnitQuery unitQuery(const TriangleBvh::UnitFrame& frame, const Eigen::Vec
   UnitQuery query{};
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
-    const double from = (low[axis] - frame.centre[axis]) / frame.scale;
-    const double to = (high[axis] - frame.centre[axis]) / frame.scale;
+    const double from = (low[axis] - frame.center[axis]) / frame.scale;
+    const double to = (high[axis] - frame.center[axis]) / frame.scale;
     query.low[k] = static_cast<float>(std::clamp(from, -kFar, kFar));
     query.high[k] = static_cast<float>(std::clamp(to, -kFar, kFar));
   }
@@ -50,7 +50,7 @@ inline TriangleBvh::Lanes squaredDistances(const TriangleBvh::Node& node,
 /// nearest boxes first as far as the hierarchy tells. `visit` returns the limit from then on, [m].
 template <class Visit>
 void visitNear(const TriangleBvh& mesh, const UnitQuery& query, double limit, const Visit& visit) {
-  struct Waiting {
+  struct NodeToVisit {
     std::uint32_t child;
     float squared_distance;
   };
@@ -60,12 +60,12 @@ void visitNear(const TriangleBvh& mesh, const UnitQuery& query, double limit, co
     return static_cast<float>(std::min(unit * unit * (1.0 + 1e-6), kMax));
   };
   // Each node on the path leaves at most three brothers behind.
-  std::array<Waiting, 3 * kMaxBvhDepth + 4> stack;
+  std::array<NodeToVisit, 3 * kMaxBvhDepth + 4> stack;
   std::size_t size = 0;
   float squared_limit = unitSquare(limit);
   stack[size++] = {0, 0.0f};
   while (size > 0) {
-    const Waiting next = stack[--size];
+    const NodeToVisit next = stack[--size];
     if (next.squared_distance >= squared_limit) {
       continue;
     }

@@ -10,13 +10,13 @@
 #include <set>
 #include <utility>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/bvh/vertex_blocks.h"
 
 namespace collision_monitor {
 namespace {
 
 constexpr double kFlat = 1e-13;  // of the extent: corners this near to a plane lie in it
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
 

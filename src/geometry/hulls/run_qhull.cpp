@@ -87,13 +87,13 @@ class QhullRun {
 
 }  // namespace
 
-Faces runQhull(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& centre,
+Faces runQhull(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& center,
                double extent) {
   throwIfInterrupted();  // it cannot be ended half-way
   std::vector<coordT> coordinates;
   coordinates.reserve(3 * points.size());
   for (const auto& p : points) {
-    const Eigen::Vector3d normalised = (p - centre) / extent;
+    const Eigen::Vector3d normalised = (p - center) / extent;
     coordinates.insert(coordinates.end(), normalised.data(), normalised.data() + 3);
   }
   // Qt: triangulate merged facets. QJ: joggle the input, for what cannot be merged.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "collision_monitor/geometry/ids.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -43,7 +45,7 @@ std::vector<WindingMoments> momentsOf(const std::vector<MeshTreeNode>& nodes,
   // Children stand behind their parents.
   for (std::size_t node = nodes.size(); node-- > 0;) {
     for (const Index child : nodes[node].child) {
-      if (child == MeshTreeNode::kNone) {
+      if (child == kNone) {
         continue;
       }
       const bool is_triangle = (child & MeshTreeNode::kTriangle) != 0;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/geometry/winding.h"
 #include "geometry/meshes/triangle_sides.h"
 #include "geometry/meshes/weld_vertices.h"
@@ -48,14 +49,12 @@ struct Neighbour {
 };
 using Neighbours = std::vector<std::array<Neighbour, 3>>;
 
-constexpr std::uint32_t kNobody = 0xffffffffU;
-
 Neighbours neighboursOf(const std::vector<Corners>& triangles, std::size_t vertex_count) {
-  Neighbours neighbours(triangles.size(), {{{kNobody, false}, {kNobody, false}, {kNobody, false}}});
+  Neighbours neighbours(triangles.size(), {{{kNone, false}, {kNone, false}, {kNone, false}}});
   const auto add = [&](const TriangleSide& side, const TriangleSide& other) {
     const auto free =
         std::find_if(neighbours[side.triangle].begin(), neighbours[side.triangle].end() - 1,
-                     [](const Neighbour& n) { return n.triangle == kNobody; });
+                     [](const Neighbour& n) { return n.triangle == kNone; });
     *free = {other.triangle, side.is_forward == other.is_forward};
   };
   forEdges(sidesOf(triangles, vertex_count), [&](auto first, auto last) {
@@ -103,7 +102,7 @@ class Turning {
       all += area;
       turned += turns_[triangle] != 0 ? area : 0.0;
       for (const Neighbour& neighbour : neighbours_[triangle]) {
-        if (neighbour.triangle != kNobody && is_seen_[neighbour.triangle] == 0) {
+        if (neighbour.triangle != kNone && is_seen_[neighbour.triangle] == 0) {
           is_seen_[neighbour.triangle] = 1;
           turns_[neighbour.triangle] = turns_[triangle] ^ (neighbour.disagrees ? 1 : 0);
           part_.push_back(neighbour.triangle);

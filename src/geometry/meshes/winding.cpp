@@ -13,26 +13,26 @@ namespace {
 
 using Eigen::Vector3d;
 
-void addSpread(const Vector3d& way, const Vector3d& normal, WindingMoments& moments) noexcept {
+void addSpread(const Vector3d& delta, const Vector3d& normal, WindingMoments& moments) noexcept {
   for (std::size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
     const Eigen::Index next = (k + 1) % 3;
-    moments.spread[i] += way[k] * normal[k];
-    moments.spread[3 + i] += 0.5 * (way[k] * normal[next] + way[next] * normal[k]);
+    moments.spread[i] += delta[k] * normal[k];
+    moments.spread[3 + i] += 0.5 * (delta[k] * normal[next] + delta[next] * normal[k]);
   }
 }
 
-// Moves a part to another centre and adds it.
+// Moves a part to another center and adds it.
 void add(const WindingMoments& part, WindingMoments& whole) noexcept {
-  const Vector3d way = part.center - whole.center;
+  const Vector3d delta = part.center - whole.center;
   whole.normal += part.normal;
   whole.area += part.area;
-  whole.squared += part.squared + part.area * way.squaredNorm();
-  whole.radius = std::max(whole.radius, way.norm() + part.radius);
+  whole.squared += part.squared + part.area * delta.squaredNorm();
+  whole.radius = std::max(whole.radius, delta.norm() + part.radius);
   for (std::size_t i = 0; i < part.spread.size(); ++i) {
     whole.spread[i] += part.spread[i];
   }
-  addSpread(way, part.normal, whole);
+  addSpread(delta, part.normal, whole);
 }
 
 }  // namespace
@@ -77,9 +77,9 @@ WindingMoments momentsOf(const Triangle& triangle) noexcept {
   moments.area = moments.normal.norm();
   double squared = 0.0;
   for (const Vector3d& corner : triangle) {
-    const double way = (corner - moments.center).squaredNorm();
-    squared += way;
-    moments.radius = std::max(moments.radius, std::sqrt(way));
+    const double delta = (corner - moments.center).squaredNorm();
+    squared += delta;
+    moments.radius = std::max(moments.radius, std::sqrt(delta));
   }
   moments.squared = moments.area * squared / 12.0;
   return moments;
@@ -96,8 +96,8 @@ WindingMoments joined(const WindingMoments& one, const WindingMoments& other) no
 }
 
 BoundedNumber windingOf(const WindingMoments& part, const Vector3d& point) noexcept {
-  const Vector3d way = part.center - point;
-  const double squared = way.squaredNorm();
+  const Vector3d delta = part.center - point;
+  const double squared = delta.squaredNorm();
   const double length = std::sqrt(squared);
   const double gap = length - part.radius;
   if (!(gap > 0.0)) {
@@ -106,12 +106,12 @@ BoundedNumber windingOf(const WindingMoments& part, const Vector3d& point) noexc
   const auto& s = part.spread;
   const double trace = s[0] + s[1] + s[2];
   const double along =
-      s[0] * way[0] * way[0] + s[1] * way[1] * way[1] + s[2] * way[2] * way[2] +
-      2.0 * (s[3] * way[0] * way[1] + s[4] * way[1] * way[2] + s[5] * way[2] * way[0]);
+      s[0] * delta[0] * delta[0] + s[1] * delta[1] * delta[1] + s[2] * delta[2] * delta[2] +
+      2.0 * (s[3] * delta[0] * delta[1] + s[4] * delta[1] * delta[2] + s[5] * delta[2] * delta[0]);
   const double cubed = squared * length;
   constexpr double kAround = 4.0 * kPi;
   const double near = 1.0 / (gap * gap);
-  return {(part.normal.dot(way) + trace - 3.0 * along / squared) / (kAround * cubed),
+  return {(part.normal.dot(delta) + trace - 3.0 * along / squared) / (kAround * cubed),
           3.0 / kAround * part.squared * near * near};
 }
 

@@ -91,7 +91,7 @@ void setPositions(const RobotModel& model, const JointPath& path, std::size_t se
   }
 }
 
-double wayOf(const JointPath& path, const PathPart& part, std::size_t joint) noexcept {
+double travelOf(const JointPath& path, const PathPart& part, std::size_t joint) noexcept {
   const Cubic cubic = cubicOf(path, part.segment, joint);
   const Turns turns = turnsWithin(cubic, part.from, part.to);
   const double a = cubic.at(part.from);

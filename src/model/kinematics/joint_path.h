@@ -41,6 +41,6 @@ void setPositions(const RobotModel& model, const JointPath& path, std::size_t se
                   JointPositions& positions) noexcept;
 
 /// How far a joint of the path goes in this part, to and fro added up: [rad] or [m], exact.
-double wayOf(const JointPath& path, const PathPart& part, std::size_t joint) noexcept;
+double travelOf(const JointPath& path, const PathPart& part, std::size_t joint) noexcept;
 
 }  // namespace collision_monitor

@@ -205,11 +205,11 @@ std::vector<LinkId> linksOf(const std::vector<LinkGroup>& groups, std::size_t gr
                             const RobotModel& model) {
   std::vector<LinkId> links;
   std::vector<bool> is_visited(groups.size(), false);
-  std::vector<std::size_t> waiting{group};  // no recursion: groups may hold each other 20,000 deep
+  std::vector<std::size_t> to_visit{group};  // no recursion: groups may hold each other 20,000 deep
   is_visited[group] = true;
-  while (!waiting.empty()) {
-    const LinkGroup& next = groups[waiting.back()];
-    waiting.pop_back();
+  while (!to_visit.empty()) {
+    const LinkGroup& next = groups[to_visit.back()];
+    to_visit.pop_back();
     links.insert(links.end(), next.links.begin(), next.links.end());
     for (const LinkGroup::Chain& chain : next.chains) {
       addChain(model, chain, links);
@@ -217,7 +217,7 @@ std::vector<LinkId> linksOf(const std::vector<LinkGroup>& groups, std::size_t gr
     for (const std::size_t inner : next.groups) {
       if (!is_visited[inner]) {
         is_visited[inner] = true;
-        waiting.push_back(inner);
+        to_visit.push_back(inner);
       }
     }
   }

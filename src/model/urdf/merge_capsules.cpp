@@ -27,7 +27,7 @@ Cap findCap(const std::vector<CollisionElement>& collisions, const Eigen::Vector
     const double offset = (collisions[i].link_from_geometry.translation - end).norm();
     if (offset <= kCapsuleTolerance) {
       cap.spheres.push_back(i);
-      // A ball about `end` that holds a sphere whose centre is off by `offset`. Offsets
+      // A ball about `end` that holds a sphere whose center is off by `offset`. Offsets
       // of rounding alone would only make an exact capsule inexact.
       const double rounding = 1e-15 * (1.0 + end.norm());
       cap.radius = std::max(cap.radius, sphere->radius + (offset > rounding ? offset : 0.0));

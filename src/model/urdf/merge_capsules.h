@@ -8,7 +8,7 @@
 
 namespace collision_monitor {
 
-/// How far the centre of a sphere may lie from the end of its cylinder, and how
+/// How far the center of a sphere may lie from the end of its cylinder, and how
 /// much the radii may differ, for the three to be one capsule. Units: metres.
 /// Wide enough for angles written with four decimals, as 1.5708 (3.7e-6 rad) on
 /// half a cylinder of 0.5 m; far below what a robot is built to.

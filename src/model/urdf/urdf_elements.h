@@ -57,7 +57,7 @@ std::optional<UrdfJoint> readUrdfJoint(const tinyxml2::XMLElement& joint, const 
 
 /// The one shape of a `<geometry>`: box, sphere, cylinder, capsule or mesh.
 ///
-/// A capsule's length is the distance between the centres of its caps, as Bullet
+/// A capsule's length is the distance between the centers of its caps, as Bullet
 /// reads it, so it is 2 radius + length long from tip to tip.
 /// Source: Bullet's URDF importer, which hands radius and length to
 /// btCapsuleShapeZ, whose height leaves the caps out.

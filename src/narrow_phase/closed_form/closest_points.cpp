@@ -15,7 +15,7 @@ double clampTo(double half_length, double parameter) noexcept {
 }
 
 // Middle of the stretch of `a` that lies beside `b`, both parallel; its end nearest to `b` if
-// there is no such stretch. `b_on_a` is the parameter of b's centre on a.
+// there is no such stretch. `b_on_a` is the parameter of b's center on a.
 double middleOfOverlap(double half_a, double half_b, double b_on_a) noexcept {
   const double low = std::max(-half_a, b_on_a - half_b);
   const double high = std::min(half_a, b_on_a + half_b);

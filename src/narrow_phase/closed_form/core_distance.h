@@ -39,8 +39,8 @@ inline SignedDistance placed(const Pose& world_from_frame,
 
 /// Shapes from their cores: the surface lies one radius outside the core along the normal.
 /// Holds for overlapping cores too, because the facet that is least deep moves out with the rest.
-inline SignedDistance swept(const SignedDistance& cores, double radius_a,
-                            double radius_b) noexcept {
+inline SignedDistance inflated(const SignedDistance& cores, double radius_a,
+                               double radius_b) noexcept {
   return {cores.distance - radius_a - radius_b, cores.point_on_a + radius_a * cores.normal_a_to_b,
           cores.point_on_b - radius_b * cores.normal_a_to_b, cores.normal_a_to_b};
 }

@@ -36,7 +36,7 @@ SignedDistance distanceBetween(const Sphere& a, const Pose& world_from_a, const 
   const Eigen::Vector3d between = world_from_a.translation - world_from_b.translation;
   const SignedDistance cores =
       pointToBox(world_from_b.rotation.transpose() * between, b.half_extents);
-  return swept(placed(world_from_b, cores), a.radius, b.radius);
+  return inflated(placed(world_from_b, cores), a.radius, b.radius);
 }
 
 }  // namespace collision_monitor

@@ -17,7 +17,7 @@ SignedDistance distanceBetween(const Sphere& a, const Pose& world_from_a, const 
   if (cores.distance > kTouching) {
     cores.normal_a_to_b = between / cores.distance;
   }
-  return swept(cores, a.radius, b.radius);
+  return inflated(cores, a.radius, b.radius);
 }
 
 }  // namespace collision_monitor

@@ -22,7 +22,7 @@ SignedDistance distanceBetween(const Sphere& a, const Pose& world_from_a, const 
   const double length = between.norm();
   cores.normal_a_to_b =
       length > kTouching ? Eigen::Vector3d(between / length) : perpendicularTo(segment.direction);
-  return swept(cores, a.radius, b.radius);
+  return inflated(cores, a.radius, b.radius);
 }
 
 }  // namespace collision_monitor

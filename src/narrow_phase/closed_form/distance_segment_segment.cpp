@@ -54,7 +54,7 @@ SignedDistance distanceBetween(const Capsule& a, const Pose& world_from_a, const
   cores.distance = between.norm();
   cores.normal_a_to_b = cores.distance > kNear ? Eigen::Vector3d(between / cores.distance)
                                                : normalOfNear(on_a, on_b, closest, between);
-  return swept(cores, a.radius, b.radius);
+  return inflated(cores, a.radius, b.radius);
 }
 
 }  // namespace collision_monitor

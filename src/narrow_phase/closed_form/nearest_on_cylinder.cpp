@@ -38,16 +38,16 @@ struct Projection {
           std::abs(point.z()) > height};
 }
 
-CylinderFoot footAt(const Vector3d& point, const Projection& at) noexcept {
+ClosestOnCylinder closestAt(const Vector3d& point, const Projection& at) noexcept {
   return {point - at.away, at.away};
 }
 
 // Second derivative of half the squared distance on a straight way.
-double curvatureAlong(const Vector3d& way, const Projection& at) noexcept {
-  const double outward = at.outward.x() * way.x() + at.outward.y() * way.y();
-  const double around = way.x() * at.outward.y() - way.y() * at.outward.x();
+double curvatureAlong(const Vector3d& delta, const Projection& at) noexcept {
+  const double outward = at.outward.x() * delta.x() + at.outward.y() * delta.y();
+  const double around = delta.x() * at.outward.y() - delta.y() * at.outward.x();
   const double of_side = at.lag_around * around * around + (at.is_beside ? outward * outward : 0.0);
-  return of_side + (at.is_beyond_cap ? way.z() * way.z() : 0.0);
+  return of_side + (at.is_beyond_cap ? delta.z() * delta.z() : 0.0);
 }
 
 Vector3d combined(double s, const Vector3d& v, double t, const Vector3d& w) noexcept {
@@ -56,22 +56,22 @@ Vector3d combined(double s, const Vector3d& v, double t, const Vector3d& w) noex
 
 }  // namespace
 
-CylinderFoot footOf(const Vector3d& point, const Vector3d& half_extents) noexcept {
-  return footAt(point, project(point, half_extents));
+ClosestOnCylinder closestOf(const Vector3d& point, const Vector3d& half_extents) noexcept {
+  return closestAt(point, project(point, half_extents));
 }
 
-CylinderFoot footOfEdge(const Vector3d& from, const Vector3d& edge, const Vector3d& half_extents,
-                        double& share) noexcept {
+ClosestOnCylinder closestToEdge(const Vector3d& from, const Vector3d& edge,
+                                const Vector3d& half_extents, double& share) noexcept {
   Vector3d point = from + share * edge;
   Projection at = project(point, half_extents);
-  for (int step = 0; step < kMaxFootSteps; ++step) {
+  for (int step = 0; step < kMaxClosestSteps; ++step) {
     const double slope = along(at.away, edge);
     const double curvature = curvatureAlong(edge, at);
     const double next = std::max(0.0, std::min(1.0, share - slope / curvature));
     if (!(curvature > 0.0) || next == share) {
       break;
     }
-    const bool is_last = std::abs(next - share) <= kLastFootStep;
+    const bool is_last = std::abs(next - share) <= kLastClosestStep;
     share = next;
     point = from + share * edge;
     at = project(point, half_extents);
@@ -79,19 +79,20 @@ CylinderFoot footOfEdge(const Vector3d& from, const Vector3d& edge, const Vector
       break;
     }
   }
-  return footAt(point, at);
+  return closestAt(point, at);
 }
 
-CylinderFoot footOfRim(const Rim& rim, const Vector3d& half_extents, Vector2d& turn) noexcept {
+ClosestOnCylinder closestToRim(const Rim& rim, const Vector3d& half_extents,
+                               Vector2d& turn) noexcept {
   const Vector3d x = rim.across.col(0);
   const Vector3d y = rim.across.col(1);
   Vector3d outward = combined(turn.x(), x, turn.y(), y);
   Vector3d point = rim.center + outward;
   Projection at = project(point, half_extents);
-  for (int step = 0; step < kMaxFootSteps; ++step) {
-    const Vector3d way = combined(turn.x(), y, -turn.y(), x);
-    const double slope = along(at.away, way);
-    const double curvature = curvatureAlong(way, at) - along(at.away, outward);
+  for (int step = 0; step < kMaxClosestSteps; ++step) {
+    const Vector3d delta = combined(turn.x(), y, -turn.y(), x);
+    const double slope = along(at.away, delta);
+    const double curvature = curvatureAlong(delta, at) - along(at.away, outward);
     if (!(curvature > 0.0)) {
       break;  // farther from the least than from the most
     }
@@ -101,11 +102,11 @@ CylinderFoot footOfRim(const Rim& rim, const Vector3d& half_extents, Vector2d& t
     outward = combined(turn.x(), x, turn.y(), y);
     point = rim.center + outward;
     at = project(point, half_extents);
-    if (std::abs(angle) <= kLastFootStep) {
+    if (std::abs(angle) <= kLastClosestStep) {
       break;
     }
   }
-  return footAt(point, at);
+  return closestAt(point, at);
 }
 
 }  // namespace collision_monitor

@@ -8,28 +8,29 @@
 /// last bit.
 namespace collision_monitor {
 
-constexpr int kMaxFootSteps = 12;
+constexpr int kMaxClosestSteps = 12;
 /// Of Newton's method: the step after one as small as this would be its square.
-constexpr double kLastFootStep = 1e-8;
+constexpr double kLastClosestStep = 1e-8;
 
 /// A point outside of a solid cylinder and its nearest point there, in the cylinder's frame.
-struct CylinderFoot {
+struct ClosestOnCylinder {
   Eigen::Vector3d on_cylinder{Eigen::Vector3d::Zero()};
   Eigen::Vector3d away{Eigen::Vector3d::Zero()};  ///< from there to the point; zero within
 };
 
 /// @param half_extents radius, radius, half length.
-CylinderFoot footOf(const Eigen::Vector3d& point, const Eigen::Vector3d& half_extents) noexcept;
+ClosestOnCylinder closestOf(const Eigen::Vector3d& point,
+                            const Eigen::Vector3d& half_extents) noexcept;
 
 /// The foot of the point of a segment, `from` + `share` * `edge` with 0 <= share <= 1, that is
 /// nearest to the cylinder.
 ///
 /// Error: quadratic convergence; who needs a proof looks at a support plane.
 /// @param share where to start, and where it ended.
-CylinderFoot footOfEdge(const Eigen::Vector3d& from, const Eigen::Vector3d& edge,
-                        const Eigen::Vector3d& half_extents, double& share) noexcept;
+ClosestOnCylinder closestToEdge(const Eigen::Vector3d& from, const Eigen::Vector3d& edge,
+                                const Eigen::Vector3d& half_extents, double& share) noexcept;
 
-/// A circle: centre + cos * across.col(0) + sin * across.col(1).
+/// A circle: center + cos * across.col(0) + sin * across.col(1).
 struct Rim {
   Eigen::Vector3d center;
   Eigen::Matrix<double, 3, 2> across;
@@ -37,7 +38,7 @@ struct Rim {
 
 /// The same of the point of a rim, near the start, that is nearest to the cylinder.
 /// @param turn unit, its cosine and sine: where to start, and where it ended.
-CylinderFoot footOfRim(const Rim& rim, const Eigen::Vector3d& half_extents,
-                       Eigen::Vector2d& turn) noexcept;
+ClosestOnCylinder closestToRim(const Rim& rim, const Eigen::Vector3d& half_extents,
+                               Eigen::Vector2d& turn) noexcept;
 
 }  // namespace collision_monitor

@@ -82,14 +82,14 @@ ContactPatch extremePatch(const Shape& shape, const Pose& world_from_shape,
 void cut(const Vector3d& outward, const Vector3d& through, ClippedPolygon& polygon) noexcept {
   ClippedPolygon kept;
   // An edge has one way between its corners, a face goes around.
-  const std::size_t ways = polygon.size == 2 ? 1 : polygon.size;
+  const std::size_t directions = polygon.size == 2 ? 1 : polygon.size;
   for (std::size_t i = 0; i < polygon.size; ++i) {
     const Vector3d& from = polygon.corners[i];
     const double from_beyond = outward.dot(from - through);
     if (from_beyond <= 0.0) {
       kept.add(from);
     }
-    if (i >= ways) {
+    if (i >= directions) {
       continue;
     }
     const Vector3d& to = polygon.corners[(i + 1) % polygon.size];

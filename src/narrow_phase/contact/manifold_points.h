@@ -58,7 +58,7 @@ void cut(const Eigen::Vector3d& outward, const Eigen::Vector3d& through,
 void dropFarther(double limit, ManifoldPoints& points) noexcept;
 
 /// Keeps the nearest point, the one farthest from it, and those that widen the area most, one on
-/// either side; sets the centre. Points nearer to each other than a nanometre are one.
+/// either side; sets the center. Points nearer to each other than a nanometre are one.
 /// @pre points.size >= 1
 void spreadOut(const ManifoldPoints& points, ContactManifold& manifold) noexcept;
 

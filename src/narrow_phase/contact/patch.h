@@ -15,7 +15,7 @@ struct FlatFeature {
   int side_count{0};
 };
 
-/// Centre of the part of `feature` that lies over the rectangle |x| <= half_extents: the
+/// Center of the part of `feature` that lies over the rectangle |x| <= half_extents: the
 /// centroid of a polygon, the middle of a segment.
 ///
 /// Limits: a feature that misses the rectangle by less than `tolerance` still counts.

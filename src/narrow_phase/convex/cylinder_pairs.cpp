@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "narrow_phase/warm_start/confirm_cylinder.h"
+#include "narrow_phase/warm_start/cylinder_from_warm_start.h"
 
 namespace collision_monitor {
 namespace {
@@ -45,9 +45,9 @@ void fillCylinder(const RowRoles& roles, double reach_of_other, CylinderRows& ro
   const std::size_t row = rows.count;
   rows.cylinder[row].world_from_core = roles.world_from_cylinder->rotation.data();
   rows.is_swapped[row] = roles.is_swapped;
-  rows.at[foot::size][row] = reachOf(*roles.cylinder) + reach_of_other;
-  rows.at[foot::radius][row] = roles.cylinder->radius;
-  rows.at[foot::half_length][row] = roles.cylinder->half_length;
+  rows.at[closest::size][row] = reachOf(*roles.cylinder) + reach_of_other;
+  rows.at[closest::radius][row] = roles.cylinder->radius;
+  rows.at[closest::half_length][row] = roles.cylinder->half_length;
 }
 
 void followEnds(const RowRoles& roles, const Ends& last, CylinderRows& rows) noexcept {
@@ -70,13 +70,13 @@ bool fillRim(const ConvexQuery& query, CylinderRows& rows) noexcept {
   followEnds(roles, last, rows);
   rows.other[row].world_from_core = roles.world_from_other->rotation.data();
   rows.other[row].radius = 0.0;
-  rows.at[foot::radius_of_other][row] = other.radius;
-  rows.at[foot::half_length_of_other][row] = other.half_length;
+  rows.at[closest::radius_of_other][row] = other.radius;
+  rows.at[closest::half_length_of_other][row] = other.half_length;
   return true;
 }
 
 // Beside a core with corners. False for what has none.
-bool fillFoot(const RowRoles& roles, const ConvexWarmStart& warm, CylinderRows& rows) noexcept {
+bool fillClosest(const RowRoles& roles, const ConvexWarmStart& warm, CylinderRows& rows) noexcept {
   double reach_of_other = 0.0;
   const std::uint32_t vertex = roles.is_swapped ? warm.vertex_of_a : warm.vertex_of_b;
   if (!fillSide(*roles.other, *roles.world_from_other, vertex, rows.other[rows.count],
@@ -113,7 +113,7 @@ std::optional<FollowedFeature> fillCylinderRow(const ConvexQuery& query,
   const auto followed =
       is_point || warm.size == 1 ? FollowedFeature::corner : FollowedFeature::edge;
   CylinderRows& of_feature = rowsOf(followed);
-  if (!fillFoot(roles, warm, of_feature)) {
+  if (!fillClosest(roles, warm, of_feature)) {
     return std::nullopt;
   }
   if (is_point) {
@@ -131,23 +131,23 @@ void answerCylinderRow(FollowedFeature followed, std::size_t row, const Cylinder
   SignedDistance& measured = answer.measured;
   Eigen::Vector3d& on_cylinder = is_swapped ? measured.point_on_b : measured.point_on_a;
   Eigen::Vector3d& on_other = is_swapped ? measured.point_on_a : measured.point_on_b;
-  const double distance = rows.at[foot::distance][row];
+  const double distance = rows.at[closest::distance][row];
   const double sign = is_swapped ? -1.0 : 1.0;
   measured.distance = distance - other.radius;
-  answer.quality = DistanceQuality::exact;
+  answer.quality = Quality::exact;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    const double point = rows.at[foot::point + k][row];
-    const double normal = rows.at[foot::normal + k][row];
+    const double point = rows.at[closest::point + k][row];
+    const double normal = rows.at[closest::normal + k][row];
     on_cylinder[i] = point + 0.0 * normal;  // as swept(): it may change the sign of a zero
     on_other[i] = point + distance * normal - other.radius * normal;
     measured.normal_a_to_b[i] = sign * normal;
     for (std::size_t end = 0; end < warm.size; ++end) {
       (is_swapped ? warm.ends[end].on_b : warm.ends[end].on_a)[i] =
-          rows.at[foot::on_cylinder + k][row];
+          rows.at[closest::on_cylinder + k][row];
     }
     if (followed == FollowedFeature::rim) {
-      (is_swapped ? warm.ends[0].on_a : warm.ends[0].on_b)[i] = rows.at[foot::on_other + k][row];
+      (is_swapped ? warm.ends[0].on_a : warm.ends[0].on_b)[i] = rows.at[closest::on_other + k][row];
     }
   }
   if (followed == FollowedFeature::rim) {

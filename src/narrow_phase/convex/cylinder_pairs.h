@@ -18,7 +18,7 @@ using RowsByFeature = std::array<CylinderRows, kFollowedFeatures>;
 std::optional<FollowedFeature> fillCylinderRow(const ConvexQuery& query,
                                                RowsByFeature& rows) noexcept;
 
-/// Writes what confirmCylinder() answers and leaves for the next search.
+/// Writes what cylinderFromWarmStart() answers and leaves for the next search.
 /// @pre the row is proven.
 void answerCylinderRow(FollowedFeature followed, std::size_t row, const CylinderRows& rows,
                        const ConvexQuery& query, ConvexDistance& answer) noexcept;

@@ -11,7 +11,7 @@
 #include "narrow_phase/distance.h"
 #include "narrow_phase/gjk/convex_core.h"
 #include "narrow_phase/gjk/flat_contact.h"
-#include "narrow_phase/warm_start/confirm_nearest.h"
+#include "narrow_phase/warm_start/distance_from_warm_start.h"
 
 namespace collision_monitor {
 namespace {
@@ -39,47 +39,48 @@ bool areFinite(const Posed<A>& a, const Posed<B>& b) noexcept {
 
 template <class A>
 SignedDistance toHalfSpace(const Posed<A>& a, const Pose& world_from_half_space) noexcept {
-  const SweptCore swept_a = sweptCoreOf(a.geometry);
-  return swept(distanceToHalfSpace(swept_a.core, a.world_from_body, world_from_half_space),
-               swept_a.radius, 0.0);
+  const InflatedCore inflated_a = inflatedCoreOf(a.geometry);
+  return inflated(distanceToHalfSpace(inflated_a.core, a.world_from_body, world_from_half_space),
+                  inflated_a.radius, 0.0);
 }
 
 // Whether the last answer could be proven to be the answer still.
 template <class A, class B>
-bool isConfirmed(const Posed<A>& a, const Posed<B>& b, ConvexWarmStart& warm,
-                 SignedDistance& measured) noexcept {
-  const SweptCore swept_a = sweptCoreOf(a.geometry);
-  const SweptCore swept_b = sweptCoreOf(b.geometry);
-  const PlacedCore core_a{swept_a.core, a.world_from_body, warm.vertex_of_a};
-  const PlacedCore core_b{swept_b.core, b.world_from_body, warm.vertex_of_b};
-  auto confirmed = confirmNearest(core_a, core_b, warm);
+bool tryWarmStart(const Posed<A>& a, const Posed<B>& b, ConvexWarmStart& warm,
+                  SignedDistance& measured) noexcept {
+  const InflatedCore inflated_a = inflatedCoreOf(a.geometry);
+  const InflatedCore inflated_b = inflatedCoreOf(b.geometry);
+  const PlacedCore core_a{inflated_a.core, a.world_from_body, warm.vertex_of_a};
+  const PlacedCore core_b{inflated_b.core, b.world_from_body, warm.vertex_of_b};
+  auto confirmed = distanceFromWarmStart(core_a, core_b, warm);
   if (!confirmed) {
     return false;
   }
   if (confirmed->is_level) {
     centerOnPatch(core_a, core_b, confirmed->cores);
   }
-  measured = swept(confirmed->cores, swept_a.radius, swept_b.radius);
+  measured = inflated(confirmed->cores, inflated_a.radius, inflated_b.radius);
   return true;
 }
 
 template <class A, class B>
 ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
   ConvexWarmStart& warm = search.warm;
-  ConvexDistance confirmed{SignedDistance{}, DistanceQuality::exact};
-  if (isConfirmed(a, b, warm, confirmed.measured)) {
+  ConvexDistance confirmed{SignedDistance{}, Quality::exact};
+  if (tryWarmStart(a, b, warm, confirmed.measured)) {
     return confirmed;
   }
   if (!areFinite(a, b)) {
     return {};
   }
-  const SweptCore swept_a = sweptCoreOf(a.geometry);
-  const SweptCore swept_b = sweptCoreOf(b.geometry);
+  const InflatedCore inflated_a = inflatedCoreOf(a.geometry);
+  const InflatedCore inflated_b = inflatedCoreOf(b.geometry);
   ConvexPair pair =
-      makeConvexPair(swept_a.core, a.world_from_body, swept_b.core, b.world_from_body);
-  ConvexSearch of_cores{search.workspace, warm, search.enough + swept_a.radius + swept_b.radius};
+      makeConvexPair(inflated_a.core, a.world_from_body, inflated_b.core, b.world_from_body);
+  ConvexSearch of_cores{search.workspace, warm,
+                        search.cutoff + inflated_a.radius + inflated_b.radius};
   const ConvexDistance found = searchCores(pair, of_cores);
-  return {swept(placed(a.world_from_body, found.measured), swept_a.radius, swept_b.radius),
+  return {inflated(placed(a.world_from_body, found.measured), inflated_a.radius, inflated_b.radius),
           found.quality};
 }
 
@@ -92,12 +93,12 @@ ConvexDistance inClosedForm(const Posed<A>& a, const Posed<B>& b) noexcept {
   if constexpr (kIsHalfSpace<A> && kIsHalfSpace<B>) {
     return {};  // they overlap without end, or are apart by rounding alone
   } else if constexpr (kIsHalfSpace<B>) {
-    return {toHalfSpace(a, b.world_from_body), DistanceQuality::exact};
+    return {toHalfSpace(a, b.world_from_body), Quality::exact};
   } else if constexpr (kIsHalfSpace<A>) {
-    return {swapped(toHalfSpace(b, a.world_from_body)), DistanceQuality::exact};
+    return {swapped(toHalfSpace(b, a.world_from_body)), Quality::exact};
   } else {
     return {distanceBetween(a.geometry, a.world_from_body, b.geometry, b.world_from_body),
-            DistanceQuality::exact};
+            Quality::exact};
   }
 }
 
@@ -106,12 +107,12 @@ ConvexDistance inClosedForm(const Posed<A>& a, const Posed<B>& b) noexcept {
 template <class A, class B>
 void keepFacing(const Posed<A>& a, const Posed<B>& b, const SignedDistance& measured,
                 ConvexWarmStart& warm) noexcept {
-  const SweptCore swept_a = sweptCoreOf(a.geometry);
-  const SweptCore swept_b = sweptCoreOf(b.geometry);
-  const PlacedCore core_a{swept_a.core, a.world_from_body, warm.vertex_of_a};
-  const PlacedCore core_b{swept_b.core, b.world_from_body, warm.vertex_of_b};
+  const InflatedCore inflated_a = inflatedCoreOf(a.geometry);
+  const InflatedCore inflated_b = inflatedCoreOf(b.geometry);
+  const PlacedCore core_a{inflated_a.core, a.world_from_body, warm.vertex_of_a};
+  const PlacedCore core_b{inflated_b.core, b.world_from_body, warm.vertex_of_b};
   const PlacedPair pair = makePlacedPair(core_a, core_b);
-  const double distance = measured.distance + swept_a.radius + swept_b.radius;
+  const double distance = measured.distance + inflated_a.radius + inflated_b.radius;
   const bool is_apart = distance > touchingDistance(pair.size);
   warm.size = is_apart ? 1 : 0;
   if (is_apart) {
@@ -122,12 +123,12 @@ void keepFacing(const Posed<A>& a, const Posed<B>& b, const SignedDistance& meas
 // Their closed form takes three times as long as a proof.
 template <class A, class B>
 ConvexDistance ofBoxes(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
-  ConvexDistance found{SignedDistance{}, DistanceQuality::exact};
-  if (isConfirmed(a, b, search.warm, found.measured)) {
+  ConvexDistance found{SignedDistance{}, Quality::exact};
+  if (tryWarmStart(a, b, search.warm, found.measured)) {
     return found;
   }
   found = inClosedForm(a, b);
-  if (found.quality == DistanceQuality::exact) {
+  if (found.quality == Quality::exact) {
     keepFacing(a, b, found.measured, search.warm);
   }
   return found;

@@ -105,7 +105,7 @@ void centerRow(const ConvexQuery& query, std::size_t row, ProofRows& rows,
     const double distance = at[proof::distance][row];
     SignedDistance cores{distance, on_a, on_a + distance * normal, normal};
     centerOnPatch(placed_a, placed_b, cores);
-    measured = swept(cores, a.radius, b.radius);
+    measured = inflated(cores, a.radius, b.radius);
   }
 }
 
@@ -123,7 +123,7 @@ void answerRow(std::size_t row, ProofRows& rows, const Work& work) noexcept {
   }
   query.warm->vertex_of_a = rows.a[row].vertex;
   query.warm->vertex_of_b = rows.b[row].vertex;
-  work.answers[i].quality = DistanceQuality::exact;
+  work.answers[i].quality = Quality::exact;
 }
 
 void answerRows(std::size_t corners, ProofRows& rows, const Work& work) noexcept {
@@ -144,7 +144,7 @@ void answerRows(FollowedFeature followed, CylinderRows& rows, const Work& work) 
   proveCylinderRows(followed, rows);
   for (std::size_t row = 0; row < rows.count; ++row) {
     const std::size_t i = rows.query[row];
-    if (std::isnan(rows.at[foot::distance][row])) {
+    if (std::isnan(rows.at[closest::distance][row])) {
       measureAlone(i, work);
     } else {
       answerCylinderRow(followed, row, rows, work.queries[i], work.answers[i]);
@@ -176,7 +176,7 @@ void measure(std::size_t i, AllRows& rows, const Work& work) noexcept {
     }
   }
   const std::size_t corners = query.warm->size;
-  const bool overlapped = query.warm->inside_faces > 0;
+  const bool overlapped = query.warm->polytope_faces > 0;
   if (corners == 0 || corners > rows.by_corners.size() || overlapped ||
       !fillRow(query, rows.by_corners[corners - 1])) {
     measureAlone(i, work);

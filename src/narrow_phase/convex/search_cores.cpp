@@ -12,7 +12,7 @@
 #include "narrow_phase/gjk/flat_contact.h"
 #include "narrow_phase/gjk/gjk.h"
 #include "narrow_phase/sat/hull_depth.h"
-#include "narrow_phase/warm_start/confirm_depth.h"
+#include "narrow_phase/warm_start/depth_from_warm_start.h"
 
 namespace collision_monitor {
 namespace {
@@ -22,7 +22,7 @@ namespace {
 double promiseApart(const ConvexPair& pair) noexcept { return 1e-9 + 1e-11 * pair.size; }
 
 ConvexDistance answer(double distance, const Eigen::Vector3d& normal,
-                      const Eigen::Vector3d& point_on_a, DistanceQuality quality) noexcept {
+                      const Eigen::Vector3d& point_on_a, Quality quality) noexcept {
   return {{distance, point_on_a, point_on_a + distance * normal, normal}, quality};
 }
 
@@ -33,22 +33,21 @@ ConvexDistance answerApart(const ConvexPair& pair, const GjkResult& found) noexc
     // On curved surfaces the best plane's normal and the points may differ by half the digits.
     const bool is_proven = pair.isSmooth() && simplex.distance - found.gap <= 0.5 * promise;
     return answer(simplex.distance, is_proven ? simplex.normal : found.lower_direction,
-                  simplex.pointOnA(), DistanceQuality::exact);
+                  simplex.pointOnA(), Quality::exact);
   }
-  return answer(found.lower, found.lower_direction, simplex.pointOnA(),
-                DistanceQuality::lower_bound);
+  return answer(found.lower, found.lower_direction, simplex.pointOnA(), Quality::lower_bound);
 }
 
 ConvexDistance answerOverlap(ConvexPair& pair, const GjkResult& found,
                              ConvexSearch& search) noexcept {
-  const Penetration deep = searchDepth(pair, found.simplex, search.workspace);
+  const Penetration deep = runEpa(pair, found.simplex, search.workspace);
   if (deep.face_size > 0) {
     keepWarm(deep.face.data(), deep.face_size, pair, search.warm);
     if (deep.is_settled && !pair.isSmooth()) {
-      keepInside(search.workspace, search.warm);
+      cachePolytope(search.workspace, search.warm);
     }
   }
-  ConvexDistance closed{SignedDistance{}, DistanceQuality::exact};
+  ConvexDistance closed{SignedDistance{}, Quality::exact};
   if (!deep.is_settled && depthOfRound(pair, 0.5 * deep.at_least, closed.measured)) {
     return closed;  // half of it: slivers of the polytope may have been passed over
   }
@@ -57,7 +56,7 @@ ConvexDistance answerOverlap(ConvexPair& pair, const GjkResult& found,
                      !found.simplex.contains_origin &&
                      std::abs(deep.depth) <= 2.0 * touchingDistance(pair);
   return answer(-deep.depth, -deep.outward, touch ? found.simplex.pointOnA() : deep.on_a,
-                deep.is_settled ? DistanceQuality::exact : DistanceQuality::lower_bound);
+                deep.is_settled ? Quality::exact : Quality::lower_bound);
 }
 
 // The nearest face is the way out. `point` in the frame of the hull, which is B.
@@ -71,7 +70,7 @@ ConvexDistance pointInHull(const Eigen::Vector3d& point, const ConvexHull& hull)
       normal = face.normal;
     }
   }
-  return answer(distance, -normal, point, DistanceQuality::exact);
+  return answer(distance, -normal, point, Quality::exact);
 }
 
 bool holdsPoint(const ConvexCore& hull, const ConvexCore& point) noexcept {
@@ -80,8 +79,8 @@ bool holdsPoint(const ConvexCore& hull, const ConvexCore& point) noexcept {
 
 // By GJK, or where that finds an overlap by what settles its depth.
 ConvexDistance searchApartOrDeep(ConvexPair& pair, ConvexSearch& search) noexcept {
-  search.warm.inside_faces = 0;
-  const GjkResult found = searchNearest(pair, search.warm, search.enough);
+  search.warm.polytope_faces = 0;
+  const GjkResult found = runGjk(pair, search.warm, search.cutoff);
   keepWarm(found.simplex.vertices.data(), found.simplex.size, pair, search.warm);
   const bool is_apart =
       found.state != GjkResult::State::overlapping && found.lower > touchingDistance(pair);
@@ -129,7 +128,7 @@ bool depthByAxes(ConvexPair& pair, ConvexWarmStart& warm, SignedDistance& found)
 }  // namespace
 
 ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept {
-  ConvexDistance found{SignedDistance{}, DistanceQuality::exact};
+  ConvexDistance found{SignedDistance{}, Quality::exact};
   if (distanceOfParallelAxes(pair, found.measured)) {
     return found;
   }
@@ -137,7 +136,7 @@ ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept {
     return found;
   }
   found = searchApartOrDeep(pair, search);
-  if (found.quality == DistanceQuality::exact) {
+  if (found.quality == Quality::exact) {
     const Pose origin;
     centerOnPatch({pair.a, origin, pair.vertex_of_a}, {pair.b, pair.a_from_b, pair.vertex_of_b},
                   found.measured);

@@ -197,12 +197,12 @@ struct Foot {
   std::size_t face{0};
 };
 
-Foot footOn(std::size_t index, const Eigen::Vector3d& foot,
-            const ConvexWorkspace& polytope) noexcept {
+Foot closestOn(std::size_t index, const Eigen::Vector3d& closest,
+               const ConvexWorkspace& polytope) noexcept {
   const Face& face = polytope.faces[index];
   Corners corners;
   for (std::size_t k = 0; k < 3; ++k) {
-    corners[k] = polytope.vertices[face.corners[k]].difference - foot;
+    corners[k] = polytope.vertices[face.corners[k]].difference - closest;
   }
   const Eigen::Vector3d weights = weightsOf(corners);
   Eigen::Vector3d away = Eigen::Vector3d::Zero();
@@ -220,33 +220,32 @@ Foot footOn(std::size_t index, const Eigen::Vector3d& foot,
 
 // The foot of the perpendicular lies in a face: mostly the nearest, else the one that comes nearest
 // to it. Any face's points will do, whichever way it looks.
-Foot findFoot(const ConvexPair& pair, const ConvexWorkspace& polytope,
-              const Penetration& best) noexcept {
-  const Eigen::Vector3d foot = best.depth * best.outward;
-  Foot found = footOn(nearestFace(polytope), foot, polytope);
+Foot findClosest(const ConvexPair& pair, const ConvexWorkspace& polytope,
+                 const Penetration& best) noexcept {
+  const Eigen::Vector3d closest = best.depth * best.outward;
+  Foot found = closestOn(nearestFace(polytope), closest, polytope);
   const double tolerance = depthTolerance(pair);
   for (std::size_t f = 0; f < polytope.face_count && found.defect > tolerance * tolerance; ++f) {
     if (!polytope.faces[f].is_gone) {
-      const Foot candidate = footOn(f, foot, polytope);
+      const Foot candidate = closestOn(f, closest, polytope);
       found = candidate.defect < found.defect ? candidate : found;
     }
   }
   return found;
 }
 
-void takePoints(const Foot& foot, const ConvexWorkspace& polytope, Penetration& best) noexcept {
-  best.on_a = foot.on_a;
-  best.on_b = foot.on_b;
+void takePoints(const Foot& closest, const ConvexWorkspace& polytope, Penetration& best) noexcept {
+  best.on_a = closest.on_a;
+  best.on_b = closest.on_b;
   for (std::size_t k = 0; k < 3; ++k) {
-    best.face[k] = polytope.vertices[polytope.faces[foot.face].corners[k]];
+    best.face[k] = polytope.vertices[polytope.faces[closest.face].corners[k]];
   }
   best.face_size = 3;
 }
 
 }  // namespace
 
-Penetration searchDepth(ConvexPair& pair, const Simplex& simplex,
-                        ConvexWorkspace& polytope) noexcept {
+Penetration runEpa(ConvexPair& pair, const Simplex& simplex, ConvexWorkspace& polytope) noexcept {
   Tetrahedron start;
   start.corners = simplex.vertices;
   start.size = simplex.size;
@@ -256,7 +255,7 @@ Penetration searchDepth(ConvexPair& pair, const Simplex& simplex,
   startPolytope(start.corners, polytope);
   Penetration best;
   refine(pair, polytope, best);
-  takePoints(findFoot(pair, polytope, best), polytope, best);
+  takePoints(findClosest(pair, polytope, best), polytope, best);
   return best;
 }
 

@@ -36,7 +36,6 @@ struct Penetration {
 /// Limits: a difference without volume (crossing segments, coplanar polygons) has depth 0.
 /// Source: van den Bergen, "Proximity Queries and Penetration Depth Computation on 3D Game
 /// Objects" (2001). Departs from it in the outline, which is checked before anything changes.
-Penetration searchDepth(ConvexPair& pair, const Simplex& simplex,
-                        ConvexWorkspace& polytope) noexcept;
+Penetration runEpa(ConvexPair& pair, const Simplex& simplex, ConvexWorkspace& polytope) noexcept;
 
 }  // namespace collision_monitor

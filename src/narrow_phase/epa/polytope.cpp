@@ -14,7 +14,7 @@ using Face = ConvexWorkspace::Face;
 using Index = std::uint16_t;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr Index kNone = std::numeric_limits<Index>::max();
+constexpr Index kNoFace = std::numeric_limits<Index>::max();
 
 std::size_t next(std::size_t k) noexcept { return k == 2 ? 0 : k + 1; }
 
@@ -80,12 +80,12 @@ void forEachOutlineEdge(const ConvexWorkspace& polytope, std::size_t visible_cou
 std::size_t walkOutline(std::size_t visible_count, ConvexWorkspace& polytope) noexcept {
   auto& end_of = polytope.face_from;
   forEachOutlineEdge(polytope, visible_count,
-                     [&](Index from, Index, Index) { end_of[from] = kNone; });
+                     [&](Index from, Index, Index) { end_of[from] = kNoFace; });
   std::size_t count = 0;
   bool is_simple = true;
   Index start = 0;
   forEachOutlineEdge(polytope, visible_count, [&](Index from, Index to, Index) {
-    is_simple = is_simple && end_of[from] == kNone;
+    is_simple = is_simple && end_of[from] == kNoFace;
     end_of[from] = to;
     start = from;
     ++count;
@@ -122,7 +122,7 @@ void joinOutline(Index apex, std::size_t visible_count, ConvexWorkspace& polytop
   forEachOutlineEdge(polytope, visible_count, [&](Index from, Index to, Index outer) {
     const Index made = takeFace(polytope);
     polytope.faces[made].corners = {from, to, apex};
-    polytope.faces[made].neighbours = {outer, kNone, kNone};
+    polytope.faces[made].neighbours = {outer, kNoFace, kNoFace};
     setPlane(made, polytope.faces[outer].normal, polytope);
     replaceNeighbour(outer, from, to, made, polytope);
     polytope.face_from[from] = made;

@@ -8,27 +8,27 @@
 /// Convex geometries as searches see them: a core, and the radius of the sphere that sweeps it.
 namespace collision_monitor {
 
-struct SweptCore {
+struct InflatedCore {
   ConvexCore core;
   double radius{0.0};
 };
 
-inline SweptCore sweptCoreOf(const Sphere& s) noexcept { return {{}, s.radius}; }
-inline SweptCore sweptCoreOf(const Capsule& s) noexcept {
+inline InflatedCore inflatedCoreOf(const Sphere& s) noexcept { return {{}, s.radius}; }
+inline InflatedCore inflatedCoreOf(const Capsule& s) noexcept {
   return {{ConvexCore::Kind::box, {0.0, 0.0, s.half_length}}, s.radius};
 }
-inline SweptCore sweptCoreOf(const Box& s) noexcept {
+inline InflatedCore inflatedCoreOf(const Box& s) noexcept {
   return {{ConvexCore::Kind::box, s.half_extents}};
 }
-inline SweptCore sweptCoreOf(const RoundedBox& s) noexcept {
+inline InflatedCore inflatedCoreOf(const RoundedBox& s) noexcept {
   return {{ConvexCore::Kind::box, s.half_extents}, s.radius};
 }
 /// Without width it is a segment, which has corners to end a search on.
-inline SweptCore sweptCoreOf(const Cylinder& s) noexcept {
+inline InflatedCore inflatedCoreOf(const Cylinder& s) noexcept {
   const auto kind = s.radius > 0.0 ? ConvexCore::Kind::cylinder : ConvexCore::Kind::box;
   return {{kind, {s.radius, s.radius, s.half_length}}};
 }
-inline SweptCore sweptCoreOf(const ConvexHull& hull) noexcept {
+inline InflatedCore inflatedCoreOf(const ConvexHull& hull) noexcept {
   return {{ConvexCore::Kind::hull, Eigen::Vector3d::Zero(), &hull}};
 }
 

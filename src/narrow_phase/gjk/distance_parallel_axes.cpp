@@ -18,12 +18,12 @@ double sharedMiddle(double half_a, double half_b, double center) noexcept {
   return std::max(-half_a, std::min(half_a, 0.5 * (low + high)));
 }
 
-// In the half plane of the axis of A (up) and the centre of B (outward).
+// In the half plane of the axis of A (up) and the center of B (outward).
 struct HalfPlane {
   Eigen::Vector3d outward{Eigen::Vector3d::UnitX()};
   Eigen::Vector3d up{Eigen::Vector3d::UnitZ()};
   double offset{0.0};  // of B's axis
-  double height{0.0};  // of B's centre, >= 0 along `up`
+  double height{0.0};  // of B's center, >= 0 along `up`
 };
 
 // The plane through the axis of the point's partner when one is a point; they share the frame of

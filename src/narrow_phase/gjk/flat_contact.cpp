@@ -40,8 +40,8 @@ Vector3d toMiddle(const ManifoldPoints& shared, const SignedDistance& cores) noe
   const Vector3d up = cores.normal_a_to_b.cross(across);
   std::array<Eigen::Vector2d, kMaxClipped> corners;
   for (std::size_t i = 0; i < shared.size; ++i) {
-    const Vector3d way = shared.points[i].point_on_a - cores.point_on_a;
-    corners[i] = {across.dot(way), up.dot(way)};
+    const Vector3d delta = shared.points[i].point_on_a - cores.point_on_a;
+    corners[i] = {across.dot(delta), up.dot(delta)};
   }
   const Eigen::Vector2d middle = centroidOf(corners.data(), shared.size);
   return middle.x() * across + middle.y() * up;

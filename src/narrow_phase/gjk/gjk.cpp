@@ -61,7 +61,7 @@ bool hasMet(const ConvexPair& pair, const GjkResult& result) noexcept {
   return result.simplex.distance - result.lower <= toleranceOf(pair);
 }
 
-GjkResult::State walk(ConvexPair& pair, double enough, GjkResult& result) noexcept {
+GjkResult::State walk(ConvexPair& pair, double cutoff, GjkResult& result) noexcept {
   using State = GjkResult::State;
   const double touching = touchingDistance(pair);
   Simplex& simplex = result.simplex;
@@ -74,7 +74,7 @@ GjkResult::State walk(ConvexPair& pair, double enough, GjkResult& result) noexce
     if (hasMet(pair, result)) {
       return State::settled;
     }
-    if (result.lower >= enough) {
+    if (result.lower >= cutoff) {
       return State::stopped;
     }
     bool is_nearer = insert(next, simplex);
@@ -94,12 +94,12 @@ GjkResult::State walk(ConvexPair& pair, double enough, GjkResult& result) noexce
 
 }  // namespace
 
-GjkResult searchNearest(ConvexPair& pair, const ConvexWarmStart& warm, double enough) noexcept {
+GjkResult runGjk(ConvexPair& pair, const ConvexWarmStart& warm, double cutoff) noexcept {
   GjkResult result;
   pair.vertex_of_a = warm.vertex_of_a;
   pair.vertex_of_b = warm.vertex_of_b;
   seed(pair, warm, result.simplex);
-  result.state = walk(pair, enough, result);
+  result.state = walk(pair, cutoff, result);
   return result;
 }
 

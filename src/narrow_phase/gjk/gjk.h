@@ -31,7 +31,7 @@ struct GjkResult {
 /// Limits: at most 128 steps; polytopes take fewer than ten, cylinders some tens.
 /// Source: Gilbert, Johnson, Keerthi (1988); van den Bergen (2003), section 4.3, for the bound
 /// that the support plane proves; Cameron, "Enhancing GJK" (1997), for the warm start.
-GjkResult searchNearest(ConvexPair& pair, const ConvexWarmStart& warm, double enough) noexcept;
+GjkResult runGjk(ConvexPair& pair, const ConvexWarmStart& warm, double cutoff) noexcept;
 
 /// What the next search of the pair may start from: some points of the difference.
 void keepWarm(const SupportVertex* vertices, int count, const ConvexPair& pair,

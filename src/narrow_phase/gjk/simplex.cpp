@@ -143,7 +143,7 @@ NearestOnSimplex nearestWith(const Points& points, int newest) noexcept {
 
 bool spanAll(int count, Simplex& simplex) noexcept {
   NearestOnSimplex nearest;
-  const bool is_inside = nearestInside(pointsOf(simplex, count), count, nearest);
+  const bool is_inside = nearestOfSimplex(pointsOf(simplex, count), count, nearest);
   if (is_inside) {
     keep(nearest, simplex);
   }

@@ -47,8 +47,8 @@ bool nearestInsideSpan(const std::array<Eigen::Vector3d, 4>& points, int count,
 
 /// Of the vertex, edge or triangle that the first `count` points span.
 /// @return false when some of them are not needed or hardly span, or there are not one to three.
-inline bool nearestInside(const std::array<Eigen::Vector3d, 4>& points, int count,
-                          NearestOnSimplex& nearest) noexcept {
+inline bool nearestOfSimplex(const std::array<Eigen::Vector3d, 4>& points, int count,
+                             NearestOnSimplex& nearest) noexcept {
   if (count != 1) {
     return nearestInsideSpan(points, count, nearest);
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_monitor/geometry/ids.h"
 #include "narrow_phase/mesh/mesh_inside.h"
 #include "narrow_phase/mesh_depth/mesh_support.h"
 #include "narrow_phase/triangle/triangle_core.h"
@@ -72,7 +73,7 @@ void forProbes(const ConvexCore& core, const Visit& visit) noexcept {
 
 }  // namespace
 
-MeshAndCore makeMeshAndCore(const PlacedMesh& a, const SweptCore& b,
+MeshAndCore makeMeshAndCore(const PlacedMesh& a, const InflatedCore& b,
                             const Pose& world_from_b) noexcept {
   const Pose core_from_mesh = inverse(world_from_b) * a.world_from_mesh;
   const Pose mesh_from_core = inverse(core_from_mesh);
@@ -100,12 +101,12 @@ Triangle triangleInCore(const MeshAndCore& pair, std::uint32_t triangle) noexcep
 }
 
 void measureTriangle(const MeshAndCore& pair, std::uint32_t triangle,
-                     const MeshQueryMemory::Waiting& bounds, NearestSearch& search) noexcept {
+                     const MeshQueryMemory::NodePair& bounds, NearestSearch& search) noexcept {
   const Triangle in_core = triangleInCore(pair, triangle);
   offer(
-      {triangle, TrianglePair::kNone}, bounds, search,
-      [&](const PointPair& start, double squared_enough) {
-        return boundedDistance(in_core, pair.core, start, squared_enough);
+      {triangle, kNone}, bounds, search,
+      [&](const PointPair& start, double squared_cutoff) {
+        return boundedDistance(in_core, pair.core, start, squared_cutoff);
       },
       [&](const Vector3d& direction) { return squaredGapAlong(direction, in_core, pair.core); });
 }
@@ -119,22 +120,22 @@ void choose(const MeshAndCore& pair, Slot slot, OpenedPair& opened) noexcept {
   opened.placed = pair.bound;
 }
 
-void searchFromRoot(const MeshAndCore& pair, double enough, std::uint32_t visit_budget,
+void searchFromRoot(const MeshAndCore& pair, double cutoff, std::uint32_t visit_budget,
                     MeshQueryMemory& memory, NearestSearch& search) noexcept {
-  WaitingPairs from_root(memory);
+  NodePairQueue from_root(memory);
   from_root.push({0.0F, 0, 0});
-  searchNearest(std::max(pair.rounding, enough), visit_budget, from_root, search,
-                [&](const MeshQueryMemory::Waiting& next, float limit, WaitingPairs& waiting) {
-                  const std::uint32_t child = childOf(pair.mesh, next.a);
-                  if (isTriangle(child)) {
-                    measureTriangle(pair, triangleAt(child), next, search);
-                  } else {
-                    OpenedPair opened;
-                    choose(pair, next.a, opened);
-                    boundChildren(limit, opened);
-                    waiting.pushNearer(opened);
-                  }
-                });
+  branchAndBound(std::max(pair.rounding, cutoff), visit_budget, from_root, search,
+                 [&](const MeshQueryMemory::NodePair& next, float limit, NodePairQueue& queue) {
+                   const std::uint32_t child = childOf(pair.mesh, next.a);
+                   if (isTriangle(child)) {
+                     measureTriangle(pair, triangleAt(child), next, search);
+                   } else {
+                     OpenedPair opened;
+                     choose(pair, next.a, opened);
+                     boundChildren(limit, opened);
+                     queue.pushNearer(opened);
+                   }
+                 });
 }
 
 CoreInMesh lookInside(const MeshAndCore& pair, const NearestSearch& search, MeshQueryMemory& memory,

@@ -23,7 +23,7 @@ struct MeshAndCore {
   double rounding;          ///< [m] a core this near touches the surface
 };
 
-MeshAndCore makeMeshAndCore(const PlacedMesh& a, const SweptCore& b,
+MeshAndCore makeMeshAndCore(const PlacedMesh& a, const InflatedCore& b,
                             const Pose& world_from_b) noexcept;
 
 /// A point of the core; a hull need not hold the origin of its frame.
@@ -34,13 +34,13 @@ Triangle triangleInCore(const MeshAndCore& pair, std::uint32_t triangle) noexcep
 
 /// @param bounds where the triangle hangs, if the search has a front.
 void measureTriangle(const MeshAndCore& pair, std::uint32_t triangle,
-                     const MeshQueryMemory::Waiting& bounds, NearestSearch& search) noexcept;
+                     const MeshQueryMemory::NodePair& bounds, NearestSearch& search) noexcept;
 
 /// A node of the mesh and the core: as of two meshes.
 void choose(const MeshAndCore& pair, Slot slot, OpenedPair& opened) noexcept;
 
 /// Branch and bound from the root. @param enough [m] cores that near end the search.
-void searchFromRoot(const MeshAndCore& pair, double enough, std::uint32_t visit_budget,
+void searchFromRoot(const MeshAndCore& pair, double cutoff, std::uint32_t visit_budget,
                     MeshQueryMemory& memory, NearestSearch& search) noexcept;
 
 /// How the core lies in the inside of the mesh.

@@ -96,7 +96,7 @@ HWY_INLINE Number gapBetween(const Shadow& a, const Shadow& b) {
   return hn::Sub(hn::Abs(hn::Sub(a.middle, b.middle)), hn::Add(a.half, b.half));
 }
 
-// Along the line of centres, which far bounds are apart by.
+// Along the line of centers, which far bounds are apart by.
 HWY_INLINE Number gapAlongCenters(const Children& children, const Other& other) {
   const Vector between = other.center - children.center;
   const Number squared = hn::Add(dot(between, between), number(1e-30F));

@@ -16,7 +16,7 @@ namespace collision_monitor {
 /// Of each child of a node.
 struct alignas(64) NodeBounds {
   float squared[MeshTreeNode::kWidth];  ///< [m^2] of a lower bound; 0: may touch; 1e36: empty slot
-  /// [m] the gap along the line of centres, negative where shadows overlap: which child to look at
+  /// [m] the gap along the line of centers, negative where shadows overlap: which child to look at
   /// first, also among those that may touch.
   float order[MeshTreeNode::kWidth];
 };
@@ -45,7 +45,7 @@ struct PlacedBound {
 struct BoundPlacement {
   Eigen::Matrix3f rotation;
   Eigen::Vector3f translation;
-  /// [m] Taken from every gap. With u = 2^-24 and no coordinate beyond S, a placed centre is off by
+  /// [m] Taken from every gap. With u = 2^-24 and no coordinate beyond S, a placed center is off by
   /// less than 12 u S, a sum of half extents by as much, a height along a normal (three products
   /// of numbers that each are off by 12 u of their size, twice) by less than 80 u S.
   float slack;

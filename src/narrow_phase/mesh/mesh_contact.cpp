@@ -35,18 +35,18 @@ void searchContact(const MeshPair& pair, const MeshContactQuery& query, MeshQuer
   constexpr float kTouching = std::numeric_limits<float>::min();
   const float limit = query.distance <= 0.0 ? kTouching : asLimit(query.distance * query.distance);
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-  WaitingPairs waiting(memory);
-  waiting.push({0.0F, 0, 0});
-  while (!waiting.empty()) {
+  NodePairQueue queue(memory);
+  queue.push({0.0F, 0, 0});
+  while (!queue.empty()) {
     if (found.visits >= query.visit_budget) {
       return;
     }
     ++found.visits;
-    const MeshQueryMemory::Waiting next = waiting.pop();
+    const MeshQueryMemory::NodePair next = queue.pop();
     const std::uint32_t child_a = childOf(pair.a, next.a);
     const std::uint32_t child_b = childOf(pair.b, next.b);
     if (!isTriangle(child_a) || !isTriangle(child_b)) {
-      openLarger(pair, next, limit, waiting);
+      openLarger(pair, next, limit, queue);
       continue;
     }
     found.visits += kVisitsToMeasure - 1;

@@ -13,28 +13,28 @@ namespace collision_monitor {
 namespace {
 
 void measureTriangles(const MeshPair& pair, const TrianglePair& triangles,
-                      const MeshQueryMemory::Waiting& bounds, NearestSearch& search) noexcept {
+                      const MeshQueryMemory::NodePair& bounds, NearestSearch& search) noexcept {
   const Triangle& a = pair.a.triangles()[triangles.a];
   const Triangle b = triangleOfB(pair, triangles.b);
   offer(
       triangles, bounds, search,
-      [&](const PointPair& start, double squared_enough) {
-        return boundedDistance(a, b, start, squared_enough);
+      [&](const PointPair& start, double squared_cutoff) {
+        return boundedDistance(a, b, start, squared_cutoff);
       },
       [&](const Eigen::Vector3d& direction) { return squaredGapAlong(direction, a, b); });
 }
 
-void searchPairs(const MeshPair& pair, std::uint32_t visit_budget, WaitingPairs& pairs,
+void searchPairs(const MeshPair& pair, std::uint32_t visit_budget, NodePairQueue& pairs,
                  NearestSearch& search) noexcept {
-  searchNearest(
+  branchAndBound(
       pair.rounding, visit_budget, pairs, search,
-      [&](const MeshQueryMemory::Waiting& next, float limit, WaitingPairs& waiting) {
+      [&](const MeshQueryMemory::NodePair& next, float limit, NodePairQueue& queue) {
         const std::uint32_t child_a = childOf(pair.a, next.a);
         const std::uint32_t child_b = childOf(pair.b, next.b);
         if (isTriangle(child_a) && isTriangle(child_b)) {
           measureTriangles(pair, {triangleAt(child_a), triangleAt(child_b)}, next, search);
         } else {
-          openLarger(pair, next, limit, waiting);
+          openLarger(pair, next, limit, queue);
         }
       });
 }
@@ -113,7 +113,7 @@ struct MeshQuery {
   TrianglePair trianglesAt(Slot a, Slot b) const noexcept {
     return {triangleAt(childOf(pair.a, a)), triangleAt(childOf(pair.b, b))};
   }
-  void measure(const MeshQueryMemory::Waiting& bounds, NearestSearch& search) const noexcept {
+  void measure(const MeshQueryMemory::NodePair& bounds, NearestSearch& search) const noexcept {
     measureTriangles(pair, trianglesAt(bounds.a, bounds.b), bounds, search);
   }
   void choose(Slot a, Slot b, OpenedPair& opened) const noexcept {
@@ -144,9 +144,9 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
   if (isPairOf(pair, start)) {
     measureTriangles(pair, start, search.bounds, search);
   }
-  WaitingPairs waiting(memory);
-  waiting.push({0.0F, 0, 0});
-  searchPairs(pair, limits.visit_budget, waiting, search);
+  NodePairQueue queue(memory);
+  queue.push({0.0F, 0, 0});
+  searchPairs(pair, limits.visit_budget, queue, search);
   MeshDistance answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
   if (answer.state != MeshState::overlapping) {
     reportContainment(pair, a.world_from_mesh, memory, answer);
@@ -166,9 +166,9 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
   search.best.squared_distance = limits.stop_beyond * limits.stop_beyond;
   search.tolerance = limits.tolerance;
   search.front = &front;
-  WaitingPairs waiting(memory);
+  NodePairQueue queue(memory);
   search.moving = movingBounds(pair.b, false);
-  searchFromFront(MeshQuery{pair}, step, pair.rounding, limits.visit_budget, waiting, search);
+  searchFromFront(MeshQuery{pair}, step, pair.rounding, limits.visit_budget, queue, search);
   MeshDistance answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
   if (step < std::min(front.apart, front.outside)) {
     answer.outside = front.outside - step;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/geometry/mesh_tree.h"
 #include "collision_monitor/geometry/pose.h"
 #include "collision_monitor/geometry/shapes.h"
@@ -35,8 +36,6 @@ enum class MeshState : unsigned char {
 
 /// Two triangles, by position in their trees. Survives from one query to the next.
 struct TrianglePair {
-  static constexpr std::uint32_t kNone = 0xffffffffu;
-
   std::uint32_t a{kNone};
   std::uint32_t b{kNone};
 };
@@ -70,12 +69,12 @@ struct MeshQueryMemory {
   /// Each opened node leaves seven others behind, on each level of both trees.
   static constexpr std::size_t kCapacity = 7 * 2 * (MeshTree::kMaxLevels + 1) + 8;
 
-  struct Waiting {
+  struct NodePair {
     float squared_bound;
     std::uint32_t a;
     std::uint32_t b;
   };
-  std::array<Waiting, kCapacity + MeshFront::kCapacity> waiting;
+  std::array<NodePair, kCapacity + MeshFront::kCapacity> node_pairs;
 };
 
 /// A mesh and where it is.

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <optional>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/bvh/visit_held.h"
 #include "narrow_phase/closed_form/core_distance.h"
 #include "narrow_phase/gjk/convex_core.h"
 #include "narrow_phase/gjk/gjk.h"
 #include "narrow_phase/mesh_depth/point_on_mesh.h"
-#include "narrow_phase/warm_start/confirm_nearest.h"
+#include "narrow_phase/warm_start/distance_from_warm_start.h"
 
 namespace collision_monitor {
 namespace {
@@ -21,12 +22,12 @@ using Eigen::Vector3d;
 // Of the sizes: points this near to a triangle are on it.
 constexpr double kOnSurface = 1e-13;
 
-std::optional<SweptCore> coreOf(const ConvexGeometry& around) noexcept {
-  const auto take = [](const auto& held) noexcept -> std::optional<SweptCore> {
+std::optional<InflatedCore> coreOf(const ConvexGeometry& around) noexcept {
+  const auto take = [](const auto& held) noexcept -> std::optional<InflatedCore> {
     if constexpr (std::is_same_v<decltype(held), const HalfSpace&>) {
       return std::nullopt;
     } else {
-      return sweptCoreOf(held);
+      return inflatedCoreOf(held);
     }
   };
   return visitHeld(take, around);
@@ -38,10 +39,10 @@ struct CoreGap {
 };
 
 // By a search. Cores that meet are not asked how deep.
-CoreGap searchGap(const PlacedCore& a, const PlacedCore& b, double enough,
+CoreGap searchGap(const PlacedCore& a, const PlacedCore& b, double cutoff,
                   ConvexWarmStart& warm) noexcept {
   ConvexPair pair = makeConvexPair(a.core, a.world_from_core, b.core, b.world_from_core);
-  const GjkResult found = searchNearest(pair, warm, enough);
+  const GjkResult found = runGjk(pair, warm, cutoff);
   keepWarm(found.simplex.vertices.data(), found.simplex.size, pair, warm);
   if (found.state == GjkResult::State::overlapping || !(found.lower > touchingDistance(pair))) {
     return {MeshState::unknown, {}};
@@ -59,10 +60,10 @@ CoreGap searchGap(const PlacedCore& a, const PlacedCore& b, double enough,
                                  point_on_a + simplex.distance * simplex.normal, simplex.normal})};
 }
 
-CoreGap gapBetween(const PlacedCore& a, const PlacedCore& b, double enough,
+CoreGap gapBetween(const PlacedCore& a, const PlacedCore& b, double cutoff,
                    ConvexWarmStart& warm) noexcept {
-  const auto confirmed = confirmNearest(a, b, warm);
-  return confirmed ? CoreGap{MeshState::exact, confirmed->cores} : searchGap(a, b, enough, warm);
+  const auto confirmed = distanceFromWarmStart(a, b, warm);
+  return confirmed ? CoreGap{MeshState::exact, confirmed->cores} : searchGap(a, b, cutoff, warm);
 }
 
 // Whether a point of the solid is one of the surface. The triangle that it was last on goes first.
@@ -78,7 +79,7 @@ bool holds(const HeldSurface& surface, const Vector3d& point, MeshQueryMemory& m
   const PointOnMesh found =
       nearestOnMesh(mesh, in_mesh, last, {0.5 * tolerance, tolerance}, memory);
   visits += 1 + found.visits;
-  if (found.triangle == TrianglePair::kNone) {
+  if (found.triangle == kNone) {
     return false;
   }
   last = found.triangle;
@@ -89,8 +90,8 @@ bool holds(const HeldSurface& surface, const Vector3d& point, MeshQueryMemory& m
 
 MeshDistance distanceByHulls(const HeldSurface& a, const HeldSurface& b, double stop_beyond,
                              MeshQueryMemory& memory, const HullMemory& last) noexcept {
-  const std::optional<SweptCore> core_a = coreOf(a.around);
-  const std::optional<SweptCore> core_b = coreOf(b.around);
+  const std::optional<InflatedCore> core_a = coreOf(a.around);
+  const std::optional<InflatedCore> core_b = coreOf(b.around);
   MeshDistance answer;
   if (!core_a || !core_b || !isFinite(a.world_from_body) || !isFinite(b.world_from_body)) {
     return answer;
@@ -103,7 +104,7 @@ MeshDistance distanceByHulls(const HeldSurface& a, const HeldSurface& b, double 
     return answer;
   }
   answer.state = MeshState::lower_bound;
-  answer.measured = swept(gap.cores, core_a->radius, core_b->radius);
+  answer.measured = inflated(gap.cores, core_a->radius, core_b->radius);
   if (gap.state == MeshState::exact && answer.measured.distance < stop_beyond &&
       holds(a, answer.measured.point_on_a, memory, last.nearest.a, answer.visits) &&
       holds(b, answer.measured.point_on_b, memory, last.nearest.b, answer.visits)) {

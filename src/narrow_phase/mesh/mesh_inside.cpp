@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/constants.h"
 #include "narrow_phase/mesh/mesh_search.h"
 #include "narrow_phase/mesh/mesh_winding.h"
@@ -77,9 +78,8 @@ double holdFor(double change, const MeshTree& tree, const Vector3d& point,
     return kInfinity;
   }
   // The rim is part of the surface.
-  const double distance =
-      open.rim ? open.rim->nearestTo(point).distance
-               : nearestOnMesh(tree, point, TrianglePair::kNone, {}, memory).distance;
+  const double distance = open.rim ? open.rim->nearestTo(point).distance
+                                   : nearestOnMesh(tree, point, kNone, {}, memory).distance;
   if (!(change > 0.0) || !(distance > 0.0)) {
     return 0.0;
   }
@@ -119,11 +119,11 @@ bool isInside(const MeshTree& tree, const Vector3d& point, MeshQueryMemory& memo
   }
   const Eigen::Vector3f rough = centered.cast<float>();
   const auto slack = static_cast<float>(1e-6 * tree.radius());
-  WaitingPairs waiting(memory);
-  waiting.push({0.0F, 0, 0});
+  NodePairQueue queue(memory);
+  queue.push({0.0F, 0, 0});
   int turns = 0;
-  while (!waiting.empty()) {
-    const std::uint32_t child = childOf(tree, waiting.pop().a);
+  while (!queue.empty()) {
+    const std::uint32_t child = childOf(tree, queue.pop().a);
     if (isTriangle(child)) {
       const Triangle& triangle = tree.triangles()[triangleAt(child)];
       const int cover = coverOf(triangle, point);
@@ -133,7 +133,7 @@ bool isInside(const MeshTree& tree, const Vector3d& point, MeshQueryMemory& memo
     const MeshTreeNode& node = tree.nodes()[child];
     for (std::uint32_t slot = 0; slot < MeshTreeNode::kWidth; ++slot) {
       if (mayMeet(node, slot, rough, slack)) {
-        waiting.push({0.0F, (child << kSlotBits) + slot, 0});
+        queue.push({0.0F, (child << kSlotBits) + slot, 0});
       }
     }
   }

@@ -17,7 +17,7 @@ float sizeOf(const MeshTree& tree, Slot slot) noexcept {
 
 MeshPair makeMeshPair(const PlacedMesh& a, const PlacedMesh& b) noexcept {
   const Pose a_from_b = inverse(a.world_from_mesh) * b.world_from_mesh;
-  // Bounds stand about the centres of their trees.
+  // Bounds stand about the centers of their trees.
   const Pose centered{a_from_b.rotation, a_from_b * b.tree.center() - a.tree.center()};
   const double size = a.tree.radius() + b.tree.radius() + centered.translation.norm();
   return {a.tree,
@@ -33,9 +33,9 @@ Triangle triangleOfB(const MeshPair& pair, std::uint32_t triangle) noexcept {
   return {pair.a_from_b * in_b[0], pair.a_from_b * in_b[1], pair.a_from_b * in_b[2]};
 }
 
-double WaitingPairs::leastBound(double start) const noexcept {
+double NodePairQueue::leastBound(double start) const noexcept {
   for (std::size_t i = 0; i < size_; ++i) {
-    start = std::min(start, static_cast<double>(memory_.waiting[i].squared_bound));
+    start = std::min(start, static_cast<double>(memory_.node_pairs[i].squared_bound));
   }
   return start;
 }
@@ -57,12 +57,12 @@ void boundChildren(float limit, OpenedPair& opened) noexcept {
   opened.nearer = boundNearer(*opened.node, opened.placed, limit, opened.bounds);
 }
 
-void openLarger(const MeshPair& pair, const MeshQueryMemory::Waiting& bounds, float limit,
-                WaitingPairs& waiting) noexcept {
+void openLarger(const MeshPair& pair, const MeshQueryMemory::NodePair& bounds, float limit,
+                NodePairQueue& queue) noexcept {
   OpenedPair opened;
   choose(pair, bounds.a, bounds.b, opened);
   boundChildren(limit, opened);
-  waiting.pushNearer(opened);
+  queue.pushNearer(opened);
 }
 
 float asLimit(double squared_distance) noexcept {

@@ -61,23 +61,23 @@ struct OpenedPair {
   NodeBounds bounds;
   std::uint32_t nearer;  ///< a bit for each child whose squared bound is below the limit
 
-  MeshQueryMemory::Waiting childAt(std::uint32_t slot) const noexcept {
-    return is_of_a ? MeshQueryMemory::Waiting{bounds.squared[slot], first + slot, other}
-                   : MeshQueryMemory::Waiting{bounds.squared[slot], other, first + slot};
+  MeshQueryMemory::NodePair childAt(std::uint32_t slot) const noexcept {
+    return is_of_a ? MeshQueryMemory::NodePair{bounds.squared[slot], first + slot, other}
+                   : MeshQueryMemory::NodePair{bounds.squared[slot], other, first + slot};
   }
 };
 
 /// The pairs that wait to be looked at.
-class WaitingPairs {
+class NodePairQueue {
  public:
-  using Waiting = MeshQueryMemory::Waiting;
+  using NodePair = MeshQueryMemory::NodePair;
 
-  explicit WaitingPairs(MeshQueryMemory& memory) noexcept : memory_(memory) {}
+  explicit NodePairQueue(MeshQueryMemory& memory) noexcept : memory_(memory) {}
 
   void clear() noexcept { size_ = 0; }
   bool empty() const noexcept { return size_ == 0; }
-  Waiting pop() noexcept { return memory_.waiting[--size_]; }
-  void push(const Waiting& pair) noexcept { memory_.waiting[size_++] = pair; }
+  NodePair pop() noexcept { return memory_.node_pairs[--size_]; }
+  void push(const NodePair& pair) noexcept { memory_.node_pairs[size_++] = pair; }
 
   /// Adds the children that `nearer` has a bit for, the first in order last. `childAt(slot)` makes
   /// a pair of one.
@@ -90,11 +90,11 @@ class WaitingPairs {
       const float order = bounds.order[slot];
       std::size_t place = size_++;
       for (; place > bottom && orders[place - 1 - bottom] < order; --place) {
-        memory_.waiting[place] = memory_.waiting[place - 1];
+        memory_.node_pairs[place] = memory_.node_pairs[place - 1];
         orders[place - bottom] = orders[place - bottom - 1];
       }
       orders[place - bottom] = order;
-      memory_.waiting[place] = childAt(slot);
+      memory_.node_pairs[place] = childAt(slot);
     }
   }
   void pushNearer(const OpenedPair& opened) noexcept {
@@ -119,8 +119,8 @@ void boundChildren(float limit, OpenedPair& opened) noexcept;
 
 /// Opens the larger of two bounds, of which at least one is a node, and lets its children wait
 /// whose squared distance to the other bound may be below `limit`.
-void openLarger(const MeshPair& pair, const MeshQueryMemory::Waiting& bounds, float limit,
-                WaitingPairs& waiting) noexcept;
+void openLarger(const MeshPair& pair, const MeshQueryMemory::NodePair& bounds, float limit,
+                NodePairQueue& queue) noexcept;
 
 /// Squares of distances as bounds are compared with them: rounded up, and below what empty slots
 /// are away.

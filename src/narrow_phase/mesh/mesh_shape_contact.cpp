@@ -4,30 +4,31 @@
 #include <limits>
 #include <type_traits>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/bvh/visit_held.h"
 #include "narrow_phase/mesh/mesh_and_core.h"
 
 namespace collision_monitor {
 namespace {
 
-MeshContact touchCore(const PlacedMesh& a, const SweptCore& b, const Pose& world_from_b,
+MeshContact touchCore(const PlacedMesh& a, const InflatedCore& b, const Pose& world_from_b,
                       const MeshContactQuery& query, MeshQueryMemory& memory,
                       const TrianglePair& start) noexcept {
   const MeshAndCore pair = makeMeshAndCore(a, b, world_from_b);
-  const double enough = std::max(query.distance + b.radius, pair.rounding);
+  const double cutoff = std::max(query.distance + b.radius, pair.rounding);
   MeshContact found;
   NearestSearch search;
   search.best.squared_distance =
-      std::nextafter(enough * enough, std::numeric_limits<double>::infinity());
+      std::nextafter(cutoff * cutoff, std::numeric_limits<double>::infinity());
   search.best.on_b = anyPointOf(b.core);
   if (start.a < a.tree.triangles().size()) {
     measureTriangle(pair, start.a, search.bounds, search);
   }
-  if (search.nearest.a == TrianglePair::kNone) {
-    searchFromRoot(pair, enough, query.visit_budget, memory, search);
+  if (search.nearest.a == kNone) {
+    searchFromRoot(pair, cutoff, query.visit_budget, memory, search);
   }
   found.visits = 1 + search.visits;
-  if (search.nearest.a != TrianglePair::kNone) {
+  if (search.nearest.a != kNone) {
     found.state = MeshContact::State::contact;
     found.triangles = search.nearest;
   } else if (search.isComplete()) {
@@ -54,7 +55,7 @@ MeshContact contactOf(const PlacedMesh& a, const PlacedConvex& b, const MeshCont
           distance <= query.distance ? MeshContact::State::contact : MeshContact::State::apart;
       return found;
     } else {
-      return touchCore(a, sweptCoreOf(geometry), b.world_from_body, query, memory, start);
+      return touchCore(a, inflatedCoreOf(geometry), b.world_from_body, query, memory, start);
     }
   };
   return visitHeld(touch, b.geometry);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/bvh/visit_held.h"
 #include "narrow_phase/closed_form/core_distance.h"
 #include "narrow_phase/gjk/convex_core.h"
@@ -26,18 +27,18 @@ SignedDistance coresOf(const MeshAndCore& pair, const NearestSearch& search,
                        const CoreInMesh& lies) noexcept {
   const PointPair& best = search.best;
   const double distance = std::sqrt(best.squared_distance);
-  const Vector3d way = best.on_b - best.on_a;
-  const double length = way.norm();  // where they hardly part, the points are rounded more
+  const Vector3d delta = best.on_b - best.on_a;
+  const double length = delta.norm();  // where they hardly part, the points are rounded more
   if (distance > pair.rounding && length > 0.0) {
     if (lies.is_inside && lies.hold < distance) {
-      return {-lies.hold, best.on_b - lies.hold / length * way, best.on_b, -1.0 / length * way};
+      return {-lies.hold, best.on_b - lies.hold / length * delta, best.on_b, -1.0 / length * delta};
     }
     if (lies.is_inside) {
-      return {-distance, best.on_a, best.on_b, -1.0 / length * way};
+      return {-distance, best.on_a, best.on_b, -1.0 / length * delta};
     }
     const double bound = std::sqrt(search.squaredBound());
-    const Vector3d on_b = bound < distance ? best.on_a + bound / length * way : best.on_b;
-    return {bound, best.on_a, on_b, 1.0 / length * way};
+    const Vector3d on_b = bound < distance ? best.on_a + bound / length * delta : best.on_b;
+    return {bound, best.on_a, on_b, 1.0 / length * delta};
   }
   const Vector3d normal = anyNormalOf(prepare(pair.mesh.triangles()[search.nearest.a]));
   return {0.0, best.on_a, best.on_a, pair.core_from_mesh.rotation * normal};
@@ -51,8 +52,8 @@ void report(const MeshAndCore& pair, const NearestSearch& search, const CoreInMe
   const double core_distance =
       std::sqrt(std::min(search.best.squared_distance, search.squared_open));
   const bool meets = search.best.squared_distance <= radius * radius;
-  if (search.nearest.a != TrianglePair::kNone && (search.isComplete() || (meets && !is_inside))) {
-    answer.measured = swept(coresOf(pair, search, lies), 0.0, radius);
+  if (search.nearest.a != kNone && (search.isComplete() || (meets && !is_inside))) {
+    answer.measured = inflated(coresOf(pair, search, lies), 0.0, radius);
     answer.shortfall = std::sqrt(search.best.squared_distance) - std::sqrt(search.squaredBound());
     answer.state = answer.measured.distance > 0.0 ? MeshState::exact : MeshState::overlapping;
   } else if (!std::isfinite(core_distance)) {
@@ -68,8 +69,8 @@ void report(const MeshAndCore& pair, const NearestSearch& search, const CoreInMe
 
 // What was asked for, not less by a rounding.
 void reportLimit(const NearestSearch& search, double stop_beyond, MeshDistance& answer) noexcept {
-  if (answer.state == MeshState::lower_bound && search.nearest.a == TrianglePair::kNone &&
-      search.isComplete() && stop_beyond + search.radius >= 0.0) {
+  if (answer.state == MeshState::lower_bound && search.nearest.a == kNone && search.isComplete() &&
+      stop_beyond + search.radius >= 0.0) {
     answer.measured.distance = stop_beyond;
   }
 }
@@ -82,7 +83,7 @@ struct CoreQuery {
   std::uint32_t triangleIn(Slot slot) const noexcept {
     return triangleAt(childOf(pair.mesh, slot));
   }
-  void measure(const MeshQueryMemory::Waiting& bounds, NearestSearch& search) const noexcept {
+  void measure(const MeshQueryMemory::NodePair& bounds, NearestSearch& search) const noexcept {
     measureTriangle(pair, triangleIn(bounds.a), bounds, search);
   }
   void choose(Slot a, Slot, OpenedPair& opened) const noexcept {
@@ -131,8 +132,8 @@ double searchCore(const MeshAndCore& pair, const CoreStart& start, std::uint32_t
     const double step = follow({pair.core_from_mesh, pair.mesh, pair.box.center(),
                                 0.5 * pair.box.diagonal().norm(), -1.0, pair.rounding},
                                *start.front);
-    WaitingPairs waiting(memory);
-    searchFromFront(CoreQuery{pair}, step, pair.rounding, visit_budget, waiting, search);
+    NodePairQueue queue(memory);
+    searchFromFront(CoreQuery{pair}, step, pair.rounding, visit_budget, queue, search);
     return step;
   }
   if (start.nearest.a < pair.mesh.triangles().size()) {
@@ -150,7 +151,7 @@ void keepLies(const NearestSearch& search, const CoreInMesh& lies) noexcept {
   }
 }
 
-MeshDistance measureCore(const PlacedMesh& a, const SweptCore& b, const Pose& world_from_b,
+MeshDistance measureCore(const PlacedMesh& a, const InflatedCore& b, const Pose& world_from_b,
                          MeshQueryMemory& memory, const CoreStart& start,
                          const MeshQueryLimits& limits) noexcept {
   const MeshAndCore pair = makeMeshAndCore(a, b, world_from_b);
@@ -164,7 +165,7 @@ MeshDistance measureCore(const PlacedMesh& a, const SweptCore& b, const Pose& wo
   const double step = searchCore(pair, start, limits.visit_budget, memory, search);
   const CoreInMesh lies = lookInside(pair, search, step, memory);
   keepLies(search, lies);
-  if (lies.is_inside && search.nearest.a == TrianglePair::kNone) {
+  if (lies.is_inside && search.nearest.a == kNone) {
     // All of the surface is farther than was asked for, and so is the way out.
     search.front = nullptr;
     search.best.squared_distance = std::numeric_limits<double>::infinity();
@@ -187,7 +188,7 @@ MeshDistance measureConvex(const PlacedMesh& a, const PlacedConvex& b, MeshQuery
     if constexpr (std::is_same_v<decltype(geometry), const HalfSpace&>) {
       return measureHalfSpace(a, b.world_from_body);
     } else {
-      return measureCore(a, sweptCoreOf(geometry), b.world_from_body, memory, start, limits);
+      return measureCore(a, inflatedCoreOf(geometry), b.world_from_body, memory, start, limits);
     }
   };
   return visitHeld(measure, b.geometry);

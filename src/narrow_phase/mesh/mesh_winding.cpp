@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/constants.h"
 #include "narrow_phase/mesh/mesh_search.h"
 
@@ -22,10 +23,10 @@ WindingNumber sum(const MeshTree& tree, const Eigen::Vector3d& point, double mos
   const std::vector<WindingMoments>& moments = tree.openSurface()->moments;
   WindingNumber number{0.0, kRounding, 0};
   SolidAngles angles(point);
-  WaitingPairs waiting(memory);
-  waiting.push({0.0F, 0, 0});
-  while (!waiting.empty() && number.error <= most_of_all) {
-    const std::uint32_t node = waiting.pop().a;
+  NodePairQueue queue(memory);
+  queue.push({0.0F, 0, 0});
+  while (!queue.empty() && number.error <= most_of_all) {
+    const std::uint32_t node = queue.pop().a;
     ++number.visits;
     const BoundedNumber part = windingOf(moments[node], point);
     if (part.error <= most_of_part) {
@@ -34,14 +35,14 @@ WindingNumber sum(const MeshTree& tree, const Eigen::Vector3d& point, double mos
       continue;
     }
     for (const std::uint32_t child : tree.nodes()[node].child) {
-      if (child == MeshTreeNode::kNone) {
+      if (child == kNone) {
         continue;
       }
       if (isTriangle(child)) {
         angles.add(tree.triangles()[triangleAt(child)]);
         ++number.visits;
       } else {
-        waiting.push({0.0F, child, 0});
+        queue.push({0.0F, child, 0});
       }
     }
   }
@@ -50,9 +51,9 @@ WindingNumber sum(const MeshTree& tree, const Eigen::Vector3d& point, double mos
 }
 
 // From coarse to fine. A number of a larger error than `most` is never enough.
-template <class IsEnough>
+template <class ReachesCutoff>
 WindingNumber search(const MeshTree& tree, const Eigen::Vector3d& point, double most,
-                     MeshQueryMemory& memory, const IsEnough& isEnough) noexcept {
+                     MeshQueryMemory& memory, const ReachesCutoff& reachesCutoff) noexcept {
   constexpr double kCoarsest = 0x1p-6;
   constexpr double kStep = 0x1p-3;
   std::uint32_t visits = 0;
@@ -62,7 +63,7 @@ WindingNumber search(const MeshTree& tree, const Eigen::Vector3d& point, double 
     number = sum(tree, point, most_of_part, most, memory);
     visits += number.visits;
     most_of_part *= kStep;
-  } while (number.error > kRounding && !isEnough(number));
+  } while (number.error > kRounding && !reachesCutoff(number));
   number.visits = visits;
   return number;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_monitor/geometry/ids.h"
 #include "narrow_phase/mesh/mesh_search.h"
 #include "narrow_phase/mesh_front/front_entries.h"
 
@@ -23,14 +24,14 @@ struct NearestSearch {
   MeshFront* front{nullptr};  ///< keeps what is left, if there is one
   MovingBounds moving;        ///< of the front
   /// Where `nearest` hangs.
-  MeshQueryMemory::Waiting bounds{0.0F, MeshFront::kNone, MeshFront::kNone};
+  MeshQueryMemory::NodePair bounds{0.0F, kNone, kNone};
 
   /// False when the budget ended the search before it was certain.
   bool isComplete() const noexcept { return squaredGoal() <= squared_open; }
 
   /// [m^2] What is as far is not looked at.
   double squaredGoal() const noexcept {
-    if (tolerance <= 0.0 || nearest.a == TrianglePair::kNone) {
+    if (tolerance <= 0.0 || nearest.a == kNone) {
       return best.squared_distance;
     }
     const double distance = std::sqrt(best.squared_distance);
@@ -50,10 +51,10 @@ struct NearestSearch {
   }
 
   /// It is looked at no more. @param direction, children: as FrontEntry.
-  void leave(const MeshQueryMemory::Waiting& pair, double squared_bound,
+  void leave(const MeshQueryMemory::NodePair& pair, double squared_bound,
              std::uint32_t direction = 0, std::uint32_t children = 0) noexcept {
     squared_left = std::min(squared_left, squared_bound);
-    if (front != nullptr && pair.a != MeshFront::kNone) {
+    if (front != nullptr && pair.a != kNone) {
       keep({{pair.a, pair.b}, std::sqrt(squared_bound), direction, children}, moving, *front);
     }
   }
@@ -64,7 +65,7 @@ struct NearestSearch {
 /// @param bounds where the triangles hang, if the search has a front.
 /// @param gapAlong [m^2] how far a direction separates the triangles, as squaredGapAlong.
 template <class Measure, class GapAlong>
-void offer(const TrianglePair& triangles, const MeshQueryMemory::Waiting& bounds,
+void offer(const TrianglePair& triangles, const MeshQueryMemory::NodePair& bounds,
            NearestSearch& search, const Measure& measure, const GapAlong& gapAlong) noexcept {
   PointPair start = search.best;
   start.squared_distance = search.squaredReach();
@@ -80,7 +81,7 @@ void offer(const TrianglePair& triangles, const MeshQueryMemory::Waiting& bounds
     const double along = direction == 0 ? 0.0 : gapAlong(directionOf(direction));
     const bool suffices = along >= search.squaredGoal();
     search.leave(bounds, suffices ? along : found.squared_bound, suffices ? direction : 0);
-  } else if (bounds.a == MeshFront::kNone) {
+  } else if (bounds.a == kNone) {
     search.squared_left = std::min(search.squared_left, found.squared_bound);
   }
 }
@@ -90,25 +91,25 @@ void offer(const TrianglePair& triangles, const MeshQueryMemory::Waiting& bounds
 /// limit.
 /// @param enough [m] what is so near ends the search.
 template <class Open>
-void searchNearest(double enough, std::uint32_t visit_budget, WaitingPairs& waiting,
-                   NearestSearch& search, const Open& open) noexcept {
-  while (!waiting.empty() && search.best.squared_distance > enough * enough) {
-    const MeshQueryMemory::Waiting next = waiting.pop();
+void branchAndBound(double cutoff, std::uint32_t visit_budget, NodePairQueue& queue,
+                    NearestSearch& search, const Open& open) noexcept {
+  while (!queue.empty() && search.best.squared_distance > cutoff * cutoff) {
+    const MeshQueryMemory::NodePair next = queue.pop();
     const auto bound = static_cast<double>(next.squared_bound);
     if (!(next.squared_bound < asLimit(search.squaredGoal()))) {
       search.leave(next, bound);
       continue;
     }
     if (search.visits >= visit_budget) {
-      search.squared_open = std::min(search.squared_open, waiting.leastBound(bound));
+      search.squared_open = std::min(search.squared_open, queue.leastBound(bound));
       search.leave(next, bound);
       break;
     }
     ++search.visits;
-    open(next, asLimit(search.best.squared_distance), waiting);
+    open(next, asLimit(search.best.squared_distance), queue);
   }
-  while (search.front != nullptr && !waiting.empty()) {
-    const MeshQueryMemory::Waiting next = waiting.pop();
+  while (search.front != nullptr && !queue.empty()) {
+    const MeshQueryMemory::NodePair next = queue.pop();
     search.leave(next, static_cast<double>(next.squared_bound));
   }
 }

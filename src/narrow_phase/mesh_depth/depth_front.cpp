@@ -6,20 +6,21 @@
 #include <limits>
 #include <tuple>
 
+#include "collision_monitor/geometry/ids.h"
+
 namespace collision_monitor {
 namespace {
 
-constexpr KeptDepth::Place kWholeMesh{0, TrianglePair::kNone,
-                                      std::numeric_limits<double>::infinity()};
+constexpr KeptDepth::Place kWholeMesh{0, kNone, std::numeric_limits<double>::infinity()};
 
 std::uint32_t roomIn(const KeptDepth::Side& side) noexcept {
-  return KeptDepth::kCapacity - side.passed_over - side.waiting;
+  return KeptDepth::kCapacity - side.passed_over - side.open_count;
 }
 
 }  // namespace
 
 void restart(bool is_deep_anywhere, KeptDepth::Side& side) noexcept {
-  side.passed_over = side.waiting = 0;
+  side.passed_over = side.open_count = 0;
   side.is_whole = true;
   side.highest = -std::numeric_limits<double>::infinity();
   if (is_deep_anywhere) {
@@ -31,7 +32,7 @@ void recall(double least, KeptDepth::Side& side) noexcept {
   if (!(side.highest > least)) {
     return;
   }
-  const std::uint32_t others = side.waiting;
+  const std::uint32_t others = side.open_count;
   side.highest = -std::numeric_limits<double>::infinity();
   for (std::uint32_t i = 0; i < side.passed_over;) {
     const KeptDepth::Place place = side.places[i];
@@ -43,18 +44,18 @@ void recall(double least, KeptDepth::Side& side) noexcept {
       ++i;
     }
   }
-  std::sort(side.places.end() - side.waiting, side.places.end() - others,
+  std::sort(side.places.end() - side.open_count, side.places.end() - others,
             [](const KeptDepth::Place& one, const KeptDepth::Place& other) {
               return std::tie(one.limit, other.bound) > std::tie(other.limit, one.bound);
             });
 }
 
 KeptDepth::Place takeNext(KeptDepth::Side& side) noexcept {
-  return side.places[KeptDepth::kCapacity - side.waiting--];
+  return side.places[KeptDepth::kCapacity - side.open_count--];
 }
 
 void putFirst(const KeptDepth::Place& place, KeptDepth::Side& side) noexcept {
-  side.places[KeptDepth::kCapacity - ++side.waiting] = place;
+  side.places[KeptDepth::kCapacity - ++side.open_count] = place;
 }
 
 void makeRoom(std::uint32_t count, KeptDepth::Side& side) noexcept {
@@ -63,7 +64,7 @@ void makeRoom(std::uint32_t count, KeptDepth::Side& side) noexcept {
     side.is_whole = false;
   }
   if (roomIn(side) < count) {
-    side.waiting = 0;
+    side.open_count = 0;
     putFirst(kWholeMesh, side);
   }
 }

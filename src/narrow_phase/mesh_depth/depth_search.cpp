@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "collision_monitor/geometry/ids.h"
 #include "narrow_phase/mesh/mesh_inside.h"
 #include "narrow_phase/mesh/mesh_search.h"
 #include "narrow_phase/mesh_depth/depth_front.h"
@@ -19,7 +20,7 @@ using Eigen::Vector3d;
 // What is left of a place that may have corners within the radius that are deep enough to count.
 struct MeasuredPlace {
   bool is_deep{false};
-  double distance{0.0};  // signed, of its centre
+  double distance{0.0};  // signed, of its center
   double deepest{0.0};   // [m] none of its corners is deeper
   PointOnMesh nearest;
 };
@@ -59,8 +60,8 @@ MeasuredPlace measurePlace(DepthSearch& search, const Vector3d& center, double r
   if (!(found.deepest > search.beyond)) {
     return found;
   }
-  const double enough = std::max(search.beyond - radius, 0.0);
-  found.nearest = nearestOnMesh(search.solid, center, start, {enough}, search.memory);
+  const double cutoff = std::max(search.beyond - radius, 0.0);
+  found.nearest = nearestOnMesh(search.solid, center, start, {cutoff}, search.memory);
   search.points += found.nearest.visits > 0 ? 1 : 0;
   search.visits += found.nearest.visits;
   found.distance = found.nearest.distance;
@@ -100,7 +101,7 @@ Vector3d centerOf(const DepthSearch& search, const Bound& bound) noexcept {
   return search.solid_from_mesh * (search.mesh.center() + bound.center.cast<double>());
 }
 
-// Lets the children wait, first the one that lies deepest behind the surface near their centre.
+// Lets the children wait, first the one that lies deepest behind the surface near their center.
 void openNode(DepthSearch& search, std::uint32_t node, const Vector3d& center,
               const MeasuredPlace& found) noexcept {
   const Vector3d inwards = found.distance * (found.nearest.point - center);
@@ -108,7 +109,7 @@ void openNode(DepthSearch& search, std::uint32_t node, const Vector3d& center,
   std::array<std::pair<double, Slot>, MeshTreeNode::kWidth> children;  // by height
   auto end = children.begin();
   for (std::uint32_t i = 0; i < MeshTreeNode::kWidth; ++i) {
-    if (search.mesh.nodes()[node].child[i] != MeshTreeNode::kNone) {
+    if (search.mesh.nodes()[node].child[i] != kNone) {
       const Slot slot = (node << kSlotBits) + i;
       *end = {inwards.dot(centerOf(search, boundAt(search.mesh, slot))), slot};
       std::rotate(std::upper_bound(children.begin(), end, *end), end, end + 1);
@@ -164,8 +165,8 @@ double leastLimit(const DepthSearch& search) noexcept {
   return search.beyond + kDepthRounding - search.moved;
 }
 
-void searchWaiting(DepthSearch& search, std::uint32_t point_budget) noexcept {
-  while (search.side.waiting > 0 && search.points < point_budget) {
+void searchQueue(DepthSearch& search, std::uint32_t point_budget) noexcept {
+  while (search.side.open_count > 0 && search.points < point_budget) {
     const KeptDepth::Place next = takeNext(search.side);
     if (next.limit > leastLimit(search)) {
       lookAt(search, next);
@@ -197,10 +198,10 @@ void passOverDeepest(DepthSearch& search) noexcept {
 
 void searchDeepest(std::uint32_t point_budget, DepthSearch& search) noexcept {
   // What the last queries left comes first, so that every place has its turn.
-  searchWaiting(search, point_budget);
-  if (search.side.waiting == 0) {
+  searchQueue(search, point_budget);
+  if (search.side.open_count == 0) {
     recall(leastLimit(search), search.side);
-    searchWaiting(search, point_budget);
+    searchQueue(search, point_budget);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/ball_motion.h"
 #include "narrow_phase/closed_form/core_distance.h"
 #include "narrow_phase/mesh_depth/depth_front.h"
@@ -21,13 +22,13 @@ constexpr double kPointsAStep = 120.0;
 constexpr double kLeastShare = 0.02;
 // [m] Limits are taken together with the way gone: farther on they would be rounded by more than
 // depths are.
-constexpr double kLongestWay = 1000.0;
+constexpr double kLongestTravel = 1000.0;
 
 // Both ways round: corners of A in B, and of B in A.
-using BothWays = std::array<DepthSearch, 2>;
+using BothSides = std::array<DepthSearch, 2>;
 
 bool isWaiting(const KeptDepth& kept) noexcept {
-  return kept.sides[0].waiting > 0 || kept.sides[1].waiting > 0;
+  return kept.sides[0].open_count > 0 || kept.sides[1].open_count > 0;
 }
 
 // What was dropped is known only of where the search began.
@@ -46,19 +47,19 @@ double follow(const MeshTree& b, const Pose& a_from_b, KeptDepth& kept) noexcept
 }
 
 // The corner that was the deepest. After less than half the way to the surface it is still inside.
-void measureKept(double step, BothWays& ways, const KeptDepth& kept) noexcept {
-  ways[0].moved = ways[1].moved = kept.moved;
-  if (kept.deepest.bound != KeptDepth::kNoBound) {
+void measureKept(double step, BothSides& both, const KeptDepth& kept) noexcept {
+  both[0].moved = both[1].moved = kept.moved;
+  if (kept.deepest.bound != kNone) {
     const bool is_inside = step < -0.5 * kept.in_a.distance;
-    measureDeepest(kept.deepest, is_inside, ways[kept.side]);
+    measureDeepest(kept.deepest, is_inside, both[kept.side]);
   }
-  ways[0].beyond = ways[1].beyond = ways[kept.side].deepest.depth;
+  both[0].beyond = both[1].beyond = both[kept.side].deepest.depth;
 }
 
 // [m] A step of this length, and the deepest corner may be any other.
-double longStep(const BothWays& ways) noexcept {
-  return std::max(ways[0].beyond,
-                  kLeastShare * std::min(ways[0].mesh.radius(), ways[1].mesh.radius()));
+double longStep(const BothSides& both) noexcept {
+  return std::max(both[0].beyond,
+                  kLeastShare * std::min(both[0].mesh.radius(), both[1].mesh.radius()));
 }
 
 std::uint32_t pointsFor(double share, std::uint32_t point_budget) noexcept {
@@ -66,25 +67,25 @@ std::uint32_t pointsFor(double share, std::uint32_t point_budget) noexcept {
   return std::min(point_budget, std::max(kFewestPoints, static_cast<std::uint32_t>(points)));
 }
 
-void restart(BothWays& ways, KeptDepth& kept) noexcept {
+void restart(BothSides& both, KeptDepth& kept) noexcept {
   for (std::size_t i = 0; i < 2; ++i) {
-    restart(ways[i].solid.hasInside(), kept.sides[i]);
+    restart(both[i].solid.hasInside(), kept.sides[i]);
   }
-  ways[0].moved = ways[1].moved = kept.moved = 0.0;
+  both[0].moved = both[1].moved = kept.moved = 0.0;
 }
 
-void searchBothWays(std::uint32_t point_budget, BothWays& ways, KeptDepth& kept) noexcept {
-  searchDeepest(kept.sides[1].waiting > 0 ? point_budget / 2 : point_budget, ways[0]);
-  ways[1].beyond = ways[0].beyond;
-  searchDeepest(point_budget - std::min(point_budget, ways[0].points), ways[1]);
-  kept.side = ways[1].deepest.depth > ways[0].deepest.depth ? 1 : 0;
-  kept.deepest = ways[kept.side].deepest.corner;
-  passOverDeepest(ways[1 - kept.side]);
+void searchBothSides(std::uint32_t point_budget, BothSides& both, KeptDepth& kept) noexcept {
+  searchDeepest(kept.sides[1].open_count > 0 ? point_budget / 2 : point_budget, both[0]);
+  both[1].beyond = both[0].beyond;
+  searchDeepest(point_budget - std::min(point_budget, both[0].points), both[1]);
+  kept.side = both[1].deepest.depth > both[0].deepest.depth ? 1 : 0;
+  kept.deepest = both[kept.side].deepest.corner;
+  passOverDeepest(both[1 - kept.side]);
 }
 
 // In A's frame, from its surface to that of B.
-SignedDistance answerOf(const BothWays& ways, std::size_t side, const Pose& a_from_b) noexcept {
-  const DeepCorner& found = ways[side].deepest;
+SignedDistance answerOf(const BothSides& both, std::size_t side, const Pose& a_from_b) noexcept {
+  const DeepCorner& found = both[side].deepest;
   if (!(found.depth > 0.0)) {
     return {};
   }
@@ -104,21 +105,21 @@ MeshDepth depthOf(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& mem
   const bool stands = kept.a_from_b && isSame(*kept.a_from_b, a_from_b);
   MeshDepth answer;
   if (!stands || !isComplete(kept)) {
-    BothWays ways = {
+    BothSides both = {
         DepthSearch{a.tree, b.tree, inverse(a_from_b), memory, kept.sides[0]},
         DepthSearch{b.tree, a.tree, a_from_b, memory, kept.sides[1]},
     };
     const double step = follow(b.tree, a_from_b, kept);
-    measureKept(step, ways, kept);
-    const double share = step / longStep(ways);
-    const bool is_spent = kept.moved > kLongestWay || !(isWaiting(kept) || isComplete(kept));
+    measureKept(step, both, kept);
+    const double share = step / longStep(both);
+    const bool is_spent = kept.moved > kLongestTravel || !(isWaiting(kept) || isComplete(kept));
     if (!(share < 1.0) || is_spent) {
-      restart(ways, kept);
+      restart(both, kept);
     }
-    searchBothWays(pointsFor(share, point_budget), ways, kept);
-    answer.points = ways[0].points + ways[1].points;
-    answer.visits = ways[0].visits + ways[1].visits;
-    kept.in_a = answerOf(ways, kept.side, a_from_b);
+    searchBothSides(pointsFor(share, point_budget), both, kept);
+    answer.points = both[0].points + both[1].points;
+    answer.visits = both[0].visits + both[1].visits;
+    kept.in_a = answerOf(both, kept.side, a_from_b);
   }
   answer.is_complete = isComplete(kept);
   answer.deepest = placed(a.world_from_mesh, kept.in_a);

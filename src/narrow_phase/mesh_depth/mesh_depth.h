@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "collision_monitor/geometry/ids.h"
 #include "narrow_phase/mesh/mesh_distance.h"
 
 namespace collision_monitor {
@@ -26,16 +27,15 @@ struct KeptDepth {
   /// measured in each query.
   struct Side {
     std::uint32_t passed_over{0};  ///< the first of the places: they were not deep enough
-    std::uint32_t waiting{0};      ///< the last of them, the next one first
+    std::uint32_t open_count{0};   ///< the last of them, the next one first
     bool is_whole{true};           ///< none was dropped for want of room
     double highest{0.0};           ///< [m] no limit of those passed over is more
     std::array<Place, kCapacity> places;
   };
-  static constexpr std::uint32_t kNoBound = 0xffffffffU;
   struct Corner {
-    std::uint32_t bound{kNoBound};  ///< of its triangle; kNoBound: none is known to be inside
-    std::uint32_t at{0};            ///< which of the triangle's
-    std::uint32_t nearest{TrianglePair::kNone};  ///< triangle of the other mesh
+    std::uint32_t bound{kNone};    ///< of its triangle; kNoBound: none is known to be inside
+    std::uint32_t at{0};           ///< which of the triangle's
+    std::uint32_t nearest{kNone};  ///< triangle of the other mesh
   };
 
   std::array<Side, 2> sides;  ///< corners of A in B, and of B in A
@@ -70,7 +70,7 @@ struct MeshDepth {
 /// (crossed bars): the distance is then 0 and says nothing. The budget counts points whose distance
 /// from the other mesh is searched for, and may be exceeded by three. The same queries give the
 /// same answers. Source: signed distance changes by no more than the way gone, so a node whose
-/// centre is not deep enough for its size is passed over until the meshes have gone what it lacked:
+/// center is not deep enough for its size is passed over until the meshes have gone what it lacked:
 /// Guthe, Borodin, Klein, "Fast and accurate Hausdorff distance calculation between meshes" (2005),
 /// for such bounds; docs/decisions/mesh-depth.md.
 /// @pre as distanceBetween. @param memory its content means nothing afterwards.

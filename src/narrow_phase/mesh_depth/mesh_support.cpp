@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "collision_monitor/geometry/ids.h"
 #include "narrow_phase/mesh/mesh_search.h"
 
 namespace collision_monitor {
@@ -26,11 +27,11 @@ Vector3d farthestAlong(const PlacedMesh& mesh, const Vector3d& direction) noexce
   const double base = in_mesh.dot(tree.center());
   double highest = -std::numeric_limits<double>::infinity();
   Vector3d farthest = tree.center();
-  std::array<Slot, MeshQueryMemory::kCapacity> waiting;
+  std::array<Slot, MeshQueryMemory::kCapacity> queue;
   std::size_t size = 0;
-  waiting[size++] = 0;
+  queue[size++] = 0;
   while (size > 0) {
-    const Slot slot = waiting[--size];
+    const Slot slot = queue[--size];
     if (heightOf(boundAt(tree, slot), in_mesh) + base <= highest) {
       continue;
     }
@@ -45,8 +46,8 @@ Vector3d farthestAlong(const PlacedMesh& mesh, const Vector3d& direction) noexce
       continue;
     }
     for (std::uint32_t i = 0; i < MeshTreeNode::kWidth; ++i) {
-      if (tree.nodes()[child].child[i] != MeshTreeNode::kNone) {
-        waiting[size++] = (child << kSlotBits) + i;
+      if (tree.nodes()[child].child[i] != kNone) {
+        queue[size++] = (child << kSlotBits) + i;
       }
     }
   }

@@ -15,7 +15,7 @@ struct WayOut {
 };
 
 /// The shortest of the ways on which one mesh can be pulled off the other entirely, along the line
-/// of centres, the axes of both, and a direction that the caller has: the normal of the deepest
+/// of centers, the axes of both, and a direction that the caller has: the normal of the deepest
 /// corner (depthOf). The depth of the solids is at most that, and may be far less where one hooks
 /// into the other: for meshes that are not convex nobody computes it in a cycle.
 ///

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/point_triangle.h"
 #include "narrow_phase/mesh/nearest_search.h"
 
@@ -13,9 +14,8 @@ namespace {
 using Eigen::Vector3d;
 
 PointOnMesh answerOf(const NearestSearch& search) noexcept {
-  if (search.nearest.a == TrianglePair::kNone) {
-    return {std::numeric_limits<double>::infinity(), Vector3d::Zero(), TrianglePair::kNone,
-            search.visits};
+  if (search.nearest.a == kNone) {
+    return {std::numeric_limits<double>::infinity(), Vector3d::Zero(), kNone, search.visits};
   }
   return {std::sqrt(search.best.squared_distance), search.best.on_a, search.nearest.a,
           search.visits};
@@ -48,16 +48,16 @@ PointOnMesh nearestOnMesh(const MeshTree& mesh, const Vector3d& point, std::uint
   if (start < mesh.triangles().size()) {
     measureTriangle(mesh, start, point, search);
   }
-  if (search.best.squared_distance <= limits.enough * limits.enough) {
+  if (search.best.squared_distance <= limits.cutoff * limits.cutoff) {
     return answerOf(search);
   }
   const PlacedBound bound = boundOfPoint(mesh, point);
-  WaitingPairs from_root(memory);
+  NodePairQueue from_root(memory);
   from_root.push({0.0F, 0, 0});
   constexpr std::uint32_t kNoBudget = std::numeric_limits<std::uint32_t>::max();
-  searchNearest(
-      limits.enough, kNoBudget, from_root, search,
-      [&](const MeshQueryMemory::Waiting& next, float limit, WaitingPairs& waiting) {
+  branchAndBound(
+      limits.cutoff, kNoBudget, from_root, search,
+      [&](const MeshQueryMemory::NodePair& next, float limit, NodePairQueue& queue) {
         const std::uint32_t child = childOf(mesh, next.a);
         if (isTriangle(child)) {
           measureTriangle(mesh, triangleAt(child), point, search);
@@ -65,8 +65,8 @@ PointOnMesh nearestOnMesh(const MeshTree& mesh, const Vector3d& point, std::uint
         }
         NodeBounds children;
         const std::uint32_t nearer = boundNearer(mesh.nodes()[child], bound, limit, children);
-        waiting.pushNearer(children, nearer, [&](std::uint32_t slot) {
-          return MeshQueryMemory::Waiting{children.squared[slot], (child << kSlotBits) + slot, 0};
+        queue.pushNearer(children, nearer, [&](std::uint32_t slot) {
+          return MeshQueryMemory::NodePair{children.squared[slot], (child << kSlotBits) + slot, 0};
         });
       });
   return answerOf(search);

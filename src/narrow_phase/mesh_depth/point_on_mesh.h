@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/geometry/mesh_tree.h"
 #include "narrow_phase/mesh/mesh_distance.h"
 
@@ -11,13 +12,13 @@ namespace collision_monitor {
 struct PointOnMesh {
   double distance{std::numeric_limits<double>::infinity()};  ///< [m]
   Eigen::Vector3d point{Eigen::Vector3d::Zero()};
-  std::uint32_t triangle{TrianglePair::kNone};
+  std::uint32_t triangle{kNone};
   std::uint32_t visits{0};  ///< nodes opened and triangles measured, but for the first
 };
 
 /// When a search for the nearest point may stop early. The defaults never do.
 struct PointQueryLimits {
-  double enough{0.0};  ///< [m] >= 0. Once a point this near is found, none nearer is looked for.
+  double cutoff{0.0};  ///< [m] >= 0. Once a point this near is found, none nearer is looked for.
   /// [m] Points this far or farther are not looked for.
   double stop_beyond{std::numeric_limits<double>::infinity()};
 };

@@ -71,18 +71,19 @@ HWY_INLINE Number gain(const FrontStep& step, const Step& all, Code direction, C
   const Vector c{hn::Mul(unit, in_units.x), hn::Mul(unit, in_units.y), hn::Mul(unit, in_units.z)};
   const Number r =
       hn::Mul(number(step.radius_unit), hn::ConvertTo(Many(), hn::ShiftRight<8>(extent)));
-  const Vector way{hn::Add(dot(all.rows[0], c), all.shift.x),
-                   hn::Add(dot(all.rows[1], c), all.shift.y),
-                   hn::Add(dot(all.rows[2], c), all.shift.z)};
+  const Vector delta{hn::Add(dot(all.rows[0], c), all.shift.x),
+                     hn::Add(dot(all.rows[1], c), all.shift.y),
+                     hn::Add(dot(all.rows[2], c), all.shift.z)};
   const Vector turned{dot(all.columns[0], n), dot(all.columns[1], n), dot(all.columns[2], n)};
   const Number lost = hn::Mul(r, hn::Sqrt(dot(turned, turned)));
-  const Number in_bits = hn::Sub(dot(n, way), lost);
+  const Number in_bits = hn::Sub(dot(n, delta), lost);
   // Each coordinate of a packed direction is off by half a bit at most.
   constexpr float kLength = kPackedMiddle - 1;
   constexpr float kOff = 0.87F;
   const Number along = hn::Min(hn::Mul(in_bits, number(1.0F / (kLength - kOff))),
                                hn::Mul(in_bits, number(1.0F / (kLength + kOff))));
-  const Number anywhere = hn::Neg(hn::Add(hn::Sqrt(dot(way, way)), hn::Mul(r, number(step.size))));
+  const Number anywhere =
+      hn::Neg(hn::Add(hn::Sqrt(dot(delta, delta)), hn::Mul(r, number(step.size))));
   const auto has_none = hn::RebindMask(Many(), hn::Eq(direction, hn::Zero(Codes())));
   return hn::IfThenElse(has_none, anywhere, along);
 }

@@ -10,7 +10,7 @@ namespace collision_monitor {
 constexpr std::int32_t kPackedBits = 10;
 constexpr std::int32_t kPackedMiddle = 1 << (kPackedBits - 1);
 
-/// How the moving mesh went on, seen from what rests: the point x, from the centre of its tree,
+/// How the moving mesh went on, seen from what rests: the point x, from the center of its tree,
 /// by turn x + shift.
 struct FrontStep {
   float turn[3][3];  ///< rows

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collision_monitor/geometry/ids.h"
 #include "narrow_phase/mesh/nearest_search.h"
 #include "narrow_phase/mesh_front/front_lanes.h"
 
@@ -20,15 +21,15 @@ namespace collision_monitor {
 /// The waiting pairs that a front gives: the nearest stays on top.
 class TakenPairs {
  public:
-  explicit TakenPairs(WaitingPairs& waiting) noexcept : waiting_(waiting) {}
+  explicit TakenPairs(NodePairQueue& queue) noexcept : waiting_(queue) {}
 
   /// Whether there is room for all children of a bound.
   bool hasRoom() const noexcept { return size_ + MeshTreeNode::kWidth <= MeshFront::kCapacity; }
 
-  void push(MeshQueryMemory::Waiting next) noexcept {
+  void push(MeshQueryMemory::NodePair next) noexcept {
     ++size_;
     if (next.squared_bound > least_) {
-      const MeshQueryMemory::Waiting nearest = waiting_.pop();
+      const MeshQueryMemory::NodePair nearest = waiting_.pop();
       waiting_.push(next);
       next = nearest;
     }
@@ -37,7 +38,7 @@ class TakenPairs {
   }
 
  private:
-  WaitingPairs& waiting_;
+  NodePairQueue& waiting_;
   std::uint32_t size_{0};
   float least_{std::numeric_limits<float>::infinity()};
 };
@@ -102,10 +103,10 @@ void keepParted(const Query& query, const OpenedPair& opened, double goal, Front
     return;
   }
   const auto gaps = gapsAlong(direction, opened, resting_from_node);
-  const double enough = goal + kNearly * (entry.bound - goal);
+  const double cutoff = goal + kNearly * (entry.bound - goal);
   std::uint32_t parted = 0;
   for (std::uint32_t slot = 0; slot < MeshTreeNode::kWidth; ++slot) {
-    parted |= static_cast<double>(gaps[slot]) > enough ? 1U << slot : 0U;
+    parted |= static_cast<double>(gaps[slot]) > cutoff ? 1U << slot : 0U;
   }
   parted &= all;
   const std::uint32_t others = all & ~parted;
@@ -171,12 +172,12 @@ bool boundAnew(const Query& query, std::uint32_t at, float limit, const NearestS
 /// the nearest on top; keeps the rest. What there is no budget for is as far as it was known.
 /// @return false where there was no room, and the search has to start from the roots.
 template <class Query>
-bool takeNearer(const Query& query, std::uint32_t visit_budget, WaitingPairs& waiting,
+bool takeNearer(const Query& query, std::uint32_t visit_budget, NodePairQueue& queue,
                 NearestSearch& search) noexcept {
   MeshFront& front = *search.front;
   const float goal = roundedUp(std::sqrt(search.squaredGoal()));
   const float limit = asLimit(search.squaredGoal());
-  TakenPairs taken(waiting);
+  TakenPairs taken(queue);
   std::uint32_t bounded = 0;
   const std::uint32_t left = visit_budget - std::min(visit_budget, search.visits);
   const std::uint32_t most = left / 2;  // the other half opens pairs
@@ -199,7 +200,7 @@ bool takeNearer(const Query& query, std::uint32_t visit_budget, WaitingPairs& wa
 /// Measures triangles, or lets the children of a bound wait that are nearer than the goal; the
 /// others are kept as one.
 template <class Query>
-void lookAt(const Query& query, const MeshQueryMemory::Waiting& next, WaitingPairs& waiting,
+void lookAt(const Query& query, const MeshQueryMemory::NodePair& next, NodePairQueue& queue,
             NearestSearch& search) noexcept {
   if (query.areTriangles(next.a, next.b)) {
     query.measure(next, search);
@@ -208,7 +209,7 @@ void lookAt(const Query& query, const MeshQueryMemory::Waiting& next, WaitingPai
   OpenedPair opened;
   query.choose(next.a, next.b, opened);
   boundChildren(asLimit(search.squaredGoal()), opened);
-  waiting.pushNearer(opened);
+  queue.pushNearer(opened);
   const std::uint32_t rest = kAllChildren & ~opened.nearer;
   const float least = leastBound(opened, rest);
   if (least < kNoChild) {
@@ -219,27 +220,27 @@ void lookAt(const Query& query, const MeshQueryMemory::Waiting& next, WaitingPai
 /// From the pairs that the last query kept, if nothing else can be nearer; else from the roots.
 /// @param step what `follow` said. @param enough [m] what is so near ends the search.
 template <class Query>
-void searchFromFront(const Query& query, double step, double enough, std::uint32_t visit_budget,
-                     WaitingPairs& waiting, NearestSearch& search) noexcept {
+void searchFromFront(const Query& query, double step, double cutoff, std::uint32_t visit_budget,
+                     NodePairQueue& queue, NearestSearch& search) noexcept {
   constexpr std::uint32_t kPairsPerVisit = 128;  // that are loosened
   MeshFront& front = *search.front;
   search.visits += step > 0.0 ? front.size / kPairsPerVisit : 0;
-  if (front.nearest.a != MeshFront::kNone) {
+  if (front.nearest.a != kNone) {
     query.measure({0.0F, front.nearest.a, front.nearest.b}, search);
   }
   setMargin(step, search.best.squared_distance, front);
-  if (search.best.squared_distance > enough * enough) {
+  if (search.best.squared_distance > cutoff * cutoff) {
     const bool is_near =
-        covers(search.squaredGoal(), front) && takeNearer(query, visit_budget, waiting, search);
+        covers(search.squaredGoal(), front) && takeNearer(query, visit_budget, queue, search);
     if (!is_near) {
       restart(front);
-      waiting.clear();
-      waiting.push({0.0F, 0, 0});
+      queue.clear();
+      queue.push({0.0F, 0, 0});
     }
-    searchNearest(enough, visit_budget, waiting, search,
-                  [&](const MeshQueryMemory::Waiting& next, float, WaitingPairs& pairs) {
-                    lookAt(query, next, pairs, search);
-                  });
+    branchAndBound(cutoff, visit_budget, queue, search,
+                   [&](const MeshQueryMemory::NodePair& next, float, NodePairQueue& pairs) {
+                     lookAt(query, next, pairs, search);
+                   });
     front.from_roots += front.is_whole ? 0 : search.visits;
     front.is_whole = front.is_whole || search.isComplete();
   }

@@ -44,7 +44,7 @@ std::uint32_t numbersOf(const Eigen::Vector3d& units) noexcept {
   return bits;
 }
 
-// The ball about a bound, as kept. The radius grows by what the centre is off.
+// The ball about a bound, as kept. The radius grows by what the center is off.
 void keepBall(std::uint32_t at, const MovingBounds& moving, Slot slot, MeshFront& front) noexcept {
   constexpr double kMost = kPackedMiddle - 1;
   const MeshTreeNode& node = moving.tree->nodes()[slot >> kSlotBits];
@@ -103,7 +103,7 @@ std::uint32_t nearestOf(const OpenedPair& opened, std::uint32_t children) noexce
   return nearest;
 }
 
-// As their boxes, their centres and their normals part a child and the other bound, and what is
+// As their boxes, their centers and their normals part a child and the other bound, and what is
 // between these.
 Directions likelyDirections(const Bound& child, const PlacedBound& other) noexcept {
   const Eigen::Vector3f between = other.center - child.center;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/geometry/pose.h"
 
 /// What a search of a mesh and something else leaves for the next one about the same two.
@@ -28,7 +29,6 @@ class FrontPool;
 /// Ehmann, Lin, "Accurate and Fast Proximity Queries Between Polyhedra Using Convex Surface
 /// Decomposition" (2001), for the front of the tree of pairs, which is kept here with bounds.
 struct MeshFront {
-  static constexpr std::uint32_t kNone = 0xffffffffU;
   static constexpr std::uint32_t kBlockSize = 512;
   static constexpr std::uint32_t kMostBlocks = 32;
   static constexpr std::uint32_t kCapacity = kMostBlocks * kBlockSize;

@@ -9,7 +9,7 @@ namespace collision_monitor {
 
 /// Looks for the two points that realise the largest separation: on a face and the feature of
 /// the other box that faces it, or on two crossing edges. Where they exist, the largest
-/// separation is the signed distance; for flat contacts the points lie over the centre of the
+/// separation is the signed distance; for flat contacts the points lie over the center of the
 /// patch that the features share.
 ///
 /// Frames: A's. Of axes that tie within rounding, faces come first.

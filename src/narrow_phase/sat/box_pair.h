@@ -8,7 +8,7 @@
 
 namespace collision_monitor {
 
-/// Two boxes, or a box and a segment (a box of one extent), in the frame of box A, whose centre
+/// Two boxes, or a box and a segment (a box of one extent), in the frame of box A, whose center
 /// is the origin. Column j of `a_from_b` is axis j of B. Units: metres.
 struct BoxPair {
   Eigen::Matrix3d a_from_b;

@@ -100,7 +100,7 @@ SignedDistance boxToBox(const BoxPair& pair) noexcept {
 SignedDistance distanceBetween(const RoundedBox& a, const Pose& world_from_a, const RoundedBox& b,
                                const Pose& world_from_b) noexcept {
   const BoxPair pair = makeBoxPair(a.half_extents, world_from_a, b.half_extents, world_from_b);
-  return swept(placed(world_from_a, boxToBox(pair)), a.radius, b.radius);
+  return inflated(placed(world_from_a, boxToBox(pair)), a.radius, b.radius);
 }
 
 }  // namespace collision_monitor

@@ -122,7 +122,7 @@ SignedDistance distanceBetween(const Capsule& a, const Pose& world_from_a, const
   const Eigen::Vector3d half_segment(0.0, 0.0, a.half_length);
   const BoxPair pair = makeBoxPair(b.half_extents, world_from_b, half_segment, world_from_a);
   const SignedDistance cores = swapped(placed(world_from_b, boxToSegment(pair)));
-  return swept(cores, a.radius, b.radius);
+  return inflated(cores, a.radius, b.radius);
 }
 
 }  // namespace collision_monitor

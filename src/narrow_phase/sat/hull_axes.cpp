@@ -78,12 +78,12 @@ void searchFaces(const View& view, FaceSearch& search, HullAxis& best) noexcept 
 }  // namespace
 
 HullAxis bestAxis(const ConvexHull& a, const ConvexHull& b, const Pose& a_from_b,
-                  double enough) noexcept {
+                  double cutoff) noexcept {
   const View from_a{a, b, a_from_b};
   FaceSearch of_b;
   HullAxis best;
   searchFaces(from_a, of_b, best);
-  if (best.separation >= enough) {
+  if (best.separation >= cutoff) {
     return best;
   }
   const Pose b_from_a = inverse(a_from_b);
@@ -94,7 +94,7 @@ HullAxis bestAxis(const ConvexHull& a, const ConvexHull& b, const Pose& a_from_b
   offer({best_of_b.separation, a_from_b.rotation * -best_of_b.direction, Kind::face_of_b,
          best_of_b.feature_of_b, best_of_b.feature_of_a},
         best);
-  if (best.separation < enough) {
+  if (best.separation < cutoff) {
     searchEdges({a, of_b.known}, {b, of_a.known}, a_from_b, best);
   }
   return best;

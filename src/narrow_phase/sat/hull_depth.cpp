@@ -70,15 +70,15 @@ PointOnA betweenEdges(const ConvexPair& pair, const HullAxis& axis, double toler
 }
 
 PointOnA pointOnA(const ConvexPair& pair, const HullAxis& axis, double tolerance) noexcept {
-  const Vector3d way = axis.separation * axis.direction;
+  const Vector3d delta = axis.separation * axis.direction;
   if (axis.kind == Kind::face_of_a) {
-    const Vector3d lowest = pair.a_from_b * pair.b.hull->vertices()[axis.feature_of_b] - way;
+    const Vector3d lowest = pair.a_from_b * pair.b.hull->vertices()[axis.feature_of_b] - delta;
     return {lowest, liesIn(*pair.a.hull, axis.feature_of_a, lowest, tolerance)};
   }
   if (axis.kind == Kind::face_of_b) {
     const Vector3d& lowest = pair.a.hull->vertices()[axis.feature_of_a];
     const Vector3d in_b =
-        pair.a_from_b.rotation.transpose() * (lowest + way - pair.a_from_b.translation);
+        pair.a_from_b.rotation.transpose() * (lowest + delta - pair.a_from_b.translation);
     return {lowest, liesIn(*pair.b.hull, axis.feature_of_b, in_b, tolerance)};
   }
   return betweenEdges(pair, axis, tolerance);

@@ -14,7 +14,7 @@ namespace collision_monitor {
 /// As separateHulls, in A's frame.
 /// @param enough [m] a face that separates this much ends the search.
 HullAxis bestAxis(const ConvexHull& a, const ConvexHull& b, const Pose& a_from_b,
-                  double enough = std::numeric_limits<double>::infinity()) noexcept;
+                  double cutoff = std::numeric_limits<double>::infinity()) noexcept;
 
 /// Whether both are hulls with so few faces that their axes are told quicker than GJK and EPA tell
 /// the depth.

@@ -19,19 +19,19 @@ namespace HWY_NAMESPACE {
 
 /// From a point of A that is nearest to B and the way from there, sure where that is longer than
 /// `least`.
-HWY_INLINE CoreAnswer answerOfWay(const Vector3& on_a, const Vector3& way, double least) {
-  const Number distance = norm(way);
+HWY_INLINE CoreAnswer answerOfSide(const Vector3& on_a, const Vector3& delta, double least) {
+  const Number distance = norm(delta);
   return {sureWhere(hn::Gt(distance, number(least)), distance), on_a,
-          scaled(hn::Div(number(1.0), distance), way)};
+          scaled(hn::Div(number(1.0), distance), delta)};
 }
 
 HWY_INLINE CoreAnswer coreDistance(const PointCore& a, const PointCore& b) {
-  return answerOfWay(a.center, b.center - a.center, kTouching);
+  return answerOfSide(a.center, b.center - a.center, kTouching);
 }
 
 HWY_INLINE CoreAnswer coreDistance(const PointCore& a, const SegmentCore& b) {
   const Number parameter = clamped(b.half_length, dot(b.direction, a.center - b.center));
-  return answerOfWay(a.center, along(b.center, parameter, b.direction) - a.center, kNear);
+  return answerOfSide(a.center, along(b.center, parameter, b.direction) - a.center, kNear);
 }
 
 struct LaneParameters {
@@ -76,16 +76,16 @@ HWY_INLINE LaneParameters closestInLanes(const Vector3& between, const Vector3& 
 /// Segments that nearly meet, each between its ends and at an angle: sure of the normal, which is
 /// perpendicular to both. normalOfNear's first case; the others are left to it.
 HWY_INLINE void sureOfCrossings(const SegmentCore& a, const SegmentCore& b,
-                                const LaneParameters& closest, const Vector3& way,
+                                const LaneParameters& closest, const Vector3& delta,
                                 CoreAnswer& answer) {
   const Vector3 n = cross(a.direction, b.direction);
   const Number sine_squared = dot(n, n);
-  const Number distance = norm(way);
+  const Number distance = norm(delta);
   const Truth is_crossing =
       hn::And(hn::And(hn::Le(distance, number(kNear)), hn::Gt(sine_squared, number(kSteep))),
               hn::And(hn::Lt(hn::Abs(closest.on_a), a.half_length),
                       hn::Lt(hn::Abs(closest.on_b), b.half_length)));
-  const Number scale = hn::Div(signOf(dot(n, way)), hn::Sqrt(sine_squared));
+  const Number scale = hn::Div(signOf(dot(n, delta)), hn::Sqrt(sine_squared));
   answer.distance = hn::IfThenElse(is_crossing, distance, answer.distance);
   answer.normal = select(is_crossing, scaled(scale, n), answer.normal);
 }
@@ -96,14 +96,14 @@ HWY_INLINE CoreAnswer coreDistance(const SegmentCore& a, const SegmentCore& b, T
   const LaneParameters closest =
       closestInLanes(between, a.direction, a.half_length, b.direction, b.half_length, counts);
   const Vector3 to_b = along(between, closest.on_b, b.direction);
-  const Vector3 way = to_b - scaled(closest.on_a, a.direction);
-  const Number distance = norm(way);
+  const Vector3 delta = to_b - scaled(closest.on_a, a.direction);
+  const Number distance = norm(delta);
   const Vector3 on_a = along(a.center, closest.on_a, a.direction);
-  CoreAnswer answer{distance, on_a, scaled(hn::Div(number(1.0), distance), way)};
+  CoreAnswer answer{distance, on_a, scaled(hn::Div(number(1.0), distance), delta)};
   const Truth is_sure = hn::Gt(distance, number(kNear));
   if (HWY_UNLIKELY(!isTrueWhere(counts, is_sure))) {
     answer.distance = sureWhere(is_sure, distance);
-    sureOfCrossings(a, b, closest, way, answer);
+    sureOfCrossings(a, b, closest, delta, answer);
   }
   return answer;
 }

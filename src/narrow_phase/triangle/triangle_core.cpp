@@ -215,7 +215,7 @@ PointPair nearestBySearch(const Triangle& triangle, const ConvexCore& core,
   corners.triangle = &triangle;
   ConvexPair pair = makeConvexPair(corners, Pose{}, core, Pose{});
   static const ConvexWarmStart kNothing{};
-  const GjkResult found = searchNearest(pair, kNothing, std::sqrt(start.squared_distance));
+  const GjkResult found = runGjk(pair, kNothing, std::sqrt(start.squared_distance));
   if (found.state == GjkResult::State::overlapping) {
     const Vector3d shared = sharedPoint(found.simplex);
     return {0.0, shared, shared};
@@ -246,17 +246,17 @@ double squaredGapAlong(const Vector3d& direction, const Triangle& triangle,
 }
 
 TriangleDistance boundedDistance(const Triangle& triangle, const ConvexCore& core,
-                                 const PointPair& start, double squared_enough) noexcept {
+                                 const PointPair& start, double squared_cutoff) noexcept {
   const Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
   const Vector3d to_core = normal.dot(triangle[0]) < 0.0 ? normal : Vector3d(-normal);
   for (const Vector3d& direction : {Vector3d(start.on_b - start.on_a), to_core}) {
     const double squared = squaredGapAlong(direction, triangle, core);
-    if (squared >= squared_enough) {
+    if (squared >= squared_cutoff) {
       return {start, squared, direction};
     }
   }
   const Vector3d to_box = wayToBox(triangle, core);
-  if (to_box.squaredNorm() >= squared_enough) {
+  if (to_box.squaredNorm() >= squared_cutoff) {
     return {start, to_box.squaredNorm(), to_box};
   }
   const bool is_box = core.kind == ConvexCore::Kind::box && core.half_extents.x() > 0.0;

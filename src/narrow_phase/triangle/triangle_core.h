@@ -22,7 +22,7 @@ PointPair nearestPoints(const Triangle& triangle, const ConvexCore& core,
 /// triangle or the sides of a box show them to be `squared_enough` apart.
 /// @param squared_enough [m^2] not more than the start.
 TriangleDistance boundedDistance(const Triangle& triangle, const ConvexCore& core,
-                                 const PointPair& start, double squared_enough) noexcept;
+                                 const PointPair& start, double squared_cutoff) noexcept;
 
 /// [m^2] As of two triangles: from the triangle to the core.
 double squaredGapAlong(const Eigen::Vector3d& direction, const Triangle& triangle,

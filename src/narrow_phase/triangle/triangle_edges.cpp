@@ -77,10 +77,10 @@ void improveByFace(const PreparedTriangle& triangle, const Vector3d& point,
   if (height * height >= best.squared_distance) {
     return;
   }
-  const Vector3d foot = footOn(triangle.based, point);
-  const double squared_distance = (point - foot).squaredNorm();
+  const Vector3d closest = closestOn(triangle.based, point);
+  const double squared_distance = (point - closest).squaredNorm();
   if (squared_distance < best.squared_distance) {
-    best = {squared_distance, foot, point};
+    best = {squared_distance, closest, point};
   }
 }
 

@@ -169,17 +169,17 @@ double squaredGapAlong(const Vector3d& direction, const Triangle& a, const Trian
 }
 
 TriangleDistance boundedDistance(const Triangle& a, const Triangle& b, const PointPair& start,
-                                 double squared_enough) noexcept {
+                                 double squared_cutoff) noexcept {
   // Where surfaces are convex, the direction of the nearest points so far separates nearly all.
   const Vector3d from_a_to_b = start.on_b - start.on_a;
   const double squared_gap = squaredGapAlong(from_a_to_b, a, b);
-  if (squared_gap >= squared_enough) {
+  if (squared_gap >= squared_cutoff) {
     return {start, squared_gap, from_a_to_b};
   }
   const PreparedTriangle on_a = prepare(a);
   const PreparedTriangle on_b = prepare(b);
   const PlaneGap plane = planeGapOf(on_a, on_b);
-  if (plane.gap * plane.gap >= squared_enough) {
+  if (plane.gap * plane.gap >= squared_cutoff) {
     return {start, plane.gap * plane.gap, plane.direction};
   }
   PointPair best = start;

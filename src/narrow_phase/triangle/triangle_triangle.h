@@ -55,7 +55,7 @@ struct TriangleDistance {
 /// triangle, shows them to be `squared_enough` apart.
 /// @param squared_enough [m^2] not more than the start.
 TriangleDistance boundedDistance(const Triangle& a, const Triangle& b, const PointPair& start,
-                                 double squared_enough) noexcept;
+                                 double squared_cutoff) noexcept;
 
 /// [m^2] The square of how far a direction of any length, from A to B, separates the triangles; 0
 /// where it does not.

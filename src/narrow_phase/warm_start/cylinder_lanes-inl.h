@@ -44,20 +44,20 @@ HWY_INLINE LaneProjection project(const Vector3& point, const CylinderLanes& cyl
           hn::Gt(hn::Abs(point.z), cylinder.half_length)};
 }
 
-HWY_INLINE Number curvatureAlong(const Vector3& way, const LaneProjection& at) {
-  const Number outward = hn::Add(hn::Mul(at.outward_x, way.x), hn::Mul(at.outward_y, way.y));
-  const Number around = hn::Sub(hn::Mul(way.x, at.outward_y), hn::Mul(way.y, at.outward_x));
+HWY_INLINE Number curvatureAlong(const Vector3& delta, const LaneProjection& at) {
+  const Number outward = hn::Add(hn::Mul(at.outward_x, delta.x), hn::Mul(at.outward_y, delta.y));
+  const Number around = hn::Sub(hn::Mul(delta.x, at.outward_y), hn::Mul(delta.y, at.outward_x));
   const Number of_side = hn::Add(hn::Mul(hn::Mul(at.lag_around, around), around),
                                  hn::IfThenElseZero(at.is_beside, hn::Mul(outward, outward)));
-  return hn::Add(of_side, hn::IfThenElseZero(at.is_beyond_cap, hn::Mul(way.z, way.z)));
+  return hn::Add(of_side, hn::IfThenElseZero(at.is_beyond_cap, hn::Mul(delta.z, delta.z)));
 }
 
-/// As CylinderFoot.
-struct LaneFoot {
+/// As ClosestOnCylinder.
+struct LaneClosest {
   Vector3 on_cylinder, away;
 };
 
-HWY_INLINE LaneFoot footOf(const Vector3& point, const CylinderLanes& cylinder) {
+HWY_INLINE LaneClosest closestOf(const Vector3& point, const CylinderLanes& cylinder) {
   const LaneProjection at = project(point, cylinder);
   return {point - at.away, at.away};
 }
@@ -68,23 +68,23 @@ HWY_INLINE Number within(double low, double high, Number value) {
 }
 
 /// @param share where to start, and where it ended.
-HWY_INLINE LaneFoot footOfEdge(const Vector3& from, const Vector3& edge,
-                               const CylinderLanes& cylinder, Number& share) {
+HWY_INLINE LaneClosest closestToEdge(const Vector3& from, const Vector3& edge,
+                                     const CylinderLanes& cylinder, Number& share) {
   Vector3 point = along(from, share, edge);
   LaneProjection at = project(point, cylinder);
   Truth is_moving = hn::Eq(share, share);
-  for (int step = 0; step < kMaxFootSteps; ++step) {
+  for (int step = 0; step < kMaxClosestSteps; ++step) {
     const Number curvature = curvatureAlong(edge, at);
     const Number next = within(0.0, 1.0, hn::Sub(share, hn::Div(dot(at.away, edge), curvature)));
     is_moving = hn::And(is_moving, hn::And(hn::Gt(curvature, zero()), hn::Ne(next, share)));
     if (hn::AllFalse(Lanes(), is_moving)) {
       break;
     }
-    const Number way = hn::Abs(hn::Sub(next, share));
+    const Number delta = hn::Abs(hn::Sub(next, share));
     share = hn::IfThenElse(is_moving, next, share);
     point = along(from, share, edge);
     at = project(point, cylinder);
-    is_moving = hn::And(is_moving, hn::Gt(way, number(kLastFootStep)));
+    is_moving = hn::And(is_moving, hn::Gt(delta, number(kLastClosestStep)));
   }
   return {point - at.away, at.away};
 }
@@ -105,19 +105,20 @@ HWY_INLINE Vector3 combined(Number s, const Vector3& v, Number t, const Vector3&
 }
 
 /// @param turn where to start, and where it ended.
-HWY_INLINE LaneFoot footOfRim(const LaneRim& rim, const CylinderLanes& cylinder, LaneTurn& turn) {
+HWY_INLINE LaneClosest closestToRim(const LaneRim& rim, const CylinderLanes& cylinder,
+                                    LaneTurn& turn) {
   Vector3 outward = combined(turn.x, rim.x, turn.y, rim.y);
   Vector3 point = rim.center + outward;
   LaneProjection at = project(point, cylinder);
   Truth is_moving = hn::Eq(turn.x, turn.x);
-  for (int step = 0; step < kMaxFootSteps; ++step) {
-    const Vector3 way = combined(turn.x, rim.y, hn::Neg(turn.y), rim.x);
-    const Number curvature = hn::Sub(curvatureAlong(way, at), dot(at.away, outward));
+  for (int step = 0; step < kMaxClosestSteps; ++step) {
+    const Vector3 delta = combined(turn.x, rim.y, hn::Neg(turn.y), rim.x);
+    const Number curvature = hn::Sub(curvatureAlong(delta, at), dot(at.away, outward));
     is_moving = hn::And(is_moving, hn::Gt(curvature, zero()));
     if (hn::AllFalse(Lanes(), is_moving)) {
       break;
     }
-    const Number angle = within(-1.0, 1.0, hn::Div(hn::Neg(dot(at.away, way)), curvature));
+    const Number angle = within(-1.0, 1.0, hn::Div(hn::Neg(dot(at.away, delta)), curvature));
     const Number x = hn::Sub(turn.x, hn::Mul(angle, turn.y));
     const Number y = hn::Add(turn.y, hn::Mul(angle, turn.x));
     const Number per_length = hn::Div(number(1.0), hn::Sqrt(hn::Add(hn::Mul(x, x), hn::Mul(y, y))));
@@ -126,7 +127,7 @@ HWY_INLINE LaneFoot footOfRim(const LaneRim& rim, const CylinderLanes& cylinder,
     outward = combined(turn.x, rim.x, turn.y, rim.y);
     point = rim.center + outward;
     at = project(point, cylinder);
-    is_moving = hn::And(is_moving, hn::Gt(hn::Abs(angle), number(kLastFootStep)));
+    is_moving = hn::And(is_moving, hn::Gt(hn::Abs(angle), number(kLastClosestStep)));
   }
   return {point - at.away, at.away};
 }

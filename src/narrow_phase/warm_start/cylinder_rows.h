@@ -4,7 +4,7 @@
 
 #include "narrow_phase/warm_start/proof_rows.h"
 
-/// Cylinders and other cores apart, many pairs at once: the first step of confirmCylinder in
+/// Cylinders and other cores apart, many pairs at once: the first step of cylinderFromWarmStart in
 /// columns. Every row does what the plain functions of confirm_foot.h do, in the same order.
 namespace collision_monitor {
 
@@ -17,7 +17,7 @@ constexpr std::size_t kFollowedFeatures = 3;
 constexpr double kOriginOfCore[4] = {};
 
 /// Columns of CylinderRows, of the cores. World frame where nothing else is said.
-namespace foot {
+namespace closest {
 enum Column : std::size_t {
   distance,                      ///< [m] NaN: not proven
   on_cylinder,                   ///< x, y, z, in the cylinder's frame
@@ -36,7 +36,7 @@ enum Column : std::size_t {
   may_be_level,                  ///< of the cylinder, 0 or 1
   count
 };
-}  // namespace foot
+}  // namespace closest
 
 /// Pairs of which the same is followed.
 struct CylinderRows {
@@ -49,12 +49,12 @@ struct CylinderRows {
   std::array<const double*, kProofRows> last_on_other;
   std::array<std::size_t, kProofRows> query;  ///< of the caller
   std::array<bool, kProofRows> is_swapped;    ///< the cylinder is B
-  alignas(64) std::array<std::array<double, kProofRows>, foot::count> at;
+  alignas(64) std::array<std::array<double, kProofRows>, closest::count> at;
 };
 
 /// Fills the columns, and `vertex` of `other`. Rows that are not proven are left to
-/// confirmCylinder: all of its further steps, edges that are nearest at an end, and what may be
-/// level.
+/// cylinderFromWarmStart: all of its further steps, edges that are nearest at an end, and what may
+/// be level.
 /// @pre there is a row; the columns from `size` to `half_length_of_other` are filled.
 void proveCylinderRows(FollowedFeature followed, CylinderRows& rows) noexcept;
 

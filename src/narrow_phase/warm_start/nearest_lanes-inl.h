@@ -29,13 +29,13 @@ struct LaneNearest {
   Vector3 point, outward, on_a;
 };
 
-HWY_INLINE LaneNearest nearestInside(const Vector3& origin_of_a, const LaneCorners& p) {
+HWY_INLINE LaneNearest nearestOfSimplex(const Vector3& origin_of_a, const LaneCorners& p) {
   const Truth is_number = hn::Eq(p.difference.x, p.difference.x);
   return {is_number, p.difference, p.difference, origin_of_a + p.on_a};
 }
 
-HWY_INLINE LaneNearest nearestInside(const Vector3& origin_of_a, const LaneCorners& p,
-                                     const LaneCorners& q) {
+HWY_INLINE LaneNearest nearestOfSimplex(const Vector3& origin_of_a, const LaneCorners& p,
+                                        const LaneCorners& q) {
   const Vector3 edge = q.difference - p.difference;
   const Number length_squared = dot(edge, edge);
   const Number on_edge = hn::Neg(dot(p.difference, edge));
@@ -48,8 +48,8 @@ HWY_INLINE LaneNearest nearestInside(const Vector3& origin_of_a, const LaneCorne
   return {is_inside, point, select(is_near, sharp, point), along(on_p, share, q.on_a)};
 }
 
-HWY_INLINE LaneNearest nearestInside(const Vector3& origin_of_a, const LaneCorners& p,
-                                     const LaneCorners& q, const LaneCorners& r) {
+HWY_INLINE LaneNearest nearestOfSimplex(const Vector3& origin_of_a, const LaneCorners& p,
+                                        const LaneCorners& q, const LaneCorners& r) {
   const Vector3 first = q.difference - p.difference;
   const Vector3 second = r.difference - p.difference;
   const Vector3 normal = cross(first, second);

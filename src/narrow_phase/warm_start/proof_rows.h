@@ -12,7 +12,8 @@
 #include "narrow_phase/gjk/convex_core.h"
 
 /// Polytopes apart, many pairs at once, each nearest at the corners of its last search: the first
-/// step of confirmNearest in columns. Every row does what the plain step does, in the same order.
+/// step of distanceFromWarmStart in columns. Every row does what the plain step does, in the same
+/// order.
 namespace collision_monitor {
 
 constexpr std::size_t kProofRows = 32;
@@ -42,7 +43,7 @@ inline bool fillSide(const ConvexGeometry& geometry, const Pose& world_from_core
     if constexpr (std::is_same_v<decltype(held), const HalfSpace&>) {
       return false;
     } else {
-      const auto [core, radius] = sweptCoreOf(held);
+      const auto [core, radius] = inflatedCoreOf(held);
       const Eigen::Vector3d& half = core.half_extents;
       side.hull = nullptr;
       side.half_extents = {half.x(), half.y(), half.z()};
@@ -82,8 +83,8 @@ struct ProofRows {
 };
 
 /// Fills the columns, and `vertex` of both sides. Rows that are not proven are left to
-/// confirmNearest: poses that are not finite, cores that touch or overlap, corners of which not all
-/// are needed, and those with others that are nearer.
+/// distanceFromWarmStart: poses that are not finite, cores that touch or overlap, corners of which
+/// not all are needed, and those with others that are nearer.
 /// @param corners of each pair, 1 to 3. @pre there is a row.
 void proveRows(std::size_t corners, ProofRows& rows) noexcept;
 

@@ -39,36 +39,36 @@ HWY_INLINE Vector3 seen(const Vector3& corner, const LaneCylinderPair& pair) {
   return into(pair.cylinder.axes, out(pair.other.axes, corner) + pair.between);
 }
 
-struct FootOfCorner {
-  static HWY_INLINE LaneFoot find(const LaneCylinderPair& pair, const RowLanes& lanes,
-                                  CylinderRows& rows, Truth& is_found) {
+struct ClosestToCorner {
+  static HWY_INLINE LaneClosest find(const LaneCylinderPair& pair, const RowLanes& lanes,
+                                     CylinderRows& rows, Truth& is_found) {
     const Vector3 point = seen(pointsAt(rows.last_on_other, 0, lanes), pair);
     is_found = hn::Eq(point.x, point.x);
-    return footOf(point, pair.size);
+    return closestOf(point, pair.size);
   }
 };
 
-struct FootInEdge {
-  static HWY_INLINE LaneFoot find(const LaneCylinderPair& pair, const RowLanes& lanes,
-                                  CylinderRows& rows, Truth& is_found) {
+struct ClosestInEdge {
+  static HWY_INLINE LaneClosest find(const LaneCylinderPair& pair, const RowLanes& lanes,
+                                     CylinderRows& rows, Truth& is_found) {
     const Vector3 first = pointsAt(rows.last_on_other, 0, lanes);
-    const Vector3 way = pointsAt(rows.last_on_other, kNextEnd, lanes) - first;
+    const Vector3 delta = pointsAt(rows.last_on_other, kNextEnd, lanes) - first;
     const Vector3 from = seen(first, pair);
-    const Vector3 edge = into(pair.cylinder.axes, out(pair.other.axes, way));
+    const Vector3 edge = into(pair.cylinder.axes, out(pair.other.axes, delta));
     const Vector3 last = pointsAt(rows.last_on_cylinder, 0, lanes);
     Number share = within(0.0, 1.0, hn::Div(dot(edge, last - from), dot(edge, edge)));
-    const LaneFoot foot = footOfEdge(from, edge, pair.size, share);
+    const LaneClosest closest = closestToEdge(from, edge, pair.size, share);
     is_found = hn::And(hn::Gt(share, zero()), hn::Lt(share, number(1.0)));
-    return foot;
+    return closest;
   }
 };
 
-struct FootInRim {
-  static HWY_INLINE LaneFoot find(const LaneCylinderPair& pair, const RowLanes& lanes,
-                                  CylinderRows& rows, Truth& is_found) {
+struct ClosestInRim {
+  static HWY_INLINE LaneClosest find(const LaneCylinderPair& pair, const RowLanes& lanes,
+                                     CylinderRows& rows, Truth& is_found) {
     const std::size_t row = lanes.first;
-    const Number radius = load(foot::radius_of_other, row, rows);
-    const Number half_length = load(foot::half_length_of_other, row, rows);
+    const Number radius = load(closest::radius_of_other, row, rows);
+    const Number half_length = load(closest::half_length_of_other, row, rows);
     const Vector3 last = pointsAt(rows.last_on_other, 0, lanes);
     const Number height = hn::CopySign(half_length, last.z);
     const Axes& axes = pair.other.axes;
@@ -78,10 +78,10 @@ struct FootInRim {
     const Number per_length =
         hn::Div(number(1.0), hn::Sqrt(hn::Add(hn::Mul(last.x, last.x), hn::Mul(last.y, last.y))));
     LaneTurn turn{hn::Mul(per_length, last.x), hn::Mul(per_length, last.y)};
-    const LaneFoot foot = footOfRim(rim, pair.size, turn);
+    const LaneClosest closest = closestToRim(rim, pair.size, turn);
     is_found = hn::Eq(turn.x, turn.x);
-    store({hn::Mul(radius, turn.x), hn::Mul(radius, turn.y), height}, foot::on_other, row, rows);
-    return foot;
+    store({hn::Mul(radius, turn.x), hn::Mul(radius, turn.y), height}, closest::on_other, row, rows);
+    return closest;
   }
 };
 
@@ -104,36 +104,38 @@ HWY_INLINE void placeLanes(std::size_t row, CylinderRows& rows) {
   const RowLanes lanes{rows.count, row};
   LaneCylinderPair pair{placeOf(rows.cylinder, lanes), placeOf(rows.other, lanes), {}, {}};
   pair.between = pair.other.origin - pair.cylinder.origin;
-  pair.size = {load(foot::radius, row, rows), load(foot::half_length, row, rows)};
+  pair.size = {load(closest::radius, row, rows), load(closest::half_length, row, rows)};
   Truth is_found;
-  const LaneFoot foot = Feature::find(pair, lanes, rows, is_found);
-  const Number distance = norm(foot.away);
-  const Number size = hn::Add(load(foot::size, row, rows), sumOf(absolute(pair.between)));
+  const LaneClosest closest = Feature::find(pair, lanes, rows, is_found);
+  const Number distance = norm(closest.away);
+  const Number size = hn::Add(load(closest::size, row, rows), sumOf(absolute(pair.between)));
   const Truth is_apart = hn::And(is_found, hn::Gt(distance, touchingDistanceOf(size)));
-  const Vector3 in_cylinder = scaled(hn::Div(number(1.0), distance), foot.away);
+  const Vector3 in_cylinder = scaled(hn::Div(number(1.0), distance), closest.away);
   const Vector3 normal = out(pair.cylinder.axes, in_cylinder);
   const LaneReach of_cylinder = reachAlong(in_cylinder, pair.size);
-  store(distanceWhere(is_apart, distance), foot::distance, row, rows);
-  store(foot.on_cylinder, foot::on_cylinder, row, rows);
-  store(pair.cylinder.origin + out(pair.cylinder.axes, foot.on_cylinder), foot::point, row, rows);
-  store(normal, foot::normal, row, rows);
-  store(size, foot::size, row, rows);
-  store(negated(into(pair.other.axes, normal)), foot::direction_in_other, row, rows);
-  store(hn::Sub(dot(normal, pair.between), of_cylinder.reach), foot::gap, row, rows);
-  store(hn::IfThenElseZero(of_cylinder.may_be_level, number(1.0)), foot::may_be_level, row, rows);
+  store(distanceWhere(is_apart, distance), closest::distance, row, rows);
+  store(closest.on_cylinder, closest::on_cylinder, row, rows);
+  store(pair.cylinder.origin + out(pair.cylinder.axes, closest.on_cylinder), closest::point, row,
+        rows);
+  store(normal, closest::normal, row, rows);
+  store(size, closest::size, row, rows);
+  store(negated(into(pair.other.axes, normal)), closest::direction_in_other, row, rows);
+  store(hn::Sub(dot(normal, pair.between), of_cylinder.reach), closest::gap, row, rows);
+  store(hn::IfThenElseZero(of_cylinder.may_be_level, number(1.0)), closest::may_be_level, row,
+        rows);
 }
 
 HWY_INLINE void findReachesOfRims(CylinderRows& rows) {
   for (std::size_t row = 0; row < rows.count; row += hn::Lanes(Lanes())) {
-    const Vector3 direction{load(foot::direction_in_other, row, rows),
-                            load(foot::direction_in_other + 1, row, rows),
-                            load(foot::direction_in_other + 2, row, rows)};
-    const CylinderLanes cylinder{load(foot::radius_of_other, row, rows),
-                                 load(foot::half_length_of_other, row, rows)};
+    const Vector3 direction{load(closest::direction_in_other, row, rows),
+                            load(closest::direction_in_other + 1, row, rows),
+                            load(closest::direction_in_other + 2, row, rows)};
+    const CylinderLanes cylinder{load(closest::radius_of_other, row, rows),
+                                 load(closest::half_length_of_other, row, rows)};
     const LaneReach of_other = reachAlong(direction, cylinder);
-    const Number level = load(foot::may_be_level, row, rows);
-    store(of_other.reach, foot::reach_of_other, row, rows);
-    store(hn::IfThenElseZero(of_other.may_be_level, level), foot::may_be_level, row, rows);
+    const Number level = load(closest::may_be_level, row, rows);
+    store(of_other.reach, closest::reach_of_other, row, rows);
+    store(hn::IfThenElseZero(of_other.may_be_level, level), closest::may_be_level, row, rows);
   }
 }
 
@@ -147,22 +149,23 @@ HWY_INLINE void findReaches(CylinderRows& rows) {
   for (std::size_t row = 0; row < rows.count; ++row) {
     ProofSide& side = rows.other[row];
     const ExtremeFeature of_other =
-        extremeOfSide(side, vectorAt(foot::direction_in_other, row, rows));
+        extremeOfSide(side, vectorAt(closest::direction_in_other, row, rows));
     side.vertex = of_other.vertex;
-    rows.at[foot::reach_of_other][row] = of_other.reach;
+    rows.at[closest::reach_of_other][row] = of_other.reach;
     const bool may_be_level = of_other.may_be_level && !isPoint(side);
-    rows.at[foot::may_be_level][row] = may_be_level ? rows.at[foot::may_be_level][row] : 0.0;
+    rows.at[closest::may_be_level][row] = may_be_level ? rows.at[closest::may_be_level][row] : 0.0;
   }
 }
 
 /// Keeps the distances that the support planes prove.
 HWY_INLINE void keepProvenFeet(std::size_t row, CylinderRows& rows) {
-  const Number distance = load(foot::distance, row, rows);
-  const Number gap = hn::Sub(load(foot::gap, row, rows), load(foot::reach_of_other, row, rows));
-  const Number tolerance = hn::Mul(number(smoothTolerance(1.0)), load(foot::size, row, rows));
+  const Number distance = load(closest::distance, row, rows);
+  const Number gap =
+      hn::Sub(load(closest::gap, row, rows), load(closest::reach_of_other, row, rows));
+  const Number tolerance = hn::Mul(number(smoothTolerance(1.0)), load(closest::size, row, rows));
   const Truth meet = hn::Le(hn::Abs(hn::Sub(distance, gap)), tolerance);
-  const Truth is_level = hn::Gt(load(foot::may_be_level, row, rows), zero());
-  store(distanceWhere(hn::AndNot(is_level, meet), distance), foot::distance, row, rows);
+  const Truth is_level = hn::Gt(load(closest::may_be_level, row, rows), zero());
+  store(distanceWhere(hn::AndNot(is_level, meet), distance), closest::distance, row, rows);
 }
 
 template <class Feature>
@@ -174,10 +177,11 @@ HWY_INLINE void placeAll(CylinderRows& rows) {
 
 void proveFeet(FollowedFeature followed, CylinderRows& rows) {
   if (followed == FollowedFeature::rim) {
-    placeAll<FootInRim>(rows);
+    placeAll<ClosestInRim>(rows);
     findReachesOfRims(rows);
   } else {
-    followed == FollowedFeature::corner ? placeAll<FootOfCorner>(rows) : placeAll<FootInEdge>(rows);
+    followed == FollowedFeature::corner ? placeAll<ClosestToCorner>(rows)
+                                        : placeAll<ClosestInEdge>(rows);
     findReaches(rows);
   }
   for (std::size_t row = 0; row < rows.count; row += hn::Lanes(Lanes())) {
@@ -201,12 +205,12 @@ HWY_EXPORT(proveFeet);
 void proveCylinderRows(FollowedFeature followed, CylinderRows& rows) noexcept {
   // Rows behind the last one that share its vector are read, too.
   const auto last =
-      followed == FollowedFeature::rim ? foot::half_length_of_other : foot::half_length;
-  for (std::size_t column = foot::size; column <= last; ++column) {
+      followed == FollowedFeature::rim ? closest::half_length_of_other : closest::half_length;
+  for (std::size_t column = closest::size; column <= last; ++column) {
     auto& values = rows.at[column];
     std::fill(values.begin() + rows.count, values.end(), values[rows.count - 1]);
   }
-  auto& reaches = rows.at[foot::reach_of_other];
+  auto& reaches = rows.at[closest::reach_of_other];
   std::fill(reaches.begin() + rows.count, reaches.end(), 0.0);
   HWY_DYNAMIC_DISPATCH(proveFeet)(followed, rows);
 }

@@ -42,11 +42,12 @@ template <std::size_t kCorners>
 HWY_INLINE LaneNearest nearestOf(const LanePair& pair, const LaneEnds& ends) {
   const LaneCorners first = cornersAt(0, pair, ends);
   if constexpr (kCorners == 1) {
-    return nearestInside(pair.a.origin, first);
+    return nearestOfSimplex(pair.a.origin, first);
   } else if constexpr (kCorners == 2) {
-    return nearestInside(pair.a.origin, first, cornersAt(1, pair, ends));
+    return nearestOfSimplex(pair.a.origin, first, cornersAt(1, pair, ends));
   } else {
-    return nearestInside(pair.a.origin, first, cornersAt(1, pair, ends), cornersAt(2, pair, ends));
+    return nearestOfSimplex(pair.a.origin, first, cornersAt(1, pair, ends),
+                            cornersAt(2, pair, ends));
   }
 }
 

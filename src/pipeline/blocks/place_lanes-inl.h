@@ -14,7 +14,7 @@
 #include "geometry/lanes/turn_rows-inl.h"
 #include "model/kinematics/state_lanes-inl.h"
 #include "narrow_phase/simd/shape_lanes-inl.h"
-#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/cycle/cycle_buffers.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {

@@ -8,7 +8,9 @@
 #include <cmath>
 
 #include "pipeline/blocks/block_lanes-inl.h"
+#include "pipeline/blocks/contact_of_pairs.h"
 #include "pipeline/blocks/place_lanes-inl.h"
+#include "pipeline/blocks/search_blocks.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
@@ -208,6 +210,15 @@ void findContact(const PairBlocks& blocks, const BodyRows& rows, const ContactDi
 void findContact(const CycleSetup& setup, const LinkPoses& poses, const ContactDistances& limits,
                  BodyRows& rows, FoundContact& found) noexcept {
   HWY_DYNAMIC_DISPATCH(placeAndFindContact)(setup, poses, limits, rows, found);
+}
+
+ContactDistances contactDistancesOf(const CycleSetup& setup) {
+  ContactDistances limits;
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    limits.of_pair.push_back(contactOfBodies(setup, idAt<PairId>(i)));
+    limits.largest = std::max(limits.largest, limits.of_pair.back());
+  }
+  return limits;
 }
 
 void placeRows(const CycleSetup& setup, const LinkPoses& poses, BodyRows& rows) noexcept {

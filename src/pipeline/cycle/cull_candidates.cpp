@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/cycle/cull_candidates.h"
+
 #include <algorithm>
 #include <utility>
 
 #include "narrow_phase/sat/separating_axes.h"
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/near_bodies.h"
 
 namespace collision_monitor {
@@ -42,23 +45,23 @@ void keepUnless(const IsFar& is_far, std::vector<PairId>& candidates) noexcept {
 
 /// By the distances that were measured before, less the ways since. Of elements that were refined
 /// in the last cycle, and hence will most likely be in this one, all but the nearest bodies wait.
-void cullByGaps(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+void cullByCache(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   constexpr double kRounding = 1e-9;  // of what was measured then, and of what would be now
-  const KnownGaps& gaps = buffers.memory.gaps;
+  const DistanceCache& cache = buffers.memory.distance_cache;
   const NearBodies near = nearBodies(setup, buffers);
-  buffers.waiting.clear();
+  buffers.deferred.clear();
   const auto isFar = [&](PairId id) {
-    const BodyWay& a = gaps.ways[index(setup.table[id].a)];
-    const BodyWay& b = gaps.ways[index(setup.table[id].b)];
+    const BodyTravel& a = cache.travels[index(setup.table[id].a)];
+    const BodyTravel& b = cache.travels[index(setup.table[id].b)];
     const ElementPairIndex elements = setup.element_pair_of[index(id)];
-    const double gap = gaps.of_pair[index(id)] - (a.all + b.all) - kRounding;
-    const double nearest = gaps.nearest[elements] + (a.of_link + b.of_link);
+    const double gap = cache.distances[index(id)] - (a.all + b.all) - kRounding;
+    const double nearest = cache.nearest[elements] + (a.of_link + b.of_link);
     if (gap > near.limitOf(id, nearest)) {
       return true;
     }
     const bool waits = gap > nearest && buffers.refine.is_measured[elements] != 0;
     if (waits) {
-      buffers.waiting.push_back(id);
+      buffers.deferred.push_back(id);
     }
     return waits;
   };
@@ -71,11 +74,11 @@ void cullBySpheres(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
     const BodyPair& pair = setup.table[id];
     const Ball& a = balls[index(pair.a)];
     const Ball& b = balls[index(pair.b)];
-    if (!ballsPart(a, b, buffers.reaches.of_pair[setup.link_pair_of[index(id)]])) {
+    if (!ballsPart(a, b, buffers.activation.of_pair[setup.link_pair_of[index(id)]])) {
       return false;
     }
     const double gap = (b.center - a.center).norm() - a.radius - b.radius;
-    rememberGap(gap, pair, id, buffers.memory.gaps);
+    rememberDistance(gap, pair, id, buffers.memory.distance_cache);
     return true;
   };
   keepUnless(isFar, buffers.candidates);
@@ -84,7 +87,7 @@ void cullBySpheres(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
 void cullByBoxes(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   const auto isFar = [&](PairId id) {
     return orientedBoxesPart(setup, buffers.body_poses, setup.table[id],
-                             buffers.reaches.of_pair[setup.link_pair_of[index(id)]]);
+                             buffers.activation.of_pair[setup.link_pair_of[index(id)]]);
   };
   keepUnless(isFar, buffers.candidates);
 }
@@ -98,8 +101,8 @@ void cullCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
     const std::size_t before = std::exchange(left, buffers.candidates.size());
     return before - left;
   };
-  cullByGaps(setup, buffers);
-  counters.culled_by_gaps = countCulled();
+  cullByCache(setup, buffers);
+  counters.culled_by_cache = countCulled();
   cullBySpheres(setup, buffers);
   counters.culled_by_spheres = countCulled();
   if (buffers.culls_by_boxes) {

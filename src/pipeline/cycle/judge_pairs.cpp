@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/cycle/judge_pairs.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "collision_monitor/geometry/ids.h"
 #include "islands.h"
-#include "pipeline/cycle/run_cycle.h"
 
 namespace collision_monitor {
 namespace {
@@ -44,7 +46,7 @@ bool findClosestAndSoonest(const CycleSetup& setup, const PairDistances& distanc
   events.closest_of_all = kNone;
   events.time_to_contact = kNever;
   bool has_unknown = false;
-  const auto& measured = distances.measured;
+  const auto& measured = distances.pairs;
   const auto is_nearer = [&](std::uint32_t one, std::uint32_t other) {
     return other == kNone || measured[one].measured.distance < measured[other].measured.distance;
   };
@@ -75,7 +77,7 @@ void preferEstimate(const PairDistances& distances, std::size_t link_pair,
                     PairEvents& events) noexcept {
   std::uint32_t& closest = events.closest[link_pair];
   if (events.estimated[link_pair] != kNone &&
-      distances.measured[closest].quality == Quality::lower_bound) {
+      distances.pairs[closest].quality == Quality::lower_bound) {
     closest = events.estimated[link_pair];
   }
 }
@@ -84,7 +86,7 @@ void preferEstimate(const PairDistances& distances, std::size_t link_pair,
 void findClosestOfAll(const CycleSetup& setup, const PairDistances& distances,
                       PairEvents& events) noexcept {
   std::uint32_t& nearest = events.closest_of_all;
-  const auto& measured = distances.measured;
+  const auto& measured = distances.pairs;
   if (nearest == kNone ||
       events.closest[setup.link_pair_of[index(measured[nearest].pair)]] == nearest) {
     return;
@@ -128,7 +130,7 @@ Detail contactDetailOf(const CycleSetup& setup, const PairDistances& distances,
   if (closest == kNone) {
     return detail;
   }
-  const PairDistance& nearest = distances.measured[closest];
+  const PairDistance& nearest = distances.pairs[closest];
   const bool is_shown =
       passed == kNone || nearest.measured.distance <= setup.limits.contact_distance;
   return is_shown ? std::max(detail, detailOf(nearest)) : detail;
@@ -155,9 +157,9 @@ Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
   if (closest == kNone) {
     return Verdict::clear;  // known, and out of reach of every threshold
   }
-  const PairDistance& nearest = distances.measured[closest];
+  const PairDistance& nearest = distances.pairs[closest];
   const std::uint32_t soonest = events.soonest[link_pair];
-  const double time = soonest == kNone ? kNever : distances.measured[soonest].time_to_contact;
+  const double time = soonest == kNone ? kNever : distances.pairs[soonest].time_to_contact;
   return verdictFor(nearest.measured.distance, time, setup.limits,
                     heldVerdict(memory, link_pair, nearest));
 }

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/cycle/measure_pairs.h"
+
 #include <algorithm>
 #include <limits>
 
 #include "collision_monitor/narrow_phase/pair_rows.h"
 #include "narrow_phase/closed_form/core_distance.h"
 #include "narrow_phase/distance.h"
-#include "pipeline/cycle/run_cycle.h"
 
 namespace collision_monitor {
 namespace {
@@ -58,7 +59,7 @@ void measureBatch(const CycleSetup& setup, const BodyPoses& body_poses, const Pa
   measureRows(batch.a, batch.b, batch.count, rows);
   // Read where they are to stand: the copy of what was just written number by number stalls the
   // processor for longer than the reading takes.
-  PairDistance* measured = &*distances.measured.insert(distances.measured.end(), batch.count, {});
+  PairDistance* measured = &*distances.pairs.insert(distances.pairs.end(), batch.count, {});
   for (std::size_t row = 0; row < batch.count; ++row, ++measured) {
     const BodyPair& pair = setup.table[batch.first[row]];
     measured->pair = batch.first[row];
@@ -90,7 +91,7 @@ bool comesNearer(const PairDistance& one, const PairDistance& other) noexcept {
 
 void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                   const std::vector<PairId>& pairs, PairDistances& distances) noexcept {
-  distances.measured.clear();
+  distances.pairs.clear();
   addPairs(setup, body_poses, pairs, distances);
 }
 
@@ -112,7 +113,7 @@ void addPairs(const CycleSetup& setup, const BodyPoses& body_poses,
 
 void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, RefineWork& refined,
                     double reach, PairDistances& distances) noexcept {
-  auto& measured = distances.measured;
+  auto& measured = distances.pairs;
   const auto nearest = std::min_element(measured.begin(), measured.end(), comesNearer);
   if (nearest != measured.end() && nearest->measured.distance <= reach) {
     return;

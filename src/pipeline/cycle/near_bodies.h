@@ -4,23 +4,24 @@
 
 #include <algorithm>
 
-#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/data/activation_distance.h"
 
 namespace collision_monitor {
 
 /// How near bodies must be to matter, one pair after the other.
 struct NearBodies {
   const CycleSetup& setup;
-  const PairReaches& reaches;
-  const KnownGaps& gaps;
-  double least;  ///< [m] as nearReachOf
+  const ActivationDistances& reaches;
+  const DistanceCache& cache;
+  double least;  ///< [m] as nearActivationDistanceOf
   double reach;  ///< [m] as reachOf
 
   /// [m] No farther apart, bodies matter whatever other bodies of their elements do: by what both
   /// links may close, or by what both bodies may.
   double nearOf(PairId id) const noexcept {
     const BodyPair& pair = setup.table[id];
-    const double ahead = gaps.ways[index(pair.a)].ahead + gaps.ways[index(pair.b)].ahead;
+    const double ahead = cache.travels[index(pair.a)].ahead + cache.travels[index(pair.b)].ahead;
     // What is not known is NaN, which both comparisons are asked so as to pass over.
     return std::min(reaches.near_of_pair[setup.link_pair_of[index(id)]],
                     std::max(reaches.stop + ahead, least));
@@ -33,14 +34,15 @@ struct NearBodies {
 };
 
 inline NearBodies nearBodies(const CycleSetup& setup, const CycleBuffers& buffers) noexcept {
-  return {setup, buffers.reaches, buffers.memory.gaps, nearReachOf(setup), reachOf(setup.limits)};
+  return {setup, buffers.activation, buffers.memory.distance_cache, nearActivationDistanceOf(setup),
+          activationDistanceOf(setup.limits)};
 }
 
 /// Remembers a lower bound of the distance.
-inline void rememberGap(double distance, const BodyPair& pair, PairId id,
-                        KnownGaps& gaps) noexcept {
-  gaps.of_pair[index(id)] =
-      distance + (gaps.ways[index(pair.a)].all + gaps.ways[index(pair.b)].all);
+inline void rememberDistance(double distance, const BodyPair& pair, PairId id,
+                             DistanceCache& cache) noexcept {
+  cache.distances[index(id)] =
+      distance + (cache.travels[index(pair.a)].all + cache.travels[index(pair.b)].all);
 }
 
 }  // namespace collision_monitor

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/cycle/place_bodies.h"
+
 #include <algorithm>
 #include <array>
 
 #include "collision_monitor/geometry/bounds.h"
 #include "pipeline/blocks/contact_of_pairs.h"
-#include "pipeline/cycle/run_cycle.h"
 
 namespace collision_monitor {
 namespace {
@@ -150,25 +151,6 @@ BodyPoses makeBodyPoses(const CycleSetup& setup) {
   body_poses.links_of_part.resize(setup.model.links.size(), 0);
   body_poses.world_from_element.resize(setup.elements.size());
   return body_poses;
-}
-
-ContactDistances contactDistancesOf(const CycleSetup& setup) {
-  ContactDistances limits;
-  for (std::size_t i = 0; i < setup.table.size(); ++i) {
-    limits.of_pair.push_back(contactOfBodies(setup, idAt<PairId>(i)));
-    limits.largest = std::max(limits.largest, limits.of_pair.back());
-  }
-  return limits;
-}
-
-void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double reach,
-                 BodyBounds& bounds) noexcept {
-  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
-    bounds.known[i] = body_poses.known[i];
-    if (bounds.known[i] != 0) {
-      bounds.boxes[i] = aabbOf(setup.bodies[i].shape, body_poses.world_from_body[i], 0.5 * reach);
-    }
-  }
 }
 
 }  // namespace collision_monitor

@@ -4,6 +4,21 @@
 
 #include <algorithm>
 
+#include "collision_monitor/geometry/ids.h"
+#include "pipeline/cycle/bound_bodies.h"
+#include "pipeline/cycle/cull_candidates.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/distance_cache.h"
+#include "pipeline/cycle/find_closings.h"
+#include "pipeline/cycle/judge_pairs.h"
+#include "pipeline/cycle/keep_near.h"
+#include "pipeline/cycle/measure_pairs.h"
+#include "pipeline/cycle/place_bodies.h"
+#include "pipeline/cycle/scale_speed.h"
+#include "pipeline/data/activation_distance.h"
+#include "pipeline/look_ahead/find_motions.h"
+#include "pipeline/look_ahead/link_walk.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -48,7 +63,7 @@ void place(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_pose
 
 /// Distances of what is near, up to what the budget allows.
 void measureNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
-  const double reach = reachOf(setup.limits);
+  const double reach = activationDistanceOf(setup.limits);
   boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
   if (setup.is_continuous) {
     sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
@@ -57,8 +72,8 @@ void measureNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
   findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
   dropUnjoined(setup, buffers.body_poses, buffers.candidates);
   buffers.counters.candidates = buffers.candidates.size();
-  findReaches(setup, poses, buffers.sweep, buffers.reaches);
-  followWays(setup, poses, buffers);
+  findActivationDistances(setup, poses, buffers.sweep, buffers.activation);
+  accumulateTravel(setup, poses, buffers);
   cullCandidates(setup, buffers);
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   keepNear(setup, buffers);
@@ -67,71 +82,6 @@ void measureNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
 }
 
 }  // namespace
-
-CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
-  const std::size_t bodies = setup.bodies.size();
-  const std::size_t pairs = setup.table.size();
-  const std::size_t link_pairs = setup.checked.size();
-  const std::size_t links = setup.model.links.size();
-  CycleBuffers buffers;
-  buffers.body_poses = makeBodyPoses(setup);
-  buffers.bounds.boxes.resize(bodies);
-  buffers.bounds.known.resize(bodies, 0);
-  buffers.bounds.ahead.resize(bodies, 0.0);
-  buffers.reaches = makePairReaches(setup);
-  buffers.candidates.reserve(pairs);
-  buffers.waiting.reserve(pairs);
-  buffers.distances.measured.reserve(pairs);
-  buffers.distances.passed.reserve(pairs);
-  buffers.refine = makeRefineWork(setup);
-  buffers.sweep = makeSweepWork(setup);
-  buffers.events.verdicts.resize(link_pairs, Verdict::unknown);
-  buffers.events.closest.resize(link_pairs, kNone);
-  buffers.events.passed.resize(link_pairs, kNone);
-  buffers.events.estimated.resize(link_pairs, kNone);
-  buffers.events.soonest.resize(link_pairs, kNone);
-  buffers.events.changes.reserve(link_pairs);
-  buffers.events.island_of_link.resize(links, 0);
-  buffers.events.island_forest.resize(links, 0);
-  buffers.memory.reported.resize(link_pairs, Verdict::clear);
-  buffers.memory.contact_detail.resize(link_pairs, Detail::shapes);
-  buffers.memory.refined = makeRefineMemory(setup);
-  buffers.memory.waited.resize(setup.element_pairs.size(), 0);
-  buffers.memory.gaps = makeKnownGaps(setup);
-  buffers.memory.last.world_from_link.resize(links);
-  buffers.memory.last.known.resize(links, 0);
-  buffers.memory.last.part.resize(links, kWorldPart);
-  buffers.memory.speed.stopped.resize(link_pairs, 0);
-  buffers.counters.pairs = pairs;
-  buffers.broad_phase = makeBroadPhase(kind, bodies, pairs);
-  buffers.culls_by_boxes = kind == BroadPhaseKind::combination;
-  return buffers;
-}
-
-void forgetPoses(CycleBuffers& buffers) noexcept {
-  buffers.memory.refined.forgetAll();
-  std::fill(buffers.memory.waited.begin(), buffers.memory.waited.end(), 0);
-  std::fill(buffers.memory.last.known.begin(), buffers.memory.last.known.end(), 0);
-  buffers.memory.last.stamp_ns = 0;
-}
-
-void resetMemory(CycleBuffers& buffers) noexcept {
-  forgetPoses(buffers);
-  std::fill(buffers.memory.reported.begin(), buffers.memory.reported.end(), Verdict::clear);
-  std::fill(buffers.memory.contact_detail.begin(), buffers.memory.contact_detail.end(),
-            Detail::shapes);
-  SpeedScale& speed = buffers.memory.speed;
-  std::fill(speed.stopped.begin(), speed.stopped.end(), 0);
-  speed.scale = 1.0;
-}
-
-double reachOf(const Limits& limits) noexcept {
-  return std::max(limits.report_distance, limits.warning_distance + limits.hysteresis);
-}
-
-double nearReachOf(const CycleSetup& setup) noexcept {
-  return std::max(setup.refine.distance, setup.limits.warning_distance + setup.limits.hysteresis);
-}
 
 void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   constexpr int kMost = 50;
@@ -145,11 +95,11 @@ void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& b
 }
 
 void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
-  const double reach = reachOf(setup.limits);
+  const double reach = activationDistanceOf(setup.limits);
   place(setup, poses, buffers.body_poses);
   findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
   measureNear(setup, poses, buffers);
-  measureWaiting(setup, buffers);
+  measureDeferred(setup, buffers);
   measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
   if (setup.is_continuous) {
     sweepPairs(setup, buffers.memory.refined, buffers.refine, buffers.sweep, buffers.distances);
@@ -159,10 +109,10 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   judgePairs(setup, buffers.body_poses, poses.velocities, buffers.distances, buffers.memory,
              buffers.events);
   scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed);
-  buffers.counters.measured = buffers.candidates.size() + buffers.waiting.size();
+  buffers.counters.measured = buffers.candidates.size() + buffers.deferred.size();
   buffers.counters.refined = buffers.refine.refined;
   buffers.counters.left = buffers.refine.left;
-  buffers.counters.refine_steps = buffers.refine.steps;
+  buffers.counters.refine_work = buffers.refine.work_done;
   buffers.counters.swept = buffers.sweep.swept;
   buffers.counters.swept_left = buffers.sweep.left;
   countUnknown(setup, buffers.body_poses, buffers.counters);

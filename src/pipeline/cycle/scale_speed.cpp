@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/cycle/scale_speed.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/cycle/run_cycle.h"
-
+#include "collision_monitor/geometry/ids.h"
 namespace collision_monitor {
 namespace {
 
@@ -53,14 +54,14 @@ void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistan
                 const PairEvents& events, SpeedScale& speed) noexcept {
   const StopRule& rule = setup.ahead.stop;
   Demand demand;
-  for (const PairDistance& distance : distances.measured) {
+  for (const PairDistance& distance : distances.pairs) {
     const std::uint32_t link_pair = setup.link_pair_of[index(distance.pair)];
     askForMeasured(setup, distance, demand, speed.stopped[link_pair]);
   }
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     const unsigned char seen = speed.stopped[i];
     const std::uint32_t closest = events.closest[i];
-    const bool is_seen = closest != kNone && distances.measured[closest].quality == Quality::exact;
+    const bool is_seen = closest != kNone && distances.pairs[closest].quality == Quality::exact;
     const unsigned char stops = seen & (is_seen ? kWasStopped : kWasStopped | kMayTouch);
     const bool rests = (seen & kRests) != 0 && stops != 0;
     const bool closes = (seen & kCloses) != 0;

@@ -7,14 +7,15 @@
 #include <vector>
 
 #include "broad_phase/broad_phase.h"
+#include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/geometry/pose.h"
 #include "collision_monitor/geometry/twist.h"
 #include "collision_monitor/model/robot_model.h"
+#include "collision_monitor/narrow_phase/quality.h"
 #include "collision_monitor/narrow_phase/signed_distance.h"
 #include "collision_monitor/pipeline/element.h"
 #include "collision_monitor/pipeline/pair_blocks.h"
 #include "motion/conservative_advancement.h"
-#include "pipeline/data/quality.h"
 #include "pipeline/data/refine_memory.h"
 
 /// What travels from stage to stage of one cycle: plain arrays sized at set-up,
@@ -148,7 +149,7 @@ struct PassedContact {
 /// closest pair all the same. A refined pair of elements stands once, in place of the nearest of
 /// its bodies.
 struct PairDistances {
-  std::vector<PairDistance> measured;
+  std::vector<PairDistance> pairs;
   std::vector<PassedContact> passed;
 };
 
@@ -156,7 +157,6 @@ struct PairDistances {
 enum class Verdict : unsigned char { clear, warning, unknown, contact };
 
 using LinkPairIndex = std::uint32_t;  ///< into CycleSetup::checked
-constexpr std::uint32_t kNone = 0xffffffffU;
 
 struct VerdictChange {
   LinkPairIndex link_pair{0};
@@ -191,13 +191,13 @@ struct PairEvents {
 struct CycleCounters {
   std::size_t pairs{0};              ///< pairs of bodies in the table
   std::size_t candidates{0};         ///< of these, their bounds met
-  std::size_t culled_by_gaps{0};     ///< of these, too far apart by what was measured before
+  std::size_t culled_by_cache{0};    ///< of these, too far apart by what was measured before
   std::size_t culled_by_spheres{0};  ///< of the rest, too far apart by their bounding spheres
   std::size_t culled_by_boxes{0};    ///< of the rest, oriented boxes parted: combination only
   std::size_t measured{0};           ///< the rest; without what the search for the closest looks at
   std::size_t refined{0};            ///< pairs of elements that were measured to the end
   std::size_t left{0};               ///< pairs of elements for which the budget did not suffice
-  std::size_t refine_steps{0};       ///< spent of the budget
+  std::size_t refine_work{0};        ///< spent of the budget
   std::size_t swept{0};          ///< pairs near enough for their speed to have met since the last
                                  ///< cycle, which were followed on their way
   std::size_t swept_left{0};     ///< pairs of elements for which the budget did not suffice
@@ -219,7 +219,7 @@ inline bool hasStayed(const LastPoses& last, const BodyPoses& now, std::size_t l
 }
 
 /// How far a body has come.
-struct BodyWay {
+struct BodyTravel {
   Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< of the body in the last cycle
   double all{0.0};      ///< [m] no point of the body has come farther since this was 0
   double of_link{0.0};  ///< [m] nor any of its link's bodies since the last cycle
@@ -228,15 +228,15 @@ struct BodyWay {
 };
 
 /// What is still known of distances once measured.
-struct KnownGaps {
+struct DistanceCache {
   /// By PairId: [m] the distance when it was last measured, and what both ways were then; less
   /// what they are now a lower bound of the distance. -infinity where there is none.
-  std::vector<double> of_pair;
-  std::vector<BodyWay> ways;  ///< by BodyId
+  std::vector<double> distances;
+  std::vector<BodyTravel> travels;  ///< by BodyId
   /// By ElementPairIndex: [m] the least distance of their bodies in the last cycle; infinity where
   /// none was measured.
   std::vector<double> nearest;
-  std::vector<ElementPairIndex> measured;  ///< those with a `nearest`
+  std::vector<ElementPairIndex> measured_pairs;  ///< those with a `nearest`
 };
 
 /// The speed scale, and what it needs to be steady.
@@ -258,8 +258,8 @@ struct PairMemory {
   SpeedScale speed;
   RefineStore refined;
   /// By ElementPairIndex: cycles in a row in which the budget was spent before its turn.
-  std::vector<std::uint32_t> waited;
-  KnownGaps gaps;
+  std::vector<std::uint32_t> starved_cycles;
+  DistanceCache distance_cache;
   LastPoses last;
 };
 

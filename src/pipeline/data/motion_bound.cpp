@@ -45,20 +45,20 @@ struct Load {
   double moved{0.0};  ///< [m] any point of it, by the joints so far
 };
 
-void moveBy(const ChainJoint& joint, const std::vector<Pose>& world_from_link, double way,
+void moveBy(const ChainJoint& joint, const std::vector<Pose>& world_from_link, double travel,
             Load& load) noexcept {
-  if (way == 0.0) {
+  if (travel == 0.0) {
     return;
   }
   if (joint.is_prismatic) {
-    load.moved += way;
+    load.moved += travel;
     return;
   }
   const Pose& frame = world_from_link[index(joint.child)];
   const Eigen::Vector3d axis = frame.rotation * joint.axis;
   const double lever =
       axis.cross(load.center - frame.translation).norm() + load.radius + load.moved;
-  load.moved += way * lever;
+  load.moved += travel * lever;
 }
 
 Load loadOf(const Ball& ball, const Pose& world_from_link) noexcept {
@@ -106,11 +106,11 @@ std::vector<Ball> linkBalls(const CycleSetup& setup) {
 
 double boundMotion(const LinkChain& chain, const std::vector<Ball>& balls,
                    const std::vector<Pose>& world_from_link,
-                   const std::vector<double>& ways) noexcept {
+                   const std::vector<double>& travels) noexcept {
   // Up to this many joints may move A.
   constexpr std::size_t kMostSplits = 32;
   const auto move_by = [&](const ChainJoint& joint, Load& load) {
-    moveBy(joint, world_from_link, joint.factor * ways[joint.path_joint], load);
+    moveBy(joint, world_from_link, joint.factor * travels[joint.path_joint], load);
   };
   std::array<double, kMostSplits + 1> moved_b;
   Load b = loadOf(balls[index(chain.b)], world_from_link[index(chain.b)]);

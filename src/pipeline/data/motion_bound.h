@@ -44,6 +44,6 @@ std::vector<Ball> linkBalls(const CycleSetup& setup);
 /// lever arms from the present pose instead of from the worst one, and in splitting the chain.
 double boundMotion(const LinkChain& chain, const std::vector<Ball>& balls,
                    const std::vector<Pose>& world_from_link,
-                   const std::vector<double>& ways) noexcept;
+                   const std::vector<double>& travels) noexcept;
 
 }  // namespace collision_monitor

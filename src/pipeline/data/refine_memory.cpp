@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/ball_motion.h"
 
 namespace collision_monitor {
@@ -36,7 +37,7 @@ void forget(RefineMemory& memory) noexcept {
   if (memory.front) {
     memory.front->pool.clear(*memory.front);
     memory.front->resting_from_moving.reset();
-    memory.front->nearest.a = MeshFront::kNone;
+    memory.front->nearest.a = kNone;
   }
   if (memory.depth) {
     forget(*memory.depth);
@@ -44,7 +45,7 @@ void forget(RefineMemory& memory) noexcept {
 }
 
 RefineStore::RefineStore(std::vector<RefineKind> kinds)
-    : slot_of_(kinds.size(), kNoSlot), kinds_(std::move(kinds)) {
+    : slot_of_(kinds.size(), kNone), kinds_(std::move(kinds)) {
   const auto with_front =
       static_cast<std::size_t>(std::count_if(kinds_.begin(), kinds_.end(), [](RefineKind kind) {
         return kind == RefineKind::front || kind == RefineKind::both;
@@ -77,25 +78,25 @@ void RefineStore::addSlots(RefineKind kind, std::size_t count) {
 
 void RefineStore::takeOut(Order& order, std::uint32_t slot) noexcept {
   const Slot& taken = slots_[slot];
-  (taken.newer == kNoSlot ? order.newest : slots_[taken.newer].older) = taken.older;
-  (taken.older == kNoSlot ? order.oldest : slots_[taken.older].newer) = taken.newer;
+  (taken.newer == kNone ? order.newest : slots_[taken.newer].older) = taken.older;
+  (taken.older == kNone ? order.oldest : slots_[taken.older].newer) = taken.newer;
 }
 
 void RefineStore::putFirst(Order& order, std::uint32_t slot) noexcept {
-  slots_[slot].newer = kNoSlot;
+  slots_[slot].newer = kNone;
   slots_[slot].older = order.newest;
-  (order.newest == kNoSlot ? order.oldest : slots_[order.newest].newer) = slot;
+  (order.newest == kNone ? order.oldest : slots_[order.newest].newer) = slot;
   order.newest = slot;
 }
 
 RefineMemory& RefineStore::of(ElementPairIndex pair) noexcept {
   Order& order = orders_[static_cast<std::size_t>(slotKindOf(kinds_[pair]))];
   std::uint32_t& slot = slot_of_[pair];
-  if (slot == kNoSlot) {
+  if (slot == kNone) {
     slot = order.oldest;
     Slot& taken = slots_[slot];
-    if (taken.pair != kNoSlot) {
-      slot_of_[taken.pair] = kNoSlot;
+    if (taken.pair != kNone) {
+      slot_of_[taken.pair] = kNone;
       forget(taken.memory);
     }
     taken.pair = pair;

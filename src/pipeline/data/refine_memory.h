@@ -8,13 +8,14 @@
 #include <memory>
 #include <vector>
 
+#include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/geometry/pose.h"
 #include "collision_monitor/narrow_phase/convex_workspace.h"
+#include "collision_monitor/narrow_phase/quality.h"
 #include "collision_monitor/narrow_phase/signed_distance.h"
 #include "collision_monitor/pipeline/element.h"
 #include "narrow_phase/mesh/mesh_distance.h"
 #include "narrow_phase/mesh_depth/mesh_depth.h"
-#include "pipeline/data/quality.h"
 
 namespace collision_monitor {
 
@@ -24,7 +25,7 @@ struct ElementDistance {
   bool has_points{false};  ///< false: a lower bound without points
   SignedDistance measured;
   double shortfall{0.0};    ///< [m] as MeshDistance::shortfall
-  std::uint32_t steps{0};   ///< spent of the budget
+  std::uint32_t work{0};    ///< spent of the budget
   bool is_complete{false};  ///< false: a larger budget would have told more
   /// [m] as MeshDistance::outside
   double outside{std::numeric_limits<double>::infinity()};
@@ -87,12 +88,12 @@ class RefineStore {
 
   /// What is left of the last measurement; as new if the pair has no memory.
   const LastMeasurement& lastOf(ElementPairIndex pair) const noexcept {
-    return slot_of_[pair] == kNoSlot ? kNothingMeasured : slots_[slot_of_[pair]].memory.last;
+    return slot_of_[pair] == kNone ? kNothingMeasured : slots_[slot_of_[pair]].memory.last;
   }
 
   /// The one before that, at other poses; as new if there is none.
   const LastMeasurement& beforeOf(ElementPairIndex pair) const noexcept {
-    return slot_of_[pair] == kNoSlot ? kNothingMeasured : slots_[slot_of_[pair]].memory.before;
+    return slot_of_[pair] == kNone ? kNothingMeasured : slots_[slot_of_[pair]].memory.before;
   }
 
   /// How many memories there are.
@@ -102,19 +103,18 @@ class RefineStore {
   void forgetAll() noexcept;
 
  private:
-  static constexpr std::uint32_t kNoSlot = 0xffffffffU;
   static const LastMeasurement kNothingMeasured;
 
   struct Slot {
     RefineMemory memory;
-    ElementPairIndex pair{kNoSlot};  ///< whose it is
-    std::uint32_t older{kNoSlot};    ///< of its kind: asked for before this one
-    std::uint32_t newer{kNoSlot};
+    ElementPairIndex pair{kNone};  ///< whose it is
+    std::uint32_t older{kNone};    ///< of its kind: asked for before this one
+    std::uint32_t newer{kNone};
   };
   /// In order of when they were asked for.
   struct Order {
-    std::uint32_t newest{kNoSlot};
-    std::uint32_t oldest{kNoSlot};
+    std::uint32_t newest{kNone};
+    std::uint32_t oldest{kNone};
   };
 
   void addSlots(RefineKind kind, std::size_t count);

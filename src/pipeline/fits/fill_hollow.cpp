@@ -31,11 +31,11 @@ bool isInShapes(const Vector3d& point, const Fit& fit) {
   });
 }
 
-void addCorners(const Vector3d& centre, double half, TriangleMesh& cells) {
+void addCorners(const Vector3d& center, double half, TriangleMesh& cells) {
   for (int corner = 0; corner < 8; ++corner) {
     const Vector3d side((corner & 1) != 0 ? half : -half, (corner & 2) != 0 ? half : -half,
                         (corner & 4) != 0 ? half : -half);
-    cells.vertices.push_back(centre + side);
+    cells.vertices.push_back(center + side);
   }
 }
 
@@ -49,9 +49,9 @@ TriangleMesh hollowOf(const TriangleMesh& mesh, const MeshTree& tree, const Fit&
   for (double x = 0.5 * cell; x < size.x(); x += cell) {
     for (double y = 0.5 * cell; y < size.y(); y += cell) {
       for (double z = 0.5 * cell; z < size.z(); z += cell) {
-        const Vector3d centre = box.min + Vector3d(x, y, z);
-        if (!isInShapes(centre, fit) && lookInside(tree, centre, *memory, false).is_inside) {
-          addCorners(centre, 0.5 * cell, cells);
+        const Vector3d center = box.min + Vector3d(x, y, z);
+        if (!isInShapes(center, fit) && lookInside(tree, center, *memory, false).is_inside) {
+          addCorners(center, 0.5 * cell, cells);
         }
       }
     }

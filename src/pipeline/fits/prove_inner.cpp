@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "collision_monitor/geometry/ids.h"
 #include "fitting/proofs/check_geometry.h"
 #include "fitting/proofs/segment_clearance.h"
 #include "narrow_phase/mesh/mesh_inside.h"
@@ -17,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 
 struct InnerBall {
-  Vector3d centre;
+  Vector3d center;
   double radius;
 };
 
@@ -26,8 +27,8 @@ bool isBeyond(const MeshTreeNode& node, std::size_t slot, const InnerBall& ball)
   Vector3d gap;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
-    const double way = std::abs(ball.centre[axis] - static_cast<double>(node.center[k][slot]));
-    gap[axis] = std::max(0.0, way - static_cast<double>(node.half[k][slot]));
+    const double travel = std::abs(ball.center[axis] - static_cast<double>(node.center[k][slot]));
+    gap[axis] = std::max(0.0, travel - static_cast<double>(node.half[k][slot]));
   }
   return gap.squaredNorm() > ball.radius * ball.radius;
 }
@@ -41,7 +42,7 @@ bool allClear(const MeshTree& tree, const InnerBall& ball, const IsClear& is_cle
     open.pop_back();
     for (std::size_t slot = 0; slot < MeshTreeNode::kWidth; ++slot) {
       const std::uint32_t child = node.child[slot];
-      if (child == MeshTreeNode::kNone || isBeyond(node, slot, ball)) {
+      if (child == kNone || isBeyond(node, slot, ball)) {
         continue;
       }
       if ((child & MeshTreeNode::kTriangle) == 0) {

@@ -25,7 +25,7 @@ struct Proof {
   std::vector<std::size_t> moving;  ///< into the ranges
   std::vector<std::size_t> variables;
   JointPositions state;
-  std::vector<double> ways;  ///< by range
+  std::vector<double> travels;  ///< by range
   std::vector<Pose> roots;
   std::vector<Pose> world_from_link;
 };
@@ -61,30 +61,30 @@ bool isWhole(const RobotModel& model, const LinkChain& chain,
 void place(const Cell& cell, Proof& proof) {
   for (std::size_t i = 0; i < proof.moving.size(); ++i) {
     proof.state[proof.variables[i]] = cell.middle[i];
-    proof.ways[proof.moving[i]] = cell.half[i];
+    proof.travels[proof.moving[i]] = cell.half[i];
   }
   placeLinks(proof.measures.setup.model, proof.state, proof.roots, proof.world_from_link);
 }
 
-double boundOf(const Proof& proof, const std::vector<double>& ways) noexcept {
-  return boundMotion(proof.chain, proof.measures.balls, proof.world_from_link, ways);
+double boundOf(const Proof& proof, const std::vector<double>& travels) noexcept {
+  return boundMotion(proof.chain, proof.measures.balls, proof.world_from_link, travels);
 }
 
 /// Whether the links are apart in all of the cell that was placed; `touch` is that of its middle,
 /// if the geometries had to be asked.
 bool isApart(Proof& proof, Touch& touch) {
-  const double way = boundOf(proof, proof.ways);
+  const double travel = boundOf(proof, proof.travels);
   touch = Touch::apart;
-  if (ballDistance(proof.measures, proof.pair, proof.world_from_link) > way ||
-      bodyDistance(proof.measures, proof.pair, proof.world_from_link).measured.distance > way) {
+  if (ballDistance(proof.measures, proof.pair, proof.world_from_link) > travel ||
+      bodyDistance(proof.measures, proof.pair, proof.world_from_link).measured.distance > travel) {
     return true;
   }
   constexpr double kMore = 1e-6;  // [m] than the way: above touchOf's threshold, too
   const PairDistance distance =
-      elementDistance(proof.measures, proof.pair, proof.world_from_link, way + kMore);
+      elementDistance(proof.measures, proof.pair, proof.world_from_link, travel + kMore);
   touch = touchOf(distance);
   return touch == Touch::apart &&
-         std::min(distance.measured.distance, proof.measures.outside) > way;
+         std::min(distance.measured.distance, proof.measures.outside) > travel;
 }
 
 /// Cuts the cell across the variable that brings the links nearest.
@@ -92,11 +92,11 @@ std::size_t widestOf(const Proof& proof) {
   std::size_t widest = 0;
   double farthest = -1.0;
   for (std::size_t i = 0; i < proof.moving.size(); ++i) {
-    std::vector<double> ways(proof.ways.size(), 0.0);
-    ways[proof.moving[i]] = proof.ways[proof.moving[i]];
-    const double way = boundOf(proof, ways);
-    if (way > farthest) {
-      farthest = way;
+    std::vector<double> travels(proof.travels.size(), 0.0);
+    travels[proof.moving[i]] = proof.travels[proof.moving[i]];
+    const double travel = boundOf(proof, travels);
+    if (travel > farthest) {
+      farthest = travel;
       widest = i;
     }
   }
@@ -178,7 +178,7 @@ ApartProof proveApart(LinkPairMeasures& measures, LinkPairIndex pair,
     all.half[i] = 0.5 * (range.upper - range.lower);
   }
   proof.state = defaultPositions(model);
-  proof.ways.resize(ranges.size(), 0.0);
+  proof.travels.resize(ranges.size(), 0.0);
   proof.roots.resize(model.robots.size());
   search({all}, most_cells, proof, answer);
   return answer;

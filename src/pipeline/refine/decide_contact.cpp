@@ -28,18 +28,18 @@ bool tryDecide(const Refinement& all, RefineTask& task, const ElementDistance& r
                const Goal& goal) noexcept {
   constexpr std::uint32_t kMostHard = 8;  // pairs that are hard to decide leave some to the others
   const bool is_apart =
-      recalled.quality == Quality::lower_bound && recalled.measured.distance >= goal.enough;
-  if (is_apart || isEnough(recalled, goal.enough) || !(all.work.steps < goal.budget)) {
+      recalled.quality == Quality::lower_bound && recalled.measured.distance >= goal.cutoff;
+  if (is_apart || reachesCutoff(recalled, goal.cutoff) || !(all.work.work_done < goal.budget)) {
     return true;
   }
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   ElementSearch search = searchFor(all, task, goal);
   search.budget = std::min(search.budget, budgetOf(all) / kMostHard);
   const ElementContact contact =
-      touchElements(placed(all, pair.a), placed(all, pair.b), {goal.enough, true}, search);
-  spend(all, task, contact.steps);
+      touchElements(placed(all, pair.a), placed(all, pair.b), {goal.cutoff, true}, search);
+  spend(all, task, contact.work);
   if (contact.state == ElementContact::State::apart) {
-    keepApart(all, task, goal.enough, contact);
+    keepApart(all, task, goal.cutoff, contact);
   }
   return contact.state == ElementContact::State::apart;
 }
@@ -57,13 +57,13 @@ bool isFollowed(const ElementDistance& last, const ElementDistance& recalled,
 void decideContact(const Refinement& all, RefineTask& task) noexcept {
   constexpr double kPastThreshold = 1e-6;
   const Goal clear{clearBeyond(all), budgetOf(all) / 4 * 3};
-  if (task.bound > clear.enough) {
+  if (task.bound > clear.cutoff) {
     return;
   }
   const ElementDistance& last = all.memory.refined.lastOf(task.pair).found;
   const ElementDistance recalled = recallTask(all, task);
   const bool has_overlapped = last.quality == Quality::estimate;
-  if (isFollowed(last, recalled, clear.enough) ||
+  if (isFollowed(last, recalled, clear.cutoff) ||
       (!has_overlapped && tryDecide(all, task, recalled, clear))) {
     return;
   }

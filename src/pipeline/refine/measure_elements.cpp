@@ -8,6 +8,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/bvh/visit_held.h"
 #include "narrow_phase/closed_form/core_distance.h"
 #include "narrow_phase/distance.h"
@@ -33,12 +34,11 @@ ElementDistance measureConvex(const PlacedElement& a, const PlacedElement& b,
   const ConvexDistance found = signedDistanceBetween(
       *a.element.convex, a.world_from_element, *b.element.convex, b.world_from_element, convex);
   ElementDistance answer;
-  answer.steps = found.measured.distance > 0.0 ? kApartSteps : kDepthSteps;
+  answer.work = found.measured.distance > 0.0 ? kApartSteps : kDepthSteps;
   answer.is_complete = true;
-  if (found.quality != DistanceQuality::unknown) {
-    answer.quality = found.quality == DistanceQuality::exact && areExact(a, b)
-                         ? Quality::exact
-                         : Quality::lower_bound;
+  if (found.quality != Quality::unknown) {
+    answer.quality =
+        found.quality == Quality::exact && areExact(a, b) ? Quality::exact : Quality::lower_bound;
     answer.has_points = true;
     answer.measured = found.measured;
   }
@@ -49,7 +49,7 @@ ElementDistance measureConvex(const PlacedElement& a, const PlacedElement& b,
 double stopBeyond(const PlacedElement& a, const PlacedElement& b,
                   const ElementSearch& search) noexcept {
   const double paddings = a.element.padding + b.element.padding;
-  const double sum = search.enough + paddings;
+  const double sum = search.cutoff + paddings;
   return paddings > 0.0 ? std::nextafter(sum, std::numeric_limits<double>::infinity()) : sum;
 }
 
@@ -75,7 +75,7 @@ MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
   }
   TrianglePair& nearest = search.memory.nearest;
   MeshDistance found = searchFrom(nearest, a, b, search);
-  nearest = found.nearest.a == TrianglePair::kNone ? nearest : found.nearest;
+  nearest = found.nearest.a == kNone ? nearest : found.nearest;
   return found;
 }
 
@@ -86,7 +86,7 @@ bool measureHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch&
   const MeshDistance found =
       distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stop_beyond, search.scratch.mesh,
                       {search.memory.warm, search.memory.nearest});
-  answer.steps += kApartSteps + found.visits;
+  answer.work += kApartSteps + found.visits;
   if (found.state != MeshState::exact && !(found.measured.distance >= stop_beyond)) {
     return false;
   }
@@ -100,7 +100,7 @@ bool measureHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch&
 /// Of surfaces around the geometries, the answer of the geometries: not so near, not so deep.
 SignedDistance withoutExcess(const PlacedElement& a, const PlacedElement& b,
                              const SignedDistance& of_surfaces) noexcept {
-  return swept(of_surfaces, -a.element.mesh_excess, -b.element.mesh_excess);
+  return inflated(of_surfaces, -a.element.mesh_excess, -b.element.mesh_excess);
 }
 
 /// A search that the budget ended within a solid has a depth and no points to show for it.
@@ -127,7 +127,7 @@ void reportOverlap(const PlacedElement& a, const PlacedElement& b,
 ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
                               ElementSearch& search) noexcept {
   ElementDistance answer;
-  answer.steps = kSetUpSteps;
+  answer.work = kSetUpSteps;
   // What overlapped mostly still does, and then hulls say nothing.
   const bool overlapped = search.memory.last.found.quality == Quality::estimate;
   if (!overlapped && measureHulls(a, b, search, answer)) {
@@ -139,7 +139,7 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
     return answer;
   }
   const MeshDistance found = searchMeshes(a, b, search);
-  answer.steps += found.visits;
+  answer.work += found.visits;
   answer.outside = found.outside;
   if (found.state == MeshState::overlapping) {
     SignedDistance of_geometries = found.measured;
@@ -164,7 +164,7 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
 ElementDistance padded(const PlacedElement& a, const PlacedElement& b,
                        ElementDistance answer) noexcept {
   if (a.element.padding + b.element.padding > 0.0) {
-    answer.measured = swept(answer.measured, a.element.padding, b.element.padding);
+    answer.measured = inflated(answer.measured, a.element.padding, b.element.padding);
     answer.quality = answer.quality == Quality::exact ? Quality::lower_bound : answer.quality;
   }
   return answer;
@@ -214,7 +214,7 @@ ElementDistance measureByHulls(const PlacedElement& a, const PlacedElement& b,
       distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stopBeyond(a, b, search),
                       search.scratch.mesh, {search.memory.warm, search.memory.nearest});
   ElementDistance answer;
-  answer.steps = kApartSteps + found.visits;
+  answer.work = kApartSteps + found.visits;
   if (found.state != MeshState::unknown) {
     answer.measured = found.measured;
     answer.has_points = found.state == MeshState::exact;
@@ -243,7 +243,7 @@ std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b,
   const MeshDepth found =
       depthOf(meshOf(a), meshOf(b), search.scratch.mesh, *search.memory.depth, points);
   const SignedDistance deepest =
-      swept(withoutExcess(a, b, found.deepest), a.element.padding, b.element.padding);
+      inflated(withoutExcess(a, b, found.deepest), a.element.padding, b.element.padding);
   if (deepest.distance < overlap.distance) {
     overlap = deepest;
   }

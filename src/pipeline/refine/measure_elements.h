@@ -23,7 +23,7 @@ struct ElementSearch {
   RefineMemory& memory;
   RefineScratch& scratch;
   /// [m] > 0. How far meshes are apart need not be known beyond: a lower bound is then complete.
-  double enough{std::numeric_limits<double>::infinity()};
+  double cutoff{std::numeric_limits<double>::infinity()};
   double tolerance{0.0};  ///< [m] as MeshQueryLimits::tolerance
 };
 

@@ -30,7 +30,7 @@ Ball ballOf(const Element& element) {
 ElementDistance recallElements(const LastMeasurement& last, const PlacedElement& a,
                                const PlacedElement& b, const std::array<Ball, 2>& balls) noexcept {
   ElementDistance recalled = last.found;
-  recalled.steps = 0;
+  recalled.work = 0;
   if (isSame(last.world_from_a, a.world_from_element) &&
       isSame(last.world_from_b, b.world_from_element)) {
     return recalled;
@@ -62,16 +62,16 @@ std::optional<ElementDistance> recallWithin(double tolerance, const LastMeasurem
   const SignedDistance& measured = last.found.measured;
   const Eigen::Vector3d on_a =
       carried(measured.point_on_a, last.world_from_a, a.world_from_element);
-  const Eigen::Vector3d way =
+  const Eigen::Vector3d travel =
       carried(measured.point_on_b, last.world_from_b, b.world_from_element) - on_a;
-  const double length = way.norm();
+  const double length = travel.norm();
   if (!(length + last.found.shortfall - bound <= tolerance)) {
     return std::nullopt;
   }
   ElementDistance found = recalled;
   found.quality = last.found.quality;
   found.has_points = found.is_complete = true;
-  const Eigen::Vector3d normal = way / length;
+  const Eigen::Vector3d normal = travel / length;
   found.measured = {bound, on_a, on_a + bound * normal, normal};
   return found;
 }

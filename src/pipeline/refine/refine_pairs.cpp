@@ -53,7 +53,7 @@ bool isSettled(const Refinement& all, const RefineTask& task) noexcept {
 }
 
 /// Beyond this a pair is not the nearest of its links, and in no contact.
-double enoughFor(const Refinement& all, const RefineTask& task) noexcept {
+double cutoffFor(const Refinement& all, const RefineTask& task) noexcept {
   const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
   return std::max(all.work.nearest[link_pair], clearBeyond(all));
 }
@@ -78,17 +78,17 @@ ElementDistance measureForVerdict(const Refinement& all, RefineTask& task, const
                                   ElementSearch& search) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   ElementDistance found = measureElements(placed(all, pair.a), placed(all, pair.b), search);
-  spend(all, task, found.steps);
+  spend(all, task, found.work);
   if (!isAtThreshold(all, found)) {
     return found;
   }
   found.is_complete = false;
-  if (all.work.steps < goal.budget) {
+  if (all.work.work_done < goal.budget) {
     ElementSearch exactly = searchFor(all, task, goal);
     exactly.tolerance = 0.0;
     const ElementDistance exact =
         measureElements(placed(all, pair.a), placed(all, pair.b), exactly);
-    spend(all, task, exact.steps);
+    spend(all, task, exact.work);
     found = exact.is_complete ? exact : found;
   }
   return found;
@@ -112,7 +112,7 @@ ElementDistance measureTask(const Refinement& all, RefineTask& task, const Goal&
 void report(const Refinement& all, RefineTask& task, const ElementDistance& found) noexcept {
   RefineWork& work = all.work;
   task.outside = found.outside;
-  PairDistance& distance = all.distances.measured[task.place];
+  PairDistance& distance = all.distances.pairs[task.place];
   takeOver(found, contactOfElements(all.setup, task.pair), distance);
   work.is_measured[task.pair] = 1;
   ++(found.is_complete ? work.refined : work.left);
@@ -123,7 +123,7 @@ void report(const Refinement& all, RefineTask& task, const ElementDistance& foun
 }
 
 /// What is recalled, within the tolerance where no verdict depends on that.
-ElementDistance recallEnough(const Refinement& all, const RefineTask& task) noexcept {
+ElementDistance recallToCutoff(const Refinement& all, const RefineTask& task) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   const ElementDistance recalled = recallTask(all, task);
   const std::optional<ElementDistance> within =
@@ -133,16 +133,16 @@ ElementDistance recallEnough(const Refinement& all, const RefineTask& task) noex
 }
 
 void refine(const Refinement& all, RefineTask& task) noexcept {
-  std::uint32_t& waited = all.memory.waited[task.pair];
-  const Goal goal{enoughFor(all, task), budgetOf(all)};
-  ElementDistance found = recallEnough(all, task);
-  if (isEnough(found, goal.enough)) {
-    waited = 0;
-  } else if (all.work.steps < goal.budget) {
-    waited = 0;
+  std::uint32_t& starved_cycles = all.memory.starved_cycles[task.pair];
+  const Goal goal{cutoffFor(all, task), budgetOf(all)};
+  ElementDistance found = recallToCutoff(all, task);
+  if (reachesCutoff(found, goal.cutoff)) {
+    starved_cycles = 0;
+  } else if (all.work.work_done < goal.budget) {
+    starved_cycles = 0;
     found = measureTask(all, task, goal, found);
   } else {
-    ++waited;
+    ++starved_cycles;
     found.is_complete = false;
     if (found.quality == Quality::unknown) {
       ++all.work.left;
@@ -154,7 +154,7 @@ void refine(const Refinement& all, RefineTask& task) noexcept {
 
 bool isOverlap(const Refinement& all, const RefineTask& task) noexcept {
   return all.work.is_measured[task.pair] != 0 &&
-         all.distances.measured[task.place].quality == Quality::estimate;
+         all.distances.pairs[task.place].quality == Quality::estimate;
 }
 
 /// Depths of what overlaps change no verdict, so they come last and take what is left. A cycle
@@ -167,20 +167,20 @@ void deepenOverlaps(const Refinement& all) noexcept {
       std::count_if(work.tasks.begin(), work.tasks.end(),
                     [&](const RefineTask& task) { return isOverlap(all, task); }));
   for (RefineTask& task : work.tasks) {
-    if (isOverlap(all, task) && work.steps < budgetOf(all)) {
+    if (isOverlap(all, task) && work.work_done < budgetOf(all)) {
       const ElementPair& pair = all.setup.element_pairs[task.pair];
       ElementSearch search = searchFor(all, task, {0.0, budgetOf(all)});
       spend(all, task,
             deepenElements(placed(all, pair.a), placed(all, pair.b),
                            std::max(kFewestPoints, kMostPoints / overlaps), search,
-                           all.distances.measured[task.place].measured));
+                           all.distances.pairs[task.place].measured));
     }
   }
 }
 
 /// Leaves of every pair of elements that was measured the entry of its nearest bodies.
 void dropFarther(const Refinement& all) noexcept {
-  auto& measured = all.distances.measured;
+  auto& measured = all.distances.pairs;
   std::size_t kept = 0;
   for (std::uint32_t i = 0; i < measured.size(); ++i) {
     const ElementPairIndex pair = all.setup.element_pair_of[index(measured[i].pair)];
@@ -202,7 +202,7 @@ void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemor
   }
   for (RefineTask& task : work.tasks) {
     if (isSettled(all, task)) {
-      memory.waited[task.pair] = 0;
+      memory.starved_cycles[task.pair] = 0;
     } else {
       refine(all, task);
     }

@@ -20,10 +20,10 @@ struct RefineScratch {
 /// A pair of elements that is to be refined.
 struct RefineTask {
   ElementPairIndex pair{0};
-  std::uint32_t place{0};   ///< in PairDistances: its nearest bodies
-  double bound{0.0};        ///< [m] their distance
-  std::uint32_t waited{0};  ///< as PairMemory::waited
-  std::uint32_t steps{0};   ///< spent of the budget on this pair
+  std::uint32_t place{0};           ///< in PairDistances: its nearest bodies
+  double bound{0.0};                ///< [m] their distance
+  std::uint32_t starved_cycles{0};  ///< as PairMemory::waited
+  std::uint32_t work{0};            ///< spent of the budget on this pair
   /// [m] as ElementDistance::outside, where it was measured
   double outside{std::numeric_limits<double>::infinity()};
 };
@@ -41,7 +41,7 @@ struct RefineWork {
   std::unique_ptr<RefineScratch> scratch;
   std::size_t refined{0};  ///< these three as in CycleCounters
   std::size_t left{0};
-  std::size_t steps{0};
+  std::size_t work_done{0};
 };
 
 /// Of steps in a cycle. Where poses come seldom there is more time, and after a long way more to

@@ -6,6 +6,7 @@
 #include <limits>
 #include <tuple>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/constants.h"
 
 namespace collision_monitor {
@@ -25,12 +26,13 @@ void forgetLastCycle(const CycleSetup& setup, RefineWork& work) noexcept {
         std::numeric_limits<double>::infinity();
   }
   work.tasks.clear();
-  work.refined = work.left = work.steps = 0;
+  work.refined = work.left = work.work_done = 0;
 }
 
 void sortTasks(RefineWork& work) noexcept {
   std::sort(work.tasks.begin(), work.tasks.end(), [](const RefineTask& x, const RefineTask& y) {
-    return std::tie(y.waited, x.bound, x.pair) < std::tie(x.waited, y.bound, y.pair);
+    return std::tie(y.starved_cycles, x.bound, x.pair) <
+           std::tie(x.starved_cycles, y.bound, y.pair);
   });
   for (std::uint32_t i = 0; i < work.tasks.size(); ++i) {
     work.task_of[work.tasks[i].pair] = i;
@@ -42,8 +44,8 @@ void sortTasks(RefineWork& work) noexcept {
 void listTasks(const CycleSetup& setup, const PairMemory& memory, const PairDistances& distances,
                RefineWork& work) noexcept {
   forgetLastCycle(setup, work);
-  for (std::uint32_t i = 0; i < distances.measured.size(); ++i) {
-    const PairDistance& distance = distances.measured[i];
+  for (std::uint32_t i = 0; i < distances.pairs.size(); ++i) {
+    const PairDistance& distance = distances.pairs[i];
     const ElementPairIndex pair = setup.element_pair_of[index(distance.pair)];
     if (!(distance.measured.distance <= work.limits.distance) || !isRefinable(setup, pair)) {
       continue;
@@ -51,7 +53,7 @@ void listTasks(const CycleSetup& setup, const PairMemory& memory, const PairDist
     if (work.task_of[pair] == kNone) {
       work.task_of[pair] = static_cast<std::uint32_t>(work.tasks.size());
       work.tasks.push_back(
-          {pair, i, distance.measured.distance, memory.waited[pair], 0, kInfinity});
+          {pair, i, distance.measured.distance, memory.starved_cycles[pair], 0, kInfinity});
     }
     RefineTask& task = work.tasks[work.task_of[pair]];
     if (distance.measured.distance < task.bound) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "collision_monitor/geometry/ids.h"
 #include "pipeline/refine/recall_elements.h"
 #include "pipeline/refine/refine_pairs.h"
 

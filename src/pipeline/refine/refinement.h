@@ -39,21 +39,21 @@ inline double clearBeyond(const Refinement& all) noexcept {
 
 /// How far searches go.
 struct Goal {
-  double enough;         ///< [m] how far elements are apart need not be known beyond
+  double cutoff;         ///< [m] how far elements are apart need not be known beyond
   std::uint32_t budget;  ///< of all steps of the cycle
 };
 
 inline ElementSearch searchFor(const Refinement& all, const RefineTask& task,
                                const Goal& goal) noexcept {
-  return {goal.budget - static_cast<std::uint32_t>(all.work.steps),
-          all.memory.refined.of(task.pair), *all.work.scratch, goal.enough,
+  return {goal.budget - static_cast<std::uint32_t>(all.work.work_done),
+          all.memory.refined.of(task.pair), *all.work.scratch, goal.cutoff,
           all.work.limits.tolerance};
 }
 
 /// Counts work that was done for a pair.
-inline void spend(const Refinement& all, RefineTask& task, std::uint32_t steps) noexcept {
-  all.work.steps += steps;
-  task.steps += steps;
+inline void spend(const Refinement& all, RefineTask& task, std::uint32_t work) noexcept {
+  all.work.work_done += work;
+  task.work += work;
 }
 
 inline ElementDistance recallTask(const Refinement& all, const RefineTask& task) noexcept {
@@ -64,9 +64,9 @@ inline ElementDistance recallTask(const Refinement& all, const RefineTask& task)
 }
 
 /// Whether there is nothing left to find nearer than `enough`.
-inline bool isEnough(const ElementDistance& found, double enough) noexcept {
+inline bool reachesCutoff(const ElementDistance& found, double cutoff) noexcept {
   return found.is_complete && (found.has_points || found.quality != Quality::lower_bound ||
-                               found.measured.distance >= enough);
+                               found.measured.distance >= cutoff);
 }
 
 }  // namespace collision_monitor

@@ -19,7 +19,7 @@ SweptContact sweepConvex(const MovingElement& a, const MovingElement& b, SweepLi
   SweptContact found =
       firstContact(MovingConvex{*a.element.convex, a.ball, a.motion},
                    MovingConvex{*b.element.convex, b.ball, b.motion}, limits, search);
-  found.steps *= kConvexSteps;
+  found.work *= kConvexSteps;
   return found;
 }
 
@@ -55,7 +55,7 @@ SweptContact sweepElements(const MovingElement& a, const MovingElement& b,
   if (found.state == SweepState::contact && excess > 0.0) {
     found.state = SweepState::undecided;
   }
-  found.measured = swept(found.measured, a.element.padding, b.element.padding);
+  found.measured = inflated(found.measured, a.element.padding, b.element.padding);
   return found;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <tuple>
 
+#include "collision_monitor/geometry/ids.h"
 #include "motion/approach.h"
 #include "motion/moving_sphere.h"
 #include "pipeline/blocks/contact_of_pairs.h"
@@ -53,11 +54,11 @@ bool mayHaveMet(const Sweeping& all, const PairDistance& distance) noexcept {
     const ElementPair& pair = all.setup.element_pairs[index_of];
     const double outside = all.refined.tasks[all.refined.task_of[index_of]].outside;
     return std::min(distance.measured.distance - contactOfElements(all.setup, index_of), outside) <=
-           work.element_reach[index(pair.a)] + work.element_reach[index(pair.b)];
+           work.element_travel[index(pair.a)] + work.element_travel[index(pair.b)];
   }
   const BodyPair& bodies = all.setup.table[distance.pair];
   return distance.measured.distance - contactOfBodies(all.setup, distance.pair) <=
-         work.body_reach[index(bodies.a)] + work.body_reach[index(bodies.b)];
+         work.body_travel[index(bodies.a)] + work.body_travel[index(bodies.b)];
 }
 
 /// Moving spheres first, then the shapes themselves.
@@ -182,7 +183,7 @@ void sweepTask(const Sweeping& all, SweepTask& task) noexcept {
   SweepLimits limits;
   limits.contact_distance = all.setup.limits.contact_distance;
   limits.from = task.from;
-  limits.budget = all.work.budget - std::min(all.work.budget, all.work.steps);
+  limits.budget = all.work.budget - std::min(all.work.budget, all.work.work_done);
   const MovingElement moving_a = movingElement(all, pair.a, motion_a);
   const MovingElement moving_b = movingElement(all, pair.b, motion_b);
   narrow(all, task.pair, moving_a, moving_b, limits);
@@ -190,8 +191,8 @@ void sweepTask(const Sweeping& all, SweepTask& task) noexcept {
     return;
   }
   SweptContact found = sweepElements(moving_a, moving_b, limits, *all.refined.scratch);
-  task.steps = found.steps;
-  all.work.steps += found.steps;
+  task.work = found.work;
+  all.work.work_done += found.work;
   if (!isNew(found)) {
     return;
   }
@@ -216,10 +217,10 @@ void sweepPairs(const CycleSetup& setup, const RefineStore& memory, const Refine
   work.tasks.clear();
   work.swept = work.left = 0;
   const std::uint32_t budget = budgetOf(refined);
-  work.budget = budget - std::min(budget, static_cast<std::uint32_t>(refined.steps));
-  work.steps = 0;
+  work.budget = budget - std::min(budget, static_cast<std::uint32_t>(refined.work_done));
+  work.work_done = 0;
   distances.passed.clear();
-  for (const PairDistance& distance : distances.measured) {
+  for (const PairDistance& distance : distances.pairs) {
     if (mayHaveMet(all, distance)) {
       sweepDistance(all, distance);
     }

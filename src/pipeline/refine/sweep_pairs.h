@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/pipeline/setup.h"
 #include "motion/conservative_advancement.h"
 #include "pipeline/data/cycle_data.h"
@@ -34,7 +35,7 @@ struct SweepTask {
   PairId bodies{};          ///< that met first
   double from{0.0};         ///< then; the elements were apart before
   SignedDistance measured;  ///< of the bodies
-  std::uint32_t steps{0};   ///< spent of the budget on this pair
+  std::uint32_t work{0};    ///< spent of the budget on this pair
 };
 
 /// What sweepPairs works with and tells, sized at set-up.
@@ -43,9 +44,9 @@ struct SweepWork {
   std::vector<unsigned char> has_motion;  ///< known in the last cycle and in this one, in one part
   std::vector<ScrewMotion> link_motions;
   // [m] how far any point may have come since the last cycle.
-  std::vector<double> body_reach;     ///< by BodyId
-  std::vector<double> element_reach;  ///< by ElementId
-  double elapsed{0.0};                ///< [s] between the stamps of the last poses and these
+  std::vector<double> body_travel;     ///< by BodyId
+  std::vector<double> element_travel;  ///< by ElementId
+  double elapsed{0.0};                 ///< [s] between the stamps of the last poses and these
   // The step before, of last_elapsed [s], by LinkId.
   std::vector<unsigned char> had_motion;
   std::vector<ScrewMotion> last_motions;
@@ -55,21 +56,11 @@ struct SweepWork {
   std::vector<std::uint32_t> task_of;  ///< by ElementPairIndex: into tasks, or kNone
   std::size_t swept{0};                ///< these two as in CycleCounters
   std::size_t left{0};
-  std::uint32_t budget{0};  ///< of steps, for elements
-  std::uint32_t steps{0};   ///< spent of it; not less than it where it did not suffice
+  std::uint32_t budget{0};     ///< of steps, for elements
+  std::uint32_t work_done{0};  ///< spent of it; not less than it where it did not suffice
 };
 
 SweepWork makeSweepWork(const CycleSetup& setup);
-
-/// Joins the last poses with these.
-/// @pre body_poses are placed from `poses`.
-void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
-                 const PairMemory& memory, SweepWork& work) noexcept;
-
-/// Makes each box hold its body on the whole way.
-/// @pre `bounds` are those of boundBodies with this `reach`.
-void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const SweepWork& work,
-                 double reach, BodyBounds& bounds) noexcept;
 
 /// Fills `distances.passed`: contacts on the way of pairs that are not in contact now. A contact at
 /// the very start of the way is that of the last cycle, and not told again.
@@ -85,8 +76,5 @@ void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const Swe
 /// `distances`; its scratch is used.
 void sweepPairs(const CycleSetup& setup, const RefineStore& memory, const RefineWork& refined,
                 SweepWork& work, PairDistances& distances) noexcept;
-
-/// Keeps the poses for the next cycle.
-void keepPoses(const LinkPoses& poses, const BodyPoses& body_poses, LastPoses& last) noexcept;
 
 }  // namespace collision_monitor

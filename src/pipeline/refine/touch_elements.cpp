@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collision_monitor/geometry/ids.h"
 #include "pipeline/refine/element_parts.h"
 
 namespace collision_monitor {
@@ -18,10 +19,10 @@ constexpr std::uint32_t kStartSteps = 2;  // poses and last triangles
 constexpr std::uint32_t kHullSteps = 8;   // two convex geometries
 constexpr std::uint32_t kInnerSteps = 2;
 
-ElementContact settled(State state, std::uint32_t steps) noexcept {
+ElementContact settled(State state, std::uint32_t work) noexcept {
   ElementContact found;
   found.state = state;
-  found.steps = steps;
+  found.work = work;
   found.is_complete = true;
   return found;
 }
@@ -36,9 +37,9 @@ ElementContact measureContact(const PlacedElement& a, const PlacedElement& b, do
   ConvexSearch convex{search.scratch.convex, search.memory.warm};
   const ConvexDistance found = signedDistanceBetween(
       *a.element.convex, a.world_from_element, *b.element.convex, b.world_from_element, convex);
-  const State state = found.quality == DistanceQuality::unknown ? State::unknown
-                      : found.measured.distance > reach         ? State::apart
-                                                                : State::contact;
+  const State state = found.quality == Quality::unknown ? State::unknown
+                      : found.measured.distance > reach ? State::apart
+                                                        : State::contact;
   return settled(state, kHullSteps);
 }
 
@@ -46,12 +47,12 @@ enum class HullAnswer : unsigned char { apart, contact, open };
 
 /// Of what holds the geometries; a contact only where that is shown on the surfaces themselves.
 HullAnswer askHulls(const PlacedElement& a, const PlacedElement& b, double reach,
-                    ElementSearch& search, std::uint32_t& steps) noexcept {
+                    ElementSearch& search, std::uint32_t& work) noexcept {
   const double beyond = std::nextafter(reach, std::numeric_limits<double>::infinity());
   const MeshDistance found =
       distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), beyond, search.scratch.mesh,
                       {search.memory.warm, search.memory.nearest});
-  steps += kHullSteps + found.visits;
+  work += kHullSteps + found.visits;
   const bool is_told = found.state == MeshState::exact || found.state == MeshState::lower_bound;
   if (is_told && found.measured.distance > reach) {
     return HullAnswer::apart;
@@ -67,9 +68,9 @@ ElementContact touchConvex(const PlacedElement& a, const PlacedElement& b, doubl
   if (!isFinite(a.world_from_element) || !isFinite(b.world_from_element)) {
     return settled(State::unknown, 0);
   }
-  std::uint32_t steps = 0;
-  const bool is_apart = askHulls(a, b, reach, search, steps) == HullAnswer::apart;
-  return settled(is_apart ? State::apart : State::contact, steps);
+  std::uint32_t work = 0;
+  const bool is_apart = askHulls(a, b, reach, search, work) == HullAnswer::apart;
+  return settled(is_apart ? State::apart : State::contact, work);
 }
 
 bool overlapInside(const PlacedElement& a, const PlacedElement& b, double reach) noexcept {
@@ -78,20 +79,20 @@ bool overlapInside(const PlacedElement& a, const PlacedElement& b, double reach)
 }
 
 ElementContact touchTriangles(const PlacedElement& a, const PlacedElement& b,
-                              const ContactGoal& goal, double reach, std::uint32_t steps,
+                              const ContactGoal& goal, double reach, std::uint32_t work,
                               ElementSearch& search) noexcept {
   TrianglePair& last = search.memory.nearest;
   MeshQueryMemory& memory = search.scratch.mesh;
   const MeshContactQuery query{reach, goal.asks_outside,
-                               search.budget - std::min(search.budget, steps)};
+                               search.budget - std::min(search.budget, work)};
   const MeshContact found = isSimple(b)   ? contactOf(meshOf(a), convexOf(b), query, memory, last)
                             : isSimple(a) ? contactOf(meshOf(b), convexOf(a), query, memory, last)
                                           : contactOf(meshOf(a), meshOf(b), query, memory, last);
-  if (found.state == MeshContact::State::contact && found.triangles.a != TrianglePair::kNone) {
+  if (found.state == MeshContact::State::contact && found.triangles.a != kNone) {
     last = found.triangles;
   }
   ElementContact answer;
-  answer.steps = steps + found.visits;
+  answer.work = work + found.visits;
   answer.is_complete = found.state != MeshContact::State::open;
   answer.state = found.state == MeshContact::State::apart     ? State::apart
                  : found.state == MeshContact::State::contact ? State::contact
@@ -109,16 +110,16 @@ ElementContact touchElements(const PlacedElement& a, const PlacedElement& b,
     return touchConvex(a, b, goal.distance + paddings, search);
   }
   const double reach = std::max(goal.distance, 0.0) + paddings;
-  std::uint32_t steps = kStartSteps;
-  const HullAnswer hulls = askHulls(a, b, reach, search, steps);
+  std::uint32_t work = kStartSteps;
+  const HullAnswer hulls = askHulls(a, b, reach, search, work);
   if (hulls != HullAnswer::open) {
-    return settled(hulls == HullAnswer::apart ? State::apart : State::contact, steps);
+    return settled(hulls == HullAnswer::apart ? State::apart : State::contact, work);
   }
-  steps += kInnerSteps;
+  work += kInnerSteps;
   if (overlapInside(a, b, reach)) {
-    return settled(State::contact, steps);
+    return settled(State::contact, work);
   }
-  return touchTriangles(a, b, goal, reach, steps, search);
+  return touchTriangles(a, b, goal, reach, work, search);
 }
 
 }  // namespace collision_monitor

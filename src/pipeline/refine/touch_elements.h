@@ -14,7 +14,7 @@ struct ElementContact {
     unknown,  ///< not told; the enclosing shapes know better
   };
   State state{State::unknown};
-  std::uint32_t steps{0};   ///< spent of the budget
+  std::uint32_t work{0};    ///< spent of the budget
   bool is_complete{false};  ///< false: a larger budget would have told more
   /// [m] as MeshDistance::outside
   double outside{std::numeric_limits<double>::infinity()};

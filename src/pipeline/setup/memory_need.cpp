@@ -6,15 +6,15 @@
 #include <cmath>
 #include <string>
 
-#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/cycle/cycle_buffers.h"
 
 namespace collision_monitor {
 namespace {
 
 constexpr std::uint64_t kId = sizeof(std::uint32_t);
 
-/// Of CycleSetup::checked, PairReaches, PairEvents, PairMemory and BudgetTally; blocks at their
-/// emptiest hold some two pairs.
+/// Of CycleSetup::checked, ActivationDistances, PairEvents, PairMemory and BudgetTally; blocks at
+/// their emptiest hold some two pairs.
 constexpr std::uint64_t kOfCheckedPair =
     sizeof(CheckedLinkPair) + sizeof(LinkBlock) / 2 + 2 * sizeof(double) + sizeof(Verdict) +
     4 * kId + sizeof(VerdictChange) + sizeof(double) + 4 + sizeof(std::uint64_t) + kId;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/kinematics/state_kinematics.h"
-#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/cycle/cycle_buffers.h"
 
 /// Many states of the robots at once: trajectories, samples, requests.
 namespace collision_monitor {

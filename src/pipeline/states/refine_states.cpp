@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/constants.h"
+#include "pipeline/cycle/place_bodies.h"
 #include "pipeline/refine/recall_elements.h"
 #include "pipeline/states/state_elements.h"
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <tuple>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/constants.h"
 #include "pipeline/blocks/contact_of_pairs.h"
 #include "pipeline/refine/touch_elements.h"
@@ -33,10 +34,10 @@ PlacedElement placed(const StateSearch& state, ElementId id) noexcept {
   return {state.setup.elements[i], refinement.world_from_element[i]};
 }
 
-ElementSearch searchFor(const StateSearch& state, ElementPairIndex pair, double enough) noexcept {
+ElementSearch searchFor(const StateSearch& state, ElementPairIndex pair, double cutoff) noexcept {
   StatesRefinement& refinement = state.refinement();
   return {std::numeric_limits<std::uint32_t>::max(), refinement.memory.of(pair),
-          *refinement.scratch, enough};
+          *refinement.scratch, cutoff};
 }
 
 bool isTouching(const StateSearch& state, const ElementsInState& pair) noexcept {
@@ -50,7 +51,7 @@ bool isTouching(const StateSearch& state, const ElementsInState& pair) noexcept 
 }
 
 /// What is known of the distance of two elements, and of their bodies'.
-StateCheck measure(const StateSearch& state, const ElementsInState& pair, double enough) noexcept {
+StateCheck measure(const StateSearch& state, const ElementsInState& pair, double cutoff) noexcept {
   StateCheck check;
   check.has_pair = true;
   check.pair = idAt<PairId>(pair.bodies);
@@ -64,7 +65,7 @@ StateCheck measure(const StateSearch& state, const ElementsInState& pair, double
     return check;
   }
   const ElementPair& elements = state.setup.element_pairs[pair.elements];
-  ElementSearch search = searchFor(state, pair.elements, enough);
+  ElementSearch search = searchFor(state, pair.elements, cutoff);
   const ElementDistance found =
       measureElements(placed(state, elements.a), placed(state, elements.b), search);
   const bool is_nearer = !(found.measured.distance > pair.bound);

@@ -25,7 +25,7 @@ Halving& halvingAt(const TrajectorySearch& search, std::size_t depth,
                    std::deque<Halving>& halvings) {
   while (halvings.size() <= depth) {
     halvings.emplace_back();
-    halvings.back().ways.resize(search.path.joints.size());
+    halvings.back().travels.resize(search.path.joints.size());
   }
   return halvings[depth];
 }
@@ -44,20 +44,20 @@ bool goesOn(TrajectorySearch& search, std::size_t segment, double share) {
 void explore(TrajectorySearch& search, Instant& begin, Instant& end,
              const std::vector<LinkPairIndex>& pairs, std::size_t depth) {
   Halving& halving = halvingAt(search, depth, search.halvings);
-  for (std::size_t i = 0; i < halving.ways.size(); ++i) {
-    halving.ways[i] = wayOf(search.path, {begin.segment, begin.share, end.share}, i);
+  for (std::size_t i = 0; i < halving.travels.size(); ++i) {
+    halving.travels[i] = travelOf(search.path, {begin.segment, begin.share, end.share}, i);
   }
-  search.measures.steps += pairs.size();
+  search.measures.work += pairs.size();
   halving.open.clear();
   for (const LinkPairIndex pair : pairs) {
-    if (!settle(search, pair, begin, end, halving.ways)) {
+    if (!settle(search, pair, begin, end, halving.travels)) {
       halving.open.push_back(pair);
     }
   }
   if (halving.open.empty()) {
     return;
   }
-  if (search.is_ended || search.measures.steps >= search.options.budget || depth == kMostHalvings) {
+  if (search.is_ended || search.measures.work >= search.options.budget || depth == kMostHalvings) {
     for (const LinkPairIndex pair : halving.open) {
       giveUp(search, pair, begin);
     }
@@ -67,7 +67,7 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
   middle.segment = begin.segment;
   middle.share = 0.5 * (begin.share + end.share);
   place(search, middle);
-  search.measures.steps += middle.world_from_link.size();
+  search.measures.work += middle.world_from_link.size();
   noteBalls(search, halving.open, middle);
   sampleBalls(search, halving.open, middle);
   explore(search, begin, middle, halving.open, depth + 1);
@@ -97,16 +97,16 @@ void giveUpAll(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs
 /// Pairs that the samples at two stops do not settle; how far joints go between them is filled in.
 void listOpen(TrajectorySearch& search, std::size_t first, std::size_t last,
               const std::vector<LinkPairIndex>& pairs, Halving& range) {
-  std::fill(range.ways.begin(), range.ways.end(), 0.0);
+  std::fill(range.travels.begin(), range.travels.end(), 0.0);
   for (std::size_t stop = first; stop < last; ++stop) {
-    for (std::size_t i = 0; i < range.ways.size(); ++i) {
-      range.ways[i] += wayOf(search.path, {search.first_stop + stop, 0.0, 1.0}, i);
+    for (std::size_t i = 0; i < range.travels.size(); ++i) {
+      range.travels[i] += travelOf(search.path, {search.first_stop + stop, 0.0, 1.0}, i);
     }
   }
-  search.measures.steps += pairs.size();
+  search.measures.work += pairs.size();
   range.open.clear();
   for (const LinkPairIndex pair : pairs) {
-    if (!settleFar(search, pair, search.stops[first], search.stops[last], range.ways)) {
+    if (!settleFar(search, pair, search.stops[first], search.stops[last], range.travels)) {
       range.open.push_back(pair);
     }
   }
@@ -282,7 +282,7 @@ TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
   checkStanding(search, standing, begin);
   followPath(search);
   measureFarPairs(search);
-  search.report.steps = search.measures.steps;
+  search.report.work = search.measures.work;
   return std::move(search.report);
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/pipeline/setup.h"
 #include "model/kinematics/joint_path.h"
 #include "pipeline/data/cycle_data.h"
@@ -51,7 +52,7 @@ struct TrajectoryReport {
   std::vector<PairApproach> pairs;     ///< by LinkPairIndex
   LinkPairIndex first_contact{kNone};  ///< the pair that touches first, or kNone
   std::vector<Pose> world_from_link;   ///< then
-  std::uint64_t steps{0};              ///< spent
+  std::uint64_t work{0};               ///< spent
 };
 
 /// Follows every checked pair of links along the path.

@@ -36,7 +36,7 @@ void improveByBodies(LinkPairMeasures& measures, PairId pair,
   if (reach < 0.0 || between > reach * reach) {
     return;
   }
-  ++measures.steps;
+  ++measures.work;
   const SignedDistance measured = distanceBetween(a.shape, world_from_a * a.link_from_body, b.shape,
                                                   world_from_b * b.link_from_body);
   if (measured.distance < nearest.measured.distance) {
@@ -71,7 +71,7 @@ void measureBodies(LinkPairMeasures& measures, LinkPairIndex pair,
 
 /// How elements are measured.
 struct Question {
-  double enough;
+  double cutoff;
   ElementDistance (&measure)(const PlacedElement& a, const PlacedElement& b,
                              ElementSearch& search) noexcept;
 };
@@ -89,9 +89,9 @@ PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pai
   const Pose world_from_a = world_from_link[index(a.link)] * a.link_from_element;
   const Pose world_from_b = world_from_link[index(b.link)] * b.link_from_element;
   ElementSearch search{std::numeric_limits<std::uint32_t>::max(), measures.memory.of(pair),
-                       *measures.scratch, question.enough};
+                       *measures.scratch, question.cutoff};
   const ElementDistance found = question.measure({a, world_from_a}, {b, world_from_b}, search);
-  measures.steps += found.steps;
+  measures.work += found.work;
   measures.outside = std::min(measures.outside, found.outside);
   const bool is_nearer = !(found.measured.distance > distance.measured.distance);
   // As in refinePairs: the depth of bodies bounds nothing.
@@ -208,7 +208,7 @@ PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
 }
 
 PairDistance hullDistance(LinkPairMeasures& measures, LinkPairIndex pair,
-                          const std::vector<Pose>& world_from_link, double enough) noexcept {
+                          const std::vector<Pose>& world_from_link, double cutoff) noexcept {
   const ElementPairIndex first = measures.first_element_pair[pair];
   const ElementPairIndex last = measures.first_element_pair[pair + 1];
   measureBodies(measures, pair, world_from_link);
@@ -217,7 +217,7 @@ PairDistance hullDistance(LinkPairMeasures& measures, LinkPairIndex pair,
     const PairDistance& bodies = measures.nearest_bodies[elements - first];
     if (bodies.measured.distance < nearest.measured.distance) {
       const PairDistance found =
-          measureElementPair(measures, elements, bodies, world_from_link, {enough, measureByHulls});
+          measureElementPair(measures, elements, bodies, world_from_link, {cutoff, measureByHulls});
       nearest = found.measured.distance < nearest.measured.distance ? found : nearest;
     }
   }
@@ -225,7 +225,7 @@ PairDistance hullDistance(LinkPairMeasures& measures, LinkPairIndex pair,
 }
 
 PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
-                             const std::vector<Pose>& world_from_link, double enough) noexcept {
+                             const std::vector<Pose>& world_from_link, double cutoff) noexcept {
   const ElementPairIndex first = measures.first_element_pair[pair];
   const ElementPairIndex last = measures.first_element_pair[pair + 1];
   measureBodies(measures, pair, world_from_link);
@@ -236,7 +236,7 @@ PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
     const double contact = contactOfElements(measures.setup, elements);
     if (mayTellMore(bodies, nearest) || bodies.measured.distance - contact < measures.leeway) {
       const PairDistance found = measureElementPair(measures, elements, bodies, world_from_link,
-                                                    {enough, measureElements});
+                                                    {cutoff, measureElements});
       const bool is_overlap = found.quality == Quality::estimate;
       measures.leeway =
           std::min(measures.leeway, is_overlap ? -kInfinity : found.measured.distance - contact);

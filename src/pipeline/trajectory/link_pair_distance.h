@@ -29,9 +29,9 @@ struct LinkPairMeasures {
   RefineStore memory;
   std::vector<PairDistance> nearest_bodies;  ///< of each element pair of the pair of links at hand
   std::unique_ptr<RefineScratch> scratch;
-  double leeway{0.0};      ///< [m] of elementDistance: how far its elements are from contact
-  double outside{0.0};     ///< [m] of elementDistance: as MeshDistance::outside
-  std::uint64_t steps{0};  ///< as RefineLimits::budget counts them; a pair of bodies is one
+  double leeway{0.0};     ///< [m] of elementDistance: how far its elements are from contact
+  double outside{0.0};    ///< [m] of elementDistance: as MeshDistance::outside
+  std::uint64_t work{0};  ///< as RefineLimits::budget counts them; a pair of bodies is one
 };
 
 /// [m] A lower bound, by one ball a link.
@@ -47,13 +47,13 @@ PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
 /// Of depths it is that of the enclosing shapes.
 /// @param enough [m] > 0: of what is farther apart, no more need be known than that.
 PairDistance hullDistance(LinkPairMeasures& measures, LinkPairIndex pair,
-                          const std::vector<Pose>& world_from_link, double enough) noexcept;
+                          const std::vector<Pose>& world_from_link, double cutoff) noexcept;
 
 /// Of the elements.
 /// @param enough [m] > 0: of what is farther apart, no more need be known than that. Meshes apart
 /// take a tenth of the time then, or less.
 PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                              const std::vector<Pose>& world_from_link,
-                             double enough = std::numeric_limits<double>::infinity()) noexcept;
+                             double cutoff = std::numeric_limits<double>::infinity()) noexcept;
 
 }  // namespace collision_monitor

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/constants.h"
 #include "pipeline/trajectory/trajectory_search.h"
 
@@ -9,20 +10,20 @@ namespace collision_monitor {
 namespace {
 
 /// Whether bounds settle a part of the way: no contact, and nothing nearer that must be known.
-bool isEnough(const TrajectorySearch& search, LinkPairIndex pair, double bound,
-              double leeway) noexcept {
+bool reachesCutoff(const TrajectorySearch& search, LinkPairIndex pair, double bound,
+                   double leeway) noexcept {
   return leeway > search.options.tolerance && bound > wantedOf(search, pair);
 }
 
 /// [m] Elements that are so far apart settle a part of the way by themselves.
-double enoughFor(const TrajectorySearch& search, LinkPairIndex pair, double way) noexcept {
+double cutoffFor(const TrajectorySearch& search, LinkPairIndex pair, double travel) noexcept {
   const double contact = std::max(0.0, search.setup.limits.contact_distance);
   return std::max(wantedOf(search, pair), contact + search.options.tolerance) +
-         search.options.tolerance + way;
+         search.options.tolerance + travel;
 }
 
 /// [m] How far the links may go until they are in contact.
-double wayOf(const Sample& sample) noexcept { return std::min(sample.leeway, sample.outside); }
+double travelOf(const Sample& sample) noexcept { return std::min(sample.leeway, sample.outside); }
 
 void raiseToBodies(TrajectorySearch& search, LinkPairIndex pair, Instant& at) noexcept {
   Sample& sample = at.samples[pair];
@@ -35,10 +36,10 @@ void raiseToBodies(TrajectorySearch& search, LinkPairIndex pair, Instant& at) no
 }
 
 /// @param enough [m] > 0: farther apart is not measured
-void raiseToHulls(TrajectorySearch& search, LinkPairIndex pair, double enough,
+void raiseToHulls(TrajectorySearch& search, LinkPairIndex pair, double cutoff,
                   Instant& at) noexcept {
   Sample& sample = at.samples[pair];
-  const PairDistance distance = hullDistance(search.measures, pair, at.world_from_link, enough);
+  const PairDistance distance = hullDistance(search.measures, pair, at.world_from_link, cutoff);
   // Where some depth is allowed, that is asked of each pair of elements.
   const bool is_final = distance.is_refined && search.setup.limits.contact_distance >= 0.0;
   const Sample found = sampleBy(search, distance.measured.distance, Level::hulls);
@@ -53,17 +54,17 @@ void raiseToHulls(TrajectorySearch& search, LinkPairIndex pair, double enough,
 }
 
 /// @param enough [m] > 0: farther apart is not measured
-void raiseToElements(TrajectorySearch& search, LinkPairIndex pair, double enough,
+void raiseToElements(TrajectorySearch& search, LinkPairIndex pair, double cutoff,
                      Instant& at) noexcept {
   Sample& sample = at.samples[pair];
-  const PairDistance distance = elementDistance(search.measures, pair, at.world_from_link, enough);
+  const PairDistance distance = elementDistance(search.measures, pair, at.world_from_link, cutoff);
   // An estimate of a depth is a contact, however deep that may be allowed to be.
   const bool is_overlap = distance.quality == Quality::estimate;
   sample.bound = is_overlap ? -kInfinity : std::max(sample.bound, distance.measured.distance);
   sample.outside = std::max(sample.leeway, search.measures.outside);
   sample.leeway = is_overlap ? -kInfinity : std::max(sample.leeway, search.measures.leeway);
   sample.level = Level::elements;
-  sample.is_bound = distance.measured.distance >= enough;
+  sample.is_bound = distance.measured.distance >= cutoff;
   keepNearest(search, pair, distance, at, sample.is_bound ? Found::bounds : Found::elements);
 }
 
@@ -86,21 +87,21 @@ void keepContact(TrajectorySearch& search, LinkPairIndex pair, const Instant& at
 }
 
 /// What comes after bodies.
-void raiseFromBodies(TrajectorySearch& search, LinkPairIndex pair, double way,
+void raiseFromBodies(TrajectorySearch& search, LinkPairIndex pair, double travel,
                      Instant& at) noexcept {
   const bool has_hulls =
       search.measures.has_meshes[pair] != 0 && at.samples[pair].level < Level::hulls;
-  (has_hulls ? raiseToHulls : raiseToElements)(search, pair, enoughFor(search, pair, way), at);
+  (has_hulls ? raiseToHulls : raiseToElements)(search, pair, cutoffFor(search, pair, travel), at);
 }
 
 /// Raises what helps to settle a part, the cheaper first; false if nothing does.
-bool raiseOne(TrajectorySearch& search, LinkPairIndex pair, double way, Instant& begin,
+bool raiseOne(TrajectorySearch& search, LinkPairIndex pair, double travel, Instant& begin,
               Instant& end) noexcept {
   for (Instant* at : {&begin, &end}) {
     if (at->samples[pair].level == Level::balls) {
       // Where bodies did not tell at the other end, they mostly do not here.
       const Level other = (at == &begin ? end : begin).samples[pair].level;
-      other > Level::bodies ? raiseFromBodies(search, pair, way, *at)
+      other > Level::bodies ? raiseFromBodies(search, pair, travel, *at)
                             : raiseToBodies(search, pair, *at);
       return true;
     }
@@ -109,8 +110,8 @@ bool raiseOne(TrajectorySearch& search, LinkPairIndex pair, double way, Instant&
     for (Instant* at : {&begin, &end}) {
       // A bound that is sufficient by itself is not what fails: the way is too long.
       const Sample& sample = at->samples[pair];
-      if (sample.level == level && !isEnough(search, pair, sample.bound, sample.leeway)) {
-        raiseFromBodies(search, pair, way, *at);
+      if (sample.level == level && !reachesCutoff(search, pair, sample.bound, sample.leeway)) {
+        raiseFromBodies(search, pair, travel, *at);
         return true;
       }
     }
@@ -119,22 +120,22 @@ bool raiseOne(TrajectorySearch& search, LinkPairIndex pair, double way, Instant&
 }
 
 /// What a sample says of another time, up to which the links go a way.
-void carryOver(const Sample& from, double way, Sample& to) noexcept {
+void carryOver(const Sample& from, double travel, Sample& to) noexcept {
   if (to.level != Level::elements || to.is_bound) {
-    to.bound = std::max(to.bound, from.bound - way);
-    to.leeway = std::max(to.leeway, wayOf(from) - way);
+    to.bound = std::max(to.bound, from.bound - travel);
+    to.leeway = std::max(to.leeway, travelOf(from) - travel);
   }
 }
 
 /// [m] A lower bound on the way between two samples, or of what is left of it until contact.
-double between(double begin, double end, double way) noexcept {
-  return 0.5 * (std::max(begin, end - way) + std::max(end, begin - way) - way);
+double between(double begin, double end, double travel) noexcept {
+  return 0.5 * (std::max(begin, end - travel) + std::max(end, begin - travel) - travel);
 }
 
 }  // namespace
 
 bool settleFar(TrajectorySearch& search, LinkPairIndex pair, const Instant& begin,
-               const Instant& end, const std::vector<double>& ways) noexcept {
+               const Instant& end, const std::vector<double>& travels) noexcept {
   PairApproach& approach = search.report.pairs[pair];
   if (approach.state != ApproachState::clear) {
     return true;
@@ -142,14 +143,14 @@ bool settleFar(TrajectorySearch& search, LinkPairIndex pair, const Instant& begi
   const Sample& at_begin = begin.samples[pair];
   const Sample& at_end = end.samples[pair];
   // The way takes time to bound.
-  if (!isEnough(search, pair, std::max(at_begin.bound, at_end.bound),
-                std::max(wayOf(at_begin), wayOf(at_end)))) {
+  if (!reachesCutoff(search, pair, std::max(at_begin.bound, at_end.bound),
+                     std::max(travelOf(at_begin), travelOf(at_end)))) {
     return false;
   }
-  const double way =
-      boundMotion(search.chains[pair], search.measures.balls, begin.world_from_link, ways);
-  const double bound = between(at_begin.bound, at_end.bound, way);
-  if (!isEnough(search, pair, bound, between(wayOf(at_begin), wayOf(at_end), way))) {
+  const double travel =
+      boundMotion(search.chains[pair], search.measures.balls, begin.world_from_link, travels);
+  const double bound = between(at_begin.bound, at_end.bound, travel);
+  if (!reachesCutoff(search, pair, bound, between(travelOf(at_begin), travelOf(at_end), travel))) {
     return false;
   }
   approach.at_least = std::min(approach.at_least, bound);
@@ -157,13 +158,13 @@ bool settleFar(TrajectorySearch& search, LinkPairIndex pair, const Instant& begi
 }
 
 bool settle(TrajectorySearch& search, LinkPairIndex pair, Instant& begin, Instant& end,
-            const std::vector<double>& ways) {
+            const std::vector<double>& travels) {
   PairApproach& approach = search.report.pairs[pair];
   if (approach.state != ApproachState::clear) {
     return true;
   }
-  const double way =
-      boundMotion(search.chains[pair], search.measures.balls, begin.world_from_link, ways);
+  const double travel =
+      boundMotion(search.chains[pair], search.measures.balls, begin.world_from_link, travels);
   Sample& at_begin = begin.samples[pair];
   Sample& at_end = end.samples[pair];
   double bound = 0.0;
@@ -172,15 +173,16 @@ bool settle(TrajectorySearch& search, LinkPairIndex pair, Instant& begin, Instan
       keepContact(search, pair, begin);
       return true;
     }
-    carryOver(at_begin, way, at_end);
-    carryOver(at_end, way, at_begin);
-    bound = 0.5 * (at_begin.bound + at_end.bound - way);
-    if (isEnough(search, pair, bound, 0.5 * (wayOf(at_begin) + wayOf(at_end) - way))) {
+    carryOver(at_begin, travel, at_end);
+    carryOver(at_end, travel, at_begin);
+    bound = 0.5 * (at_begin.bound + at_end.bound - travel);
+    if (reachesCutoff(search, pair, bound,
+                      0.5 * (travelOf(at_begin) + travelOf(at_end) - travel))) {
       approach.at_least = std::min(approach.at_least, bound);
       return true;
     }
-  } while (raiseOne(search, pair, way, begin, end));
-  if (way > search.options.tolerance) {
+  } while (raiseOne(search, pair, travel, begin, end));
+  if (travel > search.options.tolerance) {
     return false;
   }
   if (isContact(search, pair, end)) {

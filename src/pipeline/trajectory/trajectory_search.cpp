@@ -97,10 +97,10 @@ std::size_t lookAhead(TrajectorySearch& search, const std::vector<LinkPairIndex>
     return count;
   }
   WaypointDistances& distances = *search.waypoints;
-  const std::uint64_t steps = measureWaypoint(search.setup, pairs, waypoint, distances);
-  search.measures.steps += steps;
+  const std::uint64_t work = measureWaypoint(search.setup, pairs, waypoint, distances);
+  search.measures.work += work;
   Instant at;
-  for (const LinkPairIndex pair : steps > 0 ? pairs : std::vector<LinkPairIndex>()) {
+  for (const LinkPairIndex pair : work > 0 ? pairs : std::vector<LinkPairIndex>()) {
     NearPlace nearest;
     for (std::size_t i = waypoint; i < distances.last; ++i) {
       at.segment = i > 0 ? i - 1 : 0;

@@ -42,7 +42,7 @@ struct Instant {
 struct Halving {
   Instant middle;
   std::vector<LinkPairIndex> open;
-  std::vector<double> ways;  ///< by path joint
+  std::vector<double> travels;  ///< by path joint
 };
 
 /// What `nearest` of a pair was measured by.
@@ -110,12 +110,12 @@ void sampleWaypoint(TrajectorySearch& search, const std::vector<LinkPairIndex>& 
 /// Whether the samples at both ends tell all of a pair in a part of the way, before which it was
 /// apart. Measures nothing.
 bool settleFar(TrajectorySearch& search, LinkPairIndex pair, const Instant& begin,
-               const Instant& end, const std::vector<double>& ways) noexcept;
+               const Instant& end, const std::vector<double>& travels) noexcept;
 
 /// Whether all is known of a pair in a part of the way, before which it was apart. Raises the
 /// levels of the samples at both ends as far as that helps.
 bool settle(TrajectorySearch& search, LinkPairIndex pair, Instant& begin, Instant& end,
-            const std::vector<double>& ways);
+            const std::vector<double>& travels);
 
 /// The pair is clear up to here, and no more is known.
 void giveUp(TrajectorySearch& search, LinkPairIndex pair, const Instant& at) noexcept;

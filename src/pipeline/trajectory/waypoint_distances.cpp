@@ -53,15 +53,15 @@ std::uint64_t measureWaypoint(const CycleSetup& setup, const std::vector<LinkPai
   }
   const std::size_t end = distances.positions.size() / setup.model.variable_count;
   distances.first = distances.last = waypoint - waypoint % kStateCount;
-  std::uint64_t steps = 0;
+  std::uint64_t work = 0;
   for (std::vector<StateNumber>& nearest : distances.nearest) {
     if (distances.last < end) {
       measureBlock(setup, pairs, distances.last, distances, nearest);
       distances.last = std::min(end, distances.last + kStateCount);
-      steps += setup.table.size();
+      work += setup.table.size();
     }
   }
-  return steps;
+  return work;
 }
 
 }  // namespace collision_monitor

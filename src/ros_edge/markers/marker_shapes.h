@@ -5,7 +5,7 @@
 #include <visualization_msgs/Marker.h>
 
 #include "collision_monitor/geometry/shapes.h"
-#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/cycle/cycle_buffers.h"
 
 namespace collision_monitor {
 

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "collision_monitor/geometry/ids.h"
 #include "ros_edge/markers/marker_shapes.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/sentences.h"
@@ -136,7 +137,7 @@ Marker& Markers::add(const char* name_space, int id, int type, const std_msgs::H
 }
 
 void Markers::addContacts(const Watch& watch) {
-  for (const PairDistance& distance : watch.buffers.distances.measured) {
+  for (const PairDistance& distance : watch.buffers.distances.pairs) {
     if (isInContact(watch, distance)) {
       addContact(watch, distance);
     }
@@ -174,7 +175,7 @@ void Markers::addDistances(const Watch& watch) {
     if (place == kNone) {
       continue;
     }
-    const PairDistance& distance = watch.buffers.distances.measured[place];
+    const PairDistance& distance = watch.buffers.distances.pairs[place];
     const SignedDistance& measured = distance.measured;
     if (place != events.closest_of_all && measured.distance > setup.limits.report_distance) {
       continue;

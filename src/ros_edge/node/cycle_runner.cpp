@@ -84,7 +84,7 @@ void CycleRunner::takeOverSetup() {
     is_taking_over_ = true;
   }
   if (watch_) {
-    succeedWatch(*watch_, *next);
+    handOver(*watch_, *next);
   }
   watch_.swap(next);
   publishers_.startWatch(*watch_);
@@ -96,15 +96,15 @@ void CycleRunner::takeOverSetup() {
   taken_over_.notify_all();
 }
 
-void CycleRunner::succeedWatch(Watch& former, Watch& next) {
+void CycleRunner::handOver(Watch& former, Watch& next) {
   if (!facts_.is_enabled) {
-    former.speakAgain();
+    former.resumeReporting();
   }
-  for (const LinkPairIndex pair : next.succeed(former)) {
+  for (const LinkPairIndex pair : next.inheritVerdicts(former)) {
     publishers_.publishDropped(former, pair);
   }
   if (!facts_.is_enabled) {
-    next.fallSilent();
+    next.pauseReporting();
   }
 }
 
@@ -130,9 +130,9 @@ void CycleRunner::runOnce() {
   if (facts_.is_enabled != was_enabled) {
     ROS_WARN_STREAM("the monitor is switched " << (facts_.is_enabled ? "on" : "off"));
     if (facts_.is_enabled) {
-      watch_->speakAgain();
+      watch_->resumeReporting();
     } else {
-      watch_->fallSilent();
+      watch_->pauseReporting();
     }
     is_new = true;
   }

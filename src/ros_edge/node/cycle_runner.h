@@ -40,7 +40,7 @@ class CycleRunner {
  private:
   void run();
   void takeOverSetup();
-  void succeedWatch(Watch& former, Watch& next);
+  void handOver(Watch& former, Watch& next);
   void waitForNext();
   void runOnce();
   bool readPoses(const ros::Time& now);

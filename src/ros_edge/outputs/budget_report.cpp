@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_monitor/geometry/ids.h"
 #include "ros_edge/numbered_values.h"
 #include "ros_edge/outputs/sentences.h"
 #include "ros_edge/pace.h"
@@ -29,11 +30,11 @@ struct Eater {
 
 std::vector<Eater> eatersOf(const CycleSetup& setup, const BudgetUse& use) {
   std::vector<Eater> eaters;
-  for (const PairSteps& pair : use.most) {
+  for (const PairWork& pair : use.most) {
     if (pair.link_pair != kNone) {
       const CheckedLinkPair& links = setup.checked.at(pair.link_pair);
-      eaters.push_back({links.a, links.b,
-                        static_cast<double>(pair.steps) / static_cast<double>(use.short_steps)});
+      eaters.push_back(
+          {links.a, links.b, static_cast<double>(pair.work) / static_cast<double>(use.short_work)});
     }
   }
   return eaters;
@@ -194,7 +195,7 @@ void describeBudget(const MonitorSetup& setup, const BudgetUse& spent,
   status.add("cycles since the last report", use.cycles);
   status.add("cycles in which it did not suffice", use.short_cycles);
   const double cycles = static_cast<double>(std::max<std::uint64_t>(use.cycles, 1));
-  status.add("steps of a cycle, mean", fixedText(static_cast<double>(use.steps) / cycles, 0));
+  status.add("steps of a cycle, mean", fixedText(static_cast<double>(use.work) / cycles, 0));
   status.add("steps of a cycle, worst", use.worst);
   std::vector<std::string> most;
   std::transform(eaters.begin(), eaters.end(), std::back_inserter(most), [&](const Eater& pair) {

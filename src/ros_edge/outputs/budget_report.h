@@ -4,7 +4,7 @@
 
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
-#include "pipeline/cycle/budget_use.h"
+#include "pipeline/answers/budget_use.h"
 #include "ros_edge/parameters/monitor_setup.h"
 
 namespace collision_monitor {

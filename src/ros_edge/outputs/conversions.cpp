@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_monitor/geometry/ids.h"
+#include "pipeline/data/activation_distance.h"
 #include "ros_edge/outputs/sentences.h"
 
 namespace collision_monitor {
@@ -52,7 +54,7 @@ const PassedContact* passedOf(const Watch& watch, LinkPairIndex link_pair) {
   // Of several shapes of a link one may have passed while another touches.
   const bool touches =
       events.estimated[link_pair] != kNone ||
-      (closest != kNone && isTouching(distances.measured[closest], limits.contact_distance));
+      (closest != kNone && isTouching(distances.pairs[closest], limits.contact_distance));
   return touches ? nullptr : &distances.passed[events.passed[link_pair]];
 }
 
@@ -165,10 +167,10 @@ void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& messag
   } else if (speakerOf(setup, watch.buffers, link_pair) == kNone) {
     nameLinks(setup, pair.a, pair.b, message);
     message.quality = LinkDistance::LOWER_BOUND;
-    fillNumbers(unknownDistance(reachOf(setup.limits)), message);
+    fillNumbers(unknownDistance(activationDistanceOf(setup.limits)), message);
   } else {
     const std::uint32_t speaker = speakerOf(setup, watch.buffers, link_pair);
-    toMessage(*watch.fixed, watch.poses, watch.buffers.distances.measured[speaker], message);
+    toMessage(*watch.fixed, watch.poses, watch.buffers.distances.pairs[speaker], message);
   }
   message.passed_at = passedAt(watch, link_pair);
 }

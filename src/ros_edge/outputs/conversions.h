@@ -4,8 +4,8 @@
 
 #include <collision_monitor/Contacts.h>
 #include <collision_monitor/LinkDistance.h>
+#include <collision_monitor/PairWarning.h>
 #include <collision_monitor/State.h>
-#include <collision_monitor/Warning.h>
 #include <geometry_msgs/Pose.h>
 
 #include "pipeline/answers/gradient_row.h"
@@ -56,9 +56,9 @@ void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& messag
 bool isInContact(const Watch& watch, const PairDistance& distance);
 
 void toMessage(const Watch& watch, Contacts& message);
-void toMessage(const Watch& watch, const VerdictChange& change, Warning& message);
+void toMessage(const Watch& watch, const VerdictChange& change, PairWarning& message);
 /// A pair that another set-up checks no more: clear as far as that goes, without numbers.
-void toDroppedMessage(const Watch& former, LinkPairIndex pair, Warning& message);
+void toDroppedMessage(const Watch& former, LinkPairIndex pair, PairWarning& message);
 void toMessage(const Watch& watch, const CycleFacts& facts, State& message);
 
 /// What a controller may multiply its speed by: 0 while the monitor does not know or is switched

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "collision_monitor/geometry/ids.h"
 #include "pipeline/answers/contact_manifold.h"
 #include "ros_edge/outputs/conversions.h"
 
@@ -82,7 +83,7 @@ void toMessage(const Watch& watch, Contacts& message) {
     message.contacts.resize(std::max(message.contacts.size(), count + 1));
     return message.contacts[count++];
   };
-  for (const PairDistance& distance : watch.buffers.distances.measured) {
+  for (const PairDistance& distance : watch.buffers.distances.pairs) {
     if (isInContact(watch, distance)) {
       fill(watch, distance, next());
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 
+#include "collision_monitor/geometry/ids.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/sentences.h"
 
@@ -12,10 +13,10 @@ static_assert(State::OK == static_cast<int>(Verdict::clear) &&
               State::WARNING == static_cast<int>(Verdict::warning) &&
               State::UNKNOWN == static_cast<int>(Verdict::unknown) &&
               State::CONTACT == static_cast<int>(Verdict::contact));
-static_assert(Warning::CLEAR == static_cast<int>(Verdict::clear) &&
-              Warning::WARNING == static_cast<int>(Verdict::warning) &&
-              Warning::UNKNOWN == static_cast<int>(Verdict::unknown) &&
-              Warning::CONTACT == static_cast<int>(Verdict::contact));
+static_assert(PairWarning::CLEAR == static_cast<int>(Verdict::clear) &&
+              PairWarning::WARNING == static_cast<int>(Verdict::warning) &&
+              PairWarning::UNKNOWN == static_cast<int>(Verdict::unknown) &&
+              PairWarning::CONTACT == static_cast<int>(Verdict::contact));
 
 void fillCounters(const CycleCounters& counters, const CycleFacts& facts, State& message) {
   message.pairs_checked = static_cast<std::uint32_t>(counters.pairs);
@@ -66,7 +67,7 @@ std::uint8_t levelOf(const Watch& watch, const CycleFacts& facts) {
   return facts.is_enabled ? level : std::max(level, std::uint8_t{State::WARNING});
 }
 
-void toMessage(const Watch& watch, const VerdictChange& change, Warning& message) {
+void toMessage(const Watch& watch, const VerdictChange& change, PairWarning& message) {
   message.header = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);
   message.before = static_cast<std::uint8_t>(change.before);
   message.after = static_cast<std::uint8_t>(change.after);
@@ -74,12 +75,12 @@ void toMessage(const Watch& watch, const VerdictChange& change, Warning& message
   message.sentence = changeSentence(watch, change);
 }
 
-void toDroppedMessage(const Watch& former, LinkPairIndex pair, Warning& message) {
+void toDroppedMessage(const Watch& former, LinkPairIndex pair, PairWarning& message) {
   const CycleSetup& setup = former.setup();
   const CheckedLinkPair& links = setup.checked[pair];
   message.header = makeHeader(former.poses.stamp_ns, former.fixed->world_frame);
   message.before = static_cast<std::uint8_t>(former.buffers.memory.reported[pair]);
-  message.after = Warning::CLEAR;
+  message.after = PairWarning::CLEAR;
   toUnknownMessage(setup, links.a, links.b, message.pair);
   message.sentence = setup.model.link(links.a).name + " and " + setup.model.link(links.b).name +
                      " are not checked any more";
@@ -96,7 +97,7 @@ void toMessage(const Watch& watch, const CycleFacts& facts, State& message) {
   const std::uint32_t closest = watch.buffers.events.closest_of_all;
   message.has_closest = closest != kNone ? 1 : 0;
   if (closest != kNone) {
-    const PairDistance& distance = watch.buffers.distances.measured[closest];
+    const PairDistance& distance = watch.buffers.distances.pairs[closest];
     toMessage(*watch.fixed, watch.poses, distance, message.closest);
     message.closest.passed_at = passedAt(watch, watch.setup().link_pair_of[index(distance.pair)]);
   } else {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "pipeline/cycle/cycle_buffers.h"
+
 namespace collision_monitor {
 
 void CycleStatistics::addCycle(double cycle_time, bool is_overrun) {

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/cycle/budget_use.h"
+#include "pipeline/answers/budget_use.h"
+#include "pipeline/cycle/cycle_buffers.h"
 #include "ros_edge/pace.h"
 #include "ros_edge/watch.h"
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "collision_monitor/geometry/ids.h"
 #include "ros_edge/outputs/conversions.h"
 
 namespace collision_monitor {
@@ -13,7 +14,7 @@ bool isListed(const Watch& watch, LinkPairIndex link_pair) {
   const PairEvents& events = watch.buffers.events;
   const std::uint32_t place = events.closest[link_pair];
   return place != kNone && (place == events.closest_of_all || events.passed[link_pair] != kNone ||
-                            !(watch.buffers.distances.measured[place].measured.distance >
+                            !(watch.buffers.distances.pairs[place].measured.distance >
                               watch.setup().limits.report_distance));
 }
 
@@ -38,7 +39,7 @@ const Distances& DistanceList::fill(const Watch& watch) {
     if (events.closest[i] == events.closest_of_all) {
       message_.closest = static_cast<std::int32_t>(size_);
     }
-    const PairDistance& distance = watch.buffers.distances.measured[events.closest[i]];
+    const PairDistance& distance = watch.buffers.distances.pairs[events.closest[i]];
     fillEntry(setup, distance, rows.of(distance));
     message_.pairs[size_].frame_id = frameOf(*watch.fixed, watch.poses, setup.checked[i].a);
     message_.pairs[size_++].passed_at = passedAt(watch, i);

@@ -46,7 +46,7 @@ Publishers::Publishers(ros::NodeHandle private_node)
           private_node.advertise<std_msgs::Float64>("speed_scale", kQueueSize, true)),
       contacts_publisher_(private_node.advertise<Contacts>("contacts", kQueueSize)),
       distances_publisher_(private_node.advertise<Distances>("distances", kQueueSize)),
-      warnings_publisher_(private_node.advertise<Warning>("warnings", kWarningQueueSize)),
+      warnings_publisher_(private_node.advertise<PairWarning>("warnings", kWarningQueueSize)),
       markers_publisher_(
           private_node.advertise<visualization_msgs::MarkerArray>("markers", kQueueSize)) {}
 
@@ -58,7 +58,7 @@ void Publishers::startWatch(const Watch& watch) {
 
 void Publishers::publishChanges(const Watch& watch) {
   for (const VerdictChange& change : watch.buffers.events.changes) {
-    Warning warning;
+    PairWarning warning;
     toMessage(watch, change, warning);
     warnings_publisher_.publish(warning);
     log_.logChange(change, warning.sentence);
@@ -68,7 +68,7 @@ void Publishers::publishChanges(const Watch& watch) {
 }
 
 void Publishers::publishDropped(const Watch& former, LinkPairIndex pair) {
-  Warning warning;
+  PairWarning warning;
   toDroppedMessage(former, pair, warning);
   warnings_publisher_.publish(warning);
   log_.logChange({pair, former.buffers.memory.reported[pair], Verdict::clear}, warning.sentence);

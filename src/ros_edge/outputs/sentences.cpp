@@ -9,6 +9,9 @@
 #include <limits>
 #include <string_view>
 
+#include "collision_monitor/geometry/ids.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/data/activation_distance.h"
 #include "ros_edge/outputs/conversions.h"
 
 namespace collision_monitor {
@@ -99,8 +102,8 @@ LinkPairIndex nearestWith(Verdict verdict, const Watch& watch, std::size_t& coun
     }
     ++count;
     const std::uint32_t place = speakerOf(watch.setup(), watch.buffers, i);
-    if (place != kNone && distances.measured[place].measured.distance < least) {
-      least = distances.measured[place].measured.distance;
+    if (place != kNone && distances.pairs[place].measured.distance < least) {
+      least = distances.pairs[place].measured.distance;
       nearest = i;
     }
   }
@@ -130,7 +133,7 @@ std::string pairSentence(const Watch& watch, LinkPairIndex link_pair) {
              ? passedSentence(watch, *passed)
              : distanceSentence(watch.setup(),
                                 watch.buffers.distances
-                                    .measured[speakerOf(watch.setup(), watch.buffers, link_pair)]);
+                                    .pairs[speakerOf(watch.setup(), watch.buffers, link_pair)]);
 }
 
 std::string pairsSentence(Verdict verdict, const Watch& watch) {
@@ -159,9 +162,9 @@ std::string unknownLinksSentence(const Watch& watch) {
 
 std::string clearSentence(const Watch& watch) {
   const std::uint32_t closest = watch.buffers.events.closest_of_all;
-  return closest == kNone ? "clear"
-                          : "clear; " + distanceSentence(watch.setup(),
-                                                         watch.buffers.distances.measured[closest]);
+  return closest == kNone
+             ? "clear"
+             : "clear; " + distanceSentence(watch.setup(), watch.buffers.distances.pairs[closest]);
 }
 
 std::string verdictSentence(const Watch& watch, const CycleFacts& facts) {
@@ -223,7 +226,7 @@ std::uint32_t speakerOf(const CycleSetup& setup, const CycleBuffers& buffers,
   const Limits& limits = setup.limits;
   const std::uint32_t closest = buffers.events.closest[link_pair];
   const std::uint32_t soonest = buffers.events.soonest[link_pair];
-  const bool is_near = closest != kNone && buffers.distances.measured[closest].measured.distance <=
+  const bool is_near = closest != kNone && buffers.distances.pairs[closest].measured.distance <=
                                                limits.warning_distance + limits.hysteresis;
   return is_near || soonest == kNone ? closest : soonest;
 }
@@ -239,7 +242,7 @@ std::string changeSentence(const Watch& watch, const VerdictChange& change) {
   const std::uint32_t speaker = speakerOf(setup, watch.buffers, change.link_pair);
   if (speaker == kNone) {
     return setup.model.link(pair.a).name + " is clear of " + setup.model.link(pair.b).name +
-           " by more than " + lengthText(reachOf(setup.limits));
+           " by more than " + lengthText(activationDistanceOf(setup.limits));
   }
   const std::string measured = pairSentence(watch, change.link_pair);
   return change.after == Verdict::clear ? measured + ", clear again" : measured;

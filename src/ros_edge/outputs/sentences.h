@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/cycle/cycle_buffers.h"
 #include "ros_edge/poses/floating_parts.h"
 #include "ros_edge/watch.h"
 

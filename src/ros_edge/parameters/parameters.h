@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "collision_monitor/model/problems.h"
-#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/cycle/cycle_buffers.h"
 #include "ros_edge/parameters/resource_loader.h"
 
 namespace collision_monitor {

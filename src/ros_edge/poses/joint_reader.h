@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "collision_monitor/model/kinematics.h"
-#include "pipeline/cycle/link_velocities.h"
+#include "pipeline/look_ahead/link_velocities.h"
 #include "ros_edge/poses/joint_store.h"
 
 namespace collision_monitor {

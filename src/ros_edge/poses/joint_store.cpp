@@ -53,10 +53,10 @@ JointSample sampleBetween(const JointSample& before, const JointSample& after,
     return {};
   }
   constexpr double kTurn = 6.283185307179586;
-  const double way = after.position - before.position;
+  const double delta = after.position - before.position;
   const double share = toSeconds(moment.stamp_ns - before.stamp_ns) / gap;
   return {moment.stamp_ns,
-          before.position + share * (moment.wraps ? std::remainder(way, kTurn) : way),
+          before.position + share * (moment.wraps ? std::remainder(delta, kTurn) : delta),
           before.velocity + share * (after.velocity - before.velocity)};
 }
 

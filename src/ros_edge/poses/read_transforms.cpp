@@ -37,8 +37,8 @@ ros::Time TransformStore::readTimeLocked() {
   const ros::Time now = time_source_();
   if (now < last_time_) {
     buffer_.clear();
-    for (std::deque<Sample>& waiting : waiting_) {
-      waiting.clear();
+    for (std::deque<Sample>& unbuffered : unbuffered_) {
+      unbuffered.clear();
     }
     for (std::deque<std::int64_t>& stamps : stamps_) {
       stamps.clear();

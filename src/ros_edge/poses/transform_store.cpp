@@ -67,7 +67,7 @@ std::size_t TransformStore::recordOf(const std::string& frame, std::size_t expec
   if (is_new) {
     records_.emplace_back();
     records_.back().name = frame;
-    waiting_.emplace_back();
+    unbuffered_.emplace_back();
     stamps_.emplace_back();
     ++version_.topology;
   }
@@ -245,12 +245,12 @@ void TransformStore::attach(std::size_t frame, const std::string& parent, bool i
 }
 
 void TransformStore::keepSample(std::size_t frame, const Sample& sample) {
-  std::deque<Sample>& waiting = waiting_[frame];
-  waiting.push_back(sample);
+  std::deque<Sample>& unbuffered = unbuffered_[frame];
+  unbuffered.push_back(sample);
   keepStamp(frame, sample.stamp_ns);
   // As many as there are stamps: the old samples themselves have long left the processor's caches.
-  while (waiting.size() > stamps_[frame].size()) {
-    waiting.pop_front();
+  while (unbuffered.size() > stamps_[frame].size()) {
+    unbuffered.pop_front();
   }
 }
 
@@ -271,12 +271,12 @@ void TransformStore::fillBuffer(std::size_t frame) const {
   geometry_msgs::TransformStamped transform;
   transform.header.frame_id = records_[frame].parent;
   transform.child_frame_id = records_[frame].name;
-  for (const Sample& sample : waiting_[frame]) {
+  for (const Sample& sample : unbuffered_[frame]) {
     transform.header.stamp.fromNSec(static_cast<std::uint64_t>(sample.stamp_ns));
     transform.transform = sample.parent_from_frame;
     buffer_.setTransform(transform, kAuthority, false);
   }
-  waiting_[frame].clear();
+  unbuffered_[frame].clear();
 }
 
 }  // namespace collision_monitor

@@ -136,8 +136,8 @@ class TransformStore {
   mutable std::mutex mutex_;
   mutable std::condition_variable news_;
   mutable tf2::BufferCore buffer_;
-  mutable std::vector<std::deque<Sample>> waiting_;  ///< for the buffer; by record
-  std::vector<std::deque<std::int64_t>> stamps_;     ///< of the history, sorted; by record
+  mutable std::vector<std::deque<Sample>> unbuffered_;  ///< for the buffer; by record
+  std::vector<std::deque<std::int64_t>> stamps_;        ///< of the history, sorted; by record
   std::vector<FrameRecord> records_;
   std::unordered_map<std::string, std::size_t> places_;
   Version version_;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "collision_monitor/geometry/ids.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/sentences.h"
 #include "ros_edge/poses/floating_parts.h"

@@ -9,8 +9,11 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "collision_monitor/geometry/ids.h"
 #include "model/place.h"
-#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/measure_pairs.h"
+#include "pipeline/cycle/place_bodies.h"
 #include "ros_edge/few_texts.h"
 #include "ros_edge/nearest_name.h"
 #include "ros_edge/outputs/conversions.h"
@@ -160,11 +163,11 @@ struct Reach {
 Reach measureReach(const CycleSetup& setup, const Selection& selection, double max_distance,
                    CycleBuffers& buffers) {
   measureWithin(setup, max_distance, buffers);
-  std::vector<const PairDistance*> nearest = nearestOf(setup, buffers.distances.measured);
+  std::vector<const PairDistance*> nearest = nearestOf(setup, buffers.distances.pairs);
   LinkPairIndex closest = closestOf(setup, selection, nearest);
   if (closest != kNone && nearest[closest]->measured.distance > max_distance) {
     measureWithin(setup, std::numeric_limits<double>::infinity(), buffers);
-    nearest = nearestOf(setup, buffers.distances.measured);
+    nearest = nearestOf(setup, buffers.distances.pairs);
     closest = closestOf(setup, selection, nearest);
   }
   return {max_distance, closest};
@@ -174,8 +177,7 @@ Reach measureReach(const CycleSetup& setup, const Selection& selection, double m
 void fillDistances(const MonitorSetup& current, const Selection& selection, const Scene& scene,
                    const Reach& reach, Distances& message) {
   const CycleSetup& setup = current.setup;
-  const std::vector<const PairDistance*> nearest =
-      nearestOf(setup, scene.buffers.distances.measured);
+  const std::vector<const PairDistance*> nearest = nearestOf(setup, scene.buffers.distances.pairs);
   std::vector<LinkDistance> unknown;
   GradientRows rows(setup, scene.poses);
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
@@ -207,7 +209,7 @@ std::string nearestText(const CycleSetup& setup, const CycleBuffers& buffers, co
   if (reach.closest == kNone) {
     return "";
   }
-  const PairDistance& closest = *nearestOf(setup, buffers.distances.measured)[reach.closest];
+  const PairDistance& closest = *nearestOf(setup, buffers.distances.pairs)[reach.closest];
   return closest.measured.distance <= reach.distance
              ? ""
              : "; none within " + lengthText(reach.distance) +

@@ -73,10 +73,10 @@ void checkSwings(const JointTrajectory& trajectory, FewTexts& faults) {
     const double time =
         std::max(timeOf(points[after]) - timeOf(points[i]), timeOf(points[i]) - before);
     for (std::size_t k = 0; k < points[i].velocities.size(); ++k) {
-      const double way = std::abs(points[i].velocities[k]) * time;
-      if (way > kFarthest) {
+      const double farthest = std::abs(points[i].velocities[k]) * time;
+      if (farthest > kFarthest) {
         const std::string fault = "is " + shortText(points[i].velocities[k]) +
-                                  ", by which it goes " + shortText(way) +
+                                  ", by which it goes " + shortText(farthest) +
                                   " until the point next to it; accepted: up to 1e9";
         faults.add([&] {
           return jointFault(pointText(i) + ".velocities", trajectory.joint_names[k], fault);

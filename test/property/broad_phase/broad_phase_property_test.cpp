@@ -28,8 +28,8 @@ struct Motion {
   double doubt_chance;  ///< of a body to be unknown in a frame
 };
 
-Aabb boxAround(const Eigen::Vector3d& centre, const Eigen::Vector3d& half_size) {
-  return {centre - half_size, centre + half_size};
+Aabb boxAround(const Eigen::Vector3d& center, const Eigen::Vector3d& half_size) {
+  return {center - half_size, center + half_size};
 }
 
 Aabb randomBox(Scene scene, Random& random) {

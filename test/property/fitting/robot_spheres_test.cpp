@@ -22,7 +22,7 @@ double farthestOutside(const TriangleMesh& mesh, const std::vector<SphereNode>& 
     for (const Eigen::Vector3d& point : {corner, centroid}) {
       double nearest = 1e300;
       for (const auto& sphere : spheres) {
-        nearest = std::min(nearest, (point - sphere.centre).norm() - sphere.radius);
+        nearest = std::min(nearest, (point - sphere.center).norm() - sphere.radius);
       }
       farthest = std::max(farthest, nearest);
     }

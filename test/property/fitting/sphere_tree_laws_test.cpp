@@ -64,7 +64,7 @@ std::vector<LongVector> samplesOf(const TriangleMesh& mesh,
 bool isEnclosed(const LongVector& point, const std::vector<SphereNode>& spheres) {
   return std::any_of(spheres.begin(), spheres.end(), [&](const SphereNode& sphere) {
     // The sample itself is rounded, to 1e-19 of its coordinates.
-    return (point - sphere.centre.cast<long double>()).norm() <= sphere.radius + 1e-17L;
+    return (point - sphere.center.cast<long double>()).norm() <= sphere.radius + 1e-17L;
   });
 }
 
@@ -159,7 +159,7 @@ RC_GTEST_PROP(InnerShapeLaws, innerIsInsideOuter, ()) {
   }
 }
 
-/// In a convex solid a ball is inside exactly when it is behind every face, so the sphere's centre
+/// In a convex solid a ball is inside exactly when it is behind every face, so the sphere's center
 /// and radius can be checked, and bettered, without any of the code under test.
 RC_GTEST_PROP(InnerShapeLaws, noStepInAnyDirectionGivesAMuchLargerSphere, ()) {
   const TriangleMesh mesh = anySolid();

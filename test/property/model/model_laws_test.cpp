@@ -149,7 +149,7 @@ RC_GTEST_PROP(ScaledMeshLaws, closedMesh_keepsItsOutsideUnderAnyScale, ()) {
   RC_ASSERT(std::abs(signedVolume(scaled(tetrahedron, scale)) - expected) < 1e-12);
 }
 
-/// A polygon that any ray from its centre leaves once, and so does not cross itself.
+/// A polygon that any ray from its center leaves once, and so does not cross itself.
 std::vector<Eigen::Vector3d> starPolygon() {
   const int count = *rc::gen::inRange(4, 24);
   std::vector<Eigen::Vector3d> polygon;

@@ -84,8 +84,7 @@ Pair anyPair() {
 
 // What may lie between two searches: nothing, or what a bound leaves open.
 bool agree(const ConvexDistance& one, const ConvexDistance& other, double difference) {
-  const bool are_exact =
-      one.quality == DistanceQuality::exact && other.quality == DistanceQuality::exact;
+  const bool are_exact = one.quality == Quality::exact && other.quality == Quality::exact;
   return std::abs(one.measured.distance - other.measured.distance - difference) <=
          (are_exact ? kClose : 1e-5);
 }
@@ -123,7 +122,7 @@ RC_GTEST_PROP(ConvexLaws, movingOne_changesTheDistanceByNoMore, ()) {
 RC_GTEST_PROP(ConvexLaws, movingByTheDistanceAlongTheNormal_makesThemTouch, ()) {
   Pair pair = anyPair();
   const ConvexDistance before = pair.measure();
-  RC_PRE(before.quality == DistanceQuality::exact);
+  RC_PRE(before.quality == Quality::exact);
   pair.world_from_a.translation += before.measured.distance * before.measured.normal_a_to_b;
   RC_ASSERT(std::abs(pair.measure().measured.distance) <= kPlaced);
 }
@@ -140,7 +139,7 @@ RC_GTEST_PROP(ConvexLaws, answer_isProvenByItsNormalAndPoints, ()) {
   if (!std::holds_alternative<HalfSpace>(pair.b)) {  // whose own normal is rounded
     RC_ASSERT(std::abs(proof.gap_along_normal - measured.distance) <= kClose);
   }
-  if (found.quality == DistanceQuality::exact) {
+  if (found.quality == Quality::exact) {
     RC_ASSERT(proof.a_outside <= kPlaced && proof.b_outside <= kPlaced);
   }
 }

@@ -78,7 +78,7 @@ Pose moved(const Pose& pose, double length, int step, std::size_t pair, Random& 
 
 bool isSame(const ConvexWarmStart& one, const ConvexWarmStart& other) {
   return one.size == other.size && one.vertex_of_a == other.vertex_of_a &&
-         one.vertex_of_b == other.vertex_of_b && one.inside_faces == other.inside_faces &&
+         one.vertex_of_b == other.vertex_of_b && one.polytope_faces == other.polytope_faces &&
          std::memcmp(one.ends.data(), other.ends.data(), one.size * sizeof(one.ends[0])) == 0;
 }
 

@@ -45,13 +45,13 @@ void check(const PosedConvexPair& pair, Worst& worst) {
     // Two cylinders: the reference comes from below, and what is above it is proven by its normal.
     const bool are_cylinders =
         std::holds_alternative<Cylinder>(*pair.a) && std::holds_alternative<Cylinder>(*pair.b);
-    const bool is_bound = answer.quality == DistanceQuality::lower_bound;
+    const bool is_bound = answer.quality == Quality::lower_bound;
     const double above = are_cylinders ? 1e-6 : 1e-9;
     const double below = is_bound ? 1e-6 : found > 0.0 ? 1e-9 : 1e-7;
     ASSERT_LE(found, static_cast<double>(reference) + above) << describe(pair);
     ASSERT_GE(found, static_cast<double>(reference) - below) << describe(pair);
   }
-  if (answer.quality == DistanceQuality::exact) {
+  if (answer.quality == Quality::exact) {
     worst.outside = std::max({worst.outside, proof.a_outside, proof.b_outside});
   } else {
     ++worst.bounds;

@@ -41,10 +41,10 @@ void check(const PosedConvexPair& pair, const ConvexDistance& found, const Conve
   const double slack = found.measured.distance > 0.0 ? 1e-9 + 1e-11 * size : 1e-7;
   const ConvexCertificate proof = certify(pair, found.measured);
   ASSERT_LE(found.measured.distance, proof.gap_along_normal + slack) << describe(pair);
-  if (found.quality == DistanceQuality::exact) {
+  if (found.quality == Quality::exact) {
     ASSERT_LE(proof.a_outside, 1e-6) << describe(pair);
     ASSERT_LE(proof.b_outside, 1e-6) << describe(pair);
-    if (cold.quality == DistanceQuality::exact) {
+    if (cold.quality == Quality::exact) {
       ASSERT_NEAR(found.measured.distance, cold.measured.distance, 2.0 * slack) << describe(pair);
     }
   }

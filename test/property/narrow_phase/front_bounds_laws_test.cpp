@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "collision_monitor/geometry/ids.h"
 #include "narrow_phase/mesh/mesh_distance.h"
 #include "narrow_phase/mesh_front/front_entries.h"
 #include "support/fixed_seed.h"
@@ -22,7 +23,7 @@ namespace collision_monitor::test::front_bounds_laws {
 namespace {
 
 void collect(const MeshTree& tree, std::uint32_t child, std::vector<std::uint32_t>& triangles) {
-  if (child == MeshTreeNode::kNone) {
+  if (child == kNone) {
     return;
   }
   if (isTriangle(child)) {

@@ -125,7 +125,7 @@ void check(const ConvexPair& placed, const GjkResult& overlap, Tally& tally) {
   ASSERT_NEAR(found.distance, static_cast<double>(mostSeparated(pair)), rounding);
   const Extended normal = found.normal_a_to_b.cast<long double>();
   ASSERT_NEAR(found.distance, static_cast<double>(gapAlong(normal, pair)), rounding);
-  ASSERT_NEAR(found.distance, -searchDepth(pair, overlap.simplex, workspace).depth, rounding);
+  ASSERT_NEAR(found.distance, -runEpa(pair, overlap.simplex, workspace).depth, rounding);
   const double level = 1e-11 * pair.size;  // see centerOnPatch
   ASSERT_NEAR(outside(*pair.a.hull, found.point_on_a), 0.0, level);
   ASSERT_NEAR(outside(*pair.b.hull, inverse(pair.a_from_b) * found.point_on_b), 0.0, level);
@@ -146,10 +146,11 @@ TEST(HullDepthLaws, depthIsThatOfAllAxesAndOfEpa_andPointsLieOnBoth) {
     const ConvexHull& b = hulls[random() % hulls.size()];
     const double reach = a.boundingRadius() + b.boundingRadius();
     const Pose a_from_b{randomTurn(random, i), randomPoint(random, uniform(random, 0.0, reach))};
-    ConvexPair pair = makeConvexPair(sweptCoreOf(a).core, Pose{}, sweptCoreOf(b).core, a_from_b);
+    ConvexPair pair =
+        makeConvexPair(inflatedCoreOf(a).core, Pose{}, inflatedCoreOf(b).core, a_from_b);
     ASSERT_TRUE(haveFewFaces(pair));
     ConvexPair searched = pair;
-    const GjkResult found = searchNearest(searched, {}, 1.0 + 2.0 * reach);
+    const GjkResult found = branchAndBound(searched, {}, 1.0 + 2.0 * reach);
     if (found.state == GjkResult::State::overlapping) {
       check(pair, found, tally);
     } else {

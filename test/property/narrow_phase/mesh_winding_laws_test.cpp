@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/constants.h"
 #include "narrow_phase/mesh/mesh_inside.h"
 #include "narrow_phase/mesh/mesh_winding.h"
@@ -78,7 +79,7 @@ double sumOfAll(const MeshTree& tree, const Vector3d& point) {
 }
 
 double distanceTo(const MeshTree& tree, const Vector3d& point) {
-  return nearestOnMesh(tree, point, TrianglePair::kNone, {}, memory()).distance;
+  return nearestOnMesh(tree, point, kNone, {}, memory()).distance;
 }
 
 Vector3d pointOff(const MeshTree& tree) {
@@ -148,10 +149,10 @@ RC_GTEST_PROP(MeshWindingLaws, waysShorterThanTheHold_changeNothing, ()) {
   const MeshTree tree = test::openTree(anyOpen());
   const Vector3d point = pointOff(tree);
   const PointInMesh lies = lookInside(tree, point, memory());
-  const double way = 0.999 * std::min(lies.hold, distanceTo(tree, point));
-  RC_PRE(way > 0.0);
+  const double delta = 0.999 * std::min(lies.hold, distanceTo(tree, point));
+  RC_PRE(delta > 0.0);
   const Vector3d side = anyPoint(1000) + Vector3d(1e-4, 0, 0);
-  const Vector3d there = point + way * side.normalized();
+  const Vector3d there = point + delta * side.normalized();
   // Outside of the box of the mesh nothing is asked.
   const PointInMesh then = lookInside(tree, there, memory());
   const double beyond = std::abs(sumOfAll(tree, there)) - 0.5;

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/model/kinematics.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/run_cycle.h"
 #include "pipeline/states/check_states.h"
 #include "support/allocation_guard.h"
 #include "support/fixed_seed.h"
@@ -87,7 +90,7 @@ struct Scene {
     resetMemory(buffers);
     runCycle(setup, poses, buffers);
     const std::uint32_t closest = buffers.events.closest_of_all;
-    return closest == kNone ? nullptr : &buffers.distances.measured[closest];
+    return closest == kNone ? nullptr : &buffers.distances.pairs[closest];
   }
 
   /// [m] Of the pairs of convex elements where the last cycle was.

@@ -10,8 +10,11 @@
 
 #include "collision_monitor/model/kinematics.h"
 #include "pipeline/answers/gradient_row.h"
-#include "pipeline/cycle/link_velocities.h"
-#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/find_closings.h"
+#include "pipeline/cycle/measure_pairs.h"
+#include "pipeline/cycle/place_bodies.h"
+#include "pipeline/look_ahead/link_velocities.h"
 #include "support/fixed_seed.h"
 #include "support/random_poses.h"
 #include "support/robots/hand_made_setup.h"
@@ -108,7 +111,7 @@ struct Scene {
     placeLinks(setup.model, positions, {Pose()}, poses.world_from_link);
     placeBodies(setup, poses, buffers.body_poses);
     measurePairs(setup, buffers.body_poses, pairs, buffers.distances);
-    return buffers.distances.measured;
+    return buffers.distances.pairs;
   }
   std::vector<double> distancesAt(const JointPositions& positions) {
     std::vector<double> distances;
@@ -152,7 +155,7 @@ void checkRows(Scene& scene, const JointPositions& positions, Counts& counts) {
   GradientRows rows_here(scene.setup, scene.poses);
   std::vector<GradientRow> rows;
   for (std::size_t i = 0; i < here.size(); ++i) {
-    rows.push_back(rows_here.of(scene.buffers.distances.measured[i]));
+    rows.push_back(rows_here.of(scene.buffers.distances.pairs[i]));
   }
   for (const Joint& joint : scene.setup.model.joints) {
     for (std::size_t k = 0; !joint.mimic && k < freedomOf(joint); ++k) {
@@ -219,7 +222,7 @@ TEST(GradientLaws, rowTimesVelocities_isTheClosingSpeedOfTheLinks) {
     applyJointVelocities(model, velocities, scene.poses);
     findClosings(scene.setup, scene.poses, scene.buffers.distances);
     GradientRows rows(scene.setup, scene.poses);
-    for (const PairDistance& distance : scene.buffers.distances.measured) {
+    for (const PairDistance& distance : scene.buffers.distances.pairs) {
       double rate = 0.0;
       for (const GradientEntry& entry : rows.of(distance)) {
         rate += entry.value * velocities[entry.variable];

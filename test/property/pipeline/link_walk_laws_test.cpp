@@ -6,9 +6,9 @@
 #include <cstring>
 
 #include "geometry/constants.h"
-#include "pipeline/cycle/link_walk.h"
-#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/data/activation_distance.h"
 #include "pipeline/data/motion_bound.h"
+#include "pipeline/look_ahead/link_walk.h"
 #include "pipeline/setup/setup_parts.h"
 #include "support/fixed_seed.h"
 #include "support/instruction_sets.h"
@@ -60,7 +60,7 @@ Twist stepOf(const ScrewMotion& motion) {
   return twistAbout(motion.start.translation, motion.travel, motion.turn);
 }
 
-double wayOf(const Twist& seen, const Eigen::Vector3d& center, double radius) {
+double travelOf(const Twist& seen, const Eigen::Vector3d& center, double radius) {
   return velocityAt(seen, center).norm() + seen.angular.norm() * radius;
 }
 
@@ -72,8 +72,8 @@ double plainReach(const Scene& scene, const CheckedLinkPair& pair, const std::ve
   if (velocities.known[a] == 0 || velocities.known[b] == 0) {
     return kInfinity;
   }
-  const double speed = wayOf(velocities.of_link[b] - velocities.of_link[a],
-                             scene.poses.world_from_link[b] * balls[b].center, balls[b].radius);
+  const double speed = travelOf(velocities.of_link[b] - velocities.of_link[a],
+                                scene.poses.world_from_link[b] * balls[b].center, balls[b].radius);
   const auto came = [&](std::size_t link) {
     const ScrewMotion& motion = scene.sweep.link_motions[link];
     return velocityAt(motion, balls[link].center).norm() + motion.turn.norm() * balls[link].radius;
@@ -81,8 +81,8 @@ double plainReach(const Scene& scene, const CheckedLinkPair& pair, const std::ve
   const double stop = scene.setup.ahead.stop.stop_distance + scene.setup.limits.hysteresis;
   const double asked =
       std::max(scene.setup.limits.contact_distance, stop) + scene.setup.ahead.horizon * speed;
-  const double way = scene.setup.is_continuous ? came(a) + came(b) : 0.0;
-  return std::max(asked, scene.setup.limits.contact_distance + way);
+  const double travel = scene.setup.is_continuous ? came(a) + came(b) : 0.0;
+  return std::max(asked, scene.setup.limits.contact_distance + travel);
 }
 
 /// The largest way of a pair for its thickness, of twists by LinkId.
@@ -94,7 +94,7 @@ double plainShare(const Scene& scene, const std::vector<Twist>& twists) {
     const std::size_t a = index(scene.setup.checked[i].a);
     const std::size_t b = index(scene.setup.checked[i].b);
     const Eigen::Vector3d center = scene.sweep.link_motions[b].start * balls[b].center;
-    most = std::max(most, wayOf(twists[b] - twists[a], center, balls[b].radius) / thickness[i]);
+    most = std::max(most, travelOf(twists[b] - twists[a], center, balls[b].radius) / thickness[i]);
   }
   return most;
 }
@@ -132,13 +132,15 @@ TEST(LinkWalkLaws, reachesAndStepsAreThoseOfEveryPairAlone_onEveryInstructionSet
     for (const std::int64_t target : instructionSets()) {
       SCOPED_TRACE(hwy::TargetName(target));
       const OnlyInstructionSet only(target);
-      PairReaches reaches = makePairReaches(scene.setup);
-      findReaches(scene.setup, scene.poses, scene.sweep, reaches);
+      ActivationDistances reaches = makeActivationDistances(scene.setup);
+      findActivationDistances(scene.setup, scene.poses, scene.sweep, reaches);
       ASSERT_EQ(reaches.of_pair.size(), scene.setup.checked.size());
       for (std::size_t i = 0; i < reaches.of_pair.size(); ++i) {
         const double expected = plainReach(scene, scene.setup.checked[i], balls);
-        expectReach(reaches.of_pair[i], std::max(expected, reachOf(scene.setup.limits)));
-        expectReach(reaches.near_of_pair[i], std::max(expected, nearReachOf(scene.setup)));
+        expectReach(reaches.of_pair[i],
+                    std::max(expected, activationDistanceOf(scene.setup.limits)));
+        expectReach(reaches.near_of_pair[i],
+                    std::max(expected, nearActivationDistanceOf(scene.setup)));
       }
       ASSERT_TRUE(first.empty() || std::memcmp(first.data(), reaches.of_pair.data(),
                                                first.size() * sizeof(double)) == 0);

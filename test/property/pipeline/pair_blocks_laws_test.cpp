@@ -8,7 +8,8 @@
 #include <limits>
 
 #include "narrow_phase/distance.h"
-#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/blocks/search_blocks.h"
+#include "pipeline/cycle/place_bodies.h"
 #include "support/fixed_seed.h"
 #include "support/instruction_sets.h"
 #include "support/robots/hand_made_setup.h"

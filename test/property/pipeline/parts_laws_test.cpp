@@ -5,8 +5,11 @@
 #include <cstring>
 #include <vector>
 
-#include "pipeline/cycle/link_velocities.h"
+#include "collision_monitor/geometry/ids.h"
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
+#include "pipeline/data/activation_distance.h"
+#include "pipeline/look_ahead/link_velocities.h"
 #include "support/allocation_guard.h"
 #include "support/random_poses.h"
 #include "support/robots/hand_made_setup.h"
@@ -85,9 +88,10 @@ bool isOfLinks(const CheckedLinkPair& pair, std::size_t first, std::size_t last)
 std::vector<PairDistance> distancesOf(const CycleSetup& setup, const CycleBuffers& buffers,
                                       std::size_t first, std::size_t last) {
   std::vector<PairDistance> found;
-  for (const PairDistance& distance : buffers.distances.measured) {
+  for (const PairDistance& distance : buffers.distances.pairs) {
     const CheckedLinkPair& pair = setup.checked[setup.link_pair_of[index(distance.pair)]];
-    if (isOfLinks(pair, first, last) && distance.measured.distance <= reachOf(setup.limits)) {
+    if (isOfLinks(pair, first, last) &&
+        distance.measured.distance <= activationDistanceOf(setup.limits)) {
       found.push_back(distance);
     }
   }

@@ -4,6 +4,9 @@
 
 #include <cstring>
 
+#include "collision_monitor/geometry/ids.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/distance_cache.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "support/allocation_guard.h"
 #include "support/query_meshes.h"
@@ -71,8 +74,8 @@ TEST_P(RefineCycles, allocateNothingAndEveryBroadPhaseGivesTheSameBytes) {
       runCycle(setup, poses, sweep_and_prune);
       allocations += guard.count();
     }
-    const auto& one = brute_force.distances.measured;
-    const auto& other = sweep_and_prune.distances.measured;
+    const auto& one = brute_force.distances.pairs;
+    const auto& other = sweep_and_prune.distances.pairs;
     ASSERT_TRUE(std::equal(one.begin(), one.end(), other.begin(), other.end(), sameBytes));
     const auto& passed_one = brute_force.distances.passed;
     const auto& passed_other = sweep_and_prune.distances.passed;
@@ -126,11 +129,11 @@ TEST(RefineProperty, bodiesThatWaitChangeNoByte) {
   std::size_t had_to = 0;
   for (int cycle = 0; cycle < 10000; ++cycle) {
     creep(random, poses);
-    forgetful.memory.gaps = makeKnownGaps(setup);
+    forgetful.memory.distance_cache = makeDistanceCache(setup);
     runCycle(setup, poses, forgetful);
     runCycle(setup, poses, remembering);
-    const auto& one = forgetful.distances.measured;
-    const auto& other = remembering.distances.measured;
+    const auto& one = forgetful.distances.pairs;
+    const auto& other = remembering.distances.pairs;
     ASSERT_TRUE(std::equal(one.begin(), one.end(), other.begin(), other.end(), sameBytes));
     ASSERT_EQ(forgetful.distances.passed.size(), remembering.distances.passed.size());
     ASSERT_EQ(forgetful.events.verdicts, remembering.events.verdicts);
@@ -148,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Budgets, RefineCycles, testing::Values(50U, 200U, 10000
 std::vector<PairDistance> nearestOf(const CycleBuffers& buffers) {
   std::vector<PairDistance> nearest;
   for (const std::uint32_t place : buffers.events.closest) {
-    nearest.push_back(place == kNone ? PairDistance() : buffers.distances.measured[place]);
+    nearest.push_back(place == kNone ? PairDistance() : buffers.distances.pairs[place]);
   }
   return nearest;
 }

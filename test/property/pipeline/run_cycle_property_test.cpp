@@ -7,9 +7,16 @@
 #include <cstring>
 #include <vector>
 
+#include "collision_monitor/geometry/ids.h"
 #include "narrow_phase/distance.h"
-#include "pipeline/cycle/link_velocities.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/distance_cache.h"
+#include "pipeline/cycle/find_closings.h"
+#include "pipeline/cycle/judge_pairs.h"
+#include "pipeline/cycle/measure_pairs.h"
 #include "pipeline/cycle/run_cycle.h"
+#include "pipeline/cycle/scale_speed.h"
+#include "pipeline/look_ahead/link_velocities.h"
 #include "support/allocation_guard.h"
 #include "support/random_poses.h"
 #include "support/robots/hand_made_setup.h"
@@ -47,9 +54,9 @@ bool sameBytes(const PairDistance& one, const PairDistance& other) {
 
 void expectSameBytes(const CycleBuffers& one, const CycleBuffers& other) {
   ASSERT_EQ(one.counters.candidates, other.counters.candidates);
-  ASSERT_EQ(one.distances.measured.size(), other.distances.measured.size());
-  for (std::size_t i = 0; i < one.distances.measured.size(); ++i) {
-    ASSERT_TRUE(sameBytes(one.distances.measured[i], other.distances.measured[i]));
+  ASSERT_EQ(one.distances.pairs.size(), other.distances.pairs.size());
+  for (std::size_t i = 0; i < one.distances.pairs.size(); ++i) {
+    ASSERT_TRUE(sameBytes(one.distances.pairs[i], other.distances.pairs[i]));
   }
   ASSERT_EQ(one.distances.passed.size(), other.distances.passed.size());
   for (std::size_t i = 0; i < one.distances.passed.size(); ++i) {
@@ -228,15 +235,15 @@ TEST(RunCycleProperty, whatIsRememberedOfDistancesChangesNoByte) {
   for (int cycle = 0; cycle < 5000; ++cycle) {
     drift(random, poses);
     trackVelocities(setup.model, VelocityOptions(), tracker, poses);
-    forgetful.memory.gaps = makeKnownGaps(setup);
+    forgetful.memory.distance_cache = makeDistanceCache(setup);
     runCycle(setup, poses, forgetful);
     for (CycleBuffers& other : others) {
       runCycle(setup, poses, other);
       expectSameBytes(forgetful, other);
     }
-    culled += others[0].counters.culled_by_gaps;
+    culled += others[0].counters.culled_by_cache;
     measured += others[0].candidates.size();
-    told += others[0].distances.measured.size();
+    told += others[0].distances.pairs.size();
   }
   EXPECT_GT(culled, measured) << "too little is remembered to prove anything";
   EXPECT_GT(told, 10000U);
@@ -284,7 +291,7 @@ TEST(RunCycleProperty, verdictsAndClosestAreThoseOfMeasuringEveryPair) {
       ASSERT_EQ(buffers.events.verdicts[i], expected) << "distance " << least;
     }
     ASSERT_NE(buffers.events.closest_of_all, kNone);
-    EXPECT_NEAR(buffers.distances.measured[buffers.events.closest_of_all].measured.distance,
+    EXPECT_NEAR(buffers.distances.pairs[buffers.events.closest_of_all].measured.distance,
                 least_of_all, 1e-12);
   }
 }

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "collision_monitor/geometry/ids.h"
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "support/fixed_seed.h"
 #include "support/query_meshes.h"
@@ -43,7 +45,7 @@ void creep(Random& random, LinkPoses& poses) {
 
 const PairDistance* nearestOf(const CycleBuffers& buffers, std::size_t pair) {
   const std::uint32_t place = buffers.events.closest[pair];
-  return place == kNone ? nullptr : &buffers.distances.measured[place];
+  return place == kNone ? nullptr : &buffers.distances.pairs[place];
 }
 
 /// It may shorten a distance past a threshold; and what has hardly moved is not measured.
@@ -92,8 +94,8 @@ TEST(ToleranceLaws, shortBudgetAtAThreshold_isMadeUpForAtRest) {
     if (nearest == nullptr || nearest->quality != Quality::exact) {
       continue;
     }
-    const double way = kContact + uniform(random, 0.0, 1e-3) - nearest->measured.distance;
-    poses.world_from_link[1].translation += way * nearest->measured.normal_a_to_b;
+    const double travel = kContact + uniform(random, 0.0, 1e-3) - nearest->measured.distance;
+    poses.world_from_link[1].translation += travel * nearest->measured.normal_a_to_b;
     resetMemory(exact);
     runCycle(setup, poses, exact);
     CycleBuffers tolerant = buffersWithin(2e-3, setup);

@@ -85,14 +85,14 @@ RC_GTEST_PROP(TrajectoryLaws, distancesChangeByNoMoreThanTheBound, ()) {
   std::vector<Pose> at_end;
   poses.place(0, from, at_start);
   poses.place(0, to, at_end);
-  std::vector<double> ways;
+  std::vector<double> travels;
   for (std::size_t i = 0; i < path.joints.size(); ++i) {
-    ways.push_back(wayOf(path, {0, from, to}, i));
+    travels.push_back(travelOf(path, {0, from, to}, i));
   }
   for (LinkPairIndex pair = 0; pair < setup.checked.size(); ++pair) {
     const CheckedLinkPair& links = setup.checked[pair];
     const LinkChain chain = chainBetween(setup.model, path, links.a, links.b);
-    const double bound = boundMotion(chain, measures.balls, at_start, ways);
+    const double bound = boundMotion(chain, measures.balls, at_start, travels);
     const double change = bodyDistance(measures, pair, at_end).measured.distance -
                           bodyDistance(measures, pair, at_start).measured.distance;
     RC_ASSERT(std::abs(change) <= bound + 1e-9);

@@ -16,7 +16,7 @@
 namespace collision_monitor::test {
 namespace {
 
-constexpr Real kNone = std::numeric_limits<Real>::infinity();
+constexpr Real kFarthest = std::numeric_limits<Real>::infinity();
 
 std::vector<Eigen::Vector3d> corners(const Eigen::Vector3d& half_extents) {
   std::vector<Eigen::Vector3d> points;
@@ -88,8 +88,8 @@ Vector normalOf(const Polyhedron& p, const std::array<std::uint32_t, 3>& t) {
 namespace {
 
 Real gapAlong(const Polyhedron& a, const Polyhedron& b, const Vector& direction) {
-  Real end_of_a = -kNone;
-  Real start_of_b = kNone;
+  Real end_of_a = -kFarthest;
+  Real start_of_b = kFarthest;
   for (const Vector& point : a.points) {
     end_of_a = std::max(end_of_a, direction.dot(point));
   }
@@ -122,7 +122,7 @@ void offerSidesOfFlat(const Polyhedron& a, const Polyhedron& b, const Offer& off
 }
 
 Real largestGap(const Polyhedron& a, const Polyhedron& b) {
-  Real largest = -kNone;
+  Real largest = -kFarthest;
   const auto offer = [&](const Vector& normal) {
     const Real length = normal.norm();
     if (length > 0) {
@@ -170,13 +170,13 @@ Real distanceToInside(const Vector& point, const Vector& a, const Vector& b, con
   const Real squared = normal.squaredNorm();
   if (!(squared > 0) || (b - a).cross(point - a).dot(normal) < 0 ||
       (c - b).cross(point - b).dot(normal) < 0 || (a - c).cross(point - c).dot(normal) < 0) {
-    return kNone;
+    return kFarthest;
   }
   return std::abs((point - a).dot(normal)) / std::sqrt(squared);
 }
 
 Real distanceToFaces(const Polyhedron& corners_of, const Polyhedron& faces_of) {
-  Real least = kNone;
+  Real least = kFarthest;
   for (const Vector& point : corners_of.points) {
     for (const Vector& other : faces_of.points) {
       least = std::min(least, (point - other).norm());

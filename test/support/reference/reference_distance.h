@@ -23,7 +23,7 @@ struct Reference {
 
 /// Signed distance by another road than the package's, in extended precision (64-bit mantissa).
 ///
-/// The Minkowski difference of two cores is a zonotope: centre + sum of lambda_k g_k with
+/// The Minkowski difference of two cores is a zonotope: center + sum of lambda_k g_k with
 /// |lambda_k| <= 1 and up to six generators g_k, the half edges of both. Apart: the point of it
 /// nearest to the origin is a least squares problem with bounds, solved for every choice of at
 /// most two free variables, the rest at their bounds. Overlapping: the depth is the least

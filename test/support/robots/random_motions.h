@@ -25,7 +25,7 @@ SweptContact meetConvex(const ConvexGeometry& a, const ScrewMotion& motion_a,
                         double contact_distance = 0.0);
 
 /// A thin plate that crosses another between two cycles: 1 to 5 mm thick, 0.1 m in one cycle (5 m/s
-/// at 50 Hz), at a random slant and turning; it is clear at both ends, and its centre passes
+/// at 50 Hz), at a random slant and turning; it is clear at both ends, and its center passes
 /// through the plane of the other plate, which stands still.
 struct PlateCrossing {
   ConvexGeometry plate;

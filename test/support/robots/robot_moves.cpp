@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "pipeline/cycle/link_velocities.h"
+#include "pipeline/look_ahead/link_velocities.h"
 
 namespace collision_monitor::test {
 

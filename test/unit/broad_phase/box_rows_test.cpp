@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "collision_monitor/broad_phase/pair_table.h"
+#include "collision_monitor/geometry/ids.h"
 #include "support/instruction_sets.h"
 
 namespace collision_monitor {
@@ -47,7 +48,7 @@ TEST(BoxRows, rowsThatMeetComeInOrder) {
 TEST(BoxRows, ofATable_idsOfPairsThatMeet) {
   for (const std::size_t count : {2U, 5U, 16U, 17U, 18U, 40U}) {
     const BoxRows rows = cubesAlongX(count);
-    std::vector<std::uint32_t> ids(count * count + kRowPadding, kNoPair);
+    std::vector<std::uint32_t> ids(count * count + kRowPadding, kNone);
     std::vector<std::uint32_t> expected;
     for (std::uint32_t a = 0; a < count; a += 2) {
       for (std::uint32_t b = a + 1; b < count; ++b) {
@@ -79,7 +80,7 @@ TEST(BoxRows, ofATable_anyLanes_onEveryInstructionSet) {
     const test::OnlyInstructionSet only(target);
     for (std::uint32_t eight = 0; eight < 256; ++eight) {
       const std::uint32_t in_table = eight | (~eight & 255U) << 8;
-      std::vector<std::uint32_t> ids(kCount * kCount + kRowPadding, kNoPair);
+      std::vector<std::uint32_t> ids(kCount * kCount + kRowPadding, kNone);
       std::vector<std::uint32_t> expected;
       for (std::uint32_t other = 1; other < kCount; ++other) {
         if ((in_table >> (other - 1) & 1U) != 0) {

@@ -44,8 +44,8 @@ TEST(DrawShape, sphere_hasTheAreaAndDepthOfADisc) {
   DepthImage image(200, 200);
   drawShape(ball, view, 7, image);
   EXPECT_NEAR(static_cast<double>(seenOf(image, 7)), kPi * 90.0 * 90.0, 0.01 * kPi * 90.0 * 90.0);
-  const double centre = view.pixelOf(ball.geometry_from_body.translation).z();
-  EXPECT_NEAR(image.depth[image.at(100, 100)], centre + 0.25, 1e-3);
+  const double center = view.pixelOf(ball.geometry_from_body.translation).z();
+  EXPECT_NEAR(image.depth[image.at(100, 100)], center + 0.25, 1e-3);
   EXPECT_GT(image.normal[image.at(100, 100)].z(), 0.999F);
   EXPECT_EQ(image.owner[image.at(0, 0)], DepthImage::kNobody);
 }

@@ -117,7 +117,7 @@ TEST(Spheres, encloseAndAreReadByAnSrdfReader) {
   for (const Eigen::Vector3d& vertex : std::get<TriangleMesh>(element.geometry).vertices) {
     const Eigen::Vector3d point = element.link_from_geometry * vertex;
     EXPECT_TRUE(std::any_of(leaves.begin(), leaves.end(), [&](const SphereNode& sphere) {
-      return (point - sphere.centre).norm() <= sphere.radius;
+      return (point - sphere.center).norm() <= sphere.radius;
     }));
   }
   RobotDescription description = arm();

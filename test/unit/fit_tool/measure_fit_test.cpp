@@ -13,8 +13,8 @@
 namespace collision_monitor::fit_tool {
 namespace {
 
-PosedShape boxAt(const Eigen::Vector3d& half_extents, const Eigen::Vector3d& centre) {
-  return {Box{half_extents}, {Eigen::Matrix3d::Identity(), centre}};
+PosedShape boxAt(const Eigen::Vector3d& half_extents, const Eigen::Vector3d& center) {
+  return {Box{half_extents}, {Eigen::Matrix3d::Identity(), center}};
 }
 
 TEST(HullVolume, ofSolidsKnownByHand) {

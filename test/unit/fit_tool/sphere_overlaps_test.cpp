@@ -10,7 +10,7 @@
 namespace collision_monitor::fit_tool {
 namespace {
 
-/// Two cubes of 0.2 m with their centres 0.3 m apart, and a ball 1 m above that both turn against.
+/// Two cubes of 0.2 m with their centers 0.3 m apart, and a ball 1 m above that both turn against.
 FittedRobot cubes() {
   const std::string cube = "<box size='0.2 0.2 0.2'/>";
   return fitRobot(

@@ -17,9 +17,9 @@ TEST(MotionOfBall, shiftOnly_isTheShift) {
   EXPECT_NEAR(motionOfBall({1, 2, 3}, 5.0, Pose{}, to), 0.5, 1e-15);
 }
 
-TEST(MotionOfBall, quarterTurn_isWayOfTheCentreAndChordOfTheRadius) {
+TEST(MotionOfBall, quarterTurn_isWayOfTheCenterAndChordOfTheRadius) {
   const Pose to{Eigen::AngleAxisd(M_PI / 2, Vector3d::UnitZ()).toRotationMatrix(), {0, 0, 0}};
-  // The centre goes from (1, 0, 0) to (0, 1, 0), the ball turns by a chord of radius sqrt(2).
+  // The center goes from (1, 0, 0) to (0, 1, 0), the ball turns by a chord of radius sqrt(2).
   EXPECT_NEAR(motionOfBall({1, 0, 0}, 0.5, Pose{}, to), 1.5 * std::sqrt(2.0), 1e-15);
 }
 

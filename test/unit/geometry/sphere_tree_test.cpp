@@ -41,12 +41,12 @@ TEST(SphereTree, withoutNodes_hasNoLevelsAndNoSpheres) {
   EXPECT_TRUE(placed(SphereTree{}, Pose{}).nodes.empty());
 }
 
-TEST(SphereTree, placed_turnsAndShiftsCentres_andNeverShrinks) {
+TEST(SphereTree, placed_turnsAndShiftsCenters_andNeverShrinks) {
   Pose link_from_geometry;
   link_from_geometry.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   link_from_geometry.translation = {10, 20, 30};
   const SphereTree tree = placed(smallTree(), link_from_geometry);
-  EXPECT_EQ(tree.nodes[2].centre, Eigen::Vector3d(10, 24, 30));
+  EXPECT_EQ(tree.nodes[2].center, Eigen::Vector3d(10, 24, 30));
   EXPECT_GT(tree.nodes[2].radius, 3.0);
   EXPECT_LT(tree.nodes[2].radius, 3.0 + 1e-13);
   EXPECT_EQ(tree.nodes[1].first_child, 3u);

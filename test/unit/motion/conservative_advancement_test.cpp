@@ -96,11 +96,11 @@ TEST(ConservativeAdvancement, straightBoxes_areSettledByTheClosedForm) {
       meet(Box{{1, 1, 1}}, still(at(0, 0, 0)), Box{{1, 1, 1}}, straight(at(3, 0, 0), {-4, 0.5, 0}));
   ASSERT_EQ(found.state, SweepState::contact);
   EXPECT_NEAR(found.time, 0.25, kExact);
-  EXPECT_EQ(found.steps, 1U);
+  EXPECT_EQ(found.work, 1U);
   const auto past =
       meet(Box{{1, 1, 1}}, still(at(0, 0, 0)), Box{{1, 1, 1}}, straight(at(3, 3, 0), {-4, 0.5, 0}));
   EXPECT_EQ(past.state, SweepState::clear);
-  EXPECT_EQ(past.steps, 0U);
+  EXPECT_EQ(past.work, 0U);
 }
 
 TEST(ConservativeAdvancement, boxTipsOntoAPlane) {
@@ -135,7 +135,7 @@ TEST(ConservativeAdvancement, bothMoveAlike_neverMeetAndTakeOneStep) {
   const auto found = meet(Capsule{0.1, 0.1}, screwBetween(a, motion * a), Box{{0.1, 0.1, 0.1}},
                           screwBetween(b, motion * b));
   EXPECT_EQ(found.state, SweepState::clear);
-  EXPECT_LE(found.steps, 2U);
+  EXPECT_LE(found.work, 2U);
 }
 
 TEST(ConservativeAdvancement, touchingAtTheStart_atZero) {
@@ -149,7 +149,7 @@ TEST(ConservativeAdvancement, budgetSpent_undecidedAndClearUntilThen) {
   limits.budget = 2;
   const auto found = meet(Capsule{2.0, 0.1}, turningRod(), Sphere{0.1}, still(at(0, 1, 0)), limits);
   EXPECT_EQ(found.state, SweepState::undecided);
-  EXPECT_EQ(found.steps, 2U);
+  EXPECT_EQ(found.work, 2U);
   EXPECT_GT(found.time, 0.1);
   EXPECT_LE(found.time, std::acos(0.2) / (0.5 * kPi));
 }
@@ -197,10 +197,10 @@ TEST(ConservativeAdvancement, meshLooksOnlyWhereItMayMeet) {
   const TriangleMesh sphere = sphereMesh(0.5, 48);
   const auto found = meet(sphere, still(Pose()), sphere, straight(at(1.01, 0, 0), {-0.02, 0, 0}));
   EXPECT_EQ(found.state, SweepState::contact);
-  EXPECT_LT(found.steps, sphere.triangles.size());
+  EXPECT_LT(found.work, sphere.triangles.size());
   const auto away = meet(sphere, still(Pose()), sphere, straight(at(2, 0, 0), {-0.02, 0, 0}));
   EXPECT_EQ(away.state, SweepState::clear);
-  EXPECT_LE(away.steps, 1U);
+  EXPECT_LE(away.work, 1U);
 }
 
 TEST(ConservativeAdvancement, meshAndBall) {

@@ -17,7 +17,7 @@ MovingSphere straight(const Pose& start, const Eigen::Vector3d& travel, double r
 
 TEST(MovingSphere, straightMotion_keepsTheRadius) {
   const MovingSphere sphere = straight(at(1, 2, 3), {0, 3, 4}, 0.5);
-  expectNear(sphere.center, {1, 2, 3}, "centre");
+  expectNear(sphere.center, {1, 2, 3}, "center");
   expectNear(sphere.travel, {0, 3, 4}, "travel");
   EXPECT_NEAR(sphere.length, 5.0, kExact);
   EXPECT_NEAR(sphere.reach, 0.5, kExact);
@@ -41,7 +41,7 @@ TEST(MovingSphere, bySpeed_isTheSumOfTravels) {
   EXPECT_TRUE(mayMeetBySpeed(a, straight(at(5.001, 0, 0), {0, 0, 2}, 1.0), 0.01));
 }
 
-TEST(MovingSphere, byClosing_onlyTheLineOfCentresCounts) {
+TEST(MovingSphere, byClosing_onlyTheLineOfCentersCounts) {
   const MovingSphere a = straight(at(0, 0, 0), {0.5, 7, 0}, 1.0);
   // 3 m apart; A comes 0.5 nearer along the line, B what its travel says.
   EXPECT_FALSE(mayMeetByClosing(a, straight(at(5, 0, 0), {-2.499, 0, 9}, 1.0), 0.0));
@@ -50,7 +50,7 @@ TEST(MovingSphere, byClosing_onlyTheLineOfCentresCounts) {
   EXPECT_TRUE(mayMeetByClosing(a, straight(at(1, 0, 0), {4, 0, 0}, 1.0), 0.0)) << "they overlap";
 }
 
-TEST(MovingSphere, sameCentre_meets) {
+TEST(MovingSphere, sameCenter_meets) {
   const MovingSphere a = straight(at(0, 0, 0), {0, 0, 0}, 0.0);
   EXPECT_TRUE(mayMeetBySpeed(a, a, 0.0));
   EXPECT_TRUE(mayMeetByClosing(a, a, 0.0));

@@ -21,8 +21,8 @@ TEST(TimeOfContact, spheresHeadOn_gapOverTravel) {
   expectTime(timeOfContact(Sphere{1.0}, Pose(), Sphere{0.5}, at(4.5, 0, 0), {-6, 0, 0}), 0.5);
 }
 
-TEST(TimeOfContact, spheresOffCentre_hypotenuseIsTheSumOfRadii) {
-  // Centres 5 m apart when touching: 4 aside, so 3 ahead; the centre goes from 13 to 3.
+TEST(TimeOfContact, spheresOffCenter_hypotenuseIsTheSumOfRadii) {
+  // Centers 5 m apart when touching: 4 aside, so 3 ahead; the center goes from 13 to 3.
   expectTime(timeOfContact(Sphere{2.0}, Pose(), Sphere{3.0}, at(13, 4, 0), {-20, 0, 0}), 0.5);
 }
 
@@ -50,7 +50,7 @@ TEST(TimeOfContact, grazingSpheres_keepTheirDigits) {
 }
 
 TEST(TimeOfContact, sphereFallsOnAPlane) {
-  // The plane x = 1 with its solid below x: the centre falls from 4 to 1.25.
+  // The plane x = 1 with its solid below x: the center falls from 4 to 1.25.
   const Pose plane{axes(Vector3d::UnitY(), Vector3d::UnitZ()), {1, 7, 7}};
   expectTime(timeOfContact(HalfSpace{}, plane, Sphere{0.25}, at(4, 0, 0), {-11, 3, 2}), 0.25);
   EXPECT_FALSE(timeOfContact(HalfSpace{}, plane, Sphere{0.25}, at(4, 0, 0), {-2.7, 3, 2}));

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kMeshExact = 1e-9;
 
-/// Centres along x at -2, 0 and 2, radius 0.5, below a root that is too small to hold them.
+/// Centers along x at -2, 0 and 2, radius 0.5, below a root that is too small to hold them.
 SphereUnion threeBalls() {
   SphereTree tree;
   tree.nodes.resize(4);
@@ -25,7 +25,7 @@ SphereUnion threeBalls() {
   tree.nodes[0].first_child = 1;
   tree.nodes[0].child_count = 3;
   for (std::size_t i = 1; i < 4; ++i) {
-    tree.nodes[i].centre = {2.0 * static_cast<double>(i) - 4.0, 0, 0};
+    tree.nodes[i].center = {2.0 * static_cast<double>(i) - 4.0, 0, 0};
     tree.nodes[i].radius = 0.5;
     tree.nodes[i].level = 1;
   }
@@ -43,7 +43,7 @@ class GeometryDistance : public testing::Test {
   }
 
   void expectBothWays(const GeometryRef& a, const GeometryRef& b, const Pose& pose_b,
-                      double distance, DistanceQuality quality = DistanceQuality::exact) {
+                      double distance, Quality quality = Quality::exact) {
     const ConvexDistance found = measure(a, {}, b, pose_b);
     EXPECT_EQ(found.quality, quality);
     EXPECT_NEAR(found.measured.distance, distance, kMeshExact);
@@ -66,7 +66,7 @@ TEST_F(GeometryDistance, cubeMeshAndCylinder_sideCapAndEdge) {
   expectBothWays(&cube_, &cylinder, at(0, 0.2, 2), 0.5);
   // The cube's edge at x = 1, z = 1 and the rim at 1.75, 1.5.
   expectBothWays(&cube_, &cylinder, at(2, 0, 2), std::hypot(0.75, 0.5));
-  expectBothWays(&cube_, &cylinder, at(1.2, 0, 0), 0.0, DistanceQuality::estimate);
+  expectBothWays(&cube_, &cylinder, at(1.2, 0, 0), 0.0, Quality::estimate);
 }
 
 TEST_F(GeometryDistance, cubeMeshAndHull_cornerToFace) {
@@ -95,7 +95,7 @@ TEST_F(GeometryDistance, unionOfSpheres_isItsNearestLeaf) {
   const ConvexGeometry box = Box{{0.5, 0.5, 0.5}};
   expectBothWays(&balls_, &box, at(4, 0, 0), 1.0);
   expectBothWays(&balls_, &box, at(1, 2, 0), std::hypot(0.5, 1.5) - 0.5);
-  expectBothWays(&balls_, &box, at(2, 0.8, 0), -0.2, DistanceQuality::estimate);
+  expectBothWays(&balls_, &box, at(2, 0.8, 0), -0.2, Quality::estimate);
   expectBothWays(&balls_, &cube_, at(4, 0, 0), 0.5);
   expectBothWays(&balls_, &balls_, at(0, 3, 0), 2.0);
   expectBothWays(&balls_, &balls_, at(5.5, 0, 0), 0.5);
@@ -103,21 +103,21 @@ TEST_F(GeometryDistance, unionOfSpheres_isItsNearestLeaf) {
 
 TEST_F(GeometryDistance, overlappingMeshes_separateWithinTheBound) {
   const ConvexDistance found = measure(&cube_, {}, &cube_, at(1.5, 0, 0));
-  EXPECT_EQ(found.quality, DistanceQuality::lower_bound);
+  EXPECT_EQ(found.quality, Quality::lower_bound);
   EXPECT_NEAR(found.measured.distance, -0.5, kMeshExact);
   expectConsistent(found.measured);
 }
 
 TEST_F(GeometryDistance, poseThatIsNotFinite_isUnknown) {
   const Pose lost = at(std::numeric_limits<double>::quiet_NaN(), 0, 0);
-  EXPECT_EQ(measure(&cube_, lost, &balls_, {}).quality, DistanceQuality::unknown);
+  EXPECT_EQ(measure(&cube_, lost, &balls_, {}).quality, Quality::unknown);
 }
 
 TEST_F(GeometryDistance, meshBeyondAllReach_isUnknown) {
   const ConvexGeometry box = Box{{1, 1, 1}};
   for (const GeometryRef& other : {GeometryRef(&cube_), GeometryRef(&box)}) {
-    EXPECT_EQ(measure(&cube_, {}, other, at(1e16, 0, 0)).quality, DistanceQuality::unknown);
-    EXPECT_EQ(measure(other, at(0, 1e60, 0), &cube_, {}).quality, DistanceQuality::unknown);
+    EXPECT_EQ(measure(&cube_, {}, other, at(1e16, 0, 0)).quality, Quality::unknown);
+    EXPECT_EQ(measure(other, at(0, 1e60, 0), &cube_, {}).quality, Quality::unknown);
   }
 }
 

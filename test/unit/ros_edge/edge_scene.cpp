@@ -5,6 +5,9 @@
 #include <algorithm>
 
 #include "collision_monitor/model/kinematics.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/judge_pairs.h"
+#include "pipeline/cycle/run_cycle.h"
 #include "support/robots/urdf_text.h"
 
 namespace collision_monitor::test {
@@ -66,7 +69,7 @@ std::unique_ptr<Watch> estimatedDepth(const TransformStore& store) {
   const auto setup = slidingSetup(options);
   auto watch = judged(setup, store, slidingPoses(setup->setup.model, 0.0, -0.34));
   CycleBuffers& buffers = watch->buffers;
-  buffers.distances.measured.at(buffers.events.closest_of_all).quality = Quality::estimate;
+  buffers.distances.pairs.at(buffers.events.closest_of_all).quality = Quality::estimate;
   judgePairs(setup->setup, buffers.body_poses, watch->poses.velocities, buffers.distances,
              buffers.memory, buffers.events);
   return watch;

@@ -100,7 +100,7 @@ Eigen::Vector3d normalAt(const Shape& shape, const Eigen::Vector3d& point,
   return length > 0.0 ? Eigen::Vector3d(from_core / length) : fallback;
 }
 
-/// How far the shape reaches along each axis of the view, its centre at the origin.
+/// How far the shape reaches along each axis of the view, its center at the origin.
 Eigen::Vector3d reachOf(const Shape& shape, const Eigen::Matrix3d& view_from_body) {
   Eigen::Vector3d reach;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -122,8 +122,8 @@ DepthImage::DepthImage(int image_width, int image_height)
 
 Eigen::Vector3d View::pixelOf(const Eigen::Vector3d& point_in_link) const {
   const Eigen::Vector3d point = view_from_link * point_in_link;
-  return {0.5 * width + (point.x() - centre.x()) * pixels_per_metre,
-          0.5 * height - (point.y() - centre.y()) * pixels_per_metre, point.z()};
+  return {0.5 * width + (point.x() - center.x()) * pixels_per_metre,
+          0.5 * height - (point.y() - center.y()) * pixels_per_metre, point.z()};
 }
 
 View viewOf(const std::vector<PosedShape>& shapes, const std::vector<Eigen::Vector3d>& points,
@@ -155,7 +155,7 @@ View viewOf(const std::vector<PosedShape>& shapes, const std::vector<Eigen::Vect
     return view;
   }
   const Eigen::Vector2d size = (most - least).cwiseMax(1e-9);
-  view.centre = 0.5 * (least + most);
+  view.center = 0.5 * (least + most);
   view.pixels_per_metre = kFilled * std::min(width / size.x(), height / size.y());
   return view;
 }

@@ -17,7 +17,7 @@ namespace collision_monitor::fit_tool {
 /// turned, not shifted.
 struct View {
   Eigen::Matrix3d view_from_link{Eigen::Matrix3d::Identity()};
-  Eigen::Vector2d centre{Eigen::Vector2d::Zero()};  ///< [m] x and y at the middle of the picture
+  Eigen::Vector2d center{Eigen::Vector2d::Zero()};  ///< [m] x and y at the middle of the picture
   double pixels_per_metre{1.0};
   int width{0}, height{0};  ///< pixels
 

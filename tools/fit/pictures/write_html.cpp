@@ -47,7 +47,7 @@ std::string inMillimetres(const Eigen::Vector3d& values, const char* between) {
 struct Dimensions {
   std::string operator()(const Sphere& s) const { return "radius " + fixed(1e3 * s.radius, 1); }
   std::string operator()(const Capsule& s) const {
-    return "radius " + fixed(1e3 * s.radius, 1) + ", between centres of caps " +
+    return "radius " + fixed(1e3 * s.radius, 1) + ", between centers of caps " +
            fixed(2e3 * s.half_length, 1);
   }
   std::string operator()(const Box& s) const { return inMillimetres(2.0 * s.half_extents, " x "); }
@@ -89,7 +89,7 @@ std::string shapeRow(const std::string& name, const PosedShape& shape) {
 
 std::string shapesOf(const FittedLink& link) {
   std::string text =
-      "<table><tr><th>shape</th><th>size [mm]</th><th>centre in the link [mm]</th></tr>\n";
+      "<table><tr><th>shape</th><th>size [mm]</th><th>center in the link [mm]</th></tr>\n";
   int number = 0;
   for (const FittedPart& part : link.parts) {
     for (const PosedShape& shape : part.shapes) {

@@ -100,12 +100,12 @@ TEST(InscribeShapes, insideOutCube_isTurned) {
 
 TEST(InscribeShapes, hollowCube_holdsItsSphereInTheWall) {
   // The wall is from 1 to 3, but the cavity is a cube: a corner of the wall gives more than the
-  // half thickness 1: centre (c, c, c) with (c - 1) sqrt(3) = 3 - c.
+  // half thickness 1: center (c, c, c) with (c - 1) sqrt(3) = 3 - c.
   const TriangleMesh hollow = test::joined(boxMesh({3, 3, 3}), insideOut(boxMesh({1, 1, 1})));
-  const double centre = (3.0 + std::sqrt(3.0)) / (1.0 + std::sqrt(3.0));
+  const double center = (3.0 + std::sqrt(3.0)) / (1.0 + std::sqrt(3.0));
   const InnerShapes inner = inscribeShapes(hollow);
-  EXPECT_LE(sphereRadius(inner), 3.0 - centre);
-  EXPECT_GT(sphereRadius(inner), 0.99 * (3.0 - centre));
+  EXPECT_LE(sphereRadius(inner), 3.0 - center);
+  EXPECT_GT(sphereRadius(inner), 0.99 * (3.0 - center));
   EXPECT_GT(inner.sphere->geometry_from_body.translation.cwiseAbs().maxCoeff(), 1.0);
 }
 

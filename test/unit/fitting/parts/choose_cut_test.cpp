@@ -47,10 +47,10 @@ TEST(RoughGoal, pointsInOtherShapes_doNotCount) {
   RoughGoal goal = plainGoal(grid);
   EXPECT_NEAR(goal.overshootOf(wide).total().max, 0.2, grid.spacing());
   TurnedCore right = wide;
-  right.centre = {0.25, 0.0, 0.0};
+  right.center = {0.25, 0.0, 0.0};
   right.half_extents = {0.15, 0.11, 0.11};
   TurnedCore left = right;
-  left.centre.x() = -0.25;
+  left.center.x() = -0.25;
   goal.others = {right, left};
   EXPECT_LT(goal.overshootOf(wide).total().max, grid.spacing());
 }
@@ -112,7 +112,7 @@ TEST(ChooseCut, hammer_isCutBetweenHeadAndHandle) {
       test::moved(test::boxMesh({0.05, 0.12, 0.05}), Vector3d::Zero(), {0.25, 0.0, 0.0});
   const DistanceGrid grid(test::joined(test::boxMesh({0.2, 0.02, 0.02}), head));
   TurnedCore whole;
-  whole.centre = {0.05, 0.0, 0.0};
+  whole.center = {0.05, 0.0, 0.0};
   whole.half_extents = {0.25, 0.12, 0.05};
   const auto cut = chooseCut(grid.surface(), whole, plainGoal(grid));
   ASSERT_TRUE(cut.has_value());

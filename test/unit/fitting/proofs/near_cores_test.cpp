@@ -24,7 +24,7 @@ class Draw {
   TurnedCore core() {
     TurnedCore core;
     core.rotation = Eigen::AngleAxisd(next(0, 3), direction()).toRotationMatrix();
-    core.centre = next(0.0, 1.0) * direction();
+    core.center = next(0.0, 1.0) * direction();
     core.half_extents = {next(0, 0.4), next(0, 0.1), next(-0.1, 0.4)};
     core.half_extents = core.half_extents.cwiseMax(0.0);
     core.radius = next(-0.1, 0.2);
@@ -41,7 +41,7 @@ class Draw {
   Vector3d onSurface(const TurnedCore& core) {
     Vector3d corner = direction().cwiseSign().cwiseProduct(core.half_extents);
     corner[next(0, 1) < 0.5 ? 0 : 2] *= next(-1, 1);
-    return core.centre + core.rotation * corner + core.radius * direction();
+    return core.center + core.rotation * corner + core.radius * direction();
   }
 
  private:
@@ -50,7 +50,7 @@ class Draw {
 
 bool isStrictlyInside(const TurnedCore& core, const Vector3d& point) {
   const Vector3d out =
-      (core.rotation.transpose() * (point - core.centre)).cwiseAbs() - core.half_extents;
+      (core.rotation.transpose() * (point - core.center)).cwiseAbs() - core.half_extents;
   return out.maxCoeff() < 0.0 || out.cwiseMax(0.0).norm() < core.radius;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collision_monitor/geometry/ids.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor::test {
@@ -19,7 +20,7 @@ TEST(NearTriangles, knownNearest_isTheNearestOfAllThatWereMet) {
   for (const TriangleMesh& mesh : {sphereMesh(1.0, 12), prismMesh(0.2, 3.0, 7)}) {
     const TriangleBvh bvh(mesh);
     NearTriangles near(bvh);
-    EXPECT_EQ(near.nearestKnown(Vector3d::Zero()).leaf_triangle, NearestPoint::kNone);
+    EXPECT_EQ(near.nearestKnown(Vector3d::Zero()).leaf_triangle, kNone);
     std::vector<std::uint32_t> met;
     for (int i = 0; i < 300; ++i) {
       const Vector3d point(std::sin(1.1 * i), std::cos(2.3 * i), 2.0 * std::sin(0.7 * i));

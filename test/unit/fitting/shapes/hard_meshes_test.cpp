@@ -84,7 +84,7 @@ constexpr double kScales[] = {1e-6, 1.0, 1e6};
 
 bool isInsideOne(const std::vector<SphereNode>& spheres, const Eigen::Vector3d& point) {
   return std::any_of(spheres.begin(), spheres.end(), [&](const SphereNode& sphere) {
-    return (point - sphere.centre).norm() <= sphere.radius;
+    return (point - sphere.center).norm() <= sphere.radius;
   });
 }
 

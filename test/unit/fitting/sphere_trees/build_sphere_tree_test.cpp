@@ -10,6 +10,7 @@
 #include <string>
 
 #include "collision_monitor/fitting/overshoot.h"
+#include "collision_monitor/geometry/ids.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor {
@@ -28,7 +29,7 @@ TEST(BuildSphereTree, oneLeafAboutACube_isItsCircumscribedSphere) {
   ASSERT_EQ(tree.nodes.size(), 1u);
   EXPECT_NEAR(tree.nodes[0].radius, std::sqrt(3.0), 1e-12);
   EXPECT_GE(tree.nodes[0].radius, std::sqrt(3.0));
-  EXPECT_LT(tree.nodes[0].centre.norm(), 1e-12);
+  EXPECT_LT(tree.nodes[0].center.norm(), 1e-12);
   EXPECT_EQ(tree.nodes[0].child_count, 0u);
 }
 
@@ -41,10 +42,10 @@ TEST(BuildSphereTree, longBox_isCutInTheMiddleAndSoAreItsTriangles) {
   for (const int i : {1, 2}) {
     const SphereNode& child = tree.nodes[static_cast<std::size_t>(i)];
     EXPECT_NEAR(child.radius, std::sqrt(1.5), 1e-12);
-    EXPECT_NEAR(std::abs(child.centre.x()), 1.0, 1e-12);
+    EXPECT_NEAR(std::abs(child.center.x()), 1.0, 1e-12);
     EXPECT_EQ(child.level, 1u);
   }
-  EXPECT_LT(tree.nodes[1].centre.x(), tree.nodes[2].centre.x());
+  EXPECT_LT(tree.nodes[1].center.x(), tree.nodes[2].center.x());
 }
 
 TEST(BuildSphereTree, oneTriangle_fourLeaves_areItsFourPieces) {
@@ -57,7 +58,7 @@ TEST(BuildSphereTree, oneTriangle_fourLeaves_areItsFourPieces) {
   ASSERT_EQ(tree.nodes.size(), 3u);
   EXPECT_NEAR(tree.nodes[1].radius, std::sqrt(5.0) / 2, 1e-12);
   EXPECT_NEAR(tree.nodes[2].radius, std::sqrt(4.25) / 2, 1e-12);
-  EXPECT_EQ(tree.nodes[1].centre.z(), 0.0);
+  EXPECT_EQ(tree.nodes[1].center.z(), 0.0);
 }
 
 TEST(BuildSphereTree, nodesAreBreadthFirst_withChildrenSideBySide) {
@@ -113,14 +114,14 @@ TEST(BuildSphereTree, flatPointLikeAndLooseGeometry_isEnclosed) {
   point.vertices = {{1, 2, 3}};
   const SphereTree tree = buildSphereTree(point, leaves(8));
   ASSERT_EQ(tree.nodes.size(), 1u);
-  EXPECT_EQ(tree.nodes[0].centre, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(tree.nodes[0].center, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(tree.nodes[0].radius, 0.0);
   // A vertex of no triangle, far from the only one.
   TriangleMesh loose;
   loose.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 0, 0}};
   loose.triangles = {{0, 1, 2}};
   const auto spheres = spheresOfLevel(buildSphereTree(loose, leaves(2)), 1);
-  EXPECT_NEAR(spheres[1].centre.x(), 9.0, 1e-12);
+  EXPECT_NEAR(spheres[1].center.x(), 9.0, 1e-12);
   EXPECT_GT(buildSphereTree(boxMesh({1, 1, 0}), leaves(64)).nodes.size(), 64u);
   EXPECT_EQ(buildSphereTree(Box{{0, 0, 0}}, leaves(64)).nodes.size(), 1u);
 }
@@ -129,7 +130,7 @@ bool isHeldByAnother(const Vector3d& point, std::size_t own,
                      const std::vector<SphereNode>& spheres) {
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     const double radius = spheres[i].radius;
-    if (i != own && (point - spheres[i].centre).squaredNorm() < radius * radius) {
+    if (i != own && (point - spheres[i].center).squaredNorm() < radius * radius) {
       return true;
     }
   }
@@ -145,11 +146,11 @@ Overshoot overshootOf(const std::vector<SphereNode>& spheres, const TriangleBvh&
     const auto samples = sampleSurface(Sphere{spheres[i].radius}, count);
     NearestPoint nearest;
     for (const auto& sample : samples) {
-      const Eigen::Vector3d point = spheres[i].centre + sample.point;
+      const Eigen::Vector3d point = spheres[i].center + sample.point;
       if (isHeldByAnother(point, i, spheres)) {
         continue;
       }
-      const NearestPoint start = nearest.leaf_triangle == NearestPoint::kNone
+      const NearestPoint start = nearest.leaf_triangle == kNone
                                      ? NearestPoint{}
                                      : mesh.nearestOn(nearest.leaf_triangle, point);
       nearest = mesh.nearestTo(point, start, 0.1);

@@ -20,8 +20,8 @@ SphereTree twoLevels() {
   return tree;
 }
 
-SphereTree oneSphere(const Eigen::Vector3d& centre, double radius) {
-  return {{SphereNode{centre, radius, 0.0, 0, 0, 0}}};
+SphereTree oneSphere(const Eigen::Vector3d& center, double radius) {
+  return {{SphereNode{center, radius, 0.0, 0, 0, 0}}};
 }
 
 TEST(ExportSpheres, srdf_isWhatSrdfdomReads) {
@@ -53,9 +53,9 @@ TEST(ExportSpheres, severalGeometries_standTogether_theShallowOneAtEveryLevel) {
 }
 
 TEST(ExportSpheres, roundedSphere_holdsTheOneItWas) {
-  const Eigen::Vector3d centre(1.0 / 3.0, -2.0 / 7.0, 1e3 / 9.0);
+  const Eigen::Vector3d center(1.0 / 3.0, -2.0 / 7.0, 1e3 / 9.0);
   const double radius = 0.1234567890123;
-  std::string srdf = toSrdf({{"arm", {oneSphere(centre, radius)}}}, 0);
+  std::string srdf = toSrdf({{"arm", {oneSphere(center, radius)}}}, 0);
   for (char& c : srdf) {
     c = c == '"' ? ' ' : c;
   }
@@ -65,8 +65,8 @@ TEST(ExportSpheres, roundedSphere_holdsTheOneItWas) {
   double read_radius = 0.0;
   text >> read.x() >> read.y() >> read.z() >> word >> read_radius;
   ASSERT_TRUE(text) << srdf;
-  EXPECT_GT((read - centre).norm(), 0.0);
-  EXPECT_GE(read_radius, radius + (read - centre).norm());
+  EXPECT_GT((read - center).norm(), 0.0);
+  EXPECT_GE(read_radius, radius + (read - center).norm());
   EXPECT_LT(read_radius, radius + 1e-6);
 }
 

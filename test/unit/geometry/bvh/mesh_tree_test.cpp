@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "collision_monitor/geometry/ids.h"
 #include "support/query_meshes.h"
 #include "support/sample_meshes.h"
 
@@ -53,7 +54,7 @@ struct Walk {
       return;
     }
     for (Index i = 0; i < kWidth; ++i) {
-      if (tree.nodes()[child].child[i] != MeshTreeNode::kNone) {
+      if (tree.nodes()[child].child[i] != kNone) {
         auto deeper = ancestors;
         deeper.emplace_back(child, i);
         below(deeper);

@@ -9,6 +9,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/point_triangle.h"
 
 namespace collision_monitor {
@@ -21,10 +22,10 @@ TriangleMesh randomSoup(std::size_t count, unsigned seed) {
   std::uniform_real_distribution<double> place(-1.0, 1.0);
   TriangleMesh mesh;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const Vector3d centre(place(generator), place(generator), place(generator));
+    const Vector3d center(place(generator), place(generator), place(generator));
     for (int k = 0; k < 3; ++k) {
       mesh.vertices.emplace_back(
-          centre + 0.1 * Vector3d(place(generator), place(generator), place(generator)));
+          center + 0.1 * Vector3d(place(generator), place(generator), place(generator)));
     }
     mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
@@ -65,7 +66,7 @@ TEST(TriangleBvh, start_changesNothingButIsKeptWhenNearer) {
   }
   NearestPoint nearer;
   nearer.distance = 0.5 * nearest.distance;
-  EXPECT_EQ(bvh.nearestTo(point, nearer).leaf_triangle, NearestPoint::kNone);
+  EXPECT_EQ(bvh.nearestTo(point, nearer).leaf_triangle, kNone);
 }
 
 TEST(TriangleBvh, meshWithoutTriangles_isItsVertices) {
@@ -95,7 +96,7 @@ double worstMiss(const TriangleBvh& bvh, std::uint32_t id, std::size_t& leaves) 
         continue;
       }
       for (const auto& corner : bvh.triangles()[child - TriangleBvh::Node::kLeaf]) {
-        const Vector3d unit = (corner - bvh.unitFrame().centre) / bvh.unitFrame().scale;
+        const Vector3d unit = (corner - bvh.unitFrame().center) / bvh.unitFrame().scale;
         for (std::size_t k = 0; k < 3; ++k) {
           const double value = unit[static_cast<Eigen::Index>(k)];
           worst = std::max({worst, node.low[k][l] - value, value - node.high[k][l]});

@@ -39,7 +39,7 @@ TEST_F(JointPathTest, withoutVelocities_linear) {
   EXPECT_EQ(positionAt(2, 0.0), -1.0);
   EXPECT_NEAR(timeAt(path_, 0, 0.25), 2.5, 1e-15);
   EXPECT_EQ(timeAt(path_, 1, 1.0), 5.0);
-  EXPECT_NEAR(wayOf(path_, {1, 0.25, 0.5}, 0), 1.0, 1e-15);
+  EXPECT_NEAR(travelOf(path_, {1, 0.25, 0.5}, 0), 1.0, 1e-15);
 }
 
 TEST_F(JointPathTest, withVelocities_cubic) {
@@ -47,7 +47,7 @@ TEST_F(JointPathTest, withVelocities_cubic) {
   path_.velocities = {0.0, 0.0, 0.0};
   EXPECT_NEAR(positionAt(0, 0.5), 2.0, 1e-15);
   EXPECT_NEAR(positionAt(0, 0.25), 1.0 + 2.0 * (3.0 / 16.0 - 2.0 / 64.0), 1e-15);
-  EXPECT_NEAR(wayOf(path_, {0, 0.0, 1.0}, 0), 2.0, 1e-15);
+  EXPECT_NEAR(travelOf(path_, {0, 0.0, 1.0}, 0), 2.0, 1e-15);
 }
 
 TEST_F(JointPathTest, cubicThatTurnsBack_wayThereAndBack) {
@@ -55,9 +55,9 @@ TEST_F(JointPathTest, cubicThatTurnsBack_wayThereAndBack) {
   path_.positions = {1.0, 1.0, 1.0};
   path_.velocities = {1.0, -1.0, 0.0};
   EXPECT_NEAR(positionAt(0, 0.5), 1.5, 1e-15);
-  EXPECT_NEAR(wayOf(path_, {0, 0.0, 1.0}, 0), 1.0, 1e-12);
-  EXPECT_NEAR(wayOf(path_, {0, 0.25, 0.75}, 0), 0.25, 1e-12);
-  EXPECT_NEAR(wayOf(path_, {0, 0.5, 1.0}, 0), 0.5, 1e-12);
+  EXPECT_NEAR(travelOf(path_, {0, 0.0, 1.0}, 0), 1.0, 1e-12);
+  EXPECT_NEAR(travelOf(path_, {0, 0.25, 0.75}, 0), 0.25, 1e-12);
+  EXPECT_NEAR(travelOf(path_, {0, 0.5, 1.0}, 0), 0.5, 1e-12);
 }
 
 TEST_F(JointPathTest, cubicWithTwoTurns_allThreeWays) {
@@ -67,7 +67,7 @@ TEST_F(JointPathTest, cubicWithTwoTurns_allThreeWays) {
   path_.positions = {0.0, 0.0};
   path_.velocities = {3.0, 3.0};
   EXPECT_NEAR(positionAt(0, (3.0 - std::sqrt(3.0)) / 6.0), 1.0 / std::sqrt(12.0), 1e-12);
-  EXPECT_NEAR(wayOf(path_, {0, 0.0, 1.0}, 0), 4.0 / std::sqrt(12.0), 1e-12);
+  EXPECT_NEAR(travelOf(path_, {0, 0.0, 1.0}, 0), 4.0 / std::sqrt(12.0), 1e-12);
 }
 
 TEST_F(JointPathTest, whatIsNotSound) {

@@ -34,7 +34,7 @@ TEST(UrdfGeometry, cylinder_hasHalfItsLength) {
   EXPECT_EQ(std::get<Cylinder>(only(read).geometry).radius, 0.1);
 }
 
-TEST(UrdfGeometry, capsule_lengthIsBetweenCapCentres) {
+TEST(UrdfGeometry, capsule_lengthIsBetweenCapCenters) {
   const ReadText read = readText(robotXml(linkXml("a", "<capsule radius='0.1' length='0.5'/>")));
   EXPECT_EQ(std::get<Capsule>(only(read).geometry).half_length, 0.25);
   EXPECT_EQ(std::get<Capsule>(only(read).geometry).radius, 0.1);

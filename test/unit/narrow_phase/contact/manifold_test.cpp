@@ -47,7 +47,7 @@ TEST(Manifold, cubeOnTable_fourCorners) {
   expectNear(found.normal_a_to_b, {0, 0, 1}, "normal");
   expectPointsOnA(found, {{-0.2, -0.3, 0}, {0.8, -0.3, 0}, {0.8, 0.7, 0}, {-0.2, 0.7, 0}});
   expectDistances(found, -0.01);
-  expectNear(found.center.point_on_a, {0.3, 0.2, 0}, "centre");
+  expectNear(found.center.point_on_a, {0.3, 0.2, 0}, "center");
 }
 
 TEST(Manifold, tableUnderCube_theSameFour) {
@@ -70,8 +70,8 @@ TEST(Manifold, cubeTurnedOnATallBox_fourOfEightCorners) {
   const ContactManifold found = touch(kCube, at(0, 0, 0), kCube, turned);
   EXPECT_EQ(found.feature, ContactFeature::face_face);
   ASSERT_EQ(found.size, 4U);
-  // Well spread: the four enclose most of the octagon, whose centre they keep to.
-  expectNear(found.center.point_on_a, {0, 0, 0.5}, "centre");
+  // Well spread: the four enclose most of the octagon, whose center they keep to.
+  expectNear(found.center.point_on_a, {0, 0, 0.5}, "center");
 }
 
 TEST(Manifold, crossedBoxes_oneCrossingOfEdges) {
@@ -121,10 +121,10 @@ TEST(Manifold, parallelCapsules_twoEndsOfTheSharedStretch) {
   EXPECT_EQ(found.feature, ContactFeature::edge_edge);
   expectPointsOnA(found, {{0.25, 0, -0.5}, {0.25, 0, 1.0}});
   expectDistances(found, -0.1);
-  expectNear(found.center.point_on_a, {0.25, 0, 0.25}, "centre");
+  expectNear(found.center.point_on_a, {0.25, 0, 0.25}, "center");
 }
 
-TEST(Manifold, nearlyParallelCapsules_centreDoesNotJump) {
+TEST(Manifold, nearlyParallelCapsules_centerDoesNotJump) {
   const Capsule capsule{1.0, 0.25};
   for (const double angle : {-1e-7, -1e-9, 1e-9, 1e-7}) {
     const Pose tilted{Eigen::AngleAxisd(angle, Vector3d::UnitY()).toRotationMatrix(),

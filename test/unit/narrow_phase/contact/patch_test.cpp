@@ -72,7 +72,7 @@ TEST(Patch, cornerCutOff_centroidOfTheTriangle) {
   expectCenter(parallelogram({5.5, 5.5}, {5, 5}, {9, -9}), kSquare, {2.0 / 3, 2.0 / 3});
 }
 
-TEST(Patch, turnedSquareInside_itsOwnCentre) {
+TEST(Patch, turnedSquareInside_itsOwnCenter) {
   expectCenter(parallelogram({0.1, 0.2}, {0.5, 0.5}, {-0.5, 0.5}), {2.0, 2.0}, {0.1, 0.2});
 }
 

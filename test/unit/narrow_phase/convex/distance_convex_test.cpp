@@ -31,7 +31,7 @@ ConvexHull octahedron() {
 }
 
 void expectExact(const ConvexDistance& found, double distance, double tolerance = kExact) {
-  EXPECT_EQ(found.quality, DistanceQuality::exact);
+  EXPECT_EQ(found.quality, Quality::exact);
   EXPECT_NEAR(found.measured.distance, distance, tolerance);
   expectConsistent(found.measured);
 }
@@ -128,7 +128,7 @@ TEST(CylinderHull, lyingOnFace_isHeightLessRadius) {
               -0.125, 1e-10);
 }
 
-// A can tilted by 45 degrees: its rim reaches (half length + radius) / sqrt(2) below the centre.
+// A can tilted by 45 degrees: its rim reaches (half length + radius) / sqrt(2) below the center.
 TEST(CylinderBox, tiltedRimOverFace_distanceIsToTheRim) {
   const double s = std::sqrt(0.5);
   const Pose tilted{axes({s, 0, s}, {0, 1, 0}), {0, 0, 3}};
@@ -165,12 +165,11 @@ TEST(HalfSpace, tiltedPlane_isMeasuredAlongItsNormal) {
 }
 
 TEST(ConvexDistance, twoHalfSpacesOrAPoseThatIsNotFinite_areUnknown) {
-  EXPECT_EQ(measureCold(HalfSpace{}, Pose{}, HalfSpace{}, at(0, 0, 1)).quality,
-            DistanceQuality::unknown);
+  EXPECT_EQ(measureCold(HalfSpace{}, Pose{}, HalfSpace{}, at(0, 0, 1)).quality, Quality::unknown);
   Pose bad;
   bad.translation.x() = std::nan("");
-  EXPECT_EQ(measureCold(cubeHull(1), bad, Sphere{1}, Pose{}).quality, DistanceQuality::unknown);
-  EXPECT_EQ(measureCold(Sphere{1}, Pose{}, Sphere{1}, bad).quality, DistanceQuality::unknown);
+  EXPECT_EQ(measureCold(cubeHull(1), bad, Sphere{1}, Pose{}).quality, Quality::unknown);
+  EXPECT_EQ(measureCold(Sphere{1}, Pose{}, Sphere{1}, bad).quality, Quality::unknown);
 }
 
 TEST(ConvexDistance, shapesOfTheFamily_areMeasuredByTheirClosedForms) {
@@ -179,7 +178,7 @@ TEST(ConvexDistance, shapesOfTheFamily_areMeasuredByTheirClosedForms) {
   const ConvexDistance found =
       measureCold(Capsule{1, 0.25}, Pose{}, RoundedBox{{1, 1, 1}, 0.5}, at(2, 1, 0));
   EXPECT_EQ(found.measured.distance, closed.distance);
-  EXPECT_EQ(found.quality, DistanceQuality::exact);
+  EXPECT_EQ(found.quality, Quality::exact);
 }
 
 TEST(ConvexDistance, fartherThanEnough_isALowerBound) {
@@ -189,7 +188,7 @@ TEST(ConvexDistance, fartherThanEnough_isALowerBound) {
   const Pose far = at(10, 1, 2);
   const ConvexDistance found =
       signedDistanceBetween(cubeHull(1), Pose{}, Cylinder{1, 1}, far, search);
-  EXPECT_EQ(found.quality, DistanceQuality::lower_bound);
+  EXPECT_EQ(found.quality, Quality::lower_bound);
   EXPECT_GE(found.measured.distance, 0.5);
   EXPECT_LE(found.measured.distance,
             measureCold(cubeHull(1), Pose{}, Cylinder{1, 1}, far).measured.distance);
@@ -205,7 +204,7 @@ TEST(ConvexDistance, warmStartOfAnotherPose_changesNoAnswer) {
         signedDistanceBetween(octahedron(), Pose{}, cubeHull(1), pose, search);
     const ConvexDistance cold = measureCold(octahedron(), Pose{}, cubeHull(1), pose);
     EXPECT_NEAR(hot.measured.distance, cold.measured.distance, 1e-14);
-    EXPECT_EQ(hot.quality, DistanceQuality::exact);
+    EXPECT_EQ(hot.quality, Quality::exact);
   }
 }
 

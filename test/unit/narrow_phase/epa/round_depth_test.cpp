@@ -31,7 +31,7 @@ void expectDepth(const ConvexGeometry& a, const ConvexGeometry& b, const Pose& a
                                             : PosedConvexPair{&a, world_from_a, &b, world_from_b};
     const ConvexDistance found =
         measureCold(*pair.a, pair.world_from_a, *pair.b, pair.world_from_b);
-    EXPECT_EQ(found.quality, DistanceQuality::exact);
+    EXPECT_EQ(found.quality, Quality::exact);
     EXPECT_NEAR(found.measured.distance, -depth, kClose);
     const ConvexCertificate proof = certify(pair, found.measured);
     EXPECT_NEAR(proof.gap_along_normal, -depth, kClose);
@@ -42,7 +42,7 @@ void expectDepth(const ConvexGeometry& a, const ConvexGeometry& b, const Pose& a
 const Cylinder kThick{0.5, 0.1};
 const Cylinder kThin{0.7, 0.05};
 
-TEST(RoundDepth, crossedAtTheirCentres_acrossBothAxes) {
+TEST(RoundDepth, crossedAtTheirCenters_acrossBothAxes) {
   for (const double angle : {1e-3, 1e-6, 1e-9, 1e-12}) {
     expectDepth(kThick, kThin, tilted(angle, {0, 0, 0}), 0.15);
   }

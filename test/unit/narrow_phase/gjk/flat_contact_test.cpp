@@ -21,7 +21,7 @@ ConvexGeometry hullOfBox(const Vector3d& half_extents) {
 SignedDistance measure(const ConvexGeometry& a, const Pose& pose_a, const ConvexGeometry& b,
                        const Pose& pose_b) {
   const ConvexDistance found = measureCold(a, pose_a, b, pose_b);
-  EXPECT_EQ(found.quality, DistanceQuality::exact);
+  EXPECT_EQ(found.quality, Quality::exact);
   expectConsistent(found.measured);
   return found.measured;
 }
@@ -60,7 +60,7 @@ TEST_F(FlatContacts, cubeThatSlidesOverATable_middleOfTheCubeInEachStep) {
   for (const double x : {0.3, 0.35, 0.4, 0.95}) {
     const ConvexDistance found =
         signedDistanceBetween(table_, world_from_table_, cube_, at(x, -0.4, 0.35), search);
-    EXPECT_EQ(found.quality, DistanceQuality::exact);
+    EXPECT_EQ(found.quality, Quality::exact);
     const double middle = x < 0.9 ? x : 0.925;  // the cube sticks out by half of its half
     expectBothAt(found.measured, {middle, -0.4, 0.125}, 0.25);
   }

@@ -35,7 +35,7 @@ TEST(SupportPlane, endsOfAnEdge_bothStayTheFarthest) {
   int farther = 0;
   for (int i = 0; i < 20; ++i) {
     const ConvexHull hull = randomHull(random);
-    const ConvexCore core = sweptCoreOf(hull).core;
+    const ConvexCore core = inflatedCoreOf(hull).core;
     for (const ConvexHull::Edge& edge : hull.edges()) {
       const Vector3d direction = across(hull, edge);
       for (const std::uint32_t end : {edge.from, edge.to}) {
@@ -53,10 +53,10 @@ TEST(SupportPlane, endFartherByMoreThanRounding_isClimbedTo) {
   Random random(20260101);
   for (int i = 0; i < 20; ++i) {
     const ConvexHull hull = randomHull(random);
-    const ConvexCore core = sweptCoreOf(hull).core;
+    const ConvexCore core = inflatedCoreOf(hull).core;
     for (const ConvexHull::Edge& edge : hull.edges()) {
-      const Vector3d way = hull.vertices()[edge.to] - hull.vertices()[edge.from];
-      const Vector3d direction = across(hull, edge) + 1e-14 / way.squaredNorm() * way;
+      const Vector3d delta = hull.vertices()[edge.to] - hull.vertices()[edge.from];
+      const Vector3d direction = across(hull, edge) + 1e-14 / delta.squaredNorm() * delta;
       EXPECT_EQ(extremeOf(core, direction, edge.from).vertex, edge.to);
     }
   }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "collision_monitor/geometry/ids.h"
 #include "narrow_phase/mesh/mesh_distance.h"
 #include "support/query_meshes.h"
 #include "support/sample_meshes.h"
@@ -46,7 +47,7 @@ TEST_F(MeshContactTest, apart_isNoContactUpToTheDistanceAskedFor) {
 TEST_F(MeshContactTest, oneInsideOfTheOther_isContactWithoutTriangles) {
   const MeshContact found = contactOf({box_, Pose()}, {small_, at(0.0)}, {}, *memory_);
   EXPECT_EQ(found.state, State::contact);
-  EXPECT_EQ(found.triangles.a, TrianglePair::kNone);
+  EXPECT_EQ(found.triangles.a, kNone);
   EXPECT_EQ(contactOf({small_, at(0.0)}, {box_, Pose()}, {}, *memory_).state, State::contact);
 }
 

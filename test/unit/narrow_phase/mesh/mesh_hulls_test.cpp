@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "collision_monitor/geometry/ids.h"
 #include "support/expect_distance.h"
 #include "support/robots/geometry_setup.h"
 #include "support/sample_meshes.h"
@@ -72,7 +73,7 @@ TEST_F(MeshHulls, solidWithoutMesh_itsRadiusCounts) {
   const MeshDistance found = measure(cube_.at(origin_), {sphere, nullptr, pose});
   EXPECT_EQ(found.state, MeshState::exact);
   expectDistance(found.measured, 2.5, {0, 1, 0}, {0, 1, 0});
-  EXPECT_EQ(found.nearest.b, TrianglePair::kNone);
+  EXPECT_EQ(found.nearest.b, kNone);
 }
 
 TEST_F(MeshHulls, fartherThanAskedFor_boundNotBelow) {

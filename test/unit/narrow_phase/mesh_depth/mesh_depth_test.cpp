@@ -61,7 +61,7 @@ TEST_F(MeshDepthTest, otherOrder_turnsTheNormal) {
 }
 
 TEST_F(MeshDepthTest, oneInsideTheOther_isBoundedToo) {
-  // Centre 0.5 from the face: the far corners are 0.6 deep, or 0.7 and 0.8 from others.
+  // Center 0.5 from the face: the far corners are 0.6 deep, or 0.7 and 0.8 from others.
   const Depths found = depths(cube_, at(0, 0, 0), small_, at(0.5, 0, 0));
   EXPECT_NEAR(found.at_least, 0.6, kExact);
   EXPECT_NEAR(found.out.length, 0.6, kExact);
@@ -119,12 +119,14 @@ TEST_F(MeshDepthTest, bodiesInEachOther_areHeldByLessAndFreedByMore) {
     const Depths found = depths(body, a, body, b);
     ASSERT_TRUE(found.found.is_complete);
     ASSERT_LE(found.at_least, found.out.length + kExact);
-    const auto moved = [&](const Vector3d& way) { return Pose{b.rotation, b.translation + way}; };
+    const auto moved = [&](const Vector3d& delta) {
+      return Pose{b.rotation, b.translation + delta};
+    };
     ASSERT_FALSE(meshesOverlap(
         {body, a}, {body, moved((found.out.length + 1e-9) * found.out.direction)}, *memory_));
     for (int k = 0; k < 10 && found.at_least > 0.0; ++k, ++deep) {
-      const Vector3d way = 0.999 * found.at_least * randomPoint(random, 1.0).normalized();
-      ASSERT_TRUE(meshesOverlap({body, a}, {body, moved(way)}, *memory_));
+      const Vector3d delta = 0.999 * found.at_least * randomPoint(random, 1.0).normalized();
+      ASSERT_TRUE(meshesOverlap({body, a}, {body, moved(delta)}, *memory_));
     }
   }
   EXPECT_GT(deep, 100);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/point_triangle.h"
 #include "support/expect_distance.h"
 #include "support/query_meshes.h"
@@ -18,8 +19,6 @@ namespace collision_monitor::test {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr std::uint32_t kNone = TrianglePair::kNone;
 
 class PointOnMeshTest : public testing::Test {
  protected:
@@ -79,10 +78,10 @@ TEST_F(PointOnMeshTest, anyPointAndStart_isTheNearestOfAllTriangles) {
     const PointOnMesh found = nearest(body, point, start);
     ASSERT_NEAR(found.distance, least, kExact);
     ASSERT_NEAR((found.point - point).norm(), least, kExact);
-    const double enough = uniform(random, 0.0, 1.0);
-    const double rough = nearest(body, point, start, {enough}).distance;
+    const double cutoff = uniform(random, 0.0, 1.0);
+    const double rough = nearest(body, point, start, {cutoff}).distance;
     ASSERT_GE(rough, least - kExact);
-    ASSERT_TRUE(rough <= enough || rough <= least + kExact);
+    ASSERT_TRUE(rough <= cutoff || rough <= least + kExact);
     const double limit = uniform(random, 0.0, 1.0);
     const PointOnMesh within = nearest(body, point, start, {0.0, limit});
     ASSERT_EQ(within.triangle != kNone, least < limit);

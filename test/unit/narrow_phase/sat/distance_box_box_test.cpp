@@ -24,7 +24,7 @@ TEST(BoxBox, plankAcrossPlank_patchHasNoCornerOfEither) {
   expectDistance(found, 0.5, {0, 0, 1}, {1, 0, 0.5});
 }
 
-TEST(BoxBox, turnedFaceOverFace_patchCentreIsTheCommonCentre) {
+TEST(BoxBox, turnedFaceOverFace_patchCenterIsTheCommonCenter) {
   const Pose turned{eighthTurn(), {0, 0, 3}};
   const auto found = distanceBetween(box(1, 1, 1), Pose{}, box(1, 1, 1), turned);
   expectDistance(found, 1.0, {0, 0, 1}, {0, 0, 1});

@@ -75,7 +75,7 @@ TEST(HullAxes, randomHulls_haveTheDepthThatEpaFinds) {
     const Pose b = randomPose(random, 0.3);
     const HullAxis axis = separateHulls(hull_a, a, hull_b, b);
     const ConvexDistance found = measureCold(hull_a, a, hull_b, b);
-    ASSERT_EQ(found.quality, DistanceQuality::exact);
+    ASSERT_EQ(found.quality, Quality::exact);
     EXPECT_EQ(axis.separation <= 0.0, found.measured.distance <= 0.0);
     if (axis.separation <= 0.0) {
       ++overlaps;
@@ -97,7 +97,7 @@ TEST(HullAxes, manyFacesAndEdges_haveTheDepthThatEpaFinds) {
     const ConvexHull& other = i % 2 == 0 ? globe : needle;
     const HullAxis axis = separateHulls(globe, a, other, b);
     const ConvexDistance found = measureCold(globe, a, other, b);
-    ASSERT_EQ(found.quality, DistanceQuality::exact);
+    ASSERT_EQ(found.quality, Quality::exact);
     ASSERT_LT(found.measured.distance, 0.0);
     EXPECT_NEAR(axis.separation, found.measured.distance, 1e-13) << "seed 20260101, pair " << i;
   }

@@ -22,7 +22,7 @@ class HullDepth : public testing::Test {
  protected:
   ConvexPair pairOf(const ConvexHull& a, const Pose& pose_a, const ConvexHull& b,
                     const Pose& pose_b) const {
-    return makeConvexPair(sweptCoreOf(a).core, pose_a, sweptCoreOf(b).core, pose_b);
+    return makeConvexPair(inflatedCoreOf(a).core, pose_a, inflatedCoreOf(b).core, pose_b);
   }
 
   bool isTold(const ConvexHull& a, const Pose& pose_a, const ConvexHull& b,
@@ -96,7 +96,7 @@ TEST_F(HullDepth, tieOfAFaceAndAnEdge_noPointBesideTheFace) {
       EXPECT_LE(found.point_on_a.cwiseAbs().maxCoeff(), 1.0 + kExact) << i;
     }
     const ConvexDistance answer = measureCold(cube_, Pose{}, beyond, at(0, 0, 0.9));
-    EXPECT_EQ(answer.quality, DistanceQuality::exact);
+    EXPECT_EQ(answer.quality, Quality::exact);
     EXPECT_NEAR(answer.measured.distance, -0.1, 1e-15);
     expectNear(answer.measured.point_on_a, {0, 1, 1}, "on a");
   }
@@ -121,10 +121,10 @@ TEST_F(HullDepth, firstQueryOfAPair_isAnsweredByAxes) {
   const ConvexGeometry spike = spike_;
   for (const bool is_first : {true, false}) {
     const ConvexDistance found = signedDistanceBetween(cube, Pose{}, spike, Pose{}, search);
-    EXPECT_EQ(found.quality, DistanceQuality::exact);
+    EXPECT_EQ(found.quality, Quality::exact);
     EXPECT_NEAR(found.measured.distance, -0.3, 1e-15);
     expectNear(found.measured.point_on_b, {0, 0, 0.7}, "on b");
-    EXPECT_EQ(warm.inside_faces == 0, is_first);
+    EXPECT_EQ(warm.polytope_faces == 0, is_first);
   }
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 double worstOutside(const PosedConvexPair& pair) {
   const ConvexDistance found = measureCold(*pair.a, pair.world_from_a, *pair.b, pair.world_from_b);
-  EXPECT_EQ(found.quality, DistanceQuality::exact);
+  EXPECT_EQ(found.quality, Quality::exact);
   const ConvexCertificate proof = certify(pair, found.measured);
   return std::max(proof.a_outside, proof.b_outside);
 }

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "support/robots/geometry_setup.h"
 #include "support/robots/hand_made_setup.h"
@@ -26,7 +27,7 @@ std::optional<ContactManifold> manifoldAt(const std::vector<Geometry>& geometrie
   poses.world_from_link[1] = pose;
   runCycle(setup, poses, buffers);
   return contactManifold(setup, buffers.body_poses,
-                         buffers.distances.measured.at(buffers.events.closest_of_all));
+                         buffers.distances.pairs.at(buffers.events.closest_of_all));
 }
 
 Pose at(double x, double y, double z) {

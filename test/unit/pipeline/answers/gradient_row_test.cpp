@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "collision_monitor/model/kinematics.h"
-#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/measure_pairs.h"
+#include "pipeline/cycle/place_bodies.h"
 #include "support/robots/urdf_text.h"
 
 namespace collision_monitor {
@@ -55,7 +57,7 @@ class GradientRowTest : public testing::Test {
       const CheckedLinkPair& pair = setup_.checked[setup_.link_pair_of[i]];
       if (pair.a == *model.findLink(a) && pair.b == *model.findLink(b)) {
         measurePairs(setup_, buffers.body_poses, {idAt<PairId>(i)}, buffers.distances);
-        row = GradientRows(setup_, poses).of(buffers.distances.measured[0]);
+        row = GradientRows(setup_, poses).of(buffers.distances.pairs[0]);
       }
     }
     return row;

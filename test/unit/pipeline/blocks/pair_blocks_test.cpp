@@ -9,7 +9,8 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/cycle/run_cycle.h"
+#include "pipeline/blocks/search_blocks.h"
+#include "pipeline/cycle/place_bodies.h"
 #include "support/instruction_sets.h"
 #include "support/robots/hand_made_setup.h"
 

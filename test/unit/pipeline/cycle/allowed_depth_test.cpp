@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <string>
 
+#include "collision_monitor/geometry/ids.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/run_cycle.h"
 #include "pipeline/states/check_states.h"
 #include "pipeline/trajectory/check_trajectory.h"
 #include "pipeline/trajectory/link_pair_distance.h"

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/constants.h"
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "support/robots/hand_made_setup.h"
 
@@ -86,7 +87,7 @@ class FindReachesTest : public testing::Test {
   FindReachesTest() { rest(poses_); }
   double reach() {
     runCycle(setup_, poses_, buffers_);
-    return buffers_.reaches.of_pair[0];
+    return buffers_.activation.of_pair[0];
   }
   Twist& twist(std::size_t link) { return poses_.velocities.of_link[link]; }
 
@@ -105,7 +106,7 @@ TEST_F(FindReachesTest, nothingMoves_orAllMovesAlike) {
 TEST_F(FindReachesTest, oneMovesOrTurns_howFarItGetsWithinTheHorizon) {
   twist(1).linear.y() = 2.0;
   EXPECT_NEAR(reach(), 0.015 + 1.0, 1e-9);
-  // 2 rad/s: the ball's centre goes at 0.6 m/s, its surface 0.2 m/s faster.
+  // 2 rad/s: the ball's center goes at 0.6 m/s, its surface 0.2 m/s faster.
   twist(1) = {Eigen::Vector3d::Zero(), {0, 0, 2.0}};
   EXPECT_NEAR(reach(), 0.015 + 0.4, 1e-9);
 }

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <vector>
 
+#include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/model/kinematics.h"
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "pipeline/trajectory/check_trajectory.h"
 #include "support/robots/hand_made_setup.h"
@@ -57,7 +59,7 @@ class Parts : public testing::Test {
   /// NaN where there is none.
   double closest() const {
     const std::uint32_t place = buffers_.events.closest_of_all;
-    return place == kNone ? kUnknown : buffers_.distances.measured[place].measured.distance;
+    return place == kNone ? kUnknown : buffers_.distances.pairs[place].measured.distance;
   }
 
   CycleSetup setup_ = handMadeSetup(
@@ -81,7 +83,7 @@ TEST_F(Parts, pairsWithinAPartAreJudged_pairsAcrossAreUnknown) {
   EXPECT_EQ(buffers_.events.overall, Verdict::contact);
   EXPECT_EQ(buffers_.counters.candidates, 2U);
   EXPECT_EQ(buffers_.counters.unknown_pairs, 8U);
-  EXPECT_EQ(buffers_.distances.measured.size(), 2U);
+  EXPECT_EQ(buffers_.distances.pairs.size(), 2U);
   EXPECT_EQ(buffers_.events.island_of_link, (std::vector<std::uint32_t>{0, 0, 1, 1, 0}));
   EXPECT_EQ(buffers_.memory.speed.scale, 0.0) << "a pair is unknown";
 }

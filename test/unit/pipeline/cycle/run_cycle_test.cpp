@@ -6,6 +6,10 @@
 
 #include <limits>
 
+#include "collision_monitor/geometry/ids.h"
+#include "pipeline/answers/carry_over.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/judge_pairs.h"
 #include "support/robots/hand_made_setup.h"
 
 namespace collision_monitor {
@@ -30,8 +34,8 @@ class TwoBalls : public testing::Test {
 
 TEST_F(TwoBalls, apart_distancePointsAndNormalAreThoseOfTheSurfaces) {
   runWithGap(0.1);
-  ASSERT_EQ(buffers_.distances.measured.size(), 1U);
-  const PairDistance& pair = buffers_.distances.measured[0];
+  ASSERT_EQ(buffers_.distances.pairs.size(), 1U);
+  const PairDistance& pair = buffers_.distances.pairs[0];
   EXPECT_EQ(pair.quality, Quality::exact);
   EXPECT_NEAR(pair.measured.distance, 0.1, 1e-15);
   EXPECT_TRUE(pair.measured.point_on_a.isApprox(Eigen::Vector3d(0.1, 0, 0), 1e-12));
@@ -73,7 +77,7 @@ TEST_F(TwoBalls, outOfReach_closestIsMeasuredAllTheSame) {
   runWithGap(5.0);
   EXPECT_EQ(buffers_.counters.candidates, 0U);
   ASSERT_EQ(buffers_.events.closest_of_all, 0U);
-  EXPECT_NEAR(buffers_.distances.measured[0].measured.distance, 5.0, 1e-14);
+  EXPECT_NEAR(buffers_.distances.pairs[0].measured.distance, 5.0, 1e-14);
 }
 
 TEST_F(TwoBalls, missingLink_pairIsUnknownAndNeverClear) {
@@ -136,7 +140,7 @@ TEST_F(TwoBalls, contactOnTheWayThatTheBudgetLeftOpen_isNotHeld) {
     return verdict();
   };
   PassedContact passed;
-  passed.distance = buffers_.distances.measured[0];
+  passed.distance = buffers_.distances.pairs[0];
   passed.distance.quality = Quality::lower_bound;
   buffers_.distances.passed = {passed};
   EXPECT_EQ(judge(), Verdict::contact);
@@ -179,7 +183,7 @@ TEST(RunCycle, severalShapesPerLink_verdictIsThatOfTheNearest) {
   runCycle(setup, poses, buffers);
   ASSERT_EQ(buffers.events.verdicts.size(), 1U);
   EXPECT_EQ(buffers.events.verdicts[0], Verdict::warning);
-  const PairDistance& closest = buffers.distances.measured[buffers.events.closest[0]];
+  const PairDistance& closest = buffers.distances.pairs[buffers.events.closest[0]];
   EXPECT_EQ(setup.table[closest.pair].b, BodyId{2});
 }
 

@@ -14,7 +14,7 @@ std::vector<RefineKind> plainPairs(std::size_t count) {
 }
 
 /// Leaves the number of steps that names the pair.
-void mark(RefineStore& store, ElementPairIndex pair) { store.of(pair).last.found.steps = pair + 1; }
+void mark(RefineStore& store, ElementPairIndex pair) { store.of(pair).last.found.work = pair + 1; }
 
 TEST(RefineStore, fewPairs_eachKeepsItsOwn) {
   RefineStore store(plainPairs(kMost));
@@ -23,7 +23,7 @@ TEST(RefineStore, fewPairs_eachKeepsItsOwn) {
     mark(store, pair);
   }
   for (ElementPairIndex pair = 0; pair < kMost; ++pair) {
-    ASSERT_EQ(store.lastOf(pair).found.steps, pair + 1);
+    ASSERT_EQ(store.lastOf(pair).found.work, pair + 1);
   }
 }
 
@@ -35,11 +35,11 @@ TEST(RefineStore, morePairsThanMemories_thoseAskedForLastKeepTheirs) {
   }
   store.of(0);
   mark(store, kMost);
-  EXPECT_EQ(store.lastOf(0).found.steps, 1U) << "asked for again";
-  EXPECT_EQ(store.lastOf(1).found.steps, 0U) << "the oldest";
-  EXPECT_EQ(store.lastOf(2).found.steps, 3U);
-  EXPECT_EQ(store.lastOf(kMost).found.steps, kMost + 1);
-  EXPECT_EQ(store.of(1).last.found.steps, 0U) << "as new, of whose ever it was";
+  EXPECT_EQ(store.lastOf(0).found.work, 1U) << "asked for again";
+  EXPECT_EQ(store.lastOf(1).found.work, 0U) << "the oldest";
+  EXPECT_EQ(store.lastOf(2).found.work, 3U);
+  EXPECT_EQ(store.lastOf(kMost).found.work, kMost + 1);
+  EXPECT_EQ(store.of(1).last.found.work, 0U) << "as new, of whose ever it was";
 }
 
 TEST(RefineStore, meshes_haveWhatTheirKindSays) {
@@ -56,8 +56,8 @@ TEST(RefineStore, pairWhoseBodiesSayAll_hasOneAllTheSame) {
   RefineStore store({RefineKind::never, RefineKind::never});
   mark(store, 0);
   mark(store, 1);
-  EXPECT_EQ(store.lastOf(1).found.steps, 2U);
-  EXPECT_EQ(store.lastOf(0).found.steps, 0U);
+  EXPECT_EQ(store.lastOf(1).found.work, 2U);
+  EXPECT_EQ(store.lastOf(0).found.work, 0U);
 }
 
 TEST(RefineStore, forgetAll_leavesAllAsNew) {
@@ -65,8 +65,8 @@ TEST(RefineStore, forgetAll_leavesAllAsNew) {
   mark(store, 0);
   mark(store, 1);
   store.forgetAll();
-  EXPECT_EQ(store.lastOf(0).found.steps, 0U);
-  EXPECT_EQ(store.lastOf(1).found.steps, 0U);
+  EXPECT_EQ(store.lastOf(0).found.work, 0U);
+  EXPECT_EQ(store.lastOf(1).found.work, 0U);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "pipeline/cycle/cycle_buffers.h"
 #include "support/sample_meshes.h"
 #include "unit/pipeline/refine/refine_scene.h"
 #include "unit/pipeline/setup/open_torso.h"
@@ -114,7 +115,7 @@ TEST(OpenMeshes, inAndOutBetweenTwoCycles_isAPassedContact) {
       scene.poses.stamp_ns += 20'000'000;
     }
     ASSERT_EQ(scene.buffers.distances.passed.size(), 1U) << geometry.index();
-    EXPECT_GT(scene.buffers.distances.measured.at(0).measured.distance, 0.01) << "now apart again";
+    EXPECT_GT(scene.buffers.distances.pairs.at(0).measured.distance, 0.01) << "now apart again";
     EXPECT_EQ(scene.verdict(), Verdict::contact);
   }
 }

@@ -13,13 +13,13 @@ namespace collision_monitor::test {
 namespace {
 
 // Two hooked angles, whose surfaces are 0.02 m apart.
-ElementDistance measureHooked(double enough) {
+ElementDistance measureHooked(double cutoff) {
   const CycleSetup setup = geometrySetup({angleMesh(), angleMesh()}, SetupOptions());
   const Pose world_from_a;
   const Pose world_from_b = hookedPose();
   RefineMemory memory;
   const auto scratch = std::make_unique<RefineScratch>();
-  ElementSearch search{10000, memory, *scratch, enough};
+  ElementSearch search{10000, memory, *scratch, cutoff};
   return measureElements({setup.elements[0], world_from_a}, {setup.elements[1], world_from_b},
                          search);
 }
@@ -58,7 +58,7 @@ TEST(MeasureElements, meshNearestWhereItsHullIs_measuredInAFewSteps) {
     EXPECT_TRUE(found.has_points);
     if (side > 0.0) {
       EXPECT_NEAR(found.measured.distance, 0.1, 1e-12);
-      EXPECT_LT(found.steps, 50U);
+      EXPECT_LT(found.work, 50U);
     } else {
       EXPECT_GT(found.measured.distance, 0.1 + 1e-6) << "the dent is before the box";
     }

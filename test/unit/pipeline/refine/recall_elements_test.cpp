@@ -11,14 +11,14 @@
 namespace collision_monitor::test {
 namespace {
 
-/// Two balls of 0.1 m that were measured with their centres 0.5 m apart.
+/// Two balls of 0.1 m that were measured with their centers 0.5 m apart.
 class RecallElements : public testing::Test {
  protected:
   RecallElements() {
     ball_.convex = Sphere{0.1};
     last_.found.quality = Quality::exact;
     last_.found.is_complete = last_.found.has_points = true;
-    last_.found.steps = 7;
+    last_.found.work = 7;
     last_.found.measured.distance = 0.3;
     last_.world_from_b = at(0.5, 0, 0);
   }
@@ -46,7 +46,7 @@ TEST_F(RecallElements, nothingMoved_theSameAtNoCost) {
   EXPECT_EQ(recalled.quality, Quality::exact);
   EXPECT_TRUE(recalled.is_complete && recalled.has_points);
   EXPECT_EQ(recalled.measured.distance, 0.3);
-  EXPECT_EQ(recalled.steps, 0U);
+  EXPECT_EQ(recalled.work, 0U);
 }
 
 TEST_F(RecallElements, oneMoved_aBoundLessItsWay) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/cycle/cycle_buffers.h"
 #include "refine_scene.h"
 #include "support/sample_meshes.h"
 
@@ -107,18 +108,18 @@ Scene twoHookedPairsWithoutBudget() {
 
 TEST(RefineBudget, budgetSpentAndNothingMoved_whatWasMeasuredStands) {
   Scene scene = twoHookedPairsWithoutBudget();
-  const std::vector<PairDistance> before = scene.buffers.distances.measured;
+  const std::vector<PairDistance> before = scene.buffers.distances.pairs;
   scene.run();
-  ASSERT_EQ(scene.buffers.distances.measured.size(), 2U);
+  ASSERT_EQ(scene.buffers.distances.pairs.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
-    const PairDistance& now = scene.buffers.distances.measured[i];
+    const PairDistance& now = scene.buffers.distances.pairs[i];
     EXPECT_EQ(now.quality, Quality::exact);
     EXPECT_TRUE(now.is_refined);
     EXPECT_EQ(now.measured.distance, before.at(i).measured.distance);
     EXPECT_EQ(now.measured.point_on_b, before.at(i).measured.point_on_b);
   }
   EXPECT_EQ(scene.buffers.counters.left, 0U);
-  EXPECT_EQ(scene.buffers.counters.refine_steps, 0U);
+  EXPECT_EQ(scene.buffers.counters.refine_work, 0U);
 }
 
 TEST(RefineBudget, budgetSpentAndOneMoved_lessByItsWayAndABound) {
@@ -127,8 +128,8 @@ TEST(RefineBudget, budgetSpentAndOneMoved_lessByItsWayAndABound) {
   scene.run();
   EXPECT_EQ(scene.buffers.events.overall, Verdict::clear);
   EXPECT_EQ(scene.buffers.counters.left, 1U);
-  ASSERT_EQ(scene.buffers.distances.measured.size(), 2U);
-  const PairDistance& moved = scene.buffers.distances.measured[1];
+  ASSERT_EQ(scene.buffers.distances.pairs.size(), 2U);
+  const PairDistance& moved = scene.buffers.distances.pairs[1];
   EXPECT_EQ(moved.quality, Quality::lower_bound);
   EXPECT_FALSE(moved.is_refined);
   EXPECT_NEAR(moved.measured.distance, 0.017, 1e-9);
@@ -183,11 +184,11 @@ TEST(RefineBudget, budgetOfOneDistance_noContactOfEnclosingShapesIsLeft) {
   ASSERT_GT(scene.closest().measured.distance, 0.09);
   resetMemory(scene.buffers);
   scene.buffers.refine.limits.budget =
-      static_cast<std::uint32_t>(scene.buffers.counters.refine_steps / 2);
+      static_cast<std::uint32_t>(scene.buffers.counters.refine_work / 2);
   scene.run();
   EXPECT_GT(scene.buffers.counters.left, 0U);
   EXPECT_NE(scene.buffers.events.overall, Verdict::contact);
-  for (const PairDistance& pair : scene.buffers.distances.measured) {
+  for (const PairDistance& pair : scene.buffers.distances.pairs) {
     EXPECT_GE(pair.measured.distance, 0.002) << "as much as it takes to be in no contact";
   }
 }
@@ -212,7 +213,7 @@ std::uint32_t budgetOfDecisions() {
   Scene scene = ballsInHollowShells();
   scene.buffers.refine.limits.budget = 1000000;
   scene.run();
-  return static_cast<std::uint32_t>(scene.buffers.counters.refine_steps / 2);
+  return static_cast<std::uint32_t>(scene.buffers.counters.refine_work / 2);
 }
 
 TEST(RefineBudget, contactOfEnclosingShapesAlone_endsWhenASearchProvesItNone) {
@@ -261,7 +262,7 @@ TEST(RefineBudget, budgetOfOneSearch_thoseThatWaitedComeFirst) {
     scene.run();
     ASSERT_EQ(scene.buffers.counters.refined, 1U);
     ASSERT_EQ(scene.buffers.counters.left, 2U);
-    for (const PairDistance& pair : scene.buffers.distances.measured) {
+    for (const PairDistance& pair : scene.buffers.distances.pairs) {
       if (pair.is_refined) {
         refined.push_back(scene.setup.link_pair_of[index(pair.pair)]);
       }
@@ -280,7 +281,7 @@ TEST(RefineBudget, budgetOfOneSearchAtRest_isSpentOnWhatIsNotKnownYet) {
     scene.run();
     EXPECT_EQ(scene.buffers.counters.refined, std::min<std::size_t>(cycle + 1, 3));
   }
-  EXPECT_EQ(scene.buffers.counters.refine_steps, 0U);
+  EXPECT_EQ(scene.buffers.counters.refine_work, 0U);
 }
 
 }  // namespace

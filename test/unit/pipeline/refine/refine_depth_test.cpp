@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "support/robots/geometry_setup.h"
 #include "support/robots/hand_made_setup.h"
@@ -24,7 +25,7 @@ class RefineDepth : public testing::Test {
   const PairDistance& runAt(const Eigen::Vector3d& second) {
     poses_.world_from_link[1].translation = second;
     runCycle(setup_, poses_, buffers_);
-    return buffers_.distances.measured.at(buffers_.events.closest_of_all);
+    return buffers_.distances.pairs.at(buffers_.events.closest_of_all);
   }
   const PairDistance& standAt(const Eigen::Vector3d& second) {
     for (int cycle = 0; cycle < 100; ++cycle) {
@@ -51,19 +52,19 @@ TEST_F(RefineDepth, firstCycleAndStanding_theSameDepth) {
 
 TEST_F(RefineDepth, stands_noStepIsSpent) {
   standAt(kInside);
-  EXPECT_EQ(buffers_.counters.refine_steps, 0U);
+  EXPECT_EQ(buffers_.counters.refine_work, 0U);
   EXPECT_EQ(buffers_.counters.refined, 1U);
 }
 
 TEST_F(RefineDepth, slides_depthFollowsForLessThanTheFirstTime) {
   runAt(kInside);
-  const std::size_t first_steps = buffers_.counters.refine_steps;
+  const std::size_t first_steps = buffers_.counters.refine_work;
   for (int step = 1; step < 10; ++step) {
     const double y = 0.03 - 0.001 * step;
     const PairDistance& found = runAt({0.15, y, 0.05});
     ASSERT_EQ(found.quality, Quality::estimate);
     ASSERT_NEAR(found.measured.distance, -y, 1e-12) << "less by its way";
-    ASSERT_LT(buffers_.counters.refine_steps, first_steps);
+    ASSERT_LT(buffers_.counters.refine_work, first_steps);
   }
 }
 
@@ -85,7 +86,7 @@ TEST_F(RefineDepth, poseNotFiniteForACycle_isUnknownAndThenAsBefore) {
 
 TEST_F(RefineDepth, budgetSpentBeforeItsTurn_overlapIsCertainAndNoDepthIsTold) {
   runAt(kInside);
-  const std::uint32_t without_depth = buffers_.memory.refined.lastOf(0).found.steps;
+  const std::uint32_t without_depth = buffers_.memory.refined.lastOf(0).found.work;
   resetMemory(buffers_);
   buffers_.refine.limits.budget = without_depth + 1;
   const PairDistance& found = runAt(kInside);
@@ -98,7 +99,7 @@ TEST_F(RefineDepth, memoryReset_isSearchedAnew) {
   standAt(kInside);
   resetMemory(buffers_);
   EXPECT_NEAR(runAt(kInside).measured.distance, -0.03, 1e-12);
-  EXPECT_GT(buffers_.counters.refine_steps, 0U);
+  EXPECT_GT(buffers_.counters.refine_work, 0U);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/trajectory/link_pair_distance.h"
 #include "refine_scene.h"
 #include "support/sample_meshes.h"
@@ -53,7 +54,7 @@ TEST(RefinePairs, severalShapesPerLink_pairOfElementsKeepsOneEntry) {
   scene.poses.world_from_link[1] = test::hookedPose();
   ASSERT_EQ(scene.setup.table.size(), 4U);
   scene.run();
-  ASSERT_EQ(scene.buffers.distances.measured.size(), 1U);
+  ASSERT_EQ(scene.buffers.distances.pairs.size(), 1U);
   EXPECT_NEAR(scene.closest().measured.distance, 0.02, 1e-12);
 }
 
@@ -97,9 +98,9 @@ TEST(RefinePairs, depthThatLimitsAllow_hidesNoEstimateOfAnotherElement) {
 
 TEST(RefinePairs, distanceBeyondEnough_isABoundAndNoMore) {
   Scene scene = hookedAngles(RefineGeometry::mesh);
-  const auto distance = [&](double enough) {
+  const auto distance = [&](double cutoff) {
     LinkPairMeasures measures(scene.setup);
-    return elementDistance(measures, 0, scene.poses.world_from_link, enough);
+    return elementDistance(measures, 0, scene.poses.world_from_link, cutoff);
   };
   const PairDistance whole = distance(1.0);
   EXPECT_EQ(whole.quality, Quality::exact);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "support/robots/geometry_setup.h"
 #include "support/robots/hand_made_setup.h"
@@ -32,7 +33,7 @@ struct RefineScene {
   void run() { runCycle(setup, poses, buffers); }
   void moveTo(std::size_t link, double x) { poses.world_from_link[link].translation.x() = x; }
   const PairDistance& closest() const {
-    return buffers.distances.measured.at(buffers.events.closest_of_all);
+    return buffers.distances.pairs.at(buffers.events.closest_of_all);
   }
   Verdict verdict() const { return buffers.events.verdicts.at(0); }
 

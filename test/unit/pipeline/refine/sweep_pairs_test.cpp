@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "geometry/constants.h"
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "support/robots/geometry_setup.h"
 #include "support/robots/hand_made_setup.h"

@@ -107,7 +107,7 @@ TEST_F(TouchElements, theSameAgain_costsLessThanTheFirstTime) {
   const ElementContact again = touch(0.0501);
   EXPECT_EQ(first.state, State::contact);
   EXPECT_EQ(again.state, State::contact);
-  EXPECT_LE(again.steps, first.steps);
+  EXPECT_LE(again.work, first.work);
 }
 
 }  // namespace

@@ -29,9 +29,9 @@ TEST(ConvexMesh, dent_countsFromTheToleranceOn) {
     const Eigen::Vector3d middle =
         (mesh.vertices[split[0]] + mesh.vertices[split[1]] + mesh.vertices[split[2]]) / 3.0;
     mesh.vertices.emplace_back(middle * (1.0 - depth));
-    const auto centre = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+    const auto center = static_cast<std::uint32_t>(mesh.vertices.size() - 1);
     for (std::size_t i = 0; i < 3; ++i) {
-      mesh.triangles.push_back({split[i], split[(i + 1) % 3], centre});
+      mesh.triangles.push_back({split[i], split[(i + 1) % 3], center});
     }
     EXPECT_EQ(isConvex(mesh), is_convex) << depth;
   }

@@ -21,13 +21,13 @@ SetupOptions spheresAround(RefineGeometry geometry = RefineGeometry::mesh) {
 
 /// Two cylinders side by side with an arm between, this far apart: apart beyond 0.2 m; the spheres
 /// around them, of 0.112 m, beyond 0.224 m.
-CycleSetup cylinders(const std::string& way, const SetupOptions& options = spheresAround(),
+CycleSetup cylinders(const std::string& travel, const SetupOptions& options = spheresAround(),
                      const std::string& srdf = "") {
-  RobotDescription robot = describeText(
-      robotXml(linkXml("base", kCylinder) + linkXml("arm", "<sphere radius='0.01'/>") +
-               linkXml("tip", kCylinder) +
-               jointXml("shoulder", "continuous", "base", "arm", "<origin xyz='0 0 1'/>") +
-               jointXml("wrist", "continuous", "arm", "tip", "<origin xyz='" + way + " 0 -1'/>")));
+  RobotDescription robot = describeText(robotXml(
+      linkXml("base", kCylinder) + linkXml("arm", "<sphere radius='0.01'/>") +
+      linkXml("tip", kCylinder) +
+      jointXml("shoulder", "continuous", "base", "arm", "<origin xyz='0 0 1'/>") +
+      jointXml("wrist", "continuous", "arm", "tip", "<origin xyz='" + travel + " 0 -1'/>")));
   robot.srdf_xml = srdf;
   return buildSetup({robot}, textLoader({}), options);
 }

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <string>
 
+#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "support/robots/urdf_text.h"
 

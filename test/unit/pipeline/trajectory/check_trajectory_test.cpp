@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/constants.h"
 #include "pipeline/data/motion_bound.h"
 #include "support/robots/urdf_text.h"
@@ -164,7 +165,7 @@ TEST_F(CheckTrajectoryTest, manyWaypoints_fixedLinksStayAsTheyStand) {
 
 TEST_F(CheckTrajectoryTest, nearMissBetweenWaypoints_isSearchedFor) {
   // The elbow stands 1.23 m from the post, so that the hand, 1 m out, passes it by 0.23 m from
-  // centre to centre when it points there.
+  // center to center when it points there.
   const double sum = 0.5 * (3.0 - 1.23 * 1.23);  // of the shoulder's cosine and sine
   const double shoulder = std::asin(sum / std::sqrt(2.0)) - 0.25 * kPi;
   const double there = std::atan2(1.0 - std::sin(shoulder), 1.0 - std::cos(shoulder)) - shoulder;
@@ -250,7 +251,7 @@ TEST_F(CheckTrajectoryTest, budgetSpentOnWhatIsFar_undecided) {
   options_.budget = 100000;
   const TrajectoryReport report = check();
   EXPECT_EQ(of(report, "hand", "post").state, ApproachState::undecided);
-  EXPECT_LT(report.steps, 110000U);
+  EXPECT_LT(report.work, 110000U);
 }
 
 TEST_F(CheckTrajectoryTest, cancelledBetweenTwoWaypoints_undecidedFromThereOn) {

@@ -117,7 +117,7 @@ TEST(TrajectoryWork, contactsAlone_nearestIsABoundThatIsProven) {
   EXPECT_GT(found.at_least, 0.0);
   EXPECT_GE(found.nearest.measured.distance, found.at_least);
   EXPECT_LE(found.nearest.measured.distance, 0.03);
-  EXPECT_LT(report.steps, 1000U) << "19,000 if distances are exact";
+  EXPECT_LT(report.work, 1000U) << "19,000 if distances are exact";
 }
 
 TEST(TrajectoryWork, beyondTheMargin_isMeasuredOnce) {
@@ -126,7 +126,7 @@ TEST(TrajectoryWork, beyondTheMargin_isMeasuredOnce) {
   EXPECT_EQ(found.nearest.quality, Quality::exact);
   EXPECT_GE(found.nearest.measured.distance, 0.06 - kStored);
   EXPECT_GE(found.at_least, 0.02);
-  EXPECT_LT(report.steps, 14000U) << "twice as many if all way-points are measured";
+  EXPECT_LT(report.work, 14000U) << "twice as many if all way-points are measured";
 }
 
 TEST(TrajectoryWork, contact_isFoundThoughNothingIsMeasuredBefore) {
@@ -139,8 +139,8 @@ TEST(HullDistance, hullsThatAreNearestOnTheGeometries_tellTheirDistance) {
   RefineScene scene({angleMesh(), angleMesh()});
   scene.poses.world_from_link[1].translation = Eigen::Vector3d(0.35, 0.0, 0.02);
   LinkPairMeasures measures(scene.setup);
-  const auto distance = [&](double enough) {
-    return hullDistance(measures, 0, scene.poses.world_from_link, enough);
+  const auto distance = [&](double cutoff) {
+    return hullDistance(measures, 0, scene.poses.world_from_link, cutoff);
   };
   EXPECT_TRUE(distance(1.0).is_refined);
   EXPECT_EQ(distance(1.0).quality, Quality::exact);

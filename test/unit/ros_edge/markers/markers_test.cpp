@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "pipeline/cycle/run_cycle.h"
 #include "unit/ros_edge/edge_scene.h"
 
 namespace collision_monitor::test {
@@ -156,7 +157,7 @@ TEST_F(MarkersTest, ofClearPairs_haveNoLabelButTheClosest) {
 TEST_F(MarkersTest, ofABound_sayThatItIsOne) {
   const auto near = watch(posesAt(-0.25));
   const auto labelText = [&](Quality quality) {
-    near->buffers.distances.measured.front().quality = quality;
+    near->buffers.distances.pairs.front().quality = quality;
     return Markers(*near).draw(*near).markers.back().text;
   };
   EXPECT_EQ(labelText(Quality::exact), "50 mm");

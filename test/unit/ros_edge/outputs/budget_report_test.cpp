@@ -32,9 +32,9 @@ BudgetUse shortUse(const MonitorSetup& setup) {
   use.setup = &setup.setup;
   use.cycles = 100;
   use.short_cycles = 40;
-  use.steps = 300000;
+  use.work = 300000;
   use.worst = 9500;
-  use.short_steps = 200000;
+  use.short_work = 200000;
   use.short_time = 0.08;
   use.most = {{{0, 150000}, {2, 40000}, {1, 10000}}};
   return use;
@@ -101,7 +101,7 @@ TEST(BudgetReport, linkOfManyPairsThatTakeLittleEach_isStillDense) {
 TEST(BudgetReport, budgetThatSuffices_isOkAndGivesNoAdvice) {
   const MonitorSetup setup = meshesAndACylinder();
   BudgetUse use = shortUse(setup);
-  use.short_cycles = use.short_steps = 0;
+  use.short_cycles = use.short_work = 0;
   use.most = {};
   const DiagnosticStatus status = statusOf(setup, use);
   EXPECT_EQ(status.level, DiagnosticStatus::OK);
@@ -129,7 +129,7 @@ TEST(BudgetReport, useOfAnotherSetup_namesNoLinksOfThisOne) {
 TEST(BudgetReport, noBudgetAtAll_noPairIsBlamed) {
   const MonitorSetup setup = meshesAndACylinder();
   BudgetUse use = shortUse(setup);
-  use.steps = use.worst = use.short_steps = 0;
+  use.work = use.worst = use.short_work = 0;
   use.most = {};
   const DiagnosticStatus status = statusOf(setup, use);
   EXPECT_EQ(status.message,

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "collision_monitor/geometry/ids.h"
+#include "pipeline/cycle/run_cycle.h"
 #include "ros_edge/outputs/distance_list.h"
 #include "ros_edge/outputs/sentences.h"
 #include "unit/ros_edge/edge_scene.h"
@@ -73,14 +75,14 @@ TEST_F(ConversionsTest, fastPairThatIsFar_warnsByItsTime) {
   const auto watch = watchMoving(-0.15, -3.0);
   EXPECT_EQ(stateOf(*watch, facts()).level, State::WARNING);
   ASSERT_EQ(watch->buffers.events.changes.size(), 1U);
-  Warning warning;
+  PairWarning warning;
   toMessage(*watch, watch->buffers.events.changes[0], warning);
   EXPECT_EQ(warning.sentence, "base is 150 mm from tool, closing at 3.00 m/s, contact in 0.05 s");
 }
 
 TEST_F(ConversionsTest, lowerBound_contactIsNotEarlier) {
   const auto watch = watchMoving(-0.26, -0.2);
-  PairDistance distance = watch->buffers.distances.measured[0];
+  PairDistance distance = watch->buffers.distances.pairs[0];
   distance.quality = Quality::lower_bound;
   EXPECT_EQ(distanceSentence(setup_->setup, distance),
             "base is at least 40 mm from tool, closing at 0.20 m/s, contact in 0.20 s at the "
@@ -218,9 +220,9 @@ TEST_F(ConversionsTest, contactBetweenCycles_isToldWithItsTimeAndPoses) {
   EXPECT_NEAR(distances.pairs[0].passed_at, 0.011, 1e-9);
   EXPECT_NEAR(distances.pairs[0].distance, 0.55, 1e-12);
   ASSERT_EQ(watch->buffers.events.changes.size(), 1U);
-  Warning warning;
+  PairWarning warning;
   toMessage(*watch, watch->buffers.events.changes[0], warning);
-  EXPECT_EQ(warning.after, Warning::CONTACT);
+  EXPECT_EQ(warning.after, PairWarning::CONTACT);
   EXPECT_EQ(warning.sentence, state.sentence);
   EXPECT_NEAR(warning.pair.passed_at, 0.011, 1e-9);
 }
@@ -232,7 +234,7 @@ TEST_F(ConversionsTest, contactBetweenCyclesOfOneShapeAndNowOfAnother_isToldAsOf
   runCycle(watch->setup(), watch->poses, watch->buffers);
   // As if it were of another shape of the tool.
   const std::uint32_t closest = watch->buffers.events.closest_of_all;
-  watch->buffers.distances.measured[closest].measured.distance = 0.0;
+  watch->buffers.distances.pairs[closest].measured.distance = 0.0;
   EXPECT_EQ(stateOf(*watch, facts()).sentence, "base touches tool");
   DistanceList list;
   const Distances& distances = list.fill(*watch);
@@ -251,10 +253,10 @@ TEST_F(ConversionsTest, contactNow_hasNoTimeAndThePosesOfNow) {
 TEST_F(ConversionsTest, changes_sayWhatHappened) {
   const auto watch = watchAt(-0.26);
   ASSERT_EQ(watch->buffers.events.changes.size(), 1U);
-  Warning warning;
+  PairWarning warning;
   toMessage(*watch, watch->buffers.events.changes[0], warning);
-  EXPECT_EQ(warning.before, Warning::CLEAR);
-  EXPECT_EQ(warning.after, Warning::WARNING);
+  EXPECT_EQ(warning.before, PairWarning::CLEAR);
+  EXPECT_EQ(warning.after, PairWarning::WARNING);
   EXPECT_EQ(warning.sentence, "base is 40 mm from tool");
   EXPECT_NEAR(warning.pair.distance, 0.04, 1e-12);
   EXPECT_EQ(changeSentence(*watchAt(0.25), {0, Verdict::warning, Verdict::clear}),
@@ -284,7 +286,7 @@ TEST_F(ConversionsTest, lengthsAreReadable) {
 
 TEST_F(ConversionsTest, boundsAreCalledBounds) {
   const auto watch = watchAt(-0.26);
-  PairDistance distance = watch->buffers.distances.measured[0];
+  PairDistance distance = watch->buffers.distances.pairs[0];
   distance.quality = Quality::lower_bound;
   distance.measured.distance = 0.04;
   EXPECT_EQ(distanceSentence(setup_->setup, distance), "base is at least 40 mm from tool");

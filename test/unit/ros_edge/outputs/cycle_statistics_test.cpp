@@ -54,19 +54,19 @@ TEST_F(CycleStatisticsTest, useOfTheBudget_isThatSinceItWasTaken) {
   CycleStatistics statistics;
   const auto watch = watchAt(0.25);
   watch->buffers.counters.left = 1;
-  watch->buffers.refine.steps = 10;
+  watch->buffers.refine.work = 10;
   for (int i = 0; i < 3; ++i) {
     statistics.addWork(watch->buffers, 0.001, watch->budget);
   }
   const BudgetUse first = statistics.takeBudgetUse();
   EXPECT_EQ(first.setup, &setup_->setup);
   EXPECT_EQ(first.short_cycles, 3U);
-  EXPECT_EQ(first.short_steps, 30U);
+  EXPECT_EQ(first.short_work, 30U);
   EXPECT_EQ(statistics.takeBudgetUse().cycles, 0U) << "none since";
   statistics.addWork(watch->buffers, 0.001, watch->budget);
   const BudgetUse second = statistics.takeBudgetUse();
   EXPECT_EQ(second.cycles, 1U);
-  EXPECT_EQ(second.steps, 10U);
+  EXPECT_EQ(second.work, 10U);
 }
 
 TEST_F(CycleStatisticsTest, useOfTheBudget_endsWithItsSetup) {

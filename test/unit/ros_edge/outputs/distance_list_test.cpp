@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/judge_pairs.h"
 #include "unit/ros_edge/edge_scene.h"
 
 namespace collision_monitor::test {
@@ -45,7 +47,7 @@ TEST_F(DistanceListTest, entryThatIsRefinedNow_namesElements) {
   DistanceList list;
   const auto watch = watchAt(-0.25);
   EXPECT_EQ(list.fill(*watch).pairs[0].shape_a, "collision_0/box");
-  watch->buffers.distances.measured[watch->buffers.events.closest_of_all].is_refined = true;
+  watch->buffers.distances.pairs[watch->buffers.events.closest_of_all].is_refined = true;
   expectAsNew(list, *watch);
   EXPECT_EQ(list.fill(*watch).pairs[0].shape_a, "collision_0");
 }
@@ -54,7 +56,7 @@ TEST_F(DistanceListTest, entryThatIsRefinedNow_namesElements) {
 TEST_F(DistanceListTest, contactThatIsCertain_isNotHiddenByADeeperBound) {
   const auto watch = watchAt(-0.35);
   CycleBuffers& buffers = watch->buffers;
-  std::vector<PairDistance>& measured = buffers.distances.measured;
+  std::vector<PairDistance>& measured = buffers.distances.pairs;
   PairDistance estimate = measured.at(buffers.events.closest_of_all);
   estimate.quality = Quality::estimate;
   estimate.measured.distance = -0.01;

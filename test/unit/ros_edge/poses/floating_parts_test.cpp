@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "pipeline/cycle/run_cycle.h"
 #include "ros_edge/markers/markers.h"
 #include "ros_edge/outputs/distance_list.h"
 #include "ros_edge/outputs/sentences.h"

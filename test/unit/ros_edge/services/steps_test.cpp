@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include "pipeline/cycle/run_cycle.h"
 #include "ros_edge/outputs/sentences.h"
 #include "unit/ros_edge/edge_scene.h"
 

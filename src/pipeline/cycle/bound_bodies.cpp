@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/cycle/bound_bodies.h"
+
+#include <cmath>
+
+#include "collision_monitor/geometry/bounds.h"
+#include "motion/screw_motion.h"
+
+namespace collision_monitor {
+
+void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double reach,
+                 BodyBounds& bounds) noexcept {
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+    bounds.known[i] = body_poses.known[i];
+    if (bounds.known[i] != 0) {
+      bounds.boxes[i] = aabbOf(setup.bodies[i].shape, body_poses.world_from_body[i], 0.5 * reach);
+    }
+  }
+}
+
+void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const SweepWork& work,
+                 double reach, BodyBounds& bounds) noexcept {
+  constexpr double kShort = 0.1;  // of the reach: where a body went hardly matters
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+    const double travel = work.body_travel[i];
+    if (bounds.known[i] == 0 || !(travel > 0.0)) {
+      continue;
+    }
+    if (travel <= kShort * reach) {
+      bounds.boxes[i].min.array() -= travel;
+      bounds.boxes[i].max.array() += travel;
+    } else {
+      const Body& body = setup.bodies[i];
+      const ScrewMotion motion =
+          carriedBy(work.link_motions[index(body.link)], body.link_from_body);
+      bounds.boxes[i] = sweptAabbOf(body.shape, motion, body_poses.world_from_body[i], 0.5 * reach);
+    }
+  }
+}
+
+void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration,
+                BodyBounds& bounds) noexcept {
+  const LinkVelocities& velocities = poses.velocities;
+  const std::size_t root = index(setup.model.robots.front().root);
+  const bool is_shared = velocities.known[root] != 0 && isFinite(velocities.of_link[root]);
+  const Twist shared = is_shared ? velocities.of_link[root] : Twist();
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+    const Body& body = setup.bodies[i];
+    const std::size_t link = index(body.link);
+    bounds.ahead[i] = kUnknown;
+    if (bounds.known[i] == 0 || velocities.known[link] == 0) {
+      continue;
+    }
+    const bool has_shared = poses.part[link] == poses.part[root];
+    const Twist own = has_shared ? velocities.of_link[link] - shared : velocities.of_link[link];
+    const Eigen::Vector3d center = poses.world_from_link[link] * body.link_from_body.translation;
+    const double speed = velocityAt(own, center).norm() + own.angular.norm() * body.bounding_radius;
+    if (std::isfinite(speed)) {
+      bounds.ahead[i] = speed * duration;
+      bounds.boxes[i].min.array() -= bounds.ahead[i];
+      bounds.boxes[i].max.array() += bounds.ahead[i];
+    }
+  }
+}
+
+}  // namespace collision_monitor

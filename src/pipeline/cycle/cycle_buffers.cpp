@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/cycle/cycle_buffers.h"
+
+#include <algorithm>
+
+#include "pipeline/cycle/distance_cache.h"
+#include "pipeline/cycle/place_bodies.h"
+#include "pipeline/look_ahead/link_walk.h"
+
+namespace collision_monitor {
+
+CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
+  const std::size_t bodies = setup.bodies.size();
+  const std::size_t pairs = setup.table.size();
+  const std::size_t link_pairs = setup.checked.size();
+  const std::size_t links = setup.model.links.size();
+  CycleBuffers buffers;
+  buffers.body_poses = makeBodyPoses(setup);
+  buffers.bounds.boxes.resize(bodies);
+  buffers.bounds.known.resize(bodies, 0);
+  buffers.bounds.ahead.resize(bodies, 0.0);
+  buffers.activation = makeActivationDistances(setup);
+  buffers.candidates.reserve(pairs);
+  buffers.deferred.reserve(pairs);
+  buffers.distances.pairs.reserve(pairs);
+  buffers.distances.passed.reserve(pairs);
+  buffers.refine = makeRefineWork(setup);
+  buffers.sweep = makeSweepWork(setup);
+  buffers.events.verdicts.resize(link_pairs, Verdict::unknown);
+  buffers.events.closest.resize(link_pairs, kNone);
+  buffers.events.passed.resize(link_pairs, kNone);
+  buffers.events.estimated.resize(link_pairs, kNone);
+  buffers.events.soonest.resize(link_pairs, kNone);
+  buffers.events.changes.reserve(link_pairs);
+  buffers.events.island_of_link.resize(links, 0);
+  buffers.events.island_forest.resize(links, 0);
+  buffers.memory.reported.resize(link_pairs, Verdict::clear);
+  buffers.memory.contact_detail.resize(link_pairs, Detail::shapes);
+  buffers.memory.refined = makeRefineMemory(setup);
+  buffers.memory.starved_cycles.resize(setup.element_pairs.size(), 0);
+  buffers.memory.distance_cache = makeDistanceCache(setup);
+  buffers.memory.last.world_from_link.resize(links);
+  buffers.memory.last.known.resize(links, 0);
+  buffers.memory.last.part.resize(links, kWorldPart);
+  buffers.memory.speed.stopped.resize(link_pairs, 0);
+  buffers.counters.pairs = pairs;
+  buffers.broad_phase = makeBroadPhase(kind, bodies, pairs);
+  buffers.culls_by_boxes = kind == BroadPhaseKind::combination;
+  return buffers;
+}
+
+void forgetPoses(CycleBuffers& buffers) noexcept {
+  buffers.memory.refined.forgetAll();
+  std::fill(buffers.memory.starved_cycles.begin(), buffers.memory.starved_cycles.end(), 0);
+  std::fill(buffers.memory.last.known.begin(), buffers.memory.last.known.end(), 0);
+  buffers.memory.last.stamp_ns = 0;
+}
+
+void resetMemory(CycleBuffers& buffers) noexcept {
+  forgetPoses(buffers);
+  std::fill(buffers.memory.reported.begin(), buffers.memory.reported.end(), Verdict::clear);
+  std::fill(buffers.memory.contact_detail.begin(), buffers.memory.contact_detail.end(),
+            Detail::shapes);
+  SpeedScale& speed = buffers.memory.speed;
+  std::fill(speed.stopped.begin(), speed.stopped.end(), 0);
+  speed.scale = 1.0;
+}
+
+}  // namespace collision_monitor

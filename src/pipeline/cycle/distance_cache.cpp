@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/cycle/distance_cache.h"
+
+#include <algorithm>
+
+#include "geometry/constants.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/near_bodies.h"
+
+namespace collision_monitor {
+namespace {
+
+bool hasNewLink(const BodyPoses& body_poses, const LastPoses& last) noexcept {
+  bool has_new = false;
+  for (std::size_t link = 0; link < last.known.size(); ++link) {
+    has_new |= body_poses.link_known[link] > last.known[link] ||
+               (body_poses.link_known[link] != 0 && body_poses.part[link] != last.part[link]);
+  }
+  return has_new;
+}
+
+void forget(DistanceCache& cache) noexcept {
+  std::fill(cache.distances.begin(), cache.distances.end(), -kInfinity);
+  forgetNearest(cache);
+}
+
+/// How much a link's rotation has changed since the last cycle, in Frobenius' norm; < 0 if it is
+/// not known now or was not then, or has come to another part.
+double turnOf(const LinkPoses& poses, const BodyPoses& body_poses, const LastPoses& last,
+              std::size_t link) noexcept {
+  return hasStayed(last, body_poses, link)
+             ? (poses.world_from_link[link].rotation - last.world_from_link[link].rotation).norm()
+             : -1.0;
+}
+
+/// [m] No point of a ball has come farther. `turn` is that of turnOf; Frobenius' norm
+/// also bounds what matrices do that are only nearly rotations.
+double stepOf(const Ball& ball, const Eigen::Vector3d& last_center, double turn) noexcept {
+  constexpr double kNotRigid = 10.0 * kRigid;  // of the way: what distances of such bodies err by
+  constexpr double kRounding = 1e-12;
+  const double step = (ball.center - last_center).norm() + turn * ball.radius;
+  return step > 0.0 ? (1.0 + kNotRigid) * step + kRounding : 0.0;
+}
+
+/// Before ways are so long that adding to them rounds by more than a step allows for.
+void beginAnew(const PairTable& table, DistanceCache& cache) noexcept {
+  constexpr double kRounding = 1e-12;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const BodyPair& pair = table.pairs()[i];
+    cache.distances[i] -=
+        cache.travels[index(pair.a)].all + cache.travels[index(pair.b)].all + kRounding;
+  }
+  for (BodyTravel& travel : cache.travels) {
+    travel.all = 0.0;
+  }
+}
+
+}  // namespace
+
+void forgetNearest(DistanceCache& cache) noexcept {
+  for (const ElementPairIndex pair : cache.measured_pairs) {
+    cache.nearest[pair] = kInfinity;
+  }
+  cache.measured_pairs.clear();
+}
+
+DistanceCache makeDistanceCache(const CycleSetup& setup) {
+  DistanceCache cache;
+  cache.distances.resize(setup.table.size(), -kInfinity);
+  cache.travels.resize(setup.bodies.size());
+  cache.nearest.resize(setup.element_pairs.size(), kInfinity);
+  cache.measured_pairs.reserve(setup.element_pairs.size());
+  return cache;
+}
+
+void accumulateTravel(const CycleSetup& setup, const LinkPoses& poses,
+                      CycleBuffers& buffers) noexcept {
+  constexpr double kLongest = 1000.0;  // [m]
+  const BodyPoses& body_poses = buffers.body_poses;
+  DistanceCache& cache = buffers.memory.distance_cache;
+  if (hasNewLink(body_poses, buffers.memory.last)) {
+    forget(cache);
+  }
+  double longest = 0.0;
+  for (std::size_t first = 0; first < setup.bodies.size();) {
+    const LinkId link = setup.bodies[first].link;
+    const double turn = turnOf(poses, body_poses, buffers.memory.last, index(link));
+    double farthest = 0.0;
+    std::size_t i = first;
+    for (; i < setup.bodies.size() && setup.bodies[i].link == link; ++i) {
+      BodyTravel& travel = cache.travels[i];
+      const Ball& ball = body_poses.balls[i];
+      const double step = turn >= 0.0 ? stepOf(ball, travel.center, turn) : 0.0;
+      travel.center = ball.center;
+      travel.all += step;
+      travel.ahead = buffers.bounds.ahead[i];
+      if (setup.is_continuous && travel.ahead < buffers.sweep.body_travel[i]) {
+        travel.ahead = buffers.sweep.body_travel[i];
+      }
+      farthest = std::max(farthest, step);
+      longest = std::max(longest, travel.all);
+    }
+    for (; first < i; ++first) {
+      cache.travels[first].of_link = farthest;
+    }
+  }
+  if (longest > kLongest) {
+    beginAnew(setup.table, cache);
+  }
+}
+
+}  // namespace collision_monitor

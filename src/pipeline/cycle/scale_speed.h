@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/pipeline/setup.h"
+#include "pipeline/data/cycle_data.h"
+
+namespace collision_monitor {
+
+/// The speed scale of all pairs: the least that one asks for; 0 while a pair is unknown, and where
+/// links met since the last cycle.
+void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistances& distances,
+                const PairEvents& events, SpeedScale& speed) noexcept;
+
+}  // namespace collision_monitor

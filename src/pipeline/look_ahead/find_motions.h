@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "collision_monitor/pipeline/setup.h"
+#include "pipeline/data/cycle_data.h"
+#include "pipeline/refine/sweep_pairs.h"
+
+namespace collision_monitor {
+
+/// Joins the last poses with these.
+/// @pre body_poses are placed from `poses`.
+void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
+                 const PairMemory& memory, SweepWork& work) noexcept;
+
+/// Keeps the poses for the next cycle.
+void keepPoses(const LinkPoses& poses, const BodyPoses& body_poses, LastPoses& last) noexcept;
+
+}  // namespace collision_monitor

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/look_ahead/link_walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/constants.h"
+#include "pipeline/data/activation_distance.h"
+#include "pipeline/data/motion_bound.h"
+#include "pipeline/look_ahead/walk_link_pairs.h"
+
+namespace collision_monitor {
+namespace {
+
+double thicknessOf(const Shape& shape) noexcept {
+  return 2.0 * (coreHalfExtents(shape).minCoeff() + radiusOf(shape));
+}
+
+/// In order of their ids.
+std::vector<LinkId> linksInPairs(const CycleSetup& setup) {
+  std::vector<LinkId> links;
+  for (const CheckedLinkPair& pair : setup.checked) {
+    links.push_back(pair.a);
+    links.push_back(pair.b);
+  }
+  std::sort(links.begin(), links.end());
+  links.erase(std::unique(links.begin(), links.end()), links.end());
+  return links;
+}
+
+std::vector<LinkBlock> makeLinkBlocks(const CycleSetup& setup, const std::vector<LinkId>& links,
+                                      const std::vector<double>& thickness) {
+  const auto slotOf = [&](LinkId link) {
+    const auto place = std::lower_bound(links.begin(), links.end(), link);
+    return static_cast<std::uint32_t>(place - links.begin());
+  };
+  std::vector<LinkBlock> blocks;
+  for (std::uint32_t i = 0; i < setup.checked.size(); ++i) {
+    const CheckedLinkPair& pair = setup.checked[i];
+    const std::uint32_t a = slotOf(pair.a);
+    const std::uint32_t b = slotOf(pair.b);
+    if (blocks.empty() || blocks.back().pairs.one != a ||
+        b >= blocks.back().pairs.first + kBlockLanes) {
+      blocks.emplace_back().pairs = {a, b, 0, i, 0};
+    }
+    LinkBlock& block = blocks.back();
+    const std::uint32_t lane = b - block.pairs.first;
+    block.pairs.is_pair |= 1U << lane;
+    block.thickness[lane] = thickness[i];
+  }
+  return blocks;
+}
+
+void writeTwist(const Twist& twist, std::size_t c, std::size_t slot, BodyRows& rows) noexcept {
+  writeVector(twist.linear, c, slot, rows);
+  writeVector(twist.angular, c + 3, slot, rows);
+}
+
+/// [m] How far any point of a link's ball may have come since the last cycle.
+double travelOf(const ScrewMotion& motion, const Ball& ball) noexcept {
+  return velocityAt(motion, ball.center).norm() + motion.turn.norm() * ball.radius;
+}
+
+/// Per step.
+Twist twistOf(const ScrewMotion& motion) noexcept {
+  return twistAbout(motion.start.translation, motion.travel, motion.turn);
+}
+
+/// Where links are, and how they move on.
+void writeLinks(const CycleSetup& setup, const LinkPoses& poses, const SweepWork& sweep,
+                ActivationDistances& reaches) noexcept {
+  const Twist unknown{Eigen::Vector3d::Constant(kUnknown), Eigen::Vector3d::Constant(kUnknown)};
+  const LinkVelocities& velocities = poses.velocities;
+  for (std::size_t slot = 0; slot < reaches.links.size(); ++slot) {
+    const std::size_t link = index(reaches.links[slot]);
+    const Ball& ball = reaches.balls[slot];
+    writeVector(poses.world_from_link[link] * ball.center, link_column::center, slot, reaches.rows);
+    writeTwist(velocities.known[link] != 0 ? velocities.of_link[link] : unknown,
+               link_column::velocity, slot, reaches.rows);
+    reaches.rows.at(link_column::travel)[slot] =
+        setup.is_continuous ? travelOf(sweep.link_motions[link], ball) : 0.0;
+  }
+}
+
+/// How links have come; an unknown one counts as one at rest.
+void writeSteps(const SweepWork& sweep, ActivationDistances& reaches) noexcept {
+  constexpr double kBend = 1.0 / 8.0;
+  const double longer = sweep.last_elapsed > 0.0 ? sweep.elapsed / sweep.last_elapsed : 0.0;
+  for (std::size_t slot = 0; slot < reaches.links.size(); ++slot) {
+    const std::size_t link = index(reaches.links[slot]);
+    const ScrewMotion& motion = sweep.link_motions[link];
+    const Twist moved = sweep.has_motion[link] != 0 ? twistOf(motion) : Twist();
+    const bool is_known =
+        sweep.has_motion[link] != 0 && sweep.had_motion[link] != 0 && longer > 0.0;
+    const Twist bent =
+        is_known ? kBend * (moved - longer * twistOf(sweep.last_motions[link])) : Twist();
+    writeVector(motion.start * reaches.balls[slot].center, link_column::last_center, slot,
+                reaches.rows);
+    writeTwist(moved, link_column::moved, slot, reaches.rows);
+    writeTwist(bent, link_column::bent, slot, reaches.rows);
+  }
+}
+
+/// What is infinitely thick nothing passes through.
+void splitBlocks(const LinkPoses& poses, ActivationDistances& reaches) noexcept {
+  for (LinkBlock& block : reaches.blocks) {
+    std::size_t pair = block.pairs.first_pair;
+    const PartId part = poses.part[index(reaches.links[block.pairs.one])];
+    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+      if ((block.pairs.is_pair >> lane & 1U) != 0) {
+        const LinkId other = reaches.links[block.pairs.first + lane];
+        block.thickness[lane] =
+            poses.part[index(other)] == part ? reaches.thickness[pair] : kInfinity;
+        ++pair;
+      }
+    }
+  }
+}
+
+/// Costs nothing while all links stand in one part.
+void findSplit(const LinkPoses& poses, ActivationDistances& reaches) noexcept {
+  const bool was_split = reaches.is_split;
+  reaches.is_split = std::any_of(reaches.links.begin(), reaches.links.end(), [&](LinkId link) {
+    return poses.part[index(link)] != poses.part[index(reaches.links.front())];
+  });
+  if (was_split || reaches.is_split) {
+    splitBlocks(poses, reaches);
+  }
+}
+
+StepCap capOf(double step, double longest, LinkPairIndex pair) noexcept {
+  return {longest, pair, step > longest};
+}
+
+}  // namespace
+
+ActivationDistances makeActivationDistances(const CycleSetup& setup) {
+  ActivationDistances reaches;
+  reaches.links = linksInPairs(setup);
+  reaches.thickness = thicknessOfPairs(setup);
+  reaches.blocks = makeLinkBlocks(setup, reaches.links, reaches.thickness);
+  reaches.contact = std::max(0.0, setup.limits.contact_distance);  // as contactOfBodies
+  reaches.stop =
+      std::max(reaches.contact, setup.ahead.stop.stop_distance + setup.limits.hysteresis);
+  reaches.rows.stride = (groupCountOf(reaches.links.size()) + 1) * kBlockLanes;
+  reaches.rows.numbers.resize(link_column::count * reaches.rows.stride, 0.0);
+  const std::vector<Ball> balls = linkBalls(setup);
+  for (std::size_t slot = 0; slot < reaches.links.size(); ++slot) {
+    reaches.balls.push_back(balls[index(reaches.links[slot])]);
+    reaches.rows.at(link_column::radius)[slot] = reaches.balls.back().radius;
+  }
+  reaches.of_pair.resize(setup.checked.size(), kInfinity);
+  reaches.near_of_pair = reaches.of_pair;
+  return reaches;
+}
+
+std::vector<double> thicknessOfPairs(const CycleSetup& setup) {
+  std::vector<double> least(setup.checked.size(), kInfinity);
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    const BodyPair& pair = setup.table.pairs()[i];
+    const double thickness = thicknessOf(setup.bodies[index(pair.a)].shape) +
+                             thicknessOf(setup.bodies[index(pair.b)].shape);
+    double& of_links = least[setup.link_pair_of[i]];
+    of_links = thickness > 0.0 ? std::min(of_links, thickness) : of_links;
+  }
+  return least;
+}
+
+void findActivationDistances(const CycleSetup& setup, const LinkPoses& poses, SweepWork& sweep,
+                             ActivationDistances& reaches) noexcept {
+  const bool has_step = sweep.elapsed > 0.0;
+  writeLinks(setup, poses, sweep, reaches);
+  findSplit(poses, reaches);
+  if (has_step) {
+    writeSteps(sweep, reaches);
+  }
+  const Farthest farthest =
+      walkLinkPairs({activationDistanceOf(setup.limits), nearActivationDistanceOf(setup),
+                     setup.ahead.horizon, has_step, setup.is_continuous},
+                    reaches);
+  if (has_step) {
+    StepLimit& limit = sweep.step;
+    limit.step = sweep.elapsed;
+    limit.at_poses =
+        capOf(sweep.elapsed, sweep.elapsed / farthest.moved.share, farthest.moved.pair);
+    // A way grows with the step, a bend with its square.
+    limit.on_way = setup.is_continuous
+                       ? capOf(sweep.elapsed, sweep.elapsed / std::sqrt(farthest.bent.share),
+                               farthest.bent.pair)
+                       : limit.at_poses;
+  }
+}
+
+}  // namespace collision_monitor
