@@ -19,6 +19,9 @@ using Codes = hn::Rebind<std::int32_t, Many>;
 using Number = hn::Vec<Many>;
 using Code = hn::Vec<Codes>;
 
+// Of this file alone: other files have a Vector of other members.
+namespace {
+
 struct Vector {
   Number x, y, z;
 };
@@ -87,6 +90,8 @@ HWY_INLINE Number gain(const FrontStep& step, const Step& all, Code direction, C
   const auto has_none = hn::RebindMask(Many(), hn::Eq(direction, hn::Zero(Codes())));
   return hn::IfThenElse(has_none, anywhere, along);
 }
+
+}  // namespace
 
 void loosenAll(const FrontStep& step, MeshFront& front) {
   constexpr float kUlp = 1.2e-7F;

@@ -44,12 +44,12 @@ struct EdgeColumns {
   }
 };
 
-HWY_INLINE Vector3 everywhere(const Eigen::Vector3d& v) {
+HWY_INLINE Vector3 inAllLanes(const Eigen::Vector3d& v) {
   return {number(v.x()), number(v.y()), number(v.z())};
 }
 
 HWY_INLINE LaneEdges everywhere(const Edge& edge) {
-  return {everywhere(edge.start), everywhere(edge.along), number(edge.squared_length)};
+  return {inAllLanes(edge.start), inAllLanes(edge.along), number(edge.squared_length)};
 }
 
 HWY_INLINE Number unitClamped(Number parameter) {
