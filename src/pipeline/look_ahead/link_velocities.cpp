@@ -14,8 +14,8 @@ bool isPlaced(const LinkPoses& poses, std::size_t link) noexcept {
   return poses.status[link] == LinkStatus::known && isFinite(poses.world_from_link[link]);
 }
 
-/// Adds a new stamp of one link, `duration` [s] after the last one; 0: the gap was too long. @param
-/// share smoothingShare of `duration`
+/// Adds a new stamp of one link, `duration` [s] after the last one; 0: the gap was too long.
+/// @param share smoothingShare of `duration`
 void trackLink(const LinkPoses& poses, double duration, double share, std::size_t link,
                VelocityTracker& tracker) noexcept {
   const bool is_known = isPlaced(poses, link);

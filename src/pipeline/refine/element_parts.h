@@ -22,7 +22,7 @@ inline PlacedConvex convexOf(const PlacedElement& placed) noexcept {
   return {*placed.element.convex, placed.world_from_element};
 }
 
-/// The mesh, or the convex solid that holds it.
+/// The convex solid, or the mesh with the hull that holds it.
 inline HeldSurface heldSurfaceOf(const PlacedElement& placed) noexcept {
   const Element& element = placed.element;
   return element.convex ? HeldSurface{*element.convex, nullptr, placed.world_from_element}

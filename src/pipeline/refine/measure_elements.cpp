@@ -45,7 +45,7 @@ ElementDistance measureConvex(const PlacedElement& a, const PlacedElement& b,
   return answer;
 }
 
-/// [m] A cutoff for unpadded distances: less the paddings it still reaches `search.cutoff`.
+/// [m] The cutoff of unpadded distances: minus the paddings it is at least `search.cutoff`.
 double stopBeyond(const PlacedElement& a, const PlacedElement& b,
                   const ElementSearch& search) noexcept {
   const double paddings = a.element.padding + b.element.padding;

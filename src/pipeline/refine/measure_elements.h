@@ -43,8 +43,8 @@ ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
 double boundByHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch& search) noexcept;
 
 /// Measures two elements by their hulls, as measureElements does first: exact with points where
-/// hulls give the distance of the elements, else a lower bound; nothing if hulls touch. @param
-/// search its `cutoff` may end the search.
+/// hulls give the distance of the elements, else a lower bound; nothing if hulls touch.
+/// @param search its `cutoff` may end the search.
 ElementDistance measureByHulls(const PlacedElement& a, const PlacedElement& b,
                                ElementSearch& search) noexcept;
 

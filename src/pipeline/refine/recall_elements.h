@@ -13,8 +13,8 @@ Ball ballOf(const Element& element);
 
 /// What the last measurement says of two elements now. It is returned as it is if neither pose has
 /// changed by a bit. Otherwise a distance becomes a lower bound that is not complete: the last
-/// distance, but at most `outside` (MeshDistance::outside), minus the motion
-/// of one relative to the other. Overlaps then say nothing.
+/// distance, but at most MeshDistance::outside, minus the motion of one relative to the other.
+/// Overlaps then say nothing.
 /// @param balls of a and b.
 ElementDistance recallElements(const LastMeasurement& last, const PlacedElement& a,
                                const PlacedElement& b, const std::array<Ball, 2>& balls) noexcept;

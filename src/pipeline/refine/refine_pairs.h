@@ -53,7 +53,7 @@ RefineWork makeRefineWork(const CycleSetup& setup);
 RefineStore makeRefineMemory(const CycleSetup& setup);
 
 /// Measures the elements behind enclosing shapes that are within limits.distance: each pair of
-/// elements once, however many bodies it has. Longest starved pairs come first, then nearest ones,
+/// elements once, however many bodies it has. Pairs starved longest come first, then nearest ones,
 /// until the budget is spent. Where enclosing shapes touch, contact is decided first for all pairs,
 /// which takes less work than distances; the rest of the budget goes into distances. A complete
 /// measurement of unchanged poses is reused. Pairs that the budget starves get the last measurement

@@ -7,7 +7,7 @@
 namespace collision_monitor {
 
 /// Replaces the last cycle's tasks by those of this cycle: one for each near pair of elements, with
-/// its nearest bodies. Longest starved pairs come first, then nearest ones.
+/// its nearest bodies. Pairs starved longest come first, then nearest ones.
 void listTasks(const CycleSetup& setup, const PairMemory& memory, const PairDistances& distances,
                RefineWork& work) noexcept;
 

@@ -22,7 +22,7 @@ struct StepCap {
   bool is_exceeded{false};
 };
 
-/// Whether poses come often enough. "Unseen" depends on what is checked: poses, or motions.
+/// Whether poses come often enough, if only poses or also motions are checked.
 struct StepLimit {
   double step{0.0};  ///< [s] between the last two stamps that differed; 0: not known
   StepCap at_poses;  ///< if only poses are checked: by the thinnest bodies and speeds
