@@ -94,8 +94,8 @@ void raiseFromBodies(TrajectorySearch& search, LinkPairIndex pair, double travel
   (has_hulls ? raiseToHulls : raiseToElements)(search, pair, cutoffFor(search, pair, travel), at);
 }
 
-/// Raises the level of one sample that helps to settle the part, cheaper levels first. @return
-/// false if none helps.
+/// Raises the level of one sample that helps to settle the part, cheaper levels first.
+/// @return false if none helps.
 bool raiseOne(TrajectorySearch& search, LinkPairIndex pair, double travel, Instant& begin,
               Instant& end) noexcept {
   for (Instant* at : {&begin, &end}) {
