@@ -117,7 +117,7 @@ void addUnknown(const StatesWork& work, std::vector<StateCheck>& checks) noexcep
   }
 }
 
-/// Whether geometries must decide. A contact of bodies may be that of a pair that is not nearest.
+/// Whether geometries must decide. The nearest bodies may not be the ones in contact.
 bool isOpen(const CycleSetup& setup, const StateCheck& check) noexcept {
   const bool is_contact = check.verdict == Verdict::contact;
   const bool is_near = is_contact || check.verdict == Verdict::warning;

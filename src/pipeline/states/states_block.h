@@ -34,7 +34,7 @@ void readLinkPoses(const StatesWork& work, std::size_t lane, std::vector<Pose>& 
 
 /// Marks what a query skips: a state, or a link pair in every state.
 constexpr double kNotAsked = -std::numeric_limits<double>::infinity();
-/// Marks a state that lists the pairs that may be in contact, and no others.
+/// Marks a state for which only pairs that may be in contact are listed.
 constexpr double kContactsAsked = -std::numeric_limits<double>::max();
 
 /// Measures the nearest bodies of link pairs in each state.

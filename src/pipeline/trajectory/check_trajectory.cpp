@@ -14,7 +14,7 @@ namespace {
 
 /// The shortest part is 1e-15 of a segment.
 constexpr std::size_t kMostHalvings = 50;
-/// [m] The distance between two way-points is mostly at most this much less than at both.
+/// [m] Between two way-points a distance is rarely less than at both by more than this.
 constexpr double kBeyondMargin = 0.1;
 /// How many segments are first settled as one part, which is enough for far pairs.
 constexpr std::size_t kSegmentsAtOnce = 8;

@@ -21,8 +21,8 @@ struct TrajectoryOptions {
   /// pairs are only proven to stay farther apart. <= 0: only contacts are searched for, which is
   /// faster.
   double margin{0.05};
-  double resolution{1e-3};  ///< [m] a near miss may be nearer than reported by this
-  double tolerance{1e-6};   ///< [m] contact is this far beyond contact_distance
+  double resolution{1e-3};  ///< [m] how much nearer than reported a near miss may be
+  double tolerance{1e-6};   ///< [m] contact is up to contact_distance + tolerance
   /// Work as in RefineLimits::budget; each placed link and each pair visited in a part count one.
   std::uint64_t budget{std::numeric_limits<std::uint64_t>::max()};
   /// Receives the growing share that is done, after each way-point and in long segments. Returns
@@ -59,9 +59,9 @@ struct TrajectoryReport {
 /// The distances of two links at both ends of a part of the path, and how much nearer they can come
 /// between these (boundMotion), bound their distance in the whole part. A part that this does not
 /// settle is halved. Measures balls, enclosing shapes, hulls and geometries, in this order, and
-/// stops when the part is settled. Of many way-points, enclosing shapes are measured several at
-/// once; where these are nearest, geometries of possible near misses are measured first, so that
-/// fewer need to be measured later. Far pairs are settled over several segments.
+/// stops when the part is settled. Enclosing shapes are measured at several way-points at once if
+/// there are many. Geometries of possible near misses are first measured where these shapes are
+/// nearest, so that fewer are measured later. Far pairs are settled over several segments.
 ///
 /// Error: at the `time` of a contact the distance is within `tolerance` of contact_distance, and it
 /// was not nearer before. `at_least` is a lower bound up to rounding.

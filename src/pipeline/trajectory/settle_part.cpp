@@ -15,7 +15,7 @@ bool reachesCutoff(const TrajectorySearch& search, LinkPairIndex pair, double bo
   return leeway > search.options.tolerance && bound > wantedOf(search, pair);
 }
 
-/// [m] Elements farther apart than this settle a part alone.
+/// [m] If elements are farther apart than this at one end, their part is settled.
 double cutoffFor(const TrajectorySearch& search, LinkPairIndex pair, double travel) noexcept {
   const double contact = std::max(0.0, search.setup.limits.contact_distance);
   return std::max(wantedOf(search, pair), contact + search.options.tolerance) +
