@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// What of a core is level across a direction.
+// The part of a core that is level across a direction.
 struct LevelFeature {
   int dimension{0};                  ///< 0 a vertex, 1 an edge, 2 a face
   Vector3d along{Vector3d::Zero()};  ///< of an edge; any length
