@@ -37,8 +37,8 @@ Eigen::Vector3d towardsNormalCone(const Segment& segment, double parameter,
 }
 
 ClosestParameters closestParameters(const Segment& a, const Segment& b) noexcept {
-  // Uses plain numbers. Vectors that are stored number by number and read back in pairs stall the
-  // processor here: half the time of a pair of capsules in bench/pairs_bench.
+  // Uses plain numbers. Reading in pairs what was stored number by number stalls the processor,
+  // which costs half the time of a pair of capsules in bench/pairs_bench.
   const double ux = a.direction.x(), uy = a.direction.y(), uz = a.direction.z();
   const double vx = b.direction.x(), vy = b.direction.y(), vz = b.direction.z();
   const double rx = b.center.x() - a.center.x();

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-/// Closest points of points, segments and boxes: the pieces of other routines. Frames: all
-/// arguments of a call are in one frame. Units: metres.
+/// Closest points of points, segments and boxes: the pieces of other routines.
+/// Frames: all arguments of a call are in one frame. Units: metres.
 namespace collision_monitor {
 
 /// The points center + parameter * direction with |parameter| <= half_length.
@@ -27,8 +27,8 @@ inline Eigen::Vector3d closestInBox(const Eigen::Vector3d& half_extents,
 /// Parameter of the segment's point that is closest to `point`.
 double closestParameter(const Segment& segment, const Eigen::Vector3d& point) noexcept;
 
-/// Removes from `outward` its part along the segment, which no normal at `parameter` has. Keeps the
-/// part if the point is an end and the part leads beyond it.
+/// Makes `outward` a possible normal of the segment at the point `parameter`: removes its part
+/// along the segment, unless the point is an end and the part leads beyond it.
 Eigen::Vector3d towardsNormalCone(const Segment& segment, double parameter,
                                   const Eigen::Vector3d& outward) noexcept;
 

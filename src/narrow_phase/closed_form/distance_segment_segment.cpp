@@ -22,8 +22,8 @@ Eigen::Vector3d commonPerpendicular(const Segment& a, const Segment& b) noexcept
              : perpendicularTo(a.direction);
 }
 
-// The normal is perpendicular to each segment that has its point between its ends, and leads beyond
-// an end that is its point. For near points this is more accurate than their difference.
+// The normal is perpendicular to a segment whose closest point is between its ends; at an end it
+// leads beyond the end. For near points this is more accurate than their difference.
 Eigen::Vector3d normalOfNear(const Segment& a, const Segment& b, const ClosestParameters& closest,
                              Eigen::Vector3d between) noexcept {
   const bool within_a = std::abs(closest.on_a) < a.half_length;

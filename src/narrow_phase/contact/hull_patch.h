@@ -11,7 +11,8 @@ namespace collision_monitor {
 /// Finds the feature of a hull that is extreme in `direction` (unit): a face or an edge that is
 /// flat up to the sine `flat_sine`, or a vertex. Frames: world.
 ///
-/// Limits: a face with more corners than a patch loses some, evenly. Looks at every face.
+/// Limits: of a face with too many corners for a patch, some are left out, evenly. Looks at every
+/// face.
 ContactPatch extremePatch(const ConvexHull& hull, const Pose& world_from_hull,
                           const Eigen::Vector3d& direction, double flat_sine = kFlatSine) noexcept;
 
@@ -22,7 +23,7 @@ ContactPatch patchAt(std::uint32_t vertex, const ConvexHull& hull, const Pose& w
 /// The same for a cylinder: a cap, a line of its side, or a point of a rim.
 ///
 /// Limits: a cap has as many evenly spread rim points as a patch has corners. Between them the rim
-/// sticks out by 2 % of the radius.
+/// sticks out by up to 2 % of the radius.
 ContactPatch extremePatch(const Cylinder& cylinder, const Pose& world_from_cylinder,
                           const Eigen::Vector3d& direction, double flat_sine = kFlatSine) noexcept;
 

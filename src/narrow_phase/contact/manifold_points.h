@@ -45,8 +45,8 @@ struct EdgeSlack {
   double sideways;  ///< [m] their offset across the normal
 };
 
-/// Finds where the features face each other along `normal`: the corners of a polygon in order, or
-/// two ends, in one plane on either feature. Crossing edges have none.
+/// Finds the points at which the features face each other along `normal`: the corners of a polygon
+/// in order, or two ends, in the plane of either feature. Crossing edges give none.
 ManifoldPoints facingPoints(const ContactPatch& on_a, const ContactPatch& on_b,
                             const Eigen::Vector3d& normal, const EdgeSlack& slack) noexcept;
 

@@ -16,7 +16,7 @@
 namespace collision_monitor {
 namespace {
 
-/// True for what the closed forms of distance.h measure.
+/// True for geometries with the closed forms of distance.h.
 template <class Geometry>
 constexpr bool kHasClosedForms = std::is_convertible_v<const Geometry&, Shape>;
 

@@ -17,8 +17,8 @@
 namespace collision_monitor {
 namespace {
 
-// [m] Bounds nearer than this are one value: the error that convex_distance.h promises, and for
-// larger sizes what doubles leave of it.
+// [m] Bounds that differ by less than this are equal: the error that convex_distance.h promises,
+// and for larger sizes what doubles leave of it.
 double promiseApart(const ConvexPair& pair) noexcept { return 1e-9 + 1e-11 * pair.size; }
 
 ConvexDistance answer(double distance, const Eigen::Vector3d& normal,
@@ -49,7 +49,7 @@ ConvexDistance answerOverlap(ConvexPair& pair, const GjkResult& found,
   }
   ConvexDistance closed{SignedDistance{}, Quality::exact};
   if (!deep.is_settled && depthOfRound(pair, 0.5 * deep.at_least, closed.measured)) {
-    return closed;  // halved: the polytope may have skipped slivers
+    return closed;  // at_least is halved: the polytope may have skipped slivers
   }
   // GJK's points of touching cores touch. The points of EPA's faces, all equally shallow, may not.
   const bool touch = found.state == GjkResult::State::overlapping &&
@@ -77,7 +77,7 @@ bool holdsPoint(const ConvexCore& hull, const ConvexCore& point) noexcept {
   return hull.kind == ConvexCore::Kind::hull && hull.hull->hasVolume() && isPoint(point);
 }
 
-// Runs GJK, and if it finds an overlap, what settles its depth.
+// Runs GJK. If it finds an overlap, runs what settles the depth.
 ConvexDistance searchApartOrDeep(ConvexPair& pair, ConvexSearch& search) noexcept {
   search.warm.polytope_faces = 0;
   const GjkResult found = runGjk(pair, search.warm, search.cutoff);
@@ -106,8 +106,8 @@ ConvexDistance searchApartOrDeep(ConvexPair& pair, ConvexSearch& search) noexcep
   return answerOverlap(pair, found, search);
 }
 
-// For a pair without a warm start. Leaves the vertices that face each other along the last axis: if
-// the hulls are apart, GJK starts there.
+// Measures hulls without a warm start by their axes. Leaves the vertices that face each other along
+// the last axis: if the hulls are apart, GJK starts there.
 bool depthByAxes(ConvexPair& pair, ConvexWarmStart& warm, SignedDistance& found) noexcept {
   if (warm.size > 0 || !haveFewFaces(pair)) {
     return false;

@@ -8,8 +8,8 @@
 namespace collision_monitor {
 
 /// Measures two cores by the search that settles them: closed forms for parallel axes, separating
-/// axes for small hulls, GJK apart, faces of a hull about a point, EPA for other overlaps. Frames:
-/// A's. See convex_distance.h for the error.
+/// axes for small hulls, GJK for cores that are apart, the faces of a hull about a point, EPA for
+/// other overlaps. Frames: A's. Error: see convex_distance.h.
 ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept;
 
 }  // namespace collision_monitor

@@ -108,8 +108,8 @@ double depthTolerance(const ConvexPair& pair) noexcept {
   return pair.isSmooth() ? 1e-10 * pair.size : roundingOf(pair);
 }
 
-// Grows until the bounds meet: at a face that the difference hardly passes, or, if rounding keeps
-// the nearest face from being refined, at the best plane.
+// Grows until the bounds meet: at a face that the difference exceeds by at most the tolerance, or,
+// if rounding keeps the nearest face from being refined, at the best plane.
 void refine(ConvexPair& pair, ConvexWorkspace& polytope, Penetration& best) noexcept {
   const double tolerance = depthTolerance(pair);
   // On a curved surface another plane may be as good, but its normal would not fit the points of

@@ -17,8 +17,8 @@ enum class Growth : unsigned char {
 };
 
 /// Adds a vertex that `face` sees: removes the faces that see it and joins it to their outline. A
-/// face sees what is above its plane by more than `rounding`, so a vertex in its plane does not
-/// tear it.
+/// face sees what is above its plane by more than `rounding`, so vertices in its plane do not tear
+/// the polytope.
 Growth grow(const SupportVertex& vertex, std::size_t face, double rounding,
             ConvexWorkspace& polytope) noexcept;
 

@@ -114,8 +114,8 @@ Candidate leastOnKinks(const Round& a, const Round& b) noexcept {
   return best;
 }
 
-// True if no normal at which two rims meet gives less than `bounds`. The radius of curvature rules
-// out normals with a sine of at least `sine_to_axis` to A's axis, the lengths the others.
+// True if no normal at which two rims meet gives less than `bounds.at_most`. The radius of
+// curvature rules out sines to A's axis from `sine_to_axis` on, the lengths rule out smaller ones.
 bool isLeast(const Round& a, const Round& b, const DepthBounds& bounds,
              double sine_to_axis) noexcept {
   const double sine = a.axis.cross(b.axis).norm();

@@ -15,11 +15,11 @@ namespace collision_monitor {
 ///
 /// The depth is the least overlap. It lies on a kink, where n is an axis or perpendicular to one,
 /// or at a smooth place. There the overlap is the support function of a surface, whose lesser
-/// radius of curvature is at least the depth, or the place would not be least. Two rims make that
-/// radius, and for nearly parallel axes it is small except close to the axes. If no smooth place
-/// can be as low, the kinks have the answer: two axes, and two great circles, on which a function
-/// of one variable is first concave and then convex. This is EPA's worst case: if axes nearly
-/// coincide, all directions across them are about equally deep.
+/// radius of curvature is at least the depth, or the place would not be least. That radius comes
+/// from two rims, and for nearly parallel axes it is small except close to the axes. If no smooth
+/// place can be as low, the kinks have the answer: two axes, and two great circles, on which a
+/// function of one variable is first concave and then convex. This is EPA's worst case: if axes
+/// nearly coincide, all directions across them are about equally deep.
 /// Frames: A's. Error: a few ulps of the lengths.
 /// Source: worked out here; the radii of curvature as in Schneider, "Convex Bodies: The
 /// Brunn-Minkowski Theory" (1993), section 2.5.

@@ -20,7 +20,7 @@ struct ConvexCore {
   enum class Kind : unsigned char { box, cylinder, hull, triangle };
 
   Kind kind{Kind::box};
-  Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};  ///< of a cylinder: radius, radius, half
+  Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};  ///< of a cylinder: (r, r, half length)
   const ConvexHull* hull{nullptr};                        ///< of a hull
   const Triangle* triangle{nullptr};                      ///< of a triangle
 };

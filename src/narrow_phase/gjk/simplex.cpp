@@ -36,8 +36,8 @@ using Points = std::array<Eigen::Vector3d, 4>;
   const double share = along / length_squared;
   const Eigen::Vector3d point = p + share * edge;
   const double squared = point.squaredNorm();
-  // The normal of a near point must not have a part along the edge, which is rounding. For a far
-  // point the edge is the less accurate one.
+  // A part of a near point's normal along the edge is rounding and is removed. For a far point the
+  // edge is the less accurate one.
   const Eigen::Vector3d outward =
       squared < length_squared ? Eigen::Vector3d(point - point.dot(edge) / length_squared * edge)
                                : point;

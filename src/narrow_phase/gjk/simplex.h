@@ -45,7 +45,8 @@ constexpr double kLeastSineSquared = 1e-6;
 bool nearestInsideSpan(const std::array<Eigen::Vector3d, 4>& points, int count,
                        NearestOnSimplex& nearest) noexcept;
 
-/// Finds the nearest point inside the vertex, edge or triangle of the first `count` points.
+/// Finds the point nearest to the origin inside the feature of the first `count` points: a vertex,
+/// an edge or a triangle.
 /// @return false if fewer points suffice, or they hardly span, or there are not one to three.
 inline bool nearestOfSimplex(const std::array<Eigen::Vector3d, 4>& points, int count,
                              NearestOnSimplex& nearest) noexcept {

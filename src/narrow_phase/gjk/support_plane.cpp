@@ -39,7 +39,7 @@ LevelFeature levelOfHull(const ConvexHull& hull, std::uint32_t vertex,
   LevelFeature level;
   const Vector3d& corner = hull.vertices()[vertex];
   const double least_reach =
-      corner.dot(direction) - 2.0 * kLevelSine * hull.boundingRadius();  // no edge is longer
+      corner.dot(direction) - 2.0 * kLevelSine * hull.boundingRadius();  // edges: 2 radii at most
   for (const ConvexHull::Fan& fan : hull.fansOf(vertex)) {
     const auto reaches = fan.reaches(direction);
     for (std::size_t i = 0; i < fan.vertex.size(); ++i) {

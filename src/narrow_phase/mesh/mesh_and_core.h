@@ -43,11 +43,10 @@ void choose(const MeshAndCore& pair, Slot slot, OpenedPair& opened) noexcept;
 void searchFromRoot(const MeshAndCore& pair, double cutoff, std::uint32_t visit_budget,
                     MeshQueryMemory& memory, NearestSearch& search) noexcept;
 
-/// How the core lies to the inside of the mesh.
+/// Whether the core is inside the mesh, and how far that holds.
 struct CoreInMesh {
   bool is_inside{false};
-  double hold{
-      kInfinity};  ///< [m] of a point that is inside, else the least of all points looked at
+  double hold{kInfinity};  ///< [m] of a point that is inside, else the least of all points
   std::uint32_t visits{0};
 };
 

@@ -120,7 +120,7 @@ std::uint32_t boundNode(const MeshTreeNode& node, const PlacedBound& bound, floa
   for (std::size_t first = 0; first < MeshTreeNode::kWidth; first += hn::Lanes(Some())) {
     const Children children = childrenOf(node, first);
     const Other other = everywhere(bound);
-    // Each knows its extent along its own normal.
+    // Along its own normal each has the extent of its slab.
     const Number shared = dot(children.normal, other.normal);
     const Number along_children = gapBetween(shadowOf(other, children.normal, shared),
                                              {children.slab_center, children.slab_half});

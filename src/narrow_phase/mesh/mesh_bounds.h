@@ -15,8 +15,7 @@ namespace collision_monitor {
 
 /// Bounds of the children of a node.
 struct alignas(64) NodeBounds {
-  float
-      squared[MeshTreeNode::kWidth];  ///< [m^2] squared lower bound; 0: may touch; 1e36: empty slot
+  float squared[MeshTreeNode::kWidth];  ///< [m^2] lower bound; 0: may touch; 1e36: empty slot
   /// [m] The gap along the line of centers, negative if shadows overlap. Decides which child is
   /// looked at first, also among those that may touch.
   float order[MeshTreeNode::kWidth];
@@ -46,10 +45,9 @@ struct PlacedBound {
 struct BoundPlacement {
   Eigen::Matrix3f rotation;
   Eigen::Vector3f translation;
-  /// [m] Subtracted from every gap. Let u = 2^-24 and no coordinate exceed S. A placed center is
-  /// off by less than 12 u S, and so is a sum of half extents. A height along a normal (three
-  /// products of numbers that are each off by 12 u of their size, twice) is off by less than 80 u
-  /// S.
+  /// [m] Subtracted from every gap. With u = 2^-24 and coordinates up to S, a placed center and a
+  /// sum of half extents are off by less than 12 u S. A height along a normal (three products of
+  /// numbers that are each off by 12 u of their size, twice) is off by less than 80 u S.
   float slack;
 };
 

@@ -16,8 +16,8 @@
 
 /// Exact queries about meshes: do they overlap, how far apart are they, and where?
 ///
-/// A mesh is its surface, and also its inside if MeshTree::hasInside. Shapes are solid. Frames:
-/// answers are in the world frame. Units: metres.
+/// A mesh is its surface, and also its inside if MeshTree::hasInside. Shapes are solid.
+/// Frames: answers are in the world frame. Units: metres.
 /// Source: Larsen, Gottschalk, Lin, Manocha, "Fast Proximity Queries with Swept Sphere Volumes"
 /// (1999), for branch and bound over pairs of nodes; Johnson, Cohen, "A framework for efficient
 /// minimum distance computations" (1998), for starting from the last nearest pair.
@@ -55,8 +55,8 @@ struct MeshDistance {
 struct MeshQueryLimits {
   /// [m] Greater distances are not measured: the answer is then lower_bound with this distance.
   double stop_beyond{std::numeric_limits<double>::infinity()};
-  /// Visits after which no work starts. The answer is then what is proven. Triangles are measured
-  /// to the end, and the last nearest ones in any case.
+  /// Visits after which no new work starts. The answer is then what is proven. Triangles are
+  /// measured to the end, and the last nearest ones in any case.
   std::uint32_t visit_budget{std::numeric_limits<std::uint32_t>::max()};
   /// [m] 0 or more. The triangles found may be farther than the nearest by this. The distance is
   /// then a proven lower bound that is short by no more, and the point on B is moved to fit.

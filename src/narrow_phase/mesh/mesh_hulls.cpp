@@ -66,7 +66,7 @@ CoreGap gapBetween(const PlacedCore& a, const PlacedCore& b, double cutoff,
   return confirmed ? CoreGap{MeshState::exact, confirmed->cores} : searchGap(a, b, cutoff, warm);
 }
 
-// True if the surface has this point of the solid. The triangle where the last one was goes first.
+// True if the surface has this point of the solid. Tries the triangle of the last point first.
 bool holds(const HeldSurface& surface, const Vector3d& point, MeshQueryMemory& memory,
            std::uint32_t& last, std::uint32_t& visits) noexcept {
   if (surface.mesh == nullptr) {

@@ -20,7 +20,7 @@ namespace collision_monitor {
 /// @pre the mesh is closed.
 bool isInside(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory) noexcept;
 
-/// How a point lies to the inside of a mesh.
+/// Whether a point is inside a mesh, and how far that holds.
 struct PointInMesh {
   bool is_inside{false};
   /// [m] How far the point may travel without crossing the surface before that can change. Infinite

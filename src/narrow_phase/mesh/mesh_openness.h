@@ -7,8 +7,7 @@
 namespace collision_monitor {
 
 /// From this value on the inside is more a convention than a fact. A cube without one face has
-/// 0.10,
-/// half a sphere 0.18, a flat sheet 0.5.
+/// 0.10, half a sphere 0.18, a flat sheet 0.5.
 constexpr double kTooOpen = 0.05;
 
 /// How far the winding numbers beside a surface are from whole numbers: the mean over 256 places

@@ -114,7 +114,7 @@ class NodePairQueue {
 /// @pre at least one side is a node.
 void choose(const MeshPair& pair, Slot a, Slot b, OpenedPair& opened) noexcept;
 
-/// Bounds the children.
+/// Bounds the children against the other side: fills `bounds` and `nearer`.
 void boundChildren(float limit, OpenedPair& opened) noexcept;
 
 /// Opens one side of a node pair, as choose(). Queues the children whose squared distance to the

@@ -166,8 +166,7 @@ MeshDistance measureCore(const PlacedMesh& a, const InflatedCore& b, const Pose&
   const CoreInMesh lies = lookInside(pair, search, step, memory);
   keepLies(search, lies);
   if (lies.is_inside && search.nearest.a == kNone) {
-    // The core is inside, and the surface is beyond the limit: the depth needs a search without
-    // one.
+    // The core is inside, and the surface is beyond the limit: searches again without the limit.
     search.front = nullptr;
     search.best.squared_distance = std::numeric_limits<double>::infinity();
     searchFromRoot(pair, 0.0, limits.visit_budget, memory, search);

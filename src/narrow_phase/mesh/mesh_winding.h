@@ -18,7 +18,7 @@ struct WindingNumber {
 /// `error`; 1e-9 can always be reached.
 ///
 /// Frames: the mesh's. Time: of the order of the tree's depth.
-/// Source: as windingOf. Departure: the source fixes a ratio of distance and size; here an error.
+/// Source: as windingOf. Departure: fixes the error in place of a ratio of distance and size.
 /// @pre the mesh has an OpenSurface.
 WindingNumber windingNumber(const MeshTree& tree, const Eigen::Vector3d& point, double error,
                             MeshQueryMemory& memory) noexcept;

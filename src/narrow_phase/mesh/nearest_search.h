@@ -19,12 +19,10 @@ struct NearestSearch {
   double tolerance{0.0};  ///< [m] what is nearer than the best by less than this is skipped
   double radius{0.0};     ///< [m] subtracted from distances; at most half of the rest is skipped
   std::uint32_t visits{0};
-  double squared_open{
-      std::numeric_limits<double>::infinity()};  ///< least bound that the budget left out
-  double squared_left{
-      std::numeric_limits<double>::infinity()};  ///< least bound of all that was skipped
-  MeshFront* front{nullptr};                     ///< keeps what is skipped, if there is one
-  MovingBounds moving;                           ///< of the front
+  double squared_open{std::numeric_limits<double>::infinity()};  ///< least bound left unopened
+  double squared_left{std::numeric_limits<double>::infinity()};  ///< least of all skipped
+  MeshFront* front{nullptr};  ///< keeps what is skipped, if there is one
+  MovingBounds moving;        ///< of the front
   /// The node pair of `nearest`.
   MeshQueryMemory::NodePair bounds{0.0F, kNone, kNone};
 
@@ -62,8 +60,7 @@ struct NearestSearch {
   }
 };
 
-/// Measures two triangles by `measure(start, squared_cutoff)`. Keeps their points if they are
-/// nearer.
+/// Measures two triangles by `measure(start, squared_cutoff)`. Keeps their points if nearer.
 /// @param bounds the node pair of the triangles, if the search has a front.
 /// @param gapAlong [m^2] how far a direction separates the triangles, as squaredGapAlong.
 template <class Measure, class GapAlong>

@@ -32,8 +32,8 @@ double depthInBox(const MeshTree& solid, const Vector3d& point) noexcept {
   return (box.half.cast<double>() - from_center.cwiseAbs()).minCoeff();
 }
 
-// @param is_known the point is known to be inside. That is no answer for an open solid, because it
-// gives no hold.
+// @param is_known the point is known to be inside. For an open solid this does not suffice, because
+// it gives no hold.
 PointInMesh lookInside(const DepthSearch& search, const Vector3d& point, bool is_known,
                        bool asks_hold) noexcept {
   const bool is_about_deepest = (point - search.deepest.at).norm() < search.deepest.depth;
@@ -122,7 +122,7 @@ void openNode(DepthSearch& search, std::uint32_t node, const Vector3d& center,
   }
 }
 
-// Passes over the triangle at last, with the solid's triangle nearest to its deepest corner.
+// Passes a triangle over with the solid's triangle that is nearest to its deepest corner.
 void measureTriangle(DepthSearch& search, const KeptDepth::Place& place) noexcept {
   KeptDepth::Place others{place.bound, place.nearest, -std::numeric_limits<double>::infinity()};
   for (std::uint32_t i = 0; i < 3; ++i) {

@@ -64,7 +64,7 @@ struct MeshDepth {
 /// nothing is kept.
 ///
 /// Frames: world. Error: 1e-12 m for the corners looked at. There may be deeper corners until the
-/// answer is complete; it becomes so once the meshes stand. A pose that is not finite gives
+/// answer is complete; it becomes so once the meshes stand still. A pose that is not finite gives
 /// distance 0 and changes nothing. Limits: two solids may cross with no corner of one in the other
 /// (crossed bars): the distance is then 0 and says nothing. The budget counts points whose distance
 /// from the other mesh is searched, and may be exceeded by three. The same queries give the same
@@ -77,7 +77,7 @@ struct MeshDepth {
 MeshDepth depthOf(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory,
                   KeptDepth& kept, std::uint32_t point_budget) noexcept;
 
-/// Makes `kept` as new, for other poses of the meshes.
+/// Resets `kept`, for other poses of the meshes.
 void forget(KeptDepth& kept) noexcept;
 
 }  // namespace collision_monitor

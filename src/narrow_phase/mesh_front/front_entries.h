@@ -13,7 +13,7 @@ struct FollowedPair {
   const MeshTree& moving;
   Eigen::Vector3d center_of_resting;
   double radius_of_resting;
-  double side;      ///< 1: directions lead from the resting to the moving one; -1: the other way
+  double side;      ///< 1: directions lead from the resting to the moving one; -1: the reverse
   double rounding;  ///< [m] as MeshPair::rounding
 };
 
@@ -58,8 +58,7 @@ bool ensureRoom(MeshFront& front) noexcept;
 /// Drops all pairs: a search from the roots keeps others.
 void restart(MeshFront& front) noexcept;
 
-/// Sets how far beyond the nearest triangles others are measured. The margin lasts for several
-/// steps.
+/// Sets the margin beyond the nearest triangles, which lasts for several steps.
 /// @param step from `follow`. @param squared_distance of the nearest known so far.
 void setMargin(double step, double squared_distance, MeshFront& front) noexcept;
 
@@ -81,7 +80,7 @@ void drop(std::uint32_t at, MeshFront& front) noexcept;
 /// Packs a direction of any length as three numbers of ten bits, in shares of the length. 0: none.
 std::uint32_t packed(const Eigen::Vector3d& direction) noexcept;
 
-/// Unpacks it, within half a bit in each coordinate, so not of unit length.
+/// Unpacks a direction, within half a bit in each coordinate, so not of unit length.
 Eigen::Vector3d directionOf(std::uint32_t packed) noexcept;
 
 /// Chooses the likely direction along which the child nearest to the other bound is farthest from

@@ -6,18 +6,18 @@
 
 namespace collision_monitor {
 
-/// Numbers of `packed` have ten bits and are centered on this middle.
+/// Format of the numbers of `packed`: ten bits about this middle.
 constexpr std::int32_t kPackedBits = 10;
 constexpr std::int32_t kPackedMiddle = 1 << (kPackedBits - 1);
 
 /// Motion of the moving mesh in one step, seen from what rests. A point x, relative to the center
 /// of its tree, moves by turn x + shift.
 struct FrontStep {
-  float turn[3][3];  ///< rows
-  float shift[3];    ///< [m]
-  float size;        ///< of `turn`: no unit vector moves farther
-  float center_unit;
-  float radius_unit;  ///< [m] bit of MeshFront::extent; center_unit: of center
+  float turn[3][3];   ///< rows
+  float shift[3];     ///< [m]
+  float size;         ///< of `turn`: no unit vector moves farther
+  float center_unit;  ///< [m] one bit of MeshFront::center
+  float radius_unit;  ///< [m] one bit of MeshFront::extent
   float slack;        ///< [m] subtracted from every bound
 };
 

@@ -216,8 +216,7 @@ void lookAt(const Query& query, const MeshQueryMemory::NodePair& next, NodePairQ
   }
 }
 
-/// Searches from the pairs that the last query kept if nothing else can be nearer, else from the
-/// roots.
+/// Searches from the pairs that the last query kept, or from the roots if others may be nearer.
 /// @param step from `follow`. @param cutoff [m] the search ends once something is this near.
 template <class Query>
 void searchFromFront(const Query& query, double step, double cutoff, std::uint32_t visit_budget,

@@ -24,10 +24,10 @@ class FrontPool;
 /// loses only its motion along that direction, and what the ball about its moving side turns:
 /// nearly nothing where surfaces slide past each other. Children of one bound stay one entry as
 /// long as none is looked at. If there is no room for all pairs, `cover` stands for the farthest;
-/// once it is used up, the search starts from the roots. Source: Verlet, "Computer 'experiments' on
-/// classical fluids I" (1967), for the motion;
-/// Ehmann, Lin, "Accurate and Fast Proximity Queries Between Polyhedra Using Convex Surface
-/// Decomposition" (2001), for the front of the tree of pairs, which is kept here with bounds.
+/// once it is used up, the search starts from the roots.
+/// Source: Verlet, "Computer 'experiments' on classical fluids I" (1967), for the motion; Ehmann,
+/// Lin, "Accurate and Fast Proximity Queries Between Polyhedra Using Convex Surface Decomposition"
+/// (2001), for the front of the tree of pairs, which is kept here with bounds.
 struct MeshFront {
   static constexpr std::uint32_t kBlockSize = 512;
   static constexpr std::uint32_t kMostBlocks = 32;

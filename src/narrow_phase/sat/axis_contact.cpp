@@ -36,7 +36,7 @@ Feature extremeFeatureOfB(const BoxPair& pair, const Eigen::Vector3d& normal) no
   return feature;
 }
 
-// A possible contact. `defect` tells how far its points are off their features. Always satisfies
+// A possible contact. `defect` is how far its points are off their features. Always satisfies
 // point_on_b - point_on_a = distance * normal.
 struct Candidate {
   SignedDistance cores;

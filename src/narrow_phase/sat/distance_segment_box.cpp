@@ -19,7 +19,7 @@ namespace {
 struct SegmentAndBox {
   Segment segment;
   Eigen::Vector3d half_extents;
-  double rounding;  // a coordinate that little outside of a slab is inside
+  double rounding;  // a coordinate that little outside of a slab counts as inside
 };
 
 // Half the derivative of the squared distance to the box at segment.at(parameter).

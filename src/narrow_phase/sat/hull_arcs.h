@@ -11,8 +11,7 @@
 /// What the searches for the best axis among faces and among edges of two hulls share.
 namespace collision_monitor {
 
-/// Number of faces for which heights of known points are kept. Faces beyond it are always looked
-/// at.
+/// Heights of known points are kept for this many faces. Later faces are always looked at.
 constexpr std::size_t kMostAxisFaces = 128;
 
 inline void offer(const HullAxis& candidate, HullAxis& best) noexcept {

@@ -31,7 +31,7 @@ struct HullAxis {
 /// separates less than the best face. Settles depths that an iteration might not.
 /// signedDistanceBetween starts with it for hulls with few faces and no warm start.
 /// Error: a few ulps of the lengths. Edges with a sine below 1e-12 count as parallel: the sliver
-/// between them is so thin that the faces beside it say the same.
+/// between them is so thin that the faces beside it give the same.
 /// Source: Gregorius, "The Separating Axis Test between Convex Polyhedra" (Game Developers
 /// Conference 2013), for the Gauss map; Gottschalk, Lin, Manocha, "OBBTree" (1996). Departure: what
 /// is skipped.

@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 /// [m] Half of the error that the distance may have; the point may have the rest.
 constexpr double kProofAllowance = 5e-13;
 
-/// The nearest of eight corners to a box at the origin.
+/// Of eight corners, the one nearest to a box at the origin.
 struct CornerLanes {
   Number distance_squared;
   Vector3 corner;

@@ -73,8 +73,8 @@ HWY_INLINE LaneParameters closestInLanes(const Vector3& between, const Vector3& 
   return {clamped(half_a, hn::Add(b_on_a, hn::Mul(on_b, cosine))), on_b};
 }
 
-/// Makes segments sure that nearly meet, each between its ends and at an angle: the normal is
-/// perpendicular to both. This is normalOfNear's first case; the plain twin takes the others.
+/// Makes answers sure where segments nearly meet, each between its ends and at an angle: the normal
+/// is perpendicular to both. This is normalOfNear's first case; the plain twin takes the others.
 HWY_INLINE void sureOfCrossings(const SegmentCore& a, const SegmentCore& b,
                                 const LaneParameters& closest, const Vector3& delta,
                                 CoreAnswer& answer) {

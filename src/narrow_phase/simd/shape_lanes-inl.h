@@ -83,7 +83,7 @@ struct BoxCore {
 };
 
 /// The answer for two bare cores: SignedDistance without the second point, which follows from the
-/// rest. If the distance is NaN, the plain twin must decide.
+/// rest. It is sure unless the distance is NaN: then the plain twin must decide.
 struct CoreAnswer {
   Number distance;
   Vector3 point_on_a;
@@ -91,7 +91,7 @@ struct CoreAnswer {
 };
 
 /// The distance of coreDistance for callers that need no points; correct in the lanes that count.
-/// Lanes beyond `reach` need not count, and stop to count if that is seen early.
+/// Lanes beyond `reach` need not count, and no longer do if that is seen early.
 template <class CoreA, class CoreB>
 HWY_INLINE Number separationWithin(const CoreA& a, const CoreB& b, Number, Truth&) {
   return coreDistance(a, b).distance;

@@ -8,8 +8,7 @@
 namespace collision_monitor {
 
 /// Finds the two nearest points of a triangle (A) and a core (B), if they are nearer than `start`;
-/// else returns `start`. If the core holds a point of the triangle, it is returned twice, at
-/// distance 0.
+/// else returns `start`. Returns a point of the triangle inside the core twice, at distance 0.
 ///
 /// Frames: the core's.
 /// Error: as nearestPoints of two triangles; with a cylinder or a hull 1e-12 of the sizes, as GJK.

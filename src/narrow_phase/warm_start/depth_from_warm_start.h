@@ -13,8 +13,8 @@ void cachePolytope(const ConvexWorkspace& grown, ConvexWarmStart& warm) noexcept
 /// their Minkowski difference. Its corners are points of the difference at any poses. If all faces
 /// still look away from the origin, it holds a ball with the distance of the nearest face as
 /// radius. If a support plane proves that this is a face of the difference, its distance is the
-/// depth. If a corner lies beyond it, the polytope grows by it as in EPA. Its surface stays closed,
-/// and closed with faces that look away is all that the ball needs.
+/// depth. If a corner lies beyond it, the polytope grows by it as in EPA. Its surface stays closed;
+/// the ball needs no more than that and faces that look away.
 ///
 /// Frames: the world's. Error: as a search that is settled, see Penetration.
 /// Limits: polytopes that do more than touch; others are left to the search.
