@@ -21,7 +21,7 @@ struct LaneEdges {
   Number squared_length;
 };
 
-/// The edges of a triangle in columns, the third as often as there is room.
+/// The edges of a triangle in columns. The third one fills the remaining lanes.
 struct EdgeColumns {
   static constexpr std::size_t kLanes = 8;
 
@@ -56,7 +56,7 @@ HWY_INLINE Number unitClamped(Number parameter) {
   return hn::Max(zero(), hn::Min(number(1.0), parameter));
 }
 
-// As improveByEdges, both of its cases; what a division by 0 spoils is not chosen.
+// Both cases of improveByEdges. Values that a division by 0 spoils are not chosen.
 HWY_INLINE Number squaredDistances(const LaneEdges& a, const LaneEdges& b) {
   const Vector3 from_a_to_b = b.start - a.start;
   const Vector3 normal = cross(a.along, b.along);
