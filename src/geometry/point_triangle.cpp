@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 constexpr double kThin = 1e-6;
 
 /// Where the foot of the perpendicular lies.
-struct Foot {
+struct ClosestPoint {
   Vector3d point;
   bool is_thin{false};  ///< then nothing else is known
   bool is_inside{false};
@@ -26,8 +26,8 @@ struct Foot {
 
 /// The foot is a weighted mean of the corners, so that it is on the triangle whatever the normal's
 /// error. When it is not inside, the nearest point is on an edge that it lies beyond.
-Foot closestOf(const Vector3d& point, const Vector3d (&corners)[3]) {
-  Foot closest;
+ClosestPoint closestOf(const Vector3d& point, const Vector3d (&corners)[3]) {
+  ClosestPoint closest;
   const Vector3d ab = corners[1] - corners[0];
   const Vector3d ac = corners[2] - corners[0];
   const Vector3d normal = ab.cross(ac);
@@ -66,7 +66,7 @@ Vector3d closestPointOnSegment(const Vector3d& point, const Vector3d& a,
 Vector3d closestPointOnTriangle(const Vector3d& point, const Vector3d& a, const Vector3d& b,
                                 const Vector3d& c) noexcept {
   const Vector3d corners[3] = {a, b, c};
-  const Foot closest = closestOf(point, corners);
+  const ClosestPoint closest = closestOf(point, corners);
   if (closest.is_inside) {
     return closest.point;
   }

@@ -190,15 +190,15 @@ Eigen::Vector3d weightsOf(const Corners& p) noexcept {
 }
 
 // The point of a face that is closest to the origin's projection, and what it comes from.
-struct Foot {
+struct ClosestPoint {
   double defect{std::numeric_limits<double>::infinity()};  // squared
   Eigen::Vector3d on_a{Eigen::Vector3d::Zero()};
   Eigen::Vector3d on_b{Eigen::Vector3d::Zero()};
   std::size_t face{0};
 };
 
-Foot closestOn(std::size_t index, const Eigen::Vector3d& closest,
-               const ConvexWorkspace& polytope) noexcept {
+ClosestPoint closestOn(std::size_t index, const Eigen::Vector3d& closest,
+                       const ConvexWorkspace& polytope) noexcept {
   const Face& face = polytope.faces[index];
   Corners corners;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -206,7 +206,7 @@ Foot closestOn(std::size_t index, const Eigen::Vector3d& closest,
   }
   const Eigen::Vector3d weights = weightsOf(corners);
   Eigen::Vector3d away = Eigen::Vector3d::Zero();
-  Foot found;
+  ClosestPoint found;
   for (std::size_t k = 0; k < 3; ++k) {
     const double weight = weights[static_cast<Eigen::Index>(k)];
     away += weight * corners[k];
@@ -220,21 +220,22 @@ Foot closestOn(std::size_t index, const Eigen::Vector3d& closest,
 
 // The origin's projection on the best plane lies in a face: mostly the nearest, else the one that
 // comes closest to it. The points of any face will do, whatever its orientation.
-Foot findClosest(const ConvexPair& pair, const ConvexWorkspace& polytope,
-                 const Penetration& best) noexcept {
+ClosestPoint findClosest(const ConvexPair& pair, const ConvexWorkspace& polytope,
+                         const Penetration& best) noexcept {
   const Eigen::Vector3d closest = best.depth * best.outward;
-  Foot found = closestOn(nearestFace(polytope), closest, polytope);
+  ClosestPoint found = closestOn(nearestFace(polytope), closest, polytope);
   const double tolerance = depthTolerance(pair);
   for (std::size_t f = 0; f < polytope.face_count && found.defect > tolerance * tolerance; ++f) {
     if (!polytope.faces[f].is_gone) {
-      const Foot candidate = closestOn(f, closest, polytope);
+      const ClosestPoint candidate = closestOn(f, closest, polytope);
       found = candidate.defect < found.defect ? candidate : found;
     }
   }
   return found;
 }
 
-void takePoints(const Foot& closest, const ConvexWorkspace& polytope, Penetration& best) noexcept {
+void takePoints(const ClosestPoint& closest, const ConvexWorkspace& polytope,
+                Penetration& best) noexcept {
   best.on_a = closest.on_a;
   best.on_b = closest.on_b;
   for (std::size_t k = 0; k < 3; ++k) {

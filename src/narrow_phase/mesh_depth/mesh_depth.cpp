@@ -26,14 +26,14 @@ constexpr double kLongestTravel = 1000.0;
 // Both directions: corners of A in B, and of B in A.
 using BothSides = std::array<DepthSearch, 2>;
 
-bool isWaiting(const KeptDepth& kept) noexcept {
+bool hasOpenNodes(const KeptDepth& kept) noexcept {
   return kept.sides[0].open_count > 0 || kept.sides[1].open_count > 0;
 }
 
 // What was dropped is known only at the poses where the search began.
 bool isComplete(const KeptDepth& kept) noexcept {
   const bool is_whole = kept.sides[0].is_whole && kept.sides[1].is_whole;
-  return !isWaiting(kept) && (is_whole || kept.moved <= kDepthRounding);
+  return !hasOpenNodes(kept) && (is_whole || kept.moved <= kDepthRounding);
 }
 
 // [m] Upper bound of how far any point of B has moved since the last query, seen from A.
@@ -111,7 +111,7 @@ MeshDepth depthOf(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& mem
     const double step = follow(b.tree, a_from_b, kept);
     measureKept(step, both, kept);
     const double share = step / longStep(both);
-    const bool is_spent = kept.moved > kLongestTravel || !(isWaiting(kept) || isComplete(kept));
+    const bool is_spent = kept.moved > kLongestTravel || !(hasOpenNodes(kept) || isComplete(kept));
     if (!(share < 1.0) || is_spent) {
       restart(both, kept);
     }

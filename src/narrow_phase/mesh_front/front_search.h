@@ -21,7 +21,7 @@ namespace collision_monitor {
 /// Queues the pairs taken from a front. The nearest stays on top.
 class TakenPairs {
  public:
-  explicit TakenPairs(NodePairQueue& queue) noexcept : waiting_(queue) {}
+  explicit TakenPairs(NodePairQueue& queue) noexcept : queue_(queue) {}
 
   /// True if there is room for all children of a bound.
   bool hasRoom() const noexcept { return size_ + MeshTreeNode::kWidth <= MeshFront::kCapacity; }
@@ -29,16 +29,16 @@ class TakenPairs {
   void push(MeshQueryMemory::NodePair next) noexcept {
     ++size_;
     if (next.squared_bound > least_) {
-      const MeshQueryMemory::NodePair nearest = waiting_.pop();
-      waiting_.push(next);
+      const MeshQueryMemory::NodePair nearest = queue_.pop();
+      queue_.push(next);
       next = nearest;
     }
-    waiting_.push(next);
+    queue_.push(next);
     least_ = next.squared_bound;
   }
 
  private:
-  NodePairQueue& waiting_;
+  NodePairQueue& queue_;
   std::uint32_t size_{0};
   float least_{std::numeric_limits<float>::infinity()};
 };

@@ -158,7 +158,7 @@ HWY_INLINE void findReaches(CylinderRows& rows) {
 }
 
 /// Keeps the distances that the support planes prove.
-HWY_INLINE void keepProvenFeet(std::size_t row, CylinderRows& rows) {
+HWY_INLINE void keepProven(std::size_t row, CylinderRows& rows) {
   const Number distance = load(closest::distance, row, rows);
   const Number gap =
       hn::Sub(load(closest::gap, row, rows), load(closest::reach_of_other, row, rows));
@@ -175,7 +175,7 @@ HWY_INLINE void placeAll(CylinderRows& rows) {
   }
 }
 
-void proveFeet(FollowedFeature followed, CylinderRows& rows) {
+void proveClosestPoints(FollowedFeature followed, CylinderRows& rows) {
   if (followed == FollowedFeature::rim) {
     placeAll<ClosestInRim>(rows);
     findReachesOfRims(rows);
@@ -185,7 +185,7 @@ void proveFeet(FollowedFeature followed, CylinderRows& rows) {
     findReaches(rows);
   }
   for (std::size_t row = 0; row < rows.count; row += hn::Lanes(Lanes())) {
-    keepProvenFeet(row, rows);
+    keepProven(row, rows);
   }
 }
 
@@ -198,7 +198,7 @@ HWY_AFTER_NAMESPACE();
 namespace collision_monitor {
 namespace {
 
-HWY_EXPORT(proveFeet);
+HWY_EXPORT(proveClosestPoints);
 
 }  // namespace
 
@@ -212,7 +212,7 @@ void proveCylinderRows(FollowedFeature followed, CylinderRows& rows) noexcept {
   }
   auto& reaches = rows.at[closest::reach_of_other];
   std::fill(reaches.begin() + rows.count, reaches.end(), 0.0);
-  HWY_DYNAMIC_DISPATCH(proveFeet)(followed, rows);
+  HWY_DYNAMIC_DISPATCH(proveClosestPoints)(followed, rows);
 }
 
 }  // namespace collision_monitor
