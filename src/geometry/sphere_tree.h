@@ -26,7 +26,7 @@ struct SphereNode {
 /// Each node stands for a part of the surface: the root for all of it, and the children of a node
 /// together for that node's part. The sphere of a node encloses its part. Therefore
 /// - the distance to a node's sphere is a lower bound of the distance to its part and to the parts
-/// of its descendants, which matter only when the node is near;
+///   of its descendants, which matter only when the node is near;
 /// - any set of nodes that cuts every path from the root to a leaf encloses the whole surface.
 /// A child's sphere may extend beyond its parent's (its part does not). So the bound at a child is
 /// the larger one of its own and its parent's.
