@@ -13,7 +13,7 @@
 /// during the interval. Let a plane be fixed to A, with normal n from A to B. A point q of B
 /// approaches it at the speed -n . w(q). Over time n turns with A and q moves, so this speed
 /// changes no faster than
-/// |turn of A| * |w(q)| + |turn| * |speed of q|.
+///   |turn of A| * |w(q)| + |turn| * |speed of q|.
 /// The distance of any two sets changes no faster than the greatest |w(q)|.
 namespace collision_monitor {
 
