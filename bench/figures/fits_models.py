@@ -92,8 +92,7 @@ def rai_links(capsules):
 
 
 def joined(primitives):
-    """Joins a cylinder and two spheres of its radius after it to a capsule, equal up to
-    rounding."""
+    """Joins a cylinder and two later spheres of its radius to a capsule, equal up to rounding."""
     shapes = list(primitives)
     for i in range(len(shapes) - 3, -1, -1):
         three = shapes[i:i + 3]

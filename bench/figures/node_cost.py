@@ -25,8 +25,7 @@ GOALS = {"panda_moveit": (8.0, 50.0), "atlas": (15.0, 150.0), "stretch": (None, 
 
 
 def stolen():
-    """Seconds that the host of a virtual machine has taken from the cores of this program so
-    far."""
+    """Seconds that the host of a virtual machine took from this program's cores so far."""
     own = {f"cpu{core}" for core in os.sched_getaffinity(0)}
     lines = [line.split() for line in pathlib.Path("/proc/stat").read_text().splitlines()]
     return sum(int(line[8]) for line in lines if line[0] in own) / os.sysconf("SC_CLK_TCK")
@@ -56,8 +55,7 @@ def measure_relay(label):
 
 
 def add_motion(label, motion, relay, goal, allowance, figures):
-    """Adds rows of a robot that swings "free" of contact, or in "contact" with itself all the
-    time."""
+    """Adds rows of a robot that swings "free" of contact or stays in "contact" with itself."""
     node = measure(label, motion)
 
     def add_delay(what, ours, reference, most):
@@ -71,8 +69,7 @@ def add_motion(label, motion, relay, goal, allowance, figures):
     add_share("of a core at 1 kHz", node[0], f"{relay[0]:.3g} %", goal)
     figures.add(f"node, {label}, {motion}: states a second", f"{node[1]:.0f}", f"{relay[1]:.0f}",
                 "within 2 % of 1000", abs(node[1] - RATE) < 0.02 * RATE)
-    # The bench adds the delay of both TCP connections. Without them: how much shorter the relay's
-    # is.
+    # The bench's times include both ways through TCP; subtracting the relay's removes them.
     add_delay("arrival of tf to state sent, median", node[2] - relay[2], relay[2], 300)
     add_delay("tf sent to state received, 99 of 100", node[3], relay[3], 1000)
     add_share("markers at 30 Hz on top", measure(label, motion, "markers")[0] - node[0], "-", 5)

@@ -170,7 +170,7 @@ def add_trajectories(figures, found):
 
 
 def start_time(numbers, kind):
-    """[s] By the clock, users' waiting time on an idle machine; a busy one adds to it."""
+    """[s] The smaller time: on an idle machine users wait by the clock, a busy one adds to it."""
     return min(numbers[f"start_{kind}"], numbers[f"start_{kind}_processor"])
 
 

@@ -46,15 +46,13 @@ inline BasedTriangle baseOf(const Triangle& triangle) noexcept {
   return based;
 }
 
-/// A point of the triangle. It is the closest one to `point` where that lies inside the triangle.
-/// Where it lies on the boundary, the caller has to test the edges. Triangles without area are
-/// legal.
+/// A point of the triangle: the closest one to `point` if that lies inside the triangle. If it lies
+/// on the boundary, the caller has to test the edges. Triangles without area are legal.
 /// Error: some ulps of the triangle's size and of the distance, however thin the triangle is.
 inline Eigen::Vector3d closestOn(const BasedTriangle& triangle,
                                  const Eigen::Vector3d& point) noexcept {
-  // Through the projection of the point on the base, the triangle's section across the base is a
-  // short segment. One more projection finds the closest point of it. Nothing is divided by an
-  // area.
+  // The triangle's section across the base, through the projection of the point, is a short
+  // segment. One more projection finds its closest point. Nothing is divided by an area.
   if (!(triangle.squared_length > 0.0)) {
     return triangle.start;
   }

@@ -16,8 +16,7 @@ using GoesOn = std::function<bool()>;
 
 /// While it lives, the library's work on this thread ends with Interrupted as soon as `goes_on`
 /// returns false. This covers reading files and meshes, fitting, making pairs and applying rules.
-/// Limits: of nested ones only the innermost is asked. Libraries that this one calls are not
-/// interrupted.
+/// Limits: only the innermost one is asked. Libraries that this one calls are not.
 class Interruptible {
  public:
   /// @param goes_on empty: work is not interrupted

@@ -20,8 +20,7 @@ struct SphereNode {
   std::uint32_t level{0};        ///< 0 for the root
 };
 
-/// A hierarchy of spheres about a surface. Nodes are stored breadth-first, root first, siblings
-/// together.
+/// A hierarchy of spheres about a surface: breadth-first, root first, siblings side by side.
 ///
 /// Each node stands for a part of the surface: the root for all of it, and the children of a node
 /// together for that node's part. The sphere of a node encloses its part. Therefore

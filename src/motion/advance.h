@@ -16,8 +16,8 @@ struct MovingBall {
 
 /// A measurement at one time.
 struct Sighting {
-  SweepState state{
-      SweepState::unknown};  ///< contact: within the contact distance; clear: apart by `gap`
+  /// contact: within the contact distance; clear: farther apart, by `gap`
+  SweepState state{SweepState::unknown};
   SignedDistance measured;
   double gap{0.0};        ///< [m] proven distance beyond the contact distance
   bool has_plane{false};  ///< the gap lies across a plane perpendicular to the normal

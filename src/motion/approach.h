@@ -52,8 +52,7 @@ Approach approachAt(const ScrewMotion& motion_a, const ScrewMotion& motion_b, co
 /// Consumption of the gap between convex sets across a plane with unit normal from A to B.
 Consumption acrossPlane(const Approach& approach, const Eigen::Vector3d& normal) noexcept;
 
-/// Consumption of the distance between any sets. B's set lies in the given ball (frame of
-/// `approach`).
+/// Consumption of the distance of any sets, B's in the given ball (frame of `approach`).
 Consumption ofBall(const Approach& approach, const Eigen::Vector3d& center, double radius) noexcept;
 
 }  // namespace collision_monitor

@@ -23,8 +23,7 @@
 /// bounds of the nodes of hierarchies. The bounds themselves are in src/motion/approach.h.
 namespace collision_monitor {
 
-/// A ball that holds a body, in the body's frame. Units: metres. An infinite radius holds a half
-/// space.
+/// A ball that holds a body, in its frame. Units: metres. An infinite radius: a half space.
 struct Ball {
   Eigen::Vector3d center{Eigen::Vector3d::Zero()};
   double radius{0.0};
@@ -85,7 +84,7 @@ SweptContact firstContact(const MovingConvex& a, const MovingConvex& b, const Sw
                           ConvexSearch& search) noexcept;
 
 /// Two meshes, by their hierarchies. Children are visited only if their parents may meet in the
-/// rest of the interval, at the speeds that parts at their radius have.
+/// rest of the interval, at the greatest speeds of parts so far from the center.
 /// Limits: surfaces count, and the inside of open meshes. A body inside a closed mesh at the start
 /// is not seen until it comes out. A negative contact_distance counts as 0.
 SweptContact firstContact(const MovingMesh& a, const MovingMesh& b, const SweepLimits& limits,

@@ -27,9 +27,8 @@ MovingSphere movingSphereOf(const ScrewMotion& motion, const Eigen::Vector3d& ce
                             double radius) noexcept;
 
 /// Two conservative tests: they may return true too often, never false too often. The second is
-/// sharper and costlier. Both inflate the sum of the radii: the first by the lengths of both
-/// travels, without a root; the second by the part of the relative travel along the line of
-/// centers.
+/// sharper and costlier. Both inflate the sum of radii: the first by the lengths of both travels,
+/// without a root; the second by the relative travel along the line of centers.
 /// @param margin [m] spheres this near count as meeting.
 bool mayMeetBySpeed(const MovingSphere& a, const MovingSphere& b, double margin) noexcept;
 bool mayMeetByClosing(const MovingSphere& a, const MovingSphere& b, double margin) noexcept;

@@ -55,8 +55,7 @@ std::optional<double> timeOfContact(const Sphere& a, const Pose& world_from_a, c
     return std::nullopt;
   }
   const double length_squared = travel.squaredNorm();
-  // The distance at which the center passes. A difference of squares would lose it for grazing
-  // contact.
+  // The distance at which the center passes. A difference of squares would lose it when grazing.
   const double aside = (between + approach / length_squared * travel).norm();
   if (aside > reach) {
     return std::nullopt;

@@ -14,9 +14,8 @@ namespace collision_monitor {
 struct BodyBounds {
   std::vector<Aabb> boxes;
   std::vector<unsigned char> known;  ///< 0: the pose is unknown and the box means nothing
-  std::vector<double>
-      /// [m] Further growth of a box for motion to come. NaN: not known.
-      ahead{};
+  /// [m] Further growth of a box for motion to come. NaN: not known.
+  std::vector<double> ahead{};
 };
 
 }  // namespace collision_monitor

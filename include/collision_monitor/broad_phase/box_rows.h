@@ -42,7 +42,7 @@ struct RowPair {
 struct PairedRows {
   std::size_t next{0};   ///< the first row whose partners were not looked for
   std::size_t count{0};  ///< pairs written
-  std::size_t seen{0};   ///< rows looked at
+  std::size_t seen{0};   ///< rows tested
 };
 
 /// Writes the pairs that meet among the rows [row, last), in order. Stops before a row for which

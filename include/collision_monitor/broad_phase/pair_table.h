@@ -47,9 +47,8 @@ class PairTable {
   void fillPartners();
 
   std::vector<BodyPair> pairs_;
-  std::vector<std::uint32_t>
-      /// By body a: where its partners start; one more entry at the end.
-      first_partner_;
+  /// By body a: where its partners start; one more entry at the end.
+  std::vector<std::uint32_t> first_partner_;
   std::vector<Partner> partners_;     ///< grouped by body a, sorted by body b; used without dense_
   std::vector<std::uint32_t> dense_;  ///< see idsOfAll; may be empty
   std::size_t body_count_{0};

@@ -20,8 +20,8 @@ struct FitLimits {
   ShapeKinds kinds;
 };
 
-/// A cut of one part of a surface in two. The part keeps what is below the plane { x : normal . x =
-/// offset }. What is above becomes the part with the next number.
+/// A cut of one part of a surface in two. The part keeps what is below the plane
+/// { x : normal . x = offset }. What is above becomes the part with the next number.
 struct PartCut {
   std::uint32_t part{0};
   Eigen::Vector3d normal{Eigen::Vector3d::UnitX()};  ///< unit, in the geometry's frame

@@ -24,9 +24,8 @@ struct PosedShape {
 /// at least that much farther in every direction.
 Shape grown(const Shape& shape, double growth);
 
-/// The largest signed distance of a point to the posed shape. Growing the shape by it encloses all
-/// points; it is negative when all are strictly inside. Error: rounding; provenExcess gives a
-/// bound.
+/// The largest signed distance of a point to the posed shape: the growth that encloses all points.
+/// Negative when all are strictly inside. Error: rounding; provenExcess gives a bound.
 double excessOver(const PosedShape& fit, const Points& points) noexcept;
 
 }  // namespace collision_monitor

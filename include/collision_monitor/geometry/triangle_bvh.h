@@ -18,8 +18,7 @@ namespace collision_monitor {
 struct NearestPoint {
   double distance{std::numeric_limits<double>::infinity()};  ///< [m], never negative
   Eigen::Vector3d point{Eigen::Vector3d::Zero()};
-  std::uint32_t leaf_triangle{
-      kNone};  ///< index into TriangleBvh::triangles; kNone: no triangle is so near
+  std::uint32_t leaf_triangle{kNone};  ///< in TriangleBvh::triangles; kNone: none is so near
 };
 
 /// A static hierarchy of axis-aligned boxes over the triangles of a mesh. A mesh without triangles

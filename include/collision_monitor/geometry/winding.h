@@ -18,9 +18,8 @@ namespace collision_monitor {
 /// Half the angle of a triangle is the argument of a complex number. A sum of angles is the
 /// argument of a product, so one arc tangent serves all triangles. Units: [sr].
 /// Error: a few times 1e-15 for each triangle of the size of 1 m; 1e-13 over the distance [m] from
-/// its edges where that is small. Limits: a point in a triangle's plane, up to rounding, gets
-/// either sign.
-/// Source: van Oosterom, Strackee, "The Solid Angle of a Plane Triangle" (1983), for the complex
+/// its edges where that is small. Limits: points in a triangle's plane get either sign.
+/// Source: van Oosterom, Strackee, "The Solid Angle of a Plane Triangle" (1983): the complex
 /// number.
 class SolidAngles {
  public:
@@ -80,8 +79,7 @@ struct SurfaceRim {
   double length{0.0};  ///< [m] counts each edge once for each triangle that ends there
 };
 
-/// The edges that triangles do not run along equally often in both directions. Equal vertices count
-/// as one.
+/// The edges along which triangles do not run equally often both ways. Equal vertices count as one.
 SurfaceRim rimOf(const TriangleMesh& mesh);
 
 }  // namespace collision_monitor

@@ -110,8 +110,7 @@ std::size_t AabbTree::sideOf(std::uint32_t node) const noexcept {
   return nodes_[node].parent != kNone && nodes_[nodes_[node].parent].children[1] == node ? 1 : 0;
 }
 
-/// Builds the tree top-down. Splits into halves of equal count along the axis with the greatest
-/// spread of centers.
+/// Builds the tree top-down, in halves of equal count along the axis where centers spread most.
 void AabbTree::build(const std::vector<SmallBox>& boxes) noexcept {
   leaves_.clear();
   free_.clear();

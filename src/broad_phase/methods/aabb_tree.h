@@ -24,7 +24,7 @@ class AabbTree {
   explicit AabbTree(std::size_t body_count);
 
   /// Every pair of boxes that meet, in no order.
-  /// @pre as many boxes as the constructor was told.
+  /// @pre as many boxes as given to the constructor.
   void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
 
  private:

@@ -118,8 +118,7 @@ bool SlabSweep::countRows(const std::vector<SmallBox>& boxes) noexcept {
   return rows <= kRowsABody * boxes.size();
 }
 
-/// Halves the number of slabs on the axis that has more. With a single column there is one row per
-/// body.
+/// Halves the number of slabs on the axis that has more. A single column has one row per body.
 void SlabSweep::widenSlabs() noexcept {
   Slabs& slabs = layout_.slabs[layout_.slabs[1].mask >= layout_.slabs[0].mask ? 1 : 0];
   slabs.per_metre *= 0.5;

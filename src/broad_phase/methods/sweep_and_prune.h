@@ -25,7 +25,7 @@ class SweepAndPrune {
   explicit SweepAndPrune(std::size_t body_count);
 
   /// Every pair of boxes that meet, sorted.
-  /// @pre as many boxes as the constructor was told.
+  /// @pre as many boxes as given to the constructor.
   void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
 
   /// Whether the last call had to sort the axes anew because motion was not coherent.

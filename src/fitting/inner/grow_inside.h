@@ -17,9 +17,9 @@ struct InnerSegment {
 /// The volume of the capsule around the segment.
 double volumeOf(const InnerSegment& segment);
 
-/// A segment with its radius, found with balls along it, each of which holds the next center. So a
-/// segment that starts inside a solid stays inside. The radius is 0 where the segment comes nearer
-/// than `least_radius`.
+/// A segment with its radius, from balls along it, each of which holds the next center: if it
+/// starts inside a solid, it stays inside. The radius is 0 if the segment comes nearer than
+/// `least_radius`.
 InnerSegment innerSegment(const TriangleBvh& surface, const Eigen::Vector3d& a,
                           const Eigen::Vector3d& b, double least_radius);
 

@@ -63,8 +63,7 @@ class Inscriber {
     double best_volume = 0.0;
     for (std::size_t i = 0; i < balls_.size(); ++i) {
       for (std::size_t j = i + 1; j < balls_.size(); ++j) {
-        // Balls are sorted largest first, so the second bounds the radius; queries of the mesh are
-        // costly.
+        // Balls come largest first, so the second bounds the radius; mesh queries are costly.
         const InnerSegment hoped{balls_[i].center, balls_[j].center, balls_[j].radius};
         if (volumeOf(hoped) > best_volume) {
           starts.push_back(segmentBetween(hoped.a, hoped.b));

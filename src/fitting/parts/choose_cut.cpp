@@ -14,7 +14,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr int kFirstStep = 16;           // places skipped between those that are tried first
+constexpr int kFirstStep = 16;           // between the places that are tried first
 constexpr std::ptrdiff_t kPolished = 4;  // axes whose best cuts are compared closely
 constexpr double kWorthIt = 0.9;         // of the cost before the cut
 

@@ -90,8 +90,7 @@ void MeshFitter::encloseAs(const RoughFit& rough, Part& part) const {
   part.measured.clear();
 }
 
-/// Fits a part again now that its neighbours' shapes are known: points inside these no longer
-/// count.
+/// Fits a part again beside its neighbours' shapes: points inside these no longer count.
 void MeshFitter::refit(std::size_t i) {
   throwIfInterrupted();
   Part& part = parts_[i];

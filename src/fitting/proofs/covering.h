@@ -30,9 +30,8 @@ struct Covering {
 ///
 /// A convex shape that holds the corners of a triangle holds the triangle. A triangle in no single
 /// shape is divided until its parts are in one or are too small to matter. Where shapes only touch,
-/// a little growth makes them overlap. Cylinders are replaced by a prism around them with 1024
-/// sides (5e-6 of the radius). Spheres and capsules that lie in no single shape are replaced by a
-/// polyhedron around them (1 %).
+/// a little growth makes them overlap. A prism with 1024 sides replaces a cylinder (5e-6 of the
+/// radius wider); a polyhedron replaces a sphere or capsule in no single shape (1 %).
 ///
 /// Frames: shapes in the link frame.
 /// Error: proven in exact arithmetic, rounding included, as provenExcess. "Not proven" does not

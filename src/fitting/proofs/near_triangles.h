@@ -29,8 +29,7 @@ class NearTriangles {
     return nearest;
   }
 
-  /// The nearest point of all triangles; its triangle becomes known. Error: up to the fraction
-  /// `tolerance` too far.
+  /// The nearest point of all; its triangle becomes known. Error: up to `tolerance` of it too far.
   NearestPoint nearestOfAll(const Eigen::Vector3d& point, double tolerance) {
     NearestPoint nearest = mesh_.nearestTo(point, nearestKnown(point), tolerance);
     if (std::none_of(known_.begin(), known_.end(),

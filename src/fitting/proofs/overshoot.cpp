@@ -157,8 +157,7 @@ Overshoot measureOvershoot(const PosedShape& fit, const TriangleBvh& mesh,
   for (const auto& sample : sampleSurface(fit.shape, sampling.count)) {
     throwIfInterrupted();
     const Vector3d point = fit.geometry_from_body * sample.point;
-    // The triangle nearest to the last sample bounds the search, because samples follow their
-    // neighbours.
+    // The triangle nearest to the last sample bounds the search, as samples follow neighbours.
     const NearestPoint start = nearest.leaf_triangle == kNone
                                    ? NearestPoint{}
                                    : mesh.nearestOn(nearest.leaf_triangle, point);

@@ -24,9 +24,8 @@ double provenExcess(const PosedShape& fit, const Points& points) noexcept;
 /// The points of a cylinder that are farthest from a convex set lie on its rims. A rim point at
 /// azimuth phi is beyond a core with half extents (a, b, l) by |(R |cos phi| - a)+| and |(R |sin
 /// phi| - b)+| across. With c = min(a, b) the length of that vector is at most (R - c)+. Where both
-/// parts are positive, its square is R^2 - 2 R c (|cos phi| + |sin phi|) + 2 c^2, which is largest
-/// where one part ends. Where one part is positive, it is largest at phi = 0. So no sampling is
-/// needed.
+/// parts are positive, its square R^2 - 2 R c (|cos phi| + |sin phi|) + 2 c^2 is largest where one
+/// part ends; where one is positive, at phi = 0. So no sampling is needed.
 /// @pre the pose of the fit is the identity.
 double provenExcess(const PosedShape& fit, const Cylinder& cylinder) noexcept;
 

@@ -107,8 +107,7 @@ double clearanceBound(const Triangle& triangle, const Vector3d& a, const Vector3
 
 double clearanceBound(const TriangleBvh& mesh, const Vector3d& a, const Vector3d& b) noexcept {
   constexpr double kMaxPieces = 32.0;
-  // The box around a slanting segment is wide; boxes of pieces about as long as the clearance are
-  // not.
+  // A slanting segment has a wide box; pieces about as long as the clearance do not.
   const double middle = mesh.nearestTo(0.5 * a + 0.5 * b).distance;
   const double wanted = (b - a).norm() / std::max(2.0 * middle, 1e-300);
   const int pieces = static_cast<int>(std::ceil(std::clamp(wanted, 1.0, kMaxPieces)));

@@ -21,8 +21,7 @@ std::vector<MeasuredSample> measureSamples(const PosedShape& fit, const Triangle
                                            const DistanceGrid* grid,
                                            const OvershootSampling& sampling);
 
-/// The overshoot of one of several shapes, over the points of its surface that no other shape
-/// holds.
+/// The overshoot of one of several shapes, over its surface points that no other shape holds.
 OvershootSum sumOutsideOthers(const std::vector<MeasuredSample>& samples, std::size_t own,
                               const std::vector<PosedShape>& shapes);
 

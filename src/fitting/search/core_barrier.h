@@ -24,8 +24,7 @@ class CoreBarrier {
 
   CoreBarrier(const Points& points, const DescentGoal& goal);
 
-  /// Sets the core to evaluate. Returns false if a slack is not positive; then no other call is
-  /// allowed.
+  /// Sets the core to evaluate. If it returns false, a slack is <= 0 and no other call is allowed.
   bool place(const TurnedCore& core);
 
   double value(double weight) const;

@@ -27,8 +27,7 @@ Points spreadDirections(int count);
 /// Source: Alexa, "Super-Fibonacci Spirals: Fast, Low-Discrepancy Sampling of SO(3)" (2022).
 std::vector<Eigen::Matrix3d> spreadRotations(int count);
 
-/// A rotation whose columns are the principal axes of the points, from their scatter about the
-/// mean.
+/// A rotation whose columns are the points' principal axes (of their scatter about the mean).
 Eigen::Matrix3d principalAxes(const Points& points);
 
 /// The points that are farthest in one of the directions, each once: a few that represent all.
@@ -37,9 +36,8 @@ Points extremePoints(const Points& points, const Points& directions);
 /// At most about a hundred of the points, which represent all while a search is still coarse.
 Points representativesOf(const Points& points);
 
-/// A subset of the points that holds all corners of the hull, up to rounding: the corners of a
-/// polytope with about a hundred corners, and the points outside it. For flat sets, the corners of
-/// the hull.
+/// Points that include all corners of the hull, up to rounding: those outside a polytope of about a
+/// hundred corners, and these corners. For flat sets, the corners of the hull.
 /// Source: Akl, Toussaint, "A Fast Convex Hull Algorithm" (1978), for dropping inner points. The
 /// hull itself costs too much: about 20 us per corner, more than all fits together.
 Points outerPoints(const Points& points);

@@ -92,8 +92,7 @@ std::vector<TurnedCore> startCapsules(const Points& points) {
       chosen.push_back(candidate);
     }
   }
-  // Manufactured parts have axes along which the valley can be narrower than the spacing of
-  // directions.
+  // Manufactured parts have axes whose valley can be narrower than the spacing of directions.
   for (const Eigen::Matrix3d& axes : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()),
                                       principalAxes(points), roughBoxRotation(points)}) {
     for (int k = 0; k < 3; ++k) {

@@ -77,7 +77,7 @@ class SphereTreeBuilder {
     const auto id = ~static_cast<std::uint32_t>(nodes_.size());
     if (division.is_possible && level < limits_.max_level && node.radius > limits_.min_radius &&
         node.overshoot > limits_.min_overshoot) {
-      // The complement makes the first of equal ones come first.
+      // The complemented id ranks the first of equal ones highest.
       largest_.push({node.radius, id});
     }
     nodes_.push_back(node);

@@ -75,8 +75,7 @@ std::vector<SplitItem> itemsOf(const TriangleMesh& mesh, const Vector3d& origin)
 
 using Parts = std::array<SplitRange, kWidth>;
 
-// Builds nodes depth-first over items, which it reorders. Bounds are set later, when the order is
-// final.
+// Builds nodes depth-first and reorders the items. Bounds follow once the order is final.
 class Builder {
  public:
   // The triangles of a slot, in the order of the tree.

@@ -44,8 +44,7 @@ std::pair<std::uint32_t, double> farthest(const Points& points, const Measure& m
   return best;
 }
 
-/// Up to four points, chosen greedily to span as much as they can. `dimension` tells how many
-/// count.
+/// Four points, chosen greedily to span as much as they can. `dimension` tells how many count.
 struct Simplex {
   std::uint32_t corners[4] = {0, 0, 0, 0};
   int dimension{0};

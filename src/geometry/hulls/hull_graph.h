@@ -16,7 +16,7 @@ namespace collision_monitor {
 /// edge that gain is a slope along which the rest of the hull might still rise. Seen from all
 /// vertices of such a cluster at once, only its long edges lead up.
 /// @param extent [m] of the hull.
-/// @return an empty list for hulls without triangles, and for hulls with too many short edges.
+/// @return an empty list for hulls without triangles, and for those of hardly any long edges.
 std::vector<std::vector<std::uint32_t>> neighboursToClimb(const TriangleMesh& hull, double extent);
 
 }  // namespace collision_monitor

@@ -72,8 +72,7 @@ double areaOf(const TriangleMesh& mesh, const Corners& t) {
       .norm();
 }
 
-// Walks from each triangle to its neighbours. Each connected part keeps the direction of most of
-// its area.
+// Walks from triangle to neighbour. Each connected part keeps the direction of most of its area.
 class Turning {
  public:
   Turning(const TriangleMesh& mesh, std::vector<Corners>& triangles)
@@ -110,8 +109,7 @@ class Turning {
         }
       }
     }
-    constexpr double kMost =
-        0.5 + 1e-9;  // tolerance, so that rounding does not decide between equal halves
+    constexpr double kMost = 0.5 + 1e-9;  // rounding must not decide between equal halves
     const unsigned char to_turn = turned > kMost * all ? 0 : 1;
     for (const std::uint32_t triangle : part_) {
       if (turns_[triangle] == to_turn) {
@@ -124,8 +122,7 @@ class Turning {
   std::vector<Corners>& triangles_;
   Neighbours neighbours_;
   std::vector<unsigned char> is_seen_;
-  std::vector<unsigned char>
-      turns_;  // whether a triangle turns to agree with the first of its part
+  std::vector<unsigned char> turns_;  // whether to agree with the first of its part
   std::vector<std::uint32_t> part_;
 };
 

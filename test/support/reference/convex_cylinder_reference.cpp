@@ -90,8 +90,7 @@ Real gapOf(const CylinderAndPolyhedron& pair, const Vector& direction) {
   return start - reachOfCylinder(pair, direction);
 }
 
-// From the face's inside to the cylinder's point nearest to its plane; none if that point projects
-// outside.
+// From the face's inside to the cylinder's point nearest to its plane, if it projects inside.
 Real distanceToFace(const CylinderAndPolyhedron& pair, const std::array<std::uint32_t, 3>& t) {
   const Polyhedron& p = pair.other;
   const Vector normal = normalOf(p, t).normalized();

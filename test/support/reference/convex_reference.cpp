@@ -107,8 +107,7 @@ bool isFlat(const Polyhedron& p) {
          });
 }
 
-// Two flat pieces in one plane have a Minkowski difference without volume. Its sides are
-// perpendicular to the plane.
+// Flat pieces in one plane: their Minkowski difference has no volume, and sides across the plane.
 template <class Offer>
 void offerSidesOfFlat(const Polyhedron& a, const Polyhedron& b, const Offer& offer) {
   for (const Polyhedron* plane : {&a, &b}) {

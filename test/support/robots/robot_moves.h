@@ -16,14 +16,13 @@
 /// Robots in random configurations and in motion between them.
 namespace collision_monitor::test {
 
-/// The first robot of the shared data or urdf/ with this in its name. Prints a message if there is
-/// none.
+/// The first robot of the shared data or urdf/ with this in its name; prints a line if none has.
 std::optional<RobotFile> findRobot(const std::string& name);
 
 /// Whether one variable moves it, and no other joint does.
 bool isDrawn(const Joint& joint);
 
-/// Draws each of these joints uniformly between its limits, unless these are too wide.
+/// Draws each of these joints uniformly between its limits, and within 1 m or 3 rad of zero.
 JointPositions drawPositions(const RobotModel& model, std::mt19937_64& random);
 
 /// The default of the monitor: distances of meshes to 0.1 mm.
@@ -38,9 +37,8 @@ LinkPoses posesAt(const RobotModel& model, const JointPositions& positions);
 /// way-points a tenth of a second apart.
 JointPath randomPath(const RobotModel& model);
 
-/// Moves robots from one random configuration towards the next for half a second. The fastest joint
-/// has a given speed, and poses come at a given rate. Later moves have other configurations; always
-/// the same ones.
+/// Moves robots from one random configuration towards the next for half a second, the fastest joint
+/// at a speed, with poses at a rate. Later moves have other configurations; always the same ones.
 class Mover {
  public:
   /// @param speed [rad/s] @param model outlives this.
