@@ -131,8 +131,8 @@ class Cycles {
   std::size_t compared_{0};    ///< cycles; of these:
   std::size_t contacts_{0};    ///< something is in contact without a budget
   std::size_t differing_{0};   ///< the level or a contact differs without a budget
-  std::size_t alarms_{0};      ///< a contact is said that vanishes without a budget
-  std::size_t missed_{0};      ///< a contact is not said that appears without a budget
+  std::size_t alarms_{0};      ///< a contact is reported that vanishes without a budget
+  std::size_t missed_{0};      ///< a contact is not reported that appears without a budget
 };
 
 }  // namespace

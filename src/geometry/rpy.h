@@ -11,7 +11,8 @@ namespace collision_monitor {
 Eigen::Matrix3d rotationOfRpy(const Eigen::Vector3d& rpy) noexcept;
 
 /// Roll, pitch and yaw of a rotation. Roll is 0 where the pitch leaves it undetermined. Units:
-/// radians. Error: about 1e-16 of the rotation over the cosine of the pitch, never worse than 1e-6.
+/// radians. Error: they reproduce the rotation to about 1e-16 over the cosine of the pitch, never
+/// worse than 1e-6.
 Eigen::Vector3d rpyOf(const Eigen::Matrix3d& rotation) noexcept;
 
 }  // namespace collision_monitor

@@ -32,9 +32,8 @@ class PairTable {
   /// @return false when they may not touch; `id` then stays unchanged.
   bool find(BodyId one, BodyId other, PairId& id) const noexcept;
 
-  /// The pair of bodies a and b at a * body_count + b: its id, or kNone where there is no pair or b
-  /// < a. kRowPadding times kNone follow the last. Null when there are more bodies than a robot
-  /// has.
+  /// The pair of bodies a and b, at a * body_count + b: its id, or kNone if there is no pair or
+  /// a > b. kRowPadding times kNone follow the last. Null for more bodies than a robot has.
   const std::uint32_t* idsOfAll() const noexcept { return dense_.empty() ? nullptr : &dense_[0]; }
 
  private:

@@ -53,8 +53,8 @@ struct Fit {
 /// negative or NaN.
 std::vector<Fit> fitGeometries(const std::vector<Geometry>& geometries, const FitLimits& limits);
 
-/// An upper bound of how far the geometry lies outside the fit, valid in exact arithmetic. A value
-/// <= 0 proves that the union encloses the geometry. For fits read from a file.
+/// An upper bound of how far the geometry lies outside the fit, valid in exact arithmetic.
+/// A value <= 0 proves that the union encloses the geometry. For fits read from a file.
 /// Limits: infinity when the fit is malformed (no shapes, cuts of missing parts, normals that are
 /// not unit, numbers that are not finite).
 double provenExcess(const Geometry& geometry, const Fit& fit);

@@ -24,10 +24,9 @@ struct InnerShapes {
 /// overlap of two closed parts, where the mesh contradicts itself unless the overlap is intended.
 ///
 /// Frames: geometry_from_body places the shapes in the geometry's frame. Units: metres.
-/// Error: both are inside in exact arithmetic. One end of the core has winding number 1. No point
-/// of the core is nearer to a triangle than the radius, a lower bound that allows for rounding,
-/// less 1e-9 of the mesh's size. They need not be the largest: each is the best of several local
-/// searches.
+/// Error: both are inside in exact arithmetic. One end of the core has winding number 1. The radius
+/// is a lower bound of the core's distance to all triangles, which allows for rounding, less 1e-9
+/// of the mesh's size. Neither is proven to be the largest: each is the best of several searches.
 /// Limits: none for an open, inconsistent or flat mesh and for primitives without volume.
 /// Source: medial start centers: Ma, Bae, Choi, "3D medial axis point approximation using nearest
 /// neighbors and the normal field" (2012). Solid angles: van Oosterom, Strackee, "The Solid Angle

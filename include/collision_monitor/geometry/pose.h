@@ -7,8 +7,8 @@
 namespace collision_monitor {
 
 /// A rigid transform, named by the frames it joins. `world_from_link` takes coordinates in the link
-/// frame to coordinates in the world frame, so equal frames meet in a chain: `world_from_link *
-/// link_from_body`.
+/// frame to coordinates in the world frame, so equal frames meet in a chain:
+/// `world_from_link * link_from_body`.
 ///
 /// Units: metres. The rotation is a proper orthonormal matrix. Functions that read poses from
 /// outside check it (isRigid); the others rely on it.

@@ -7,8 +7,8 @@
 
 namespace collision_monitor {
 
-/// The velocity of a rigid body at one moment. The body's point at `p` moves with `linear + angular
-/// x p`, so two bodies that move as one have the same twist.
+/// The velocity of a rigid body at one moment. The body's point at `p` moves with
+/// `linear + angular x p`, so two bodies that move as one have the same twist.
 ///
 /// Frames: world. Units: [m/s] and [rad/s].
 /// Source: Featherstone, "Rigid Body Dynamics Algorithms" (2008), section 2.2.

@@ -19,8 +19,7 @@ namespace collision_monitor {
 /// argument of a product, so one arc tangent serves all triangles. Units: [sr].
 /// Error: a few times 1e-15 for each triangle of the size of 1 m; 1e-13 over the distance [m] from
 /// its edges where that is small. Limits: points in a triangle's plane get either sign.
-/// Source: van Oosterom, Strackee, "The Solid Angle of a Plane Triangle" (1983): the complex
-/// number.
+/// Source: van Oosterom, Strackee, "The Solid Angle of a Plane Triangle" (1983).
 class SolidAngles {
  public:
   explicit SolidAngles(const Eigen::Vector3d& point) noexcept : point_(point) {}
@@ -35,7 +34,7 @@ class SolidAngles {
   double turns_{0.0};      ///< whole turns that the argument of the product does not show
 };
 
-/// Moments of a part of a surface, from which points far away compute its winding number.
+/// Moments of a part of a surface, for its winding number at points far away.
 struct WindingMoments {
   Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< [m] centroid of the area
   Eigen::Vector3d normal{Eigen::Vector3d::Zero()};  ///< [m^2] unit normals, summed over the area

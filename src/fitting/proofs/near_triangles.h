@@ -29,7 +29,8 @@ class NearTriangles {
     return nearest;
   }
 
-  /// The nearest point of all; its triangle becomes known. Error: up to `tolerance` of it too far.
+  /// The nearest point of all triangles; its triangle becomes known. Error: too far by at most the
+  /// fraction `tolerance`.
   NearestPoint nearestOfAll(const Eigen::Vector3d& point, double tolerance) {
     NearestPoint nearest = mesh_.nearestTo(point, nearestKnown(point), tolerance);
     if (std::none_of(known_.begin(), known_.end(),

@@ -9,8 +9,8 @@
 
 namespace collision_monitor::test {
 
-/// Rules for shapes read from text, with all messages. All robots are the same arm: base - arm_1 -
-/// arm_2 - hand - tool, where the tool has no geometry. Its SRDF has the groups tip (hand and tool)
+/// Rules for shapes read from text, with all messages. All robots are the same arm: base, arm_1,
+/// arm_2, hand, tool, where the tool has no geometry. Its SRDF has the groups tip (hand and tool)
 /// and void.
 struct ReadRules {
   RobotModel model;
