@@ -32,7 +32,7 @@ std::vector<double> travelsOf(const JointPath& path, const PathPart& part) {
   return travels;
 }
 
-/// How far a distance lasts from a share of a segment on: halved until it does.
+/// How far along a segment a distance lasts, from a given share: halved until it does.
 double lastingShare(const FclPath& all, LinkPairIndex pair, const PathPart& rest,
                     const std::vector<Pose>& world_from_link, double distance) {
   PathPart part = rest;
