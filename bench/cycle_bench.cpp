@@ -19,7 +19,6 @@
 #include "narrow_phase/mesh_depth/mesh_depth.h"
 #include "pipeline/cycle/bound_bodies.h"
 #include "pipeline/cycle/cull_candidates.h"
-#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/distance_cache.h"
 #include "pipeline/cycle/find_closings.h"
 #include "pipeline/cycle/judge_pairs.h"
