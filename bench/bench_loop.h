@@ -16,7 +16,7 @@
 
 namespace collision_monitor::test {
 
-/// Asks `query` of one item after another, again and again.
+/// Calls `query` with one item after another, again and again.
 template <class Item, class Query>
 void askInTurn(benchmark::State& state, const std::vector<Item>& items, const Query& query) {
   std::size_t next = 0;
@@ -27,7 +27,7 @@ void askInTurn(benchmark::State& state, const std::vector<Item>& items, const Qu
   state.SetItemsProcessed(state.iterations());
 }
 
-/// Median over several runs of the time of one call of `work` [ns].
+/// The time of one call of `work` [ns]: median over several runs.
 template <class Work>
 double medianTime(const Work& work) {
   constexpr double kRun = 1e7;  // [ns]
@@ -47,9 +47,9 @@ double medianTime(const Work& work) {
   return medianOf(times);
 }
 
-/// Takes "--only INSTRUCTION_SET" out of a program's arguments; batched kernels keep to it while
-/// `only` lives.
-/// @return false, and says what is accepted, where this machine has no such set
+/// Takes "--only INSTRUCTION_SET" out of a program's arguments. Batched kernels use only that set
+/// while `only` lives.
+/// @return false, and prints what is accepted, if this machine has no such set
 inline bool takeOnly(std::vector<std::string>& arguments,
                      std::unique_ptr<OnlyInstructionSet>& only) {
   const auto option = std::find(arguments.begin(), arguments.end(), "--only");
@@ -69,7 +69,7 @@ inline bool takeOnly(std::vector<std::string>& arguments,
   return false;
 }
 
-/// The main program of a benchmark: runs of what is registered what the command line asks for.
+/// The main program of a benchmark: runs the registered benchmarks that the command line selects.
 ///   [--only INSTRUCTION_SET] [--benchmark_...]
 inline int runBenchmarks(int argc, char** argv, void (*register_all)()) {
   benchmark::Initialize(&argc, argv);

@@ -10,9 +10,9 @@
 #include "support/sample_meshes.h"
 #include "support_fcl/fcl_adapter.h"
 
-// Time of one signed distance of hulls and cylinders, cold and as a monitor meets them: the pair
-// turns by half a degree between two queries and keeps its warm start. FCL's distance and its
-// contact with depth run on the same pairs in the same run.
+// Time of one signed distance of hulls and cylinders: without a warm start, and as in a monitor,
+// where the pair turns by half a degree between queries and keeps its warm start. FCL's distance
+// and its contact with depth run on the same pairs in the same run.
 namespace collision_monitor::test {
 namespace {
 
@@ -21,10 +21,10 @@ constexpr std::size_t kSteps = 720;  // once around
 struct Scene {
   ConvexGeometry a;
   ConvexGeometry b;
-  double gap{0.0};  // [m] between them, about
+  double gap{0.0};  // [m] between them, approximately
 };
 
-// Points on a sphere of 10 cm, so that all of them are corners.
+// Points on a sphere of 10 cm, so that each of them is a corner.
 ConvexGeometry ballHull(std::size_t corners) {
   Random random(corners);
   std::vector<Eigen::Vector3d> points;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whole cycles of robots that move, and what each stage of them takes. The joints go from one
-// random configuration to the next, the fastest at SPEED rad/s, and poses come at a rate; half a
-// second of each of 20 such moves. Set up as a monitor is by default, then without the look at the
-// way between two cycles.
+// Times of whole cycles of moving robots, and of each stage. The joints move from one random
+// configuration towards the next, the fastest at SPEED rad/s, and poses come at a rate. Each of 20
+// such moves lasts half a second. The set-up is a monitor's default, then the same without checking
+// the motion between two cycles.
 //   cycle_bench RATE_HZ SPEED [ROBOT...]    robots by a part of their names; panda_moveit and atlas
 #include <algorithm>
 #include <chrono>
@@ -19,7 +19,6 @@
 #include "narrow_phase/mesh_depth/mesh_depth.h"
 #include "pipeline/cycle/bound_bodies.h"
 #include "pipeline/cycle/cull_candidates.h"
-#include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/distance_cache.h"
 #include "pipeline/cycle/find_closings.h"
 #include "pipeline/cycle/judge_pairs.h"
@@ -56,7 +55,7 @@ std::vector<Move> makeMoves(const RobotModel& model, double rate, double speed) 
 /// Mean times of the stages of runCycle [us].
 class Stages {
  public:
-  /// As runCycle, but for what counts.
+  /// As runCycle, without its counters.
   void run(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) {
     const double reach = activationDistanceOf(setup.limits);
     last_ = Clock::now();
@@ -129,8 +128,7 @@ class Stages {
   std::map<std::string, double> times_;
 };
 
-/// Of those cycles in which meshes overlap, and whose depth is therefore asked for, and of the
-/// rest.
+/// Times of cycles with overlapping meshes, whose depth is then measured, and of all others.
 struct CycleTimes {
   std::vector<double> deep;
   std::vector<double> free;
@@ -144,8 +142,7 @@ struct CycleTimes {
   }
 };
 
-/// Depths of overlapping meshes as cycles tell them, beside those of a search to the end, at some
-/// of the cycles.
+/// Depths of overlapping meshes in some of the cycles, beside those of an unlimited search.
 struct Depths {
   double told{0.0};  // [m] sums
   double deepest{0.0};
@@ -199,7 +196,7 @@ void printSpread(const char* what, std::vector<double> times) {
   }
 }
 
-/// What the cycles of a robot do, added up.
+/// Sums over the cycles of a robot.
 struct Counts {
   double candidates{0.0};
   double measured{0.0};

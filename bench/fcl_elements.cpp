@@ -19,7 +19,7 @@ struct Objects {
   const FclObject* b;
 };
 
-/// Asks `query` of pair after pair until it says no.
+/// Calls `query` for pair after pair until it returns false.
 template <class Query>
 void forPairs(const CycleSetup& setup, const FclObjects& objects, const Query& query) {
   for (const ElementPair& pair : setup.element_pairs) {
@@ -30,7 +30,7 @@ void forPairs(const CycleSetup& setup, const FclObjects& objects, const Query& q
   }
 }
 
-/// FCL throws where its solver gives up.
+/// FCL throws when its solver gives up.
 void measure(const Objects& pair, fcl::DistanceResultd& result) {
   static const fcl::DistanceRequestd kRequest(true);
   try {

@@ -15,10 +15,10 @@
 #include "support/query_meshes.h"
 #include "support_fcl/fcl_mesh.h"
 
-// Two bodies of 50,000 triangles each, brought to a gap: time of an overlap test, of the distance
-// cold, of the distance when the last nearest pair is known and the body has moved by a millimetre
-// and a milliradian, and of one after the other of such steps, or of steps of a tenth, across the
-// gap, each from what the last one left; FCL on the same poses in the same run. Read as ratios.
+// Two bodies of 50,000 triangles each, brought to a gap. Times of an overlap test, of a distance
+// without a warm start, of a distance with the last nearest pair after a motion of a millimetre and
+// a milliradian, and of a series of such steps, or of a tenth of them, across the gap, each from
+// the result of the last. FCL runs on the same poses in the same run. Read as ratios.
 namespace collision_monitor::test {
 namespace {
 
@@ -51,7 +51,7 @@ MeshDistance measure(const Pose& a, const Pose& b, const TrianglePair& start = T
   return distanceBetween({s.tree, a}, {s.tree, b}, *s.memory, start);
 }
 
-// Steps along a line through A's center, never farther than the distance allows.
+// Moves along a line through A's center, each time no farther than the distance allows.
 std::vector<ScenePose> posesAtGap(double gap) {
   Random random(20260101);
   std::vector<ScenePose> poses;

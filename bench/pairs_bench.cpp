@@ -13,10 +13,10 @@
 #include "support/random_pairs.h"
 #include "support_fcl/fcl_adapter.h"
 
-// Time of one signed distance (with both points and the normal) for each kind of pair: in batches
-// by every instruction set of the machine, and by the plain twin; and FCL's distance (unsigned, no
-// points) and overlap test on the same pairs in the same run. Sizes are those of robot links;
-// pairs, and rows of pairs, are made before the clock starts. Read items_per_second.
+// Time of one signed distance (with witness points and normal) for each kind of pair: in batches
+// with every instruction set of the machine, and by the plain twin. FCL's distance (unsigned, no
+// points) and overlap test run on the same pairs in the same run. Sizes are those of robot links.
+// Pairs, and rows of pairs, are made before the clock starts. Read items_per_second.
 namespace collision_monitor::test {
 namespace {
 
@@ -30,7 +30,7 @@ struct Scene {
   Mix mix;
 };
 
-// Thirds of separated, near and overlapping pairs, or one sort only.
+// A third each of separated, near and overlapping pairs, or one kind only.
 std::vector<ShapePair> makePairs(const Scene& scene) {
   constexpr Nearness kMixed[] = {Nearness::separated, Nearness::near, Nearness::overlapping};
   Random random(20260101);

@@ -12,9 +12,9 @@
 #include "ros_edge/poses/pose_reader.h"
 #include "support/robots/urdf_text.h"
 
-// Poses of all links of an arm and of a humanoid, at one stamp, from ten seconds of data at 100 Hz:
-// PoseReader after a message and without one, beside tf2's buffer asked for every link from the
-// base, which is how it is mostly used.
+// Poses of all links of an arm and of a humanoid at one stamp, from ten seconds of data at 100 Hz:
+// PoseReader with and without a new message, beside the usual use of tf2's buffer: every link from
+// the base.
 namespace collision_monitor::test {
 namespace {
 
@@ -64,7 +64,7 @@ std::vector<geometry_msgs::TransformStamped> messageAt(const Tree& tree, int sam
   return transforms;
 }
 
-/// A robot whose transforms came for ten seconds, and go on coming, to our store and to tf2.
+/// A robot whose transforms go to our store and to tf2: ten seconds of them, and more in the run.
 class Scene {
  public:
   explicit Scene(const Tree& tree) : tree_(tree) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kStatesAMove = 100;
 
-/// From one random configuration straight to the next.
+/// From each random configuration straight to the next.
 std::vector<LinkPoses> moveThrough(const RobotModel& model) {
   std::mt19937_64 random(20260101);
   std::vector<LinkPoses> states;

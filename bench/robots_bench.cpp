@@ -11,10 +11,10 @@
 #include "pipeline/cycle/place_bodies.h"
 #include "robot_scene.h"
 
-// One state of a robot, poses given, at a time: least distance and all contacts of the collision
-// geometries, and the distance of every pair of their hulls. FCL runs on the same states in the
-// same run; it is given what it is fastest with, which is to pass over pairs by their boxes.
-// Robots come from the folder that COLLISION_MONITOR_SHARED_DATA names.
+// One state of a robot at a time, with given poses: least distance and all contacts of the
+// collision geometries, and the distance of every pair of their hulls. FCL runs on the same states
+// in the same run. It is used in its fastest form: it skips pairs by their boxes. Robots come from
+// the folder in COLLISION_MONITOR_SHARED_DATA.
 namespace collision_monitor::test {
 namespace {
 
@@ -27,8 +27,8 @@ void forStates(benchmark::State& state, const Query& query) {
   }
 }
 
-/// First the pair that was nearest in the last state, then all that bounding spheres and enclosing
-/// shapes do not show to be farther.
+/// Measures the pair that was nearest in the last state first, then all pairs that bounding spheres
+/// and enclosing shapes do not prove to be farther.
 double leastDistance(RobotScene& scene, std::size_t state) {
   placeBodies(scene.setup, scene.states[state], scene.poses);
   placeElements(scene.setup, scene.states[state], scene.poses);
@@ -46,7 +46,7 @@ double leastDistance(RobotScene& scene, std::size_t state) {
   return std::max(least, 0.0);
 }
 
-/// Of pairs whose enclosing shapes touch.
+/// Measures pairs whose enclosing shapes touch.
 std::size_t countContacts(RobotScene& scene, std::size_t state) {
   boundPairs(scene, state);
   std::size_t contacts = 0;

@@ -18,9 +18,9 @@
 #include "support/robots/file_loader.h"
 #include "support_fcl/fcl_adapter.h"
 
-// A table: robots of the shared data with one shape a link, at random joint positions. Times of
-// one state [us] with the poses of its links given, and of one of many states [us], kinematics
-// included; FCL on the same pairs, with link poses given, in the same run.
+// Prints a table for robots of the shared data with one shape per link, at random joint positions:
+// times of one state [us] with given link poses, and of one of many states [us], kinematics
+// included. FCL runs on the same pairs, with given link poses, in the same run.
 //   states_bench ROBOT... [--only INSTRUCTION_SET]
 namespace collision_monitor::test {
 namespace {

@@ -8,14 +8,14 @@
 
 namespace collision_monitor::test {
 
-/// The thread's own time [ns], so that what else runs counts little.
+/// This thread's processor time [ns], on which other programs have little effect.
 inline double threadTime() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
 }
 
-/// Of one call of `work` [ns].
+/// The time of one call of `work` [ns].
 template <class Work>
 double timeOf(const Work& work) {
   const double start = threadTime();
@@ -23,7 +23,7 @@ double timeOf(const Work& work) {
   return threadTime() - start;
 }
 
-/// @pre there are some.
+/// @pre there is at least one.
 inline double medianOf(std::vector<double> numbers) {
   std::sort(numbers.begin(), numbers.end());
   return numbers[numbers.size() / 2];

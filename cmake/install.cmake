@@ -13,6 +13,6 @@ install(FILES nodelet_plugins.xml
 catkin_install_python(PROGRAMS tools/play_joint_path.py tools/demo_summary.py tools/echo_warnings.py
     tools/show_in_rviz.py
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
-# What play_joint_path.py imports from its own folder.
+# play_joint_path.py imports this from its own folder.
 install(FILES tools/joint_path.py
   DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})

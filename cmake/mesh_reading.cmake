@@ -1,5 +1,5 @@
-# Sources of the core that the program read_meshes has, too: compiled once for both. The program is
-# not linked to the core, whose libraries take three times as long to load as all else there.
+# Sources of the core that the program read_meshes uses too, compiled once for both. The program
+# does not link the core, whose libraries take three times as long to load as all the rest.
 set(mesh_reading_sources)
 foreach(name mesh_loading/helper_main mesh_loading/message_channel mesh_files/binary_stl
         mesh_files/dae_check mesh_files/dae_nodes mesh_files/mesh_builder mesh_files/mesh_bytes

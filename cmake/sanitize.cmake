@@ -1,20 +1,21 @@
-# How COLLISION_MONITOR_SANITIZE builds: its value names the sanitizers, as in `address,undefined`.
+# How to build with COLLISION_MONITOR_SANITIZE. Its value names the sanitizers: `address,undefined`.
 if(COLLISION_MONITOR_SANITIZE)
-  # A null pointer stops the program without help; these checks only make the build slow.
+  # A null pointer stops the program anyway; these checks only slow the build.
   add_compile_options(-fsanitize=${COLLISION_MONITOR_SANITIZE} -fno-sanitize-recover=undefined
                       -fno-sanitize=object-size,vptr,null,nonnull-attribute,returns-nonnull-attribute
                       -fno-omit-frame-pointer -g1 -O1)
   add_link_options(-fsanitize=${COLLISION_MONITOR_SANITIZE})
   if(COLLISION_MONITOR_SANITIZE MATCHES thread)
-    # Else libraries of ROS, which are not watched, lend theirs of std::shared_ptr, and no thread is
-    # seen to give its share back before the last one ends what was shared.
+    # Otherwise the ROS libraries, which are not instrumented, provide std::shared_ptr. The
+    # sanitizer then misses that a thread gives up its share before the last one destroys the
+    # object.
     add_link_options(-Wl,-Bsymbolic-functions)
   endif()
 endif()
 
-# sanitize_quickly(LIBRARY SOURCE...): rooms whose files name nothing alike are compiled in one go.
-# In kernels for lanes every operation is a call whose values have a scope of their own: to watch
-# those scopes takes three times as long as all other checks together, which stay.
+# sanitize_quickly(LIBRARY SOURCE...): compiles rooms together whose files share no names. In
+# kernels for lanes every operation is a call whose values have their own scope. Checking these
+# scopes takes three times as long as all other checks, which stay on.
 function(sanitize_quickly library)
   if(NOT COLLISION_MONITOR_SANITIZE)
     return()

@@ -9,6 +9,7 @@ interface of the library. Exits 1 where a function is not reached.
     tools/unreached_functions.py [BUILD_DIR]
 """
 import collections
+import json
 import pathlib
 import re
 import subprocess
@@ -83,7 +84,12 @@ class Graph:
 
 
 def objects_of(build_dir, target):
-    return sorted(str(file) for file in build_dir.rglob(f"collision_monitor_{target}.dir/**/*.o"))
+    """Of this build: what an earlier one left in the folder is passed over."""
+    commands = json.loads((build_dir / "compile_commands.json").read_text())
+    outputs = [command.get("output") or re.search(r" -o (\S+)", command["command"])[1]
+               for command in commands]
+    return sorted({str(build_dir / output) for output in outputs
+                   if f"collision_monitor_{target}.dir/" in output and output.endswith(".o")})
 
 
 def demangled(names):

@@ -10,18 +10,18 @@
 #include "broad_phase/broad_phase.h"
 #include "broad_phase_peers.h"
 
-// Time to find all pairs of boxes that meet, from boxes given anew each frame to the pairs (ours:
-// sorted), beside FCL and Bullet in the same run. Prints one line a scene, number and method: the
-// mean of the frames of a run, the median of some runs [us], and how many pairs the last frame had.
+// Time to find all pairs of boxes that meet, from new boxes each frame to the pairs (ours: sorted),
+// beside FCL and Bullet in the same run. Prints one line per scene, number and method: the mean
+// over the frames of a run as the median of some runs [us], and the pairs of the last frame.
 //   broad_phase_bench [SCENE [NUMBER [METHOD]]]
 namespace collision_monitor::bench {
 namespace {
 
 constexpr std::size_t kLeastRuns = 3;
 constexpr std::size_t kMostRuns = 15;
-constexpr double kAllSeconds = 0.15;  ///< of all runs, at least, but at most kMostRuns
-constexpr double kRunSeconds = 0.05;  ///< at least, but at most kMostFrames
-constexpr double kTooSlow = 1.0;      ///< [s] a frame: measured once
+constexpr double kAllSeconds = 0.15;  ///< of all runs: at least this, or kMostRuns
+constexpr double kRunSeconds = 0.05;  ///< of one run: at least this, or kMostFrames
+constexpr double kTooSlow = 1.0;      ///< [s] slower frames are measured once
 constexpr int kMostFrames = 2000;
 
 const std::map<std::string, BroadPhaseKind> kKinds = {
@@ -53,18 +53,18 @@ class OurContender : public Contender {
 };
 
 struct Result {
-  double seconds{0.0};  ///< a frame
+  double seconds{0.0};  ///< per frame
   std::size_t pairs{0};
 };
 
-/// Of this thread, so that other programs on the machine do not count. Units: seconds.
+/// This thread's time, so that other programs do not count. Units: seconds.
 double timeNow() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// What one look at the time costs. Units: seconds.
+/// The cost of one call of timeNow. Units: seconds.
 double timeOfTiming() {
   constexpr int kLooks = 1000;
   const double start = timeNow();
@@ -86,7 +86,7 @@ double runOnce(BoxScene& scene, Contender& contender, Result& result) {
 Result measure(BoxScene& scene, Contender& contender) {
   Result result;
   runOnce(scene, contender, result);
-  result.seconds = runOnce(scene, contender, result);  // what is kept is warm now
+  result.seconds = runOnce(scene, contender, result);  // caches are warm now
   if (result.seconds > kTooSlow) {
     return result;
   }
@@ -108,7 +108,7 @@ Result measure(BoxScene& scene, Contender& contender) {
   return result;
 }
 
-/// @return false if it was too slow for ten times as many.
+/// @return false if it is too slow for ten times as many boxes.
 bool print(SceneKind kind, std::size_t count, const std::string& name) {
   BoxScene scene(kind, count);
   const auto ours = kKinds.find(name);

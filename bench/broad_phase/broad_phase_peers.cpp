@@ -26,7 +26,7 @@ bool countPair(FclObject*, FclObject*, void* count) {
   return false;
 }
 
-/// `registers_anew`: what FCL does best when everything has moved.
+/// @param registers_anew FCL's fastest method if everything has moved.
 class FclContender : public Contender {
  public:
   FclContender(std::unique_ptr<FclManager> manager, const BoxScene& scene, bool registers_anew)
@@ -113,7 +113,7 @@ class BulletContender : public Contender {
   std::vector<std::pair<btVector3, btVector3>> boxes_;
 };
 
-/// Null if FCL has none of that name. `far`: no box is farther out on any axis [m].
+/// Null if FCL has no manager of that name. @param far no box is farther out on any axis [m].
 std::unique_ptr<FclManager> makeManager(const std::string& name, double far) {
   if (name == "fcl_tree" || name == "fcl_tree_anew") {
     return std::make_unique<fcl::DynamicAABBTreeCollisionManager<double>>();

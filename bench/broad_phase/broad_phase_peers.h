@@ -10,7 +10,7 @@
 
 namespace collision_monitor::bench {
 
-/// Something that finds pairs of boxes, frame by frame.
+/// A method that finds pairs of boxes, frame by frame.
 class Contender {
  public:
   Contender() = default;
@@ -18,7 +18,7 @@ class Contender {
   Contender& operator=(const Contender&) = delete;
   virtual ~Contender() = default;
 
-  /// Brings the boxes into the form that run() begins with; not timed.
+  /// Converts the boxes to the form that run() starts from; not timed.
   virtual void prepare(const BodyBounds& bounds) = 0;
   /// @return number of pairs found.
   virtual std::size_t run() = 0;
@@ -29,7 +29,7 @@ struct NamedContender {
   std::unique_ptr<Contender> contender;
 };
 
-/// FCL's and Bullet's broad phases, made for the boxes of the scene's first frame.
+/// FCL's and Bullet's broad phases, built for the boxes of the scene's first frame.
 std::vector<std::string> peerNames();
 std::unique_ptr<Contender> makePeer(const std::string& name, const BoxScene& scene);
 

@@ -11,7 +11,7 @@ constexpr double kStep = 0.01;
 constexpr double kCrowdSide = 4.0;
 constexpr double kBeamLength = 30.0;
 
-/// Pairs a body are N (mean of the sum of two edges)^3 / (2 side^3).
+/// Pairs per body: N (mean of the sum of two edges)^3 / (2 side^3).
 double sideFor(std::size_t count) {
   constexpr double kPairsABody = 1.3;
   return std::cbrt(static_cast<double>(count) * 8.0 / (2.0 * kPairsABody));

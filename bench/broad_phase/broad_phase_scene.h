@@ -12,21 +12,21 @@
 namespace collision_monitor::bench {
 
 enum class SceneKind : unsigned char {
-  coherent,   ///< evenly spread, each moves by a hundredth of the mean edge in a frame
-  random,     ///< evenly spread, each is anywhere else in the next frame
-  clustered,  ///< half as coherent, the other half in crowds of about a hundred
-  beams       ///< 0.2 m thick and 30 m long along any of the axes, as coherent
+  coherent,   ///< evenly spread; each moves by a hundredth of the mean edge per frame
+  random,     ///< evenly spread; each is anywhere else in the next frame
+  clustered,  ///< half as coherent, half in crowds of about a hundred
+  beams       ///< 0.2 m thick and 30 m long along any of the axes; motion as coherent
 };
 
 const char* nameOf(SceneKind kind) noexcept;
 
-/// Boxes of 1 m mean edge of which each meets 2.6 others on average (1.3 pairs a body).
+/// Boxes of 1 m mean edge. Each meets 2.6 others on average (1.3 pairs per body).
 class BoxScene {
  public:
   BoxScene(SceneKind kind, std::size_t count);
 
   const BodyBounds& bounds() const noexcept { return bounds_; }
-  double side() const noexcept { return side_; }  ///< of the cube that centers stay in [m]
+  double side() const noexcept { return side_; }  ///< [m] of the cube that holds all centers
   void advance();
 
  private:
@@ -37,7 +37,7 @@ class BoxScene {
   test::Random random_;
   BodyBounds bounds_;
   std::vector<Eigen::Vector3d> half_edges_;
-  std::vector<Eigen::Vector3d> velocities_;  ///< [m] a frame
+  std::vector<Eigen::Vector3d> velocities_;  ///< [m] per frame
 };
 
 }  // namespace collision_monitor::bench

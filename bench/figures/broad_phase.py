@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""All pairs of boxes that meet, a frame: `automatic` against the quickest of FCL's managers in the
-same scene, updated each frame as FCL means them to be used. In random motion one is quicker if all
-objects are registered anew; that is a row of its own. With 100,000 boxes in random motion nothing
-of FCL ends in time, and its coherent motion stands in."""
+"""Finds all pairs of boxes per frame: `automatic` against the fastest of FCL's managers in the same
+scene, updated in each frame as FCL intends. In random motion one manager is faster if all objects
+are registered anew; that is a separate row. With 100,000 boxes in random motion no method of FCL
+ends in time, so its time in coherent motion is used instead."""
 import argparse
 import os
 import subprocess
@@ -13,12 +13,12 @@ from figure import Figures, stay_on_one_core
 
 PROGRAM = ["rosrun", "collision_monitor", "collision_monitor_broad_phase_bench"]
 FCL = ("fcl_tree", "fcl_tree_array", "fcl_sap", "fcl_ssap", "fcl_interval", "fcl_spatial_hash")
-# How many times as fast as FCL.
+# Speed relative to FCL.
 GOALS = {("coherent", 100): 3.9, ("coherent", 1000): 4.4, ("coherent", 10000): 3.1,
          ("coherent", 100000): 3.7, ("random", 100): 6.7, ("random", 1000): 7.9,
          ("random", 10000): 24.7, ("random", 100000): 2.0}
-# Registering anew takes 0.69 and 0.25 of what the quickest manager (fcl_ssap) takes, so these come
-# to the same times of ours, twice that of a grid swept by hand.
+# Registering anew takes 0.69 and 0.25 of the time of the fastest manager (fcl_ssap). So these goals
+# are the same times of ours: twice the time of a grid swept by hand.
 GOALS_ANEW = {("random", 1000): 5.5, ("random", 10000): 6.1}
 STYLES = {"fcl": "--", "bullet": ":"}
 
@@ -74,7 +74,7 @@ def plot(file):
         axis.set_ylabel("us a frame")
     handles, labels = axes.flat[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncol=6, fontsize="small")
-    figure.tight_layout(rect=(0.0, 0.08, 1.0, 1.0))  # the legend stands below
+    figure.tight_layout(rect=(0.0, 0.08, 1.0, 1.0))  # the legend is below
     figure.savefig(file)
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""One line a figure: its name, ours, the peer or reference, the goal, met or NOT MET."""
+"""One line per figure: its name, ours, the peer or reference, the goal, met or NOT MET."""
 import argparse
 import json
 import os
@@ -29,7 +29,7 @@ class Figures:
 
 
 def stay_on_one_core():
-    """This program and all that it starts from now on: from core to core costs what caches hold."""
+    """Pins this program and all that it starts later: a change of core loses what caches hold."""
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
 
 
@@ -49,7 +49,7 @@ def shared_robots():
         robot = json.loads(description.read_text(encoding="utf-8"))
         for i, urdf in enumerate(robot["urdf"]):
             label = robot["name"] if i == 0 else f"{robot['name']}:{pathlib.Path(urdf).stem}"
-            # An SRDF belongs to the URDF that stands first.
+            # An SRDF belongs to the first URDF.
             srdf = description.parent / robot["srdf"][0] if robot["srdf"] and i == 0 else None
             yield (label, description.parent, description.parent / urdf, srdf,
                    robot["missing_collision_meshes"])
@@ -66,12 +66,12 @@ def compare_with_fcl(robot, options):
 
 
 def first_line(run):
-    """What a program that failed said first."""
+    """The first line of output of a program that failed."""
     return ((run.stderr or run.stdout).strip().splitlines() or ["no output"])[0]
 
 
 def robot_arguments(description, poses):
-    """The options of figures about every shared robot, and those robots that are asked for."""
+    """Parses the options of figures about shared robots; also returns the robots asked for."""
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--poses", type=int, default=poses)
     parser.add_argument("--robot", help="only robots whose name holds this")
@@ -82,7 +82,7 @@ def robot_arguments(description, poses):
 
 
 def package_path(folder):
-    """The environment in which package:// names of a shared robot resolve."""
+    """The environment that resolves package:// names of a shared robot."""
     environment = dict(os.environ)
     environment["ROS_PACKAGE_PATH"] = f"{folder}:{environment.get('ROS_PACKAGE_PATH', '')}"
     return environment

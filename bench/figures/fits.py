@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
 """How well shapes fit their links: what they miss, how far they stick out, their volumes against a
-long search, the time it takes, and published models of the same links. docs/fitting.md says what
-the figures mean."""
+long search, the time it takes, and published models of the same links. docs/fitting.md explains the
+figures."""
 import argparse
 import csv
 import pathlib
@@ -15,14 +15,14 @@ from figure import Figures, shared_data, shared_robots, stay_on_one_core
 from fits_models import MODELS, WITHOUT_MESHES, read_links, write_urdf
 
 PROGRAM = ("rosrun", "collision_monitor", "collision_monitor_fits_figures")
-# [mm] maximum overshoot of one shape on each link of panda_moveit, to be no worse than.
+# [mm] Limits of the maximum overshoot of one shape on each link of panda_moveit.
 PANDA_SINGLE = {
     "panda_link0": 106, "panda_link1": 31, "panda_link2": 31, "panda_link3": 41,
     "panda_link4": 39, "panda_link5": 38, "panda_link6": 60, "panda_link7": 29, "panda_hand": 26,
     "panda_leftfinger": 10, "panda_rightfinger": 10}
 LARGE_MESH = 40000  # triangles
 SMALL_MESH = 1500  # triangles of meshes that are measured by brute force
-ENCLOSES = 1.0  # [mm] a published model that misses no more counts as enclosing
+ENCLOSES = 1.0  # [mm] a published model that misses no more than this counts as enclosing
 
 
 class Robots:
@@ -46,7 +46,7 @@ class Robots:
 
 
 def without(urdf, missing, file):
-    """The URDF less the elements whose meshes are not in the shared data."""
+    """The URDF without the elements whose meshes are not in the shared data."""
     tree = ElementTree.parse(urdf)
     for link in tree.getroot().findall("link"):
         for collision in link.findall("collision"):
@@ -87,7 +87,7 @@ def enclosure(robots, figures):
         worst = max(float(row["overshoot_8"]) for row in panda.values())
         figures.add("panda_moveit: worst overshoot, 8 a link", f"{worst:.1f} mm", "-", "< 40 mm",
                     worst < 40.0)
-    if not robots.wanted:  # a part of the robots has other medians
+    if not robots.wanted:  # some of the robots have other medians than all
         meshes = [row for row in rows if int(row[1]["meshes"]) > 0]
         for what, some in (("links", rows), ("links with meshes", meshes)):
             one, eight = medians(some)
@@ -101,7 +101,7 @@ def medians(rows):
 
 
 def brute(robots, figures):
-    """The overshoot that fits report against one from another sampling and brute force."""
+    """The reported overshoot of fits against other samples and brute force."""
     table_rows = list(robots.tables("brute", SMALL_MESH))
     for shapes in (1, 8):
         rows = [[float(row[name]) for name in ("ours", "brute", "spacing")]

@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Published link approximations of the shared data, each written as a URDF of primitives whose
-links have the names of the robot that it approximates."""
+"""Published link approximations of the shared data, each written as a URDF of primitives. Its links
+have the names of the robot that it approximates."""
 import json
 import math
 import xml.etree.ElementTree as ElementTree
 
-# Model: its file and the robot whose meshes it stands for.
+# Model: its file, and the robot whose meshes it approximates.
 MODELS = {
     "franka capsules": ("franka_manufacturer_capsules/capsules.json", "panda_moveit"),
     "franka capsules + 0.03": ("franka_capsules_expanded_003/primitives.json", "panda_moveit"),
@@ -27,13 +27,13 @@ MODELS = {
     "drake iiwa14 dense spheres": ("drake_models/iiwa14_spheres_dense_collision.json",
                                    "iiwa14_drake"),
 }
-# Published, but without meshes in the shared data to hold them against.
+# Published, but the shared data has no meshes to compare them with.
 WITHOUT_MESHES = ("curobo ur10e and dual ur10e spheres", "drake ur3e cylinders and spheres",
                   "drake jaco cylinders and spheres", "centauro capsules")
 
 
 def rpy_along(axis):
-    """The roll, pitch, yaw that turn z to an axis."""
+    """The roll, pitch and yaw that turn z to an axis."""
     x, y, z = axis
     length = math.sqrt(x * x + y * y + z * z)
     if not length > 0.0:
@@ -59,11 +59,11 @@ def turned(point, yaw):
 
 
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
-# Of rai: the rotations that its file uses, and the links that its joints carry.
+# For rai: the rotations in its file, and the links of its joints.
 RAI_AXES = {"": AXES["z"], "d(90 0 1 0)": AXES["x"], "d(90 1 0 0)": (0.0, -1.0, 0.0)}
 RAI_LINKS = {"panda_hand_joint(hand)": "panda_hand"}
 
-# Of kinova: links whose names are spelt otherwise in the URDF with the meshes.
+# For kinova: links that the URDF with the meshes spells differently.
 KINOVA_LINKS = {
     "Shoulder_Link": "shoulder_link", "HalfArm1_Link": "half_arm_1_link",
     "HalfArm2_Link": "half_arm_2_link", "ForeArm_Link": "forearm_link",
@@ -92,7 +92,7 @@ def rai_links(capsules):
 
 
 def joined(primitives):
-    """A cylinder with two spheres of its radius behind it is a capsule, as good as rounding."""
+    """Joins a cylinder and two later spheres of its radius to a capsule, equal up to rounding."""
     shapes = list(primitives)
     for i in range(len(shapes) - 3, -1, -1):
         three = shapes[i:i + 3]
@@ -119,7 +119,7 @@ def read_links(file):
         return franka_links(capsules) if "link" in capsules[0] else rai_links(capsules)
     links = {KINOVA_LINKS.get(name, name): [primitive(entry) for entry in entries]
              for name, entries in data.items()}
-    # cuRobo writes spheres that are switched off with a radius that is not positive.
+    # cuRobo gives disabled spheres a radius that is not positive.
     return {name: joined(entry for entry in entries
                          if entry["type"] != "mesh" and entry["radius"] > 0.0)
             for name, entries in links.items()}

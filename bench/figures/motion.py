@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What happens between poses: thin plates that cross at 5 m/s between two cycles at 50 Hz, each held
-to a subdivision of its cycle into 10,000 steps; and a trajectory of 7 joints and 100 way-points
-checked for all of its way, beside FCL on the same way."""
+"""Motion between poses. Thin plates cross at 5 m/s between two cycles at 50 Hz, each compared with
+a subdivision of its cycle into 10,000 steps. A whole trajectory of 7 joints and 100 way-points is
+checked beside FCL."""
 import argparse
 import statistics
 import subprocess
@@ -20,9 +20,9 @@ def numbers(*arguments):
 
 
 def crossings(figures, arguments):
-    """Of the subdivision those steps are looked at that a step before does not settle: nothing
-    goes faster than its greatest speed. Some are looked at step by step, to see that this is the
-    same."""
+    """Measures only steps of the subdivision that an earlier step does not settle, because nothing
+    moves faster than its greatest speed. Some crossings are measured at every step, to check
+    this."""
     found = numbers("crossings", arguments.crossings, arguments.passes, arguments.looked_through)
 
     def add(name, ours, reference, goal, is_met):
@@ -43,10 +43,10 @@ def crossings(figures, arguments):
 
 
 def trajectory(figures, robot, part):
-    """FCL sees in samples what is deeper than half of the motion between two of them. As many as
-    1e-6 m asks for, the guarantee of ours, are taken between every PARTth way-point and the next;
-    the time of all is that times their number. With its distances FCL can pass over what is far,
-    by our bounds of the motion; that is no use of FCL that it offers, and shown as a reference."""
+    """FCL at samples finds contacts deeper than half of the motion between two samples. As many
+    samples as our guarantee of 1e-6 m needs are taken between every PARTth way-point and the next;
+    the time of all is that times their number. With distances FCL can skip what is far, by our
+    bounds of the motion. FCL offers no such use; it is shown as a reference."""
     runs = [numbers("trajectory", robot, part) for _ in range(RUNS)]
     first = runs[0]
 

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The running node beside robot_state_publisher, at 100 Hz on moving robots: whether it keeps the
-rate, the time until UNKNOWN when joint states stop, and whether it comes back when they do. What it
-costs is a group of speed (node_cost.py)."""
+rate, the time until UNKNOWN after joint states stop, and whether it recovers when they return. Its
+cost is a group of speed (node_cost.py)."""
 import argparse
 import math
 import time
@@ -54,7 +54,7 @@ class JointSource:
 
 
 class Watcher:
-    """The newest state, and waiting for one that satisfies a condition."""
+    """Holds the newest state, and waits for one that satisfies a condition."""
 
     def __init__(self):
         self.state = None
@@ -99,7 +99,7 @@ def report(label, watcher, source, seconds, figures):
                 abs(rate - RATE) <= 0.05 * RATE)
     source.is_on = False
     silent = watcher.wait(lambda state: state.level == State.UNKNOWN, 10.0)
-    # A period of the source and one of the cycle lie between the last stamp and the verdict.
+    # One period of the source and one of the cycle lie between the last stamp and the verdict.
     limit = MAX_AGE + 3.0 / RATE
     figures.add(f"{label}: UNKNOWN after", f"{silent:.3f} s", f"{MAX_AGE} s", f"<= {limit:.2f} s",
                 silent <= limit)

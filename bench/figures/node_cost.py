@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the running node costs: joint states and tf come 1000 times a second, state, contacts and
-distances go out as often. Processor time, the time from the arrival of tf to the state that is
-sent, memory. The reference is a node that answers each tf message at once with such messages and
-does nothing else: roscpp's share. Goals of processor time hold for the machine on which they were
-set: others may take `allowance` times as much. The goals are those of an idle machine: of more runs,
-those count from which the host of a virtual machine took the least time."""
+"""The cost of the running node: joint states and tf come 1000 times a second, and state, contacts
+and distances go out as often. Measures processor time, the time from the arrival of tf to the sent
+state, and memory. The reference is a node that answers each tf message at once with such messages
+and does nothing else: roscpp's share. Goals of processor time hold for the machine where they were
+set; others may take `allowance` times as much. They assume an idle machine, so only the runs count
+from which the host of a virtual machine took the least time."""
 import contextlib
 import os
 import pathlib
@@ -18,25 +18,25 @@ from figure import shared_robots
 SECONDS = 4.0
 RUNS = 3
 MOST_RUNS = 6
-QUIET = 0.015  # [s] a host may take from a run that counts at once: one tick of its clock, 10 ms
+QUIET = 0.015  # [s] a host may take from a run that counts: about one tick of its clock, 10 ms
 RATE = 1000
-# Of robots: most of a core that is allowed [%] where goals were set, and memory [MB].
+# By robot: the allowed share of a core [%], if a goal was set, and memory [MB].
 GOALS = {"panda_moveit": (8.0, 50.0), "atlas": (15.0, 150.0), "stretch": (None, 150.0)}
 
 
 def stolen():
-    """Seconds that the host of a virtual machine took so far from the cores of this program."""
+    """Seconds that the host of a virtual machine took from this program's cores so far."""
     own = {f"cpu{core}" for core in os.sched_getaffinity(0)}
     lines = [line.split() for line in pathlib.Path("/proc/stat").read_text().splitlines()]
     return sum(int(line[8]) for line in lines if line[0] in own) / os.sysconf("SC_CLK_TCK")
 
 
 def measure(label, *options):
-    """Processor time [%], states a second [Hz], median and 99th percentile of the way [us], memory
-    [MB] of the node that runs: medians of some runs, the quietest."""
+    """Processor time [%], states per second [Hz], median and 99th percentile of the delay [us] and
+    memory [MB] of the running node: medians of the quietest runs."""
     command = ["rosrun", "collision_monitor", "collision_monitor_node_bench", label,
                str(running.process_id(60.0)), str(SECONDS), *options]
-    runs = []  # what was stolen from each, and its numbers
+    runs = []  # the time stolen from each, and its numbers
     while len(runs) < MOST_RUNS and sum(taken <= QUIET for taken, _ in runs) < RUNS:
         before = stolen()
         run = subprocess.run(command, capture_output=True, text=True, check=True)
@@ -55,7 +55,7 @@ def measure_relay(label):
 
 
 def add_motion(label, motion, relay, goal, allowance, figures):
-    """Rows of a robot that swings "free" of contact, or in "contact" with itself all the time."""
+    """Adds rows of a robot that swings "free" of contact or stays in "contact" with itself."""
     node = measure(label, motion)
 
     def add_delay(what, ours, reference, most):
@@ -69,7 +69,7 @@ def add_motion(label, motion, relay, goal, allowance, figures):
     add_share("of a core at 1 kHz", node[0], f"{relay[0]:.3g} %", goal)
     figures.add(f"node, {label}, {motion}: states a second", f"{node[1]:.0f}", f"{relay[1]:.0f}",
                 "within 2 % of 1000", abs(node[1] - RATE) < 0.02 * RATE)
-    # The bench times both ways through TCP, too. Without them: what the relay's way is shorter.
+    # The bench's times include both ways through TCP; subtracting the relay's removes them.
     add_delay("arrival of tf to state sent, median", node[2] - relay[2], relay[2], 300)
     add_delay("tf sent to state received, 99 of 100", node[3], relay[3], 1000)
     add_share("markers at 30 Hz on top", measure(label, motion, "markers")[0] - node[0], "-", 5)
@@ -90,8 +90,8 @@ def add_robot(robot, allowance, figures):
 
 @contextlib.contextmanager
 def real_time_priority():
-    """As an idle machine: others do not come between. Of all that is started within; where the user
-    may not ask for it, as it is."""
+    """Imitates an idle machine: other programs do not interrupt what is started within. Changes
+    nothing if the user lacks the permission."""
     policy, parameters = os.sched_getscheduler(0), os.sched_getparam(0)
     try:
         os.sched_setscheduler(0, os.SCHED_RR, os.sched_param(50))

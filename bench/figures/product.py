@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What users reach, on every robot of the shared data and of urdf/, set up as a monitor is by
-default: check_states beside FCL at the same states, whole cycles, check_trajectory, starts and
-memory. First one table, the slowest robot first, then the figures.
+"""Services and cycles of every robot of the shared data and of urdf/, in the default set-up of a
+monitor: check_states beside FCL at the same states, whole cycles, check_trajectory, starts and
+memory. Prints one table, the slowest robot first, then the figures.
 
-FCL is asked of every pair of collision elements, which are placed before, while ours place the
-links, too: `collide` where their boxes meet; for the nearest pair `distance`, which knows the least
-so far, is not asked of pairs whose boxes are farther apart, and ends at a contact. The column
-`every` is its distance of every pair without such help. Times are processor time of one core,
-except of starts: what is less, that or the clock."""
+FCL tests every pair of collision elements, which are placed before; our times include placing the
+links. FCL uses `collide` where boxes meet. For the nearest pair it uses `distance`, told the least
+distance so far; it skips pairs whose boxes are farther apart, and stops at a contact. The column
+`every` is its distance of every pair without such help. Times are processor time of one core; for
+starts the smaller one of that and the clock."""
 import argparse
 import os
 import subprocess
@@ -20,20 +20,20 @@ PROGRAM = ("rosrun", "collision_monitor", "collision_monitor_product_bench")
 PARTS = ("start", "states", "cycle", "trajectory")
 
 CONTACT_GOAL, NEAREST_GOAL = 10.0, 20.0  # times as fast as FCL
-FEW_PAIRS = 20  # of elements: robots with as many or fewer have no such goal
+FEW_PAIRS = 20  # of elements: the goals above apply only to robots with more
 CYCLE_GOAL = 100.0  # [us] at 1 kHz, median
 CYCLE_GOALS = {"panda_moveit": 8.0, "atlas": 40.0, "ur5_robotiq": 40.0}
-MOST_TRIANGLES = 400000  # robots with more have no such goal
+MOST_TRIANGLES = 400000  # the goals hold for robots with at most this many
 WORST_GOAL = 1100.0  # [us]
-ALARM_GOAL = 1e-4  # of the cycles
+ALARM_GOAL = 1e-4  # share of the cycles
 ARM = "panda_moveit"
-PATH_GOALS = {"nearest": 2.0, "contacts_only": 0.5}  # [ms] of the arm
-TIMES_ARM = {"stretch": 20.0, "tiago_pro": 20.0}  # as long as the arm, at most
+PATH_GOALS = {"nearest": 2.0, "contacts_only": 0.5}  # [ms] for the arm
+TIMES_ARM = {"stretch": 20.0, "tiago_pro": 20.0}  # upper limits, in multiples of the arm's time
 START_GOALS = {"without_cache": 1.0, "from_cache": 0.15}  # [s]
 STARTED = ("stretch", "tiago_pro")
 MEMORY_GOALS = {"stretch": 100.0}  # [MB]
 
-# Of the table: title, width, part, number or a function that makes it, its format.
+# Of the table: title, width, part, number or a function that computes it, format.
 COLUMNS = (
     ("triangles", 9, None, "triangles", ".0f"),
     ("pairs", 6, None, "element_pairs", ".0f"),
@@ -67,7 +67,7 @@ SLOWNESS = ("cycle_1000Hz_median", "states_contact", "trajectory_nearest", "star
 
 
 def label_of(name):
-    """Of a robot as the program lists it: its folder, or its file where the folder is ours."""
+    """The robot's label in the program's list: its folder, or its file if the folder is ours."""
     folder, file = name.split("/")
     return file.removesuffix(".urdf") if folder == "urdf" else folder
 
@@ -86,7 +86,7 @@ def robot_names(only):
 
 
 def measure(names, parts, cycles, found, failed):
-    """Adds numbers of these robots to `found`, by label, and what went wrong to `failed`."""
+    """Adds numbers of these robots to `found`, by label, and failures to `failed`."""
     options = [word for part in parts for word in ("--part", part)]
     for name in names if parts else []:
         print(f"measuring {label_of(name)}: {', '.join(parts)}", file=sys.stderr, flush=True)
@@ -115,7 +115,7 @@ def print_table(found, parts):
 
 
 def wrong_states(numbers):
-    """Those in which surfaces meet or nothing does, and those in which one mesh is in another."""
+    """Wrong verdicts where surfaces meet or nothing does, and where one mesh is in another."""
     of_both = [sum(numbers[f"states_{question}_{what}"] for question in ("contact", "nearest"))
                for what in ("missed", "untrue", "missed_inside")]
     return of_both[0] + of_both[1], of_both[2]
@@ -170,7 +170,7 @@ def add_trajectories(figures, found):
 
 
 def start_time(numbers, kind):
-    """[s] On an idle machine the clock says what users wait, on a busy one more."""
+    """[s] The smaller time: on an idle machine users wait by the clock, a busy one adds to it."""
     return min(numbers[f"start_{kind}"], numbers[f"start_{kind}_processor"])
 
 
@@ -202,7 +202,7 @@ def main():
     os.environ["COLLISION_MONITOR_SHARED_DATA"] = str(shared_data())
     names = robot_names(arguments.only)
     found, failed = {}, {}
-    # A start may use all cores, and a process of its own has no memory of other parts.
+    # A start may use all cores. It needs its own process, free of the memory of other parts.
     measure(names, [part for part in arguments.part if part == "start"], 1, found, failed)
     stay_on_one_core()
     measure(names, [part for part in arguments.part if part != "start"], arguments.cycles, found,

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every shared robot at random poses: contacts by the geometries themselves against FCL's, and the
-share of false alarms among the contacts of enclosing shapes, without and with refinement."""
+"""Every shared robot at random poses: contacts of the geometries against FCL's, and the share of
+false alarms among the contacts of enclosing shapes, without and with refinement."""
 import re
 
 from figure import Figures, compare_with_fcl, first_line, robot_arguments
@@ -21,7 +21,7 @@ def main():
             continue
         run = compare_with_fcl(robot, ["--exact", "--poses", str(poses)])
         if run.returncode == 1 and "nothing to compare" in run.stderr:
-            continue  # `robots` names it
+            continue  # the `robots` group names it
         result = RESULT.search(run.stdout)
         if not result:
             figures.add(label, "failed", "-", f"loads ({first_line(run)})", False)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Every shared robot at random poses: our distances and verdicts against FCL's on the same
-enclosing shapes, decided by the slow exact reference where they differ."""
+enclosing shapes. The slow exact reference decides where they differ."""
 import re
 
 from figure import Figures, compare_with_fcl, first_line, robot_arguments

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What figures of the running node share: a master of their own, and a monitor of one robot."""
+"""Shared by figures of the running node: a separate master, and a monitor of one robot."""
 import contextlib
 import os
 import subprocess
@@ -18,7 +18,7 @@ NODE = "/collision_monitor"
 
 @contextlib.contextmanager
 def running(commands, environment=None):
-    """Processes that end with the block."""
+    """Starts processes that end with the block."""
     processes = [subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL,
                                   stderr=subprocess.DEVNULL) for command in commands]
     try:
@@ -43,7 +43,7 @@ def monitor(robot, parameters, others=()):
     """The node with one of shared_robots(), and other processes that need its description."""
     label, folder, urdf, srdf, _ = robot
     rospy.set_param("robot_description", urdf.read_text(encoding="utf-8"))
-    # From the file, not from the parameter: some of these robots name meshes relative to it.
+    # From the file, not the parameter: some of these robots name meshes relative to it.
     description = {"name": label, "file": str(urdf)}
     if srdf:
         description["semantic_file"] = str(srdf)
@@ -59,12 +59,12 @@ def monitor(robot, parameters, others=()):
 
 
 def process_id(deadline):
-    """Of the node, once it is up. Units: seconds."""
+    """The process id of the node, once it is up; waits that many seconds."""
     end = time.monotonic() + deadline
     while True:
         try:
             return xmlrpc.client.ServerProxy(Master("/figures").lookupNode(NODE)).getPid("/")[2]
-        except (MasterError, ConnectionError):  # not known yet, or the one before, which ended
+        except (MasterError, ConnectionError):  # not known yet, or the previous node, which has ended
             if time.monotonic() > end:
                 raise
             time.sleep(0.1)

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Times beside peers in the same run, as ratios: how many times faster, and the goal. Each group is
-one benchmark, pinned to one core; medians of several repetitions, of processor time where the
-benchmark measures it."""
+one benchmark, pinned to one core. Figures are medians of several repetitions, of processor time if
+the benchmark measures it."""
 import argparse
 import json
 import os
@@ -18,9 +18,9 @@ HUMANOIDS = ("atlas", "icub", "anymal_kinova", "stretch")
 
 INSTRUCTION_SETS = {"AVX3": 1.0, "AVX2": 0.5}  # the share of a goal that each has to reach
 
-# Of each group: its program, then (figure, ours, peer, goal).
+# By group: its program, then (figure, ours, peer, goal).
 GROUPS = {
-    # Mixed pairs with points, against FCL's distance of separated ones.
+    # Mixed pairs with witness points, against FCL's distance of separated pairs.
     "pairs": ("pairs_bench", [
         (f"{pair}, batches, {instructions}", f"{pair}/mixed/batch_{instructions}",
          f"{pair}/separated/fcl_distance", goal * share)
@@ -56,12 +56,12 @@ GROUPS = {
          "humanoid_60_links/tf2/manual_time", 1.8)]),
 }
 
-# [ns] FCL's distance of separated pairs on the machine on which the goals of the node were set.
+# [ns] FCL's distance of separated pairs, on the machine where the node's goals were set.
 FCL_THERE = {"sphere-box": 91.0, "capsule-capsule": 79.0, "capsule-box": 1230.0, "box-box": 864.0}
 
 WITH_LANES = ("hulls", "meshes", "robots")  # measured once for each instruction set
 
-# Goals of collision_monitor_states_bench, which prints a table: of panda, of humanoids.
+# Goals of collision_monitor_states_bench, which prints a table: for panda, for humanoids.
 STATE_GOALS = {"capsules/one_state_every_distance": (6.0, 20.0),
                "boxes/one_state_every_distance": (9.0, 10.7),
                "capsules/one_state_contact": (11.5, 8.2),
@@ -71,7 +71,7 @@ STATE_GOALS = {"capsules/one_state_every_distance": (6.0, 20.0),
 
 
 def is_missing(run, instructions):
-    """Whether a program says that this machine has no such instruction set; tells it."""
+    """Whether a program reports that this machine lacks an instruction set; prints a note if so."""
     missing = run.returncode != 0 and "--only: this machine has" in run.stderr
     if missing:
         print(f"{instructions}: not on this machine, its rows are left out", file=sys.stderr)
@@ -81,7 +81,7 @@ def is_missing(run, instructions):
 
 
 def add_states(figures):
-    """All distances and any contact of one state, and many states with their kinematics."""
+    """Adds all distances and any contact of one state, and many states with their kinematics."""
     for instructions, share in INSTRUCTION_SETS.items():
         run = subprocess.run(
             ["rosrun", "collision_monitor", "collision_monitor_states_bench", "panda_moveit", "atlas",
@@ -101,7 +101,7 @@ def add_states(figures):
 
 
 def measure(program, names, repetitions, instructions):
-    """Median nanoseconds of each benchmark of the program; none without the instructions."""
+    """Median nanoseconds of each benchmark of the program; none without the instruction set."""
     command = ["rosrun", "collision_monitor", f"collision_monitor_{program}",
                "--benchmark_filter=^(" + "|".join(names) + ")$", "--benchmark_format=json",
                "--benchmark_min_time=0.2", f"--benchmark_repetitions={repetitions}",
@@ -129,7 +129,7 @@ def text(nanoseconds):
 
 
 def add_group(group, repetitions, figures, instructions=None):
-    """Rows of a group, by one instruction set for all or by those that the rows name."""
+    """Adds the rows of a group, for one instruction set or for those that the rows name."""
     program, rows = GROUPS[group]
     names = {name for row in rows for name in row[1:3]}
     times = measure(program, sorted(names), repetitions, instructions)
@@ -142,9 +142,9 @@ def add_group(group, repetitions, figures, instructions=None):
 
 
 def node_allowance(repetitions):
-    """What the node's goals of processor time are multiplied by, as it has no peer in the same run:
-    how many times as long as where they were set FCL takes here. Without AVX-512 twice that, as for
-    all goals."""
+    """The factor on the node's goals of processor time, which have no peer in the same run: FCL's
+    time here over its time where the goals were set. Twice that without AVX-512, as for all
+    goals."""
     peers = {f"{pair}/separated/fcl_distance": there for pair, there in FCL_THERE.items()}
     with_avx512 = "sphere-box/mixed/batch_AVX3"
     times = measure("pairs_bench", [*peers, with_avx512], repetitions, None)

@@ -14,15 +14,15 @@
 #include "fits_tables.h"
 #include "support/reference/extended_distance.h"
 
-// What bench/figures/fits.py prints, as tables with tabs: one row a link or mesh, after a row of
-// names. Lengths in millimetres, times in milliseconds.
+// Prints tables with tabs for bench/figures/fits.py: a row of names, then one row per link or mesh.
+// Lengths in millimetres, times in milliseconds.
 //   links URDF DIRECTORY ROOT             what the fits miss and overshoot
 //   ratios URDF DIRECTORY ROOT STARTS     volumes against a long search
 //   times URDF DIRECTORY ROOT TRIANGLES   of meshes with at least so many; "-" for the URDF: bumps
 //   load URDF DIRECTORY ROOT              reading and fitting with the default limits
 //   brute URDF DIRECTORY ROOT TRIANGLES   overshoot by brute force, of meshes with at most so many
 //   published URDF DIRECTORY ROOT MODEL   against a model: a URDF of primitives, links of same name
-// DIRECTORY is where relative names of meshes start, ROOT where package:// does.
+// DIRECTORY is where relative names of meshes start, ROOT is where package:// starts.
 namespace collision_monitor::test {
 namespace {
 
@@ -38,7 +38,7 @@ std::vector<Fit> fitLink(const Link& link, std::uint32_t max_shapes) {
   return fitGeometries(geometries, {max_shapes, 0.0, {}});
 }
 
-/// Of the points of an element, how many are in none of its shapes by extended precision.
+/// The number of an element's points that are in none of its shapes, by extended precision.
 std::size_t countOutside(const Fit& fit, const Points& points) {
   return static_cast<std::size_t>(std::count_if(points.begin(), points.end(), [&](const auto& p) {
     return std::none_of(fit.shapes.begin(), fit.shapes.end(), [&](const Enclosure& enclosure) {
@@ -135,7 +135,7 @@ void printBrute(const Arguments& arguments) {
     for (const std::uint32_t n : {1u, 8u}) {
       const std::vector<Fit> fits = fitLink(link, n);
       const std::vector<Solid> solids = toSolids(link, fits);
-      // Between the samples of the fits' own measure: 600 a shape.
+      // Between the samples of the fits' own measure: 600 per shape.
       double spacing = 0.0;
       for (const auto& solid : solids) {
         double area = 0.0;
@@ -158,7 +158,7 @@ void printComparison(const Link& link, const std::vector<Solid>& theirs) {
   const TriangleBvh surface(mesh);
   const double miss_vertices = missOf(theirs, mesh.vertices);
   const double miss = missOf(theirs, densePoints(mesh));
-  // By what its vertices miss, the least that can be asked for.
+  // Grown by the greatest miss of its vertices, the least growth that encloses.
   std::vector<Solid> grown = theirs;
   for (auto& solid : grown) {
     solid.radius += miss_vertices;

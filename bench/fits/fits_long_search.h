@@ -8,10 +8,10 @@
 
 namespace collision_monitor::test {
 
-/// Volumes of the fits of a mesh, each over that of a search from many more starts: 1 is as good as
-/// the long search, below 1 is better. NaN where nothing was searched for.
+/// Volumes of the fits of a mesh, relative to those of a search from many more starts: 1 is as good
+/// as the long search, below 1 is better. NaN without a search.
 struct VolumeRatios {
-  std::size_t corners{0};  ///< points that the fits go by
+  std::size_t corners{0};  ///< points that the fits use
   double capsule{std::numeric_limits<double>::quiet_NaN()};
   double box{std::numeric_limits<double>::quiet_NaN()};
   double rounded_box{std::numeric_limits<double>::quiet_NaN()};

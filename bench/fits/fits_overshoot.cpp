@@ -28,7 +28,7 @@ bool isInside(const TriangleBvh& surface, const Vector3d& point) {
          std::abs(windingNumber(surface, point)) > 0.5;
 }
 
-/// Where a ray from the middle leaves the solid.
+/// Where a ray from the center leaves the solid.
 Vector3d rayEnd(const Solid& solid, const Vector3d& direction) {
   const Vector3d& middle = solid.link_from_body.translation;
   const Vector3d along = solid.link_from_body.rotation * direction.normalized();

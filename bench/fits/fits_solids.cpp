@@ -14,10 +14,10 @@ using Eigen::Vector3d;
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// A curve that turns around z, from the pole to the equator.
+/// A curve from the pole to the equator, to be revolved around z.
 struct Profile {
   std::vector<Eigen::Vector2d> points;  ///< distance from the axis, height
-  std::vector<double> lengths;          ///< of the curve that each point stands for
+  std::vector<double> lengths;          ///< length of the curve that each point represents
 };
 
 void addPiece(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double spacing,

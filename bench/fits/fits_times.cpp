@@ -54,7 +54,7 @@ TriangleMesh bumpyBall(int n) {
   return mesh;
 }
 
-/// The median of five runs, of the processor's time: other programs do not count.
+/// The median processor time of five runs: other programs do not count.
 double medianTime(const std::function<void()>& work) {
   std::vector<double> times;
   for (int i = 0; i < 5; ++i) {

@@ -12,10 +12,10 @@
 #include "fitting/proofs/proof.h"
 #include "support/robots/file_loader.h"
 
-// For every mesh of every robot found: its size; the volume of each kind of fit over that of a long
-// search from many more starts (1 is as good as the long search); the enclosing shape that was
-// chosen, its overshoot, the vertices outside by the proof's bound, and the time of the choice.
-// Arguments: part of a robot's name (all if none), starts of the long search (0: none; default
+// Prints for every mesh of every robot found: its size; the volume of each kind of fit relative to
+// a long search from many more starts (1 is as good as the long search); the chosen enclosing
+// shape, its overshoot, the vertices outside by the proof's bound, and the time of the choice.
+// Arguments: part of a robot's name (all without it), starts of the long search (0: none; default
 // 300).
 namespace collision_monitor::test {
 namespace {

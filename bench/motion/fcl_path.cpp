@@ -24,19 +24,19 @@ TriangleMesh meshOf(const Geometry& geometry) {
   return {};
 }
 
-std::vector<double> waysOf(const JointPath& path, const PathPart& part) {
+std::vector<double> travelsOf(const JointPath& path, const PathPart& part) {
   std::vector<double> travels;
   for (std::size_t i = 0; i < path.joints.size(); ++i) {
-    travels.push_back(wayOf(path, part, i));
+    travels.push_back(travelOf(path, part, i));
   }
   return travels;
 }
 
-/// How far a distance lasts from a share of a segment on: halved until it does.
+/// How far along a segment a distance lasts, from a given share: halved until it does.
 double lastingShare(const FclPath& all, LinkPairIndex pair, const PathPart& rest,
                     const std::vector<Pose>& world_from_link, double distance) {
   PathPart part = rest;
-  while (boundMotion(all.chains[pair], all.balls, world_from_link, waysOf(all.path, part)) >
+  while (boundMotion(all.chains[pair], all.balls, world_from_link, travelsOf(all.path, part)) >
          distance) {
     part.to = 0.5 * (part.from + part.to);
   }
@@ -106,7 +106,7 @@ std::vector<std::uint64_t> countSamples(FclPath& all, double step) {
   std::vector<Pose> world_from_link;
   for (std::size_t segment = 0; segment + 1 < all.path.times.size(); ++segment) {
     all.poses.place(segment, 0.0, world_from_link);
-    const std::vector<double> travels = waysOf(all.path, {segment, 0.0, 1.0});
+    const std::vector<double> travels = travelsOf(all.path, {segment, 0.0, 1.0});
     double farthest = 0.0;
     for (const LinkChain& chain : all.chains) {
       farthest = std::max(farthest, boundMotion(chain, all.balls, world_from_link, travels));

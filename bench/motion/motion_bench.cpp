@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What happens between poses: plates that cross at speed, and a trajectory checked for all of its
-// way beside FCL. Robots: a name within that of one of the shared data or urdf/.
+// Motion between poses: plates that cross at speed, and a whole trajectory checked beside FCL. A
+// robot is named by a part of a name in the shared data or urdf/.
 //   motion_bench crossings COUNT PASSES LOOKED_THROUGH
 //   motion_bench trajectory [ROBOT [PART]]
 #include "motion_bench.h"

@@ -8,11 +8,11 @@
 
 #include "thread_time.h"
 
-/// The parts of motion_bench, which print one line a number, as figures/motion.py reads them.
+/// The parts of motion_bench. They print one line per number, which figures/motion.py reads.
 namespace collision_monitor::test {
 
-/// @param passes plates that pass a small one, or cross it.
-/// @param looked_through crossings of which every step is looked at.
+/// @param passes plates that pass beside a small plate or cross it.
+/// @param looked_through crossings of which every step is measured.
 void runCrossings(int crossings, int passes, int looked_through);
 
 /// @param part FCL's samples are taken between every `part`-th way-point and the next.
@@ -21,7 +21,7 @@ int runTrajectory(const std::string& robot, std::size_t part);
 
 inline void print(const char* name, double value) { std::printf("%s %.9g\n", name, value); }
 
-/// Of the processor, so that what else runs on the machine does not count.
+/// Processor time, so that other programs do not count.
 inline double millisecondsSince(std::clock_t start) {
   return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }

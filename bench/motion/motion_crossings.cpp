@@ -9,20 +9,20 @@
 namespace collision_monitor::test {
 namespace {
 
-constexpr double kCycle = 0.02;   ///< [s] 0.1 m in it is 5 m/s
+constexpr double kCycle = 0.02;   ///< [s] 0.1 m in this time is 5 m/s
 constexpr int kSteps = 10000;     ///< of a subdivision
-constexpr double kTime = 1e-6;    ///< [s] that a contact may differ from the subdivision
+constexpr double kTime = 1e-6;    ///< [s] allowed difference of a contact from the subdivision
 constexpr double kLength = 1e-6;  ///< [m]
 
-/// What was told of many plates, and what a subdivision of the cycle shows.
+/// The reported contacts of many plates, beside a subdivision of the cycle.
 struct Tally {
   int count{0};
-  int told{0};           ///< contacts
-  int shown{0};          ///< by a step in which the plates overlap
-  int missed{0};         ///< shown, and not told or told later than kTime after
-  int unfounded{0};      ///< told, and farther apart than kLength then
-  double farthest{0.0};  ///< [m] apart at the time told
-  double before{0.0};    ///< [s] that a contact is told before the first step that shows it
+  int told{0};           ///< contacts reported
+  int shown{0};          ///< contacts at a step of the subdivision
+  int missed{0};         ///< shown, but not told, or told more than kTime later
+  int unfounded{0};      ///< told, but farther apart than kLength at that time
+  double farthest{0.0};  ///< [m] greatest distance at the time told
+  double before{0.0};    ///< [s] from the contact told to the first step that shows it
   std::uint64_t steps{0};
 };
 

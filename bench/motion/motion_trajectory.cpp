@@ -12,8 +12,8 @@
 namespace collision_monitor::test {
 namespace {
 
-/// The first joints that move, up to seven, each on a sine of its own about the middle of its
-/// range: 100 way-points a tenth of a second apart.
+/// The first movable joints, up to seven, each on its own sine about the middle of its range: 100
+/// way-points a tenth of a second apart.
 JointPath makePath(const RobotModel& model) {
   constexpr std::size_t kWaypoints = 100;
   JointPath path;
@@ -51,7 +51,7 @@ void printReport(const JointPath& path, const TrajectoryReport& report) {
   print("steps", static_cast<double>(report.work));
 }
 
-/// Of all samples, and of a part of them if there are many.
+/// Times all samples, or a part of them if there are many.
 void timeSamples(FclPath& fcl, const std::string& name, double resolution, std::size_t part,
                  const std::vector<double>& contact_times) {
   const std::vector<std::uint64_t> samples = countSamples(fcl, 2.0 * resolution);
@@ -64,7 +64,7 @@ void timeSamples(FclPath& fcl, const std::string& name, double resolution, std::
   print((name + "_taken_ms").c_str(), time);
 }
 
-/// Pairs are FCL's to check up to the contacts that we found.
+/// FCL has to check each pair up to the contact that we found.
 std::vector<double> contactTimes(const TrajectoryReport& report) {
   std::vector<double> times;
   for (const PairApproach& pair : report.pairs) {

@@ -13,9 +13,9 @@ namespace collision_monitor::bench {
 namespace {
 
 constexpr double kFrequency = 0.5;  // [rad/s]
-constexpr double kReach = 0.1;      // of the way between the limits, to both sides
+constexpr double kReach = 0.1;      // of the range between the limits, to either side
 
-/// Without its meshes, which do not move it.
+/// Reads the robot without its meshes, which have no effect on its motion.
 RobotModel readRobot(const std::string& name) {
   for (const test::RobotFile& robot : test::allRobotFiles()) {
     if (robot.name.substr(0, robot.name.find('/')) == name) {
@@ -31,7 +31,7 @@ double amplitudeOf(const Joint& joint) {
   return kReach * (std::isfinite(range) ? range : 2.0);
 }
 
-/// The nearest to it about which the swing stays within the limits.
+/// The nearest position about which the swing stays within the limits.
 double middleNear(const Joint& joint, double position) {
   const double swing = amplitudeOf(joint);
   return std::min(std::max(position, joint.lower + swing), joint.upper - swing);

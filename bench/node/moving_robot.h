@@ -15,27 +15,27 @@
 namespace collision_monitor::bench {
 
 /// A robot of the shared data whose joints all swing slowly and together, each by a tenth of its
-/// range to both sides: its joint states, and its tf as robot_state_publisher sends it, in one
-/// message for all joints that move.
+/// range to either side. Publishes its joint states, and its tf as robot_state_publisher does: in
+/// one message for all moving joints.
 class MovingRobot {
  public:
-  /// The first description in the folder of that name. It swings about zero, or as near to it as
-  /// the swing stays within the limits.
+  /// The first description in the folder of that name. It swings about zero, or as near to zero as
+  /// the limits allow.
   explicit MovingRobot(const std::string& name);
 
   /// The joints that swing, in the order of all positions below.
   const std::vector<std::string>& jointNames() const { return joint_states_.name; }
 
-  /// @return where a swing can have its middle, at random, the same for the same seed.
+  /// @return a random middle of a swing; the same for the same seed.
   std::vector<double> randomMiddle(unsigned seed) const;
 
-  /// @param at  from -1, one end of the swing, to 1, the other.
+  /// @param at  -1 at one end of the swing, 1 at the other.
   std::vector<double> swingFrom(const std::vector<double>& middle, double at) const;
 
-  /// @param middle  as randomMiddle() gives it.
+  /// @param middle  as from randomMiddle().
   void swingAbout(const std::vector<double>& middle) { middle_ = middle; }
 
-  /// What it is at that time, dated with it.
+  /// Publishes its state at that time, with that stamp.
   void publish(const ros::Time& now);
 
  private:
@@ -47,7 +47,7 @@ class MovingRobot {
   JointPositions positions_;
   sensor_msgs::JointState joint_states_;
   tf2_msgs::TFMessage transforms_;
-  ros::Time start_;  ///< of the swing: each run moves alike
+  ros::Time start_;  ///< of the swing, so that each run moves alike
   ros::NodeHandle node_;
   ros::Publisher joint_publisher_;
   ros::Publisher moving_publisher_;

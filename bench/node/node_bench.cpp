@@ -25,20 +25,20 @@
 
 #include "moving_robot.h"
 
-// What a running monitor costs: sends joint states and tf of a slowly moving robot of the shared
-// data, 1000 times a second each, listens to state, contacts and distances, and markers if told
-// so. The robot swings about its zero, or, if told so, about the first of seeded random
-// configurations for which the monitor finds the whole swing free of contact, or all of it in
-// contact. Prints the processor time of the monitor's process [% of a core], states a second [Hz],
-// median and 99th percentile of the time from just before tf is published here until the state
-// with its stamp is back here [us], and the resident memory of the process [MB].
+// Measures the cost of a running monitor. Sends joint states and tf of a slowly moving robot of the
+// shared data, each 1000 times a second. Listens to state, contacts and distances, and to markers
+// if asked to. The robot swings about its zero. If asked to, it swings about the first of seeded
+// random configurations whose whole swing is free of contact, or in contact, by the monitor's
+// verdict. Prints the processor time of the monitor's process [% of a core], states per second
+// [Hz], median and 99th percentile of the time from just before tf is published until the state
+// with its stamp is back [us], and the resident memory of the process [MB].
 //   node_bench ROBOT PROCESS_ID SECONDS [free|contact] [markers]
 namespace collision_monitor::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Listens on a thread of its own.
+/// Listens on its own thread.
 class Listener {
  public:
   explicit Listener(bool with_markers) : node_("collision_monitor") {
@@ -53,8 +53,8 @@ class Listener {
     spinner_.start();
   }
 
-  /// Between the stamp of each state that came since the last call and its arrival. Units:
-  /// microseconds. Sorted.
+  /// The times from stamp to arrival of the states since the last call. Units: microseconds.
+  /// Sorted.
   std::vector<double> takeDelays() {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::vector<double> delays;
@@ -93,7 +93,7 @@ class Listener {
 double processorTime(const std::string& process) {
   std::ifstream file("/proc/" + process + "/stat");
   std::string text{std::istreambuf_iterator<char>(file), {}};
-  std::istringstream fields(text.substr(text.rfind(')') + 1));  // the name may hold anything
+  std::istringstream fields(text.substr(text.rfind(')') + 1));  // the name may contain anything
   std::vector<std::string> words{std::istream_iterator<std::string>(fields), {}};
   return (std::stod(words.at(11)) + std::stod(words.at(12))) /
          static_cast<double>(sysconf(_SC_CLK_TCK));
@@ -116,7 +116,7 @@ void sendFor(double seconds, MovingRobot& robot) {
   }
 }
 
-/// Until states come, which a new robot can delay, and a little longer.
+/// Waits until states come, which a new robot can delay, and a little longer.
 void warmUp(MovingRobot& robot, Listener& listener) {
   constexpr int kMostSeconds = 60;
   for (int second = 0; second < kMostSeconds && listener.takeDelays().empty(); ++second) {
@@ -126,9 +126,9 @@ void warmUp(MovingRobot& robot, Listener& listener) {
   listener.takeDelays();
 }
 
-/// Whether the running monitor finds the whole swing in contact, or free of it.
+/// Whether the running monitor finds the whole swing in contact, or free of contact.
 bool isAll(bool in_contact, const MovingRobot& robot, const std::vector<double>& middle) {
-  constexpr int kSteps = 20;  // to each side
+  constexpr int kSteps = 20;  // to either side
   CheckStates check;
   check.request.joint_names = robot.jointNames();
   check.request.only_contacts = 1;

@@ -9,9 +9,9 @@
 
 #include "ros_edge/direct_queue.h"
 
-// What node_bench measures of the monitor, without the monitor: hears joint states and tf, answers
-// each tf message at once, on the thread that brings it, with state, contacts and distances of
-// common size, and does nothing else. So what it takes is roscpp's.
+// Measures roscpp's share of node_bench, without the monitor. Hears joint states and tf, and
+// answers each tf message at once, on the thread that delivers it, with state, contacts and
+// distances of common size. It does nothing else.
 namespace collision_monitor::bench {
 namespace {
 

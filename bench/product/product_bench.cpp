@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What users reach, on one robot: set up as a monitor is by default. One line a number: its name,
-// the number, its unit. A robot is the first of the shared data or urdf/ with this in its name;
-// --list prints the names of all, one a folder of the shared data.
+// Measures services and cycles of one robot in the default set-up of a monitor. Prints one line per
+// number: its name, the number, its unit. ROBOT is a part of a name; the first such robot of the
+// shared data or urdf/ is used. --list prints all names, one per folder of the shared data.
 //   product_bench ROBOT [--part start|states|cycle|trajectory]... [--cycles N]
 //   product_bench --list
 #include "product_bench.h"

@@ -8,23 +8,22 @@
 #include "collision_monitor/pipeline/setup.h"
 #include "support/robots/file_loader.h"
 
-/// The parts of product_bench, which print one line a number, as figures/product.py reads them.
+/// The parts of product_bench. They print one line per number, which figures/product.py reads.
 namespace collision_monitor::test {
 
-/// check_states with the exact geometries beside FCL, times of a state, and whether the verdicts
-/// agree.
+/// check_states with the exact geometries beside FCL: times per state, and whether verdicts agree.
 void measureStates(const CycleSetup& setup);
 
-/// Processor time of cycles at 1 kHz and at 50 Hz, and in how many a contact or the level is
-/// another without a budget.
+/// Processor time of cycles at 1 kHz and at 50 Hz, and the number of cycles in which a contact or
+/// the level differs without a budget.
 /// @param cycles at 1 kHz.
 void measureCycles(const CycleSetup& setup, std::size_t cycles);
 
 /// Processor time of check_trajectory.
 void measureTrajectory(const CycleSetup& setup);
 
-/// Time of building the set-up as the node does, without kept fits and with them, and the memory
-/// that one robot takes: first of all, so that it is not what others left.
+/// Time of building the set-up as the node does, without and with a fit cache, and the memory of
+/// one robot. Runs first, so that it does not count the memory of other parts.
 /// @return the last set-up.
 CycleSetup measureStart(const RobotFile& robot);
 

@@ -14,10 +14,10 @@ namespace collision_monitor::test {
 namespace {
 
 constexpr double kSpeed = 1.0;    // [rad/s]
-constexpr double kLongest = 6e9;  // [ns] that cycles without a budget may take
+constexpr double kLongest = 6e9;  // [ns] limit for cycles without a budget
 constexpr std::uint32_t kNoBudget = 1'000'000'000;
 
-/// What a cycle says of contacts.
+/// The result of a cycle about contacts.
 struct Said {
   std::vector<bool> contacts;  ///< by LinkPairIndex
   Verdict overall{Verdict::unknown};
@@ -31,9 +31,8 @@ Said whatIsSaid(const PairEvents& events) {
   return said;
 }
 
-/// Cycles of a robot that moves, each twice, of which the shorter time counts: what else runs on
-/// the machine is in one of them at most. Then those without budget and tolerance, for what they
-/// say.
+/// Cycles of a moving robot. Each runs twice and the shorter time counts, because other programs
+/// rarely disturb both. Then the same without budget and tolerance, to compare results.
 class Cycles {
  public:
   Cycles(const CycleSetup& setup, double rate)
@@ -90,7 +89,7 @@ class Cycles {
     worst_later_ = std::max(worst_later_, *std::max_element(times.begin() + 1, times.end()));
   }
 
-  /// As the node does where links come to be known.
+  /// As the node does when links become known.
   void learn(const LinkPoses& poses) {
     learning_ = std::max(learning_, 1e-3 * timeOf([&] { learnPairs(setup_, poses, buffers_); }));
   }
@@ -125,21 +124,21 @@ class Cycles {
   CycleBuffers buffers_;
   CycleBuffers unlimited_;
   std::vector<double> times_;  ///< [us]
-  double worst_later_{0.0};    ///< [us] but for the first cycles of moves
-  double learning_{0.0};       ///< [us] before the first cycle of a move, at most
+  double worst_later_{0.0};    ///< [us] without the first cycles of moves
+  double learning_{0.0};       ///< [us] greatest time before the first cycle of a move
   std::vector<Said> said_;     ///< in the last move
   double taken_without_{0.0};  ///< [ns]
   std::size_t compared_{0};    ///< cycles; of these:
-  std::size_t contacts_{0};    ///< without a budget something is in contact
-  std::size_t differing_{0};   ///< the level or the contact of a pair is another without a budget
-  std::size_t alarms_{0};      ///< a contact is said that there is not without a budget
-  std::size_t missed_{0};      ///< a contact is not said that there is without a budget
+  std::size_t contacts_{0};    ///< something is in contact without a budget
+  std::size_t differing_{0};   ///< the level or a contact differs without a budget
+  std::size_t alarms_{0};      ///< a contact is reported that vanishes without a budget
+  std::size_t missed_{0};      ///< a contact is not reported that appears without a budget
 };
 
 }  // namespace
 
 void measureCycles(const CycleSetup& setup, std::size_t cycles) {
-  constexpr std::size_t kFewer = 10;  // cycles at 50 Hz are as many moves then, nearly
+  constexpr std::size_t kFewer = 10;  // cycles at 50 Hz then have nearly as many moves
   for (const double rate : {1000.0, 50.0}) {
     Cycles run(setup, rate);
     run.run(rate > 100.0 ? cycles : std::max<std::size_t>(1, cycles / kFewer));

@@ -23,7 +23,7 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// [s] Of all threads, and of the programs that were started and have ended.
+/// [s] Of all threads, and of started programs that have ended.
 double processorTime() {
   double sum = 0.0;
   for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -34,7 +34,7 @@ double processorTime() {
   return sum;
 }
 
-/// [MB] A line of what the system says of this process: VmRSS, VmHWM.
+/// [MB] A line of the system's status of this process: VmRSS, VmHWM.
 double memoryOf(const std::string& name) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
@@ -45,7 +45,7 @@ double memoryOf(const std::string& name) {
   return 0.0;
 }
 
-/// As ROS finds them: those that the robot names, and this one.
+/// Packages as ROS finds them: those that the robot names, and this one.
 void findPackages(const RobotFile& robot) {
   const char* path = std::getenv("ROS_PACKAGE_PATH");
   const std::string packages = robot.package_root.string() + ":" + COLLISION_MONITOR_SOURCE_DIR +
@@ -55,7 +55,7 @@ void findPackages(const RobotFile& robot) {
 
 /// Times of starts of one kind.
 struct Starts {
-  std::vector<double> times;      ///< [s] on the clock
+  std::vector<double> times;      ///< [s] by the clock
   std::vector<double> processor;  ///< [s]
 
   CycleSetup build(const RobotFile& robot, const std::filesystem::path& fit_cache) {
@@ -76,7 +76,7 @@ struct Starts {
   }
 };
 
-/// What a process that checks one robot has more than `before`.
+/// Prints what a process that checks one robot takes beyond `before`.
 void printMemory(const CycleSetup& setup, double before) {
   constexpr std::size_t kCycles = 100;
   CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::automatic);
@@ -87,7 +87,7 @@ void printMemory(const CycleSetup& setup, double before) {
       runCycle(setup, poses, buffers);
     }
   }
-  malloc_trim(0);  // as the monitor does; and the move is no part of it
+  malloc_trim(0);  // as the monitor does; and the moves do not count
   print("memory_grown", memoryOf("VmRSS") - before, "MB");
   print("memory_most", memoryOf("VmHWM") - before, "MB");
 }
@@ -96,7 +96,7 @@ void printMemory(const CycleSetup& setup, double before) {
 
 CycleSetup measureStart(const RobotFile& robot) {
   constexpr std::size_t kStarts = 3;
-  constexpr double kLong = 2.0;  // [s] such a start is measured once
+  constexpr double kLong = 2.0;  // [s] longer starts are measured once
   findPackages(robot);
   Starts first;
   Starts later;

@@ -30,7 +30,7 @@ struct Scene {
   std::size_t size() const { return fcl.size(); }
 };
 
-/// A model in which nothing moves has one state.
+/// A model without moving joints has one state.
 Scene makeScene(const CycleSetup& setup) {
   Scene scene{setup, {}, {}, {}, {}};
   std::mt19937_64 random(20260101);
@@ -51,7 +51,7 @@ Scene makeScene(const CycleSetup& setup) {
   return scene;
 }
 
-/// Some queries take FCL seconds: it is then timed once, or for some of the states.
+/// Some queries take FCL seconds. These are timed once, or for some of the states.
 template <class Query>
 void timeFcl(const std::string& name, const Scene& scene, const Query& query) {
   constexpr double kLong = 2e9;    // [ns]
@@ -79,12 +79,12 @@ std::vector<StateCheck> timeOurs(const std::string& name, const Scene& scene,
   const auto check = [&] {
     checkStatesExactly(scene.setup, scene.positions, question, work, checks);
   };
-  check();  // memories fill
+  check();  // fills memories
   print(name, 1e-3 * medianTimeOf(kCalls, check) / static_cast<double>(scene.size()), "us");
   return checks;
 }
 
-/// Whether FCL sees surfaces meet in a state, or else one element is inside the other.
+/// Whether surfaces meet in a state, by FCL, or else one element is inside another.
 struct Truth {
   bool meets{false};
   bool holds{false};
@@ -99,7 +99,7 @@ bool isInside(const Scene& scene, const std::vector<Pose>& poses, const ElementP
          holdsMarkOf(scene.insides[b], poses[b], scene.insides[a], poses[a]) != Holds::no;
 }
 
-/// What is inside is looked for where surfaces do not meet.
+/// Tests for elements inside others only where surfaces do not meet.
 Truth truthOf(const Scene& scene, std::size_t state) {
   const std::vector<ElementPair>& pairs = scene.setup.element_pairs;
   Truth truth;
@@ -116,7 +116,7 @@ bool isTouch(const StateCheck& nearest) {
          std::abs(nearest.distance) <= kTouch;
 }
 
-/// States in which a verdict is none that the truth allows.
+/// Numbers of states whose verdict contradicts the truth.
 struct Differences {
   std::size_t contacts{0};  ///< in truth
   std::size_t inside{0};    ///< of these, without surfaces that meet: FCL does not see them

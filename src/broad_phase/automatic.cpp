@@ -9,10 +9,10 @@ namespace {
 constexpr std::size_t kVeryFewBodies = 40;
 constexpr std::size_t kFewBodies = 600;
 constexpr std::size_t kFewBodiesOfTable = 200;
-constexpr std::size_t kMuchWork = 250;  ///< rows seen for each body
-constexpr std::size_t kManyPairs = 4;   ///< for each body
+constexpr std::size_t kMuchWork = 250;  ///< rows seen per body
+constexpr std::size_t kManyPairs = 4;   ///< per body
 
-/// The first calls of the list know nothing of the motion.
+/// The first calls of the list know nothing of the motion yet.
 constexpr std::size_t kTrialCalls = 3;
 constexpr std::size_t kCallsUntilNextTrial = 100;
 

@@ -8,12 +8,11 @@
 
 namespace collision_monitor {
 
-/// Chooses by number of bodies, motion and density: the neighbour list, which says how
-/// coherent the motion is and how many boxes its sweep looks at; brute force for few bodies in
-/// disordered motion; sweep and prune for coherent motion in scenes so crowded that a sweep sees
-/// very many boxes for each body. Looks again after some calls. The rule counts work and not
-/// time, so that the same input takes the same way.
-/// docs/decisions/broad-phase.md has the measurements behind it.
+/// Chooses a method by number of bodies, motion and density. It tries the neighbour list, which
+/// tells how coherent the motion is and how many boxes a sweep tests. It takes brute force for few
+/// bodies in incoherent motion. It takes sweep and prune for coherent motion in scenes so crowded
+/// that a sweep tests very many boxes per body. It tries again after some calls. The rule counts
+/// work, not time, so equal input leads to equal choices. Measured: docs/decisions/broad-phase.md.
 class Automatic {
  public:
   explicit Automatic(std::size_t body_count = 0);
@@ -21,8 +20,8 @@ class Automatic {
   /// Every pair of boxes that meet, sorted.
   void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
 
-  /// As BruteForce::markPairs, for so few bodies that nothing is quicker.
-  /// @return false when they are more.
+  /// As BruteForce::markPairs, if there are so few bodies that nothing is faster.
+  /// @return false when there are more.
   bool markPairs(const std::vector<SmallBox>& boxes, const PairTable& table,
                  std::vector<std::uint64_t>& marks) noexcept;
 
@@ -35,7 +34,7 @@ class Automatic {
   BruteForce brute_force_;
   SweepAndPrune sweep_and_prune_;
   Method method_{Method::neighbour_list};
-  std::size_t calls_{0};  ///< on this way
+  std::size_t calls_{0};  ///< with this method
 };
 
 }  // namespace collision_monitor

@@ -18,7 +18,7 @@ namespace collision_monitor {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// No templates of the standard library in here: the linker would keep one copy of each, perhaps
+// Use no templates of the standard library here. The linker would keep one copy of each, perhaps
 // one that this machine cannot run.
 using Lanes = hn::CappedTag<float, kRowPadding>;
 
@@ -29,7 +29,7 @@ std::uint32_t bitsOf(Mask mask) {
   return bytes[0] | static_cast<std::uint32_t>(bytes[1] << 8);
 }
 
-/// Which of the rows from `other` on meet `row` on the axis.
+/// The rows from `other` on that meet `row` on the axis.
 HWY_INLINE hn::Mask<Lanes> meetOnAxis(const RowPointers& rows, std::size_t row, std::size_t other,
                                       std::size_t axis) {
   const Lanes lanes;
@@ -78,7 +78,7 @@ HWY_INLINE void sweepRow(const RowPointers& rows, std::size_t row, std::size_t a
 }
 
 #if HWY_TARGET == HWY_AVX2
-/// By the bits of a mask: the numbers of its lanes, four bits each, the first in the lowest bits.
+/// By mask: the numbers of its lanes, four bits each, the first in the lowest bits.
 struct LaneNumbers {
   std::uint32_t of_mask[256];
 };
@@ -100,9 +100,9 @@ constexpr LaneNumbers numberLanes() {
 constexpr LaneNumbers kLaneNumbers = numberLanes();
 #endif
 
-/// The lanes that the mask has, one after the other; what stands behind them means nothing. Not
-/// CompressStore, which some processors take very long for; nor, where Highway has to make its
-/// Compress of a table, that: GCC copies the table, 1 KB, to the stack each time.
+/// Moves the lanes of the mask to the front; the rest is undefined. CompressStore is very slow on
+/// some processors. Where Highway builds Compress from a table, GCC copies that table, 1 KB, to the
+/// stack each time.
 template <class Ids, class Mask>
 HWY_INLINE Ids packed(Ids ids, Mask mask) {
 #if HWY_TARGET == HWY_AVX2
@@ -117,7 +117,7 @@ HWY_INLINE Ids packed(Ids ids, Mask mask) {
 #endif
 }
 
-/// Of one row; returns how many ids it wrote.
+/// Pairs one row; returns how many ids it wrote.
 HWY_INLINE std::size_t pairRowOfTable(const RowPointers& rows, std::size_t row, std::size_t last,
                                       const std::uint32_t* ids, std::uint32_t* found) {
   const hn::Rebind<std::uint32_t, Lanes> integers;

@@ -8,8 +8,8 @@
 
 namespace collision_monitor {
 
-/// Touching boxes meet, empty ones do not. All six comparisons are made: what comes of one is
-/// hard to predict, and a wrong guess costs more than the others.
+/// True when the boxes overlap or touch; false for empty ones. All six comparisons are made,
+/// because a branch is hard to predict and a wrong guess costs more than the comparisons it saves.
 inline bool meets(const SmallBox& a, const SmallBox& b) noexcept {
   bool meet = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -19,7 +19,7 @@ inline bool meets(const SmallBox& a, const SmallBox& b) noexcept {
   return meet;
 }
 
-/// An empty box is inside every box, and only an empty one inside an empty one.
+/// An empty box is inside every box; only an empty box is inside an empty one.
 inline bool isInside(const SmallBox& inner, const SmallBox& outer) noexcept {
   bool is_inside = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -29,7 +29,7 @@ inline bool isInside(const SmallBox& inner, const SmallBox& outer) noexcept {
   return is_inside || isEmpty(inner);
 }
 
-/// The least box that holds both.
+/// The smallest box that holds both.
 /// @pre neither is empty.
 inline SmallBox unionOf(const SmallBox& a, const SmallBox& b) noexcept {
   SmallBox both;
@@ -40,7 +40,7 @@ inline SmallBox unionOf(const SmallBox& a, const SmallBox& b) noexcept {
   return both;
 }
 
-/// Middle of the box along one axis. Units: metres. Finite also for boxes without end.
+/// Center of the box along one axis. Units: metres. Finite also for infinite boxes.
 inline double centerOf(const SmallBox& box, std::size_t axis) noexcept {
   constexpr double kFar = 1e18;
   return 0.5 * (std::max<double>(box.min[axis], -kFar) + std::min<double>(box.max[axis], kFar));

@@ -9,7 +9,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Where hashed bins overtake sweep and prune in motion that is not very small.
+/// From this number on, hashed bins beat sweep and prune unless motion is very small.
 constexpr std::size_t kManyBodies = 1000;
 
 using Method = decltype(BroadPhase::method);
@@ -43,8 +43,8 @@ void fillMeetings(BroadPhase& broad_phase) noexcept {
             broad_phase.method);
 }
 
-/// Where looking at every pair of the table is the quickest way, or the one that was asked for.
-/// @return false for all other ways.
+/// Marks the pairs if testing every pair of the table is fastest, or if that method was asked for.
+/// @return false for all other methods.
 bool markPairs(BroadPhase& broad_phase, const PairTable& table) noexcept {
   if (table.idsOfAll() == nullptr) {
     return false;
@@ -90,7 +90,7 @@ void findMeetings(BroadPhase& broad_phase, const BodyBounds& bounds,
   }
 }
 
-/// Marks are read from the first to the last, which sorts them.
+/// Reading the marks from first to last sorts the candidates.
 void findCandidates(BroadPhase& broad_phase, const BodyBounds& bounds, const PairTable& table,
                     std::vector<PairId>& candidates) noexcept {
   fillSmallBoxes(bounds, broad_phase.boxes);

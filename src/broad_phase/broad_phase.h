@@ -16,7 +16,7 @@
 
 namespace collision_monitor {
 
-/// What docs/decisions/broad-phase.md compares.
+/// The methods that docs/decisions/broad-phase.md compares.
 enum class BroadPhaseKind : unsigned char {
   automatic,
   brute_force,
@@ -25,32 +25,31 @@ enum class BroadPhaseKind : unsigned char {
   aabb_tree,
   neighbour_list,
   combination,  ///< sweep and prune for few bodies, hashed bins for many: the part of a combined
-                ///< run that finds pairs, the rest of which is cullCandidates of the pipeline
+                ///< run that finds pairs; the rest is cullCandidates of the pipeline
 };
 
-/// One way to find pairs, and what it works on. Sized for a number of bodies at set-up.
+/// A method that finds pairs, with its buffers. Sized for a number of bodies at set-up.
 struct BroadPhase {
   std::variant<Automatic, BruteForce, SweepAndPrune, HashedBins, AabbTree, NeighbourList> method;
   std::vector<SmallBox> boxes;
   std::vector<PairKey> meetings;
   std::vector<PairKey> scratch;
-  std::vector<std::uint64_t> marks;  ///< one bit for each pair of a table
+  std::vector<std::uint64_t> marks;  ///< one bit per pair of a table
 };
 
-/// `pair_count`: of the table that findCandidates will get, if it is called.
+/// @param pair_count the size of the table for findCandidates; 0 without calls of it.
 BroadPhase makeBroadPhase(BroadPhaseKind kind, std::size_t body_count, std::size_t pair_count = 0);
 
-/// All pairs of bodies whose bounds meet in single precision, rounded outward (SmallBox), sorted by
-/// (a, b); the same from every method. Bodies that are not known, or whose bounds are no box,
-/// stand in none.
-/// Allocates nothing while as many meet as roomForPairs says.
-/// @pre as many bodies as makeBroadPhase was told.
+/// Finds all pairs of bodies whose bounds meet in single precision, rounded outward (SmallBox),
+/// sorted by (a, b). Every method gives the same pairs. A body that is unknown, or whose bounds are
+/// no box, is in no pair. Allocates nothing for up to roomForPairs pairs.
+/// @pre as many bodies as given to makeBroadPhase.
 void findMeetings(BroadPhase& broad_phase, const BodyBounds& bounds,
                   std::vector<BodyPair>& meetings) noexcept;
 
-/// Those of them that stand in the table, sorted by id. `candidates` must have room for every
-/// pair of the table.
-/// @pre as above, and of the table's size.
+/// Finds the pairs of the table whose bounds meet, sorted by id.
+/// @pre as findMeetings; the table has the pair_count of makeBroadPhase; `candidates` has room for
+/// every pair of the table.
 void findCandidates(BroadPhase& broad_phase, const BodyBounds& bounds, const PairTable& table,
                     std::vector<PairId>& candidates) noexcept;
 

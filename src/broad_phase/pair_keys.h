@@ -8,8 +8,8 @@
 
 namespace collision_monitor {
 
-/// Two bodies in one number, the lower one in the upper half: sorting numbers sorts pairs by (a,
-/// b).
+/// Two bodies in one number, the lower one in the upper half. Sorting the numbers sorts pairs by
+/// (a, b).
 using PairKey = std::uint64_t;
 
 constexpr PairKey pairKey(std::uint32_t one, std::uint32_t other) noexcept {
@@ -22,9 +22,9 @@ constexpr std::uint32_t upperBody(PairKey pair) noexcept {
   return static_cast<std::uint32_t>(pair);
 }
 
-/// The room that is made at set-up for the pairs of so many bodies that meet: for all pairs up to
-/// 1,000 bodies, so that a robot's cycle never allocates, whatever its pose; beyond that for 64 a
-/// body, and lists grow when a scene is more crowded.
+/// The number of meeting pairs for which set-up makes room. Up to 1,000 bodies that is all pairs,
+/// so a robot's cycle never allocates in any pose. Beyond, it is 64 per body, and lists grow in
+/// more crowded scenes.
 std::size_t roomForPairs(std::size_t body_count) noexcept;
 
 struct BitRange {
@@ -32,18 +32,18 @@ struct BitRange {
   unsigned count{0};
 };
 
-/// Sorts by those bits alone and keeps the order of keys that are equal in them: least
-/// significant digit first, digits of up to 11 bits, or 8 for few keys.
+/// Sorts by `bits` alone and keeps the order of keys whose bits are equal. Takes the least
+/// significant digit first, in digits of up to 11 bits, or 8 for few keys.
 /// Source: Knuth, "The Art of Computer Programming" 3 (1998), section 5.2.5.
-/// @pre `scratch` has room for as many; nothing is allocated then.
+/// @pre `scratch` has room for as many keys; then nothing is allocated.
 void radixSort(BitRange bits, std::vector<std::uint64_t>& keys,
                std::vector<std::uint64_t>& scratch) noexcept;
 
-/// Sorts pairs of bodies below `body_count`; costs one pass when they are sorted already.
+/// Sorts pairs of bodies below `body_count`. Costs one pass when they are already sorted.
 void sortPairs(std::size_t body_count, std::vector<PairKey>& pairs,
                std::vector<PairKey>& scratch) noexcept;
 
-/// A number that orders as the coordinate does, minus infinity first; NaN is last if its sign is +.
+/// A number in the order of the coordinate, minus infinity first. NaN is last if its sign is +.
 std::uint32_t orderedBits(float coordinate) noexcept;
 
 }  // namespace collision_monitor

@@ -14,7 +14,7 @@ namespace collision_monitor {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// No templates of the standard library in here: the linker would keep one copy of each, perhaps
+// Use no templates of the standard library here. The linker would keep one copy of each, perhaps
 // one that this machine cannot run.
 using Doubles = hn::CappedTag<double, 4>;
 using Floats = hn::Rebind<float, Doubles>;

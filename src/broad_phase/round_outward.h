@@ -6,10 +6,10 @@
 
 namespace collision_monitor {
 
-/// Corners of `count` boxes to single precision, each rounded as smallBoxOf does, to the last bit.
-/// `corners`: 6 numbers a box, least first, and one more behind the last box. `rounded`: 8 a box,
-/// as in a SmallBox, of which the fourth and the eighth mean nothing. What comes of NaN means
-/// nothing.
+/// Converts the corners of `count` boxes to single precision, with the same rounding as smallBoxOf
+/// to the last bit. NaN gives undefined numbers.
+/// @param corners 6 numbers per box, min first, and one more number behind the last box.
+/// @param rounded 8 numbers per box, as in a SmallBox; the fourth and the eighth are undefined.
 void roundOutward(const double* corners, std::size_t count, float* rounded) noexcept;
 
 }  // namespace collision_monitor

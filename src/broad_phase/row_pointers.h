@@ -6,13 +6,13 @@
 
 namespace collision_monitor {
 
-/// Where the rows of a BoxRows stand: code for one instruction set may not use std::vector.
+/// Pointers to the rows of a BoxRows: code for one instruction set may not use std::vector.
 struct RowPointers {
   const float* min[3];
   const float* max[3];
 };
 
-/// Rows from the first on and before the last.
+/// The rows [first, last).
 struct RowSpan {
   std::size_t first;
   std::size_t last;

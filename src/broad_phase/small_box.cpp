@@ -14,8 +14,8 @@ namespace {
 constexpr float kGreatest = std::numeric_limits<float>::max();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// At least one unit in the last place, also of 0, and at most two; beyond the greatest number one
-/// step is infinite. Taken always: to ask whether rounding went the wrong way costs more.
+/// Between one and two units in the last place, also for 0; infinite at the greatest number. Always
+/// applied: testing whether rounding went inward costs more.
 float stepOf(float value) noexcept {
   return std::abs(value) * std::numeric_limits<float>::epsilon() +
          std::numeric_limits<float>::min();
@@ -38,7 +38,7 @@ float roundedUp(double value) noexcept {
 
 constexpr SmallBox kEmpty{{kNan, kNan, kNan, kNan}, {kNan, kNan, kNan, kNan}};
 
-/// Also false where a coordinate is NaN.
+/// False also for NaN.
 bool isBox(const Aabb& box) noexcept {
   bool is_box = true;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -66,7 +66,7 @@ void fillSmallBoxes(const BodyBounds& bounds, std::vector<SmallBox>& boxes) noex
   if (boxes.empty()) {
     return;
   }
-  // All but the last, behind which there is no number to read.
+  // Leaves out the last box, because no number follows it.
   roundOutward(bounds.boxes.front().min.data(), boxes.size() - 1, boxes.front().min.data());
   boxes.back() = smallBoxOf(bounds.boxes.back());
   for (std::size_t body = 0; body < boxes.size(); ++body) {

@@ -9,13 +9,13 @@
 
 namespace collision_monitor {
 
-/// How boxes lie along one axis. Units: metres.
+/// How boxes are distributed along one axis. Units: metres.
 struct Spread {
   double mean_width{0.0};
-  double range{0.0};  ///< of centers, were they spread evenly: outliers hardly count
+  double range{0.0};  ///< of the centers as if spread evenly; outliers hardly count
 };
 
-/// Of some thousand boxes, evenly chosen; those without end are left out.
+/// Measures about a thousand boxes, evenly chosen. Infinite ones are left out.
 std::array<Spread, 3> spreadsOf(const std::vector<SmallBox>& boxes) noexcept;
 
 }  // namespace collision_monitor

@@ -15,13 +15,13 @@
 namespace collision_monitor {
 namespace {
 
-/// Jobs that threads take one after the other.
+/// Jobs that threads take one after another.
 class Jobs {
  public:
   Jobs(std::size_t count, const std::function<void(std::size_t)>& work)
       : work_(work), faults_(count), goes_on_(goesOnHere()) {}
 
-  /// Until none is left.
+  /// Takes jobs until none is left.
   void doThem() {
     const Interruptible interruptible(goes_on_ ? GoesOn([this] { return goesOn(); }) : GoesOn());
     for (std::size_t job = next_++; job < faults_.size() && !is_interrupted_; job = next_++) {
@@ -74,7 +74,7 @@ void forEachOnAllCores(std::size_t count, const std::function<void(std::size_t)>
       others.emplace_back([&jobs] { jobs.doThem(); });
     }
   } catch (const std::system_error&) {
-    // No more threads here: these do all.
+    // The system gives no more threads. Those that exist do all jobs.
   }
   jobs.doThem();
   for (std::thread& other : others) {

@@ -7,14 +7,14 @@
 
 namespace collision_monitor {
 
-/// Calls work(0) to work(count - 1), each once, on as many threads as there are processors; this
-/// thread is one of them. Returns when all are done.
+/// Calls work(0) to work(count - 1) once each, on as many threads as there are processors. The
+/// calling thread is one of them. Returns when all jobs are done.
 ///
-/// Jobs that are independent give the same whatever the number of threads. throwIfInterrupted
-/// asks within a job what it asks on this thread, never on two threads at once, and as
-/// often in all as one thread alone would.
-/// @throws what a job threw, that of the first job if there are several; after Interrupted no job
-/// begins any more.
+/// Independent jobs give the same result for any number of threads. Inside a job,
+/// throwIfInterrupted asks the calling thread's question: never on two threads at once, and in
+/// total as often as a single thread would.
+/// @throws what a job threw: the first job's exception if there are several. After Interrupted no
+/// further job begins.
 void forEachOnAllCores(std::size_t count, const std::function<void(std::size_t)>& work);
 
 }  // namespace collision_monitor

@@ -8,16 +8,16 @@
 
 namespace collision_monitor {
 
-/// To the bit. What is NaN is not the same.
+/// Whether the poses are equal to the bit. NaN equals nothing.
 inline bool isSame(const Pose& one, const Pose& other) noexcept {
   return one.rotation == other.rotation && one.translation == other.translation;
 }
 
-/// [m] No point of a ball goes farther from one pose to the other, straight or on any other way on
-/// which center and rotation go no farther than that.
+/// [m] An upper bound of how far any point of a ball moves from one pose to the other: straight, or
+/// on any path on which center and rotation travel no farther.
 ///
-/// Two rotations by t from each other differ by 2 sin(t / 2) as operators and by sqrt(2) times as
-/// much in Frobenius' norm. Error: some ulps of the coordinates.
+/// As operators, two rotations by t from each other differ by 2 sin(t / 2); their Frobenius norm
+/// differs by sqrt(2) times that. Error: some ulps of the coordinates.
 inline double motionOfBall(const Eigen::Vector3d& center, double radius, const Pose& from,
                            const Pose& to) noexcept {
   const double turn = std::sqrt(0.5 * (to.rotation - from.rotation).squaredNorm());

@@ -9,14 +9,14 @@
 
 namespace collision_monitor {
 
-/// NaN, as 0 / 0, becomes 1.
+/// Clamps to [0, 1]. NaN, from 0 / 0, becomes 1.
 inline double clampToUnit(double parameter) noexcept {
   return std::max(0.0, std::min(1.0, parameter));
 }
 
-/// A triangle on its longest edge, which the foot of the apex divides at `apex_parameter`. Needles
-/// keep their precision so: base and height are known well also where the other edges are nearly
-/// parallel to the base. One frame for all; metres.
+/// A triangle on its longest edge. The projection of the apex divides that base at
+/// `apex_parameter`. This form keeps the precision of needles: base and height are accurate even
+/// where the other edges are nearly parallel to the base. One frame for all; metres.
 struct BasedTriangle {
   Eigen::Vector3d start;  ///< the base is start + t * along, 0 <= t <= 1
   Eigen::Vector3d along;
@@ -24,7 +24,7 @@ struct BasedTriangle {
   Eigen::Vector3d apex;
   double apex_parameter;
 
-  /// From the base to the apex, perpendicular to the base but for rounding.
+  /// From the base to the apex, perpendicular to the base up to rounding.
   Eigen::Vector3d height() const noexcept { return apex - start - apex_parameter * along; }
 };
 
@@ -46,13 +46,13 @@ inline BasedTriangle baseOf(const Triangle& triangle) noexcept {
   return based;
 }
 
-/// A point of the triangle: the one nearest to `point` where that is inside the triangle. What is
-/// nearest to its boundary is left to the edges. Triangles without area are legal.
-/// Error: some ulps of the triangle's size and of the distance, however thin it is.
+/// A point of the triangle: the closest one to `point` if that lies inside the triangle. If it lies
+/// on the boundary, the caller has to test the edges. Triangles without area are legal.
+/// Error: some ulps of the triangle's size and of the distance, however thin the triangle is.
 inline Eigen::Vector3d closestOn(const BasedTriangle& triangle,
                                  const Eigen::Vector3d& point) noexcept {
-  // Across the base at the foot of the point, a triangle is a short segment perpendicular to the
-  // base, on which the nearest point is found by one more projection. No area is divided by.
+  // The triangle's section across the base, through the projection of the point, is a short
+  // segment. One more projection finds its closest point. Nothing is divided by an area.
   if (!(triangle.squared_length > 0.0)) {
     return triangle.start;
   }
@@ -64,7 +64,7 @@ inline Eigen::Vector3d closestOn(const BasedTriangle& triangle,
       before_apex ? triangle.start : Eigen::Vector3d(triangle.start + triangle.along);
   const double from_end = before_apex ? parameter / triangle.apex_parameter
                                       : (1.0 - parameter) / (1.0 - triangle.apex_parameter);
-  // An apex over an end of the base makes 0 / 0: the section is then the edge at that end.
+  // An apex over an end of the base gives 0 / 0. The section is then the edge at that end.
   const Eigen::Vector3d on_side =
       from_end <= 1.0 ? Eigen::Vector3d(end + from_end * (triangle.apex - end)) : triangle.apex;
   const Eigen::Vector3d across = on_side - on_base;

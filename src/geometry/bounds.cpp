@@ -7,8 +7,8 @@
 namespace collision_monitor {
 namespace {
 
-// Each of the handful of products and sums behind a bound errs by at most half an ulp of
-// the largest number in it; 16 ulps of the sum of magnitudes are well above their total.
+// A bound takes a handful of products and sums. Each errs by at most half an ulp of its largest
+// number. 16 ulps of the sum of magnitudes are well above their total.
 constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
 
 }  // namespace

@@ -7,8 +7,8 @@
 namespace collision_monitor {
 namespace {
 
-/// Of this thread, so that the question need not go through every signature from the set-up down
-/// to the innermost loop of a fit.
+/// One per thread, so that the function need not be passed from the set-up down to the innermost
+/// loop of a fit.
 thread_local const GoesOn* asked = nullptr;
 
 }  // namespace

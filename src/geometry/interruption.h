@@ -4,19 +4,19 @@
 
 #include <functional>
 
-/// How long work of a set-up is given up from outside: because the program is to end, say.
+/// Interrupts long work of a set-up from outside, for example because the program is to end.
 namespace collision_monitor {
 
-/// Ends work that is wanted no more. No std::exception: what makes a problem of every fault that
-/// it meets, and goes on, must let this one pass.
+/// Thrown to end work that is no longer wanted. It is not a std::exception: code that turns every
+/// fault into a problem and goes on must let it pass.
 struct Interrupted {};
 
-/// Whether work may go on; asked often, so it must not take long.
+/// Whether work may go on. It is called often, so it must be fast.
 using GoesOn = std::function<bool()>;
 
-/// While it lives, what the library does on this thread ends in Interrupted as soon as `goes_on`
-/// says no: reading files and meshes, fitting, making and ruling pairs.
-/// Limits: the innermost one is asked alone. The libraries below are not interrupted.
+/// While it lives, the library's work on this thread ends with Interrupted as soon as `goes_on`
+/// returns false. This covers reading files and meshes, fitting, making pairs and applying rules.
+/// Limits: only the innermost one is asked. Libraries that this one calls are not.
 class Interruptible {
  public:
   /// @param goes_on empty: work is not interrupted
@@ -30,12 +30,12 @@ class Interruptible {
   const GoesOn* outer_;
 };
 
-/// Long work calls it again and again.
-/// @throws Interrupted where the work of this thread is wanted no more
+/// Long work calls this again and again.
+/// @throws Interrupted when the work of this thread is no longer wanted
 void throwIfInterrupted();
 
-/// What throwIfInterrupted asks on this thread, for others that do a part of its work; empty if
-/// there is nothing to ask.
+/// What throwIfInterrupted asks on this thread, for other threads that do a part of its work. Empty
+/// if there is nothing to ask.
 GoesOn goesOnHere();
 
 }  // namespace collision_monitor

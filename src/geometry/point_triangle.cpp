@@ -13,21 +13,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Height over longest edge, squared: thinner triangles lose digits of their normal.
+// Squared ratio of height to longest edge. The normal of thinner triangles loses digits.
 constexpr double kThin = 1e-6;
 
-/// Where the foot of the perpendicular lies.
-struct Foot {
+/// The projection of a point on the plane of a triangle.
+struct ClosestPoint {
   Vector3d point;
-  bool is_thin{false};  ///< then nothing else is known
+  bool is_thin{false};  ///< if so, nothing else is known
   bool is_inside{false};
   bool is_beyond[3] = {true, true, true};  ///< edge i, which is opposite to corner i
 };
 
-/// The foot is a weighted mean of the corners, so that it is on the triangle whatever the normal's
-/// error. When it is not inside, the nearest point is on an edge that it lies beyond.
-Foot closestOf(const Vector3d& point, const Vector3d (&corners)[3]) {
-  Foot closest;
+/// The projection, as a weighted mean of the corners: so it lies on the triangle whatever the error
+/// of the normal. If it is not inside, the closest point is on an edge that it lies beyond.
+ClosestPoint closestOf(const Vector3d& point, const Vector3d (&corners)[3]) {
+  ClosestPoint closest;
   const Vector3d ab = corners[1] - corners[0];
   const Vector3d ac = corners[2] - corners[0];
   const Vector3d normal = ab.cross(ac);
@@ -59,14 +59,14 @@ Vector3d closestPointOnSegment(const Vector3d& point, const Vector3d& a,
     return a;
   }
   const double t = std::clamp((point - a).dot(along) / length_squared, 0.0, 1.0);
-  // From the nearer end, so that t = 1 gives b and not b with the rounding of a + (b - a).
+  // Starts at the nearer end, so that t = 1 gives b exactly, without the rounding of a + (b - a).
   return t <= 0.5 ? Vector3d(a + t * along) : Vector3d(b - (1.0 - t) * along);
 }
 
 Vector3d closestPointOnTriangle(const Vector3d& point, const Vector3d& a, const Vector3d& b,
                                 const Vector3d& c) noexcept {
   const Vector3d corners[3] = {a, b, c};
-  const Foot closest = closestOf(point, corners);
+  const ClosestPoint closest = closestOf(point, corners);
   if (closest.is_inside) {
     return closest.point;
   }

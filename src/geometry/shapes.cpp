@@ -56,8 +56,8 @@ const char* kindName(const Shape& shape) noexcept {
 }
 
 double volumeOf(const Shape& shape) noexcept {
-  // Steiner's formula for a box swept by a ball: V + S r + (pi / 4) E r^2 + (4/3) pi r^3,
-  // with E the summed length of the twelve edges. Zero extents give the other shapes.
+  // Steiner's formula for a box inflated by a radius: V + S r + (pi / 4) E r^2 + (4/3) pi r^3,
+  // where E is the total length of the twelve edges. Zero extents give the other shapes.
   const Eigen::Vector3d size = 2.0 * coreHalfExtents(shape);
   const double r = radiusOf(shape);
   const double surface = 2.0 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x());

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kUnitRoundOff = 0.5 * std::numeric_limits<double>::epsilon();
 
-/// The nodes at which the way down from the root ends.
+/// The nodes where the descent from the root ends.
 template <class Ends>
 std::vector<SphereNode> cut(const SphereTree& tree, const Ends& ends) {
   std::vector<SphereNode> result;
@@ -47,14 +47,14 @@ std::vector<SphereNode> spheresOfLevel(const SphereTree& tree, std::uint32_t lev
 
 SphereTree placed(const SphereTree& tree, const Pose& link_from_geometry) {
   const Eigen::Matrix3d& rotation = link_from_geometry.rotation;
-  // |R| <= 1 + |R^T R - I|, which itself is computed within 12 u.
+  // |R| <= 1 + |R^T R - I|. The computed norm is within 12 u.
   const double stretch =
       (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).norm() + 16.0 * kUnitRoundOff;
   SphereTree result = tree;
   for (auto& node : result.nodes) {
     const double lengths = node.center.norm() + link_from_geometry.translation.norm();
     node.center = link_from_geometry * node.center;
-    // A center whose terms cancel errs by a few u of them.
+    // A center whose terms cancel has an error of a few u of these terms.
     const double allowance = 16.0 * kUnitRoundOff * (1.0 + stretch) * lengths;
     node.radius = node.radius * (1.0 + stretch) + allowance;
   }

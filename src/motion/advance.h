@@ -8,18 +8,19 @@
 
 namespace collision_monitor {
 
-/// A body as conservative advancement sees it.
+/// A body for conservative advancement.
 struct MovingBall {
   const Ball& ball;
   const ScrewMotion& motion;
 };
 
-/// What was measured at one time.
+/// A measurement at one time.
 struct Sighting {
-  SweepState state{SweepState::unknown};  ///< contact: as near as asked for; clear: apart by `gap`
+  /// contact: within the contact distance; clear: farther apart, by `gap`
+  SweepState state{SweepState::unknown};
   SignedDistance measured;
-  double gap{0.0};        ///< [m] proven, beyond the distance asked for
-  bool has_plane{false};  ///< a plane across the normal parts the bodies by the gap
+  double gap{0.0};        ///< [m] proven distance beyond the contact distance
+  bool has_plane{false};  ///< the gap lies across a plane perpendicular to the normal
   std::uint32_t work{1};
 };
 
@@ -27,10 +28,10 @@ inline bool isFinite(const ScrewMotion& motion) noexcept {
   return isFinite(motion.start) && motion.turn.allFinite() && motion.travel.allFinite();
 }
 
-/// How long the gap lasts.
+/// How long the gap lasts: a time before which it cannot be consumed.
 inline double safeTime(const MovingBall& a, const MovingBall& b, double time,
                        const Sighting& seen) noexcept {
-  // The points of the smaller body stand for both: their speeds differ least.
+  // The points of the smaller body stand for both, because their speeds differ least.
   const bool is_swapped = a.ball.radius < b.ball.radius;
   const Approach approach = is_swapped ? approachAt(b.motion, a.motion, a.ball, time)
                                        : approachAt(a.motion, b.motion, b.ball, time);
@@ -43,7 +44,7 @@ inline double safeTime(const MovingBall& a, const MovingBall& b, double time,
   return std::max(any, timeToConsume(seen.gap, acrossPlane(approach, normal)));
 }
 
-/// Conservative advancement. `look` sights the pair at a time, given how many steps are left.
+/// Conservative advancement. `look` measures the pair at a time, within the work that is left.
 template <class Look>
 SweptContact advance(const MovingBall& a, const MovingBall& b, const SweepLimits& limits,
                      const Look& look) noexcept {

@@ -26,7 +26,7 @@ Sighting sight(const ConvexDistance& found, const SweepLimits& limits) noexcept 
   return seen;
 }
 
-/// What straight motion gives, for pairs that have a closed form.
+/// The result of straight motion, for pairs with a closed form.
 struct StraightContact {
   bool has_form{false};
   std::optional<double> time;
@@ -35,7 +35,7 @@ struct StraightContact {
 struct MeetStraight {
   const Pose& world_from_a;
   const Pose& world_from_b;
-  const Eigen::Vector3d travel;  ///< of B against A
+  const Eigen::Vector3d travel;  ///< of B relative to A
 
   template <class A, class B>
   StraightContact operator()(const A& a, const B& b) const noexcept {
@@ -62,8 +62,8 @@ StraightContact meetStraight(const GeometryA& a, const ScrewMotion& motion_a, co
   return visitHeld(with_a, a);
 }
 
-/// Straight motion is settled at once, if there is a closed form: time goes on to the contact,
-/// which the distance there is to confirm, or to the end.
+/// Skips ahead for straight motion with a closed form: to the contact, which the distance there has
+/// to confirm, or to the end.
 template <class Geometry>
 bool skipToContact(const Geometry& a, const ScrewMotion& motion_a, const Geometry& b,
                    const ScrewMotion& motion_b, SweepLimits& limits) noexcept {

@@ -15,24 +15,24 @@ namespace {
 
 using NodePair = MeshQueryMemory::NodePair;
 
-/// Both meshes at one time, in the frame of A, and what is looked for: the earliest time at which
-/// two of their triangles may have come as near as asked for.
+/// Searches two meshes at one time, in the frame of A, for the earliest time at which two of their
+/// triangles may come within the contact distance.
 struct Sweep {
   const MeshPair& pair;
   Approach approach;
   const SweepLimits& limits;
-  double soonest;  ///< from now on
+  double soonest;  ///< from the current time on
   TrianglePair nearest;
-  PointPair contact;  ///< of `nearest`, when it is in contact
+  PointPair contact;  ///< of `nearest`, when in contact
   bool is_contact{false};
 };
 
-/// Of surfaces: there is nothing nearer than touching.
+/// Surfaces are never nearer than touching.
 double nearestOf(const SweepLimits& limits) noexcept {
   return std::max(0.0, limits.contact_distance);
 }
 
-/// In the frame of A.
+/// Converts to the frame of A.
 Approach placedInA(const Approach& in_world, const Pose& world_from_a) noexcept {
   const Eigen::Matrix3d a_from_world = world_from_a.rotation.transpose();
   Approach in_a = in_world;
@@ -66,14 +66,14 @@ void measureTriangles(std::uint32_t a, std::uint32_t b, Sweep& sweep) noexcept {
   }
 }
 
-/// The ball about what stands in a slot of B, in the frame of A; a triangle's is its node's.
+/// The ball about the content of a slot of B, in the frame of A. A triangle has its node's ball.
 Ball ballAt(const MeshPair& pair, Slot slot) noexcept {
   const Bound bound = boundAt(pair.b, slot);
   return {pair.a_from_b * (pair.b.center() + bound.center.cast<double>()),
           bound.half.cast<double>().norm()};
 }
 
-/// [m^2] Bounds this far apart cannot meet before `soonest`.
+/// [m^2] Bounds farther apart than this cannot meet before `soonest`.
 double squaredReach(const Sweep& sweep, Slot slot_of_b) noexcept {
   const Ball ball = ballAt(sweep.pair, slot_of_b);
   const double reach = nearestOf(sweep.limits) + sweep.limits.tolerance +
@@ -81,7 +81,7 @@ double squaredReach(const Sweep& sweep, Slot slot_of_b) noexcept {
   return reach * reach;
 }
 
-/// @return nodes opened and triangles measured; more than `budget` if it was spent.
+/// @return the work: nodes opened and triangles measured; more than `budget` if it was spent.
 std::uint32_t search(MeshQueryMemory& memory, std::uint32_t budget, Sweep& sweep) noexcept {
   std::uint32_t work = 0;
   NodePairQueue queue(memory);
@@ -107,8 +107,8 @@ std::uint32_t search(MeshQueryMemory& memory, std::uint32_t budget, Sweep& sweep
   return work;
 }
 
-/// Whether one is inside the other, where it can get there through a hole; if not, until when that
-/// stays so.
+/// Whether one mesh is inside the other, where it can enter through a hole. If not, until when that
+/// is certain.
 Holding lookInside(MeshQueryMemory& memory, Sweep& sweep) noexcept {
   if (!sweep.pair.a.openSurface() && !sweep.pair.b.openSurface()) {
     return {};
@@ -130,10 +130,10 @@ SignedDistance contactOf(const Sweep& sweep, const Pose& world_from_a) noexcept 
   return placed(world_from_a, {distance, sweep.contact.on_a, sweep.contact.on_b, normal});
 }
 
-/// What one step leaves for the next.
+/// The state between two steps.
 struct Progress {
   SweptContact found;
-  TrianglePair last;  ///< that the last step stopped before
+  TrianglePair last;  ///< the pair that limited the last step
 };
 
 SignedDistance contactAt(const Eigen::Vector3d& point) noexcept {
@@ -203,7 +203,7 @@ Ball ballOf(const MeshTree& tree) noexcept { return {tree.center(), tree.radius(
 
 SweptContact firstContact(const MovingMesh& a, const MovingMesh& b, const SweepLimits& limits,
                           MeshQueryMemory& memory) noexcept {
-  // The points of the smaller body stand for both: their speeds differ least.
+  // The points of the smaller body stand for both, because their speeds differ least.
   if (a.tree.radius() < b.tree.radius()) {
     SweptContact found = firstContact(b, a, limits, memory);
     found.measured = swapped(found.measured);
@@ -232,7 +232,7 @@ SweptContact firstContact(const MovingMesh& a, const MovingShape& b, const Sweep
     const Approach approach = approachAt(a.motion, b.motion, ball_b, time);
     MeshQueryLimits query;
     query.visit_budget = budget;
-    // What is farther cannot come so near any more.
+    // Bodies farther apart than this cannot come into contact in the rest of the interval.
     query.stop_beyond =
         nearest + 2.0 * limits.tolerance +
         ofBall(approach, approach.center, approach.radius).within(limits.until - time);

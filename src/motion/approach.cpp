@@ -18,7 +18,7 @@ Approach approachAt(const ScrewMotion& motion_a, const ScrewMotion& motion_b, co
                     double time) noexcept {
   const Pose a = poseAt(motion_a, time);
   const Pose b = poseAt(motion_b, time);
-  // Velocities of both origins turn along.
+  // The velocities of both origins turn with their bodies.
   const Eigen::Vector3d travel_a =
       a.rotation * (motion_a.start.rotation.transpose() * motion_a.travel);
   const Eigen::Vector3d travel_b =

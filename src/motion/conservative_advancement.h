@@ -9,11 +9,11 @@
 #include "motion/screw_motion.h"
 #include "narrow_phase/mesh/mesh_distance.h"
 
-/// When do two bodies on screw motions first come within a distance of each other?
+/// Finds when two bodies on screw motions first come within a distance of each other.
 ///
-/// From a time at which they are apart, time advances by no more than what the greatest speed at
-/// which they can come nearer needs for the gap. So nothing is stepped over, however thin and fast,
-/// and the times converge to the first contact from below.
+/// Conservative advancement: from a time at which the bodies are apart, time advances only as far
+/// as the gap lasts at the greatest possible closing speed. So no contact is missed, however thin
+/// or fast the bodies are, and the times converge to the first contact from below.
 ///
 /// Frames: world. Units: metres; times are shares of the interval, 0 to 1.
 /// Source: Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems" (1996), section 2.3,
@@ -23,21 +23,21 @@
 /// bounds of the nodes of hierarchies. The bounds themselves are in src/motion/approach.h.
 namespace collision_monitor {
 
-/// What holds a body, in its frame. Units: metres; an infinite radius holds a half space.
+/// A ball that holds a body, in its frame. Units: metres. An infinite radius: a half space.
 struct Ball {
   Eigen::Vector3d center{Eigen::Vector3d::Zero()};
   double radius{0.0};
 };
 
-/// Looks at every vertex of a hull: for set-up.
+/// The ball of a geometry. Tests every vertex of a hull, so call it at set-up.
 Ball ballOf(const ConvexGeometry& geometry) noexcept;
 Ball ballOf(const Shape& shape) noexcept;
 Ball ballOf(const MeshTree& tree) noexcept;
 
 enum class SweepState : unsigned char {
-  clear,      ///< farther apart than asked for during the whole interval: proven
-  contact,    ///< first as near as asked for at this time; clear before: proven
-  undecided,  ///< clear up to this time: proven; steps ran out, or no distance could be settled
+  clear,      ///< farther apart than contact_distance during the whole interval: proven
+  contact,    ///< first within contact_distance at this time, clear before: proven
+  undecided,  ///< clear up to this time: proven; the budget ran out, or a distance stayed unsettled
   unknown,    ///< a motion is not finite: nothing is known
 };
 
@@ -45,16 +45,16 @@ struct SweptContact {
   SweepState state{SweepState::unknown};
   double time{0.0};
   SignedDistance measured;  ///< of contact, at that time
-  std::uint32_t work{0};    ///< distances measured; of meshes, nodes opened and triangles measured
+  std::uint32_t work{0};    ///< distances measured; for meshes, nodes opened and triangles measured
 };
 
-/// What is asked for, and how much work may go into it.
+/// What counts as contact, when to look for it, and the budget.
 struct SweepLimits {
-  double contact_distance{0.0};  ///< [m] this near is contact
-  double tolerance{1e-7};        ///< [m] and so is this much farther
+  double contact_distance{0.0};  ///< [m] bodies this near are in contact
+  double tolerance{1e-7};        ///< [m] contact is also reported up to this much farther
   double from{0.0};              ///< earlier times are known to be clear
-  double until{1.0};             ///< and so are these and later ones
-  std::uint32_t budget{2000};    ///< of steps
+  double until{1.0};             ///< so are this time and later ones
+  std::uint32_t budget{2000};    ///< limit of SweptContact::work
 };
 
 struct MovingShape {
@@ -73,20 +73,20 @@ struct MovingMesh {
   const ScrewMotion& motion;
 };
 
-/// Convex bodies, which a plane parts: only what closes across it counts.
+/// Convex bodies. A plane separates them, so only motion across it counts.
 ///
-/// Pairs of spheres, and spheres, boxes with a half space or boxes with each other, that do not
-/// turn are settled by timeOfContact.
+/// Pairs without rotation are settled by timeOfContact if they are two spheres, two boxes, or a
+/// half space with a sphere or box.
 /// @param search as in signedDistanceBetween.
 SweptContact firstContact(const MovingShape& a, const MovingShape& b,
                           const SweepLimits& limits) noexcept;
 SweptContact firstContact(const MovingConvex& a, const MovingConvex& b, const SweepLimits& limits,
                           ConvexSearch& search) noexcept;
 
-/// Two meshes, by their hierarchies: children are looked at only where their parents may meet
-/// in the rest of the interval, with the speeds that parts so far out have.
-/// Limits: surfaces count, and of open meshes the inside. What is inside a closed mesh at the start
-/// is not seen until it comes out. A negative contact_distance is taken as 0.
+/// Two meshes, by their hierarchies. Children are visited only if their parents may meet in the
+/// rest of the interval, at the greatest speeds of parts so far from the center.
+/// Limits: surfaces count, and the inside of open meshes. A body inside a closed mesh at the start
+/// is not seen until it comes out. A negative contact_distance counts as 0.
 SweptContact firstContact(const MovingMesh& a, const MovingMesh& b, const SweepLimits& limits,
                           MeshQueryMemory& memory) noexcept;
 /// A mesh and a solid shape, by their distances. Limits: as for two meshes.

@@ -7,7 +7,7 @@
 namespace collision_monitor {
 namespace {
 
-// Of the coordinates: well above what the few sums behind a test may err.
+// Relative to the coordinates: well above the rounding error of a test's few sums.
 constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
 
 }  // namespace

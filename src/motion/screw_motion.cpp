@@ -8,16 +8,16 @@
 namespace collision_monitor {
 namespace {
 
-/// Angles below this [rad] are taken from series: the next terms are beyond double precision.
+/// [rad] Smaller angles use series, whose next terms are beyond double precision.
 constexpr double kSmallAngle = 1e-4;
 
-/// Below this [rad or its sine] inverse functions are: the next terms are beyond double precision.
+/// [rad or its sine] As kSmallAngle, for inverse functions.
 constexpr double kModestAngle = 0.02;
 
-/// What poses that were turned alike differ by [rad], but for rounding.
+/// [rad] The greatest difference by rounding between poses of equal rotation.
 constexpr double kNoTurn = 1e-15;
 
-/// asin(x) / x of a small x.
+/// asin(x) / x for small x.
 double arcSineShare(double x_squared) noexcept {
   return 1.0 + x_squared * (1.0 / 6.0 +
                             x_squared * (3.0 / 40.0 +
@@ -26,7 +26,7 @@ double arcSineShare(double x_squared) noexcept {
 
 Eigen::Vector3d turnBetween(const Eigen::Matrix3d& start, const Eigen::Matrix3d& end) noexcept {
   const Eigen::Matrix3d between = end * start.transpose();
-  // Along the axis, as long as the sine of the angle.
+  // Points along the axis; its length is the sine of the angle.
   const Eigen::Vector3d across(0.5 * (between(2, 1) - between(1, 2)),
                                0.5 * (between(0, 2) - between(2, 0)),
                                0.5 * (between(1, 0) - between(0, 1)));
@@ -52,8 +52,7 @@ Eigen::Matrix3d rotationBy(const Eigen::Vector3d& turn) noexcept {
   return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
 }
 
-/// Where a point gets that starts with this velocity and is turned along: the integral of the
-/// turned velocity.
+/// The integral of a velocity that turns along: the displacement of a point.
 Eigen::Vector3d shiftOf(const Eigen::Vector3d& turn, const Eigen::Vector3d& velocity) noexcept {
   const double angle = turn.norm();
   const double square = angle * angle;
@@ -108,7 +107,7 @@ ScrewMotion carriedBy(const ScrewMotion& link_motion, const Pose& link_from_body
 
 Aabb sweptAabbOf(const Shape& shape, const ScrewMotion& motion, const Pose& end,
                  double margin) noexcept {
-  // Every point is within its arc's height of a chord, and the chords are in the hull of both ends.
+  // Every point is within its arc's height of a chord, and the chords lie in the hull of both ends.
   const double arc = arcHeight(motion, Eigen::Vector3d::Zero()) +
                      0.125 * motion.turn.squaredNorm() * boundingRadius(shape);
   const Aabb first = aabbOf(shape, motion.start, margin + arc);

@@ -19,13 +19,13 @@ std::optional<double> timeToFall(double height, double climb) noexcept {
   return height <= -climb ? std::optional<double>(height / -climb) : std::nullopt;
 }
 
-/// The times during which projections overlap on an axis.
+/// The times at which projections overlap on an axis.
 struct Overlap {
   double from{0.0};
   double to{1.0};
 };
 
-/// @param center of B from A on the axis, and how far it moves. @param reach of both together.
+/// @param center of B relative to A on the axis. @param move of it. @param reach of both together.
 void narrow(double center, double move, double reach, Overlap& overlap) noexcept {
   if (move == 0.0) {
     if (std::abs(center) > reach) {
@@ -55,7 +55,7 @@ std::optional<double> timeOfContact(const Sphere& a, const Pose& world_from_a, c
     return std::nullopt;
   }
   const double length_squared = travel.squaredNorm();
-  // How far the center passes by; a difference of squares would lose it where they graze.
+  // The distance at which the center passes. A difference of squares would lose it when grazing.
   const double aside = (between + approach / length_squared * travel).norm();
   if (aside > reach) {
     return std::nullopt;
@@ -90,7 +90,7 @@ std::optional<double> timeOfContact(const Box& a, const Pose& world_from_a, cons
   const Separations gaps = separationsOfBoxes(pair);
   Overlap overlap;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    if (std::isfinite(gaps.along[axis])) {  // else parallel edges, which are no axis
+    if (std::isfinite(gaps.along[axis])) {  // skips parallel edges, which give no axis
       const Eigen::Vector3d direction = axisDirection(pair, axis);
       const double center = direction.dot(pair.center_of_b);
       narrow(center, direction.dot(travel_in_a), center - gaps.along[axis], overlap);

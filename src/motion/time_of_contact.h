@@ -11,19 +11,17 @@
 
 namespace collision_monitor {
 
-/// When two shapes that do not turn first touch, by closed forms.
+/// When two shapes that do not rotate first touch, in closed form.
 ///
-/// A stands still and B moves straight by `travel` during the interval, which runs from 0 to 1:
-/// what counts is how they move against each other. Solids: shapes that overlap at the start
-/// touch at 0.
-/// Frames: world. Units: metres; times are shares of the interval.
-/// Error: 1e-12 of the interval where they meet head-on; at a grazing touch the time is as
-/// uncertain as the place.
-/// Limits: shapes of size zero and no travel are legal.
-/// Source: Ericson, "Real-Time Collision Detection" (2005), section 5.5; for boxes Gottschalk, Lin,
-/// Manocha, "OBBTree" (1996) with the relative velocity on each axis: at any time two boxes are
-/// apart if and only if one of fifteen axes parts them, so they touch first when the last axis
-/// gives way.
+/// A stands still and B moves straight by `travel` during the interval from 0 to 1: only their
+/// relative motion counts. Shapes are solid: if they overlap at the start, they touch at 0.
+/// Frames: world. Units: metres; times are fractions of the interval.
+/// Error: 1e-12 of the interval for head-on contact. At grazing contact the time is as uncertain as
+/// the place.
+/// Limits: shapes of size zero and zero travel are legal.
+/// Source: Ericson, "Real-Time Collision Detection" (2005), section 5.5. Boxes: Gottschalk, Lin,
+/// Manocha, "OBBTree" (1996), with the relative velocity on each axis. Two boxes are apart if and
+/// only if one of fifteen separating axes exists, so they first touch when the last one vanishes.
 /// @pre poses and travel are finite, poses rigid.
 /// @return nothing if they do not touch within the interval.
 

@@ -8,16 +8,15 @@
 
 namespace collision_monitor {
 
-/// Signed distance, witness points and normal of two posed shapes of the core +
-/// radius family. See signed_distance.h for frames and sign. One file per pair
-/// of cores: `distance_segment_box.cpp` and so on.
+/// Signed distance, witness points and normal of two posed shapes of the core + radius family. See
+/// signed_distance.h for frames and sign. Each pair of cores has its file:
+/// `distance_segment_box.cpp` and so on.
 ///
 /// Error: at most 1e-12 m for lengths from 1 mm to 10 m and distances up to 10 m, measured in
 /// docs/accuracy.md.
-/// Limits: parallel, concentric and zero-size shapes are legal; where the normal is not
-/// unique, one is chosen that realises the distance, the same every time. Where faces or edges
-/// are parallel, the points lie in the middle of what they share; where they are only nearly
-/// so, the exact points may lie at either end.
+/// Limits: parallel, concentric and zero-size shapes are legal. If the normal is not unique, it is
+/// one that realises the distance, always the same. If faces or edges are parallel, the points lie
+/// in the middle of their common part; if nearly parallel, perhaps at either end of it.
 /// Source: Ericson, "Real-Time Collision Detection" (2005), chapters 5.1 and 4.4; Gottschalk, Lin,
 /// Manocha, "OBBTree" (1996). Departures are named in src/narrow_phase.
 /// @pre poses are finite and rigid.
@@ -35,8 +34,8 @@ SignedDistance distanceBetween(const Capsule& a, const Pose& world_from_a, const
 SignedDistance distanceBetween(const RoundedBox& a, const Pose& world_from_a, const RoundedBox& b,
                                const Pose& world_from_b) noexcept;
 
-/// Any pair of the family: a box is a rounded box of radius 0, and a pair in the
-/// other order is measured in the canonical one and swapped.
+/// Measures any pair of the family. A box counts as a rounded box of radius 0. A pair in the other
+/// order is measured in the canonical one, and the answer swapped.
 SignedDistance distanceBetween(const Shape& a, const Pose& world_from_a, const Shape& b,
                                const Pose& world_from_b) noexcept;
 

@@ -22,7 +22,7 @@ SignedDistance inCanonicalOrder(const A& a, const Pose& world_from_a, const B& b
   }
 }
 
-// Calls `use` with the shape as one of the three swept kinds. Not std::visit, which may throw.
+// Calls `use` with the shape as a sphere, capsule or rounded box. Not std::visit, which may throw.
 template <class Use>
 SignedDistance withInflated(const Shape& shape, const Use& use) noexcept {
   static_assert(std::variant_size_v<Shape> == 4, "every kind of shape stands below");

@@ -76,8 +76,8 @@ ConvexDistance measure(const PlacedSolid& a, const PlacedTree& b, GeometrySearch
   return swappedAnswer(measure(b, a, search));
 }
 
-// Walks down a union and keeps the least answer of a leaf. `other` is measured against one sphere
-// at a time, which may be one that only holds the leaves below.
+// Descends a union and keeps the least answer of a leaf. Each node is one sphere: a leaf's own, or
+// one that holds all leaves below.
 template <class Other>
 void descend(const PlacedUnion& a, std::uint32_t index, const Placed<Other>& other,
              GeometrySearch& search, ConvexDistance& least) noexcept {
@@ -137,7 +137,7 @@ SphereUnion makeSphereUnion(SphereTree tree) {
   const auto& nodes = made.tree.nodes;
   made.reach.resize(nodes.size());
   constexpr double kUp = 1.0 + 1e-15;
-  for (std::size_t i = nodes.size(); i-- > 0;) {  // children stand behind their parents
+  for (std::size_t i = nodes.size(); i-- > 0;) {  // children come after their parents
     made.reach[i] = nodes[i].child_count == 0 ? nodes[i].radius : 0.0;
     for (std::uint32_t k = 0; k < nodes[i].child_count; ++k) {
       const std::size_t child = nodes[i].first_child + k;

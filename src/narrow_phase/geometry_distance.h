@@ -16,31 +16,31 @@ namespace collision_monitor {
 /// The leaves of a sphere tree as a solid: the union of their spheres.
 struct SphereUnion {
   SphereTree tree;
-  /// [m] By node: radius about its center that holds all leaves below it, whose spheres may stick
-  /// out of the node's own.
+  /// [m] By node: radius of a sphere about its center that holds all leaves below. Leaves may stick
+  /// out of the node's own sphere.
   std::vector<double> reach;
 };
 
 /// @throws std::invalid_argument when the tree has no nodes.
 SphereUnion makeSphereUnion(SphereTree tree);
 
-/// The closed set: every pair of them has an answer, or does not compile.
+/// The closed set of geometries. A pair without an answer does not compile.
 using GeometryRef = std::variant<const ConvexGeometry*, const MeshTree*, const SphereUnion*>;
 
-/// Scratch; one a thread.
+/// Scratch, one per thread.
 struct GeometrySearch {
   ConvexSearch& convex;
   MeshQueryMemory& mesh;
 };
 
-/// The least distance of A and B, or how deep they overlap.
+/// Measures the distance of A and B, or how deep they overlap.
 ///
-/// Error: apart, as signedDistanceBetween of convex geometries and distanceBetween of meshes; the
-/// unions of spheres with what they are measured against. Depth of convex geometries likewise, and
-/// of a mesh or a union and a half space.
-/// Limits: nobody knows the depth of solids that are not convex in a cycle. Two meshes give the
-/// length of a translation that separates them, as a `lower_bound`; a mesh and a convex geometry,
-/// and unions, an `estimate`: the depth of the deepest place found.
+/// Error: apart, as signedDistanceBetween of convex geometries and distanceBetween of meshes; a
+/// union counts as its spheres. The depth of two convex geometries, or of a half space with a mesh
+/// or a union, has the same error.
+/// Limits: the depth of other solids takes more time than a cycle has. Two meshes give the length
+/// of a translation that separates them, as a `lower_bound`. A mesh with a convex geometry, and
+/// unions, give an `estimate`: the depth of the deepest place found.
 /// @pre poses are rigid if they are finite; pointers are not null.
 ConvexDistance signedDistanceBetween(const GeometryRef& a, const Pose& world_from_a,
                                      const GeometryRef& b, const Pose& world_from_b,

@@ -14,13 +14,13 @@
 
 namespace collision_monitor::test {
 
-/// One number that stands for many: any bit that differs gives another number, most probably.
+/// One number for many. Other bits most probably give another number.
 /// Source: FNV-1a with 64 bits (Fowler, Noll, Vo; RFC 9923).
 class Digest {
  public:
   std::uint64_t value() const { return value_; }
 
-  /// The bits of a number; every NaN is the same.
+  /// Adds the bits of a number; all NaN are the same.
   template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
   void add(Number number) {
     addBits(number == number ? number : std::numeric_limits<Number>::quiet_NaN());

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Prints one digest a robot and subject of what the core answers at fixed seeds: whether two builds
-// answer the same (scripts/compare_answers). Robots are those of the shared data and of urdf/ whose
-// names hold one of the words; without words all.
+// Prints one digest for each robot and subject of what the core answers at fixed seeds. Equal
+// digests show that two builds answer the same (scripts/compare_answers). Uses the robots of the
+// shared data and of urdf/ whose names contain one of the words; all without words.
 //   digests [WORD]...
 #include <algorithm>
 #include <cinttypes>
@@ -40,7 +40,7 @@ bool isAsked(const RobotFile& robot, const std::vector<std::string>& words) {
          });
 }
 
-/// A robot that one build refuses the other must refuse, too; words of errors may change.
+/// If one build refuses a robot the other must, too; error texts may change.
 int printDigests(const std::vector<std::string>& words) {
   for (const RobotFile& robot : allRobotFiles()) {
     if (isAsked(robot, words)) {

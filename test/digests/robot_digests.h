@@ -5,26 +5,26 @@
 #include "collision_monitor/pipeline/setup.h"
 #include "digests/digest.h"
 
-/// What the core answers about one robot, each part as one digest. Two builds that answer the same
-/// have the same digests, whatever their sources look like.
+/// Digests of what the core answers about one robot. Builds that answer the same have the same
+/// digests, whatever their sources look like.
 namespace collision_monitor::test {
 
-/// Enclosing shapes, how far they stick out, and inner shapes.
+/// Of enclosing shapes, their overshoot and inner shapes.
 Digest digestOfFits(const CycleSetup& setup);
 
-/// Pairs of links with the reason why they are checked or not, and pairs of bodies.
+/// Of link pairs, each with the reason why it is checked or not, and of pairs of bodies.
 Digest digestOfPairs(const CycleSetup& setup);
 
-/// 1,000 cycles at 1 kHz and 1,000 at 50 Hz: distances, verdicts, times, contacts between cycles.
+/// Of 1,000 cycles at 1 kHz and 1,000 at 50 Hz: distances, verdicts, times, passed contacts.
 Digest digestOfCycles(const CycleSetup& setup);
 
-/// 64 random states, both questions, by enclosing shapes and by the exact geometries.
+/// Of 64 random states, for both questions, by enclosing shapes and by geometries.
 Digest digestOfStates(const CycleSetup& setup);
 
-/// A path of 100 way-points, followed until a budget is spent.
+/// Of a path of 100 way-points, checked until a budget is spent.
 Digest digestOfTrajectory(const CycleSetup& setup);
 
-/// Which pairs can touch, by 500 states and small proofs.
+/// Of which pairs can touch, by 500 states and small proofs.
 Digest digestOfPairSearch(const CycleSetup& setup);
 
 }  // namespace collision_monitor::test

@@ -39,7 +39,7 @@ void* allocateAligned(std::size_t size, std::align_val_t alignment) {
 
 void* operator new(std::size_t size) { return allocate(size); }
 void* operator new[](std::size_t size) { return allocate(size); }
-// std::stable_sort takes its memory this way.
+// std::stable_sort allocates with this one.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   return allocateIfPossible(size);
 }

@@ -6,8 +6,8 @@
 
 namespace collision_monitor::test {
 
-/// Counts the calls of operator new in this thread while it lives. Linking this file's
-/// source replaces the global operator new and delete of the test program.
+/// Counts the calls of operator new in this thread while it lives. Linking its source file replaces
+/// the global operator new and delete of the test program.
 class AllocationGuard {
  public:
   AllocationGuard();

@@ -9,8 +9,8 @@
 #include "support/expect_distance.h"
 #include "support/random_pairs.h"
 
-/// Random pairs of convex geometries, and what proves an answer about them. The same seed gives
-/// the same pairs.
+/// Random pairs of convex geometries, and proofs of answers about them. The same seed gives the
+/// same pairs.
 namespace collision_monitor::test {
 
 enum class ConvexKind : unsigned char {
@@ -29,9 +29,8 @@ constexpr ConvexKind kConvexKinds[] = {
 
 const char* nameOf(ConvexKind kind) noexcept;
 
-/// Geometries of one kind, made once since hulls are slow to make. Sizes are even in their
-/// logarithm between the bounds [m]. `with_degenerate` mixes in flat, needle-thin and zero-size
-/// ones.
+/// Geometries of one kind, made once because hulls are slow to build. Sizes are log-uniform between
+/// the bounds [m]. `with_degenerate` adds flat, needle-thin and zero-size ones.
 struct ConvexPoolRecipe {
   double least_length{1e-3};
   double greatest_length{5.0};
@@ -40,7 +39,7 @@ struct ConvexPoolRecipe {
 std::vector<ConvexGeometry> makeConvexPool(ConvexKind kind, std::size_t count,
                                            const ConvexPoolRecipe& recipe, Random& random);
 
-/// Two of such geometries, placed.
+/// Two such geometries, placed.
 struct PosedConvexPair {
   const ConvexGeometry* a{nullptr};
   Pose world_from_a;
@@ -48,32 +47,32 @@ struct PosedConvexPair {
   Pose world_from_b;
 };
 
-/// A's pose is random; B's is such that the pair is as near as asked for. The routine under test
-/// itself moves them there: what is checked is checked afterwards, by other means.
+/// A's pose is random. B's pose brings the pair as near as asked for. The tested routine itself
+/// moves it there: the tests check the result later, by other means.
 PosedConvexPair placeConvexPair(const ConvexGeometry& a, const ConvexGeometry& b, Nearness nearness,
                                 Alignment alignment, Random& random);
 
-/// In words that paste into a test.
+/// Text that pastes into a test.
 std::string describe(const PosedConvexPair& pair);
 
-/// What an answer can be held to without another algorithm, in 64-bit mantissas, from the
-/// geometries alone.
+/// Bounds of an answer that need no other algorithm: from the geometries alone, with 64-bit
+/// mantissas.
 struct ConvexCertificate {
-  /// Gap of both geometries' projections on the normal. No two points are nearer than this, and
-  /// minus this is a translation that separates: a proof from below in either case.
+  /// Gap of the projections of both geometries on the normal. No two points are nearer than this,
+  /// and a translation by its negative separates: a lower bound in both cases.
   double gap_along_normal{0.0};
-  /// How far the witness points are outside of their geometries, <= 0 inside.
+  /// How far the witness points are outside their geometries, <= 0 inside.
   double a_outside{0.0};
   double b_outside{0.0};
 };
 ConvexCertificate certify(const PosedConvexPair& pair, const SignedDistance& found);
 
-/// The farthest reach of a placed geometry along a direction; infinite for a half space that is
+/// The greatest projection of a placed geometry on a direction; infinite for a half space that is
 /// not perpendicular to it.
 long double extendedReach(const ConvexGeometry& geometry, const Pose& world_from_body,
                           const Eigen::Matrix<long double, 3, 1>& direction);
 
-/// The same by plain double arithmetic, over all vertices: radius that holds a geometry.
+/// A bounding radius of the geometry, in doubles, over all vertices.
 double extentOf(const ConvexGeometry& geometry);
 
 }  // namespace collision_monitor::test

@@ -13,22 +13,22 @@
 
 namespace collision_monitor::test {
 
-/// What narrow_phase/distance.h promises for lengths up to 10 m.
+/// The accuracy that narrow_phase/distance.h promises for lengths up to 10 m.
 constexpr double kExact = 1e-12;
 
 inline Pose at(double x, double y, double z) { return {Eigen::Matrix3d::Identity(), {x, y, z}}; }
 
-/// The rotation whose columns are the axes given; exact for axes of 0, 1 and -1.
+/// The rotation with the given columns x and y; exact for entries 0, 1 and -1.
 inline Eigen::Matrix3d axes(const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
   Eigen::Matrix3d rotation;
   rotation << x, y, x.cross(y);
   return rotation;
 }
 
-/// Carries z to x, to lay a capsule along x.
+/// Takes z to x: lays a capsule along x.
 inline Eigen::Matrix3d zToX() { return axes(Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()); }
 
-/// Carries z to y.
+/// Takes z to y.
 inline Eigen::Matrix3d zToY() { return axes(Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX()); }
 
 /// An eighth turn about z.
@@ -43,7 +43,7 @@ inline void expectNear(const Eigen::Vector3d& found, const Eigen::Vector3d& expe
       << what << ": found " << found.transpose() << ", expected " << expected.transpose();
 }
 
-/// What holds whatever the shapes: the normal is unit and joins the two points.
+/// Checks what holds for all shapes: the normal is unit and joins the two points.
 inline void expectConsistent(const SignedDistance& found) {
   EXPECT_NEAR(found.normal_a_to_b.norm(), 1.0, kExact);
   expectNear(found.point_on_b - found.point_on_a, found.distance * found.normal_a_to_b,

@@ -7,15 +7,15 @@
 
 namespace collision_monitor::test {
 
-/// What random cases are drawn from, where a test has no seed of its own.
+/// The seed of random cases in tests without a seed of their own.
 constexpr unsigned kSeed = 20260101;
 
-/// Including this makes rapidcheck draw the same cases in every run, before its first check reads
-/// the variable. A failure prints the seed; RC_PARAMS set outside goes before this.
+/// Makes rapidcheck draw the same cases in every run; initialized before its first check reads the
+/// variable. A failure prints the seed. RC_PARAMS from outside takes precedence.
 const bool kSeedIsFixed = setenv("RC_PARAMS", "seed=20260101", 0) == 0;
 
-/// More of them than rapidcheck's hundred, for the laws of a whole program, whichever of its files
-/// is initialized first.
+/// Asks for more than rapidcheck's hundred cases, for all laws of a program, in any order of
+/// initialization.
 inline bool askForCases(int count) {
   return std::string(std::getenv("RC_PARAMS")) != "seed=20260101" ||
          setenv("RC_PARAMS", ("seed=20260101 max_success=" + std::to_string(count)).c_str(), 1) ==

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "geometry/lanes/lane_targets.h"
-// Above first.
+// Must come first.
 #include <hwy/targets.h>
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace collision_monitor::test {
 
-/// The instruction sets for which batched kernels were compiled and that this machine has; best
+/// The instruction sets that batched kernels were compiled for and that this machine has, best
 /// first. hwy::TargetName names them.
 inline std::vector<std::int64_t> instructionSets() { return hwy::SupportedAndGeneratedTargets(); }
 
-/// While it lives, batched kernels use one instruction set only.
+/// While it lives, batched kernels use only one instruction set.
 class OnlyInstructionSet {
  public:
   explicit OnlyInstructionSet(std::int64_t target) { choose(target); }

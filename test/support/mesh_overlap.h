@@ -6,7 +6,7 @@
 
 namespace collision_monitor::test {
 
-/// Whether two meshes overlap; what is unknown is not apart.
+/// Whether two meshes overlap; unknown counts as overlap.
 inline bool meshesOverlap(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& memory) {
   return contactOf(a, b, {}, memory).state != MeshContact::State::apart;
 }

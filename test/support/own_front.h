@@ -6,7 +6,7 @@
 
 namespace collision_monitor::test {
 
-/// A front with a pool of its own.
+/// A front with its own pool.
 struct OwnFront : FrontPool, MeshFront {
   explicit OwnFront(std::size_t room = MeshFront::kMostBlocks)
       : FrontPool(room), MeshFront(static_cast<FrontPool&>(*this)) {}

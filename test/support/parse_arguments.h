@@ -9,9 +9,9 @@
 
 namespace collision_monitor::test {
 
-/// What a program makes of its command line.
-/// @param parse (argc, argv) as main has them
-/// @param said what was printed meanwhile, to both streams, unless null
+/// Parses a command line.
+/// @param parse takes (argc, argv) as main does.
+/// @param said receives what was printed to both streams, unless null.
 template <class Parse>
 auto parseArguments(const Parse& parse, std::vector<const char*> arguments, std::string* said) {
   arguments.insert(arguments.begin(), "program");

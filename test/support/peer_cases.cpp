@@ -19,7 +19,7 @@ Eigen::Vector3d vectorOf(const Json& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
-// Some issue threads give rotations to six digits; the nearest proper rotation is meant.
+// Some issue threads give rotations to six digits: takes the nearest proper rotation.
 Pose poseOf(const Json& json) {
   Pose pose;
   for (Eigen::Index row = 0; row < 3; ++row) {
@@ -148,8 +148,8 @@ void addSphereGrid(const Json& family, std::vector<PeerCase>& cases) {
   }
 }
 
-// In single precision, with flat triangles at the poles and a seam of double vertices, as its
-// author made it.
+// Built as its author did: in single precision, with flat triangles at the poles and double
+// vertices along a seam.
 TriangleMesh sphereOfCoal(float radius) {
   constexpr std::uint32_t kSteps = 31;
   constexpr auto kPi = static_cast<float>(M_PI);

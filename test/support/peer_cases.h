@@ -9,10 +9,10 @@
 #include "collision_monitor/geometry/triangle_mesh.h"
 #include "collision_monitor/narrow_phase/convex_distance.h"
 
-/// Cases of other libraries' test suites, from the folder peer_cases of the shared data.
+/// Cases from the test suites of other libraries, in the folder peer_cases of the shared data.
 namespace collision_monitor::test {
 
-/// What a peer's test asserts of a pair. Nothing where it does not.
+/// What a peer's test asserts of a pair; empty members are not asserted.
 struct PeerExpectation {
   std::optional<double> distance;
   std::optional<double> unsigned_distance;  ///< 0 where they overlap
@@ -33,16 +33,16 @@ struct PeerCase {
   PeerExpectation expect;
 };
 
-/// Every pair of convex geometries, listed or given by formula. Nothing without shared data.
+/// Every pair of convex geometries, listed or given by formula. None without shared data.
 std::optional<std::vector<PeerCase>> convexPeerCases();
 
-/// Two meshes that a peer once failed on; it asserts only that an answer comes back.
+/// Two meshes on which a peer once failed. It only asserts that an answer comes back.
 struct PeerMeshCase {
   std::string id;
   Pose world_from_b;
 };
 
-/// The small sphere (A, where the world is) and the large one, and where it is put.
+/// The small sphere (A, in the world frame), the large one, and its poses.
 struct PeerSpheres {
   TriangleMesh a;
   TriangleMesh b;
@@ -50,7 +50,7 @@ struct PeerSpheres {
 };
 std::optional<PeerSpheres> sphereMeshPeerCases();
 
-/// What the peer asserts and an answer does not fulfil; empty when all is well.
+/// The assertions of the peer that an answer does not fulfil; empty if it fulfils all.
 /// @param slack [m] beyond the peer's own tolerance.
 std::string differenceFrom(const PeerExpectation& expect, double distance, double slack);
 

@@ -7,16 +7,16 @@
 #include "collision_monitor/geometry/winding.h"
 #include "support/random_poses.h"
 
-/// Meshes for tests of mesh queries that no simpler test would break.
+/// Meshes that break mesh queries where simpler ones would not.
 namespace collision_monitor::test {
 
-/// A closed body with hills and hollows, `length` [m] long along x, 0.7 of it across.
+/// A closed body with hills and hollows, `length` [m] long along x and 0.7 of that across.
 TriangleMesh bumpyMesh(double length, int sectors);
 
-/// Triangles without order: `count` of them, with needles, segments and points among them.
+/// `count` unordered triangles, with needles, segments and points among them.
 TriangleMesh triangleSoup(double reach, int count, Random& random);
 
-/// A surface that need not be closed, as set-ups make it.
+/// The tree of a surface that need not be closed, as set-ups build it.
 inline MeshTree openTree(const TriangleMesh& mesh) {
   return MeshTree::ofOriented(orientedSurface(mesh));
 }

@@ -45,7 +45,7 @@ Shape randomShape(ShapeKind kind, const PairRecipe& recipe, Random& random) {
   return RoundedBox{half_extents, length()};
 }
 
-// One of the turns that carry the axes to axes.
+// One of the rotations that take axes to axes.
 Eigen::Matrix3d quarterTurns(Random& random) {
   Eigen::Matrix3d turns = Eigen::Matrix3d::Identity();
   for (int i = 0; i < 4; ++i) {
@@ -73,7 +73,7 @@ Eigen::Matrix3d relativeRotation(Alignment alignment, Random& random) {
   return Eigen::AngleAxisd(logUniform(1e-16, 1e-3, random), axis).toRotationMatrix() * turns;
 }
 
-// The gap to make; kUnchanged leaves the pair where it is.
+// Leaves the pair where it is, in place of a gap to make.
 constexpr double kUnchanged = 1e9;
 
 double wantedGap(Nearness nearness, const ShapePair& pair, Random& random) {
@@ -114,7 +114,7 @@ ShapePair randomPair(const PairRecipe& recipe, Random& random) {
   ShapePair pair;
   pair.a = randomShape(recipe.a, recipe, random);
   pair.b = randomShape(recipe.b, recipe, random);
-  // Aligned pairs also occur with the world's own axes, where nothing is rounded.
+  // Some aligned pairs use the world's own axes, where nothing is rounded.
   const bool in_world = recipe.alignment != Alignment::random && oneIn(2, random);
   pair.world_from_a = in_world ? Pose{} : randomPose(random, 10.0);
   const double reach = std::max(reachOf(pair.a), reachOf(pair.b)) + 1e-3;

@@ -7,8 +7,8 @@
 #include "collision_monitor/geometry/shapes.h"
 #include "support/random_poses.h"
 
-/// Random pairs of shapes for property tests, the comparison with FCL and the benchmark. The
-/// same seed gives the same pairs.
+/// Random pairs of shapes for property tests, the comparison with FCL and the benchmark. The same
+/// seed gives the same pairs.
 namespace collision_monitor::test {
 
 struct ShapePair {
@@ -20,19 +20,19 @@ struct ShapePair {
 
 enum class ShapeKind : unsigned char { sphere, capsule, box, rounded_box };
 
-/// How near the two shapes are brought along the line between their nearest points.
+/// How near the two shapes are along the line between their closest points.
 enum class Nearness : unsigned char {
   separated,    ///< gaps up to 10 m
   near,         ///< gaps and depths from 1 um to 1 mm
-  touching,     ///< cores or surfaces that touch but for rounding
-  overlapping,  ///< depths up to the whole, now and then concentric
+  touching,     ///< cores or surfaces that touch up to rounding
+  overlapping,  ///< depths up to the whole size, sometimes concentric
 };
 
-/// How the two rotations relate.
+/// The relative rotation of the shapes.
 enum class Alignment : unsigned char {
   random,
-  aligned,        ///< by multiples of 90 degrees; centers often share coordinates
-  near_parallel,  ///< as aligned but for an angle from 1e-16 to 1e-3 rad
+  aligned,        ///< multiples of 90 degrees; centers often share coordinates
+  near_parallel,  ///< aligned, plus an angle from 1e-16 to 1e-3 rad
 };
 
 constexpr ShapeKind kShapeKinds[] = {ShapeKind::sphere, ShapeKind::capsule, ShapeKind::box,
@@ -52,14 +52,14 @@ struct PairRecipe {
   Nearness nearness{Nearness::separated};
   Alignment alignment{Alignment::random};
   double least_length{1e-3};      ///< [m] of half extents, half lengths and radii
-  double greatest_length{5.0};    ///< [m] so that no shape's core is longer than 10 m
+  double greatest_length{5.0};    ///< [m] so no shape's core is longer than 10 m
   bool with_zero_lengths{false};  ///< every fifth length is 0
 };
 
-/// Lengths are even in their logarithm.
+/// Lengths are log-uniform.
 ShapePair randomPair(const PairRecipe& recipe, Random& random);
 
-/// The pair in words that paste into a test.
+/// Text of the pair that pastes into a test.
 std::string describe(const ShapePair& pair);
 
 }  // namespace collision_monitor::test

@@ -10,19 +10,19 @@ namespace collision_monitor::test {
 /// Corners at +-half, twelve outward triangles.
 TriangleMesh boxMesh(const Eigen::Vector3d& half_extents);
 
-/// The same about another center.
+/// As above, about another center.
 TriangleMesh boxMeshAt(const Eigen::Vector3d& half_extents, const Eigen::Vector3d& center);
 
-/// A closed tube around z with `sides` corners on either rim, which lie on the circle.
+/// A closed tube around z. Each rim has `sides` corners, which lie on the circle.
 TriangleMesh prismMesh(double radius, double half_length, int sides);
 
-/// A closed sphere of rings and sectors with vertices on the sphere, poles included.
+/// A closed sphere of rings and sectors, with all vertices on the sphere, poles included.
 TriangleMesh sphereMesh(double radius, int sectors);
 
-/// Random points in a box, as triangles without meaning: only their hull counts.
+/// Random points in a box, as arbitrary triangles: only their hull counts.
 TriangleMesh randomCloud(const Eigen::Vector3d& half_extents, int count, unsigned seed);
 
-/// The mesh turned about an axis by an angle and shifted.
+/// The mesh rotated by a rotation vector and shifted.
 TriangleMesh moved(const TriangleMesh& mesh, const Eigen::Vector3d& turn,
                    const Eigen::Vector3d& shift);
 TriangleMesh scaled(const TriangleMesh& mesh, double factor);

@@ -9,7 +9,7 @@
 
 namespace collision_monitor::test {
 
-/// An empty folder of its own, removed with all it holds at the end.
+/// A new empty folder, removed with its content at the end.
 class ScratchFolder {
  public:
   ScratchFolder() {

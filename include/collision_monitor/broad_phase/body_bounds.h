@@ -9,13 +9,13 @@
 
 namespace collision_monitor {
 
-/// One box a body, world frame, already grown by half the reach of the cycle,
-/// so that bodies within reach of each other have boxes that meet.
+/// One box per body, in the world frame. Each is grown by half the activation distance of the
+/// cycle, so the boxes of two bodies within that distance of each other meet.
 struct BodyBounds {
   std::vector<Aabb> boxes;
   std::vector<unsigned char> known;  ///< 0: the pose is unknown and the box means nothing
-  std::vector<double>
-      ahead{};  ///< [m] by which a box was grown beyond that, for motion to come; NaN: not known
+  /// [m] Further growth of a box for motion to come. NaN: not known.
+  std::vector<double> ahead{};
 };
 
 }  // namespace collision_monitor

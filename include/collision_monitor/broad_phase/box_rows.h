@@ -10,15 +10,15 @@
 
 namespace collision_monitor {
 
-/// Boxes as rows, one array a coordinate, so that one vector instruction looks at many of them.
-/// Behind each stretch of rows stand kRowPadding rows of NaN, which meet nothing.
+/// Boxes stored as one array per coordinate, so that one vector instruction tests many of them.
+/// kRowPadding rows of NaN follow each stretch of rows. They meet nothing.
 struct BoxRows {
   std::array<std::vector<float>, 3> min;
   std::array<std::vector<float>, 3> max;
   std::vector<std::uint32_t> bodies;
 };
 
-/// As many as the widest vector has lanes.
+/// The number of lanes of the widest vector.
 constexpr std::size_t kRowPadding = 16;
 
 void reserveRows(std::size_t count, BoxRows& rows);
@@ -42,26 +42,24 @@ struct RowPair {
 struct PairedRows {
   std::size_t next{0};   ///< the first row whose partners were not looked for
   std::size_t count{0};  ///< pairs written
-  std::size_t seen{0};   ///< rows looked at
+  std::size_t seen{0};   ///< rows tested
 };
 
-/// Writes the pairs that meet of the rows from `row` on and before `last`, in order. Stops before a
-/// row for which `hits` may have no room left. The instruction set is chosen at run time; all
-/// give the same.
+/// Writes the pairs that meet among the rows [row, last), in order. Stops before a row for which
+/// `hits` may lack room. The instruction set is chosen at run time; the result does not depend on
+/// it.
 /// @pre padding begins at `last`; `hits` has room for last - row pairs.
 PairedRows pairRows(const BoxRows& rows, std::size_t row, std::size_t last,
                     std::vector<RowPair>& hits) noexcept;
 
-/// The same for rows sorted by the lower end on `axis`: a row is left at the first that begins
-/// behind its upper end.
+/// As pairRows, for rows sorted by their lower end on `axis`. The search for a row's partners ends
+/// at the first row that begins behind the row's upper end.
 PairedRows sweepRows(const BoxRows& rows, std::size_t row, std::size_t last, std::size_t axis,
                      std::vector<RowPair>& hits) noexcept;
 
-/// Of a table of pairs those that meet: every body has its row, and the pair of the rows a and b
-/// has the id at a * last + b of `ids`, or is none where that is kNone. Writes ids in place of
-/// rows.
-/// @pre padding begins at `last`, also of `ids`; `found` has room for last - row ids and
-/// kRowPadding more.
+/// Writes the ids of those pairs of a table that meet. Every body has its own row. The pair of the
+/// rows a and b has the id ids[a * last + b]; kNone means there is no such pair.
+/// @pre padding begins at `last`, also in `ids`; `found` has room for last - row + kRowPadding ids.
 PairedRows pairRowsOfTable(const BoxRows& rows, std::size_t row, std::size_t last,
                            const std::uint32_t* ids, std::vector<std::uint32_t>& found) noexcept;
 

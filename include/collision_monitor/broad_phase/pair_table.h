@@ -16,27 +16,24 @@ struct BodyPair {
   BodyId b{};
 };
 
-/// No PairId.
-
-/// The fixed list of pairs that may touch, in the order given, and the way back from two
-/// bodies to their pair. Built at set-up, read-only after.
+/// The fixed list of pairs that may touch, in the order given, with a look-up from two bodies to
+/// their pair. Built at set-up, read-only after.
 class PairTable {
  public:
   PairTable() = default;
-  /// @pre a < b < body_count for every pair; no pair stands twice.
+  /// @pre a < b < body_count for every pair; no pair appears twice.
   PairTable(std::vector<BodyPair> pairs, std::size_t body_count);
 
   const std::vector<BodyPair>& pairs() const noexcept { return pairs_; }
   const BodyPair& operator[](PairId id) const noexcept { return pairs_[index(id)]; }
   std::size_t size() const noexcept { return pairs_.size(); }
 
-  /// The pair of two bodies, given in either order.
-  /// @return false when they may not touch; `id` is then left alone.
+  /// Finds the pair of two bodies, given in either order.
+  /// @return false when they may not touch; `id` then stays unchanged.
   bool find(BodyId one, BodyId other, PairId& id) const noexcept;
 
-  /// The pairs of body a with every body b, by a * body_count + b: an id, or kNone where there
-  /// is none or b < a. Behind the last stands kRowPadding times kNone. Null for more than a
-  /// robot's bodies.
+  /// The pair of bodies a and b, at a * body_count + b: its id, or kNone if there is no pair or
+  /// a > b. kRowPadding times kNone follow the last. Null for more bodies than a robot has.
   const std::uint32_t* idsOfAll() const noexcept { return dense_.empty() ? nullptr : &dense_[0]; }
 
  private:
@@ -49,10 +46,10 @@ class PairTable {
   void fillPartners();
 
   std::vector<BodyPair> pairs_;
-  std::vector<std::uint32_t>
-      first_partner_;                 ///< by body a: where its partners start; one more at the end
-  std::vector<Partner> partners_;     ///< grouped by body a, sorted by body b; where not dense_
-  std::vector<std::uint32_t> dense_;  ///< as idsOfAll; empty for more bodies than a robot's
+  /// By body a: where its partners start; one more entry at the end.
+  std::vector<std::uint32_t> first_partner_;
+  std::vector<Partner> partners_;     ///< grouped by body a, sorted by body b; used without dense_
+  std::vector<std::uint32_t> dense_;  ///< see idsOfAll; may be empty
   std::size_t body_count_{0};
 };
 

@@ -9,26 +9,26 @@
 
 namespace collision_monitor {
 
-/// An axis-aligned box in single precision, rounded outward: it holds the box it was made from, so
-/// what it meets may be too much and is never too little. Half the size of an Aabb, twice as
-/// many at a time in vector code. World frame, [m]. The fourth coordinates are 0.
+/// An axis-aligned box in single precision, rounded outward. It holds the box it was made from, so
+/// it may meet too many boxes and never too few. It takes half the memory of an Aabb, and vector
+/// code tests twice as many at once. World frame, [m]. The fourth coordinates are 0.
 struct alignas(32) SmallBox {
   std::array<float, 4> min{};
   std::array<float, 4> max{};
 };
 
-/// Meets nothing, itself neither: all coordinates are NaN.
+/// A box of NaN, which meets nothing, not even itself.
 SmallBox emptyBox() noexcept;
 bool isEmpty(const SmallBox& box) noexcept;
 
-/// Empty where the box is none: a coordinate is NaN, or min > max.
+/// The box rounded outward. Empty if a coordinate is NaN or min > max.
 /// Error: between half a unit and 3 units in the last place of single precision outward.
-/// Limits: infinite coordinates and those beyond single precision stay or become infinite outward,
-/// and inward the greatest number.
+/// Limits: an infinite coordinate, or one beyond single precision, becomes infinite where that is
+/// outward, and the greatest finite number where it is not.
 SmallBox smallBoxOf(const Aabb& box) noexcept;
 
-/// One a body; empty for those that are not known.
-/// @pre `boxes` has as many as `bounds`.
+/// Fills one box per body; bodies that are not known get an empty one.
+/// @pre `boxes` and `bounds` have the same size.
 void fillSmallBoxes(const BodyBounds& bounds, std::vector<SmallBox>& boxes) noexcept;
 
 }  // namespace collision_monitor

@@ -8,13 +8,13 @@
 
 namespace collision_monitor {
 
-/// One shape that encloses one geometry, proven.
+/// One shape that is proven to enclose one geometry.
 struct Enclosure {
   Shape shape;
-  Pose geometry_from_body;  ///< where the shape sits in the geometry's frame
+  Pose geometry_from_body;  ///< places the shape in the geometry's frame
   Overshoot overshoot;
-  double widening{0.0};  ///< [m] growth of the radius or extents that the proof asked for
-  bool is_exact{false};  ///< the shape is the geometry: distances to it are exact
+  double widening{0.0};  ///< [m] growth of the radius or extents that the proof needed
+  bool is_exact{false};  ///< the shape equals the geometry, so distances to it are exact
 };
 
 /// Kinds of shape that may be chosen.
@@ -28,21 +28,20 @@ struct ShapeKinds {
 /// Whether a shape is of one of the kinds.
 bool isAmong(const ShapeKinds& kinds, const Shape& shape) noexcept;
 
-/// The tightest of sphere, capsule, oriented box and rounded box that encloses the geometry.
-/// Spheres, capsules and boxes are returned as they are, where their kind is allowed.
+/// The tightest sphere, capsule, oriented box or rounded box that encloses the geometry. A sphere,
+/// capsule or box is returned unchanged where its kind is allowed.
 ///
-/// Tightest means: least fourth-power mean of the overshoot; a costlier kind (in the order above)
-/// has to be 3 % better. docs/decisions/choice-of-shape.md says why.
+/// The tightest shape has the least fourth-power mean of the overshoot. A costlier kind (in the
+/// order above) has to be 3 % better: see docs/decisions/choice-of-shape.md.
 ///
-/// Error: containment of every vertex (for curved geometry: of the geometry by
-/// its farthest points) is proven with rounding taken into account; a fit that
-/// cannot be proven is widened until it can.
-/// Vertices that no triangle uses are enclosed too.
-/// Limits: flat, one-segment and one-point meshes are legal, with or without triangles; so are
+/// Error: containment is proven with rounding taken into account, for every vertex of a mesh (used
+/// by a triangle or not) and for the farthest points of curved geometry. A fit that cannot be
+/// proven is widened until it can.
+/// Limits: flat, one-segment and one-point meshes are legal, with or without triangles. So are
 /// open, inverted and self-intersecting ones. Coordinates and dimensions up to 1e100 m.
-/// @throws std::invalid_argument with a sentence that names the fault: no
-/// vertices, a non-finite or too large vertex or dimension, a negative dimension, a triangle that
-/// names a vertex that is not there, no kind that is allowed.
+/// @throws std::invalid_argument with a sentence that names the fault: no vertices, a vertex or
+/// dimension that is not finite or too large, a negative dimension, a triangle with a missing
+/// vertex, no allowed kind.
 Enclosure encloseTightly(const Geometry& geometry, const ShapeKinds& kinds = {});
 
 }  // namespace collision_monitor

@@ -11,17 +11,17 @@
 
 namespace collision_monitor {
 
-/// What the shapes of one link may cost, and how tight they have to be.
+/// Limits on the number and the tightness of the shapes of one link.
 struct FitLimits {
-  /// Of all geometries of the link together; each geometry has at least one. The cost of a cycle
-  /// grows with the product of two links' shapes.
+  /// For all geometries of the link together; each geometry has at least one shape. The cost of a
+  /// cycle grows with the product of two links' shapes.
   std::uint32_t max_shapes{1};
   double target_overshoot{0.0};  ///< [m] a part that sticks out no farther is not divided
   ShapeKinds kinds;
 };
 
 /// A cut of one part of a surface in two. The part keeps what is below the plane
-/// { x : normal . x = offset }; what is above becomes the part with the next number.
+/// { x : normal . x = offset }. What is above becomes the part with the next number.
 struct PartCut {
   std::uint32_t part{0};
   Eigen::Vector3d normal{Eigen::Vector3d::UnitX()};  ///< unit, in the geometry's frame
@@ -31,32 +31,32 @@ struct PartCut {
 /// The shapes of one geometry.
 struct Fit {
   std::vector<Enclosure> shapes;
-  std::vector<PartCut> cuts;  ///< in the order in which they were made; one less than parts
-  /// By part: the shape that holds it; empty: each part has its own, in the same order.
+  std::vector<PartCut> cuts;  ///< in the order in which they were made; one fewer than parts
+  /// By part: the shape that holds it. Empty: each part has its own shape, in the same order.
   std::vector<std::uint32_t> shape_of;
-  /// Of the union of the shapes: over the points of each that no other holds.
+  /// Overshoot of the union of the shapes: over the points of each shape that no other holds.
   Overshoot overshoot;
-  InnerShapes inner;  ///< in the geometry; none where nobody looked for them
-  /// Of a mesh that is not closed, as opennessOf measures it; none where nobody did.
+  InnerShapes inner;  ///< inside the geometry; none if not searched for
+  /// The openness of a mesh that is not closed, see opennessOf; none if not measured.
   std::optional<double> openness;
 };
 
 /// Encloses each geometry in one or more shapes. The part that sticks out farthest is cut first, so
-/// that shapes are spent where they are needed; triangles that a plane crosses are cut too.
+/// shapes go where they are needed. Triangles that a plane crosses are cut too.
 ///
-/// Every part of a surface lies in its own shape, and so the whole surface in the union. What lies
-/// behind a surface is covered as far as the parts' convex hulls reach: a closed mesh that is cut
-/// by three planes or more may leave a hollow where they meet.
-/// Error: as for encloseTightly; corners that a cut makes are allowed for, see PartedSurface.
-/// @return one a geometry.
-/// @throws std::invalid_argument as encloseTightly; when max_shapes is 0, or target_overshoot
+/// Every part of a surface lies in its own shape, so the whole surface lies in the union. The space
+/// behind a surface is covered only by the parts' convex hulls: three or more cuts of a closed mesh
+/// may leave a hollow where they meet.
+/// Error: as encloseTightly; corners that a cut makes are allowed for, see PartedSurface.
+/// @return one fit per geometry.
+/// @throws std::invalid_argument as encloseTightly, and when max_shapes is 0 or target_overshoot is
 /// negative or NaN.
 std::vector<Fit> fitGeometries(const std::vector<Geometry>& geometries, const FitLimits& limits);
 
-/// An upper bound of how far the geometry lies outside the fit, valid in exact arithmetic: <= 0
-/// proves that the union encloses it. For fits that come from a file.
-/// Limits: infinity when the fit is malformed (no shapes, cuts of parts that are not there or with
-/// normals that are not unit, numbers that are not finite).
+/// An upper bound of how far the geometry lies outside the fit, valid in exact arithmetic.
+/// A value <= 0 proves that the union encloses the geometry. For fits read from a file.
+/// Limits: infinity when the fit is malformed (no shapes, cuts of missing parts, normals that are
+/// not unit, numbers that are not finite).
 double provenExcess(const Geometry& geometry, const Fit& fit);
 
 }  // namespace collision_monitor

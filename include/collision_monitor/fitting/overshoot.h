@@ -10,16 +10,16 @@
 
 namespace collision_monitor {
 
-/// How far the surface of an enclosing shape lies outside the geometry it encloses: the distance
-/// from a point of the shape's surface to the nearest point of the geometry's surface. That point
-/// lies outside the geometry because the shape encloses it, so this needs no inside and outside of
-/// the mesh: open, inverted and self-intersecting meshes are measured like any other.
+/// How far the surface of an enclosing shape lies outside the geometry: the distance from a point
+/// of the shape's surface to the nearest point of the geometry's surface. The shape encloses the
+/// geometry, so no point of its surface is inside. The mesh therefore needs no inside: open,
+/// inverted and self-intersecting meshes are measured like any other.
 ///
 /// Units: metres. Means are over the area of the shape.
 struct Overshoot {
   double max{0.0};
   double mean{0.0};
-  /// Fourth root of the mean of the fourth power: between mean and max, by area and by height.
+  /// Fourth root of the mean of the fourth power. Lies between mean and max: area and height count.
   double fourth_power_mean{0.0};
 };
 
@@ -49,20 +49,20 @@ class OvershootSum {
   double fourth_moment_{0.0};
 };
 
-/// Points on a grid over the shape's faces, edges and corners, borders included; the same ones
-/// every time. Neighbours are at most sqrt(area / count) apart along each direction of the grid, so
-/// there are about `count`, and never fewer than one a corner.
+/// Samples the shape's faces, edges and corners on a grid, borders included; always the same
+/// points. Neighbours are at most sqrt(area / count) apart along each direction of the grid. So
+/// there are about `count` samples, at least one per corner.
 std::vector<SurfaceSample> sampleSurface(const Shape& shape, int count);
 
-/// How closely overshoot is measured.
+/// Accuracy of an overshoot measurement.
 struct OvershootSampling {
-  int count{1000};         ///< samples, about
-  double tolerance{0.01};  ///< a distance to the mesh may come out too large by this fraction
+  int count{1000};         ///< approximate number of samples
+  double tolerance{0.01};  ///< a distance to the mesh may be too large by this fraction
 };
 
-/// Overshoot over a mesh.
-/// Error: `max` may be too small by the distance between samples over sqrt(2), and everything too
-/// large by the fraction `tolerance`.
+/// Measures the overshoot of a fit over a mesh.
+/// Error: `max` may be too small by the distance between samples over sqrt(2). All values may be
+/// too large by the fraction `tolerance`.
 Overshoot measureOvershoot(const PosedShape& fit, const TriangleBvh& mesh,
                            const OvershootSampling& sampling = {});
 

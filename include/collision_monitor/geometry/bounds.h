@@ -15,18 +15,18 @@ struct Aabb {
   Eigen::Vector3d max{Eigen::Vector3d::Zero()};
 };
 
-/// Touching boxes meet: the test is closed, so a broad phase may report too
-/// much, never too little.
+/// True when the boxes overlap or touch. The test is closed, so a broad phase may report too many
+/// pairs, never too few.
 inline bool meets(const Aabb& a, const Aabb& b) noexcept {
   return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
 }
 
-/// The least axis-aligned box of the posed shape, from its support function in
-/// the six axis directions, grown by `margin` on every side and by a rounding
-/// allowance so that it encloses the shape in floating point too.
+/// The smallest axis-aligned box of the posed shape, from its support function along the six axis
+/// directions. It is grown by `margin` and by a rounding allowance on every side, so it encloses
+/// the shape in floating point too.
 Aabb aabbOf(const Shape& shape, const Pose& world_from_body, double margin) noexcept;
 
-/// Radius about the body origin that holds the whole shape, whatever its rotation.
+/// The radius of a ball about the body's origin that holds the whole shape.
 double boundingRadius(const Shape& shape) noexcept;
 
 }  // namespace collision_monitor

@@ -9,7 +9,7 @@
 
 namespace collision_monitor {
 
-/// What one `<collision>` element of a URDF holds, in its own frame, scale applied.
+/// The content of one `<collision>` element of a URDF, in its own frame, with scale applied.
 using Geometry = std::variant<Sphere, Capsule, Box, Cylinder, TriangleMesh>;
 
 }  // namespace collision_monitor

@@ -4,8 +4,8 @@
 
 namespace collision_monitor {
 
-/// Everything below a plane: the points with z <= 0 in its own frame, to be placed by a pose. The
-/// plane passes through the frame's origin and z points out of the solid.
+/// The points with z <= 0 in its own frame, which a pose places. The boundary plane passes through
+/// the frame's origin, and z points out of the solid.
 struct HalfSpace {};
 
 }  // namespace collision_monitor

@@ -7,9 +7,8 @@
 
 namespace collision_monitor {
 
-/// Ids are dense indices into the arrays of the set-up they belong to. They are
-/// distinct types, so that a body cannot be used where a pair is meant; names
-/// are looked up at the ROS edge and nowhere else.
+/// Ids are dense indices into the arrays of their set-up. Their types are distinct, so a body
+/// cannot be used as a pair. Names are looked up at the ROS edge and nowhere else.
 enum class BodyId : std::uint32_t {};  ///< one shape fixed to a link
 enum class PairId : std::uint32_t {};  ///< two bodies that may touch
 

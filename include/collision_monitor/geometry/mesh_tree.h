@@ -14,12 +14,12 @@
 
 namespace collision_monitor {
 
-/// Eight children side by side, so that one instruction tests several.
+/// Eight children side by side, so that one instruction tests several of them.
 ///
 /// Each child is bounded by an axis-aligned box and by a slab across the mean normal of its
-/// triangles: a patch of surface is thin along its normal, and a box that is not turned along with
-/// it misses that. Both enclose the triangles in exact arithmetic; the normal is at most of
-/// unit length, so a gap measured along it is never too large.
+/// triangles. A patch of surface is thin along its normal, which an axis-aligned box cannot use.
+/// Both enclose the triangles in exact arithmetic. The normal is at most of unit length, so a gap
+/// measured along it is never too large.
 ///
 /// Frames: the mesh's axes, origin at MeshTree::center(). Units: metres.
 struct alignas(64) MeshTreeNode {
@@ -34,60 +34,58 @@ struct alignas(64) MeshTreeNode {
   std::uint32_t child[kWidth];  ///< a node, or kTriangle + a triangle, or kNone
 };
 
-/// What a tree knows beside its triangles of a surface that is not closed, so that winding numbers
-/// tell its inside.
+/// What winding numbers need to tell the inside of a surface that is not closed.
 struct OpenSurface {
-  std::vector<WindingMoments> moments;  ///< by node, of all that stands below it
-  /// Edges where the surface ends; none where that is nearly everywhere, as in a soup.
+  std::vector<WindingMoments> moments;  ///< by node: the moments of all triangles below it
+  /// Edges where the surface ends. None for a soup, whose surface ends nearly everywhere.
   std::optional<TriangleBvh> rim;
   double rim_length{0.0};  ///< [m] as SurfaceRim::length
 };
 
 /// A static hierarchy over the triangles of a mesh for queries against other meshes and shapes.
 ///
-/// Node 0 has the whole mesh as its only child, so that every bound stands in some node and a pair
-/// of numbers (node, slot) names it. Queries neither allocate nor throw and may run at the same
-/// time.
+/// Node 0 has the whole mesh as its only child. So every bound stands in some node, and the two
+/// numbers (node, slot) name it. Queries neither allocate nor throw and may run at the same time.
 /// Frames: triangles in the mesh's frame. Units: metres.
 /// Source: wide nodes: Wald, Benthin, Boulos, "Getting Rid of Packets" (2008); binned surface area
 /// heuristic: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies" (2007); slabs:
 /// Kay, Kajiya, "Ray Tracing Complex Scenes" (1986), with one direction chosen for each child.
 class MeshTree {
  public:
-  /// The levels below node 0 at most; from kSplitByCount on ranges are halved, whatever that costs.
+  /// The most levels below node 0. From level kSplitByCount on, ranges are halved at any cost.
   static constexpr std::uint32_t kSplitByCount = 24;
   static constexpr std::uint32_t kMaxLevels = kSplitByCount + 32;
 
-  /// A mesh without triangles is taken as its vertices.
-  /// @param is_closed the triangles bound a solid, whichever way they turn: then a point has an
-  /// inside to be in. Not checked here.
-  /// @throws std::invalid_argument when the mesh has no vertices, one is not finite or beyond 1e6
-  /// m, or a triangle names a vertex that is not there.
+  /// A mesh without triangles is treated as its vertices.
+  /// @param is_closed the triangles bound a solid, in whichever direction they turn, so the mesh
+  /// has an inside. Not checked here.
+  /// @throws std::invalid_argument when the mesh has no vertices, a vertex is not finite or beyond
+  /// 1e6 m, or a triangle has a missing vertex.
   explicit MeshTree(const TriangleMesh& mesh, bool is_closed = false);
 
-  /// A surface that need not be closed: winding numbers tell what is inside. Takes about a quarter
-  /// more memory.
-  /// @param oriented what orientedSurface made.
+  /// A tree of a surface that need not be closed: winding numbers tell its inside. Takes about a
+  /// quarter more memory.
+  /// @param oriented the result of orientedSurface.
   /// @throws std::invalid_argument as the constructor.
   static MeshTree ofOriented(const TriangleMesh& oriented);
 
   const std::vector<MeshTreeNode>& nodes() const noexcept { return nodes_; }
   /// In the order of the tree.
   const std::vector<Triangle>& triangles() const noexcept { return triangles_; }
-  /// By position in triangles(): the triangle (or vertex) of the mesh.
+  /// By position in triangles(): the number of the triangle (or vertex) in the mesh.
   const std::vector<std::uint32_t>& sourceTriangles() const noexcept { return source_triangles_; }
   const Eigen::Vector3d& center() const noexcept { return center_; }
-  /// About center(), [m]; holds all triangles.
+  /// [m] The radius of a ball about center() that holds all triangles.
   double radius() const noexcept { return radius_; }
   bool isClosed() const noexcept { return is_closed_; }
-  /// None where the mesh is closed, or its surface alone counts.
+  /// None if the mesh is closed or has no inside.
   const std::optional<OpenSurface>& openSurface() const noexcept { return open_; }
   bool hasInside() const noexcept { return is_closed_ || open_; }
-  /// One corner of each connected piece of the surface: a piece that crosses no other surface is
-  /// inside a solid or outside with all of its points.
+  /// One corner of each connected piece of the surface. A piece that crosses no other surface lies
+  /// inside or outside a solid with all its points.
   const std::vector<Eigen::Vector3d>& pieces() const noexcept { return pieces_; }
-  /// The pieces, and the corners that are farthest along each axis and each diagonal of the frame:
-  /// what reaches into an open surface through a hole does so with one of them.
+  /// The pieces, and the corners that are farthest along each axis and each diagonal of the frame.
+  /// A mesh that enters an open surface through a hole does so with one of these points.
   const std::vector<Eigen::Vector3d>& probes() const noexcept { return probes_; }
 
  private:

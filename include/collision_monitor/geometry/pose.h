@@ -6,12 +6,12 @@
 
 namespace collision_monitor {
 
-/// A rigid placement. Named by the frames it joins: `world_from_link` takes
-/// coordinates in the link frame to coordinates in the world frame, so chains
-/// read by neighbours: `world_from_link * link_from_body`.
+/// A rigid transform, named by the frames it joins. `world_from_link` takes coordinates in the link
+/// frame to coordinates in the world frame, so equal frames meet in a chain:
+/// `world_from_link * link_from_body`.
 ///
-/// Units: metres. The rotation is a proper orthonormal matrix; functions that
-/// read poses from outside check it (isRigid), the others rely on it.
+/// Units: metres. The rotation is a proper orthonormal matrix. Functions that read poses from
+/// outside check it (isRigid); the others rely on it.
 struct Pose {
   Eigen::Matrix3d rotation{Eigen::Matrix3d::Identity()};
   Eigen::Vector3d translation{Eigen::Vector3d::Zero()};
@@ -41,18 +41,18 @@ inline bool isFinite(const Pose& pose) noexcept {
   return pose.rotation.allFinite() && pose.translation.allFinite();
 }
 
-/// [m] So far from the origin of their frame poses from outside may be, and [rad] so far joints may
-/// turn: there the last digit is 1e-7, and what is measured beyond means less and less.
+/// The limit for poses from outside, [m] from the origin of their frame, and for joint angles,
+/// [rad]. There the last digit is 1e-7; beyond, measurements lose their meaning.
 constexpr double kFarthest = 1e9;
 
-/// How far from rigid the poses that come from outside may be: as `tolerance` of isRigid.
+/// The `tolerance` of isRigid for poses from outside.
 constexpr double kRigid = 1e-6;
 
 /// True when the pose is finite and its rotation is orthonormal and right-handed: the first two
-/// columns are unit and orthogonal and the third is their cross product, each defect squared and
-/// all added up within the square of `tolerance`.
+/// columns are unit and orthogonal, and the third is their cross product. The sum of the squared
+/// defects is at most the square of `tolerance`.
 inline bool isRigid(const Pose& pose, double tolerance = kRigid) noexcept {
-  // Asked of every link in every cycle: plain numbers and a single branch.
+  // Runs for every link in every cycle, hence plain numbers and a single branch.
   const double* x = pose.rotation.data();
   const double* y = x + 3;
   const double* z = x + 6;
@@ -62,7 +62,7 @@ inline bool isRigid(const Pose& pose, double tolerance = kRigid) noexcept {
                             x[1] * y[2] - x[2] * y[1] - z[0],
                             x[2] * y[0] - x[0] * y[2] - z[1],
                             x[0] * y[1] - x[1] * y[0] - z[2]};
-  // 0, or NaN where the translation is not finite.
+  // This is 0, or NaN where the translation is not finite.
   double sum = (pose.translation - pose.translation).sum();
   for (const double defect : defects) {
     sum += defect * defect;

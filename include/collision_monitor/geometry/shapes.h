@@ -7,13 +7,11 @@
 
 namespace collision_monitor {
 
-/// Convex shapes as a core and a radius, each in its own body frame with its
-/// center at the origin.
+/// Convex shapes as a core and a radius, each centered at the origin of its own body frame.
 ///
-/// The shape is every point within `radius` of its core: a point (sphere), a
-/// segment along z (capsule), a box (oriented box, rounded box). Therefore the
-/// signed distance of two shapes is the signed distance of their cores minus
-/// both radii, and one small set of core routines serves the whole family.
+/// The shape is every point within `radius` of its core: a point (sphere), a segment along z
+/// (capsule), a box (oriented box, rounded box). So the signed distance of two shapes is the signed
+/// distance of their cores minus both radii, and a few core routines serve the whole family.
 ///
 /// Units: metres. Every length is finite and >= 0; zero is legal everywhere.
 
@@ -31,15 +29,14 @@ struct Box {
   Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};
 };
 
-/// A box swept by a sphere. `half_extents` are those of the core, so the shape
-/// reaches half_extents + radius along each axis. A zero half extent gives a
-/// sphere-swept rectangle.
+/// A box inflated by a radius. `half_extents` belong to the core, so the shape extends to
+/// half_extents + radius along each axis. A zero half extent makes the core a rectangle.
 struct RoundedBox {
   Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};
   double radius{0.0};
 };
 
-/// Axis along z. Geometry of a URDF; not an enclosing shape.
+/// Axis along z. Only a geometry of a URDF, not an enclosing shape.
 struct Cylinder {
   double half_length{0.0};
   double radius{0.0};

@@ -18,15 +18,15 @@ namespace collision_monitor {
 struct NearestPoint {
   double distance{std::numeric_limits<double>::infinity()};  ///< [m], never negative
   Eigen::Vector3d point{Eigen::Vector3d::Zero()};
-  std::uint32_t leaf_triangle{kNone};  ///< into TriangleBvh::triangles; kNone: none is so near
+  std::uint32_t leaf_triangle{kNone};  ///< in TriangleBvh::triangles; kNone: none is so near
 };
 
 /// A static hierarchy of axis-aligned boxes over the triangles of a mesh. A mesh without triangles
-/// is taken as its vertices.
+/// is treated as its vertices.
 ///
-/// Four children a node, whose boxes stand side by side in single precision and are tested
-/// together; one triangle a leaf. Boxes are rounded outwards, so that this loses no triangle, and
-/// every distance that counts is reckoned in doubles.
+/// Each node has four children, whose boxes stand side by side in single precision and are tested
+/// together. Each leaf has one triangle. Boxes are rounded outward, so no triangle is lost. Every
+/// distance that counts is computed in doubles.
 /// Built once, top-down, by the surface area heuristic; queries neither allocate nor throw and may
 /// run at the same time.
 /// Frames: that of the mesh. Units: metres.
@@ -46,31 +46,31 @@ class TriangleBvh {
     std::array<std::uint32_t, 4> child;
   };
 
-  /// The unit frame: the mesh lies between -1 and 1.
+  /// The unit frame, in which the mesh lies between -1 and 1.
   struct UnitFrame {
     Eigen::Vector3d center{Eigen::Vector3d::Zero()};
-    double scale{1.0};  ///< [m] a unit
+    double scale{1.0};  ///< [m] of one unit
   };
 
   /// @throws std::invalid_argument as checkMesh.
   explicit TriangleBvh(const TriangleMesh& mesh);
 
-  /// The nearest point of the surface, if it is nearer than `start.distance`; else `start`. A good
-  /// `start`, such as a triangle nearest to a neighbouring query, makes the search short.
-  /// Error: the distance exceeds the least one by at most the fraction `tolerance` of it, and by
-  /// 1e-15 of the mesh's size; a tolerance of a hundredth makes queries far from a fine mesh
-  /// several times faster.
+  /// The nearest point of the surface if it is nearer than `start.distance`, otherwise `start`. A
+  /// good `start`, such as a triangle nearest to a neighbouring query, makes the search short.
+  /// Error: the distance exceeds the least one by at most the fraction `tolerance` of it, plus
+  /// 1e-15 of the mesh's size. A tolerance of 0.01 makes queries far from a fine mesh several times
+  /// faster.
   NearestPoint nearestTo(const Eigen::Vector3d& point, const NearestPoint& start = NearestPoint{},
                          double tolerance = 0.0) const noexcept;
 
-  /// The point of one triangle, as a `start` for nearestTo.
+  /// The nearest point of one triangle, as a `start` for nearestTo.
   NearestPoint nearestOn(std::uint32_t leaf_triangle, const Eigen::Vector3d& point) const noexcept;
 
-  /// Of all triangles together.
+  /// The box of all triangles.
   const Aabb& bounds() const noexcept { return bounds_; }
-  /// In the order of the leaves.
+  /// The triangles in the order of the leaves.
   const std::vector<Triangle>& triangles() const noexcept { return triangles_; }
-  /// The root first.
+  /// All nodes, the root first.
   const std::vector<Node>& nodes() const noexcept { return nodes_; }
   const UnitFrame& unitFrame() const noexcept { return unit_frame_; }
 

@@ -9,8 +9,8 @@
 
 namespace collision_monitor {
 
-/// Indexed triangles. Counter-clockwise seen from outside where the mesh is closed;
-/// nothing relies on it unless it says so.
+/// Indexed triangles. They are counter-clockwise seen from outside where the mesh is closed. Code
+/// that relies on this says so.
 ///
 /// Shape: `vertices` n x 3 [m], `triangles` m x 3 indices into `vertices`.
 struct TriangleMesh {

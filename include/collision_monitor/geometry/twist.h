@@ -7,7 +7,7 @@
 
 namespace collision_monitor {
 
-/// How a rigid body moves at one moment. The point of the body that is at `p` moves with
+/// The velocity of a rigid body at one moment. The body's point at `p` moves with
 /// `linear + angular x p`, so two bodies that move as one have the same twist.
 ///
 /// Frames: world. Units: [m/s] and [rad/s].
@@ -31,7 +31,7 @@ inline Twist operator*(double factor, const Twist& twist) noexcept {
 
 /// Velocity of the body's point at `point`.
 inline Eigen::Vector3d velocityAt(const Twist& twist, const Eigen::Vector3d& point) noexcept {
-  // Plain numbers: Eigen would write the product down and stall on reading it back as vectors.
+  // Written by component: Eigen would store the product and stall when it loads it as vectors.
   const Eigen::Vector3d& v = twist.linear;
   const Eigen::Vector3d& w = twist.angular;
   return {v.x() + (w.y() * point.z() - w.z() * point.y()),
@@ -39,29 +39,28 @@ inline Eigen::Vector3d velocityAt(const Twist& twist, const Eigen::Vector3d& poi
           v.z() + (w.x() * point.y() - w.y() * point.x())};
 }
 
-/// The twist of a body that turns with `angular` while its point at `point` moves with
-/// `velocity`.
+/// The twist of a body that turns with `angular` while its point at `point` moves with `velocity`.
 inline Twist twistAbout(const Eigen::Vector3d& point, const Eigen::Vector3d& velocity,
                         const Eigen::Vector3d& angular) noexcept {
   return {velocity - angular.cross(point), angular};
 }
 
-/// Forces on a rigid body, taken together. Frames: world. Units: [N] and [Nm].
+/// The sum of forces on a rigid body. Frames: world. Units: [N] and [Nm].
 /// Source: Featherstone (2008), section 2.3.
 struct Wrench {
   Eigen::Vector3d force{Eigen::Vector3d::Zero()};
   Eigen::Vector3d torque{Eigen::Vector3d::Zero()};  ///< about the world's origin
 };
 
-/// One force that acts at a point.
+/// The wrench of one force that acts at a point.
 inline Wrench forceAt(const Eigen::Vector3d& point, const Eigen::Vector3d& force) noexcept {
   return {force, point.cross(force)};
 }
 
 inline Wrench operator-(const Wrench& wrench) noexcept { return {-wrench.force, -wrench.torque}; }
 
-/// What the forces give a body that moves so [W]: for `forceAt` the force times the velocity of its
-/// point.
+/// The power [W] of a wrench on a body that moves with `twist`. For `forceAt` it is the force times
+/// the velocity of its point.
 inline double power(const Wrench& wrench, const Twist& twist) noexcept {
   const auto dot = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     return a.x() * b.x() + a.y() * b.y() + a.z() * b.z();  // see velocityAt

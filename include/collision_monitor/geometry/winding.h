@@ -8,18 +8,18 @@
 #include "collision_monitor/geometry/triangle.h"
 #include "collision_monitor/geometry/triangle_mesh.h"
 
-/// What winding numbers need: how often a surface goes around a point. Near a hole that is no whole
-/// number. docs/decisions/inside-of-open-meshes.md says what is made of it.
+/// Winding numbers: how often a surface goes around a point. Near a hole they are not whole.
+/// docs/decisions/inside-of-open-meshes.md says how they are used.
 namespace collision_monitor {
 
-/// How much of all directions from a point triangles cover, summed. What a triangle covers is > 0
-/// if the point is behind it; seen from the front, its corners turn left.
+/// Sums the solid angles of triangles seen from a point. A triangle's angle is > 0 if the point is
+/// behind it. Seen from its front, a triangle's corners turn left.
 ///
-/// The half of a triangle's angle is that of a complex number, and a sum of angles that of a
-/// product: so there is one arc tangent for all triangles. Units: [sr].
-/// Error: 1e-15 times a few for each triangle of the size of 1 m; 1e-13 over the distance [m] from
-/// its edges where that is small. Limits: of points in its plane, to rounding, the sign is any.
-/// Source: van Oosterom, Strackee, "The Solid Angle of a Plane Triangle" (1983), for the number.
+/// Half the angle of a triangle is the argument of a complex number. A sum of angles is the
+/// argument of a product, so one arc tangent serves all triangles. Units: [sr].
+/// Error: a few times 1e-15 for each triangle of the size of 1 m; 1e-13 over the distance [m] from
+/// its edges where that is small. Limits: points in a triangle's plane get either sign.
+/// Source: van Oosterom, Strackee, "The Solid Angle of a Plane Triangle" (1983).
 class SolidAngles {
  public:
   explicit SolidAngles(const Eigen::Vector3d& point) noexcept : point_(point) {}
@@ -31,54 +31,54 @@ class SolidAngles {
   Eigen::Vector3d point_;
   double real_{1.0};       ///< of the product
   double imaginary_{0.0};  ///< never -0
-  double turns_{0.0};      ///< whole ones that the angle of the product does not show
+  double turns_{0.0};      ///< whole turns that the argument of the product does not show
 };
 
-/// A part of a surface as points far from it see it.
+/// Moments of a part of a surface, for its winding number at points far away.
 struct WindingMoments {
-  Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< [m] of the area
+  Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< [m] centroid of the area
   Eigen::Vector3d normal{Eigen::Vector3d::Zero()};  ///< [m^2] unit normals, summed over the area
-  /// [m^3] way from the center times unit normal, summed over the area and made symmetric: xx, yy,
-  /// zz, xy, yz, zx.
+  /// [m^3] offset from the center times unit normal, summed over the area and made symmetric: xx,
+  /// yy, zz, xy, yz, zx.
   std::array<double, 6> spread{};
   double area{0.0};     ///< [m^2]
-  double squared{0.0};  ///< [m^4] squared way from the center, summed over the area
-  double radius{0.0};   ///< [m] no point is farther from the center
+  double squared{0.0};  ///< [m^4] squared offset from the center, summed over the area
+  double radius{0.0};   ///< [m] of a ball about the center that holds the part
 };
 
 WindingMoments momentsOf(const Triangle& triangle) noexcept;
 
-/// Of both parts together; the radius, which grows more than need be, too.
+/// The moments of both parts together. The radius is an upper bound.
 WindingMoments joined(const WindingMoments& one, const WindingMoments& other) noexcept;
 
-/// A number, and how far it may be off.
+/// A number and an upper bound of its error.
 struct BoundedNumber {
   double value{0.0};
   double error{0.0};
 };
 
-/// What a part of a surface adds to the winding number of a point outside the ball about it.
+/// The winding number that a part of a surface adds at a point outside the part's ball.
 ///
 /// Expands (y - x) / |y - x|^3 about the center, to first order. Error: 3 / (4 pi d^4) * squared,
-/// with d the distance of the point from the ball, for no third derivative of 1 / r exceeds
+/// where d is the distance of the point from the ball, because no third derivative of 1 / r exceeds
 /// 6 / r^4.
 /// Source: Barill, Dickson, Schmidt, Levin, Jacobson, "Fast Winding Numbers for Soups and Clouds"
 /// (2018), sections 3 and 4; the bound is ours.
 BoundedNumber windingOf(const WindingMoments& part, const Eigen::Vector3d& point) noexcept;
 
-/// The surface with triangles turned so that neighbours agree, and each connected part as most of
-/// its area was. Of triangles with the same corners one counts; the others are three times their
-/// first corner. Vertices, and which triangle is which, stay. Neighbours are two triangles that
-/// share an edge by themselves; equal vertices are one.
+/// The surface with triangles turned so that neighbours agree. Each connected part keeps the
+/// direction that most of its area had. Of triangles with the same corners only one stays; the
+/// others become their first corner three times. The order of vertices and triangles does not
+/// change. Neighbours are two triangles that alone share an edge; equal vertices count as one.
 TriangleMesh orientedSurface(const TriangleMesh& mesh);
 
-/// Where a surface ends.
+/// The edges where a surface ends.
 struct SurfaceRim {
   TriangleMesh edges;  ///< each a triangle (from, to, to)
-  double length{0.0};  ///< [m] each edge as often as triangles end there
+  double length{0.0};  ///< [m] counts each edge once for each triangle that ends there
 };
 
-/// All edges but those that as many triangles go along as come back. Equal vertices are one.
+/// The edges along which triangles do not run equally often both ways. Equal vertices count as one.
 SurfaceRim rimOf(const TriangleMesh& mesh);
 
 }  // namespace collision_monitor

@@ -16,11 +16,11 @@
 #include "collision_monitor/narrow_phase/quality.h"
 #include "collision_monitor/narrow_phase/signed_distance.h"
 
-/// Signed distance of any two convex geometries: what a URDF or a scene names, not only the shapes
-/// that enclose it. See signed_distance.h for frames and sign.
+/// Signed distance of any two convex geometries: what a URDF or a scene names, and the shapes that
+/// enclose it. See signed_distance.h for frames and sign.
 namespace collision_monitor {
 
-/// The closed set of convex geometries: every pair of them has an answer.
+/// The closed set of convex geometries. Every pair of them has an answer.
 using ConvexGeometry =
     std::variant<Sphere, Capsule, Box, RoundedBox, Cylinder, ConvexHull, HalfSpace>;
 
@@ -29,29 +29,29 @@ struct ConvexDistance {
   Quality quality{Quality::unknown};
 };
 
-/// What a search may use and what it leaves for the next one.
+/// What a search may use, and what it leaves for the next search of the pair.
 struct ConvexSearch {
-  ConvexWorkspace& workspace;  ///< scratch; one a thread
-  ConvexWarmStart& warm;       ///< of this pair; an empty one is always right
-  /// [m] pairs proven to be farther apart than this need not be measured: the answer is then a
-  /// lower bound not below it.
+  ConvexWorkspace& workspace;  ///< scratch; one per thread
+  ConvexWarmStart& warm;       ///< of this pair; an empty one is always valid
+  /// [m] A search may stop once it proves a greater distance. The answer is then a lower bound that
+  /// is at least the cutoff.
   double cutoff{std::numeric_limits<double>::infinity()};
 };
 
-/// The least distance of A and B, or the length of the least translation that separates them.
+/// Measures the distance of A and B. If they overlap, it is minus their penetration depth.
 ///
-/// Sphere, capsule, box and rounded box among themselves are measured by their closed forms (see
-/// distance.h), two boxes only where their last answer is not proven to hold still; a half space by
-/// the support function of the other; points and parallel axes with a cylinder by theirs;
-/// everything else by GJK, and EPA where the cores overlap, or, of hulls with few faces that are
-/// met for the first time, by their separating axes.
+/// Spheres, capsules, boxes and rounded boxes have closed forms (see distance.h). Two boxes use
+/// theirs only if their last answer cannot be proven to hold. A half space uses the support
+/// function of the other geometry. A cylinder has closed forms with a point and with a parallel
+/// axis. Two hulls with few faces and no warm start use separating axes. GJK measures everything
+/// else, and EPA the overlaps.
 ///
-/// Error: 1e-9 m apart, 1e-7 m in depth for lengths from 1 mm to 10 m and distances up to 10 m;
-/// docs/accuracy.md has what was measured. An answer that iteration could not settle says
-/// `lower_bound` and is one.
-/// Limits: zero-size, flat, touching, concentric and parallel geometries are legal. Where the
-/// normal is not unique, one is chosen that realises the distance. Where faces or edges are
-/// parallel, the points lie over the middle of what they share.
+/// Error: 1e-9 m apart and 1e-7 m in depth, for lengths from 1 mm to 10 m and distances up to 10 m;
+/// docs/accuracy.md has the measured errors. An answer that iteration could not settle is a
+/// `lower_bound`.
+/// Limits: zero-size, flat, touching, concentric and parallel geometries are legal. If the normal
+/// is not unique, it is one that realises the distance. If faces or edges are parallel, the points
+/// lie over the middle of their common part.
 /// Source: Gilbert, Johnson, Keerthi, "A fast procedure for computing the distance between
 /// complex objects in three-dimensional space" (1988); van den Bergen, "Collision Detection in
 /// Interactive 3D Environments" (2003), chapter 4. Departures are named in src/narrow_phase.

@@ -6,11 +6,11 @@
 #include <array>
 #include <cstdint>
 
-/// Memory of the searches for the distance of two convex cores: plain data of fixed size, so that
-/// no search allocates.
+/// Memory of the searches for the distance of two convex cores. Its size is fixed, so no search
+/// allocates.
 namespace collision_monitor {
 
-/// A point of the difference B - A, and where it comes from.
+/// A point of the Minkowski difference B - A, and the points of A and B that it comes from.
 struct SupportVertex {
   Eigen::Vector3d difference{Eigen::Vector3d::Zero()};  ///< on_b - on_a, in A's frame
   Eigen::Vector3d on_a{Eigen::Vector3d::Zero()};        ///< in A's frame
@@ -18,14 +18,14 @@ struct SupportVertex {
 };
 
 /// What the last search of a pair found: points of A and B whose differences were nearest to the
-/// origin, and the vertices where the hulls were last climbed. It may be stale, never wrong.
+/// origin, and the hull vertices where the last climbs ended. It may be stale, never wrong.
 struct ConvexWarmStart {
   struct Ends {
     Eigen::Vector3d on_a{Eigen::Vector3d::Zero()};  ///< in A's frame
     Eigen::Vector3d on_b{Eigen::Vector3d::Zero()};  ///< in B's frame
   };
 
-  /// Of polytopes that overlap: one inside of their difference that held the origin.
+  /// For polytopes that overlap: a polytope inside their Minkowski difference that held the origin.
   struct CachedPolytope {
     static constexpr std::size_t kMaxCorners = 24;
     static constexpr std::size_t kMaxFaces = 2 * kMaxCorners - 4;
@@ -38,13 +38,13 @@ struct ConvexWarmStart {
   std::uint32_t size{0};
   std::uint32_t vertex_of_a{0};  ///< of a hull; 0 for other cores
   std::uint32_t vertex_of_b{0};
-  std::uint8_t polytope_corners{0};  ///< how many `polytope` has
-  std::uint8_t polytope_faces{0};    ///< 0: there is no such polytope
+  std::uint8_t polytope_corners{0};  ///< number of corners of `polytope`
+  std::uint8_t polytope_faces{0};    ///< 0: there is no `polytope`
   std::array<Ends, 4> ends;
   CachedPolytope polytope;
 };
 
-/// Makes it empty: for another pair.
+/// Empties a warm start, so that another pair can use it.
 inline void forget(ConvexWarmStart& warm) noexcept {
   warm.size = 0;
   warm.vertex_of_a = 0;
@@ -52,8 +52,8 @@ inline void forget(ConvexWarmStart& warm) noexcept {
   warm.polytope_faces = 0;
 }
 
-/// A polytope inside of the difference B - A, grown by EPA until a face of it is one of the
-/// difference's own.
+/// EPA's polytope. It lies inside the Minkowski difference B - A and grows until one of its faces
+/// is a face of the difference.
 struct ConvexWorkspace {
   static constexpr std::size_t kMaxVertices = 512;
   static constexpr std::size_t kMaxFaces = 2 * kMaxVertices;
@@ -69,12 +69,12 @@ struct ConvexWorkspace {
 
   std::array<SupportVertex, kMaxVertices> vertices;
   std::array<Face, kMaxFaces> faces;
-  std::array<double, kMaxFaces> keys;  ///< what a face says of the depth; infinity: none, or gone
+  std::array<double, kMaxFaces> keys;  ///< depth bound by face; infinity: none, or gone
   std::size_t vertex_count{0};
   std::size_t face_count{0};
   std::array<std::uint16_t, kMaxFaces> free_faces;
   std::size_t free_count{0};
-  std::array<std::uint16_t, kMaxFaces> visible;       ///< stack and list of one growth
+  std::array<std::uint16_t, kMaxFaces> visible;  ///< faces that see the new vertex; also a stack
   std::array<std::uint16_t, kMaxVertices> face_from;  ///< by vertex: the new face that starts there
 };
 

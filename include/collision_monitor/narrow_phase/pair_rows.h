@@ -9,16 +9,16 @@
 #include "collision_monitor/geometry/shapes.h"
 #include "collision_monitor/narrow_phase/signed_distance.h"
 
-/// Many pairs of one kind at once: number k of every column belongs to pair k, so that a vector
-/// register takes a column of as many pairs as it has lanes. distanceBetween of distance.h is the
+/// Measures many pairs of one kind at once. Entry k of every column belongs to pair k, so a vector
+/// register holds one column of as many pairs as it has lanes. distanceBetween of distance.h is the
 /// plain twin of measureRows; docs/decisions/batched-kernels.md says how the two share the work.
 namespace collision_monitor {
 
-/// Pairs that are measured together, a multiple of the lanes of every instruction set.
+/// Number of pairs measured together: a multiple of the lane count of every instruction set.
 constexpr std::size_t kRowCount = 64;
 
-/// The columns of a posed shape, world frame, [m]. A point fills the first four, a segment, which
-/// runs along z, the first eight, a box all.
+/// Columns of a posed shape. Frames: world. Units: [m]. A point fills the first four, a segment
+/// (along its z axis) the first eight, a box all.
 namespace column {
 constexpr std::size_t center = 0;  ///< x, y, z
 constexpr std::size_t radius = 3;
@@ -31,7 +31,7 @@ constexpr std::size_t half_y = 15;
 constexpr std::size_t count = 16;
 }  // namespace column
 
-/// How many columns a kind fills.
+/// Number of columns that a kind fills.
 constexpr std::size_t columnCountOf(CoreKind kind) noexcept {
   return kind == CoreKind::point ? 4 : kind == CoreKind::segment ? 8 : column::count;
 }
@@ -43,7 +43,7 @@ struct Columns {
 
 using ShapeRows = Columns<column::count>;
 
-/// The columns of an answer, as SignedDistance.
+/// Columns of an answer, in the order of SignedDistance.
 namespace answer {
 constexpr std::size_t distance = 0;
 constexpr std::size_t point_on_a = 1;  ///< x, y, z
@@ -52,14 +52,14 @@ constexpr std::size_t normal = 7;
 constexpr std::size_t count = 10;
 }  // namespace answer
 
-/// Left uninitialised: writeRow fills what measureRows reads.
+/// Not initialised: writeRow fills all that measureRows reads.
 struct PairRows {
   ShapeRows a;
   ShapeRows b;
   Columns<answer::count> answers;
 };
 
-/// What a row needs to know of a shape, taken from it once.
+/// What a row needs of a shape, computed once per shape.
 struct Core {
   CoreKind kind{CoreKind::point};
   Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};
@@ -68,23 +68,22 @@ struct Core {
 
 Core coreOf(const Shape& shape) noexcept;
 
-/// @pre row < kRowCount
+/// Writes a posed core into a row. @pre row < kRowCount
 void writeRow(const Core& core, const Pose& world_from_body, std::size_t row,
               ShapeRows& rows) noexcept;
 
-/// Signed distance, points and normal of the first `count` pairs, each of a core of kind `a`
-/// with one of kind `b`. See signed_distance.h for frames and sign.
+/// Measures signed distance, points and normal of the first `count` pairs. Each is a core of kind
+/// `a` with one of kind `b`. See signed_distance.h for frames and sign.
 ///
-/// Error: at most 1e-12 m, as distanceBetween: pairs whose case is degenerate (cores that touch,
-/// parallel boxes, axes that tie) are found out and handed to it.
-/// The bytes are the same with every instruction set: each uses the same operations in the same
-/// order, and no fused multiply-add.
+/// Error: at most 1e-12 m, as distanceBetween, which takes the degenerate pairs (cores that touch,
+/// parallel boxes, axes that tie). All instruction sets give the same bytes: they use the same
+/// operations in the same order, and no fused multiply-add.
 /// Limits: a pose that is not finite gives a distance of NaN.
-/// Source: as distanceBetween, with cases turned into selections.
+/// Source: as distanceBetween, with selections in place of branches.
 /// @pre a <= b in the order of CoreKind; count <= kRowCount.
 void measureRows(CoreKind a, CoreKind b, std::size_t count, PairRows& rows) noexcept;
 
-/// Of A with B, or the other way round.
+/// Reads the answer of a row. If `is_swapped`, exchanges A and B.
 void readAnswer(const PairRows& rows, std::size_t row, bool is_swapped,
                 SignedDistance& measured) noexcept;
 

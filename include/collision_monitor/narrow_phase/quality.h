@@ -4,13 +4,13 @@
 
 namespace collision_monitor {
 
-/// What a distance says of the geometries.
+/// What a distance says about the geometries.
 enum class Quality : unsigned char {
-  exact,        ///< between the geometries of the URDF themselves
-  lower_bound,  ///< the geometries are at least as far apart; below 0 they may touch, and this is
-                ///< how deep what encloses them overlaps
+  exact,        ///< the distance of the URDF's geometries themselves
+  lower_bound,  ///< the signed distance is at least this; below 0 the geometries may touch, and
+                ///< overlap at most this deep
   unknown,      ///< a link's pose is unknown: the distance means nothing
-  estimate,     ///< the geometries overlap, proven; they are at least this deep, perhaps deeper
+  estimate,     ///< the geometries provably overlap, at least this deep
 };
 
 }  // namespace collision_monitor

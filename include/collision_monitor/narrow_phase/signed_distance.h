@@ -6,13 +6,13 @@
 
 namespace collision_monitor {
 
-/// What every pair routine answers.
+/// The answer of every pair routine.
 ///
-/// Frames: points and normal in the world frame.
-/// Sign: distance > 0 apart, 0 touching, < 0 minus the penetration depth (the
-/// length of the least translation that separates the shapes).
-/// `normal_a_to_b` is a unit vector from A to B, and
-/// `point_on_b - point_on_a = distance * normal_a_to_b` also when they overlap.
+/// Frames: points and normal are in the world frame.
+/// Sign: distance > 0 apart, 0 touching, < 0 minus the penetration depth (the length of the least
+/// translation that separates the shapes).
+/// `normal_a_to_b` is a unit vector from A to B.
+/// `point_on_b - point_on_a = distance * normal_a_to_b` also holds for shapes that overlap.
 struct SignedDistance {
   double distance{0.0};
   Eigen::Vector3d point_on_a{Eigen::Vector3d::Zero()};

@@ -13,55 +13,55 @@
 #include "collision_monitor/model/shape_rules.h"
 #include "collision_monitor/narrow_phase/convex_distance.h"
 
-/// The second level of a cycle: what stands behind the enclosing shapes, to be measured where they
-/// come near. docs/architecture.md says how the two levels meet.
+/// The second level of a cycle: elements, the geometries that enclosing shapes stand for. Elements
+/// are measured where their shapes come near; see docs/architecture.md.
 namespace collision_monitor {
 
 enum class ElementId : std::uint32_t {};
 using ElementPairIndex = std::uint32_t;  ///< into CycleSetup::element_pairs
 
-/// A collision element of the URDF as distances are refined to; or one enclosing shape, where no
-/// geometry stands behind it. `convex`, `mesh` or both are there.
+/// What distances are refined to: a collision element of the URDF, or one enclosing shape where the
+/// rules leave no geometry. `convex`, `mesh` or both are present.
 struct Element {
   LinkId link{};
-  std::string name;  ///< as messages call it; never read in a cycle
+  std::string name;  ///< its name in messages; never read in a cycle
   Pose link_from_element;
   std::optional<ConvexGeometry> convex;
-  /// A mesh. Beside `convex`, a closed surface that holds it, for how deep it is in a mesh.
+  /// A mesh. Beside `convex` it is a closed surface that holds `convex`, used for depths in meshes.
   std::optional<MeshTree> mesh;
   std::optional<ConvexGeometry> hull;  ///< around `mesh`, where there is no `convex`
   double mesh_excess{0.0};             ///< [m] how far `mesh` may stick out of `convex`
-  InnerShapes inner;                   ///< of what is_exact; none otherwise
-  double padding{0.0};                 ///< [m] to be taken off every distance
-  bool is_exact{false};                ///< the geometry of the URDF, not something that encloses it
-  bool is_body{false};                 ///< it has one body, which has the same shape and padding
+  InnerShapes inner;                   ///< present only if is_exact
+  double padding{0.0};                 ///< [m] to be subtracted from every distance
+  bool is_exact{false};  ///< it is the geometry of the URDF, not something that encloses it
+  bool is_body{false};   ///< it has one body, of the same shape and padding
 };
 
-/// Two elements of a checked pair of links, a's link before b's.
+/// Two elements of a checked link pair; the link of `a` comes before the link of `b`.
 struct ElementPair {
   ElementId a{};
   ElementId b{};
   std::uint32_t link_pair{0};  ///< index into CycleSetup::checked
 };
 
-/// How much a cycle refines.
+/// How much work a cycle spends on elements.
 struct RefineLimits {
-  /// [m] Pairs whose enclosing shapes are this near, or nearer. Raised to where verdicts are made:
-  /// warning_distance + hysteresis.
+  /// [m] Elements are measured if their bodies are at most this far apart. The set-up raises this
+  /// value to warning_distance + hysteresis.
   double distance{0.05};
-  /// Nodes of hierarchies opened in one cycle; other work is converted. A quarter is left to what
-  /// happens between two cycles, if that is looked at. Where poses come seldom it grows: budgetOf.
-  /// Independent of the clock, so that the same input gives the same output.
+  /// Work of one cycle: the number of node pairs opened; other work is converted. A continuous
+  /// set-up leaves a quarter for sweepPairs. The budget grows where poses come seldom (budgetOf).
+  /// It does not depend on the clock, so that the same input gives the same output.
   std::uint32_t budget{8000};
-  /// [m] 0 or more: how much less than the exact one the distance of a mesh may be, as
+  /// [m] >= 0. How much less than the exact distance the distance of a mesh may be, as
   /// MeshQueryLimits::tolerance.
   double tolerance{0.0};
-  /// [s] There is no more time for a cycle than that, however seldom poses come.
+  /// [s] The time between two cycles. The budget grows no further than this time allows.
   double period{std::numeric_limits<double>::infinity()};
 };
 
 struct RefineOptions {
-  RefineGeometry geometry{RefineGeometry::mesh};  ///< where the rules say nothing else
+  RefineGeometry geometry{RefineGeometry::mesh};  ///< where the rules say nothing
   RefineLimits limits;
 };
 

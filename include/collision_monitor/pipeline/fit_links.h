@@ -14,19 +14,19 @@
 
 namespace collision_monitor {
 
-/// How the links of a model get their shapes.
+/// How links get their shapes.
 struct FitSettings {
-  FitLimits limits;              ///< where the rules are silent
-  double padding{0.0};           ///< [m] where the rules are silent
+  FitLimits limits;              ///< where the rules say nothing
+  double padding{0.0};           ///< [m] where the rules say nothing
   std::vector<LinkRules> rules;  ///< by LinkId; empty for none
-  /// Where fits are kept from one start to the next, made when it is not there; empty: nowhere.
+  /// Directory that keeps fits from one start to the next; made if missing; empty: none.
   std::filesystem::path cache_directory;
 };
 
 enum class FitSource : unsigned char {
-  fitted,    ///< now
-  cached,    ///< read from the directory and proven anew
-  repeated,  ///< that of another link with the same geometries and limits
+  fitted,    ///< computed now
+  cached,    ///< read from the cache directory and proven again
+  repeated,  ///< taken from another link of the same geometries and limits
   given,     ///< the user's shapes
 };
 
@@ -36,32 +36,32 @@ const char* nameOf(FitSource source) noexcept;
 struct LinkFit {
   LinkId link{};
   FitSource source{FitSource::fitted};
-  std::vector<Fit> fits;  ///< one a collision element, in its frame; none where shapes are given
-  /// Given shapes, in the link frame in place of the geometry's; overshoot is not measured: NaN.
+  std::vector<Fit> fits;  ///< one for each collision element, in its frame; none for given shapes
+  /// Given shapes, in the link frame. Their overshoot is not measured: NaN.
   std::vector<Enclosure> given;
-  bool is_proven{true};  ///< false: given shapes for which the user answers
+  bool is_proven{true};  ///< false: given shapes under the rule `unproven`
   double padding{0.0};   ///< [m] to be added to every shape
-  double seconds{0.0};   ///< fitting took, or loading and proving; 0 for the others
+  double seconds{0.0};   ///< the time of fitting, or of loading and proving; else 0
 };
 
-/// Called before each link that is fitted, in their order, and once at the end with `done` ==
-/// `total`. Never on two threads at once.
+/// Reports progress before each link that is fitted, in order, and once at the end with `done` ==
+/// `total`. Calls never overlap.
 using FitProgress =
     std::function<void(const std::string& link, std::size_t done, std::size_t total)>;
 
-/// Given shapes may be short by this much, as the digits of a file make them: they are grown by
-/// what is missing. Units: metres.
+/// Given shapes may miss a geometry by this much, since files round their numbers. They are then
+/// grown until they enclose it. Units: metres.
 constexpr double kGivenTolerance = 1e-5;
 
-/// Shapes for every link that has geometry or given shapes, in order of link.
+/// Fits every link that has geometry or given shapes. The result is in order of link.
 ///
-/// Works on all processors; what comes out does not depend on how many there are.
-/// Fits come from the cache directory where it has them. Links that have the same geometries and
-/// limits share one fit. Given shapes are proven to cover the link's geometry (fitting/covering.h).
+/// Uses all processors; the result does not depend on their number. Reads fits from the cache
+/// directory where it has them. Links of the same geometries and limits share one fit. Proves that
+/// given shapes cover the geometry of their link (fitting/covering.h).
 ///
-/// Errors: geometry that no shape can enclose; given shapes that do not cover their link, with
-/// the point farthest outside. Warnings: the same where the rule says `unproven`; a cache
-/// directory that cannot be written; files in it that were of no use.
+/// Errors: geometry that no shape can enclose; given shapes that do not cover their link, with the
+/// point that is farthest outside. Warnings: the same under the rule `unproven`; a cache directory
+/// that cannot be written; files in it that could not be used.
 /// @param progress may be empty
 std::vector<LinkFit> fitLinks(const RobotModel& model, const FitSettings& settings,
                               const FitProgress& progress, SetupReport& report);

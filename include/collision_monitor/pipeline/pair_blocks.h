@@ -9,26 +9,26 @@
 #include "collision_monitor/broad_phase/pair_table.h"
 #include "collision_monitor/narrow_phase/pair_rows.h"
 
-/// All pairs of a table in one pose, without a broad phase: bodies stand in columns, those of one
-/// kind next to each other, and a body is measured against several neighbours at once. Nothing is
-/// gathered pair by pair, which would cost more than the measuring.
+/// Measures all pairs of a table in one pose, without a broad phase. Bodies stand in columns,
+/// grouped by kind. One body is measured against several neighbours at once: gathering single pairs
+/// would cost more than measuring them.
 namespace collision_monitor {
 
-/// Neighbours that a block joins with one body, a multiple of the lanes of every instruction set.
+/// How many neighbours a block joins with one body: a multiple of the lanes of all targets.
 constexpr std::size_t kBlockLanes = 8;
 
-/// Groups of so many slots that so many bodies take.
+/// How many groups of kBlockLanes slots hold this many bodies.
 constexpr std::size_t groupCountOf(std::size_t bodies) noexcept {
   return (bodies + kBlockLanes - 1) / kBlockLanes;
 }
 
-/// The body in slot `one` and those from slot `first` on, as far as they are pairs of the table.
+/// Joins the body in slot `one` with the bodies in slots from `first` on that form pairs with it.
 struct PairBlock {
   std::uint32_t one{0};
   std::uint32_t first{0};
   std::uint32_t is_pair{0};     ///< bit by lane
-  std::uint32_t first_pair{0};  ///< PairId of the lowest bit, from which the others count on
-  std::uint32_t arrived{0};     ///< groups of slots that this block and those before it need
+  std::uint32_t first_pair{0};  ///< PairId of the lowest set bit; the other pairs follow in order
+  std::uint32_t arrived{0};  ///< how many of PairBlocks::arrivals this block and all before it need
 };
 
 /// Blocks [first, last) join a body of kind `one` with bodies of kind `row`.
@@ -39,17 +39,17 @@ struct BlockRange {
   std::size_t last{0};
 };
 
-/// Made at set-up.
+/// How bodies and pairs are laid out. Made at set-up.
 struct PairBlocks {
   std::vector<std::uint32_t> slot_of;  ///< by BodyId: ordered by kind, then by id
   std::vector<PairBlock> blocks;
   std::vector<BlockRange> ranges;
-  std::vector<std::uint32_t> arrivals;  ///< groups with pairs, as the blocks come to need them
+  std::vector<std::uint32_t> arrivals;  ///< the groups that have pairs, in the order of use
 };
 
 PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores);
 
-/// Columns of all bodies, as those of pair_rows.h, and the radii of their bounding spheres.
+/// Columns of all bodies, as in pair_rows.h, and the radii of their bounding spheres.
 struct BodyRows {
   std::size_t stride{0};
   std::vector<double> numbers;  ///< column c of slot s: [c * stride + s]
@@ -60,21 +60,20 @@ struct BodyRows {
 
 constexpr std::size_t kBoundingColumn = column::count;
 
-/// A pose is this many numbers in a row: the columns of its rotation, then the translation.
+/// How many numbers a pose has: the columns of its rotation, then its translation.
 constexpr std::size_t kPoseNumbers = sizeof(Pose) / sizeof(double);
 static_assert(kPoseNumbers == 12);
 
-/// How the bodies in kBlockLanes slots are fixed to their links, laid out to be placed together.
+/// Where the bodies of kBlockLanes slots are fixed to their links, laid out to place them together.
 /// Made at set-up.
 struct SlotGroup {
   alignas(64) double link_from_body[kPoseNumbers][kBlockLanes] = {};
-  std::int64_t pose_at[kBlockLanes] =
-      {};                                ///< where among the numbers of all poses the link's start
-  std::uint32_t link[kBlockLanes] = {};  ///< LinkId
-  CoreKind kind{CoreKind::point};        ///< of the last of them, the largest
+  std::int64_t pose_at[kBlockLanes] = {};  ///< index of the link's pose in the numbers of all poses
+  std::uint32_t link[kBlockLanes] = {};    ///< LinkId
+  CoreKind kind{CoreKind::point};          ///< kind of the last body, the most complex one
 };
 
-/// Sized for the bodies, with what does not move filled in. `bounding_radii` by BodyId.
+/// Sizes the columns and fills in what does not move. `bounding_radii` is by BodyId.
 BodyRows makeBodyRows(const PairBlocks& blocks, const std::vector<Core>& cores,
                       const std::vector<double>& bounding_radii);
 
@@ -85,7 +84,7 @@ inline void writeVector(const Eigen::Vector3d& v, std::size_t c, std::size_t slo
   rows.at(c + 2)[slot] = v.z();
 }
 
-/// Of a body's pose, what its kind needs.
+/// Writes the columns that the kind needs.
 inline void writeBody(CoreKind kind, const Pose& world_from_body, std::size_t slot,
                       BodyRows& rows) noexcept {
   writeVector(world_from_body.translation, column::center, slot, rows);
@@ -98,12 +97,12 @@ inline void writeBody(CoreKind kind, const Pose& world_from_body, std::size_t sl
   }
 }
 
-/// The body is not known.
+/// Marks the body as not known.
 inline void loseBody(std::size_t slot, BodyRows& rows) noexcept {
   rows.at(column::center)[slot] = std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Signed distances of all pairs, by PairId; NaN where a body is not known.
+/// Measures signed distances of all pairs, by PairId; NaN where a body is not known.
 /// Error: as distanceBetween; the same bytes with every instruction set.
 /// @pre `distances` has the size of the table.
 void measureBlocks(const PairBlocks& blocks, const BodyRows& rows,
@@ -114,18 +113,18 @@ struct NearestPair {
   double distance{std::numeric_limits<double>::infinity()};  ///< [m]
 };
 
-/// Pairs that a search passes over: those whose group is marked.
+/// Pairs that a search skips: those of a marked group.
 struct PassedPairs {
   const std::vector<std::uint32_t>& group_of;   ///< by PairId
   const std::vector<unsigned char>& is_passed;  ///< by group
 };
 
-/// The nearest pair that is not passed over, if it is nearer than `best`. Of equal distances the
-/// pair that stands first. Bounding spheres spare most of the measuring.
+/// Finds the nearest pair that is not skipped, if it is nearer than `best`. Of equal distances the
+/// first pair of the table wins. Bounding spheres save most of the measuring.
 void searchBlocks(const PairBlocks& blocks, const BodyRows& rows, const PassedPairs& passed,
                   NearestPair& best) noexcept;
 
-/// [m] At or below these distances pairs are in contact.
+/// [m] Pairs are in contact at or below these distances.
 struct ContactDistances {
   std::vector<double> of_pair;  ///< by PairId
   double largest{-std::numeric_limits<double>::infinity()};
@@ -133,11 +132,11 @@ struct ContactDistances {
 
 struct FoundContact {
   NearestPair contact;      ///< the first in the table; infinitely far if there is none
-  bool has_unknown{false};  ///< a pair that was looked at has a body that is not known
+  bool has_unknown{false};  ///< a visited pair has a body that is not known
 };
 
-/// Whether any pair is in contact. Ends at the first block of pairs that has one; bounding spheres
-/// spare most of the measuring.
+/// Finds whether any pair is in contact. Ends at the first block that has a contact. Bounding
+/// spheres save most of the measuring.
 /// @pre the bodies are placed in `rows`.
 void findContact(const PairBlocks& blocks, const BodyRows& rows, const ContactDistances& limits,
                  FoundContact& found) noexcept;

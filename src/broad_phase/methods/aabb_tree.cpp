@@ -10,12 +10,12 @@
 namespace collision_monitor {
 namespace {
 
-/// A tree is built anew when its inner boxes have that many times the surface they were built
-/// with, or when that share of the bodies has appeared or gone in one call.
+/// A tree is rebuilt when the area of its inner boxes has grown by kWornArea since it was built, or
+/// when one in kManyChanges bodies appeared or vanished in one call.
 constexpr double kWornArea = 1.5;
 constexpr std::size_t kManyChanges = 8;
 
-/// Half the surface. Units: square metres. Boxes without end are taken to end somewhere.
+/// Half the surface area. Units: square metres. Infinite boxes are cut off far out.
 double areaOf(const SmallBox& box) noexcept {
   constexpr double kFar = 1e18;
   double width[3];
@@ -69,8 +69,8 @@ void AabbTree::findMeetings(const std::vector<SmallBox>& boxes,
   }
 }
 
-/// Takes the boxes of this call over, puts in and takes out what became known or unknown, and
-/// builds anew where that is better.
+/// Takes the boxes of this call, inserts bodies that became known, removes those that became
+/// unknown, and rebuilds the tree where that is better.
 void AabbTree::update(const std::vector<SmallBox>& boxes) noexcept {
   std::size_t changes = 0;
   for (std::size_t body = 0; body < boxes.size(); ++body) {
@@ -110,7 +110,7 @@ std::size_t AabbTree::sideOf(std::uint32_t node) const noexcept {
   return nodes_[node].parent != kNone && nodes_[nodes_[node].parent].children[1] == node ? 1 : 0;
 }
 
-/// Top down, halves of equal number along the axis on which centers spread most.
+/// Builds the tree top-down, in halves of equal count along the axis where centers spread most.
 void AabbTree::build(const std::vector<SmallBox>& boxes) noexcept {
   leaves_.clear();
   free_.clear();
@@ -169,8 +169,8 @@ std::size_t AabbTree::splitSpan(const Span& span) noexcept {
   return middle;
 }
 
-/// Boxes of all inner nodes from those below, children before parents, rotating on the way.
-/// @return their summed surface. Units: square metres.
+/// Recomputes the boxes of all inner nodes, children before parents, and rotates on the way.
+/// @return their total surface area. Units: square metres.
 double AabbTree::refit() noexcept {
   order_.clear();
   if (root_ != kNone && !isLeaf(root_)) {
@@ -194,8 +194,8 @@ double AabbTree::refit() noexcept {
   return area;
 }
 
-/// Swaps a child with a child of the other one, if that makes the other one smaller: the best of
-/// four ways.
+/// Swaps a child with a child of the other one if that makes the other one smaller. Takes the best
+/// of four swaps.
 void AabbTree::rotate(std::uint32_t node) noexcept {
   double best_gain = 0.0;
   std::size_t best_side = 0;
@@ -227,8 +227,8 @@ void AabbTree::rotate(std::uint32_t node) noexcept {
   }
 }
 
-/// The node beside which a leaf makes the tree's surface grow least, found going down while a
-/// child can be better than the node.
+/// The node beside which a leaf makes the tree's surface area grow least. Descends while a child
+/// can be better than its node.
 std::uint32_t AabbTree::bestSibling(const SmallBox& box) const noexcept {
   std::uint32_t node = root_;
   while (!isLeaf(node)) {

@@ -12,10 +12,10 @@
 
 namespace collision_monitor {
 
-/// A binary tree of boxes over bodies of any sizes. Boxes are refitted in every call; where
-/// swapping a node with one of its sibling's children makes the sibling smaller, they are rotated.
-/// Bodies that become known are inserted where they cost least surface, others are
-/// taken out; a tree that has grown far looser than it was built is built anew.
+/// A binary tree of boxes over bodies of any size. Boxes are refitted in every call. A node is
+/// swapped with a child of its sibling where that makes the sibling smaller (a rotation). Bodies
+/// that become known are inserted where they add the least surface area; unknown ones are removed.
+/// A tree that has become much looser than when it was built is rebuilt.
 ///
 /// Source: Kopta, Ize, Spjut, Brunvand, Davis, Kensler, "Fast, Effective BVH Updates for Animated
 /// Scenes" (2012) for rotations; Catto, "Dynamic Bounding Volume Hierarchies" (2019) for insertion.
@@ -24,11 +24,11 @@ class AabbTree {
   explicit AabbTree(std::size_t body_count);
 
   /// Every pair of boxes that meet, in no order.
-  /// @pre as many boxes as the constructor was told.
+  /// @pre as many boxes as given to the constructor.
   void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
 
  private:
-  /// Nodes below the number of bodies are leaves, each its body's.
+  /// Node i is the leaf of body i, if i is below the number of bodies.
   struct Node {
     SmallBox box;
     std::uint32_t parent{kNone};
@@ -57,9 +57,9 @@ class AabbTree {
 
   std::vector<Node> nodes_;
   std::vector<unsigned char> in_tree_;  ///< by body
-  std::vector<std::uint32_t> free_;     ///< inner nodes that are not used
+  std::vector<std::uint32_t> free_;     ///< unused inner nodes
   std::uint32_t root_{kNone};
-  double built_area_{0.0};  ///< [m^2] summed over inner nodes when the tree was built
+  double built_area_{0.0};  ///< [m^2] total of the inner nodes when the tree was built
   std::vector<std::uint32_t> leaves_;
   std::vector<std::uint32_t> order_;
   std::vector<Span> spans_;

@@ -8,8 +8,8 @@
 
 namespace collision_monitor {
 
-/// Tests every pair, many at a time. The best choice for a robot, where most bodies are near each
-/// other anyway; nothing is kept from call to call.
+/// Tests every pair, many at a time. Best for a robot, where most bodies are near each other
+/// anyway. Keeps nothing between calls.
 class BruteForce {
  public:
   explicit BruteForce(std::size_t body_count);
@@ -17,7 +17,7 @@ class BruteForce {
   /// Every pair of boxes that meet, sorted.
   void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
 
-  /// Marks the pairs of a table that meet: bit k of word n for the pair of id 64 n + k.
+  /// Marks the pairs of a table that meet: bit k of word n is the pair with id 64 n + k.
   /// @pre table.idsOfAll() is not null; `marks` has a bit for every pair.
   void markPairs(const std::vector<SmallBox>& boxes, const PairTable& table,
                  std::vector<std::uint64_t>& marks) noexcept;

@@ -16,9 +16,9 @@ constexpr double kCellWidth = 2.0;  ///< in mean widths of a box
 constexpr std::int64_t kMostCells = 64;
 constexpr std::int32_t kFarCell = 1 << 20;
 constexpr std::size_t kEntriesABody = 8;
-constexpr std::size_t kAllEntriesUpTo = 1000;  ///< bodies: up to there room for kMostCells each
+constexpr std::size_t kAllEntriesUpTo = 1000;  ///< bodies: up to here, room for kMostCells each
 
-/// A cell's place in 21 bits an axis.
+/// The cell's coordinates, 21 bits per axis.
 std::uint64_t packed(std::int32_t x, std::int32_t y, std::int32_t z) noexcept {
   const auto bits = [](std::int32_t cell) {
     return static_cast<std::uint64_t>(cell + kFarCell) & 0x1fffffU;
@@ -66,7 +66,7 @@ HashedBins::HashedBins(std::size_t body_count)
   entries_.reserve(counted * kMostCells + (body_count - counted) * kEntriesABody);
 }
 
-/// Whether cells still have about the width that boxes ask for; sets it anew if not.
+/// Whether the cell width still fits the boxes; sets it anew if not.
 bool HashedBins::suitsCells(const std::vector<SmallBox>& boxes) noexcept {
   double mean_width = 0.0;
   for (const Spread& spread : spreadsOf(boxes)) {
@@ -107,7 +107,7 @@ std::uint64_t HashedBins::sharedCell(const SmallBox& a, const SmallBox& b) const
                 cellAt(std::max(a.min[2], b.min[2])));
 }
 
-/// The primes are those of Teschner et al.
+/// Hashes with the primes of Teschner et al.
 std::uint32_t& HashedBins::headOf(std::uint64_t cell) noexcept {
   const std::uint64_t hash = ((cell & 0x1fffffU) * 73856093U) ^
                              (((cell >> 21) & 0x1fffffU) * 19349663U) ^ ((cell >> 42) * 83492791U);
@@ -138,7 +138,7 @@ void HashedBins::leave(std::uint32_t body, std::uint64_t cell) noexcept {
   free_ = entry;
 }
 
-/// Enters the cells that the box newly reaches into and leaves those that it no longer does.
+/// Enters the cells that the box newly overlaps and leaves those it no longer overlaps.
 void HashedBins::move(std::uint32_t body, const SmallBox& box) noexcept {
   const CellRange before = cells_[body];
   const bool was_in_cells = places_[body] == Place::cells;

@@ -11,11 +11,10 @@
 
 namespace collision_monitor {
 
-/// A uniform grid without borders: a cell is found in the table by the hash of its place, modulus
-/// the table's size. A body stands in all cells that its box reaches into and moves to
-/// neighbouring cells when it leaves one; a body that would stand in very many is kept aside and
-/// tested against all. Each pair is found in one cell, that of the lower corner of what its boxes
-/// share.
+/// A uniform grid without borders. The hash of a cell's coordinates, modulo the table's size, gives
+/// its bin. A body is entered in every cell that its box overlaps, and moves to neighbouring cells
+/// as it moves. A body in very many cells is kept aside and tested against all others. Each pair is
+/// found in one cell only: that of the lower corner of the intersection of its boxes.
 ///
 /// Source: Teschner, Heidelberger, Mueller, Pomeranets, Gross, "Optimized Spatial Hashing for
 /// Collision Detection of Deformable Objects" (2003); Ericson, "Real-Time Collision Detection"
@@ -55,7 +54,7 @@ class HashedBins {
 
   std::vector<std::uint32_t> heads_;  ///< by bin: its first entry
   std::vector<Entry> entries_;
-  std::uint32_t free_;            ///< first of the entries that are not used
+  std::uint32_t free_;            ///< first unused entry
   std::vector<CellRange> cells_;  ///< by body
   std::vector<Place> places_;     ///< by body
   double cells_per_metre_{0.0};

@@ -10,7 +10,7 @@
 namespace collision_monitor {
 namespace {
 
-/// A list that does not last that many calls costs more than it saves.
+/// A list that lasts fewer calls costs more than it saves.
 constexpr float kLeastCalls = 2.0F;
 
 SmallBox grownBy(float margin, const SmallBox& box) noexcept {
@@ -22,18 +22,18 @@ SmallBox grownBy(float margin, const SmallBox& box) noexcept {
   return grown;
 }
 
-/// How far a side of the box has moved, at most. Units: metres. 0 for sides that are infinite.
+/// The greatest movement of a side of the box. Units: metres. 0 for infinite sides.
 float motionOf(const SmallBox& before, const SmallBox& now) noexcept {
   float most = 0.0F;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    // In this order NaN is passed over.
+    // std::max in this order ignores NaN.
     most = std::max(most, std::abs(now.min[axis] - before.min[axis]));
     most = std::max(most, std::abs(now.max[axis] - before.max[axis]));
   }
   return most;
 }
 
-/// Mean of the sides of a box. Units: metres. 0 if it is infinite or empty.
+/// The mean side of a box. Units: metres. 0 if the box is infinite or empty.
 float widthOf(const SmallBox& box) noexcept {
   const float sum = box.max[0] - box.min[0] + box.max[1] - box.min[1] + box.max[2] - box.min[2];
   return std::isfinite(sum) ? sum / 3.0F : 0.0F;
@@ -56,9 +56,9 @@ bool NeighbourList::lasts(const std::vector<SmallBox>& boxes) const noexcept {
   return true;
 }
 
-/// With x the margin and v the motion in a call, both in widths of a box, a call costs v / x
-/// sweeps and a look at (1 + 2 x)^3 times as many pairs as meet; a sweep costs about six
-/// such looks. The sum is least where x (1 + 2 x) = sqrt(v).
+/// Let x be the margin and v the motion per call, both in box widths. A call costs v / x sweeps,
+/// and tests of (1 + 2 x)^3 times as many pairs as meet. A sweep costs about six times these tests.
+/// The sum is least where x (1 + 2 x) = sqrt(v).
 float NeighbourList::marginFor(const std::vector<SmallBox>& boxes) const noexcept {
   float farthest = 0.0F;
   float widths = 0.0F;

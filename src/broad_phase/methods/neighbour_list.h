@@ -6,13 +6,13 @@
 
 namespace collision_monitor {
 
-/// Keeps the pairs of boxes grown by a margin and looks at nothing else until a box leaves its
-/// grown one. The margin follows the motion since the last such moment: wide enough to last, narrow
-/// enough to keep few pairs, and none where it would not last two calls, so that in
-/// disordered motion this is a sweep anew in every call.
+/// Keeps the pairs of boxes inflated by a margin, and tests only these until a box leaves its
+/// inflated box. The margin follows the motion since the list was made: wide enough to last, narrow
+/// enough to keep few pairs. It is 0 where the list would not last two calls, so incoherent motion
+/// means a new sweep in every call.
 ///
-/// Source: Verlet, "Computer 'experiments' on classical fluids I" (1967); the margin is worked out
-/// in docs/decisions/broad-phase.md.
+/// Source: Verlet, "Computer 'experiments' on classical fluids I" (1967).
+/// docs/decisions/broad-phase.md derives the margin.
 class NeighbourList {
  public:
   explicit NeighbourList(std::size_t body_count);
@@ -20,10 +20,10 @@ class NeighbourList {
   /// Every pair of boxes that meet, sorted.
   void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
 
-  /// Whether the list that was last made was expected to last.
+  /// Whether the last list was expected to last.
   bool isCoherent() const noexcept { return margin_ > 0.0F; }
 
-  /// Rows looked at when the list was last made: how hard the scene is for a sweep.
+  /// The number of rows tested when the list was made: how hard the scene is for a sweep.
   std::size_t work() const noexcept { return sweep_.work(); }
 
  private:
@@ -33,7 +33,7 @@ class NeighbourList {
 
   SlabSweep sweep_;
   std::vector<SmallBox> grown_;
-  std::vector<PairKey> near_;  ///< pairs of grown boxes that meet, sorted
+  std::vector<PairKey> near_;  ///< pairs of inflated boxes that meet, sorted
   std::vector<PairKey> scratch_;
   float margin_{0.0F};
   std::size_t calls_{0};  ///< since the list was made

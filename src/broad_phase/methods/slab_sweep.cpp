@@ -11,8 +11,8 @@
 namespace collision_monitor {
 namespace {
 
-constexpr std::size_t kRowsABody = 4;       ///< room for bodies that reach into several columns
-constexpr std::size_t kBodiesAColumn = 32;  ///< not more columns than that
+constexpr std::size_t kRowsABody = 4;       ///< room for bodies that overlap several columns
+constexpr std::size_t kBodiesAColumn = 32;  ///< limits the number of columns
 constexpr double kSlabWidth = 4.0;          ///< in mean widths of a box
 constexpr std::int32_t kFarSlab = 1 << 30;
 
@@ -24,12 +24,12 @@ std::size_t mostColumns(std::size_t body_count) noexcept {
   return columns;
 }
 
-/// How many boxes stand side by side along the axis.
+/// How many boxes fit side by side along the axis.
 double roomFor(const Spread& spread) noexcept { return spread.range / (spread.mean_width + 1e-9); }
 
-/// Rounded down without a call of std::floor, which costs more than all the rest.
+/// Rounds down without std::floor, which costs more than all the rest.
 std::int32_t slabAt(double per_metre, float coordinate) noexcept {
-  constexpr double kFar = 1e30;  // infinity times 0 would be no number
+  constexpr double kFar = 1e30;  // infinity times 0 would be NaN
   const double slab = std::clamp(std::clamp<double>(coordinate, -kFar, kFar) * per_metre,
                                  -double{kFarSlab}, double{kFarSlab});
   const auto truncated = static_cast<std::int32_t>(slab);
@@ -105,7 +105,7 @@ bool SlabSweep::countRows(const std::vector<SmallBox>& boxes) noexcept {
     for (std::size_t i = 0; i < 2; ++i) {
       const Slabs& slabs = layout_.slabs[i];
       reach.first[i] = slabAt(slabs.per_metre, box.min[slabs.axis]);
-      // Not so far behind that the body would stand in a slab twice.
+      // Limited, so that the body is not in a slab twice.
       reach.last[i] =
           std::min(slabAt(slabs.per_metre, box.max[slabs.axis]), reach.first[i] + slabs.mask);
     }
@@ -118,7 +118,7 @@ bool SlabSweep::countRows(const std::vector<SmallBox>& boxes) noexcept {
   return rows <= kRowsABody * boxes.size();
 }
 
-/// Half as many across the axis that has more; with one column there is one row a body.
+/// Halves the number of slabs on the axis that has more. A single column has one row per body.
 void SlabSweep::widenSlabs() noexcept {
   Slabs& slabs = layout_.slabs[layout_.slabs[1].mask >= layout_.slabs[0].mask ? 1 : 0];
   slabs.per_metre *= 0.5;

@@ -11,15 +11,15 @@
 
 namespace collision_monitor {
 
-/// Cuts space into slabs across two axes and sweeps each column, where two slabs cross, along the
-/// third, anew in every call: what finds pairs when nothing is known of where bodies were. The axis
-/// of the sweep is that along which boxes are the smallest beside the spread of the scene. Slabs
-/// are numbered by modulus, so that a body far away costs nothing; a body stands in every column
-/// it reaches into, and a pair is found in the first that both are in.
+/// Finds pairs without knowledge of earlier calls. Cuts space into slabs across two axes, and
+/// sweeps each column, where two slabs cross, along the third. The sweep axis is the one where
+/// boxes are smallest relative to the spread of the scene. Slabs are numbered modulo their count,
+/// so a body far away costs nothing. A body is in every column that it overlaps, and a pair is
+/// found in the first column that both share.
 ///
 /// Source: Tracy, Buss, Woods, "Efficient Large-Scale Sweep and Prune Methods with AABB Insertion
-/// and Removal" (2009), section 4 (subdivision beside the sweep). Departs from it in sorting
-/// anew, by radix, instead of keeping order.
+/// and Removal" (2009), section 4 (subdivision beside the sweep). Departs from it: sorts anew in
+/// each call, by radix, and keeps no order.
 class SlabSweep {
  public:
   explicit SlabSweep(std::size_t body_count);
@@ -27,20 +27,20 @@ class SlabSweep {
   /// Every pair of boxes that meet, in no order.
   void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
 
-  /// Rows looked at in the last call: what it cost.
+  /// The number of rows tested in the last call: its cost.
   std::size_t work() const noexcept { return work_; }
 
  private:
   struct Slabs {
     std::size_t axis{1};
     double per_metre{0.0};
-    std::int32_t mask{0};  ///< number of slabs, a power of two, less one
+    std::int32_t mask{0};  ///< the number of slabs, a power of two, minus one
   };
   struct Layout {
     std::size_t sweep_axis{0};
     std::array<Slabs, 2> slabs;
   };
-  /// The slabs that a body reaches into, across both axes.
+  /// The slabs that a body overlaps, across both axes.
   struct Reach {
     std::array<std::int32_t, 2> first;
     std::array<std::int32_t, 2> last;
@@ -61,7 +61,7 @@ class SlabSweep {
   std::vector<std::uint64_t> scratch_;
   std::vector<Reach> reaches_;         ///< by body
   std::vector<std::uint32_t> starts_;  ///< by column: its first row; one more at the end
-  std::vector<std::uint32_t> ends_;    ///< by column: behind its last row
+  std::vector<std::uint32_t> ends_;    ///< by column: one past its last row
   std::vector<RowPair> hits_;
   std::size_t work_{0};
 };

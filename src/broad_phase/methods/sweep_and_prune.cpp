@@ -12,9 +12,9 @@ namespace collision_monitor {
 namespace {
 
 constexpr std::uint64_t kUpperEnd = std::uint64_t{1} << 31;
-/// A body of which that many end points pass others in one call moves too far for insertion.
+/// Insertion is given up when this many end points per body pass others in one call.
 constexpr std::size_t kPassesABody = 32;
-constexpr std::size_t kPairsABody = 4;  ///< room for those that are added in one call
+constexpr std::size_t kPairsABody = 4;  ///< room for pairs added in one call
 
 std::uint32_t bodyOf(std::uint64_t end) noexcept {
   return static_cast<std::uint32_t>(end & (kUpperEnd - 1));
@@ -50,8 +50,8 @@ void SweepAndPrune::findMeetings(const std::vector<SmallBox>& boxes,
   found = pairs_;
 }
 
-/// An unknown body ends before all others and begins behind them, so that its ends pass those of
-/// every body that it meets when it becomes known, and again when it becomes unknown.
+/// An unknown body ends before all others and begins behind them. So its ends pass those of every
+/// body that it meets when it becomes known, and again when it becomes unknown.
 void SweepAndPrune::moveEndPoints(const std::vector<SmallBox>& boxes) noexcept {
   constexpr std::uint64_t kBeforeAll = 0;
   constexpr std::uint64_t kBehindAll = 0xffffffffU;
@@ -66,8 +66,8 @@ void SweepAndPrune::moveEndPoints(const std::vector<SmallBox>& boxes) noexcept {
   }
 }
 
-/// Notes the pairs that begin to meet and whether any may part. False if the axes are in such
-/// disorder that it was given up.
+/// Notes the pairs that begin to meet, and whether any may part. Returns false if it gave up
+/// because the axes are too disordered.
 bool SweepAndPrune::sortByInsertion(const std::vector<SmallBox>& boxes) noexcept {
   added_.clear();
   have_parted_ = false;
@@ -140,8 +140,8 @@ void SweepAndPrune::startAnew(const std::vector<SmallBox>& boxes) noexcept {
   sortPairs(boxes.size(), pairs_, scratch_);
 }
 
-/// The number of overlapping intervals of an axis is the sum, over its openings, of the
-/// intervals open at that moment.
+/// The number of overlapping intervals on an axis is the sum, over all openings, of the intervals
+/// open at that moment.
 std::size_t SweepAndPrune::leastCrowdedAxis(const std::vector<SmallBox>& boxes) const noexcept {
   std::size_t best_axis = 0;
   std::size_t fewest = std::numeric_limits<std::size_t>::max();

@@ -11,30 +11,29 @@
 
 namespace collision_monitor {
 
-/// Sweep and prune on three axes. The end points of every axis stay sorted from one call to the
-/// next and are sorted again by insertion, near linear while motion is coherent. A lower end that
-/// passes an upper one may bring a pair, an upper end that passes a lower one may part one:
-/// pairs are added and removed as end points pass each other, and confirmed on all axes. When
-/// too many pass, the axes are sorted anew and the one on which the fewest intervals overlap
-/// is swept with a list of active intervals.
+/// Sweep and prune on three axes. The end points of each axis stay sorted between calls. Insertion
+/// sort restores the order in nearly linear time while motion is coherent. A lower end that passes
+/// an upper end may add a pair; an upper end that passes a lower end may remove one. Such pairs are
+/// then confirmed on all axes. When too many ends pass each other, the axes are sorted anew, and
+/// the axis with the fewest overlapping intervals is swept with a list of active intervals.
 ///
 /// Source: Cohen, Lin, Manocha, Ponamgi, "I-COLLIDE: an interactive and exact collision
 /// detection system for large-scale environments" (1995), section 4; Tracy, Buss, Woods (2009).
-/// Departs from them in keeping sorted lists of pairs, not flags for each pair and axis.
+/// Departs from them: keeps sorted lists of pairs, not flags for each pair and axis.
 class SweepAndPrune {
  public:
   explicit SweepAndPrune(std::size_t body_count);
 
   /// Every pair of boxes that meet, sorted.
-  /// @pre as many boxes as the constructor was told.
+  /// @pre as many boxes as given to the constructor.
   void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
 
-  /// Whether the last call had to sort the axes anew: motion was not coherent.
+  /// Whether the last call had to sort the axes anew because motion was not coherent.
   bool isAnew() const noexcept { return is_anew_; }
 
  private:
-  /// Position on the axis, whether it is an upper end, and the body, from the highest bit down: at
-  /// one position an interval opens before another closes, so that touching ones overlap.
+  /// From the highest bit down: position on the axis, whether it is an upper end, the body. At one
+  /// position, intervals open before others close, so touching ones overlap.
   using EndPoint = std::uint64_t;
   using EndPoints = std::vector<EndPoint>;
 

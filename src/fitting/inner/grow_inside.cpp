@@ -17,21 +17,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCoarse = 0.1;  // tolerance of distances, at first and for segments
+constexpr double kCoarse = 0.1;  // relative tolerance of distances, at first and for segments
 constexpr double kFine = 0.02;
 constexpr double kReach = 0.8;  // of a ball known to be empty; less than 1 / (1 + kCoarse)
-constexpr double kGain = 1e-4;  // less, and nothing new met, makes a round idle
+constexpr double kGain = 1e-4;  // a round with less gain and no new triangle is idle
 constexpr int kRounds = 12;
-constexpr int kIdleRounds = 2;  // in a row end the search
+constexpr int kIdleRounds = 2;  // this many in a row end the search
 
-/// A simplex loses its shape in a crease; each round starts from a fresh one, by turns to both
-/// sides and of several sizes.
+/// A simplex degenerates in a crease. So each round starts a new one, in alternating directions and
+/// with several sizes.
 double firstStep(int round) {
   constexpr double kSteps[] = {0.3, -0.3, 0.1, -0.1};
   return kSteps[round % 4];
 }
 
-/// Looks around a point, away from the middle, where looking is cheap.
+/// Samples a ball around a point. Queries are cheaper away from the middle of a body.
 void lookAround(const Vector3d& point, double radius, NearTriangles& near) {
   constexpr int kDirections = 20;
   for (const auto& direction : spreadDirections(kDirections)) {
@@ -39,7 +39,7 @@ void lookAround(const Vector3d& point, double radius, NearTriangles& near) {
   }
 }
 
-/// Rounds of a search among the known triangles, each followed by a look at all.
+/// Searches in rounds among the known triangles. A query of all triangles follows each round.
 void growBall(double tolerance, NearTriangles& near, EmptyBall& ball) {
   for (int round = 0, idle = 0; round < kRounds && idle < kIdleRounds; ++round) {
     const EmptyBall start = ball;
@@ -59,7 +59,7 @@ void growBall(double tolerance, NearTriangles& near, EmptyBall& ball) {
   }
 }
 
-/// The segment with the distance to the known triangles.
+/// The segment with its distance to the known triangles.
 InnerSegment amongKnown(const NearTriangles& near, const Vector3d& a, const Vector3d& b) {
   constexpr int kSamples = 4;
   InnerSegment segment{a, b, std::numeric_limits<double>::infinity()};
@@ -115,7 +115,7 @@ EmptyBall growBall(const TriangleBvh& surface, const EmptyBall& ball) {
 
 InnerSegment growSegment(const TriangleBvh& surface, const InnerSegment& segment) {
   using Step = Eigen::Matrix<double, 6, 1>;
-  constexpr double kWorse = 0.5;  // of the radius: not worth looking at
+  constexpr double kWorse = 0.5;  // of the radius: segments below this share are not measured
   NearTriangles near(surface);
   InnerSegment best = segment;
   for (const double place : {0.0, 0.5, 1.0}) {

@@ -11,13 +11,13 @@
 namespace collision_monitor {
 namespace {
 
-/// A capsule that reaches `reach` along an axis and `radius` across. A hair shorter, for the
-/// difference is rounded; if it is not a sphere, that is.
+/// A capsule that extends `reach` along an axis and `radius` across. Unless it is a sphere, it is
+/// shorter by a hair, because the difference is rounded.
 PosedShape capsuleAlong(Eigen::Index axis, double reach, double radius) {
   constexpr double kShorter = 1.0 - 2.0 * std::numeric_limits<double>::epsilon();
   PosedShape fit{Capsule{std::max(0.0, reach * kShorter - radius), radius}, {}};
   if (axis != 2) {
-    // A cyclic change of axes: z to the one that is wanted.
+    // A cyclic change of axes that takes z to the requested axis.
     fit.geometry_from_body.rotation.setZero();
     for (Eigen::Index i = 0; i < 3; ++i) {
       fit.geometry_from_body.rotation((axis + 1 + i) % 3, i) = 1.0;
@@ -41,7 +41,7 @@ struct Inscribe {
     return shapes(box.half_extents.minCoeff(), longest, reach);
   }
   InnerShapes operator()(const Cylinder& cylinder) const {
-    // A flat cylinder holds a longer one across.
+    // A flat cylinder holds a longer capsule across its axis.
     return cylinder.half_length >= cylinder.radius
                ? shapes(cylinder.radius, 2, cylinder.half_length)
                : shapes(cylinder.half_length, 0, cylinder.radius);

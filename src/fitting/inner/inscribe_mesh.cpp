@@ -18,10 +18,10 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kSurfacePoints = 150;
-constexpr std::size_t kBalls = 10;  // that stand for the inside
+constexpr std::size_t kBalls = 10;  // that represent the inside
 constexpr std::size_t kSphereStarts = 3;
 constexpr std::size_t kCapsuleStarts = 2;
-constexpr double kNear = 0.1;  // of the largest ball: a capsule so thin is not worth looking at
+constexpr double kNear = 0.1;        // of the largest ball: thinner capsules are not tried
 constexpr double kAllowance = 1e-9;  // of the mesh's size
 
 void sortByVolume(std::vector<InnerSegment>& segments) {
@@ -57,13 +57,13 @@ class Inscriber {
   }
 
  private:
-  /// Segments between the balls, and short ones in the largest along the axes of the mesh.
+  /// Segments between the balls, and short ones in the largest ball along the axes of the mesh.
   std::vector<InnerSegment> capsuleStarts() const {
     std::vector<InnerSegment> starts;
     double best_volume = 0.0;
     for (std::size_t i = 0; i < balls_.size(); ++i) {
       for (std::size_t j = i + 1; j < balls_.size(); ++j) {
-        // Balls come largest first, so the second bounds the radius; a look at the mesh is dear.
+        // Balls come largest first, so the second bounds the radius; mesh queries are costly.
         const InnerSegment hoped{balls_[i].center, balls_[j].center, balls_[j].radius};
         if (volumeOf(hoped) > best_volume) {
           starts.push_back(segmentBetween(hoped.a, hoped.b));
@@ -85,8 +85,8 @@ class Inscriber {
     return innerSegment(bvh_, a, b, kNear * balls_.front().radius);
   }
 
-  /// The largest that can be proven; the sphere is a capsule too. As a rule the first is, and
-  /// proofs take longer than searches.
+  /// The largest capsule that can be proven; a sphere counts as one. Usually the first candidate is
+  /// proven, and proofs take longer than searches.
   std::optional<PosedShape> largestCapsule() const {
     const EmptyBall& largest = balls_.front();
     std::vector<InnerSegment> segments{{largest.center, largest.center, largest.radius}};
@@ -104,7 +104,7 @@ class Inscriber {
     return std::nullopt;
   }
 
-  /// The shape with the radius that can be proven, if any can.
+  /// The shape with the radius that can be proven; none if no radius can.
   std::optional<PosedShape> proven(const InnerSegment& segment, bool is_sphere) const {
     throwIfInterrupted();
     PosedShape fit;
@@ -114,7 +114,7 @@ class Inscriber {
     if (half_length > 0.0) {
       fit.geometry_from_body.rotation = rotationWithAxis(along / half_length);
     }
-    // As it is stored, not as it was meant.
+    // Uses the stored numbers, not the intended ones.
     const Vector3d half = fit.geometry_from_body.rotation.col(2) * half_length;
     const Vector3d a = fit.geometry_from_body.translation - half;
     const Vector3d b = fit.geometry_from_body.translation + half;

@@ -6,7 +6,7 @@
 
 namespace collision_monitor {
 
-/// inscribeShapes for a mesh. @pre the mesh is sound; see checkGeometry.
+/// inscribeShapes for a mesh. @pre the mesh is valid; see checkGeometry.
 InnerShapes inscribeMesh(const TriangleMesh& mesh);
 
 }  // namespace collision_monitor

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 using Triangle = TriangleBvh::Triangle;
 
 constexpr int kMaxRounds = 30;
-// Of a distance; with less, a look from the middle of a round body takes thousands of triangles.
+// Of a distance. With less, queries from the middle of round bodies visit thousands of triangles.
 constexpr double kTolerance = 0.1;
 
 struct SurfacePoint {
@@ -28,7 +28,7 @@ Vector3d doubleArea(const Triangle& triangle) {
   return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
 }
 
-/// Equal shares of the area, and within a triangle the places of a low-discrepancy sequence.
+/// Spreads points by equal shares of the area, in a triangle by a low-discrepancy sequence.
 /// Source: Martin Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences" (2018).
 std::vector<SurfacePoint> spreadOver(const std::vector<Triangle>& triangles, int count) {
   double area = 0.0;
@@ -62,8 +62,8 @@ NearestPoint nearestToCenter(const TriangleBvh& surface, const SurfacePoint& fro
   return surface.nearestTo(from.point + radius * from.inward, NearestPoint{}, kTolerance);
 }
 
-/// The first radius, of a series up to `largest`, at which something is in the ball. From small to
-/// large, because in a thin wall a large ball's center is outside, and both faces are about as far.
+/// The first radius of a series up to `largest` whose ball holds a point of the surface. It
+/// ascends: in a thin wall a large ball's center is outside, and both faces are about equally far.
 double radiusToShrink(const TriangleBvh& surface, const SurfacePoint& from, double largest) {
   constexpr double kFirst = 1.0 / 4096.0;
   constexpr double kGrowth = 4.0;
@@ -102,7 +102,7 @@ std::vector<EmptyBall> medialBalls(const TriangleBvh& surface, int count) {
   std::vector<EmptyBall> balls;
   for (const auto& point : spreadOver(surface.triangles(), count)) {
     throwIfInterrupted();
-    // No ball in the surface is larger than this.
+    // No ball inside the surface is larger.
     if (const auto ball = emptyBallAt(surface, point, largest)) {
       balls.push_back(*ball);
     }

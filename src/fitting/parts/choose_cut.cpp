@@ -14,11 +14,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr int kFirstStep = 16;           // of these, between the places that are looked at first
+constexpr int kFirstStep = 16;           // between the places that are tried first
 constexpr std::ptrdiff_t kPolished = 4;  // axes whose best cuts are compared closely
 constexpr double kWorthIt = 0.9;         // of the cost before the cut
 
-/// Of both shapes, where each sticks out over the mesh and the other.
+/// The cost of both shapes: where each sticks out over the mesh and the other.
 double costOf(const CutChoice& choice, const RoughGoal& goal) {
   OvershootSum sum;
   const auto add = [&](const TurnedCore& core, const TurnedCore& other) {
@@ -31,7 +31,7 @@ double costOf(const CutChoice& choice, const RoughGoal& goal) {
   return costOf(sum.total());
 }
 
-/// The cut below which `cut` slabs are; nothing if one side is empty.
+/// The cut above `cut` slabs; none if one side is empty.
 std::optional<CutChoice> cutAt(const Slabs& slabs, int cut, const Matrix3d& frame,
                                const RoughGoal& goal) {
   const Points below = slabs.pointsOf(0, cut);
@@ -75,8 +75,8 @@ class AxisSearch {
     }
   }
 
-  /// Moves both shapes to where they stick out least beside each other: only then it shows what a
-  /// cut is worth.
+  /// Moves both shapes to where they stick out least, given each other: only this shows the worth
+  /// of a cut.
   void polish(const RoughGoal& goal) {
     RoughGoal beside = goal;
     beside.others.push_back(best_.above.core);

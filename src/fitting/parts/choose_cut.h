@@ -9,23 +9,23 @@
 
 namespace collision_monitor {
 
-/// By which one set of shapes is better than another. Units: metres.
+/// The cost by which sets of shapes are compared. Units: metres.
 double costOf(const Overshoot& overshoot) noexcept;
 
-/// A cut and what it leads to.
+/// A cut and the shapes it leads to.
 struct CutChoice {
   CutPlane plane;
   RoughFit below;
   RoughFit above;
   double cost{std::numeric_limits<double>::infinity()};  ///< [m]
-  bool is_idle{false};                                   ///< it is worth nothing by itself
+  bool is_idle{false};                                   ///< it gains nothing by itself
 };
 
-/// The plane that leaves the least coarse pair of shapes, among planes across the axes of the
-/// frames at several places along each. The best of a few axes are compared with both shapes moved
-/// to where they stick out least.
-/// @param samples points of the part's surface, close together against its size.
-/// @param whole the shape that the part has.
+/// The plane whose pair of shapes costs least, among planes across the frames' axes at several
+/// places. The best cuts of a few axes are compared after both shapes have moved to where they
+/// stick out least.
+/// @param samples points of the part's surface, dense relative to its size.
+/// @param whole the present shape of the part.
 /// @return nothing when the part has no extent along any axis.
 std::optional<CutChoice> chooseCut(const Points& samples, const TurnedCore& whole,
                                    const RoughGoal& goal);

@@ -23,18 +23,18 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kMostPieces = 24;
-constexpr int kDirections = 64;  // in which the corners of a piece are farthest
+constexpr int kDirections = 64;  // for the farthest corners of a piece
 
-/// Points of the surface, close together.
+/// A piece of the surface, as dense points.
 struct Piece {
-  std::vector<std::uint32_t> parts;  ///< of the plan; none: it was joined to another
+  std::vector<std::uint32_t> parts;  ///< of the plan; none if it was joined to another
   Points samples;
   PointSummary summary;
   Extent extent;
-  double hollow{0.0};  ///< [m] how far the hull is from the surface; 0: nothing to cut
+  double hollow{0.0};  ///< [m] distance of the hull from the surface; 0: nothing to cut
 };
 
-/// [m] How far points all over the hull are from the surface, at most.
+/// [m] The greatest distance of points all over the hull from the surface.
 double hollowOf(const TriangleMesh& hull, const DistanceGrid& grid) {
   constexpr int kAcross = 6;
   double farthest = 0.0;
@@ -65,7 +65,7 @@ Piece makePiece(std::uint32_t part, Points samples, const DistanceGrid& grid) {
   return piece;
 }
 
-/// One point for each cell of the grid, the first: where triangles are small there are no more.
+/// The first point in each cell of the grid, so that small triangles give no more points.
 Points evenSamples(const DistanceGrid& grid) {
   Points samples;
   std::set<std::array<int, 3>> seen;
@@ -102,7 +102,7 @@ class AxisCut {
   CutPlane plane() const { return slabs_.plane(best_); }
 
  private:
-  /// What is left, and how far it still reaches where that is all the same.
+  /// The bulk of both sides, and a small weight of their length, which decides between equal bulks.
   void consider(int cut) {
     constexpr double kReach = 0.1;
     PointSummary below{slabs_.pointsOf(0, cut), {}};
@@ -177,7 +177,7 @@ std::vector<Piece> cutToPieces(const DistanceGrid& grid, double target,
   return pieces;
 }
 
-/// Two pieces, by position, and by how much their common bulk exceeds theirs.
+/// Two pieces by position, and how much their joint bulk exceeds the sum of theirs.
 struct Join {
   std::size_t a{0};
   std::size_t b{0};
@@ -197,9 +197,9 @@ Join joinOf(const std::vector<Piece>& pieces, std::size_t a, std::size_t b, doub
   return join;
 }
 
-/// Joins until `most_shapes` are left and more would cost something.
+/// Joins until `most_shapes` are left and every further join would cost something.
 void joinPieces(std::size_t most_shapes, double layer, std::vector<Piece>& pieces) {
-  constexpr double kFree = 0.02;  // of the common bulk
+  constexpr double kFree = 0.02;  // of the joint bulk
   std::vector<Join> joins;
   for (std::size_t b = 0; b < pieces.size(); ++b) {
     for (std::size_t a = 0; a < b; ++a) {

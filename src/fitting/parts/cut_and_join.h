@@ -10,26 +10,26 @@
 
 namespace collision_monitor {
 
-/// Cuts of a surface, and which of the parts share a shape.
+/// Cuts of a surface, and which parts share a shape.
 struct CutPlan {
-  std::vector<PartCut> cuts;            ///< as Fit::cuts
-  std::vector<std::uint32_t> shape_of;  ///< as Fit::shape_of
+  std::vector<PartCut> cuts;            ///< see Fit::cuts
+  std::vector<std::uint32_t> shape_of;  ///< see Fit::shape_of
   std::size_t shapes{1};
 };
 
-/// Cuts a surface until each piece nearly fills its convex hull, or there are many, and joins again
-/// what has a common box hardly larger than its own: for frames, rings, forks and tables, where
-/// a cut is worth nothing before others have followed.
+/// Cuts a surface until each piece nearly fills its convex hull or there are many pieces. Then
+/// joins pieces whose joint box is hardly larger than their own. For frames, rings, forks and
+/// tables, where a cut only gains something once others follow.
 ///
-/// The hollowest piece is cut, where the boxes of both sides, and those with their scatter, are
-/// smallest; in the middle, if that is all the same. Then the two pieces are joined whose boxes
-/// grow least, until there are no more than `most_shapes` and the next would grow.
+/// The hollowest piece is cut next, where the boxes of both sides, and those with their scatter,
+/// are smallest; in the middle if these are equal. Then the two pieces whose boxes grow least are
+/// joined, until at most `most_shapes` are left and every further join would grow.
 /// @param grid of the surface, in the geometry's frame.
 /// @param target [m] pieces whose hull is no farther from the surface are not cut.
 /// @pre most_shapes > 0.
-/// Source: Mamou, Ghorbel, "A Simple and Efficient Approach for 3D Mesh Approximate Convex
-/// Decomposition" (2009), for joining; Lien, Amato, "Approximate Convex Decomposition of Polyhedra"
-/// (2007), for cutting where the hull is farthest from the surface.
+/// Source: joining: Mamou, Ghorbel, "A Simple and Efficient Approach for 3D Mesh Approximate Convex
+/// Decomposition" (2009); cutting where the hull is farthest from the surface: Lien, Amato,
+/// "Approximate Convex Decomposition of Polyhedra" (2007).
 CutPlan planCuts(const DistanceGrid& grid, std::size_t most_shapes, double target);
 
 }  // namespace collision_monitor

@@ -24,7 +24,7 @@ Extent extentOf(const PointSummary& summary, double layer) {
   const Vector3d along_frame = sidesOf(summary.corners, Matrix3d::Identity()).array() + layer;
   const Vector3d along_scatter = sidesOf(summary.corners, scatter.eigenvectors()).array() + layer;
   const Vector3d& box = along_frame.prod() <= along_scatter.prod() ? along_frame : along_scatter;
-  constexpr double kOfABox = 12.0;  // the square of a box's side, over its variance
+  constexpr double kOfABox = 12.0;  // squared side of a box, over its variance
   const Vector3d even = (kOfABox * scatter.eigenvalues().cwiseMax(0.0)).cwiseSqrt().array() + layer;
   return {box.prod() + even.prod(), box.norm()};
 }

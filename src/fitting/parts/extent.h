@@ -30,23 +30,23 @@ struct Moments {
   }
 };
 
-/// What stands for many points: the farthest ones, and sums over all.
+/// Summary of many points: the farthest ones, and sums over all.
 struct PointSummary {
   Points corners;   ///< the farthest ones
-  Moments moments;  ///< of all
+  Moments moments;  ///< of all points
 };
 
-/// How much room points take.
+/// The size of a set of points.
 struct Extent {
-  double bulk{0.0};    ///< [m^3] of a box about them and of one with their scatter
-  double length{0.0};  ///< [m] of the diagonal of the first
+  double bulk{0.0};    ///< [m^3] of a box around them plus a box with their scatter
+  double length{0.0};  ///< [m] diagonal of the first box
 };
 
-/// The box is the smaller of two: along the axes of the frame, or along those of the scatter. What
-/// the scatter adds tells an L from a block, whose boxes are the same.
-/// @param layer [m] by which samples are apart: added to all sides, so that what lies between
-/// samples on both sides of a cut is not lost, and what is flat counts.
-/// @pre there is a corner.
+/// The first box is the smaller of two: along the axes of the frame, or along those of the scatter.
+/// The second tells an L from a block, whose first boxes are equal.
+/// @param layer [m] spacing of the samples, added to all sides: so the gap between samples on both
+/// sides of a cut counts, and flat sets have a bulk.
+/// @pre at least one corner.
 Extent extentOf(const PointSummary& summary, double layer);
 
 }  // namespace collision_monitor

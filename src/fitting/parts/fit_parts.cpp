@@ -31,9 +31,9 @@ void checkLimits(const FitLimits& limits) {
 
 /// One geometry and its shapes so far.
 struct GeometryFit {
-  Fit whole;                           ///< when it is in one shape
-  TriangleMesh polyhedron;             ///< that stands for a round geometry
-  std::unique_ptr<MeshFitter> fitter;  ///< of a mesh from the start, of others once they are cut
+  Fit whole;                           ///< the fit with a single shape
+  TriangleMesh polyhedron;             ///< that replaces a round geometry
+  std::unique_ptr<MeshFitter> fitter;  ///< for a mesh from the start, for others once they are cut
 
   const Fit& best() const { return fitter ? fitter->best() : whole; }
   double worstOvershoot() const { return fitter ? fitter->worstOvershoot() : whole.overshoot.max; }
@@ -64,7 +64,7 @@ GeometryFit fitInOne(const Geometry& geometry, const ShapeKinds& kinds) {
   return fit;
 }
 
-/// Cuts the worst part of all geometries until the limits are reached.
+/// Cuts the worst part of all geometries until a limit is reached.
 void cutParts(const std::vector<Geometry>& geometries, const FitLimits& limits,
               std::vector<GeometryFit>& fits) {
   for (std::size_t shapes = fits.size(); shapes < limits.max_shapes; ++shapes) {
@@ -85,7 +85,7 @@ void cutParts(const std::vector<Geometry>& geometries, const FitLimits& limits,
   }
 }
 
-/// Other cuts for what these left coarse.
+/// Tries other cuts for geometries that are still coarse.
 void joinParts(const FitLimits& limits, std::vector<GeometryFit>& fits) {
   std::size_t shapes = 0;
   for (const auto& fit : fits) {
@@ -95,7 +95,7 @@ void joinParts(const FitLimits& limits, std::vector<GeometryFit>& fits) {
     if (fit.fitter && fit.fitter->isCoarse() &&
         fit.best().overshoot.max > limits.target_overshoot) {
       const std::size_t others = shapes - fit.best().shapes.size();
-      // Each geometry has a shape, also where there are more geometries than shapes.
+      // Each geometry has a shape, even if there are more geometries than shapes.
       const std::size_t most = std::max(std::size_t{limits.max_shapes}, others + 1) - others;
       fit.fitter->cutAndJoin(most, limits.target_overshoot);
       shapes = others + fit.best().shapes.size();

@@ -14,8 +14,8 @@
 namespace collision_monitor {
 namespace {
 
-constexpr int kRepresentatives = 120;  // of a part's corners, while a shape is being searched
-constexpr double kHopeful = 1.5;       // a search rarely takes off more than a third
+constexpr int kRepresentatives = 120;  // of a part's corners, during a search
+constexpr double kHopeful = 1.5;       // a search rarely saves more than a third
 constexpr OvershootSampling kSampling{600, 0.01};
 
 Points representing(const Points& corners) {
@@ -90,7 +90,7 @@ void MeshFitter::encloseAs(const RoughFit& rough, Part& part) const {
   part.measured.clear();
 }
 
-/// Once the neighbours' shapes are known, what they hold counts no more.
+/// Fits a part again beside its neighbours' shapes: points inside these no longer count.
 void MeshFitter::refit(std::size_t i) {
   throwIfInterrupted();
   Part& part = parts_[i];
@@ -185,8 +185,8 @@ void MeshFitter::cutAndJoin(std::size_t most_shapes, double target) {
   measureParts();
 }
 
-/// Cuts the surface of a part; both pieces still lack their shapes. False, and nothing happens,
-/// when rounding leaves nothing on one side.
+/// Cuts the surface of a part. Both pieces still lack shapes. Returns false and changes nothing if
+/// rounding leaves one side empty.
 bool MeshFitter::divide(std::size_t i, const CutPlane& plane) {
   Part below;
   Part above;

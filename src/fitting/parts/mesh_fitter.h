@@ -11,36 +11,35 @@
 
 namespace collision_monitor {
 
-/// A mesh that is being cut in parts, each with its shape.
+/// A mesh that is cut into parts, each with its shape.
 class MeshFitter {
  public:
-  /// One part: the whole, in the tightest shape. @pre the mesh is sound; it is referred to and must
-  /// stay.
+  /// Starts with one part: the whole in its tightest shape. @pre the mesh is valid and outlives
+  /// this.
   MeshFitter(const TriangleMesh& mesh, const ShapeKinds& kinds);
 
-  /// In another shape, found before.
+  /// Starts with a shape found before.
   MeshFitter(const TriangleMesh& mesh, const Enclosure& whole, const ShapeKinds& kinds);
 
-  /// The overshoot of the part that sticks out farthest of those that can be cut; 0 if none can.
+  /// The overshoot of the part that sticks out farthest among those that can be cut; 0 if none can.
   double worstOvershoot() const noexcept;
   void cutWorst();
-  /// Begins anew and finds shapes for what planCuts cuts and joins, at most that many. No more cuts
+  /// Starts again, and finds at most `most_shapes` shapes for what planCuts cuts and joins. No cuts
   /// may follow.
   void cutAndJoin(std::size_t most_shapes, double target);
-  /// Whether a cut was made that was worth nothing by itself, or the best fit sticks out far
-  /// against the size of the mesh.
+  /// Whether a cut gained nothing by itself, or the best fit sticks out far relative to the mesh.
   bool isCoarse() const noexcept;
-  /// The least coarse of all fits on the way: a cut can make room for the next one only.
+  /// The best of all fits so far: some cuts only make room for the next one.
   const Fit& best() const noexcept { return best_; }
 
  private:
   struct Part {
     MeshPart surface;
-    Points samples;  ///< of the surface, close together
+    Points samples;  ///< of the surface, dense
     Points corners;  ///< whose hull holds the part
     Enclosure enclosure;
-    std::vector<MeasuredSample> measured;  ///< none until the shape has been measured
-    double slack{0.0};  ///< [m] what the cuts that led to it may have moved its corners by
+    std::vector<MeasuredSample> measured;  ///< empty until the shape has been measured
+    double slack{0.0};  ///< [m] upper bound of how far its cuts moved its corners
     bool can_be_cut{true};
   };
 

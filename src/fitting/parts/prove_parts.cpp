@@ -13,7 +13,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Heights over a plane of a huge normal overflow, and a corner without height is on neither side.
+/// Refuses huge normals, whose heights overflow: a corner with a NaN height is on neither side.
 bool isPlane(const PartCut& cut) {
   constexpr double kUnit = 1e-6;
   return std::abs(cut.normal.squaredNorm() - 1.0) <= kUnit && std::isfinite(cut.offset);
@@ -45,7 +45,7 @@ PosedShape placed(const Enclosure& enclosure) {
   return {enclosure.shape, enclosure.geometry_from_body};
 }
 
-/// The same cuts again, and each part held by its shape.
+/// Repeats the cuts and tests each part against its shape.
 double excessOfParts(const TriangleMesh& mesh, const Fit& fit) {
   PartedSurface surface(mesh);
   std::vector<MeshPart> parts{surface.whole()};
@@ -75,7 +75,7 @@ bool isInPlace(const PosedShape& shape) {
          shape.geometry_from_body.translation.isZero(0.0);
 }
 
-/// Where a shape is the geometry itself there is nothing to compute, and so no rounding.
+/// If the shape is the geometry itself, nothing is computed, so there is no rounding.
 bool isIn(const Sphere& sphere, const PosedShape& shape) {
   const auto* other = std::get_if<Sphere>(&shape.shape);
   return isInPlace(shape) && other != nullptr && sphere.radius <= other->radius;

@@ -11,22 +11,22 @@
 
 namespace collision_monitor {
 
-/// Columns of the frames, of which no two are nearly the same axis.
+/// The columns of the frames, without axes that are nearly the same.
 std::vector<Eigen::Vector3d> distinctAxes(const std::vector<Eigen::Matrix3d>& frames);
 
-/// The surface of a part in slabs across an axis, between which it may be cut.
+/// The surface of a part, divided into slabs across an axis. Cuts run between slabs.
 class Slabs {
  public:
   static constexpr int kCount = 80;
 
-  /// @param samples points of the surface; they are referred to and must stay.
+  /// @param samples points of the surface, which outlive this.
   Slabs(const Points& samples, const Eigen::Vector3d& axis);
 
-  /// False for a part without extent along the axis.
+  /// False if the part has no extent along the axis.
   bool canBeCut() const noexcept { return thickness_ > 0.0; }
   /// @pre canBeCut().
   std::size_t slabOf(const Eigen::Vector3d& sample) const noexcept;
-  /// The plane below which `below` slabs are.
+  /// The plane above the first `below` slabs.
   CutPlane plane(int below) const noexcept { return {axis_, low_ + below * thickness_}; }
   /// The farthest points of the slabs [first, last) in many directions, each once; none if these
   /// are empty.

@@ -32,7 +32,7 @@ TriangleMesh welded(const TriangleMesh& mesh) {
   return result;
 }
 
-/// Every edge has one triangle in each direction.
+/// Whether every edge has one triangle in each direction.
 bool isClosed(const TriangleMesh& mesh) {
   bool is_closed = !mesh.triangles.empty();
   forEdges(sidesOf(mesh.triangles, mesh.vertices.size()), [&](auto first, auto last) {

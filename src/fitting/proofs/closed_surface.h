@@ -9,15 +9,15 @@
 
 namespace collision_monitor {
 
-/// The surface as one that bounds a solid: equal vertices made one, triangles on two vertices left
-/// out, outward as a whole. Nothing when an edge is not shared by exactly two triangles in opposite
-/// directions, or when the enclosed volume is below 1e-12 of the cubed size.
-/// @pre the mesh is sound.
+/// The surface as the boundary of a solid: equal vertices are merged, triangles with two equal
+/// corners dropped, and the whole faces outward. None if an edge is not shared by exactly two
+/// triangles in opposite directions, or if the volume is below 1e-12 of the cubed size.
+/// @pre the mesh is valid.
 std::optional<TriangleMesh> closedSurface(const TriangleMesh& mesh);
 
-/// How many times the surface goes around the point, from the solid angles of its triangles.
-/// Error: for a closed surface the true value is a whole number, from which the sum departs by
-/// about 1e-16 a triangle. @pre the point is not on the surface.
+/// How many times the surface goes around the point, from the solid angles of its triangles. Error:
+/// the true value for a closed surface is a whole number; the sum errs by about 1e-16 per triangle.
+/// @pre the point is not on the surface.
 double windingNumber(const TriangleBvh& surface, const Eigen::Vector3d& point) noexcept;
 
 }  // namespace collision_monitor

@@ -15,7 +15,7 @@ namespace collision_monitor {
 namespace {
 
 constexpr std::size_t kMaxParts = 4'000'000;
-// Growths that are tried, as parts of the greatest.
+// Growths to try, as fractions of the greatest.
 constexpr double kGrowths[] = {0.0, 1e-4, 1e-3, 1e-2, 1e-1, 1.0};
 
 TriangleMesh prismAround(const Cylinder& cylinder) {
@@ -48,7 +48,7 @@ struct ToMesh {
   TriangleMesh operator()(const TriangleMesh& mesh) const { return mesh; }
 };
 
-/// In the link frame.
+/// The mesh of a geometry in the link frame.
 TriangleMesh meshOf(const PlacedGeometry& placed) {
   TriangleMesh mesh = std::visit(ToMesh{}, *placed.geometry);
   for (Eigen::Vector3d& vertex : mesh.vertices) {
@@ -57,7 +57,7 @@ TriangleMesh meshOf(const PlacedGeometry& placed) {
   return mesh;
 }
 
-/// A cut of a triangle through a point of an edge and the corner across.
+/// A cut of a triangle through a point of an edge and the opposite corner.
 struct Cut {
   std::size_t from{0};
   std::size_t to{1};
@@ -78,9 +78,9 @@ Cut halveLongestEdge(const Corners& corners) {
   return cut;
 }
 
-/// Cuts where the shape that holds most corners ends: two such cuts leave one part in this shape
-/// and, where the next shape overlaps it, the rest in that one. Halving alone would need parts as
-/// small as the overlap, all along the seam.
+/// Cuts where the shape that holds most corners ends. Two such cuts leave one part in this shape,
+/// and the rest in the next shape where both overlap. Halving alone would need parts as small as
+/// the overlap, all along the seam.
 Cut chooseCut(const ShapeUnion& shapes, const Corners& corners) {
   constexpr std::array<int, 8> kBitCount{0, 1, 1, 2, 1, 2, 2, 3};
   std::size_t best = 0;
@@ -99,7 +99,7 @@ Cut chooseCut(const ShapeUnion& shapes, const Corners& corners) {
       const bool leaves = (held >> i & 1U) != 0 && (held >> j & 1U) == 0;
       if (leaves && lengthOf(corners, i, j) > longest) {
         const double reach = shapes.reachAlong(best, corners[i], corners[j]);
-        // A corner on the shape's surface gives no cut that helps.
+        // A corner on the shape's surface gives no useful cut.
         constexpr double kLeastReach = 1e-3;
         longest = reach > kLeastReach ? lengthOf(corners, i, j) : longest;
         cut = reach > kLeastReach ? Cut{i, j, reach} : cut;
@@ -119,7 +119,7 @@ bool holdInOne(const ShapeUnion& shapes, const Corners& corners) {
   return false;
 }
 
-/// Keeps the point if it lies farther outside than those before.
+/// Keeps the point if it lies farther outside than all before.
 void note(const Eigen::Vector3d& point, double excess, Covering& covering) {
   if (excess > covering.excess) {
     covering.excess = excess;
@@ -127,7 +127,7 @@ void note(const Eigen::Vector3d& point, double excess, Covering& covering) {
   }
 }
 
-/// Whether every triangle lies in the union; parts below `least_size` are given up.
+/// Whether every triangle lies in the union. Gives up at parts below `least_size`.
 bool coversTriangles(const ShapeUnion& shapes, const TriangleMesh& mesh, double least_size,
                      Covering& covering) {
   std::size_t part_count = 0;
@@ -159,7 +159,7 @@ bool coversTriangles(const ShapeUnion& shapes, const TriangleMesh& mesh, double 
   return true;
 }
 
-/// How far the vertices lie outside the shapes as they are.
+/// The greatest distance of a vertex outside the shapes, without growth.
 double worstVertex(const std::vector<PosedShape>& shapes, const TriangleMesh& mesh,
                    Covering& covering) {
   const ShapeUnion as_given(shapes, 0.0, mesh.vertices);
@@ -172,7 +172,7 @@ double worstVertex(const std::vector<PosedShape>& shapes, const TriangleMesh& me
   return worst;
 }
 
-/// A ball lies in a convex shape with its center and its radius to spare; the capsule follows.
+/// A convex shape holds a ball if it holds its center with the radius to spare. Capsules follow.
 double excessOfRound(const Capsule& capsule, const Pose& pose, const PosedShape& shape) {
   const Eigen::Vector3d half_axis = capsule.half_length * pose.rotation.col(2);
   const Points ends{pose.translation + half_axis, pose.translation - half_axis};
@@ -180,7 +180,7 @@ double excessOfRound(const Capsule& capsule, const Pose& pose, const PosedShape&
          capsule.radius * (1.0 + 4.0 * std::numeric_limits<double>::epsilon());
 }
 
-/// How far a sphere or capsule lies outside the one shape that holds it best; infinity for others.
+/// How far a sphere or capsule lies outside the single best shape; infinity for other geometries.
 double excessInOne(const PlacedGeometry& placed, const std::vector<PosedShape>& shapes) {
   const auto* sphere = std::get_if<Sphere>(placed.geometry);
   const auto* capsule = std::get_if<Capsule>(placed.geometry);
@@ -194,14 +194,14 @@ double excessInOne(const PlacedGeometry& placed, const std::vector<PosedShape>& 
   return least;
 }
 
-/// The growth with which one geometry is covered; none where it is more than `max_widening`.
+/// The growth that covers one geometry; none if it exceeds `max_widening`.
 Covering coverOne(const PlacedGeometry& placed, const std::vector<PosedShape>& shapes,
                   double max_widening) {
   Covering covering;
   const double excess_in_one = excessInOne(placed, shapes);
   if (excess_in_one <= max_widening) {
     covering.is_proven = true;
-    // A shape that grows gains a little rounding, too.
+    // A shape that grows gains a little rounding error, too.
     covering.widening = excess_in_one > 0.0 ? excess_in_one + kGrowths[1] * max_widening : 0.0;
     return covering;
   }
@@ -219,7 +219,7 @@ Covering coverOne(const PlacedGeometry& placed, const std::vector<PosedShape>& s
     }
   }
   if (shapes.size() == 1 && std::isfinite(excess_in_one)) {
-    // Nearer the truth than the polyhedron around the round geometry.
+    // This is nearer to the truth than the polyhedron around the round geometry.
     covering.excess = excess_in_one;
   }
   return covering;

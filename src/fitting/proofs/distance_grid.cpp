@@ -17,7 +17,7 @@ using Eigen::Vector3i;
 
 constexpr double kNodes = 40000.0;
 constexpr double kMargin = 0.15;  // of the longest side, on every side
-constexpr int kMaxSteps = 128;    // along an edge, of samples on the surface
+constexpr int kMaxSteps = 128;    // along an edge, for samples on the surface
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
@@ -50,11 +50,11 @@ void DistanceGrid::layOut(const TriangleMesh& mesh) {
   }
 }
 
-/// A lattice on every triangle, no coarser than the grid.
+/// Samples every triangle on a lattice, no coarser than the grid.
 void DistanceGrid::sampleSurface(const TriangleMesh& mesh) {
   surface_ = mesh.vertices;
   if (!(spacing_ > 0.0)) {
-    return;  // all in one place
+    return;  // all points coincide
   }
   for (const auto& triangle : mesh.triangles) {
     throwIfInterrupted();
@@ -64,7 +64,7 @@ void DistanceGrid::sampleSurface(const TriangleMesh& mesh) {
     const double longest = std::max({along_b.norm(), along_c.norm(), (along_c - along_b).norm()});
     const int steps = std::clamp(static_cast<int>(std::ceil(longest / spacing_)), 1, kMaxSteps);
     if (steps < 2) {
-      continue;  // its corners say it all
+      continue;  // its corners suffice
     }
     for (int i = 0; i <= steps; ++i) {
       for (int j = 0; j <= steps - i; ++j) {
@@ -75,7 +75,7 @@ void DistanceGrid::sampleSurface(const TriangleMesh& mesh) {
   }
 }
 
-/// The node nearest to each point of the surface; the sweeps bring it to the others.
+/// Marks the node nearest to each point of the surface. The sweeps reach all other nodes.
 void DistanceGrid::markSurface() {
   const std::size_t count = indexOf(size_[0] - 1, size_[1] - 1, size_[2] - 1) + 1;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -102,7 +102,7 @@ void DistanceGrid::takeNearer(std::uint32_t point, std::size_t node, const Vecto
   }
 }
 
-/// Every node looks at its three neighbours that were visited before it.
+/// Takes over nearest points from the three neighbours that were visited before.
 void DistanceGrid::sweep(const Vector3i& direction) {
   const Vector3i size(size_[0], size_[1], size_[2]);
   const std::array<std::ptrdiff_t, 3> back{
@@ -152,7 +152,7 @@ Points DistanceGrid::surface() const {
   return points;
 }
 
-/// Turns squares into distances, and into 0 where no way from without leads.
+/// Turns squares into distances, and into 0 at nodes that no path from outside reaches.
 void DistanceGrid::emptyInside() {
   constexpr float kWall = 0.75f;  // half a cell's diagonal, squared
   std::vector<unsigned char> reached(distance_.size(), 0);
@@ -166,7 +166,7 @@ void DistanceGrid::emptyInside() {
       }
     }
   };
-  // The margin is wider than a wall, so one corner reaches all that is without.
+  // The margin is wider than a wall, so one corner reaches the whole outside.
   visit(Vector3i::Zero());
   while (!open.empty()) {
     const Vector3i here = open.back();

@@ -14,18 +14,18 @@
 
 namespace collision_monitor {
 
-/// The distance to a surface on a grid around it, 0 inside: what a search asks for a thousand times
-/// where a query of the mesh would take a hundred times as long.
+/// The distance to a surface on a grid around it, 0 inside. For searches with thousands of queries:
+/// a query of the mesh takes a hundred times as long.
 ///
-/// Units: metres. Error: about half a spacing, a hundredth of the mesh's size; results are measured
-/// on the mesh in the end. Farther out than 0.15 of the longest side, distances come out too large.
-/// Inside is what cannot be reached from without by steps of one
-/// spacing, so small holes do no harm and a mesh with a large one has no inside.
-/// Source: nearest points spread in eight sweeps as in Zhao, "A Fast Sweeping Method for Eikonal
+/// Units: metres. Error: about half a spacing, a hundredth of the mesh's size; final results are
+/// measured on the mesh. Beyond 0.15 of the longest side outside, distances are too large. The
+/// inside is what steps of one spacing cannot reach from outside. So small holes do no harm, and a
+/// mesh with a large hole has no inside.
+/// Source: nearest points spread in eight sweeps, as in Zhao, "A Fast Sweeping Method for Eikonal
 /// Equations" (2005); Danielsson, "Euclidean Distance Mapping" (1980).
 class DistanceGrid {
  public:
-  /// @pre the mesh is sound; see checkGeometry.
+  /// @pre the mesh is valid; see checkGeometry.
   explicit DistanceGrid(const TriangleMesh& mesh);
 
   double distanceTo(const Eigen::Vector3d& point) const noexcept {
@@ -33,7 +33,7 @@ class DistanceGrid {
                           : (point - low_).norm();
   }
 
-  /// Coordinates in spacings, from the first node; the fourth is 0 and fills the register.
+  /// Coordinates in spacings from the first node. The fourth is 0 and fills the register.
   using Place = Eigen::Array4f;
   Place inGrid(const Eigen::Vector3d& point) const noexcept {
     Place place = Place::Zero();
@@ -92,7 +92,7 @@ class DistanceGrid {
   Place last_{Place::Zero()};  ///< just before the last node
   std::array<int, 3> size_{1, 1, 1};
   Points surface_;
-  std::vector<std::uint32_t> nearest_;  ///< by node: into surface_
+  std::vector<std::uint32_t> nearest_;  ///< by node: index into surface_
   std::vector<float> distance_;         ///< by node, in spacings
 };
 

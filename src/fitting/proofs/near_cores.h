@@ -12,12 +12,12 @@
 
 namespace collision_monitor {
 
-/// Of many cores those that may hold a point of another one's surface: most are elsewhere, and a
-/// search asks about hundreds of points.
+/// Of many cores, those that may hold a point of another core's surface. Most are far away, and a
+/// search tests hundreds of points.
 class NearCores {
  public:
-  /// @param slack [m] how far points may be off the surface
-  /// @pre `all` stays where it is.
+  /// @param slack [m] greatest distance of points from the surface
+  /// @pre `all` outlives this.
   NearCores(const std::vector<TurnedCore>& all, const TurnedCore& core, double slack) noexcept
       : all_(all) {
     const double reach = reachOf(core) + slack;
@@ -33,7 +33,7 @@ class NearCores {
     }
   }
 
-  /// Whether the point is strictly inside one of the cores with its radius.
+  /// Whether the point is strictly inside one of the cores, inflated by its radius.
   bool hold(const Eigen::Vector3d& point) const noexcept {
     if (is_full_) {
       return std::any_of(all_.begin(), all_.end(),
@@ -51,7 +51,7 @@ class NearCores {
 
   struct Near {
     const TurnedCore* core{nullptr};
-    double squared_reach{0.0};  ///< [m^2] about its center
+    double squared_reach{0.0};  ///< [m^2] squared bounding radius about its center
   };
 
   static Eigen::Vector3d beyond(const TurnedCore& core, const Eigen::Vector3d& point) noexcept {
@@ -72,7 +72,7 @@ class NearCores {
   const std::vector<TurnedCore>& all_;
   std::array<Near, kMost> near_;
   std::size_t count_{0};
-  bool is_full_{false};  ///< more than there is room for: all are asked
+  bool is_full_{false};  ///< there are more than fit: all cores are tested
 };
 
 }  // namespace collision_monitor

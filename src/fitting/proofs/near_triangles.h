@@ -9,14 +9,14 @@
 
 namespace collision_monitor {
 
-/// The few triangles that have been nearest to something so far: a search looks at them often and
-/// at the whole mesh seldom. In the middle of a round body every triangle is about as near as the
-/// nearest, and one look at the mesh is a look at all of it.
+/// The few triangles that were nearest to a query so far. A search tests these often and the whole
+/// mesh seldom. In the middle of a round body all triangles are about equally near, so a query of
+/// the mesh visits all of it.
 class NearTriangles {
  public:
   explicit NearTriangles(const TriangleBvh& mesh) : mesh_(mesh) {}
 
-  /// Among the triangles known so far; an upper bound of the distance to the mesh.
+  /// The nearest point of the known triangles: an upper bound of the distance to the mesh.
   NearestPoint nearestKnown(const Eigen::Vector3d& point) const noexcept {
     NearestPoint nearest;
     for (const Known& known : known_) {
@@ -29,7 +29,8 @@ class NearTriangles {
     return nearest;
   }
 
-  /// Among all, and known from now on. Error: up to the fraction `tolerance` too far.
+  /// The nearest point of all triangles; its triangle becomes known. Error: too far by at most the
+  /// fraction `tolerance`.
   NearestPoint nearestOfAll(const Eigen::Vector3d& point, double tolerance) {
     NearestPoint nearest = mesh_.nearestTo(point, nearestKnown(point), tolerance);
     if (std::none_of(known_.begin(), known_.end(),
@@ -43,7 +44,7 @@ class NearTriangles {
   struct Known {
     std::uint32_t triangle;  ///< of a leaf
     Eigen::Vector3d center;
-    double radius;  ///< of a ball about it, with room for the rounding of distances
+    double radius;  ///< of a ball around it, including the rounding of distances
   };
 
   void add(std::uint32_t triangle) {

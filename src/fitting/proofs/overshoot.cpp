@@ -16,8 +16,8 @@ using Eigen::Vector3d;
 constexpr double kHalfPi = 1.57079632679489661923;
 constexpr double kLeastSteps = 2.0;
 
-/// Visits the grid of a patch with parameters in [0, 1]^2, borders included, with the weights of
-/// the trapezoid rule, whose sum is 1.
+/// Visits a grid over a patch with parameters in [0, 1]^2, borders included. The weights are those
+/// of the trapezoid rule; their sum is 1.
 template <class Visit>
 void visitGrid(int u_steps, int v_steps, const Visit& visit) {
   const auto weight = [](int i, int steps) {
@@ -61,14 +61,14 @@ class SurfaceSampler {
  private:
   static double side(int bit) { return bit != 0 ? 1.0 : -1.0; }
 
-  /// Steps that cover a length. Needles would get millions of them at the spacing of their area.
+  /// The number of steps along a length, limited: needles would get millions at this spacing.
   int stepCount(double length) const {
     return static_cast<int>(std::clamp(std::ceil(length / spacing_), kLeastSteps, most_work_));
   }
 
   void add(const Vector3d& point, double area) { samples_.push_back({point, area}); }
 
-  /// An eighth of a sphere, in spherical angles; a single point when there is no radius.
+  /// An eighth of a sphere in spherical angles; a single point if the radius is 0.
   void addCorner(const Vector3d& signs) {
     const Vector3d corner = signs.cwiseProduct(half_extents_);
     if (!(radius_ > 0.0)) {
@@ -143,7 +143,7 @@ void OvershootSum::add(const OvershootSum& other) noexcept {
 }
 
 Overshoot OvershootSum::total() const noexcept {
-  // A shape without area is its few samples; the worst of them speaks for all.
+  // A shape without area has few samples; the worst of them stands for all.
   if (!(area_ > 0.0)) {
     return {max_, max_, max_};
   }
@@ -157,7 +157,7 @@ Overshoot measureOvershoot(const PosedShape& fit, const TriangleBvh& mesh,
   for (const auto& sample : sampleSurface(fit.shape, sampling.count)) {
     throwIfInterrupted();
     const Vector3d point = fit.geometry_from_body * sample.point;
-    // The triangle nearest to the last sample bounds the search: neighbours follow each other.
+    // The triangle nearest to the last sample bounds the search, as samples follow neighbours.
     const NearestPoint start = nearest.leaf_triangle == kNone
                                    ? NearestPoint{}
                                    : mesh.nearestOn(nearest.leaf_triangle, point);

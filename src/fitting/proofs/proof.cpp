@@ -11,14 +11,14 @@ namespace {
 
 constexpr double kUnitRoundOff = 0.5 * std::numeric_limits<double>::epsilon();
 
-// Below it a square underflows, and a computed length may be 0 where the true one is not. [m]
+// [m] Below this a square underflows, and a computed length may be 0 although the true one is not.
 constexpr double kUnderflow = 1e-150;
 
 /// The relative part of the bound: 32 u + 2 |R^T R - I|.
 double relativeError(const PosedShape& fit) noexcept {
   const Eigen::Matrix3d& rotation = fit.geometry_from_body.rotation;
   const Eigen::Matrix3d defect = rotation.transpose() * rotation - Eigen::Matrix3d::Identity();
-  // The defect itself is computed within 4 u an entry, 12 u in norm.
+  // The defect itself has an error of 4 u per entry, 12 u in norm.
   return 32.0 * kUnitRoundOff + 2.0 * (defect.norm() + 12.0 * kUnitRoundOff);
 }
 
@@ -30,14 +30,14 @@ double upperBound(const PosedShape& fit, double computed_excess, double extent) 
   return computed_excess + relativeError(fit) * (extent + sizeOf(fit.shape)) + kUnderflow;
 }
 
-/// Grows the fit until the bound says that it encloses.
+/// Grows the fit until the bound shows that it encloses.
 template <class Bound>
 double widenUntil(PosedShape& fit, const Bound& bound) {
   double widening = 0.0;
   double excess = bound(fit);
   const Shape tight = fit.shape;
-  // Growing the size grows the bound by a few u of it, so a second or third round may be needed;
-  // doubling ends also where the growth is lost in the rounding of a large radius.
+  // Growth raises the bound by a few u of the size, so a second or third round may be needed.
+  // Doubling ends the loop even if the growth is lost in the rounding of a large radius.
   while (excess > 0.0) {
     widening = std::max(2.0 * widening, widening + excess);
     fit.shape = grown(tight, widening);

@@ -12,29 +12,29 @@
 
 namespace collision_monitor {
 
-/// Points of every rounded box, each with the share of its patch that it stands for.
+/// Points on one patch of every rounded box, each with its share of the patch's area.
 struct PatternPatch {
   PatternRows rows;
   std::array<double, PatternRows::kMost> share{};
 };
 
-/// Points of the faces across x, y, z, of the edges along x, y, z, and of the corners.
+/// Patches: the faces across x, y, z, the edges along x, y, z, and the corners.
 using SurfacePattern = std::array<PatternPatch, 7>;
 const SurfacePattern& surfacePattern();
 
-/// Areas of one face, edge or corner of each patch.
+/// The area of one face, edge or corner of each patch.
 std::array<double, 7> patchAreas(const TurnedCore& core) noexcept;
 
-/// What takes the pattern of a core into the grid.
+/// Takes the pattern of a core into the grid.
 PatternFrame patternInGrid(const TurnedCore& core, const DistanceGrid& grid) noexcept;
 
-/// The overshoot of a core with its radius, from some hundred points and a grid: microseconds,
-/// where measureOvershoot takes milliseconds. For searches.
-/// Frames: core and grid in the geometry's. Error: that of the grid; spikes narrower than a sixth
-/// of the core may be missed.
+/// The overshoot of a core with its radius, from some hundred points and a grid. For searches: it
+/// takes microseconds where measureOvershoot takes milliseconds.
+/// Frames: core and grid in the geometry's frame. Error: that of the grid. Spikes narrower than a
+/// sixth of the core may be missed.
 /// @param counts whether a point of the surface counts.
-/// @param is_enough is asked after each patch, with a sum whose figures those of the whole cannot
-/// fall below, whether that will do; then it is returned.
+/// @param reaches_cutoff called after each patch with a lower bound of the final sum. If it returns
+/// true, that bound is the result.
 template <class Counts, class ReachesCutoff>
 OvershootSum roughOvershoot(const TurnedCore& core, const DistanceGrid& grid, const Counts& counts,
                             const ReachesCutoff& reaches_cutoff) noexcept {
@@ -49,7 +49,7 @@ OvershootSum roughOvershoot(const TurnedCore& core, const DistanceGrid& grid, co
     rest += kCopies[patch] * areas[patch];
   }
   OvershootSum sum;
-  // The corners first: they stick out farthest.
+  // Corners come first, because they stick out farthest.
   for (std::size_t patch = pattern.size(); patch-- > 0;) {
     if (!(areas[patch] > 0.0)) {
       continue;
@@ -57,7 +57,7 @@ OvershootSum roughOvershoot(const TurnedCore& core, const DistanceGrid& grid, co
     rest -= kCopies[patch] * areas[patch];
     placePattern(pattern[patch].rows, frame, rows, places);
     for (std::size_t i = 0; i < pattern[patch].rows.count; ++i) {
-      // Most points are inside or near, and then it matters little whether they count.
+      // Most points are inside or near, where it matters little whether they count.
       const float distance = places.distance[i];
       const DistanceGrid::Place place(places.place[0][i], places.place[1][i], places.place[2][i],
                                       0.0f);

@@ -27,8 +27,8 @@ struct Line {
   double at(double t) const { return at_a + t * (at_b - at_a); }
 };
 
-/// The bound by the direction from the triangle to a point of the segment.
-/// @return false when that point is on the triangle.
+/// The bound from the direction between the triangle and a point of the segment.
+/// @return false if that point is on the triangle.
 bool boundFrom(const Triangle& triangle, const Vector3d& a, const Vector3d& b, double t,
                Line& line) {
   const Vector3d point = a + t * (b - a);
@@ -38,7 +38,7 @@ bool boundFrom(const Triangle& triangle, const Vector3d& a, const Vector3d& b, d
     return false;
   }
   normal /= distance;
-  // Relative to a corner, for the rounding of coordinates far from the origin.
+  // Relative to a corner, to limit rounding far from the origin.
   const Vector3d& origin = triangle[0];
   const double reach =
       std::max({0.0, normal.dot(triangle[1] - origin), normal.dot(triangle[2] - origin)});
@@ -67,7 +67,7 @@ double largestCoordinate(const Triangle& triangle, const Vector3d& a, const Vect
   return largest;
 }
 
-/// The least of `enough` and the bounds of all triangles.
+/// The least of `cutoff` and the bounds of all triangles.
 double clearanceOfPiece(const TriangleBvh& mesh, const Vector3d& a, const Vector3d& b,
                         double cutoff) {
   visitNear(mesh, unitQuery(mesh.unitFrame(), a.cwiseMin(b), a.cwiseMax(b)), cutoff,
@@ -107,7 +107,7 @@ double clearanceBound(const Triangle& triangle, const Vector3d& a, const Vector3
 
 double clearanceBound(const TriangleBvh& mesh, const Vector3d& a, const Vector3d& b) noexcept {
   constexpr double kMaxPieces = 32.0;
-  // The box around a slanting segment is wide; pieces about as long as the clearance are not.
+  // A slanting segment has a wide box; pieces about as long as the clearance do not.
   const double middle = mesh.nearestTo(0.5 * a + 0.5 * b).distance;
   const double wanted = (b - a).norm() / std::max(2.0 * middle, 1e-300);
   const int pieces = static_cast<int>(std::ceil(std::clamp(wanted, 1.0, kMaxPieces)));
@@ -118,7 +118,7 @@ double clearanceBound(const TriangleBvh& mesh, const Vector3d& a, const Vector3d
     clearance = clearanceOfPiece(mesh, from, to, clearance);
     from = to;
   }
-  // Ends of pieces are rounded off the segment.
+  // Rounding moves the ends of pieces off the segment.
   const double largest = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
   return std::max(0.0, clearance - 64.0 * kUnitRoundOff * largest);
 }

@@ -10,13 +10,13 @@ namespace collision_monitor {
 namespace {
 
 constexpr int kSides = 48;
-// Rounding in sines and in the products of a few of them.
+// Rounding of sines and of products of a few of them.
 constexpr double kAllowance = 1e-14;
 
 using Index = std::uint32_t;
 
-/// A convex body of revolution about z: rings of vertices, from the lowest to the highest, closed
-/// by fans at both ends.
+/// A ring of vertices. Rings from lowest to highest, closed by fans at both ends, form a convex
+/// body of revolution about z.
 struct Ring {
   double radius;
   double z;
@@ -48,7 +48,7 @@ TriangleMesh revolve(const std::vector<Ring>& rings) {
   return mesh;
 }
 
-/// A polygon about the unit circle has its corners here.
+/// The radius of the corners of a polygon around the unit circle.
 double cornerRadius() { return (1.0 + kAllowance) / std::cos(kPi / kSides); }
 
 }  // namespace
@@ -71,14 +71,14 @@ TriangleMesh surroundingMesh(const Cylinder& cylinder) {
 }
 
 TriangleMesh surroundingMesh(const Capsule& capsule) {
-  // A profile around a half disc by tangents every 2 a: its corners are at 1 / cos(a) from the
-  // center. Turned about the axis in flat steps it holds the ball once more widened by the polygon.
+  // A profile around a half disc, with tangents every 2 a: its corners are at 1 / cos(a) from the
+  // center. Revolving it in flat steps widens it once more, by the polygon's factor.
   constexpr int kTangents = kSides / 2;  // from pole to pole, both included
   const double half_step = 0.5 * kPi / kTangents;
   const double corner = capsule.radius * (1.0 + kAllowance) / std::cos(half_step);
   std::vector<Ring> rings;
   for (int i = 0; i < kTangents; ++i) {
-    // Corners lie half a step beside the poles and never on the equator.
+    // Corners lie half a step from the poles and never on the equator.
     const double latitude = -0.5 * kPi + half_step * (2 * i + 1);
     const double shift = latitude < 0.0 ? -capsule.half_length : capsule.half_length;
     rings.push_back(

@@ -6,9 +6,9 @@
 
 namespace collision_monitor {
 
-/// A closed polyhedron, outward, that holds the shape: of a box its own surface, of round shapes
-/// one that is up to 1 % wider.
-/// Frames: that of the geometry. Units: metres. @pre the shape is sound; see checkGeometry.
+/// A closed polyhedron, facing outward, that holds the shape: a box's own surface, or up to 1 %
+/// wider for round shapes.
+/// Frames: that of the geometry. Units: metres. @pre the shape is valid; see checkGeometry.
 TriangleMesh surroundingMesh(const Box& box);
 TriangleMesh surroundingMesh(const Cylinder& cylinder);
 TriangleMesh surroundingMesh(const Capsule& capsule);

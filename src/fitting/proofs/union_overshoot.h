@@ -9,7 +9,7 @@
 
 namespace collision_monitor {
 
-/// A point of a shape's surface, in the geometry's frame, and how far from the mesh it is.
+/// A point of a shape's surface in the geometry's frame, with its distance from the mesh.
 struct MeasuredSample {
   Eigen::Vector3d point;
   double distance{0.0};  ///< [m] 0 inside the mesh
@@ -21,7 +21,7 @@ std::vector<MeasuredSample> measureSamples(const PosedShape& fit, const Triangle
                                            const DistanceGrid* grid,
                                            const OvershootSampling& sampling);
 
-/// The overshoot of one of several shapes: at the points of its surface that no other shape holds.
+/// The overshoot of one of several shapes, over its surface points that no other shape holds.
 OvershootSum sumOutsideOthers(const std::vector<MeasuredSample>& samples, std::size_t own,
                               const std::vector<PosedShape>& shapes);
 

@@ -21,9 +21,9 @@ using PointMatrix = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 constexpr int kStartRotations = 1000;
 constexpr std::size_t kDescents = 8;
 constexpr double kFirstStep = 0.1;  // [rad] of the simplex
-// Counts a flat box by its area, a thin one by its volume.
+// Makes flat boxes count by area, and thin ones by volume.
 constexpr double kThickness = 1e-7;
-// Two boxes are taken as one when their axes differ by less than about 8 degrees.
+// Two boxes count as equal when their axes differ by less than about 8 degrees.
 constexpr double kSameBox = 0.02;
 
 struct Candidate {
@@ -38,7 +38,7 @@ Matrix3d turned(const Matrix3d& rotation, const Vector3d& turn) {
   return angle > 0.0 ? Matrix3d(rotation * Eigen::AngleAxisd(angle, turn / angle)) : rotation;
 }
 
-/// Descends towards small boxes around one set of points.
+/// Descends to small boxes around one set of points.
 class BoxSearch {
  public:
   explicit BoxSearch(const Points& points)
@@ -56,7 +56,7 @@ class BoxSearch {
     return {axes, cost};
   }
 
-  /// A simplex search about a candidate, and then about its own axes one after the other.
+  /// A simplex search around a candidate, then around each of its axes in turn.
   void descend(double first_step, Candidate& candidate) {
     const auto cost = [&](const Vector3d& turn) {
       return at(turned(candidate.rotation, turn)).cost;
@@ -85,8 +85,8 @@ class BoxSearch {
     return heights_.maxCoeff() - heights_.minCoeff();
   }
 
-  /// The box that keeps axis `k` and has the least area across it: one side of the least rectangle
-  /// around a polygon lies on an edge of it (Freeman, Shapira 1975).
+  /// The box with the least area across its fixed axis `k`. One side of the least rectangle around
+  /// a polygon lies on an edge of it (Freeman, Shapira 1975).
   Matrix3d turnedByCalipers(const Matrix3d& axes, int k) {
     const Vector3d u = axes.col((k + 1) % 3);
     const Vector3d v = axes.col((k + 2) % 3);
@@ -129,20 +129,20 @@ class BoxSearch {
   std::vector<Eigen::Vector2d> flat_;
 };
 
-/// Searches of different size about the best box so far: one that ends in a kink of the volume,
-/// where a face meets an edge, gets out of it with another simplex.
+/// Searches of different sizes around the best box so far. A search that ends in a kink of the
+/// volume, where a face meets an edge, leaves it with another simplex.
 void refine(BoxSearch& search, Candidate& candidate) {
   for (const double first_step : {-0.03, 0.01, -0.1, 0.03}) {
     search.descend(first_step, candidate);
   }
 }
 
-/// 0 for the same axes up to order and sign.
+/// 0 for axes that are equal up to order and sign.
 double axisDifference(const Matrix3d& a, const Matrix3d& b) {
   return 3.0 - (a.transpose() * b).cwiseAbs().rowwise().maxCoeff().sum();
 }
 
-/// The best candidates of which no two are the same box.
+/// The best candidates, of which no two are equal boxes.
 std::vector<Candidate> distinctBest(std::vector<Candidate> candidates, std::size_t count) {
   std::sort(candidates.begin(), candidates.end(), isBetter);
   std::vector<Candidate> chosen;
@@ -209,7 +209,7 @@ std::vector<Matrix3d> smallBoxRotations(const Points& points, std::size_t count)
   for (auto& candidate : starts) {
     search.descend(kFirstStep, candidate);
   }
-  // Most starts have met by now; the others that are far behind will not catch up.
+  // Most starts have met by now. Those far behind will not catch up.
   starts = distinctBest(std::move(starts), count + 1);
   for (auto& candidate : starts) {
     refine(search, candidate);

@@ -12,11 +12,11 @@ namespace collision_monitor {
 /// The box with these axes (columns) that holds all points, in closed form: a core of radius 0.
 TurnedCore boxWithAxes(const Eigen::Matrix3d& axes, const Points& points);
 
-/// Rotations whose boxes are small, different from each other and locally least, best first.
+/// Rotations of small boxes, distinct and locally least, best first.
 /// @pre the points are normalised; `count` >= 1.
 std::vector<Eigen::Matrix3d> smallBoxRotations(const Points& points, std::size_t count);
 
-/// One of them found with a tenth of the work, whose box has a side flush with an edge or face.
+/// One such rotation at a tenth of the cost. Its box has a side flush with an edge or face.
 Eigen::Matrix3d roughBoxRotation(const Points& points);
 
 /// The nearest locally least box.

@@ -38,7 +38,7 @@ Eigen::Vector4d volumeGradient(const TurnedCore& core, double growth) {
   return gradient;
 }
 
-/// The sum of many logarithms, of which only a few are taken.
+/// The sum of many logarithms, with few calls of std::log.
 template <class Column>
 double logSum(const Column& values) {
   double sum = 0.0;
@@ -75,7 +75,7 @@ CoreBarrier::CoreBarrier(const Points& points, const DescentGoal& goal) : goal_(
     release(kCenter + k, true);
   }
   for (int k = 0; k < 3; ++k) {
-    // A turn about axis k changes nothing when the core has no extent across it.
+    // A rotation about axis k has no effect if the core has no extent across it.
     release(kRotation + k, goal.free_extents[(k + 1) % 3] || goal.free_extents[(k + 2) % 3]);
   }
   for (int k = 0; k < 3; ++k) {

@@ -9,11 +9,11 @@
 
 namespace collision_monitor {
 
-/// The function that a descent minimises, weight * log(volume) - sum of log(slack), where a slack
-/// is radius^2 - distance^2 of a point to the core, or a free half extent.
+/// The function that a descent minimises: weight * log(volume) - sum of log(slack). A slack is
+/// radius^2 - distance^2 of a point to the core, or a free half extent.
 ///
-/// It is evaluated for all points together, coordinate by coordinate in arrays: this is where fits
-/// spend their time, and arrays are what compilers turn into vector instructions.
+/// It is evaluated for all points at once, with one array per coordinate. Fits spend their time
+/// here, and compilers turn arrays into vector instructions.
 ///
 /// Variables: center and rotation vector in the core's frame, half extents, radius.
 class CoreBarrier {
@@ -24,14 +24,14 @@ class CoreBarrier {
 
   CoreBarrier(const Points& points, const DescentGoal& goal);
 
-  /// Takes a core to evaluate at. False, and nothing may be asked, when a slack is not positive.
+  /// Sets the core to evaluate. If it returns false, a slack is <= 0 and no other call is allowed.
   bool place(const TurnedCore& core);
 
   double value(double weight) const;
 
-  /// Gradient and a positive definite model of the Hessian (its lower half): without the curvature
-  /// of log(volume) and of rotations, which is negative. Variables that are fixed, or that change
-  /// nothing, get no gradient.
+  /// The gradient and a positive definite model of the Hessian (its lower half). The model leaves
+  /// out the curvature of log(volume) and of rotations, which is negative. Variables that are fixed
+  /// or have no effect get no gradient.
   void differentiate(double weight, Step& gradient, Hessian& hessian);
 
  private:
@@ -41,7 +41,7 @@ class CoreBarrier {
 
   /// Adds the curvature of the distances along one axis of the core.
   void addCurvature(int axis, Hessian& hessian);
-  /// Adds what the gradients of the slacks give.
+  /// Adds the contribution of the gradients of the slacks.
   void addSlopes(Step& gradient, Hessian& hessian);
   void fixTheOthers(Step& gradient, Hessian& hessian) const;
 
@@ -50,9 +50,9 @@ class CoreBarrier {
   TurnedCore core_;
   Coordinates points_;
   Coordinates in_core_;  ///< the points in the core's frame
-  Coordinates beyond_;   ///< from the nearest point of the core, signed; 0 inside
+  Coordinates beyond_;   ///< from the closest point of the core, signed; 0 inside
   Column slack_;
-  Column weighted_;  ///< room for products
+  Column weighted_;  ///< buffer for products
   Rows slack_gradient_;
 };
 

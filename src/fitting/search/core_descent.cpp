@@ -17,12 +17,12 @@ using Step = CoreBarrier::Step;
 
 constexpr double kWeightGrowth = 10.0;
 constexpr int kMaxNewtonSteps = 12;
-// Ends a weight's steps: what is left to gain is about half of it, over a weight of 300 and more.
+// Ends the steps of a weight: the possible gain is about half of it, over a weight of 300 or more.
 constexpr double kLeastSlope = 1.0;
 constexpr double kShortening = 0.7;
 constexpr int kMaxShortenings = 40;
 
-/// From the nearest point of the core to the point, in the core's frame; 0 inside.
+/// From the closest point of the core to the point, in the core's frame; 0 inside.
 Vector3d beyondCore(const TurnedCore& core, const Vector3d& point) {
   const Vector3d in_core = core.rotation.transpose() * (point - core.center);
   return in_core - in_core.cwiseMax(-core.half_extents).cwiseMin(core.half_extents);
@@ -40,7 +40,7 @@ TurnedCore moved(const TurnedCore& core, const Step& step) {
   return result;
 }
 
-/// One damped Newton step; false when no step is worth while any more.
+/// One damped Newton step. False when no further step is worthwhile.
 bool improve(CoreBarrier& barrier, double weight, TurnedCore& core, double& value) {
   Step gradient;
   CoreBarrier::Hessian hessian;
@@ -85,7 +85,7 @@ void descend(const Points& points, const DescentGoal& goal, TurnedCore& core) {
   CoreBarrier barrier(points, goal);
   double weight = goal.first_weight;
   while (weight <= goal.last_weight) {
-    // Again for each weight: the last step that was tried may have been turned down.
+    // Needed for each weight: the last step tried may have been rejected.
     if (!barrier.place(core)) {
       return;
     }

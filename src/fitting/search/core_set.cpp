@@ -10,13 +10,12 @@
 namespace collision_monitor {
 namespace {
 
-// Weights at which valleys are told from each other, and ranked, and from which a good core goes
-// on.
+// Weights at which valleys are distinguished and ranked. A good core continues from the ranking.
 constexpr double kRoughWeight = 300.0;
 constexpr double kRankingWeight = 3000.0;
 constexpr double kAlike = 0.03;  // of the size, which is 1
 
-/// A start for descend, which needs every point strictly inside and every free extent above zero.
+/// A start for descend, which needs all points strictly inside and free extents above zero.
 TurnedCore withRoom(TurnedCore core, const DescentGoal& goal, const Points& points) {
   // Of the size, which is 1: about what the first weight leaves.
   const double room = goal.first_weight > kRoughWeight ? 0.005 : 0.02;
@@ -29,7 +28,7 @@ TurnedCore withRoom(TurnedCore core, const DescentGoal& goal, const Points& poin
   return core;
 }
 
-/// Adds the points that lie farthest outside to `subset`; returns the largest distance outside.
+/// Adds the points farthest outside to `subset`. Returns the greatest distance outside.
 double addLeftOut(const Points& points, const TurnedCore& core, Points& subset) {
   constexpr std::size_t kMaxAdded = 20;
   std::vector<std::pair<double, std::size_t>> outside;
@@ -46,7 +45,7 @@ double addLeftOut(const Points& points, const TurnedCore& core, Points& subset) 
   return outside.empty() ? 0.0 : -outside.front().first;
 }
 
-/// One weight of a descent for each core; least volume first.
+/// Descends with one weight for each core; least volume first.
 void descendTo(double weight, const Points& points, DescentGoal goal,
                std::vector<TurnedCore>& cores) {
   goal.first_weight = weight;
@@ -57,7 +56,7 @@ void descendTo(double weight, const Points& points, DescentGoal goal,
   std::sort(cores.begin(), cores.end(), IsSmaller{goal.growth});
 }
 
-/// Of cores that lie in one valley, and would end in one place, only the first.
+/// Keeps the first of the cores in one valley, which would end in one place.
 std::vector<TurnedCore> distinctOf(const std::vector<TurnedCore>& cores) {
   std::vector<TurnedCore> distinct;
   for (const auto& core : cores) {

@@ -37,7 +37,7 @@ FloatLanes between(FloatLanes low, FloatLanes high, FloatLanes share) {
   return hn::Add(low, hn::Mul(share, hn::Sub(high, low)));
 }
 
-/// Between the two nodes at `node` and behind it along x.
+/// Interpolates between the node at `node` and the next one along x.
 FloatLanes alongX(const GridRows& grid, IntLanes node, FloatLanes share) {
   const Floats tag;
   return between(hn::GatherIndex(tag, grid.distance, node),

@@ -7,17 +7,17 @@
 
 namespace collision_monitor {
 
-/// Some points of every rounded box, in rows: of its core the corner (1, 1, 1) times `fraction`,
-/// from there the radius outward.
+/// Points of every rounded box, in rows. A point is the core's corner (1, 1, 1) times `fraction`,
+/// moved by the radius along `outward`.
 struct PatternRows {
-  static constexpr std::size_t kMost = 80;  ///< a multiple of all widths of registers
+  static constexpr std::size_t kMost = 80;  ///< a multiple of all register widths
 
   alignas(64) float fraction[3][kMost]{};
   alignas(64) float outward[3][kMost]{};
   std::size_t count{0};
 };
 
-/// What takes a point's fraction, and its way outward, into a grid.
+/// Maps a point's fraction and outward direction into a grid.
 struct PatternFrame {
   float center[3];
   float of_fraction[3][3];  ///< columns
@@ -32,13 +32,13 @@ struct GridRows {
   float last[3];
 };
 
-/// Where the points are in the grid, and what it says there. Beyond the last nothing is told.
+/// The places of the points in the grid and the distances there. Undefined beyond the last point.
 struct PatternPlaces {
   alignas(64) float place[3][PatternRows::kMost];
   alignas(64) float distance[PatternRows::kMost];
 };
 
-/// The same as DistanceGrid::distanceAt of each point, many at once. Rounds alike on all machines.
+/// As DistanceGrid::distanceAt for each point, many at once. Rounds alike on all machines.
 void placePattern(const PatternRows& rows, const PatternFrame& frame, const GridRows& grid,
                   PatternPlaces& places) noexcept;
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kBlock = 64;
 
-/// Some of the points in columns of x, y and z. Those beyond the last repeat it.
+/// Some of the points, in columns of x, y and z. The last point repeats to fill the block.
 using Block = Eigen::Array<double, kBlock, 3>;
 
 Block blockOf(const Points& points, std::size_t first) {
@@ -33,7 +33,7 @@ auto reachesAlong(const Eigen::Vector3d& direction, const Block& block) {
          (block.col(1) * direction.y() + block.col(2) * direction.z());
 }
 
-/// For each direction the first point that is farthest along it.
+/// For each direction, the first of the points farthest along it.
 std::vector<std::size_t> farthestPoints(const Points& points, const Points& directions) {
   std::vector<std::size_t> farthest(directions.size(), 0);
   std::vector<double> reach(directions.size(), -std::numeric_limits<double>::infinity());
@@ -50,13 +50,13 @@ std::vector<std::size_t> farthestPoints(const Points& points, const Points& dire
   return farthest;
 }
 
-/// n . x <= offset for the inside.
+/// The inside is n . x <= offset.
 struct FacePlane {
   Eigen::Vector3d normal;
   double offset;
 };
 
-/// The planes of a hull's faces; none when it is flat.
+/// The planes of a hull's faces; none if it is flat.
 std::vector<FacePlane> planesOf(const TriangleMesh& hull, double extent) {
   constexpr double kFlat = 1e-6;  // of the extent
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -180,7 +180,7 @@ Points representativesOf(const Points& points) {
 
 Points outerPoints(const Points& points) {
   constexpr std::size_t kFew = 100;
-  constexpr double kHair = 1e-13;  // of the largest coordinates: what rounding does to a face
+  constexpr double kHair = 1e-13;  // of the largest coordinates: the rounding of a face
   if (points.size() > kFew) {
     double extent = 0.0;
     double largest = 0.0;

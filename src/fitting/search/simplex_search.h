@@ -17,7 +17,7 @@ struct SimplexLimits {
   int evaluations{200};
 };
 
-/// A place that was asked for its cost.
+/// A point and its cost.
 template <int N>
 struct SimplexCorner {
   Eigen::Matrix<double, N, 1> at;
@@ -29,8 +29,8 @@ struct SimplexCorner {
 template <int N>
 using SimplexCorners = std::array<SimplexCorner<N>, N + 1>;
 
-/// Moves the worst corner, or all but the best. `evaluate` is asked for a corner at a place, and
-/// the cost from which on the place is of no use.
+/// Moves the worst corner, or all but the best one. `evaluate` takes a point and a cutoff, and
+/// returns a corner; a cost at or above the cutoff is of no use.
 /// @pre the corners are sorted.
 template <int N, class Evaluate>
 void moveWorst(SimplexCorners<N>& simplex, const Evaluate& evaluate) {
@@ -61,8 +61,8 @@ void moveWorst(SimplexCorners<N>& simplex, const Evaluate& evaluate) {
   }
 }
 
-/// A local minimum of `cost`, which may have kinks, near zero. It is asked as cost(at), or as
-/// cost(at, bound), and may then say anything not below the bound where it is not below it.
+/// A local minimum of `cost` near zero; `cost` may have kinks. It is called as cost(at) or cost(at,
+/// bound). If the true cost is not below `bound`, it may return any value not below `bound`.
 /// Source: Nelder, Mead, "A Simplex Method for Function Minimization" (1965), with the usual
 /// coefficients 1, 2, 1/2, 1/2.
 template <int N, class Cost>

@@ -8,17 +8,17 @@
 
 namespace collision_monitor {
 
-/// At most this many local minima of one goal are looked at.
+/// The greatest number of local minima that are compared for one goal.
 constexpr std::size_t kMaxFits = 3;
 
-/// Locally least shapes around the points. The first has the least volume of all and is the result
-/// of fitBox or fitCapsule; the others may overshoot less.
+/// Locally least shapes around the points. The first has the least volume of all: it is the result
+/// of fitBox or fitCapsule. Others may overshoot less.
 /// @pre at least one point; all finite.
 std::vector<PosedShape> smallBoxes(const Points& points);
 std::vector<PosedShape> smallCapsules(const Points& points);
 
-/// Rounded boxes proper, least volume first, which start from boxes and capsules and are not
-/// compared with them.
+/// Rounded boxes, least volume first. They start from boxes and capsules, and are not compared with
+/// these.
 std::vector<PosedShape> smallRoundedBoxes(const Points& points,
                                           const std::vector<PosedShape>& boxes,
                                           const std::vector<PosedShape>& capsules);

@@ -5,7 +5,7 @@
 namespace collision_monitor {
 namespace {
 
-// Why these: docs/decisions/choice-of-shape.md. A costlier shape has to be this much tighter.
+// A costlier shape must be this much tighter. Reasons: docs/decisions/choice-of-shape.md.
 constexpr double kWorthwhile = 0.97;
 
 }  // namespace
@@ -14,7 +14,7 @@ double coarseness(const Overshoot& overshoot) noexcept { return overshoot.fourth
 
 Enclosure chooseTightest(const std::vector<Enclosure>& candidates, const ShapeKinds& kinds) {
   const Enclosure* best = nullptr;
-  // Shapes stand in the variant in the order of what their distances cost.
+  // The variant lists shapes in the order of the cost of their distances.
   for (std::size_t kind = 0; kind < std::variant_size_v<Shape>; ++kind) {
     for (const auto& candidate : candidates) {
       if (candidate.shape.index() != kind || !isAmong(kinds, candidate.shape)) {

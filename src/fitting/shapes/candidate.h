@@ -14,17 +14,17 @@ namespace collision_monitor {
 /// @throws std::invalid_argument when no kind is allowed.
 void checkKinds(const ShapeKinds& kinds);
 
-/// What the choice goes by. Units: metres.
+/// The measure by which candidates are compared. Units: metres.
 double coarseness(const Overshoot& overshoot) noexcept;
 
-/// The least coarse of candidates; at nearly the same coarseness the one whose distances cost
-/// least. @pre one of them is of an allowed kind.
+/// The least coarse candidate. If several are nearly equal, the one with the cheapest distances.
+/// @pre one candidate is of an allowed kind.
 Enclosure chooseTightest(const std::vector<Enclosure>& candidates, const ShapeKinds& kinds);
 
 /// The candidates, at most one of each kind, proven and measured.
 std::vector<Enclosure> encloseCapsule(const Capsule& capsule);
 std::vector<Enclosure> encloseCylinder(const Cylinder& cylinder);
-/// Of the kinds allowed, and without those that are much coarser than the best.
+/// Only allowed kinds, without those that are much coarser than the best.
 std::vector<Enclosure> encloseMesh(const TriangleMesh& mesh, const ShapeKinds& kinds);
 std::vector<Enclosure> encloseMesh(const TriangleMesh& mesh, const TriangleBvh& bvh,
                                    const DistanceGrid& grid, const ShapeKinds& kinds);

@@ -31,8 +31,8 @@ RoundedBox roundedBoxAround(const Cylinder& cylinder, double half_width, double 
           std::hypot(cylinder.radius - half_width, cylinder.half_length - half_length)};
 }
 
-/// The least coarse rounded box whose core is at most `max_half_width` wide, by search on a grid
-/// that is refined about the best point.
+/// The least coarse rounded box with a core at most `max_half_width` wide. Searches on a grid that
+/// is refined around the best point.
 RoundedBox searchRoundedBox(const Cylinder& cylinder, double max_half_width) {
   const Eigen::Array2d highest(max_half_width, cylinder.half_length);
   Eigen::Array2d low = Eigen::Array2d::Zero();

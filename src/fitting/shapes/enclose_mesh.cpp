@@ -15,8 +15,8 @@ namespace collision_monitor {
 namespace {
 
 constexpr double kRealGain = 0.99;  // less may be the grid's error
-constexpr double kHopeless = 1.3;   // times the best kind: not worth a measurement on the mesh
-constexpr double kVisible = 2.0;    // spacings of the grid; what sticks out less is not seen well
+constexpr double kHopeless = 1.3;   // times the best kind: not worth measuring on the mesh
+constexpr double kVisible = 2.0;    // spacings of the grid; smaller overshoot is not resolved
 constexpr int kRepresentatives = 120;
 
 /// What a search needs to know of a mesh.
@@ -27,7 +27,7 @@ struct Scene {
 
   bool sees(double cost) const { return cost > kVisible * goal.grid.spacing(); }
 
-  /// By which kinds are compared. Units: metres.
+  /// The measure by which kinds are compared. Units: metres.
   double coarsenessOf(const TurnedCore& core) const {
     return coarseness(goal.overshootOf(core).total());
   }
@@ -37,8 +37,8 @@ struct Scene {
   }
 };
 
-/// Of several fits of one kind the one that overshoots least, moved to where it does so less.
-/// Within a kind the maximum has a say too.
+/// The fit of one kind that overshoots least, moved to where it overshoots even less. Within a kind
+/// the maximum counts too.
 RoughFit leastCoarse(const std::vector<PosedShape>& fits, const Scene& scene) {
   RoughFit best;
   for (const auto& fit : fits) {
@@ -59,7 +59,7 @@ RoughFit leastCoarse(const std::vector<PosedShape>& fits, const Scene& scene) {
   return best;
 }
 
-/// The best of each allowed kind.
+/// The best fit of each allowed kind.
 std::vector<RoughFit> fitsOfKinds(const Points& corners, const Scene& scene) {
   const auto boxes = smallBoxes(corners);
   const auto capsules = smallCapsules(corners);
@@ -75,8 +75,8 @@ std::vector<RoughFit> fitsOfKinds(const Points& corners, const Scene& scene) {
 
 Enclosure proven(const RoughFit& rough, const TriangleMesh& mesh, const TriangleBvh& bvh) {
   PosedShape fit = placedShape(rough);
-  // A search may have looked at some of the vertices only. All of them, not only the hull's: the
-  // proof must not rest on the hull.
+  // A search may have seen only some vertices. Tests all vertices, not only the hull's: the proof
+  // must not rest on the hull.
   fit.shape = grown(fit.shape, std::max(excessOver(fit, mesh.vertices), 0.0));
   Enclosure enclosure;
   enclosure.widening = widenUntilProven(mesh.vertices, fit);

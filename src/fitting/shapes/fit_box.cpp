@@ -13,7 +13,7 @@ namespace collision_monitor {
 namespace {
 
 /// Descends on the representatives, adds the points that the box leaves out, and repeats until the
-/// box of a few is the box of all.
+/// box of these is the box of all.
 TurnedCore refineBox(Eigen::Matrix3d axes, Points representatives, const Points& points) {
   constexpr int kMaxRounds = 6;
   constexpr double kHair = 1e-4;  // of the volume

@@ -44,8 +44,8 @@ Vector2d circleCenter(const std::vector<Vector2d>& points) {
   return center;
 }
 
-/// A capsule along `axis`: its line through the center of the points' shadow, its ends as near as
-/// the points allow.
+/// A capsule along `axis`. Its line passes through the center of the projected points; its ends are
+/// as near as the points allow.
 TurnedCore capsuleAlong(const Vector3d& axis, const Points& points) {
   TurnedCore core;
   core.rotation = rotationWithAxis(axis);
@@ -73,7 +73,7 @@ TurnedCore capsuleAlong(const Vector3d& axis, const Points& points) {
   return core;
 }
 
-/// The best capsules of which no two have nearly the same axis, and some along natural axes.
+/// The best capsules with clearly different axes, and some along natural axes.
 std::vector<TurnedCore> startCapsules(const Points& points) {
   std::vector<TurnedCore> all;
   for (const auto& axis : spreadDirections(kStartDirections)) {
@@ -92,7 +92,7 @@ std::vector<TurnedCore> startCapsules(const Points& points) {
       chosen.push_back(candidate);
     }
   }
-  // Made parts have axes, along which the valley can be narrower than the directions are apart.
+  // Manufactured parts have axes whose valley can be narrower than the spacing of directions.
   for (const Eigen::Matrix3d& axes : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()),
                                       principalAxes(points), roughBoxRotation(points)}) {
     for (int k = 0; k < 3; ++k) {

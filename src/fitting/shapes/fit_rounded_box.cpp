@@ -12,14 +12,14 @@
 namespace collision_monitor {
 namespace {
 
-// Goals often end in one place; judging the result twice is of no use.
+// Goals often end in the same place; comparing that result twice is useless.
 constexpr double kSame = 0.005;  // of the size, which is 1
-// Of a box's half extents. A start that is nearly a box and one that is nearly round find
-// different minima.
+// Of a box's half extents. A start that is nearly a box and one that is nearly round find different
+// minima.
 constexpr double kStartExtents[] = {0.85, 0.5};
 
-// Of the size of the set, which is 1. Without growth a box wins wherever it fills its corners no
-// worse than the rest; the more growth, the more its corners have to be worth.
+// Of the size of the set, which is 1. Without growth a box wins wherever its corners are filled as
+// well as the rest. More growth demands more of its corners.
 constexpr double kGrowths[] = {0.0, 0.1, 0.3, 1.0};
 
 TurnedCore startFrom(const PosedShape& fit, double fraction, const NormalisedPoints& cloud) {

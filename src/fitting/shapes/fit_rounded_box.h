@@ -6,12 +6,12 @@
 
 namespace collision_monitor {
 
-/// A rounded box of small volume that holds all points: never larger than the result of fitSphere,
-/// fitCapsule or fitBox on the same points, for these are rounded boxes too.
+/// A rounded box of small volume that holds all points. It is never larger than fitSphere,
+/// fitCapsule or fitBox give for the same points, because these are rounded boxes too.
 ///
-/// Error: every point is inside up to rounding. A local minimum of the volume, the best of several
-/// descents; how far it is from the least is not known.
-/// Limits: those of the three others.
+/// Error: every point is inside up to rounding. The volume is a local minimum, the best of several
+/// descents; its distance from the least volume is unknown.
+/// Limits: as those three.
 /// @pre at least one point; all finite.
 PosedShape fitRoundedBox(const Points& points);
 

@@ -18,7 +18,7 @@ struct Ball {
 };
 
 /// The smallest ball with all of `support` (1 to 4 points) on its surface.
-/// @return false when the points are not affinely independent.
+/// @return false if the points are not affinely independent.
 bool circumscribe(const Points& support, Ball& ball) {
   const auto edge_count = static_cast<Eigen::Index>(support.size()) - 1;
   ball.support = support;
@@ -46,13 +46,13 @@ bool circumscribe(const Points& support, Ball& ball) {
 }
 
 bool holdsAll(const Ball& ball, const Points& points) {
-  // Rounding in the circumcenter: a point of the support may come out farther by this.
+  // Rounding of the circumcenter may put a point of the support farther out by this.
   const double limit = ball.radius * (1.0 + 1e-12);
   return std::all_of(points.begin(), points.end(),
                      [&](const auto& p) { return (p - ball.center).norm() <= limit; });
 }
 
-/// The smallest ball of up to five points of which the last lies on its surface.
+/// The smallest ball of up to five points that has the last one on its surface.
 Ball smallestBall(const Points& candidates) {
   Ball best;
   const std::size_t others = candidates.size() - 1;
@@ -82,7 +82,7 @@ std::size_t farthestFrom(const Eigen::Vector3d& center, const Points& points) {
   return farthest;
 }
 
-/// Grows the ball until it holds all points; the farthest enters the support each time.
+/// Grows the ball until it holds all points. The farthest point enters the support each time.
 void growOver(const Points& points, Ball& ball) {
   for (;;) {
     Points candidates = ball.support;
@@ -92,7 +92,7 @@ void growOver(const Points& points, Ball& ball) {
       return;
     }
     const Ball larger = smallestBall(candidates);
-    // Without rounding every round grows the ball; where it does not, this is as far as doubles go.
+    // In exact arithmetic every round grows the ball. If it does not, doubles allow no better.
     if (!(larger.radius > ball.radius) || !std::isfinite(larger.radius)) {
       return;
     }
@@ -106,7 +106,7 @@ PosedShape fitSphere(const Points& points) {
   constexpr std::size_t kStride = 16;
   Ball ball;
   circumscribe({points[0]}, ball);
-  // Of many points most rounds can do with a few.
+  // A few of many points suffice for most rounds.
   Points few;
   for (std::size_t i = 0; i < points.size(); i += kStride) {
     few.push_back(points[i]);

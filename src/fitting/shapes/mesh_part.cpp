@@ -13,8 +13,8 @@ using Eigen::Vector3d;
 
 constexpr double kUnitRoundOff = 0.5 * std::numeric_limits<double>::epsilon();
 
-/// The point of the edge at the plane. Always reckoned from the end below, so that both
-/// polygons of an edge get the same point.
+/// The point of the edge on the plane. Always computed from the lower end, so both polygons of an
+/// edge get the same point.
 Vector3d crossing(const Vector3d& below, const Vector3d& above, const CutPlane& plane) {
   const double low = plane.heightOf(below);
   const double t = std::clamp(low / (low - plane.heightOf(above)), 0.0, 1.0);
@@ -82,8 +82,8 @@ PartedSurface::PartedSurface(const TriangleMesh& mesh)
     }
   }
   calls_ = 1;
-  // Whatever t came out as, a number from 0 to 1, the crossing errs in each coordinate by less than
-  // 5 u of the larger end.
+  // For any computed t between 0 and 1, the crossing errs in each coordinate by less than 5 u of
+  // the larger end.
   cut_error_ = 32.0 * kUnitRoundOff * extent;
 }
 

@@ -12,15 +12,15 @@
 
 namespace collision_monitor {
 
-/// A part of a surface: triangles that are whole, by their number, and convex polygons that are
-/// left of others.
+/// A part of a surface: numbers of whole triangles, and convex polygons that are pieces of cut
+/// triangles.
 struct MeshPart {
   std::vector<std::uint32_t> triangles;
-  Points corners;                  ///< of all polygons, one after the other
+  Points corners;                  ///< of all polygons, in order
   std::vector<std::uint32_t> end;  ///< polygon i ends before corners[end[i]]
 };
 
-/// The points x with normal . x = offset; below are those with less.
+/// The points x with normal . x = offset. Points with less are below.
 struct CutPlane {
   Eigen::Vector3d normal{Eigen::Vector3d::UnitX()};
   double offset{0.0};
@@ -34,25 +34,25 @@ struct CutPlane {
 class PartedSurface {
  public:
   /// Vertices of no triangle become triangles of one point.
-  /// @pre the mesh is sound; it is referred to and must stay.
+  /// @pre the mesh is valid and outlives this.
   explicit PartedSurface(const TriangleMesh& mesh);
 
   MeshPart whole() const;
 
-  /// Vertices of the part, each once, and corners of its polygons: the part is in their hull, and a
-  /// ball that holds them holds the part.
+  /// The vertices of the part, each once, and the corners of its polygons. Their hull holds the
+  /// part, so a ball that holds them holds the part.
   Points cornersOf(const MeshPart& part);
 
   /// Cuts a part in two. Triangles in the plane go below.
   ///
-  /// Error: both sides get the same corner for an edge that is cut. It lies within
-  /// `cutError()` of a point of the edge; with that point in its place the two sides cover the
-  /// polygon exactly, wherever on the edge it is. So a ball that holds the corners of a part and
-  /// is grown by cutError() for each cut that led to it holds the exact part. Which side a corner
-  /// is said to be on may be wrong by rounding, and does not matter to that.
+  /// Error: both sides get the same corner on a cut edge. It lies within cutError() of a point of
+  /// the edge. With that point in its place, the two sides cover the polygon exactly, wherever on
+  /// the edge it is. So a ball that holds the corners of a part holds the exact part once it is
+  /// grown by cutError() for each cut. Rounding may put a corner on the wrong side; this still
+  /// holds.
   void split(const MeshPart& part, const CutPlane& plane, MeshPart& below, MeshPart& above) const;
 
-  /// [m] a bound of the rounding in one cut.
+  /// [m] An upper bound of the rounding error of one cut.
   double cutError() const noexcept { return cut_error_; }
 
  private:

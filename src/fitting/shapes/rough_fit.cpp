@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 enum Kind : std::size_t { kSphere, kCapsule, kBox, kRoundedBox };
 
-// Of the least half extent of a box: what its edges are rounded by.
+// By how much the edges of a box are rounded, as a fraction of its least half extent.
 constexpr double kRoundings[] = {0.3, 0.6, 1.0};
 
 /// Between the mean and the maximum. Units: metres.
@@ -26,7 +26,7 @@ double roughCost(const OvershootSum& sum) noexcept {
   return overshoot.fourth_power_mean + 0.3 * overshoot.max;
 }
 
-/// Keeps the better of the best so far and another core.
+/// Keeps the better one of the best so far and another core.
 void consider(const TurnedCore& core, Kind kind, const RoughGoal& goal, RoughFit& best) {
   const double cost = goal.costOf(core, best.cost);
   if (cost < best.cost) {
@@ -41,7 +41,7 @@ TurnedCore roundedIn(const TurnedCore& box, double rounding, const Points& point
   return core;
 }
 
-/// Along the longest axis, which becomes z.
+/// A capsule along the longest axis, which becomes z.
 TurnedCore capsuleIn(const TurnedCore& box, const Points& points) {
   Eigen::Index longest = 0;
   box.half_extents.maxCoeff(&longest);
@@ -56,7 +56,7 @@ TurnedCore capsuleIn(const TurnedCore& box, const Points& points) {
   return core;
 }
 
-/// The core of a kind that is moved by `step` (in sizes): turn, shift, change of extents.
+/// The core of a kind, moved by `step` (relative to the size): rotation, shift, change of extents.
 template <int N>
 TurnedCore stepped(const RoughFit& fit, double size, const Eigen::Matrix<double, N, 1>& step,
                    const Points& points) {

@@ -24,10 +24,10 @@ constexpr double kUnitRoundOff = 0.5 * std::numeric_limits<double>::epsilon();
 constexpr int kSamples = 32;        // of a node's sphere
 constexpr double kTolerance = 0.1;  // of a sample's distance
 
-// Below it a square underflows, and a computed length may be 0 where the true one is not. [m]
+// [m] Below this a square underflows, and a computed length may be 0 although the true one is not.
 constexpr double kUnderflow = 1e-150;
 
-/// Where the part of a node can be cut, and whether it has any extent to be cut.
+/// Where the part of a node can be cut, and whether it has an extent to cut.
 struct Division {
   CutPlane plane;
   bool is_possible{false};
@@ -77,7 +77,7 @@ class SphereTreeBuilder {
     const auto id = ~static_cast<std::uint32_t>(nodes_.size());
     if (division.is_possible && level < limits_.max_level && node.radius > limits_.min_radius &&
         node.overshoot > limits_.min_overshoot) {
-      // Of equal ones the first, hence the complement.
+      // The complemented id ranks the first of equal ones highest.
       largest_.push({node.radius, id});
     }
     nodes_.push_back(node);
@@ -85,8 +85,8 @@ class SphereTreeBuilder {
     planes_.push_back(division.plane);
   }
 
-  /// The least ball, proven: a computed distance errs by less than 4 u of it, and the corners
-  /// stand for points that are up to cutError() away for each cut.
+  /// The smallest ball, proven. A computed distance errs by less than 4 u of it. A corner stands
+  /// for points up to cutError() away for each cut.
   void enclose(const Points& corners, SphereNode& node) const {
     node.center = fitSphere(corners).geometry_from_body.translation;
     double reach = 0.0;

@@ -12,7 +12,7 @@ namespace collision_monitor {
 namespace {
 
 constexpr int kDigits = 9;
-// Readers take spheres up to 2.2e-16 m for ones without radius.
+// Readers treat spheres up to 2.2e-16 m as spheres without radius.
 constexpr double kLeastRadius = 1e-12;  // [m]
 
 std::string textOf(double value) {
@@ -20,7 +20,7 @@ std::string textOf(double value) {
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                  std::chars_format::general, kDigits);
   std::string text(buffer.data(), end.ptr);
-  // Without a point YAML 1.1 takes 1e-05 for a word, and 1 for an integer.
+  // Without a point, YAML 1.1 reads 1e-05 as a word and 1 as an integer.
   if (text.find('.') == std::string::npos) {
     text.insert(std::min(text.find('e'), text.size()), ".0");
   }
@@ -33,7 +33,7 @@ double readAgain(const std::string& text) {
   return value;
 }
 
-/// The text of a number that is not less than `value` when it is read.
+/// The text of a number that is read as not less than `value`.
 std::string textNotBelow(double value) {
   std::string text = textOf(value);
   for (double larger = value; readAgain(text) < value; text = textOf(larger)) {

@@ -14,27 +14,27 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A bound of how much a sum of a few numbers of size 1 loses in rounding.
+// An upper bound of the rounding error of a sum of a few numbers of size 1.
 constexpr double kRounding = 4e-15;
 
-// A float that is not below `value`: more is added than the conversion can take away.
+// A float >= `value`: it adds more than the conversion can take away.
 // @pre value >= 0
 float roundedUp(double value) noexcept {
   constexpr double kUlp = std::numeric_limits<float>::epsilon();
   return static_cast<float>(value * (1.0 + kUlp)) + std::numeric_limits<float>::min();
 }
 
-// Out of line on purpose: g++ 12.2 takes conversions to float and back for nothing when it does
-// several at once, from -O2 on, and bounds would be computed for numbers that are not stored.
+// Not inlined on purpose. From -O2 on, g++ 12.2 drops several conversions to float and back at
+// once, so bounds would be computed for numbers that are not stored.
 [[gnu::noinline]] float nearestFloat(double value) noexcept { return static_cast<float>(value); }
 
-// Half the width that an interval needs about a center that was rounded to a float.
+// Half the width of an interval about a center that was rounded to a float.
 float halfAbout(float center, double low, double high, double rounding) noexcept {
   const auto exact_center = static_cast<double>(center);
   return roundedUp(std::max(high - exact_center, exact_center - low) + rounding);
 }
 
-// Shorter than unit by more than what rounding adds here and in every rotation to come.
+// Shorter than a unit vector by more than rounding adds here and in every later rotation.
 Eigen::Vector3f shortUnit(const Vector3d& direction) noexcept {
   constexpr double kLength = 1.0 - 2e-6;
   const double length = direction.norm();
@@ -46,7 +46,7 @@ Eigen::Vector3f shortUnit(const Vector3d& direction) noexcept {
 }  // namespace
 
 void boundNothing(std::uint32_t slot, MeshTreeNode& node) noexcept {
-  // Far, and not so far that its square is infinite: infinities would breed NaN.
+  // Far away, but with a finite square: infinities would turn into NaN.
   constexpr float kBeyondReach = 1e18F;
   for (std::uint32_t k = 0; k < 3; ++k) {
     node.center[k][slot] = kBeyondReach;

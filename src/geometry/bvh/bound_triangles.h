@@ -6,12 +6,12 @@
 
 namespace collision_monitor {
 
-/// Bounds a slot so that it meets nothing: empty, and out of reach of every query.
+/// Makes a slot empty: its bounds are so far away that no query meets them.
 void boundNothing(std::uint32_t slot, MeshTreeNode& node) noexcept;
 
 /// Sets the box of a slot, about `origin`.
 /// @param low, high the least and greatest coordinates about `origin`, each the float nearest to a
-/// difference of doubles of size `size` at most: the box is grown by what that may lack.
+/// difference of doubles of at most `size`. The box is grown by that rounding error.
 void boundByBox(const Eigen::Vector3f& low, const Eigen::Vector3f& high, double size,
                 std::uint32_t slot, MeshTreeNode& node) noexcept;
 
@@ -21,8 +21,8 @@ struct TriangleSpan {
   const Triangle* last;
 };
 
-/// Sets the slab of a slot, across `direction`, which need not be unit and may be 0.
-/// Frames: the triangles' axes; the slab is about `origin`.
+/// Sets the slab of a slot across `direction`, which need not be unit and may be 0.
+/// Frames: the triangles' axes, with the origin at `origin`.
 /// @pre the span is not empty.
 void boundBySlab(const TriangleSpan& triangles, const Eigen::Vector3d& direction,
                  const Eigen::Vector3d& origin, std::uint32_t slot, MeshTreeNode& node) noexcept;

@@ -12,10 +12,10 @@ namespace {
 
 using Triangle = TriangleBvh::Triangle;
 using Node = TriangleBvh::Node;
-using Vector = Eigen::Array4f;  // the fourth is 0, and fills the register
+using Vector = Eigen::Array4f;  // the fourth number is 0 and fills the register
 
 constexpr int kBins = 12;
-constexpr std::size_t kFewTriangles = 6;  // are halved: their boxes are not worth weighing
+constexpr std::size_t kFewTriangles = 6;  // up to this many are halved, without the heuristic
 constexpr float kFloatInfinity = std::numeric_limits<float>::infinity();
 
 struct Box {
@@ -32,15 +32,15 @@ struct Box {
   }
 };
 
-/// What is moved about while the hierarchy is built.
+/// What is reordered while the hierarchy is built.
 struct Item {
   Box box;
   std::uint32_t triangle;
 
-  Vector middle() const { return box.low + box.high; }  // twice
+  Vector middle() const { return box.low + box.high; }  // twice the center
 };
 
-/// What bounds some triangles, and their middles.
+/// The bounds of some triangles and of their centers.
 struct Bounds {
   Box box;
   Box middles;
@@ -107,7 +107,7 @@ class BvhBuilder {
     std::array<Range, 4> parts{all};
     std::size_t part_count = 1;
     while (part_count < 4) {
-      // The part that a query is most likely to enter for nothing.
+      // Divides the part that queries are most likely to enter in vain.
       const auto widest = std::max_element(
           parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(part_count),
           [&](const Range& a, const Range& b) { return worth(a, depth) < worth(b, depth); });
@@ -184,8 +184,8 @@ class BvhBuilder {
     return second;
   }
 
-  /// The first bin of the second part, by the surface area heuristic. Both parts get something:
-  /// the first and the last bin hold the outermost middles.
+  /// The first bin of the second part, by the surface area heuristic. Neither part is empty,
+  /// because the first and the last bin hold the outermost centers.
   static std::size_t cheapestBorder(const std::array<Bounds, kBins>& bins) {
     const auto costOf = [](const Bounds& part) {
       return part.box.area() * static_cast<float>(part.count);

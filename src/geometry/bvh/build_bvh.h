@@ -8,17 +8,17 @@
 
 namespace collision_monitor {
 
-/// Nodes deeper than this split by count and no longer by area, so that a path has at most
-/// kSplitByArea + 16 nodes whatever the mesh.
+/// Deeper nodes split by count and not by area. So a path has at most kSplitByArea + 16 nodes for
+/// every mesh.
 constexpr std::size_t kSplitByArea = 24;
 constexpr std::size_t kMaxBvhDepth = kSplitByArea + 16;
 
-/// How much wider boxes are made than the triangles, in the unit frame: more than rounding to
-/// single precision moves the box, and a query point within 4 of the origin, together.
+/// Growth of boxes in the unit frame. It is greater than the sum of two rounding errors of single
+/// precision: that of the box, and that of a query point within 4 of the origin.
 constexpr float kBvhPadding = 1e-6f;
 
-/// Builds the nodes over the triangles and sorts these into the order of the leaves.
-/// @pre at least one triangle, at most 2^31.
+/// Builds the nodes over the triangles and sorts the triangles into the order of the leaves.
+/// @pre between 1 and 2^31 triangles.
 std::vector<TriangleBvh::Node> buildBvh(const TriangleBvh::UnitFrame& frame,
                                         std::vector<TriangleBvh::Triangle>& triangles);
 

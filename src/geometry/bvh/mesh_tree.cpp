@@ -30,7 +30,7 @@ void checkMesh(const TriangleMesh& mesh) {
     throw std::invalid_argument("mesh: no vertices; at least one is needed");
   }
   for (std::size_t i = 0; i < count; ++i) {
-    // Written so that NaN is refused.
+    // This form refuses NaN.
     if (!(mesh.vertices[i].cwiseAbs().maxCoeff() <= kLargestCoordinate) ||
         !mesh.vertices[i].allFinite()) {
       throw std::invalid_argument("mesh: vertex " + std::to_string(i) +
@@ -60,7 +60,7 @@ Triangle triangleOf(const TriangleMesh& mesh, Index i) {
   return {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]};
 }
 
-// Single precision is enough to group triangles by.
+// Single precision is enough to group triangles.
 std::vector<SplitItem> itemsOf(const TriangleMesh& mesh, const Vector3d& origin) {
   std::vector<SplitItem> items(primitiveCount(mesh));
   for (Index i = 0; i < items.size(); ++i) {
@@ -75,7 +75,7 @@ std::vector<SplitItem> itemsOf(const TriangleMesh& mesh, const Vector3d& origin)
 
 using Parts = std::array<SplitRange, kWidth>;
 
-// Grows nodes depth-first over items that it reorders. Bounds come later, when the order is final.
+// Builds nodes depth-first and reorders the items. Bounds follow once the order is final.
 class Builder {
  public:
   // The triangles of a slot, in the order of the tree.
@@ -85,7 +85,7 @@ class Builder {
   };
   using Extents = std::array<Extent, kWidth>;
 
-  // `size` bounds every coordinate.
+  // @param size bounds every coordinate.
   Builder(double size, std::vector<SplitItem>& items, std::vector<MeshTreeNode>& nodes)
       : size_(size), items_(items), nodes_(nodes) {
     const std::size_t likely_count = items.size() / 3 + 2;
@@ -138,8 +138,8 @@ class Builder {
     return range.count;
   }
 
-  // Divides the largest part until there are as many as a node has slots, or each would fit a
-  // node of its own; the smallest of those then move in here, which saves their nodes.
+  // Divides the largest part until the parts fill a node's slots, or each would fit a node of its
+  // own. In the latter case the smallest parts move into this node, which saves their nodes.
   Index divide(const SplitRange& range, Index level, Parts& parts) {
     parts[0] = range;
     Index count = 1;
@@ -190,8 +190,7 @@ Vector3d normalOf(const Triangle& triangle) {
   return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
 }
 
-// Children stand behind their parents: from the back, the normals of a node are those of its
-// children, summed.
+// Children stand behind their parents. So a backward loop can sum the normals of a node's children.
 void boundBySlabs(const std::vector<Builder::Extents>& extents,
                   const std::vector<Triangle>& triangles, const Vector3d& origin,
                   std::vector<MeshTreeNode>& nodes) {

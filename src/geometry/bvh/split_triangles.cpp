@@ -24,7 +24,7 @@ void include(const SplitItem& item, SplitRange& to) noexcept {
   to.centers.include(item.doubledCenter());
 }
 
-// Which bin a center falls into.
+// Sorts centers into bins.
 struct Binning {
   Eigen::Index axis;
   float low;
@@ -32,13 +32,13 @@ struct Binning {
 
   std::size_t binOf(const SplitItem& item) const noexcept {
     const float position = item.box.low[axis] + item.box.high[axis];
-    // By way of a signed number, to which processors convert in one instruction.
+    // Converts to a signed number first: processors do that in one instruction.
     const auto bin = static_cast<std::int32_t>((position - low) * bins_per_length);
     return std::min(static_cast<std::size_t>(bin), kBinCount - 1);
   }
 };
 
-// The first bin of the upper part, where the sum of area times count is least. 0: none divides.
+// The first bin of the upper part, where the sum of area times count is least. 0: no plane divides.
 std::size_t cheapestCut(const Bins& bins) noexcept {
   std::array<float, kBinCount> upper_cost{};
   SplitRange side;

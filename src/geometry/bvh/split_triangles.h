@@ -6,14 +6,14 @@
 #include <cstdint>
 #include <limits>
 
-/// How a range of triangles is divided in two: the inner loop of building a MeshTree.
+/// Divides a range of triangles in two: the inner loop of building a MeshTree.
 namespace collision_monitor {
 
-/// Four numbers, of which three are used, so that they fill one register.
+/// Three numbers, and a fourth that fills the register.
 using Array4 = Eigen::Array4f;
 
-/// A box that may be empty. Single precision: it decides how triangles are grouped and proves
-/// nothing.
+/// A box that may be empty. It is in single precision, because it only decides how triangles are
+/// grouped and proves nothing.
 struct RoughBox {
   Array4 low{Array4::Constant(std::numeric_limits<float>::max())};
   Array4 high{Array4::Constant(-std::numeric_limits<float>::max())};
@@ -26,7 +26,7 @@ struct RoughBox {
     low = low.min(point);
     high = high.max(point);
   }
-  /// Half the surface; 0 if empty.
+  /// Half the surface area; 0 if empty.
   float area() const noexcept;
 };
 
@@ -37,19 +37,19 @@ struct SplitItem {
   Array4 doubledCenter() const noexcept { return box.low + box.high; }
 };
 
-/// A range of items and what the next division asks of it.
+/// A range of items, with what its next division needs.
 struct SplitRange {
   std::uint32_t first{0};
   std::uint32_t count{0};
   RoughBox box;
-  RoughBox centers;  ///< of the items' doubled centers
+  RoughBox centers;  ///< bounds of the items' doubled centers
 };
 
 SplitRange makeRange(const SplitItem* items, std::uint32_t first, std::uint32_t count) noexcept;
 
-/// Reorders the items of `range` and divides it where the surface area heuristic is least among
-/// planes across the longest axis of the centers; in halves when all centers are equal or
-/// `by_count` asks for it.
+/// Reorders the items of `range` and divides it. The plane lies across the longest axis of the
+/// centers, where the surface area heuristic is least. The range is halved instead when all centers
+/// are equal or `by_count` is set.
 /// @pre range.count >= 2. Neither part is empty.
 void splitRange(SplitItem* items, const SplitRange& range, bool by_count, SplitRange& lower,
                 SplitRange& upper) noexcept;

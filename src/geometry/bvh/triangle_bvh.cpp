@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using Triangle = TriangleBvh::Triangle;
 
-// A smaller mesh is a point in the unit frame, for whose squares single precision has no room. [m]
+// [m] A smaller mesh becomes a point of the unit frame: squares of its coordinates underflow.
 constexpr double kLeastScale = 1e-150;
 
 std::vector<Triangle> trianglesOf(const TriangleMesh& mesh) {
@@ -69,8 +69,8 @@ NearestPoint TriangleBvh::nearestTo(const Vector3d& point, const NearestPoint& s
   NearestPoint best = start;
   const double needed = 1.0 / (1.0 + tolerance);
   Vector3d delta = best.point - point;
-  // What lies beyond the plane through the nearest point so far, across the way there, is no
-  // nearer.
+  // A triangle beyond the plane through the closest point so far, perpendicular to the direction
+  // from the query to that point, is no nearer.
   const auto isBeyond = [&](const Triangle& triangle) {
     const double reach = needed * delta.squaredNorm();
     return best.leaf_triangle != kNone && delta.dot(triangle[0] - point) >= reach &&

@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kSmall = 8;    // a block of as many vertices has no children
-constexpr double kRounding = 1e-14;  // several times what products and sums of three take
+constexpr std::size_t kSmall = 8;    // greatest size of a block without children
+constexpr double kRounding = 1e-14;  // several times that of a product or sum of three
 
 }  // namespace
 

@@ -8,23 +8,23 @@
 
 namespace collision_monitor {
 
-/// Vertices in blocks of blocks: those that lie far behind along a direction are passed over
-/// together. For the many directions that a hull is asked about while it is made.
+/// Vertices in nested blocks, so that a search passes over whole blocks that lie far behind along
+/// its direction. Serves the many support queries while a hull is built.
 class VertexBlocks {
  public:
-  /// @pre there is one at least, and all are finite.
+  /// @pre at least one vertex; all are finite.
   explicit VertexBlocks(const std::vector<Eigen::Vector3d>& vertices);
 
-  /// The vertex of the greatest product with the direction, the first one if there are several: to
-  /// the last bit what a look at all of them tells.
-  /// @param likely a vertex that may be it, or near
+  /// The vertex with the greatest dot product with the direction, the first one of several. The
+  /// result equals that of a search through all vertices to the last bit.
+  /// @param likely a vertex that may be the answer, or is near it
   std::uint32_t farthest(const Eigen::Vector3d& direction, std::uint32_t likely) const noexcept;
 
  private:
-  /// Holds the vertices of order_ in [first, last). Its children stand behind it, up to `next`.
+  /// Holds the vertices of order_ in [first, last). Its children follow it, up to `next`.
   struct Block {
     Eigen::Vector3d center;
-    double radius;  ///< of a ball about all that it holds, rounding of products included
+    double radius;  ///< of a ball about all its vertices, rounding of products included
     std::size_t first;
     std::size_t last;
     std::size_t next;
@@ -36,7 +36,7 @@ class VertexBlocks {
   const std::vector<Eigen::Vector3d>& vertices_;
   std::vector<std::uint32_t> order_;
   std::vector<Block> blocks_;  ///< a binary tree, parents first
-  double rounding_;            ///< [m] of a product with a unit direction, at most
+  double rounding_;            ///< [m] greatest rounding error of a product with a unit direction
 };
 
 }  // namespace collision_monitor

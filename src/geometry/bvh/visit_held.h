@@ -8,8 +8,8 @@
 
 namespace collision_monitor {
 
-/// std::visit for one variant, without the exception it keeps for a variant that lost its value:
-/// the variants of a cycle hold types whose copies cannot throw, so they always hold one.
+/// std::visit for one variant, without its exception for a variant that lost its value. The
+/// variants of a cycle hold types whose copies cannot throw, so they always hold a value.
 template <std::size_t kAlternative = 0, class Visitor, class Variant>
 constexpr decltype(auto) visitHeld(const Visitor& visitor, Variant& variant) noexcept {
   constexpr std::size_t kCount = std::variant_size_v<std::remove_const_t<Variant>>;

@@ -10,8 +10,8 @@
 
 namespace collision_monitor {
 
-/// What is compared with the boxes of nodes: an axis-aligned box, or a point as a box without
-/// extent, in the unit frame of a hierarchy.
+/// A query against the boxes of nodes: an axis-aligned box, or a point as a box without extent. In
+/// the unit frame of a hierarchy.
 struct UnitQuery {
   std::array<float, 3> low;
   std::array<float, 3> high;
@@ -19,7 +19,7 @@ struct UnitQuery {
 
 inline UnitQuery unitQuery(const TriangleBvh::UnitFrame& frame, const Eigen::Vector3d& low,
                            const Eigen::Vector3d& high) noexcept {
-  // No farther than where squares are finite. Clamping brings nothing farther from the mesh.
+  // Clamps coordinates so that squares stay finite. Clamping moves nothing farther from the mesh.
   constexpr double kFar = 1e15;
   UnitQuery query{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -32,9 +32,9 @@ inline UnitQuery unitQuery(const TriangleBvh::UnitFrame& frame, const Eigen::Vec
   return query;
 }
 
-/// Lower bounds of the squared distances to four boxes. Units: of the frame, squared.
-/// Error: the padding of the boxes covers rounding near the mesh; far from it, where a coordinate
-/// is rounded by more, distances are as large and the last factor covers it.
+/// Lower bounds of the squared distances to four boxes. Units: of the unit frame, squared.
+/// Error: near the mesh the padding of the boxes covers rounding. Far from it rounding grows with
+/// the distance, and the factor at the end covers it.
 inline TriangleBvh::Lanes squaredDistances(const TriangleBvh::Node& node,
                                            const UnitQuery& query) noexcept {
   TriangleBvh::Lanes sum = TriangleBvh::Lanes::Zero();
@@ -46,8 +46,8 @@ inline TriangleBvh::Lanes squaredDistances(const TriangleBvh::Node& node,
   return sum * 0.999998f;
 }
 
-/// Calls `visit(leaf_triangle)` for triangles whose boxes are nearer than a limit, those with the
-/// nearest boxes first as far as the hierarchy tells. `visit` returns the limit from then on, [m].
+/// Calls `visit(leaf_triangle)` for triangles whose boxes are nearer than a limit, nearer boxes
+/// first as far as the hierarchy tells. `visit` returns the limit [m] from then on.
 template <class Visit>
 void visitNear(const TriangleBvh& mesh, const UnitQuery& query, double limit, const Visit& visit) {
   struct NodeToVisit {
@@ -59,7 +59,7 @@ void visitNear(const TriangleBvh& mesh, const UnitQuery& query, double limit, co
     constexpr double kMax = std::numeric_limits<float>::max();
     return static_cast<float>(std::min(unit * unit * (1.0 + 1e-6), kMax));
   };
-  // Each node on the path leaves at most three brothers behind.
+  // Each node on a path leaves at most three siblings on the stack.
   std::array<NodeToVisit, 3 * kMaxBvhDepth + 4> stack;
   std::size_t size = 0;
   float squared_limit = unitSquare(limit);

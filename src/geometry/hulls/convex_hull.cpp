@@ -31,7 +31,7 @@ void checkPoints(const Points& points) {
   }
 }
 
-/// Index of the point with the largest value of `measure`, and that value.
+/// The index of the point with the largest `measure`, and that value.
 template <class Measure>
 std::pair<std::uint32_t, double> farthest(const Points& points, const Measure& measure) {
   std::pair<std::uint32_t, double> best{0, -1.0};
@@ -44,7 +44,7 @@ std::pair<std::uint32_t, double> farthest(const Points& points, const Measure& m
   return best;
 }
 
-/// Four points that span as much as a greedy choice can; `dimension` says how many of them count.
+/// Four points, chosen greedily to span as much as they can. `dimension` tells how many count.
 struct Simplex {
   std::uint32_t corners[4] = {0, 0, 0, 0};
   int dimension{0};
@@ -76,7 +76,7 @@ Simplex spanningSimplex(const Points& points, double extent) {
   return simplex;
 }
 
-/// Keeps the points that triangles use, each once.
+/// Keeps each point that triangles use, once.
 TriangleMesh compact(const Points& points, const std::vector<std::array<std::uint32_t, 3>>& faces) {
   TriangleMesh mesh;
   std::vector<std::uint32_t> new_index(points.size(), kUnseen);
@@ -125,7 +125,7 @@ TriangleMesh convexHullOf(const Points& points) {
     return compact(points, planarHull(points, simplex.normal));
   }
   const auto faces = runQhull(points, 0.5 * low + 0.5 * high, extent);
-  // The distinct points enclose as much as their hull does, so a failure costs speed only.
+  // The distinct points enclose as much as their hull does, so a failure only costs speed.
   return faces.empty() ? distinctPoints(points) : compact(points, faces);
 }
 

@@ -14,7 +14,7 @@
 namespace collision_monitor {
 namespace {
 
-constexpr std::size_t kFewVertices = 24;    // as many cost no more than a climb
+constexpr std::size_t kFewVertices = 24;    // testing these costs no more than a climb
 constexpr std::size_t kManyVertices = 128;  // up to these, climbs cost no more than a map
 double extentOf(const std::vector<Eigen::Vector3d>& points) {
   Eigen::Vector3d low = points[0];
@@ -26,7 +26,7 @@ double extentOf(const std::vector<Eigen::Vector3d>& points) {
   return (high - low).maxCoeff();
 }
 
-// One list more behind others, and where it ends.
+// Appends one list to all lists and notes where it ends.
 void append(const std::vector<std::uint32_t>& list, std::vector<std::uint32_t>& all,
             std::vector<std::uint32_t>& ends) {
   all.insert(all.end(), list.begin(), list.end());
@@ -90,7 +90,7 @@ void ConvexHull::addFans(const std::vector<std::vector<std::uint32_t>>& neighbou
 }
 
 void ConvexHull::mapDirections() {
-  // More cells than vertices: then most climbs start at their end.
+  // With more cells than vertices, most climbs start at their end.
   constexpr double kCellsAVertex = 4.0;
   constexpr std::size_t kMostRows = 16;
   const double cells_a_side = kCellsAVertex / 6.0 * static_cast<double>(vertices_.size());
@@ -122,7 +122,7 @@ std::size_t ConvexHull::cellOf(const Eigen::Vector3d& direction) const noexcept 
   const auto rows = static_cast<double>(rows_);
   const double cells_a_length = 0.5 * rows / size[axis];
   const auto rowOf = [&](double across) {
-    // Written so that NaN, as of direction 0, falls into the first row.
+    // This form puts NaN, as from direction 0, into the first row.
     const double place = std::max(0.0, across * cells_a_length + 0.5 * rows);
     return static_cast<std::size_t>(std::min(place, rows - 1.0));
   };
@@ -133,7 +133,7 @@ std::size_t ConvexHull::cellOf(const Eigen::Vector3d& direction) const noexcept 
 
 ConvexHull::Look ConvexHull::lookAround(const Eigen::Vector3d& direction,
                                         std::uint32_t from) const noexcept {
-  // Summed as those of the fans are, so that a climb cannot go in a circle.
+  // Uses the same sum as the fans, so that a climb cannot go in a circle.
   const double reach = along(direction, vertices_[from]);
   double beside = -std::numeric_limits<double>::infinity();
   double farthest = reach;

@@ -20,8 +20,8 @@ constexpr double kFlat = 1e-13;  // of the extent: corners this near to a plane 
 
 using DirectedEdge = std::pair<std::uint32_t, std::uint32_t>;
 
-// The triangles that run along each edge, sorted by edge. The diagonals of a flat hull belong to a
-// triangle on either side.
+// The triangles along each edge, sorted by edge. A diagonal of a flat hull belongs to a triangle on
+// either side.
 class TriangleOfEdge {
  public:
   using Entry = std::pair<DirectedEdge, std::uint32_t>;
@@ -67,7 +67,7 @@ Eigen::Vector3d crossOf(const TriangleMesh& mesh, std::uint32_t triangle) {
   return (mesh.vertices[corners[1]] - a).cross(mesh.vertices[corners[2]] - a);
 }
 
-// Through the farthest vertex, which is near to the triangle.
+// The face through the farthest vertex along `normal`, which is near the triangle.
 ConvexHull::Face supportingFace(const TriangleMesh& mesh, const VertexBlocks& blocks,
                                 const Eigen::Vector3d& normal, std::uint32_t triangle) {
   const std::uint32_t farthest = blocks.farthest(normal, mesh.triangles[triangle][0]);
@@ -76,7 +76,7 @@ ConvexHull::Face supportingFace(const TriangleMesh& mesh, const VertexBlocks& bl
 
 bool liesIn(const ConvexHull::Face& face, const TriangleMesh& mesh, std::uint32_t triangle,
             double slack) {
-  // A flat hull has two faces in one plane.
+  // Needed for a flat hull, which has two faces in one plane.
   const auto& corners = mesh.triangles[triangle];
   return std::all_of(corners.begin(), corners.end(),
                      [&](std::uint32_t corner) {
@@ -85,7 +85,7 @@ bool liesIn(const ConvexHull::Face& face, const TriangleMesh& mesh, std::uint32_
          crossOf(mesh, triangle).dot(face.normal) >= 0.0;
 }
 
-// Gives every triangle in the plane of `face` that is reached from `seed` the number `id`.
+// Gives the number `id` to every triangle in the plane of `face` that is connected to `seed`.
 void floodFace(const TriangleMesh& mesh, const TriangleOfEdge& triangle_of, std::uint32_t seed,
                const ConvexHull::Face& face, double slack, std::uint32_t id,
                std::vector<std::uint32_t>& face_of) {
@@ -127,8 +127,8 @@ std::vector<ConvexHull::Edge> edgesBetween(const TriangleOfEdge& triangle_of,
   return edges;
 }
 
-// A face walks each of its edges one way. Slivers without area may leave a gap: the ring ends
-// there.
+// Each face runs along each of its edges in one direction. Slivers without area may leave a gap,
+// where the ring ends.
 std::vector<std::vector<std::uint32_t>> ringsOf(const HullFaces& gathered) {
   std::vector<std::map<std::uint32_t, std::uint32_t>> next(gathered.faces.size());
   for (const ConvexHull::Edge& edge : gathered.edges) {
@@ -146,8 +146,8 @@ std::vector<std::vector<std::uint32_t>> ringsOf(const HullFaces& gathered) {
   return rings;
 }
 
-// Whether the faces leave no gap: as many corners, edges and faces as a ball's surface has, and at
-// each edge the faces lean outward.
+// Whether the faces leave no gap: the numbers of corners, edges and faces are those of a closed
+// surface (Euler), and the faces lean outward at each edge.
 bool areClosed(const HullFaces& gathered, const TriangleMesh& mesh) {
   std::set<std::uint32_t> corners;
   for (const ConvexHull::Edge& edge : gathered.edges) {

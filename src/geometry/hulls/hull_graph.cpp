@@ -30,7 +30,7 @@ Lists neighboursOf(const TriangleMesh& hull) {
   return neighbours;
 }
 
-// By vertex: one vertex of those that short edges join it to, the same for each of them.
+// By vertex: a vertex that stands for all vertices joined to it by short edges.
 std::vector<std::uint32_t> clustersOf(const TriangleMesh& hull, const Lists& neighbours,
                                       double short_edge) {
   std::vector<std::uint32_t> parent(neighbours.size());
@@ -63,7 +63,7 @@ Lists neighboursToClimb(const TriangleMesh& hull, double extent) {
   }
   Lists neighbours = neighboursOf(hull);
   const std::vector<std::uint32_t> cluster = clustersOf(hull, neighbours, kShortEdge * extent);
-  Lists around(neighbours.size());  // by cluster, its own vertices too
+  Lists around(neighbours.size());  // by cluster, including its own vertices
   for (std::uint32_t vertex = 0; vertex < neighbours.size(); ++vertex) {
     std::vector<std::uint32_t>& all = around[cluster[vertex]];
     all.push_back(vertex);

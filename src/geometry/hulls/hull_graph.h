@@ -9,14 +9,14 @@
 
 namespace collision_monitor {
 
-/// By vertex: the vertices that a climb looks at from there, in ascending order. They are those at
-/// the other ends of edges, and for vertices that short edges join, those of each of them.
+/// By vertex: the vertices that a climb tests from there, in ascending order. They are the other
+/// ends of its edges. Vertices joined by short edges share the neighbours of all of them.
 ///
-/// A climb stops where no neighbour gains more than rounding, about 1e-16 of the extent. Along a
-/// short edge that is a slope which the rest of the hull might exploit; seen from all vertices of
-/// such a cluster at once, only its long edges lead up.
+/// A climb stops where no neighbour gains more than rounding, about 1e-16 of the extent. On a short
+/// edge that gain is a slope along which the rest of the hull might still rise. Seen from all
+/// vertices of such a cluster at once, only its long edges lead up.
 /// @param extent [m] of the hull.
-/// @return an empty list for hulls without triangles, and for those of little but short edges.
+/// @return an empty list for hulls without triangles, and for those of hardly any long edges.
 std::vector<std::vector<std::uint32_t>> neighboursToClimb(const TriangleMesh& hull, double extent);
 
 }  // namespace collision_monitor

@@ -51,7 +51,7 @@ std::vector<std::array<std::uint32_t, 3>> planarHull(const std::vector<Eigen::Ve
   std::vector<Eigen::Vector2d> flat;
   flat.reserve(points.size());
   for (const auto& p : points) {
-    // From the first point, so that a far origin costs no digits.
+    // Relative to the first point, so that a far origin costs no digits.
     flat.emplace_back(u.dot(p - points[0]), v.dot(p - points[0]));
   }
   const auto polygon = convexPolygonOf(flat);

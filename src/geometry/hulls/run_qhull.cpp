@@ -9,8 +9,8 @@
 
 #include "geometry/interruption.h"
 
-// The C library, not libqhullcpp: that one replaces qh_fprintf of the whole process and ends the
-// process when another user of the C library in it (a nodelet, PCL) prints a message.
+// Uses the C library, not libqhullcpp. That one replaces qh_fprintf in the whole process, and ends
+// the process when another user of the C library (a nodelet, PCL) prints a message.
 extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
@@ -20,7 +20,7 @@ namespace {
 
 using Faces = std::vector<std::array<std::uint32_t, 3>>;
 
-/// qhull needs a stream for its messages; this one ends in memory and is dropped.
+/// A stream for qhull's messages. It writes to memory and is dropped.
 class SilentStream {
  public:
   SilentStream() : file_(open_memstream(&text_, &size_)) {}
@@ -40,7 +40,7 @@ class SilentStream {
   FILE* file_;
 };
 
-/// One run of the reentrant library; frees what qhull allocated also when it failed.
+/// One run of the reentrant library. Frees the memory of qhull also after a failure.
 class QhullRun {
  public:
   explicit QhullRun(FILE* messages) : qh_(std::make_unique<qhT>()), messages_(messages) {
@@ -89,14 +89,14 @@ class QhullRun {
 
 Faces runQhull(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& center,
                double extent) {
-  throwIfInterrupted();  // it cannot be ended half-way
+  throwIfInterrupted();  // qhull cannot be interrupted
   std::vector<coordT> coordinates;
   coordinates.reserve(3 * points.size());
   for (const auto& p : points) {
     const Eigen::Vector3d normalised = (p - center) / extent;
     coordinates.insert(coordinates.end(), normalised.data(), normalised.data() + 3);
   }
-  // Qt: triangulate merged facets. QJ: joggle the input, for what cannot be merged.
+  // Qt: triangulate merged facets. QJ: joggle the input, if facets cannot be merged.
   for (const char* options : {"qhull Qt Pp", "qhull QJ Pp"}) {
     const SilentStream messages;
     if (messages.file() == nullptr) {

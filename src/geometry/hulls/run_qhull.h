@@ -9,8 +9,8 @@
 
 namespace collision_monitor {
 
-/// Triangles of the hull of points that span space, outward; none when qhull fails.
-/// qhull works on (points - center) / extent: its tolerances then mean the same at every scale.
+/// The triangles of the hull of points that span space, facing outward; none when qhull fails.
+/// qhull works on (points - center) / extent, so its tolerances mean the same at every scale.
 std::vector<std::array<std::uint32_t, 3>> runQhull(const std::vector<Eigen::Vector3d>& points,
                                                    const Eigen::Vector3d& center, double extent);
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Numbers and vectors of three of them, as many at once as a vector register has lanes. Compiled
-// once for each instruction set, hence the guard that is undone and set again. No fused
-// multiply-add: every instruction set rounds alike.
+// Numbers and 3-vectors in vector registers, one per lane. Compiled once for each instruction set,
+// hence the guard that is undone and set again. No fused multiply-add is used, so every instruction
+// set rounds alike.
 #if defined(COLLISION_MONITOR_GEOMETRY_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_GEOMETRY_LANES_INL_H_
 #undef COLLISION_MONITOR_GEOMETRY_LANES_INL_H_
@@ -25,7 +25,7 @@ using Truth = hn::Mask<Lanes>;
 HWY_INLINE Number number(double value) { return hn::Set(Lanes(), value); }
 HWY_INLINE Number zero() { return hn::Zero(Lanes()); }
 HWY_INLINE Truth everywhere() { return hn::Eq(zero(), zero()); }
-/// Where the lanes count at least.
+/// Whether `truth` holds in all lanes of `counts`.
 HWY_INLINE bool isTrueWhere(Truth counts, Truth truth) {
   return hn::AllTrue(Lanes(), hn::Or(truth, hn::Not(counts)));
 }
@@ -61,8 +61,8 @@ HWY_INLINE Vector3 select(Truth which, const Vector3& yes, const Vector3& no) {
   return {hn::IfThenElse(which, yes.x, no.x), hn::IfThenElse(which, yes.y, no.y),
           hn::IfThenElse(which, yes.z, no.z)};
 }
-/// Within [-half, half]. One instruction where there is one that takes the smaller of two
-/// magnitudes with the sign of the first number: for half >= 0 the same bytes, signs of zero too.
+/// Clamps to [-half, half]. AVX-512 has one instruction that takes the smaller magnitude with the
+/// sign of the first number. For half >= 0 it gives the same bytes, including signs of zero.
 HWY_INLINE Number clamped(Number half, Number value) {
 #if HWY_TARGET <= HWY_AVX3
   constexpr int kSmallerMagnitude = 2;
@@ -79,7 +79,7 @@ HWY_INLINE Number signOf(Number value) {
   return hn::IfThenElse(hn::Lt(value, zero()), number(-1.0), number(1.0));
 }
 
-/// Three columns of a rotation.
+/// The three columns of a rotation.
 struct Axes {
   Vector3 x, y, z;
 };
@@ -87,7 +87,7 @@ struct Axes {
 HWY_INLINE Vector3 out(const Axes& axes, const Vector3& v) {
   return along(along(scaled(v.x, axes.x), v.y, axes.y), v.z, axes.z);
 }
-/// Into the frame of the axes.
+/// To the frame of the axes.
 HWY_INLINE Vector3 into(const Axes& axes, const Vector3& v) {
   return {dot(axes.x, v), dot(axes.y, v), dot(axes.z, v)};
 }

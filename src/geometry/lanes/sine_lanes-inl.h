@@ -21,10 +21,10 @@ struct SineCosine {
   Number sine, cosine;
 };
 
-/// Beyond, quarter turns times the parts of pi / 2 below are no longer exact.
+/// Beyond this, the products of quarter turns and the parts of pi / 2 below are no longer exact.
 constexpr double kMostQuarterTurns = 1048576.0;
 
-/// Lane by lane, for angles so large that hardly any digit of the fraction is left.
+/// Works lane by lane, for angles so large that hardly any digit of the fraction is left.
 HWY_NOINLINE inline SineCosine sineCosineOfLarge(Number angle) {
   HWY_ALIGN double angles[hn::MaxLanes(Lanes())];
   HWY_ALIGN double sines[hn::MaxLanes(Lanes())];
@@ -46,7 +46,7 @@ HWY_INLINE Number polynomial(Number x, const double (&coefficients)[6]) {
   return sum;
 }
 
-/// Within 2e-16 of sine and cosine up to a million turns; NaN for what is not finite.
+/// Error: 2e-16 up to a million turns. Limits: NaN for angles that are not finite.
 /// Source: reduction by multiples of pi / 2 in three parts of 33 bits: Cody, Waite (1980); minimax
 /// polynomials: Sun's fdlibm (1993), k_sin.c and k_cos.c.
 HWY_INLINE SineCosine sineCosine(Number angle) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Rows of numbers, one a lane, into columns.
+// Transposes rows of numbers, one row per lane, into columns.
 #if defined(COLLISION_MONITOR_GEOMETRY_TURN_ROWS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_GEOMETRY_TURN_ROWS_INL_H_
 #undef COLLISION_MONITOR_GEOMETRY_TURN_ROWS_INL_H_
@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// Four numbers in a row of each lane.
+/// Four columns. Each lane holds its row's number.
 struct FourNumbers {
   Number at[4];
 };
@@ -23,7 +23,7 @@ struct FourNumbers {
 #if HWY_MAX_BYTES >= 32
 using Four = hn::CappedTag<double, 4>;
 
-/// Of four lanes from `lane` on, which takes half as long as a gather.
+/// Transposes the rows of four lanes from `lane` on; half the time of a gather.
 template <class RowOf>
 HWY_INLINE void turnFour(const RowOf& rowOf, std::size_t lane, hn::Vec<Four> (&columns)[4]) {
   const auto one = hn::LoadU(Four(), rowOf(lane));
@@ -41,7 +41,7 @@ HWY_INLINE void turnFour(const RowOf& rowOf, std::size_t lane, hn::Vec<Four> (&c
 }
 #endif
 
-/// @param rowOf where the four numbers of a lane stand.
+/// @param rowOf returns the address of a lane's four numbers.
 template <class RowOf>
 HWY_INLINE FourNumbers turnRows(const RowOf& rowOf) {
   FourNumbers numbers;

@@ -6,12 +6,13 @@
 
 namespace collision_monitor {
 
-/// The largest length and coordinate that fits accept: cubes of lengths must be finite. [m]
+/// [m] The largest length and coordinate that fits accept: cubes of lengths must be finite.
 constexpr double kMaxLength = 1e100;
 
-/// @throws std::invalid_argument with a sentence that names the place and what is accepted, for the
-/// first fault found: no vertices, a coordinate that is not finite or beyond kMaxLength, a triangle
-/// that names a vertex that is not there.
+/// Checks a mesh.
+/// @throws std::invalid_argument for the first fault found, with a sentence that names the place
+/// and what is accepted: no vertices, a coordinate that is not finite or beyond kMaxLength, a
+/// triangle with a missing vertex.
 void checkMesh(const TriangleMesh& mesh);
 
 }  // namespace collision_monitor

@@ -7,7 +7,7 @@
 namespace collision_monitor {
 namespace {
 
-// Vertices that are connected have one root; on the way to it, ways are made shorter.
+// The root that all connected vertices share. Paths to it are shortened on the way.
 std::uint32_t rootOf(std::uint32_t vertex, std::vector<std::uint32_t>& parents) {
   while (parents[vertex] != vertex) {
     parents[vertex] = parents[parents[vertex]];

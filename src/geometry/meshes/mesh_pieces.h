@@ -8,11 +8,11 @@
 
 namespace collision_monitor {
 
-/// One corner of each connected piece of the surface: of triangles that share vertices. Of a mesh
+/// One corner of each connected piece of the surface: triangles that share vertices. For a mesh
 /// without triangles, all vertices.
-/// Limits: equal vertices connect only if they are one, as readMesh leaves them; else there are
-/// more pieces than need be.
-/// @pre triangles name vertices that are there.
+/// Limits: equal vertices connect only once they are merged, as readMesh does. Otherwise there are
+/// more pieces than necessary.
+/// @pre the vertices of all triangles exist.
 std::vector<Eigen::Vector3d> piecesOf(const TriangleMesh& mesh);
 
 }  // namespace collision_monitor

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using Index = std::uint32_t;
 
-// Triangles below a node: they stand side by side.
+// The triangles below a node, which are consecutive.
 struct Range {
   Index first{0xffffffffU};
   Index last{0};
@@ -61,7 +61,7 @@ std::vector<WindingMoments> momentsOf(const std::vector<MeshTreeNode>& nodes,
 }
 
 OpenSurface openSurfaceOf(const TriangleMesh& oriented) {
-  // A rim of more edges than a share of the triangles takes more room than it is worth.
+  // A rim with more edges than this share of the triangles costs more memory than it is worth.
   constexpr std::size_t kTrianglesAnEdge = 4;
   constexpr std::size_t kFewEdges = 100;
   const SurfaceRim rim = rimOf(oriented);

@@ -8,14 +8,14 @@
 
 namespace collision_monitor {
 
-/// OpenSurface::moments, of the nodes and triangles of a tree.
+/// OpenSurface::moments for the nodes and triangles of a tree.
 std::vector<WindingMoments> momentsOf(const std::vector<MeshTreeNode>& nodes,
                                       const std::vector<Triangle>& triangles);
 
-/// All but the moments.
+/// The open surface without its moments.
 OpenSurface openSurfaceOf(const TriangleMesh& oriented);
 
-/// MeshTree::probes
+/// See MeshTree::probes.
 std::vector<Eigen::Vector3d> probesOf(const std::vector<Eigen::Vector3d>& pieces,
                                       const std::vector<Triangle>& triangles);
 

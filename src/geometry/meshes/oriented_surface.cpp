@@ -25,7 +25,7 @@ std::vector<Corners> weldedTriangles(const TriangleMesh& mesh) {
   return triangles;
 }
 
-// Leaves the first of triangles with the same corners.
+// Keeps the first of the triangles with the same corners.
 void dropCopies(std::vector<Corners>& triangles) {
   std::vector<std::pair<Corners, std::uint32_t>> sorted;
   sorted.reserve(triangles.size());
@@ -42,7 +42,7 @@ void dropCopies(std::vector<Corners>& triangles) {
   }
 }
 
-// For each triangle its neighbours, and whether they have to be turned to agree.
+// A neighbour of a triangle, and whether it has to be turned to agree.
 struct Neighbour {
   std::uint32_t triangle;
   bool disagrees;
@@ -72,7 +72,7 @@ double areaOf(const TriangleMesh& mesh, const Corners& t) {
       .norm();
 }
 
-// Walks from triangle to neighbour; each connected part stays as most of its area is.
+// Walks from triangle to neighbour. Each connected part keeps the direction of most of its area.
 class Turning {
  public:
   Turning(const TriangleMesh& mesh, std::vector<Corners>& triangles)
@@ -109,7 +109,7 @@ class Turning {
         }
       }
     }
-    constexpr double kMost = 0.5 + 1e-9;  // of two halves, rounding decides nothing
+    constexpr double kMost = 0.5 + 1e-9;  // rounding must not decide between equal halves
     const unsigned char to_turn = turned > kMost * all ? 0 : 1;
     for (const std::uint32_t triangle : part_) {
       if (turns_[triangle] == to_turn) {
@@ -122,7 +122,7 @@ class Turning {
   std::vector<Corners>& triangles_;
   Neighbours neighbours_;
   std::vector<unsigned char> is_seen_;
-  std::vector<unsigned char> turns_;  // to agree with the first of its part
+  std::vector<unsigned char> turns_;  // whether to agree with the first of its part
   std::vector<std::uint32_t> part_;
 };
 

@@ -27,7 +27,7 @@ void forSides(const std::vector<Corners>& triangles, const Visit& visit) {
 }  // namespace
 
 std::vector<TriangleSide> sidesOf(const std::vector<Corners>& triangles, std::size_t vertex_count) {
-  // Counted into place by their smaller vertex, then sorted at each: there are few.
+  // A counting sort by smaller vertex, then a sort at each vertex, which has few sides.
   std::vector<std::uint32_t> ends(vertex_count + 1, 0);
   forSides(triangles, [&](const TriangleSide& side) { ++ends[side.low + 1]; });
   for (std::size_t i = 1; i < ends.size(); ++i) {
@@ -35,7 +35,7 @@ std::vector<TriangleSide> sidesOf(const std::vector<Corners>& triangles, std::si
   }
   std::vector<TriangleSide> sides(ends.back());
   forSides(triangles, [&](const TriangleSide& side) { sides[ends[side.low]++] = side; });
-  // Each place was moved to the end of its own, where the next begins.
+  // Each place now stands at the end of its vertex, where the next vertex begins.
   auto first = sides.begin();
   for (std::size_t i = 0; i < vertex_count; ++i) {
     const auto last = sides.begin() + ends[i];

@@ -19,8 +19,9 @@ struct TriangleSide {
   bool hasEdgeOf(const TriangleSide& other) const { return low == other.low && high == other.high; }
 };
 
-/// Sorted by edge, and at an edge by triangle; not of triangles that have a corner twice.
-/// @pre corners are below `vertex_count`.
+/// The sides of all triangles, sorted by edge and then by triangle. Triangles with two equal
+/// corners have none.
+/// @pre all corners are below `vertex_count`.
 std::vector<TriangleSide> sidesOf(const std::vector<std::array<std::uint32_t, 3>>& triangles,
                                   std::size_t vertex_count);
 

@@ -10,9 +10,9 @@ namespace collision_monitor {
 namespace {
 
 constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t kFirst = 64;  // slots; a power of two, as all that follow
+constexpr std::size_t kFirst = 64;  // slots; this and every later size is a power of two
 
-/// Adding 0 turns -0 into 0: they are equal, and so their hashes must be.
+/// Adding 0 turns -0 into 0: they are equal, so their hashes must be.
 std::size_t hashOf(const Eigen::Vector3d& vertex) noexcept {
   std::uint64_t hash = 0;
   for (const double coordinate : {vertex.x() + 0.0, vertex.y() + 0.0, vertex.z() + 0.0}) {

@@ -12,13 +12,13 @@ namespace collision_monitor {
 /// Finds vertices by their coordinates. 0 and -0 are equal. @pre no coordinate is NaN.
 class VertexTable {
  public:
-  /// Makes room for as many different vertices. @pre none was looked for.
+  /// Makes room for `count` different vertices. @pre firstEqual was not called before.
   void reserve(std::size_t count);
 
-  /// The number of the first vertex of the list that equals this one; if none was looked for
-  /// before, that is `own`.
-  /// @param vertices a list that may grow at its end; holds `vertex` at `own` or will do so before
-  /// the next call.
+  /// The number of the first vertex that equals `vertex` among those already looked for; `own` if
+  /// there is none.
+  /// @param vertices a list that may grow at its end. It holds `vertex` at `own`, or will do so
+  /// before the next call.
   std::uint32_t firstEqual(const Eigen::Vector3d& vertex, std::uint32_t own,
                            const std::vector<Eigen::Vector3d>& vertices);
 
@@ -29,7 +29,7 @@ class VertexTable {
   std::size_t count_{0};
 };
 
-/// For each vertex the first one that equals it.
+/// By vertex: the first vertex that equals it.
 std::vector<std::uint32_t> firstEquals(const std::vector<Eigen::Vector3d>& vertices);
 
 }  // namespace collision_monitor

@@ -22,7 +22,7 @@ void addSpread(const Vector3d& delta, const Vector3d& normal, WindingMoments& mo
   }
 }
 
-// Moves a part to another center and adds it.
+// Moves a part to the center of the whole and adds it.
 void add(const WindingMoments& part, WindingMoments& whole) noexcept {
   const Vector3d delta = part.center - whole.center;
   whole.normal += part.normal;
@@ -52,7 +52,7 @@ void SolidAngles::add(const Triangle& triangle) noexcept {
   }
   const double real = (real_ * x - imaginary_ * y) / size;
   const double imaginary = (real_ * y + imaginary_ * x) / size + 0.0;
-  // Two angles from 0 to pi, or two below 0, may have gone round together.
+  // The sum of two angles from 0 to pi, or of two below 0, may have passed half a turn.
   if (imaginary_ >= 0.0 && y >= 0.0) {
     const bool is_whole_turn = imaginary == 0.0 && real > 0.0 && real_ < 0.0;
     turns_ += imaginary < 0.0 || is_whole_turn ? 1.0 : 0.0;

@@ -14,8 +14,8 @@ double clampTo(double half_length, double parameter) noexcept {
   return std::max(-half_length, std::min(half_length, parameter));
 }
 
-// Middle of the stretch of `a` that lies beside `b`, both parallel; its end nearest to `b` if
-// there is no such stretch. `b_on_a` is the parameter of b's center on a.
+// Middle of the part of `a` beside `b`, or the end of `a` nearest to `b` if there is no such part.
+// Both are parallel. `b_on_a` is the parameter of b's center on a.
 double middleOfOverlap(double half_a, double half_b, double b_on_a) noexcept {
   const double low = std::max(-half_a, b_on_a - half_b);
   const double high = std::min(half_a, b_on_a + half_b);
@@ -37,8 +37,8 @@ Eigen::Vector3d towardsNormalCone(const Segment& segment, double parameter,
 }
 
 ClosestParameters closestParameters(const Segment& a, const Segment& b) noexcept {
-  // In plain numbers: vectors stored number by number and read back in pairs stall the processor
-  // here, which bench/pairs_bench shows as half the time of a pair of capsules.
+  // Uses plain numbers. Reading in pairs what was stored number by number stalls the processor,
+  // which costs half the time of a pair of capsules in bench/pairs_bench.
   const double ux = a.direction.x(), uy = a.direction.y(), uz = a.direction.z();
   const double vx = b.direction.x(), vy = b.direction.y(), vz = b.direction.z();
   const double rx = b.center.x() - a.center.x();
@@ -58,7 +58,7 @@ ClosestParameters closestParameters(const Segment& a, const Segment& b) noexcept
   closest.on_a = sine_squared > kParallel * kParallel
                      ? clampTo(a.half_length, r_cross_v_dot_n / sine_squared)
                      : middleOfOverlap(a.half_length, b.half_length, b_on_a);
-  // Each parameter is now the best for the other; the second pass matters when b was clamped.
+  // Makes each parameter the best for the other. The second line matters if b was clamped.
   closest.on_b = clampTo(b.half_length, a_on_b + closest.on_a * cosine);
   closest.on_a = clampTo(a.half_length, b_on_a + closest.on_b * cosine);
   return closest;

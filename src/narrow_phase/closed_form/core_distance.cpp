@@ -7,7 +7,7 @@
 namespace collision_monitor {
 
 Eigen::Vector3d perpendicularTo(const Eigen::Vector3d& direction) noexcept {
-  // Crossing with the axis least aligned keeps the product's length above sqrt(2/3).
+  // The cross product with the least aligned axis is longer than sqrt(2/3).
   Eigen::Index least = 0;
   direction.cwiseAbs().minCoeff(&least);
   return direction.cross(Eigen::Vector3d::Unit(least)).normalized();

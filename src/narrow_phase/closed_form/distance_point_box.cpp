@@ -7,7 +7,7 @@
 namespace collision_monitor {
 namespace {
 
-// In the frame of the box, which is B.
+// Frames: that of the box, which is B.
 SignedDistance pointToBox(const Eigen::Vector3d& point,
                           const Eigen::Vector3d& half_extents) noexcept {
   SignedDistance cores;
@@ -20,7 +20,7 @@ SignedDistance pointToBox(const Eigen::Vector3d& point,
     cores.normal_a_to_b = outward / -outside;
     return cores;
   }
-  // Inside: the nearest face is the way out.
+  // The point is inside: the nearest face gives the depth.
   Eigen::Index axis = 0;
   cores.distance = (point.cwiseAbs() - half_extents).maxCoeff(&axis);
   const double side = signOf(point[axis]);

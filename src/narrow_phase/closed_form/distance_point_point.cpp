@@ -12,7 +12,7 @@ SignedDistance distanceBetween(const Sphere& a, const Pose& world_from_a, const 
   cores.point_on_b = world_from_b.translation;
   const Eigen::Vector3d between = cores.point_on_b - cores.point_on_a;
   cores.distance = between.norm();
-  // Concentric spheres leave every direction equally good.
+  // For concentric spheres every direction is equally good.
   cores.normal_a_to_b = Eigen::Vector3d::UnitX();
   if (cores.distance > kTouching) {
     cores.normal_a_to_b = between / cores.distance;

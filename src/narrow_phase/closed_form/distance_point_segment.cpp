@@ -18,7 +18,7 @@ SignedDistance distanceBetween(const Sphere& a, const Pose& world_from_a, const 
   if (cores.distance <= kNear) {
     between = -towardsNormalCone(segment, parameter, -between);
   }
-  // A point on the segment: every direction across the segment realises the distance.
+  // If the point is on the segment, every direction across the segment realises the distance.
   const double length = between.norm();
   cores.normal_a_to_b =
       length > kTouching ? Eigen::Vector3d(between / length) : perpendicularTo(segment.direction);

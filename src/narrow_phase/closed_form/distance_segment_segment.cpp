@@ -10,11 +10,11 @@
 namespace collision_monitor {
 namespace {
 
-// Between sines of this and kParallel a cross product of the directions is too noisy.
+// Between kParallel and this sine a cross product of the directions is too noisy.
 constexpr double kNearlyParallel = 1e-4;
 
-// Perpendicular to both segments; for parallel ones, to the first. Made orthogonal before the
-// cross product, so that it is perpendicular at every angle.
+// Perpendicular to both segments, or to `a` if they are parallel. b's direction is made orthogonal
+// to a's before the cross product, so that the result is accurate at every angle.
 Eigen::Vector3d commonPerpendicular(const Segment& a, const Segment& b) noexcept {
   const Eigen::Vector3d across = b.direction - a.direction.dot(b.direction) * a.direction;
   return across.squaredNorm() > kParallel * kParallel
@@ -22,8 +22,8 @@ Eigen::Vector3d commonPerpendicular(const Segment& a, const Segment& b) noexcept
              : perpendicularTo(a.direction);
 }
 
-// The normal is perpendicular to each segment that is met between its ends, and points beyond
-// the end that is met. Where the points nearly coincide this is known better than their difference.
+// The normal is perpendicular to a segment whose closest point is between its ends; at an end it
+// leads beyond the end. For near points this is more accurate than their difference.
 Eigen::Vector3d normalOfNear(const Segment& a, const Segment& b, const ClosestParameters& closest,
                              Eigen::Vector3d between) noexcept {
   const bool within_a = std::abs(closest.on_a) < a.half_length;

@@ -14,11 +14,11 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 struct Projection {
-  Vector3d away;       // from the foot to the point
-  Vector2d outward;    // unit, from the axis to the point; zero unless the point is beside the side
-  double lag_around;   // what of a shift of the point around the axis the foot does not follow
-  bool is_beside;      // the foot does not follow a shift outward
-  bool is_beyond_cap;  // nor one along the axis
+  Vector3d away;       // from the closest point on the cylinder to the point
+  Vector2d outward;    // unit, from the axis to the point; zero within the radius
+  double lag_around;   // share of a shift around the axis that the closest point does not follow
+  bool is_beside;      // the closest point does not follow a shift outward
+  bool is_beyond_cap;  // it does not follow a shift along the axis
 };
 
 [[gnu::always_inline]] inline Projection project(const Vector3d& point,
@@ -42,7 +42,7 @@ ClosestOnCylinder closestAt(const Vector3d& point, const Projection& at) noexcep
   return {point - at.away, at.away};
 }
 
-// Second derivative of half the squared distance on a straight way.
+// Second derivative of half the squared distance along a straight line.
 double curvatureAlong(const Vector3d& delta, const Projection& at) noexcept {
   const double outward = at.outward.x() * delta.x() + at.outward.y() * delta.y();
   const double around = delta.x() * at.outward.y() - delta.y() * at.outward.x();
@@ -94,7 +94,7 @@ ClosestOnCylinder closestToRim(const Rim& rim, const Vector3d& half_extents,
     const double slope = along(at.away, delta);
     const double curvature = curvatureAlong(delta, at) - along(at.away, outward);
     if (!(curvature > 0.0)) {
-      break;  // farther from the least than from the most
+      break;  // nearer to a maximum than to a minimum
     }
     const double angle = std::max(-1.0, std::min(1.0, -slope / curvature));
     const Vector2d turned(turn.x() - angle * turn.y(), turn.y() + angle * turn.x());

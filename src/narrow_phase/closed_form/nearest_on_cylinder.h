@@ -4,29 +4,29 @@
 
 #include <Eigen/Core>
 
-/// Every number is summed in the order of lanes, so that cylinder_lanes-inl.h finds the same to the
-/// last bit.
+/// Closest points of a solid cylinder. Sums are in the order of lanes, so that cylinder_lanes-inl.h
+/// finds the same to the last bit.
 namespace collision_monitor {
 
 constexpr int kMaxClosestSteps = 12;
-/// Of Newton's method: the step after one as small as this would be its square.
+/// Newton's method stops after a step this small: the next one would be its square.
 constexpr double kLastClosestStep = 1e-8;
 
-/// A point outside of a solid cylinder and its nearest point there, in the cylinder's frame.
+/// The closest point of a solid cylinder to a point outside. Frames: the cylinder's.
 struct ClosestOnCylinder {
   Eigen::Vector3d on_cylinder{Eigen::Vector3d::Zero()};
-  Eigen::Vector3d away{Eigen::Vector3d::Zero()};  ///< from there to the point; zero within
+  Eigen::Vector3d away{Eigen::Vector3d::Zero()};  ///< from on_cylinder to the point; zero inside
 };
 
 /// @param half_extents radius, radius, half length.
 ClosestOnCylinder closestOf(const Eigen::Vector3d& point,
                             const Eigen::Vector3d& half_extents) noexcept;
 
-/// The foot of the point of a segment, `from` + `share` * `edge` with 0 <= share <= 1, that is
-/// nearest to the cylinder.
+/// Finds the point of a segment that is nearest to the cylinder, and its closest point there. The
+/// segment is `from` + `share` * `edge` with 0 <= share <= 1.
 ///
-/// Error: quadratic convergence; who needs a proof looks at a support plane.
-/// @param share where to start, and where it ended.
+/// Error: converges quadratically. A caller that needs a proof checks a support plane.
+/// @param share start of the search; receives the result.
 ClosestOnCylinder closestToEdge(const Eigen::Vector3d& from, const Eigen::Vector3d& edge,
                                 const Eigen::Vector3d& half_extents, double& share) noexcept;
 
@@ -36,8 +36,8 @@ struct Rim {
   Eigen::Matrix<double, 3, 2> across;
 };
 
-/// The same of the point of a rim, near the start, that is nearest to the cylinder.
-/// @param turn unit, its cosine and sine: where to start, and where it ended.
+/// The same for the point of a rim that is nearest to the cylinder, close to the start.
+/// @param turn unit, cosine and sine: start of the search; receives the result.
 ClosestOnCylinder closestToRim(const Rim& rim, const Eigen::Vector3d& half_extents,
                                Eigen::Vector2d& turn) noexcept;
 

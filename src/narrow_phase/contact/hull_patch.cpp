@@ -22,7 +22,7 @@ ContactPatch patchOfFace(const ConvexHull& hull, std::uint32_t face) noexcept {
   return patch;
 }
 
-// The face most square to a direction among those offered that are flat.
+// Keeps the offered face that is most square to a direction, within `least_sine`.
 struct FlattestFace {
   const ConvexHull& hull;
   const Vector3d& direction;
@@ -44,7 +44,7 @@ struct FlattestFace {
 bool findFace(const ConvexHull& hull, const Vector3d& direction, double flat_sine,
               std::uint32_t& found) noexcept {
   FlattestFace flattest{hull, direction, flat_sine};
-  // Few faces pass this, which costs less than their sine; its rounding is far below 1e-12.
+  // Few faces pass this test, and it is cheaper than their sine. Its rounding is far below 1e-12.
   const double least_cosine = std::sqrt(1.0 - flat_sine * flat_sine) - 1e-12;
   for (std::uint32_t face = 0; face < hull.faces().size(); ++face) {
     if (hull.faces()[face].normal.dot(direction) >= least_cosine) {
@@ -55,8 +55,8 @@ bool findFace(const ConvexHull& hull, const Vector3d& direction, double flat_sin
   return flattest.is_found;
 }
 
-// An edge at a vertex that is flat, the flattest; or the vertex. Each edge leads away from it along
-// the ring of one face.
+// The flattest edge at a vertex, or the vertex if no edge is flat. The ring of each face gives the
+// edge that leaves the vertex.
 ContactPatch edgeOrVertex(const ConvexHull& hull, std::uint32_t vertex, const Vector3d& direction,
                           double flat_sine) noexcept {
   ContactPatch patch;
@@ -98,7 +98,7 @@ ContactPatch extremePatch(const ConvexHull& hull, const Pose& world_from_hull,
 
 ContactPatch patchAt(std::uint32_t vertex, const ConvexHull& hull, const Pose& world_from_hull,
                      const Vector3d& direction, double flat_sine) noexcept {
-  if (hull.facesAt(vertex).size() == 0) {  // in the midst of a face
+  if (hull.facesAt(vertex).size() == 0) {  // inside a face
     return extremePatch(hull, world_from_hull, direction, flat_sine);
   }
   const Vector3d in_hull = world_from_hull.rotation.transpose() * direction;

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of edges that count as parallel; others cross at one point.
+// For edges that count as parallel. Other edges cross at one point.
 constexpr EdgeSlack kParallelEdges{1e-4, 1e-4};
 
 std::size_t dimensionOf(std::size_t corner_count) noexcept {
@@ -37,7 +37,8 @@ Vector3d unitNormalOf(const ContactPatch& face) noexcept {
   return sum.normalized();
 }
 
-// True when A's face shall clip B's. The same face, whichever comes first, unless they are alike.
+// True if A's face clips B's. Chooses the same face if A and B are exchanged, unless they are
+// alike.
 bool clipsOther(const ContactPatch& a, const ContactPatch& b, const Vector3d& normal) noexcept {
   if (a.size < 3 || b.size < 3) {
     return a.size >= 3;
@@ -54,7 +55,7 @@ bool clipsOther(const ContactPatch& a, const ContactPatch& b, const Vector3d& no
   return extentOf(a) >= extentOf(b);
 }
 
-// Points of B's feature over the face of A, and below them those of the face along the normal.
+// Adds the points of the other feature over the face, each with the face's point along the normal.
 void clipByFace(const ContactPatch& face, const ContactPatch& other, const Vector3d& normal,
                 ManifoldPoints& points) noexcept {
   const Vector3d across = unitNormalOf(face);
@@ -75,7 +76,7 @@ void clipByFace(const ContactPatch& face, const ContactPatch& other, const Vecto
   }
 }
 
-// The two ends of the stretch that nearly parallel edges share.
+// Adds the two ends of the common part of nearly parallel edges.
 void clipEdges(const ContactPatch& a, const ContactPatch& b, const Vector3d& normal,
                const EdgeSlack& slack, ManifoldPoints& points) noexcept {
   const Vector3d along_a = a.corners[1] - a.corners[0];
@@ -102,7 +103,7 @@ ManifoldPoint swappedPoint(const ManifoldPoint& point) noexcept {
   return {point.point_on_b, point.point_on_a, point.distance};
 }
 
-// Names what is left of the features: a tilted face touches with an edge or a corner of it.
+// Names the features by what clipping left: a tilted face touches with an edge or a corner.
 ContactFeature nameContact(const ContactPatch& a, const ContactPatch& b, const Vector3d& normal,
                            std::size_t point_count) noexcept {
   const std::size_t left = dimensionOf(point_count);

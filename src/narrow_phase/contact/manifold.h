@@ -10,14 +10,14 @@
 #include "collision_monitor/geometry/shapes.h"
 #include "collision_monitor/narrow_phase/signed_distance.h"
 
-/// Contact manifolds: all the places where two convex shapes are as near as they get, not one.
+/// Contact manifolds: all places where two convex shapes are at their least distance.
 ///
 /// Frames: world. Units: metres. Sign: as SignedDistance.
 /// Source: features and clipping as in Ericson, "Real-Time Collision Detection" (2005), section
 /// 5.5.1; Sutherland, Hodgman, "Reentrant polygon clipping" (1974).
 namespace collision_monitor {
 
-/// What touches what, A's feature and B's in either order.
+/// Which features touch, A's and B's in either order.
 enum class ContactFeature : unsigned char {
   vertex_vertex,
   vertex_edge,
@@ -30,12 +30,12 @@ enum class ContactFeature : unsigned char {
 /// "vertex_face" and so on, as in messages.
 const char* nameOf(ContactFeature feature) noexcept;
 
-/// Points that face each other along the normal, each on (or, for a radius seen at a slant, in) its
-/// shape. Those of edges that are only nearly parallel may miss each other sideways by 0.1 mm.
+/// Two points that face each other along the normal. Each is on its shape, or inside it for a
+/// radius seen at a slant. On nearly parallel edges they may miss each other sideways by 0.1 mm.
 struct ManifoldPoint {
   Eigen::Vector3d point_on_a{Eigen::Vector3d::Zero()};
   Eigen::Vector3d point_on_b{Eigen::Vector3d::Zero()};
-  double distance{0.0};  ///< (point_on_b - point_on_a) along the normal: minus the depth here
+  double distance{0.0};  ///< (point_on_b - point_on_a) . normal: minus the depth here
 };
 
 struct ContactManifold {
@@ -43,7 +43,7 @@ struct ContactManifold {
 
   std::array<ManifoldPoint, kMaxPoints> points;
   std::size_t size{0};   ///< 1 to 4
-  ManifoldPoint center;  ///< the mean of the points: does not jump from end to end
+  ManifoldPoint center;  ///< mean of the points; does not jump from end to end
   Eigen::Vector3d normal_a_to_b{Eigen::Vector3d::UnitX()};
   ContactFeature feature{ContactFeature::vertex_vertex};
 };
@@ -56,27 +56,26 @@ struct ContactPatch {
   std::size_t size{0};
 };
 
-/// Features at a slant of up to this sine to the contact plane are tried for a flat contact...
+/// Features within this sine of the contact plane are tried for a flat contact.
 constexpr double kFlatSine = 0.05;
-/// ... and points count that are less than this [m] farther apart than the nearest.
+/// [m] Points farther apart than the nearest ones by more than this do not count.
 constexpr double kPatchDepth = 1e-3;
 
 /// The manifold of two features that face each other.
 ///
-/// Faces are clipped against the sides of the face that is more square to the normal; of what is
-/// left the nearest point and those that spread farthest stay. Edges give two points where they
-/// run beside each other, and one where they cross.
-/// Limits: no point is nearer than `measured`; a corner, a crossing, and features that rounding
-/// keeps apart give its points as the only ones.
-/// @param measured along whose normal the features are extreme.
+/// Two faces are clipped by the sides of the face that is more square to the normal. The nearest
+/// point and the points that spread farthest remain. Edges give two points if they run beside each
+/// other, one if they cross.
+/// Limits: no point is nearer than `measured`. A corner, a crossing, and features that rounding
+/// keeps apart give the points of `measured` alone.
+/// @param measured its normal is the direction in which the features are extreme.
 ContactManifold manifoldOf(const ContactPatch& on_a, const ContactPatch& on_b,
                            const SignedDistance& measured) noexcept;
 
-/// The manifold of two shapes of the core + radius family: cube on table four points, capsule on
-/// box or beside a parallel one two, crossed boxes one.
+/// The manifold of two shapes of the core + radius family: four points for a cube on a table, two
+/// for a capsule on a box or beside a parallel capsule, one for crossed boxes.
 ///
-/// Limits: the feature names are those of the cores: a sphere is a vertex, a capsule an edge with
-/// two ends.
+/// Limits: features are named by the cores: a sphere is a vertex, a capsule an edge with two ends.
 /// @param measured the answer of distanceBetween for this pair.
 /// @pre poses are finite and rigid.
 ContactManifold manifoldBetween(const Shape& a, const Pose& world_from_a, const Shape& b,

@@ -15,8 +15,8 @@ using Eigen::Vector3d;
 
 constexpr double kSamePoint = 1e-9;
 
-// The index where `value` is largest by more than `kSamePoint`; of equals the first, so that
-// rounding does not choose. points.size when none is larger than `kSamePoint`.
+// Index of the largest `value`. Values within `kSamePoint` are equal, and the first one wins, so
+// that rounding does not choose. Returns points.size if none is above `kSamePoint`.
 template <class Value>
 std::size_t largest(const ManifoldPoints& points, const Value& value) noexcept {
   std::size_t best = points.size;
@@ -81,7 +81,7 @@ ContactPatch extremePatch(const Shape& shape, const Pose& world_from_shape,
 
 void cut(const Vector3d& outward, const Vector3d& through, ClippedPolygon& polygon) noexcept {
   ClippedPolygon kept;
-  // An edge has one way between its corners, a face goes around.
+  // Two corners have one edge between them; a face has as many edges as corners.
   const std::size_t directions = polygon.size == 2 ? 1 : polygon.size;
   for (std::size_t i = 0; i < polygon.size; ++i) {
     const Vector3d& from = polygon.corners[i];

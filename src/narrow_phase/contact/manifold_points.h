@@ -4,10 +4,10 @@
 
 #include "narrow_phase/contact/manifold.h"
 
-/// The pieces that manifolds are made of.
+/// The pieces of manifolds.
 namespace collision_monitor {
 
-/// Each side of a face adds one corner to what it cuts, at most.
+/// Each side of a face adds at most one corner to the polygon that it cuts.
 constexpr std::size_t kMaxClipped = 2 * ContactPatch::kMaxCorners;
 
 /// A convex polygon while it is being clipped; an edge is a polygon of two corners.
@@ -34,19 +34,19 @@ struct ManifoldPoints {
   }
 };
 
-/// The feature of a shape that is extreme in `direction` (unit), on its surface: a face or an edge
-/// that is flat to `flat_sine`, or a vertex. World frame.
+/// Finds the feature of a shape that is extreme in `direction` (unit), on its surface: a face or an
+/// edge that is flat up to the sine `flat_sine`, or a vertex. Frames: world.
 ContactPatch extremePatch(const Shape& shape, const Pose& world_from_shape,
                           const Eigen::Vector3d& direction, double flat_sine = kFlatSine) noexcept;
 
-/// Edges run beside each other where neither is exceeded.
+/// Edges within both limits run beside each other.
 struct EdgeSlack {
   double sine;      ///< of the angle between them
-  double sideways;  ///< [m] how far they pass each other, seen along the normal
+  double sideways;  ///< [m] their offset across the normal
 };
 
-/// Where the features face each other along `normal`, A's point first: the corners of a polygon in
-/// turn, or two ends, in one plane with either feature; none where edges cross.
+/// Finds the points at which the features face each other along `normal`: the corners of a polygon
+/// in order, or two ends, in the plane of either feature. Crossing edges give none.
 ManifoldPoints facingPoints(const ContactPatch& on_a, const ContactPatch& on_b,
                             const Eigen::Vector3d& normal, const EdgeSlack& slack) noexcept;
 
@@ -57,8 +57,8 @@ void cut(const Eigen::Vector3d& outward, const Eigen::Vector3d& through,
 /// Keeps points with distance <= limit.
 void dropFarther(double limit, ManifoldPoints& points) noexcept;
 
-/// Keeps the nearest point, the one farthest from it, and those that widen the area most, one on
-/// either side; sets the center. Points nearer to each other than a nanometre are one.
+/// Keeps the nearest point, the point farthest from it, and on either side the point that widens
+/// the area most. Sets the center. Points within a nanometre of each other are one.
 /// @pre points.size >= 1
 void spreadOut(const ManifoldPoints& points, ContactManifold& manifold) noexcept;
 

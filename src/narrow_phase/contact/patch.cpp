@@ -9,8 +9,8 @@
 namespace collision_monitor {
 namespace {
 
-// A parallelogram cut by four lines has at most eight corners; two spare ones take the extra
-// corners that rounding makes when a cut runs along an edge.
+// Four cuts leave at most eight corners of a parallelogram. The two spare ones take corners that
+// rounding adds when a cut runs along an edge.
 struct Polygon {
   std::array<Eigen::Vector2d, 10> corners;
   std::size_t size{0};
@@ -28,8 +28,8 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) noexcept {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// Keeps side * x[axis] <= limit. New corners lie on the line exactly, so that a face of no width
-// keeps what lies on it.
+// Keeps side * x[axis] <= limit. New corners lie exactly on the line, so that a face of no width
+// keeps the points on it.
 Polygon cut(const Polygon& polygon, Eigen::Index axis, double side, double limit) noexcept {
   Polygon kept;
   for (std::size_t i = 0; i < polygon.size; ++i) {
@@ -120,7 +120,7 @@ bool clippedCenter(const FlatFeature& feature, const Eigen::Vector2d& limits,
 
 }  // namespace
 
-// Triangles of a fan about the first corner, each weighed by its area.
+// Sums the triangles of a fan about the first corner, weighted by area.
 Eigen::Vector2d centroidOf(const Eigen::Vector2d* corners, std::size_t count) noexcept {
   const Eigen::Vector2d& apex = corners[0];
   Eigen::Vector2d weighed = Eigen::Vector2d::Zero();

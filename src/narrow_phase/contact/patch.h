@@ -15,17 +15,17 @@ struct FlatFeature {
   int side_count{0};
 };
 
-/// Center of the part of `feature` that lies over the rectangle |x| <= half_extents: the
-/// centroid of a polygon, the middle of a segment.
+/// Finds the center of the part of `feature` over the rectangle |x| <= half_extents: the centroid
+/// of a polygon, the middle of a segment.
 ///
 /// Limits: a feature that misses the rectangle by less than `tolerance` still counts.
-/// @return false when there is no such part; `center` then means nothing.
+/// @return false if there is no such part; `center` then means nothing.
 /// Source: Sutherland, Hodgman, "Reentrant polygon clipping" (1974).
 bool patchCenter(const FlatFeature& feature, const Eigen::Vector2d& half_extents, double tolerance,
                  Eigen::Vector2d& center) noexcept;
 
-/// The centroid of a convex polygon, whichever way it turns; of one thinner than rounding, which
-/// is a segment, the middle of its bounds.
+/// The centroid of a convex polygon of either orientation. For one thinner than rounding, which is
+/// a segment, the middle of its bounds.
 /// @pre count >= 1
 Eigen::Vector2d centroidOf(const Eigen::Vector2d* corners, std::size_t count) noexcept;
 

@@ -11,13 +11,13 @@ namespace {
 
 using Ends = ConvexWarmStart::Ends;
 
-// None for other geometries, and for cylinders without width, which are segments.
+// Null for other geometries, and for cylinders of radius 0, which are segments.
 const Cylinder* roundOf(const ConvexGeometry& geometry) noexcept {
   const auto* cylinder = std::get_if<Cylinder>(&geometry);
   return cylinder != nullptr && cylinder->radius > 0.0 ? cylinder : nullptr;
 }
 
-// The cylinder of a pair and the other core, as castRoles() of confirm_cylinder.cpp.
+// The cylinder of a pair and the other core, as castRoles() of cylinder_from_warm_start.cpp.
 struct RowRoles {
   const Cylinder* cylinder;
   const Pose* world_from_cylinder;
@@ -55,7 +55,7 @@ void followEnds(const RowRoles& roles, const Ends& last, CylinderRows& rows) noe
   rows.last_on_other[rows.count] = (roles.is_swapped ? last.on_a : last.on_b).data();
 }
 
-// Of two cylinders. False where sides were nearest.
+// For two cylinders. Returns false if their sides were nearest.
 bool fillRim(const ConvexQuery& query, CylinderRows& rows) noexcept {
   const Ends& last = query.warm->ends[0];
   const bool follows_b = isOnRim(last.on_b, halfExtentsOf(*roundOf(*query.b)));
@@ -75,7 +75,7 @@ bool fillRim(const ConvexQuery& query, CylinderRows& rows) noexcept {
   return true;
 }
 
-// Beside a core with corners. False for what has none.
+// For a core with corners. Returns false for other cores.
 bool fillClosest(const RowRoles& roles, const ConvexWarmStart& warm, CylinderRows& rows) noexcept {
   double reach_of_other = 0.0;
   const std::uint32_t vertex = roles.is_swapped ? warm.vertex_of_a : warm.vertex_of_b;
@@ -122,7 +122,7 @@ std::optional<FollowedFeature> fillCylinderRow(const ConvexQuery& query,
   return followed;
 }
 
-// Number by number: vectors would be read in pairs where they were just written one by one.
+// Works number by number: vectors would be read in pairs right after being written one by one.
 void answerCylinderRow(FollowedFeature followed, std::size_t row, const CylinderRows& rows,
                        const ConvexQuery& query, ConvexDistance& answer) noexcept {
   const bool is_swapped = rows.is_swapped[row];
@@ -139,7 +139,7 @@ void answerCylinderRow(FollowedFeature followed, std::size_t row, const Cylinder
     const auto i = static_cast<Eigen::Index>(k);
     const double point = rows.at[closest::point + k][row];
     const double normal = rows.at[closest::normal + k][row];
-    on_cylinder[i] = point + 0.0 * normal;  // as swept(): it may change the sign of a zero
+    on_cylinder[i] = point + 0.0 * normal;  // as inflated(): may change the sign of a zero
     on_other[i] = point + distance * normal - other.radius * normal;
     measured.normal_a_to_b[i] = sign * normal;
     for (std::size_t end = 0; end < warm.size; ++end) {

@@ -16,7 +16,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Measured by the closed forms of distance.h.
+/// True for geometries with the closed forms of distance.h.
 template <class Geometry>
 constexpr bool kHasClosedForms = std::is_convertible_v<const Geometry&, Shape>;
 
@@ -44,7 +44,7 @@ SignedDistance toHalfSpace(const Posed<A>& a, const Pose& world_from_half_space)
                   inflated_a.radius, 0.0);
 }
 
-// Whether the last answer could be proven to be the answer still.
+// Returns true if the warm start proves the new answer.
 template <class A, class B>
 bool tryWarmStart(const Posed<A>& a, const Posed<B>& b, ConvexWarmStart& warm,
                   SignedDistance& measured) noexcept {
@@ -84,14 +84,14 @@ ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& searc
           found.quality};
 }
 
-// Every pair of kinds ends in one of these, in byCores or in ofBoxes, or does not compile.
+// Every pair of kinds ends here, in byCores or in ofBoxes, or does not compile.
 template <class A, class B>
 ConvexDistance inClosedForm(const Posed<A>& a, const Posed<B>& b) noexcept {
   if (!areFinite(a, b)) {
     return {};
   }
   if constexpr (kIsHalfSpace<A> && kIsHalfSpace<B>) {
-    return {};  // they overlap without end, or are apart by rounding alone
+    return {};  // they overlap without end, or rounding alone keeps them apart
   } else if constexpr (kIsHalfSpace<B>) {
     return {toHalfSpace(a, b.world_from_body), Quality::exact};
   } else if constexpr (kIsHalfSpace<A>) {
@@ -102,8 +102,8 @@ ConvexDistance inClosedForm(const Posed<A>& a, const Posed<B>& b) noexcept {
   }
 }
 
-// The corners that face each other, for a proof next time; none of cores that touch, which have no
-// such proof.
+// Keeps the facing corners for a proof in the next search. Cores that touch have no such proof and
+// keep none.
 template <class A, class B>
 void keepFacing(const Posed<A>& a, const Posed<B>& b, const SignedDistance& measured,
                 ConvexWarmStart& warm) noexcept {
@@ -120,7 +120,7 @@ void keepFacing(const Posed<A>& a, const Posed<B>& b, const SignedDistance& meas
   }
 }
 
-// Their closed form takes three times as long as a proof.
+// Tries a proof first: the closed form of two boxes takes three times as long.
 template <class A, class B>
 ConvexDistance ofBoxes(const Posed<A>& a, const Posed<B>& b, ConvexSearch& search) noexcept {
   ConvexDistance found{SignedDistance{}, Quality::exact};

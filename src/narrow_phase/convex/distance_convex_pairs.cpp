@@ -14,8 +14,8 @@
 namespace collision_monitor {
 namespace {
 
-// Rows by how many corners, less one, the last search of their pairs ended at: that decides which
-// way a proof takes, so that rows of one kind take the same.
+// Rows by the number of corners, less one, at which the last search of their pairs ended. That
+// number decides the form of the proof, so all rows of one kind take the same.
 using RowsByCorners = std::array<ProofRows, 3>;
 
 struct Work {
@@ -43,7 +43,7 @@ bool isBox(const ConvexGeometry& geometry) noexcept {
   return std::holds_alternative<Box>(geometry) || std::holds_alternative<RoundedBox>(geometry);
 }
 
-// Returns false for pairs that are measured in another way.
+// Returns false for pairs that rows do not measure.
 bool fillRow(const ConvexQuery& query, ProofRows& rows) noexcept {
   const std::size_t row = rows.count;
   double reach_of_a = 0.0;
@@ -71,8 +71,8 @@ ConvexCore coreOf(const ProofSide& side) noexcept {
   return core;
 }
 
-// As swept() of the answer of the cores, number by number: vectors would be read in pairs where
-// they were just written one by one.
+// Does what inflated() does to the cores' answer, number by number: vectors would be read in pairs
+// right after being written one by one.
 void writeAnswer(std::size_t row, const ProofRows& rows, SignedDistance& measured) noexcept {
   const double distance = rows.at[proof::distance][row];
   const double radius_a = rows.a[row].radius;
@@ -88,7 +88,7 @@ void writeAnswer(std::size_t row, const ProofRows& rows, SignedDistance& measure
   }
 }
 
-// Moves the points of level features over the middle of what they share.
+// Moves the points of level features over the middle of their common part.
 void centerRow(const ConvexQuery& query, std::size_t row, ProofRows& rows,
                SignedDistance& measured) noexcept {
   ProofSide& a = rows.a[row];
@@ -153,7 +153,7 @@ void answerRows(FollowedFeature followed, CylinderRows& rows, const Work& work) 
   rows.count = 0;
 }
 
-// Counts the row that was filled; rows that are full are answered.
+// Counts the filled row. Answers the rows once they are full.
 template <class Kind, class Rows>
 void takeRow(std::size_t i, Kind kind, Rows& rows, const Work& work) noexcept {
   rows.query[rows.count++] = i;

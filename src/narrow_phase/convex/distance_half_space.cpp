@@ -32,7 +32,7 @@ Eigen::Vector3d middleOfFarthest(const ConvexHull& hull,
   return sum / count;
 }
 
-// The middle of the points of the core that are farthest in the unit direction.
+// The middle of the core's points that are farthest in `direction` (unit).
 Eigen::Vector3d middleOfFarthest(const ConvexCore& core,
                                  const Eigen::Vector3d& direction) noexcept {
   const Eigen::Vector3d& half = core.half_extents;
@@ -48,7 +48,7 @@ Eigen::Vector3d middleOfFarthest(const ConvexCore& core,
     case ConvexCore::Kind::hull:
       return middleOfFarthest(*core.hull, direction);
     case ConvexCore::Kind::triangle:
-      break;  // stands for a piece of a mesh, which is measured as a whole
+      break;  // a piece of a mesh, which is measured as a whole
   }
   return Eigen::Vector3d::Zero();
 }

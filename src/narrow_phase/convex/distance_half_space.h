@@ -7,11 +7,11 @@
 
 namespace collision_monitor {
 
-/// A core against the half space z <= 0 of another frame: how far its lowest point is above the
-/// plane. The point on the core is the middle of all that are lowest.
+/// Measures a core against the half space z <= 0 of another frame: the height of its lowest point.
+/// The point on the core is the middle of all lowest points.
 ///
 /// Frames: world.
-/// Error: some ulps of the lengths. What slopes by less than kParallel counts as level.
+/// Error: a few ulps of the lengths. Slopes below kParallel count as level.
 SignedDistance distanceToHalfSpace(const ConvexCore& core, const Pose& world_from_core,
                                    const Pose& world_from_half_space) noexcept;
 

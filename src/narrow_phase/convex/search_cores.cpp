@@ -17,8 +17,8 @@
 namespace collision_monitor {
 namespace {
 
-// Bounds nearer than this count as one value: what convex_distance.h promises, and for larger
-// sizes what doubles leave of it.
+// [m] Bounds that differ by less than this are equal: the error that convex_distance.h promises,
+// and for larger sizes what doubles leave of it.
 double promiseApart(const ConvexPair& pair) noexcept { return 1e-9 + 1e-11 * pair.size; }
 
 ConvexDistance answer(double distance, const Eigen::Vector3d& normal,
@@ -49,9 +49,9 @@ ConvexDistance answerOverlap(ConvexPair& pair, const GjkResult& found,
   }
   ConvexDistance closed{SignedDistance{}, Quality::exact};
   if (!deep.is_settled && depthOfRound(pair, 0.5 * deep.at_least, closed.measured)) {
-    return closed;  // half of it: slivers of the polytope may have been passed over
+    return closed;  // at_least is halved: the polytope may have skipped slivers
   }
-  // Cores that touch have points that do; the faces about them, all equally shallow, need not.
+  // GJK's points of touching cores touch. The points of EPA's faces, all equally shallow, may not.
   const bool touch = found.state == GjkResult::State::overlapping &&
                      !found.simplex.contains_origin &&
                      std::abs(deep.depth) <= 2.0 * touchingDistance(pair);
@@ -59,7 +59,7 @@ ConvexDistance answerOverlap(ConvexPair& pair, const GjkResult& found,
                 deep.is_settled ? Quality::exact : Quality::lower_bound);
 }
 
-// The nearest face is the way out. `point` in the frame of the hull, which is B.
+// The nearest face gives the depth. `point` is in the frame of the hull, which is B.
 ConvexDistance pointInHull(const Eigen::Vector3d& point, const ConvexHull& hull) noexcept {
   double distance = -std::numeric_limits<double>::infinity();
   Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
@@ -77,7 +77,7 @@ bool holdsPoint(const ConvexCore& hull, const ConvexCore& point) noexcept {
   return hull.kind == ConvexCore::Kind::hull && hull.hull->hasVolume() && isPoint(point);
 }
 
-// By GJK, or where that finds an overlap by what settles its depth.
+// Runs GJK. If it finds an overlap, runs what settles the depth.
 ConvexDistance searchApartOrDeep(ConvexPair& pair, ConvexSearch& search) noexcept {
   search.warm.polytope_faces = 0;
   const GjkResult found = runGjk(pair, search.warm, search.cutoff);
@@ -86,7 +86,7 @@ ConvexDistance searchApartOrDeep(ConvexPair& pair, ConvexSearch& search) noexcep
       found.state != GjkResult::State::overlapping && found.lower > touchingDistance(pair);
   if (is_apart || found.state == GjkResult::State::settled) {
     if (isSmooth(pair.a) && isSmooth(pair.b)) {
-      // Where they are nearest, and not where a step ended, tells rims from sides.
+      // The closest points tell rims from sides; the vertices of the last step do not.
       search.warm.size = 1;
       search.warm.ends[0] = {found.simplex.pointOnA(), found.simplex.pointOnB()};
     }
@@ -106,8 +106,8 @@ ConvexDistance searchApartOrDeep(ConvexPair& pair, ConvexSearch& search) noexcep
   return answerOverlap(pair, found, search);
 }
 
-// Of a pair of which nothing is known. Leaves the vertices that face each other along the axis
-// looked at last: where the hulls are apart, GJK begins there.
+// Measures hulls without a warm start by their axes. Leaves the vertices that face each other along
+// the last axis: if the hulls are apart, GJK starts there.
 bool depthByAxes(ConvexPair& pair, ConvexWarmStart& warm, SignedDistance& found) noexcept {
   if (warm.size > 0 || !haveFewFaces(pair)) {
     return false;

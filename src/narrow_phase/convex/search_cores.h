@@ -7,9 +7,9 @@
 
 namespace collision_monitor {
 
-/// Signed distance of two cores by whatever search settles it: closed forms where axes are
-/// parallel, GJK while they are apart, faces of a hull about a point, EPA where they overlap.
-/// Frames: A's. See convex_distance.h for the error.
+/// Measures two cores by the search that settles them: closed forms for parallel axes, separating
+/// axes for small hulls, GJK for cores that are apart, the faces of a hull about a point, EPA for
+/// other overlaps. Frames: A's. Error: see convex_distance.h.
 ConvexDistance searchCores(ConvexPair& pair, ConvexSearch& search) noexcept;
 
 }  // namespace collision_monitor

@@ -18,15 +18,15 @@ SupportVertex farthestAlong(const Eigen::Vector3d& direction, ConvexPair& pair) 
   return leastAlong(-direction, pair);
 }
 
-// Four points of the difference, as far from each other's span as its support goes.
+// Up to four points of the Minkowski difference, each as far from the others' span as it gets.
 struct Tetrahedron {
   std::array<SupportVertex, 4> corners;
   int size{0};
-  Eigen::Vector3d across{Eigen::Vector3d::UnitX()};  ///< unit, perpendicular to what they span
+  Eigen::Vector3d across{Eigen::Vector3d::UnitX()};  ///< unit, perpendicular to their span
 };
 
-// Adds the support point farthest from the span of those there, which `distance` measures, if it
-// is off the span by more than rounding.
+// Adds the support point farthest from the span of the corners, which `distance` measures. Adds
+// none if all are off the span by rounding alone.
 template <class Distance>
 bool addFarthest(const std::array<Eigen::Vector3d, 3>& directions, const Distance& distance,
                  ConvexPair& pair, Tetrahedron& found) noexcept {
@@ -46,7 +46,7 @@ bool addFarthest(const std::array<Eigen::Vector3d, 3>& directions, const Distanc
   return found.size > before;
 }
 
-// False when the difference has no volume; `across` is then a direction in which it is flat.
+// Returns false if the difference has no volume; `across` is then a direction in which it is flat.
 bool span(ConvexPair& pair, Tetrahedron& found) noexcept {
   const auto point = [&](std::size_t i) -> const Eigen::Vector3d& {
     return found.corners[i].difference;
@@ -94,7 +94,7 @@ std::size_t nearestFace(const ConvexWorkspace& polytope) noexcept {
   return static_cast<std::size_t>(std::min_element(first, last) - first);
 }
 
-// Rounding may call for a vertex that is there already.
+// Rounding may ask for a vertex that the polytope already has.
 bool isVertex(const SupportVertex& vertex, const ConvexWorkspace& polytope) noexcept {
   const auto last = polytope.vertices.begin() + static_cast<std::ptrdiff_t>(polytope.vertex_count);
   return std::any_of(polytope.vertices.begin(), last, [&](const SupportVertex& known) {
@@ -102,20 +102,20 @@ bool isVertex(const SupportVertex& vertex, const ConvexWorkspace& polytope) noex
   });
 }
 
-// Faces on a curved surface shrink to a quarter of their sag at a time, so that every digit has
-// its price; depth is asked for less sharply than distance.
+// On a curved surface a step cuts the sag of a face to a quarter, so every digit has its price.
+// Depth has a looser tolerance than distance.
 double depthTolerance(const ConvexPair& pair) noexcept {
   return pair.isSmooth() ? 1e-10 * pair.size : roundingOf(pair);
 }
 
-// Grows until the bounds meet: at a face that the difference hardly passes, or, where rounding
-// keeps the nearest face from being refined, at the best plane.
+// Grows until the bounds meet: at a face that the difference exceeds by at most the tolerance, or,
+// if rounding keeps the nearest face from being refined, at the best plane.
 void refine(ConvexPair& pair, ConvexWorkspace& polytope, Penetration& best) noexcept {
   const double tolerance = depthTolerance(pair);
-  // On a curved surface a plane elsewhere may be as good, but its normal would not go with the
-  // points of the nearest face.
+  // On a curved surface another plane may be as good, but its normal would not fit the points of
+  // the nearest face.
   const double tie = pair.isSmooth() ? 0.0 : tolerance;
-  // A vertex beyond this is new for sure.
+  // A vertex farther out than this is certainly new.
   const double certain = 1e-9 * pair.size;
   for (;;) {
     const std::size_t nearest = nearestFace(polytope);
@@ -150,8 +150,8 @@ void refine(ConvexPair& pair, ConvexWorkspace& polytope, Penetration& best) noex
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
-// Weights of the corners at the foot of the perpendicular from the origin, none negative; false if
-// it lies outside.
+// Weights of the corners at the projection of the origin, none negative. Returns false if it lies
+// outside the triangle.
 bool weighInside(const Corners& p, Eigen::Vector3d& weights) noexcept {
   const Eigen::Vector3d first = p[1] - p[0];
   const Eigen::Vector3d second = p[2] - p[0];
@@ -166,7 +166,7 @@ bool weighInside(const Corners& p, Eigen::Vector3d& weights) noexcept {
   return true;
 }
 
-// Weights of the corners at the point of a triangle that is nearest to the origin.
+// Weights of the corners at the triangle's closest point to the origin.
 Eigen::Vector3d weightsOf(const Corners& p) noexcept {
   Eigen::Vector3d weights;
   if (weighInside(p, weights)) {
@@ -189,16 +189,16 @@ Eigen::Vector3d weightsOf(const Corners& p) noexcept {
   return weights;
 }
 
-// The point of a face that is nearest to the foot of the perpendicular, and where it comes from.
-struct Foot {
+// The point of a face that is closest to the origin's projection, and what it comes from.
+struct ClosestPoint {
   double defect{std::numeric_limits<double>::infinity()};  // squared
   Eigen::Vector3d on_a{Eigen::Vector3d::Zero()};
   Eigen::Vector3d on_b{Eigen::Vector3d::Zero()};
   std::size_t face{0};
 };
 
-Foot closestOn(std::size_t index, const Eigen::Vector3d& closest,
-               const ConvexWorkspace& polytope) noexcept {
+ClosestPoint closestOn(std::size_t index, const Eigen::Vector3d& closest,
+                       const ConvexWorkspace& polytope) noexcept {
   const Face& face = polytope.faces[index];
   Corners corners;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -206,7 +206,7 @@ Foot closestOn(std::size_t index, const Eigen::Vector3d& closest,
   }
   const Eigen::Vector3d weights = weightsOf(corners);
   Eigen::Vector3d away = Eigen::Vector3d::Zero();
-  Foot found;
+  ClosestPoint found;
   for (std::size_t k = 0; k < 3; ++k) {
     const double weight = weights[static_cast<Eigen::Index>(k)];
     away += weight * corners[k];
@@ -218,23 +218,24 @@ Foot closestOn(std::size_t index, const Eigen::Vector3d& closest,
   return found;
 }
 
-// The foot of the perpendicular lies in a face: mostly the nearest, else the one that comes nearest
-// to it. Any face's points will do, whichever way it looks.
-Foot findClosest(const ConvexPair& pair, const ConvexWorkspace& polytope,
-                 const Penetration& best) noexcept {
+// The origin's projection on the best plane lies in a face: mostly the nearest, else the one that
+// comes closest to it. The points of any face will do, whatever its orientation.
+ClosestPoint findClosest(const ConvexPair& pair, const ConvexWorkspace& polytope,
+                         const Penetration& best) noexcept {
   const Eigen::Vector3d closest = best.depth * best.outward;
-  Foot found = closestOn(nearestFace(polytope), closest, polytope);
+  ClosestPoint found = closestOn(nearestFace(polytope), closest, polytope);
   const double tolerance = depthTolerance(pair);
   for (std::size_t f = 0; f < polytope.face_count && found.defect > tolerance * tolerance; ++f) {
     if (!polytope.faces[f].is_gone) {
-      const Foot candidate = closestOn(f, closest, polytope);
+      const ClosestPoint candidate = closestOn(f, closest, polytope);
       found = candidate.defect < found.defect ? candidate : found;
     }
   }
   return found;
 }
 
-void takePoints(const Foot& closest, const ConvexWorkspace& polytope, Penetration& best) noexcept {
+void takePoints(const ClosestPoint& closest, const ConvexWorkspace& polytope,
+                Penetration& best) noexcept {
   best.on_a = closest.on_a;
   best.on_b = closest.on_b;
   for (std::size_t k = 0; k < 3; ++k) {

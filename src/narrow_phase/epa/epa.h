@@ -12,30 +12,29 @@ namespace collision_monitor {
 
 /// How deep two cores overlap.
 struct Penetration {
-  /// [m] of a support plane, so the cores are at most this deep. Negative: they are apart.
+  /// [m] Of a support plane: the cores are at most this deep. Negative: they are apart.
   double depth{std::numeric_limits<double>::infinity()};
-  double at_least{0.0};  ///< [m] of the polytope, when the search ended before it was settled
-  /// Unit, in A's frame: moving B against it by the depth separates the cores.
+  double at_least{0.0};  ///< [m] proven by the polytope, if the search ended unsettled
+  /// Unit, in A's frame. Moving B against it by the depth separates the cores.
   Eigen::Vector3d outward{Eigen::Vector3d::UnitX()};
   Eigen::Vector3d on_a{Eigen::Vector3d::Zero()};  ///< in A's frame
   Eigen::Vector3d on_b{Eigen::Vector3d::Zero()};  ///< in B's frame
-  bool is_settled{false};                         ///< no face of the polytope says less
-  /// Corners of the face where the points are: where the next search may start. None when flat.
+  bool is_settled{false};                         ///< no face of the polytope is less deep
+  /// Corners of the face that holds the points: a start for the next search. None if flat.
   std::array<SupportVertex, 3> face;
   int face_size{0};
 };
 
-/// Grows a polytope inside the difference from the simplex that holds or touches the origin, until
-/// the face nearest to the origin is one of the difference's own.
+/// Grows a polytope inside the Minkowski difference, from the simplex that holds or touches the
+/// origin, until the face nearest to the origin is a face of the difference.
 ///
-/// The depth reported is always one that a support plane proves; the polytope, which is inside,
-/// says how much less it could be. A face that rounding keeps from being refined answers with
-/// its support plane.
-/// Error: settled means that both differ by 1e-10 of the pair's size at most with a cylinder, by
-/// rounding otherwise.
+/// The depth is always proven by a support plane. The polytope lies inside and bounds it from
+/// below. If rounding keeps a face from being refined, its support plane is the answer.
+/// Error: if settled, both bounds differ by at most 1e-10 of the pair's size with a cylinder, and
+/// by rounding otherwise.
 /// Limits: a difference without volume (crossing segments, coplanar polygons) has depth 0.
-/// Source: van den Bergen, "Proximity Queries and Penetration Depth Computation on 3D Game
-/// Objects" (2001). Departs from it in the outline, which is checked before anything changes.
+/// Source: van den Bergen, "Proximity Queries and Penetration Depth Computation on 3D Game Objects"
+/// (2001). Departure: the outline is checked before anything changes.
 Penetration runEpa(ConvexPair& pair, const Simplex& simplex, ConvexWorkspace& polytope) noexcept;
 
 }  // namespace collision_monitor

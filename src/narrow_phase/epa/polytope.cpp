@@ -22,8 +22,8 @@ const Eigen::Vector3d& pointOf(const ConvexWorkspace& polytope, Index vertex) no
   return polytope.vertices[vertex].difference;
 }
 
-// Sets the plane of a face from its corners. A face without area has no normal of its own: it
-// takes `fallback`, its neighbour's, and is never the one to refine.
+// Sets the plane of a face from its corners. A face without area takes its neighbor's normal,
+// `fallback`, and is never refined.
 void setPlane(Index index, const Eigen::Vector3d& fallback, ConvexWorkspace& polytope) noexcept {
   Face& face = polytope.faces[index];
   const Eigen::Vector3d& a = pointOf(polytope, face.corners[0]);
@@ -44,7 +44,7 @@ Index takeFace(ConvexWorkspace& polytope) noexcept {
                                  : static_cast<Index>(polytope.face_count++);
 }
 
-// The faces that see the point, from `first` on; their number.
+// Marks the faces that see the point, starting from `first`. Returns their number.
 std::size_t floodVisible(const Eigen::Vector3d& point, Index first, double rounding,
                          ConvexWorkspace& polytope) noexcept {
   std::size_t count = 1;
@@ -75,8 +75,8 @@ void forEachOutlineEdge(const ConvexWorkspace& polytope, std::size_t visible_cou
   }
 }
 
-// Whether the outline is one closed walk that passes each vertex once. Leaves in `face_from`
-// the end of the edge that starts at a vertex. The number of its edges, 0 if it is no such walk.
+// Checks that the outline is one closed walk that passes each vertex once. Leaves in `face_from`
+// the end of the edge that starts at a vertex. Returns the number of edges, 0 if the check fails.
 std::size_t walkOutline(std::size_t visible_count, ConvexWorkspace& polytope) noexcept {
   auto& end_of = polytope.face_from;
   forEachOutlineEdge(polytope, visible_count,
@@ -116,8 +116,8 @@ void replaceNeighbour(Index face, Index from, Index to, Index neighbour,
   }
 }
 
-// A fan from the outline to `apex`. New faces start at the outline's vertices: `face_from` turns
-// from ends into faces once all ends have been read.
+// Makes a fan from the outline to `apex`. `face_from` then has, for each vertex of the outline, the
+// new face that starts there in place of the end of its edge.
 void joinOutline(Index apex, std::size_t visible_count, ConvexWorkspace& polytope) noexcept {
   forEachOutlineEdge(polytope, visible_count, [&](Index from, Index to, Index outer) {
     const Index made = takeFace(polytope);
@@ -161,7 +161,7 @@ void startPolytope(const std::array<SupportVertex, 4>& corners,
   if (volume < 0.0) {
     std::swap(polytope.vertices[0], polytope.vertices[1]);
   }
-  // Face k lacks vertex k; its neighbours lack the corner that it has and they do not share.
+  // Face k lacks vertex k. The neighbor across an edge lacks the third corner.
   constexpr std::array<std::array<Index, 3>, 4> kCorners{
       {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
   for (Index k = 0; k < 4; ++k) {

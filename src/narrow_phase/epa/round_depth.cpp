@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A disc swept along its axis, in A's frame.
+// A cylinder. Frames: A's.
 struct Round {
   Vector3d center;
   Vector3d axis;  // unit
@@ -33,7 +33,7 @@ double reachAlong(const Round& round, const Vector3d& normal) noexcept {
          round.half_length * std::abs(round.axis.dot(normal));
 }
 
-// How far the rounds overlap along a unit direction from A to B.
+// Overlap of the cylinders along a unit direction from A to B.
 double overlapAlong(const Round& a, const Round& b, const Vector3d& normal) noexcept {
   return reachAlong(a, normal) + reachAlong(b, normal) - (b.center - a.center).dot(normal);
 }
@@ -54,8 +54,8 @@ void offer(const Round& a, const Round& b, const Vector3d& normal, Candidate::Ki
   }
 }
 
-// The least of sqrt(1 - (s x)^2) * radius + slope * x - height * sqrt(1 - x^2) on [0, 1] past where
-// it turns from concave to convex, as it does once: there the derivative only rises.
+// Finds where sqrt(1 - (s x)^2) * radius + slope * x - height * sqrt(1 - x^2) is least on [0, 1],
+// right of its one change from concave to convex: there the derivative only rises.
 double leastPlace(double radius, double s, double slope, double height) noexcept {
   const double squared = radius * s * s;
   const auto bends_up = [&](double x) {
@@ -76,7 +76,7 @@ double leastPlace(double radius, double s, double slope, double height) noexcept
   return 0.5 * (low + high);
 }
 
-// Normals across the side of one round.
+// Offers the normals across the side of one cylinder.
 void offerAcross(const Round& a, const Round& b, bool is_side_of_a, Candidate& best) noexcept {
   const Round& side = is_side_of_a ? a : b;
   const Round& other = is_side_of_a ? b : a;
@@ -84,7 +84,7 @@ void offerAcross(const Round& a, const Round& b, bool is_side_of_a, Candidate& b
       is_side_of_a ? Candidate::Kind::cap_or_side_of_a : Candidate::Kind::cap_or_side_of_b;
   Vector3d cross = side.axis.cross(other.axis);
   const double sine = cross.norm();
-  cross -= side.axis.dot(cross) * side.axis;  // rounding, where the axes are all but parallel
+  cross -= side.axis.dot(cross) * side.axis;  // removes rounding of nearly parallel axes
   const Vector3d between = b.center - a.center;
   const Vector3d both = signOf(between.dot(cross)) * cross.normalized();  // across both sides
   const Vector3d single = both.cross(side.axis);
@@ -114,8 +114,8 @@ Candidate leastOnKinks(const Round& a, const Round& b) noexcept {
   return best;
 }
 
-// True when no normal where two rims meet can say less than `depth`. Normals whose sine to A's axis
-// is at least `sine_to_axis` are ruled out by the radius of curvature, steeper ones by the lengths.
+// True if no normal at which two rims meet gives less than `bounds.at_most`. The radius of
+// curvature rules out sines to A's axis from `sine_to_axis` on, the lengths rule out smaller ones.
 bool isLeast(const Round& a, const Round& b, const DepthBounds& bounds,
              double sine_to_axis) noexcept {
   const double sine = a.axis.cross(b.axis).norm();
@@ -142,7 +142,7 @@ bool isLeast(const Round& a, const Round& b, const DepthBounds& bounds) noexcept
                      [&](double sine) { return isLeast(a, b, bounds, sine); });
 }
 
-// The point of the round that is farthest along the normal; of a side or a cap its middle.
+// The point farthest along the normal; the middle of a side or a cap.
 Vector3d farthest(const Round& round, const Vector3d& normal) noexcept {
   const double along = round.axis.dot(normal);
   const Vector3d across = normal - along * round.axis;
@@ -155,8 +155,8 @@ Vector3d farthest(const Round& round, const Vector3d& normal) noexcept {
   return point;
 }
 
-// True when the normal is all but across both axes, so that whole sides are extreme and a rim is
-// no better than what is above it.
+// True if the normal is nearly across both axes. Whole sides are then extreme, and a rim is no
+// better than the points above it.
 bool isAcross(const Round& a, const Round& b, const Vector3d& normal) noexcept {
   constexpr double kSlope = 1e-9;
   return std::abs(a.axis.dot(normal)) <= kSlope && std::abs(b.axis.dot(normal)) <= kSlope;

@@ -5,7 +5,7 @@
 #include "collision_monitor/geometry/shapes.h"
 #include "narrow_phase/gjk/convex_pair.h"
 
-/// Convex geometries as searches see them: a core, and the radius of the sphere that sweeps it.
+/// Convex geometries as searches see them: a core, and the radius that inflates it.
 namespace collision_monitor {
 
 struct InflatedCore {
@@ -23,7 +23,7 @@ inline InflatedCore inflatedCoreOf(const Box& s) noexcept {
 inline InflatedCore inflatedCoreOf(const RoundedBox& s) noexcept {
   return {{ConvexCore::Kind::box, s.half_extents}, s.radius};
 }
-/// Without width it is a segment, which has corners to end a search on.
+/// A cylinder of radius 0 is a segment, which has corners for a search to end on.
 inline InflatedCore inflatedCoreOf(const Cylinder& s) noexcept {
   const auto kind = s.radius > 0.0 ? ConvexCore::Kind::cylinder : ConvexCore::Kind::box;
   return {{kind, {s.radius, s.radius, s.half_length}}};

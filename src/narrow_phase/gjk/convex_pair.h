@@ -12,30 +12,30 @@
 #include "collision_monitor/narrow_phase/convex_workspace.h"
 #include "narrow_phase/closed_form/core_distance.h"
 
-/// Two convex cores as GJK and EPA see them: by their support functions alone.
+/// Two convex cores as GJK and EPA see them: through their support functions.
 namespace collision_monitor {
 
-/// A point and a segment are boxes without width.
+/// A convex core. Points and segments are boxes without width.
 struct ConvexCore {
   enum class Kind : unsigned char { box, cylinder, hull, triangle };
 
   Kind kind{Kind::box};
-  Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};  ///< of a cylinder: radius, radius, half
+  Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};  ///< of a cylinder: (r, r, half length)
   const ConvexHull* hull{nullptr};                        ///< of a hull
   const Triangle* triangle{nullptr};                      ///< of a triangle
 };
 
-/// A cylinder has no corners that a search could end on.
+/// True for a cylinder. It has no corners for a search to end on.
 inline bool isSmooth(const ConvexCore& core) noexcept {
   return core.kind == ConvexCore::Kind::cylinder;
 }
 
-/// The core of a sphere.
+/// True for the core of a sphere.
 inline bool isPoint(const ConvexCore& core) noexcept {
   return core.kind == ConvexCore::Kind::box && core.half_extents.isZero(0.0);
 }
 
-/// [m] radius about the core's origin that holds it.
+/// [m] Bounding radius about the core's origin.
 inline double reachOf(const ConvexCore& core) noexcept {
   switch (core.kind) {
     case ConvexCore::Kind::box:
@@ -52,12 +52,12 @@ inline double reachOf(const ConvexCore& core) noexcept {
   return 0.0;
 }
 
-/// The farthest point in `direction` (frame of the core, any length).
-/// `vertex` is where a hull's climb starts and ends.
+/// The farthest point in `direction` (frame of the core, any length). The climb of a hull starts at
+/// `vertex`, which receives its end.
 Eigen::Vector3d supportPoint(const ConvexCore& core, const Eigen::Vector3d& direction,
                              std::uint32_t& vertex) noexcept;
 
-/// Both cores in A's frame.
+/// Two cores in A's frame.
 struct ConvexPair {
   ConvexCore a;
   ConvexCore b;
@@ -72,7 +72,7 @@ struct ConvexPair {
   }
 };
 
-/// Of two poses in the world. Unlike inverse(a) * b it subtracts the positions first.
+/// Pose of B in A, from poses in the world. Unlike inverse(a) * b it subtracts positions first.
 Pose relativePose(const Pose& world_from_a, const Pose& world_from_b) noexcept;
 
 ConvexPair makeConvexPair(const ConvexCore& a, const Pose& world_from_a, const ConvexCore& b,
@@ -81,11 +81,11 @@ ConvexPair makeConvexPair(const ConvexCore& a, const Pose& world_from_a, const C
 /// The point of B - A that is least far along `direction`.
 SupportVertex leastAlong(const Eigen::Vector3d& direction, ConvexPair& pair) noexcept;
 
-/// A point of A and a point of B, which need not be extreme.
+/// The difference of a point of B and a point of A, which need not be extreme.
 SupportVertex differenceOf(const ConvexPair& pair, const Eigen::Vector3d& on_a,
                            const Eigen::Vector3d& on_b) noexcept;
 
-/// [m] Rounding that a coordinate of the difference may carry, and some to spare.
+/// [m] An upper bound of the rounding of a coordinate of the difference.
 /// @param size see ConvexPair::size.
 inline double roundingOf(double size) noexcept { return 4e-15 * size; }
 inline double roundingOf(const ConvexPair& pair) noexcept { return roundingOf(pair.size); }
@@ -98,11 +98,11 @@ inline double touchingDistance(const ConvexPair& pair) noexcept {
   return touchingDistance(pair.size);
 }
 
-/// [m] The same for cores that searches only approach.
+/// [m] Tolerance of smooth cores, which searches approach and never reach.
 inline double smoothTolerance(double size) noexcept { return 1e-12 * size; }
 
-/// The bounds from below and above that are to meet: as near as rounding allows for polytopes,
-/// which searches reach by finite steps. Smooth cores are approached only.
+/// [m] The lower and the upper bound meet if they differ by at most this. Searches reach polytopes
+/// in finitely many steps, up to rounding. They only approach smooth cores.
 inline double toleranceOf(const ConvexPair& pair) noexcept {
   return pair.isSmooth() ? smoothTolerance(pair.size) : roundingOf(pair);
 }

@@ -10,15 +10,15 @@
 namespace collision_monitor {
 namespace {
 
-// Middle of what the intervals |x| <= half_a and |x - center| <= half_b share, or of the gap
-// between them seen from the first.
+// Middle of the common part of the intervals |x| <= half_a and |x - center| <= half_b, or of the
+// gap between them, clamped to the first.
 double sharedMiddle(double half_a, double half_b, double center) noexcept {
   const double low = std::max(-half_a, center - half_b);
   const double high = std::min(half_a, center + half_b);
   return std::max(-half_a, std::min(half_a, 0.5 * (low + high)));
 }
 
-// In the half plane of the axis of A (up) and the center of B (outward).
+// The half plane of A's axis (up) and B's center (outward).
 struct HalfPlane {
   Eigen::Vector3d outward{Eigen::Vector3d::UnitX()};
   Eigen::Vector3d up{Eigen::Vector3d::UnitZ()};
@@ -26,15 +26,14 @@ struct HalfPlane {
   double height{0.0};  // of B's center, >= 0 along `up`
 };
 
-// The plane through the axis of the point's partner when one is a point; they share the frame of
-// the one that has an axis.
+// Makes the half plane of an axis and a center. A point takes the axis of the other core.
 HalfPlane makeHalfPlane(const Eigen::Vector3d& axis, const Eigen::Vector3d& center) noexcept {
   HalfPlane plane;
   const double along = axis.dot(center);
   plane.up = signOf(along) * axis;
   plane.height = std::abs(along);
   Eigen::Vector3d across = center - along * axis;
-  // Near the axis, what rounding left along it would tilt the normal.
+  // Near the axis, a rounded part along it would tilt the normal.
   across -= axis.dot(across) * axis;
   plane.offset = across.norm();
   plane.outward =

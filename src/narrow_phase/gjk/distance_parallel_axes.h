@@ -7,18 +7,18 @@
 
 namespace collision_monitor {
 
-/// A cylinder or a segment.
+/// True for a cylinder or a segment.
 bool isRound(const ConvexCore& core) noexcept;
 
-/// Two cylinders whose axes are parallel; a segment is one of radius 0, a point one of length 0
-/// too, whose axis is parallel to any.
+/// Measures two cylinders with parallel axes. A segment is a cylinder of radius 0. A point also has
+/// length 0, and its axis is parallel to any.
 ///
-/// Such a pair is a pair of discs times a pair of intervals, so that gap and depth are those of
-/// the one or the other. What GJK would approach, and EPA not reach at all where the axes coincide
-/// and every direction across them is equally deep, is exact here.
-/// Frames: A's. For flat contacts the points lie in the middle of what is shared.
-/// Error: some ulps of the lengths; axes that differ by kParallel count as parallel.
-/// @return false when the pair is not of this kind.
+/// Such a pair is a pair of discs times a pair of intervals, and these give gap and depth. GJK
+/// would only approach them. EPA would not reach them if the axes coincide, because every direction
+/// across them is equally deep.
+/// Frames: A's. For flat contacts the points lie in the middle of the common part.
+/// Error: a few ulps of the lengths. Axes within kParallel count as parallel.
+/// @return false if the pair is of another kind.
 bool distanceOfParallelAxes(const ConvexPair& pair, SignedDistance& cores) noexcept;
 
 }  // namespace collision_monitor

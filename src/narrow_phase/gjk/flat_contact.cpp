@@ -34,7 +34,7 @@ ContactPatch patchOf(const PlacedCore& placed, const Vector3d& direction) noexce
   return {};
 }
 
-// From the witness point of A, in the plane of the contact.
+// From A's witness point to the middle, in the plane of the contact.
 Vector3d toMiddle(const ManifoldPoints& shared, const SignedDistance& cores) noexcept {
   const Vector3d across = perpendicularTo(cores.normal_a_to_b);
   const Vector3d up = cores.normal_a_to_b.cross(across);
@@ -55,8 +55,8 @@ bool centerOnPatch(const PlacedPair& pair, const SupportPlanes& planes,
     return false;
   }
   const Vector3d& normal = cores.normal_a_to_b;
-  // Of a curved core the normal is known less well, so that an edge may pass for level and a face
-  // beside it not: edges that do not face each other are such.
+  // A curved core has a less accurate normal, so an edge may count as level while the face beside
+  // it does not. Such edges do not face each other.
   const EdgeSlack slack{kLevelSine, kLevelSine * pair.size};
   const ManifoldPoints shared =
       facingPoints(patchOf(pair.a, normal), patchOf(pair.b, -normal), normal, slack);

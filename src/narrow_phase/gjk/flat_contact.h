@@ -7,20 +7,20 @@
 
 namespace collision_monitor {
 
-/// Where faces or edges of two cores face each other, all points over what they share are as near:
-/// moves the witness points to the middle of it, the centroid of a polygon, so that they do not
-/// jump from corner to corner while the cores slide.
+/// Moves the witness points of faces or edges that face each other to the middle of their common
+/// part, the centroid of a polygon. All points over it are equally near. The middle does not jump
+/// from corner to corner while the cores slide.
 ///
 /// Frames: that of the poses.
-/// Error: features count as level up to a sine of 1e-11, and points leave their cores by no more
-/// than that times the sizes. Distance and normal stay.
-/// Limits: of faces with more than 16 corners, and of discs, some of the rim is left out.
+/// Error: features count as level up to a sine of 1e-11. Points leave their cores by at most that
+/// times the sizes. Distance and normal do not change.
+/// Limits: faces with more than 16 corners, and discs, lose some of their rim.
 /// @param cores an exact answer.
 void centerOnPatch(const PlacedCore& a, const PlacedCore& b, SignedDistance& cores) noexcept;
 
-/// The same by planes that are known already.
+/// The same with support planes that are already known.
 /// @param planes across the normal of `cores`.
-/// @return whether there is such a middle; false leaves the points.
+/// @return false if there is no such middle; the points then stay.
 bool centerOnPatch(const PlacedPair& pair, const SupportPlanes& planes,
                    SignedDistance& cores) noexcept;
 

@@ -40,8 +40,8 @@ SupportVertex measureGap(const Eigen::Vector3d& direction, ConvexPair& pair,
   return least;
 }
 
-// Where the nearest point is all but the origin, its direction is mostly rounding. The faces that
-// it shares with the vertex that brought nothing have sharp normals, one of which is as good.
+// If the nearest point is almost the origin, its direction is mostly rounding. The faces that it
+// forms with the last vertex have sharp normals, one of which is as good.
 void tryFaceNormals(const SupportVertex& vertex, ConvexPair& pair, GjkResult& result) noexcept {
   const Eigen::Vector3d& apex = vertex.difference;
   const auto size = static_cast<std::size_t>(result.simplex.size);
@@ -79,7 +79,7 @@ GjkResult::State walk(ConvexPair& pair, double cutoff, GjkResult& result) noexce
     }
     bool is_nearer = insert(next, simplex);
     if (simplex.contains_origin && result.lower > touching) {
-      // A plane has proven the contrary: the tetrahedron is a sliver.
+      // A plane has proven that the cores are apart: the tetrahedron is a sliver.
       simplex.contains_origin = false;
       simplex.size = 3;
       is_nearer = false;

@@ -9,12 +9,12 @@
 
 namespace collision_monitor {
 
-/// What GJK knows of two cores: the true distance lies between `lower` and the simplex's.
+/// What GJK knows of two cores. The true distance lies between `lower` and that of the simplex.
 struct GjkResult {
   enum class State : unsigned char {
     settled,     ///< both bounds have met
-    stopped,     ///< proven to be farther apart than asked for
-    stalled,     ///< rounding or the limit of steps stands between the bounds
+    stopped,     ///< proven to be farther apart than the cutoff
+    stalled,     ///< rounding or the step limit keeps the bounds apart
     overlapping  ///< the simplex holds the origin, or touches it
   };
 
@@ -25,15 +25,15 @@ struct GjkResult {
   Eigen::Vector3d lower_direction{Eigen::Vector3d::UnitX()};  ///< unit, from A to B, in A's frame
 };
 
-/// Walks from the simplex of the last search to the one nearest to the origin.
+/// Runs GJK from the simplex of the last search.
 ///
-/// Error: settled means that the bounds differ by toleranceOf(pair) at most.
+/// Error: if settled, the bounds differ by at most toleranceOf(pair).
 /// Limits: at most 128 steps; polytopes take fewer than ten, cylinders some tens.
 /// Source: Gilbert, Johnson, Keerthi (1988); van den Bergen (2003), section 4.3, for the bound
 /// that the support plane proves; Cameron, "Enhancing GJK" (1997), for the warm start.
 GjkResult runGjk(ConvexPair& pair, const ConvexWarmStart& warm, double cutoff) noexcept;
 
-/// What the next search of the pair may start from: some points of the difference.
+/// Keeps some points of the difference, from which the next search of the pair may start.
 void keepWarm(const SupportVertex* vertices, int count, const ConvexPair& pair,
               ConvexWarmStart& warm) noexcept;
 

@@ -36,8 +36,8 @@ using Points = std::array<Eigen::Vector3d, 4>;
   const double share = along / length_squared;
   const Eigen::Vector3d point = p + share * edge;
   const double squared = point.squaredNorm();
-  // What rounding left along the edge would turn the normal of a near point; of a far point it is
-  // the edge that is less sharp.
+  // A part of a near point's normal along the edge is rounding and is removed. For a far point the
+  // edge is the less accurate one.
   const Eigen::Vector3d outward =
       squared < length_squared ? Eigen::Vector3d(point - point.dot(edge) / length_squared * edge)
                                : point;
@@ -73,7 +73,7 @@ bool isFat(const Points& p) noexcept {
   return first.cross(second).squaredNorm() > kLeastSineSquared * longest * longest;
 }
 
-// Strictly inside all four faces; a flat tetrahedron holds nothing.
+// True if the origin is strictly inside all four faces. A flat tetrahedron holds nothing.
 bool holdsOrigin(const Points& p) noexcept {
   for (std::size_t k = 0; k < 4; ++k) {
     const Eigen::Vector3d& base = p[(k + 1) % 4];
@@ -90,7 +90,7 @@ bool holdsOrigin(const Points& p) noexcept {
 void keep(const NearestOnSimplex& nearest, Simplex& simplex) noexcept {
   for (int i = 0; i < nearest.size; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    // Corners ascend, so that none is overwritten before its turn.
+    // Corners ascend, so none is overwritten before it is read.
     simplex.vertices[k] = simplex.vertices[static_cast<std::size_t>(nearest.corners[k])];
     simplex.weights[k] = nearest.weights[k];
   }

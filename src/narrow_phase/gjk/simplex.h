@@ -10,8 +10,8 @@
 
 namespace collision_monitor {
 
-/// Up to four points of the difference B - A, reduced to those that span the nearest point of
-/// their hull to the origin.
+/// Points of the Minkowski difference B - A, up to four: those that span the nearest point of their
+/// hull to the origin.
 struct Simplex {
   std::array<SupportVertex, 4> vertices;
   std::array<double, 4> weights;  ///< of the nearest point; positive, sum 1
@@ -19,15 +19,15 @@ struct Simplex {
   bool contains_origin{false};
   Eigen::Vector3d nearest{Eigen::Vector3d::Zero()};
   double distance{std::numeric_limits<double>::infinity()};  ///< of `nearest`
-  /// Unit, from the origin to the nearest point. Where that is nearer than the feature is wide, it
-  /// is the feature's own normal, which is sharp however near the origin is.
+  /// Unit, from the origin to the nearest point. If that is nearer than the feature is wide, it is
+  /// the feature's own normal, which is accurate however near the origin is.
   Eigen::Vector3d normal{Eigen::Vector3d::UnitX()};
 
   Eigen::Vector3d pointOnA() const noexcept;  ///< in A's frame
   Eigen::Vector3d pointOnB() const noexcept;  ///< in B's frame
 };
 
-/// The point of one feature's inside that is nearest to the origin.
+/// The point nearest to the origin inside one feature: a vertex, an edge or a triangle.
 struct NearestOnSimplex {
   double squared{std::numeric_limits<double>::infinity()};  ///< its squared distance
   Eigen::Vector3d point;
@@ -37,16 +37,17 @@ struct NearestOnSimplex {
   int size{0};
 };
 
-/// Triangles of which the square of the sine is not above this are slivers, whose normals could be
-/// mostly rounding.
+/// Triangles whose squared sine is at most this are slivers. Their normals could be mostly
+/// rounding.
 constexpr double kLeastSineSquared = 1e-6;
 
-/// The same of two or three points.
+/// The same as nearestOfSimplex for two or three points.
 bool nearestInsideSpan(const std::array<Eigen::Vector3d, 4>& points, int count,
                        NearestOnSimplex& nearest) noexcept;
 
-/// Of the vertex, edge or triangle that the first `count` points span.
-/// @return false when some of them are not needed or hardly span, or there are not one to three.
+/// Finds the point nearest to the origin inside the feature of the first `count` points: a vertex,
+/// an edge or a triangle.
+/// @return false if fewer points suffice, or they hardly span, or there are not one to three.
 inline bool nearestOfSimplex(const std::array<Eigen::Vector3d, 4>& points, int count,
                              NearestOnSimplex& nearest) noexcept {
   if (count != 1) {
@@ -61,14 +62,14 @@ inline bool nearestOfSimplex(const std::array<Eigen::Vector3d, 4>& points, int c
   return nearest.squared < std::numeric_limits<double>::infinity();
 }
 
-/// Of all that the first `count` points, three at most, span.
+/// The nearest point of all features of the first `count` points, three at most.
 NearestOnSimplex nearestOfAll(const std::array<Eigen::Vector3d, 4>& points, int count) noexcept;
 
-/// Of all that the points up to `newest` span together with it. An origin inside of four points is
-/// not told from one outside.
+/// The nearest point of all features of `newest` and the points before it. Does not detect an
+/// origin inside four points.
 NearestOnSimplex nearestWith(const std::array<Eigen::Vector3d, 4>& points, int newest) noexcept;
 
-/// Unit; see Simplex::normal. Zero where there is none.
+/// Unit; see Simplex::normal. Zero if there is none.
 inline Eigen::Vector3d normalOf(const NearestOnSimplex& nearest) noexcept {
   const double length = nearest.outward.norm();
   if (!(length > 0.0)) {
@@ -78,20 +79,20 @@ inline Eigen::Vector3d normalOf(const NearestOnSimplex& nearest) noexcept {
   return sense / length * nearest.outward;
 }
 
-/// Takes the first `count` vertices as they are, if the point nearest to the origin is inside what
-/// they span: where a search begins that moved little since the last.
-/// @return false, with the simplex still empty, when it is not.
-/// @pre the simplex is empty but for these vertices.
+/// Takes the first `count` vertices as they are, if the point nearest to the origin is inside their
+/// span. This is where a search starts if little has moved since the last.
+/// @return false if it is not; the simplex then stays empty.
+/// @pre the simplex is empty except for these vertices.
 bool spanAll(int count, Simplex& simplex) noexcept;
 
-/// Adds a vertex, finds the new nearest point and drops what does not span it.
+/// Adds a vertex, finds the new nearest point and drops the vertices that do not span it.
 ///
-/// The point is chosen among all features that the new vertex takes part in by the length of
-/// what is really a combination of vertices, so that a sliver's wrong normal cannot pass for a
-/// short distance, and a step that brings nothing is seen as one.
-/// Source: Ericson, "Real-Time Collision Detection" (2005), section 5.1.5 and 9.5. Departs from it
-/// in comparing features instead of walking Voronoi regions, whose planes slivers spoil.
-/// @return false, with the simplex as it was, when the vertex brings nothing nearer.
+/// Chooses the point among all features of the new vertex. Compares the lengths of actual
+/// combinations of vertices, so a sliver's wrong normal cannot pass for a short distance, and a
+/// step without gain is noticed.
+/// Source: Ericson, "Real-Time Collision Detection" (2005), section 5.1.5 and 9.5. Departure:
+/// compares features instead of walking Voronoi regions, whose planes slivers spoil.
+/// @return false if the vertex brings nothing nearer; the simplex then stays as it was.
 bool insert(const SupportVertex& vertex, Simplex& simplex) noexcept;
 
 }  // namespace collision_monitor

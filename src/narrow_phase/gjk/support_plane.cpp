@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// What of a core is level across a direction.
+// The part of a core that is level across a direction.
 struct LevelFeature {
   int dimension{0};                  ///< 0 a vertex, 1 an edge, 2 a face
   Vector3d along{Vector3d::Zero()};  ///< of an edge; any length
@@ -39,7 +39,7 @@ LevelFeature levelOfHull(const ConvexHull& hull, std::uint32_t vertex,
   LevelFeature level;
   const Vector3d& corner = hull.vertices()[vertex];
   const double least_reach =
-      corner.dot(direction) - 2.0 * kLevelSine * hull.boundingRadius();  // no edge is longer
+      corner.dot(direction) - 2.0 * kLevelSine * hull.boundingRadius();  // edges: 2 radii at most
   for (const ConvexHull::Fan& fan : hull.fansOf(vertex)) {
     const auto reaches = fan.reaches(direction);
     for (std::size_t i = 0; i < fan.vertex.size(); ++i) {

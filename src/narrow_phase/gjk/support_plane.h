@@ -13,11 +13,11 @@ namespace collision_monitor {
 /// Features count as level, and edges as parallel, up to this sine.
 constexpr double kLevelSine = 1e-11;
 
-/// What of a core is farthest in a direction.
+/// The part of a core that is farthest in a direction.
 struct ExtremeFeature {
   std::uint32_t vertex;  ///< of a hull
   double reach;          ///< [m] along the direction, from the core's origin
-  bool may_be_level;     ///< false: nothing but a vertex for certain
+  bool may_be_level;     ///< false: certainly only a vertex
 };
 
 inline ExtremeFeature extremeOfBox(const Eigen::Vector3d& half_extents,
@@ -26,17 +26,17 @@ inline ExtremeFeature extremeOfBox(const Eigen::Vector3d& half_extents,
   return {0, half_extents.dot(size), size.minCoeff() <= kLevelSine};
 }
 
-/// The same of a core that is no hull.
+/// The same for a core that is not a hull.
 ExtremeFeature extremeOfPrimitive(const ConvexCore& core,
                                   const Eigen::Vector3d& direction) noexcept;
 
-/// Of a hull's bounding radius: neighbours that seem to be no more than this farther than a vertex
-/// are as far but for rounding. The two ends of an edge are, and the climb from one to the other
+/// Share of a hull's bounding radius. Neighbors that seem farther than a vertex by at most this are
+/// equally far but for rounding, as the two ends of an edge are. A climb from one to the other
 /// would cost as much as the proof.
 constexpr double kReachRounding = 4e-16;
 
-/// What `found`, a look at a vertex of a hull and its fans along `direction`, says of the hull; a
-/// climb goes on where a neighbour is farther. The reach is that of the farthest that was seen.
+/// Completes `found`, a look at a vertex of a hull and its fans along `direction`. Climbs on if a
+/// neighbor is farther. The reach is that of the farthest vertex seen.
 [[gnu::always_inline]] inline ExtremeFeature extremeFrom(
     ConvexHull::Extreme found, const ConvexHull& hull, const Eigen::Vector3d& direction) noexcept {
   const double radius = hull.boundingRadius();
@@ -47,7 +47,7 @@ constexpr double kReachRounding = 4e-16;
           found.beside >= found.reach - 2.0 * kLevelSine * radius};
 }
 
-/// `direction` is unit and in the frame of the core, `vertex` where a hull's climb starts.
+/// `direction` is unit, in the core's frame. The climb of a hull starts at `vertex`.
 /// Error: see ConvexHull::supportVertex.
 inline ExtremeFeature extremeOf(const ConvexCore& core, const Eigen::Vector3d& direction,
                                 std::uint32_t vertex) noexcept {
@@ -66,7 +66,7 @@ struct PlacedCore {
   std::uint32_t& vertex;  ///< where the last climb of a hull ended
 };
 
-/// Two cores seen from A's origin, along the world's axes.
+/// Two cores seen from A's origin, in world axes.
 struct PlacedPair {
   const PlacedCore& a;
   const PlacedCore& b;
@@ -74,10 +74,10 @@ struct PlacedPair {
   double size;              ///< [m] bounds every coordinate of the difference B - A
 };
 
-/// Corners of both cores, and the way from one to the other.
+/// A corner of each core, and the vector between them.
 struct PlacedCorners {
-  Eigen::Vector3d on_a;        ///< from A's origin, along the world's axes
-  Eigen::Vector3d difference;  ///< from there to B's
+  Eigen::Vector3d on_a;        ///< from A's origin, in world axes
+  Eigen::Vector3d difference;  ///< from on_a to B's corner
 };
 
 inline PlacedPair makePlacedPair(const PlacedCore& a, const PlacedCore& b) noexcept {
@@ -85,24 +85,24 @@ inline PlacedPair makePlacedPair(const PlacedCore& a, const PlacedCore& b) noexc
   return {a, b, between, reachOf(a.core) + reachOf(b.core) + between.lpNorm<1>()};
 }
 
-/// A direction of the world as a core sees it.
+/// Turns a world direction into the core's frame.
 inline Eigen::Vector3d directionIn(const PlacedCore& core,
                                    const Eigen::Vector3d& direction) noexcept {
   const double* x = core.world_from_core.rotation.data();
   const double* y = x + 3;
   const double* z = y + 3;
-  // In plain numbers, as in along().
+  // Plain numbers, as in along().
   return {x[0] * direction.x() + x[1] * direction.y() + x[2] * direction.z(),
           y[0] * direction.x() + y[1] * direction.y() + y[2] * direction.z(),
           z[0] * direction.x() + z[1] * direction.y() + z[2] * direction.z()};
 }
 
-/// The planes across a direction that hold A and B between them. What touches them of hulls are
-/// then the vertices of the pair.
+/// The support planes of A and B across a direction, facing each other. The vertices of the pair
+/// are those where hulls touch them.
 struct SupportPlanes {
   Eigen::Vector3d normal;  ///< unit, from A to B
-  double gap;              ///< [m] from A's plane to B's; negative where they overlap
-  bool may_be_level;       ///< false: areLevel() for certain does not hold
+  double gap;              ///< [m] from A's plane to B's; negative if they overlap
+  bool may_be_level;       ///< false: areLevel() certainly does not hold
 };
 
 /// @param normal unit, from A to B.
@@ -115,25 +115,24 @@ inline SupportPlanes supportPlanes(const PlacedPair& pair, const Eigen::Vector3d
           of_a.may_be_level && of_b.may_be_level};
 }
 
-/// Whether what touches the planes shares more than a point: a face and an edge or face, or two
-/// parallel edges.
+/// True if the features that touch the planes share more than a point: a face and an edge or face,
+/// or two parallel edges.
 /// @pre planes.may_be_level.
 bool areLevel(const PlacedPair& pair, const SupportPlanes& planes) noexcept;
 
-/// Whether the planes prove a distance or, if it is negative, a depth: that their gap is this, up
-/// to `tolerance`.
+/// True if the planes prove `distance` (a depth if negative): their gap differs from it by at most
+/// `tolerance`.
 inline bool meet(const SupportPlanes& planes, double distance, double tolerance) noexcept {
   return std::abs(distance - planes.gap) <= tolerance;
 }
 
-/// The same where no other points would do as well.
+/// The same, and no other points would do as well.
 inline bool isProven(const PlacedPair& pair, const SupportPlanes& planes, double distance,
                      double tolerance) noexcept {
   return meet(planes, distance, tolerance) && !(planes.may_be_level && areLevel(pair, planes));
 }
 
-/// rotation * v, each number summed in the same order, as lanes do; Eigen sums the third in
-/// another.
+/// rotation * v. Sums each number in the order of the lanes; Eigen sums the third in another.
 inline Eigen::Vector3d turned(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& v) noexcept {
   return v.x() * rotation.col(0) + v.y() * rotation.col(1) + v.z() * rotation.col(2);
 }
@@ -146,8 +145,8 @@ inline PlacedCorners place(const ConvexWarmStart::Ends& ends, const PlacedPair& 
   return placed;
 }
 
-/// The corner that touches the plane across a direction, which is in the core's frame.
-/// @pre of a hull: its vertex is the farthest there.
+/// The corner that touches the plane across `direction`, which is in the core's frame.
+/// @pre the vertex of a hull is the farthest in that direction.
 Eigen::Vector3d cornerOf(const PlacedCore& placed, const Eigen::Vector3d& direction) noexcept;
 
 /// The corners that touch the planes.

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The box that holds the core, in its frame.
+// The box about the core. Frames: the core's.
 Eigen::AlignedBox3d boxOf(const ConvexCore& core) noexcept {
   if (core.kind != ConvexCore::Kind::hull) {
     return {-core.half_extents, core.half_extents};
@@ -40,8 +40,8 @@ PlacedBound boundOfCore(const MeshTree& mesh, const Pose& mesh_from_core,
                {Eigen::Vector3f::Zero(), half, {0.0F, 0.0F, 1.0F / kUp}, 0.0F, half.z()});
 }
 
-// The core's frame. Calls visit(point) for its corners, or those of a round or many-cornered one
-// that are farthest along axes and diagonals, until one returns true.
+// Calls visit(point) until it returns true: for the corners of a box, or the points of a cylinder
+// or a hull that are farthest along axes and diagonals. Frames: the core's.
 template <class Visit>
 void forProbes(const ConvexCore& core, const Visit& visit) noexcept {
   for (int corner = 0; corner < 8; ++corner) {

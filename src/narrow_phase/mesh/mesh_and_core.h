@@ -8,7 +8,7 @@
 #include "narrow_phase/gjk/convex_core.h"
 #include "narrow_phase/mesh/nearest_search.h"
 
-/// What questions about a mesh and a solid shape share: the search for the nearest triangle.
+/// What queries about a mesh and a solid shape share: the search for the nearest triangle.
 namespace collision_monitor {
 
 /// A mesh and a core, seen from the core.
@@ -17,10 +17,10 @@ struct MeshAndCore {
   Pose core_from_mesh;
   Pose mesh_from_core;
   ConvexCore core;
-  Eigen::AlignedBox3d box;  ///< of the core
+  Eigen::AlignedBox3d box;  ///< about the core
   PlacedBound bound;        ///< of the core, for nodes of the mesh
   double radius;            ///< [m] of the shape about its core
-  double rounding;          ///< [m] a core this near touches the surface
+  double rounding;          ///< [m] cores this near touch the surface
 };
 
 MeshAndCore makeMeshAndCore(const PlacedMesh& a, const InflatedCore& b,
@@ -32,29 +32,30 @@ Eigen::Vector3d anyPointOf(const ConvexCore& core) noexcept;
 /// A triangle of the mesh in the frame of the core.
 Triangle triangleInCore(const MeshAndCore& pair, std::uint32_t triangle) noexcept;
 
-/// @param bounds where the triangle hangs, if the search has a front.
+/// @param bounds the node pair of the triangle, if the search has a front.
 void measureTriangle(const MeshAndCore& pair, std::uint32_t triangle,
                      const MeshQueryMemory::NodePair& bounds, NearestSearch& search) noexcept;
 
-/// A node of the mesh and the core: as of two meshes.
+/// Chooses a node of the mesh to open against the core, as choose() of two meshes.
 void choose(const MeshAndCore& pair, Slot slot, OpenedPair& opened) noexcept;
 
-/// Branch and bound from the root. @param enough [m] cores that near end the search.
+/// Branch and bound from the root. @param cutoff [m] a core this near ends the search.
 void searchFromRoot(const MeshAndCore& pair, double cutoff, std::uint32_t visit_budget,
                     MeshQueryMemory& memory, NearestSearch& search) noexcept;
 
-/// How the core lies in the inside of the mesh.
+/// Whether the core is inside the mesh, and how far that holds.
 struct CoreInMesh {
   bool is_inside{false};
-  double hold{kInfinity};  ///< [m] as of a point that is inside, or the least of all that are not
+  double hold{kInfinity};  ///< [m] of a point that is inside, else the least of all points
   std::uint32_t visits{0};
 };
 
-/// A closed mesh that is not crossed holds all of the core or nothing.
+/// Looks for a point of the core inside the mesh. A closed mesh that the core does not cross holds
+/// all of the core or nothing.
 CoreInMesh lookInside(const MeshAndCore& pair, const NearestSearch& search, MeshQueryMemory& memory,
                       bool asks_hold = true) noexcept;
 
-/// Of the surface of a mesh and a half space, as distanceBetween.
+/// Measures the surface of a mesh and a half space, as distanceBetween.
 MeshDistance measureHalfSpace(const PlacedMesh& a, const Pose& world_from_half_space) noexcept;
 
 }  // namespace collision_monitor

@@ -14,8 +14,8 @@ namespace collision_monitor {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Some children of a node: as many as a register has lanes. No fused multiply-add: every
-// instruction set rounds alike.
+// Some children of a node, one per lane. No fused multiply-add, so that every instruction set
+// rounds alike.
 using Some = hn::CappedTag<float, MeshTreeNode::kWidth>;
 using Number = hn::Vec<Some>;
 
@@ -69,13 +69,13 @@ HWY_INLINE Other everywhere(const PlacedBound& bound) {
           number(bound.slack)};
 }
 
-// What bounds cover along a direction.
+// The interval that a bound covers along a direction.
 struct Shadow {
   Number middle, half;
 };
 
-// A direction u is split as u = c n + w, n the normal of the slab: the slab bounds c n.x and the
-// box bounds w.x. For directions near the normal w is small, and the shadow is as thin as the slab.
+// A direction u is split as u = c n + w, where n is the normal of the slab. The slab bounds c n.x
+// and the box bounds w.x. Near the normal w is small, and the shadow is as thin as the slab.
 HWY_INLINE Shadow shadowOf(const Other& other, const Vector& u, Number shared) {
   const Vector rest = u - shared * other.normal;
   const Number of_sides =
@@ -96,11 +96,11 @@ HWY_INLINE Number gapBetween(const Shadow& a, const Shadow& b) {
   return hn::Sub(hn::Abs(hn::Sub(a.middle, b.middle)), hn::Add(a.half, b.half));
 }
 
-// Along the line of centers, which far bounds are apart by.
+// The gap along the line of centers, which separates far bounds.
 HWY_INLINE Number gapAlongCenters(const Children& children, const Other& other) {
   const Vector between = other.center - children.center;
   const Number squared = hn::Add(dot(between, between), number(1e-30F));
-  // A little less than unit, so that no gap comes out too large.
+  // Slightly less than unit, so that no gap comes out too large.
   const Vector u = hn::Div(number(1.0F - 1e-6F), hn::Sqrt(squared)) * between;
   return gapBetween(shadowOf(other, u, dot(u, other.normal)),
                     shadowOf(children, u, dot(u, children.normal)));
@@ -120,14 +120,14 @@ std::uint32_t boundNode(const MeshTreeNode& node, const PlacedBound& bound, floa
   for (std::size_t first = 0; first < MeshTreeNode::kWidth; first += hn::Lanes(Some())) {
     const Children children = childrenOf(node, first);
     const Other other = everywhere(bound);
-    // Along their normals both know their extent.
+    // Along its own normal each has the extent of its slab.
     const Number shared = dot(children.normal, other.normal);
     const Number along_children = gapBetween(shadowOf(other, children.normal, shared),
                                              {children.slab_center, children.slab_half});
     const Number along_other =
         gapBetween(shadowOf(children, other.normal, shared), {other.slab_center, other.slab_half});
     const Number along_centers = gapAlongCenters(children, other);
-    // The slack of the slabs is not enough: it counts for the part along their normals only.
+    // The slack of the slabs does not suffice: it covers only the part along their normals.
     const Number widest = hn::Max(hn::Max(along_children, along_other), along_centers);
     const Number gap = hn::Max(hn::Sub(widest, other.slack), hn::Zero(Some()));
     const Number squared = hn::Max(squaredGapOfBoxes(children, other), hn::Mul(gap, gap));
@@ -140,7 +140,7 @@ std::uint32_t boundNode(const MeshTreeNode& node, const PlacedBound& bound, floa
   return nearer;
 }
 
-// How far `other` lies beyond children along unit vectors.
+// How far `other` lies beyond the children along a unit vector.
 HWY_INLINE Number gapAlong(const Children& children, const Other& other, const Vector& u) {
   const Shadow of_children = shadowOf(children, u, dot(u, children.normal));
   const Shadow of_other = shadowOf(other, u, dot(u, other.normal));
@@ -185,7 +185,7 @@ HWY_EXPORT(gapsAlongMany);
 
 BoundPlacement makePlacement(const Pose& a_from_b, double size) noexcept {
   constexpr double kSlack = 1.0 / (1 << 17);  // 128 u
-  // Farther than searches look and nearer than empty slots are. A way that overflows is as far.
+  // Farther than searches look, nearer than empty slots. A translation that overflows is this far.
   static constexpr double kFar = 1e17;
   const auto withinFar = [](double x) { return std::max(-kFar, std::min(kFar, x)); };
   const Eigen::Vector3d translation = a_from_b.translation.unaryExpr(withinFar);

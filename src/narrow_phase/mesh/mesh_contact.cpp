@@ -11,8 +11,8 @@
 namespace collision_monitor {
 namespace {
 
-// Whether two triangles are within a distance of each other. Surfaces that are apart mostly are so
-// along one direction: that of the last two triangles is tried first.
+// True if two triangles are within a distance. Surfaces that are apart are mostly so along one
+// direction, so that of the last two triangles is tried first.
 bool areWithin(const MeshPair& pair, const TrianglePair& triangles, double distance,
                Eigen::Vector3d& direction) noexcept {
   const Triangle& of_a = pair.a.triangles()[triangles.a];
@@ -60,7 +60,7 @@ void searchContact(const MeshPair& pair, const MeshContactQuery& query, MeshQuer
   found.state = MeshContact::State::apart;
 }
 
-// A point of `other` that is in `solid`, in the frame of `other`.
+// Finds a point of `other` inside `solid`. Frames: that of `other`.
 const Eigen::Vector3d* findHeld(const MeshTree& solid, const MeshTree& other,
                                 const Pose& solid_from_other, bool asks_outside,
                                 MeshQueryMemory& memory, Holding& holding) noexcept {

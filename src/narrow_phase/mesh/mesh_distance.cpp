@@ -39,7 +39,7 @@ void searchPairs(const MeshPair& pair, std::uint32_t visit_budget, NodePairQueue
       });
 }
 
-// Unit normal from A to B of two points that may be one.
+// Unit normal from A to B of two points, which may coincide.
 Eigen::Vector3d normalBetween(const MeshPair& pair, const NearestSearch& search, double distance) {
   if (distance > kTouching) {
     return (search.best.on_b - search.best.on_a) / distance;
@@ -67,7 +67,7 @@ bool isPairOf(const MeshPair& pair, const TrianglePair& triangles) noexcept {
   return triangles.a < pair.a.triangles().size() && triangles.b < pair.b.triangles().size();
 }
 
-// What is known when the search ended early: nothing that was left is nearer than its bound.
+// Reports what is known if the search ended early: nothing left out is nearer than its bound.
 void reportBound(const NearestSearch& search, double stop_beyond, MeshDistance& answer) noexcept {
   const double squared = std::min(search.best.squared_distance, search.squared_open);
   answer.nearest = search.nearest;
@@ -77,7 +77,7 @@ void reportBound(const NearestSearch& search, double stop_beyond, MeshDistance& 
   }
 }
 
-// Surfaces that do not meet may still be one inside the other.
+// Surfaces that do not meet may still lie one inside the other.
 void reportContainment(const MeshPair& pair, const Pose& world_from_a, MeshQueryMemory& memory,
                        MeshDistance& answer) noexcept {
   const Holding held = pointHeld(pair, memory);
@@ -103,7 +103,7 @@ MeshDistance answerOf(const MeshPair& pair, const NearestSearch& search, const P
   return answer;
 }
 
-// As searchFromFront wants it.
+// The query of two meshes for searchFromFront.
 struct MeshQuery {
   const MeshPair& pair;
 

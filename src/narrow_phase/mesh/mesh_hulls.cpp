@@ -19,7 +19,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of the sizes: points this near to a triangle are on it.
+// Share of the sizes: points this near to a triangle are on it.
 constexpr double kOnSurface = 1e-13;
 
 std::optional<InflatedCore> coreOf(const ConvexGeometry& around) noexcept {
@@ -38,7 +38,7 @@ struct CoreGap {
   SignedDistance cores;
 };
 
-// By a search. Cores that meet are not asked how deep.
+// Runs a search. Cores that meet get no depth.
 CoreGap searchGap(const PlacedCore& a, const PlacedCore& b, double cutoff,
                   ConvexWarmStart& warm) noexcept {
   ConvexPair pair = makeConvexPair(a.core, a.world_from_core, b.core, b.world_from_core);
@@ -66,7 +66,7 @@ CoreGap gapBetween(const PlacedCore& a, const PlacedCore& b, double cutoff,
   return confirmed ? CoreGap{MeshState::exact, confirmed->cores} : searchGap(a, b, cutoff, warm);
 }
 
-// Whether a point of the solid is one of the surface. The triangle that it was last on goes first.
+// True if the surface has this point of the solid. Tries the triangle of the last point first.
 bool holds(const HeldSurface& surface, const Vector3d& point, MeshQueryMemory& memory,
            std::uint32_t& last, std::uint32_t& visits) noexcept {
   if (surface.mesh == nullptr) {

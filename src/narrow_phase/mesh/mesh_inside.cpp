@@ -17,10 +17,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Parts of an open surface that are looked at in the time of a node.
+// Parts of an open surface that take the time of one node.
 constexpr std::uint32_t kPartsPerVisit = 8;
 
-// > 0 where the point is left of the edge seen from above. Both directions of an edge give the
+// > 0 if the point is left of the edge seen from above. Both directions of an edge give the
 // same number with opposite signs, to the last bit.
 double sideOf(const Vector3d& from, const Vector3d& to, const Vector3d& point) noexcept {
   const bool in_order = from.x() < to.x() || (from.x() == to.x() && from.y() < to.y());
@@ -31,7 +31,7 @@ double sideOf(const Vector3d& from, const Vector3d& to, const Vector3d& point) n
   return in_order ? side : -side;
 }
 
-// +1 when the triangle covers the point and turns left seen from above, -1 when it turns right.
+// +1 if the triangle covers the point and turns left seen from above, -1 if it turns right.
 int coverOf(const Triangle& triangle, const Vector3d& point) noexcept {
   int cover = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -51,7 +51,7 @@ bool isAbove(const Triangle& triangle, const Vector3d& point) noexcept {
   return normal.dot(triangle[0] - point) * normal.z() > 0.0;
 }
 
-// The children that a line up from the point may meet. `slack` covers the point's rounding.
+// True if a line up from the point may meet the child. `slack` covers the point's rounding.
 bool mayMeet(const MeshTreeNode& node, std::uint32_t slot, const Eigen::Vector3f& point,
              float slack) noexcept {
   return std::abs(node.center[0][slot] - point.x()) <= node.half[0][slot] + slack &&
@@ -59,7 +59,7 @@ bool mayMeet(const MeshTreeNode& node, std::uint32_t slot, const Eigen::Vector3f
          node.center[2][slot] + node.half[2][slot] + slack >= point.z();
 }
 
-// [m] How far the point is outside the box and the slab about the mesh; < 0 in both.
+// [m] How far the point is outside the box or the slab about the mesh; < 0 inside both.
 double outsideBounds(const MeshTree& tree, const Vector3d& point) noexcept {
   const Bound bound = boundAt(tree, 0);
   const Vector3d centered = point - tree.center();
@@ -70,7 +70,7 @@ double outsideBounds(const MeshTree& tree, const Vector3d& point) noexcept {
                   std::abs(height) - static_cast<double>(bound.slab_half));
 }
 
-// [m] How far the point may go until its winding number has changed by `change`.
+// [m] How far the point may travel before its winding number can change by `change`.
 double holdFor(double change, const MeshTree& tree, const Vector3d& point,
                MeshQueryMemory& memory) noexcept {
   const OpenSurface& open = *tree.openSurface();

@@ -10,36 +10,35 @@
 
 namespace collision_monitor {
 
-/// True when the closed surface goes around the point, at least once and in either direction.
+/// True if the closed surface goes around the point, at least once and in either direction.
 ///
-/// Looks up along z and adds the triangles above the point, each with the sign of its turn.
-/// Whether a triangle covers the point is put together from its edges, and two triangles that
-/// share an edge take the same answer from it: a line of sight through an edge or a
-/// corner is counted right.
+/// Looks up along z and sums the triangles above the point, each with the sign of its turn. Edges
+/// decide whether a triangle covers the point. Two triangles get the same answer from an edge that
+/// they share, so a line of sight through an edge or a corner is counted right.
 /// Frames: the mesh's. Error: points on the surface, within rounding, may get either answer.
 /// Source: Sunday, "Inclusion of a Point in a Polygon" (2001), for the signed crossings.
 /// @pre the mesh is closed.
 bool isInside(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory) noexcept;
 
-/// How a point lies in the inside of a mesh.
+/// Whether a point is inside a mesh, and how far that holds.
 struct PointInMesh {
   bool is_inside{false};
-  /// [m] How far the point may go without crossing the surface until that can change. Infinite for
-  /// closed meshes.
+  /// [m] How far the point may travel without crossing the surface before that can change. Infinite
+  /// for closed meshes.
   double hold{std::numeric_limits<double>::infinity()};
-  std::uint32_t visits{0};  ///< of an open surface, in the time of nodes
+  std::uint32_t visits{0};  ///< of an open surface, converted to nodes
 };
 
-/// The same for any mesh. Inside of an open one are the points of its box whose winding number is
-/// above 1/2 in size; near a hole that ends where half of all directions lead out.
+/// The same for any mesh. The inside of an open mesh is the part of its box with a winding number
+/// above 1/2 in size. Near a hole it ends where half of all directions lead out.
 ///
-/// Frames: the mesh's. Error: points whose number is above 1/2 by no more than 0.02 may be called
-/// outside, and none of another number is called inside.
+/// Frames: the mesh's. Error: points with a number above 1/2 by at most 0.02 may count as outside;
+/// points with another number never count as inside.
 /// Source: Jacobson, Kavan, Sorkine-Hornung, "Robust Inside-Outside Segmentation using Generalized
-/// Winding Numbers" (2013), for the threshold. `hold`: off its surface the winding number has the
-/// gradient of the solid angle of the rim, by Biot and Savart no more than its length over
+/// Winding Numbers" (2013), for the threshold. `hold`: off the surface the gradient of the winding
+/// number is that of the rim's solid angle. By Biot and Savart it is at most the rim's length over
 /// 4 pi times the squared distance; docs/decisions/inside-of-open-meshes.md.
-/// @param asks_hold `hold` is wanted, too, which takes most of the time: else it means nothing.
+/// @param asks_hold also finds `hold`, which takes most of the time; else it means nothing.
 /// @pre the mesh has an inside.
 PointInMesh lookInside(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory,
                        bool asks_hold = true) noexcept;

@@ -17,7 +17,7 @@ float sizeOf(const MeshTree& tree, Slot slot) noexcept {
 
 MeshPair makeMeshPair(const PlacedMesh& a, const PlacedMesh& b) noexcept {
   const Pose a_from_b = inverse(a.world_from_mesh) * b.world_from_mesh;
-  // Bounds stand about the centers of their trees.
+  // Bounds are relative to the centers of their trees.
   const Pose centered{a_from_b.rotation, a_from_b * b.tree.center() - a.tree.center()};
   const double size = a.tree.radius() + b.tree.radius() + centered.translation.norm();
   return {a.tree,

@@ -8,13 +8,13 @@
 #include "narrow_phase/mesh/mesh_distance.h"
 #include "narrow_phase/triangle/triangle_triangle.h"
 
-/// What the queries about two meshes share: pairs of bounds on a stack, the nearest on top.
+/// What queries about two meshes share: a stack of node pairs, the nearest on top.
 namespace collision_monitor {
 
-/// Of the sizes and the way between: surfaces this near are touching.
+/// Share of the sizes and the distance of the centers: surfaces this near touch.
 constexpr double kTouchingShare = 1e-14;
 
-/// A bound is named by its node and slot: node * 8 + slot. 0 is the whole mesh.
+/// Names a bound by its node and slot: node * 8 + slot. 0 is the whole mesh.
 using Slot = std::uint32_t;
 
 constexpr std::uint32_t kSlotBits = 3;
@@ -43,7 +43,7 @@ struct MeshPair {
   Pose a_from_b;
   BoundPlacement bounds_to_a;  ///< from B's nodes to A's
   BoundPlacement bounds_to_b;
-  double rounding;  ///< [m] surfaces this near are touching
+  double rounding;  ///< [m] surfaces this near touch
 };
 
 MeshPair makeMeshPair(const PlacedMesh& a, const PlacedMesh& b) noexcept;
@@ -51,11 +51,11 @@ MeshPair makeMeshPair(const PlacedMesh& a, const PlacedMesh& b) noexcept;
 /// A triangle of B in the frame of A.
 Triangle triangleOfB(const MeshPair& pair, std::uint32_t triangle) noexcept;
 
-/// One of two bounds, opened: its children beside the other.
+/// A node pair of which one side is opened: its children beside the other side.
 struct OpenedPair {
-  const MeshTreeNode* node;  ///< with the children
-  PlacedBound placed;        ///< the other, in their frame
-  Slot first;                ///< of the children
+  const MeshTreeNode* node;  ///< has the children
+  PlacedBound placed;        ///< the other side, in their frame
+  Slot first;                ///< first of the children
   Slot other;
   bool is_of_a;
   NodeBounds bounds;
@@ -67,7 +67,7 @@ struct OpenedPair {
   }
 };
 
-/// The pairs that wait to be looked at.
+/// The node pairs that are still to be looked at.
 class NodePairQueue {
  public:
   using NodePair = MeshQueryMemory::NodePair;
@@ -79,8 +79,8 @@ class NodePairQueue {
   NodePair pop() noexcept { return memory_.node_pairs[--size_]; }
   void push(const NodePair& pair) noexcept { memory_.node_pairs[size_++] = pair; }
 
-  /// Adds the children that `nearer` has a bit for, the first in order last. `childAt(slot)` makes
-  /// a pair of one.
+  /// Queues the children that have a bit in `nearer`, the first in order on top. `childAt(slot)`
+  /// makes a node pair of a child.
   template <class ChildAt>
   void pushNearer(const NodeBounds& bounds, std::uint32_t nearer, const ChildAt& childAt) noexcept {
     const std::size_t bottom = size_;
@@ -102,7 +102,7 @@ class NodePairQueue {
                [&](std::uint32_t slot) { return opened.childAt(slot); });
   }
 
-  /// The least bound that waits; `start` if none is less.
+  /// The least bound in the queue; `start` if none is less.
   double leastBound(double start) const noexcept;
 
  private:
@@ -110,39 +110,38 @@ class NodePairQueue {
   std::size_t size_{0};
 };
 
-/// Finds which of two bounds to open, of which at least one is a node: the larger, always the same
-/// one. Its children are not bounded yet.
+/// Chooses which side of a node pair to open: always the larger node. Does not bound its children.
+/// @pre at least one side is a node.
 void choose(const MeshPair& pair, Slot a, Slot b, OpenedPair& opened) noexcept;
 
-/// Bounds the children.
+/// Bounds the children against the other side: fills `bounds` and `nearer`.
 void boundChildren(float limit, OpenedPair& opened) noexcept;
 
-/// Opens the larger of two bounds, of which at least one is a node, and lets its children wait
-/// whose squared distance to the other bound may be below `limit`.
+/// Opens one side of a node pair, as choose(). Queues the children whose squared distance to the
+/// other side may be below `limit`.
 void openLarger(const MeshPair& pair, const MeshQueryMemory::NodePair& bounds, float limit,
                 NodePairQueue& queue) noexcept;
 
-/// Squares of distances as bounds are compared with them: rounded up, and below what empty slots
-/// are away.
+/// Makes a squared distance comparable with bounds: rounded up, and less than that of empty slots.
 float asLimit(double squared_distance) noexcept;
 
 /// Whether one of two meshes is inside the other.
 struct Holding {
-  std::optional<Eigen::Vector3d> point;  ///< that both solids share, in A's frame
-  /// [m] Where there is none: how far one may go, seen from the other, until there can be one
-  /// though the surfaces have not met.
+  std::optional<Eigen::Vector3d> point;  ///< in both solids, in A's frame
+  /// [m] If there is none: without meeting the surface, a mesh may travel this far, seen from the
+  /// other, before there can be one.
   double outside{std::numeric_limits<double>::infinity()};
-  std::uint32_t visits{0};  ///< of open surfaces, in the time of nodes
+  std::uint32_t visits{0};  ///< of open surfaces, converted to nodes
 };
 
-/// Meant for surfaces that do not cross. Each piece of one is then held by a closed one as a whole
-/// or not at all; an open one is asked for all probes of the other.
-/// @param asks_outside Holding::outside is wanted, too: else it means nothing.
+/// For surfaces that do not cross. A closed mesh then holds a piece of the other as a whole or not
+/// at all. An open one is asked for all probes of the other.
+/// @param asks_outside also finds Holding::outside; else it means nothing.
 Holding pointHeld(const MeshPair& pair, MeshQueryMemory& memory, bool asks_outside = true) noexcept;
 
-/// [m] Whether something is inside an open mesh is not asked again for ways shorter than that. The
-/// inside does not end at the rim by more than a convention, and a search that comes near shall not
-/// go on by steps that get ever shorter.
+/// [m] Whether something is inside an open mesh is not asked again after less travel than this. The
+/// inside ends at the rim only by convention, and a search that comes near must not go on by ever
+/// shorter steps.
 double leastHold(const MeshTree& open) noexcept;
 
 }  // namespace collision_monitor

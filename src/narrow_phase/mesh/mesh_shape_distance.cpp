@@ -21,14 +21,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Cores: the mesh is A. A core inside the solid has the surface behind it, and the way out is
-// through the nearest point of it, or through a hole that is nearer.
+// Answer for the cores; A is the mesh. A core inside the solid gets out through the nearest point
+// of the surface, or through a hole that is nearer.
 SignedDistance coresOf(const MeshAndCore& pair, const NearestSearch& search,
                        const CoreInMesh& lies) noexcept {
   const PointPair& best = search.best;
   const double distance = std::sqrt(best.squared_distance);
   const Vector3d delta = best.on_b - best.on_a;
-  const double length = delta.norm();  // where they hardly part, the points are rounded more
+  const double length = delta.norm();  // near points carry more rounding
   if (distance > pair.rounding && length > 0.0) {
     if (lies.is_inside && lies.hold < distance) {
       return {-lies.hold, best.on_b - lies.hold / length * delta, best.on_b, -1.0 / length * delta};
@@ -67,7 +67,7 @@ void report(const MeshAndCore& pair, const NearestSearch& search, const CoreInMe
   }
 }
 
-// What was asked for, not less by a rounding.
+// Reports the limit itself, not less by rounding.
 void reportLimit(const NearestSearch& search, double stop_beyond, MeshDistance& answer) noexcept {
   if (answer.state == MeshState::lower_bound && search.nearest.a == kNone && search.isComplete() &&
       stop_beyond + search.radius >= 0.0) {
@@ -75,7 +75,7 @@ void reportLimit(const NearestSearch& search, double stop_beyond, MeshDistance& 
   }
 }
 
-// As searchFromFront wants it.
+// The query of a mesh and a core for searchFromFront.
 struct CoreQuery {
   const MeshAndCore& pair;
 
@@ -104,8 +104,8 @@ struct CoreStart {
   MeshFront* front{nullptr};
 };
 
-// A core that has not come as far as to the surface is where it was; through a hole of an open one
-// the point that is nearest now, which is another one, may have got.
+// A core that traveled less than its distance to the surface is where it was. But its nearest point
+// is another one now, and may have passed through a hole of an open mesh.
 CoreInMesh lookInside(const MeshAndCore& pair, const NearestSearch& search, double step,
                       MeshQueryMemory& memory) noexcept {
   CoreInMesh lies;
@@ -166,7 +166,7 @@ MeshDistance measureCore(const PlacedMesh& a, const InflatedCore& b, const Pose&
   const CoreInMesh lies = lookInside(pair, search, step, memory);
   keepLies(search, lies);
   if (lies.is_inside && search.nearest.a == kNone) {
-    // All of the surface is farther than was asked for, and so is the way out.
+    // The core is inside, and the surface is beyond the limit: searches again without the limit.
     search.front = nullptr;
     search.best.squared_distance = std::numeric_limits<double>::infinity();
     searchFromRoot(pair, 0.0, limits.visit_budget, memory, search);

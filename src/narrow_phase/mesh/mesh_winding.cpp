@@ -12,12 +12,11 @@
 namespace collision_monitor {
 namespace {
 
-// Of a sum of up to 1e7 solid angles.
+// Rounding of a sum of up to 1e7 solid angles.
 constexpr double kRounding = 1e-9;
 
-// The sum of all parts, each either as its moments have it or, where these are off by more than
-// `most_of_part`, as its own parts have it. Ends, with what is summed by then, where the error is
-// above `most_of_all`.
+// Sums all parts. A part counts by its moments or, if their error exceeds `most_of_part`, by its
+// own parts. Stops with the sum so far once the error exceeds `most_of_all`.
 WindingNumber sum(const MeshTree& tree, const Eigen::Vector3d& point, double most_of_part,
                   double most_of_all, MeshQueryMemory& memory) noexcept {
   const std::vector<WindingMoments>& moments = tree.openSurface()->moments;
@@ -50,7 +49,7 @@ WindingNumber sum(const MeshTree& tree, const Eigen::Vector3d& point, double mos
   return number;
 }
 
-// From coarse to fine. A number of a larger error than `most` is never enough.
+// Searches from coarse to fine. A number with an error above `most` never suffices.
 template <class ReachesCutoff>
 WindingNumber search(const MeshTree& tree, const Eigen::Vector3d& point, double most,
                      MeshQueryMemory& memory, const ReachesCutoff& reachesCutoff) noexcept {

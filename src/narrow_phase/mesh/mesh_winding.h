@@ -14,17 +14,17 @@ struct WindingNumber {
   std::uint32_t visits{0};  ///< parts of the surface looked at
 };
 
-/// From moments of what is far and solid angles of what is near. Parts are taken smaller until the
-/// error is not above `error`, which 1e-9 can always be.
+/// Sums moments of far parts and solid angles of near ones. Splits parts until the error is at most
+/// `error`; 1e-9 can always be reached.
 ///
 /// Frames: the mesh's. Time: of the order of the tree's depth.
-/// Source: as windingOf; there a ratio of distance and size is fixed and the error measured.
+/// Source: as windingOf. Departure: fixes the error in place of a ratio of distance and size.
 /// @pre the mesh has an OpenSurface.
 WindingNumber windingNumber(const MeshTree& tree, const Eigen::Vector3d& point, double error,
                             MeshQueryMemory& memory) noexcept;
 
-/// The same, or until there is no doubt whether the size of the number is above 1/2: of most points
-/// a tenth of the time.
+/// The same, but stops once it is certain whether the number exceeds 1/2 in size: a tenth of the
+/// time for most points.
 WindingNumber windingByHalf(const MeshTree& tree, const Eigen::Vector3d& point, double error,
                             MeshQueryMemory& memory) noexcept;
 

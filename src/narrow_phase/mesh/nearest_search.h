@@ -12,24 +12,24 @@
 /// Branch and bound for the nearest points of a mesh and something else.
 namespace collision_monitor {
 
-/// The nearest points so far, and how the search for them went.
+/// The nearest points so far, and the state of the search for them.
 struct NearestSearch {
   PointPair best;
   TrianglePair nearest;
-  double tolerance{0.0};  ///< [m] what is nearer than the best by less than that is left
-  double radius{0.0};     ///< [m] to be taken off distances: half of what is left then, at most
+  double tolerance{0.0};  ///< [m] what is nearer than the best by less than this is skipped
+  double radius{0.0};     ///< [m] subtracted from distances; at most half of the rest is skipped
   std::uint32_t visits{0};
   double squared_open{std::numeric_limits<double>::infinity()};  ///< least bound left unopened
-  double squared_left{std::numeric_limits<double>::infinity()};  ///< of all that was left
-  MeshFront* front{nullptr};  ///< keeps what is left, if there is one
+  double squared_left{std::numeric_limits<double>::infinity()};  ///< least of all skipped
+  MeshFront* front{nullptr};  ///< keeps what is skipped, if there is one
   MovingBounds moving;        ///< of the front
-  /// Where `nearest` hangs.
+  /// The node pair of `nearest`.
   MeshQueryMemory::NodePair bounds{0.0F, kNone, kNone};
 
-  /// False when the budget ended the search before it was certain.
+  /// False if the budget ended the search before it was certain.
   bool isComplete() const noexcept { return squaredGoal() <= squared_open; }
 
-  /// [m^2] What is as far is not looked at.
+  /// [m^2] Node pairs this far or farther are skipped.
   double squaredGoal() const noexcept {
     if (tolerance <= 0.0 || nearest.a == kNone) {
       return best.squared_distance;
@@ -39,18 +39,18 @@ struct NearestSearch {
     return goal * goal;
   }
 
-  /// [m^2] Nothing is nearer.
+  /// [m^2] A lower bound of the distance.
   double squaredBound() const noexcept {
     return std::min(best.squared_distance, std::max(squaredGoal(), squared_left));
   }
 
-  /// [m^2] Triangles that are farther are not measured.
+  /// [m^2] Triangles farther than this are not measured.
   double squaredReach() const noexcept {
     return front == nullptr ? best.squared_distance
                             : collision_monitor::squaredReach(best.squared_distance, *front);
   }
 
-  /// It is looked at no more. @param direction, children: as FrontEntry.
+  /// Skips a node pair. @param direction, children: as FrontEntry.
   void leave(const MeshQueryMemory::NodePair& pair, double squared_bound,
              std::uint32_t direction = 0, std::uint32_t children = 0) noexcept {
     squared_left = std::min(squared_left, squared_bound);
@@ -60,9 +60,8 @@ struct NearestSearch {
   }
 };
 
-/// Replaces the nearest points by those that `measure(start, squared_enough)` gives for two
-/// triangles, if they are nearer.
-/// @param bounds where the triangles hang, if the search has a front.
+/// Measures two triangles by `measure(start, squared_cutoff)`. Keeps their points if nearer.
+/// @param bounds the node pair of the triangles, if the search has a front.
 /// @param gapAlong [m^2] how far a direction separates the triangles, as squaredGapAlong.
 template <class Measure, class GapAlong>
 void offer(const TrianglePair& triangles, const MeshQueryMemory::NodePair& bounds,
@@ -86,10 +85,9 @@ void offer(const TrianglePair& triangles, const MeshQueryMemory::NodePair& bound
   }
 }
 
-/// Branch and bound from the pairs that wait, the nearest bound first. `open(pair, limit, waiting)`
-/// measures two triangles, or lets the children of one bound wait whose squared bound is below the
-/// limit.
-/// @param enough [m] what is so near ends the search.
+/// Branch and bound over the queue, the nearest bound first. `open(pair, limit, queue)` measures
+/// two triangles, or queues the children of one side whose squared bound is below the limit.
+/// @param cutoff [m] the search ends once something is this near.
 template <class Open>
 void branchAndBound(double cutoff, std::uint32_t visit_budget, NodePairQueue& queue,
                     NearestSearch& search, const Open& open) noexcept {

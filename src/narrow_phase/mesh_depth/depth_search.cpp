@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// What is left of a place that may have corners within the radius that are deep enough to count.
+// What was measured of a place, and whether its corners may be deep enough to count.
 struct MeasuredPlace {
   bool is_deep{false};
   double distance{0.0};  // signed, of its center
@@ -25,15 +25,15 @@ struct MeasuredPlace {
   PointOnMesh nearest;
 };
 
-// No point is deeper in the solid than in the box about it.
+// A point is never deeper in the solid than in the box about it.
 double depthInBox(const MeshTree& solid, const Vector3d& point) noexcept {
   const Bound box = boundAt(solid, 0);
   const Vector3d from_center = point - solid.center() - box.center.cast<double>();
   return (box.half.cast<double>() - from_center.cwiseAbs()).minCoeff();
 }
 
-// @param is_known whether it is known to be inside, which of an open solid is no answer: it tells
-// no hold.
+// @param is_known the point is known to be inside. For an open solid this does not suffice, because
+// it gives no hold.
 PointInMesh lookInside(const DepthSearch& search, const Vector3d& point, bool is_known,
                        bool asks_hold) noexcept {
   const bool is_about_deepest = (point - search.deepest.at).norm() < search.deepest.depth;
@@ -42,7 +42,7 @@ PointInMesh lookInside(const DepthSearch& search, const Vector3d& point, bool is
   return lies.is_inside ? lies : lookInside(search.solid, point, search.memory, asks_hold);
 }
 
-// A corner of an open solid is no deeper than its way through a hole.
+// A corner of an open solid is at most as deep as its distance to the outside through a hole.
 void holdBack(double hold, const Vector3d& corner, MeasuredPlace& found) noexcept {
   if (hold < found.distance) {
     const double share = hold / found.distance;
@@ -78,7 +78,7 @@ MeasuredPlace measurePlace(DepthSearch& search, const Vector3d& center, double r
     }
     found.distance = -found.distance;
   }
-  // Of points outside of an open solid, the surface is not the nearest that is.
+  // Outside of an open solid, a point may be nearer to the inside than to the surface.
   const bool is_by_surface = lies.is_inside || search.solid.isClosed();
   found.deepest = radius - (is_by_surface ? found.distance : 0.0);
   found.is_deep = found.deepest > search.beyond;
@@ -101,7 +101,7 @@ Vector3d centerOf(const DepthSearch& search, const Bound& bound) noexcept {
   return search.solid_from_mesh * (search.mesh.center() + bound.center.cast<double>());
 }
 
-// Lets the children wait, first the one that lies deepest behind the surface near their center.
+// Opens the children, first the one that lies deepest behind the surface near their center.
 void openNode(DepthSearch& search, std::uint32_t node, const Vector3d& center,
               const MeasuredPlace& found) noexcept {
   const Vector3d inwards = found.distance * (found.nearest.point - center);
@@ -122,14 +122,14 @@ void openNode(DepthSearch& search, std::uint32_t node, const Vector3d& center,
   }
 }
 
-// Passed over with the triangle that the deepest of its corners is nearest to.
+// Passes a triangle over with the solid's triangle that is nearest to its deepest corner.
 void measureTriangle(DepthSearch& search, const KeptDepth::Place& place) noexcept {
   KeptDepth::Place others{place.bound, place.nearest, -std::numeric_limits<double>::infinity()};
   for (std::uint32_t i = 0; i < 3; ++i) {
     const KeptDepth::Corner corner{place.bound, i, others.nearest};
     const Vector3d at = positionOf(search, corner);
     if (search.deepest.depth > 0.0 && at == search.deepest.at) {
-      continue;  // triangles share it
+      continue;  // triangles share corners
     }
     const MeasuredPlace found = measurePlace(search, at, 0.0, corner.nearest);
     if (found.is_deep) {
@@ -160,7 +160,7 @@ void lookAt(DepthSearch& search, const KeptDepth::Place& place) noexcept {
   }
 }
 
-// The limit from which on a place may have a deeper corner.
+// Limit above which a place may have a deeper corner.
 double leastLimit(const DepthSearch& search) noexcept {
   return search.beyond + kDepthRounding - search.moved;
 }
@@ -197,7 +197,7 @@ void passOverDeepest(DepthSearch& search) noexcept {
 }
 
 void searchDeepest(std::uint32_t point_budget, DepthSearch& search) noexcept {
-  // What the last queries left comes first, so that every place has its turn.
+  // Places that earlier queries left open come first, so that each has its turn.
   searchQueue(search, point_budget);
   if (search.side.open_count == 0) {
     recall(leastLimit(search), search.side);

@@ -31,19 +31,19 @@ struct DepthSearch {
   KeptDepth::Side& side;
   double moved{0.0};  ///< [m] as KeptDepth
   DeepCorner deepest{};
-  double beyond{0.0};       ///< [m] what is not deeper does not count
+  double beyond{0.0};       ///< [m] only greater depths count
   std::uint32_t points{0};  ///< measured
   std::uint32_t visits{0};  ///< as MeshDepth
 };
 
-/// Measures the corner that was the deepest; if it is inside it is the deepest known.
-/// @param is_inside whether it is known to be
+/// Measures the corner that was the deepest. If it is inside, it is the deepest known.
+/// @param is_inside it is known to be inside
 void measureDeepest(const KeptDepth::Corner& corner, bool is_inside, DepthSearch& search) noexcept;
 
-/// Passes over the deepest corner known, as one that is deeper has been found.
+/// Passes over the deepest corner known, because a deeper one has been found.
 void passOverDeepest(DepthSearch& search) noexcept;
 
-/// Looks at what waits, and then at what was passed over and may be deeper by now, until nothing is
+/// Looks at the open places, and then at those passed over that may be deeper by now, until none is
 /// left or the points are spent.
 void searchDeepest(std::uint32_t point_budget, DepthSearch& search) noexcept;
 

@@ -15,29 +15,28 @@
 namespace collision_monitor {
 namespace {
 
-// Points that a query measures while there are any left: as many after a step as long as the depth,
-// or as a share of the smaller mesh where that is more; fewer after a shorter one, but some always.
+// Points that a query measures if any are left. A step as long as the depth, or as a share of the
+// smaller mesh if that is more, gets kPointsAStep. A shorter one gets fewer, but some always.
 constexpr std::uint32_t kFewestPoints = 4;
 constexpr double kPointsAStep = 120.0;
 constexpr double kLeastShare = 0.02;
-// [m] Limits are taken together with the way gone: farther on they would be rounded by more than
-// depths are.
+// [m] Limits contain the travel so far. After more travel they would round by more than depths do.
 constexpr double kLongestTravel = 1000.0;
 
-// Both ways round: corners of A in B, and of B in A.
+// Both directions: corners of A in B, and of B in A.
 using BothSides = std::array<DepthSearch, 2>;
 
-bool isWaiting(const KeptDepth& kept) noexcept {
+bool hasOpenNodes(const KeptDepth& kept) noexcept {
   return kept.sides[0].open_count > 0 || kept.sides[1].open_count > 0;
 }
 
-// What was dropped is known only of where the search began.
+// What was dropped is known only at the poses where the search began.
 bool isComplete(const KeptDepth& kept) noexcept {
   const bool is_whole = kept.sides[0].is_whole && kept.sides[1].is_whole;
-  return !isWaiting(kept) && (is_whole || kept.moved <= kDepthRounding);
+  return !hasOpenNodes(kept) && (is_whole || kept.moved <= kDepthRounding);
 }
 
-// [m] How far any point of B may have come, seen from A, since the last query.
+// [m] Upper bound of how far any point of B has moved since the last query, seen from A.
 double follow(const MeshTree& b, const Pose& a_from_b, KeptDepth& kept) noexcept {
   const double step = kept.a_from_b ? motionOfBall(b.center(), b.radius(), *kept.a_from_b, a_from_b)
                                     : std::numeric_limits<double>::infinity();
@@ -46,7 +45,7 @@ double follow(const MeshTree& b, const Pose& a_from_b, KeptDepth& kept) noexcept
   return step;
 }
 
-// The corner that was the deepest. After less than half the way to the surface it is still inside.
+// Measures the corner that was the deepest. It is still inside after a step below half its depth.
 void measureKept(double step, BothSides& both, const KeptDepth& kept) noexcept {
   both[0].moved = both[1].moved = kept.moved;
   if (kept.deepest.bound != kNone) {
@@ -56,7 +55,7 @@ void measureKept(double step, BothSides& both, const KeptDepth& kept) noexcept {
   both[0].beyond = both[1].beyond = both[kept.side].deepest.depth;
 }
 
-// [m] A step of this length, and the deepest corner may be any other.
+// [m] After a step of this length any other corner may be the deepest.
 double longStep(const BothSides& both) noexcept {
   return std::max(both[0].beyond,
                   kLeastShare * std::min(both[0].mesh.radius(), both[1].mesh.radius()));
@@ -83,7 +82,7 @@ void searchBothSides(std::uint32_t point_budget, BothSides& both, KeptDepth& kep
   passOverDeepest(both[1 - kept.side]);
 }
 
-// In A's frame, from its surface to that of B.
+// In A's frame, from A's surface to B's.
 SignedDistance answerOf(const BothSides& both, std::size_t side, const Pose& a_from_b) noexcept {
   const DeepCorner& found = both[side].deepest;
   if (!(found.depth > 0.0)) {
@@ -112,7 +111,7 @@ MeshDepth depthOf(const PlacedMesh& a, const PlacedMesh& b, MeshQueryMemory& mem
     const double step = follow(b.tree, a_from_b, kept);
     measureKept(step, both, kept);
     const double share = step / longStep(both);
-    const bool is_spent = kept.moved > kLongestTravel || !(isWaiting(kept) || isComplete(kept));
+    const bool is_spent = kept.moved > kLongestTravel || !(hasOpenNodes(kept) || isComplete(kept));
     if (!(share < 1.0) || is_spent) {
       restart(both, kept);
     }

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Above every corner below the slot.
+// Height of the box in the slot: no corner below the slot is higher.
 double heightOf(const Bound& bound, const Vector3d& direction) noexcept {
   return direction.dot(bound.center.cast<double>()) +
          direction.cwiseAbs().dot(bound.half.cast<double>());

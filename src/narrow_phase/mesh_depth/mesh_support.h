@@ -6,7 +6,7 @@
 
 namespace collision_monitor {
 
-/// The corner of a mesh that is farthest along a unit direction. World frame.
+/// Finds the corner of a mesh that is farthest along a unit direction. Frames: world.
 Eigen::Vector3d farthestAlong(const PlacedMesh& mesh, const Eigen::Vector3d& direction) noexcept;
 
 }  // namespace collision_monitor

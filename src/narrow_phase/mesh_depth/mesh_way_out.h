@@ -10,14 +10,14 @@ namespace collision_monitor {
 
 /// A translation of B that separates A and B.
 struct WayOut {
-  double length{std::numeric_limits<double>::infinity()};  ///< [m] at most 0 where they are apart
+  double length{std::numeric_limits<double>::infinity()};  ///< [m] at most 0 if they are apart
   Eigen::Vector3d direction{Eigen::Vector3d::UnitX()};     ///< unit, world frame
 };
 
-/// The shortest of the ways on which one mesh can be pulled off the other entirely, along the line
-/// of centers, the axes of both, and a direction that the caller has: the normal of the deepest
-/// corner (depthOf). The depth of the solids is at most that, and may be far less where one hooks
-/// into the other: for meshes that are not convex nobody computes it in a cycle.
+/// Finds the shortest translation that pulls one mesh off the other along the line of centers, an
+/// axis of either, or `direction`, which may be the normal of the deepest corner (depthOf). The
+/// depth of the solids is at most this, and may be far less if one hooks into the other. The depth
+/// of meshes that are not convex takes more time than a cycle has.
 ///
 /// Error: 1e-12 m. A pose that is not finite gives an infinite length.
 /// @param direction unit.

@@ -8,24 +8,24 @@
 
 namespace collision_monitor {
 
-/// The point of a surface that is nearest to some point.
+/// The closest point of a surface to some point.
 struct PointOnMesh {
   double distance{std::numeric_limits<double>::infinity()};  ///< [m]
   Eigen::Vector3d point{Eigen::Vector3d::Zero()};
   std::uint32_t triangle{kNone};
-  std::uint32_t visits{0};  ///< nodes opened and triangles measured, but for the first
+  std::uint32_t visits{0};  ///< nodes opened and triangles measured, except the first
 };
 
-/// When a search for the nearest point may stop early. The defaults never do.
+/// Limits at which a search for the closest point may stop early. The defaults have no effect.
 struct PointQueryLimits {
-  double cutoff{0.0};  ///< [m] >= 0. Once a point this near is found, none nearer is looked for.
+  double cutoff{0.0};  ///< [m] >= 0. A point this near ends the search.
   /// [m] Points this far or farther are not looked for.
   double stop_beyond{std::numeric_limits<double>::infinity()};
 };
 
-/// Frames: the mesh's. Error: some ulps of the coordinates.
+/// Finds the closest point of a surface. Frames: the mesh's. Error: a few ulps of the coordinates.
 /// @param start a triangle to begin with, or none.
-/// @return infinitely far and without a triangle where there is nothing within the limits.
+/// @return an infinite distance and no triangle if nothing is within the limits.
 PointOnMesh nearestOnMesh(const MeshTree& mesh, const Eigen::Vector3d& point, std::uint32_t start,
                           const PointQueryLimits& limits, MeshQueryMemory& memory) noexcept;
 

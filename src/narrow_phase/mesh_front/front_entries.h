@@ -4,21 +4,20 @@
 
 #include "narrow_phase/mesh/mesh_search.h"
 
-/// What one search leaves for the next, as two things move: see MeshFront. Lengths in metres.
+/// What one search leaves for the next as two things move; see MeshFront. Units: metres.
 namespace collision_monitor {
 
-/// A mesh that moves, seen from something that rests, and balls that hold both, each in its own
-/// frame.
+/// A moving mesh seen from something that rests, and balls that hold both, each in its own frame.
 struct FollowedPair {
   const Pose& resting_from_moving;
   const MeshTree& moving;
   Eigen::Vector3d center_of_resting;
   double radius_of_resting;
-  double side;      ///< 1: directions are from the resting to the moving one; -1: the other way
+  double side;      ///< 1: directions lead from the resting to the moving one; -1: the reverse
   double rounding;  ///< [m] as MeshPair::rounding
 };
 
-/// Which of two bounds moves.
+/// Which side of a node pair moves.
 struct MovingBounds {
   const MeshTree* tree{nullptr};
   bool is_a{false};
@@ -27,7 +26,7 @@ struct MovingBounds {
 
 MovingBounds movingBounds(const MeshTree& tree, bool is_a) noexcept;
 
-/// What is kept of a pair.
+/// A pair as the front keeps it.
 struct FrontEntry {
   MeshFront::Kept pair;
   double bound;             ///< [m]
@@ -35,59 +34,59 @@ struct FrontEntry {
   std::uint32_t children;   ///< a bit for each child that is meant; 0: all
 };
 
-/// Brings the front to where the two are now.
-/// @return how far any point of one may have come, seen from the other, since the last query;
-/// infinity if there was none.
+/// Updates the front to the current poses.
+/// @return an upper bound of how far any point of one has moved, seen from the other, since the
+/// last query; infinity if there was none.
 double follow(const FollowedPair& pair, MeshFront& front) noexcept;
 
-/// A goal that bounds in single precision are below if they may be nearer.
+/// Rounds a goal up, so that every bound in single precision that may be nearer is below it.
 float roundedUp(double goal) noexcept;
 
-/// True when all that was not kept is no nearer than the goal, and no more of what was kept may be
-/// nearer than the search from the roots looked at.
+/// True if nothing that was dropped is nearer than the goal, and the kept pairs that may be nearer
+/// are no more than the visits of the search from the roots.
 bool covers(double squared_goal, const MeshFront& front) noexcept;
 
-/// The block of a pair, and its place there.
+/// The block of a pair; placeOf() is its place there.
 inline MeshFront::Block& blockOf(std::uint32_t at, const MeshFront& front) noexcept {
   return *front.blocks[at / MeshFront::kBlockSize];
 }
 inline std::size_t placeOf(std::uint32_t at) noexcept { return at % MeshFront::kBlockSize; }
 
-/// Takes a block where it needs one. @return whether there is room for one more pair.
+/// Takes a block if needed. @return false if there is no room for one more pair.
 bool ensureRoom(MeshFront& front) noexcept;
 
-/// Forgets all pairs: a search from the roots keeps others.
+/// Drops all pairs: a search from the roots keeps others.
 void restart(MeshFront& front) noexcept;
 
-/// Triangles are measured up to the nearest and a margin, which is to last for several steps.
-/// @param step what `follow` said. @param squared_distance of the nearest known so far.
+/// Sets the margin beyond the nearest triangles, which lasts for several steps.
+/// @param step from `follow`. @param squared_distance of the nearest known so far.
 void setMargin(double step, double squared_distance, MeshFront& front) noexcept;
 
-/// The square of how far triangles are worth measuring, with the nearest as far as given.
+/// The squared distance up to which triangles are measured, for that of the nearest ones.
 double squaredReach(double squared_distance, const MeshFront& front) noexcept;
 
 /// Keeps a pair, or leaves it to `cover`.
 void keep(const FrontEntry& entry, const MovingBounds& moving, MeshFront& front) noexcept;
 
-/// Replaces what is kept of a pair, but for the pair itself.
+/// Replaces bound, direction and children of a kept pair.
 void renew(std::uint32_t at, const FrontEntry& entry, MeshFront& front) noexcept;
 
-/// As it was kept, with the bound of now.
+/// Reads a kept pair with its current bound.
 FrontEntry entryAt(std::uint32_t at, const MeshFront& front) noexcept;
 
-/// Keeps a pair no longer: the last one takes its place.
+/// Removes a pair; the last one takes its place.
 void drop(std::uint32_t at, MeshFront& front) noexcept;
 
-/// A direction of any length: three numbers of ten bits, in shares of the length. 0: none.
+/// Packs a direction of any length as three numbers of ten bits, in shares of the length. 0: none.
 std::uint32_t packed(const Eigen::Vector3d& direction) noexcept;
 
-/// And back, within half a bit a coordinate, so not of unit length.
+/// Unpacks a direction, within half a bit in each coordinate, so not of unit length.
 Eigen::Vector3d directionOf(std::uint32_t packed) noexcept;
 
-/// The direction in which the child that is nearest to the other bound is farthest from it, of
-/// those that are likely; packed.
-/// @param children a bit for each that is meant, one at least.
-/// @param resting_from_node turns directions from the children to those that MeshFront keeps.
+/// Chooses the likely direction along which the child nearest to the other bound is farthest from
+/// it. Returns it packed.
+/// @param children a bit for each child that is meant, at least one.
+/// @param resting_from_node turns directions from the children's frame to that of MeshFront.
 std::uint32_t directionFor(const OpenedPair& opened, std::uint32_t children,
                            const Eigen::Matrix3d& resting_from_node) noexcept;
 

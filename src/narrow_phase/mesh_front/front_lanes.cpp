@@ -13,11 +13,14 @@ namespace collision_monitor {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// No fused multiply-add: every instruction set rounds alike.
+// No fused multiply-add, so that every instruction set rounds alike.
 using Many = hn::ScalableTag<float>;
 using Codes = hn::Rebind<std::int32_t, Many>;
 using Number = hn::Vec<Many>;
 using Code = hn::Vec<Codes>;
+
+// Of this file alone: other files have a Vector of other members.
+namespace {
 
 struct Vector {
   Number x, y, z;
@@ -62,7 +65,7 @@ HWY_INLINE Step everywhere(const FrontStep& step) {
           vector(step.shift[0], step.shift[1], step.shift[2])};
 }
 
-// What the step adds to bounds, without the slack.
+// What the step adds to the bounds, without the slack.
 HWY_INLINE Number gain(const FrontStep& step, const Step& all, Code direction, Code center,
                        Code extent) {
   const Vector n = vectorOf(direction);
@@ -77,7 +80,7 @@ HWY_INLINE Number gain(const FrontStep& step, const Step& all, Code direction, C
   const Vector turned{dot(all.columns[0], n), dot(all.columns[1], n), dot(all.columns[2], n)};
   const Number lost = hn::Mul(r, hn::Sqrt(dot(turned, turned)));
   const Number in_bits = hn::Sub(dot(n, delta), lost);
-  // Each coordinate of a packed direction is off by half a bit at most.
+  // Each coordinate of a packed direction is off by at most half a bit.
   constexpr float kLength = kPackedMiddle - 1;
   constexpr float kOff = 0.87F;
   const Number along = hn::Min(hn::Mul(in_bits, number(1.0F / (kLength - kOff))),
@@ -87,6 +90,8 @@ HWY_INLINE Number gain(const FrontStep& step, const Step& all, Code direction, C
   const auto has_none = hn::RebindMask(Many(), hn::Eq(direction, hn::Zero(Codes())));
   return hn::IfThenElse(has_none, anywhere, along);
 }
+
+}  // namespace
 
 void loosenAll(const FrontStep& step, MeshFront& front) {
   constexpr float kUlp = 1.2e-7F;
@@ -103,7 +108,7 @@ void loosenAll(const FrontStep& step, MeshFront& front) {
   }
 }
 
-// The bounds of some pairs; what is past the last is infinitely far.
+// The bounds of some pairs. Lanes after the last pair are infinitely far.
 HWY_INLINE Number boundsFrom(std::uint32_t at, const MeshFront& front) {
   const auto left = static_cast<std::size_t>(front.size - at);
   const Number bounds = hn::Load(Many(), &blockOf(at, front).bound[placeOf(at)]);

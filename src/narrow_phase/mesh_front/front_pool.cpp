@@ -12,7 +12,7 @@ FrontPool::FrontPool(std::size_t blocks) : blocks_(blocks) {
 }
 
 bool FrontPool::grow(MeshFront& front) noexcept {
-  // In queries of any front. Those asked in every cycle do not take each other's.
+  // Queries of any front until an unused one loses its blocks. Fronts of every cycle keep theirs.
   constexpr std::uint64_t kUnasked = 5000;
   if (front.block_count == MeshFront::kMostBlocks) {
     return false;

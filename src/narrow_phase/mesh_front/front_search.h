@@ -11,48 +11,48 @@
 #include "narrow_phase/mesh_front/front_lanes.h"
 
 /// Branch and bound from what the last search left. A query has:
-/// - areTriangles(a, b): whether nothing of a pair can be opened;
-/// - measure(bounds, search): two triangles, or a triangle and a solid;
-/// - squaredGapAlong(direction, a, b) [m^2]: a lower bound of the same;
-/// - choose(a, b, opened): as of two meshes;
-/// - restingFromNode(opened): as directionFor.
+/// - areTriangles(a, b): true if neither side of a pair can be opened;
+/// - measure(bounds, search): measures two triangles, or a triangle and a solid;
+/// - squaredGapAlong(direction, a, b) [m^2]: a lower bound of their squared distance;
+/// - choose(a, b, opened): as for two meshes;
+/// - restingFromNode(opened): as for directionFor.
 namespace collision_monitor {
 
-/// The waiting pairs that a front gives: the nearest stays on top.
+/// Queues the pairs taken from a front. The nearest stays on top.
 class TakenPairs {
  public:
-  explicit TakenPairs(NodePairQueue& queue) noexcept : waiting_(queue) {}
+  explicit TakenPairs(NodePairQueue& queue) noexcept : queue_(queue) {}
 
-  /// Whether there is room for all children of a bound.
+  /// True if there is room for all children of a bound.
   bool hasRoom() const noexcept { return size_ + MeshTreeNode::kWidth <= MeshFront::kCapacity; }
 
   void push(MeshQueryMemory::NodePair next) noexcept {
     ++size_;
     if (next.squared_bound > least_) {
-      const MeshQueryMemory::NodePair nearest = waiting_.pop();
-      waiting_.push(next);
+      const MeshQueryMemory::NodePair nearest = queue_.pop();
+      queue_.push(next);
       next = nearest;
     }
-    waiting_.push(next);
+    queue_.push(next);
     least_ = next.squared_bound;
   }
 
  private:
-  NodePairQueue& waiting_;
+  NodePairQueue& queue_;
   std::uint32_t size_{0};
   float least_{std::numeric_limits<float>::infinity()};
 };
 
 constexpr std::uint32_t kAllChildren = (1U << MeshTreeNode::kWidth) - 1;
-constexpr float kNoChild = 1e30F;  ///< [m^2] beyond it slots are empty
+constexpr float kNoChild = 1e30F;  ///< [m^2] empty slots are beyond it
 
-/// [m^2] Of a bound that may have got lost.
+/// [m^2] Square of a bound, rounded down; 0 if motion has used the bound up.
 inline float squaredBound(double bound) noexcept {
   constexpr double kRoundedDown = 1.0 - std::numeric_limits<float>::epsilon();
   return static_cast<float>(kRoundedDown * std::max(bound, 0.0) * std::max(bound, 0.0));
 }
 
-/// [m^2] Least bound of some children; kNoChild if there are none.
+/// [m^2] Least squared bound of some children; kNoChild if there are none.
 inline float leastBound(const OpenedPair& opened, std::uint32_t children) noexcept {
   float least = kNoChild;
   for (std::uint32_t slot = 0; slot < MeshTreeNode::kWidth; ++slot) {
@@ -62,7 +62,7 @@ inline float leastBound(const OpenedPair& opened, std::uint32_t children) noexce
   return least;
 }
 
-/// Triangles that the direction they were last apart along does not part any more are taken.
+/// Takes two triangles if the direction that separated them does so no longer.
 template <class Query>
 bool boundTriangles(const Query& query, float limit, FrontEntry& entry,
                     TakenPairs& taken) noexcept {
@@ -78,7 +78,7 @@ bool boundTriangles(const Query& query, float limit, FrontEntry& entry,
   return false;
 }
 
-/// [m] Least of some children's; infinity if there are none.
+/// [m] Least gap of some children; infinity if there are none.
 inline float leastOf(const std::array<float, MeshTreeNode::kWidth>& gaps,
                      std::uint32_t children) noexcept {
   float least = std::numeric_limits<float>::infinity();
@@ -88,8 +88,8 @@ inline float leastOf(const std::array<float, MeshTreeNode::kWidth>& gaps,
   return least;
 }
 
-/// Keeps children with a direction that parts the nearest of them, and as an entry of their own
-/// those that it does not part nearly as well.
+/// Keeps children with a direction that separates the nearest of them. Those that it separates much
+/// less get an entry of their own.
 template <class Query>
 void keepParted(const Query& query, const OpenedPair& opened, double goal, FrontEntry& entry,
                 const NearestSearch& search) noexcept {
@@ -122,8 +122,7 @@ void keepParted(const Query& query, const OpenedPair& opened, double goal, Front
   }
 }
 
-/// Takes the children that are nearer than the limit, unless the direction that parted them all
-/// still does.
+/// Takes the children nearer than the limit, unless the direction that separated all still does.
 template <class Query>
 bool boundChildren(const Query& query, float limit, FrontEntry& entry, const NearestSearch& search,
                    TakenPairs& taken) noexcept {
@@ -150,8 +149,8 @@ bool boundChildren(const Query& query, float limit, FrontEntry& entry, const Nea
   return true;
 }
 
-/// Bounds a kept pair anew that may have come nearer than the limit.
-/// @return whether something of it is still kept in its place.
+/// Bounds again a kept pair that may have come nearer than the limit.
+/// @return true if some of it is still kept in its place.
 template <class Query>
 bool boundAnew(const Query& query, std::uint32_t at, float limit, const NearestSearch& search,
                TakenPairs& taken) noexcept {
@@ -168,9 +167,9 @@ bool boundAnew(const Query& query, std::uint32_t at, float limit, const NearestS
   return is_kept;
 }
 
-/// Bounds anew the pairs that may have come nearer than the goal, and lets those wait that have,
-/// the nearest on top; keeps the rest. What there is no budget for is as far as it was known.
-/// @return false where there was no room, and the search has to start from the roots.
+/// Bounds again the pairs that may have come nearer than the goal. Queues those that have, the
+/// nearest on top, and keeps the rest. Pairs that the budget leaves out keep their bounds.
+/// @return false if there was no room: the search must start from the roots.
 template <class Query>
 bool takeNearer(const Query& query, std::uint32_t visit_budget, NodePairQueue& queue,
                 NearestSearch& search) noexcept {
@@ -197,8 +196,8 @@ bool takeNearer(const Query& query, std::uint32_t visit_budget, NodePairQueue& q
   return true;
 }
 
-/// Measures triangles, or lets the children of a bound wait that are nearer than the goal; the
-/// others are kept as one.
+/// Measures triangles, or queues the children of a bound that are nearer than the goal and keeps
+/// the others as one entry.
 template <class Query>
 void lookAt(const Query& query, const MeshQueryMemory::NodePair& next, NodePairQueue& queue,
             NearestSearch& search) noexcept {
@@ -217,12 +216,12 @@ void lookAt(const Query& query, const MeshQueryMemory::NodePair& next, NodePairQ
   }
 }
 
-/// From the pairs that the last query kept, if nothing else can be nearer; else from the roots.
-/// @param step what `follow` said. @param enough [m] what is so near ends the search.
+/// Searches from the pairs that the last query kept, or from the roots if others may be nearer.
+/// @param step from `follow`. @param cutoff [m] the search ends once something is this near.
 template <class Query>
 void searchFromFront(const Query& query, double step, double cutoff, std::uint32_t visit_budget,
                      NodePairQueue& queue, NearestSearch& search) noexcept {
-  constexpr std::uint32_t kPairsPerVisit = 128;  // that are loosened
+  constexpr std::uint32_t kPairsPerVisit = 128;  // pairs loosened in the time of a visit
   MeshFront& front = *search.front;
   search.visits += step > 0.0 ? front.size / kPairsPerVisit : 0;
   if (front.nearest.a != kNone) {

@@ -12,14 +12,14 @@
 namespace collision_monitor {
 namespace {
 
-// The margin: steps, or the share of the distance if that is more.
+// The margin in steps, or as a share of the distance if that is more.
 constexpr double kSteps = 32.0;
 constexpr double kShare = 0.05;
 
-// [m] What is farther is not kept, for bounds of empty slots are not much farther.
+// [m] Pairs farther away are not kept: empty slots are not much farther.
 constexpr double kKeptWithin = 1e14;
 
-// [m] After steps that are longer, nothing that was kept is worth looking at.
+// [m] After a longer step nothing that was kept is worth a look.
 constexpr double kLongestStep = 1e3;
 
 constexpr double kUlp = std::numeric_limits<float>::epsilon();
@@ -27,15 +27,15 @@ constexpr std::uint32_t kMask = (1U << kPackedBits) - 1;
 constexpr std::uint32_t kChildBits = 8;
 constexpr std::uint32_t kChildMask = (1U << kChildBits) - 1;
 
-// Units of radii in one of coordinates.
+// Units of a radius in one unit of a coordinate.
 constexpr double kFiner = 1 << 11;
 
 double unitOf(const MeshTree& mesh) noexcept {
-  constexpr double kSmallest = 1e-6;  // [m] so that a mesh that is a point has one
+  constexpr double kSmallest = 1e-6;  // [m] gives a point a unit
   return std::max(mesh.radius(), kSmallest) / (kPackedMiddle - 1);
 }
 
-// @param units of coordinates from 1 - kPackedMiddle to kPackedMiddle - 1, to the nearest one.
+// @param units from 1 - kPackedMiddle to kPackedMiddle - 1, rounded to the nearest.
 std::uint32_t numbersOf(const Eigen::Vector3d& units) noexcept {
   std::uint32_t bits = 0;
   for (const double x : units) {
@@ -44,7 +44,7 @@ std::uint32_t numbersOf(const Eigen::Vector3d& units) noexcept {
   return bits;
 }
 
-// The ball about a bound, as kept. The radius grows by what the center is off.
+// Keeps the ball about a bound. The radius grows by the rounding of the center.
 void keepBall(std::uint32_t at, const MovingBounds& moving, Slot slot, MeshFront& front) noexcept {
   constexpr double kMost = kPackedMiddle - 1;
   const MeshTreeNode& node = moving.tree->nodes()[slot >> kSlotBits];
@@ -64,7 +64,7 @@ void keepBall(std::uint32_t at, const MovingBounds& moving, Slot slot, MeshFront
       static_cast<std::uint32_t>(kFiner * (1.0 + kUlp) * radius + 1.0) << kChildBits;
 }
 
-// Leaves half of the room to those that are nearest.
+// Keeps the nearer half of the pairs.
 void makeRoom(MeshFront& front) noexcept {
   if (front.size == 0) {
     return;
@@ -103,8 +103,8 @@ std::uint32_t nearestOf(const OpenedPair& opened, std::uint32_t children) noexce
   return nearest;
 }
 
-// As their boxes, their centers and their normals part a child and the other bound, and what is
-// between these.
+// Directions that separate the boxes, the centers or the normals of a child and the other bound,
+// and directions between these.
 Directions likelyDirections(const Bound& child, const PlacedBound& other) noexcept {
   const Eigen::Vector3f between = other.center - child.center;
   const Eigen::Vector3f gap = (between.cwiseAbs() - child.half - other.reach).cwiseMax(0.0F);

@@ -13,8 +13,8 @@
 namespace collision_monitor {
 namespace {
 
-// The feature of B that is extreme against `normal`: its axes that are perpendicular to the
-// normal span it.
+// The feature of B that is extreme against `normal`. B's axes that are perpendicular to the normal
+// span it.
 struct Feature {
   Eigen::Vector3d center;
   Eigen::Vector3d sides[2];
@@ -36,7 +36,7 @@ Feature extremeFeatureOfB(const BoxPair& pair, const Eigen::Vector3d& normal) no
   return feature;
 }
 
-// How far a candidate is from being what it claims; the candidate itself fulfils
+// A possible contact. `defect` is how far its points are off their features. Always satisfies
 // point_on_b - point_on_a = distance * normal.
 struct Candidate {
   SignedDistance cores;
@@ -117,8 +117,8 @@ Candidate contactOnAxis(const BoxPair& pair, std::size_t axis, double separation
   return contactOfEdges(pair, axis, separation);
 }
 
-// The first axis that ties for the largest separation within `tie` and whose points are on their
-// features within `slack`, else the one with the least defect.
+// The first axis that ties for the largest separation within `tie` and has its points on their
+// features within `slack`; else the axis with the least defect.
 Candidate bestContact(const BoxPair& pair, const Separations& separations, double tie,
                       double slack) noexcept {
   const double least = separations.largest - tie;
@@ -132,7 +132,7 @@ Candidate bestContact(const BoxPair& pair, const Separations& separations, doubl
   return best;
 }
 
-// How far the axes of B are from being unit and at right angles.
+// How far B's axes are from unit length and right angles.
 double skewOf(const BoxPair& pair) noexcept {
   const Eigen::Matrix3d products = pair.a_from_b.transpose() * pair.a_from_b;
   return (products - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
@@ -157,7 +157,7 @@ bool contactAlongAxis(const BoxPair& pair, const Separations& separations,
 }
 
 SignedDistance nearestContact(const BoxPair& pair, const Separations& separations) noexcept {
-  // Corners that touch may be apart by kTouching along each axis, so that no face holds a point.
+  // Touching corners may be kTouching apart along each axis, so that no face holds a point.
   const double tie = toleranceOf(pair);
   return bestContact(pair, separations, tie, tie + 2.0 * kTouching).cores;
 }

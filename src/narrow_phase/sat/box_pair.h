@@ -8,8 +8,8 @@
 
 namespace collision_monitor {
 
-/// Two boxes, or a box and a segment (a box of one extent), in the frame of box A, whose center
-/// is the origin. Column j of `a_from_b` is axis j of B. Units: metres.
+/// Two boxes, or a box and a segment (a box of one extent). Frames: that of box A, whose center is
+/// the origin. Column j of `a_from_b` is axis j of B. Units: metres.
 struct BoxPair {
   Eigen::Matrix3d a_from_b;
   Eigen::Vector3d center_of_b;
@@ -32,12 +32,12 @@ inline BoxPair swapped(const BoxPair& pair) noexcept {
 
 inline Pose aFromB(const BoxPair& pair) noexcept { return {pair.a_from_b, pair.center_of_b}; }
 
-/// [m] Of all lengths of this pair together.
+/// [m] The sum of all lengths of the pair.
 inline double lengthsOf(const BoxPair& pair) noexcept {
   return pair.half_a.sum() + pair.half_b.sum() + pair.center_of_b.cwiseAbs().sum();
 }
 
-/// Rounding that any coordinate of this pair may carry.
+/// [m] An upper bound of the rounding of any coordinate of the pair.
 inline double toleranceOf(const BoxPair& pair) noexcept { return 4e-15 * lengthsOf(pair); }
 
 }  // namespace collision_monitor

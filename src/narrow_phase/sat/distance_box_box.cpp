@@ -8,11 +8,10 @@
 #include "narrow_phase/distance.h"
 #include "narrow_phase/sat/axis_contact.h"
 
-// The distance of two convex bodies is their largest separation over all directions, and the
-// fifteen axes hold every direction of it but those in which a corner is nearest. So: if the
-// best axis has two points that realise it, it is the distance; if not, a corner of one box is
-// nearest to the other box, and sixteen corners are tried. Overlapping boxes always realise the
-// best axis.
+// The distance of two convex bodies is their largest separation over all directions. It is along
+// one of the fifteen axes unless a corner is nearest. So if the best axis has two points that
+// realise it, it gives the distance. If not, a corner of one box is nearest to the other box, and
+// sixteen corners are tried. Overlapping boxes always realise the best axis.
 namespace collision_monitor {
 namespace {
 
@@ -46,8 +45,8 @@ NearestCorner nearestCornerOfB(const BoxPair& pair) noexcept {
   return nearest;
 }
 
-// Where an edge of A runs beside a parallel edge of B, the points move to the middle of the
-// stretch they share, instead of jumping from end to end.
+// Moves the points of parallel edges to the middle of their common part, so that they do not jump
+// from end to end.
 void centerOnParallelEdges(const BoxPair& pair, const Eigen::Vector3d& signs,
                            SignedDistance& cores) noexcept {
   for (Eigen::Index i = 0; i < 3; ++i) {

@@ -8,19 +8,18 @@
 #include "narrow_phase/distance.h"
 #include "narrow_phase/sat/axis_contact.h"
 
-// Apart: the squared distance of a point to the box is convex along the segment, and quadratic
-// between the parameters where the point crosses a face plane. Its slope is evaluated at those
-// (at most six) parameters, which brackets the minimum in a stretch where the slope is linear.
-// One search covers corner, edge and face, and parallel ones need no case of their own.
-// Overlapping: separating axes.
+// Apart: the squared distance to the box is convex along the segment, and quadratic between the
+// parameters where the segment crosses a face plane. The slope at these (at most six) parameters
+// brackets the minimum where the slope is linear. One search covers corners, edges and faces, and
+// parallel ones need no case of their own. Overlapping: separating axes.
 namespace collision_monitor {
 namespace {
 
-// In the frame of the box.
+// Frames: the box's.
 struct SegmentAndBox {
   Segment segment;
   Eigen::Vector3d half_extents;
-  double rounding;  // a coordinate this little outside of a slab counts as inside
+  double rounding;  // a coordinate that little outside of a slab counts as inside
 };
 
 // Half the derivative of the squared distance to the box at segment.at(parameter).
@@ -70,7 +69,7 @@ double nearestParameter(const SegmentAndBox& pair) noexcept {
   for (Eigen::Index k = 0; k < 3; ++k) {
     const double direction = pair.segment.direction[k];
     for (const double face : {-pair.half_extents[k], pair.half_extents[k]}) {
-      // A coordinate that does not change crosses no plane: the quotient is then infinite or NaN.
+      // A constant coordinate crosses no plane: the quotient is then infinite or NaN.
       const double parameter = (face - pair.segment.center[k]) / direction;
       if (parameter > bracket.low && parameter < bracket.high) {
         bracket.narrow(parameter, slopeAt(pair, parameter));
@@ -84,10 +83,10 @@ double nearestParameter(const SegmentAndBox& pair) noexcept {
   return bracket.low + share * (bracket.high - bracket.low);
 }
 
-// Box first.
+// The box is A.
 SignedDistance boxToSegment(const BoxPair& pair) noexcept {
-  // Directions parallel to a face up to rounding are made exactly so, that the middle of the
-  // stretch beside the face is found.
+  // Directions that are parallel to a face up to rounding become exactly so. This finds the middle
+  // of the part beside the face.
   Eigen::Vector3d direction = pair.a_from_b.col(2);
   direction = (direction.array().abs() > kParallel).select(direction, 0.0);
   const SegmentAndBox here{
@@ -102,7 +101,7 @@ SignedDistance boxToSegment(const BoxPair& pair) noexcept {
     cores.normal_a_to_b = between / cores.distance;
     return cores;
   }
-  // Overlapping, or so near that features know the normal better than the difference does.
+  // Overlapping, or so near that the features give a better normal than the difference.
   const Separations separations = separationsOfBoxAndSegment(pair);
   SignedDistance along_axis;
   if (cores.distance <= kTouching) {

@@ -29,16 +29,16 @@ void maskFaces(const ConvexHull& owner, const KnownPoints& known, double below,
   }
 }
 
-// Whether no axis that touches only the edge separates more than the masks were made for, which is
-// not positive: a point as far below both faces beside it is at least as far below any plane
-// between these, since its normal is a sum of theirs, made longer to be unit.
+// True if no axis that touches only the edge separates by more than the height of the masks, which
+// is not positive. A point that far below both faces of the edge is at least as far below any plane
+// between them: the plane's normal is a sum of theirs, lengthened to unit.
 bool isPassedOver(const ConvexHull::Edge& edge, const Masks& masks) noexcept {
   return edge.left < kMostAxisFaces && edge.right < kMostAxisFaces &&
          (masks[edge.left] & masks[edge.right]) != 0;
 }
 
-// An edge and the normals of the faces beside it, in A's frame. On the Gauss map it is the arc
-// from one normal to the other.
+// An edge and the normals of its two faces, in A's frame. On the Gauss map it is the arc from one
+// normal to the other.
 struct Arc {
   Vector3d point;
   Vector3d edge;  // any length, along left x right
@@ -47,7 +47,7 @@ struct Arc {
   std::uint32_t number;
 };
 
-// Edges that are left over of a hull, so many at a time.
+// Some of the edges of a hull that are not passed over.
 struct Arcs {
   static constexpr std::size_t kMost = 32;
 
@@ -61,13 +61,13 @@ Arc arcOf(const ConvexHull& hull, std::uint32_t number) noexcept {
           hull.faces()[edge.left].normal, hull.faces()[edge.right].normal, number};
 }
 
-// The arc of a face pair of B as seen by A's outward normals.
+// An arc of B, negated, so that it compares with arcs of A's outward normals.
 Arc opposite(const Arc& arc, const Pose& a_from_b) noexcept {
   return {a_from_b * arc.point, a_from_b.rotation * arc.edge, -(a_from_b.rotation * arc.left),
           -(a_from_b.rotation * arc.right), arc.number};
 }
 
-// The next edges, from `from` on; the number of the one after them.
+// Collects edges from `from` on. Returns the number of the edge after them.
 std::uint32_t gather(const ConvexHull& hull, const Masks& masks, std::uint32_t from,
                      Arcs& arcs) noexcept {
   arcs.size = 0;
@@ -79,7 +79,7 @@ std::uint32_t gather(const ConvexHull& hull, const Masks& masks, std::uint32_t f
   return from;
 }
 
-// Each arc's ends lie on both sides of the other's great circle, and on the same half.
+// True if the ends of each arc lie on both sides of the other's great circle, and on the same half.
 bool cross(const Arc& a, const Arc& b) noexcept {
   const double left_of_b = along(a.edge, b.left);
   const double right_of_b = along(a.edge, b.right);
@@ -89,7 +89,7 @@ bool cross(const Arc& a, const Arc& b) noexcept {
          left_of_b * right_of_a > 0.0;
 }
 
-// Perpendicular to both edges however small their angle.
+// Finds the axis perpendicular to both edges, however small their angle. False if parallel.
 bool axisOf(const Arc& a, const Arc& b, Vector3d& axis) noexcept {
   constexpr double kParallelEdges = 1e-12;
   const Vector3d along_a = a.edge.normalized();

@@ -11,8 +11,7 @@
 /// What the searches for the best axis among faces and among edges of two hulls share.
 namespace collision_monitor {
 
-/// What a few points of one hull say of the faces of the other is kept of so many faces; those
-/// beyond are looked at in any case.
+/// Heights of known points are kept for this many faces. Later faces are always looked at.
 constexpr std::size_t kMostAxisFaces = 128;
 
 inline void offer(const HullAxis& candidate, HullAxis& best) noexcept {
@@ -21,8 +20,8 @@ inline void offer(const HullAxis& candidate, HullAxis& best) noexcept {
   }
 }
 
-/// Four points of a hull, in columns and in the frame of the other, the owner of the faces. What
-/// one of them is below a face, the hull is at least.
+/// Four points of a hull in columns, in the frame of the other hull, which owns the faces. The hull
+/// is at least as far below a face as any of them.
 struct KnownPoints {
   Eigen::Array4d x, y, z;
 
@@ -31,7 +30,7 @@ struct KnownPoints {
     y[i] = point.y();
     z[i] = point.z();
   }
-  /// [m]
+  /// [m] Heights above a face.
   Eigen::Array4d above(const ConvexHull::Face& face) const noexcept {
     return face.normal.x() * x + face.normal.y() * y + face.normal.z() * z - face.offset;
   }
@@ -40,15 +39,15 @@ struct KnownPoints {
   }
 };
 
-/// A hull, and what is known of the other.
+/// A hull, and known points of the other.
 struct KnownHull {
   const ConvexHull& hull;
   const KnownPoints& other;
 };
 
-/// Looks among the cross products of edges for an axis that separates more.
+/// Searches the cross products of edges for an axis that separates more.
 /// Frames: A's.
-/// @param best the best of both hulls' faces.
+/// @param best the best axis of both hulls' faces; receives the result.
 void searchEdges(const KnownHull& a, const KnownHull& b, const Pose& a_from_b,
                  HullAxis& best) noexcept;
 

@@ -27,11 +27,11 @@ struct View {
 // The search among the faces of one hull.
 struct FaceSearch {
   KnownPoints known;
-  Eigen::Index found{0};    // points known because they were lowest under a face
-  std::uint32_t lowest{0};  // the last vertex that was
+  Eigen::Index found{0};    // number of known points that are lowest under a face
+  std::uint32_t lowest{0};  // the last such vertex
 };
 
-// `best` is in the owner's frame, and its axis leads away from it.
+// `best` is in the owner's frame, and its axis leads away from the owner.
 void lookAtFace(const View& view, std::uint32_t f, FaceSearch& search, HullAxis& best) noexcept {
   const ConvexHull::Face& face = view.owner.faces()[f];
   for (Eigen::Index i = 0; i < search.found; ++i) {
@@ -51,8 +51,8 @@ void lookAtFace(const View& view, std::uint32_t f, FaceSearch& search, HullAxis&
         best);
 }
 
-// Begins with the face that some vertices of the other hull are least below; those that separate
-// no more than the best are passed over.
+// Starts with the face that some vertices of the other hull are least below. Skips faces that
+// separate no more than the best.
 void searchFaces(const View& view, FaceSearch& search, HullAxis& best) noexcept {
   const auto& faces = view.owner.faces();
   const auto& vertices = view.other.vertices();

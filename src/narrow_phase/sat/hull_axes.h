@@ -15,26 +15,26 @@ namespace collision_monitor {
 struct HullAxis {
   enum class Kind : unsigned char { face_of_a, face_of_b, edges };
 
-  /// [m] > 0: the hulls are apart, by this at least. Otherwise minus the penetration depth.
+  /// [m] > 0: the hulls are apart by at least this. Otherwise minus the penetration depth.
   double separation{-std::numeric_limits<double>::infinity()};
   Eigen::Vector3d direction{Eigen::Vector3d::UnitX()};  ///< unit, from A to B, world frame
   Kind kind{Kind::face_of_a};
-  std::uint32_t feature_of_a{0};  ///< the face or edge of A; of a face of B: A's nearest vertex
+  std::uint32_t feature_of_a{0};  ///< the face or edge of A; if face_of_b, A's nearest vertex
   std::uint32_t feature_of_b{0};  ///< likewise
 };
 
-/// The separating axis test of two convex polyhedra: face normals of both, and cross products of
-/// those edges whose sum is an edge of the Minkowski difference, which their arcs on the Gauss map
-/// tell. The test of two boxes is the special case in which fifteen axes do.
+/// The separating axis test of two convex polyhedra. The axes are the face normals of both, and the
+/// cross products of edges that make a face of the Minkowski difference: their arcs on the Gauss
+/// map cross. For two boxes fifteen axes suffice.
 ///
-/// Of the pairs of edges only few are looked at: those that no point of the other hull, known from
-/// the faces, shows to separate less than the best face. It settles depths that an iteration might
-/// not; signedDistanceBetween begins with it where hulls with few faces are met for the first time.
-/// Error: some ulps of the lengths. Edges whose sine is below 1e-12 count as parallel: what lies
-/// between them is a sliver so thin that the faces beside it say the same.
+/// Looks at few pairs of edges. Skips an edge if a known point of the other hull shows that it
+/// separates less than the best face. Settles depths that an iteration might not.
+/// signedDistanceBetween starts with it for hulls with few faces and no warm start.
+/// Error: a few ulps of the lengths. Edges with a sine below 1e-12 count as parallel: the sliver
+/// between them is so thin that the faces beside it give the same.
 /// Source: Gregorius, "The Separating Axis Test between Convex Polyhedra" (Game Developers
-/// Conference 2013), for the Gauss map; Gottschalk, Lin, Manocha, "OBBTree" (1996). Departs from
-/// them in what is passed over.
+/// Conference 2013), for the Gauss map; Gottschalk, Lin, Manocha, "OBBTree" (1996). Departure: what
+/// is skipped.
 /// @pre both hulls have volume and edges; poses are finite and rigid.
 HullAxis separateHulls(const ConvexHull& a, const Pose& world_from_a, const ConvexHull& b,
                        const Pose& world_from_b) noexcept;

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 using Kind = HullAxis::Kind;
 
-// [both hulls] With more, a polytope is grown about as quickly: docs/decisions/convex-steps.md.
+// Of both hulls. With more, a polytope grows about as fast: docs/decisions/convex-steps.md.
 constexpr std::size_t kFewFaces = 40;
 
 bool isFaceted(const ConvexCore& core) noexcept {
@@ -21,7 +21,7 @@ bool isFaceted(const ConvexCore& core) noexcept {
          !core.hull->edges().empty();
 }
 
-// Whether a point in a face's plane lies inside its edges.
+// True if a point in a face's plane lies inside its edges.
 bool liesIn(const ConvexHull& hull, std::uint32_t face, const Vector3d& point,
             double tolerance) noexcept {
   const Vector3d& normal = hull.faces()[face].normal;
@@ -49,7 +49,7 @@ bool isShare(double share, double length, double tolerance) noexcept {
   return share * length >= -tolerance && (share - 1.0) * length <= tolerance;
 }
 
-// Where the contact is on A, and whether it lies on both features.
+// The contact point on A, and whether it lies on both features.
 struct PointOnA {
   Vector3d point;
   bool is_on_both{false};

@@ -12,22 +12,21 @@
 namespace collision_monitor {
 
 /// As separateHulls, in A's frame.
-/// @param enough [m] a face that separates this much ends the search.
+/// @param cutoff [m] a face that separates this much ends the search.
 HullAxis bestAxis(const ConvexHull& a, const ConvexHull& b, const Pose& a_from_b,
                   double cutoff = std::numeric_limits<double>::infinity()) noexcept;
 
-/// Whether both are hulls with so few faces that their axes are told quicker than GJK and EPA tell
-/// the depth.
+/// True if both are hulls with so few faces that their axes give the depth faster than GJK and EPA.
 bool haveFewFaces(const ConvexPair& pair) noexcept;
 
-/// How deep two hulls overlap by the axis that separates them most, and where: under a face the
-/// other's vertex, between edges the ends of their common perpendicular, over parallel faces and
-/// edges the middle of what they share. The support planes across the axis and points that lie on
-/// both features prove the answer.
+/// Measures how deep two hulls overlap along the axis that separates them most. The points are at
+/// the other's vertex under a face, at the ends of the common perpendicular of two edges, or in the
+/// middle of the common part of parallel faces and edges. The support planes across the axis and
+/// points on both features prove the answer.
 ///
 /// Frames: A's. Error: rounding.
-/// @return false, with `found` as it was, where that is not proven and where the hulls are apart or
-/// do no more than touch: a search has to tell.
+/// @return false, with `found` unchanged, if this is not proven or the hulls do not overlap by more
+/// than touching: a search must decide.
 /// @pre haveFewFaces(pair).
 bool depthOfHulls(ConvexPair& pair, SignedDistance& found) noexcept;
 

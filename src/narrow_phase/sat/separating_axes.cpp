@@ -13,7 +13,7 @@ namespace collision_monitor {
 namespace {
 
 constexpr double kNoAxis = -std::numeric_limits<double>::infinity();
-// Sines this small are rounding of parallel edges; a facet that thin moves the depth by less.
+// Sines this small are rounding of parallel edges. So thin a facet changes the depth by less.
 constexpr double kLeastSineSquared = 1e-30;
 
 void measureFacesOfA(const BoxPair& pair, Separations& separations) noexcept {
@@ -29,7 +29,7 @@ void measureFacesOfB(const BoxPair& pair, Separations& separations) noexcept {
 }
 
 // Gap along e_i x f_j, whose components in A's frame are (0, -f_q, f_p) for i, p, q cyclic.
-// `reach_b` is B's along the same axis before it is brought to unit length.
+// `reach_b` is B's extent along that axis before it gets unit length.
 double gapAlongEdges(const BoxPair& pair, Eigen::Index i, Eigen::Index j, double reach_b) noexcept {
   const Eigen::Index p = (i + 1) % 3;
   const Eigen::Index q = (i + 2) % 3;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Two boxes in lanes: distance_box_box.cpp for pairs in general position. Boxes with parallel
-// axes are left to it.
+// Two boxes in lanes: distance_box_box.cpp for pairs in general position. That file takes boxes
+// with parallel axes.
 #if defined(COLLISION_MONITOR_LANES_BOX_BOX_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_LANES_BOX_BOX_INL_H_
 #undef COLLISION_MONITOR_LANES_BOX_BOX_INL_H_
@@ -16,10 +16,10 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// Half of what the distance may err by [m]; the rest is left for the point.
+/// [m] Half of the error that the distance may have; the point may have the rest.
 constexpr double kProofAllowance = 5e-13;
 
-/// Of eight corners the one nearest to a box at the origin.
+/// Of eight corners, the one nearest to a box at the origin.
 struct CornerLanes {
   Number distance_squared;
   Vector3 corner;
@@ -35,7 +35,7 @@ HWY_INLINE void considerCorner(const Vector3& corner, const Vector3& half, Corne
   nearest.corner = select(is_nearer, corner, nearest.corner);
 }
 
-/// Corners of the box with this center and these half axes.
+/// Tries the corners of the box with this center and these half axes.
 HWY_INLINE CornerLanes nearestCorner(const Vector3& center, const Axes& sides,
                                      const Vector3& half) {
   CornerLanes nearest{number(std::numeric_limits<double>::infinity()), center};
@@ -48,7 +48,7 @@ HWY_INLINE CornerLanes nearestCorner(const Vector3& center, const Axes& sides,
   return nearest;
 }
 
-/// Columns into rows.
+/// Turns columns into rows.
 HWY_INLINE Axes transposed(const Axes& axes) {
   return {{axes.x.x, axes.y.x, axes.z.x},
           {axes.x.y, axes.y.y, axes.z.y},
@@ -66,8 +66,8 @@ HWY_INLINE Number gapAlong(const BoxPairLanes& pair, const Vector3& direction) {
   return hn::Sub(hn::Sub(dot(direction, pair.center_of_b), reach_a), reach_b);
 }
 
-/// Boxes apart of which a corner is nearest; in A's frame. Sure where a plane between the points
-/// proves it: where axes tie, a face or an edge may be nearest all the same.
+/// Answer for boxes that are apart with a corner nearest. Frames: A's. Sure if a plane between the
+/// points proves it: if axes tie, a face or an edge may be nearest after all.
 HWY_INLINE CoreAnswer cornerDistance(const BoxPairLanes& pair) {
   const CornerLanes of_b =
       nearestCorner(pair.center_of_b, scaledAxes(pair.half_b, pair.b_axes), pair.half_a);
@@ -122,7 +122,7 @@ HWY_INLINE CoreAnswer coreDistance(const BoxCore& a, const BoxCore& b) {
   return {cores.distance, a.center + out(a.axes, cores.point_on_a), out(a.axes, cores.normal)};
 }
 
-/// Of boxes that overlap the best axis says how deep, and no point needs to prove it.
+/// If boxes overlap, the best axis gives the depth, and no point needs to prove it.
 HWY_INLINE Number separationWithin(const BoxCore& a, const BoxCore& b, Number reach,
                                    Truth& counts) {
   const BoxPairLanes pair = boxPairInLanes(a, b);
@@ -133,7 +133,7 @@ HWY_INLINE Number separationWithin(const BoxCore& a, const BoxCore& b, Number re
     return best.numerator;
   }
   considerAllEdges<false>(pair, best);
-  // A numerator is no larger than its gap where that is positive.
+  // If the gap is positive, the numerator is at most the gap.
   counts = hn::AndNot(hn::Gt(best.numerator, apart), counts);
   if (hn::AllFalse(Lanes(), counts)) {
     return best.numerator;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The separating axis that wins and the contact along it, in lanes: separating_axes.cpp and
+// The best separating axis and the contact along it, in lanes: separating_axes.cpp and
 // axis_contact.cpp for pairs in general position.
 #if defined(COLLISION_MONITOR_LANES_BOX_CONTACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_LANES_BOX_CONTACT_INL_H_
@@ -18,8 +18,8 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// BoxPair of box_pair.h: two boxes, or a box and a segment (then of B only z counts), in the
-/// frame of box A. `b_axes` are B's axes.
+/// BoxPair of box_pair.h: two boxes, or a box and a segment (then only B's z counts), in the frame
+/// of box A. `b_axes` are B's axes.
 struct BoxPairLanes {
   Axes b_axes;
   Vector3 center_of_b;
@@ -34,8 +34,8 @@ HWY_INLINE Number toleranceInLanes(const Vector3& half_a, const Vector3& half_b,
   return hn::Mul(number(4e-15), sum);
 }
 
-/// The axis of the largest gap so far. Gaps along edges are numerator / sine; they are compared as
-/// signed squares, so that one root and one quotient do for all.
+/// The axis of the largest gap so far. Gaps along edges are numerator / sine. They are compared as
+/// signed squares, so that one root and one quotient suffice for all.
 struct BestAxis {
   Number numerator, signed_square, sine_squared;
   Number of_a;  ///< 1, 2 or 3: the axis of A that takes part; 0: none
@@ -60,15 +60,15 @@ HWY_INLINE Number axisOf(const LargestOfThree& largest) {
                         hn::IfThenElse(largest.is_y, number(2.0), number(1.0)));
 }
 
-/// 1 at that axis, else 0.
+/// 1 at that axis, 0 elsewhere.
 HWY_INLINE Vector3 unitVector(Number axis) {
   return {hn::IfThenElseZero(hn::Eq(axis, number(1.0)), number(1.0)),
           hn::IfThenElseZero(hn::Eq(axis, number(2.0)), number(1.0)),
           hn::IfThenElseZero(hn::Eq(axis, number(3.0)), number(1.0))};
 }
 
-/// Axis i of A crossed with every axis of B (or its z alone). Of each axis of B the components p
-/// and q, those that follow i in turn, of its center and A's half extents too.
+/// Considers axis i of A crossed with every axis of B (or its z alone). p and q follow i in turn:
+/// the arguments are these components of B's axes, of B's center and of A's half extents.
 template <bool kBIsSegment>
 HWY_INLINE void considerEdges(double i, const Vector3& f_p, const Vector3& f_q, Number c_p,
                               Number c_q, Number half_p, Number half_q, const Vector3& half_b,
@@ -95,7 +95,7 @@ HWY_INLINE void considerEdges(double i, const Vector3& f_p, const Vector3& f_q, 
   }
 }
 
-/// Of the axes across faces, which part most boxes.
+/// The best of the axes across faces, which separate most boxes.
 template <bool kBIsSegment>
 HWY_INLINE BestAxis bestOfFaces(const BoxPairLanes& pair) {
   const Axes& f = pair.b_axes;
@@ -117,7 +117,7 @@ HWY_INLINE BestAxis bestOfFaces(const BoxPairLanes& pair) {
   return best;
 }
 
-/// With the axes across edges, too.
+/// Considers the axes across edges, too.
 template <bool kBIsSegment>
 HWY_INLINE void considerAllEdges(const BoxPairLanes& pair, BestAxis& best) {
   const Axes& f = pair.b_axes;
@@ -136,13 +136,13 @@ HWY_INLINE BestAxis bestAxis(const BoxPairLanes& pair) {
   return best;
 }
 
-/// The corner of a box farthest in `direction`, both in the frame of the box.
+/// The corner of a box that is farthest in `direction`. Frames: the box's.
 HWY_INLINE Vector3 cornerTowards(const Vector3& half, const Vector3& direction) {
   return {hn::CopySign(half.x, direction.x), hn::CopySign(half.y, direction.y),
           hn::CopySign(half.z, direction.z)};
 }
 
-/// Whether a point lies in the face of a box that `axis` crosses.
+/// True if a point lies in the face of a box that `axis` crosses.
 HWY_INLINE Truth liesInFace(const Vector3& point, const Vector3& half, const Vector3& axis,
                             Number slack) {
   const Vector3 beyond = absolute(point) - half;
@@ -154,14 +154,14 @@ HWY_INLINE Truth liesInFace(const Vector3& point, const Vector3& half, const Vec
       hn::Or(three, hn::Le(beyond.z, slack)));
 }
 
-/// v without what it has where `axis` is 1.
+/// v with 0 where `axis` is 1.
 HWY_INLINE Vector3 without(const Vector3& axis, const Vector3& v) {
   return {hn::IfThenZeroElse(hn::Gt(axis.x, zero()), v.x),
           hn::IfThenZeroElse(hn::Gt(axis.y, zero()), v.y),
           hn::IfThenZeroElse(hn::Gt(axis.z, zero()), v.z)};
 }
 
-/// Points that realise the largest gap, in A's frame; `holds` where they lie on their features.
+/// Points that realise the largest gap, in A's frame. `holds`: they lie on their features.
 struct AxisContact {
   Number gap;
   Vector3 point_on_a;
@@ -186,7 +186,7 @@ HWY_INLINE AxisContact contactAlong(const BoxPairLanes& pair, const BestAxis& be
   const Vector3 corner_of_a = cornerTowards(pair.half_a, normal);
   const Vector3 normal_in_b = into(pair.b_axes, normal);
   const Vector3 corner_in_b = negated(cornerTowards(pair.half_b, normal_in_b));
-  // Edges: through the corners, along the axes that take part.
+  // Edges: through the corners, along the crossed axes.
   const Vector3 middle_a = without(of_a, corner_of_a);
   const Vector3 middle_b = pair.center_of_b + out(pair.b_axes, without(of_b, corner_in_b));
   const LaneParameters closest = closestInLanes(middle_b - middle_a, of_a, dot(of_a, pair.half_a),
@@ -208,7 +208,7 @@ HWY_INLINE AxisContact contactAlong(const BoxPairLanes& pair, const BestAxis& be
   return {gap, point, normal, holds};
 }
 
-/// Whether no component of a unit vector is so small that it could be zero.
+/// True if no component of a unit vector is so small that it could be zero.
 HWY_INLINE Truth isSkew(const Vector3& axis) {
   const Vector3 v = absolute(axis);
   return hn::Gt(hn::Min(hn::Min(v.x, v.y), v.z), number(kParallel));

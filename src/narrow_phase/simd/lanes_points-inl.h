@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Points and segments in lanes: distance_point_point.cpp, distance_point_segment.cpp,
-// distance_segment_segment.cpp and distance_point_box.cpp with their cases as selections.
+// distance_segment_segment.cpp and distance_point_box.cpp, with selections in place of branches.
 #if defined(COLLISION_MONITOR_LANES_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_LANES_POINTS_INL_H_
 #undef COLLISION_MONITOR_LANES_POINTS_INL_H_
@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// From a point of A that is nearest to B and the way from there, sure where that is longer than
+/// The answer from A's closest point and the vector from there to B. Sure if that is longer than
 /// `least`.
 HWY_INLINE CoreAnswer answerOfSide(const Vector3& on_a, const Vector3& delta, double least) {
   const Number distance = norm(delta);
@@ -38,11 +38,11 @@ struct LaneParameters {
   Number on_a, on_b;
 };
 
-/// Squared sine above which closestInLanes takes dot products for the first parameter: at lengths
-/// of 10 m it errs by some 1e-12 m then, and the distance by a tenth of that.
+/// Squared sine above which closestInLanes takes the first parameter from dot products. At lengths
+/// of 10 m its error is then some 1e-12 m, and that of the distance a tenth of it.
 constexpr double kSteep = 1e-2;
 
-/// The first parameter as closestParameters takes it, at any angle.
+/// The first parameter as closestParameters finds it, at any angle.
 HWY_INLINE Number firstOfFlat(const Vector3& between, const Vector3& u, Number half_a,
                               const Vector3& v, Number half_b) {
   const Vector3 n = cross(u, v);
@@ -55,14 +55,14 @@ HWY_INLINE Number firstOfFlat(const Vector3& between, const Vector3& u, Number h
   return hn::IfThenElse(hn::Gt(sine_squared, number(kParallel * kParallel)), crossing, beside);
 }
 
-/// closestParameters of closest_points.h, with fewer operations where directions are far from
-/// parallel. Each lane takes the same way whatever the others do; lanes that do not count, as those
-/// of a body and itself in a block, do not make the others wait, and come out as anything.
+/// closestParameters of closest_points.h, with fewer operations if directions are far from
+/// parallel. No lane depends on the others. Lanes that do not count, as those of a body with itself
+/// in a block, cost no extra work and hold any value.
 HWY_INLINE LaneParameters closestInLanes(const Vector3& between, const Vector3& u, Number half_a,
                                          const Vector3& v, Number half_b, Truth counts) {
   const Number cosine = dot(u, v);
   const Number b_on_a = dot(u, between);
-  const Number a_from_b = dot(v, between);  // of B's center; along B, but backwards
+  const Number a_from_b = dot(v, between);  // minus the parameter of A's center on B
   const Number sine_squared = hn::Sub(number(1.0), hn::Mul(cosine, cosine));
   const Truth is_steep = hn::Gt(sine_squared, number(kSteep));
   Number first = hn::Div(hn::Sub(b_on_a, hn::Mul(cosine, a_from_b)), sine_squared);
@@ -73,8 +73,8 @@ HWY_INLINE LaneParameters closestInLanes(const Vector3& between, const Vector3& 
   return {clamped(half_a, hn::Add(b_on_a, hn::Mul(on_b, cosine))), on_b};
 }
 
-/// Segments that nearly meet, each between its ends and at an angle: sure of the normal, which is
-/// perpendicular to both. normalOfNear's first case; the others are left to it.
+/// Makes answers sure where segments nearly meet, each between its ends and at an angle: the normal
+/// is perpendicular to both. This is normalOfNear's first case; the plain twin takes the others.
 HWY_INLINE void sureOfCrossings(const SegmentCore& a, const SegmentCore& b,
                                 const LaneParameters& closest, const Vector3& delta,
                                 CoreAnswer& answer) {
@@ -90,7 +90,7 @@ HWY_INLINE void sureOfCrossings(const SegmentCore& a, const SegmentCore& b,
   answer.normal = select(is_crossing, scaled(scale, n), answer.normal);
 }
 
-/// Right in the lanes that count.
+/// Correct in the lanes that count.
 HWY_INLINE CoreAnswer coreDistance(const SegmentCore& a, const SegmentCore& b, Truth counts) {
   const Vector3 between = b.center - a.center;
   const LaneParameters closest =
@@ -117,7 +117,7 @@ HWY_INLINE Number separationWithin(const SegmentCore& a, const SegmentCore& b, N
   return coreDistance(a, b, counts).distance;
 }
 
-/// Where one of three numbers is the largest; of equal ones the first.
+/// The largest of three numbers, and where it is; the first of equal ones.
 struct LargestOfThree {
   Number value;
   Truth is_y, is_z;
@@ -141,14 +141,14 @@ HWY_INLINE CoreAnswer coreDistance(const PointCore& a, const BoxCore& b) {
   const Vector3 outward = here - clamped(b.half_extents, here);
   const Number outside = norm(outward);
   const Truth is_outside = hn::Gt(outside, number(kTouching));
-  // Inside: the nearest face is the way out.
+  // Inside: the nearest face gives the depth.
   const LargestOfThree face = largestOf(absolute(here) - b.half_extents);
   const Vector3 inward =
       atPlaceOf(face, {hn::Neg(signOf(here.x)), hn::Neg(signOf(here.y)), hn::Neg(signOf(here.z))});
   const Vector3 normal =
       select(is_outside, scaled(hn::Div(number(-1.0), outside), outward), inward);
   const Number distance = hn::IfThenElse(is_outside, outside, face.value);
-  // A number that is not one compares with nothing, which would read as inside.
+  // A NaN fails every comparison, which would read as inside.
   const Truth is_number = hn::Eq(outside, outside);
   return {sureWhere(is_number, distance), a.center, out(b.axes, normal)};
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A segment and a box in lanes: distance_segment_box.cpp with its cases as selections.
+// A segment and a box in lanes: distance_segment_box.cpp, with selections in place of branches.
 #if defined(COLLISION_MONITOR_LANES_SEGMENT_BOX_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_LANES_SEGMENT_BOX_INL_H_
 #undef COLLISION_MONITOR_LANES_SEGMENT_BOX_INL_H_
@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// In the frame of the box.
+/// Frames: the box's.
 struct SegmentInBox {
   Vector3 center, direction;
   Number half_length;
@@ -59,7 +59,7 @@ HWY_INLINE void narrow(Truth counts, Number parameter, Number slope, BracketLane
   bracket.flat_high = hn::IfThenElse(is_flat, high, bracket.flat_high);
 }
 
-/// Where the segment crosses the two planes of a slab.
+/// Narrows the bracket where the segment crosses the two planes of a slab.
 HWY_INLINE void narrowAtSlab(const SegmentInBox& pair, Number center, Number direction, Number half,
                              BracketLanes& bracket) {
   for (const Number face : {hn::Neg(half), half}) {
@@ -90,7 +90,7 @@ HWY_INLINE Number nearestInLanes(const SegmentInBox& pair) {
                         hn::IfThenElse(hn::Lt(slope_last, zero()), end, within));
 }
 
-/// Directions parallel to a face up to rounding are made exactly so.
+/// Directions that are parallel to a face up to rounding become exactly so.
 HWY_INLINE Number cleaned(Number component) {
   return hn::IfThenElseZero(hn::Gt(hn::Abs(component), number(kParallel)), component);
 }

@@ -23,7 +23,7 @@ void storeVector(const Vector3& v, std::size_t first, std::size_t row,
   hn::Store(v.z, Lanes(), &answers.at[first + 2][row]);
 }
 
-/// @return whether every row is sure.
+/// @return true if every row is sure.
 template <class CoreA, class CoreB>
 bool measureCores(std::size_t count, PairRows& rows) {
   bool is_sure = true;
@@ -68,7 +68,7 @@ namespace {
 
 HWY_EXPORT(measureLanes);
 
-/// Rows behind the last one that share its vector are read too: they repeat it.
+/// Repeats the last row in the rows after it that share its vector and are read too.
 void repeatLastRow(CoreKind kind, std::size_t count, ShapeRows& rows) noexcept {
   constexpr std::size_t kMostLanes = 8;
   const std::size_t end = (count + kMostLanes - 1) / kMostLanes * kMostLanes;

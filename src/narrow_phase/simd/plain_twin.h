@@ -4,17 +4,17 @@
 
 #include "collision_monitor/narrow_phase/pair_rows.h"
 
-/// What batched kernels are not sure of is measured again by the routines of distance.h.
+/// The routines of distance.h measure again what batched kernels are not sure of.
 namespace collision_monitor {
 
 /// As distanceBetween; NaN for poses that are not finite.
 SignedDistance plainDistance(const Core& a, const Pose& world_from_a, const Core& b,
                              const Pose& world_from_b) noexcept;
 
-/// A pose with this z axis, for segments: their other axes may be any.
+/// A pose with this z axis, for segments. Its other axes are arbitrary.
 Pose poseAlong(const Eigen::Vector3d& axis_z, const Eigen::Vector3d& translation) noexcept;
 
-/// A row read back from columns that are `stride` numbers apart; `first` is its first.
+/// A row read back from columns that are `stride` numbers apart; `first` is its first number.
 struct PosedCore {
   Core core;
   Pose pose;

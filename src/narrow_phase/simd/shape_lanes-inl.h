@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Shapes of one kind, one a lane, read from columns.
+// Shapes of one kind, one per lane, read from columns.
 #if defined(COLLISION_MONITOR_SHAPE_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_SHAPE_LANES_INL_H_
 #undef COLLISION_MONITOR_SHAPE_LANES_INL_H_
@@ -19,7 +19,7 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// Neighbouring shapes, one a lane: column c of the first stands at first[c * stride].
+/// Consecutive shapes, one per lane: column c of the first is at first[c * stride].
 struct ShapeLanes {
   const double* first;
   std::size_t stride;
@@ -82,22 +82,22 @@ struct BoxCore {
                      source.at(column::half_z)} {}
 };
 
-/// Of two bare cores: as SignedDistance, without the second point, which follows from the rest.
-/// A distance of NaN: the plain twin has to decide.
+/// The answer for two bare cores: SignedDistance without the second point, which follows from the
+/// rest. It is sure unless the distance is NaN: then the plain twin must decide.
 struct CoreAnswer {
   Number distance;
   Vector3 point_on_a;
   Vector3 normal;
 };
 
-/// The distance of coreDistance, right in the lanes that count: for those who need no points. Lanes
-/// in which it is beyond `reach` need not count any more, and do not where that is seen soon.
+/// The distance of coreDistance for callers that need no points; correct in the lanes that count.
+/// Lanes beyond `reach` need not count, and no longer do if that is seen early.
 template <class CoreA, class CoreB>
 HWY_INLINE Number separationWithin(const CoreA& a, const CoreB& b, Number, Truth&) {
   return coreDistance(a, b).distance;
 }
 
-/// The signed distance, in either order: separationWithin, radii counted.
+/// The signed distance of the shapes, in either order: separationWithin less the radii.
 template <class CoreA, class CoreB>
 HWY_INLINE Number distanceWithin(const CoreA& a, const CoreB& b, Number reach, Truth& counts) {
   if constexpr (CoreA::kKind > CoreB::kKind) {

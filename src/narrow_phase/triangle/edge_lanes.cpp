@@ -21,7 +21,7 @@ struct LaneEdges {
   Number squared_length;
 };
 
-/// The edges of a triangle in columns, the third as often as there is room.
+/// The edges of a triangle in columns. The third one fills the remaining lanes.
 struct EdgeColumns {
   static constexpr std::size_t kLanes = 8;
 
@@ -44,19 +44,19 @@ struct EdgeColumns {
   }
 };
 
-HWY_INLINE Vector3 everywhere(const Eigen::Vector3d& v) {
+HWY_INLINE Vector3 inAllLanes(const Eigen::Vector3d& v) {
   return {number(v.x()), number(v.y()), number(v.z())};
 }
 
 HWY_INLINE LaneEdges everywhere(const Edge& edge) {
-  return {everywhere(edge.start), everywhere(edge.along), number(edge.squared_length)};
+  return {inAllLanes(edge.start), inAllLanes(edge.along), number(edge.squared_length)};
 }
 
 HWY_INLINE Number unitClamped(Number parameter) {
   return hn::Max(zero(), hn::Min(number(1.0), parameter));
 }
 
-// As improveByEdges, both of its cases; what a division by 0 spoils is not chosen.
+// Both cases of improveByEdges. Values that a division by 0 spoils are not chosen.
 HWY_INLINE Number squaredDistances(const LaneEdges& a, const LaneEdges& b) {
   const Vector3 from_a_to_b = b.start - a.start;
   const Vector3 normal = cross(a.along, b.along);

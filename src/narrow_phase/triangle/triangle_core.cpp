@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 constexpr std::uint32_t kVisitsOfBox = 6;
 constexpr std::uint32_t kVisitsOfSearch = 9;
 
-// A point is a segment of no length.
+// A point is a segment of length 0.
 PointPair nearestToSegment(const Triangle& triangle, const Vector3d& half_extents,
                            const PointPair& start) noexcept {
   const PreparedTriangle prepared = prepare(triangle);
@@ -38,8 +38,8 @@ PointPair nearestToSegment(const Triangle& triangle, const Vector3d& half_extent
   return best;
 }
 
-// A triangle cut by six planes has nine corners at most; spare ones take those that rounding makes
-// where a cut runs along an edge.
+// A triangle cut by six planes has at most nine corners. The spare ones take corners that rounding
+// adds when a cut runs along an edge.
 struct Polygon {
   std::array<Vector3d, 12> corners;
   std::size_t size{0};
@@ -71,7 +71,7 @@ Polygon cut(const Polygon& polygon, Eigen::Index axis, double side, double limit
   return kept;
 }
 
-// The middle of the corners of what the box holds of the triangle.
+// The mean of the corners of the part of the triangle inside the box.
 bool sharedPoint(const Triangle& triangle, const Vector3d& half_extents,
                  Vector3d& shared) noexcept {
   Polygon polygon;
@@ -89,7 +89,7 @@ bool sharedPoint(const Triangle& triangle, const Vector3d& half_extents,
   return polygon.size > 0;
 }
 
-// The four edges of the box along an axis, and their ends.
+// Tries the four edges of the box along an axis, and their ends.
 void improveByBoxEdges(const PreparedTriangle& triangle, const Vector3d& half_extents,
                        Eigen::Index axis, PointPair& best) noexcept {
   for (const double p : {-1.0, 1.0}) {
@@ -132,7 +132,7 @@ PointPair nearestToBox(const Triangle& triangle, const Vector3d& half_extents,
   return best;
 }
 
-// A point of the triangle that the core holds.
+// A point of the triangle inside the core.
 Vector3d sharedPoint(const Simplex& touching) noexcept {
   if (!touching.contains_origin) {
     return touching.pointOnA();
@@ -163,7 +163,7 @@ void offerPoint(const Vector3d& half_extents, const Vector3d& on_triangle,
   }
 }
 
-// The distance to a convex solid is convex along an edge: golden sections find its least place.
+// The distance to a convex solid is convex along an edge: golden sections find its minimum.
 void improveOnEdge(const Vector3d& half_extents, const Vector3d& from, const Vector3d& to,
                    PointPair& best) noexcept {
   constexpr double kGolden = 0.6180339887498949;
@@ -182,7 +182,7 @@ void improveOnEdge(const Vector3d& half_extents, const Vector3d& from, const Vec
   offerPoint(half_extents, from + 0.5 * (low + high) * (to - from), best);
 }
 
-// Where GJK stalls, a triangle that all but touches a cylinder: its edges and its face one by one.
+// For a triangle that nearly touches a cylinder, where GJK stalls: tries its edges and its face.
 void improveByFeatures(const Triangle& triangle, const ConvexCore& cylinder,
                        PointPair& best) noexcept {
   const Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
@@ -197,7 +197,7 @@ void improveByFeatures(const Triangle& triangle, const ConvexCore& cylinder,
   }
 }
 
-// From the box about the triangle to the one about the core; 0 for hulls.
+// From the box about the triangle to the box about the core; 0 for hulls.
 Vector3d wayToBox(const Triangle& triangle, const ConvexCore& core) noexcept {
   if (core.kind == ConvexCore::Kind::hull) {
     return Vector3d::Zero();
@@ -207,7 +207,7 @@ Vector3d wayToBox(const Triangle& triangle, const ConvexCore& core) noexcept {
   return (-core.half_extents - most).cwiseMax(0.0) - (least - core.half_extents).cwiseMax(0.0);
 }
 
-// By GJK: whatever the bounds say, its points are points of both.
+// Runs GJK. Whatever the bounds say, its points are points of both.
 PointPair nearestBySearch(const Triangle& triangle, const ConvexCore& core,
                           const PointPair& start) noexcept {
   ConvexCore corners;

@@ -9,10 +9,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Height over base, squared: below it the normal is mostly rounding.
+// Squared height over base. Below it the normal is mostly rounding.
 constexpr double kSliver = 1e-24;
 
-// The stretch of edge A that runs beside a parallel edge B: its middle.
+// Middle of the part of edge A beside a parallel edge B.
 double middleOfShared(const Edge& a, const Vector3d& from_a_to_b, double product) noexcept {
   if (!(a.squared_length > 0.0)) {
     return 0.0;
@@ -46,7 +46,7 @@ void improveByEdges(const Edge& a, const Edge& b, PointPair& best) noexcept {
   const double product = a.along.dot(b.along);
   double on_a = 0.0;
   if (squared_normal > kParallelSquared * a.squared_length * b.squared_length) {
-    // The lines are this far apart, and the edges no less.
+    // The lines are this far apart, and the edges at least as far.
     const double height = from_a_to_b.dot(normal);
     if (height * height >= best.squared_distance * squared_normal) {
       return;
@@ -55,7 +55,7 @@ void improveByEdges(const Edge& a, const Edge& b, PointPair& best) noexcept {
   } else {
     on_a = middleOfShared(a, from_a_to_b, product);
   }
-  // Each parameter is now the best for the other; the second pass matters when b was clamped.
+  // Makes each parameter the best for the other. The second one matters if b was clamped.
   double on_b = 0.0;
   if (b.squared_length > 0.0) {
     on_b = clampToUnit((on_a * product - from_a_to_b.dot(b.along)) / b.squared_length);

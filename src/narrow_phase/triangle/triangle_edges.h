@@ -9,7 +9,7 @@
 #include "geometry/based_triangle.h"
 #include "narrow_phase/triangle/triangle_triangle.h"
 
-/// The pieces that every query about a triangle is made of. One frame for all; metres.
+/// The pieces of every query about a triangle. Frames: one for all. Units: metres.
 namespace collision_monitor {
 
 /// An edge as start + t * along with 0 <= t <= 1. May have no length.
@@ -34,7 +34,7 @@ struct PreparedTriangle {
   bool hasPlane() const noexcept { return normal.squaredNorm() > 0.0; }
 };
 
-/// To measure two triangles takes as long as to open so many nodes.
+/// Measuring two triangles takes as long as opening this many nodes.
 constexpr std::uint32_t kVisitsToMeasure = 3;
 
 PreparedTriangle prepare(const Triangle& triangle) noexcept;
@@ -42,29 +42,28 @@ PreparedTriangle prepare(const Triangle& triangle) noexcept;
 /// Squared sine of edges that count as parallel.
 constexpr double kParallelSquared = 1e-28;
 
-/// Edge `a` of the one triangle and `b` of the other.
+/// Edge `a` of one triangle and edge `b` of the other.
 struct EdgePair {
   std::size_t a;
   std::size_t b;
   double squared_distance;  ///< [m^2]
 };
 
-/// The two edges that are nearest to each other, of all nine pairs, with the widest vector
-/// instructions the machine has; each of them gives the same bits.
-/// Error: chooses by distances as improveByEdges finds them, to rounding.
+/// Finds the nearest of all nine pairs of edges. Uses the widest vector instructions of the
+/// machine; all give the same bits.
+/// Error: chooses by the distances of improveByEdges, up to rounding.
 EdgePair nearestEdges(const PreparedTriangle& a, const PreparedTriangle& b) noexcept;
 
 /// Replaces `best` by the nearest points of two edges if they are nearer.
 void improveByEdges(const Edge& a, const Edge& b, PointPair& best) noexcept;
 
-/// Replaces `best` by `point` and its foot on the triangle, if they are nearer. The triangle is A.
-/// The foot is the nearest point where that is inside the triangle; what is nearest to its
-/// boundary is left to the edges.
+/// Replaces `best` by `point` and its closest point on the triangle (A), if they are nearer. Exact
+/// for a closest point inside the triangle; the edges take those on its boundary.
 void improveByFace(const PreparedTriangle& triangle, const Eigen::Vector3d& point,
                    PointPair& best) noexcept;
 
-/// Replaces `best` by the point where a straight line passes through the plane and its foot on the
-/// triangle, if they are nearer. The triangle is A.
+/// Replaces `best` by the point where a straight line passes through the triangle's plane and its
+/// closest point on the triangle (A), if they are nearer.
 void improveByPiercing(const PreparedTriangle& triangle, const Eigen::Vector3d& from,
                        const Eigen::Vector3d& to, PointPair& best) noexcept;
 
@@ -73,7 +72,7 @@ inline double heightOver(const PreparedTriangle& triangle, const Eigen::Vector3d
   return triangle.normal.dot(point - triangle.corners[0]);
 }
 
-/// The triangle's normal, or any unit vector where it has no plane.
+/// The triangle's normal, or any unit vector if it has no plane.
 inline Eigen::Vector3d anyNormalOf(const PreparedTriangle& triangle) noexcept {
   return triangle.hasPlane() ? triangle.normal : Eigen::Vector3d(Eigen::Vector3d::UnitX());
 }

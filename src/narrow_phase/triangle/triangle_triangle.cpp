@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using Heights = std::array<double, 3>;
 
-// Of the size of both triangles: heights below it are rounding and count as 0.
+// Share of the size of both triangles. Heights below it are rounding and count as 0.
 constexpr double kFlat = 1e-14;
 
 double sizeOf(const Triangle& triangle) noexcept {
@@ -47,7 +47,7 @@ struct Interval {
   }
 };
 
-// The stretch of the planes' common line that the triangle covers, seen along `axis`.
+// The part of the planes' common line that the triangle covers, along `axis`.
 Interval stretchOf(const Triangle& triangle, const Heights& heights, Eigen::Index axis) noexcept {
   Interval stretch;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -64,8 +64,8 @@ Interval stretchOf(const Triangle& triangle, const Heights& heights, Eigen::Inde
   return stretch;
 }
 
-// True when the line along an edge of `a` has all of `b` strictly on its outer side. In the
-// plane of coordinates p and q.
+// True if the line along an edge of `a` has all of `b` strictly on its outer side, in the plane of
+// coordinates p and q.
 bool hasSeparatingEdge(const Triangle& a, const Triangle& b, Eigen::Index p, Eigen::Index q,
                        double rounding) noexcept {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -94,14 +94,14 @@ bool overlapInPlane(const PreparedTriangle& a, const PreparedTriangle& b,
          !hasSeparatingEdge(b.corners, a.corners, p, q, rounding);
 }
 
-// How far the plane and the triangle are apart; 0 when they meet.
+// The distance of the plane and the triangle; 0 if they meet.
 double gapOf(const Heights& heights) noexcept {
   return allOnOneSide(heights)
              ? std::min({std::abs(heights[0]), std::abs(heights[1]), std::abs(heights[2])})
              : 0.0;
 }
 
-// Two triangles that the plane of the one separates, or neither.
+// The gap of two triangles if the plane of one separates them; else 0.
 struct PlaneGap {
   double gap;          // [m]
   Vector3d direction;  // from A to B
@@ -120,7 +120,7 @@ PointPair exchanged(const PointPair& pair) noexcept {
   return {pair.squared_distance, pair.on_b, pair.on_a};
 }
 
-// Corners of B, and where its edges pass the plane of A, against the face of A.
+// Tries B's corners, and the points where its edges cross the plane of A, with the face of A.
 void improveByFaces(const PreparedTriangle& a, const Triangle& b, bool meets_plane,
                     PointPair& best) noexcept {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -170,7 +170,7 @@ double squaredGapAlong(const Vector3d& direction, const Triangle& a, const Trian
 
 TriangleDistance boundedDistance(const Triangle& a, const Triangle& b, const PointPair& start,
                                  double squared_cutoff) noexcept {
-  // Where surfaces are convex, the direction of the nearest points so far separates nearly all.
+  // Between convex surfaces the direction of the nearest points so far separates nearly all.
   const Vector3d from_a_to_b = start.on_b - start.on_a;
   const double squared_gap = squaredGapAlong(from_a_to_b, a, b);
   if (squared_gap >= squared_cutoff) {

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// A foot on A, the cylinder, that is proven.
+// A closest point on A, the cylinder, that is proven.
 struct ProvenClosest {
   ClosestOnCylinder closest;
   ClosestProof proof;
@@ -40,7 +40,7 @@ struct Corners {
   }
 };
 
-// Which of the two is taken for the cylinder, and which is followed.
+// Which of the two cores counts as the cylinder, and which is followed.
 struct Roles {
   const PlacedCore& cylinder;
   const PlacedCore& other;
@@ -49,7 +49,7 @@ struct Roles {
   bool is_swapped;  // the cylinder is B
 };
 
-// Of two cylinders the one that is met at its rim is followed.
+// Of two cylinders, follows one that is nearest at its rim.
 Roles castRoles(const PlacedCore& a, const PlacedCore& b, const ConvexWarmStart& warm) noexcept {
   using Warm = ConvexWarmStart;
   const bool follows_b =
@@ -72,7 +72,7 @@ bool findClosest(const Corners& corners, const PlacedPair& pair, const Vector3d&
   return true;
 }
 
-// From the corners of the last search to those a plane shows to be farther towards the cylinder.
+// Goes from the corners of the last search to corners that a plane shows to be nearer.
 bool followCorners(const PlacedPair& pair, Corners& corners, Vector3d start,
                    ProvenClosest& found) noexcept {
   constexpr int kMaxTries = 4;
@@ -103,7 +103,7 @@ bool followCorners(const PlacedPair& pair, Corners& corners, Vector3d start,
   return false;
 }
 
-// Side against side: the other's axis is followed, its radius taken off.
+// Side against side: follows the other's axis and subtracts its radius.
 bool followAxis(const PlacedPair& pair, Vector3d& on_other, ProvenClosest& found) noexcept {
   const Vector3d& half_extents = pair.b.core.half_extents;
   double share = 0.5 + 0.5 * on_other.z() / half_extents.z();
@@ -114,7 +114,7 @@ bool followAxis(const PlacedPair& pair, Vector3d& on_other, ProvenClosest& found
   return found.proof.is_proven;
 }
 
-// The other is a cylinder, too. The point where it is met tells rim from side.
+// The other core is a cylinder, too. Its last point tells rim from side.
 bool followRound(const PlacedPair& pair, Vector3d& on_other, ProvenClosest& found) noexcept {
   if (!isOnRim(on_other, pair.b.core.half_extents)) {
     return followAxis(pair, on_other, found);
@@ -150,7 +150,7 @@ bool follow(const Roles& roles, const PlacedPair& pair, ConvexWarmStart& warm,
   return true;
 }
 
-// The core of a sphere needs no search: where it is outside, its foot is nearest.
+// The core of a sphere needs no search: outside of the cylinder its closest point is the answer.
 bool findPoint(const PlacedPair& pair, ProvenClosest& found) noexcept {
   found.closest = closestToCorner(pair, Vector3d::Zero());
   found.proof = proveClosest(pair, found.closest);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// nearest_on_cylinder.h, one pair a lane, in the same order to the last bit. Lanes that have ended
-// keep what they have while others still step.
+// nearest_on_cylinder.h, one pair per lane, in the same order to the last bit. Lanes that have
+// ended keep their values while others continue.
 #if defined(COLLISION_MONITOR_CYLINDER_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_CYLINDER_LANES_INL_H_
 #undef COLLISION_MONITOR_CYLINDER_LANES_INL_H_
@@ -62,12 +62,12 @@ HWY_INLINE LaneClosest closestOf(const Vector3& point, const CylinderLanes& cyli
   return {point - at.away, at.away};
 }
 
-/// Within [low, high], as std::max and std::min of scalars do.
+/// Clamps to [low, high], as std::max and std::min of scalars do.
 HWY_INLINE Number within(double low, double high, Number value) {
   return hn::Max(number(low), hn::Min(number(high), value));
 }
 
-/// @param share where to start, and where it ended.
+/// @param share start of the search; receives the result.
 HWY_INLINE LaneClosest closestToEdge(const Vector3& from, const Vector3& edge,
                                      const CylinderLanes& cylinder, Number& share) {
   Vector3 point = along(from, share, edge);
@@ -104,7 +104,7 @@ HWY_INLINE Vector3 combined(Number s, const Vector3& v, Number t, const Vector3&
   return along(scaled(s, v), t, w);
 }
 
-/// @param turn where to start, and where it ended.
+/// @param turn start of the search; receives the result.
 HWY_INLINE LaneClosest closestToRim(const LaneRim& rim, const CylinderLanes& cylinder,
                                     LaneTurn& turn) {
   Vector3 outward = combined(turn.x, rim.x, turn.y, rim.y);

@@ -4,19 +4,19 @@
 
 #include "narrow_phase/warm_start/proof_rows.h"
 
-/// Cylinders and other cores apart, many pairs at once: the first step of cylinderFromWarmStart in
-/// columns. Every row does what the plain functions of confirm_foot.h do, in the same order.
+/// Cylinders and other cores that are apart, many pairs at once: the first step of
+/// cylinderFromWarmStart in columns. Every row does what follow_feature.h does, in the same order.
 namespace collision_monitor {
 
-/// What of the other core is followed.
+/// The feature of the other core that is followed.
 enum class FollowedFeature : unsigned char { corner, edge, rim };
 
 constexpr std::size_t kFollowedFeatures = 3;
 
-/// The corner of a sphere's core; lanes read four numbers at once.
+/// The corner of a sphere's core. Lanes read four numbers at once.
 constexpr double kOriginOfCore[4] = {};
 
-/// Columns of CylinderRows, of the cores. World frame where nothing else is said.
+/// Columns of CylinderRows, for the cores. Frames: world unless said otherwise.
 namespace closest {
 enum Column : std::size_t {
   distance,                      ///< [m] NaN: not proven
@@ -24,27 +24,26 @@ enum Column : std::size_t {
   on_other = on_cylinder + 3,    ///< of a rim: in its cylinder's frame
   point = on_other + 3,          ///< on the cylinder
   normal = point + 3,            ///< unit, away from the cylinder
-  size = normal + 3,             ///< as PlacedPair::size; before: how far the cores reach
+  size = normal + 3,             ///< as PlacedPair::size; before: the bounding radii
   radius,                        ///< [m] of the cylinder
   half_length,                   ///< [m] of the cylinder
   radius_of_other,               ///< [m] of a rim
   half_length_of_other,          ///< [m] of a rim's cylinder
-  direction_in_other,            ///< the opposite of the normal in the other's frame
-  gap = direction_in_other + 3,  ///< [m] from the cylinder's plane to the other's origin;
-                                 ///< after: to its plane
+  direction_in_other,            ///< minus the normal, in the other's frame
+  gap = direction_in_other + 3,  ///< [m] from the cylinder's plane to the other's origin
   reach_of_other,                ///< [m] from the other's origin towards the cylinder
-  may_be_level,                  ///< of the cylinder, 0 or 1
+  may_be_level,                  ///< 0 or 1, of the cylinder; after: of both
   count
 };
 }  // namespace closest
 
-/// Pairs of which the same is followed.
+/// Pairs that follow the same feature.
 struct CylinderRows {
   std::size_t count;  ///< at most kProofRows
   std::array<ProofSide, kProofRows> cylinder;
   std::array<ProofSide, kProofRows> other;
-  /// Where the last search ended, each in its frame: in ConvexWarmStart::ends, so that of an edge
-  /// the second corner stands one of them behind the first.
+  /// Where the last search ended, each in its frame. They point into ConvexWarmStart::ends: the
+  /// second corner of an edge is one Ends after the first.
   std::array<const double*, kProofRows> last_on_cylinder;
   std::array<const double*, kProofRows> last_on_other;
   std::array<std::size_t, kProofRows> query;  ///< of the caller
@@ -53,8 +52,8 @@ struct CylinderRows {
 };
 
 /// Fills the columns, and `vertex` of `other`. Rows that are not proven are left to
-/// cylinderFromWarmStart: all of its further steps, edges that are nearest at an end, and what may
-/// be level.
+/// cylinderFromWarmStart: all of its further steps, edges that are nearest at an end, and features
+/// that may be level.
 /// @pre there is a row; the columns from `size` to `half_length_of_other` are filled.
 void proveCylinderRows(FollowedFeature followed, CylinderRows& rows) noexcept;
 

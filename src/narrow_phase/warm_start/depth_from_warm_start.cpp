@@ -17,12 +17,12 @@ namespace {
 using Eigen::Vector3d;
 using CachedPolytope = ConvexWarmStart::CachedPolytope;
 
-// What the polytope is where the cores are now.
+// The polytope at the current poses of the cores.
 struct PlacedPolytope {
   std::array<Vector3d, CachedPolytope::kMaxCorners> on_a;
   std::array<Vector3d, CachedPolytope::kMaxCorners> corners;
   std::array<Vector3d, CachedPolytope::kMaxFaces> outward;  // normals, of any length
-  // Of each face's plane the squared distance, negative where the face looks at the origin.
+  // Squared distance of each face's plane, negative if the face looks at the origin.
   std::array<double, CachedPolytope::kMaxFaces> squared;
 };
 
@@ -49,8 +49,8 @@ std::size_t nearestFace(const ConvexWarmStart& warm, const PlacedPolytope& place
   return static_cast<std::size_t>(std::min_element(first, first + warm.polytope_faces) - first);
 }
 
-// Of the faces in the plane of the nearest one, that which holds the foot of the perpendicular.
-// About a middle that the cores share, others are as far, and look elsewhere.
+// Of the faces in the plane of the nearest one, finds the one that holds the projection of the
+// origin. If the cores share their middle, others are as far and look elsewhere.
 bool findClosest(const ConvexWarmStart& warm, const PlacedPolytope& placed,
                  const Vector3d& expected, std::size_t& face, NearestOnSimplex& closest) noexcept {
   constexpr double kSame = 1e-20;  // of squares
@@ -81,7 +81,7 @@ struct Faces {
   }
 };
 
-// Takes away the faces that see a corner; those that stay move up.
+// Removes the faces that see a corner; the others move up.
 Faces takeSeeing(const Vector3d& apex, ConvexWarmStart& warm, PlacedPolytope& placed) noexcept {
   auto& faces = warm.polytope.faces;
   Faces seeing;
@@ -99,7 +99,7 @@ Faces takeSeeing(const Vector3d& apex, ConvexWarmStart& warm, PlacedPolytope& pl
   return seeing;
 }
 
-// Corners that no face has any more make room for others.
+// Removes the corners that no face has any more, to make room.
 void dropUnused(ConvexWarmStart& warm, PlacedPolytope& placed) noexcept {
   std::bitset<CachedPolytope::kMaxCorners> used;
   for (std::size_t f = 0; f < warm.polytope_faces; ++f) {
@@ -125,9 +125,9 @@ void dropUnused(ConvexWarmStart& warm, PlacedPolytope& placed) noexcept {
   }
 }
 
-// Joins a corner to the outline of the faces that see it, which go. The surface stays closed, with
-// each edge between two faces, if the outline starts but once at each corner.
-// Returns false, with no polytope left, if it does not, or there is no room.
+// Joins a corner to the outline of the faces that see it, which are removed. The surface stays
+// closed, with each edge between two faces, if the outline starts only once at each corner. Returns
+// false, with no polytope left, if it does not or there is no room.
 bool growTo(const ConvexWarmStart::Ends& beyond, const PlacedPair& pair, ConvexWarmStart& warm,
             PlacedPolytope& placed) noexcept {
   if (warm.polytope_corners == CachedPolytope::kMaxCorners) {
@@ -161,7 +161,7 @@ bool growTo(const ConvexWarmStart::Ends& beyond, const PlacedPair& pair, ConvexW
   return starts.any();
 }
 
-// The face that proves the depth. The polytope grows while the difference goes on beyond it.
+// Finds the face that proves the depth. Grows the polytope while the difference goes beyond it.
 bool settle(const PlacedPair& pair, ConvexWarmStart& warm, PlacedPolytope& placed,
             std::size_t& nearest, bool& is_level) noexcept {
   constexpr int kMaxGrown = 6;

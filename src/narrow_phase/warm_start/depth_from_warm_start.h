@@ -6,20 +6,19 @@
 
 namespace collision_monitor {
 
-/// Keeps the polytope that a search for the depth has grown, if it has few enough faces.
+/// Keeps the polytope that a search for the depth has grown, if it is small enough.
 void cachePolytope(const ConvexWorkspace& grown, ConvexWarmStart& warm) noexcept;
 
-/// Measures how deep two polytopes overlap by the one that the last search has grown inside of
-/// their difference. Its corners are points of the difference wherever the cores are now. Where
-/// every face still looks away from the origin, a ball as wide as the nearest one is far lies
-/// inside; where that face is one of the difference's own, which its support plane proves, the
-/// depth is its distance. Where a corner lies beyond that face, the polytope grows by it as EPA's
-/// does; its surface stays closed, which with faces that look away is all that the ball needs.
+/// Measures how deep two polytopes overlap by the polytope that the last search has grown inside
+/// their Minkowski difference. Its corners are points of the difference at any poses. If all faces
+/// still look away from the origin, it holds a ball with the distance of the nearest face as
+/// radius. If a support plane proves that this is a face of the difference, its distance is the
+/// depth. If a corner lies beyond it, the polytope grows by it as in EPA. Its surface stays closed;
+/// the ball needs no more than that and faces that look away.
 ///
 /// Frames: the world's. Error: as a search that is settled, see Penetration.
-/// Limits: of polytopes that do more than touch; the others are left to the search.
-/// @return nothing when the search has to decide; always if a pose is not
-/// finite.
+/// Limits: polytopes that do more than touch; others are left to the search.
+/// @return nothing if the search must decide, as always for a pose that is not finite.
 std::optional<WarmStartDistance> depthFromWarmStart(const PlacedPair& pair,
                                                     ConvexWarmStart& warm) noexcept;
 

@@ -29,7 +29,7 @@ void place(std::size_t i, const PlacedPair& pair, Followed& followed) noexcept {
   followed.differences[i] = placed.difference;
 }
 
-// Corners ascend, so that none is overwritten before its turn.
+// Corners ascend, so none is overwritten before it is read.
 void keep(const NearestOnSimplex& nearest, Followed& followed) noexcept {
   followed.warm.size = static_cast<std::uint32_t>(nearest.size);
   for (std::size_t i = 0; i < followed.warm.size; ++i) {
@@ -42,7 +42,7 @@ void keep(const NearestOnSimplex& nearest, Followed& followed) noexcept {
   }
 }
 
-// Steps of GJK without what only a long search needs.
+// Does steps of GJK, without what only a long search needs.
 bool stepToNearest(const PlacedPair& pair, Followed& followed, NearestOnSimplex& nearest,
                    Eigen::Vector3d& normal, bool& is_level) noexcept {
   for (int step = 0; step < kMaxSteps; ++step) {

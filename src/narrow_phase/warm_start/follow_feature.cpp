@@ -8,13 +8,13 @@
 
 #include "narrow_phase/gjk/simplex.h"
 
-// Numbers are summed in the order of lanes: prove_cylinder_rows.cpp is the same to the last bit.
+// Sums are in the order of lanes: prove_cylinder_rows.cpp finds the same to the last bit.
 namespace collision_monitor {
 namespace {
 
 using Eigen::Vector3d;
 
-// A point of the other core as the cylinder sees it.
+// A point of the other core in the cylinder's frame.
 Vector3d seen(const Vector3d& point, const PlacedPair& pair) noexcept {
   return directionIn(pair.a, turned(pair.b.world_from_core.rotation, point) + pair.between);
 }

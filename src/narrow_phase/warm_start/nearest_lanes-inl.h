@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where a corner, edge or face of the difference of two cores is nearest to the origin, one pair a
-// lane: nearestInside of simplex.h, in the same order to the last bit.
+// The point of a corner, edge or face of the difference of two cores that is nearest to the origin,
+// one pair per lane: nearestOfSimplex of simplex.h, in the same order to the last bit.
 #if defined(COLLISION_MONITOR_NEAREST_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_NEAREST_LANES_INL_H_
 #undef COLLISION_MONITOR_NEAREST_LANES_INL_H_
@@ -17,13 +17,12 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// Two corners from A's origin, along the world's axes, as PlacedCorners.
+/// Two corners from A's origin, in world axes, as PlacedCorners.
 struct LaneCorners {
   Vector3 on_a, difference;
 };
 
-/// As NearestOnSimplex, with the point of A in the world; means nothing where the point is not
-/// inside.
+/// As NearestOnSimplex, with the point of A in the world. Means nothing if the point is not inside.
 struct LaneNearest {
   Truth is_inside;
   Vector3 point, outward, on_a;

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What proofs of many pairs at once share: where cores are, one pair a lane, and how far they
-// reach.
+// What proofs of many pairs at once share: poses of cores, one pair per lane, and their reach.
 #if defined(COLLISION_MONITOR_PROOF_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_PROOF_LANES_INL_H_
 #undef COLLISION_MONITOR_PROOF_LANES_INL_H_
@@ -21,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// Rows in lanes, from `first` on; the last row stands for those beyond it.
+/// Rows in lanes, from `first` on. The last row stands for those after it.
 struct RowLanes {
   std::size_t count;
   std::size_t first;

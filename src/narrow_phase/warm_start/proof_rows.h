@@ -11,24 +11,24 @@
 #include "geometry/bvh/visit_held.h"
 #include "narrow_phase/gjk/convex_core.h"
 
-/// Polytopes apart, many pairs at once, each nearest at the corners of its last search: the first
-/// step of distanceFromWarmStart in columns. Every row does what the plain step does, in the same
-/// order.
+/// Polytopes that are apart, many pairs at once, each nearest at the corners of its last search:
+/// the first step of distanceFromWarmStart in columns. Every row does what the plain step does, in
+/// the same order.
 namespace collision_monitor {
 
 constexpr std::size_t kProofRows = 32;
 
-/// What a row reads of one of its two cores, a hull or a box; of a cylinder its pose alone.
+/// What a row reads of one of its two cores, a hull or a box; of a cylinder only its pose.
 struct ProofSide {
   const double* world_from_core;       ///< rotation, column by column, and translation
-  const ConvexHull* hull;              ///< none: a box
+  const ConvexHull* hull;              ///< null: a box
   std::array<double, 3> half_extents;  ///< of a box
-  double radius;                       ///< [m] that sweeps the core
-  std::uint32_t vertex;                ///< of a hull: where the climb starts, and where it ended
+  double radius;                       ///< [m] inflates the core
+  std::uint32_t vertex;                ///< of a hull: start of the climb; receives its end
 };
 
-/// Fills the side of a geometry and how far its core reaches.
-/// @return false for what has no corners, or no fans to look at.
+/// Fills the side of a geometry, and the bounding radius of its core.
+/// @return false for geometries without corners, or without fans to look at.
 inline bool fillSide(const ConvexGeometry& geometry, const Pose& world_from_core,
                      std::uint32_t vertex, ProofSide& side, double& reach) noexcept {
   side.world_from_core = world_from_core.rotation.data();
@@ -55,15 +55,15 @@ inline bool fillSide(const ConvexGeometry& geometry, const Pose& world_from_core
   return visitHeld(fill, geometry);
 }
 
-/// Columns of ProofRows, of the cores. World frame where nothing else is said.
+/// Columns of ProofRows, for the cores. Frames: world unless said otherwise.
 namespace proof {
 enum Column : std::size_t {
   distance,                             ///< [m] NaN: not proven
   point_on_a,                           ///< x, y, z
   normal = point_on_a + 3,              ///< unit, from A to B
-  size = normal + 3,                    ///< as PlacedPair::size; before: how far the cores reach
+  size = normal + 3,                    ///< as PlacedPair::size; before: the bounding radii
   direction_in_a,                       ///< the normal in A's frame
-  direction_in_b = direction_in_a + 3,  ///< its opposite in B's
+  direction_in_b = direction_in_a + 3,  ///< minus the normal, in B's frame
   between = direction_in_b + 3,         ///< [m] from A's origin to B's, along the normal
   reach_of_a,                           ///< [m] from A's origin towards B
   reach_of_b,                           ///< [m] from B's towards A
@@ -71,7 +71,7 @@ enum Column : std::size_t {
 };
 }  // namespace proof
 
-/// Pairs with the same number of corners: at 1 a corner, at 2 an edge, at 3 a face is nearest.
+/// Pairs with the same number of corners. 1: a corner is nearest, 2: an edge, 3: a face.
 struct ProofRows {
   std::size_t count;  ///< at most kProofRows
   std::array<ProofSide, kProofRows> a;
@@ -83,8 +83,8 @@ struct ProofRows {
 };
 
 /// Fills the columns, and `vertex` of both sides. Rows that are not proven are left to
-/// distanceFromWarmStart: poses that are not finite, cores that touch or overlap, corners of which
-/// not all are needed, and those with others that are nearer.
+/// distanceFromWarmStart: poses that are not finite, cores that touch or overlap, and pairs that
+/// need fewer corners or have nearer ones.
 /// @param corners of each pair, 1 to 3. @pre there is a row.
 void proveRows(std::size_t corners, ProofRows& rows) noexcept;
 

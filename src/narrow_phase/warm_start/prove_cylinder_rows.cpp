@@ -24,17 +24,17 @@ struct LaneCylinderPair {
 
 using Points = std::array<const double*, kProofRows>;
 
-/// How many numbers the second corner of an edge stands behind the first.
+/// Numbers in memory from the first corner of an edge to the second.
 constexpr std::ptrdiff_t kNextEnd = sizeof(ConvexWarmStart::Ends) / sizeof(double);
 
-/// Three numbers `from` behind where a row points to. A fourth is read with them.
+/// Reads three numbers, `from` after those that a row points to. A fourth is read with them.
 HWY_INLINE Vector3 pointsAt(const Points& points, std::ptrdiff_t from, const RowLanes& lanes) {
   const FourNumbers p =
       turnRows([&](std::size_t lane) HWY_ATTR { return points[lanes.row(lane)] + from; });
   return {p.at[0], p.at[1], p.at[2]};
 }
 
-/// A corner of the other core as the cylinder sees it.
+/// A corner of the other core in the cylinder's frame.
 HWY_INLINE Vector3 seen(const Vector3& corner, const LaneCylinderPair& pair) {
   return into(pair.cylinder.axes, out(pair.other.axes, corner) + pair.between);
 }
@@ -144,7 +144,7 @@ HWY_INLINE bool isPoint(const ProofSide& side) {
   return side.hull == nullptr && half[0] == 0.0 && half[1] == 0.0 && half[2] == 0.0;
 }
 
-/// Pair after pair, as each has vertices of its own.
+/// Works pair by pair, because each has vertices of its own.
 HWY_INLINE void findReaches(CylinderRows& rows) {
   for (std::size_t row = 0; row < rows.count; ++row) {
     ProofSide& side = rows.other[row];
@@ -158,7 +158,7 @@ HWY_INLINE void findReaches(CylinderRows& rows) {
 }
 
 /// Keeps the distances that the support planes prove.
-HWY_INLINE void keepProvenFeet(std::size_t row, CylinderRows& rows) {
+HWY_INLINE void keepProven(std::size_t row, CylinderRows& rows) {
   const Number distance = load(closest::distance, row, rows);
   const Number gap =
       hn::Sub(load(closest::gap, row, rows), load(closest::reach_of_other, row, rows));
@@ -175,7 +175,7 @@ HWY_INLINE void placeAll(CylinderRows& rows) {
   }
 }
 
-void proveFeet(FollowedFeature followed, CylinderRows& rows) {
+void proveClosestPoints(FollowedFeature followed, CylinderRows& rows) {
   if (followed == FollowedFeature::rim) {
     placeAll<ClosestInRim>(rows);
     findReachesOfRims(rows);
@@ -185,7 +185,7 @@ void proveFeet(FollowedFeature followed, CylinderRows& rows) {
     findReaches(rows);
   }
   for (std::size_t row = 0; row < rows.count; row += hn::Lanes(Lanes())) {
-    keepProvenFeet(row, rows);
+    keepProven(row, rows);
   }
 }
 
@@ -198,12 +198,12 @@ HWY_AFTER_NAMESPACE();
 namespace collision_monitor {
 namespace {
 
-HWY_EXPORT(proveFeet);
+HWY_EXPORT(proveClosestPoints);
 
 }  // namespace
 
 void proveCylinderRows(FollowedFeature followed, CylinderRows& rows) noexcept {
-  // Rows behind the last one that share its vector are read, too.
+  // Rows after the last one that share its vector are read, too.
   const auto last =
       followed == FollowedFeature::rim ? closest::half_length_of_other : closest::half_length;
   for (std::size_t column = closest::size; column <= last; ++column) {
@@ -212,7 +212,7 @@ void proveCylinderRows(FollowedFeature followed, CylinderRows& rows) noexcept {
   }
   auto& reaches = rows.at[closest::reach_of_other];
   std::fill(reaches.begin() + rows.count, reaches.end(), 0.0);
-  HWY_DYNAMIC_DISPATCH(proveFeet)(followed, rows);
+  HWY_DYNAMIC_DISPATCH(proveClosestPoints)(followed, rows);
 }
 
 }  // namespace collision_monitor

@@ -25,7 +25,7 @@ struct LanePair {
   Vector3 between;
 };
 
-/// The corners `i` of the last search where they are now, as place() of support_plane.h.
+/// The corners `i` of the last search at the current poses, as place() of support_plane.h.
 HWY_INLINE LaneCorners cornersAt(std::size_t i, const LanePair& pair, const LaneEnds& ends) {
   const auto four = [&](std::size_t from) HWY_ATTR {
     return turnRows([&](std::size_t lane)
@@ -51,7 +51,7 @@ HWY_INLINE LaneNearest nearestOf(const LanePair& pair, const LaneEnds& ends) {
   }
 }
 
-/// Distance, point and normal by the corners, as normalOf and stepToNearest.
+/// Finds distance, point and normal from the corners, as normalOf and stepToNearest.
 template <std::size_t kCorners>
 HWY_INLINE void placeLanes(std::size_t row, ProofRows& rows) {
   const RowLanes lanes{rows.count, row};
@@ -72,7 +72,7 @@ HWY_INLINE void placeLanes(std::size_t row, ProofRows& rows) {
   store(negated(into(pair.b.axes, normal)), proof::direction_in_b, row, rows);
 }
 
-/// Where the support planes are. Pair after pair, as each has vertices of its own.
+/// Finds the support planes. Works pair by pair, because each has vertices of its own.
 HWY_INLINE void findReaches(ProofRows& rows) {
   for (std::size_t row = 0; row < rows.count; ++row) {
     const ExtremeFeature of_a =
@@ -133,7 +133,7 @@ HWY_EXPORT(proveLanes);
 }  // namespace
 
 void proveRows(std::size_t corners, ProofRows& rows) noexcept {
-  // Rows behind the last one that share its vector are read, too.
+  // Rows after the last one that share its vector are read, too.
   for (const proof::Column column : {proof::size, proof::reach_of_a, proof::reach_of_b}) {
     std::fill(rows.at[column].begin() + rows.count, rows.at[column].end(), 0.0);
   }

@@ -9,14 +9,14 @@
 namespace collision_monitor {
 namespace {
 
-/// Pairs on whose way no contact could be settled are left, too, however large the budget is.
+/// A motion whose contact cannot be settled starves its pair at any budget: it does not count.
 bool isShort(const CycleBuffers& buffers) noexcept {
   const SweepWork& sweep = buffers.sweep;
   return buffers.counters.left > 0 ||
          (buffers.counters.swept_left > 0 && sweep.work_done >= sweep.budget);
 }
 
-/// Steps of a pair only grow, so what is not among the most now was not before.
+/// The work of a pair only grows, so a pair that enters `most` was not among the most before.
 void rank(const PairWork& pair, std::array<PairWork, 3>& most) noexcept {
   const auto is_pair = [&](const PairWork& other) { return other.link_pair == pair.link_pair; };
   auto place = std::find_if(most.begin(), most.end(), is_pair);

@@ -9,8 +9,8 @@
 #include "collision_monitor/geometry/ids.h"
 #include "pipeline/cycle/cycle_buffers.h"
 
-/// What cycles spend of refine_budget, and on which links where it does not suffice. Steps are
-/// those of RefineLimits::budget.
+/// How much of refine_budget cycles use, and for which links where it does not suffice. Work is
+/// that of RefineLimits::budget.
 namespace collision_monitor {
 
 struct PairWork {
@@ -18,35 +18,35 @@ struct PairWork {
   std::uint64_t work{0};
 };
 
-/// Of several cycles; plain data of fixed size.
+/// Sums of several cycles. Plain data of fixed size.
 struct BudgetUse {
-  /// That the pairs are of; to compare with, for it may have ended.
+  /// The set-up of the pairs. For comparison only: it may no longer exist.
   const CycleSetup* setup{nullptr};
   std::uint64_t cycles{0};
-  std::uint64_t short_cycles{0};  ///< of these, they left pairs for want of budget
+  std::uint64_t short_cycles{0};  ///< cycles of these whose budget starved pairs
   std::uint64_t work{0};          ///< of all cycles
-  std::uint64_t worst{0};         ///< steps of the cycle with most of them
+  std::uint64_t worst{0};         ///< the largest work of one cycle
   std::uint64_t short_work{0};    ///< of the short cycles
-  double short_time{0.0};         ///< [s] that these took
-  /// Pairs of links that took most in the short cycles, the most first.
+  double short_time{0.0};         ///< [s] duration of the short cycles
+  /// The link pairs of most work in the short cycles, in descending order.
   std::array<PairWork, 3> most{};
 };
 
-/// Adds up cycles, sized at set-up.
+/// Adds up cycles. Sized at set-up.
 struct BudgetTally {
   BudgetUse use;
-  std::vector<std::uint64_t> steps_of;  ///< by LinkPairIndex: in the short cycles
-  std::vector<LinkPairIndex> counted;   ///< those with steps
+  std::vector<std::uint64_t> steps_of;  ///< by LinkPairIndex: work in the short cycles
+  std::vector<LinkPairIndex> counted;   ///< pairs with work
 };
 
 BudgetTally makeBudgetTally(const CycleSetup& setup);
 
-/// As if there had been no cycle.
+/// Resets the tally to zero cycles.
 void restart(BudgetTally& tally) noexcept;
 
-/// Adds the cycle that has just ended, and took `time` [s]. Looks at its pairs only where the
-/// budget did not suffice. Neither allocates nor throws.
-/// @pre the buffers are those of the tally's set-up
+/// Adds the cycle that has just ended and took `time` [s]. Visits its pairs only if the budget
+/// starved some. Neither allocates nor throws.
+/// @pre the buffers belong to the tally's set-up
 void addCycle(const CycleBuffers& buffers, double time, BudgetTally& tally) noexcept;
 
 }  // namespace collision_monitor

@@ -12,7 +12,7 @@ namespace {
 
 using FramePair = std::pair<std::string, std::string>;
 
-/// In either order of the links.
+/// The tf frames of two links, in an order that does not depend on that of the links.
 FramePair framesOf(const CycleSetup& setup, const CheckedLinkPair& pair) {
   const std::string& a = setup.model.link(pair.a).frame;
   const std::string& b = setup.model.link(pair.b).frame;

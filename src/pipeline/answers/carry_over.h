@@ -7,9 +7,9 @@
 
 namespace collision_monitor {
 
-/// Takes over the speed scale and, of pairs of links that both set-ups check, what was reported of
-/// them. Links are the same if their tf frames are.
-/// @return pairs of `from` that were not reported as clear, and that `to` does not check.
+/// Copies the speed scale, and the reported verdicts of link pairs that both set-ups check. Links
+/// are the same if their tf frames are the same.
+/// @return pairs of `from` whose reported verdict is not clear and that `to` does not check.
 std::vector<LinkPairIndex> carryOver(const CycleSetup& from, const PairMemory& reported,
                                      const CycleSetup& to, PairMemory& memory);
 

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// @param direction the unit normal, away from the element.
+/// @param direction unit normal that points away from the element.
 std::optional<ContactPatch> patchOf(const Element& element, const Pose& world_from_element,
                                     const Vector3d& direction) noexcept {
   if (!element.convex) {

@@ -10,12 +10,11 @@
 
 namespace collision_monitor {
 
-/// All the places where a measured pair is as near as it gets: of the bodies or, when it is
-/// refined, of the elements.
+/// Finds all places where a measured pair has its least distance: between the bodies or, if
+/// refined, between the elements.
 /// Frames: world.
-/// @return nothing where one of the two is a mesh that is not convex: the pair's own points are all
-/// that is known.
-/// @pre the pair is of this set-up, and known.
+/// @return nothing if an element is a mesh that is not convex: only the witness points are known.
+/// @pre the pair belongs to this set-up, and its links are known.
 std::optional<ContactManifold> contactManifold(const CycleSetup& setup, const BodyPoses& body_poses,
                                                const PairDistance& distance) noexcept;
 

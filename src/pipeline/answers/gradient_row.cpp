@@ -9,7 +9,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Adds to the variable's entry, or makes one.
+/// Adds a value to the entry of a variable; makes the entry if it is missing.
 void add(std::uint32_t variable, double value, GradientRow& row) noexcept {
   const auto place = std::find_if(row.begin(), row.end(), [&](const GradientEntry& entry) {
     return entry.variable == variable;
@@ -52,24 +52,25 @@ const GradientRow& GradientRows::of(const PairDistance& distance) noexcept {
   const CheckedLinkPair& pair = setup_.checked[setup_.link_pair_of[index(distance.pair)]];
   LinkId a = pair.a;
   LinkId b = pair.b;
-  // As distanceRate has it: the distance grows as a force of 1 along the normal does work on B.
+  // As in distanceRate: the derivative of the distance is the power of a unit force along the
+  // normal on B.
   const SignedDistance& measured = distance.measured;
   const Wrench on_b = forceAt(measured.point_on_b, measured.normal_a_to_b);
   const Wrench on_a = -on_b;
   row_.clear();
-  // Parents stand before their children: the later of the two links is no ancestor of the other.
+  // Parents come before their children: the link of the larger id is no ancestor of the other.
   while (a != b) {
     const bool is_a = index(a) > index(b);
     const bool climbs_a = joined_[index(is_a ? a : b)].is_root ? !is_a : is_a;
     LinkId& link = climbs_a ? a : b;
     const Joined& joined = joined_[index(link)];
     if (joined.is_root) {
-      break;  // two robots, both at their roots
+      break;  // links of two robots; both ends are roots
     }
     addJoint(climbs_a ? on_a : on_b, joined);
     link = joined.parent;
   }
-  // Mostly it is in the opposite order.
+  // Entries mostly come in descending order.
   std::reverse(row_.begin(), row_.end());
   std::sort(row_.begin(), row_.end(), [](const GradientEntry& one, const GradientEntry& other) {
     return one.variable < other.variable;

@@ -12,35 +12,35 @@
 
 namespace collision_monitor {
 
-/// Derivative of a pair's distance by one velocity of a joint, [m/rad] or [m/m].
+/// The derivative of a pair's distance by one velocity of a joint, [m/rad] or [m/m].
 struct GradientEntry {
-  std::uint32_t variable{0};  ///< as jointTwist counts velocities
+  std::uint32_t variable{0};  ///< index of velocities as in jointTwist
   double value{0.0};
 };
 
-/// How a pair's signed distance changes with the joints: only those between the two links are in
-/// it, for what moves both changes nothing. Sorted by variable. The rate of the distance is the
-/// sum of values times velocities, plus what moves the robots' roots.
+/// How the signed distance of a pair changes with the joints between its links; motion of both
+/// links changes nothing. Sorted by variable. The rate of the distance is the sum of values times
+/// velocities, plus the effect of moving roots.
 using GradientRow = std::vector<GradientEntry>;
 
-/// The rows of pairs that are measured at the same poses: how each joint moves what hangs on it is
-/// found once for all of them.
+/// The rows of pairs that are measured at the same poses. The twist of each joint is found once for
+/// all rows.
 class GradientRows {
  public:
-  /// @pre both outlive the rows, and the poses do not change meanwhile
+  /// @pre setup and poses outlive the rows and stay unchanged
   GradientRows(const CycleSetup& setup, const LinkPoses& poses);
 
-  /// The row of a measured pair, apart or overlapping; mimic joints count for their source. It
-  /// stands until the next is asked for.
-  /// Error: that of the witness points times the derivative of the normal: 1e-9 of the levers where
-  /// the distance is smooth. Limits: as distanceRate.
-  /// Source: distanceRate for the twist that each joint gives, as in Schulman et al., "Motion
-  /// planning with sequential convex optimization and convex collision checking" (2014), section V.
+  /// The row of a measured pair, apart or overlapping. Mimic joints count for their source. The row
+  /// is valid until the next call.
+  /// Error: the error of the witness points times the derivative of the normal: 1e-9 of the lever
+  /// arms where the distance is smooth. Limits: as distanceRate.
+  /// Source: distanceRate for the twist of each joint, as in Schulman et al., "Motion planning with
+  /// sequential convex optimization and convex collision checking" (2014), section V.
   /// @pre both links are known
   const GradientRow& of(const PairDistance& distance) noexcept;
 
  private:
-  /// What joins a link to its parent: twists [first, last), one for each of the joint's velocities.
+  /// How a link is joined to its parent: twists [first, last), one for each velocity of the joint.
   struct Joined {
     LinkId parent{};
     std::size_t first_variable{0};
@@ -55,7 +55,7 @@ class GradientRows {
   const CycleSetup& setup_;
   std::vector<Joined> joined_;  ///< by LinkId
   std::vector<Twist> twists_;
-  GradientRow row_;  ///< with room for every variable
+  GradientRow row_;  ///< has room for every variable
 };
 
 }  // namespace collision_monitor

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One body against several neighbours at once.
+// Measures one body against several neighbours at once.
 #if defined(COLLISION_MONITOR_BLOCK_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_BLOCK_LANES_INL_H
 #undef COLLISION_MONITOR_BLOCK_LANES_INL_H
@@ -25,17 +25,17 @@ namespace HWY_NAMESPACE {
 
 constexpr std::size_t kLanes = hn::MaxLanes(Lanes());
 
-/// Lanes of a block that one vector holds.
+/// The lanes of a block in one vector.
 struct BlockPart {
   std::uint32_t one;         ///< slot
   std::size_t first;         ///< slot
   std::uint32_t is_pair;     ///< bit by lane of the vector
-  std::uint32_t first_pair;  ///< of the lowest bit
+  std::uint32_t first_pair;  ///< PairId of the lowest bit
 };
 
-/// Calls `visit` with the first lane and the part of each vector of a block that holds pairs, until
-/// it returns false.
-/// @return whether it never did.
+/// Calls `visit` with the first lane and the part of each vector of a block that has pairs, until
+/// `visit` returns false.
+/// @return false if it did.
 template <class Visit>
 HWY_INLINE bool forParts(const PairBlock& block, const Visit& visit) {
   std::uint32_t pair = block.first_pair;
@@ -55,7 +55,7 @@ HWY_INLINE std::uint32_t bitsOf(Truth truth) {
   return bits[0];
 }
 
-/// Lanes that are not numbers. Highway's Ne does not see them on every instruction set.
+/// Lanes that are NaN. Highway's Ne does not find NaN on every instruction set.
 HWY_INLINE std::uint32_t nansOf(Number value) { return bitsOf(hn::Not(hn::Eq(value, value))); }
 
 HWY_INLINE Truth truthOf(std::uint32_t bits) {
@@ -63,19 +63,19 @@ HWY_INLINE Truth truthOf(std::uint32_t bits) {
   return hn::LoadMaskBits(Lanes(), bytes);
 }
 
-/// The core in slot `one` in every lane.
+/// The core in slot `one`, in every lane.
 template <class Core>
 HWY_INLINE Core coreOfOne(const BodyRows& rows, const BlockPart& part) {
   return Core(OneShape{rows.numbers.data() + part.one, rows.stride});
 }
 
-/// A core from slot `first` on in each lane.
+/// The cores from slot `first` on, one in each lane.
 template <class Core>
 HWY_INLINE Core coreOfRow(const BodyRows& rows, const BlockPart& part) {
   return Core(ShapeLanes{rows.numbers.data() + part.first, rows.stride});
 }
 
-/// Where bounding spheres leave a pair the chance to be as near as `best`.
+/// Whether bounding spheres allow a pair to be as near as `best`.
 HWY_INLINE Truth mayBeNearer(const BodyRows& rows, const BlockPart& part, double best) {
   const ShapeLanes row{rows.numbers.data() + part.first, rows.stride};
   const OneShape one{rows.numbers.data() + part.one, rows.stride};
@@ -85,7 +85,7 @@ HWY_INLINE Truth mayBeNearer(const BodyRows& rows, const BlockPart& part, double
   return hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed)));
 }
 
-/// What the plain twin says of one lane. Takes the part by value, as `finished` does: if its
+/// The distance of one lane by the plain twin. Takes the part by value, as `finished` does: if its
 /// address were taken, each block would write it to memory.
 template <class CoreOne, class CoreRow>
 HWY_NOINLINE double plainAt(const BodyRows& rows, BlockPart part, std::size_t lane) {
@@ -97,7 +97,7 @@ HWY_NOINLINE double plainAt(const BodyRows& rows, BlockPart part, std::size_t la
   return plainDistance(a.core, a.pose, b.core, b.pose).distance;
 }
 
-/// Has the plain twin measure the lanes `which`.
+/// Measures the lanes `which` by the plain twin.
 template <class CoreOne, class CoreRow>
 HWY_NOINLINE Number finished(const BodyRows& rows, BlockPart part, std::uint32_t which,
                              Number distance) {
@@ -110,7 +110,7 @@ HWY_NOINLINE Number finished(const BodyRows& rows, BlockPart part, std::uint32_t
   return hn::Load(Lanes(), distances);
 }
 
-/// Has the plain twin measure those of the lanes `which` that it has to decide.
+/// Measures by the plain twin those of the lanes `which` whose distance is NaN.
 template <class CoreOne, class CoreRow>
 HWY_INLINE Number settled(const BodyRows& rows, const BlockPart& part, std::uint32_t which,
                           Number distance) {
@@ -121,8 +121,8 @@ HWY_INLINE Number settled(const BodyRows& rows, const BlockPart& part, std::uint
   return open != 0 ? finished<CoreOne, CoreRow>(rows, part, open, distance) : distance;
 }
 
-/// Right in the lanes `which`, or NaN where the plain twin has to decide. Takes out lanes that are
-/// seen to be farther apart than `reach`.
+/// Correct in the lanes `which`, or NaN where the plain twin must decide. Clears lanes of `which`
+/// that are found farther apart than `reach`.
 template <class CoreOne, class CoreRow>
 HWY_INLINE Number measureInKernel(const BodyRows& rows, const BlockPart& part, double reach,
                                   std::uint32_t& which) {
@@ -133,7 +133,7 @@ HWY_INLINE Number measureInKernel(const BodyRows& rows, const BlockPart& part, d
   return distance;
 }
 
-/// Right in the lanes `which`, from which those are taken out that are farther apart than `reach`.
+/// Correct in the lanes `which`. Clears lanes of `which` that are farther apart than `reach`.
 template <class CoreOne, class CoreRow>
 HWY_INLINE Number measurePart(const BodyRows& rows, const BlockPart& part, double reach,
                               std::uint32_t& which) {
@@ -141,8 +141,8 @@ HWY_INLINE Number measurePart(const BodyRows& rows, const BlockPart& part, doubl
   return settled<CoreOne, CoreRow>(rows, part, which, distance);
 }
 
-/// Right in all lanes that hold pairs. Without the bits that tell lanes apart, which take as long
-/// as a good part of the measuring where vectors are short.
+/// Correct in all lanes that have pairs. Does not extract bits by lane: with short vectors this
+/// takes as long as a large part of the measuring.
 template <class CoreOne, class CoreRow>
 HWY_INLINE Number measureAllOfPart(const BodyRows& rows, const BlockPart& part) {
   Truth counts = truthOf(part.is_pair);
@@ -152,7 +152,7 @@ HWY_INLINE Number measureAllOfPart(const BodyRows& rows, const BlockPart& part) 
   return settled<CoreOne, CoreRow>(rows, part, part.is_pair, distance);
 }
 
-/// Calls `take` with the pair, the lane and the distance of each lane `which`.
+/// Calls `take` with pair, lane and distance of each of the lanes `which`.
 template <class Take>
 HWY_INLINE void forLanes(const BlockPart& part, std::uint32_t which, Number distance,
                          const Take& take) {
@@ -168,14 +168,14 @@ HWY_INLINE void forLanes(const BlockPart& part, std::uint32_t which, Number dist
   }
 }
 
-/// Values of all pairs of a part to where they stand by pair.
+/// Stores the values of all pairs of a part by PairId.
 HWY_INLINE void storeByPair(const BlockPart& part, Number values, std::vector<double>& by_pair) {
   const auto first = static_cast<std::uint32_t>(__builtin_ctz(part.is_pair));
   const std::uint32_t in_row = part.is_pair >> first;
   const bool is_without_gap = (in_row & (in_row + 1)) == 0 && part.first_pair >= first &&
                               part.first_pair - first + kLanes <= by_pair.size();
   if (is_without_gap && first == 0) {
-    // What comes to lie behind the pairs belongs to parts that follow.
+    // Values written beyond these pairs belong to later parts, which overwrite them.
     hn::StoreU(values, Lanes(), by_pair.data() + part.first_pair);
   } else if (is_without_gap) {
     hn::BlendedStore(values, truthOf(part.is_pair), Lanes(),

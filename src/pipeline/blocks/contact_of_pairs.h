@@ -8,8 +8,8 @@
 
 namespace collision_monitor {
 
-/// [m] At this distance or nearer elements are in contact: concave ones that overlap are, however
-/// deep, for that is an estimate.
+/// [m] At or below this distance elements are in contact. Overlapping concave elements are in
+/// contact at any depth, since their depth is an estimate.
 inline double contactOfElements(const CycleSetup& setup, ElementPairIndex pair) noexcept {
   const ElementPair& elements = setup.element_pairs[pair];
   const double contact = setup.limits.contact_distance;
@@ -18,11 +18,11 @@ inline double contactOfElements(const CycleSetup& setup, ElementPairIndex pair) 
   return are_convex ? contact : std::max(0.0, contact);
 }
 
-/// [m] At this distance or nearer bodies may stand for a contact of their elements.
+/// [m] At or below this distance bodies may represent a contact of their elements.
 ///
-/// Where contact_distance allows some depth, that of bodies says nothing of what they enclose: one
-/// of several about an element is less deep than the element, and concave geometries that overlap
-/// are in contact however deep.
+/// If contact_distance allows some depth, the depth of bodies says nothing of their elements: a
+/// body that is one of several around an element is less deep than the element, and overlapping
+/// concave geometries are in contact at any depth.
 inline double contactOfBodies(const CycleSetup& setup, PairId pair) noexcept {
   const double contact = setup.limits.contact_distance;
   const ElementPair& elements = setup.element_pairs[setup.element_pair_of[index(pair)]];

@@ -28,7 +28,7 @@ void extendRanges(CoreKind one, CoreKind row, PairBlocks& blocks) {
   ++blocks.ranges.back().last;
 }
 
-/// Lists the groups of slots of the last block that no block before it needs.
+/// Lists the groups of slots that the last block needs and no block before it.
 void addArrivals(std::vector<unsigned char>& has_arrived, PairBlocks& blocks) {
   PairBlock& block = blocks.blocks.back();
   const auto arrive = [&](std::uint32_t slot) {
@@ -47,8 +47,8 @@ void addArrivals(std::vector<unsigned char>& has_arrived, PairBlocks& blocks) {
   block.arrived = static_cast<std::uint32_t>(blocks.arrivals.size());
 }
 
-/// Where blocks begin that hold all these slots, as few as can be. They begin at groups unless that
-/// takes more of them: a search waits for the bodies of one group then, not of two.
+/// Where the fewest blocks that hold all these slots begin. Blocks begin at groups unless that
+/// takes more blocks: each then needs the bodies of one group, not of two.
 std::vector<std::uint32_t> startsOver(const std::vector<std::uint32_t>& slots) {
   std::vector<std::uint32_t> anywhere;
   std::vector<std::uint32_t> at_groups;
@@ -64,8 +64,8 @@ std::vector<std::uint32_t> startsOver(const std::vector<std::uint32_t>& slots) {
   return at_groups.size() > anywhere.size() ? anywhere : at_groups;
 }
 
-/// Pairs that stand in a row from `first_pair` on: of the body in slot `one` with those in `slots`,
-/// which rise.
+/// Consecutive pairs from `first_pair` on: the body in slot `one` with the bodies in `slots`, which
+/// are in ascending order.
 struct PairRow {
   std::uint32_t one{0};
   std::uint32_t first_pair{0};
@@ -92,7 +92,7 @@ PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores) {
   PairBlocks blocks;
   blocks.slot_of = slotsByKind(cores);
   std::vector<unsigned char> has_arrived(groupCountOf(cores.size()), 0);
-  // Pairs stand ordered by kinds, then by body a, then by body b.
+  // Pairs are ordered by kinds, then by body a, then by body b.
   const std::vector<BodyPair>& pairs = table.pairs();
   for (std::size_t i = 0; i < pairs.size();) {
     const BodyId one = pairs[i].a;
@@ -109,7 +109,7 @@ PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores) {
 BodyRows makeBodyRows(const PairBlocks& blocks, const std::vector<Core>& cores,
                       const std::vector<double>& bounding_radii) {
   BodyRows rows;
-  // A block may reach beyond the last slot.
+  // A block may extend beyond the last slot.
   rows.stride = (groupCountOf(cores.size()) + 1) * kBlockLanes;
   rows.numbers.resize((kBoundingColumn + 1) * rows.stride, 0.0);
   for (std::size_t i = 0; i < cores.size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Bodies of one state in lanes: placeBodies of place_bodies.cpp for rows alone.
+// Places bodies of one state in lanes: the rows of placeBodies (place_bodies.cpp).
 #if defined(COLLISION_MONITOR_PLACE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_PLACE_LANES_INL_H
 #undef COLLISION_MONITOR_PLACE_LANES_INL_H
@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// isRigid, in the same order to the last bit.
+/// isRigid in the same order of operations, so to the last bit.
 HWY_INLINE Truth isRigidInLanes(const PoseLanes& pose) {
   const Axes& axes = pose.axes;
   const Vector3 across = cross(axes.x, axes.y) - axes.z;
@@ -37,7 +37,7 @@ HWY_INLINE Truth isRigidInLanes(const PoseLanes& pose) {
   return hn::Le(sum, number(kRigid * kRigid));
 }
 
-/// Lanes of a vector whose links have the status `known`, from slot `lane` of the group on.
+/// Lanes of a vector whose links are `known`, from slot `lane` of the group on.
 HWY_INLINE Truth hasStatusKnown(const SlotGroup& group, std::size_t lane, const LinkPoses& poses) {
   std::uint8_t bits[8] = {};
   for (std::size_t i = 0; i < hn::Lanes(Lanes()); ++i) {
@@ -65,7 +65,7 @@ HWY_INLINE void storeColumns(const Vector3& v, std::size_t c, std::size_t slot, 
   hn::StoreU(v.z, Lanes(), rows.at(c + 2) + slot);
 }
 
-/// Places the bodies of a group, those of unknown links at NaN.
+/// Places the bodies of a group; bodies of unknown links get NaN.
 HWY_INLINE void placeGroup(const std::vector<SlotGroup>& groups, std::size_t place,
                            const LinkPoses& poses, BodyRows& rows) {
   const SlotGroup& group = groups[place];

@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// Every distance of a part.
+/// Measures all pairs of a part.
 struct MeasureAll {
   std::vector<double>& distances;
 
@@ -29,7 +29,7 @@ struct MeasureAll {
   }
 };
 
-/// The nearest pair so far.
+/// Keeps the nearest pair.
 struct FindNearest {
   const PassedPairs& passed;
   NearestPair& best;
@@ -53,15 +53,15 @@ struct FindNearest {
   }
 };
 
-/// Bodies that are placed as a search comes to need them.
+/// Bodies that are placed when a search first needs them.
 struct LateBodies {
   const CycleSetup& setup;
   const LinkPoses& poses;
   BodyRows& rows;
-  std::uint32_t placed{0};  ///< of PairBlocks::arrivals
+  std::uint32_t placed{0};  ///< how many of PairBlocks::arrivals
 };
 
-/// By itself: within the search the compiler would have too few registers for either.
+/// Not inlined: within the search the compiler has too few registers for both.
 HWY_NOINLINE void placeUpTo(std::uint32_t arrived, LateBodies& bodies) {
   for (; bodies.placed < arrived; ++bodies.placed) {
     placeGroup(bodies.setup.slot_groups, bodies.setup.blocks.arrivals[bodies.placed], bodies.poses,
@@ -69,7 +69,7 @@ HWY_NOINLINE void placeUpTo(std::uint32_t arrived, LateBodies& bodies) {
   }
 }
 
-/// The first contact.
+/// Keeps the first contact.
 struct FindContact {
   const ContactDistances& limits;
   FoundContact& found;
@@ -111,7 +111,7 @@ struct FindContact {
   }
 };
 
-/// False when a visitor has seen enough.
+/// False if a visitor ended the search.
 template <class CoreOne, class CoreRow, class Visitor>
 bool visitRange(const PairBlocks& blocks, const BlockRange& range, const BodyRows& rows,
                 const Visitor& visitor) {

@@ -6,20 +6,19 @@
 #include "collision_monitor/pipeline/setup.h"
 #include "pipeline/data/cycle_data.h"
 
-/// The searches of pair_blocks.h from the poses of links on: bodies are placed as they are asked
-/// for.
+/// The searches of pair_blocks.h that start from poses of links: bodies are placed when needed.
 namespace collision_monitor {
 
-/// For findContact; shapes that overlap as in checkStates.
+/// For findContact; overlapping shapes are in contact as in checkStates.
 ContactDistances contactDistancesOf(const CycleSetup& setup);
 
-/// The rows of placeBodies alone, to the last bit: for those who measure all pairs of one pose.
-/// Parts that float are not told apart here.
-/// @pre all known links stand in one part
+/// Fills the rows of placeBodies and nothing else, to the last bit, to measure all pairs of one
+/// pose. Ignores parts that float.
+/// @pre all known links are in one part
 void placeRows(const CycleSetup& setup, const LinkPoses& poses, BodyRows& rows) noexcept;
 
-/// Whether any pair is in contact when the links are in these poses: as placeBodies and then
-/// findContact of pair_blocks.h, but bodies are placed in `rows` only as the search comes to them.
+/// Finds whether any pair is in contact, as placeBodies and findContact of pair_blocks.h do, but
+/// places bodies in `rows` only when the search needs them.
 /// @pre as placeRows
 void findContact(const CycleSetup& setup, const LinkPoses& poses, const ContactDistances& limits,
                  BodyRows& rows, FoundContact& found) noexcept;

@@ -21,7 +21,7 @@ void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double re
 
 void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const SweepWork& work,
                  double reach, BodyBounds& bounds) noexcept {
-  constexpr double kShort = 0.1;  // of the reach: where a body went hardly matters
+  constexpr double kShort = 0.1;  // share of `reach`: growing to all sides is good enough
   for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
     const double travel = work.body_travel[i];
     if (bounds.known[i] == 0 || !(travel > 0.0)) {

@@ -12,8 +12,8 @@
 namespace collision_monitor {
 namespace {
 
-/// Without a root.
-/// @param distance [m] nearer pairs must stay
+/// Avoids a square root.
+/// @param distance [m] pairs at or below it are kept
 bool ballsPart(const Ball& a, const Ball& b, double distance) noexcept {
   constexpr double kRounding = 1e-12;
   const double reach = a.radius + b.radius + distance;
@@ -32,7 +32,7 @@ bool orientedBoxesPart(const CycleSetup& setup, const BodyPoses& poses, const Bo
   return gap > distance + toleranceOf(boxes);
 }
 
-/// Without a branch of its own: which of the candidates are left is hard to predict.
+/// Has no branch of its own, since which candidates are far is hard to predict.
 template <class IsFar>
 void keepUnless(const IsFar& is_far, std::vector<PairId>& candidates) noexcept {
   std::size_t kept = 0;
@@ -43,10 +43,10 @@ void keepUnless(const IsFar& is_far, std::vector<PairId>& candidates) noexcept {
   candidates.resize(kept);
 }
 
-/// By the distances that were measured before, less the ways since. Of elements that were refined
-/// in the last cycle, and hence will most likely be in this one, all but the nearest bodies wait.
+/// Culls by the distance cache. Of elements refined in the last cycle, which are most likely
+/// refined again, it defers all bodies but the nearest.
 void cullByCache(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
-  constexpr double kRounding = 1e-9;  // of what was measured then, and of what would be now
+  constexpr double kRounding = 1e-9;  // of the cached distance and of a new one
   const DistanceCache& cache = buffers.memory.distance_cache;
   const NearBodies near = nearBodies(setup, buffers);
   buffers.deferred.clear();

@@ -6,11 +6,9 @@
 
 namespace collision_monitor {
 
-/// Takes out candidates that are too far apart to matter: by the distances that were measured
-/// before, less the ways since, by bounding spheres, which do not turn, and in a combined run what
-/// is left by the separating axes of the boxes about their cores. Counts all three. Of two elements
-/// that were refined in the last cycle it also takes out the bodies that cannot be the nearest, and
-/// lets them wait.
+/// Removes candidates that are too far apart to matter: by the distance cache, then by bounding
+/// spheres, in a combined run also by separating axes of the oriented boxes. Counts each kind. Of
+/// two elements refined in the last cycle it also defers the bodies that cannot be the nearest.
 void cullCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept;
 
 }  // namespace collision_monitor

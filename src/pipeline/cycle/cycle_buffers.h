@@ -11,13 +11,13 @@
 
 namespace collision_monitor {
 
-/// All arrays of one cycle, sized so that no cycle allocates.
+/// All arrays of a cycle, sized so that no cycle allocates.
 struct CycleBuffers {
   BodyPoses body_poses;
   BodyBounds bounds;
   ActivationDistances activation;
   std::vector<PairId> candidates;
-  std::vector<PairId> deferred;  ///< as measureDeferred
+  std::vector<PairId> deferred;  ///< for measureDeferred
   PairDistances distances;
   RefineWork refine;
   SweepWork sweep;
@@ -25,17 +25,17 @@ struct CycleBuffers {
   PairMemory memory;
   CycleCounters counters;
   BroadPhase broad_phase;
-  bool culls_by_boxes{false};  ///< BroadPhaseKind::combination
+  bool culls_by_boxes{false};  ///< as in BroadPhaseKind::combination
 };
 
 CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind);
 
-/// Forgets where links were: after a jump in time, or when nobody was told. What happened between
-/// the last cycle and the next one is then not looked into. The verdicts that were reported and the
-/// speed scale stay: they hold until new poses say otherwise.
+/// Forgets the poses of the last cycle: after a jump in time, or when no verdicts were reported.
+/// The next cycle then looks for no contacts since the last one. Reported verdicts and the speed
+/// scale stay until new poses change them.
 void forgetPoses(CycleBuffers& buffers) noexcept;
 
-/// Forgets all that earlier cycles left, as if there had been none.
+/// Forgets everything that earlier cycles left.
 void resetMemory(CycleBuffers& buffers) noexcept;
 
 }  // namespace collision_monitor

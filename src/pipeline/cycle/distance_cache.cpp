@@ -25,8 +25,8 @@ void forget(DistanceCache& cache) noexcept {
   forgetNearest(cache);
 }
 
-/// How much a link's rotation has changed since the last cycle, in Frobenius' norm; < 0 if it is
-/// not known now or was not then, or has come to another part.
+/// The Frobenius norm of the change of a link's rotation since the last cycle; < 0 if the link was
+/// not known then, is not known now, or is in another part.
 double turnOf(const LinkPoses& poses, const BodyPoses& body_poses, const LastPoses& last,
               std::size_t link) noexcept {
   return hasStayed(last, body_poses, link)
@@ -34,16 +34,16 @@ double turnOf(const LinkPoses& poses, const BodyPoses& body_poses, const LastPos
              : -1.0;
 }
 
-/// [m] No point of a ball has come farther. `turn` is that of turnOf; Frobenius' norm
-/// also bounds what matrices do that are only nearly rotations.
+/// [m] An upper bound of how far any point of the ball has moved since the last cycle. `turn` comes
+/// from turnOf; a Frobenius norm also bounds matrices that are only nearly rotations.
 double stepOf(const Ball& ball, const Eigen::Vector3d& last_center, double turn) noexcept {
-  constexpr double kNotRigid = 10.0 * kRigid;  // of the way: what distances of such bodies err by
+  constexpr double kNotRigid = 10.0 * kRigid;  // share of travel: their distances' error
   constexpr double kRounding = 1e-12;
   const double step = (ball.center - last_center).norm() + turn * ball.radius;
   return step > 0.0 ? (1.0 + kNotRigid) * step + kRounding : 0.0;
 }
 
-/// Before ways are so long that adding to them rounds by more than a step allows for.
+/// Resets travels before they get so long that sums round by more than stepOf allows for.
 void beginAnew(const PairTable& table, DistanceCache& cache) noexcept {
   constexpr double kRounding = 1e-12;
   for (std::size_t i = 0; i < table.size(); ++i) {

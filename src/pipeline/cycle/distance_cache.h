@@ -4,17 +4,17 @@
 
 #include "pipeline/cycle/cycle_buffers.h"
 
-/// Distances that were measured once, kept as lower bounds while bodies move.
+/// Earlier distances, kept as lower bounds while bodies move.
 namespace collision_monitor {
 
-/// Nothing known.
+/// Makes an empty cache.
 DistanceCache makeDistanceCache(const CycleSetup& setup);
 
-/// Forgets `nearest`, for the distances of this cycle.
+/// Resets `nearest` for the distances of this cycle.
 void forgetNearest(DistanceCache& cache) noexcept;
 
-/// Follows how far bodies have come, so that gaps stay what they are.
-/// Where a link was not known in the last cycle, or in another part, all gaps are forgotten.
+/// Adds up the travel of bodies, so that cached distances stay lower bounds. Forgets the cache if a
+/// link is known that was not known in the last cycle, or was in another part then.
 /// @pre bodies are placed and bounded; motions are found; memory.last is that of the last cycle.
 void accumulateTravel(const CycleSetup& setup, const LinkPoses& poses,
                       CycleBuffers& buffers) noexcept;

@@ -15,7 +15,7 @@ void findClosings(const CycleSetup& setup, const LinkPoses& poses,
     const CheckedLinkPair& pair = setup.checked[setup.link_pair_of[index(distance.pair)]];
     const std::size_t a = index(pair.a);
     const std::size_t b = index(pair.b);
-    // A rate that is not finite is a velocity that was not, either.
+    // The rate is not finite if a velocity is not finite.
     const double rate =
         velocities.known[a] != 0 && velocities.known[b] != 0
             ? distanceRate(distance.measured, velocities.of_link[a], velocities.of_link[b])

@@ -7,7 +7,7 @@
 
 namespace collision_monitor {
 
-/// Fills closing speeds and times to contact; unknown where a link's velocity is.
+/// Fills closing speeds and times to contact; unknown where a link's velocity is unknown.
 void findClosings(const CycleSetup& setup, const LinkPoses& poses,
                   PairDistances& distances) noexcept;
 

@@ -9,11 +9,11 @@
 
 namespace collision_monitor {
 
-/// Groups links that are in contact, directly or through others, and numbers the groups
-/// 1, 2, ... in order of their first link. Reads events.verdicts, writes the islands.
+/// Groups links that are in contact, directly or through others. Numbers the groups 1, 2, ... in
+/// order of their first link. Reads events.verdicts, writes the islands.
 ///
-/// Source: union-find with path halving; Tarjan and van Leeuwen, "Worst-case analysis of set
-/// union algorithms" (1984). The smaller id becomes the root, so that numbering needs no sort.
+/// Source: union-find with path halving; Tarjan and van Leeuwen, "Worst-case analysis of set union
+/// algorithms" (1984). The smaller id becomes the root, so numbering needs no sort.
 void findIslands(const std::vector<CheckedLinkPair>& checked, PairEvents& events) noexcept;
 
 }  // namespace collision_monitor

@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// False for a time that is unknown and for a threshold that is switched off.
+/// False if the time is unknown or the threshold is off.
 bool isSoon(double time, double threshold, double hysteresis) noexcept {
   return threshold > 0.0 && time <= threshold + hysteresis;
 }
 
-/// A verdict is raised at its thresholds and left only `hysteresis` beyond them.
+/// A verdict is raised at its threshold and left only `hysteresis` beyond it.
 Verdict verdictFor(double distance, double time, const Limits& limits, Verdict before) noexcept {
   const bool was_touching = before == Verdict::contact;
   if (distance <= limits.contact_distance + (was_touching ? limits.hysteresis : 0.0) ||
@@ -31,13 +31,13 @@ Verdict verdictFor(double distance, double time, const Limits& limits, Verdict b
       isSoon(time, limits.warning_time, was_near ? limits.time_hysteresis : 0.0)) {
     return Verdict::warning;
   }
-  // Also where the distance is NaN, which would be a fault of ours: never "clear".
+  // A NaN distance would be our bug; it must not read as clear.
   return distance > limits.warning_distance ? Verdict::clear : Verdict::unknown;
 }
 
-/// Fills what is closest, what touches first and what is estimated, of each pair of links and of
-/// all. A time that is unknown is not sooner than any.
-/// @return whether a time is unknown.
+/// Fills, for each link pair, the closest pair, the pair that touches first and the deepest
+/// estimate; for all link pairs the closest and the least time. Ignores unknown times.
+/// @return whether any time is unknown.
 bool findClosestAndSoonest(const CycleSetup& setup, const PairDistances& distances,
                            PairEvents& events) noexcept {
   std::fill(events.closest.begin(), events.closest.end(), kNone);
@@ -72,7 +72,7 @@ bool findClosestAndSoonest(const CycleSetup& setup, const PairDistances& distanc
   return has_unknown;
 }
 
-/// A contact that is certain stands for its links before a bound that is deeper.
+/// A certain contact represents its link pair even if a lower bound is deeper.
 void preferEstimate(const PairDistances& distances, std::size_t link_pair,
                     PairEvents& events) noexcept {
   std::uint32_t& closest = events.closest[link_pair];
@@ -82,7 +82,7 @@ void preferEstimate(const PairDistances& distances, std::size_t link_pair,
   }
 }
 
-/// Anew if it was one that an estimate now stands before.
+/// Searches again if an estimate has replaced the closest pair.
 void findClosestOfAll(const CycleSetup& setup, const PairDistances& distances,
                       PairEvents& events) noexcept {
   std::uint32_t& nearest = events.closest_of_all;
@@ -112,13 +112,13 @@ void findPassed(const CycleSetup& setup, const PairDistances& distances,
   }
 }
 
-/// Where it is not, nobody knows when the pair touches, however far it is.
+/// If it is false, the time to contact is unknown at any distance.
 bool isMotionKnown(const LinkVelocities& velocities, const CheckedLinkPair& pair) noexcept {
   return velocities.known[index(pair.a)] != 0 && velocities.known[index(pair.b)] != 0;
 }
 
-/// The finest that shows the pair to be in contact, if it is. What is apart now shows nothing of a
-/// contact on the way.
+/// The finest detail that shows a contact of the link pair. A pair that is apart now shows nothing
+/// of a passed contact.
 Detail contactDetailOf(const CycleSetup& setup, const PairDistances& distances,
                        const PairEvents& events, std::size_t link_pair) noexcept {
   const std::uint32_t passed = events.passed[link_pair];
@@ -136,8 +136,8 @@ Detail contactDetailOf(const CycleSetup& setup, const PairDistances& distances,
   return is_shown ? std::max(detail, detailOf(nearest)) : detail;
 }
 
-/// What hysteresis starts from. A contact of bounds, as where the budget was spent, is no contact
-/// as soon as something finer than these bounds is seen to be apart, however near it is.
+/// The verdict that hysteresis starts from. A contact shown only by bounds, as when the budget
+/// starves a pair, ends as soon as a finer distance shows the pair apart, however near it is.
 Verdict heldVerdict(const PairMemory& memory, std::size_t link_pair,
                     const PairDistance& nearest) noexcept {
   const Verdict before = memory.reported[link_pair];
@@ -150,12 +150,12 @@ Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
                       const PairEvents& events, std::size_t link_pair,
                       const PairMemory& memory) noexcept {
   const std::uint32_t closest = events.closest[link_pair];
-  // Another element may be deeper, as far as limits allow.
+  // An estimate is a contact even if the closest pair is deeper and within the limits.
   if (events.passed[link_pair] != kNone || events.estimated[link_pair] != kNone) {
     return Verdict::contact;
   }
   if (closest == kNone) {
-    return Verdict::clear;  // known, and out of reach of every threshold
+    return Verdict::clear;  // known, and beyond every threshold
   }
   const PairDistance& nearest = distances.pairs[closest];
   const std::uint32_t soonest = events.soonest[link_pair];
@@ -172,7 +172,7 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
   bool has_unknown = findClosestAndSoonest(setup, distances, events);
   findPassed(setup, distances, events);
   events.changes.clear();
-  // A link that stands in no checked pair can be unknown without harm.
+  // An unknown link in no checked pair does not matter.
   events.overall = Verdict::clear;
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     Verdict& reported = memory.reported[i];

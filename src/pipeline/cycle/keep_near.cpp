@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Of what was measured from `first` on.
+/// For distances from index `first` on.
 void keepNearFrom(const CycleSetup& setup, std::size_t first, CycleBuffers& buffers) noexcept {
   DistanceCache& cache = buffers.memory.distance_cache;
   auto& measured = buffers.distances.pairs;

@@ -6,13 +6,13 @@
 
 namespace collision_monitor {
 
-/// Keeps of what was measured the pairs that are near, and of each two elements within reach the
-/// nearest bodies: what is left does not depend on what was culled, nor by what. Remembers all
-/// distances as gaps.
+/// Keeps the pairs that are near, and the nearest bodies of any two elements within the activation
+/// distance. The result does not depend on which pairs were culled. Stores all measured distances
+/// in the distance cache.
 void keepNear(const CycleSetup& setup, CycleBuffers& buffers) noexcept;
 
-/// Measures what waits as well, where the elements were not refined in this cycle: `distances` are
-/// then as if nothing had waited. What still waits then is what was measured.
+/// Measures deferred pairs whose elements were not refined in this cycle, so that `distances` are
+/// as if nothing had been deferred. Afterwards `deferred` holds the pairs measured here.
 void measureDeferred(const CycleSetup& setup, CycleBuffers& buffers) noexcept;
 
 }  // namespace collision_monitor

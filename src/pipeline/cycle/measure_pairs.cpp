@@ -27,7 +27,7 @@ PairDistance measurePair(const CycleSetup& setup, const BodyPoses& body_poses, P
                           setup.bodies[b].shape, body_poses.world_from_body[b])};
 }
 
-/// Rows hold the simpler core first, the table the body of the lower id.
+/// Rows hold the simpler core first; the table holds the body of the lower id first.
 bool isSwapped(const CycleSetup& setup, const BodyPair& pair) noexcept {
   return setup.cores[index(pair.a)].kind > setup.cores[index(pair.b)].kind;
 }
@@ -42,7 +42,7 @@ void writePair(const CycleSetup& setup, const BodyPoses& body_poses, PairId id, 
   writeRow(setup.cores[b], body_poses.world_from_body[b], row, is_swapped ? rows.a : rows.b);
 }
 
-/// Pairs of one kind, at most kRowCount of them.
+/// Pairs of one kind, at most kRowCount.
 struct PairBatch {
   CoreKind a;
   CoreKind b;
@@ -52,13 +52,13 @@ struct PairBatch {
 
 void measureBatch(const CycleSetup& setup, const BodyPoses& body_poses, const PairBatch& batch,
                   PairDistances& distances) noexcept {
-  PairRows rows;  // on the stack, and nothing of it is touched that a pair does not need
+  PairRows rows;  // on the stack; only the numbers that a pair needs are written
   for (std::size_t row = 0; row < batch.count; ++row) {
     writePair(setup, body_poses, batch.first[row], row, rows);
   }
   measureRows(batch.a, batch.b, batch.count, rows);
-  // Read where they are to stand: the copy of what was just written number by number stalls the
-  // processor for longer than the reading takes.
+  // Answers are read straight into their place: copying an entry just after its numbers are written
+  // stalls the processor for longer than reading takes.
   PairDistance* measured = &*distances.pairs.insert(distances.pairs.end(), batch.count, {});
   for (std::size_t row = 0; row < batch.count; ++row, ++measured) {
     const BodyPair& pair = setup.table[batch.first[row]];
@@ -68,7 +68,7 @@ void measureBatch(const CycleSetup& setup, const BodyPoses& body_poses, const Pa
   }
 }
 
-/// By ElementPairIndex: refined, or of two parts.
+/// By ElementPairIndex: refined, or of two parts; a search skips these.
 const std::vector<unsigned char>& passedElements(const CycleSetup& setup,
                                                  const BodyPoses& body_poses,
                                                  RefineWork& refined) noexcept {

@@ -8,18 +8,18 @@
 
 namespace collision_monitor {
 
-/// @pre `pairs` is sorted by id and joins known bodies only; `distances` has room for every pair.
+/// @pre `pairs` is sorted by id and has known bodies only; `distances` has room for every pair.
 void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                   const std::vector<PairId>& pairs, PairDistances& distances) noexcept;
 
-/// As measurePairs, after what `distances` hold already.
+/// As measurePairs, but appends to `distances`.
 void addPairs(const CycleSetup& setup, const BodyPoses& body_poses,
               const std::vector<PairId>& pairs, PairDistances& distances) noexcept;
 
-/// Makes sure that the closest of all known pairs is among `distances`, which hold the
-/// nearest within `reach` and what `refined` made of them. Costs nothing when one is that near;
-/// otherwise searches all pairs, except those that were refined and those across two parts. What it
-/// adds is not refined.
+/// Makes sure that `distances` hold the closest of all known pairs. Costs nothing if a pair is
+/// within `reach`. Otherwise searches all pairs except refined ones and those of two parts. The
+/// pair that it adds is not refined. @pre `distances` hold the nearest pairs within `reach`,
+/// refined as `refined` says.
 void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, RefineWork& refined,
                     double reach, PairDistances& distances) noexcept;
 

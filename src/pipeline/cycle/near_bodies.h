@@ -9,25 +9,25 @@
 
 namespace collision_monitor {
 
-/// How near bodies must be to matter, one pair after the other.
+/// How near the bodies of a pair must be to matter.
 struct NearBodies {
   const CycleSetup& setup;
   const ActivationDistances& reaches;
   const DistanceCache& cache;
   double least;  ///< [m] as nearActivationDistanceOf
-  double reach;  ///< [m] as reachOf
+  double reach;  ///< [m] as activationDistanceOf
 
-  /// [m] No farther apart, bodies matter whatever other bodies of their elements do: by what both
-  /// links may close, or by what both bodies may.
+  /// [m] At or below this distance bodies matter whatever other bodies of their elements do. It is
+  /// the lesser of two bounds: by the motion of both links, and by the motion of both bodies.
   double nearOf(PairId id) const noexcept {
     const BodyPair& pair = setup.table[id];
     const double ahead = cache.travels[index(pair.a)].ahead + cache.travels[index(pair.b)].ahead;
-    // What is not known is NaN, which both comparisons are asked so as to pass over.
+    // `ahead` may be NaN: by the order of arguments the result is then the other bound.
     return std::min(reaches.near_of_pair[setup.link_pair_of[index(id)]],
                     std::max(reaches.stop + ahead, least));
   }
 
-  /// [m] Farther apart, bodies do not matter: those of their elements that are `nearest` do.
+  /// [m] Above this distance bodies do not matter, since nearer ones of their elements do.
   double limitOf(PairId id, double nearest) const noexcept {
     return std::max(nearOf(id), std::min(reach, nearest));
   }
@@ -38,7 +38,7 @@ inline NearBodies nearBodies(const CycleSetup& setup, const CycleBuffers& buffer
           activationDistanceOf(setup.limits)};
 }
 
-/// Remembers a lower bound of the distance.
+/// Stores a lower bound of the distance in the cache.
 inline void rememberDistance(double distance, const BodyPair& pair, PairId id,
                              DistanceCache& cache) noexcept {
   cache.distances[index(id)] =

@@ -25,8 +25,8 @@ std::array<double, 3> moved(const Pose& pose, const double* point) noexcept {
   return {there[0] + t[0], there[1] + t[1], there[2] + t[2]};
 }
 
-/// world_from_link * link_from_part. Number by number, and written where it is to stand: the copy
-/// of a pose that was just written so stalls the processor for longer than the product takes.
+/// world_from_link * link_from_part, computed number by number into its place: copying a pose just
+/// after it is written this way stalls the processor for longer than the product takes.
 void place(const Pose& world_from_link, const Pose& link_from_part,
            Pose& world_from_part) noexcept {
   for (std::size_t axis = 0; axis < 9; axis += 3) {
@@ -37,12 +37,12 @@ void place(const Pose& world_from_link, const Pose& link_from_part,
   std::copy(translation.begin(), translation.end(), world_from_part.translation.data());
 }
 
-/// Checked here as well as at the edge: a NaN that slips through must read as unknown.
+/// Checked here as well as at the ROS edge: NaN must always read as unknown.
 bool isKnown(const LinkPoses& poses, std::size_t link) noexcept {
   return poses.status[link] == LinkStatus::known && isRigid(poses.world_from_link[link]);
 }
 
-/// A link that floats alone can be measured against nothing, so it counts as unknown.
+/// Marks links that float alone as unknown: there is nothing to measure them against.
 void leaveLoneLinks(BodyPoses& body_poses) noexcept {
   std::vector<std::uint32_t>& count = body_poses.links_of_part;
   std::fill(count.begin(), count.end(), 0U);
@@ -61,7 +61,7 @@ void leaveLoneLinks(BodyPoses& body_poses) noexcept {
   }
 }
 
-/// Whether known links stand in several parts.
+/// Whether known links are in several parts.
 bool isSplit(const BodyPoses& body_poses) noexcept {
   const auto& known = body_poses.link_known;
   const auto first =
@@ -74,7 +74,7 @@ bool isSplit(const BodyPoses& body_poses) noexcept {
   return false;
 }
 
-/// Fills what is known of the links, and how they stand together.
+/// Fills which links are known, and in which parts.
 void findLinks(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept {
   bool floats = false;
   for (std::size_t i = 0; i < setup.bodies.size(); ++i) {

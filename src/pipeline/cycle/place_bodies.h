@@ -7,12 +7,12 @@
 
 namespace collision_monitor {
 
-/// Sized for the set-up, nothing known.
+/// Makes poses sized for the set-up, all unknown.
 BodyPoses makeBodyPoses(const CycleSetup& setup);
 
 void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept;
 
-/// What stands behind the bodies, for stages that refine.
+/// Places elements, for the stages that refine.
 /// @pre the bodies are placed.
 void placeElements(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept;
 

@@ -41,7 +41,7 @@ void countUnknown(const CycleSetup& setup, const BodyPoses& body_poses,
   }
 }
 
-/// Boxes of bodies in two parts may meet, which means nothing.
+/// Removes pairs of two parts: relative poses of these mean nothing.
 void dropUnjoined(const CycleSetup& setup, const BodyPoses& body_poses,
                   std::vector<PairId>& candidates) noexcept {
   if (!body_poses.is_split) {
@@ -61,7 +61,7 @@ void place(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_pose
   placeElements(setup, poses, body_poses);
 }
 
-/// Distances of what is near, up to what the budget allows.
+/// Measures distances of near pairs, within the budget.
 void measureNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   const double reach = activationDistanceOf(setup.limits);
   boundBodies(setup, buffers.body_poses, reach, buffers.bounds);

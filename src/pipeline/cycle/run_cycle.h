@@ -4,16 +4,16 @@
 
 #include "pipeline/cycle/cycle_buffers.h"
 
-/// One cycle, from poses to events.
+/// Runs one cycle, from poses to events.
 namespace collision_monitor {
 
-/// Measures what one cycle may have no budget for, and judges nothing: where many links come to be
-/// known at once, as at the start, the next cycle would else call contacts of enclosing shapes.
-/// Takes the time of as many cycles as that needs, of 50 at most. @pre as runCycle
+/// Measures without verdicts what the budget of one cycle may starve. Used where many links become
+/// known at once, as at the start: otherwise the next cycle would report contacts of enclosing
+/// shapes. Takes the time of as many cycles as needed, at most 50. @pre as runCycle
 void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept;
 
-/// One cycle: poses in, events out. Same input and memory, same bytes out,
-/// whichever broad phase. Neither allocates, locks nor throws.
+/// Runs one cycle. The same input and memory give the same bytes, whichever broad phase is used.
+/// Neither allocates, locks nor throws.
 /// @pre buffers were made for this set-up; poses are sized for its model.
 void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept;
 

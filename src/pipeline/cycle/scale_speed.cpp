@@ -9,14 +9,14 @@
 namespace collision_monitor {
 namespace {
 
-/// What a cycle sees of a pair of links that are at their stop distance, beside what SpeedScale
-/// remembers; bits of one byte.
+/// What is seen of a link pair at its stop distance, as bits of SpeedScale::stopped. kWasStopped
+/// and kMayTouch are remembered from cycle to cycle.
 constexpr unsigned char kWasStopped = 1;
 constexpr unsigned char kCloses = 2;
 constexpr unsigned char kRests = 4;
-constexpr unsigned char kMayTouch = 8;  ///< by a bound; remembered until the geometries are seen
+constexpr unsigned char kMayTouch = 8;  ///< by a lower bound; remembered until it is exact
 
-/// What all pairs ask for together.
+/// What all pairs ask for.
 struct Demand {
   double scale{1.0};
   bool is_free{true};  ///< nothing closes, nothing near rests, and nothing is unknown
@@ -38,12 +38,12 @@ void askForMeasured(const CycleSetup& setup, const PairDistance& distance, Deman
     ask(scaleForPair(gap, closing, rule), demand);
     seen |= gap <= rule.stop_distance ? kCloses : 0;
   } else if (closing >= -rule.rest_speed) {
-    // One that touches was stopped, or should have been.
+    // A pair that touches was stopped, or should have been.
     if (isTouching(distance, setup.limits.contact_distance)) {
       seen |= distance.quality == Quality::lower_bound ? kMayTouch : kWasStopped;
     }
     seen |= gap <= rule.stop_distance + setup.limits.hysteresis ? kRests : 0;
-    // It may rest because it was slowed down: then it must not be let go all at once.
+    // A near pair may rest because it was slowed down: the scale must not jump to full speed.
     demand.is_free = demand.is_free && gap > setup.limits.warning_distance;
   }
 }

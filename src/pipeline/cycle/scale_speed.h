@@ -7,8 +7,8 @@
 
 namespace collision_monitor {
 
-/// The speed scale of all pairs: the least that one asks for; 0 while a pair is unknown, and where
-/// links met since the last cycle.
+/// Finds the speed scale: the least that a pair asks for. It is 0 while a pair is unknown, and
+/// where links met since the last cycle.
 void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistances& distances,
                 const PairEvents& events, SpeedScale& speed) noexcept;
 

@@ -4,14 +4,14 @@
 
 #include "collision_monitor/pipeline/setup.h"
 
-/// How near a pair must be to matter to a cycle.
+/// The activation distance: how near a pair must be to matter to a cycle.
 namespace collision_monitor {
 
-/// Pairs at this distance or nearer matter to a cycle: to be published, warned of or kept by
-/// hysteresis. Units: metres.
+/// The distance at or below which pairs are published, raise verdicts or keep them by hysteresis.
+/// Units: metres.
 double activationDistanceOf(const Limits& limits) noexcept;
 
-/// The same without what is only published: to be refined, warned of or kept by hysteresis.
+/// The distance at or below which pairs are refined, raise verdicts or keep them by hysteresis.
 double nearActivationDistanceOf(const CycleSetup& setup) noexcept;
 
 }  // namespace collision_monitor

@@ -18,61 +18,61 @@
 #include "motion/conservative_advancement.h"
 #include "pipeline/data/refine_memory.h"
 
-/// What travels from stage to stage of one cycle: plain arrays sized at set-up,
-/// world frame, metres and seconds. Ids here, names only at the ROS edge.
+/// The data between the stages of a cycle: plain arrays sized at set-up. World frame, metres,
+/// seconds. Data carry ids; names appear only at the ROS edge.
 namespace collision_monitor {
 
 enum class LinkStatus : unsigned char {
   known,
   stale,         ///< its newest pose is older than max_age
   missing,       ///< no pose was ever received, or it cannot be joined to the world
-  not_finite,    ///< the pose holds NaN or infinity, or its rotation is none
-  contradicted,  ///< two sources say different things of one time
+  not_finite,    ///< the pose holds NaN or infinity, or its rotation is not rigid
+  contradicted,  ///< two sources disagree about the same time
 };
 
-/// How fast the links move, as far as it is known.
+/// The velocities of the links, where they are known.
 struct LinkVelocities {
   std::vector<Twist> of_link;        ///< by LinkId
   std::vector<unsigned char> known;  ///< by LinkId
 };
 
-/// Links whose poses are known beside each other: kWorldPart, or the LinkId of the top link of a
-/// part that floats.
+/// A part: links that are known beside each other. kWorldPart, or for a part that floats the LinkId
+/// of its top link.
 using PartId = std::uint32_t;
 constexpr PartId kWorldPart = 0xffffffffU;  ///< joined to the world
 
-/// One stamp for all links of a robot that are known.
+/// The poses of all links, with one stamp for the known links of each robot.
 ///
-/// Where it is not known how a link stands to its parent link, or a root to the world, a part
-/// begins that floats: the links from there on, as far as they are known beside each other. Its
-/// frame is that of its top link, which stands at the identity, and at rest. Nothing that joins
-/// links of two parts means anything.
+/// A part begins to float at a link whose pose relative to its parent link (for a root: to the
+/// world) is unknown. The part holds the links from there on that are known beside each other. Its
+/// frame is that of its top link, which has the identity pose and zero velocity. Relative poses of
+/// links of two parts mean nothing.
 struct LinkPoses {
   std::int64_t stamp_ns{0};                  ///< the oldest of the robots' stamps
   std::vector<std::int64_t> robot_stamp_ns;  ///< by RobotId; 0: none yet
-  std::vector<Pose> world_from_link;         ///< of a part that floats: top_from_link
-  std::vector<LinkStatus> status;            ///< known: in its part
+  std::vector<Pose> world_from_link;         ///< in a part that floats: top_from_link
+  std::vector<LinkStatus> status;            ///< within its part
   std::vector<PartId> part;                  ///< by LinkId
-  /// By LinkId: what keeps its part from being joined to what is above it; known: the world's part.
+  /// By LinkId: why its part is not joined to what is above; `known` in the world's part.
   std::vector<LinkStatus> part_status;
-  std::vector<double> age;    ///< [s] in its part; 0 for a link that only static transforms place
-  LinkVelocities velocities;  ///< as seen from the frame of the part
+  std::vector<double> age;  ///< [s] within its part; 0 for links that only static transforms place
+  LinkVelocities velocities;  ///< relative to the frame of the part
 };
 
-/// Whether it is known how two links stand to each other.
+/// Whether the relative pose of two links is known.
 inline bool isJoined(const LinkPoses& poses, LinkId a, LinkId b) noexcept {
   return poses.status[index(a)] == LinkStatus::known &&
          poses.status[index(b)] == LinkStatus::known &&
          poses.part[index(a)] == poses.part[index(b)];
 }
 
-/// `known`, or why it is not known where a link is in the world.
+/// `known`, or why the pose of a link in the world is not known.
 inline LinkStatus statusInWorld(const LinkPoses& poses, LinkId link) noexcept {
   const LinkStatus status = poses.status[index(link)];
   return status == LinkStatus::known ? poses.part_status[index(link)] : status;
 }
 
-/// A part that floats begins at this link.
+/// Begins a part that floats at this link.
 inline void floatFrom(std::size_t link, LinkStatus reason, LinkPoses& poses) noexcept {
   poses.world_from_link[link] = Pose();
   poses.status[link] = LinkStatus::known;
@@ -81,23 +81,23 @@ inline void floatFrom(std::size_t link, LinkStatus reason, LinkPoses& poses) noe
   poses.age[link] = 0.0;
 }
 
-/// Links all `missing`, in the world's part, their velocities unknown, sized for the model.
+/// Makes poses for the model: all links `missing`, in the world's part, velocities unknown.
 LinkPoses makeLinkPoses(const RobotModel& model);
 
 struct BodyPoses {
   std::vector<Pose> world_from_body;
-  std::vector<Ball> balls;  ///< that bound the bodies, in the world; next to each other for a cull
-  BodyRows rows;            ///< the same in columns, NaN where the body is not known
+  std::vector<Ball> balls;  ///< bounding balls, world frame; contiguous for culling
+  BodyRows rows;            ///< body poses in columns, NaN where a body is not known
   std::vector<unsigned char> known;
-  /// By LinkId, of links with bodies: known and rigid, and not alone in a part that floats.
+  /// By LinkId, of links with bodies: known, rigid and not the only link of a part that floats.
   std::vector<unsigned char> link_known;
   std::vector<PartId> part;                  ///< by LinkId
-  bool is_split{false};                      ///< known links with bodies stand in several parts
+  bool is_split{false};                      ///< known links with bodies are in several parts
   std::vector<std::uint32_t> links_of_part;  ///< by top link: scratch
   std::vector<Pose> world_from_element;      ///< by ElementId, of known links
 };
 
-/// Whether a pair of these links can be measured.
+/// Whether bodies of these links can be measured against each other.
 inline bool isJoined(const BodyPoses& poses, LinkId a, LinkId b) noexcept {
   return poses.link_known[index(a)] != 0 && poses.link_known[index(b)] != 0 &&
          poses.part[index(a)] == poses.part[index(b)];
@@ -105,21 +105,21 @@ inline bool isJoined(const BodyPoses& poses, LinkId a, LinkId b) noexcept {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// What a distance is one of, the finest last.
+/// What a distance is measured between, the finest last.
 enum class Detail : unsigned char {
   shapes,      ///< enclosing shapes
-  elements,    ///< what stands behind them: hulls, padded geometries, or a bound that a search gave
+  elements,    ///< hulls or padded geometries, or a lower bound that a search proved
   geometries,  ///< the geometries of the URDF themselves
 };
 
 struct PairDistance {
   PairId pair{};
   Quality quality{Quality::unknown};
-  bool is_refined{false};  ///< measured between elements, of which the bodies are the nearest part
+  bool is_refined{false};  ///< measured between elements; these bodies are their nearest
   SignedDistance measured;
-  double closing_speed{kUnknown};    ///< [m/s] at the two points; > 0: the distance shrinks
-  double time_to_contact{kUnknown};  ///< [s] as timeToContact, down to contact_distance
-  bool is_raised{false};  ///< not refined: a search proved the elements at least so far apart
+  double closing_speed{kUnknown};    ///< [m/s] at the witness points; > 0: the distance shrinks
+  double time_to_contact{kUnknown};  ///< [s] as timeToContact, until contact_distance
+  bool is_raised{false};  ///< not refined, but a search proved this lower bound for the elements
 };
 
 inline Detail detailOf(const PairDistance& distance) noexcept {
@@ -129,31 +129,31 @@ inline Detail detailOf(const PairDistance& distance) noexcept {
   return distance.is_refined || distance.is_raised ? Detail::elements : Detail::shapes;
 }
 
-/// An estimate is a contact also where limits allow some depth: it may be deeper than it says.
+/// An estimate is a contact even if limits allow some depth: the true depth may be larger.
 inline bool isTouching(const PairDistance& distance, double contact_distance) noexcept {
   return distance.quality == Quality::estimate || distance.measured.distance <= contact_distance;
 }
 
 /// A contact between the last cycle and this one, of links that are apart in both.
 struct PassedContact {
-  double time{0.0};  ///< share of the way from the last poses to these
-  /// At that time. exact: the geometries touched; lower_bound: what encloses them did, and they may
-  /// have.
+  double time{0.0};  ///< share of the motion from the last poses to these, 0 .. 1
+  /// At that time. exact: the geometries touched; lower_bound: enclosing shapes touched, so the
+  /// geometries may have.
   PairDistance distance;
   Pose world_from_link_a;  ///< at that time
   Pose world_from_link_b;
 };
 
-/// `measured` is sorted by pair id. It holds every pair that matters to a verdict, a time or the
-/// speed scale, of each two elements within reach the nearest bodies and, when nothing is near, the
-/// closest pair all the same. A refined pair of elements stands once, in place of the nearest of
-/// its bodies.
+/// The distances of a cycle, in `pairs` sorted by pair id. They hold every pair that matters to a
+/// verdict, a time or the speed scale; the nearest bodies of any two elements within the activation
+/// distance; and always the closest pair. A refined pair of elements has one entry, that of its
+/// nearest bodies.
 struct PairDistances {
   std::vector<PairDistance> pairs;
   std::vector<PassedContact> passed;
 };
 
-/// Ordered by urgency: the state of the whole is the largest of its parts.
+/// Ordered by urgency: the overall verdict is the largest.
 enum class Verdict : unsigned char { clear, warning, unknown, contact };
 
 using LinkPairIndex = std::uint32_t;  ///< into CycleSetup::checked
@@ -164,48 +164,48 @@ struct VerdictChange {
   Verdict after{Verdict::clear};
 };
 
-/// What was judged, for each checked pair of links.
+/// The verdicts of all checked link pairs.
 struct PairEvents {
   std::vector<Verdict> verdicts;       ///< by LinkPairIndex
-  std::vector<std::uint32_t> closest;  ///< by LinkPairIndex: index into measured, or kNone
-  std::vector<std::uint32_t> passed;   ///< by LinkPairIndex: the first in `passed`, or kNone
-  /// By LinkPairIndex: index into measured of a Quality::estimate, kNone if there is none.
+  std::vector<std::uint32_t> closest;  ///< by LinkPairIndex: index into `pairs`, or kNone
+  std::vector<std::uint32_t>
+      passed;  ///< by LinkPairIndex: index into passed of the first, or kNone
+  /// By LinkPairIndex: index into `pairs` of the deepest Quality::estimate, or kNone.
   std::vector<std::uint32_t> estimated;
-  /// By LinkPairIndex: index into measured of what touches first, kNone if nothing does within
-  /// the horizon.
+  /// By LinkPairIndex: index into `pairs` of the pair with the least time to contact, or kNone if
+  /// nothing touches within the horizon.
   std::vector<std::uint32_t> soonest;
-  /// Against the verdict last reported, in order of link pair. A clear pair that becomes
-  /// unknown is no change of its own (the links that are unknown say it once for all their
-  /// pairs); a pair that was near or touching and becomes unknown is one.
+  /// Changes against the verdict last reported, in order of link pair. A clear pair that becomes
+  /// unknown is no change: its unknown links are reported once for all their pairs. A warning or
+  /// contact that becomes unknown is a change.
   std::vector<VerdictChange> changes;
   std::vector<std::uint32_t> island_of_link;  ///< by LinkId: 1, 2, ... in contact, 0 for the rest
   std::uint32_t island_count{0};
   std::vector<std::uint32_t> island_forest;  ///< by LinkId: scratch of the grouping
-  std::uint32_t closest_of_all{kNone};       ///< index into measured
-  /// [s] Of all pairs, the least; infinity if nothing meets within the horizon, unknown if nothing
-  /// is known to and a pair is not known.
+  std::uint32_t closest_of_all{kNone};       ///< index into `pairs`
+  /// [s] The least time of all pairs. Infinity if nothing touches within the horizon; unknown if
+  /// nothing is known to touch and the time of a pair is unknown.
   double time_to_contact{kUnknown};
   Verdict overall{Verdict::unknown};
 };
 
 struct CycleCounters {
   std::size_t pairs{0};              ///< pairs of bodies in the table
-  std::size_t candidates{0};         ///< of these, their bounds met
-  std::size_t culled_by_cache{0};    ///< of these, too far apart by what was measured before
-  std::size_t culled_by_spheres{0};  ///< of the rest, too far apart by their bounding spheres
-  std::size_t culled_by_boxes{0};    ///< of the rest, oriented boxes parted: combination only
-  std::size_t measured{0};           ///< the rest; without what the search for the closest looks at
-  std::size_t refined{0};            ///< pairs of elements that were measured to the end
-  std::size_t left{0};               ///< pairs of elements for which the budget did not suffice
-  std::size_t refine_work{0};        ///< spent of the budget
-  std::size_t swept{0};          ///< pairs near enough for their speed to have met since the last
-                                 ///< cycle, which were followed on their way
-  std::size_t swept_left{0};     ///< pairs of elements for which the budget did not suffice
-  std::size_t unknown_pairs{0};  ///< pairs of bodies with an unknown link, or across two parts
-  std::size_t unknown_links{0};  ///< links with geometry whose pose is unknown
+  std::size_t candidates{0};         ///< pairs whose bounds meet
+  std::size_t culled_by_cache{0};    ///< of the candidates: too far apart by the distance cache
+  std::size_t culled_by_spheres{0};  ///< of the rest: too far apart by bounding spheres
+  std::size_t culled_by_boxes{0};    ///< of the rest: apart by oriented boxes; combination only
+  std::size_t measured{0};           ///< the rest; without the search for the closest pair
+  std::size_t refined{0};            ///< pairs of elements measured completely
+  std::size_t left{0};               ///< pairs of elements starved by the budget
+  std::size_t refine_work{0};        ///< work done of the budget
+  std::size_t swept{0};              ///< pairs whose motion since the last cycle was followed
+  std::size_t swept_left{0};         ///< pairs of elements starved by the budget
+  std::size_t unknown_pairs{0};      ///< pairs of bodies with an unknown link or of two parts
+  std::size_t unknown_links{0};      ///< links with geometry whose pose is unknown
 };
 
-/// Where the links were.
+/// The poses of the links in the last cycle.
 struct LastPoses {
   std::int64_t stamp_ns{0};
   std::vector<Pose> world_from_link;
@@ -213,51 +213,51 @@ struct LastPoses {
   std::vector<PartId> part;
 };
 
-/// Whether a link was known, and in the same part as now. What it did since is not known otherwise.
+/// Whether a link was known in the same part. Otherwise its motion since then is not known.
 inline bool hasStayed(const LastPoses& last, const BodyPoses& now, std::size_t link) noexcept {
   return last.known[link] != 0 && now.link_known[link] != 0 && last.part[link] == now.part[link];
 }
 
-/// How far a body has come.
+/// How far a body has moved.
 struct BodyTravel {
   Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< of the body in the last cycle
-  double all{0.0};      ///< [m] no point of the body has come farther since this was 0
-  double of_link{0.0};  ///< [m] nor any of its link's bodies since the last cycle
-  double ahead{0.0};  ///< [m] nor does it within the horizon or, continuous, did it since the last
-                      ///< cycle; NaN: not known
+  double all{0.0};      ///< [m] upper bound for any point of the body, since reset to 0
+  double of_link{0.0};  ///< [m] upper bound for all bodies of its link, since the last cycle
+  double ahead{0.0};  ///< [m] upper bound within the horizon; in a continuous set-up also since the
+                      ///< last cycle; NaN: not known
 };
 
-/// What is still known of distances once measured.
+/// Earlier distances, kept as lower bounds while bodies move.
 struct DistanceCache {
-  /// By PairId: [m] the distance when it was last measured, and what both ways were then; less
-  /// what they are now a lower bound of the distance. -infinity where there is none.
+  /// By PairId: [m] the last measured distance plus the travel of both bodies at that time. This
+  /// value minus their travel now is a lower bound of the distance. -infinity: none.
   std::vector<double> distances;
   std::vector<BodyTravel> travels;  ///< by BodyId
-  /// By ElementPairIndex: [m] the least distance of their bodies in the last cycle; infinity where
-  /// none was measured.
+  /// By ElementPairIndex: [m] the least distance of its bodies in the last cycle; infinity if none
+  /// was measured.
   std::vector<double> nearest;
-  std::vector<ElementPairIndex> measured_pairs;  ///< those with a `nearest`
+  std::vector<ElementPairIndex> measured_pairs;  ///< pairs with a finite `nearest`
 };
 
-/// The speed scale, and what it needs to be steady.
+/// The speed scale and its state.
 struct SpeedScale {
   double scale{1.0};                   ///< 0 stop .. 1 full speed
-  std::int64_t stamp_ns{0};            ///< of the poses that it was found for
-  std::vector<unsigned char> stopped;  ///< by LinkPairIndex: closed at stop_distance, and has not
-                                       ///< parted since
+  std::int64_t stamp_ns{0};            ///< of the poses that led to `scale`
+  std::vector<unsigned char> stopped;  ///< by LinkPairIndex: it closed or touched at stop_distance
+                                       ///< and has not parted since
 };
 
-/// What survives a cycle. Resetting it changes hysteresis, which verdicts count as changed, how
-/// the speed scale grows, and of refinement the speed, the order and the estimates of depths;
-/// contacts since the last cycle are then not looked for. Gaps change nothing but the time it
+/// What survives a cycle. A reset changes hysteresis, which verdicts count as changes, how the
+/// speed scale grows, and for refinement its speed, order and depth estimates; contacts since the
+/// last cycle are then not found. A reset of the distance cache changes only the time a cycle
 /// takes.
 struct PairMemory {
   std::vector<Verdict> reported;       ///< by LinkPairIndex: the verdict last reported
-  std::vector<Detail> contact_detail;  ///< by LinkPairIndex: the finest that showed the contact
-                                       ///< that was reported
+  std::vector<Detail> contact_detail;  ///< by LinkPairIndex: the finest detail that showed the
+                                       ///< reported contact
   SpeedScale speed;
   RefineStore refined;
-  /// By ElementPairIndex: cycles in a row in which the budget was spent before its turn.
+  /// By ElementPairIndex: how many cycles in a row the budget starved it.
   std::vector<std::uint32_t> starved_cycles;
   DistanceCache distance_cache;
   LastPoses last;

@@ -12,7 +12,7 @@
 namespace collision_monitor {
 namespace {
 
-/// What moves the joint of a link, if the path does.
+/// The joint that moves a link, if it is a joint of the path.
 std::optional<ChainJoint> movedJoint(const RobotModel& model, const JointPath& path, LinkId link) {
   const auto& parent_joint = model.link(link).parent_joint;
   if (!parent_joint) {
@@ -29,7 +29,7 @@ std::optional<ChainJoint> movedJoint(const RobotModel& model, const JointPath& p
                     joint.mimic ? std::abs(joint.mimic->multiplier) : 1.0};
 }
 
-/// The link and what it hangs on, up to the root.
+/// The link and its ancestors, up to the root.
 std::vector<LinkId> ancestorsOf(const RobotModel& model, LinkId link) {
   std::vector<LinkId> chain{link};
   while (const auto& joint = model.link(chain.back()).parent_joint) {
@@ -38,11 +38,11 @@ std::vector<LinkId> ancestorsOf(const RobotModel& model, LinkId link) {
   return chain;
 }
 
-/// A ball that a joint moves along, in the world.
+/// A ball that joints move, world frame.
 struct Load {
   Eigen::Vector3d center;
   double radius;
-  double moved{0.0};  ///< [m] any point of it, by the joints so far
+  double moved{0.0};  ///< [m] upper bound for any of its points, by the joints so far
 };
 
 void moveBy(const ChainJoint& joint, const std::vector<Pose>& world_from_link, double travel,
@@ -107,7 +107,7 @@ std::vector<Ball> linkBalls(const CycleSetup& setup) {
 double boundMotion(const LinkChain& chain, const std::vector<Ball>& balls,
                    const std::vector<Pose>& world_from_link,
                    const std::vector<double>& travels) noexcept {
-  // Up to this many joints may move A.
+  // The chain is split after one of its first joints, at most this many.
   constexpr std::size_t kMostSplits = 32;
   const auto move_by = [&](const ChainJoint& joint, Load& load) {
     moveBy(joint, world_from_link, joint.factor * travels[joint.path_joint], load);

@@ -10,16 +10,16 @@
 
 namespace collision_monitor {
 
-/// A joint that moves, between the two links of a pair.
+/// A moving joint between the two links of a pair.
 struct ChainJoint {
   LinkId child{};        ///< its axis passes through this link's frame
   Eigen::Vector3d axis;  ///< unit, in the frame of `child`
   bool is_prismatic{false};
-  std::size_t path_joint{0};  ///< of JointPath::joints, that moves it
-  double factor{1.0};         ///< of a mimic joint: how far it goes for that one
+  std::size_t path_joint{0};  ///< index into JointPath::joints of the joint that moves it
+  double factor{1.0};         ///< of a mimic joint: its travel per travel of that joint
 };
 
-/// The joints between two links that the path moves, in order from A to B.
+/// The joints between two links that the path moves, from A to B.
 struct LinkChain {
   LinkId a{};
   LinkId b{};
@@ -28,20 +28,21 @@ struct LinkChain {
 
 LinkChain chainBetween(const RobotModel& model, const JointPath& path, LinkId a, LinkId b);
 
-/// By LinkId: a ball that holds all bodies of a link, in its frame.
+/// By LinkId: a ball that holds all bodies of a link, in the link frame.
 std::vector<Ball> linkBalls(const CycleSetup& setup);
 
-/// [m] How much nearer two links can come while joints go these ways (by path joint): proven.
+/// [m] An upper bound of how much nearer two links come. `travels` holds the travel of each path
+/// joint.
 ///
-/// Only joints between the two count. Each turns what lies beyond it about its axis: a point that
-/// is at most r from the axis, now and all the while, goes by r times the angle at most, and r
-/// grows by what the joints farther out move it. Every joint may as well be taken to turn the one
-/// side as the other: the best place to split the chain in two is chosen.
+/// Only joints between the two links count. A joint turns everything beyond it about its axis. A
+/// point that stays within r of the axis moves at most r times the angle, and joints farther out
+/// increase r by the motion that they cause. Each joint may be seen as moving either side, so the
+/// chain may be split in two anywhere: the split of the least bound is taken.
 ///
 /// @param world_from_link at any one time of the motion.
 /// Source: Schwarzer, Saha, Latombe, "Adaptive Dynamic Collision Checking for Single and Multiple
-/// Articulated Robots in Complex Environments" (2005), section IV; departs from it in taking the
-/// lever arms from the present pose instead of from the worst one, and in splitting the chain.
+/// Articulated Robots in Complex Environments" (2005), section IV. Departs from it: lever arms are
+/// those of the present pose, not of the worst one, and the chain is split.
 double boundMotion(const LinkChain& chain, const std::vector<Ball>& balls,
                    const std::vector<Pose>& world_from_link,
                    const std::vector<double>& travels) noexcept;

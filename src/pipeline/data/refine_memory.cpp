@@ -11,7 +11,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Pairs whose bodies say all need no memory, but may have one of those of kind plain.
+/// Pairs of kind `never` need no memory but may have one of kind `plain`.
 RefineKind slotKindOf(RefineKind kind) noexcept {
   return kind == RefineKind::never ? RefineKind::plain : kind;
 }
@@ -56,7 +56,7 @@ RefineStore::RefineStore(std::vector<RefineKind> kinds)
        {RefineKind::plain, RefineKind::front, RefineKind::depth, RefineKind::both}) {
     const auto pairs = static_cast<std::size_t>(std::count(kinds_.begin(), kinds_.end(), kind));
     const bool is_plain = kind == RefineKind::plain;
-    const std::size_t least = is_plain && !kinds_.empty() ? 1 : 0;  // as slotKindOf says
+    const std::size_t least = is_plain && !kinds_.empty() ? 1 : 0;  // slotKindOf
     addSlots(kind, std::max(least, std::min(pairs, is_plain ? kMostPlain : kMostMeshes)));
   }
 }

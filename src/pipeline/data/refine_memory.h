@@ -19,62 +19,62 @@
 
 namespace collision_monitor {
 
-/// What was found of two elements. Quality::unknown: nothing that the enclosing shapes do not say.
+/// The distance of two elements. Quality::unknown: no more than enclosing shapes say.
 struct ElementDistance {
   Quality quality{Quality::unknown};
   bool has_points{false};  ///< false: a lower bound without points
   SignedDistance measured;
   double shortfall{0.0};    ///< [m] as MeshDistance::shortfall
-  std::uint32_t work{0};    ///< spent of the budget
-  bool is_complete{false};  ///< false: a larger budget would have told more
+  std::uint32_t work{0};    ///< work done of the budget
+  bool is_complete{false};  ///< false: a larger budget would have found more
   /// [m] as MeshDistance::outside
   double outside{std::numeric_limits<double>::infinity()};
 };
 
-/// The last measurement of a pair of elements, and where they were.
+/// The last measurement of a pair of elements, and the poses it was made at.
 struct LastMeasurement {
   ElementDistance found;
   Pose world_from_a;
   Pose world_from_b;
 };
 
-/// What is left of the last measurement of a pair of elements: where the next one starts, and what
-/// still holds where there is none. Some thousand bytes, with meshes more than ten thousand.
+/// What is kept of the last measurements of a pair of elements, as a warm start of the next one and
+/// as a bound where there is none. Takes some thousand bytes, with meshes over ten thousand.
 struct RefineMemory {
   ConvexWarmStart warm;
   TrianglePair nearest;
   LastMeasurement last;
-  LastMeasurement before;            ///< of `last`, where they were elsewhere
-  std::unique_ptr<MeshFront> front;  ///< where a mesh is searched; none: from the roots
-  std::unique_ptr<KeptDepth> depth;  ///< of two with meshes, of which one is not convex
+  LastMeasurement before;            ///< the one before `last`, at other poses
+  std::unique_ptr<MeshFront> front;  ///< where a mesh is searched; null: starts at the roots
+  std::unique_ptr<KeptDepth> depth;  ///< of two elements with meshes, one or both not convex
 };
 
 /// Keeps a measurement as the last one.
 void remember(const LastMeasurement& measurement, RefineMemory& memory) noexcept;
 
-/// Leaves it as new.
+/// Makes the memory as new.
 void forget(RefineMemory& memory) noexcept;
 
-/// What measuring a pair of elements leaves behind, which says what its memory has room for.
+/// What a pair of elements keeps, and so what its memory has room for.
 enum class RefineKind : unsigned char {
-  never,  ///< its bodies say all
+  never,  ///< its bodies are exact: nothing to refine
   plain,
   front,  ///< RefineMemory::front
   depth,  ///< RefineMemory::depth
   both,
 };
 
-/// The memories of pairs of elements. Every pair has one of its own as long as few pairs are
-/// refined at all; of more pairs those have one that were measured last, for memory would else grow
-/// with the square of links. There are more of them than a cycle's budget measures pairs.
-/// What a pair has forgotten costs time, as resetMemory does.
+/// The memories of pairs of elements. While few pairs are ever refined each has its own. Of more
+/// pairs only those measured last have one, since memory would otherwise grow with the square of
+/// links; there are more memories than a cycle's budget measures pairs. Forgetting a pair has the
+/// effects that resetMemory has for refinement.
 class RefineStore {
  public:
-  static constexpr std::size_t kMostPlain = 2048;  ///< memories of pairs without meshes
+  static constexpr std::size_t kMostPlain = 2048;  ///< memories of kind plain
   static constexpr std::size_t kMostMeshes = 640;  ///< of each other kind
 
-  /// Blocks of fronts for each pair that has one, and for all together: few pairs are near each
-  /// other at a time, and of these some need many.
+  /// Blocks of fronts: some for each pair with a front, and some for all. Few pairs are near each
+  /// other at a time, and some of these need many.
   static constexpr std::size_t kBlocksOfPair = 2;
   static constexpr std::size_t kBlocksOfAll = 4 * std::size_t{MeshFront::kMostBlocks};
 
@@ -82,24 +82,24 @@ class RefineStore {
   /// @param kinds by ElementPairIndex
   explicit RefineStore(std::vector<RefineKind> kinds);
 
-  /// The memory of a pair; as new if it had none, or has lost it to another.
-  /// It stays the pair's until memories of other pairs are asked for.
+  /// The memory of a pair; as new if it had none or lost it to another pair. Valid until the memory
+  /// of another pair is asked for.
   RefineMemory& of(ElementPairIndex pair) noexcept;
 
-  /// What is left of the last measurement; as new if the pair has no memory.
+  /// The last measurement of a pair; as new if the pair has no memory.
   const LastMeasurement& lastOf(ElementPairIndex pair) const noexcept {
     return slot_of_[pair] == kNone ? kNothingMeasured : slots_[slot_of_[pair]].memory.last;
   }
 
-  /// The one before that, at other poses; as new if there is none.
+  /// The measurement before, at other poses; as new if there is none.
   const LastMeasurement& beforeOf(ElementPairIndex pair) const noexcept {
     return slot_of_[pair] == kNone ? kNothingMeasured : slots_[slot_of_[pair]].memory.before;
   }
 
-  /// How many memories there are.
+  /// The number of memories.
   std::size_t size() const noexcept { return slots_.size(); }
 
-  /// Leaves all as new.
+  /// Makes all memories as new.
   void forgetAll() noexcept;
 
  private:
@@ -107,11 +107,11 @@ class RefineStore {
 
   struct Slot {
     RefineMemory memory;
-    ElementPairIndex pair{kNone};  ///< whose it is
-    std::uint32_t older{kNone};    ///< of its kind: asked for before this one
+    ElementPairIndex pair{kNone};  ///< the pair that has it
+    std::uint32_t older{kNone};    ///< the slot of its kind that was asked for before this one
     std::uint32_t newer{kNone};
   };
-  /// In order of when they were asked for.
+  /// The slots of a kind in order of use.
   struct Order {
     std::uint32_t newest{kNone};
     std::uint32_t oldest{kNone};

@@ -20,7 +20,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCells = 20.0;  // along the longest side
+constexpr double kCells = 20.0;  // cells along the longest side
 
 bool isInShapes(const Vector3d& point, const Fit& fit) {
   const Shape mark = Sphere{0.0};
@@ -39,7 +39,7 @@ void addCorners(const Vector3d& center, double half, TriangleMesh& cells) {
   }
 }
 
-/// The corners of cells that are inside the mesh and in none of the shapes.
+/// The corners of cells whose center is inside the mesh and in none of the shapes.
 TriangleMesh hollowOf(const TriangleMesh& mesh, const MeshTree& tree, const Fit& fit) {
   const Aabb box = TriangleBvh(mesh).bounds();
   const Vector3d size = box.max - box.min;

@@ -7,11 +7,11 @@
 
 namespace collision_monitor {
 
-/// Several shapes about an open surface may lie along it as about a thin wall, and what is in the
-/// hollow between them would meet none. Then one more shape fills it; the proof of the others
-/// stays. No shape for closed meshes, and none where there is no hollow.
-/// Notes the openness of the mesh in the fit, too, which asks the same hierarchy.
-/// Error: hollows narrower than 1/20 of the mesh may be left.
+/// Fills the hollow of an open mesh with one more shape. Several shapes may lie along an open
+/// surface as along a thin wall, and what is between them would meet none. The proof of the other
+/// shapes stays valid. Adds no shape to closed meshes or where there is no hollow. Also stores the
+/// openness of the mesh in the fit, which needs the same hierarchy.
+/// Error: hollows narrower than 1/20 of the mesh may stay.
 void fillHollow(const Geometry& geometry, const ShapeKinds& kinds, Fit& fit);
 
 }  // namespace collision_monitor

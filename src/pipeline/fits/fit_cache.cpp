@@ -20,10 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Part of every key: to be changed with every change of fitting that gives other shapes.
+// Part of every key. Change it with every change of fitting that gives other shapes.
 const std::string kMethod = "collision_monitor fits, method 8";
 
-/// Appends the bytes of plain values, so that no two different lists give the same bytes.
+/// Appends plain values as bytes, so that different lists give different bytes.
 struct Bytes {
   template <class T>
   void add(const T& value) {
@@ -35,7 +35,7 @@ struct Bytes {
     add(vector.y());
     add(vector.z());
   }
-  /// Of elements that are three numbers in a row.
+  /// For elements that are three numbers without gaps.
   template <class Element>
   void addAll(const std::vector<Element>& list) {
     using Number = std::decay_t<decltype(list[0][0])>;
@@ -62,7 +62,7 @@ struct Bytes {
   std::string text;
 };
 
-/// Whether the shape is the geometry, so that distances to it are exact.
+/// Whether the shape equals the geometry, so that distances to it are exact.
 bool isItself(const Geometry& geometry, const Enclosure& enclosure) {
   if (!enclosure.geometry_from_body.rotation.isIdentity(0.0) ||
       !enclosure.geometry_from_body.translation.isZero(0.0)) {
@@ -100,7 +100,7 @@ bool holdFor(const std::vector<Fit>& fits, const std::vector<Geometry>& geometri
   return true;
 }
 
-/// A name that no other program and no other thread uses at the moment.
+/// A name that no other program or thread uses at this time.
 std::string temporaryName(const std::string& key) {
   std::random_device random;
   return key + "." + std::to_string(random()) + std::to_string(random()) + ".tmp";
@@ -136,7 +136,7 @@ std::optional<std::vector<Fit>> FitCache::load(const std::string& key,
   try {
     fits = fitsFromText(readRegularFile(fileOf(key)));
   } catch (const std::runtime_error&) {
-    // No file, or one that the disk fails to give: as good as a damaged one.
+    // The file is missing or cannot be read: treated as a damaged one.
   }
   if (!fits || !holdFor(*fits, geometries)) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -150,7 +150,7 @@ void FitCache::keep(const std::string& key, const std::vector<Fit>& fits, bool i
   bool can_write = !directory_.empty() && !is_from_file;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    // After one failure the others would fail too, each perhaps after a time-out of the network.
+    // After one failure others would fail, too, each perhaps after a network time-out.
     can_write = can_write && write_fault_.empty();
   }
   if (can_write) {

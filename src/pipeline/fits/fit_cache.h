@@ -12,32 +12,31 @@
 
 namespace collision_monitor {
 
-/// Hash of everything that fits depend on: the version of the method, the geometries to the last
-/// bit, the limits. Where a geometry sits on its link does not matter.
+/// A hash of everything that fits depend on: the version of the method, the geometries to the last
+/// bit, and the limits. The pose of a geometry on its link does not matter.
 std::string fitKey(const std::vector<Geometry>& geometries, const FitLimits& limits);
 
-/// Fits of earlier set-ups, one file a link in a directory.
+/// Fits of earlier set-ups: a directory with one file for each link.
 ///
-/// Files are never trusted: what is no regular file, damaged, of another version, or does not
-/// provably enclose the geometry is none, counted, and overwritten by what is fitted instead. They
-/// are written under another name and renamed, so that programs that start at once never see half a
-/// file. Any file may be deleted at any time. Several threads, and other programs, may use it at
-/// the same time.
+/// Files are never trusted. A file that is not regular, is damaged, has another version or does not
+/// provably enclose the geometry is counted, and the new fit replaces it. Files are written under a
+/// temporary name and renamed, so that programs that start at the same time never see half a file.
+/// Any file may be deleted at any time. Several threads and programs may use the directory at once.
 class FitCache {
  public:
-  /// An empty directory keeps nothing.
+  /// An empty path: nothing is kept.
   explicit FitCache(std::filesystem::path directory);
 
-  /// Fits from the directory, proven to enclose the geometries.
+  /// Loads fits and proves that they enclose the geometries.
   std::optional<std::vector<Fit>> load(const std::string& key,
                                        const std::vector<Geometry>& geometries);
 
-  /// Keeps fits in the directory if they are not from there.
+  /// Stores fits in the directory, unless they come from it.
   void keep(const std::string& key, const std::vector<Fit>& fits, bool is_from_file);
 
-  /// Files that were there and of no use. Both are to be asked when all threads are done.
+  /// Number of files that could not be used. Call this and writeFault after all threads have ended.
   std::size_t rejectedCount() const { return rejected_count_; }
-  /// Why the directory could not be written, once; empty if it could.
+  /// Why the directory could not be written; empty if it could.
   const std::string& writeFault() const { return write_fault_; }
 
  private:
@@ -46,7 +45,7 @@ class FitCache {
   void noteFault(const std::string& fault);
 
   std::filesystem::path directory_;
-  mutable std::mutex mutex_;  ///< of all below
+  mutable std::mutex mutex_;  ///< guards everything below
   std::size_t rejected_count_{0};
   std::string write_fault_;
 };

@@ -38,7 +38,7 @@ std::string describe(const Covering& covering, const Link& link) {
   return text.str();
 }
 
-/// Shapes that the user gives: proven, or the user's word for it, or an error.
+/// Takes given shapes: proven, or unproven by the rule, or an error.
 void takeGiven(const Link& link, const GivenShapes& given, LinkFit& fit, SetupReport& report) {
   std::vector<PlacedGeometry> geometries;
   for (const CollisionElement& element : link.collisions) {
@@ -71,7 +71,7 @@ void takeGiven(const Link& link, const GivenShapes& given, LinkFit& fit, SetupRe
   }
 }
 
-/// Each geometry is checked by itself once the link as a whole failed, to name the faulty one.
+/// Checks each geometry alone after the fit of a link has failed, to name the faulty one.
 void reportFault(const Link& link, const FitLimits& limits, const std::string& fault,
                  SetupReport& report) {
   const std::string accepted = "geometry that a shape can enclose";
@@ -89,7 +89,7 @@ void reportFault(const Link& link, const FitLimits& limits, const std::string& f
   }
 }
 
-/// @return false, behind an error, where the geometry is of no use.
+/// @return false, after an error, if the geometry cannot be used.
 bool takeSoundGiven(const Link& link, const FitLimits& limits, const GivenShapes& given,
                     LinkFit& fit, SetupReport& report) {
   try {
@@ -101,11 +101,11 @@ bool takeSoundGiven(const Link& link, const FitLimits& limits, const GivenShapes
   }
 }
 
-/// A link that gets its shapes from its geometries.
+/// A link whose shapes are fitted to its geometries.
 struct FitTask {
   const Link* link{nullptr};
-  std::size_t number{0};  ///< of the link
-  std::size_t place{0};   ///< in the list of all fits
+  std::size_t number{0};  ///< position of the link among links
+  std::size_t place{0};   ///< index into all fits
   FitLimits limits;
   std::string key;
   std::string fault;  ///< why there are no shapes
@@ -140,7 +140,7 @@ void fitLink(FitTask& task, FitCache& cache, LinkFit& fit) {
   }
 }
 
-/// Links that are alike are fitted once; on all processors, each link on one.
+/// Fits equal links once, on all processors, each link on one.
 class LinkFitter {
   using Clock = std::chrono::steady_clock;
 
@@ -182,7 +182,7 @@ class LinkFitter {
   const FitCache& cache() const { return cache_; }
 
  private:
-  /// In the order of links, whatever the order in which threads come here.
+  /// Reports progress in order of links, whatever the order in which threads reach them.
   void tellUpTo(std::size_t last, const std::vector<FitTask>& tasks) {
     const std::lock_guard<std::mutex> lock(telling_);
     for (; progress_ && told_ <= last; ++told_) {
@@ -193,7 +193,7 @@ class LinkFitter {
   FitCache cache_;
   const FitProgress& progress_;
   std::size_t total_;
-  std::size_t told_{0};  ///< tasks
+  std::size_t told_{0};  ///< number of tasks reported
   std::mutex telling_;
 };
 

@@ -61,9 +61,9 @@ void append(const std::optional<PosedShape>& inner, std::string& text) {
   text += "\n";
 }
 
-// ---- reading; a stream that failed stays so, and everything read from it then is of no use
+// ---- reading; a stream that has failed stays so, and what is read from it then is not used
 
-/// Not by operator>>, which follows the locale of the program.
+/// operator>> depends on the locale of the program.
 void read(std::istream& in, double& value) {
   std::string word;
   in >> word;
@@ -124,7 +124,7 @@ void read(std::istream& in, Pose& pose) {
   read(in, pose.translation);
 }
 
-/// A shape behind the name of its kind, and where it is.
+/// Reads a shape after the name of its kind, and its pose.
 std::optional<Shape> readShape(const std::string& kind, std::istream& in, Pose& pose) {
   Eigen::Vector3d core = Eigen::Vector3d::Zero();
   double radius = 0.0;

@@ -10,12 +10,12 @@
 
 namespace collision_monitor {
 
-/// Fits as text, one shape or cut a line, closed by the hash of all before. Numbers are decimal and
-/// read back to the same bits; the same in every locale.
+/// Writes fits as text: one shape or cut on each line, then a hash of all before. Numbers are
+/// decimal, read back to the same bits, and are the same in every locale.
 std::string toText(const std::vector<Fit>& fits);
 
-/// Nothing for text that is not whole, unchanged and of this version. What the numbers mean is
-/// not looked at: provenExcess does.
+/// Reads fits; nothing if the text is incomplete, changed or of another version. Does not check the
+/// meaning of numbers: provenExcess does.
 std::optional<std::vector<Fit>> fitsFromText(const std::string& text);
 
 }  // namespace collision_monitor

@@ -12,23 +12,23 @@
 
 namespace collision_monitor {
 
-/// A mesh that is no closed surface. Turning triangles and leaving out copies may make it one; else
-/// winding numbers tell what is inside.
+/// Makes the tree of a mesh that is no closed surface. Turning triangles and dropping copies may
+/// close it; otherwise winding numbers tell what is inside.
 MeshTree treeOfOpen(const TriangleMesh& mesh);
 
-/// Warns of meshes from kTooOpen on, in one line.
+/// Collects one warning for all meshes whose openness is at least kTooOpen.
 class OpenMeshes {
  public:
-  /// @param openness as opennessOf measures it
+  /// @param openness from opennessOf
   void look(const std::string& link, const std::string& collision, double openness);
-  /// Nothing where there is none.
+  /// The warning; nothing if there is no such mesh.
   std::optional<Problem> warning() const;
 
  private:
   std::string names_;
 };
 
-/// The same for all of a robot.
+/// The warning for all meshes of a model.
 std::optional<Problem> warnOfOpenMeshes(const RobotModel& model);
 
 }  // namespace collision_monitor

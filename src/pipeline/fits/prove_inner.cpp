@@ -22,7 +22,7 @@ struct InnerBall {
   double radius;
 };
 
-/// Whether the box of a child is certainly outside of a ball. @param ball in the frame of nodes
+/// Whether the box of a child is certainly outside the ball. @param ball in the frame of nodes
 bool isBeyond(const MeshTreeNode& node, std::size_t slot, const InnerBall& ball) {
   Vector3d gap;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -33,7 +33,7 @@ bool isBeyond(const MeshTreeNode& node, std::size_t slot, const InnerBall& ball)
   return gap.squaredNorm() > ball.radius * ball.radius;
 }
 
-/// Calls isClear(triangle) for all that may reach into the ball, until it says no.
+/// Calls is_clear(triangle) for each triangle that may be within the ball, until it is false.
 template <class IsClear>
 bool allClear(const MeshTree& tree, const InnerBall& ball, const IsClear& is_clear) {
   std::vector<std::uint32_t> open{0};
@@ -55,7 +55,7 @@ bool allClear(const MeshTree& tree, const InnerBall& ball, const IsClear& is_cle
   return true;
 }
 
-/// In pieces, each with a ball about what must be clear.
+/// Tests the core in pieces, each with a ball around what must be clear.
 bool isClear(const MeshTree& tree, const Vector3d& a, const Vector3d& b, double radius) {
   constexpr double kMostPieces = 64.0;
   constexpr double kRounding = 1e-12;

@@ -7,12 +7,11 @@
 
 namespace collision_monitor {
 
-/// Whether these shapes, from a file say, are inside a mesh: a sphere and a capsule as they are
-/// named, one end of each core inside of a closed surface, and no triangle nearer to the core
-/// than its radius, which clearanceBound proves. Takes microseconds, where to find them takes
-/// milliseconds.
-/// Limits: true for none at all. What is inside is told as MeshTree queries tell it: where the
-/// surface goes around, in whatever direction.
+/// Whether shapes (of a file, for example) are inside a mesh: `sphere` is a sphere and `capsule` a
+/// capsule, one end of each core is inside a closed surface, and no triangle is nearer to the core
+/// than its radius, by clearanceBound. Takes microseconds; finding the shapes takes milliseconds.
+/// Limits: true if there are no shapes. Inside is where the surface winds around a point, in either
+/// direction, as in MeshTree queries.
 bool areInside(const InnerShapes& inner, const MeshTree& tree);
 
 }  // namespace collision_monitor

@@ -6,9 +6,9 @@
 
 namespace collision_monitor {
 
-/// SHA-256 of the bytes as 64 hexadecimal digits.
+/// The SHA-256 of bytes as 64 hexadecimal digits.
 /// Source: FIPS 180-4, through OpenSSL.
-/// @throws std::runtime_error where OpenSSL has it switched off.
+/// @throws std::runtime_error if OpenSSL has disabled it.
 std::string sha256(const std::string& bytes);
 
 }  // namespace collision_monitor

@@ -42,7 +42,7 @@ void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPose
     work.last_elapsed = work.elapsed;
   }
   if (last.stamp_ns == 0) {
-    work.last_elapsed = 0.0;  // forgotten
+    work.last_elapsed = 0.0;  // forgetPoses
   }
   for (std::size_t i = 0; i < setup.model.links.size(); ++i) {
     work.has_motion[i] = hasStayed(last, body_poses, i) ? 1 : 0;

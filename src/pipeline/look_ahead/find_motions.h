@@ -8,12 +8,12 @@
 
 namespace collision_monitor {
 
-/// Joins the last poses with these.
+/// Finds the screw motions from the last poses to these, and the travel of bodies and elements.
 /// @pre body_poses are placed from `poses`.
 void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
                  const PairMemory& memory, SweepWork& work) noexcept;
 
-/// Keeps the poses for the next cycle.
+/// Stores the poses for the next cycle.
 void keepPoses(const LinkPoses& poses, const BodyPoses& body_poses, LastPoses& last) noexcept;
 
 }  // namespace collision_monitor

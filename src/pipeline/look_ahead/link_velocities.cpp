@@ -14,8 +14,8 @@ bool isPlaced(const LinkPoses& poses, std::size_t link) noexcept {
   return poses.status[link] == LinkStatus::known && isFinite(poses.world_from_link[link]);
 }
 
-/// Takes in a new stamp of one link, `duration` after the last one; no duration: after a gap.
-/// @param share as smoothingShare of it
+/// Adds a new stamp of one link, `duration` [s] after the last one; 0: the gap was too long.
+/// @param share smoothingShare of `duration`
 void trackLink(const LinkPoses& poses, double duration, double share, std::size_t link,
                VelocityTracker& tracker) noexcept {
   const bool is_known = isPlaced(poses, link);
@@ -35,7 +35,7 @@ void trackLink(const LinkPoses& poses, double duration, double share, std::size_
   tracker.world_from_link[link] = poses.world_from_link[link];
 }
 
-/// What the tracker says of a link, if it is of the part where the link is now.
+/// Sets a link's velocity from the tracker, if it was tracked in the part where the link is now.
 void tellVelocity(const VelocityTracker& tracker, std::size_t link, LinkPoses& poses) noexcept {
   const bool is_top = poses.part[link] == link;
   const bool is_of_part = tracker.part[link] == poses.part[link];
@@ -44,7 +44,7 @@ void tellVelocity(const VelocityTracker& tracker, std::size_t link, LinkPoses& p
   poses.velocities.known[link] = isPlaced(poses, link) && (is_top || is_told) ? 1 : 0;
 }
 
-/// The sum of what the joint's velocities do; not finite where one of them is not known.
+/// The sum of the motions of the joint's variables; not finite if one velocity is unknown.
 Twist twistOf(const Joint& joint, const JointVelocities& velocities,
               const LinkPoses& poses) noexcept {
   Twist twist;

@@ -17,7 +17,7 @@ double thicknessOf(const Shape& shape) noexcept {
   return 2.0 * (coreHalfExtents(shape).minCoeff() + radiusOf(shape));
 }
 
-/// In order of their ids.
+/// The links of checked pairs, in order of id.
 std::vector<LinkId> linksInPairs(const CycleSetup& setup) {
   std::vector<LinkId> links;
   for (const CheckedLinkPair& pair : setup.checked) {
@@ -57,17 +57,17 @@ void writeTwist(const Twist& twist, std::size_t c, std::size_t slot, BodyRows& r
   writeVector(twist.angular, c + 3, slot, rows);
 }
 
-/// [m] How far any point of a link's ball may have come since the last cycle.
+/// [m] An upper bound of how far any point of the ball has moved since the last cycle.
 double travelOf(const ScrewMotion& motion, const Ball& ball) noexcept {
   return velocityAt(motion, ball.center).norm() + motion.turn.norm() * ball.radius;
 }
 
-/// Per step.
+/// Per time between two cycles.
 Twist twistOf(const ScrewMotion& motion) noexcept {
   return twistAbout(motion.start.translation, motion.travel, motion.turn);
 }
 
-/// Where links are, and how they move on.
+/// Writes where links are and how they move.
 void writeLinks(const CycleSetup& setup, const LinkPoses& poses, const SweepWork& sweep,
                 ActivationDistances& reaches) noexcept {
   const Twist unknown{Eigen::Vector3d::Constant(kUnknown), Eigen::Vector3d::Constant(kUnknown)};
@@ -83,7 +83,7 @@ void writeLinks(const CycleSetup& setup, const LinkPoses& poses, const SweepWork
   }
 }
 
-/// How links have come; an unknown one counts as one at rest.
+/// Writes how links moved since the last cycle; unknown motion counts as rest.
 void writeSteps(const SweepWork& sweep, ActivationDistances& reaches) noexcept {
   constexpr double kBend = 1.0 / 8.0;
   const double longer = sweep.last_elapsed > 0.0 ? sweep.elapsed / sweep.last_elapsed : 0.0;
@@ -102,7 +102,7 @@ void writeSteps(const SweepWork& sweep, ActivationDistances& reaches) noexcept {
   }
 }
 
-/// What is infinitely thick nothing passes through.
+/// Gives pairs of two parts an infinite thickness: they limit no step.
 void splitBlocks(const LinkPoses& poses, ActivationDistances& reaches) noexcept {
   for (LinkBlock& block : reaches.blocks) {
     std::size_t pair = block.pairs.first_pair;
@@ -118,7 +118,7 @@ void splitBlocks(const LinkPoses& poses, ActivationDistances& reaches) noexcept 
   }
 }
 
-/// Costs nothing while all links stand in one part.
+/// Updates thickness; costs nothing while all links are in one part.
 void findSplit(const LinkPoses& poses, ActivationDistances& reaches) noexcept {
   const bool was_split = reaches.is_split;
   reaches.is_split = std::any_of(reaches.links.begin(), reaches.links.end(), [&](LinkId link) {
@@ -184,7 +184,7 @@ void findActivationDistances(const CycleSetup& setup, const LinkPoses& poses, Sw
     limit.step = sweep.elapsed;
     limit.at_poses =
         capOf(sweep.elapsed, sweep.elapsed / farthest.moved.share, farthest.moved.pair);
-    // A way grows with the step, a bend with its square.
+    // Travel grows with the time between poses, bending with its square.
     limit.on_way = setup.is_continuous
                        ? capOf(sweep.elapsed, sweep.elapsed / std::sqrt(farthest.bent.share),
                                farthest.bent.pair)

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// The pairs of one vector.
+/// The link pairs of one vector.
 struct LinkLanes {
   OneShape one;
   ShapeLanes row;
@@ -23,14 +23,14 @@ struct LinkLanes {
   BlockPart part;
 };
 
-/// How B's ball moves, seen from A.
+/// The motion of B's ball relative to A.
 struct SeenMotion {
   Number moved;   ///< of its center, squared
   Number turned;  ///< squared angle
   Number radius;
 };
 
-/// @param c of a twist
+/// @param c first column of a twist
 HWY_INLINE SeenMotion motionSeen(const LinkLanes& pairs, std::size_t c, std::size_t center) {
   const Vector3 linear = vectorAt(pairs.row, c) - vectorAt(pairs.one, c);
   const Vector3 angular = vectorAt(pairs.row, c + 3) - vectorAt(pairs.one, c + 3);
@@ -42,7 +42,7 @@ HWY_INLINE Number travelOf(const SeenMotion& motion) {
   return hn::Add(hn::Sqrt(motion.moved), hn::Mul(hn::Sqrt(motion.turned), motion.radius));
 }
 
-/// How near pairs must be to matter to what lies ahead or behind. What is not known is not finite.
+/// [m] How near pairs must be to matter to past or future motion; not finite if unknown.
 HWY_INLINE Number reachByMotion(const LinkLanes& pairs, const WalkQuestion& question) {
   const Number speed = travelOf(motionSeen(pairs, link_column::velocity, link_column::center));
   const Number asked =
@@ -58,7 +58,7 @@ HWY_INLINE Number reachByMotion(const LinkLanes& pairs, const WalkQuestion& ques
 HWY_INLINE void findFarther(const LinkLanes& pairs, std::size_t twist, FarthestPair& farthest) {
   const SeenMotion motion = motionSeen(pairs, twist, link_column::last_center);
   const Number thickness = hn::Load(Lanes(), pairs.thickness);
-  // The way's square is at most twice that: most pairs need no root.
+  // The square of the travel is at most twice this sum, so most pairs need no root.
   const Number least = hn::Mul(number(farthest.share), thickness);
   const Number turned = hn::Mul(motion.turned, hn::Mul(motion.radius, motion.radius));
   const Number most = hn::Mul(number(2.0), hn::Add(motion.moved, turned));

@@ -8,16 +8,16 @@
 namespace collision_monitor {
 
 struct WalkQuestion {
-  double reach;    ///< [m] as reachOf of the limits
-  double near;     ///< [m] what is refined, or warned of
+  double reach;    ///< [m] activationDistanceOf
+  double near;     ///< [m] nearActivationDistanceOf
   double horizon;  ///< [s]
-  bool has_step;   ///< the columns of the last step are filled
+  bool has_step;   ///< the columns of the last motion are filled
   bool has_bends;
 };
 
-/// The pair that goes farthest, measured by its thickness; of equal ones the first.
+/// The pair of the largest travel relative to its thickness; of equal ones the first.
 struct FarthestPair {
-  double share{0.0};  ///< way / thickness
+  double share{0.0};  ///< travel / thickness
   LinkPairIndex pair{kNone};
 };
 
@@ -26,7 +26,7 @@ struct Farthest {
   FarthestPair bent;
 };
 
-/// Fills what reaches hold by pair, and tells of the last step what is asked.
+/// Fills the distances by link pair in `reaches`; returns the farthest pairs.
 Farthest walkLinkPairs(const WalkQuestion& question, ActivationDistances& reaches) noexcept;
 
 }  // namespace collision_monitor

@@ -11,7 +11,7 @@ namespace {
 constexpr double kHalfTurn = 3.141592653589793;
 constexpr double kMetre = 1.0;
 
-/// From -1 to 1; the standard library's distributions differ from one to another.
+/// Draws from -1 to 1. Distributions of standard libraries differ from each other.
 double drawUnit(std::mt19937_64& random) {
   constexpr int kDigits = 53;
   return std::ldexp(static_cast<double>(random() >> (64 - kDigits)), 1 - kDigits) - 1.0;
@@ -26,7 +26,7 @@ void drawFree(const Joint& joint, std::mt19937_64& random, JointPositions& state
     return;
   }
   variables[2] = kMetre * drawUnit(random);
-  // Any turn with the same chance: what of a cube lies within the ball.
+  // Uniform rotations: points of the cube that lie within the ball.
   Eigen::Map<Eigen::Vector4d> quaternion(variables + 3);
   do {
     for (double& number : quaternion) {
@@ -48,7 +48,7 @@ std::vector<JointRange> jointRanges(const RobotModel& model) {
     const double reach = joint.type == JointType::prismatic ? kMetre : kHalfTurn;
     const bool has_lower = std::isfinite(joint.lower);
     const bool has_upper = std::isfinite(joint.upper);
-    // What is not limited goes as far as its reach, and as far beyond a limit of the other side.
+    // A missing limit lies `reach` from 0, or from the other limit if that excludes 0.
     const double lower =
         has_lower ? joint.lower : -reach + (has_upper ? std::min(0.0, joint.upper) : 0.0);
     const double upper =

@@ -9,19 +9,19 @@
 
 namespace collision_monitor {
 
-/// What a joint with a variable of its own may do.
+/// The range of a joint with a variable of its own.
 struct JointRange {
   JointId joint{};
   double lower{0.0};  ///< [rad] or [m]
   double upper{0.0};
-  bool is_whole{false};  ///< false: it may do more
+  bool is_whole{false};  ///< false: the joint may leave the range
 };
 
-/// Of the joints with one variable of their own. A full turn is all that a continuous joint can do.
+/// The ranges of joints with one variable of their own. A continuous joint has a full turn.
 std::vector<JointRange> jointRanges(const RobotModel& model);
 
-/// A state with every variable in its range; planar and floating joints go up to a metre along each
-/// axis, and turn anyhow.
+/// Draws a state with every variable in its range. Planar and floating joints move up to one metre
+/// along each axis and turn to any angle.
 JointPositions drawState(const RobotModel& model, const std::vector<JointRange>& ranges,
                          std::mt19937_64& random);
 

@@ -11,18 +11,18 @@ namespace {
 
 constexpr std::size_t kMostVariables = 3;
 
-/// By variable: the middle of what joints may do, and how far to both sides.
+/// By variable: the center of a cell of joint values, and its half width.
 struct Cell {
   std::array<double, kMostVariables> middle{};
   std::array<double, kMostVariables> half{};
 };
 
-/// What stays the same for all cells.
+/// What all cells share.
 struct Proof {
   LinkPairMeasures& measures;
   LinkPairIndex pair;
   LinkChain chain;
-  std::vector<std::size_t> moving;  ///< into the ranges
+  std::vector<std::size_t> moving;  ///< indices of ranges
   std::vector<std::size_t> variables;
   JointPositions state;
   std::vector<double> travels;  ///< by range
@@ -30,9 +30,9 @@ struct Proof {
   std::vector<Pose> world_from_link;
 };
 
-/// Whether a planar or floating joint moves one of two links against the other.
+/// Whether a planar or floating joint moves one link relative to the other.
 bool isMovedFreely(const RobotModel& model, LinkId a, LinkId b) {
-  // By LinkId: how many of the two hang on it.
+  // By LinkId: how many of the two links it carries.
   std::vector<int> carries(model.links.size(), 0);
   for (LinkId link : {a, b}) {
     ++carries[index(link)];
@@ -46,8 +46,8 @@ bool isMovedFreely(const RobotModel& model, LinkId a, LinkId b) {
   });
 }
 
-/// Whether a chain's joints do nothing but what the ranges say. A joint that follows a continuous
-/// one goes on where that begins anew, unless it turns as far.
+/// Whether the ranges cover all motion of a chain. A joint that mimics a continuous one does not
+/// repeat where that one does, unless both turn by the same angle.
 bool isWhole(const RobotModel& model, const LinkChain& chain,
              const std::vector<JointRange>& ranges) {
   return std::all_of(chain.joints.begin(), chain.joints.end(), [&](const ChainJoint& joint) {
@@ -70,8 +70,8 @@ double boundOf(const Proof& proof, const std::vector<double>& travels) noexcept 
   return boundMotion(proof.chain, proof.measures.balls, proof.world_from_link, travels);
 }
 
-/// Whether the links are apart in all of the cell that was placed; `touch` is that of its middle,
-/// if the geometries had to be asked.
+/// Whether the links are apart in the whole placed cell. `touch` is the result at its center, if
+/// geometries were measured.
 bool isApart(Proof& proof, Touch& touch) {
   const double travel = boundOf(proof, proof.travels);
   touch = Touch::apart;
@@ -79,7 +79,7 @@ bool isApart(Proof& proof, Touch& touch) {
       bodyDistance(proof.measures, proof.pair, proof.world_from_link).measured.distance > travel) {
     return true;
   }
-  constexpr double kMore = 1e-6;  // [m] than the way: above touchOf's threshold, too
+  constexpr double kMore = 1e-6;  // [m] above the travel, and above the threshold of touchOf
   const PairDistance distance =
       elementDistance(proof.measures, proof.pair, proof.world_from_link, travel + kMore);
   touch = touchOf(distance);
@@ -87,7 +87,7 @@ bool isApart(Proof& proof, Touch& touch) {
          std::min(distance.measured.distance, proof.measures.outside) > travel;
 }
 
-/// Cuts the cell across the variable that brings the links nearest.
+/// The variable that moves the links most; the cell is cut across it.
 std::size_t widestOf(const Proof& proof) {
   std::size_t widest = 0;
   double farthest = -1.0;

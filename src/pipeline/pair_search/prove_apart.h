@@ -15,7 +15,7 @@ enum class Touch : unsigned char { apart, touching, unclear };
 
 Touch touchOf(const PairDistance& distance) noexcept;
 
-/// The joints of these ranges between two links, as chainBetween.
+/// The joints of these ranges between two links, as in chainBetween.
 LinkChain chainOf(const RobotModel& model, const std::vector<JointRange>& ranges, LinkId a,
                   LinkId b);
 
@@ -23,11 +23,11 @@ struct ApartProof {
   bool is_proven{false};      ///< apart in every state within the ranges
   Touch found{Touch::apart};  ///< touching or unclear: in `state`, where the search ended
   JointPositions state;
-  std::size_t cells{0};  ///< looked at
+  std::size_t cells{0};  ///< number of visited cells
 };
 
-/// Tries to prove two links apart, as searchPairs says.
-/// @param ranges as jointRanges.
+/// Tries to prove two links apart, as described at searchPairs.
+/// @param ranges from jointRanges.
 ApartProof proveApart(LinkPairMeasures& measures, LinkPairIndex pair,
                       const std::vector<JointRange>& ranges, std::size_t most_cells);
 

@@ -13,16 +13,16 @@
 namespace collision_monitor {
 namespace {
 
-/// [m] Shapes nearer than this are asked for what they enclose; more than touchOf takes for touch.
+/// [m] Below it geometries are measured; larger than the threshold of touchOf.
 constexpr double kNear = 2e-9;
 
-/// What was seen of a pair of links.
+/// The states of a link pair that were found.
 struct Seen {
-  bool is_fixed{false};  ///< nothing moves them: one state tells all
+  bool is_fixed{false};  ///< the links do not move against each other: one state suffices
   bool is_apart{false};
   bool is_touching{false};
   bool is_unclear{false};
-  JointPositions touching;  ///< the first such state, or the first that is unclear
+  JointPositions touching;  ///< the first touching state, or the first unclear one
   double nearest{std::numeric_limits<double>::infinity()};
 
   bool isDecided() const noexcept {
@@ -30,7 +30,7 @@ struct Seen {
   }
 };
 
-/// Every pair of links is checked but adjacent ones, whatever the rules say.
+/// Checks every link pair but adjacent ones, whatever the rules say.
 CycleSetup checkingAll(CycleSetup setup) {
   for (LinkPair& pair : setup.link_pairs) {
     if (pair.reason != PairReason::adjacent) {
@@ -63,7 +63,7 @@ class Sampling {
             setup, standingAt(setup.model, std::vector<Pose>(setup.model.robots.size())))),
         nearest_(setup.checked.size()) {}
 
-  /// @param states up to kStateCount
+  /// @param states at most kStateCount
   void look(const std::vector<JointPositions>& states) {
     measureShapes(states);
     for (std::size_t lane = 0; lane < states.size(); ++lane) {
@@ -77,7 +77,7 @@ class Sampling {
   }
 
  private:
-  /// No farther than they were nearest, for that is all that is told of pairs apart.
+  /// Measures up to the least distance so far: larger ones are not reported.
   void measureShapes(const std::vector<JointPositions>& states) {
     JointPositions positions;
     for (const JointPositions& state : states) {
@@ -111,7 +111,7 @@ class Sampling {
   std::vector<Seen>& seen_;
   StatesWork work_;
   std::vector<StateNumber> nearest_;
-  std::vector<Pose> world_from_link_;  ///< in the state at hand, once it is placed
+  std::vector<Pose> world_from_link_;  ///< in the current state, if is_placed_
   bool is_placed_{false};
 };
 
@@ -149,7 +149,7 @@ PairFound foundOf(const CheckedLinkPair& links, const Seen& seen) {
   return found;
 }
 
-/// Proves what was seen, or finds a state that speaks against it.
+/// Proves a finding, or finds a state that contradicts it.
 void prove(const std::vector<JointRange>& ranges, std::size_t most_cells, LinkPairIndex pair,
            LinkPairMeasures& measures, PairFound& found) {
   if (found.finding == PairFinding::never) {

@@ -9,7 +9,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Keeps that the elements are so far apart at least, where nothing better is known.
+/// Keeps `apart` as a lower bound where nothing better is known.
 void keepApart(const Refinement& all, const RefineTask& task, double apart,
                const ElementContact& contact) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
@@ -22,11 +22,11 @@ void keepApart(const Refinement& all, const RefineTask& task, double apart,
            all.memory.refined.of(task.pair));
 }
 
-/// @return whether nothing is left to decide: they are farther apart, which is kept, or were
-/// measured, or the budget is spent.
+/// @return whether nothing is left to decide: the elements are proven to be beyond the cutoff
+/// (which is kept), are measured, or the budget is spent.
 bool tryDecide(const Refinement& all, RefineTask& task, const ElementDistance& recalled,
                const Goal& goal) noexcept {
-  constexpr std::uint32_t kMostHard = 8;  // pairs that are hard to decide leave some to the others
+  constexpr std::uint32_t kMostHard = 8;  // a pair that is hard to decide leaves budget to others
   const bool is_apart =
       recalled.quality == Quality::lower_bound && recalled.measured.distance >= goal.cutoff;
   if (is_apart || reachesCutoff(recalled, goal.cutoff) || !(all.work.work_done < goal.budget)) {
@@ -44,8 +44,8 @@ bool tryDecide(const Refinement& all, RefineTask& task, const ElementDistance& r
   return contact.state == ElementContact::State::apart;
 }
 
-/// Whether elements that were measured have come so little farther since that to follow them takes
-/// less than to decide anything anew.
+/// Whether measured elements have moved so little since that following them takes less work than
+/// deciding anew.
 bool isFollowed(const ElementDistance& last, const ElementDistance& recalled,
                 double little) noexcept {
   return last.has_points && last.quality != Quality::estimate &&

@@ -5,14 +5,14 @@
 #include "narrow_phase/mesh/mesh_hulls.h"
 #include "pipeline/refine/measure_elements.h"
 
-/// What an element is measured by.
+/// The parts of an element that are measured.
 namespace collision_monitor {
 
 inline PlacedMesh meshOf(const PlacedElement& placed) noexcept {
   return {*placed.element.mesh, placed.world_from_element};
 }
 
-/// Cheaper to measure than triangles around it. A hull is not, and has its mesh.
+/// Whether the solid is cheaper to measure than triangles around it. A hull is not.
 inline bool isSimple(const PlacedElement& placed) noexcept {
   const std::optional<ConvexGeometry>& convex = placed.element.convex;
   return convex && !std::holds_alternative<ConvexHull>(*convex);
@@ -22,14 +22,14 @@ inline PlacedConvex convexOf(const PlacedElement& placed) noexcept {
   return {*placed.element.convex, placed.world_from_element};
 }
 
-/// The mesh with the convex solid that holds it.
+/// The convex solid, or the mesh with the hull that holds it.
 inline HeldSurface heldSurfaceOf(const PlacedElement& placed) noexcept {
   const Element& element = placed.element;
   return element.convex ? HeldSurface{*element.convex, nullptr, placed.world_from_element}
                         : HeldSurface{*element.hull, &*element.mesh, placed.world_from_element};
 }
 
-/// Least signed distance of the inner shapes; false where an element has none.
+/// Finds the least signed distance of the inner shapes; false if an element has none.
 bool measureInside(const PlacedElement& a, const PlacedElement& b, SignedDistance& least) noexcept;
 
 }  // namespace collision_monitor

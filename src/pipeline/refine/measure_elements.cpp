@@ -18,7 +18,7 @@
 namespace collision_monitor {
 namespace {
 
-// Work other than opening nodes, in units of it.
+// Work of other steps, in opened node pairs.
 constexpr std::uint32_t kSetUpSteps = 8;   // poses and inner shapes
 constexpr std::uint32_t kApartSteps = 8;   // two convex geometries
 constexpr std::uint32_t kDepthSteps = 60;  // depth of two convex geometries
@@ -45,7 +45,7 @@ ElementDistance measureConvex(const PlacedElement& a, const PlacedElement& b,
   return answer;
 }
 
-/// What is left of it after the paddings is still enough.
+/// [m] The cutoff of unpadded distances: minus the paddings it is at least `search.cutoff`.
 double stopBeyond(const PlacedElement& a, const PlacedElement& b,
                   const ElementSearch& search) noexcept {
   const double paddings = a.element.padding + b.element.padding;
@@ -79,7 +79,7 @@ MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
   return found;
 }
 
-/// Where the hulls tell the distance, or that it is enough.
+/// Measures hulls; false if they give neither the distance nor a bound at the cutoff.
 bool measureHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
                   ElementDistance& answer) noexcept {
   const double stop_beyond = stopBeyond(a, b, search);
@@ -97,15 +97,15 @@ bool measureHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch&
   return true;
 }
 
-/// Of surfaces around the geometries, the answer of the geometries: not so near, not so deep.
+/// The distance of the geometries from that of surfaces around them: farther apart, less deep.
 SignedDistance withoutExcess(const PlacedElement& a, const PlacedElement& b,
                              const SignedDistance& of_surfaces) noexcept {
   return inflated(of_surfaces, -a.element.mesh_excess, -b.element.mesh_excess);
 }
 
-/// A search that the budget ended within a solid has a depth and no points to show for it.
+/// A search that the budget ended inside a solid has a depth but no points that show it.
 void matchPoints(SignedDistance& overlap) noexcept {
-  overlap.distance = std::min(overlap.distance, 0.0);  // surfaces touch but for rounding
+  overlap.distance = std::min(overlap.distance, 0.0);  // surfaces touch, up to rounding
   const Eigen::Vector3d between = overlap.point_on_b - overlap.point_on_a;
   constexpr double kRounding = 1e-9;
   if ((between - overlap.distance * overlap.normal_a_to_b).norm() > kRounding) {
@@ -114,7 +114,7 @@ void matchPoints(SignedDistance& overlap) noexcept {
   }
 }
 
-/// What surrounds a geometry may overlap where the geometry does not: then nothing is told.
+/// Surroundings of geometries may overlap where the geometries do not: then reports nothing.
 void reportOverlap(const PlacedElement& a, const PlacedElement& b,
                    ElementDistance& answer) noexcept {
   answer.is_complete = true;
@@ -128,14 +128,14 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
                               ElementSearch& search) noexcept {
   ElementDistance answer;
   answer.work = kSetUpSteps;
-  // What overlapped mostly still does, and then hulls say nothing.
+  // Elements that overlapped mostly still do, and then hulls give no answer.
   const bool overlapped = search.memory.last.found.quality == Quality::estimate;
   if (!overlapped && measureHulls(a, b, search, answer)) {
     return answer;
   }
   const bool is_inside = measureInside(a, b, answer.measured) && answer.measured.distance < 0.0;
   if (is_inside && a.element.mesh && b.element.mesh) {
-    reportOverlap(a, b, answer);  // a search would say no more than that
+    reportOverlap(a, b, answer);  // a search would find no more
     return answer;
   }
   const MeshDistance found = searchMeshes(a, b, search);
@@ -160,7 +160,7 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
   return answer;
 }
 
-/// Of elements, from what is within their paddings.
+/// Converts the distance of unpadded elements to that of padded ones.
 ElementDistance padded(const PlacedElement& a, const PlacedElement& b,
                        ElementDistance answer) noexcept {
   if (a.element.padding + b.element.padding > 0.0) {

@@ -9,7 +9,7 @@
 
 namespace collision_monitor {
 
-/// Nothing for geometries that are not of the family of shapes, or none at all.
+/// The shape of a geometry; nothing for geometries that are no Shape, and for none.
 std::optional<Shape> shapeOf(const std::optional<ConvexGeometry>& geometry) noexcept;
 
 struct PlacedElement {
@@ -17,41 +17,41 @@ struct PlacedElement {
   const Pose& world_from_element;
 };
 
-/// What a search may use, and what it leaves for the next one.
+/// What a search may use, and what it keeps for the next search.
 struct ElementSearch {
   std::uint32_t budget;
   RefineMemory& memory;
   RefineScratch& scratch;
-  /// [m] > 0. How far meshes are apart need not be known beyond: a lower bound is then complete.
+  /// [m] > 0. A lower bound at or above the cutoff is a complete answer for meshes.
   double cutoff{std::numeric_limits<double>::infinity()};
   double tolerance{0.0};  ///< [m] as MeshQueryLimits::tolerance
 };
 
-/// Signed distance of what two elements are, less their paddings.
+/// Measures the signed distance of two elements, paddings included.
 ///
-/// Meshes that overlap are an estimate without depth, or with that of their inner shapes;
-/// deepenElements looks for more.
+/// Overlapping meshes give an estimate of depth 0 or of the depth of their inner shapes;
+/// deepenElements searches for a larger depth.
 ///
-/// Convex geometries are measured by signedDistanceBetween, a mesh and whatever it is near by
-/// distanceByHulls or, where hulls do not tell, by branch and bound over its triangles. Inner
-/// shapes that overlap settle that two meshes do.
+/// Convex geometries are measured by signedDistanceBetween. Meshes are measured by distanceByHulls
+/// or, where hulls give no answer, by branch and bound over triangles. Overlapping inner shapes
+/// prove that two meshes overlap.
 ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
                                 ElementSearch& search) noexcept;
 
-/// [m] A lower bound of the distance of two elements, by what is convex around them;
-/// -infinity where that meets. @param search of which `enough` may end it.
+/// [m] A lower bound of the distance of two elements by their hulls; -infinity if hulls touch.
+/// @param search its `cutoff` may end the search.
 double boundByHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch& search) noexcept;
 
-/// What is convex around two elements tells of their distance: exact with points where it is that
-/// of the elements, else a lower bound; nothing where it meets. As much as measureElements asks
-/// first. @param search of which `enough` may end it.
+/// Measures two elements by their hulls, as measureElements does first: exact with points where
+/// hulls give the distance of the elements, else a lower bound; nothing if hulls touch.
+/// @param search its `cutoff` may end the search.
 ElementDistance measureByHulls(const PlacedElement& a, const PlacedElement& b,
                                ElementSearch& search) noexcept;
 
-/// Of two elements known to overlap, a deeper estimate if one is found, by depthOf.
-/// @param overlap of quality estimate, changed if it can be bettered.
-/// @param most_points as the budget of depthOf, less where the steps left do not suffice.
-/// @return steps spent.
+/// Searches for a larger depth of two overlapping elements, by depthOf.
+/// @param overlap of quality estimate; replaced if a larger depth is found.
+/// @param most_points as the budget of depthOf; reduced to what the work left allows.
+/// @return work done.
 std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b,
                              std::uint32_t most_points, ElementSearch& search,
                              SignedDistance& overlap) noexcept;

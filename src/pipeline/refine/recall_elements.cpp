@@ -9,7 +9,7 @@
 namespace collision_monitor {
 namespace {
 
-// [m] How far any point of one may have come, seen from the other.
+// [m] An upper bound of how far any point of one has moved relative to the other.
 double motionSince(const LastMeasurement& last, const PlacedElement& a, const PlacedElement& b,
                    const std::array<Ball, 2>& balls) noexcept {
   constexpr double kRounding = 1e-12;  // of coordinates of some metres
@@ -38,7 +38,7 @@ ElementDistance recallElements(const LastMeasurement& last, const PlacedElement&
   recalled.has_points = recalled.is_complete = false;
   if (recalled.quality == Quality::exact || recalled.quality == Quality::lower_bound) {
     recalled.quality = Quality::lower_bound;
-    // What has gone far enough to be inside an open mesh is no longer known to be apart.
+    // Motion may have brought one inside an open mesh: `outside` bounds this, too.
     const double motion = motionSince(last, a, b, balls);
     recalled.measured.distance = std::min(recalled.measured.distance, recalled.outside) - motion;
     recalled.outside -= motion;

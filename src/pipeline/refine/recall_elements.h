@@ -8,21 +8,21 @@
 
 namespace collision_monitor {
 
-/// The ball about what is measured of an element, in its frame. For set-up.
+/// The ball around the measured geometry of an element, in the element frame. For set-up.
 Ball ballOf(const Element& element);
 
-/// What the last measurement says of two elements now: where neither has moved the same, to the
-/// bit. Else distances are lower bounds, less by how far any point of one may have come, seen from
-/// the other, and no more than it then takes to be inside an open mesh; they are not complete, and
-/// overlaps say nothing.
+/// What the last measurement says of two elements now. It is returned as it is if neither pose has
+/// changed by a bit. Otherwise a distance becomes a lower bound that is not complete: the last
+/// distance, but at most MeshDistance::outside, minus the motion of one relative to the other.
+/// Overlaps then say nothing.
 /// @param balls of a and b.
 ElementDistance recallElements(const LastMeasurement& last, const PlacedElement& a,
                                const PlacedElement& b, const std::array<Ball, 2>& balls) noexcept;
 
-/// The last distance, if all that elements have moved since leaves it within a tolerance: the lower
-/// bound that is recalled, between the points that were nearest, where they are now. Those of the
-/// triangles that were found are no nearer than the elements are.
-/// @param recalled what recallElements says. @param tolerance [m] as RefineLimits.
+/// The last distance, if it is still within a tolerance: the recalled lower bound, between the last
+/// witness points carried to the poses now. Their distance is an upper bound of that of the
+/// elements.
+/// @param recalled from recallElements. @param tolerance [m] as in RefineLimits.
 std::optional<ElementDistance> recallWithin(double tolerance, const LastMeasurement& last,
                                             const PlacedElement& a, const PlacedElement& b,
                                             const ElementDistance& recalled) noexcept;

@@ -15,7 +15,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Where a proven bound without points is larger, the points follow it along the normal.
+/// Raises a distance to a larger proven bound; its point on B follows along the normal.
 void raiseBound(double bound, PairDistance& distance) noexcept {
   SignedDistance& measured = distance.measured;
   if (bound > measured.distance) {
@@ -25,14 +25,14 @@ void raiseBound(double bound, PairDistance& distance) noexcept {
   }
 }
 
-/// @param contact [m] contactOfElements: a bound that is not above it proves nothing of contact.
+/// @param contact [m] contactOfElements: a bound at or below it does not exclude a contact.
 void takeOver(const ElementDistance& found, double contact, PairDistance& distance) noexcept {
   const bool is_nearer = !(found.measured.distance > distance.measured.distance);
-  // Where shapes overlap, theirs is the depth of two of several shapes, which bounds nothing.
+  // The depth of overlapping shapes is that of one of several pairs: no bound of the elements.
   const bool is_depth = found.has_points && distance.measured.distance < 0.0;
   if (found.quality == Quality::unknown ||
       (found.quality == Quality::lower_bound && is_nearer && !is_depth)) {
-    return;  // the enclosing shapes know better
+    return;  // the enclosing shapes give the better bound
   }
   if (found.has_points) {
     distance.quality = found.quality;
@@ -44,21 +44,20 @@ void takeOver(const ElementDistance& found, double contact, PairDistance& distan
   }
 }
 
-/// Whether the pair is farther than what its links are known to be, and in no contact. Bodies that
-/// overlap do not tell how deep their elements do.
+/// Whether the pair is farther than the nearest refined pair of its links and in no contact.
 bool isSettled(const Refinement& all, const RefineTask& task) noexcept {
   const Limits& limits = all.setup.limits;
   return task.bound > all.work.nearest[all.setup.element_pairs[task.pair].link_pair] &&
          task.bound > std::max(0.0, limits.contact_distance + limits.hysteresis);
 }
 
-/// Beyond this a pair is not the nearest of its links, and in no contact.
+/// [m] Beyond this a pair is neither the nearest of its links nor in contact.
 double cutoffFor(const Refinement& all, const RefineTask& task) noexcept {
   const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
   return std::max(all.work.nearest[link_pair], clearBeyond(all));
 }
 
-/// Whether the tolerance leaves open on which side of a threshold of verdicts a distance is.
+/// Whether a threshold of verdicts lies within the tolerance of a distance.
 bool isAtThreshold(const Refinement& all, const ElementDistance& found) noexcept {
   const Limits& limits = all.setup.limits;
   if (!found.has_points || found.quality == Quality::estimate) {
@@ -72,8 +71,8 @@ bool isAtThreshold(const Refinement& all, const ElementDistance& found) noexcept
          holds(limits.warning_distance) || holds(limits.warning_distance + limits.hysteresis);
 }
 
-/// Measured within the tolerance, and exactly where a verdict depends on that: not complete until
-/// that is done.
+/// Measures within the tolerance, and exactly where a verdict depends on it. The result is not
+/// complete until the exact search is done.
 ElementDistance measureForVerdict(const Refinement& all, RefineTask& task, const Goal& goal,
                                   ElementSearch& search) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
@@ -122,7 +121,7 @@ void report(const Refinement& all, RefineTask& task, const ElementDistance& foun
   }
 }
 
-/// What is recalled, within the tolerance where no verdict depends on that.
+/// The recalled measurement; within the tolerance where no verdict depends on it.
 ElementDistance recallToCutoff(const Refinement& all, const RefineTask& task) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   const ElementDistance recalled = recallTask(all, task);
@@ -157,8 +156,9 @@ bool isOverlap(const Refinement& all, const RefineTask& task) noexcept {
          all.distances.pairs[task.place].quality == Quality::estimate;
 }
 
-/// Depths of what overlaps change no verdict, so they come last and take what is left. A cycle
-/// looks at some points, and at a few of each pair at least: the rest has its turn in the next.
+/// Searches for larger depths of overlaps. They change no verdict, so they come last and take the
+/// rest of the budget. A cycle tries some points, and at least a few for each pair; others follow
+/// in the next cycles.
 void deepenOverlaps(const Refinement& all) noexcept {
   constexpr std::uint32_t kMostPoints = 24;
   constexpr std::uint32_t kFewestPoints = 2;
@@ -178,7 +178,7 @@ void deepenOverlaps(const Refinement& all) noexcept {
   }
 }
 
-/// Leaves of every pair of elements that was measured the entry of its nearest bodies.
+/// Keeps one entry for each measured pair of elements, that of its nearest bodies.
 void dropFarther(const Refinement& all) noexcept {
   auto& measured = all.distances.pairs;
   std::size_t kept = 0;

@@ -11,64 +11,63 @@
 
 namespace collision_monitor {
 
-/// Scratch of exact measurements. Large, and means nothing between them.
+/// Scratch of exact measurements. It is large, and its content means nothing between them.
 struct RefineScratch {
   ConvexWorkspace convex;
   MeshQueryMemory mesh;
 };
 
-/// A pair of elements that is to be refined.
+/// A pair of elements to refine.
 struct RefineTask {
   ElementPairIndex pair{0};
-  std::uint32_t place{0};           ///< in PairDistances: its nearest bodies
-  double bound{0.0};                ///< [m] their distance
-  std::uint32_t starved_cycles{0};  ///< as PairMemory::waited
-  std::uint32_t work{0};            ///< spent of the budget on this pair
+  std::uint32_t place{0};           ///< index into PairDistances::pairs of its nearest bodies
+  double bound{0.0};                ///< [m] the distance of these bodies
+  std::uint32_t starved_cycles{0};  ///< as PairMemory::starved_cycles
+  std::uint32_t work{0};            ///< work done for this pair
   /// [m] as ElementDistance::outside, where it was measured
   double outside{std::numeric_limits<double>::infinity()};
 };
 
-/// What refinePairs works with and tells, sized at set-up.
+/// Inputs and results of refinePairs, sized at set-up.
 struct RefineWork {
   RefineLimits limits;
-  double elapsed{0.0};  ///< [s] between the stamps of the last poses and these; 0: not known
+  double elapsed{0.0};  ///< [s] between the stamps of the last poses and these; 0: unknown
   std::vector<RefineTask> tasks;
-  std::vector<std::uint32_t> task_of;      ///< by ElementPairIndex: into tasks, or kNone
+  std::vector<std::uint32_t> task_of;      ///< by ElementPairIndex: index into tasks, or kNone
   std::vector<unsigned char> is_measured;  ///< by ElementPairIndex: in this cycle
   std::vector<unsigned char> is_passed;    ///< by ElementPairIndex: scratch of measureClosest
   std::vector<double> nearest;             ///< by LinkPairIndex: [m] the least refined distance
-  std::vector<Ball> balls;                 ///< by ElementId: of what is measured
+  std::vector<Ball> balls;                 ///< by ElementId: ballOf
   std::unique_ptr<RefineScratch> scratch;
   std::size_t refined{0};  ///< these three as in CycleCounters
   std::size_t left{0};
   std::size_t work_done{0};
 };
 
-/// Of steps in a cycle. Where poses come seldom there is more time, and after a long way more to
-/// do.
+/// The work that a cycle may do. It grows where poses come seldom: there is more time, and more
+/// motion to follow.
 std::uint32_t budgetOf(const RefineWork& work) noexcept;
 
 RefineWork makeRefineWork(const CycleSetup& setup);
 
 RefineStore makeRefineMemory(const CycleSetup& setup);
 
-/// Measures the geometries behind enclosing shapes that are within limits.distance of each other:
-/// each pair of elements, however many bodies it has. Those that waited longest come first,
-/// then the nearest, until the budget is spent. Where enclosing shapes are in contact it is first
-/// decided for all pairs whether the geometries are, too, which takes fewer steps than their
-/// distance; whatever budget is left then goes into distances. What stands as it was measured to
-/// the end is not measured again; for the rest the last measurement holds less the motion since, as
-/// a lower bound, where that is more than the enclosing shapes say.
+/// Measures the elements behind enclosing shapes that are within limits.distance: each pair of
+/// elements once, however many bodies it has. Pairs starved longest come first, then nearest ones,
+/// until the budget is spent. Where enclosing shapes touch, contact is decided first for all pairs,
+/// which takes less work than distances; the rest of the budget goes into distances. A complete
+/// measurement of unchanged poses is reused. Pairs that the budget starves get the last measurement
+/// minus the motion since, as a lower bound, if that is better than their shapes.
 ///
-/// What budget is left then goes into depths of meshes that overlap, which are followed from cycle
-/// to cycle (depthOf).
+/// The last part of the budget goes into depths of overlapping meshes, which are followed from
+/// cycle to cycle (depthOf).
 ///
-/// A pair of elements that is measured keeps one entry in `distances`. Of proven lower bounds the
-/// larger one stays. Pairs that cannot be the nearest of their links and are in no contact are
-/// passed over: what is refined is nearer.
+/// A measured pair of elements keeps one entry in `distances`. Of two proven lower bounds the
+/// larger stays. Pairs that are farther than a refined pair of their links and in no contact are
+/// skipped.
 /// Error: as signedDistanceBetween and distanceBetween of meshes. Depths of meshes are estimates
 /// (Quality::estimate), except of convex ones, which are measured by their hulls.
-/// Limits: the last measurement may go beyond the budget by that of two convex geometries.
+/// Limits: the last measurement may exceed the budget by the work of two convex geometries.
 void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
                  RefineWork& work, PairDistances& distances) noexcept;
 

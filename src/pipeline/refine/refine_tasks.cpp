@@ -12,7 +12,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Two bodies that are the geometry themselves are measured exactly already.
+/// False for two bodies that are their elements: their distance is already that of the elements.
 bool isRefinable(const CycleSetup& setup, ElementPairIndex pair) noexcept {
   const ElementPair& elements = setup.element_pairs[pair];
   return !setup.elements[index(elements.a)].is_body || !setup.elements[index(elements.b)].is_body;

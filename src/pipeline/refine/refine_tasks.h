@@ -6,8 +6,8 @@
 
 namespace collision_monitor {
 
-/// Forgets the last cycle's tasks and lists this one's: one for each pair of elements that is near
-/// enough, with its nearest bodies. Those that waited longest come first, then the nearest.
+/// Replaces the last cycle's tasks by those of this cycle: one for each near pair of elements, with
+/// its nearest bodies. Pairs starved longest come first, then nearest ones.
 void listTasks(const CycleSetup& setup, const PairMemory& memory, const PairDistances& distances,
                RefineWork& work) noexcept;
 

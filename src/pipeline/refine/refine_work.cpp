@@ -11,7 +11,7 @@
 namespace collision_monitor {
 namespace {
 
-/// A front where a mesh is searched, beside another or a solid.
+/// Fronts are kept where a mesh is searched, against a mesh or a solid.
 RefineKind refineKindOf(const Element& a, const Element& b) noexcept {
   const bool has_front = (a.mesh && !a.convex) || (b.mesh && !b.convex);
   const bool has_depth = a.mesh && b.mesh && !(a.convex && b.convex);
@@ -27,7 +27,7 @@ RefineKind refineKindOf(const Element& a, const Element& b) noexcept {
 }  // namespace
 
 std::uint32_t budgetOf(const RefineWork& work) noexcept {
-  constexpr double kUsual = 0.004;  // [s] up to there the budget is as given
+  constexpr double kUsual = 0.004;  // [s] up to this time the budget is not raised
   constexpr double kMost = 4.0;
   constexpr double kAny = std::numeric_limits<std::uint32_t>::max();
   const double time = std::min(work.elapsed, work.limits.period);

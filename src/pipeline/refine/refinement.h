@@ -7,10 +7,10 @@
 #include "pipeline/refine/recall_elements.h"
 #include "pipeline/refine/refine_pairs.h"
 
-/// What the steps of refinePairs share.
+/// What the stages of refinePairs share.
 namespace collision_monitor {
 
-/// What every step needs.
+/// The arguments of refinePairs.
 struct Refinement {
   const CycleSetup& setup;
   const BodyPoses& body_poses;
@@ -19,7 +19,7 @@ struct Refinement {
   PairDistances& distances;
 };
 
-/// Of steps. A part is kept for what happens between two cycles.
+/// The work for refinePairs. A continuous set-up keeps a quarter for sweepPairs.
 inline std::uint32_t budgetOf(const Refinement& all) noexcept {
   const std::uint32_t budget = budgetOf(all.work);
   return all.setup.is_continuous ? budget - budget / 4 : budget;
@@ -29,18 +29,18 @@ inline PlacedElement placed(const Refinement& all, ElementId id) noexcept {
   return {all.setup.elements[index(id)], all.body_poses.world_from_element[index(id)]};
 }
 
-/// Beyond this a pair is in no contact.
+/// [m] Beyond this a pair is in no contact.
 inline double clearBeyond(const Refinement& all) noexcept {
   constexpr double kNotTouching = 1e-3;
-  constexpr double kPastThreshold = 1e-6;  // a contact is held at its threshold, which is enough
+  constexpr double kPastThreshold = 1e-6;  // a contact is held at its threshold itself
   const Limits& limits = all.setup.limits;
   return std::max(limits.contact_distance + limits.hysteresis + kPastThreshold, kNotTouching);
 }
 
-/// How far searches go.
+/// How far a search goes.
 struct Goal {
-  double cutoff;         ///< [m] how far elements are apart need not be known beyond
-  std::uint32_t budget;  ///< of all steps of the cycle
+  double cutoff;         ///< [m] beyond it a distance need not be known
+  std::uint32_t budget;  ///< the work of the whole cycle
 };
 
 inline ElementSearch searchFor(const Refinement& all, const RefineTask& task,
@@ -63,7 +63,7 @@ inline ElementDistance recallTask(const Refinement& all, const RefineTask& task)
                         {all.work.balls[index(pair.a)], all.work.balls[index(pair.b)]});
 }
 
-/// Whether there is nothing left to find nearer than `enough`.
+/// Whether nothing nearer than the cutoff is left to find.
 inline bool reachesCutoff(const ElementDistance& found, double cutoff) noexcept {
   return found.is_complete && (found.has_points || found.quality != Quality::lower_bound ||
                                found.measured.distance >= cutoff);

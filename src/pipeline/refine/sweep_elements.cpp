@@ -8,7 +8,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Work of one distance of convex geometries, in nodes opened.
+/// Work of one distance of convex geometries, in opened node pairs.
 constexpr std::uint32_t kConvexSteps = 8;
 
 SweptContact sweepConvex(const MovingElement& a, const MovingElement& b, SweepLimits limits,

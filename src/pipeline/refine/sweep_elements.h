@@ -8,13 +8,13 @@ namespace collision_monitor {
 
 struct MovingElement {
   const Element& element;
-  const Ball& ball;  ///< ballOf its geometry
+  const Ball& ball;  ///< ballOf its element
   const ScrewMotion& motion;
 };
 
-/// First contact of what two elements are, grown by their paddings; `measured` is of what is
-/// padded. Work is counted as measureElements does.
-/// @return undecided also for a contact of what only surrounds a geometry.
+/// Finds the first contact of two elements inflated by their paddings. `measured` is between the
+/// padded elements. Work is counted as in measureElements.
+/// @return undecided also where only what surrounds a geometry touches.
 SweptContact sweepElements(const MovingElement& a, const MovingElement& b,
                            const SweepLimits& limits, RefineScratch& scratch) noexcept;
 

@@ -16,10 +16,11 @@
 namespace collision_monitor {
 namespace {
 
-/// Distances of two bodies on their way: some six are usual, and a graze shall not hold up a cycle.
+/// Work for two moving bodies: six distances are usual, and a grazing pair must not hold up a
+/// cycle.
 constexpr std::uint32_t kBodySteps = 500;
 
-/// What every step needs.
+/// The arguments of sweepPairs.
 struct Sweeping {
   const CycleSetup& setup;
   const RefineStore& memory;
@@ -27,7 +28,7 @@ struct Sweeping {
   SweepWork& work;
   PairDistances& distances;
 
-  /// Whether an entry stands for two elements and all of their bodies.
+  /// Whether an entry represents two elements and all of their bodies.
   bool isOfElements(PairId pair) const noexcept {
     return refined.is_measured[setup.element_pair_of[index(pair)]] != 0;
   }
@@ -40,8 +41,8 @@ struct Sweeping {
   }
 };
 
-/// Whether two bodies, or elements if they were refined, may have met on their way, as far as their
-/// distance now and their speeds say.
+/// Whether two bodies (or elements, if refined) may have met since the last cycle, by their
+/// distance now and their travel.
 bool mayHaveMet(const Sweeping& all, const PairDistance& distance) noexcept {
   const SweepWork& work = all.work;
   const CheckedLinkPair& links = all.linksOf(distance.pair);
@@ -61,7 +62,7 @@ bool mayHaveMet(const Sweeping& all, const PairDistance& distance) noexcept {
          work.body_travel[index(bodies.a)] + work.body_travel[index(bodies.b)];
 }
 
-/// Moving spheres first, then the shapes themselves.
+/// Tests moving spheres first, then the shapes.
 SweptContact sweepBodies(const Sweeping& all, PairId pair) noexcept {
   const Body& a = all.setup.bodies[index(all.setup.table[pair].a)];
   const Body& b = all.setup.bodies[index(all.setup.table[pair].b)];
@@ -84,7 +85,7 @@ SweptContact sweepBodies(const Sweeping& all, PairId pair) noexcept {
   return firstContact({a.shape, motion_a}, {b.shape, motion_b}, limits);
 }
 
-/// What touched at the start touched in the last cycle.
+/// A contact at the start is one of the last cycle.
 bool isNew(const SweptContact& found) noexcept {
   return found.state == SweepState::undecided ||
          (found.state == SweepState::contact && found.time > 0.0);
@@ -110,13 +111,13 @@ void addTask(const Sweeping& all, const SweepTask& task) noexcept {
   }
 }
 
-/// Bodies that did not meet settle the matter; of those that did, what they enclose is asked.
+/// Bodies that did not meet need nothing more; for those that met, their elements are followed.
 void sweepDistance(const Sweeping& all, const PairDistance& distance) noexcept {
   const CycleSetup& setup = all.setup;
   const ElementPairIndex pair = setup.element_pair_of[index(distance.pair)];
   ++all.work.swept;
   if (all.isOfElements(distance.pair)) {
-    // It stands for all of their bodies.
+    // The entry represents all bodies of these elements.
     addTask(all, {pair, distance.pair, 0.0, distance.measured, 0});
     return;
   }
@@ -137,8 +138,8 @@ MovingElement movingElement(const Sweeping& all, ElementId id, const ScrewMotion
   return {all.setup.elements[index(id)], all.refined.balls[index(id)], motion};
 }
 
-/// [m] How far beyond contact elements are at a time, as far as their last measurements tell: a
-/// lower bound.
+/// [m] A lower bound of distance minus contact distance of two elements at a time, by their last
+/// measurements.
 double gapAt(double time, const Sweeping& all, ElementPairIndex pair, const MovingElement& a,
              const MovingElement& b) noexcept {
   const Pose world_from_a = poseAt(a.motion, time);
@@ -155,8 +156,8 @@ double gapAt(double time, const Sweeping& all, ElementPairIndex pair, const Movi
   return gap;
 }
 
-/// Leaves of the way the times at which elements may meet, as far apart as they are at the start
-/// and at the end: to meet, one has to use up the first gap, and to come apart again the second.
+/// Narrows the times at which elements may meet, by their gaps at the start and at the end: meeting
+/// uses up the first gap, and parting again uses up the second.
 void narrow(const Sweeping& all, ElementPairIndex pair, const MovingElement& a,
             const MovingElement& b, SweepLimits& limits) noexcept {
   const bool is_a_smaller = a.ball.radius < b.ball.radius;
@@ -200,7 +201,7 @@ void sweepTask(const Sweeping& all, SweepTask& task) noexcept {
   const bool is_exact = a.is_exact && b.is_exact && a.padding + b.padding == 0.0;
   if (!is_contact) {
     ++all.work.left;
-    found.measured = task.measured;  // of the bodies: the elements have none that is settled
+    found.measured = task.measured;  // of the bodies: no distance of the elements is settled
   }
   const Quality quality = is_contact && is_exact ? Quality::exact : Quality::lower_bound;
   tell(all, task.bodies, found, quality, is_contact);

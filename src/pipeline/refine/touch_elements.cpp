@@ -14,7 +14,7 @@ namespace {
 
 using State = ElementContact::State;
 
-// Work other than opening nodes, in units of it.
+// Work of other steps, in opened node pairs.
 constexpr std::uint32_t kStartSteps = 2;  // poses and last triangles
 constexpr std::uint32_t kHullSteps = 8;   // two convex geometries
 constexpr std::uint32_t kInnerSteps = 2;
@@ -27,7 +27,7 @@ ElementContact settled(State state, std::uint32_t work) noexcept {
   return found;
 }
 
-/// Formulas tell the distance of two shapes at no more cost than that they touch.
+/// Shapes have closed forms: their distance costs no more than a contact test.
 bool areShapes(const PlacedElement& a, const PlacedElement& b) noexcept {
   return shapeOf(a.element.convex) && shapeOf(b.element.convex);
 }
@@ -45,7 +45,7 @@ ElementContact measureContact(const PlacedElement& a, const PlacedElement& b, do
 
 enum class HullAnswer : unsigned char { apart, contact, open };
 
-/// Of what holds the geometries; a contact only where that is shown on the surfaces themselves.
+/// Asks what holds the geometries. Gives a contact only if it is shown on the surfaces themselves.
 HullAnswer askHulls(const PlacedElement& a, const PlacedElement& b, double reach,
                     ElementSearch& search, std::uint32_t& work) noexcept {
   const double beyond = std::nextafter(reach, std::numeric_limits<double>::infinity());

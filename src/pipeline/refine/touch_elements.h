@@ -11,25 +11,24 @@ struct ElementContact {
   enum class State : unsigned char {
     apart,
     contact,
-    unknown,  ///< not told; the enclosing shapes know better
+    unknown,  ///< not decided; enclosing shapes give the bound
   };
   State state{State::unknown};
-  std::uint32_t work{0};    ///< spent of the budget
-  bool is_complete{false};  ///< false: a larger budget would have told more
+  std::uint32_t work{0};    ///< work done of the budget
+  bool is_complete{false};  ///< false: a larger budget would have found more
   /// [m] as MeshDistance::outside
   double outside{std::numeric_limits<double>::infinity()};
 };
 
 struct ContactGoal {
-  /// [m] Below 0 depths of convex elements are measured; all others overlap or not.
+  /// [m] If < 0, depths of convex elements are measured; other elements overlap or do not.
   double distance{0.0};
-  bool asks_outside{false};  ///< ElementContact::outside is wanted, too
+  bool asks_outside{false};  ///< ElementContact::outside is needed, too
 };
 
-/// Whether two elements, less their paddings, come within a distance of each other: by the cheapest
-/// question that tells. First the triangles that were in contact the last time, then hulls, inner
-/// shapes and hierarchies of triangles, until one finds a contact or proves that there is none.
-/// Nothing is measured.
+/// Decides whether two padded elements are within a distance of each other, by the cheapest test
+/// that decides it: first the triangles of the last contact, then hulls, inner shapes and
+/// hierarchies of triangles. Measures nothing.
 ///
 /// Error: as contactOf and distanceByHulls.
 ElementContact touchElements(const PlacedElement& a, const PlacedElement& b,

@@ -20,14 +20,14 @@ std::uint64_t lessUsed(std::uint64_t limit, std::uint64_t used) {
   return limit == kUnlimited ? kUnlimited : limit - std::min(limit, used);
 }
 
-/// The number a file consists of; nothing for other words, as "max", and where there is no file.
+/// The number that a file holds; nothing if it holds a word, as "max", or does not exist.
 std::optional<std::uint64_t> readNumber(const std::string& path) {
   std::ifstream file(path);
   std::uint64_t number = 0;
   return file >> number ? std::optional<std::uint64_t>(number) : std::nullopt;
 }
 
-/// What the kernel takes for available without swapping.
+/// What the kernel counts as available without swapping.
 std::uint64_t leftOfMachine() {
   std::ifstream file("/proc/meminfo");
   std::string word;
@@ -40,7 +40,7 @@ std::uint64_t leftOfMachine() {
   return kUnlimited;
 }
 
-/// Of a container, which sees its own group as the root.
+/// What the control group leaves. A container sees its own group as the root.
 std::uint64_t leftOfGroup() {
   const auto left = [](const std::string& most, const std::string& used) {
     const std::optional<std::uint64_t> limit = readNumber(most);
@@ -52,7 +52,7 @@ std::uint64_t leftOfGroup() {
       left(root + "memory/memory.limit_in_bytes", root + "memory/memory.usage_in_bytes"));
 }
 
-/// Of the address space that this process may have.
+/// What the limit of the address space leaves.
 std::uint64_t leftOfProcess() {
   rlimit most{};
   if (getrlimit(RLIMIT_AS, &most) != 0 || most.rlim_cur == RLIM_INFINITY) {

@@ -7,17 +7,17 @@
 
 namespace collision_monitor {
 
-/// Of the hull's extent: triangles this near to its surface count as on it. Coordinates that were
-/// stored as float are rounded by less.
+/// Triangles this near to the hull's surface count as on it, as a share of the hull's extent.
+/// Coordinates stored as float are rounded by less.
 constexpr double kConvexTolerance = 2e-7;
 
-/// True when a closed mesh is the surface of its hull, up to kConvexTolerance: what is measured
-/// between hulls then holds for the mesh.
+/// True if a closed mesh is the surface of its hull, up to kConvexTolerance. Distances of the hull
+/// then hold for the mesh.
 ///
-/// Every triangle has all corners on one face of the hull; a closed surface that lies in a surface
-/// like a sphere's covers it whole.
-/// Limits: false for meshes of more than 1e7 triangles times faces, where looking takes too long.
-/// @pre the mesh is closed and the hull its own.
+/// Tests that every triangle has all corners on one face of the hull. A closed surface within a
+/// surface like that of a sphere covers it completely.
+/// Limits: false if triangles times faces exceed 1e7, where the test takes too long.
+/// @pre the mesh is closed and `hull` is its hull.
 bool isSurfaceOf(const TriangleMesh& mesh, const ConvexHull& hull);
 
 }  // namespace collision_monitor

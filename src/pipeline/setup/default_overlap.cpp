@@ -32,7 +32,7 @@ std::string overlapText(const PairDistance& distance) {
   }
 }
 
-/// Pairs of one robot that are left out, or that are checked all the same.
+/// Pairs of one robot that become ignored, or that stay checked.
 struct Overlaps {
   std::size_t count{0};
   std::string pairs;
@@ -45,7 +45,7 @@ void add(const RobotModel& model, const CheckedLinkPair& pair, const PairDistanc
                     "' and '" + model.link(pair.b).name + "' (" + overlapText(distance) + ")";
 }
 
-/// One warning for all: robots without SRDF may have dozens.
+/// Adds one warning for all pairs: a robot without SRDF may have dozens.
 void warnOf(const Overlaps& overlaps, const std::string& robot, bool are_ignored,
             SetupReport& report) {
   if (overlaps.count == 0) {
@@ -64,13 +64,13 @@ void warnOf(const Overlaps& overlaps, const std::string& robot, bool are_ignored
                      "parameter ignore_pairs"});
 }
 
-/// Then that says what is left out.
+/// A robot's SRDF decides which of its pairs are ignored.
 bool hasSrdf(const std::vector<SrdfPairs>& srdfs, RobotId robot) {
   return std::any_of(srdfs.begin(), srdfs.end(),
                      [&](const SrdfPairs& srdf) { return srdf.robot == robot; });
 }
 
-/// What was added to the shapes of each link. Units: metres.
+/// [m] The padding of the shapes of each link.
 std::vector<double> paddingsOf(const std::vector<LinkFit>& fits, std::size_t link_count) {
   std::vector<double> paddings(link_count, 0.0);
   for (const LinkFit& fit : fits) {

@@ -9,17 +9,17 @@
 
 namespace collision_monitor {
 
-/// Measures all checked pairs of links of one robot in its default pose (see defaultPositions)
-/// and reports those that touch or overlap, with advice. For robots without an SRDF such pairs
-/// become ignored, if `ignore`: a pair that always touches would keep the monitor in contact for
-/// ever. With an SRDF somebody has decided which pairs count, so they stay checked.
+/// Measures all checked link pairs of one robot in its default pose (see defaultPositions) and
+/// reports those that touch or overlap, with advice. If `ignore`, such pairs of robots without an
+/// SRDF become ignored: a pair that always touches would keep the monitor in contact for ever. With
+/// an SRDF they stay checked, since a person has decided which pairs count.
 ///
-/// A cycle refines, so the geometries decide, and not their enclosing shapes: what these hide is
-/// apart, and may come into contact. Only where nothing is refined do the shapes speak.
-/// Links that only their padding brings together are reported and stay checked.
+/// Geometries decide, as in a cycle: links may be apart whose enclosing shapes overlap, and they
+/// may come into contact. Enclosing shapes decide where nothing is refined. Links that overlap only
+/// by their padding are reported and stay checked.
 ///
-/// Pairs of different robots are left alone: where the robots stand is known only to tf.
-/// @pre the set-up was made of these fits
+/// Skips pairs of different robots: only tf knows where robots stand.
+/// @pre the set-up was made from these fits
 void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, const std::vector<LinkFit>& fits,
                          bool ignore, CycleSetup& setup, SetupReport& report);
 

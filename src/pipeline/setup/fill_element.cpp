@@ -13,7 +13,7 @@
 namespace collision_monitor {
 namespace {
 
-/// The mesh with its stray vertices as triangles of one point: what encloses it encloses them.
+/// Adds stray vertices as triangles of one point, so that what encloses the mesh encloses them.
 TriangleMesh withStrayVertices(const TriangleMesh& mesh) {
   TriangleMesh all = mesh;
   std::vector<bool> is_used(mesh.vertices.size(), false);
@@ -31,7 +31,7 @@ TriangleMesh withStrayVertices(const TriangleMesh& mesh) {
   return all;
 }
 
-/// Fills in what an element is, from the geometry of the URDF.
+/// Fills an element from a geometry of the URDF.
 struct FillElement {
   RefineGeometry refine;
   Element& element;

@@ -7,11 +7,11 @@
 
 namespace collision_monitor {
 
-/// Fills in what an element is, from the geometry of the URDF: its shapes, mesh and exactness.
-/// @throws std::invalid_argument when the geometry is of no use.
+/// Fills shapes, mesh and exactness of an element from a geometry of the URDF.
+/// @throws std::invalid_argument if the geometry cannot be used.
 void fillElement(const Geometry& geometry, RefineGeometry refine, Element& element);
 
-/// The same where an element of the same geometry, refined alike, has it already.
+/// Copies these from an element of the same geometry and refinement.
 void fillAs(const Element& other, Element& element);
 
 }  // namespace collision_monitor

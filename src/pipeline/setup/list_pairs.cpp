@@ -19,7 +19,7 @@ struct ListedPair {
   auto order() const { return std::make_tuple(kind_a, kind_b, bodies.a, bodies.b); }
 };
 
-/// Where the bodies or elements of each link stand; they are in order of link.
+/// The index of the first body or element of each link; these are in order of link.
 template <class Part>
 std::vector<std::size_t> firstOfLinks(const std::vector<Part>& parts, std::size_t link_count) {
   std::vector<std::size_t> first(link_count + 1, 0);
@@ -38,7 +38,7 @@ ListedPair listedPair(const CycleSetup& setup, std::size_t a, std::size_t b,
       simpler, other, {idAt<BodyId>(a), idAt<BodyId>(b)}, static_cast<std::uint32_t>(link_pair)};
 }
 
-/// How many pairs the bodies or elements of all checked pairs of links make.
+/// The number of pairs of bodies or elements of all checked link pairs.
 std::size_t countPairs(const CycleSetup& setup, const std::vector<std::size_t>& first) {
   std::size_t count = 0;
   for (const CheckedLinkPair& pair : setup.checked) {
@@ -69,8 +69,8 @@ std::vector<ListedPair> listBodyPairs(const CycleSetup& setup) {
   return listed;
 }
 
-/// Fills the element pairs of every checked pair of links.
-/// @return where those of each pair of links start.
+/// Fills the element pairs of all checked link pairs.
+/// @return the first element pair of each link pair.
 std::vector<std::size_t> listElementPairs(CycleSetup& setup) {
   const std::vector<std::size_t> first = firstOfLinks(setup.elements, setup.model.links.size());
   std::vector<std::size_t> starts;
@@ -91,7 +91,7 @@ std::vector<std::size_t> listElementPairs(CycleSetup& setup) {
   return starts;
 }
 
-/// By PairId: the pair of elements that the bodies stand for.
+/// Fills the pair of elements of each pair of bodies, by PairId.
 void linkBodiesToElements(CycleSetup& setup) {
   const std::vector<std::size_t> starts = listElementPairs(setup);
   setup.element_pair_of.clear();
@@ -116,7 +116,7 @@ void extendRanges(const ListedPair& pair, std::size_t position, std::vector<Pair
   ranges.back().last = position + 1;
 }
 
-/// Fills the ranges and the pairs of links of body pairs, and returns these in order.
+/// Fills the ranges and the link pairs of body pairs. @return the body pairs in order.
 std::vector<BodyPair> takeBodyPairs(CycleSetup& setup) {
   const std::vector<ListedPair> listed = listBodyPairs(setup);
   std::vector<BodyPair> pairs;
@@ -132,7 +132,7 @@ std::vector<BodyPair> takeBodyPairs(CycleSetup& setup) {
   return pairs;
 }
 
-/// In empty slots stands the first link.
+/// Empty slots refer to the first link.
 std::vector<SlotGroup> groupSlots(const CycleSetup& setup) {
   std::vector<SlotGroup> groups(groupCountOf(setup.bodies.size()));
   for (std::size_t i = 0; i < setup.bodies.size(); ++i) {

@@ -9,7 +9,7 @@
 namespace collision_monitor {
 namespace {
 
-/// The shapes of one geometry, and how the link calls it.
+/// The shapes of one geometry, and its name in the link.
 struct NamedShapes {
   std::string name;
   Pose link_from_geometry;

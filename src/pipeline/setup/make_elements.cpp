@@ -21,7 +21,7 @@ struct MakeConvex {
   ConvexGeometry operator()(const RoundedBox& s) const { return s; }
 };
 
-/// A body's shape where no geometry is to stand behind it.
+/// Makes an element of a body's shape, where the rules leave no geometry.
 void addShape(std::size_t body, CycleSetup& setup) {
   Element element;
   element.link = setup.bodies[body].link;
@@ -33,7 +33,7 @@ void addShape(std::size_t body, CycleSetup& setup) {
   setup.elements.push_back(std::move(element));
 }
 
-/// One element of the URDF, which the bodies [first, last) enclose; or those alone.
+/// An element of the URDF that the bodies [first, last) enclose, or these bodies alone.
 struct ElementTask {
   const CollisionElement* collision;
   const Fit* fit;
@@ -43,8 +43,8 @@ struct ElementTask {
   std::size_t last;
   LinkId link;
   Element element;
-  double openness;    ///< of its mesh; 0 where that is closed or stands for nothing
-  std::string fault;  ///< why the geometry is of no use
+  double openness;    ///< of its mesh; 0 if the mesh is closed or not used
+  std::string fault;  ///< why the geometry cannot be used
 };
 
 InnerShapes innerShapes(const Geometry& geometry, const Fit& fit, const MeshTree* tree) {
@@ -64,8 +64,8 @@ bool areSame(const Geometry& a, const Geometry& b) {
          mesh_a->triangles == mesh_b->triangles;
 }
 
-/// By task: the first one with the same mesh, which is made once for all. Often both arms, and all
-/// legs, have the same.
+/// By task: the first task of the same mesh, which is made once for all. Arms or legs are often the
+/// same.
 std::vector<std::size_t> firstAlike(const std::vector<ElementTask>& tasks) {
   std::vector<std::size_t> first(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -80,7 +80,7 @@ std::vector<std::size_t> firstAlike(const std::vector<ElementTask>& tasks) {
   return first;
 }
 
-/// What the work says of the geometry is kept, not thrown.
+/// Keeps the fault of a geometry instead of throwing it.
 template <class Work>
 void tryTo(const Work& work, ElementTask& task) {
   try {
@@ -94,7 +94,7 @@ void makeGeometry(ElementTask& task) {
   fillElement(task.collision->geometry, task.refine, task.element);
 }
 
-/// What depends on the fit, too.
+/// Adds what also depends on the fit.
 void complete(ElementTask& task) {
   Element& element = task.element;
   if (element.is_exact) {
@@ -144,7 +144,7 @@ void addShapes(std::size_t first, std::size_t last, CycleSetup& setup) {
   }
 }
 
-/// Those of a link, behind the bodies that were given to it.
+/// Adds the tasks of a link, whose bodies follow its given ones.
 void addTasks(const LinkFit& fit, const Link& link, RefineGeometry refine, std::size_t& body,
               const CycleSetup& setup, std::vector<ElementTask>& tasks) {
   for (std::size_t i = 0; i < fit.fits.size(); ++i) {

@@ -13,22 +13,22 @@ namespace {
 
 constexpr std::uint64_t kId = sizeof(std::uint32_t);
 
-/// Of CycleSetup::checked, ActivationDistances, PairEvents, PairMemory and BudgetTally; blocks at
-/// their emptiest hold some two pairs.
+/// For CycleSetup::checked, ActivationDistances, PairEvents, PairMemory and BudgetTally. Blocks
+/// hold about two pairs at their emptiest.
 constexpr std::uint64_t kOfCheckedPair =
     sizeof(CheckedLinkPair) + sizeof(LinkBlock) / 2 + 2 * sizeof(double) + sizeof(Verdict) +
     4 * kId + sizeof(VerdictChange) + sizeof(double) + 4 + sizeof(std::uint64_t) + kId;
 
-/// Of the table, its blocks, candidates and distances.
+/// For the table, its blocks, candidates and distances.
 constexpr std::uint64_t kOfBodyPair = 2 * sizeof(BodyPair) + kId + sizeof(PairBlock) / 2 + 3 * kId +
                                       sizeof(PairDistance) + sizeof(PassedContact) + sizeof(double);
 
-/// Of what is refined and swept, and of gaps.
+/// For refinement, sweeps and the distance cache.
 constexpr std::uint64_t kOfElementPair = sizeof(ElementPair) + sizeof(RefineTask) +
                                          sizeof(SweepTask) + 2 * kId + 1 + sizeof(double) + kId +
                                          (kId + 1) + kId;
 
-/// Lists of a broad phase that all pairs of a robot's bodies fit into.
+/// The lists of a broad phase that have room for all pairs of bodies.
 constexpr std::uint64_t kBroadPhaseLists = 8;
 
 std::uint64_t storedMemories(std::uint64_t element_pairs) noexcept {

@@ -6,32 +6,32 @@
 
 #include "collision_monitor/pipeline/setup.h"
 
-/// How much memory pairs take: what grows with the square of links is known before it is taken.
+/// How much memory pairs take. It grows with the square of links, so it is checked beforehand.
 namespace collision_monitor {
 
-/// Of what a set-up and the buffers of its cycles hold.
+/// The sizes of a set-up and its buffers.
 struct PairCounts {
-  std::uint64_t links{0};  ///< with shapes
+  std::uint64_t links{0};  ///< links with shapes
   std::uint64_t bodies{0};
   std::uint64_t link_pairs{0};     ///< checked or not
-  std::uint64_t checked{0};        ///< pairs of links
-  std::uint64_t body_pairs{0};     ///< of checked pairs of links
-  std::uint64_t element_pairs{0};  ///< of checked pairs of links
+  std::uint64_t checked{0};        ///< link pairs
+  std::uint64_t body_pairs{0};     ///< of checked link pairs
+  std::uint64_t element_pairs{0};  ///< of checked link pairs
 };
 
-/// @pre bodies and elements are made; with link_pairs not yet decided, all pairs but those of links
-/// are 0.
+/// @pre bodies and elements are made. Before link_pairs are decided, only counts of bodies and
+/// links are not 0.
 PairCounts countPairs(const CycleSetup& setup);
 
-/// [bytes] What a set-up and the buffers of its cycles take for pairs, at most, while many are
-/// near. Error: about a tenth too many.
+/// [bytes] An upper bound of what a set-up and its buffers take for pairs, while many are near.
+/// Error: about a tenth too large.
 std::uint64_t memoryNeedOf(const PairCounts& counts) noexcept;
 
-/// [bytes] What this process may still take: the least that memory of the machine, limits of the
-/// process and of its control group leave.
+/// [bytes] What this process may still take: the least that the machine, the limits of the process
+/// and its control group leave.
 std::uint64_t availableMemory();
 
-/// Adds an error where pairs would take more memory than `limit`, or are too many to have ids.
+/// Adds an error if pairs would take more memory than `limit`, or are too many for their ids.
 /// @param limit [bytes] 0: availableMemory()
 void checkMemory(const PairCounts& counts, std::uint64_t limit, SetupReport& report);
 

@@ -16,12 +16,12 @@
 namespace collision_monitor {
 namespace {
 
-/// Looks at the numbers of one struct of options.
+/// Checks the numbers of one struct of options.
 struct NumberCheck {
-  std::string where;  ///< before their names
+  std::string where;  ///< stands before their names
   SetupReport& report;
 
-  /// `unit` stands behind the numbers, as in " m".
+  /// @param unit stands behind the numbers, as in " m".
   void atLeast(double least, const char* name, double value, const char* unit) const {
     if (!std::isfinite(value) || value < least) {
       report.errors.push_back(
@@ -56,7 +56,7 @@ void checkLookAhead(const LookAhead& ahead, const std::string& where, SetupRepor
   check.atLeast(0.0, "creep_scale", stop.creep_scale, "");
 }
 
-/// Pairs that a threshold of time or the speed scale may be about are within the horizon.
+/// Raises the horizon to what time thresholds and the speed scale need.
 LookAhead lookAheadFor(const SetupOptions& options) {
   LookAhead ahead = options.ahead;
   ahead.horizon =
@@ -119,7 +119,7 @@ void checkInput(const std::vector<RobotDescription>& robots, const SetupOptions&
   checkLookAhead(options.ahead, options.where + "look_ahead/", report);
 }
 
-/// Before anything is made that grows with the square of links, its size is known.
+/// Checks the size of everything that grows with the square of links, before it is made.
 /// @throws SetupError
 void decidePairs(const std::vector<SrdfPairs>& srdfs, const std::vector<LinkIdPair>& ignored,
                  std::uint64_t memory_limit, CycleSetup& setup, SetupReport& report) {

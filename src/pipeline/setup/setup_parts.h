@@ -7,15 +7,15 @@
 #include "collision_monitor/pipeline/fit_links.h"
 #include "collision_monitor/pipeline/setup.h"
 
-/// The steps of buildSetup, each in a file of its own. They fill a CycleSetup in this order.
+/// The stages of buildSetup, one file each. They fill a CycleSetup in this order.
 namespace collision_monitor {
 
-/// Fills bodies and labels, in order of link, and notes in the model which links got given shapes.
+/// Fills bodies and labels, in order of link, and marks links with given shapes in the model.
 void makeBodies(const std::vector<LinkFit>& fits, CycleSetup& setup);
 
-/// What the meshes of a link are refined to.
+/// What the elements of a link are.
 struct ElementSettings {
-  RefineGeometry geometry{RefineGeometry::mesh};  ///< where the rules are silent
+  RefineGeometry geometry{RefineGeometry::mesh};  ///< where the rules say nothing
   const std::vector<LinkRules>& rules;            ///< by LinkId; empty for none
 
   RefineGeometry refineFor(LinkId link) const {
@@ -23,14 +23,14 @@ struct ElementSettings {
   }
 };
 
-/// Fills elements, in order of link, and notes in each body which one it encloses.
-/// Warns of meshes whose inside is not known.
+/// Fills elements, in order of link, and sets the element of each body. Warns of meshes whose
+/// inside is not known.
 /// @pre makeBodies was called with these fits.
 void makeElements(const std::vector<LinkFit>& fits, const ElementSettings& settings,
                   CycleSetup& setup, SetupReport& report);
 
-/// Turns setup.link_pairs into the list of checked pairs of links and the table of body pairs,
-/// ordered by kind of core pair and then by bodies; and that of element pairs.
+/// Fills the checked link pairs, the pairs of bodies (ordered by kind of core pair, then by bodies)
+/// and the pairs of elements from setup.link_pairs.
 void listPairs(CycleSetup& setup);
 
 }  // namespace collision_monitor

@@ -38,7 +38,7 @@ void fill(const Eigen::Vector3d& v, StateNumber (&numbers)[3]) {
   }
 }
 
-/// The same pose in every state: of a body that no joint moves.
+/// The same pose in every state, for a body that no joint moves.
 StatePose everywhere(const Pose& pose) {
   StatePose state_pose;
   fill(pose.translation, state_pose.translation);
@@ -48,7 +48,7 @@ StatePose everywhere(const Pose& pose) {
   return state_pose;
 }
 
-/// A body's pose; of points and segments only what their kind needs was placed.
+/// A body's pose; of points and segments only what their kind needs is placed.
 Pose bodyPose(CoreKind kind, const StatePose& pose, std::size_t lane) noexcept {
   const Pose one = poseOf(pose, lane);
   return kind == CoreKind::box       ? one
@@ -84,7 +84,7 @@ StateCheck checkOf(const CycleSetup& setup, const StatesBlock& block, std::size_
   return check;
 }
 
-/// Whether anything is in contact in state 0 of the block, faster than all states would be.
+/// Finds a contact in state 0 alone, faster than in all states of the block.
 void judgeAlone(const CycleSetup& setup, StatesWork& work, StatesBlock& block) noexcept {
   for (std::size_t i = 0; i < work.bodies.size(); ++i) {
     writeBody(setup.cores[i].kind, poseOf(work.bodies[i], 0), setup.blocks.slot_of[i], work.rows);
@@ -99,7 +99,7 @@ void judgeAlone(const CycleSetup& setup, StatesWork& work, StatesBlock& block) n
   block.is_warning.of[0] = 0.0;
 }
 
-/// Pairs across two parts are no contact, whatever is measured.
+/// Marks pairs of two parts, which are never in contact.
 void partPairs(const CycleSetup& setup, StatesWork& work) {
   for (std::size_t i = 0; i < work.pairs.size(); ++i) {
     const CheckedLinkPair& links = setup.checked[setup.link_pair_of[i]];
@@ -117,7 +117,7 @@ void addUnknown(const StatesWork& work, std::vector<StateCheck>& checks) noexcep
   }
 }
 
-/// Whether geometries decide: of bodies, another pair than the nearest may be the contact.
+/// Whether geometries must decide. The nearest bodies may not be the ones in contact.
 bool isOpen(const CycleSetup& setup, const StateCheck& check) noexcept {
   const bool is_contact = check.verdict == Verdict::contact;
   const bool is_near = is_contact || check.verdict == Verdict::warning;
@@ -125,7 +125,7 @@ bool isOpen(const CycleSetup& setup, const StateCheck& check) noexcept {
                      (is_contact && check.distance > contactOfBodies(setup, check.pair)));
 }
 
-/// By enclosing shapes. @param count  states that the block has
+/// Judges by enclosing shapes. @param count states in the block
 void judgeShapes(const CycleSetup& setup, StateQuestion question, std::size_t count,
                  StatesWork& work, BlockChecks& checks) noexcept {
   StatesBlock block;
@@ -143,7 +143,7 @@ bool hasOpen(const OpenStates& open) noexcept {
   return std::any_of(open.begin(), open.end(), [](bool is_open) { return is_open; });
 }
 
-/// Of open states by enclosing shapes; those stay open of which that leaves the answer open.
+/// Judges open states by enclosing shapes. Those whose answer needs geometries stay open.
 void judgeApart(const CycleSetup& setup, std::size_t count, StatesWork& work, OpenStates& open,
                 BlockChecks& checks) noexcept {
   BlockChecks by_shapes;
@@ -156,8 +156,8 @@ void judgeApart(const CycleSetup& setup, std::size_t count, StatesWork& work, Op
   }
 }
 
-/// By the geometries. For the nearest: contacts first, which most states end with that have some;
-/// then where enclosing shapes leave the answer open.
+/// Judges by geometries. For the nearest pair it searches contacts first, which settle most states
+/// that have some; then it refines states that enclosing shapes leave open.
 void judgeGeometries(const CycleSetup& setup, StateQuestion question, std::size_t count,
                      StatesWork& work, BlockChecks& checks) noexcept {
   OpenStates open{};
@@ -179,7 +179,7 @@ void judgeGeometries(const CycleSetup& setup, StateQuestion question, std::size_
   }
 }
 
-/// @param is_exact the geometries decide
+/// @param is_exact geometries decide
 void judgeStates(const CycleSetup& setup, const JointPositions& positions, StateQuestion question,
                  bool is_exact, StatesWork& work, std::vector<StateCheck>& checks) {
   const std::size_t total = countStates(positions, work);

@@ -9,55 +9,55 @@
 #include "model/kinematics/state_kinematics.h"
 #include "pipeline/cycle/cycle_buffers.h"
 
-/// Many states of the robots at once: trajectories, samples, requests.
+/// Judges many states of the robots at once: of trajectories, samples, requests.
 namespace collision_monitor {
 
 enum class StateQuestion : unsigned char {
-  contact,  ///< is anything in contact? A state's search ends at the first pair that is
-  nearest,  ///< the nearest pair, and the worst verdict
+  contact,  ///< is anything in contact? The search of a state ends at its first contact
+  nearest,  ///< the nearest pair and the worst verdict
 };
 
 /// The answer for one state.
 struct StateCheck {
-  /// For StateQuestion::contact: contact, clear or unknown. Unknown where a joint variable is not
-  /// finite, never clear.
+  /// For StateQuestion::contact: contact, clear or unknown. Unknown, never clear, if a joint
+  /// variable is not finite.
   Verdict verdict{Verdict::unknown};
   Quality quality{Quality::unknown};  ///< of the distance
-  bool has_pair{false};               ///< false: clear of contact, unknown, or nothing is checked
+  bool has_pair{false};               ///< false: no contact, unknown, or no pair is checked
   PairId pair{};
   double distance{0.0};  ///< [m] of `pair`
 };
 
-/// Two bodies of the table as the kernels take them: the simpler core first.
+/// Two bodies of the table in the order of the kernels: the simpler core first.
 struct StatePair {
   std::uint32_t a{0};
   std::uint32_t b{0};
-  double bounding_radii{0.0};  ///< [m] of both
+  double bounding_radii{0.0};  ///< [m] sum of both
   double contact_distance{0.0};
   double warning_distance{0.0};
-  bool is_apart{false};  ///< how its links stand to each other is not known
+  bool is_apart{false};  ///< the relative pose of its links is unknown
 };
 
-/// A pair of bodies that is near in some of a block's states.
+/// A pair of bodies that is near in some states of a block.
 struct NearInStates {
   std::uint32_t pair{0};                     ///< a PairId
-  std::array<double, kStateCount> distance;  ///< [m] by state; infinite where it is not near
+  std::array<double, kStateCount> distance;  ///< [m] by state; infinity where it is not near
 };
 
-/// What is known of two elements in the state at hand.
+/// What is known of two elements in the current state.
 struct ElementsInState {
   ElementPairIndex elements{0};
-  std::uint32_t bodies{0};   ///< PairId of the nearest
-  double bound{0.0};         ///< [m] their distance
-  std::uint64_t touched{0};  ///< of StatesRefinement::touched
+  std::uint32_t bodies{0};   ///< PairId of the nearest bodies
+  double bound{0.0};         ///< [m] the distance of these bodies
+  std::uint64_t touched{0};  ///< as in StatesRefinement::touched
 };
 
-/// Two elements, and the pairs of bodies that stand for them.
+/// Two elements and their pairs of bodies.
 struct StateElementPair {
   std::uint32_t a{0};  ///< ElementIds
   std::uint32_t b{0};
-  double radii{0.0};             ///< [m] of the balls about both
-  double contact_distance{0.0};  ///< [m] of their bodies, at most
+  double radii{0.0};             ///< [m] sum of the radii of their balls
+  double contact_distance{0.0};  ///< [m] the largest of their bodies
   std::uint32_t first{0};        ///< into StatesRefinement::body_pairs
   std::uint32_t last{0};
   bool are_convex{false};
@@ -68,67 +68,67 @@ struct StatePoint {
   StateNumber of[3];
 };
 
-/// What checkStatesExactly works with beside that.
+/// What checkStatesExactly needs in addition.
 struct StatesRefinement {
   std::vector<LinkPlace> places;  ///< by ElementId: frame_from_link is frame_from_element
-  std::vector<Ball> balls;        ///< by ElementId: about it and its padding, in its frame
-  std::vector<StateElementPair> element_pairs;  ///< by ElementPairIndex; none that are apart
+  std::vector<Ball> balls;        ///< by ElementId: around the padded element, element frame
+  std::vector<StateElementPair> element_pairs;  ///< by ElementPairIndex; of no bodies if apart
   std::vector<std::uint32_t> body_pairs;        ///< PairIds, in order of element pair
-  std::vector<StatePoint> centers;              ///< by ElementId: of the balls
-  std::vector<Pose> world_from_element;         ///< by ElementId, in the state at hand
-  std::vector<std::uint64_t> placed_in;         ///< by ElementId: the state for which it is that
-  std::uint64_t state{0};                       ///< counts states
+  std::vector<StatePoint> centers;              ///< by ElementId: centers of the balls
+  std::vector<Pose> world_from_element;         ///< by ElementId, in the current state
+  std::vector<std::uint64_t> placed_in;         ///< by ElementId: the state of that pose
+  std::uint64_t state{0};                       ///< counter of states
   RefineStore memory;
   std::unique_ptr<RefineScratch> scratch;
   std::vector<NearInStates> near;
-  std::vector<std::uint32_t> place_of;  ///< by ElementPairIndex: into `pairs`, or kNone
-  std::vector<ElementsInState> pairs;   ///< in the state at hand
+  std::vector<std::uint32_t> place_of;  ///< by ElementPairIndex: index into `pairs`, or kNone
+  std::vector<ElementsInState> pairs;   ///< in the current state
   std::vector<std::uint64_t> touched;   ///< by ElementPairIndex: the last state with a contact
-  std::vector<ElementPairIndex> order;  ///< those that were in contact last come first
-  bool has_geometries{false};           ///< behind some enclosing shapes
+  std::vector<ElementPairIndex> order;  ///< pairs last in contact come first
+  bool has_geometries{false};           ///< some enclosing shapes are not their geometry
 };
 
-/// What checkStates works with, made once for a set-up and where its robots stand.
+/// What checkStates needs; made once for a set-up and the standing poses of its robots.
 struct StatesWork {
   KinematicsPlan plan;
   std::vector<LinkPlace> body_places;  ///< by BodyId: frame_from_link is frame_from_body here
   std::vector<StatePair> pairs;        ///< by PairId
   ContactDistances contact_distances;
-  std::vector<StateNumber> variables;  ///< of the states at hand
+  std::vector<StateNumber> variables;  ///< of the current states
   std::vector<StatePose> frames;
   std::vector<StatePose> bodies;  ///< by BodyId
-  BodyRows rows;                  ///< of a state that is alone
-  LinkPoses poses;                ///< which links are known, and in which part, in all states
+  BodyRows rows;                  ///< of a state that is judged alone
+  LinkPoses poses;  ///< which links are known, and in which part; the same in all states
   StatesRefinement refinement;
-  bool is_split{false};  ///< a pair is apart: no state is clear
+  bool is_split{false};  ///< a pair has an unknown relative pose: no state is clear
 };
 
-/// Roots, fixed joints, and joints whose first variable does not move, stand as in `poses`; fixed
-/// joints that are not known there as in the model. Roots of parts that float are not known.
+/// Roots, fixed joints, and joints whose first variable does not move, keep their pose in `poses`.
+/// Fixed joints that are unknown there keep their pose in the model. Roots of parts that float are
+/// unknown.
 /// @param moves by variable
 StandingPoses standingAs(const RobotModel& model, const LinkPoses& poses,
                          const std::vector<bool>& moves);
 
-/// Links behind a root or joint that is not known stand in a part of their own: pairs of its links
-/// are judged as all others, and those across two parts are unknown in every state.
+/// Links behind an unknown root or joint form a part of their own. Pairs within it are judged as
+/// all others; pairs of two parts are unknown in every state.
 StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing);
 
-/// Judges states by their enclosing shapes: each `variable_count` numbers of `positions` in a row
-/// are one state; a model without variables has one. Limits have no hysteresis here. Shapes about
-/// an element that overlap are in contact even if contact_distance allows some depth, for that of
-/// the element may be more. Does not allocate when `checks` has room.
+/// Judges states by enclosing shapes. Each `variable_count` numbers of `positions` are one state; a
+/// model without variables has one state. Limits have no hysteresis here. Overlapping shapes around
+/// an element are in contact even if contact_distance allows some depth, since the element may be
+/// deeper. Does not allocate if `checks` has room.
 ///
 /// Error: as distanceBetween; the same bytes with every instruction set.
 /// @pre positions.size() is a multiple of the model's variable_count.
 void checkStates(const CycleSetup& setup, const JointPositions& positions, StateQuestion question,
                  StatesWork& work, std::vector<StateCheck>& checks);
 
-/// The same, and where enclosing shapes that are not the geometry itself come as near as a
-/// warning, the geometries decide, with the verdicts of a cycle without a budget.
+/// As checkStates, but geometries decide where enclosing shapes that are not the geometry are
+/// within the warning distance. Verdicts are those of a cycle without a budget.
 ///
-/// Each question takes the cheapest search that answers it: whether geometries touch is no question
-/// of their distance, and how deep those are that overlap is not asked. Then the distance is that
-/// of what was found (Quality::estimate), 0 or the depth of inner shapes.
+/// Each question takes the cheapest search that answers it. A contact test needs no distance, and
+/// overlaps get no depth: their distance is 0 or that of inner shapes, of Quality::estimate.
 void checkStatesExactly(const CycleSetup& setup, const JointPositions& positions,
                         StateQuestion question, StatesWork& work, std::vector<StateCheck>& checks);
 

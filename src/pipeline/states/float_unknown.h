@@ -7,9 +7,8 @@
 
 namespace collision_monitor {
 
-/// Where nothing is known, a part begins that is held at the identity: its links keep their places
-/// beside each other, whatever it hangs on.
-/// @param poses links get their parts
+/// Begins a part that floats, at the identity, at each root or joint whose pose is unknown.
+/// @param poses its links get their parts
 StandingPoses floatUnknown(const RobotModel& model, StandingPoses standing, LinkPoses& poses);
 
 }  // namespace collision_monitor

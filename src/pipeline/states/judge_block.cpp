@@ -11,11 +11,11 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// What is known so far of the states in the lanes.
+/// What is known of the states in the lanes.
 struct JudgedLanes {
   Number distance, pair;
   Truth is_contact, is_warning, is_unknown;
-  Truth is_open;  ///< still to be searched
+  Truth is_open;  ///< the search goes on
 };
 
 struct BlockSearch {
@@ -27,7 +27,7 @@ struct BlockSearch {
   void visit(const PairRange& range);
 };
 
-/// [m] A pair that is farther apart does not change the answer.
+/// [m] A pair that is farther apart cannot change the answer.
 HWY_INLINE Number reachOfPair(const BlockSearch& search, const StatePair& pair) {
   return search.question == StateQuestion::contact
              ? number(pair.contact_distance)

@@ -11,7 +11,7 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// Keeps the least distance of each pair of links that is asked for.
+/// Keeps the least distance of each link pair in the query.
 struct LinkPairSearch {
   StateLanes states;
   std::vector<StateNumber>& nearest;
@@ -27,7 +27,7 @@ struct LinkPairSearch {
       Truth counts = hn::Eq(zero(), zero());
       const Number distance =
           stateDistanceWithin<CoreA, CoreB>(states, states.work.pairs[id], least, counts);
-      // What is not a number stays.
+      // NaN is kept.
       const Truth is_taken = hn::Or(hn::Lt(distance, least), hn::Not(hn::Eq(distance, distance)));
       hn::Store(hn::IfThenElse(hn::And(counts, is_taken), distance, least), Lanes(), of_links);
     }

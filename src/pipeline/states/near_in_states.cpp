@@ -11,7 +11,7 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// Lists the pairs of bodies that are near in some of the states.
+/// Lists pairs of bodies that are near in some states.
 struct NearSearch {
   StateLanes states;
   Number asked;
@@ -22,7 +22,7 @@ struct NearSearch {
     const StatePair& pair = states.work.pairs[id];
     const Number reach = hn::Max(asked, number(pair.contact_distance));
     const Number distance = stateDistanceWithin<CoreA, CoreB>(states, pair, reach, counts);
-    // What is not a number is near.
+    // NaN counts as near.
     counts = hn::AndNot(hn::Gt(distance, reach), counts);
     if (!hn::AllFalse(Lanes(), counts)) {
       NearInStates& found = near.emplace_back();
@@ -49,7 +49,7 @@ struct NearSearch {
     }
   }
 
-  /// Where the balls about two elements leave them a chance to be within reach.
+  /// Whether the balls of two elements allow them to be within the activation distance.
   HWY_INLINE Truth ballsMeet(const StateElementPair& pair) const {
     const auto& centers = states.work.refinement.centers;
     const Vector3 between =

@@ -12,9 +12,8 @@
 namespace collision_monitor {
 namespace {
 
-/// Lists what is near in those states of one vector that are asked, and visits each of them.
-/// @param visit  takes the state and whether all poses are finite. @return how many states those
-/// are that the vector holds
+/// Lists near pairs in the queried states of one vector, and visits each state. @param visit takes
+/// the state and whether all poses are finite. @return how many states the vector holds
 template <class Visit>
 std::size_t visitVector(const CycleSetup& setup, const NearQuery& query, std::size_t first,
                         StatesWork& work, const Visit& visit) noexcept {
@@ -38,7 +37,7 @@ void visitAll(const CycleSetup& setup, const NearQuery& query, StatesWork& work,
   }
 }
 
-/// @param asked [m] by state: changed to how far is to be asked for then
+/// @param asked [m] by state; then the distance of the next query, if one is needed
 void findNearestOf(const CycleSetup& setup, StateNumber& asked, StatesWork& work,
                    BlockChecks& checks) noexcept {
   const NearQuery query{asked, 0, work.refinement.order.size()};
@@ -52,7 +51,7 @@ void findNearestOf(const CycleSetup& setup, StateNumber& asked, StatesWork& work
   });
 }
 
-/// What is as near as a warning mostly is the nearest. Else pairs are listed up to its distance.
+/// A pair within the warning distance is mostly the nearest. If not, queries up to its distance.
 void refineNearest(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
                    BlockChecks& checks) noexcept {
   StateNumber asked;
@@ -66,8 +65,8 @@ void refineNearest(const CycleSetup& setup, const OpenStates& open, StatesWork& 
   }
 }
 
-/// Asks those states of one vector for a contact of some pairs, and closes them where one is found.
-/// @return how many states that were
+/// Searches the queried states of one vector for a contact of some pairs; closes states with a
+/// contact. @return how many states the vector holds
 std::size_t findContacts(const CycleSetup& setup, const NearQuery& query, std::size_t first,
                          StateNumber& asked, StatesWork& work, BlockChecks& checks) noexcept {
   return visitVector(setup, query, first, work,
@@ -81,7 +80,7 @@ std::size_t findContacts(const CycleSetup& setup, const NearQuery& query, std::s
                      });
 }
 
-/// Those that were in contact last alone at first: mostly one of them is again.
+/// Tries the pairs last in contact alone first: mostly one of them is in contact again.
 void refineContacts(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
                     BlockChecks& checks) noexcept {
   StateNumber asked;
@@ -100,7 +99,7 @@ void refineContacts(const CycleSetup& setup, const OpenStates& open, StatesWork&
   }
 }
 
-/// The pairs of bodies of each pair of elements, without those that are apart.
+/// Lists the pairs of bodies of each pair of elements, without those of unknown relative pose.
 void listBodies(const CycleSetup& setup, const StatesWork& work, StatesRefinement& refinement) {
   refinement.element_pairs.resize(setup.element_pairs.size());
   std::vector<std::vector<std::uint32_t>> bodies(setup.element_pairs.size());
@@ -167,7 +166,7 @@ void settleContacts(const CycleSetup& setup, StatesWork& work, OpenStates& open,
     touching.of[lane] = is_contact ? kContactsAsked : kNotAsked;
     open[lane] = open[lane] && !is_contact;
   }
-  // How deep concave geometries are is not asked for.
+  // Depths of concave geometries are not needed.
   const bool is_convex_only = setup.limits.contact_distance <= 0.0;
   visitAll(
       setup, {touching, 0, work.refinement.order.size(), is_convex_only}, work,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pairs of bodies in several states at once.
+// Measures pairs of bodies in several states at once.
 #if defined(COLLISION_MONITOR_STATE_BODIES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_STATE_BODIES_INL_H
 #undef COLLISION_MONITOR_STATE_BODIES_INL_H
@@ -19,14 +19,14 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// The states of a block that one vector holds: from `lane` on.
+/// The states of a block in one vector, from `lane` on.
 struct StateLanes {
   const CycleSetup& setup;
   const StatesWork& work;
   std::size_t lane;
 };
 
-/// A body in several states, as the cores of shape_lanes-inl.h read it.
+/// A body in several states, in the form that the cores of shape_lanes-inl.h read.
 struct BodyInStates {
   const StatePose& pose;
   const Core& core;
@@ -50,7 +50,7 @@ struct BodyInStates {
   }
 };
 
-/// Where bounding spheres leave a pair a chance to be within `reach`.
+/// Whether bounding spheres allow a pair to be within `reach`.
 HWY_INLINE Truth spheresMeet(const StateLanes& states, const StatePair& pair, Number reach) {
   const Vector3 between = load(states.work.bodies[pair.b].translation, states.lane) -
                           load(states.work.bodies[pair.a].translation, states.lane);
@@ -58,7 +58,7 @@ HWY_INLINE Truth spheresMeet(const StateLanes& states, const StatePair& pair, Nu
   return hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed)));
 }
 
-/// Has the plain twin measure the lanes whose distance is NaN.
+/// Measures the lanes whose distance is NaN by the plain twin.
 inline HWY_NOINLINE Number finished(const StateLanes& states, const StatePair& pair,
                                     Number distance) {
   HWY_ALIGN double distances[hn::MaxLanes(Lanes())];
@@ -71,7 +71,7 @@ inline HWY_NOINLINE Number finished(const StateLanes& states, const StatePair& p
   return hn::Load(Lanes(), distances);
 }
 
-/// The signed distance of a pair, as distanceWithin of its cores in the states that count.
+/// The signed distance of a pair, by distanceWithin of its cores in the states that count.
 template <class CoreA, class CoreB>
 HWY_INLINE Number stateDistanceWithin(const StateLanes& states, const StatePair& pair, Number reach,
                                       Truth& counts) {
@@ -87,7 +87,7 @@ HWY_INLINE Number stateDistanceWithin(const StateLanes& states, const StatePair&
   return HWY_LIKELY(is_sure) ? distance : finished(states, pair, distance);
 }
 
-/// Calls visitor.visit with the kinds of core that the pairs of a range have.
+/// Calls visitor.visit with the kinds of core of a range.
 template <class Visitor>
 void visitKinds(const PairRange& range, Visitor& visitor) {
   if (range.a == CoreKind::box) {

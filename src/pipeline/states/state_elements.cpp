@@ -46,11 +46,11 @@ bool isTouching(const StateSearch& state, const ElementsInState& pair) noexcept 
   const ElementContact found =
       touchElements(placed(state, elements.a), placed(state, elements.b),
                     {contactOfElements(state.setup, pair.elements), false}, search);
-  // What is not told is as the enclosing shapes say, which touch.
+  // If contact is unknown, the enclosing shapes decide, which touch.
   return found.state != ElementContact::State::apart;
 }
 
-/// What is known of the distance of two elements, and of their bodies'.
+/// The distance of two elements, or the bound of their bodies if that is better.
 StateCheck measure(const StateSearch& state, const ElementsInState& pair, double cutoff) noexcept {
   StateCheck check;
   check.has_pair = true;
@@ -69,7 +69,7 @@ StateCheck measure(const StateSearch& state, const ElementsInState& pair, double
   const ElementDistance found =
       measureElements(placed(state, elements.a), placed(state, elements.b), search);
   const bool is_nearer = !(found.measured.distance > pair.bound);
-  // Where shapes overlap, theirs is the depth of two of several shapes, which bounds nothing.
+  // The depth of overlapping shapes is that of one of several pairs: no bound of the elements.
   const bool is_depth = found.has_points && pair.bound < 0.0;
   if (found.quality != Quality::unknown &&
       !(found.quality == Quality::lower_bound && is_nearer && !is_depth)) {
@@ -89,13 +89,13 @@ Verdict verdictOf(const StateSearch& state, const ElementsInState& pair,
                                                                          : Verdict::clear;
 }
 
-/// Those that were in contact last come first, then those whose bodies are deepest.
+/// Pairs last in contact come first, then pairs of deepest bodies.
 bool comesFirst(const ElementsInState& one, const ElementsInState& other) noexcept {
   return std::tie(other.touched, one.bound, one.elements) <
          std::tie(one.touched, other.bound, other.elements);
 }
 
-/// How deep geometries are that overlap is not asked for.
+/// Gives overlapping geometries no depth.
 StateCheck contactCheck(const StateSearch& state, const ElementsInState& pair) noexcept {
   const ElementPair& elements = state.setup.element_pairs[pair.elements];
   const Element& a = state.setup.elements[index(elements.a)];
@@ -118,15 +118,15 @@ void putFirst(ElementPairIndex pair, std::vector<ElementPairIndex>& order) noexc
   std::rotate(order.begin(), place, place + 1);
 }
 
-/// Of the pairs whose depth or distance may be less than the best.
+/// Whether the depth or distance of a pair may be less than the best.
 bool mayBeNearer(const StateSearch& state, const ElementsInState& pair,
                  const StateCheck& best) noexcept {
-  // How deep concave geometries are is not asked for.
+  // Depths of concave geometries are not needed.
   return pair.bound < best.distance &&
          (best.distance > 0.0 || areConvex(state.setup, pair.elements));
 }
 
-/// Raises bounds to those of what is convex around the geometries.
+/// Raises bounds by the hulls of the geometries.
 void raiseBounds(const StateSearch& state, const StateCheck& best) noexcept {
   for (ElementsInState& pair : state.refinement().pairs) {
     if (mayBeNearer(state, pair, best) && !areConvex(state.setup, pair.elements)) {

@@ -7,7 +7,7 @@
 /// The pairs of elements that are near in one state of a block.
 namespace collision_monitor {
 
-/// One state of the block.
+/// One state of a block.
 struct StateSearch {
   const CycleSetup& setup;
   StatesWork& work;
@@ -16,21 +16,21 @@ struct StateSearch {
   StatesRefinement& refinement() const noexcept { return work.refinement; }
 };
 
-/// Whether the bodies of two elements are all that is asked of them.
+/// Whether two elements are themselves bodies: nothing to refine.
 bool areBodies(const CycleSetup& setup, ElementPairIndex pair) noexcept;
 
-/// Lists pairs of elements with their nearest bodies, of StatesRefinement::near.
-/// @param place  of the state in the vector that was listed
-/// @return false where a pose is not finite.
+/// Lists the pairs of elements of StatesRefinement::near, each with its nearest bodies.
+/// @param place of the state in its vector
+/// @return false if a pose is not finite.
 bool listElements(const StateSearch& state, std::size_t place) noexcept;
 
 void forgetElements(StatesRefinement& refinement) noexcept;
 
-/// The first listed pair that is in contact, if one is.
+/// Finds the first listed pair that is in contact.
 bool findContact(const StateSearch& state, StateCheck& check) noexcept;
 
-/// The nearest listed pair, and the worst verdict.
-/// @param best  what is known: a contact that was found, or that none was
+/// Finds the nearest listed pair and the worst verdict.
+/// @param best what is known before: a contact, or that there is none
 void findNearest(const StateSearch& state, StateCheck& best) noexcept;
 
 }  // namespace collision_monitor

@@ -9,38 +9,38 @@
 
 namespace collision_monitor {
 
-/// What a block of states was found to be. Truths are 1 and 0.
+/// The answers for a block of states. Truths are 1 and 0.
 struct StatesBlock {
-  StateNumber distance;  ///< [m] of `pair`; infinite where there is none
+  StateNumber distance;  ///< [m] of `pair`; infinity if there is none
   StateNumber pair;      ///< a PairId
   StateNumber is_contact;
   StateNumber is_warning;
   StateNumber is_unknown;  ///< a pose is not finite
 };
 
-/// The states from `first` on, as many as a block holds, of positions as those of checkStates;
-/// behind the last one it is repeated.
+/// Reads a block of states from `first` on, from positions as in checkStates. Repeats the last
+/// state to fill the block.
 void fillVariables(const JointPositions& positions, std::size_t first, StatesWork& work) noexcept;
 
-/// Places frames and bodies of the states whose variables stand in `work`.
+/// Places frames and bodies for the variables in `work`.
 void placeStates(const CycleSetup& setup, StatesWork& work) noexcept;
 
 /// @pre the states are placed.
 void judgeBlock(const CycleSetup& setup, StateQuestion question, const StatesWork& work,
                 StatesBlock& block) noexcept;
 
-/// Poses of all links in one state of the block that was placed.
+/// The poses of all links in one placed state of the block.
 void readLinkPoses(const StatesWork& work, std::size_t lane, std::vector<Pose>& world_from_link);
 
-/// Of a pair that measureLinkPairs is to leave out, in every state.
+/// Marks what a query skips: a state, or a link pair in every state.
 constexpr double kNotAsked = -std::numeric_limits<double>::infinity();
-/// Of a state in which pairs are near that may be in contact, whatever their distance is then.
+/// Marks a state for which only pairs that may be in contact are listed.
 constexpr double kContactsAsked = -std::numeric_limits<double>::max();
 
-/// Distances of the nearest bodies of pairs of links in each state.
+/// Measures the nearest bodies of link pairs in each state.
 /// @pre the states are placed.
-/// @param nearest [m] by LinkPairIndex. Before: how far is asked for. Then: the distance, where it
-/// is less than that; NaN where a pose is not finite.
+/// @param nearest [m] by LinkPairIndex. In: distances beyond it are not needed. Out: the distance
+/// if it is less; NaN if a pose is not finite.
 void measureLinkPairs(const CycleSetup& setup, const StatesWork& work,
                       std::vector<StateNumber>& nearest) noexcept;
 
@@ -48,42 +48,44 @@ void measureLinkPairs(const CycleSetup& setup, const StatesWork& work,
 using BlockChecks = std::array<StateCheck, kStateCount>;
 using OpenStates = std::array<bool, kStateCount>;
 
-/// Which pairs are listed.
+/// Selects the pairs to list.
 struct NearQuery {
-  const StateNumber& asked;  ///< [m] by state: how far; kContactsAsked or kNotAsked
-  std::size_t first;         ///< those pairs of elements of StatesRefinement::order
+  const StateNumber& asked;  ///< [m] by state: lists pairs within it; or kContactsAsked or
+                             ///< kNotAsked
+  std::size_t first;         ///< [first, last) of StatesRefinement::order
   std::size_t last;
-  bool is_convex_only{false};  ///< of those, pairs of convex elements alone
+  bool is_convex_only{false};  ///< only pairs of two convex elements
 };
 
-/// Places the balls about elements in the states of the block.
+/// Places the balls of elements in the states of a block.
 void placeCenters(StatesWork& work) noexcept;
 
-/// Lists pairs of bodies that are near in some states, those of one vector from `lane` on, in
-/// StatesRefinement::near.
-/// @pre the states are placed, and the balls are.
-/// @return how many states that were: of them distances are told.
+/// Lists pairs of bodies in StatesRefinement::near that are near in some states of one vector, from
+/// `lane` on.
+/// @pre states and balls are placed.
+/// @return how many states the vector holds: distances are given for these.
 std::size_t listNear(const CycleSetup& setup, const NearQuery& query, std::size_t lane,
                      StatesWork& work) noexcept;
 
-/// What checkStatesExactly needs beside what enclosing shapes do.
+/// Makes what checkStatesExactly needs beyond enclosing shapes.
 StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork& work);
 
-/// Asks the geometries which states of the block are in contact, and of those for the nearest pair.
-/// @pre the states are placed, and the balls are.
-/// @param open  by state: these are asked. Those in contact are closed, and `checks` tells of them.
+/// Finds by geometries which states of the block are in contact, and their nearest pairs.
+/// @pre states and balls are placed.
+/// @param open by state: the states to search. Closes states in contact and writes their `checks`.
 void settleContacts(const CycleSetup& setup, StatesWork& work, OpenStates& open,
                     BlockChecks& checks) noexcept;
 
-/// Judges those states of the block by the geometries that enclosing shapes leave open. Of
-/// StateQuestion::nearest without those in contact.
-/// @pre the states are placed, and the balls are.
-/// @param open  by state
-/// @param checks  of the states: what enclosing shapes say, then what the geometries do
+/// Judges open states of the block by geometries. For StateQuestion::nearest, states in contact are
+/// settled before.
+/// @pre states and balls are placed.
+/// @param open by state
+/// @param checks by state; in: by enclosing shapes; out: by geometries
 void refineStates(const CycleSetup& setup, StateQuestion question, const OpenStates& open,
                   StatesWork& work, BlockChecks& checks) noexcept;
 
-/// Where the kernel is not sure: state `lane` of a pair of bodies by the plain twin.
+/// The distance of a pair of bodies in state `lane` by the plain twin, where the kernel is not
+/// sure.
 double plainStateDistance(const CycleSetup& setup, const StatesWork& work, const StatePair& pair,
                           std::size_t lane) noexcept;
 

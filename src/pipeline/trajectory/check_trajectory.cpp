@@ -12,13 +12,13 @@
 namespace collision_monitor {
 namespace {
 
-/// Halves of halves ...: parts of 1e-15 of the way from one point to the next.
+/// The shortest part is 1e-15 of a segment.
 constexpr std::size_t kMostHalvings = 50;
-/// [m] Two links are mostly no nearer between two way-points than by this less than at both.
+/// [m] Between two way-points a distance is rarely less than at both by more than this.
 constexpr double kBeyondMargin = 0.1;
-/// Parts of so many segments are looked at as a whole first: far pairs end there.
+/// How many segments are first settled as one part, which is enough for far pairs.
 constexpr std::size_t kSegmentsAtOnce = 8;
-/// Progress is told after parts of 1/16 of the way from one point to the next, and longer ones.
+/// Progress is reported after 1/16 of a segment, and after longer parts.
 constexpr std::size_t kToldHalvings = 4;
 
 Halving& halvingAt(const TrajectorySearch& search, std::size_t depth,
@@ -30,7 +30,7 @@ Halving& halvingAt(const TrajectorySearch& search, std::size_t depth,
   return halvings[depth];
 }
 
-/// Tells how much is done; false once the search is to end.
+/// Reports progress; false if the search must end.
 bool goesOn(TrajectorySearch& search, std::size_t segment, double share) {
   const auto segments = static_cast<double>(search.path.times.size() - 1);
   const double done = (static_cast<double>(segment) + share) / segments;
@@ -40,7 +40,7 @@ bool goesOn(TrajectorySearch& search, std::size_t segment, double share) {
   return !search.is_ended;
 }
 
-/// Settles pairs in the part of the way between two instants of one segment, earlier halves first.
+/// Settles pairs between two instants of one segment, the earlier half first.
 void explore(TrajectorySearch& search, Instant& begin, Instant& end,
              const std::vector<LinkPairIndex>& pairs, std::size_t depth) {
   Halving& halving = halvingAt(search, depth, search.halvings);
@@ -77,14 +77,14 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
   explore(search, middle, end, halving.open, depth + 1);
 }
 
-/// Pairs that the path does not move, and all pairs where there is one way-point only.
+/// Settles pairs that the path does not move; all pairs if there is only one way-point.
 void checkStanding(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs, Instant& at) {
   for (const LinkPairIndex pair : pairs) {
     settle(search, pair, at, at, std::vector<double>(search.path.joints.size(), 0.0));
   }
 }
 
-/// What is not settled is left open where the search ends.
+/// Marks clear pairs as undecided: the search has ended.
 void giveUpAll(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs,
                const Instant& at) {
   for (const LinkPairIndex pair : pairs) {
@@ -94,7 +94,7 @@ void giveUpAll(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs
   }
 }
 
-/// Pairs that the samples at two stops do not settle; how far joints go between them is filled in.
+/// Lists pairs that the samples at two stops do not settle; fills the travel between these.
 void listOpen(TrajectorySearch& search, std::size_t first, std::size_t last,
               const std::vector<LinkPairIndex>& pairs, Halving& range) {
   std::fill(range.travels.begin(), range.travels.end(), 0.0);
@@ -137,8 +137,8 @@ void exploreStops(TrajectorySearch& search, std::size_t first, std::size_t last,
   exploreStops(search, middle, last, range.open, depth + 1);
 }
 
-/// Places the links at the next stops. @return how many segments they bound.
-/// @param measured behind the last way-point whose bodies are: beyond the next it is a stop alone
+/// Places links at the next stops. @return how many segments these bound.
+/// @param measured end of the way-points with measured bodies; stops do not pass it, except one
 std::size_t placeStops(TrajectorySearch& search, std::size_t measured) {
   const std::size_t first = search.first_stop;
   const std::size_t last = std::min(first + kSegmentsAtOnce, measured - 1);
@@ -178,13 +178,13 @@ void followPath(TrajectorySearch& search) {
   }
 }
 
-/// A pair that is to be measured where its bodies were nearest at a way-point, or its balls.
+/// A pair to measure where its bodies at way-points, or else its balls, are nearest.
 struct FarPair {
   NearPlace at;
   LinkPairIndex pair;
 };
 
-/// Clear pairs that are not measured there yet, in order of time.
+/// Lists clear pairs that are not measured there yet, in order of time.
 std::vector<FarPair> listFarPairs(const TrajectorySearch& search) {
   std::vector<FarPair> far;
   for (LinkPairIndex pair = 0; pair < search.chains.size(); ++pair) {

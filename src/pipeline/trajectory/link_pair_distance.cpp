@@ -69,14 +69,14 @@ void measureBodies(LinkPairMeasures& measures, LinkPairIndex pair,
   }
 }
 
-/// How elements are measured.
+/// The cutoff and the kind of a measurement.
 struct Question {
   double cutoff;
   ElementDistance (&measure)(const PlacedElement& a, const PlacedElement& b,
                              ElementSearch& search) noexcept;
 };
 
-/// What is known of two elements, from that of their bodies and their own distance.
+/// The distance of two elements, or that of their bodies if that is the better bound.
 PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pair,
                                 PairDistance distance, const std::vector<Pose>& world_from_link,
                                 const Question& question) noexcept {
@@ -94,11 +94,11 @@ PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pai
   measures.work += found.work;
   measures.outside = std::min(measures.outside, found.outside);
   const bool is_nearer = !(found.measured.distance > distance.measured.distance);
-  // As in refinePairs: the depth of bodies bounds nothing.
+  // As in refinePairs: the depth of bodies is no bound.
   const bool is_depth = found.has_points && distance.measured.distance < 0.0;
   if (found.quality == Quality::unknown ||
       (found.quality == Quality::lower_bound && is_nearer && !is_depth)) {
-    return distance;  // the enclosing shapes know better
+    return distance;  // the enclosing shapes give the better bound
   }
   if (found.has_points) {
     return {distance.pair, found.quality, true, found.measured};
@@ -107,14 +107,14 @@ PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pai
   return distance;
 }
 
-/// Whether two elements whose bodies are `bodies` apart may be nearer than `nearest`, or prove an
-/// overlap where it does not.
+/// Whether elements whose bodies are `bodies` apart may be nearer than `nearest`, or prove an
+/// overlap where `nearest` does not.
 bool mayTellMore(const PairDistance& bodies, const PairDistance& nearest) noexcept {
   return bodies.measured.distance < nearest.measured.distance ||
          (bodies.measured.distance <= 0.0 && nearest.quality != Quality::estimate);
 }
 
-/// Where an overlap is proven whose depth is an estimate, so is all that is deeper.
+/// Once an overlap is an estimate, a deeper distance is an estimate, too.
 void addTo(PairDistance& nearest, const PairDistance& distance) noexcept {
   const bool was_estimate = nearest.quality == Quality::estimate;
   const bool is_estimate = distance.quality == Quality::estimate;
@@ -128,7 +128,7 @@ void addTo(PairDistance& nearest, const PairDistance& distance) noexcept {
   }
 }
 
-/// Where the members of each group start when they stand in order of their groups; and the end.
+/// The first index of each group if members are sorted by group, and the end of the last.
 std::vector<std::uint32_t> startsOf(const std::vector<std::uint32_t>& group_of,
                                     std::size_t group_count) {
   std::vector<std::uint32_t> starts(group_count + 1, 0);
@@ -139,7 +139,7 @@ std::vector<std::uint32_t> startsOf(const std::vector<std::uint32_t>& group_of,
   return starts;
 }
 
-/// Without what only cycles use.
+/// The kinds of memories, without fronts and depths, which only cycles use.
 std::vector<RefineKind> kindsOf(const CycleSetup& setup) {
   std::vector<RefineKind> kinds;
   kinds.reserve(setup.element_pairs.size());

@@ -9,49 +9,49 @@
 #include "motion/conservative_advancement.h"
 #include "pipeline/refine/refine_pairs.h"
 
-/// The distance of two links, in four steps that cost more and say more.
+/// Measures two links in four levels, each costlier and closer than the one before.
 namespace collision_monitor {
 
-/// What the steps share; made for one search.
+/// What the levels share; made for one search.
 struct LinkPairMeasures {
   explicit LinkPairMeasures(const CycleSetup& setup);
 
   const CycleSetup& setup;
   std::vector<Ball> balls;  ///< by LinkId
-  /// By LinkPairIndex: where its pairs start in `body_pairs`, and behind the last their end.
+  /// By LinkPairIndex: the first of its pairs in `body_pairs`; at the end, their number.
   std::vector<std::uint32_t> first_body_pair;
-  std::vector<PairId> body_pairs;  ///< in order of their pairs of links
-  /// By LinkPairIndex: where its pairs start in CycleSetup::element_pairs, and behind the last
-  /// their end.
+  std::vector<PairId> body_pairs;  ///< in order of link pair
+  /// By LinkPairIndex: the first of its pairs in CycleSetup::element_pairs; at the end, their
+  /// number.
   std::vector<ElementPairIndex> first_element_pair;
-  /// By LinkPairIndex: whether some elements have a mesh that is not what is convex around it.
+  /// By LinkPairIndex: whether an element has a mesh that differs from its hull.
   std::vector<unsigned char> has_meshes;
   RefineStore memory;
-  std::vector<PairDistance> nearest_bodies;  ///< of each element pair of the pair of links at hand
+  std::vector<PairDistance> nearest_bodies;  ///< of each element pair of the current link pair
   std::unique_ptr<RefineScratch> scratch;
-  double leeway{0.0};     ///< [m] of elementDistance: how far its elements are from contact
-  double outside{0.0};    ///< [m] of elementDistance: as MeshDistance::outside
-  std::uint64_t work{0};  ///< as RefineLimits::budget counts them; a pair of bodies is one
+  double leeway{0.0};   ///< [m] of the last elementDistance: least distance minus contact distance
+  double outside{0.0};  ///< [m] of the last elementDistance: MeshDistance::outside
+  std::uint64_t work{0};  ///< as in RefineLimits::budget; a pair of bodies counts one
 };
 
-/// [m] A lower bound, by one ball a link.
+/// [m] A lower bound from one ball for each link.
 double ballDistance(const LinkPairMeasures& measures, LinkPairIndex pair,
                     const std::vector<Pose>& world_from_link) noexcept;
 
-/// Of the enclosing shapes.
+/// The distance of the enclosing shapes.
 PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                           const std::vector<Pose>& world_from_link) noexcept;
 
-/// Of what is convex around the elements: a lower bound of their distance, at a hundredth of the
-/// cost of meshes and mostly near it. Where it is their distance, it is refined.
-/// Of depths it is that of the enclosing shapes.
-/// @param enough [m] > 0: of what is farther apart, no more need be known than that.
+/// The distance of the hulls of elements: a lower bound, mostly close, for a hundredth of the work
+/// of meshes. Refined if it is the distance of the elements. For depths it is that of the enclosing
+/// shapes.
+/// @param cutoff [m] > 0: a larger distance need not be known.
 PairDistance hullDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                           const std::vector<Pose>& world_from_link, double cutoff) noexcept;
 
-/// Of the elements.
-/// @param enough [m] > 0: of what is farther apart, no more need be known than that. Meshes apart
-/// take a tenth of the time then, or less.
+/// The distance of the elements.
+/// @param cutoff [m] > 0: a larger distance need not be known, which makes meshes that are apart
+/// ten times faster or more.
 PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                              const std::vector<Pose>& world_from_link,
                              double cutoff = std::numeric_limits<double>::infinity()) noexcept;

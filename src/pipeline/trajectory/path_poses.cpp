@@ -20,7 +20,7 @@ PathPoses::PathPoses(const RobotModel& model, const JointPath& path, const LinkP
         std::find(path.joints.begin(), path.joints.end(), source) != path.joints.end();
     const std::size_t parent = index(joint.parent);
     if (start.part[i] != start.part[parent]) {
-      places_.push_back({i, nullptr, Pose()});  // a part of its own stays where it is
+      places_.push_back({i, nullptr, Pose()});  // the top link of a part stays where it is
       continue;
     }
     places_.push_back({parent, is_moved ? &joint : nullptr,

@@ -9,20 +9,20 @@
 
 namespace collision_monitor {
 
-/// Places links along a path: those that it moves by their joints, the others as they stand to
-/// their parents at the start.
+/// Places links along a path: by joint values where the path moves a joint, else fixed to the
+/// parent link as at the start.
 class PathPoses {
  public:
-  /// @pre `start` is sized for the model; all three outlive this.
+  /// @pre `start` is sized for the model; all arguments outlive this object.
   PathPoses(const RobotModel& model, const JointPath& path, const LinkPoses& start);
 
-  /// Links that are unknown at the start get poses that mean nothing.
+  /// Places the links. Links that are unknown at the start get meaningless poses.
   void place(std::size_t segment, double share, std::vector<Pose>& world_from_link);
 
  private:
   struct LinkPlace {
     std::size_t parent;
-    const Joint* joint;  ///< that the path moves, or nullptr
+    const Joint* joint;  ///< the joint, if the path moves it; else nullptr
     Pose parent_from_child;
   };
 
@@ -30,7 +30,7 @@ class PathPoses {
   const JointPath& path_;
   const LinkPoses& start_;
   JointPositions positions_;
-  std::vector<LinkPlace> places_;  ///< by LinkId; a root, or top of a part, is its own parent
+  std::vector<LinkPlace> places_;  ///< by LinkId; roots and top links are their own parents
 };
 
 }  // namespace collision_monitor

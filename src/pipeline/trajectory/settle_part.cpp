@@ -9,20 +9,20 @@
 namespace collision_monitor {
 namespace {
 
-/// Whether bounds settle a part of the way: no contact, and nothing nearer that must be known.
+/// Whether bounds settle a part: no contact, and no distance that must be known.
 bool reachesCutoff(const TrajectorySearch& search, LinkPairIndex pair, double bound,
                    double leeway) noexcept {
   return leeway > search.options.tolerance && bound > wantedOf(search, pair);
 }
 
-/// [m] Elements that are so far apart settle a part of the way by themselves.
+/// [m] If elements are farther apart than this at one end, their part is settled.
 double cutoffFor(const TrajectorySearch& search, LinkPairIndex pair, double travel) noexcept {
   const double contact = std::max(0.0, search.setup.limits.contact_distance);
   return std::max(wantedOf(search, pair), contact + search.options.tolerance) +
          search.options.tolerance + travel;
 }
 
-/// [m] How far the links may go until they are in contact.
+/// [m] How far the links may travel before they can be in contact.
 double travelOf(const Sample& sample) noexcept { return std::min(sample.leeway, sample.outside); }
 
 void raiseToBodies(TrajectorySearch& search, LinkPairIndex pair, Instant& at) noexcept {
@@ -35,12 +35,12 @@ void raiseToBodies(TrajectorySearch& search, LinkPairIndex pair, Instant& at) no
   keepNearest(search, pair, distance, at, Found::bodies);
 }
 
-/// @param enough [m] > 0: farther apart is not measured
+/// @param cutoff [m] > 0: larger distances are not measured
 void raiseToHulls(TrajectorySearch& search, LinkPairIndex pair, double cutoff,
                   Instant& at) noexcept {
   Sample& sample = at.samples[pair];
   const PairDistance distance = hullDistance(search.measures, pair, at.world_from_link, cutoff);
-  // Where some depth is allowed, that is asked of each pair of elements.
+  // If some depth is allowed, each pair of elements must be measured.
   const bool is_final = distance.is_refined && search.setup.limits.contact_distance >= 0.0;
   const Sample found = sampleBy(search, distance.measured.distance, Level::hulls);
   sample.bound = std::max(sample.bound, found.bound);
@@ -53,12 +53,12 @@ void raiseToHulls(TrajectorySearch& search, LinkPairIndex pair, double cutoff,
                         : Found::bodies);
 }
 
-/// @param enough [m] > 0: farther apart is not measured
+/// @param cutoff [m] > 0: larger distances are not measured
 void raiseToElements(TrajectorySearch& search, LinkPairIndex pair, double cutoff,
                      Instant& at) noexcept {
   Sample& sample = at.samples[pair];
   const PairDistance distance = elementDistance(search.measures, pair, at.world_from_link, cutoff);
-  // An estimate of a depth is a contact, however deep that may be allowed to be.
+  // An estimate is a contact at any depth.
   const bool is_overlap = distance.quality == Quality::estimate;
   sample.bound = is_overlap ? -kInfinity : std::max(sample.bound, distance.measured.distance);
   sample.outside = std::max(sample.leeway, search.measures.outside);
@@ -86,7 +86,7 @@ void keepContact(TrajectorySearch& search, LinkPairIndex pair, const Instant& at
   }
 }
 
-/// What comes after bodies.
+/// Raises a sample to the level after bodies.
 void raiseFromBodies(TrajectorySearch& search, LinkPairIndex pair, double travel,
                      Instant& at) noexcept {
   const bool has_hulls =
@@ -94,12 +94,13 @@ void raiseFromBodies(TrajectorySearch& search, LinkPairIndex pair, double travel
   (has_hulls ? raiseToHulls : raiseToElements)(search, pair, cutoffFor(search, pair, travel), at);
 }
 
-/// Raises what helps to settle a part, the cheaper first; false if nothing does.
+/// Raises the level of one sample that helps to settle the part, cheaper levels first.
+/// @return false if none helps.
 bool raiseOne(TrajectorySearch& search, LinkPairIndex pair, double travel, Instant& begin,
               Instant& end) noexcept {
   for (Instant* at : {&begin, &end}) {
     if (at->samples[pair].level == Level::balls) {
-      // Where bodies did not tell at the other end, they mostly do not here.
+      // If bodies did not settle the other end, they mostly do not settle this one.
       const Level other = (at == &begin ? end : begin).samples[pair].level;
       other > Level::bodies ? raiseFromBodies(search, pair, travel, *at)
                             : raiseToBodies(search, pair, *at);
@@ -108,7 +109,7 @@ bool raiseOne(TrajectorySearch& search, LinkPairIndex pair, double travel, Insta
   }
   for (const Level level : {Level::bodies, Level::hulls}) {
     for (Instant* at : {&begin, &end}) {
-      // A bound that is sufficient by itself is not what fails: the way is too long.
+      // A sample whose bound suffices alone is not at fault: the travel is too long.
       const Sample& sample = at->samples[pair];
       if (sample.level == level && !reachesCutoff(search, pair, sample.bound, sample.leeway)) {
         raiseFromBodies(search, pair, travel, *at);
@@ -119,7 +120,7 @@ bool raiseOne(TrajectorySearch& search, LinkPairIndex pair, double travel, Insta
   return false;
 }
 
-/// What a sample says of another time, up to which the links go a way.
+/// Raises a sample by the bound of another sample minus the travel between these.
 void carryOver(const Sample& from, double travel, Sample& to) noexcept {
   if (to.level != Level::elements || to.is_bound) {
     to.bound = std::max(to.bound, from.bound - travel);
@@ -127,7 +128,7 @@ void carryOver(const Sample& from, double travel, Sample& to) noexcept {
   }
 }
 
-/// [m] A lower bound on the way between two samples, or of what is left of it until contact.
+/// [m] A lower bound between two samples, of distances or of travel left until contact.
 double between(double begin, double end, double travel) noexcept {
   return 0.5 * (std::max(begin, end - travel) + std::max(end, begin - travel) - travel);
 }
@@ -142,7 +143,7 @@ bool settleFar(TrajectorySearch& search, LinkPairIndex pair, const Instant& begi
   }
   const Sample& at_begin = begin.samples[pair];
   const Sample& at_end = end.samples[pair];
-  // The way takes time to bound.
+  // boundMotion takes time: skips it if the larger sample does not suffice.
   if (!reachesCutoff(search, pair, std::max(at_begin.bound, at_end.bound),
                      std::max(travelOf(at_begin), travelOf(at_end)))) {
     return false;

@@ -22,7 +22,7 @@ double ballsApart(const TrajectorySearch& search, LinkPairIndex pair, const Inst
          balls[index(links.a)].radius - balls[index(links.b)].radius;
 }
 
-/// Measures the elements of a pair if they may be nearer than all that is known of it.
+/// Measures the elements of a pair if they may be nearer than its nearest measurement.
 void lookForNearer(TrajectorySearch& search, LinkPairIndex pair, double bound, Instant& at) {
   const double wanted = wantedOf(search, pair);
   if (!(wanted > 0.0) || bound > wanted) {

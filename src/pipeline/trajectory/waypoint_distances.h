@@ -10,29 +10,29 @@
 
 namespace collision_monitor {
 
-/// How far the enclosing shapes of links are apart at the way-points of a path: of some blocks of
-/// states at hand, each as many way-points at once as it holds.
+/// Distances of the enclosing shapes of link pairs at the way-points of a path. Holds some blocks
+/// of way-points; the way-points of a block are measured at once.
 struct WaypointDistances {
-  double reach;  ///< [m] farther apart is not measured
+  double reach;  ///< [m] larger distances are not measured
   StatesWork work;
-  JointPositions positions;  ///< of all way-points, as for checkStates
-  /// By LinkPairIndex, of the blocks at hand.
+  JointPositions positions;  ///< of all way-points, as in checkStates
+  /// By block and LinkPairIndex.
   std::vector<std::vector<StateNumber>> nearest;
-  std::size_t first{0};  ///< way-point of these blocks
-  std::size_t last{0};   ///< behind them
+  std::size_t first{0};  ///< first way-point of the blocks
+  std::size_t last{0};   ///< end of the blocks
 };
 
-/// @param start as for checkTrajectory
+/// @param start as in checkTrajectory
 WaypointDistances makeWaypointDistances(const CycleSetup& setup, const JointPath& path,
                                         const LinkPoses& start, double reach);
 
-/// Measures these pairs in the blocks from that of the way-point on, unless it is at hand.
-/// @return steps, as RefineLimits::budget: a pair of bodies is one for the block.
+/// Measures these pairs in blocks from that of the way-point on, unless the blocks hold it.
+/// @return work as in RefineLimits::budget: a pair of bodies counts one for each block.
 std::uint64_t measureWaypoint(const CycleSetup& setup, const std::vector<LinkPairIndex>& pairs,
                               std::size_t waypoint, WaypointDistances& distances) noexcept;
 
-/// [m] The reach, where that is less; NaN where a link is not known.
-/// @pre the way-point is at hand.
+/// [m] The distance, at most `reach`; NaN if a link is not known.
+/// @pre the blocks hold the way-point.
 inline double distanceAt(const WaypointDistances& distances, std::size_t waypoint,
                          LinkPairIndex pair) noexcept {
   const std::size_t place = waypoint - distances.first;

@@ -110,7 +110,7 @@ RC_GTEST_PROP(FirstContactLaws, straightMotions_closedFormsAgreeWithAdvancement,
   // So little that it counts as depth and not as time, yet no closed form is taken.
   const SweptContact advanced = scene.meet(1e-12);
   RC_ASSERT(straight.state == advanced.state);
-  RC_ASSERT(straight.steps <= 1U);
+  RC_ASSERT(straight.work <= 1U);
   if (straight.state == SweepState::contact) {
     RC_ASSERT(scene.distanceAt(advanced.time) <= kDistance);
     RC_ASSERT(advanced.time <= straight.time + 1e-9);

@@ -139,7 +139,7 @@ TEST(RefineProperty, bodiesThatWaitChangeNoByte) {
     ASSERT_EQ(forgetful.events.verdicts, remembering.events.verdicts);
     of_all += forgetful.counters.measured;
     of_nearest += remembering.counters.measured;
-    had_to += remembering.waiting.size();
+    had_to += remembering.deferred.size();
   }
   EXPECT_LT(5 * of_nearest, 4 * of_all);
   EXPECT_GT(had_to, 100U) << "too few waited in vain to prove anything";

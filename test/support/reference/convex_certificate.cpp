@@ -16,7 +16,7 @@ Real clampedBoxReach(const Eigen::Vector3d& half_extents, const Vector& directio
   return half_extents.cast<Real>().dot(direction.cwiseAbs());
 }
 
-// In the body frame.
+// The greatest projection on a direction, in the body frame.
 Real reach(const Sphere& s, const Vector& d) { return s.radius * d.norm(); }
 Real reach(const Capsule& s, const Vector& d) {
   return s.half_length * std::abs(d.z()) + s.radius * d.norm();
@@ -40,7 +40,7 @@ Real reach(const HalfSpace&, const Vector& d) {
   return is_normal ? 0 : std::numeric_limits<Real>::infinity();
 }
 
-// Signed distance of a point, or a bound of it from below.
+// The signed distance of a point, or a lower bound of it.
 Real outside(const Sphere& s, const Vector& p) { return p.norm() - s.radius; }
 Real outsideBox(const Eigen::Vector3d& half_extents, const Vector& p) {
   const Vector beyond = p.cwiseAbs() - half_extents.cast<Real>();

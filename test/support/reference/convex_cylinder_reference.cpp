@@ -7,10 +7,10 @@
 
 #include "support/reference/convex_polyhedron.h"
 
-// A cylinder and a polyhedron have few kinds of contact, each found by a search in one dimension:
-// apart, a corner, an edge or a face of the polyhedron is nearest to the cylinder; overlapping, the
-// way out is along a face normal, along the axis, across the axis, or across an edge. Two
-// cylinders are searched over all directions.
+// A cylinder and a polyhedron have few kinds of contact. A search in one dimension finds each.
+// Apart: a corner, an edge or a face of the polyhedron is nearest to the cylinder. Overlapping: the
+// least translation is along a face normal, along the axis, across the axis, or across an edge. For
+// two cylinders all directions are searched.
 namespace collision_monitor::test {
 namespace {
 
@@ -28,7 +28,7 @@ struct Peak {
   }
 };
 
-// The largest value of `f` on [low, high]: samples, and golden sections about those that are no
+// The largest value of `f` on [low, high]: samples, then golden sections around those that are no
 // lower than their neighbours.
 template <class Function>
 Peak largestOn(Real low, Real high, int samples, const Function& f) {
@@ -68,7 +68,7 @@ struct CylinderAndPolyhedron {
   Polyhedron other;
 };
 
-// From the cylinder's nearest point to `p`.
+// From the cylinder's closest point to `p`.
 Vector wayFromCylinder(const CylinderAndPolyhedron& pair, const Vector& p) {
   const Real axis_distance = std::hypot(p.x(), p.y());
   const Real across = std::max<Real>(0, axis_distance - pair.radius);
@@ -81,7 +81,7 @@ Real reachOfCylinder(const CylinderAndPolyhedron& pair, const Vector& n) {
   return pair.radius * std::hypot(n.x(), n.y()) + pair.half_length * std::abs(n.z());
 }
 
-// Gap along the unit direction from the cylinder to the polyhedron.
+// The gap along the unit direction from the cylinder to the polyhedron.
 Real gapOf(const CylinderAndPolyhedron& pair, const Vector& direction) {
   Real start = kUnbounded;
   for (const Vector& point : pair.other.points) {
@@ -90,7 +90,7 @@ Real gapOf(const CylinderAndPolyhedron& pair, const Vector& direction) {
   return start - reachOfCylinder(pair, direction);
 }
 
-// Of the face's inside to the cylinder's point nearest to its plane; none when that is elsewhere.
+// From the face's inside to the cylinder's point nearest to its plane, if it projects inside.
 Real distanceToFace(const CylinderAndPolyhedron& pair, const std::array<std::uint32_t, 3>& t) {
   const Polyhedron& p = pair.other;
   const Vector normal = normalOf(p, t).normalized();
@@ -108,8 +108,8 @@ Real distanceToFace(const CylinderAndPolyhedron& pair, const std::array<std::uin
   return beyond >= 0 ? beyond : kUnbounded;
 }
 
-// Of corners and edges to the cylinder. Where something else overlaps, they may be apart all the
-// same, so what they say holds only if a plane between the two bears it out.
+// From corners and edges to the cylinder. They may be apart although something else overlaps, so
+// their distance holds only if a plane between both bodies confirms it.
 Real distanceApart(const CylinderAndPolyhedron& pair) {
   const Polyhedron& p = pair.other;
   Vector way = Vector::Constant(kUnbounded);
@@ -185,7 +185,7 @@ Directed lookAlong(const PosedConvexPair& pair, const Vector& direction) {
           unit};
 }
 
-// The best of a grid about `best`, turned by `angle` so that ridges run along it now and then.
+// The best of a grid around `best`, rotated by `angle` so that ridges sometimes run along it.
 Directed bestOfGrid(const PosedConvexPair& pair, Directed best, Real window, Real angle) {
   constexpr int kHalf = 4;
   const Vector first = best.direction.unitOrthogonal();
@@ -205,7 +205,7 @@ Directed bestOfGrid(const PosedConvexPair& pair, Directed best, Real window, Rea
 Directed refined(const PosedConvexPair& pair, Directed best) {
   Real angle = 0;
   for (Real window = 0.06L; window > 1e-16L; window *= 0.6L) {
-    // Along a ridge the way may be longer than the window.
+    // Along a ridge the search may travel farther than the window.
     int idle = 0;
     for (int turn = 0; turn < 60 && idle < 4; ++turn) {
       const Directed next = bestOfGrid(pair, best, window, angle += 1.0L);
@@ -216,7 +216,7 @@ Directed refined(const PosedConvexPair& pair, Directed best) {
   return best;
 }
 
-// Directions that kinks and ridges favour: the axes of both frames.
+// Directions where kinks and ridges are likely: the axes of both frames.
 std::vector<Vector> startDirections(const PosedConvexPair& pair) {
   constexpr int kCount = 3000;
   std::vector<Vector> directions;

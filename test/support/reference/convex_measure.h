@@ -6,7 +6,7 @@
 
 namespace collision_monitor::test {
 
-/// A cold search: an empty warm start, scratch of its own.
+/// Measures without a warm start, in its own workspace.
 inline ConvexDistance measureCold(const ConvexGeometry& a, const Pose& world_from_a,
                                   const ConvexGeometry& b, const Pose& world_from_b) {
   static thread_local ConvexWorkspace workspace;

@@ -10,13 +10,13 @@
 
 #include "support/convex_cases.h"
 
-/// What the parts of the slow reference share; see convex_reference.h.
+/// Shared by the parts of the slow reference; see convex_reference.h.
 namespace collision_monitor::test {
 
 using Real = long double;
 using Vector = Eigen::Matrix<Real, 3, 1>;
 
-/// The core of a geometry, placed, with every feature it has.
+/// The placed core of a geometry, with all its features.
 struct Polyhedron {
   std::vector<Vector> points;
   std::vector<std::pair<std::size_t, std::size_t>> edges;
@@ -27,10 +27,10 @@ struct Polyhedron {
 /// @pre the geometry is neither a cylinder nor a half space.
 Polyhedron polyhedronOf(const ConvexGeometry& geometry, const Pose& pose);
 
-/// Outward, twice the area long.
+/// Outward; its length is twice the area.
 Vector normalOf(const Polyhedron& p, const std::array<std::uint32_t, 3>& t);
 
-/// A pair with a cylinder.
+/// For a pair with a cylinder.
 Real cylinderReference(const PosedConvexPair& pair);
 
 }  // namespace collision_monitor::test

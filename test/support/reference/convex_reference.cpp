@@ -107,7 +107,7 @@ bool isFlat(const Polyhedron& p) {
          });
 }
 
-// Two flat pieces in one plane have a difference without volume, whose sides stand on that plane.
+// Flat pieces in one plane: their Minkowski difference has no volume, and sides across the plane.
 template <class Offer>
 void offerSidesOfFlat(const Polyhedron& a, const Polyhedron& b, const Offer& offer) {
   for (const Polyhedron* plane : {&a, &b}) {
@@ -164,7 +164,7 @@ Real distanceOfEdges(const Vector& p, const Vector& u, const Vector& q, const Ve
   return (between + on_v * v - clampToUnit((between + on_v * v).dot(u) / uu) * u).norm();
 }
 
-// To the inside of the triangle only; its edges are looked at elsewhere.
+// Only to the inside of the triangle; its edges are tested elsewhere.
 Real distanceToInside(const Vector& point, const Vector& a, const Vector& b, const Vector& c) {
   const Vector normal = (b - a).cross(c - a);
   const Real squared = normal.squaredNorm();

@@ -7,8 +7,8 @@
 
 namespace collision_monitor::test {
 
-/// Signed distance of a point to a placed shape with 64 bits of mantissa, written independently of
-/// the library: the point's coordinates solve R x = p - t, whether or not R is orthonormal.
+/// Signed distance of a point to a placed shape with 64-bit mantissa, independent of the library:
+/// the point's coordinates solve R x = p - t even if R is not orthonormal.
 long double extendedDistance(const Shape& shape, const Pose& world_from_body,
                              const Eigen::Vector3d& point);
 

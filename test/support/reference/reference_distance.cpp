@@ -14,10 +14,10 @@ namespace {
 using Real = long double;
 using Vector = Eigen::Matrix<Real, 3, 1>;
 
-// Sines below this are taken for parallel; a facet so thin moves the depth by 1e-18 of its length.
+// Smaller sines count as parallel. So thin a facet moves the depth by 1e-18 of its length.
 constexpr Real kParallelSine = 1e-18L;
 
-// The set b - a of the cores: its generators are the half edges of both.
+// The set b - a of the cores. Its generators are the half edges of both.
 struct Zonotope {
   Vector center;
   std::vector<Vector> generators;
@@ -43,7 +43,7 @@ Zonotope differenceOfCores(const Shape& a, const Pose& world_from_a, const Shape
   return zonotope;
 }
 
-// Distance of the origin to the supporting plane that faces it; > 0 when the origin is outside.
+// Distance of the origin to the supporting plane that faces it; > 0 if the origin is outside.
 Real gapAlong(const Zonotope& zonotope, const Vector& unit_normal) {
   Real gap = std::abs(unit_normal.dot(zonotope.center));
   for (const Vector& generator : zonotope.generators) {
@@ -61,7 +61,7 @@ struct Answer {
   Vector normal{Vector::UnitX()};
 };
 
-// The largest gap over all normals a facet can have: the signed distance when it is <= 0.
+// The largest gap over all possible facet normals: the signed distance if it is <= 0.
 Answer largestGap(const Zonotope& zonotope) {
   Answer best{-std::numeric_limits<Real>::infinity(), Vector::UnitX()};
   const auto offer = [&](const Vector& unit_normal) {
@@ -76,8 +76,8 @@ Answer largestGap(const Zonotope& zonotope) {
   for (std::size_t i = 0; i < zonotope.generators.size(); ++i) {
     const Vector first = zonotope.generators[i].normalized();
     for (std::size_t j = i + 1; j < zonotope.generators.size(); ++j) {
-      // Made orthogonal before the cross product, so that the normal stays perpendicular to both
-      // generators however small their angle.
+      // Made orthogonal before the cross product, so that the normal is perpendicular to both
+      // generators even at tiny angles.
       const Vector direction = zonotope.generators[j].normalized();
       const Vector second = direction - first.dot(direction) * first;
       if (second.norm() > kParallelSine) {
@@ -90,15 +90,15 @@ Answer largestGap(const Zonotope& zonotope) {
 
 Real clampToOne(Real value) { return std::max(Real(-1), std::min(Real(1), value)); }
 
-// The part of `vector` across `g`. Twice, for the first pass leaves what rounding put along g,
-// which is all there is when the two are all but parallel.
+// The part of `vector` across `g`. Done twice: when the two are nearly parallel, the first pass
+// leaves mostly rounding along g.
 Vector across(const Vector& g, const Vector& vector) {
   const Vector once = vector - g.dot(vector) / g.squaredNorm() * g;
   return once - g.dot(once) / g.squaredNorm() * g;
 }
 
-// The point nearest to the origin in { start + u g + v h, |u|, |v| <= 1 } as far as the plane's
-// own nearest point, clamped, tells; clamped answers are points of the set all the same.
+// The point nearest to the origin in { start + u g + v h, |u|, |v| <= 1 }. It clamps the plane's
+// nearest point; a clamped answer is a point of the set all the same.
 Vector nearestInTile(const Vector& start, const Vector& g, const Vector& h) {
   const Vector h_across = across(g, h);
   Real v = 0;
@@ -122,7 +122,7 @@ struct Nearest {
   }
 };
 
-// Every corner, edge and tile of the zonotope (and inner ones, which do no harm).
+// Tests every corner, edge and tile of the zonotope, and inner ones, which do no harm.
 Vector nearestToOrigin(const Zonotope& zonotope) {
   const std::vector<Vector>& g = zonotope.generators;
   Nearest nearest;
@@ -132,7 +132,7 @@ Vector nearestToOrigin(const Zonotope& zonotope) {
       corner += ((signs >> k) & 1U) != 0U ? g[k] : Vector(-g[k]);
     }
     nearest.offer(corner);
-    // A free variable is counted once, from the corner where it is at its lower bound.
+    // Counts a free variable once, from the corner where it is at its lower bound.
     for (std::size_t i = 0; i < g.size(); ++i) {
       if (((signs >> i) & 1U) != 0U) {
         continue;
@@ -159,7 +159,7 @@ Reference referenceDistance(const Shape& a, const Pose& world_from_a, const Shap
   if (cores.distance > 0) {
     const Vector nearest = nearestToOrigin(zonotope);
     const Real distance = nearest.norm();
-    // Either bound may lie on the wrong side by rounding when the origin is all but touched.
+    // If the origin nearly touches, rounding may put either bound on the wrong side.
     if (distance > cores.distance) {
       const Vector normal = nearest / distance;
       certified_gap = distance - std::max(cores.distance, gapAlong(zonotope, normal));

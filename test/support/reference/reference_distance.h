@@ -9,26 +9,26 @@
 
 namespace collision_monitor::test {
 
-/// What the slow exact reference knows of a pair.
+/// The result of the slow exact reference for a pair.
 ///
-/// Sign and normal as in SignedDistance. Where the normal is not unique it is one of them.
+/// Sign and normal as in SignedDistance. If the normal is not unique, it is one of several.
 struct Reference {
   double distance{0.0};
   Eigen::Vector3d normal_a_to_b{Eigen::Vector3d::UnitX()};
-  /// For cores that are apart: the distance of two points actually found, minus the largest gap
-  /// of the cores' projections on a line, which no two points can undercut. The true
-  /// distance lies between the two, so this bounds the reference's own error. 0 for overlaps.
+  /// For cores apart: the distance of two actual points, minus the largest gap of the cores'
+  /// projections on a line, which no two points can undercut. The true distance lies between, so
+  /// this bounds the reference's error. 0 for overlaps.
   double certified_gap{0.0};
 };
 
-/// Signed distance by another road than the package's, in extended precision (64-bit mantissa).
+/// Signed distance by another method than the package's, in extended precision (64-bit mantissa).
 ///
 /// The Minkowski difference of two cores is a zonotope: center + sum of lambda_k g_k with
-/// |lambda_k| <= 1 and up to six generators g_k, the half edges of both. Apart: the point of it
-/// nearest to the origin is a least squares problem with bounds, solved for every choice of at
-/// most two free variables, the rest at their bounds. Overlapping: the depth is the least
-/// distance to a supporting plane over all normals that a facet can have, namely the cross
-/// products of the generators and, for flat zonotopes, the axes of both poses.
+/// |lambda_k| <= 1 and up to six generators g_k, the half edges of both. Apart: its point nearest
+/// to the origin is a least squares problem with bounds, solved for every choice of at most two
+/// free variables, with the rest at their bounds. Overlapping: the depth is the least distance to a
+/// supporting plane over all possible facet normals. These are the cross products of the generators
+/// and, for flat zonotopes, the axes of both poses.
 ///
 /// Error: about 1e-18 relative to the lengths involved. Takes tens of microseconds.
 /// Source: McMullen, "On zonotopes" (1971), for facets and their tilings.

@@ -12,11 +12,11 @@ namespace {
 using Columns = Eigen::Matrix<Real, 3, Eigen::Dynamic, 0, 3, 3>;
 using Parameters = Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, 3, 1>;
 
-constexpr Real kInside = 1e-17L;  // parameters this little outside are clamped
+constexpr Real kInside = 1e-17L;  // parameters outside by no more than this are clamped
 
 RealVector exact(const Eigen::Vector3d& point) { return point.cast<Real>(); }
 
-// Clamps parameters that are outside by rounding; false when one is farther out.
+// Clamps parameters that are outside by rounding; false if one is farther outside.
 bool bringInside(const ReferenceFeature& feature, Eigen::Ref<Parameters> parameters) {
   Real sum = 0;
   for (Eigen::Index i = 0; i < parameters.size(); ++i) {

@@ -41,7 +41,7 @@ std::vector<fs::path> filesBelow(const fs::path& folder, const std::string& exte
   return files;
 }
 
-/// Where a folder holds several robots, the SRDFs with the name of the URDF.
+/// If a folder holds several robots: the SRDFs with the name of the URDF.
 std::vector<fs::path> srdfsFor(const fs::path& urdf, const std::vector<fs::path>& srdfs) {
   std::vector<fs::path> same_name;
   for (const fs::path& srdf : srdfs) {
@@ -57,7 +57,7 @@ void appendRobots(const fs::path& folder, const fs::path& package_root,
   const std::vector<fs::path> srdfs = filesBelow(folder, ".srdf");
   const std::vector<fs::path> urdfs = filesBelow(folder, ".urdf");
   for (const fs::path& urdf : urdfs) {
-    // Where one robot has a folder to itself, its SRDF may have any name.
+    // If a folder holds one robot, its SRDF may have any name.
     robots.push_back({(folder.filename() / urdf.filename()).string(), urdf, package_root,
                       urdfs.size() == 1 ? srdfs : srdfsFor(urdf, srdfs)});
   }
@@ -81,7 +81,7 @@ ResourceLoader fileLoader(const fs::path& root) {
     const std::string package = "package://";
     const std::string file = "file://";
     if (uri.compare(0, kOwnPackage.size(), kOwnPackage) == 0) {
-      // A checkout may have any name.
+      // The folder of a checkout may have any name.
       return readFile(fs::path(COLLISION_MONITOR_SOURCE_DIR) / uri.substr(kOwnPackage.size()));
     }
     if (uri.compare(0, package.size(), package) == 0) {

@@ -66,7 +66,7 @@ TriangleMesh angleMesh() {
 }
 
 Pose hookedPose() {
-  // Half a turn about z; one bar ends up 0.02 m above the other's end, one inside the other angle.
+  // Half a turn about z. One bar is 0.02 m above the other's end, one inside the other angle.
   Pose pose;
   pose.rotation.diagonal() = Eigen::Vector3d(-1.0, -1.0, 1.0);
   pose.translation = Eigen::Vector3d(0.25, 0.42, 0.0);

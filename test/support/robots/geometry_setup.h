@@ -8,15 +8,15 @@
 
 namespace collision_monitor::test {
 
-/// A set-up of free-floating links with one geometry each, fitted and made ready to be refined as
-/// buildSetup does; every pair of links checked. Elements are called "collision_0".
+/// A set-up of free-floating links with one geometry each, fitted and prepared for refinement as in
+/// buildSetup. Every pair of links is checked. Elements are called "collision_0".
 CycleSetup geometrySetup(const std::vector<Geometry>& geometries, const SetupOptions& options);
 
-/// The same for links that have collision elements and nothing else yet.
+/// As above, for links that only have collision elements so far.
 CycleSetup linkSetup(const std::vector<std::vector<CollisionElement>>& links,
                      const SetupOptions& options);
 
-/// A closed angle of two bars 0.1 m thick, from the origin 0.3 m along x and 0.3 m along y, and
+/// A closed angle of two bars 0.1 m thick: 0.3 m along x and 0.3 m along y from the origin, and
 /// from -0.05 m to 0.05 m in z.
 TriangleMesh angleMesh();
 

@@ -17,7 +17,7 @@ struct ShapeOnLink {
   Pose link_from_body{};
 };
 
-/// A set-up of free-floating links, every pair of links checked, shapes exact.
+/// A set-up of free-floating links with exact shapes. Every pair of links is checked.
 /// @pre shapes are in order of link.
 CycleSetup handMadeSetup(const std::vector<ShapeOnLink>& shapes, const Limits& limits = Limits());
 

@@ -7,7 +7,7 @@
 
 namespace collision_monitor::test {
 
-/// A joint of any type from an earlier link to `child`, now and then a mimic joint.
+/// A joint of any type from an earlier link to `child`, sometimes a mimic joint.
 inline Joint randomJoint(std::size_t child, Random& random, RobotModel& model) {
   constexpr JointType kTypes[] = {JointType::fixed,     JointType::revolute, JointType::continuous,
                                   JointType::prismatic, JointType::planar,   JointType::floating};
@@ -33,7 +33,7 @@ inline Joint randomJoint(std::size_t child, Random& random, RobotModel& model) {
   return joint;
 }
 
-/// One robot, any tree of any joints.
+/// One robot: a random tree of random joints.
 inline RobotModel randomModel(std::size_t links, Random& random) {
   RobotModel model;
   model.robots.push_back({"robot", "", LinkId{0}, 0, links, 0, links - 1});

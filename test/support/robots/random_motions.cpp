@@ -39,7 +39,7 @@ ConvexHull randomHull(Random& random) {
   return ConvexHull(points);
 }
 
-/// Through the plate z = 0 around the origin, by 0.1 m from 0.03 to 0.07 m above it.
+/// Through the plate z = 0 near the origin: 0.1 m, from 0.03 to 0.07 m above it.
 ScrewMotion crossingMotion(Random& random) {
   Pose start{randomRotation(random), randomPoint(random, 0.1)};
   start.translation.z() = uniform(random, 0.03, 0.07);

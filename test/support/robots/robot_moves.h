@@ -13,19 +13,19 @@
 #include "pipeline/data/cycle_data.h"
 #include "support/robots/file_loader.h"
 
-/// Robots in random configurations and on the way between them.
+/// Robots in random configurations and in motion between them.
 namespace collision_monitor::test {
 
-/// The first of the shared data or urdf/ with this in its name; if there is none, says so.
+/// The first robot of the shared data or urdf/ with this in its name; prints a line if none has.
 std::optional<RobotFile> findRobot(const std::string& name);
 
-/// One variable moves it, and no other joint does.
+/// Whether one variable moves it, and no other joint does.
 bool isDrawn(const Joint& joint);
 
-/// Each of these joints anywhere between its limits, where these are not too wide.
+/// Draws each of these joints uniformly between its limits, and within 1 m or 3 rad of zero.
 JointPositions drawPositions(const RobotModel& model, std::mt19937_64& random);
 
-/// As a monitor is set up by default: it tells distances of meshes to 0.1 mm.
+/// The default of the monitor: distances of meshes to 0.1 mm.
 constexpr double kMonitorTolerance = 1e-4;  // [m]
 
 JointPositions between(const JointPositions& from, const JointPositions& to, double share);
@@ -33,18 +33,18 @@ JointPositions between(const JointPositions& from, const JointPositions& to, dou
 /// Every link known, roots at the origin.
 LinkPoses posesAt(const RobotModel& model, const JointPositions& positions);
 
-/// All joints that move go evenly from one random configuration to the next, and to two more: 100
+/// A path on which all movable joints move evenly through four random configurations: 100
 /// way-points a tenth of a second apart.
 JointPath randomPath(const RobotModel& model);
 
-/// The robots go from one random configuration towards the next, the fastest joint at a speed, for
-/// half a second, and poses come at a rate; then from and to others. Always the same moves.
+/// Moves robots from one random configuration towards the next for half a second, the fastest joint
+/// at a speed, with poses at a rate. Later moves have other configurations; always the same ones.
 class Mover {
  public:
   /// @param speed [rad/s] @param model outlives this.
   Mover(const RobotModel& model, double rate, double speed);
 
-  /// The poses of the next move, with velocities; stamps go on.
+  /// The poses of the next move, with velocities; stamps continue.
   std::vector<LinkPoses> next();
 
  private:

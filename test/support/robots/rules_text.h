@@ -9,9 +9,9 @@
 
 namespace collision_monitor::test {
 
-/// Rules for shapes read from text, with all that was said about them, for robots that are all the
-/// same arm: base - arm_1 - arm_2 - hand - tool, of which the tool has no geometry. Its SRDF has
-/// the groups tip, of hand and tool, and void.
+/// Rules for shapes read from text, with all messages. All robots are the same arm: base, arm_1,
+/// arm_2, hand, tool, where the tool has no geometry. Its SRDF has the groups tip (hand and tool)
+/// and void.
 struct ReadRules {
   RobotModel model;
   std::vector<LinkRules> rules;
@@ -19,14 +19,14 @@ struct ReadRules {
   std::vector<std::string> warnings;
 
   const LinkRules& of(const std::string& link) const;
-  /// Names of the links for which the rules set a maximum of shapes.
+  /// The links for which the rules set a maximum of shapes.
   std::vector<std::string> withMaximum() const;
 };
 
-/// One robot for each prefix; the text is called "rules.yaml".
+/// One robot per prefix; the text is called "rules.yaml".
 ReadRules readRules(const std::string& yaml, const std::vector<std::string>& prefixes = {""});
 
-/// The same with one rule for the link "arm_1"; the fields stand from line 3 on.
+/// As above, with one rule for the link "arm_1"; the fields start at line 3.
 ReadRules readFields(const std::string& fields);
 
 }  // namespace collision_monitor::test

@@ -10,8 +10,8 @@
 
 namespace collision_monitor::test {
 
-/// A URDF read from text, with all that was said about it. The text of a test
-/// starts in line 1 with <robot name="r">; its parts go to the lines after.
+/// A URDF read from text, with all messages. The text of a test starts in line 1 with <robot
+/// name="r">; its parts follow in the next lines.
 struct ReadText {
   RobotModel model;
   SetupReport report;
@@ -34,7 +34,7 @@ std::string jointXml(const std::string& name, const std::string& type, const std
 /// A description called "test.urdf".
 RobotDescription describeText(const std::string& xml);
 
-/// Loads what stands in `files` by exact name and nothing else.
+/// Loads the content of `files` by exact name and nothing else.
 ResourceLoader textLoader(const std::map<std::string, std::string>& files);
 
 ReadText readText(const std::string& xml, const std::map<std::string, std::string>& files = {});

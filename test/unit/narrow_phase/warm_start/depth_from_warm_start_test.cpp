@@ -79,13 +79,13 @@ TEST_F(OverlapInSteps, shorterWayOutElsewhere_isGrownTo) {
 
 // Corners that no face has any more stand before those that one has.
 TEST_F(OverlapInSteps, polytopeThatHasNoRoomLeft_dropsCornersOfNoFace) {
-  ConvexWarmStart::CachedPolytope& inside = warm_.inside;
+  ConvexWarmStart::CachedPolytope& kept = warm_.polytope;
   const auto unused = static_cast<std::uint8_t>(ConvexWarmStart::CachedPolytope::kMaxCorners -
                                                 warm_.polytope_corners);
-  std::rotate(inside.corners.begin(), inside.corners.begin() + warm_.polytope_corners,
-              inside.corners.end());
+  std::rotate(kept.corners.begin(), kept.corners.begin() + warm_.polytope_corners,
+              kept.corners.end());
   for (std::size_t f = 0; f < warm_.polytope_faces; ++f) {
-    for (std::uint8_t& corner : inside.faces[f]) {
+    for (std::uint8_t& corner : kept.faces[f]) {
       corner = static_cast<std::uint8_t>(corner + unused);
     }
   }

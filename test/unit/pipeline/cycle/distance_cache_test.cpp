@@ -36,7 +36,9 @@ class LongBoxes : public testing::Test {
     run();
   }
   bool isMeasured() const { return !buffers_.candidates.empty(); }
-  double travelOf(std::size_t body) const { return buffers_.memory.cache.travels[body].all; }
+  double travelOf(std::size_t body) const {
+    return buffers_.memory.distance_cache.travels[body].all;
+  }
 
   CycleSetup setup_ =
       handMadeSetup({{0, Box{{1.0, 0.05, 0.05}}}, {1, Box{{1.0, 0.05, 0.05}}}, {2, Sphere{0.1}}});

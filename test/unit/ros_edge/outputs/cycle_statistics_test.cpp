@@ -54,7 +54,7 @@ TEST_F(CycleStatisticsTest, useOfTheBudget_isThatSinceItWasTaken) {
   CycleStatistics statistics;
   const auto watch = watchAt(0.25);
   watch->buffers.counters.left = 1;
-  watch->buffers.refine.work = 10;
+  watch->buffers.refine.work_done = 10;
   for (int i = 0; i < 3; ++i) {
     statistics.addWork(watch->buffers, 0.001, watch->budget);
   }
