@@ -177,8 +177,8 @@ void summarizeBudget(const CycleSetup& setup, const BudgetUse& use,
   std::string text = "refine_budget did not suffice in " + std::to_string(use.short_cycles) +
                      " of the " + std::to_string(use.cycles) + " cycles since the last report";
   for (std::size_t i = 0; i < eaters.size(); ++i) {
-    text += (i == 0 ? "; these pairs took most of its steps: " : ", ") +
-            pairText(eaters[i], setup) + " (" + percentText(eaters[i].share) + ")";
+    text += (i == 0 ? "; these pairs took most of its work: " : ", ") + pairText(eaters[i], setup) +
+            " (" + percentText(eaters[i].share) + ")";
   }
   status.summary(DiagnosticStatus::WARN, text);
 }
@@ -195,13 +195,13 @@ void describeBudget(const MonitorSetup& setup, const BudgetUse& spent,
   status.add("cycles since the last report", use.cycles);
   status.add("cycles in which it did not suffice", use.short_cycles);
   const double cycles = static_cast<double>(std::max<std::uint64_t>(use.cycles, 1));
-  status.add("steps of a cycle, mean", fixedText(static_cast<double>(use.work) / cycles, 0));
-  status.add("steps of a cycle, worst", use.worst);
+  status.add("work of a cycle, mean", fixedText(static_cast<double>(use.work) / cycles, 0));
+  status.add("work of a cycle, worst", use.worst);
   std::vector<std::string> most;
   std::transform(eaters.begin(), eaters.end(), std::back_inserter(most), [&](const Eater& pair) {
     return pairText(pair, cycle) + ": " + percentText(pair.share);
   });
-  addNumbered("most steps", most, status);
+  addNumbered("most work", most, status);
   if (use.short_cycles > 0) {
     addNumbered("advice", adviceFor(setup, eaters, timeOfShort(use)), status);
   }
