@@ -8,7 +8,7 @@
 
 namespace collision_monitor {
 
-/// Owns a file descriptor; below 0: none.
+/// Owns a file descriptor; negative: none.
 class Descriptor {
  public:
   explicit Descriptor(int descriptor = -1) noexcept : descriptor_(descriptor) {}

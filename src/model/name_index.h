@@ -11,7 +11,8 @@
 
 namespace collision_monitor {
 
-/// Links and joints of one robot by their names in its URDF, for documents that name thousands.
+/// Finds links and joints of one robot by their URDF names, fast, for documents with thousands of
+/// names.
 class NameIndex {
  public:
   NameIndex(const RobotModel& model, RobotId robot) {

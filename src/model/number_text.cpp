@@ -16,7 +16,7 @@ namespace {
 
 std::optional<std::string> parseNumber(std::string_view word, double& number) {
   std::string_view digits = word;
-  // from_chars knows no plus sign, XML's numbers do.
+  // from_chars does not accept the plus sign that XML allows.
   if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') {
     digits.remove_prefix(1);
   }
@@ -70,7 +70,7 @@ std::optional<std::string> parseNumbers(std::string_view text,
 
 std::string shortText(double number) {
   std::array<char, 32> digits{};
-  // Without a precision, to_chars writes as few digits as tell the number from all others.
+  // Without a precision, to_chars writes the fewest digits that identify the number.
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
   return {digits.data(), end};
 }

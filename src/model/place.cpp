@@ -83,7 +83,7 @@ Problem unreadable(const std::string& source, const std::string& reason,
   return {source, std::to_string(meshes.size()) + " meshes: " + reason + ": " + names, accepted};
 }
 
-/// The bytes behind the first of a letter in UTF-8: messages must stay UTF-8 where they are cut.
+/// Whether `c` is a continuation byte of UTF-8. Messages must not be cut before one.
 bool isInsideLetter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
 }  // namespace
@@ -139,7 +139,7 @@ Problem Place::problemAt(int line, const std::string& found, const std::string& 
 std::string quoted(const std::string& text) { return "'" + legible(text) + "'"; }
 
 std::string legible(const std::string& text) {
-  // Of a long name of a file the end matters most.
+  // The end of a long file name matters most.
   constexpr std::size_t kLongest = 160;
   constexpr std::size_t kHead = 60;
   constexpr std::size_t kTail = 90;

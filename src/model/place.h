@@ -10,8 +10,8 @@
 
 namespace collision_monitor {
 
-/// Harmless oddities of a description. Each kind becomes one warning a robot,
-/// however many elements show it.
+/// Harmless oddities of a description. Each kind becomes one warning per robot, however many
+/// elements have it.
 enum class Oddity : unsigned char {
   link_without_geometry,
   zero_size,
@@ -27,35 +27,35 @@ enum class Oddity : unsigned char {
   other_up_axis,
 };
 
-/// What is told once for all elements of a description.
+/// What is reported once for all elements of a description.
 struct Oddities {
   std::map<Oddity, std::vector<std::string>> noted;
-  /// By reason: meshes that cannot be read, with their places. A package that is not found has
+  /// Meshes that cannot be read, with their places, by reason. One missing package may cause
   /// dozens.
   std::map<std::string, std::vector<Problem>> unreadable;
 };
 
-/// One warning for each kind noted, naming all elements that show it, and one error for each reason
-/// why meshes cannot be read.
+/// Adds one warning for each kind of oddity, naming all elements that have it, and one error for
+/// each reason why meshes cannot be read.
 void reportOddities(const std::string& source, const Oddities& oddities, SetupReport& report);
 
-/// Where a reader is in a document, in the words of messages:
+/// A reader's position in a document, as messages say it:
 /// "robot.urdf line 42, link 'arm', collision 2".
 class Place {
  public:
   Place(std::string source, SetupReport& report, Oddities& oddities);
 
-  /// The place of a part of this element.
+  /// The place of an element inside this one.
   Place within(const std::string& element) const;
 
-  /// @param line of the document, 0 if there is none to name
+  /// @param line of the document; 0: unknown
   void addError(int line, const std::string& found, const std::string& accepted) const;
   /// @param advice as in Problem
   void addWarning(int line, const std::string& found, const std::string& advice) const;
-  /// This element shows the oddity.
+  /// Notes that this element has the oddity.
   void note(Oddity oddity) const;
-  /// This element names a mesh that cannot be read.
-  /// @param reason may begin with the name, which is told once
+  /// Notes that this element names a mesh that cannot be read.
+  /// @param reason may begin with the name, which the message has only once
   /// @param accepted as in Problem
   void noteUnreadable(int line, const std::string& mesh, const std::string& reason,
                       const std::string& accepted) const;
@@ -69,17 +69,17 @@ class Place {
   Oddities* oddities_;
 };
 
-/// Text of others as messages and terminals take it: control characters as "\x1b", and cut in its
-/// middle, with its length, when it is too long.
+/// Foreign text, safe for messages and terminals: control characters become "\x1b" and the like.
+/// Text that is too long is cut in the middle and its length added.
 std::string legible(const std::string& text);
 
-/// The same between single quotes.
+/// The same, in single quotes.
 std::string quoted(const std::string& text);
 
 /// "a, b and c"
 std::string joined(const std::vector<std::string>& items);
 
-/// "a, b, c and 17 more": the first of the items, of which there may be a million.
+/// "a, b, c and 17 more": the first items of a list that may have a million.
 std::string someOf(const std::vector<std::string>& items);
 
 }  // namespace collision_monitor

@@ -11,7 +11,7 @@ namespace collision_monitor {
 namespace {
 
 struct Letter {
-  std::uint32_t code;  ///< of Unicode; of a byte that is no UTF-8, its value
+  std::uint32_t code;  ///< Unicode code point; for a byte that is not UTF-8, its value
   std::size_t size;    ///< [bytes]
   bool is_utf8;
 };
@@ -41,7 +41,7 @@ Letter letterAt(std::string_view text, std::size_t place) {
 
 bool isControl(std::uint32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
-/// Spaces, marks of direction and of nothing.
+/// Unusual spaces, direction marks and characters of no width.
 bool isInvisible(std::uint32_t code) {
   return code == 0xA0 || code == 0xAD || code == 0x1680 || (code >= 0x2000 && code <= 0x200F) ||
          (code >= 0x2028 && code <= 0x202F) || (code >= 0x205F && code <= 0x206F) ||

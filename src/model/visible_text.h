@@ -5,14 +5,14 @@
 #include <string>
 #include <string_view>
 
-/// Text of somebody else, made fit for a message.
+/// Makes foreign text safe for a message.
 namespace collision_monitor {
 
-/// With characters that rewrite a terminal or show nothing by their numbers: "\x1b" for a control
-/// character, "<U+00A0>" for a space that is none of ASCII's, and for marks of direction.
+/// Replaces characters that control a terminal or are invisible by their codes: "\x1b" for a
+/// control character, "<U+00A0>" for non-ASCII spaces and for direction marks.
 std::string visibleText(std::string_view text);
 
-/// With all that is not ASCII by its number.
+/// Replaces everything outside ASCII by its code.
 std::string asciiText(std::string_view text);
 
 bool isAscii(std::string_view text) noexcept;

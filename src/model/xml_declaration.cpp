@@ -14,7 +14,7 @@ bool startsAt(const std::string& text, std::size_t begin, std::string_view start
   return text.compare(begin, start.size(), start) == 0;
 }
 
-/// Behind white space and comments; the end of the text if one of these does not end.
+/// Position after white space and comments; the end of the text if a comment does not end.
 std::size_t firstMarkup(const std::string& xml) {
   std::size_t begin = startsAt(xml, 0, kByteOrderMark) ? kByteOrderMark.size() : 0;
   for (;;) {
@@ -35,7 +35,7 @@ std::size_t firstMarkup(const std::string& xml) {
 std::string withoutLateDeclaration(std::string xml) {
   const std::size_t begin = firstMarkup(xml);
   const std::size_t end = startsAt(xml, begin, "<?xml ") ? xml.find("?>", begin) : begin;
-  // One that nothing stands before is well placed, and says the encoding.
+  // A declaration with nothing before it is valid and gives the encoding.
   if (xml.find("<!--") < begin && end != std::string::npos && end > begin) {
     std::replace_if(
         xml.begin() + static_cast<std::ptrdiff_t>(begin),

@@ -6,9 +6,9 @@
 
 namespace collision_monitor {
 
-/// The text with an XML declaration that stands behind comments made blank; lines keep their
-/// numbers. XML allows nothing before it and tinyxml2 refuses such a text, but urdfdom takes it,
-/// and robots are published whose licence stands there.
+/// Blanks an XML declaration that comes after comments; line numbers stay the same. XML allows
+/// nothing before a declaration, and tinyxml2 refuses such a text. But urdfdom accepts it, and some
+/// published robots have their licence there.
 std::string withoutLateDeclaration(std::string xml);
 
 }  // namespace collision_monitor

@@ -15,7 +15,7 @@ using tinyxml2::XMLAttribute;
 using tinyxml2::XMLDocument;
 using tinyxml2::XMLElement;
 
-/// "junk at the end", without the position and the names of the parser's own code.
+/// "junk at the end": the parser's message without position and internal names.
 std::string reasonOf(const XMLDocument& document) {
   switch (document.ErrorID()) {
     case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
@@ -48,14 +48,14 @@ bool isXacro(const XMLElement& element) {
   return false;
 }
 
-/// Extensions for simulators and controllers have a syntax of their own.
+/// Whether this is an extension. Those for simulators and controllers have their own syntax.
 bool isExtension(const XMLElement& element) {
   const std::string_view name = element.Name();
   return name == "gazebo" || name == "transmission" || name == "ros2_control";
 }
 
-/// The first element below `root` that xacro should have replaced. The parser
-/// bounds the depth of the document, and with it this recursion.
+/// The first element below `root` that xacro should have replaced. The parser limits the depth of
+/// the document, and thus this recursion.
 const XMLElement* findXacro(const XMLElement& root) {
   if (isXacro(root)) {
     return &root;
@@ -70,7 +70,8 @@ const XMLElement* findXacro(const XMLElement& root) {
   return nullptr;
 }
 
-/// Of text that is not made of single bytes: by its byte order mark, or by what XML begins with.
+/// Name of an encoding with more than one byte per unit, found by its byte order mark or by the
+/// first characters of XML.
 const char* wideEncodingOf(std::string_view text) {
   const auto begins = [&](std::string_view start) { return text.substr(0, start.size()) == start; };
   using namespace std::string_view_literals;

@@ -13,40 +13,39 @@
 
 namespace collision_monitor {
 
-/// Parses a description and finds its `<robot>`. Adds an error and returns null
-/// for text that is empty, is no XML, holds another root element, or is xacro
-/// that was not expanded.
+/// Parses a description and finds its `<robot>`. Adds an error and returns null if the text is
+/// empty, is no XML, has another root element, or contains xacro that was not expanded.
 /// @param kind "URDF" or "SRDF", for messages
 const tinyxml2::XMLElement* parseRobotXml(const std::string& text, const std::string& kind,
                                           const Place& place, tinyxml2::XMLDocument& document);
 
-/// The attribute as it stands; empty where there is none.
+/// The attribute as written; empty if there is none.
 std::string attributeOf(const tinyxml2::XMLElement& element, const char* attribute);
 
-/// The attribute without surrounding white space; adds an error and returns
-/// nothing if it is missing or blank.
+/// The attribute without surrounding white space. Adds an error and returns nothing if it is
+/// missing or blank.
 std::optional<std::string> readText(const tinyxml2::XMLElement& element, const char* attribute,
                                     const Place& place);
 
-/// The part of the element that may stand there once; null where there is none. Adds an error where
-/// a second one says something else, or the same again: whoever wrote it may mean either.
+/// The only child of that name; null if there is none. Adds an error if there is a second one, even
+/// an identical one: the author's intention is unclear.
 const tinyxml2::XMLElement* onlyChild(const tinyxml2::XMLElement& element, const char* name,
                                       const Place& place);
 
-/// A name of a link or joint, without the leading slash of old tf frames.
+/// The name of a link or joint, without the leading slash of old tf frames.
 std::optional<std::string> readName(const tinyxml2::XMLElement& element, const char* attribute,
                                     const Place& place);
 
 struct NumberAttribute {
   const char* name;
   const char* accepted;        ///< "three finite numbers, in metres"
-  double farthest{kFarthest};  ///< numbers beyond it, on either side of 0, are refused
+  double farthest{kFarthest};  ///< numbers farther from 0 are refused
 };
 
 template <int kSize>
 using Numbers = Eigen::Matrix<double, kSize, 1>;
 
-/// Adds an error for the first of the numbers in `text` that is beyond what the attribute allows.
+/// Adds an error for the first number in `text` that is farther from 0 than the attribute allows.
 bool isWithin(const std::string& text, const tinyxml2::XMLElement& element,
               const NumberAttribute& attribute, const Eigen::VectorXd& numbers, const Place& place);
 
@@ -75,8 +74,8 @@ std::optional<Numbers<kSize>> readNumbers(const tinyxml2::XMLElement& element,
   return Numbers<kSize>(numbers);
 }
 
-/// As readNumbers; a missing attribute means `fallback`, and so does a malformed
-/// one, behind an error.
+/// As readNumbers, but a missing attribute means `fallback`. So does a malformed one, after an
+/// error.
 template <int kSize>
 Numbers<kSize> readNumbersOr(const Numbers<kSize>& fallback, const tinyxml2::XMLElement& element,
                              const NumberAttribute& attribute, const Place& place) {

@@ -9,15 +9,15 @@
 
 namespace collision_monitor {
 
-/// No queue: callbacks run at once, on the thread that brings the message, which is roscpp's
-/// network thread or that of a publisher in the same process. No other callback delays them, and
-/// no thread has to wake for them. Only for callbacks that merely store what came: all other
-/// messages wait meanwhile, and they may not subscribe or unsubscribe. After a subscriber has
-/// ended, its callback does not run any more; the queue must outlive its subscribers.
+/// Not a queue: runs callbacks at once, on the thread that delivers the message: roscpp's network
+/// thread, or that of a publisher in the same process. Other callbacks do not delay them, and no
+/// thread has to wake up. Only for callbacks that merely store a message: they block all other
+/// messages, and must not subscribe or unsubscribe. A callback never runs after its subscriber has
+/// ended. The queue must outlive its subscribers.
 class DirectQueue : public ros::CallbackQueueInterface {
  public:
   void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t /*owner*/) override {
-    // One at a time: roscpp gives a callback up that is asked for while it runs.
+    // One at a time: roscpp drops a callback that is called while it runs.
     const std::lock_guard<std::mutex> lock(mutex_);
     callback->call();
   }

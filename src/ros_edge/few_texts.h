@@ -8,11 +8,11 @@
 
 namespace collision_monitor {
 
-/// The first few of many texts and how many more there are: a request may have a million faults,
-/// and who reads of five knows what is wrong.
+/// Keeps the first few of many texts and counts the rest. A request may have a million faults; five
+/// are enough to see what is wrong.
 class FewTexts {
  public:
-  /// @param make gives the text; not asked for those that are only counted
+  /// @param make returns the text; not called for texts that are only counted
   template <class Make>
   void add(const Make& make) {
     constexpr std::size_t kShown = 5;
@@ -26,7 +26,7 @@ class FewTexts {
     }
   }
 
-  /// Each text once; behind them "999995 more", if there are.
+  /// Each text once, then "999995 more" if there are more.
   std::vector<std::string> all() const {
     std::vector<std::string> texts = texts_;
     if (more_ > 0) {

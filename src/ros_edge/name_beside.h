@@ -9,9 +9,8 @@
 
 namespace collision_monitor {
 
-/// The absolute name of what stands beside a node and not below it, not remapped yet. Only the
-/// node's private handle knows what is remapped for a nodelet, and it takes relative names as below
-/// the node.
+/// The absolute name of something beside a node, not below it, before remapping. Only the private
+/// handle knows a nodelet's remappings, and it resolves relative names below the node.
 inline std::string nameBeside(const ros::NodeHandle& private_node, const std::string& name) {
   const std::string outer = ros::names::parentNamespace(private_node.getNamespace());
   return name.rfind('/', 0) == 0 ? name : ros::names::append(outer, name);

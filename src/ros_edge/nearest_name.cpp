@@ -29,7 +29,7 @@ std::string nearestName(const std::string& name, const std::vector<std::string>&
   std::string nearest;
   std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
   for (const std::string& candidate : known) {
-    // As many letters must come or go at least; a name may be a million times as long.
+    // At least this many letters must change; a name may be a million times as long.
     const std::size_t longer = std::max(name.size(), candidate.size());
     if (longer - std::min(name.size(), candidate.size()) >= least) {
       continue;

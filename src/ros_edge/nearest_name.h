@@ -7,9 +7,9 @@
 
 namespace collision_monitor {
 
-/// The name among `known` that needs the fewest edits to become `name`; empty if none is
-/// near enough to be meant (more than a third of the letters differ).
-/// Source: Levenshtein distance by the dynamic programme of Wagner and Fischer (1974).
+/// The name in `known` with the fewest edits to `name`; empty if none is similar (more than a third
+/// of the letters differ).
+/// Source: Levenshtein distance by the dynamic programming of Wagner and Fischer (1974).
 std::string nearestName(const std::string& name, const std::vector<std::string>& known);
 
 /// ", did you mean 'NAME'?" or nothing.

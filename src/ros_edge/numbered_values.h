@@ -9,7 +9,7 @@
 
 namespace collision_monitor {
 
-/// "unknown link 1", "unknown link 2": who reads values by key would see the last one alone.
+/// Adds "unknown link 1", "unknown link 2", ...: with equal keys, readers would see only the last.
 inline void addNumbered(const std::string& key, const std::vector<std::string>& values,
                         diagnostic_updater::DiagnosticStatusWrapper& status) {
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -11,8 +11,8 @@ SteadyClock::duration seconds(double value) {
   return std::chrono::duration_cast<SteadyClock::duration>(std::chrono::duration<double>(value));
 }
 
-/// How far apart two cycles by poses are on the average, at least. Poses that come `rate` times a
-/// second by another clock come a little sooner by this one.
+/// [s] The least mean interval of cycles that are triggered by poses. Poses at `rate` by another
+/// clock may come slightly sooner by this one.
 double poseIntervalOf(const Parameters& parameters) {
   constexpr double kClockTolerance = 0.01;
   return (1.0 - kClockTolerance) * periodOf(parameters);

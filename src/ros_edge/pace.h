@@ -6,34 +6,35 @@
 
 #include "ros_edge/parameters/parameters.h"
 
-/// When cycles begin and states are due, by wall time.
+/// When cycles start and states are due, by wall time.
 namespace collision_monitor {
 
 using SteadyClock = std::chrono::steady_clock;
 
 struct CyclePace {
-  SteadyClock::time_point planned_start;  ///< of the cycle at hand
-  SteadyClock::time_point last_state;     ///< when it was published
+  SteadyClock::time_point planned_start;  ///< of the current cycle
+  SteadyClock::time_point last_state;     ///< when the last state was published
 };
 
-/// [s] Between two cycles, as the parameters ask for. A timer slower than the heartbeat would let
-/// the heart stop.
+/// [s] Interval of cycles, as the parameters ask. A timer is never slower than the heartbeat, which
+/// would otherwise fail.
 double periodOf(const Parameters& parameters);
-/// [s] How far apart cycles may be at most: by poses, these may stay away.
+/// [s] The longest interval of cycles. With the trigger `pose`, poses may be absent.
 double longestPeriodOf(const Parameters& parameters);
 
-/// The planned start of the next cycle. One that came late shifts those after it; they do not catch
-/// up in a burst. Poses may come early after one that came late, so they may be an interval ahead.
+/// The planned start of the next cycle. A late cycle shifts the following ones; they do not catch
+/// up in a burst. After a late pose the next may come early, so planned starts may be up to one
+/// interval ahead.
 SteadyClock::time_point nextStart(const Parameters& parameters, const CyclePace& pace,
                                   SteadyClock::time_point now);
 
-/// When the heartbeat is owed.
+/// When the heartbeat is due.
 SteadyClock::time_point nextHeartbeat(const Parameters& parameters, const CyclePace& pace);
 
-/// Whether the heartbeat would come late if it waited for the next cycle.
+/// Whether the heartbeat would be late if it waited for the next cycle.
 bool isStateDue(const Parameters& parameters, const CyclePace& pace, SteadyClock::time_point now);
 
-/// Until when to wait for poses: links that grow stale meanwhile must be told soon.
+/// When to stop waiting for poses: links that grow stale in the meantime must be reported soon.
 SteadyClock::time_point endOfWait(const Parameters& parameters, const CyclePace& pace,
                                   SteadyClock::time_point now);
 

@@ -9,17 +9,17 @@
 
 namespace collision_monitor {
 
-/// Of a node that publishes; PublisherId{} is one whose name is not known.
+/// Id of a publishing node; PublisherId{} stands for an unknown name.
 enum class PublisherId : std::uint32_t {};
 
-/// Two publishers, or one twice, said different things of one time.
+/// Two publishers, or one of them twice, sent different data for one time.
 struct Contradiction {
   std::int64_t stamp_ns{0};  ///< 0: there was none
   PublisherId first{};
   PublisherId second{};
 };
 
-/// Whether what was said then is too near to what is newest to believe it.
+/// Whether the contradiction is too close to the newest data to trust them.
 /// @param newest_ns the newest stamp
 /// @param max_age [s]
 inline bool isRecent(const Contradiction& contradiction, std::int64_t newest_ns,
@@ -28,12 +28,12 @@ inline bool isRecent(const Contradiction& contradiction, std::int64_t newest_ns,
          1e-9 * static_cast<double>(newest_ns - contradiction.stamp_ns) <= max_age;
 }
 
-/// Names of publishers by number, so that data need not carry names. The first 1000 names are kept:
-/// nodes that come and go under ever new names do not fill the memory.
+/// Names of publishers by number, so that data need not carry names. Only the first 1000 names are
+/// kept, so nodes with ever new names cannot fill the memory.
 class PublisherNames {
  public:
   PublisherId idOf(const std::string& name);
-  /// "" if it is not known.
+  /// "" if unknown.
   std::string nameOf(PublisherId id) const;
 
  private:

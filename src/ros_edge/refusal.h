@@ -6,13 +6,13 @@
 
 namespace collision_monitor {
 
-/// Of the last data of a frame or joint, if they were refused for being too far ahead of now.
+/// The refusal of a frame's or joint's last data for being too far ahead of now.
 struct Refusal {
-  std::int64_t ahead_ns{0};  ///< how far; 0: they were not refused
-  std::int64_t at_ns{0};     ///< when they came, by the clock of this node
+  std::int64_t ahead_ns{0};  ///< how far ahead; 0: not refused
+  std::int64_t at_ns{0};     ///< when they arrived, by this node's clock
 };
 
-/// How often something was refused, and when last.
+/// Number of refusals, and time of the last.
 struct Refusals {
   std::uint64_t count{0};
   std::int64_t last_ns{0};

@@ -6,7 +6,7 @@
 
 namespace collision_monitor {
 
-/// [s] Between stamps, which are whole nanoseconds.
+/// [s] From whole nanoseconds, as stamps have them.
 inline double toSeconds(std::int64_t nanoseconds) {
   return 1e-9 * static_cast<double>(nanoseconds);
 }

@@ -85,7 +85,7 @@ void Watch::pauseReporting() { believed = buffers.memory.reported; }
 
 void Watch::resumeReporting() {
   buffers.memory.reported = believed;
-  buffers.memory.speed.scale = 0.0;  // as it was sent
+  buffers.memory.speed.scale = 0.0;  // the value sent while switched off
   forgetPoses(buffers);
   links_known = 0;
 }

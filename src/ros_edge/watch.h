@@ -14,63 +14,64 @@
 
 namespace collision_monitor {
 
-/// One set-up and what changes while it is watched. Belongs to the thread of the cycle.
+/// One set-up and everything that changes while it is monitored. For the cycle's thread.
 struct Watch {
   /// @pre the stores outlive the watch
   Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformStore& store,
         const JointStore& joint_store);
 
-  /// Brings poses and velocities up to date. Does not throw: what cannot be read is unknown, and
-  /// all is old by a clock that has died.
+  /// Updates poses and velocities. Does not throw: what cannot be read is unknown. If the clock has
+  /// died, everything is stale.
   /// @return true when a stamp, or the status or part of a link changed.
   bool read(const ros::Time& now, const ClockState& clock_now);
-  /// Forgets where links were: time jumped.
+  /// Forgets the poses, after time jumped.
   void forget();
-  /// One cycle; before it, what links that come to be known bring with them is learned.
+  /// Runs one cycle. If links have become known, first learns their pairs.
   void cycle() noexcept;
-  /// It is switched off: listeners go on believing what they were told.
+  /// Switches reporting off: listeners keep the verdicts that they last got.
   void pauseReporting();
-  /// It is switched on again: what is not as listeners believe is a change.
+  /// Switches reporting on: every difference from what listeners last got is a change.
   void resumeReporting();
-  /// What another watch has reported is carried on by this one.
-  /// @return pairs of the other that it checks no more, and that were not clear
+  /// Continues what another watch has reported.
+  /// @return pairs that the other checked and this one does not, and that were not clear
   std::vector<LinkPairIndex> inheritVerdicts(const Watch& former);
 
   std::shared_ptr<const MonitorSetup> fixed;
   JointReader joints;
-  PoseReader reader;  ///< reads `joints`, too
+  PoseReader reader;  ///< reads `joints` too
   LinkPoses poses;
   VelocityTracker tracker;
   JointVelocities joint_velocities;
   CycleBuffers buffers;
   BudgetTally budget;
   ClockState clock;
-  std::vector<Verdict> believed;  ///< by LinkPairIndex, while it is switched off
+  std::vector<Verdict> believed;  ///< by LinkPairIndex: what listeners last got, while switched off
   std::uint32_t pairs_ignored;    ///< as in State
   std::ptrdiff_t links_known{0};  ///< in the last cycle
 
   const CycleSetup& setup() const noexcept { return fixed->setup; }
 };
 
-/// Reads poses as the parameters say: from tf, or from joint states where they can place links.
-/// @pre all outlive the reader
+/// Reads poses from the sources that the parameters name: tf, or joint states where they can place
+/// links.
+/// @pre the arguments outlive the reader
 PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
                           JointReader& joints);
 
-/// All that was known is stale, how fast it moved unknown: time stands still.
+/// Makes all known links stale and their velocities unknown, because time stands still.
 /// @return true when the status of a link changed.
 bool growStale(LinkPoses& poses) noexcept;
 
-/// Steps between poses since start.
+/// Counts of long steps between poses, since start.
 struct StepCount {
   std::uint64_t over_cap{0};  ///< longer than StepLimit::at_poses
   std::uint64_t too_long{0};  ///< longer than StepLimit::on_way
 };
 
-/// Counts the step of the last cycle, if it came with one.
+/// Counts the step of the last cycle, if it had one.
 void countStep(const SweepWork& work, StepCount& count) noexcept;
 
-/// What messages say beside the result of the cycle.
+/// Contents of messages beside the results of the cycle.
 struct CycleFacts {
   ros::Time now;
   bool is_enabled{true};
@@ -81,7 +82,7 @@ struct CycleFacts {
   double cycle_time{0.0};  ///< [s]
 };
 
-/// Links that keep a checked pair unknown, into `links`: those of it that do not stand in the
+/// Finds the links that keep a checked pair unknown: those of the pair that are outside the
 /// MainPart.
 /// @pre poses are judged
 void findUnknownLinks(const Watch& watch, std::vector<LinkId>& links);

@@ -10,11 +10,11 @@
 #include "model/mesh_files/regular_file.h"
 #include "ros_edge/parameters/resource_loader.h"
 
-/// Compares our distances and verdicts with FCL's on the enclosing shapes of a robot.
+/// Compares our distances and verdicts with FCL's, on the enclosing shapes of a robot.
 namespace collision_monitor {
 namespace {
 
-// Exit codes, as of all programs.
+// Exit codes, the same for all programs.
 constexpr int kDone = 0;
 constexpr int kFault = 1;
 constexpr int kUsageFault = 2;
@@ -49,7 +49,7 @@ void printDisagreements(const Comparison& comparison) {
   }
 }
 
-/// One line that a program can read.
+/// Prints one machine-readable line.
 bool printResult(const Comparison& comparison) {
   double against_fcl = 0.0;
   double depth = 0.0;
@@ -70,14 +70,14 @@ bool printResult(const Comparison& comparison) {
   return agrees;
 }
 
-/// Random poses are no motion.
+/// No motion checks: successive random poses are no motion.
 SetupOptions optionsForPoses() {
   SetupOptions options;
   options.is_continuous = false;
   return options;
 }
 
-/// What compares nothing agrees with nothing.
+/// Without pairs there is nothing to compare, and agreement would mean nothing.
 void checkHasPairs(const CycleSetup& setup) {
   if (setup.table.size() == 0) {
     throw std::runtime_error("no pair of links is checked, so there is nothing to compare");
@@ -86,7 +86,7 @@ void checkHasPairs(const CycleSetup& setup) {
 
 int compare(const RobotDescription& robot, const ComparisonOptions& options) {
   SetupOptions setup_options = optionsForPoses();
-  setup_options.refine.geometry = RefineGeometry::none;  // FCL is given the enclosing shapes
+  setup_options.refine.geometry = RefineGeometry::none;  // FCL gets the enclosing shapes
   const CycleSetup setup = buildSetup({robot}, makeResourceLoader(), setup_options);
   checkHasPairs(setup);
   std::printf("%s: %zu links, %zu shapes, %zu link pairs checked, %zu shape pairs\n",
@@ -156,7 +156,7 @@ int run(int argc, char** argv) {
                "enclosing shapes");
   try {
     app.parse(argc, argv);
-    // Not by required(), which is looked at before unknown options are.
+    // Not by required(): CLI11 checks that before it reports unknown options.
     if (urdf.empty()) {
       throw CLI::RequiredError("urdf");
     }

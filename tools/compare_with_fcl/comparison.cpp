@@ -39,7 +39,7 @@ std::string kindOf(const PosedPair& pair) {
   return a < b ? a + ", " + b : b + ", " + a;
 }
 
-/// FCL has no rounded boxes: their cores are boxes, and what the radii take is subtracted.
+/// FCL has no rounded boxes. It gets their cores, and the radii are subtracted from its distance.
 Shape withoutRounding(const Shape& shape) {
   const auto* rounded = std::get_if<RoundedBox>(&shape);
   return rounded == nullptr ? shape : Shape(Box{rounded->half_extents});
@@ -49,8 +49,8 @@ double roundingOf(const Shape& shape) {
   return std::holds_alternative<RoundedBox>(shape) ? radiusOf(shape) : 0.0;
 }
 
-/// @return nothing where FCL throws; minus infinity where it sees an overlap, for it is trusted
-/// with the fact and not with the depth.
+/// @return nothing if FCL throws; minus infinity if it finds an overlap, because its verdict is
+/// trusted but not its depth.
 std::optional<double> fclDistanceOf(const PosedPair& pair) {
   const auto a = test::toFcl(withoutRounding(pair.a.shape), pair.world_from_a);
   const auto b = test::toFcl(withoutRounding(pair.b.shape), pair.world_from_b);
@@ -69,7 +69,7 @@ double referenceOf(const PosedPair& pair) {
       .distance;
 }
 
-/// One run over one robot: what is carried from pose to pose.
+/// Runs one comparison over one robot and keeps state from pose to pose.
 class Comparer {
  public:
   Comparer(const CycleSetup& setup, const ComparisonOptions& options)
@@ -100,7 +100,7 @@ class Comparer {
   Comparison result() const { return result_; }
 
  private:
-  /// @return the distance that FCL, or where it cannot be trusted the reference, gives.
+  /// @return FCL's distance, or the reference's where FCL cannot be trusted.
   double comparePair(std::size_t i) {
     const PosedPair pair = posedPair(setup_, buffers_.body_poses, i);
     const double ours = distances_.pairs[i].measured.distance;
@@ -122,7 +122,7 @@ class Comparer {
     return *fcl;
   }
 
-  /// Of an overlap FCL tells the fact; the reference tells the depth.
+  /// FCL decides that there is an overlap; the reference decides its depth.
   double compareOverlap(std::size_t i, const PosedPair& pair, KindTally& tally) {
     const double ours = distances_.pairs[i].measured.distance;
     if (!(ours <= kTolerance)) {
@@ -158,7 +158,7 @@ class Comparer {
   void compareVerdicts() {
     const Limits& limits = setup_.limits;
     for (std::size_t i = 0; i < least_.size(); ++i) {
-      // A distance within the tolerance of a threshold may fall on either side of it.
+      // A distance within the tolerance of a threshold may be on either side of it.
       const auto verdictAt = [&](double distance) {
         return distance <= limits.contact_distance   ? Verdict::contact
                : distance <= limits.warning_distance ? Verdict::warning

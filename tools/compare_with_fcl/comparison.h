@@ -11,29 +11,30 @@
 
 namespace collision_monitor {
 
-/// Differences up to this count as agreement: FCL's own tolerance. Units: metres.
+/// [m] Smaller differences count as agreement: FCL's own tolerance.
 constexpr double kTolerance = 1e-6;
 
 struct ComparisonOptions {
   std::size_t poses{1000};
   unsigned seed{1};
-  std::size_t most_depths{20000};  ///< overlaps whose depth the slow reference is asked for
+  std::size_t most_depths{20000};  ///< limit for overlaps whose depth the slow reference computes
 };
 
-/// What was seen for one kind of shape pair, e.g. "capsule, box".
+/// Results for one kind of shape pair, e.g. "capsule, box".
 struct KindTally {
   std::size_t separated{0};
   std::size_t overlapping{0};
-  std::size_t without_fcl{0};      ///< FCL threw or gave no answer
-  double worst_against_fcl{0.0};   ///< [m] separated pairs on which FCL and we agree
-  std::size_t decided_for_us{0};   ///< beyond the tolerance from FCL; the reference agrees with us
+  std::size_t without_fcl{0};     ///< FCL threw or gave no answer
+  double worst_against_fcl{0.0};  ///< [m] separated pairs on which FCL and we agree
+  std::size_t decided_for_us{
+      0};  ///< differs from FCL by more than the tolerance; the reference agrees with us
   std::size_t decided_for_fcl{0};  ///< ... the reference agrees with FCL, or with neither
   double worst_of_fcl{0.0};        ///< [m] FCL against the reference, among those decided
   std::size_t depths{0};           ///< overlaps compared with the reference
   double worst_depth{0.0};         ///< [m] our depth against the reference
 };
 
-/// A pair on which FCL and we differ, and what the reference says.
+/// A pair on which FCL and we differ, with the reference's result.
 struct Disagreement {
   std::string pair;
   double ours{0.0};
@@ -47,12 +48,12 @@ struct Comparison {
   std::size_t poses{0};
   std::size_t verdicts{0};
   std::size_t wrong_verdicts{
-      0};  ///< of the cycle, against those that FCL's and the reference's distances give
+      0};  ///< verdicts of the cycle that contradict the distances of FCL and the reference
 };
 
-/// Random joint values within the limits, every robot's root at the origin; every checked
-/// pair is measured by us and by FCL on the same enclosing shapes, and where the two differ
-/// the slow exact reference decides.
+/// Measures every checked pair by us and by FCL on the same enclosing shapes, in random poses:
+/// joint values within their limits, every robot's root at the origin. Where the two differ, the
+/// slow exact reference decides.
 Comparison compareWithFcl(const CycleSetup& setup, const ComparisonOptions& options);
 
 }  // namespace collision_monitor

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kMostWrong = 100;
 constexpr std::uint32_t kNoBudget = 1000000000;
 
-/// A collision element as FCL has it, and what FCL does not know: its inside.
+/// A collision element as FCL has it, plus its inside, which FCL does not have.
 struct Solid {
   LinkId link;
   Pose link_from_geometry;
@@ -49,7 +49,7 @@ test::Holds holdsMarkOf(const Solid& outer, const Solid& inner) {
                            inner.world_from_geometry);
 }
 
-/// One run over one robot.
+/// Runs one comparison over one robot.
 class ExactComparer {
  public:
   explicit ExactComparer(const CycleSetup& setup)
@@ -122,7 +122,7 @@ class ExactComparer {
     return truth;
   }
 
-  /// The same without a budget.
+  /// The same, without a budget.
   void compareComplete(const LinkPoses& poses) {
     if (refined_.counters.left > 0) {
       resetMemory(complete_);
@@ -145,7 +145,7 @@ class ExactComparer {
     return truth == Truth::undecided || is_contact == (truth == Truth::contact);
   }
 
-  /// Right either way.
+  /// Whether the pair just touches, so that either verdict is right.
   static bool isTouch(const PairDistance& nearest) {
     return std::abs(nearest.measured.distance) <= kTolerance && nearest.quality == Quality::exact;
   }

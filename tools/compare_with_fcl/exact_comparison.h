@@ -9,26 +9,26 @@
 
 namespace collision_monitor {
 
-/// Verdicts about links against the geometries of the URDF. A pair of links in one pose counts
-/// once.
+/// Link verdicts compared with the geometries of the URDF. A link pair in one pose counts once.
 struct ExactComparison {
   std::size_t poses{0};
   std::size_t pairs{0};
-  std::size_t contacts{0};            ///< in truth
-  std::size_t undecided{0};           ///< either answer is right (test::Holds)
-  std::size_t enclosing_contacts{0};  ///< of enclosing shapes
-  std::size_t enclosing_alarms{0};    ///< of these, false
-  std::size_t refined_alarms{0};      ///< false ones that are left: lower bounds, as they say
-  std::size_t missed{0};              ///< contacts that the monitor calls clear
-  std::size_t wrong_contacts{0};      ///< called exact or certain, and none
-  std::size_t left{0};                ///< pairs of elements beyond the budget of their cycle
-  std::size_t complete_wrong{0};      ///< verdicts of cycles without a budget that are not true
-  std::vector<std::string> wrong;     ///< the first hundred
+  std::size_t contacts{0};            ///< true contacts
+  std::size_t undecided{0};           ///< either verdict is right (test::Holds)
+  std::size_t enclosing_contacts{0};  ///< contacts of enclosing shapes
+  std::size_t enclosing_alarms{0};    ///< false ones among them
+  std::size_t refined_alarms{0};   ///< false contacts that remain: lower bounds, and marked as such
+  std::size_t missed{0};           ///< contacts that the monitor calls clear
+  std::size_t wrong_contacts{0};   ///< false contacts that the monitor calls exact or certain
+  std::size_t left{0};             ///< element pairs that their cycle's budget left out
+  std::size_t complete_wrong{0};   ///< wrong verdicts of cycles without a budget
+  std::vector<std::string> wrong;  ///< the first hundred
 };
 
-/// Random joint values as in compareWithFcl. The truth is FCL's: meshes as BVHModel<OBBRSS>, the
-/// rest as its shapes; and where it sees no contact, whether a mesh holds a point of the
-/// other, for FCL's meshes have no inside. Distances within kTolerance of 0 are right either way.
+/// Compares in random poses as in compareWithFcl. FCL gives the truth: meshes as BVHModel<OBBRSS>,
+/// other geometries as its own shapes. FCL's meshes have no inside; so if it finds no contact, this
+/// also tests whether a mesh contains a point of the other geometry. Within kTolerance of distance
+/// 0, either verdict is right.
 /// @pre the set-up is refined to meshes and has neither padding nor given shapes.
 ExactComparison compareExactly(const CycleSetup& setup, const ComparisonOptions& options);
 

@@ -9,9 +9,10 @@
 
 namespace collision_monitor {
 
-/// Calls `use` with each of `options.poses` random poses of the robots, their roots at the origin.
+/// Calls `use` with each of `options.poses` random poses of the robots, with their roots at the
+/// origin.
 ///
-/// Joint values are drawn uniformly within the limits; without limits within half a turn or 1 m.
+/// Joint values are uniform within the limits, or within half a turn or 1 m without limits.
 /// Rotations of floating joints are uniform over all rotations.
 void forRandomPoses(const CycleSetup& setup, const ComparisonOptions& options,
                     const std::function<void(const LinkPoses&)>& use);

@@ -10,7 +10,7 @@
 namespace collision_monitor::fit_tool {
 namespace {
 
-/// "2 capsule; overshoot max 12.3 mm; proven", of all parts together.
+/// "2 capsule; overshoot max 12.3 mm; proven", for all parts together.
 std::string commentOn(const FittedLink& link) {
   std::string text;
   for (const FittedPart& part : link.parts) {

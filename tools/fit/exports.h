@@ -9,14 +9,14 @@
 
 namespace collision_monitor::fit_tool {
 
-/// The shapes as rules that give them, to be edited and handed back: with the padding of each link
-/// and the user's word for shapes that are not proven, so that the same set-up comes out.
+/// The shapes as rules that give them, for the user to edit and use. With each link's padding, and
+/// marked as unproven where they are, so that the rules reproduce the same set-up.
 std::string writeRules(const FittedRobot& robot);
 
 /// Sphere hierarchies of every collision element of the fitted links, in the link's frame.
 std::vector<LinkSpheres> buildSpheres(const FittedRobot& robot, std::size_t leaves);
 
-/// One level of them as an SRDF.
+/// One of their levels as an SRDF.
 std::string writeSphereSrdf(const FittedRobot& robot, const std::vector<LinkSpheres>& spheres,
                             std::uint32_t level);
 

@@ -14,7 +14,7 @@
 #include "sphere_overlaps.h"
 #include "table.h"
 
-/// Encloses the links of a robot and says how well: `fit --help`.
+/// Encloses a robot's links and reports how well: `fit --help`.
 namespace collision_monitor::fit_tool {
 namespace {
 

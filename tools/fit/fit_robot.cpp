@@ -21,7 +21,7 @@ std::vector<SrdfPairs> readGroups(const RobotDescription& description, const Rob
   return {readSrdf(description, RobotId{0}, model, report)};
 }
 
-/// The model and its rules with all other links bare, so that nothing is fitted there.
+/// Removes the geometry of all other links, so that nothing is fitted there.
 void keepOnly(const std::string& pattern, RobotModel& model, std::vector<LinkRules>& rules,
               SetupReport& report) {
   const std::vector<LinkId> chosen = findMatching(pattern, model);
@@ -46,7 +46,7 @@ PosedShape inLink(const Pose& link_from_geometry, const Enclosure& enclosure) {
   return {enclosure.shape, link_from_geometry * enclosure.geometry_from_body};
 }
 
-/// Adds the shapes and what all parts have in common. Proof and overshoot are the caller's.
+/// Adds the shapes and the figures common to all parts, but neither proof nor overshoot.
 void addShapes(const Link& link, const Pose& link_from_geometry,
                const std::vector<Enclosure>& enclosures, FittedPart& part) {
   for (const Enclosure& enclosure : enclosures) {
@@ -68,7 +68,7 @@ FittedPart fittedPart(const Link& link, std::size_t element, const Fit& fit) {
   part.elements = {element};
   addShapes(link, collision.link_from_geometry, fit.shapes, part);
   part.figures.overshoot = fit.overshoot;
-  // Proven anew, so that the table rests on nothing that was only promised.
+  // Proven again, so that the table does not rely on earlier claims.
   part.figures.is_proven = provenExcess(collision.geometry, fit) <= 0.0;
   return part;
 }

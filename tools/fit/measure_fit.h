@@ -6,20 +6,20 @@
 
 namespace collision_monitor::fit_tool {
 
-/// Units: cubic metres. Of meshes the volume of the convex hull, 0 where it is flat.
+/// Units: cubic metres. For a mesh, the volume of its convex hull, 0 if it is flat.
 double hullVolumeOf(const Geometry& geometry);
 
-/// The volume that shapes take up together; what several share counts once.
+/// The volume of the union of the shapes.
 /// Error: exact for one shape; else about 1 %, from 64 samples along each axis.
 /// Units: cubic metres.
 double unionVolumeOf(const std::vector<PosedShape>& shapes);
 
-/// The overshoot of the union of shapes over a mesh in their frame.
+/// The overshoot of the union of shapes over a mesh. Frames: both in the same frame.
 /// Error: as measureOvershoot, with 1000 samples a shape.
 Overshoot unionOvershootOf(const std::vector<PosedShape>& shapes, const TriangleMesh& mesh);
 
-/// The inner sphere of largest radius and the inner capsule of largest volume that one of the
-/// elements has, each proven to lie in its element. Frames: the link's.
+/// The inner sphere with the largest radius and the inner capsule with the largest volume among
+/// these elements, each proven to lie inside its element. Frames: the link's.
 InnerShapes innerShapesOf(const Link& link, const std::vector<std::size_t>& elements);
 
 }  // namespace collision_monitor::fit_tool

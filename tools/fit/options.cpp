@@ -28,7 +28,7 @@ const char* const kFooter =
     "  fit robot.urdf --rules rules.yaml     see how they do, and give the file to the monitor\n"
     "  fit --param /robot_description --link '*_finger' --max-shapes 6";
 
-/// Lengths are finite and not negative; CLI11's own checks let infinity pass.
+/// Lengths are finite and not negative. CLI11's own checks accept infinity.
 std::string faultOfLength(const std::string& text) {
   double value = -1.0;
   const bool is_length =
@@ -104,7 +104,7 @@ void addOutputs(CLI::App& app, Options& options) {
       ->group("Output");
 }
 
-/// What one option cannot know of the others.
+/// Checks options that depend on each other.
 void checkTogether(const Options& options) {
   checkOneRobot(options.source);
   std::vector<std::filesystem::path> targets;

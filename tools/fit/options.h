@@ -11,7 +11,7 @@
 
 namespace collision_monitor::fit_tool {
 
-/// The command line. Empty names mean: not asked for.
+/// The command line. Empty names: not asked for.
 struct Options {
   RobotSource source;
   std::string srdf;
@@ -24,25 +24,25 @@ struct Options {
   std::string cache;  ///< as the parameter fit_cache
 
   std::string yaml, new_urdf, html, spheres_yaml, spheres_srdf;
-  bool may_replace{false};                                                ///< files that are there
+  bool may_replace{false};  ///< may overwrite existing files
   std::uint32_t sphere_level{std::numeric_limits<std::uint32_t>::max()};  ///< the leaves
   std::size_t leaves{64};
 };
 
-/// What the command line asks for: run, or end with this exit code.
+/// Result of the command line: run, or end with this exit code.
 struct Parsed {
   Options options;
   bool is_to_run{false};
-  int exit_code{0};  ///< 0 after --help, 2 for a fault, which was printed
+  int exit_code{0};  ///< 0 after --help; 2 for a fault, which has been printed
 };
 
-/// An option and the file that it has written.
+/// An option and the file that it writes.
 struct OutputOption {
   const char* option;
   std::string file;
 };
 
-/// Those that are asked for.
+/// The outputs that the user asked for.
 std::vector<OutputOption> outputsOf(const Options& options);
 
 Parsed parseOptions(int argc, const char* const* argv);

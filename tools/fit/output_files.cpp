@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 const char* const kIsThere = "it is there already";
 
-/// Beside the file, for only there renaming is one step; of this process alone.
+/// In the file's folder, because only there renaming is atomic. The name is unique to this process.
 fs::path partOf(const fs::path& target) {
   return target.parent_path() /
          ("." + target.filename().string() + "." + std::to_string(getpid()) + ".part");
@@ -29,7 +29,7 @@ std::string reasonOf(int error) {
 
 [[noreturn]] void throwReason(int error) { throw std::runtime_error(reasonOf(error)); }
 
-/// Closes what it opened.
+/// Closes the file that it opened.
 class NewFile {
  public:
   explicit NewFile(const fs::path& path)
@@ -51,7 +51,7 @@ class NewFile {
       done += count < 0 ? 0 : static_cast<std::size_t>(count);
     }
   }
-  /// An owner that may not be given is no fault: the file is then the writer's.
+  /// If the owner must not be changed, the file belongs to the writer; this is no fault.
   void resemble(const struct stat& former) const {
     if (fchown(file_, former.st_uid, former.st_gid) != 0 && errno != EPERM) {
       throwReason(errno);
@@ -60,7 +60,7 @@ class NewFile {
       throwReason(errno);
     }
   }
-  /// Before it is renamed: after a loss of power a name must not stand for an empty file.
+  /// Flushes before renaming: after a power failure, the name must not refer to an empty file.
   void keep() const {
     if (fsync(file_) != 0) {
       throwReason(errno);
@@ -71,7 +71,7 @@ class NewFile {
   int file_;
 };
 
-/// Removes what was not renamed.
+/// Removes files that were not renamed.
 class PartFiles {
  public:
   PartFiles() = default;
@@ -89,7 +89,7 @@ class PartFiles {
     parts_.push_back(partOf(target));
     struct stat former {};
     if (stat(target.c_str(), &former) == 0) {
-      part.resemble(former);  // before the text is in it, which may be for few eyes
+      part.resemble(former);  // before the text is written, which may be private
     }
     part.write(text);
     part.keep();
@@ -102,7 +102,7 @@ class PartFiles {
 }  // namespace
 
 fs::path targetOf(const fs::path& path) {
-  constexpr int kMostLinks = 40;  // as Linux has it
+  constexpr int kMostLinks = 40;  // Linux's limit
   fs::path target = fs::absolute(path);
   for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(target)); ++i) {
     target = target.parent_path() / fs::read_symlink(target);
@@ -140,7 +140,7 @@ void writeFiles(const std::vector<OutputFile>& files) {
   for (const OutputFile& file : files) {
     try {
       const fs::path target = targetOf(file.path);
-      // It may have come while the text was made.
+      // The file may have appeared while the text was made.
       if (fs::exists(target) && !file.may_replace) {
         throw std::runtime_error(kIsThere);
       }

@@ -14,23 +14,24 @@ namespace collision_monitor::fit_tool {
 struct OutputFile {
   std::filesystem::path path;
   std::string text{};
-  bool may_replace{false};  ///< a file that is there already: --force, or the text was made of it
+  bool may_replace{
+      false};  ///< an existing file, because of --force or because the text was made from it
 };
 
-/// Adds an error if a file cannot be written: its folder is missing or closed, it is a folder, it
-/// may not be changed, it is there and may not be replaced. Leaves nothing behind. For before the
+/// Adds an error if a file cannot be written: its folder is missing or read-only; it is itself a
+/// folder or read-only; it exists and must not be replaced. Changes nothing on disk. For use before
 /// long work.
-/// @param option what messages call it: "option --yaml"
+/// @param option its name in messages: "option --yaml"
 void checkWritable(const std::string& option, const OutputFile& file, SetupReport& report);
 
-/// Writes all files under other names and renames them, so that whoever looks finds each either
-/// as it was or whole. If one cannot be written, none is changed. Links to files stay, and files
-/// that are replaced keep their mode and, where that is allowed, their owner.
-/// Limits: a fault of the last step, the renaming, may leave some changed and others not.
+/// Writes all files under temporary names and renames them, so that readers see each file either
+/// unchanged or complete. If one cannot be written, none is changed. Symbolic links stay. Replaced
+/// files keep their mode and, where permitted, their owner.
+/// Limits: if renaming fails, some files may be changed and others not.
 /// @throws std::runtime_error with a sentence that names the file
 void writeFiles(const std::vector<OutputFile>& files);
 
-/// Where the file really is, behind all links.
+/// The file's real path, with all links resolved.
 std::filesystem::path targetOf(const std::filesystem::path& path);
 
 }  // namespace collision_monitor::fit_tool

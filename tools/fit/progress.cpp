@@ -8,7 +8,7 @@ void Progress::show(const std::string& work, const std::string& name, std::size_
                     std::size_t total) const {
   const bool is_over = done == total;
   if (is_terminal_) {
-    // Back to the start of the line, and clear it.
+    // Goes back to the start of the line and clears it.
     std::fprintf(stream_, "\r\x1b[K%s",
                  is_over ? "" : barOf(work + " " + name, done, total).c_str());
   } else if (!is_over) {

@@ -7,13 +7,12 @@
 
 namespace collision_monitor::fit_tool {
 
-/// Tells people how far long work has come: a bar that moves on a terminal, elsewhere a line a
-/// step.
+/// Shows progress: a moving bar on a terminal, otherwise one line per step.
 class Progress {
  public:
   Progress(std::FILE* stream, bool is_terminal) : stream_(stream), is_terminal_(is_terminal) {}
 
-  /// Before step `done` of `total`; at `done` == `total` the bar goes away.
+  /// Called before step `done` of `total`; `done` == `total` removes the bar.
   void show(const std::string& work, const std::string& name, std::size_t done,
             std::size_t total) const;
 

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As long as files may be.
+/// Reads up to the size limit of files.
 std::string readStandardInput(SetupReport& report) {
   std::string text;
   std::string part(1 << 20, '\0');
@@ -39,7 +39,7 @@ std::string readStandardInput(SetupReport& report) {
 }
 
 std::string readParameter(const std::string& name, SetupReport& report) {
-  // Nothing is subscribed to, and Ctrl-C stays what it is.
+  // Subscribes to nothing, and leaves Ctrl-C unchanged.
   ros::init(ros::M_string(), "robot_reader",
             ros::init_options::AnonymousName | ros::init_options::NoSigintHandler);
   std::string text;
@@ -50,7 +50,7 @@ std::string readParameter(const std::string& name, SetupReport& report) {
   return text;
 }
 
-/// By its package.xml: a checkout may have any name.
+/// Recognizes the package by its package.xml: a checkout may have any folder name.
 bool isPackage(const fs::path& folder, const std::string& name) try {
   tinyxml2::XMLDocument document;
   if (document.Parse(readRegularFile(folder / "package.xml").c_str()) != tinyxml2::XML_SUCCESS ||
@@ -63,8 +63,8 @@ bool isPackage(const fs::path& folder, const std::string& name) try {
   return false;  // no such file
 }
 
-/// Where a root has the package of `uri`, the file in it, whether it is there or not; a file that
-/// is there goes before one that is not.
+/// Path of `uri` in the first root with that package. A root where the file exists goes before one
+/// where it does not.
 std::optional<std::string> findInRoots(const std::string& uri,
                                        const std::vector<std::string>& package_roots) {
   const std::string scheme = "package://";

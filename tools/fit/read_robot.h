@@ -8,18 +8,18 @@
 
 namespace collision_monitor::fit_tool {
 
-/// The robot's URDF. What cannot be read is added to `report`.
+/// The robot's URDF. Adds an error to `report` if it cannot be read.
 RobotDescription readDescription(const RobotSource& source, SetupReport& report);
 
-/// The text of a file; empty where none is asked for. What cannot be read is added to `report`.
-/// @param what messages call it: "option --srdf"
+/// The text of a file; empty if none is asked for. Adds an error to `report` if it cannot be read.
+/// @param what its name in messages: "option --srdf"
 std::string readInput(const std::string& what, const std::string& path, SetupReport& report);
 
-/// The rules; empty where none are asked for. A file that cannot be read is added to `report`.
+/// The rules; empty if none are asked for. Adds an error to `report` if they cannot be read.
 ShapeRulesText readRules(const std::string& path, SetupReport& report);
 
-/// Looks for package:// names in folders that hold packages or are one, in their order, then where
-/// ROS does; takes other names as they are. Limits are those of the monitor.
+/// Looks package:// names up in the given folders in order, each a package or a folder of packages,
+/// then where ROS does. Takes other names as they are. Has the monitor's limits.
 ResourceLoader makeLoader(const RobotSource& source);
 
 }  // namespace collision_monitor::fit_tool

@@ -11,10 +11,10 @@ class App;
 
 namespace collision_monitor::fit_tool {
 
-/// Where a program's robot comes from. Empty names mean: not asked for.
+/// The source of a program's robot. Empty names: not asked for.
 struct RobotSource {
   std::string urdf;       ///< file, or "-" for standard input
-  std::string parameter;  ///< in place of the file
+  std::string parameter;  ///< alternative to the file
   std::vector<std::string> package_roots;
   std::vector<std::string> schemes;  ///< as LoadRules::schemes
 };
@@ -23,23 +23,23 @@ constexpr int kUsageFault = 2;  ///< exit code
 
 void addRobotOptions(CLI::App& app, RobotSource& source);
 
-/// @throws CLI::ValidationError unless there is one robot.
+/// @throws CLI::ValidationError unless exactly one robot is given.
 void checkOneRobot(const RobotSource& source);
 
-/// A file that is read, and what it is to the user.
+/// An input file and its description for the user.
 struct InputFile {
   const char* what;
   const std::string& path;
 };
 
-/// @throws CLI::ValidationError if what the option writes is that file, whatever the two are
-/// called.
+/// @throws CLI::ValidationError if the option would overwrite the input file, even under another
+/// name.
 void checkKeeps(const InputFile& input, const std::string& option, const std::string& output);
 
 /// --force
 void addForceOption(CLI::App& app, bool& may_replace);
 
-/// @param has_none --no-cache: a cache of "none"
+/// @param has_none set by --no-cache: the cache is "none"
 void addCacheOptions(CLI::App& app, std::string& cache, bool& has_none);
 
 }  // namespace collision_monitor::fit_tool

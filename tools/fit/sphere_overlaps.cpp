@@ -15,7 +15,7 @@
 namespace collision_monitor::fit_tool {
 namespace {
 
-/// The solids that a link's spheres are together, one a geometry.
+/// The unions of a link's spheres, one per geometry.
 using Unions = std::vector<SphereUnion>;
 
 std::vector<Unions> unionsByLink(const RobotModel& model, const std::vector<LinkSpheres>& spheres) {
@@ -29,7 +29,7 @@ std::vector<Unions> unionsByLink(const RobotModel& model, const std::vector<Link
   return by_link;
 }
 
-/// Distances of the spheres of two links.
+/// Computes distances between the spheres of two links.
 class SphereDistances {
  public:
   double operator()(const Unions& a, const Pose& world_from_a, const Unions& b,

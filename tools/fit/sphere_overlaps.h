@@ -11,8 +11,8 @@
 namespace collision_monitor::fit_tool {
 
 /// A warning for each pair of links that are not adjacent and whose finest spheres overlap in the
-/// default pose (see defaultPositions): whoever checks the robot by its spheres finds a contact
-/// there that is perhaps none of the links.
+/// default pose (see defaultPositions). Checks by spheres report a contact there, even if the links
+/// do not touch.
 std::vector<Problem> sphereOverlaps(const RobotModel& model,
                                     const std::vector<LinkSpheres>& spheres);
 

@@ -19,7 +19,7 @@ using tinyxml2::XMLElement;
 
 constexpr double kGrowth = 1e-9;  // [m]
 
-/// As short as reads back as the same number, in every locale.
+/// The shortest text that reads back as the same number, in every locale.
 std::string number(double value) {
   std::array<char, 40> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
@@ -29,7 +29,7 @@ std::string numbers(const Eigen::Vector3d& values) {
   return number(values.x()) + " " + number(values.y()) + " " + number(values.z());
 }
 
-/// Collects pieces given in the frame of one shape.
+/// Collects pieces that are given in the frame of one shape.
 class PieceList {
  public:
   explicit PieceList(const Pose& link_from_body) : link_from_body_(link_from_body) {}
@@ -45,13 +45,13 @@ class PieceList {
   std::vector<UrdfPiece> pieces_;
 };
 
-/// Both ends of an extent, or its middle where it has none.
+/// Both ends of an extent; only its middle if it is 0.
 std::vector<double> endsOf(double half_extent) {
   return half_extent > 0.0 ? std::vector<double>{-half_extent, half_extent}
                            : std::vector<double>{0.0};
 }
 
-/// Cylinders along one axis of a rounded box.
+/// Adds the cylinders along one axis of a rounded box.
 void addEdges(const RoundedBox& box, Eigen::Index axis, PieceList& pieces) {
   if (box.half_extents[axis] <= 0.0) {
     return;
@@ -121,7 +121,7 @@ void addGeometry(const Geometry& geometry, XMLElement& parent) {
   }
 }
 
-/// `<collision>` or `<visual>` with the piece.
+/// Adds a `<collision>` or `<visual>` with the piece.
 XMLElement& addPiece(const char* tag, const std::string& name, const UrdfPiece& piece,
                      XMLElement& link) {
   XMLElement* element = link.InsertNewChildElement(tag);
@@ -133,7 +133,7 @@ XMLElement& addPiece(const char* tag, const std::string& name, const UrdfPiece& 
   return *element;
 }
 
-/// Materials hold the colour each time, for a reader may not take one from another link.
+/// Writes the color into each material: some readers do not share materials between links.
 void addMaterial(const Shape& shape, XMLElement& visual) {
   static const std::array<const char*, 3> kColours{"0.34 0.71 0.91 1", "0.00 0.62 0.45 1",
                                                    "0.90 0.62 0.00 1"};  // sphere, capsule, boxes
@@ -164,7 +164,7 @@ void replaceShapes(const std::vector<PosedShape>& shapes, XMLElement& link) {
   }
 }
 
-/// As the reader of URDFs takes it: without white space around it and leading slashes.
+/// The name as our URDF reader takes it: without surrounding white space and leading slashes.
 std::string nameOf(const XMLElement& link) {
   const char* attribute = link.Attribute("name");
   const std::string text = attribute == nullptr ? "" : attribute;

@@ -10,14 +10,15 @@
 
 namespace collision_monitor::fit_tool {
 
-/// A shape that any URDF reader knows, and its place.
+/// A shape that every URDF reader knows, with its pose.
 struct UrdfPiece {
   Geometry geometry;  ///< a Sphere, Box or Cylinder
   Pose link_from_geometry;
 };
 
-/// Pieces whose union is the shape: a capsule is a cylinder and two spheres; a rounded box is its
-/// core made longer along each axis, a cylinder for each edge and a sphere for each corner.
+/// Pieces whose union is the shape. A capsule becomes a cylinder and two spheres. A rounded box
+/// becomes its core, extended along each axis in turn, a cylinder for each edge and a sphere for
+/// each corner.
 /// Frames: the link's. Limits: parts of a core without extent are left out.
 std::vector<UrdfPiece> piecesOf(const PosedShape& shape);
 
@@ -27,11 +28,11 @@ struct LinkShapes {
   std::vector<PosedShape> shapes;
 };
 
-/// The URDF with the shapes in place of what these links collide with and look like; all else
-/// stays as it is, other links too.
+/// The URDF with the shapes in place of these links' collision and visual geometry. Everything else
+/// stays, including other links.
 ///
-/// Error: each shape is 1 nm larger, so that it holds the shape it stands for once its text is
-/// read again. A reader that joins a cylinder and two spheres, as ours does, gets capsules.
+/// Error: each shape is 1 nm larger, so that it encloses the original after its text is read back.
+/// A reader that merges a cylinder and two spheres, such as ours, gets capsules.
 /// @pre `urdf_xml` was read by readRobots without an error.
 std::string writeUrdf(const std::string& urdf_xml, const std::vector<LinkShapes>& links);
 

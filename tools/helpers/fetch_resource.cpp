@@ -16,8 +16,8 @@ std::string limitText(const std::string& most) {
   return "the limit of " + most + " bytes (parameter files/max_size)";
 }
 
-/// resource_retriever does not tell the status of HTTP, and takes the page of a 404 for the file.
-/// No file of a robot is HTML.
+/// resource_retriever hides the HTTP status and returns the page of a 404 as the file. No file of a
+/// robot is HTML.
 bool isWebPage(const std::string& bytes) {
   std::string start = bytes.substr(0, 1000);
   start.erase(0, start.find_first_not_of(" \t\r\n"));
@@ -28,7 +28,7 @@ bool isWebPage(const std::string& bytes) {
 
 /// @param most largest size [bytes], in digits
 std::string fetch(const std::string& uri, const std::string& most) {
-  static resource_retriever::Retriever retriever;  // keeps its connection from file to file
+  static resource_retriever::Retriever retriever;  // reuses its connection
   const resource_retriever::MemoryResource resource = retriever.get(uri);
   if (resource.size > std::stoull(most)) {
     throw std::runtime_error(uri + ": larger than " + limitText(most));

@@ -17,7 +17,7 @@ namespace {
 const char* const kLineEnd = "\r\n";
 const char* const kBlank = " \t";
 
-/// In place of a span, which may be empty.
+/// Replaces a span, which may be empty.
 struct Edit {
   Span span;
   std::string text;
@@ -41,7 +41,7 @@ std::string indentAt(const std::string& text, std::size_t place) {
   return text.substr(begin, std::min(text.find_first_not_of(kBlank, begin), place) - begin);
 }
 
-/// As the first line of the text ends.
+/// The line ending of the text's first line.
 std::string lineEndOf(const std::string& text) {
   const std::size_t end = lineEnd(text, 0);
   return end == text.size()                  ? "\n"
@@ -63,8 +63,8 @@ bool isOut(const SrdfLine& line, const std::vector<SrdfLine>& out) {
                      [&](const SrdfLine& one) { return one.span.begin == line.span.begin; });
 }
 
-/// Behind the last line that stays: at the end of its line of text, where a comment may follow it,
-/// unless something goes on there.
+/// Inserts after the last remaining line: at the end of its text line, which may have a comment,
+/// unless another element follows there.
 Edit insertionBehind(const std::string& text, const SrdfPlaces& places, const Span& last,
                      const std::vector<std::string>& elements) {
   std::size_t place = lineEnd(text, last.end);
@@ -81,7 +81,7 @@ Edit insertionBehind(const std::string& text, const SrdfPlaces& places, const Sp
   return edit;
 }
 
-/// Before the end of the root, which is opened for it if it is empty.
+/// Inserts before the end of the root. Opens an empty root for that.
 Edit insertionAtEnd(const std::string& text, const SrdfPlaces& places,
                     const std::vector<std::string>& elements) {
   const std::string root_indent = indentAt(text, places.root_end);
@@ -127,7 +127,7 @@ std::string applied(std::string text, std::vector<Edit> edits) {
   return text;
 }
 
-/// What the file says beside which pairs are disabled; nothing if it cannot be read.
+/// The file's contents other than disabled pairs; nothing if it cannot be read.
 std::optional<std::string> restOf(const std::string& srdf_xml) {
   tinyxml2::XMLDocument document;
   const std::string xml = withoutLateDeclaration(srdf_xml);
@@ -144,7 +144,7 @@ std::optional<std::string> restOf(const std::string& srdf_xml) {
   return printer.CStr();
 }
 
-/// Two parsers must find the new text to be the former one but for the lines.
+/// Checks by two parsers that the new text differs from the former only in the lines.
 void checkEdited(const std::string& former, const std::string& text, std::size_t lines) {
   const std::optional<std::string> rest = restOf(text);
   if (!rest || rest != restOf(former) || findPlaces(text).disabled.size() != lines) {

@@ -10,11 +10,11 @@
 
 namespace collision_monitor::pairs_tool {
 
-/// The text without some of its lines and with others: behind the last that stays, or where
-/// the root ends. An element that has its lines of text for itself takes them with it. New ones
-/// are indented, and their lines end, as those that are there.
-/// @pre `places` are of the text; `out` is some of places.disabled
-/// @throws std::logic_error if the result is not the same SRDF but for these lines
+/// Returns the text without the lines `out` and with the lines `in`. New lines come after the last
+/// remaining one, or at the end of the root. A removed element that fills its text lines is removed
+/// with them. New lines copy the indentation and line ending of existing ones.
+/// @pre `places` belong to the text; `out` is a subset of places.disabled
+/// @throws std::logic_error if the result differs from the SRDF in more than these lines
 std::string editSrdf(const std::string& srdf_xml, const SrdfPlaces& places,
                      const std::vector<SrdfLine>& out, const std::vector<PairLine>& in);
 

@@ -39,7 +39,7 @@ bool isAscii(const std::string& text) {
                      [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-/// Names are UTF-8, as in the URDF.
+/// Names are in UTF-8, as in the URDF.
 void checkEncoding(const std::string& encoding, const std::vector<PairLine>& lines) {
   std::string name = encoding;
   std::transform(name.begin(), name.end(), name.begin(),
@@ -55,7 +55,7 @@ void checkEncoding(const std::string& encoding, const std::vector<PairLine>& lin
   }
 }
 
-/// Missing in the file, and not contradicted by it.
+/// Lines that the file lacks and does not contradict.
 std::vector<PairLine> missingLines(const SrdfPlaces& places, const std::vector<PairLine>& lines) {
   std::set<NamePair> named;
   for (const std::vector<SrdfLine>* present : {&places.disabled, &places.enabled}) {
@@ -87,7 +87,7 @@ void checkMergeable(const std::string& path, const std::string& srdf_xml,
   RobotDescription description;
   description.source = path;
   description.srdf_xml = srdf_xml;
-  readSrdf(description, RobotId{0}, RobotModel(), report);  // as the monitor reads it
+  readSrdf(description, RobotId{0}, RobotModel(), report);  // reads it as the monitor does
   if (report.errors.size() > errors_before) {
     return;
   }

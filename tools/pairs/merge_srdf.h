@@ -10,30 +10,30 @@
 
 namespace collision_monitor::pairs_tool {
 
-/// Of a URDF; empty where it has none or cannot be read.
+/// The robot's name in a URDF; empty if it has none or cannot be read.
 std::string robotNameOf(const std::string& urdf_xml);
 
-/// Adds an error if this is no SRDF of that robot, or none that can be merged into.
-/// @param path what messages call it
+/// Adds an error if the text is no SRDF of that robot, or cannot be merged into.
+/// @param path its name in messages
 /// @param robot_name empty: any
 void checkMergeable(const std::string& path, const std::string& srdf_xml,
                     const std::string& robot_name, SetupReport& report);
 
-/// An SRDF that was brought up to date.
+/// An updated SRDF.
 struct SrdfMerge {
   std::string text;
   std::size_t added{0};
   std::size_t kept{0};
-  std::size_t left_out{0};             ///< of PairLines::left_out, what the file does not have
-  std::vector<std::string> taken_out;  ///< a sentence each
-  std::vector<std::string> doubted;    ///< lines that were kept though their links may touch
+  std::size_t left_out{0};             ///< those of PairLines::left_out that the file does not have
+  std::vector<std::string> taken_out;  ///< one sentence each
+  std::vector<std::string> doubted;    ///< lines that were kept although their links may touch
 };
 
-/// Adds lines that are missing behind those that are there, or at the end, and takes out those that
-/// are refuted: of links that were seen to touch and to be apart, with the reason "Never" or
-/// "Always", which is what programs write that try states. All other lines stay: who wrote another
-/// reason decided it, and of links that were not looked at nothing is known. So does every byte
-/// of the file beside these lines. A pair that the file enables is not added.
+/// Adds missing lines after the existing ones, or at the end. Removes refuted lines: their links
+/// were seen both touching and apart, and their reason is "Never" or "Always", which programs write
+/// that sample states. Every other byte of the file stays: a line with another reason is a person's
+/// decision, and nothing is known about links that were not examined. Does not add a pair that the
+/// file enables.
 /// @pre checkMergeable found nothing
 /// @throws std::runtime_error if names do not fit the file's encoding
 SrdfMerge mergeSrdf(const std::string& srdf_xml, const RobotModel& model,

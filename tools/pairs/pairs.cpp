@@ -14,7 +14,7 @@
 #include "report.h"
 #include "ros_edge/parameters/fit_options.h"
 
-/// Finds out which pairs of links can touch: `pairs --help`.
+/// Finds which pairs of links can touch: `pairs --help`.
 namespace collision_monitor::pairs_tool {
 namespace {
 
@@ -30,8 +30,7 @@ std::string readSrdfText(const Options& options, const std::string& robot_name,
   return text;
 }
 
-/// Whether there is an SRDF to be brought up to date. Found out before the long work, and its
-/// faults with it.
+/// Whether there is an SRDF to update. Checked before the long work, as are its faults.
 bool checkOutput(const Options& options, const std::string& robot_name, SetupReport& report) {
   if (options.write_srdf.empty()) {
     return false;
@@ -45,7 +44,7 @@ bool checkOutput(const Options& options, const std::string& robot_name, SetupRep
   return merges;
 }
 
-/// Every pair counts, also those that overlap in the default pose.
+/// Includes every pair, even those that overlap in the default pose.
 CycleSetup makeSetup(const Options& options, const RobotDescription& description,
                      const fit_tool::Progress& progress) {
   SetupOptions setup_options;
@@ -57,7 +56,7 @@ CycleSetup makeSetup(const Options& options, const RobotDescription& description
   return buildSetup({description}, fit_tool::makeLoader(options.source), setup_options);
 }
 
-/// What it says of pairs, the table says better.
+/// Leaves out warnings about pairs: the table has these.
 void printWarnings(const SetupReport& report) {
   for (const Problem& warning : report.warnings) {
     if (warning.where.rfind("pair", 0) != 0) {
@@ -106,8 +105,8 @@ void printMerge(const std::string& path, const SrdfMerge& merge, bool is_changed
   printList("kept, though they touch in some states:\n  ", merge.doubted);
 }
 
-/// The file is read again: somebody may have worked on it meanwhile.
-/// @return how many pairs were left out for want of a proof.
+/// Reads the file again, because it may have changed meanwhile.
+/// @return number of pairs that were left out for lack of a proof.
 std::size_t updateSrdf(const Options& options, const RobotModel& model,
                        const std::vector<PairFound>& pairs, const PairLines& lines) {
   SetupReport report;

@@ -69,7 +69,7 @@ void addOutputs(CLI::App& app, Options& options) {
       ->group(group);
 }
 
-/// Everywhere else an option of this name reads. Here it once wrote, over what was there.
+/// In other programs, the option of this name reads a file. Here it once overwrote one.
 void refuseSrdf(CLI::App& app) {
   app.add_option_function<std::string>("--srdf",
                                        [](const std::string& file) {

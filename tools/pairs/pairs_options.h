@@ -9,21 +9,21 @@
 
 namespace collision_monitor::pairs_tool {
 
-/// The command line. Empty names mean: not asked for.
+/// The command line. Empty names: not asked for.
 struct Options {
   fit_tool::RobotSource source;
   std::string cache;  ///< as the parameter fit_cache
   PairSearchOptions search;
-  std::string write_srdf;   ///< is brought up to date where it is there
-  bool may_replace{false};  ///< it is made anew
+  std::string write_srdf;   ///< updated if it exists
+  bool may_replace{false};  ///< write it anew
   bool trusts_samples{false};
 };
 
-/// What the command line asks for: run, or end with this exit code.
+/// Result of the command line: run, or end with this exit code.
 struct Parsed {
   Options options;
   bool is_to_run{false};
-  int exit_code{0};  ///< 0 after --help, 2 for a fault, which was printed
+  int exit_code{0};  ///< 0 after --help; 2 for a fault, which has been printed
 };
 
 Parsed parseOptions(int argc, const char* const* argv);

@@ -32,7 +32,7 @@ const char* wordOf(PairFinding finding) noexcept {
   return "";
 }
 
-/// How near the enclosing shapes came, which overlap before what they enclose does.
+/// How near the enclosing shapes came. They overlap before the enclosed geometries do.
 std::string nearestText(const PairFound& pair) {
   const std::string amount = fit_tool::fixed(1e3 * std::abs(pair.nearest), 1) + " mm";
   return pair.nearest < 0.0 ? "though shapes overlapped by " + amount : "shapes by " + amount;
@@ -72,7 +72,7 @@ std::string textOf(const std::vector<Row>& rows) {
   return text;
 }
 
-/// As an SRDF has it; null for what must be checked.
+/// The reason for an SRDF; null for a pair that must be checked.
 const char* srdfReasonOf(PairFinding finding) noexcept {
   switch (finding) {
     case PairFinding::adjacent:

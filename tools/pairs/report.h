@@ -9,12 +9,12 @@
 
 namespace collision_monitor::pairs_tool {
 
-/// One line a pair, with a header above and the numbers of all below.
+/// One line per pair, with a header above and all counts below.
 std::string tableOf(const RobotModel& model, const std::vector<PairFound>& pairs,
                     std::size_t states);
 
-/// "at shoulder=0.5 elbow=-1.25": a state in which the pair touches, of the joints that matter to
-/// it, with all digits that it takes to see the same.
+/// "at shoulder=0.5 elbow=-1.25": a state in which the pair touches, with only the joints that
+/// affect it, and enough digits to reproduce it.
 std::string stateText(const RobotModel& model, const PairFound& pair);
 
 /// A pair that needs no checking.
@@ -25,15 +25,16 @@ struct PairLine {
 
 struct PairLines {
   std::vector<PairLine> lines;
-  std::vector<PairLine> left_out;  ///< that touched in no state drawn, or in all, without a proof
+  std::vector<PairLine>
+      left_out;  ///< touched in none or all of the sampled states, without a proof
 };
 
-/// What is adjacent, or proven to touch always or never.
-/// @param trusts_samples leaves none out
+/// Lines for pairs that are adjacent, or proven to touch always or never.
+/// @param trusts_samples include pairs without a proof
 PairLines linesOf(const RobotModel& model, const std::vector<PairFound>& pairs,
                   bool trusts_samples);
 
-/// An SRDF that says no more than these lines.
+/// An SRDF with only these lines.
 std::string newSrdf(const std::string& robot_name, const std::vector<PairLine>& lines);
 
 }  // namespace collision_monitor::pairs_tool

@@ -18,10 +18,10 @@ namespace {
 
 using Parser = std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)>;
 
-/// What handlers share while a text is read.
+/// Data shared by the handlers during parsing.
 struct Reading {
   XML_Parser parser;
-  std::string_view text;  ///< as given to the parser
+  std::string_view text;  ///< as passed to the parser
   std::size_t depth{0};
   bool declares_entities{false};
   SrdfPlaces places;
@@ -29,7 +29,7 @@ struct Reading {
 
 Reading& of(void* data) { return *static_cast<Reading*>(data); }
 
-/// Of the markup that a handler is called for; nothing for the end of an empty element.
+/// The span of the current markup; empty at the end of an empty element.
 Span spanNow(const Reading& reading) {
   const auto begin = static_cast<std::size_t>(XML_GetCurrentByteIndex(reading.parser));
   return {begin, begin + static_cast<std::size_t>(XML_GetCurrentByteCount(reading.parser))};
@@ -139,8 +139,8 @@ void setHandlers(Reading& reading) {
                         });
 }
 
-/// The text with blanks for a declaration that something stands before: the monitor reads such
-/// files, too.
+/// The text with blanks in place of a declaration that is not at its start. The monitor reads such
+/// files too.
 std::string withoutStrayDeclaration(const std::string& srdf_xml) {
   std::string text = withoutLateDeclaration(srdf_xml);
   const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
@@ -154,7 +154,8 @@ std::string withoutStrayDeclaration(const std::string& srdf_xml) {
 }  // namespace
 
 SrdfPlaces findPlaces(const std::string& srdf_xml) {
-  const std::string text = withoutStrayDeclaration(srdf_xml);  // as long, so places are the same
+  const std::string text =
+      withoutStrayDeclaration(srdf_xml);  // same length, so places are the same
   if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     throw std::runtime_error("it is larger than 2 GB");
   }

@@ -16,26 +16,26 @@ struct Span {
 
 /// A `<disable_collisions>` or `<enable_collisions>` element below the root.
 struct SrdfLine {
-  std::string link1, link2;  ///< as the monitor reads names: without space and slashes in front
+  std::string link1, link2;  ///< as the monitor reads names: without leading space and slashes
   std::string reason;        ///< may be empty
-  std::size_t number{0};     ///< of the line on which it begins, from 1
+  std::size_t number{0};     ///< of the line where it begins, from 1
   Span span;
 };
 
-/// Where in an SRDF stands what says which pairs are checked. What comments and CDATA hold is text.
+/// The places in an SRDF that define which pairs are checked. Comments and CDATA count as text.
 struct SrdfPlaces {
-  std::string robot;     ///< the attribute name of the root
+  std::string robot;     ///< the root's attribute name
   std::string encoding;  ///< as declared; empty: UTF-8
   std::vector<SrdfLine> disabled;
   std::vector<SrdfLine> enabled;
-  std::vector<Span> parts;     ///< all that stands in the root but character data, in order
-  std::size_t root_end{0};     ///< where "</robot>" begins, or the "/>" of an empty root
+  std::vector<Span> parts;     ///< everything in the root except character data, in order
+  std::size_t root_end{0};     ///< start of "</robot>", or of the "/>" of an empty root
   bool is_root_empty{false};   ///< "<robot name='r'/>"
   bool has_urdf_parts{false};  ///< a <link> or <joint> below the root
 };
 
 /// @throws std::runtime_error with line and reason if the text is no well-formed XML, or declares
-/// entities, behind which elements may stand that have no place.
+/// entities, because their elements have no place in the text.
 SrdfPlaces findPlaces(const std::string& srdf_xml);
 
 }  // namespace collision_monitor::pairs_tool

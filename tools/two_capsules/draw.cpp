@@ -19,7 +19,7 @@ constexpr double kBoardThickness = 0.002;
 constexpr double kPointSize = 0.02;
 constexpr double kLineWidth = 0.008;
 constexpr double kTextHeight = 0.08;
-/// Of capsules that overlap: what is inside is to be seen.
+/// For overlapping capsules, so that their inside is visible.
 constexpr float kOverlapAlpha = 0.35F;
 
 std_msgs::ColorRGBA colour(float red, float green, float blue, float alpha = 1.0F) {
@@ -71,8 +71,8 @@ Marker makeShape(const PosedShape& placed, const std_msgs::ColorRGBA& its_colour
   return marker;
 }
 
-/// rviz draws triangles that are seen through in any order, near ones below far ones. Where each
-/// has its own colour it leaves out the light, and the order is not seen.
+/// rviz draws transparent triangles in any order, near ones under far ones. With a color per
+/// triangle it omits the lighting, and the order is not visible.
 Marker makeCapsule(const PosedShape& placed, std_msgs::ColorRGBA its_colour, bool is_glass) {
   its_colour.a = is_glass ? kOverlapAlpha : 1.0F;
   Marker marker = makeShape(placed, its_colour);
@@ -87,7 +87,7 @@ PosedShape board() {
           {Eigen::Matrix3d::Identity(), {0.0, 0.0, -0.5 * kBoardThickness}}};
 }
 
-/// The line in the colour of a verdict, and its length above both capsules.
+/// Adds a line in the verdict's color, and its length above both capsules.
 void addDistance(const SignedDistance& found, const std::vector<PosedShape>& capsules,
                  MarkerArray& array) {
   const Points ends{found.point_on_a, found.point_on_b};

@@ -15,7 +15,7 @@ constexpr std::size_t kClicksEach = 3;
 constexpr std::size_t kClicks = 2 * kClicksEach;
 constexpr double kFarthest = 1000.0;
 constexpr double kLeastRadius = 0.001;
-/// Nearer to 0 than three decimals can tell.
+/// Smaller values print as 0 with three decimals.
 constexpr double kTouching = 0.0005;
 
 std::string refusalOf(const Eigen::Vector3d& point, const Exercise& exercise) {
@@ -23,7 +23,7 @@ std::string refusalOf(const Eigen::Vector3d& point, const Exercise& exercise) {
   if (clicks.size() == kClicks) {
     return "refused: both capsules stand";
   }
-  // A comparison with NaN is false.
+  // Comparisons with NaN are false.
   if (!(point.array().abs() <= kFarthest).all()) {
     return "refused: a click must be finite and within 1000 m";
   }

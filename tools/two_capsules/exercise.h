@@ -11,29 +11,29 @@
 
 /// The two-capsule exercise: three clicks make a capsule, two capsules show their distance.
 ///
-/// Frame: all points in that of the board that is clicked on.
+/// Frames: all points are in the frame of the clicked board.
 namespace collision_monitor::two_capsules {
 
 struct Exercise {
-  Points clicks;        ///< those taken: one end, a point on the rim, the other end; twice
+  Points clicks;  ///< accepted clicks: one end, a point on the rim, the other end; for two capsules
   std::string refusal;  ///< why the last click was not taken; empty if it was
 };
 
-/// Takes a click, or says in `refusal` why it changes nothing: not finite or beyond 1000 m, a rim
-/// within 1 mm of its end, or both capsules stand. A new exercise begins with a new Exercise.
+/// Takes a click. If it changes nothing, `refusal` says why: not finite or beyond 1000 m, a rim
+/// within 1 mm of its end, or both capsules exist already. Create a new Exercise to start again.
 void takeClick(const Eigen::Vector3d& point, Exercise& exercise);
 
-/// The capsules that have a radius, in the order of the clicks: with the rim a capsule of length 0
-/// about its first end, with the other end the whole of it. Equal ends leave it a sphere.
+/// The capsules that have a radius, in the order of the clicks. After the rim click, a capsule has
+/// length 0 at its first end; the second end completes it. Equal ends leave it a sphere.
 std::vector<PosedShape> capsulesOf(const Exercise& exercise);
 
-/// From the first capsule to the second, once both stand.
+/// From the first capsule to the second, once both exist.
 std::optional<SignedDistance> distanceOf(const Exercise& exercise);
 
-/// "0.123 m", "overlap 0.020 m", or "touching" for what is 0 in print.
+/// "0.123 m", "overlap 0.020 m", or "touching" if it prints as 0.
 std::string distanceText(double distance);
 
-/// One sentence: what to click next; above it, why the last click was refused.
+/// One sentence: what to click next, preceded by why the last click was refused.
 std::string promptOf(const Exercise& exercise);
 
 }  // namespace collision_monitor::two_capsules

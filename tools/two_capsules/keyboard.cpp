@@ -7,8 +7,8 @@
 namespace collision_monitor::two_capsules {
 namespace {
 
-/// A program in the background that touches its terminal is stopped. roslaunch gives its nodes its
-/// own terminal, which has no owner that they could ask for.
+/// A background program that uses its terminal is stopped. roslaunch gives its nodes a terminal of
+/// its own, which has no owner to ask for.
 bool ownsTerminal() {
   const pid_t owner = tcgetpgrp(STDIN_FILENO);
   return owner < 0 ? isatty(STDIN_FILENO) == 1 : owner == getpgrp();

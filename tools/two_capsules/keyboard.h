@@ -6,8 +6,8 @@
 
 namespace collision_monitor::two_capsules {
 
-/// Single keys from the terminal that the program was started in, without Enter and unseen;
-/// none where there is no terminal or it belongs to another program now. Ctrl-C stays what it is.
+/// Reads single keys from the terminal where the program was started, without Enter or echo. No
+/// keys if there is no terminal, or another program owns it now. Ctrl-C works as usual.
 class Keyboard {
  public:
   Keyboard();
@@ -17,7 +17,7 @@ class Keyboard {
 
   bool isThere() const { return is_there_; }
 
-  /// A key that was pressed, or 0; does not wait.
+  /// A key that was pressed, or 0; does not block.
   char read() const;
 
  private:

@@ -33,7 +33,7 @@ const char* const kUsage =
     "\n"
     "Exit code: 0, it was told to end. 1, a parameter is at fault. 2, the command line is.\n";
 
-/// The exercise between rviz's Publish Point tool and its markers. Both are of one frame, the
+/// Connects rviz's Publish Point tool, the exercise and its markers. Both use one frame, the
 /// parameter `frame`.
 class Scene {
  public:
@@ -84,7 +84,7 @@ class Scene {
   ros::ServiceServer reset_service_;
 };
 
-/// The parameter `frame`; nothing, behind an error, if it is no name of a frame.
+/// The parameter `frame`; nothing after an error if it is no valid frame name.
 std::optional<std::string> readFrame() {
   const ros::NodeHandle node("~");
   std::string frame = "world";
@@ -125,7 +125,7 @@ int main(int argc, char** argv) {
   if (const auto code = initNode(argc, argv, "two_capsules")) {
     return *code;
   }
-  // Outside of the function that reads: when the last handle ends, ROS shuts its log down.
+  // Outside the reading function: ROS shuts its log down when the last handle ends.
   const ros::NodeHandle node;
   const auto frame = two_capsules::readFrame();
   if (!frame) {

@@ -6,16 +6,16 @@
 
 namespace collision_monitor {
 
-/// How mesh files are read. A malformed one may crash the library that does it, or keep it busy for
-/// ever; so a program of this package does, and this process lives on
-/// (docs/decisions/helper-processes.md). Binary STLs need none.
+/// How mesh files are read. A malformed file may crash the library that reads it or keep it busy
+/// for ever. A separate program of this package reads them, so this process survives
+/// (docs/decisions/helper-processes.md). Binary STLs do not need it.
 struct MeshReading {
-  double seconds{60.0};  ///< a file may take, more than 0
-  double memory{2e9};    ///< [bytes] a file may take
-  /// That reads; empty: `read_meshes` as installed beside this library.
+  double seconds{60.0};  ///< time that one file may take, more than 0
+  double memory{2e9};    ///< [bytes] memory that one file may take
+  /// The program that reads; empty: `read_meshes` as installed beside this library.
   std::filesystem::path program;
-  /// Read in this process, without limits: for programs that have this library alone and trust
-  /// their meshes.
+  /// Read in this process, without limits: for programs that have only this library and trust their
+  /// meshes.
   bool is_in_process{false};
 };
 

@@ -12,7 +12,7 @@ namespace collision_monitor {
 
 /// Why a pair of links is checked or ignored.
 enum class PairReason : unsigned char {
-  checked,           ///< nothing says otherwise
+  checked,           ///< no rule says otherwise
   enabled_by_srdf,   ///< checked: an enable_collisions line
   same_rigid_group,  ///< ignored: only fixed joints between them
   adjacent,          ///< ignored: one joint, or joints and links without geometry, between them
@@ -24,14 +24,14 @@ enum class PairReason : unsigned char {
 const char* reasonText(PairReason reason) noexcept;
 bool isChecked(PairReason reason) noexcept;
 
-/// a < b; only links with shapes stand in pairs.
+/// a < b; both links have shapes.
 struct LinkPair {
   LinkId a{};
   LinkId b{};
   PairReason reason{PairReason::checked};
 };
 
-/// Two links, or patterns for several, that the user wants to be ignored.
+/// Two links to be ignored; each name may be a pattern for several links.
 struct NamedPair {
   std::string a;
   std::string b;
@@ -39,32 +39,32 @@ struct NamedPair {
 
 using LinkIdPair = std::pair<LinkId, LinkId>;  ///< first < second
 
-/// The pairs that are named: of every link that fits one name with every other that fits the
-/// second. Names and patterns are as in rules for shapes: of links in messages, or in the URDF of
-/// any robot.
+/// The pairs that `named` describes: each link that matches the first name with each other link
+/// that matches the second. Names and patterns work as in shape rules: they match a link's name in
+/// messages, or in the URDF of any robot.
 ///
-/// Errors: a name that no link fits, and two that fit but one and the same link.
-/// @param list what messages call it
+/// Errors: a name that matches no link; two names that match only one and the same link.
+/// @param list name of the list in messages
 std::vector<LinkIdPair> findNamedPairs(const std::vector<NamedPair>& named, const std::string& list,
                                        const RobotModel& model, SetupReport& report);
 
-/// Every pair of links that have shapes, each with its reason, sorted by (a, b).
-/// The first of these rules that says something decides:
+/// Every pair of links that have shapes, each with its reason, sorted by (a, b). The first rule
+/// that applies decides:
 ///
-/// 1. A pair of `ignored`: ignored.
+/// 1. A pair of `ignored` is ignored.
 /// 2. Links of different robots are checked.
-/// 3. Only fixed joints between them: ignored, for nothing can bring them nearer.
-/// 4. An `enable_collisions` line: checked. It wins over a `disable_collisions` line
-///    for the same pair, because a pair too many costs less than a pair missed.
-/// 5. A `disable_collisions` line, or `disable_default_collisions` of either link: ignored.
-/// 6. Adjacent links: ignored, for the links of a joint touch by design. Adjacent is a link and
-///    its nearest ancestor with geometry. Links without geometry between them are passed
-///    through: they have no extent, and serve to build one mechanical joint of
-///    several axes out of URDF's joints of one axis, at which the two neighbours meet.
-///    An SRDF does not switch this off: by custom it lists adjacent pairs, but not always all.
+/// 3. Links with only fixed joints between them are ignored: their distance cannot change.
+/// 4. A pair with an `enable_collisions` line is checked. This wins over a `disable_collisions`
+///    line for the same pair, because an extra pair costs less than a missed one.
+/// 5. A pair with a `disable_collisions` line, or `disable_default_collisions` of either link, is
+///    ignored.
+/// 6. Adjacent links are ignored: the links of a joint touch by design. A link is adjacent to its
+///    nearest ancestor with geometry. Links without geometry in between are skipped: they have no
+///    extent. They model one mechanical joint of several axes by several URDF joints of one axis.
+///    An SRDF does not switch this rule off: it usually lists adjacent pairs, but not always all.
 /// 7. All others are checked.
 ///
-/// @pre ids in `srdfs` and `ignored` are of `model`.
+/// @pre ids in `srdfs` and `ignored` belong to `model`.
 std::vector<LinkPair> decideLinkPairs(const RobotModel& model, const std::vector<SrdfPairs>& srdfs,
                                       const std::vector<LinkIdPair>& ignored = {});
 

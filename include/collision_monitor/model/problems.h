@@ -9,26 +9,25 @@
 
 namespace collision_monitor {
 
-/// One fault of the user's input: the place, what stands there, and what may stand there or what to
-/// make of it.
+/// One fault of the user's input: where it is, what was found there, and what is accepted or
+/// advised.
 struct Problem {
-  std::string where;  ///< "robot.urdf line 42, link 'arm', collision 2"
-  std::string found;  ///< "box size '0.1 -0.2 0.3'"
-  std::string
-      accepted;  ///< "three numbers greater than 0, in metres"; "" where that is no question
+  std::string where;     ///< "robot.urdf line 42, link 'arm', collision 2"
+  std::string found;     ///< "box size '0.1 -0.2 0.3'"
+  std::string accepted;  ///< "three numbers greater than 0, in metres"; "" if it does not apply
   std::string advice{};  ///< "they are taken as unlimited": what was done, or what the user can do
 };
 
 std::string toString(const Problem& problem);
 
-/// Everything that set-up has to say. Readers add to it and go on, so that the
-/// user sees every fault at once.
+/// All faults that set-up finds. Readers add to it and go on, so that the user sees every fault at
+/// once.
 struct SetupReport {
   std::vector<Problem> errors;    ///< the set-up cannot be used
-  std::vector<Problem> warnings;  ///< it can, but somebody should know
+  std::vector<Problem> warnings;  ///< the set-up can be used, but the user should know
 };
 
-/// All faults of a set-up in one error; what() lists them, one a line.
+/// All faults of a set-up in one error; what() lists them, one per line.
 class SetupError : public std::runtime_error {
  public:
   explicit SetupError(std::vector<Problem> problems);
@@ -38,8 +37,8 @@ class SetupError : public std::runtime_error {
   std::vector<Problem> problems_;
 };
 
-/// What ended a program or a request, as its user is told: of memory that was not there a sentence
-/// that says what helps, of all else its what().
+/// Text for the user about what ended a program or a request: what() of `failure`, but advice if
+/// memory ran out.
 std::string failureText(const std::exception& failure);
 
 /// @throws SetupError when the report holds an error.

@@ -28,9 +28,9 @@ struct Mimic {
   double offset{0.0};
 };
 
-/// Number of joint variables: revolute, continuous, prismatic 1; planar 3
-/// (x, y along the joint's plane [m], angle [rad]); floating 7 (x, y, z [m],
-/// unit quaternion x, y, z, w); fixed 0. A mimic joint has none of its own.
+/// Number of joint variables: 1 for revolute, continuous and prismatic; 3 for planar (x, y in the
+/// joint's plane [m], angle [rad]); 7 for floating (x, y, z [m], unit quaternion x, y, z, w); 0 for
+/// fixed. A mimic joint has none of its own.
 struct Joint {
   std::string name;
   JointType type{JointType::fixed};
@@ -43,27 +43,27 @@ struct Joint {
   double upper{std::numeric_limits<double>::infinity()};
   double max_velocity{std::numeric_limits<double>::infinity()};  ///< [rad/s] or [m/s]
   std::optional<Mimic> mimic;
-  std::size_t first_variable{0};  ///< of its source for a mimic joint
+  std::size_t first_variable{0};  ///< a mimic joint has that of its source
 };
 
 struct CollisionElement {
-  std::string name;  ///< unique within the link: the URDF's name or "collision_0", ...
+  std::string name;  ///< unique within the link: the URDF's name, or "collision_0", ...
   Pose link_from_geometry;
   Geometry geometry;
-  std::string mesh_name{};  ///< as written; empty for other shapes
+  std::string mesh_name{};  ///< as written in the URDF; empty for other shapes
   Eigen::Vector3d mesh_scale{Eigen::Vector3d::Ones()};
 };
 
 struct Link {
-  std::string name;   ///< as in messages: the URDF's name behind the robot's prefix
+  std::string name;   ///< as in messages: the robot's prefix, then the URDF's name
   std::string frame;  ///< tf frame
   RobotId robot{};
   std::optional<JointId> parent_joint;  ///< none for a root
   std::vector<CollisionElement> collisions;
-  bool has_given_shapes{false};  ///< shapes that a rule gives, in place of those of `collisions`
+  bool has_given_shapes{false};  ///< a rule gives shapes that replace those of `collisions`
 };
 
-/// Whether the link can touch anything: it has geometry, or shapes that a rule gives.
+/// Whether the link can touch anything: it has geometry, or a rule gives it shapes.
 inline bool hasShapes(const Link& link) noexcept {
   return link.has_given_shapes || !link.collisions.empty();
 }
@@ -76,10 +76,9 @@ struct Robot {
   std::size_t first_joint{0}, joint_count{0};
 };
 
-/// Every robot that is watched, as one forest of links. Links and joints of a robot are
-/// contiguous and every parent stands before its children, so that one pass
-/// computes all poses. Built by readRobots; buildSetup notes given
-/// shapes, and nothing changes after.
+/// All monitored robots as one forest of links. The links and joints of a robot are contiguous, and
+/// every parent comes before its children, so one pass computes all poses. readRobots builds it;
+/// buildSetup marks given shapes; nothing changes afterwards.
 struct RobotModel {
   std::vector<Robot> robots;
   std::vector<Link> links;
@@ -88,9 +87,9 @@ struct RobotModel {
 
   const Link& link(LinkId id) const { return links[index(id)]; }
   const Joint& joint(JointId id) const { return joints[index(id)]; }
-  /// By the name used in messages. Slow (linear): for set-up and services only.
+  /// Finds a link by its name in messages. Slow (linear): for set-up and services only.
   std::optional<LinkId> findLink(const std::string& name) const;
-  /// By the name in the URDF behind the robot's prefix.
+  /// Finds a joint by the robot's prefix and its name in the URDF.
   std::optional<JointId> findJoint(const std::string& name) const;
 };
 

@@ -14,34 +14,35 @@
 
 namespace collision_monitor {
 
-/// What a user says about the shapes of links, in YAML; config/shape_rules.yaml shows all of it.
+/// A user's rules about the shapes of links, in YAML. config/shape_rules.yaml shows all of it.
 ///
-/// A file is a list of rules under `shapes`. Each selects links and sets some fields; of several
-/// rules for a link the last one that sets a field decides about it.
+/// A file is a list of rules under `shapes`. Each rule selects links and sets some fields. If
+/// several rules set the same field of a link, the last one counts.
 ///
 /// Frames: shapes are placed in the frame of their link; `rpy` turns about fixed axes as in a URDF.
-/// Units: metres and radians. A capsule's `length` is the distance between the centers of its caps,
-/// a rounded box's `size` that of the box before it is rounded: as a whole each is 2 radius longer.
+/// Units: metres and radians. A capsule's `length` is the distance between the centers of its caps.
+/// A rounded box's `size` is that of the box before it is rounded. As a whole each is 2 radius
+/// longer.
 struct ShapeRulesText {
-  std::string source;  ///< what messages call it: a file name
+  std::string source;  ///< its name in messages: a file name
   std::string yaml;    ///< empty: no rules
 };
 
-/// Shapes that take the place of fits.
+/// Shapes that replace fitted shapes.
 struct GivenShapes {
-  std::vector<PosedShape> shapes;  ///< link_from_body in place of geometry_from_body; not empty
-  bool is_unproven{false};         ///< the user answers for it that they enclose the link
+  std::vector<PosedShape> shapes;  ///< link_from_body replaces geometry_from_body; not empty
+  bool is_unproven{false};         ///< no proof that they enclose the link; the user is responsible
   std::string where;               ///< "rules.yaml line 12, rule 3"
 };
 
-/// What distances to a mesh are refined to where its enclosing shapes come near another link.
+/// What distances to a mesh are refined to, where its enclosing shapes are near another link.
 enum class RefineGeometry : unsigned char {
-  mesh,  ///< its triangles, and what a closed surface holds
+  mesh,  ///< its triangles, and the inside of a closed surface
   hull,  ///< its convex hull: faster, and never smaller than the mesh
   none,  ///< the enclosing shapes themselves
 };
 
-/// What the rules say about one link; nothing where they are silent.
+/// What the rules say about one link; empty fields: no rule sets them.
 struct LinkRules {
   std::optional<ShapeKinds> kinds;
   std::optional<std::uint32_t> max_shapes;
@@ -51,31 +52,29 @@ struct LinkRules {
   std::optional<RefineGeometry> refine;
 };
 
-/// Reads the rules and finds the links they mean.
+/// Reads the rules and finds the links that they select.
 ///
-/// Names and patterns (* for any characters, ? for one) are held against a link's name in messages
-/// and in its URDF, so that "left/hand" means one link and "hand" that of every robot. A group is
-/// one of any robot's SRDF, by its name or behind the robot's prefix. YAML itself has a use for *
-/// and
-/// ?, so patterns stand in quotes.
+/// Names and patterns (* for any characters, ? for one) match a link's name in messages or in its
+/// URDF: "left/hand" selects one link, "hand" selects that link of every robot. A group is one of
+/// any robot's SRDF, by its name with or without the robot's prefix. Patterns must be quoted,
+/// because * and ? have a meaning in YAML.
 ///
-/// Adds every fault to `report` as an error, each with its line: text that is no YAML, unknown and
-/// repeated keys, values of a wrong kind or out of range, names that match nothing, rules
-/// without links or without effect. Warnings: no rule at all, a rule whose links have no
-/// geometry that could be fitted.
-/// @return one a link, by LinkId; after an error, what could be read.
+/// Adds every fault to `report` as an error with its line: text that is no YAML, unknown and
+/// repeated keys, values of a wrong kind or out of range, names that match nothing, rules without
+/// links or without effect. Warnings: no rule at all; a rule whose links have no geometry to fit.
+/// @return one entry per link, by LinkId; after an error, what could be read.
 std::vector<LinkRules> readShapeRules(const ShapeRulesText& text, const RobotModel& model,
                                       const std::vector<SrdfPairs>& srdfs, SetupReport& report);
 
-/// Shapes of one link, to be written down.
+/// Shapes of one link, to be written as rules.
 struct NamedShapes {
   std::string link;
   std::vector<PosedShape> shapes;  ///< as in GivenShapes
-  std::string comment;             ///< one line above, "" for none
+  std::string comment;             ///< one line above the shapes, "" for none
 };
 
-/// Rules that give these shapes, as readShapeRules reads them.
-/// Error: numbers have nine digits; buildSetup forgives what this takes from a tight shape.
+/// Rules that give these shapes, in the format that readShapeRules reads.
+/// Error: numbers have nine digits; buildSetup tolerates the rounding of a tight shape.
 std::string writeShapeRules(const std::vector<NamedShapes>& links);
 
 }  // namespace collision_monitor

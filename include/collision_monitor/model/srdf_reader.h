@@ -10,14 +10,14 @@
 
 namespace collision_monitor {
 
-/// A `<group>` and what stands in it; linksOf says which links that is.
+/// A `<group>` and its members as listed. linksOf computes the links that it holds.
 struct LinkGroup {
   struct Chain {
     LinkId base{};
     LinkId tip{};
   };
   std::string name;           ///< as written, without the robot's prefix
-  std::vector<LinkId> links;  ///< of `<link>` and `<joint>`
+  std::vector<LinkId> links;  ///< from `<link>` and `<joint>`
   std::vector<Chain> chains;
   std::vector<std::size_t> groups;  ///< indices into SrdfPairs::groups
 };
@@ -27,7 +27,7 @@ struct SrdfPairs {
   struct Entry {
     LinkId a{};
     LinkId b{};
-    std::string reason;  ///< the attribute as written, may be empty
+    std::string reason;  ///< the attribute as written; may be empty
   };
   RobotId robot{};
   std::vector<Entry> disabled;              ///< `<disable_collisions>`
@@ -36,26 +36,27 @@ struct SrdfPairs {
   std::vector<LinkGroup> groups;            ///< `<group>`, in the order of the file
 };
 
-/// Reads the SRDF of one robot of the model, `description.srdf_xml`. Names in it are those
-/// of the URDF; the robot's prefix is put before them.
+/// Reads the SRDF of one robot of the model, `description.srdf_xml`. Names in an SRDF are those of
+/// the URDF; this function adds the robot's prefix.
 ///
-/// Groups hold what MoveIt moves with them: of a `<joint>` its child link, of a `<chain>` the
-/// links from base_link to tip_link without base_link itself, or, where base_link is no ancestor of
-/// tip_link, all from one over the link at which they meet to the other; of a `<group>` its links,
-/// wherever in the file it stands. A `<virtual_joint>` stands for the link that it moves.
+/// Groups hold what MoveIt moves with them. A `<joint>` adds its child link. A `<chain>` adds the
+/// links from base_link to tip_link, without base_link. If base_link is not an ancestor of
+/// tip_link, the chain adds all links from one to the other, through their lowest common ancestor.
+/// A `<group>` adds its links, wherever it is in the file. A `<virtual_joint>` stands for the link
+/// that it moves.
 ///
-/// Warnings: links that are unknown, listed together with their lines, which are ignored: SRDFs are
-/// shared by variants of a robot, and what they fail to disable is checked; the same for names in
-/// groups; pairs that are both enabled and disabled; a link with itself.
-/// Errors: XML that cannot be parsed, and a line without its links; if `description.is_strict`,
-/// unknown names, too.
-/// Limits: after an error the result holds what could be read. If `model` does not have the
-/// robot, because its URDF could not be read, only the XML is checked.
+/// Warnings: unknown links and unknown names in groups, listed with their lines and ignored
+/// (variants of a robot share SRDFs; pairs that are thus not disabled are checked); pairs that are
+/// both enabled and disabled; a pair of a link with itself.
+/// Errors: XML that cannot be parsed; a line without its links; unknown names if
+/// `description.is_strict`.
+/// Limits: after an error the result holds what could be read. If `model` lacks the robot because
+/// its URDF could not be read, only the XML is checked.
 SrdfPairs readSrdf(const RobotDescription& description, RobotId robot, const RobotModel& model,
                    SetupReport& report);
 
-/// The links that a group holds, sorted, each once: also those of groups in it, and in these. A
-/// circle of groups holds what its members hold.
+/// The links that a group holds, sorted and unique, including those of nested groups. Groups that
+/// contain each other all hold the links of all of them.
 std::vector<LinkId> linksOf(const std::vector<LinkGroup>& groups, std::size_t group,
                             const RobotModel& model);
 

@@ -12,43 +12,46 @@
 
 namespace collision_monitor {
 
-/// One robot as the user hands it over.
+/// One robot as the user gives it.
 struct RobotDescription {
-  std::string source;  ///< what messages call it: a file name or "parameter /robot_description"
+  std::string source;  ///< its name in messages: a file name or "parameter /robot_description"
   std::string urdf_xml;
   std::string srdf_xml;     ///< empty if there is none
-  std::string srdf_source;  ///< what messages call it; empty: "SOURCE (SRDF)"
-  std::string tf_prefix;    ///< "" or "left": tf frames and link names become "left/NAME";
-                            ///< slashes around it do not count, and no name gets it twice
-  std::string directory;    ///< for relative mesh names: the URDF's folder, "" if unknown
-  /// Turn meshes that declare another up axis than z; docs/decisions/mesh-up-axis.md says why
-  /// this is not the rule.
+  std::string srdf_source;  ///< its name in messages; empty: "SOURCE (SRDF)"
+  std::string
+      tf_prefix;  ///< "" or "left": tf frames and link names become "left/NAME"; slashes around it
+                  ///< are dropped, and a name that has it already does not get it again
+  std::string
+      directory;  ///< where relative mesh names are looked up: the URDF's folder, "" if unknown
+  /// Turn meshes that declare an up axis other than z. docs/decisions/mesh-up-axis.md says why this
+  /// is not the default.
   bool obeys_up_axis{false};
-  bool is_strict{false};  ///< names in the SRDF that the URDF lacks are errors
+  bool is_strict{false};  ///< names in the SRDF that are not in the URDF are errors
 };
 
 /// Returns the bytes behind a URI (package://, file://, a plain path).
-/// @throws std::runtime_error with a sentence when it cannot.
+/// @throws std::runtime_error with a sentence if it cannot.
 using ResourceLoader = std::function<std::string(const std::string& uri)>;
 
 /// Reads all robots into one model: every `<collision>` of every link (box,
 /// sphere, cylinder, capsule, mesh with scale), all joint types, mimic.
 ///
-/// Shapes: a `<capsule radius length>` is read as Bullet does, `length` being the
-/// distance between the centers of its caps; it is not part of the URDF specification.
-/// A cylinder with spheres of its radius on both ends, all in one link, becomes one
-/// capsule. Meshes are scaled, also by negative and non-uniform scales.
+/// Shapes: a `<capsule radius length>` is read as in Bullet: `length` is the distance between the
+/// centers of its caps. It is not part of the URDF specification. A cylinder with spheres of its
+/// radius on both ends, all in one link, becomes one capsule. Meshes are scaled, also by negative
+/// and non-uniform scales.
 /// Frames: `rpy` turns about fixed axes, R = Rz(yaw) Ry(pitch) Rx(roll).
 /// Names: leading slashes are dropped. A link written "/base" keeps the tf frame "base" without
 /// prefix, as robot_state_publisher publishes it; its name in messages has the prefix.
-/// Joints: axes are normalised; a missing one is x, as URDF has it. Missing limits are no
-/// limits. A mimic joint follows the joint at the end of its chain.
-/// Ignored: elements and attributes that are none of URDF's geometry and kinematics.
+/// Joints: axes are normalised; the default axis is x, as in URDF. Missing limits mean no limits. A
+/// mimic joint follows the joint at the end of its chain.
+/// Ignored: elements and attributes outside URDF's geometry and kinematics.
 ///
-/// Adds every fault found, in all robots, to `report`, each with its line; links without geometry
-/// and oddities that do no harm are warnings, one per kind and robot.
-/// @param reading how meshes are read: by a program of this package, unless it says otherwise
-/// @return an empty model if an error was added: half a model would be checked without a word.
+/// Adds every fault of all robots to `report`, each with its line. Links without geometry and
+/// harmless oddities are warnings, one per kind and robot.
+/// @param reading how meshes are read: by default, by a program of this package
+/// @return an empty model if an error was added, so that nobody monitors part of a model
+/// unknowingly
 /// @throws Interrupted
 RobotModel readRobots(const std::vector<RobotDescription>& descriptions,
                       const ResourceLoader& load_resource, SetupReport& report,

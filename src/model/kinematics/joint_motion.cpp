@@ -6,7 +6,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Velocities of the child about its own origin, for a unit of the k-th velocity.
+/// Velocities of the child at its own origin, for a unit of the k-th velocity.
 /// Frames: the joint frame.
 struct UnitMotion {
   Eigen::Vector3d velocity{Eigen::Vector3d::Zero()};

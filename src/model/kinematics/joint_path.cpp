@@ -32,15 +32,15 @@ Cubic cubicOf(const JointPath& path, std::size_t segment, std::size_t joint) noe
   return {start, before, 3.0 * rise - 2.0 * before - after, before + after - 2.0 * rise};
 }
 
-/// Shares at which the velocity is 0, in ascending order; `from` and `to` where there is none
-/// between them.
+/// Shares at which the velocity is 0, in ascending order. Clamped to [`from`, `to`]; both ends if
+/// there is none.
 struct Turns {
   double first;
   double second;
 };
 
 Turns turnsWithin(const Cubic& cubic, double from, double to) noexcept {
-  // first + 2 second s + 3 third s^2 = 0, by the form that does not cancel.
+  // first + 2 second s + 3 third s^2 = 0, solved by the form without cancellation.
   const double root = cubic.second * cubic.second - 3.0 * cubic.third * cubic.first;
   if (!(root > 0.0)) {
     return {from, to};

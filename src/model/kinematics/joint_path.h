@@ -8,14 +8,14 @@
 
 namespace collision_monitor {
 
-/// Positions of some joints over time, by way-points. Between two of them joints move evenly or,
-/// where velocities are given, on the cubic that has both positions and both velocities.
+/// Positions of some joints over time, given by waypoints. Between two waypoints, joints move at
+/// constant speed or, if velocities are given, on the cubic that has both positions and velocities.
 ///
 /// Units: radians, metres, seconds.
 struct JointPath {
-  std::vector<JointId> joints;     ///< revolute, continuous or prismatic; none follows another
-  std::vector<double> times;       ///< of the way-points, increasing
-  std::vector<double> positions;   ///< by way-point, then by joint
+  std::vector<JointId> joints;     ///< revolute, continuous or prismatic; no mimic joints
+  std::vector<double> times;       ///< of the waypoints, increasing
+  std::vector<double> positions;   ///< by waypoint, then by joint
   std::vector<double> velocities;  ///< likewise, or empty
 
   double positionAt(std::size_t waypoint, std::size_t joint) const noexcept {
@@ -23,10 +23,10 @@ struct JointPath {
   }
 };
 
-/// Whether every number is finite, times increase and sizes agree; there must be a way-point.
+/// Whether every number is finite, times increase, sizes agree, and there is a waypoint.
 bool isSound(const JointPath& path) noexcept;
 
-/// A part of the way from way-point `segment` to the next: shares of its time, 0 to 1.
+/// A part of the motion from waypoint `segment` to the next, as shares of its time, 0 to 1.
 struct PathPart {
   std::size_t segment{0};
   double from{0.0};
@@ -35,12 +35,12 @@ struct PathPart {
 
 double timeAt(const JointPath& path, std::size_t segment, double share) noexcept;
 
-/// Fills in the variables of the path's joints.
+/// Fills in the variables of the path's joints at a share of the segment's time.
 /// @pre the path is sound and has the segment; `positions` has all variables of the model.
 void setPositions(const RobotModel& model, const JointPath& path, std::size_t segment, double share,
                   JointPositions& positions) noexcept;
 
-/// How far a joint of the path goes in this part, to and fro added up: [rad] or [m], exact.
+/// The travel of a joint in this part, back and forth added up: [rad] or [m], exact.
 double travelOf(const JointPath& path, const PathPart& part, std::size_t joint) noexcept;
 
 }  // namespace collision_monitor

@@ -26,7 +26,7 @@ Pose planarMotion(const Eigen::Vector3d& axis, const double* variables) noexcept
 
 Pose floatingMotion(const double* variables) noexcept {
   const Eigen::Vector4d xyzw(variables[3], variables[4], variables[5], variables[6]);
-  // stableNorm of zeros is 0 and the division gives NaN: no rotation, and no silent one.
+  // stableNorm of zeros is 0, so the division gives NaN: a zero quaternion is not a rotation.
   const Eigen::Vector4d unit = xyzw / xyzw.stableNorm();
   const Eigen::Quaterniond rotation(unit[3], unit[0], unit[1], unit[2]);
   return {rotation.toRotationMatrix(), {variables[0], variables[1], variables[2]}};
@@ -40,14 +40,14 @@ double positionOf(const Joint& joint, const JointPositions& positions) noexcept 
 }  // namespace
 
 /// Source: Rodrigues' formula with sin and cos taken from z x axis and z . axis. Where the axis
-/// points back, 1 + cos would cancel: there it is sin^2 / (1 - cos).
+/// points towards -z, 1 + cos would cancel; sin^2 / (1 - cos) replaces it there.
 Eigen::Matrix3d rotationFromZTo(const Eigen::Vector3d& axis) noexcept {
   const double x = axis.x();
   const double y = axis.y();
   const double cosine = axis.z();
   const double sine_squared = x * x + y * y;
   if (cosine < 0.0 && sine_squared < std::numeric_limits<double>::min()) {
-    // Straight back every axis in the plane is as good; x stays where it is.
+    // The axis is -z: every turn axis in the plane is equally good. This one keeps x.
     return Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
   }
   const double k = cosine < 0.0 ? (1.0 - cosine) / sine_squared : 1.0 / (1.0 + cosine);
@@ -95,7 +95,7 @@ void placeLinks(const RobotModel& model, const JointPositions& positions,
   for (const Robot& robot : model.robots) {
     world_from_link[index(robot.root)] = world_from_root[index(model.link(robot.root).robot)];
   }
-  // Parents stand before their children, so one pass meets every parent placed.
+  // Parents come before their children, so one pass finds every parent placed.
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     if (const auto parent_joint = model.links[i].parent_joint) {
       const Joint& joint = model.joint(*parent_joint);

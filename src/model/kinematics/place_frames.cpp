@@ -4,7 +4,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "model/kinematics/place_frames.cpp"
 #include "hwy/foreach_target.h"
-// The order matters: Highway first includes this file once for each target.
+// The order matters: Highway includes this file first, once for each target.
 #include "geometry/lanes/sine_lanes-inl.h"
 #include "model/kinematics/state_lanes-inl.h"
 
@@ -19,7 +19,7 @@ void turnAboutZ(Number angle, PoseLanes& pose) {
   pose.axes.x = x;
 }
 
-/// By the unit quaternion of x, y, z, w; NaN if it is zero.
+/// Rotation by the unit quaternion x, y, z, w; NaN if it is zero.
 Axes axesOfQuaternion(Number x, Number y, Number z, Number w) {
   const Number one = number(1.0);
   const Number sum =

@@ -6,13 +6,13 @@
 namespace collision_monitor {
 namespace {
 
-/// Joints whose motion is not about or along an axis keep their frame.
+/// Joints that do not move about or along an axis keep their frame.
 Eigen::Matrix3d frameFromAxis(const Joint& joint) {
   return joint.type == JointType::floating ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
                                            : rotationFromZTo(joint.axis);
 }
 
-/// The frame that `joint` moves, and where its child link stands in it.
+/// Adds the frame that `joint` moves. Returns the pose of its child link in that frame.
 LinkPlace addFrame(const Joint& joint, const LinkPlace& parent, KinematicsPlan& plan) {
   const Eigen::Matrix3d turned = frameFromAxis(joint);
   MovingFrame frame;

@@ -6,8 +6,8 @@
 
 namespace collision_monitor {
 
-/// The least rotation that turns z onto the unit vector `axis`: it gives the plane of a planar
-/// joint its x and y.
+/// The smallest rotation that turns z onto the unit vector `axis`. It defines the x and y axes of a
+/// planar joint's plane.
 Eigen::Matrix3d rotationFromZTo(const Eigen::Vector3d& axis) noexcept;
 
 }  // namespace collision_monitor

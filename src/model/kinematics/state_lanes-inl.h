@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Poses of several states in lanes, `lane` the first of those a vector holds.
+// Poses of several states in SIMD lanes. `lane` is the first state of a vector.
 #if defined(COLLISION_MONITOR_STATE_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COLLISION_MONITOR_STATE_LANES_INL_H_
 #undef COLLISION_MONITOR_STATE_LANES_INL_H_

@@ -12,9 +12,9 @@
 namespace collision_monitor {
 namespace {
 
-// Source: the STL formats as 3D Systems published them (StereoLithography Interface
-// Specification, 1989): 80 bytes of header, a little-endian count, 50 bytes a triangle: its normal,
-// three corners, two bytes that say nothing.
+// Source: the STL format as published by 3D Systems (StereoLithography Interface Specification,
+// 1989): a header of 80 bytes, a little-endian count, then 50 bytes per triangle: its normal, three
+// corners, and two unused bytes.
 constexpr std::size_t kCountAt = 80;
 constexpr std::size_t kHeaderSize = 84;
 constexpr std::size_t kTriangleSize = 50;

@@ -8,9 +8,9 @@
 
 namespace collision_monitor {
 
-/// The triangles of a binary STL, as readMesh gives them. Its records are all of one size and name
-/// nothing, so no file keeps this busy or leads it astray: it needs no process of its own.
-/// Takes at most a few times the memory of the file.
+/// The triangles of a binary STL, in the form of readMesh. Its records have a fixed size and refer
+/// to nothing, so no file can crash or stall this function. It needs no separate process. Takes at
+/// most a few times the memory of the file.
 /// @throws std::runtime_error if the file ends before its triangles do, or a vertex is not finite.
 /// @pre isTextStl says no.
 TriangleMesh readBinaryStl(const std::string& bytes);

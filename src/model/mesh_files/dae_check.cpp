@@ -21,7 +21,7 @@ using tinyxml2::XMLElement;
 
 using ArraySizes = std::map<std::string, std::uint64_t>;  ///< by id
 
-/// "with count 3, stride 3": as the file has it.
+/// "with count 3, stride 3", as written in the file.
 std::string accessText(const XMLElement& accessor) {
   std::string text = "with count " + visibleText(attributeOf(accessor, "count"));
   for (const char* attribute : {"stride", "offset"}) {
@@ -31,8 +31,8 @@ std::string accessText(const XMLElement& accessor) {
   return text;
 }
 
-/// Source: COLLADA 1.4.1, chapter 5: values from `offset` on, `stride` from one to the next, of
-/// each as many as there are parameters.
+/// Source: COLLADA 1.4.1, chapter 5: values begin at `offset` and are `stride` apart; each has one
+/// number per parameter.
 void checkAccessor(const XMLElement& accessor, const ArraySizes& size_of) {
   const std::string source = attributeOf(accessor, "source");
   const auto array = size_of.find(source.substr(std::min<std::size_t>(1, source.size())));
@@ -55,12 +55,12 @@ void checkAccessor(const XMLElement& accessor, const ArraySizes& size_of) {
   }
 }
 
-/// assimp makes room for as many numbers as that.
+/// assimp allocates this many numbers.
 void checkCount(const XMLElement& array, std::size_t file_size) {
   const std::string text = attributeOf(array, "count");
   const std::vector<std::string_view> words = wordsOf(text);
   if (words.empty()) {
-    return;  // none, says assimp
+    return;  // assimp reads an empty array then
   }
   const std::string_view digits = words[0].substr(words[0].front() == '+' ? 1 : 0);
   std::uint64_t count = 0;

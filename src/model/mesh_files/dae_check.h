@@ -6,10 +6,10 @@
 
 namespace collision_monitor {
 
-/// Refuses a DAE file that assimp 5.2 does not survive: of which it would read beyond the end of an
-/// array or make room for more values than the file can hold; whose primitives, `<p>`, hold
-/// anything but indices; whose elements or nodes nest too deeply, or without end. Limits: says
-/// nothing of what is no XML, for assimp does.
+/// Refuses a DAE file that could crash or stall assimp 5.2: assimp would read beyond the end of an
+/// array, or allocate more values than the file can hold; `<p>` of a primitive holds anything but
+/// indices; elements or nodes nest too deeply or endlessly.
+/// Limits: ignores text that is no XML; assimp reports that.
 /// @throws std::runtime_error
 void checkDae(const std::string& bytes);
 

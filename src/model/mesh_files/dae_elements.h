@@ -7,13 +7,13 @@
 #include <string>
 #include <string_view>
 
-/// What the checks of DAE files share.
+/// Helpers shared by the checks of DAE files.
 namespace collision_monitor {
 
 /// @throws std::runtime_error that names the element
 [[noreturn]] void refuseElement(const tinyxml2::XMLElement& element, const std::string& fault);
 
-/// Calls `look` with each element of a name.
+/// Calls `look` for each element with a given name.
 template <class Look>
 class ElementVisitor : public tinyxml2::XMLVisitor {
  public:
@@ -37,8 +37,8 @@ void forElements(const char* name, const tinyxml2::XMLDocument& document, const 
   document.Accept(&visitor);
 }
 
-/// Refuses nodes that instance themselves, directly or through others, or nest too deeply with
-/// what they instance.
+/// Refuses nodes that instance themselves, directly or through others. Refuses nodes that, with
+/// those that they instance, nest too deeply.
 void checkDaeNodes(const tinyxml2::XMLDocument& document);
 
 }  // namespace collision_monitor

@@ -12,11 +12,11 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// Finds how deep nodes nest, each one once.
+/// Computes how deep nodes nest. Visits each node once.
 class NodeHeights {
  public:
   explicit NodeHeights(const tinyxml2::XMLDocument& document) {
-    // assimp looks for the id first.
+    // assimp prefers the id.
     for (const char* name : {"id", "sid"}) {
       forElements("node", document, [&](const XMLElement& node) {
         if (node.Attribute(name) != nullptr) {
@@ -26,15 +26,15 @@ class NodeHeights {
     }
   }
 
-  /// @param depth of the node below the one that was asked for first
-  /// @return levels from the node down, itself among them
+  /// @param depth levels below the node where the search began
+  /// @return number of levels from this node down, including its own
   int heightOf(const XMLElement& node, int depth) {
     const auto [known, is_new] = height_of_.emplace(&node, kUnderway);
     if (known->second == kUnderway && !is_new) {
       refuseElement(node, "instances itself");
     }
     if (is_new) {
-      const int below = heightBelow(node, depth + 1);  // may make more room in the map
+      const int below = heightBelow(node, depth + 1);  // may add to the map
       height_of_[&node] = 1 + below;
     }
     const int height = height_of_[&node];
@@ -44,7 +44,7 @@ class NodeHeights {
 
  private:
   static constexpr int kUnderway = 0;
-  static constexpr int kDeepestNode = 500;  // files as programs write them have ten or twenty
+  static constexpr int kDeepestNode = 500;  // usual files have ten or twenty
 
   static void checkDepth(const XMLElement& node, int depth) {
     if (depth > kDeepestNode) {

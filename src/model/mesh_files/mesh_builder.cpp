@@ -11,8 +11,8 @@
 namespace collision_monitor {
 namespace {
 
-/// A triangle whose height is below this part of its longest edge is a line to
-/// the numbers it was written in (float, 6e-8) and its normal is noise.
+/// A triangle whose height is below this part of its longest edge is a line within the precision of
+/// its numbers (float, 6e-8). Its normal is noise.
 constexpr double kFlatness = 1e-12;
 
 bool hasArea(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -24,7 +24,7 @@ bool hasArea(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
 }  // namespace
 
 MeshBuilder::MeshBuilder(std::size_t likely_triangles) {
-  // Euler: half as many vertices.
+  // Euler: a closed surface has half as many vertices as triangles.
   const std::size_t likely_vertices = likely_triangles / 2 + 2;
   mesh_.triangles.reserve(likely_triangles);
   mesh_.vertices.reserve(likely_vertices);
@@ -42,7 +42,7 @@ std::uint32_t MeshBuilder::addVertex(const Eigen::Vector3d& vertex) {
   const auto own = static_cast<std::uint32_t>(mesh_.vertices.size());
   const std::uint32_t first = table_.firstEqual(vertex, own, mesh_.vertices);
   if (first == own) {
-    // Adding 0 turns -0 into 0, so that the order of equal vertices leaves no trace.
+    // Adding 0 turns -0 into 0, so the result does not depend on the order of equal vertices.
     mesh_.vertices.emplace_back(vertex + Eigen::Vector3d::Zero());
   }
   return first;

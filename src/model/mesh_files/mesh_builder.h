@@ -13,21 +13,21 @@
 
 namespace collision_monitor {
 
-/// Puts a mesh together vertex by vertex; equal vertices become one.
+/// Builds a mesh vertex by vertex and merges equal vertices.
 class MeshBuilder {
  public:
   MeshBuilder() = default;
-  /// Makes room for a closed surface of as many triangles; there may be more.
+  /// Reserves memory for a closed surface with this many triangles. More may be added.
   explicit MeshBuilder(std::size_t likely_triangles);
 
   /// @throws std::runtime_error if the vertex is not finite.
   std::uint32_t addVertex(const Eigen::Vector3d& vertex);
 
-  /// Leaves out triangles without area, whose plane nobody can tell. Their
-  /// corners were added all the same, so that the mesh still encloses them.
+  /// Skips triangles without area, because their plane is undefined. Their corners are in the mesh
+  /// already, so it still encloses them.
   void addTriangle(const std::array<std::uint32_t, 3>& corners);
 
-  /// What was added; the builder cannot be used after.
+  /// Returns the mesh. The builder cannot be used afterwards.
   TriangleMesh takeMesh() { return std::move(mesh_); }
 
  private:

@@ -8,10 +8,10 @@
 
 namespace collision_monitor {
 
-/// What a helper answers: vertices and triangles as they lie in memory.
+/// The answer of a helper: vertices and triangles in their memory layout.
 std::string toBytes(const TriangleMesh& mesh);
 
-/// @throws std::runtime_error for bytes that are no mesh: a helper that went wrong may send any.
+/// @throws std::runtime_error for bytes that are no mesh: a faulty helper may send anything.
 TriangleMesh meshFromBytes(const std::string& bytes);
 
 }  // namespace collision_monitor

@@ -42,8 +42,8 @@ Eigen::Matrix4d toMatrix(const aiMatrix4x4& m) {
   return matrix;
 }
 
-/// Of what a mesh file names beside itself, as the materials of an OBJ, nothing is wanted; and what
-/// it names may be a pipe or a device.
+/// Opens no other file. A mesh file may name others, such as the materials of an OBJ. None is
+/// needed, and the name may be that of a pipe or a device.
 class NoOtherFiles : public Assimp::IOSystem {
  public:
   bool Exists(const char* /*name*/) const override { return false; }
@@ -52,7 +52,7 @@ class NoOtherFiles : public Assimp::IOSystem {
   void Close(Assimp::IOStream* /*file*/) override {}
 };
 
-/// One mesh of a scene while it is placed and added.
+/// Places one mesh of a scene and adds it.
 class PartPlacer {
  public:
   PartPlacer(const aiMesh& mesh, const Eigen::Matrix4d& scene_from_part, MeshBuilder& builder)
@@ -124,13 +124,13 @@ TriangleMesh collect(const aiScene& scene) {
   return builder.takeMesh();
 }
 
-/// Of what assimp says, which may quote all that is left of a file.
+/// Shortens a message of assimp, which may quote the rest of the file.
 std::string shortened(const std::string& reason) {
   constexpr std::size_t kLongest = 120;
   return reason.size() <= kLongest ? reason : reason.substr(0, kLongest) + "...";
 }
 
-/// The file as assimp reads all of it.
+/// The bytes in a form that assimp reads completely.
 std::string prepared(const std::string& bytes, const std::string& format) {
   if (format == "stl") {
     return completeTextStl(bytes);
@@ -149,9 +149,9 @@ std::string prepared(const std::string& bytes, const std::string& format) {
 TriangleMesh readByAssimp(const std::string& bytes, const std::string& format) {
   const std::string content = prepared(bytes, format);
   Assimp::Importer importer;
-  importer.SetIOHandler(new NoOtherFiles);  // which the importer owns
+  importer.SetIOHandler(new NoOtherFiles);  // the importer owns it
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  // Else assimp draws the nodes of a DAE whose meshes it does not find.
+  // Otherwise assimp makes meshes from the nodes of a DAE whose meshes it does not find.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   if (importer.ReadFileFromMemory(content.data(), content.size(), 0, format.c_str()) == nullptr) {
     throw std::runtime_error(shortened(importer.GetErrorString()));

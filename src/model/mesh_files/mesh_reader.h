@@ -8,27 +8,27 @@
 
 namespace collision_monitor {
 
-/// Triangles of a mesh file given as bytes: STL (ASCII and binary, also a binary one
-/// whose header says "solid"), DAE, OBJ, PLY. All nodes are placed by their transforms.
+/// Triangles of a mesh file given as bytes: STL (ASCII and binary, also a binary one whose header
+/// says "solid"), DAE, OBJ, PLY. The transforms of all nodes are applied.
 ///
-/// Units: DAE's unit is applied; coordinates of other formats are metres as they are.
-/// Frames: the axes of the file. The up axis of a DAE is left alone, as rviz and
-/// MoveIt do, so that what is checked is what is seen (docs/decisions/mesh-up-axis.md).
-/// Shape: polygons become triangles and equal vertices one. Triangles without
-/// area are left out of `triangles`, but their corners stay in `vertices`: what
-/// encloses the vertices encloses all that the file draws. Vertices of no polygon,
-/// points and lines have no surface and are left out.
-/// Error: coordinates carry the rounding of float, 6e-8 of their size.
-/// Limits: a mesh whose triangles all lack area has vertices only. A polygon that
-/// crosses itself is covered by a fan, which never misses a part of it.
+/// Units: DAE's unit is applied; coordinates of other formats are taken as metres.
+/// Frames: the axes of the file. The up axis of a DAE is ignored, as in rviz and MoveIt, so that
+/// the checked mesh is the displayed one (docs/decisions/mesh-up-axis.md).
+/// Shape: polygons become triangles, and equal vertices are merged. Triangles without area are left
+/// out of `triangles`, but their corners stay in `vertices`: a shape that encloses the vertices
+/// encloses everything the file draws. Vertices without a polygon, points and lines have no surface
+/// and are left out.
+/// Error: coordinates have the rounding of float, 6e-8 of their size.
+/// Limits: a mesh whose triangles all lack area has only vertices. A polygon that crosses itself is
+/// covered by a fan, which never misses a part of it.
 ///
-/// `file_name` serves to tell the format by its extension, and to name the file in errors.
-/// @throws std::runtime_error with a sentence: a format that is not read, a file that is
-/// empty, malformed or cut short, no polygons, a vertex that is not finite.
+/// @param file_name its extension gives the format; errors name the file
+/// @throws std::runtime_error with a sentence: an unsupported format, a file that is empty,
+/// malformed or cut short, no polygons, a vertex that is not finite.
 TriangleMesh readMesh(const std::string& bytes, const std::string& file_name);
 
-/// Whether readMesh does without assimp, and so can neither crash nor be kept busy: of a binary
-/// STL.
+/// Whether readMesh reads this file without assimp, and thus can neither crash nor stall: only for
+/// binary STLs.
 bool isReadWithoutAssimp(const std::string& bytes, const std::string& file_name);
 
 }  // namespace collision_monitor

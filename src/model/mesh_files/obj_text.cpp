@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\r\f\v";
 
-/// Whether assimp reads a number here, if the word does not begin with a point.
+/// Whether assimp sees a number here. It does not see one that begins with a point.
 bool looksLikeNumber(std::string_view word) {
   return word.find_first_not_of("0123456789+-.,eEnaifNAIF") == std::string_view::npos;
 }
 
-/// "v x y z" and a weight, of four numbers; what follows three others is a colour.
+/// Takes "v x y z" with an optional weight as a fourth number. More numbers are a color.
 void appendVertex(const std::vector<std::string_view>& words, std::size_t line, std::string& text) {
   const std::size_t count = words.size() == 5 ? 4 : 3;
   const auto first = words.begin() + 1;
@@ -35,7 +35,7 @@ void appendVertex(const std::vector<std::string_view>& words, std::size_t line, 
   }
 }
 
-/// One line without its end, comments and what is joined to it by backslashes.
+/// Takes the next line without its end and comments, joined with those that a backslash continues.
 std::string takeLine(std::string_view& rest, std::size_t& line) {
   std::string text;
   for (bool goes_on = true; goes_on && !rest.empty();) {

@@ -6,13 +6,13 @@
 
 namespace collision_monitor {
 
-/// An OBJ file as assimp reads all of it.
+/// Rewrites an OBJ file so that assimp reads all of it.
 ///
-/// assimp 5.2 passes over a vertex without a word if its line begins with a blank, if a
-/// number begins with a point (".5"), or if it has neither 3, 4 nor 6 of them. Faces
-/// name vertices by their number, so all that follow would be others than were meant. Here lines
-/// lose blanks at their begin, comments and line breaks behind a backslash, and vertices have three
-/// coordinates, or four where there is a weight; colours are left out.
+/// assimp 5.2 silently skips a vertex if its line begins with a blank, if a number begins with a
+/// point (".5"), or if it does not have 3, 4 or 6 numbers. Faces refer to vertices by number, so a
+/// skipped vertex shifts all that follow. The rewritten lines have no leading blanks, comments or
+/// backslash line breaks. Vertices have three coordinates, or four if there is a weight; colors are
+/// left out.
 /// @throws std::runtime_error if a vertex has no three numbers; it names the line.
 std::string plainObj(const std::string& bytes);
 

@@ -16,7 +16,7 @@
 namespace collision_monitor {
 namespace {
 
-/// A number of each element of a kind, or a list of them behind its length.
+/// A property of each element of a kind: one number, or a list of numbers preceded by its length.
 struct PlyProperty {
   std::size_t length_size{0};  ///< [bytes] 0: no list
   std::size_t number_size{0};  ///< [bytes]
@@ -33,7 +33,7 @@ struct PlyHeader {
   std::string format;
   std::vector<PlyElements> elements;
   std::size_t element_count{0};
-  std::size_t size{0};  ///< bytes up to and with the end of its last line
+  std::size_t size{0};  ///< [bytes] including the end of its last line
 };
 
 std::size_t sizeOfType(const std::string& type) {
@@ -103,7 +103,7 @@ PlyHeader readHeader(const std::string& bytes) {
   throw std::runtime_error("the PLY header has no end_header line");
 }
 
-/// Whether a line has all numbers of an element.
+/// Whether a line has all the numbers of an element.
 bool isWhole(const std::vector<std::string_view>& words,
              const std::vector<PlyProperty>& properties) {
   std::size_t needed = 0;
@@ -123,7 +123,7 @@ bool isWhole(const std::vector<std::string_view>& words,
   return true;
 }
 
-/// One element a line; blank lines are none.
+/// Checks one element per line; skips blank lines.
 void checkText(const std::string& bytes, const PlyHeader& header) {
   const auto number_of_line = [&](std::size_t place) {
     return 1 + std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(place), '\n');
@@ -149,7 +149,7 @@ void checkText(const std::string& bytes, const PlyHeader& header) {
   }
 }
 
-/// @pre the bytes are there
+/// @pre the bytes exist
 std::size_t lengthAt(const std::string& bytes, std::size_t place, std::size_t size,
                      bool is_big_endian) {
   std::size_t length = 0;
@@ -160,7 +160,7 @@ std::size_t lengthAt(const std::string& bytes, std::size_t place, std::size_t si
   return length;
 }
 
-/// Where one element ends that begins at `place`; nothing if the bytes end before.
+/// End of the element that begins at `place`; nothing if the bytes end before it does.
 std::optional<std::size_t> endOfElement(const std::string& bytes, std::size_t place,
                                         const std::vector<PlyProperty>& properties,
                                         bool is_big_endian) {

@@ -6,9 +6,8 @@
 
 namespace collision_monitor {
 
-/// Refuses a PLY file that lacks what its header announces: assimp 5.2 never returns from one
-/// whose header does not end, takes numbers that are missing for 0, and reads whatever lies behind
-/// the end of a binary one.
+/// Refuses a PLY file that lacks what its header announces. assimp 5.2 hangs if the header does not
+/// end, takes missing numbers as 0, and reads beyond the end of a binary file.
 /// @throws std::runtime_error
 void checkPlyIsComplete(const std::string& bytes);
 

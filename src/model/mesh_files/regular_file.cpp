@@ -51,9 +51,9 @@ void checkIsRegular(const fs::path& path, const struct stat& status) {
                    " bytes (parameter files/max_size)");
 }
 
-/// Opens the file and no other that takes its place meanwhile.
+/// Opens the file. Refuses any other file that replaces it in the meantime.
 Descriptor openRegular(const fs::path& path, struct stat& status) {
-  // Asked before as well: opening alone makes some devices act.
+  // Checked before opening too: just opening some devices has effects.
   if (stat(path.c_str(), &status) != 0) {
     refuseFor(path, errno);
   }
@@ -76,7 +76,8 @@ std::string readRegularFile(const fs::path& path, std::uintmax_t most) {
   }
   constexpr std::size_t kPart = 1 << 20;
   std::string bytes;
-  // What the system makes up, as /proc, says 0. One byte more tells the end without another part.
+  // Virtual files, such as those in /proc, report size 0. One extra byte detects the end without
+  // another read.
   bytes.resize(static_cast<std::size_t>(status.st_size) + 1);
   for (std::size_t size = 0;;) {
     throwIfInterrupted();

@@ -8,15 +8,16 @@
 
 namespace collision_monitor {
 
-/// [bytes] Files that are larger are refused where nothing else is said.
+/// [bytes] Default size limit: larger files are refused.
 constexpr std::uintmax_t kUsualFileSize = 200'000'000;
 
-/// The bytes of a regular file, or of what a symbolic link to one leads to.
+/// The bytes of a regular file, also through a symbolic link.
 ///
-/// Nothing else is opened: a pipe without a writer would be waited for, a device may do anything.
+/// Nothing else is opened: a pipe without a writer would block, and a device may do anything.
 /// @param most [bytes]
-/// @throws std::runtime_error with a sentence that names the file: not there, not readable, a
-/// folder, pipe, socket or device, larger than `most`, also if it only grows so while it is read.
+/// @throws std::runtime_error with a sentence that names the file: it is missing, not readable, a
+/// folder, pipe, socket or device, or larger than `most`, even if it grows beyond that during
+/// reading.
 /// @throws Interrupted
 std::string readRegularFile(const std::filesystem::path& path,
                             std::uintmax_t most = kUsualFileSize);

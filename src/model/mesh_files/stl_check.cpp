@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kWhitespace = " \t\r\n";
 
-/// Of ASCII letters alone. Some exporters write all words in capitals.
+/// Lowers ASCII letters only. Some exporters write all words in capitals.
 std::string inSmallLetters(std::string_view text) {
   std::string small(text);
   std::transform(small.begin(), small.end(), small.begin(), [](char c) {
@@ -20,7 +20,7 @@ std::string inSmallLetters(std::string_view text) {
   return small;
 }
 
-/// Without what editors put before the first word: blanks and a byte order mark.
+/// Without blanks and a byte order mark, which editors put before the first word.
 std::string_view trimmed(std::string_view bytes) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (bytes.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
@@ -36,7 +36,7 @@ struct WordCounts {
   std::size_t solids{0};
 };
 
-/// Names stand behind "solid" and "endsolid" up to the end of the line, and may be any words.
+/// A name follows "solid" and "endsolid" up to the end of the line. It may be any words.
 WordCounts countWords(std::string_view text) {
   WordCounts counts;
   for (std::size_t begin = 0; (begin = text.find_first_not_of(kWhitespace, begin)) != text.npos;) {
@@ -62,7 +62,7 @@ bool isTextStl(const std::string& bytes) {
 }
 
 std::string completeTextStl(const std::string& bytes) {
-  // Nothing but the words counts: numbers are the same in small letters, and names are not kept.
+  // Only the words matter: numbers do not change in lower case, and names are not kept.
   std::string text = inSmallLetters(trimmed(bytes));
   const WordCounts counts = countWords(text);
   if (counts.vertices != 3 * counts.facets || counts.solids == 0) {

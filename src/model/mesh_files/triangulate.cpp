@@ -19,7 +19,7 @@ Eigen::Vector3d meanNormal(const std::vector<Eigen::Vector3d>& polygon) {
   return normal;
 }
 
-/// The polygon seen from the side its normal points to, where it runs counter-clockwise.
+/// The polygon projected along its normal; it runs counter-clockwise.
 Points projected(const std::vector<Eigen::Vector3d>& polygon) {
   const Eigen::Vector3d normal = meanNormal(polygon);
   Eigen::Index dropped = 0;
@@ -44,7 +44,7 @@ bool isInside(const Points& points, const std::array<std::uint32_t, 3>& ear, std
   const Eigen::Vector2d& a = points[ear[0]];
   const Eigen::Vector2d& b = points[ear[1]];
   const Eigen::Vector2d& c = points[ear[2]];
-  // A corner that stands twice, where a hole is joined to the outline, is no obstacle.
+  // A corner that occurs twice, where a hole is joined to the outline, is not in the way.
   return p != a && p != b && p != c && orientation(a, b, p) >= 0.0 && orientation(b, c, p) >= 0.0 &&
          orientation(c, a, p) >= 0.0;
 }
@@ -53,7 +53,7 @@ bool isEar(const Points& points, const std::vector<std::uint32_t>& left,
            const std::array<std::uint32_t, 3>& ear) {
   const double area = orientation(points[ear[0]], points[ear[1]], points[ear[2]]);
   if (area <= 0.0) {
-    return area == 0.0;  // cutting off a corner on a straight edge takes nothing away
+    return area == 0.0;  // cutting off a corner on a straight edge removes no area
   }
   for (const std::uint32_t i : left) {
     if (isInside(points, ear, i)) {
@@ -63,10 +63,10 @@ bool isEar(const Points& points, const std::vector<std::uint32_t>& left,
   return true;
 }
 
-/// Ears until one triangle is left; false if there are corners but no ear.
+/// Clips ears until one triangle is left; false if no ear is found.
 ///
-/// The signed areas of the triangles add up to the winding number of the polygon at every
-/// point. All ears are positive, so together they cover just where it is above 0.
+/// The signed areas of the triangles add up to the winding number of the polygon at every point.
+/// All ears are positive, so together they cover exactly the points where it is above 0.
 bool clipEars(const Points& points, Triangles& triangles) {
   std::vector<std::uint32_t> left;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
@@ -100,8 +100,8 @@ Triangles triangulate(const std::vector<Eigen::Vector3d>& polygon) {
   if (clipEars(projected(polygon), triangles)) {
     return triangles;
   }
-  // It crosses itself. A fan adds up to the same winding number with triangles of both signs,
-  // so it covers every point where that number is not 0.
+  // The polygon crosses itself. The triangles of a fan have both signs but add up to the same
+  // winding number, so they cover every point where it is not 0.
   triangles.clear();
   for (std::uint32_t i = 2; i < polygon.size(); ++i) {
     triangles.push_back({0, i - 1, i});

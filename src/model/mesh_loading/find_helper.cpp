@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the shared library that holds this code, or of the executable where it is linked into that.
+/// Folders of the shared library with this code, or of the executable if it is linked in.
 std::vector<fs::path> foldersOfThisCode() {
   std::vector<fs::path> folders;
   static const char here = 0;
@@ -36,7 +36,7 @@ fs::path findHelper(const std::string& name) {
   std::string looked;
   std::error_code ignored;
   for (const fs::path& folder : foldersOfThisCode()) {
-    // lib/; lib/ARCHITECTURE/; lib/collision_monitor/ itself, for an executable.
+    // From lib/, from lib/ARCHITECTURE/, and for an executable from lib/collision_monitor/.
     for (const fs::path& place :
          {folder / package / name, folder.parent_path() / package / name, folder / name}) {
       if (fs::is_regular_file(place, ignored) && access(place.c_str(), X_OK) == 0) {

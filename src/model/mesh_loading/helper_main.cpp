@@ -31,13 +31,13 @@ constexpr int kSocket = STDIN_FILENO;
 void setLimit(__rlimit_resource resource, rlim_t limit) {
   rlimit both{};
   if (getrlimit(resource, &both) == 0) {
-    // The hard one stays: the next question may have more.
+    // The hard limit stays, because the next question may have a higher limit.
     both.rlim_cur = std::min(limit, both.rlim_max);
     setrlimit(resource, &both);
   }
 }
 
-/// Files of the other process that were opened without O_CLOEXEC.
+/// Closes files that the parent opened without O_CLOEXEC.
 void closeOthers() {
   std::vector<int> descriptors;
   std::error_code ignored;
@@ -59,7 +59,7 @@ void settle() {
   std::ofstream("/proc/self/oom_score_adj") << 1000;
 }
 
-/// [bytes] of address space; that of the program itself is not what a question takes.
+/// [bytes] Address space of this process. A question's limit comes on top of the program's own.
 rlim_t addressSpace() {
   rlim_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -72,13 +72,14 @@ rlim_t usedSeconds() {
   return static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec);
 }
 
-/// @param own address space of the program before the first question
+/// @param own [bytes] address space of the program before the first question
 void limitQuestion(const Message& question, rlim_t own) {
   if (addressSpace() > own + question.terms.memory / 4) {
-    malloc_trim(0);  // each time would be dear: the next question needs much of it again
+    malloc_trim(0);  // only now: the next question needs much of it again, so trimming after each
+                     // one is slow
   }
   setLimit(RLIMIT_AS, own + question.text.size() + question.bytes.size() + question.terms.memory);
-  // The other side keeps the time. Only where that is dead does this end what it asked for.
+  // The parent enforces the time. This limit matters only if the parent is dead.
   setLimit(RLIMIT_CPU, usedSeconds() + question.terms.seconds + 1);
 }
 
@@ -89,7 +90,7 @@ void waitForever(short events) {
 
 std::string memory_answer;
 
-/// Called by operator new. What it is called from may be a library that cannot go on.
+/// Called by operator new. Its caller may be a library that cannot handle the failure.
 [[noreturn]] void tellMemoryFault() {
   sendMessage(kSocket, {memory_answer, {}, {0, 0, 1}}, waitForever);
   _exit(EXIT_SUCCESS);

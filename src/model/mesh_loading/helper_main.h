@@ -8,21 +8,21 @@
 
 namespace collision_monitor {
 
-/// A program's answer to one question; throws std::exception with a sentence where there is none.
+/// A program's answer to one question. Throws std::exception with a sentence if there is none.
 using AnswerQuestion =
     std::function<std::string(const std::string& name, const std::string& bytes)>;
 
-/// What is said of a question that needs more memory than its limit [bytes].
+/// The text for a question that needs more memory than its limit [bytes].
 using TellMemoryFault = std::function<std::string(const std::string& bytes, std::uint64_t limit)>;
 
-/// The other side of HelperProcess: the whole of such a program's main. Answers one question after
-/// the other from the socket that is its standard input, until that is closed.
+/// The helper's side of HelperProcess, and all that its main() calls. Answers questions one by one
+/// from the socket on standard input, until the socket is closed.
 ///
-/// Ends with the process that started it. Holds no file of it, dumps no core, is the first to go
-/// when the machine has no memory left, and leaves Ctrl-C to the other side. Each question has the
-/// limits of memory and processor time that it comes with; to need more memory is an answer of its
-/// own, also where the libraries that answer take no note of it.
-/// @param memory_fault that answer, to stand behind the name
+/// Ends with the process that started it, keeps none of its files open, dumps no core, is the first
+/// to be killed when the machine runs out of memory, and ignores Ctrl-C. Each question carries its
+/// limits of memory and processor time. Running out of memory is reported as such, even if the
+/// libraries that answer ignore it.
+/// @param memory_fault text of that report; the name precedes it
 /// @return exit code
 int answerQuestions(const AnswerQuestion& answer, const TellMemoryFault& memory_fault);
 

@@ -27,8 +27,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Waits for the socket until the time is over, and looks now and then whether that is still
-/// wanted.
+/// Waits for the socket until the deadline and looks for interruptions in between.
 WaitForPeer waitForAnswer(int socket, std::string_view name, const HelperLimits& limits) {
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(limits.seconds));
@@ -63,7 +62,7 @@ std::string causeOf(int status) {
 /// Attributes and actions of posix_spawn.
 class SpawnPlan {
  public:
-  /// The helper has the socket as its standard input and no output; it is deaf to no signal.
+  /// The helper gets the socket as its standard input, no output, and no blocked signals.
   explicit SpawnPlan(int socket) {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, socket, STDIN_FILENO);
@@ -109,7 +108,7 @@ void HelperProcess::start() {
   const SpawnPlan plan(its.get());
   std::string name = program_.string();
   char* arguments[] = {name.data(), nullptr};
-  // Not fork: in a process of many threads its child could call next to nothing.
+  // Not fork: in a process with many threads, the child could call hardly anything.
   const int error =
       posix_spawn(&process_, name.c_str(), &plan.actions, &plan.attributes, arguments, environ);
   if (error != 0) {
@@ -120,20 +119,20 @@ void HelperProcess::start() {
 }
 
 /// Kills the helper if it still runs.
-/// @return how it had ended.
+/// @return how it ended.
 std::string HelperProcess::end() {
   socket_.reset();
   if (process_ < 0) {
     return "";
   }
   const pid_t process = std::exchange(process_, -1);
-  kill(process, SIGKILL);  // changes nothing for one that died already
+  kill(process, SIGKILL);  // no effect if it is dead already
   int status = 0;
   pid_t ended = -1;
   do {
     ended = waitpid(process, &status, 0);
   } while (ended < 0 && errno == EINTR);
-  // The program around this library may wait for all its children, or for none.
+  // The host program may wait for all children itself, or ignore them.
   return ended == process ? causeOf(status) : "ended";
 }
 
@@ -153,7 +152,7 @@ std::string HelperProcess::ask(std::string_view name, std::string_view bytes,
       throw std::runtime_error(std::string(name) + ": the process that reads it " + end());
     }
   } catch (...) {
-    end();  // half an answer must not be taken for one to the next question
+    end();  // half an answer must not be read as the answer to the next question
     throw;
   }
   if (answer.terms.is_last != 0) {

@@ -13,15 +13,15 @@
 
 namespace collision_monitor {
 
-/// What one answer of a helper may take.
+/// Limits of one answer.
 struct HelperLimits {
-  double seconds{0.0};                  ///< of wall time
-  double memory{0.0};                   ///< [bytes] beyond what the program has when it starts
-  const char* time_parameter{nullptr};  ///< that sets `seconds`, for messages
+  double seconds{0.0};  ///< wall time
+  double memory{0.0};   ///< [bytes] in addition to what the program has at its start
+  const char* time_parameter{nullptr};  ///< the parameter that sets `seconds`, for messages
 };
 
-/// That there is no answer says nothing against what was asked: the program is not there, or a
-/// limit ended it.
+/// No answer, for a reason that is not the question's fault: the program is missing, or a limit
+/// ended it.
 struct HelperFault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -31,22 +31,22 @@ struct HelperTimeout : HelperFault {
   using HelperFault::HelperFault;
 };
 
-/// A program of this package that does what could crash, hang or fill the memory, so that this
-/// process survives it (docs/decisions/helper-processes.md). Its other side is helper_main.h.
+/// Runs a program of this package for work that could crash, hang or fill the memory, so that this
+/// process survives (docs/decisions/helper-processes.md). helper_main.h is the other side.
 ///
-/// Limits: for one thread, the one that starts it: the helper ends with that thread at the latest.
+/// Limits: for one thread, the one that starts it. The helper ends with that thread at the latest.
 class HelperProcess {
  public:
-  /// Nothing runs before the first question.
+  /// Starts nothing; the first question does.
   explicit HelperProcess(std::filesystem::path program);
   ~HelperProcess() { end(); }
   HelperProcess(const HelperProcess&) = delete;
   HelperProcess& operator=(const HelperProcess&) = delete;
 
-  /// Sends a name and bytes, and waits for the answer. After a question that killed its helper the
-  /// next one has a new helper.
-  /// @throws HelperFault with a sentence: the limit that it met, or why it cannot be started;
-  /// std::runtime_error: what the helper says, or how it died.
+  /// Sends a name and bytes and waits for the answer. If a question kills the helper, the next
+  /// question starts a new one.
+  /// @throws HelperFault with a sentence: the limit that was exceeded, or why the helper cannot
+  /// start; std::runtime_error: the helper's own error, or how it died.
   /// @throws Interrupted
   std::string ask(std::string_view name, std::string_view bytes, const HelperLimits& limits);
 
@@ -59,9 +59,9 @@ class HelperProcess {
   Descriptor socket_;
 };
 
-/// Where a program of this package is: beside the library or the executable that holds this code,
-/// in the folders that builds, devel and install spaces have for programs.
-/// @throws HelperFault that names the places where it was looked for.
+/// Path of a program of this package: beside the library or executable with this code, in the
+/// program folders of build, devel and install spaces.
+/// @throws HelperFault that names the places searched.
 std::filesystem::path findHelper(const std::string& name);
 
 }  // namespace collision_monitor

@@ -11,17 +11,16 @@
 
 namespace collision_monitor {
 
-/// Reads mesh files in a process of its own, which is started for the first of them and serves
-/// all, unless one kills it; or in this one, as the options say. Binary STLs are always read in
-/// this one.
+/// Reads mesh files in a separate process, or in this one if the options say so. The first mesh
+/// starts the process. It reads all further ones; if a mesh kills it, the next mesh starts it
+/// again. Binary STLs are always read in this process.
 class MeshProcess {
  public:
   explicit MeshProcess(MeshReading options);
 
-  /// As readMesh, to the last bit.
-  /// @throws HelperFault with a sentence that names the file and which limit it met, or where the
-  /// program of that process is not found; std::runtime_error as readMesh, and how the process
-  /// died.
+  /// As readMesh, with identical results.
+  /// @throws HelperFault with a sentence that names the file and the limit exceeded, or if the
+  /// program is not found; std::runtime_error as readMesh, or how the process died.
   /// @throws Interrupted
   TriangleMesh read(const std::string& bytes, const std::string& file_name);
 

@@ -23,7 +23,7 @@ bool isRelative(const std::string& name) {
          !startsWith(name, "file:/") && !startsWith(name, "package:/");
 }
 
-/// Where the path begins in a URI: behind "scheme://", whose slashes are no folders.
+/// Where the path begins in a URI: after "scheme://", whose slashes separate no folders.
 std::size_t pathStart(const std::string& name) {
   const auto scheme = name.find("://");
   return scheme == std::string::npos ? 0 : scheme + 3;
@@ -86,7 +86,7 @@ const StoredMesh& MeshStore::load(const std::string& uri) {
       stored.mesh = process_.read(bytes, uri);
       stored.up_axis = declaredUpAxis(bytes);
     } catch (const HelperFault& fault) {
-      stored.accepted = "";  // the limit says it
+      stored.accepted = "";  // the message names the limit
       stored.fault = fault.what();
     } catch (const std::exception& fault) {
       stored.fault = fault.what();
@@ -107,7 +107,7 @@ std::vector<std::string> MeshStore::foldersOf(const std::string& directory) {
         break;
       }
       if (!folder.has_relative_path()) {
-        // No package around the file: the folders above it are none of its business.
+        // The file is not in a package, so folders above it are not searched.
         folders.resize(1);
         break;
       }

@@ -14,14 +14,14 @@
 
 namespace collision_monitor {
 
-/// What a DAE file declares; other formats declare nothing and count as z.
+/// The up axis that a DAE file declares. Other formats declare none and count as z.
 enum class UpAxis : unsigned char { x, y, z };
 
 struct StoredMesh {
   TriangleMesh mesh;  ///< in the axes of the file
   UpAxis up_axis{UpAxis::z};
   std::string fault;         ///< why there is no mesh, empty if there is one
-  const char* accepted{""};  ///< of the fault, as in Problem
+  const char* accepted{""};  ///< for the fault, as in Problem
 };
 
 /// Why there is no mesh.
@@ -31,20 +31,19 @@ struct MeshFault : std::runtime_error {
   const char* accepted;  ///< as in StoredMesh
 };
 
-/// The meshes of a set of robots: finds the file behind a name, and reads each
-/// file once however many links use it.
+/// The meshes of a set of robots. Finds the file for a name. Reads each file once, even if many
+/// links use it.
 class MeshStore {
  public:
   explicit MeshStore(const ResourceLoader& load_resource, const MeshReading& reading = {});
 
   /// The mesh that `name` means in a URDF of `directory`.
   ///
-  /// A name with a scheme (package://, file://) and an absolute path go to the
-  /// loader as they are. A relative name is looked for in `directory`, then in
-  /// the folders above it up to the package root, the nearest that has a
-  /// package.xml: both customs are found in published robots.
-  /// So does a file: or package: with one slash, whose fault the loader tells.
-  /// @throws MeshFault with a sentence when there is none, or it cannot be read.
+  /// A name with a scheme (package://, file://) or an absolute path goes to the loader unchanged.
+  /// So does file: or package: with a single slash, so that the loader reports it. A relative name
+  /// is looked up in `directory`, then in the folders above it, up to the first with a package.xml:
+  /// published robots use both conventions.
+  /// @throws MeshFault with a sentence if there is none, or it cannot be read.
   const StoredMesh& find(const std::string& name, const std::string& directory);
 
  private:
@@ -58,12 +57,12 @@ class MeshStore {
   std::map<std::string, std::vector<std::string>> folders_;  ///< by directory
 };
 
-/// The mesh turned so that its up axis becomes z and its right axis x.
+/// The mesh rotated so that its up axis becomes z and its right axis x.
 /// Source: COLLADA 1.4.1 specification, `<up_axis>`: the right, up and inward axes of each kind.
 TriangleMesh turnedUp(const TriangleMesh& mesh, UpAxis up_axis);
 
-/// Every vertex times `scale`, axis by axis. A mirroring scale turns triangles
-/// inside out, so their winding is turned back.
+/// Every vertex times `scale`, axis by axis. If the scale mirrors, the triangles' winding is
+/// reversed, so that they still face outward.
 TriangleMesh scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale);
 
 }  // namespace collision_monitor

@@ -12,7 +12,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Of this layout. A helper of another version, left over somewhere, is told by it.
+/// Marks this message layout. It reveals an old helper of another version.
 constexpr std::uint64_t kMark = 0x636d5f6d73670001;
 
 struct Header {
@@ -27,7 +27,7 @@ bool isToBeTriedAgain() { return errno == EINTR || errno == EAGAIN; }
 bool sendAll(int socket, const char* data, std::size_t size, const WaitForPeer& wait) {
   while (size > 0) {
     wait(POLLOUT);
-    // Else a helper that died would end this process by SIGPIPE.
+    // Otherwise a dead helper would end this process by SIGPIPE.
     const ssize_t count = send(socket, data, size, MSG_NOSIGNAL);
     if (count < 0 && !isToBeTriedAgain()) {
       return false;

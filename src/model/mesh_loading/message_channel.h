@@ -7,15 +7,15 @@
 #include <string>
 #include <string_view>
 
-/// Messages between this process and a helper on the same machine, over a stream socket: a
-/// header in the order of the machine, then the text, then the bytes.
+/// Messages between this process and a helper on the same machine, over a stream socket: a header
+/// in native byte order, then the text, then the bytes.
 namespace collision_monitor {
 
-/// What a message says beside its text and bytes.
+/// The other contents of a message beside text and bytes.
 struct MessageTerms {
-  std::uint64_t memory{0};   ///< of questions: [bytes] that the answer may take
-  std::uint64_t seconds{0};  ///< of questions: of processor time, likewise
-  std::uint64_t is_last{0};  ///< of answers: the helper ends after this one
+  std::uint64_t memory{0};   ///< in questions: [bytes] limit for the answer
+  std::uint64_t seconds{0};  ///< in questions: [s] limit of processor time
+  std::uint64_t is_last{0};  ///< in answers: the helper ends after this one
 };
 
 struct Message {
@@ -24,23 +24,22 @@ struct Message {
   MessageTerms terms;
 };
 
-/// What is to be sent, without a copy of its bytes.
+/// A message to be sent, without a copy of its bytes.
 struct MessageView {
   std::string_view text;
   std::string_view bytes;
   MessageTerms terms{};
 };
 
-/// Called before each call that could wait for the other side, with what poll is to wait for.
-/// Throws to give up.
+/// Called before each call that could block. Waits for the given poll events; throws to give up.
 using WaitForPeer = std::function<void(short events)>;
 
-/// @return false: the other side is gone.
+/// @return false: the other side has closed.
 /// @throws what `wait` does
 bool sendMessage(int socket, const MessageView& message, const WaitForPeer& wait);
 
-/// @param most [bytes] of text and bytes together; a message that says it is longer is none
-/// @return false: the other side is gone, or sends what is no message of this program.
+/// @param most [bytes] of text and bytes together; a longer message is refused
+/// @return false: the other side has closed, or sent something other than such a message.
 /// @throws what `wait` does; std::bad_alloc
 bool receiveMessage(int socket, std::uint64_t most, const WaitForPeer& wait, Message& message);
 

@@ -17,7 +17,7 @@ constexpr double kMaxLength = 1e6;  // [m]
 constexpr double kMaxAngle = 1e3;   // [rad]
 const char* const kKinds = "sphere, capsule, box or rounded_box";
 
-/// The fields that belong to a kind and no others: a radius of a box would be a wish not granted.
+/// Reads the fields of this kind only. Others are faults: a box's radius would have no effect.
 std::optional<Shape> readShape(const std::string& kind, YamlFields& fields) {
   const auto needed = [&](const char* key, int count) -> Eigen::VectorXd {
     if (!fields.find(key)) {
@@ -52,7 +52,7 @@ Pose readPose(YamlFields& fields) {
   return pose;
 }
 
-/// Nine digits, the same in every locale.
+/// With nine digits, the same in every locale.
 std::string number(double value) {
   constexpr int kDigits = 9;
   std::array<char, 32> text{};

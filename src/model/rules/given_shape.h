@@ -12,10 +12,10 @@
 namespace collision_monitor {
 
 /// One shape of a rules file: `{kind: capsule, radius: 0.05, length: 0.3, xyz: [0, 0, 0.1]}`.
-/// Adds each fault to the place; nothing is returned then.
+/// Adds each fault to the place and then returns nothing.
 std::optional<PosedShape> readGivenShape(const YAML::Node& node, const Place& place);
 
-/// The same in text, with nine digits, on one line.
+/// The same shape as text on one line, with nine digits.
 std::string toYaml(const PosedShape& shape);
 
 }  // namespace collision_monitor

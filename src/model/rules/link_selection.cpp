@@ -6,8 +6,8 @@
 
 namespace collision_monitor {
 bool matches(const std::string& pattern, const std::string& name) {
-  // On a mismatch the last star takes one character more: no recursion, and at worst
-  // pattern times name steps.
+  // On a mismatch the last star takes one more character. This needs no recursion and at most
+  // pattern length times name length comparisons.
   std::size_t p = 0;
   std::size_t n = 0;
   std::size_t star = std::string::npos;

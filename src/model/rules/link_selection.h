@@ -10,21 +10,21 @@
 
 namespace collision_monitor {
 
-/// Whether the whole name fits a pattern: * stands for any characters, also none, ? for one.
+/// Whether the whole name matches a pattern: * stands for any characters or none, ? for one.
 bool matches(const std::string& pattern, const std::string& name);
 
 /// The link's name without its robot's prefix.
 std::string urdfNameOf(const RobotModel& model, LinkId link);
 
-/// Links whose name in messages or in the URDF fits.
+/// Links whose name in messages or in the URDF matches.
 std::vector<LinkId> findMatching(const std::string& pattern, const RobotModel& model);
 
-/// Links of every group of this name, which may have the robot's prefix before it; nothing
-/// where no SRDF has such a group.
+/// Links of every group with this name, with or without the robot's prefix; nothing if no SRDF has
+/// such a group.
 std::optional<std::vector<LinkId>> findGroup(const std::string& name, const RobotModel& model,
                                              const std::vector<SrdfPairs>& srdfs);
 
-/// "'arm' and 'hand'", for messages; a few of them where there are many.
+/// "'arm' and 'hand'", for messages; only a few if there are many.
 std::string groupNames(const std::vector<SrdfPairs>& srdfs);
 std::string linkNames(const RobotModel& model);
 

@@ -21,7 +21,7 @@ std::optional<LinkId> parentOf(const RobotModel& model, LinkId link) {
   return joint ? std::optional<LinkId>(model.joint(*joint).parent) : std::nullopt;
 }
 
-/// For every link the first link of the rigid group it belongs to. Parents stand before children.
+/// For every link, the first link of its rigid group. Parents come before children.
 std::vector<LinkId> findRigidGroups(const RobotModel& model) {
   std::vector<LinkId> group_of(model.links.size());
   for (std::size_t i = 0; i < model.links.size(); ++i) {
@@ -35,7 +35,7 @@ std::vector<LinkId> findRigidGroups(const RobotModel& model) {
 std::set<LinkIdPair> findAdjacent(const RobotModel& model) {
   std::set<LinkIdPair> adjacent;
   std::vector<std::optional<LinkId>> ancestor_of(model.links.size());  // the nearest with shapes
-  for (std::size_t i = 0; i < model.links.size(); ++i) {  // parents stand before children
+  for (std::size_t i = 0; i < model.links.size(); ++i) {  // parents come before children
     const LinkId link = idAt<LinkId>(i);
     const std::optional<LinkId> parent = parentOf(model, link);
     if (parent) {
@@ -48,7 +48,7 @@ std::set<LinkIdPair> findAdjacent(const RobotModel& model) {
   return adjacent;
 }
 
-/// All rules, ready to be asked about one pair.
+/// All rules, prepared for queries about single pairs.
 struct Rules {
   std::set<LinkIdPair> ignored;
   std::vector<LinkId> group_of;

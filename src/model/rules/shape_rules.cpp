@@ -16,7 +16,7 @@ constexpr double kMaxShapes = 1000;
 constexpr double kMaxPadding = 1e3;    // [m]
 constexpr double kMaxOvershoot = 1e6;  // [m]
 
-/// Reads the rules of one file, in order, into what they say about each link.
+/// Reads the rules of one file in order and stores what they set for each link.
 class RuleReader {
  public:
   RuleReader(const RobotModel& model, const std::vector<SrdfPairs>& srdfs,
@@ -85,7 +85,7 @@ class RuleReader {
                    const Place& place, std::vector<LinkId>& links) const {
     std::vector<LinkId> found = findMatching(name, model_);
     if (!is_pattern) {
-      // A name is taken as it is, stars and all.
+      // Here the text is one exact name; stars in it are not patterns.
       found.erase(std::remove_if(found.begin(), found.end(),
                                  [&](LinkId link) {
                                    return model_.link(link).name != name &&
@@ -214,7 +214,7 @@ class RuleReader {
   std::vector<LinkRules>& rules_;
 };
 
-/// The list under `shapes`, or an undefined node behind an error or a warning.
+/// The list under `shapes`; an undefined node after an error or a warning.
 YAML::Node findRules(const std::string& yaml, const Place& place) {
   const std::string accepted = "YAML with a list of rules under 'shapes'";
   const char* const kNoRule = "rules stand in a list under 'shapes'";

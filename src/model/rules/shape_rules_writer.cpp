@@ -6,7 +6,7 @@
 namespace collision_monitor {
 namespace {
 
-/// In double quotes, so that no name is taken for a number, a pattern or a comment.
+/// In double quotes, so that YAML does not take a name for a number, a pattern or a comment.
 std::string inQuotes(const std::string& text) {
   std::string quoted_text = "\"";
   for (const char c : text) {

@@ -17,7 +17,7 @@ std::string rangeText(int count, double least, double greatest) {
   return text.str();
 }
 
-/// Numbers are read from their text: the same in every locale, and never from "0x10" or ".inf".
+/// Reads a number from its text: the same in every locale, and never "0x10" or ".inf".
 bool readNumberIn(const YAML::Node& node, double least, double greatest, double& number) {
   Eigen::VectorXd read(1);
   if (!node.IsScalar() || parseNumbers(node.Scalar(), read) || read[0] < least ||
@@ -40,7 +40,7 @@ std::string describe(const YAML::Node& node) {
     case YAML::NodeType::Scalar:
       return quoted(node.Scalar());
     case YAML::NodeType::Sequence: {
-      // A short list is best shown as it stands.
+      // Show a short list as written.
       std::string text = "[";
       for (const YAML::Node& item : node) {
         text += (text.size() == 1 ? "" : ", ") + (item.IsScalar() ? item.Scalar() : "...");
@@ -59,7 +59,7 @@ YamlFields::YamlFields(const YAML::Node& node, const Place& place, const std::st
     : node_(node), place_(place) {
   if (!node_.IsMap()) {
     place_.addError(lineOf(node_), describe(node_), what);
-    // An assignment would write into the document.
+    // An assignment would change the document.
     node_.reset(YAML::Node(YAML::NodeType::Map));
   }
 }

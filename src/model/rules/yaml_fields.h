@@ -14,26 +14,26 @@
 
 namespace collision_monitor {
 
-/// Line of the document that a node starts in, from 1; 0 if it has none.
+/// Line of the document where a node begins, from 1; 0 if it has none.
 int lineOf(const YAML::Node& node);
 
-/// The value as a person would call it: "'abc'", "a list of 3".
+/// The value in the words of a message: "'abc'", "a list of 3".
 std::string describe(const YAML::Node& node);
 
-/// The fields of a YAML map. Notes which keys it was asked for, so that those nobody knows can be
-/// told. Each fault is added to the place; the field then counts as absent.
+/// The fields of a YAML map. Notes which keys were asked for, so that refuseOthers can report the
+/// unknown ones. Each fault is added to the place, and the field then counts as absent.
 class YamlFields {
  public:
-  /// `what` is named where the node is no map: "a rule with its fields".
+  /// `what` describes the expected map if the node is none: "a rule with its fields".
   YamlFields(const YAML::Node& node, const Place& place, const std::string& what);
 
-  /// Nothing for a key that is absent.
+  /// Nothing if the key is absent.
   std::optional<YAML::Node> find(const std::string& key);
   std::optional<std::string> readText(const std::string& key, const std::string& accepted);
   std::optional<bool> readBool(const std::string& key);
-  /// One word, or a list of them; never empty. Lines as of the words.
+  /// One word, or a list of them; never empty. Nodes keep their lines.
   std::vector<YAML::Node> readWords(const std::string& key, const std::string& accepted);
-  /// `count` finite numbers from `least` to `greatest`: one as it is, several as a list.
+  /// `count` finite numbers from `least` to `greatest`: one as a scalar, several as a list.
   std::optional<Eigen::VectorXd> readNumbers(const std::string& key, int count, double least,
                                              double greatest);
   std::optional<double> readNumber(const std::string& key, double least, double greatest);

@@ -38,14 +38,14 @@ const char* typeText(JointType type) {
   return kNames.at(static_cast<std::size_t>(type));
 }
 
-/// What a mimic comes to when those that it follows are followed, too.
+/// A mimic joint's relation to the joint at the end of its chain.
 struct FollowedMimic {
   const urdf::Joint* source{nullptr};  ///< none: the joint moves by itself
   double multiplier{1.0};
   double offset{0.0};
 };
 
-/// The joint that the other follows and that can move; none where there is no such joint.
+/// The movable joint that `joint` follows directly; none if there is no such joint.
 const urdf::Joint* sourceOf(const urdf::ModelInterface& model, const urdf::Joint& joint) {
   if (!joint.mimic || typeOf(joint) == JointType::fixed) {
     return nullptr;
@@ -76,7 +76,7 @@ std::string mimicText(const std::string& source, double multiplier, double offse
          numberText(offset);
 }
 
-/// One robot, read twice.
+/// Compares two readings of one robot.
 class RobotComparison {
  public:
   RobotComparison(const RobotModel& model, RobotId robot, const urdf::ModelInterface& theirs,
@@ -131,7 +131,7 @@ class RobotComparison {
     if (ours.type != typeOf(theirs)) {
       differences_.add(element, std::string("type ") + typeText(ours.type),
                        std::string("type ") + typeText(typeOf(theirs)));
-      return;  // the rest would only follow from it
+      return;  // further differences would only follow from this one
     }
     compareEnd(element, "parent", ours.parent, theirs.parent_link_name);
     compareEnd(element, "child", ours.child, theirs.child_link_name);
@@ -157,7 +157,7 @@ class RobotComparison {
     constexpr double kTolerance = 1e-9;
     const bool has_axis = ours.type != JointType::fixed && ours.type != JointType::floating;
     const Eigen::Vector3d axis = vectorOf(theirs.axis);
-    // In this order NaN differs.
+    // Written so that NaN counts as a difference.
     if (has_axis && !((ours.axis - axis.stableNormalized()).norm() <= kTolerance)) {
       differences_.add(element, "axis " + vectorText(ours.axis), "axis " + vectorText(axis));
     }

@@ -12,14 +12,14 @@
 
 namespace collision_monitor {
 
-/// Where two readings of one robot differ.
+/// Collects the differences between two readings of one robot.
 class Differences {
  public:
   Differences(std::string source, std::vector<Problem>& problems);
   Differences(const Differences&) = delete;
   Differences& operator=(const Differences&) = delete;
 
-  /// The first few are told, the others counted.
+  /// Reports the first few and counts the others.
   /// @param element "link 'arm'"
   void add(const std::string& element, const std::string& ours, const std::string& theirs);
   void tellHowManyMore();
@@ -32,18 +32,18 @@ class Differences {
   std::size_t count_{0};
 };
 
-/// Adds what urdfdom reads otherwise than we do; askSecondReader says what.
+/// Adds what urdfdom reads differently from us; askSecondReader says what is compared.
 void compareReadings(const std::string& source, const RobotModel& model, RobotId robot,
                      const urdf::ModelInterface& theirs, std::vector<Problem>& problems);
 
-/// The shapes of one link.
-/// @param element what messages call the link
+/// Compares the shapes of one link.
+/// @param element name of the link in messages
 void compareShapes(const std::string& element, const std::vector<CollisionElement>& ours,
                    const std::vector<urdf::CollisionSharedPtr>& theirs, Differences& differences);
 
 std::string plainText(const std::string& text);  ///< without blanks around it
 
-/// A name as we read it: without blanks around it and slashes before it.
+/// A name as our reader takes it: without surrounding blanks and leading slashes.
 std::string plainName(const std::string& name);
 
 bool areSame(double ours, double theirs);

@@ -10,7 +10,7 @@
 namespace collision_monitor {
 namespace {
 
-/// A shape by its kind and numbers, [m]; of a mesh its name and scale.
+/// A shape by its kind and numbers [m]; a mesh by its name and scale.
 struct ShapeReading {
   std::string kind;
   Eigen::Vector3d numbers;
@@ -91,8 +91,9 @@ void compareInOrder(const std::string& element, const std::vector<CollisionEleme
   }
 }
 
-/// How many of our shapes urdfdom may have: at a `<capsule>`, which it does not know, it leaves the
-/// link with those before. One that is made up is three shapes there, or fewer beside another.
+/// How many of our shapes urdfdom may have. It does not know `<capsule>` and stops reading the
+/// link's shapes there. A capsule merged from a cylinder and spheres is three shapes for urdfdom,
+/// or fewer if it shares a sphere.
 std::size_t countKnown(const std::vector<CollisionElement>& ours, std::size_t their_count) {
   constexpr std::size_t kShapesOfCapsule = 3;
   std::size_t most_before = 0;
@@ -105,7 +106,7 @@ std::size_t countKnown(const std::vector<CollisionElement>& ours, std::size_t th
   return ours.size();
 }
 
-/// urdfdom has no capsules. All other shapes must be among its own, in their order.
+/// urdfdom has no capsules. It must have all our other shapes, in the same order.
 void compareBesideCapsules(const std::string& element, const std::vector<CollisionElement>& ours,
                            const std::vector<urdf::CollisionSharedPtr>& theirs,
                            Differences& differences) {

@@ -54,9 +54,9 @@ Pose poseOf(const urdf::Pose& pose) {
 }
 
 bool areSame(const Pose& ours, const urdf::Pose& theirs) {
-  constexpr double kTolerance = 1e-6;  // angles may be some thousand turns
+  constexpr double kTolerance = 1e-6;  // an angle may be some thousand turns
   const Pose other = poseOf(theirs);
-  // In this order NaN differs.
+  // Written so that NaN counts as a difference.
   return (ours.rotation - other.rotation).cwiseAbs().maxCoeff() <= kTolerance &&
          areSame(ours.translation.x(), other.translation.x()) &&
          areSame(ours.translation.y(), other.translation.y()) &&

@@ -14,8 +14,8 @@
 namespace collision_monitor {
 namespace {
 
-/// Keeps what urdfdom says to itself: its readers are told differences, and robots that it refuses
-/// are none of their concern. What other threads say meanwhile goes where it went.
+/// Suppresses urdfdom's log output in this thread: differences are reported elsewhere, and robots
+/// that urdfdom refuses do not matter. Output of other threads passes through.
 class Silence final : public console_bridge::OutputHandler {
  public:
   Silence() : before_(console_bridge::getOutputHandler()) {
@@ -41,7 +41,8 @@ class Silence final : public console_bridge::OutputHandler {
   std::thread::id thread_{std::this_thread::get_id()};
 };
 
-/// How many attributes an element has at most. urdfdom's parser compares each with all before it.
+/// The largest number of attributes of an element. urdfdom's parser compares each with all earlier
+/// ones.
 std::ptrdiff_t mostAttributes(const std::string& xml) {
   std::ptrdiff_t most = 0;
   std::ptrdiff_t count = 0;
@@ -52,9 +53,9 @@ std::ptrdiff_t mostAttributes(const std::string& xml) {
   return most;
 }
 
-/// What urdfdom's parser, TinyXML 1, is safe with: our own reader has bounded the depth of the
-/// document before. Text beyond U+EFFF, or broken, once led it into an endless loop
-/// (CVE-2021-42260), a zero into an assertion (CVE-2023-34194).
+/// Whether the text is safe for urdfdom's parser, TinyXML 1. Our own reader has bounded the depth
+/// before. Text beyond U+EFFF or invalid UTF-8 once caused an endless loop (CVE-2021-42260), a zero
+/// byte an assertion (CVE-2023-34194).
 bool isForParser(const std::string& xml) {
   constexpr std::size_t kMostBytes = 16'000'000;
   constexpr std::ptrdiff_t kMostAttributes = 1000;
@@ -70,19 +71,19 @@ std::string withoutByteOrderMark(const std::string& xml) {
   return xml.compare(0, 3, "\xEF\xBB\xBF") == 0 ? xml.substr(3) : xml;
 }
 
-/// Null where urdfdom refuses the robot.
+/// Null if urdfdom refuses the robot.
 urdf::ModelInterfaceSharedPtr readByUrdfdom(const std::string& xml) {
   const Silence silence;
   try {
     return urdf::parseURDF(xml);
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (...) {  // whatever it throws, it does not read the robot
+  } catch (...) {  // any exception means that it cannot read the robot
     return nullptr;
   }
 }
 
-/// Links hold those behind them: without this a long chain would end by recursion.
+/// Unlinks the links. They own their children, so a long chain would be destroyed by recursion.
 void takeApart(urdf::ModelInterface& model) {
   for (auto& [name, link] : model.links_) {
     link->child_links.clear();
@@ -94,7 +95,7 @@ void takeApart(urdf::ModelInterface& model) {
 
 std::vector<Problem> askSecondReader(const std::vector<RobotDescription>& robots,
                                      const RobotModel& model) {
-  constexpr std::size_t kMostLinks = 2000;  // urdfdom ends a robot that it refuses by recursion
+  constexpr std::size_t kMostLinks = 2000;  // urdfdom destroys a robot that it refuses by recursion
   std::vector<Problem> differences;
   for (std::size_t i = 0; i < robots.size() && i < model.robots.size(); ++i) {
     const std::string xml = withoutLateDeclaration(withoutByteOrderMark(robots[i].urdf_xml));

@@ -9,16 +9,14 @@
 
 namespace collision_monitor {
 
-/// A second opinion on a model: what urdfdom, the URDF parser of ROS, reads in the same texts.
-/// Compares links, joints, their types, ends, origins, axes, limits and mimics, and shapes. A
-/// difference is a warning that names both readings, unless docs/decisions/urdf-reader.md has it
-/// among those that are meant.
+/// Compares a model with what urdfdom, the URDF parser of ROS, reads from the same texts: links,
+/// joints with types, ends, origins, axes, limits and mimics, and shapes. A difference is a warning
+/// that gives both readings, unless docs/decisions/urdf-reader.md lists it as intended.
 ///
-/// Error: numbers are the same within 1e-9, rotations within 1e-6.
-/// Limits: says nothing of a robot that urdfdom refuses, nor of one that is not for it: of more
-/// than 2,000 links, 16 MB, or bytes that its parser is not safe with. Of many differences the
-/// first few. Throws nothing but std::bad_alloc; may run beside anything else, but not beside
-/// itself.
+/// Error: numbers count as equal within 1e-9, rotations within 1e-6.
+/// Limits: skips a robot that urdfdom refuses, one with more than 2,000 links or 16 MB, and one
+/// with bytes that are unsafe for its parser. Reports only the first few of many differences.
+/// Throws nothing but std::bad_alloc. May run in parallel with anything but itself.
 /// @pre `model` was read from `robots`, without errors.
 std::vector<Problem> askSecondReader(const std::vector<RobotDescription>& robots,
                                      const RobotModel& model);

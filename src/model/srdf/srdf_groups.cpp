@@ -13,10 +13,10 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-/// Reads the groups of one robot and remembers names that lead nowhere.
+/// Reads the groups of one robot and collects unknown names.
 ///
-/// Source: the SRDF page of the ROS wiki (wiki.ros.org/srdf); what it leaves open, the ends of
-/// chains and virtual joints, is as MoveIt's RobotModel has it.
+/// Source: the SRDF page of the ROS wiki (wiki.ros.org/srdf). It does not define the ends of chains
+/// and virtual joints; there this follows MoveIt's RobotModel.
 class GroupReader {
  public:
   GroupReader(const XMLElement& root, const RobotModel& model, const NameIndex& names,
@@ -25,7 +25,7 @@ class GroupReader {
     for (const XMLElement* e = root.FirstChildElement(); e != nullptr;
          e = e->NextSiblingElement()) {
       if (std::strcmp(e->Name(), "group") == 0) {
-        // A second group of a name adds to the first.
+        // A second group with the same name adds to the first.
         const std::string name = attributeOf(*e, "name");
         if (index_of_.emplace(name, groups_.size()).second) {
           groups_.push_back({name, {}, {}, {}});
@@ -44,7 +44,7 @@ class GroupReader {
     }
   }
 
-  /// Names in what is no group.
+  /// Checks names in elements that are not groups.
   void checkNames(const XMLElement& element) {
     const std::string kind = element.Name();
     if (kind == "virtual_joint") {
@@ -84,7 +84,7 @@ class GroupReader {
     return index_of_.count(name) != 0;
   }
 
-  /// An attribute that is not there names nothing.
+  /// A missing attribute names nothing.
   void checkName(const XMLElement& element, const char* attribute, Kind kind) {
     static constexpr const char* kWords[] = {"link ", "joint ", "group "};
     const char* name = element.Attribute(attribute);
@@ -161,7 +161,7 @@ class GroupReader {
   std::map<std::string, std::string> child_of_virtual_joint_;
 };
 
-/// The link and its ancestors, outermost last.
+/// The link and its ancestors; the root comes last.
 std::vector<LinkId> pathToRoot(const RobotModel& model, LinkId link) {
   std::vector<LinkId> path{link};
   while (const auto& joint = model.link(path.back()).parent_joint) {
@@ -205,7 +205,7 @@ std::vector<LinkId> linksOf(const std::vector<LinkGroup>& groups, std::size_t gr
                             const RobotModel& model) {
   std::vector<LinkId> links;
   std::vector<bool> is_visited(groups.size(), false);
-  std::vector<std::size_t> to_visit{group};  // no recursion: groups may hold each other 20,000 deep
+  std::vector<std::size_t> to_visit{group};  // no recursion: groups may nest 20,000 deep
   is_visited[group] = true;
   while (!to_visit.empty()) {
     const LinkGroup& next = groups[to_visit.back()];

@@ -12,10 +12,10 @@
 
 namespace collision_monitor {
 
-/// Names of an SRDF that lead nowhere, in the order of the file.
+/// Unknown names of an SRDF, in the order of the file.
 class UnknownNames {
  public:
-  /// Each name is told once, with the line in which it stands first.
+  /// Keeps each name once, with the line where it first appears.
   void add(const std::string& name, int line) {
     if (is_told_.insert(name).second) {
       names_.push_back(name + " (line " + std::to_string(line) + ")");
@@ -28,14 +28,14 @@ class UnknownNames {
   std::vector<std::string> names_;
 };
 
-/// Names in groups, and in elements of which no pair depends: end effectors, virtual and passive
-/// joints, group states and sphere approximations.
+/// Unknown names in groups, and in elements that do not affect pairs: end effectors, virtual and
+/// passive joints, group states and sphere approximations.
 struct UnknownOfGroups {
   UnknownNames members;
   UnknownNames others;
 };
 
-/// The groups of an SRDF below `root`; readSrdf says what they hold.
+/// The groups of an SRDF below `root`; readSrdf documents their contents.
 std::vector<LinkGroup> readGroups(const tinyxml2::XMLElement& root, const RobotModel& model,
                                   const NameIndex& names, UnknownOfGroups& unknown);
 

@@ -22,7 +22,7 @@ class LinkLookup {
  public:
   explicit LinkLookup(const NameIndex& names) : names_(names) {}
 
-  /// Nothing, remembered as unknown, for a name that is no link of the robot.
+  /// Nothing if the robot has no link of this name, which is then noted as unknown.
   std::optional<LinkId> find(const std::string& name, const XMLElement& element) {
     const std::optional<LinkId> link = names_.link(name);
     if (!link) {
@@ -42,7 +42,7 @@ class LinkLookup {
   bool is_any_known_{false};
 };
 
-/// Whether this is what it is taken for: links of other robots may have the same names.
+/// Checks that the SRDF is for this robot: links of other robots may have the same names.
 void checkRobot(const XMLElement& root, const std::string& urdf_name, const Place& place) {
   const char* name = root.Attribute("name");
   if (name != nullptr && name != urdf_name) {
@@ -54,7 +54,7 @@ void checkRobot(const XMLElement& root, const std::string& urdf_name, const Plac
   }
 }
 
-/// Lines that disable something and do not say what.
+/// Whether a line says what it disables.
 bool isComplete(const XMLElement& element, std::initializer_list<const char*> attributes,
                 UnknownNames& incomplete) {
   return std::all_of(attributes.begin(), attributes.end(), [&](const char* attribute) {
@@ -107,7 +107,7 @@ void readRule(const XMLElement& element, const Place& place, LinkLookup& links, 
   }
 }
 
-/// A name too many can only lead to more pairs being checked.
+/// Warns of unknown names. They can only cause more pairs to be checked.
 void reportUnknown(const std::string& found, const std::string& accepted, const std::string& advice,
                    bool is_strict, const Place& place) {
   if (is_strict) {
@@ -148,7 +148,7 @@ std::pair<LinkId, LinkId> ordered(const SrdfPairs::Entry& entry) {
   return entry.a < entry.b ? std::pair(entry.a, entry.b) : std::pair(entry.b, entry.a);
 }
 
-/// Two lines that say the opposite: the pair is checked, and somebody should know.
+/// Warns of lines that contradict each other. The pair is then checked.
 void reportContradictions(const SrdfPairs& pairs, const RobotModel& model, const Place& place) {
   std::set<std::pair<LinkId, LinkId>> disabled;
   for (const SrdfPairs::Entry& entry : pairs.disabled) {

@@ -42,8 +42,8 @@ void checkJointNames(const UrdfRobot& robot, const Place& place) {
   }
 }
 
-/// Index of the link a joint names; kNowhere, behind an error, if there is none.
-/// An empty name was reported where it was read.
+/// Index of the link that a joint names. kNowhere after an error if there is none; an empty name
+/// was reported when it was read.
 std::size_t findEnd(const IndexByName& index_of, const std::string& name, const UrdfJoint& joint,
                     const Place& place) {
   const auto found = index_of.find(name);
@@ -57,7 +57,7 @@ std::size_t findEnd(const IndexByName& index_of, const std::string& name, const 
   return kNowhere;
 }
 
-/// Who hangs on whom, by link index.
+/// Joints above and below each link, by link index.
 struct Connections {
   std::vector<std::size_t> parent_joints;  ///< kNowhere for a root
   std::vector<std::vector<std::size_t>> child_joints;
@@ -98,7 +98,7 @@ Connections connect(const UrdfRobot& robot, const Place& place) {
   return connections;
 }
 
-/// The only root; kNowhere, behind an error, if there is none or several.
+/// The only root; kNowhere after an error if there is none or several.
 std::size_t findRoot(const UrdfRobot& robot, const Connections& connections, const Place& place) {
   std::vector<std::string> names;
   std::size_t root = kNowhere;
@@ -124,7 +124,7 @@ std::size_t findRoot(const UrdfRobot& robot, const Connections& connections, con
 
 LinkTree walk(const Connections& connections, const UrdfRobot& robot, std::size_t root) {
   LinkTree tree;
-  // A stack of its own: chains may be longer than the call stack is deep.
+  // An explicit stack: chains may be deeper than the call stack allows.
   struct Visit {
     std::size_t joint;
     std::size_t parent;
@@ -176,7 +176,7 @@ std::optional<LinkTree> sortLinks(const UrdfRobot& robot, const Place& place) {
   }
   const Connections connections = connect(robot, place);
   if (connections.is_broken) {
-    return std::nullopt;  // roots and loops would only be consequences
+    return std::nullopt;  // faults of roots and loops would only follow from these
   }
   const std::size_t root = findRoot(robot, connections, place);
   if (root == kNowhere) {

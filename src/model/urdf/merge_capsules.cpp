@@ -9,7 +9,7 @@
 namespace collision_monitor {
 namespace {
 
-/// The spheres that close one end of a cylinder, and the radius that holds them all.
+/// The spheres that close one end of a cylinder, and a radius that encloses them all.
 struct Cap {
   std::vector<std::size_t> spheres;
   double radius{0.0};
@@ -27,8 +27,8 @@ Cap findCap(const std::vector<CollisionElement>& collisions, const Eigen::Vector
     const double offset = (collisions[i].link_from_geometry.translation - end).norm();
     if (offset <= kCapsuleTolerance) {
       cap.spheres.push_back(i);
-      // A ball about `end` that holds a sphere whose center is off by `offset`. Offsets
-      // of rounding alone would only make an exact capsule inexact.
+      // A ball about `end` that encloses a sphere whose center is off by `offset`. Offsets that are
+      // only rounding are ignored: they would make an exact capsule inexact.
       const double rounding = 1e-15 * (1.0 + end.norm());
       cap.radius = std::max(cap.radius, sphere->radius + (offset > rounding ? offset : 0.0));
     }

@@ -15,15 +15,15 @@ bool hasOneVariable(JointType type) {
          type == JointType::prismatic;
 }
 
-/// What the joint follows directly, checked.
+/// What the joint follows directly, after checks.
 std::optional<ResolvedMimic> resolveOne(const UrdfRobot& robot, const JointsByName& index_of,
                                         const UrdfJoint& joint, const Place& place) {
   const UrdfMimic& mimic = *joint.mimic;
   const Place here = place.within("joint " + quoted(joint.joint.name));
   const auto found = index_of.find(mimic.source);
   if (found == index_of.end()) {
-    // Not refused: robot_state_publisher and MoveIt take the robot, and messages tell where the
-    // joint is.
+    // Not an error: robot_state_publisher and MoveIt accept such a robot, and joint states give the
+    // joint's position.
     place.within("joint " + quoted(joint.joint.name) + " of " + quoted(mimic.source))
         .note(Oddity::mimic_of_unknown_joint);
     return std::nullopt;

@@ -12,7 +12,7 @@
 #include "model/mesh_loading/mesh_store.h"
 #include "model/place.h"
 
-/// The elements of one URDF as they stand in it, names not yet resolved.
+/// The elements of one URDF as written, with names not yet resolved.
 namespace collision_monitor {
 
 struct UrdfLink {
@@ -33,7 +33,7 @@ struct UrdfJoint {
   std::string child;
   std::optional<UrdfMimic> mimic;
   int line{0};
-  Joint joint;  ///< all that needs no other element; name without prefix
+  Joint joint;  ///< everything that depends on no other element; name without prefix
 };
 
 struct UrdfRobot {
@@ -42,13 +42,13 @@ struct UrdfRobot {
   std::vector<UrdfJoint> joints;
 };
 
-/// What reading the geometry of a robot needs beside its XML.
+/// What the geometry of a robot needs beside its XML.
 struct MeshSource {
   MeshStore& store;
-  const RobotDescription& description;  ///< whose folder and up axis rule apply
+  const RobotDescription& description;  ///< gives the folder and the up axis rule
 };
 
-/// Readers add an error for every fault and return what can be used to look for more.
+/// Readers add an error for every fault and return what they can, so that further faults are found.
 UrdfRobot readUrdfRobot(const tinyxml2::XMLElement& robot, const MeshSource& meshes,
                         const Place& place);
 std::optional<UrdfLink> readUrdfLink(const tinyxml2::XMLElement& link, const MeshSource& meshes,
@@ -57,17 +57,17 @@ std::optional<UrdfJoint> readUrdfJoint(const tinyxml2::XMLElement& joint, const 
 
 /// The one shape of a `<geometry>`: box, sphere, cylinder, capsule or mesh.
 ///
-/// A capsule's length is the distance between the centers of its caps, as Bullet
-/// reads it, so it is 2 radius + length long from tip to tip.
-/// Source: Bullet's URDF importer, which hands radius and length to
-/// btCapsuleShapeZ, whose height leaves the caps out.
+/// A capsule's length is the distance between the centers of its caps, as in Bullet, so its total
+/// length is 2 radius + length.
+/// Source: Bullet's URDF importer passes radius and length to btCapsuleShapeZ, whose height
+/// excludes the caps.
 std::optional<Geometry> readGeometry(const tinyxml2::XMLElement& geometry, const MeshSource& meshes,
                                      const Place& place);
 
-/// The scale of a `<mesh>`: 1 if there is none, nothing behind an error.
+/// The scale of a `<mesh>`: 1 by default, nothing after an error.
 std::optional<Eigen::Vector3d> readMeshScale(const tinyxml2::XMLElement& mesh, const Place& place);
 
-/// The `<origin>` of an element: identity if there is none.
+/// The `<origin>` of an element: identity by default.
 /// Rotation: fixed axes, R = Rz(yaw) Ry(pitch) Rx(roll).
 Pose readOrigin(const tinyxml2::XMLElement& parent, const Place& place);
 

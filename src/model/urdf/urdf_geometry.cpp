@@ -18,7 +18,7 @@ constexpr const char* kShapes =
     "<box size>, <sphere radius>, <cylinder radius length>, <capsule radius length> or <mesh "
     "filename>";
 
-/// A length attribute; `least` says whether zero is one.
+/// The smallest length that an attribute accepts.
 enum class Least { zero, above_zero };
 
 std::optional<double> readLength(const XMLElement& element, const char* name, Least least,
@@ -54,7 +54,7 @@ std::optional<Geometry> readBox(const XMLElement& element, const Place& place) {
                    attribute.accepted);
     return std::nullopt;
   }
-  // Published robots give frames without a body a box of 0.
+  // Some published robots use a box of size 0 for links that are only frames.
   if (size->minCoeff() == 0.0) {
     place.note(Oddity::zero_size);
   }
@@ -62,7 +62,7 @@ std::optional<Geometry> readBox(const XMLElement& element, const Place& place) {
 }
 
 std::optional<Geometry> readSphere(const XMLElement& element, const Place& place) {
-  // Published robots mark the corners of a foot with spheres of radius 0.
+  // Some published robots mark the corners of a foot with spheres of radius 0.
   const auto radius = readLength(element, "radius", Least::zero, place);
   return radius ? std::optional<Geometry>(Sphere{*radius}) : std::nullopt;
 }
@@ -85,7 +85,7 @@ std::optional<Geometry> readCapsule(const XMLElement& element, const Place& plac
   return Capsule{0.5 * *length, *radius};
 }
 
-/// False for numbers that are not finite, too.
+/// False for numbers that are not finite.
 bool isWithinReach(const TriangleMesh& mesh) {
   return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [](const Eigen::Vector3d& vertex) {
     return (vertex.array().abs() <= kFarthest).all();
@@ -100,7 +100,7 @@ std::optional<Geometry> readMeshElement(const XMLElement& element, const MeshSou
     return std::nullopt;
   }
   try {
-    // Read even if the scale is at fault: a missing file is then reported too.
+    // Read even if the scale is faulty, so that a missing file is reported too.
     const StoredMesh& stored = meshes.store.find(*name, meshes.description.directory);
     if (!scale) {
       return std::nullopt;
@@ -132,8 +132,8 @@ std::optional<Geometry> readMeshElement(const XMLElement& element, const MeshSou
   }
 }
 
-/// The only shape; null, behind an error, if there is none or a second one.
-/// Extensions have a namespace, as <drake:declare_convex/>, and are ignored beside a shape.
+/// The only shape; null after an error if there is none or a second one. Elements with a namespace,
+/// such as <drake:declare_convex/>, are extensions and ignored beside a shape.
 const XMLElement* findShape(const XMLElement& geometry, const Place& place) {
   const XMLElement* shape = nullptr;
   for (const XMLElement* e = geometry.FirstChildElement(); e != nullptr;

@@ -47,7 +47,7 @@ std::string readEnd(const XMLElement& joint, const char* end, const Place& place
 bool hasAxis(JointType type) { return type != JointType::fixed && type != JointType::floating; }
 
 void readAxis(const XMLElement& element, const Place& place, Joint& joint) {
-  // Exporters write an axis of zeros on fixed joints, where it means nothing.
+  // Exporters write a zero axis for fixed joints, where it has no meaning.
   if (!hasAxis(joint.type)) {
     return;
   }
@@ -60,7 +60,7 @@ void readAxis(const XMLElement& element, const Place& place, Joint& joint) {
   if (!direction) {
     return;
   }
-  // stableNorm: neither overflows nor loses a direction written in tiny numbers.
+  // stableNorm neither overflows nor underflows for tiny numbers.
   if (direction->stableNorm() == 0.0) {
     place.addError(axis->GetLineNum(), "axis xyz " + quoted(axis->Attribute("xyz")),
                    attribute.accepted);
@@ -73,7 +73,7 @@ bool hasRange(JointType type) {
   return type == JointType::revolute || type == JointType::prismatic;
 }
 
-/// Exporters write 1e16 where they mean that there is none.
+/// Exporters write 1e16 for "no limit".
 double boundOf(double number) {
   return std::abs(number) <= kFarthest ? number : std::copysign(kInfinity, number);
 }
@@ -83,7 +83,7 @@ std::string shown(const XMLElement& element, const char* attribute) {
   return text == nullptr ? "0 (not written)" : quoted(text);
 }
 
-/// Of the bounds that were read.
+/// Checks the bounds after reading.
 void checkRange(const XMLElement& limit, const Place& place, const Joint& joint) {
   const std::string lower = shown(limit, "lower");
   const std::string upper = shown(limit, "upper");
@@ -118,7 +118,7 @@ void readLimit(const XMLElement& element, const Place& place, Joint& joint) {
   const char* const accepted = "one finite number, in radians or metres";
   const Numbers<1> zero = Numbers<1>::Zero();
   if (hasRange(joint.type)) {
-    // URDF: a bound that is not written is 0.
+    // URDF: a missing bound is 0.
     joint.lower = boundOf(readNumbersOr<1>(zero, *limit, {"lower", accepted, kInfinity}, place)[0]);
     joint.upper = boundOf(readNumbersOr<1>(zero, *limit, {"upper", accepted, kInfinity}, place)[0]);
     checkRange(*limit, place, joint);
@@ -127,7 +127,7 @@ void readLimit(const XMLElement& element, const Place& place, Joint& joint) {
   const double velocity = readNumbersOr<1>(
       unlimited, *limit,
       {"velocity", "one finite number, in radians or metres a second", kInfinity}, place)[0];
-  // Exporters write 0 for "not known"; a bound of 0 would call every motion impossible.
+  // Exporters write 0 for "unknown"; a limit of 0 would make every motion impossible.
   joint.max_velocity = velocity > 0.0 ? velocity : kInfinity;
   if (!(velocity > 0.0)) {
     place.note(Oddity::no_speed_limit);

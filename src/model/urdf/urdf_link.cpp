@@ -16,7 +16,7 @@ std::string nameOf(const XMLElement& collision) {
   return name == nullptr ? "" : name;
 }
 
-/// Names are made unique by a number: messages tell shapes of a link apart by them.
+/// Makes names unique by a number: messages tell the shapes of a link apart by them.
 void nameCollisions(std::vector<CollisionElement>& collisions) {
   std::set<std::string> taken;
   for (std::size_t i = 0; i < collisions.size(); ++i) {
@@ -76,7 +76,7 @@ std::optional<UrdfLink> readUrdfLink(const XMLElement& element, const MeshSource
   }
   nameCollisions(link.collisions);
   mergeCapsules(link.collisions);
-  // One that shows nothing either is a frame, as those of tools and sensors.
+  // A link without visual geometry is just a frame, such as that of a tool or sensor.
   if (number == 0 && element.FirstChildElement("visual") != nullptr) {
     here.note(Oddity::link_without_geometry);
   }

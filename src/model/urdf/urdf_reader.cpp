@@ -13,7 +13,7 @@
 namespace collision_monitor {
 namespace {
 
-/// One URDF without a fault, ready to become a robot of the model.
+/// One URDF without faults, ready to be added to the model.
 struct ReadRobot {
   UrdfRobot robot;
   LinkTree tree;
@@ -94,7 +94,7 @@ void appendJoints(const ReadRobot& read, Robot& robot, RobotModel& model) {
     }
     model.joints.push_back(std::move(joint));
   }
-  // Only now does every source have its variable: it may stand behind its followers.
+  // Only now every source has its variable: a source may come after its followers.
   for (std::size_t i = 0; i < read.tree.joints.size(); ++i) {
     if (const auto& mimic = read.mimics[read.tree.joints[i]]) {
       Joint& joint = model.joints[robot.first_joint + i];
@@ -113,7 +113,7 @@ void appendRobot(ReadRobot read, const std::string& tf_prefix, RobotModel& model
   model.robots.push_back(std::move(robot));
 }
 
-/// Who has which name, of all links or of all joints.
+/// Which link or joint has which name.
 class NameOwners {
  public:
   /// @param what "link"
@@ -121,8 +121,8 @@ class NameOwners {
              SetupReport& report)
       : what_(std::move(what)), descriptions_(descriptions), report_(report) {}
 
-  /// @param id of the link or joint
-  /// @return false, behind an error, where another one has the name.
+  /// @param id index of the link or joint
+  /// @return false after an error if another one has the name.
   bool take(const std::string& name, RobotId robot, std::size_t id) {
     const auto [first, is_new] = owner_of_.emplace(name, Owner{robot, id});
     if (is_new || first->second.id == id) {
@@ -152,8 +152,8 @@ class NameOwners {
   std::map<std::string, Owner> owner_of_;
 };
 
-/// Messages and tf tell links apart by name alone, messages and services joints that move; so no
-/// two may share one.
+/// Links are identified only by name in messages and tf, and moving joints in messages and
+/// services. So names must differ.
 void checkNamesDiffer(const std::vector<RobotDescription>& descriptions, const RobotModel& model,
                       SetupReport& report) {
   NameOwners links("link", descriptions, report);
@@ -190,7 +190,7 @@ RobotModel readRobots(const std::vector<RobotDescription>& descriptions,
   if (report.errors.size() == errors_before) {
     checkNamesDiffer(descriptions, model, report);
   }
-  // Half a model must not be mistaken for one: robots that are missing collide with nothing.
+  // Part of a model must not pass for the whole: missing robots collide with nothing.
   return report.errors.size() == errors_before ? model : RobotModel{};
 }
 

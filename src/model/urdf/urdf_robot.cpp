@@ -10,7 +10,7 @@ namespace collision_monitor {
 UrdfRobot readUrdfRobot(const tinyxml2::XMLElement& robot, const MeshSource& meshes,
                         const Place& place) {
   UrdfRobot read;
-  // A robot without a name is odd but harmless: nothing is looked up by it.
+  // A robot without a name is odd but harmless: nothing uses the name for look-up.
   const char* name = robot.Attribute("name");
   read.name = name == nullptr ? "" : name;
   for (const tinyxml2::XMLElement* e = robot.FirstChildElement(); e != nullptr;

@@ -37,7 +37,7 @@ void addWork(ElementPairIndex pair, std::uint32_t work, BudgetTally& tally) noex
     return;
   }
   const LinkPairIndex link_pair = tally.use.setup->element_pairs[pair].link_pair;
-  std::uint64_t& sum = tally.steps_of[link_pair];
+  std::uint64_t& sum = tally.work_of[link_pair];
   if (sum == 0) {
     tally.counted.push_back(link_pair);
   }
@@ -50,14 +50,14 @@ void addWork(ElementPairIndex pair, std::uint32_t work, BudgetTally& tally) noex
 BudgetTally makeBudgetTally(const CycleSetup& setup) {
   BudgetTally tally;
   tally.use.setup = &setup;
-  tally.steps_of.resize(setup.checked.size(), 0);
+  tally.work_of.resize(setup.checked.size(), 0);
   tally.counted.reserve(setup.checked.size());
   return tally;
 }
 
 void restart(BudgetTally& tally) noexcept {
   for (const LinkPairIndex pair : tally.counted) {
-    tally.steps_of[pair] = 0;
+    tally.work_of[pair] = 0;
   }
   tally.counted.clear();
   const CycleSetup* setup = tally.use.setup;

@@ -35,8 +35,8 @@ struct BudgetUse {
 /// Adds up cycles. Sized at set-up.
 struct BudgetTally {
   BudgetUse use;
-  std::vector<std::uint64_t> steps_of;  ///< by LinkPairIndex: work in the short cycles
-  std::vector<LinkPairIndex> counted;   ///< pairs with work
+  std::vector<std::uint64_t> work_of;  ///< by LinkPairIndex: work in the short cycles
+  std::vector<LinkPairIndex> counted;  ///< pairs with work
 };
 
 BudgetTally makeBudgetTally(const CycleSetup& setup);

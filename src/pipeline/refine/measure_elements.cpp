@@ -19,10 +19,10 @@ namespace collision_monitor {
 namespace {
 
 // Work of other steps, in opened node pairs.
-constexpr std::uint32_t kSetUpSteps = 8;   // poses and inner shapes
-constexpr std::uint32_t kApartSteps = 8;   // two convex geometries
-constexpr std::uint32_t kDepthSteps = 60;  // depth of two convex geometries
-constexpr std::uint32_t kPointSteps = 4;   // depth of one point in a mesh, without nodes
+constexpr std::uint32_t kSetUpWork = 8;   // poses and inner shapes
+constexpr std::uint32_t kApartWork = 8;   // two convex geometries
+constexpr std::uint32_t kDepthWork = 60;  // depth of two convex geometries
+constexpr std::uint32_t kPointSteps = 4;  // depth of one point in a mesh, without nodes
 
 bool areExact(const PlacedElement& a, const PlacedElement& b) noexcept {
   return a.element.is_exact && b.element.is_exact;
@@ -34,7 +34,7 @@ ElementDistance measureConvex(const PlacedElement& a, const PlacedElement& b,
   const ConvexDistance found = signedDistanceBetween(
       *a.element.convex, a.world_from_element, *b.element.convex, b.world_from_element, convex);
   ElementDistance answer;
-  answer.work = found.measured.distance > 0.0 ? kApartSteps : kDepthSteps;
+  answer.work = found.measured.distance > 0.0 ? kApartWork : kDepthWork;
   answer.is_complete = true;
   if (found.quality != Quality::unknown) {
     answer.quality =
@@ -86,7 +86,7 @@ bool measureHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch&
   const MeshDistance found =
       distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stop_beyond, search.scratch.mesh,
                       {search.memory.warm, search.memory.nearest});
-  answer.work += kApartSteps + found.visits;
+  answer.work += kApartWork + found.visits;
   if (found.state != MeshState::exact && !(found.measured.distance >= stop_beyond)) {
     return false;
   }
@@ -127,7 +127,7 @@ void reportOverlap(const PlacedElement& a, const PlacedElement& b,
 ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
                               ElementSearch& search) noexcept {
   ElementDistance answer;
-  answer.work = kSetUpSteps;
+  answer.work = kSetUpWork;
   // Elements that overlapped mostly still do, and then hulls give no answer.
   const bool overlapped = search.memory.last.found.quality == Quality::estimate;
   if (!overlapped && measureHulls(a, b, search, answer)) {
@@ -214,7 +214,7 @@ ElementDistance measureByHulls(const PlacedElement& a, const PlacedElement& b,
       distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stopBeyond(a, b, search),
                       search.scratch.mesh, {search.memory.warm, search.memory.nearest});
   ElementDistance answer;
-  answer.work = kApartSteps + found.visits;
+  answer.work = kApartWork + found.visits;
   if (found.state != MeshState::unknown) {
     answer.measured = found.measured;
     answer.has_points = found.state == MeshState::exact;

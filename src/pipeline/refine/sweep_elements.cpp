@@ -9,17 +9,17 @@ namespace collision_monitor {
 namespace {
 
 /// Work of one distance of convex geometries, in opened node pairs.
-constexpr std::uint32_t kConvexSteps = 8;
+constexpr std::uint32_t kConvexWork = 8;
 
 SweptContact sweepConvex(const MovingElement& a, const MovingElement& b, SweepLimits limits,
                          RefineScratch& scratch) noexcept {
   ConvexWarmStart warm;
   ConvexSearch search{scratch.convex, warm};
-  limits.budget = limits.budget / kConvexSteps + (limits.budget % kConvexSteps == 0 ? 0 : 1);
+  limits.budget = limits.budget / kConvexWork + (limits.budget % kConvexWork == 0 ? 0 : 1);
   SweptContact found =
       firstContact(MovingConvex{*a.element.convex, a.ball, a.motion},
                    MovingConvex{*b.element.convex, b.ball, b.motion}, limits, search);
-  found.work *= kConvexSteps;
+  found.work *= kConvexWork;
   return found;
 }
 

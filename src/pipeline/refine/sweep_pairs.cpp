@@ -18,7 +18,7 @@ namespace {
 
 /// Work for two moving bodies: six distances are usual, and a grazing pair must not hold up a
 /// cycle.
-constexpr std::uint32_t kBodySteps = 500;
+constexpr std::uint32_t kBodyWork = 500;
 
 /// The arguments of sweepPairs.
 struct Sweeping {
@@ -70,7 +70,7 @@ SweptContact sweepBodies(const Sweeping& all, PairId pair) noexcept {
   const ScrewMotion motion_b = all.motionOf(b);
   SweepLimits limits;
   limits.contact_distance = contactOfBodies(all.setup, pair);
-  limits.budget = kBodySteps;
+  limits.budget = kBodyWork;
   const double margin = limits.contact_distance + limits.tolerance;
   const MovingSphere sphere_a =
       movingSphereOf(motion_a, Eigen::Vector3d::Zero(), a.bounding_radius);

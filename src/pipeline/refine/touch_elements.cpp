@@ -15,9 +15,9 @@ namespace {
 using State = ElementContact::State;
 
 // Work of other steps, in opened node pairs.
-constexpr std::uint32_t kStartSteps = 2;  // poses and last triangles
-constexpr std::uint32_t kHullSteps = 8;   // two convex geometries
-constexpr std::uint32_t kInnerSteps = 2;
+constexpr std::uint32_t kStartWork = 2;  // poses and last triangles
+constexpr std::uint32_t kHullWork = 8;   // two convex geometries
+constexpr std::uint32_t kInnerWork = 2;
 
 ElementContact settled(State state, std::uint32_t work) noexcept {
   ElementContact found;
@@ -40,7 +40,7 @@ ElementContact measureContact(const PlacedElement& a, const PlacedElement& b, do
   const State state = found.quality == Quality::unknown ? State::unknown
                       : found.measured.distance > reach ? State::apart
                                                         : State::contact;
-  return settled(state, kHullSteps);
+  return settled(state, kHullWork);
 }
 
 enum class HullAnswer : unsigned char { apart, contact, open };
@@ -52,7 +52,7 @@ HullAnswer askHulls(const PlacedElement& a, const PlacedElement& b, double reach
   const MeshDistance found =
       distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), beyond, search.scratch.mesh,
                       {search.memory.warm, search.memory.nearest});
-  work += kHullSteps + found.visits;
+  work += kHullWork + found.visits;
   const bool is_told = found.state == MeshState::exact || found.state == MeshState::lower_bound;
   if (is_told && found.measured.distance > reach) {
     return HullAnswer::apart;
@@ -110,12 +110,12 @@ ElementContact touchElements(const PlacedElement& a, const PlacedElement& b,
     return touchConvex(a, b, goal.distance + paddings, search);
   }
   const double reach = std::max(goal.distance, 0.0) + paddings;
-  std::uint32_t work = kStartSteps;
+  std::uint32_t work = kStartWork;
   const HullAnswer hulls = askHulls(a, b, reach, search, work);
   if (hulls != HullAnswer::open) {
     return settled(hulls == HullAnswer::apart ? State::apart : State::contact, work);
   }
-  work += kInnerSteps;
+  work += kInnerWork;
   if (overlapInside(a, b, reach)) {
     return settled(State::contact, work);
   }

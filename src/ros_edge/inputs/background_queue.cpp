@@ -16,12 +16,12 @@ BackgroundQueue::~BackgroundQueue() {
 }
 
 void BackgroundQueue::run() {
-  // On Linux this is the nice value of the calling thread alone, held to the greatest there is. A
-  // tenth of the processor time of a usual thread where both want it, all that is left over else.
+  // On Linux this sets the nice value of the calling thread only, up to the maximum. The thread
+  // gets a tenth of a normal thread's processor time if both want it, otherwise all that is free.
   constexpr int kNicer = 10;
   setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + kNicer);
   while (!is_ending_) {
-    constexpr double kWait = 0.1;  // [s] how late the end may be seen
+    constexpr double kWait = 0.1;  // [s] longest delay until the end is noticed
     queue_.callOne(ros::WallDuration(kWait));
   }
 }

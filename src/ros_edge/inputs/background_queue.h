@@ -9,20 +9,20 @@
 
 namespace collision_monitor {
 
-/// A callback queue with one thread of its own, for callbacks that take seconds: they run one
-/// after the other, hold up no callback of other queues, and yield the processor to threads of
-/// usual priority, the cycle above all.
+/// A callback queue with its own thread, for callbacks that take seconds. They run one after the
+/// other and do not delay callbacks of other queues. They yield the processor to threads of normal
+/// priority, above all to the cycle.
 class BackgroundQueue {
  public:
   BackgroundQueue();
-  /// Ends when the callback at hand does.
+  /// Waits for the current callback.
   ~BackgroundQueue();
   BackgroundQueue(const BackgroundQueue&) = delete;
   BackgroundQueue& operator=(const BackgroundQueue&) = delete;
 
-  /// Must not be used any more when this ends.
+  /// Must not be used after this object's end.
   ros::CallbackQueue& queue() noexcept { return queue_; }
-  /// Asks callbacks that look at isEnding to give up. No callback begins after that.
+  /// Asks callbacks to give up, if they check isEnding. No new callback starts afterwards.
   void end() noexcept { is_ending_ = true; }
   bool isEnding() const noexcept { return is_ending_; }
 
@@ -31,7 +31,7 @@ class BackgroundQueue {
 
   ros::CallbackQueue queue_;
   std::atomic<bool> is_ending_{false};
-  std::thread thread_;  ///< last: it uses the others
+  std::thread thread_;  ///< last: uses the members above
 };
 
 }  // namespace collision_monitor

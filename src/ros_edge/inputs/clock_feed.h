@@ -10,15 +10,15 @@
 
 namespace collision_monitor {
 
-/// Tells a watch of each message of /clock: roscpp sets the time by them and tells nobody of those
-/// that repeat it. Hears nothing where time is not simulated. Stops with its life.
+/// Reports each message of /clock to a watch. roscpp sets the time by them, but tells nobody of
+/// messages that repeat it. Does nothing if time is not simulated. Ends with this object.
 class ClockFeed {
  public:
   /// @pre `watch` outlives the feed
   ClockFeed(ros::NodeHandle node, ClockWatch& watch);
 
  private:
-  DirectQueue queue_;  ///< ends after the subscriber
+  DirectQueue queue_;  ///< outlives the subscriber
   ros::Subscriber subscriber_;
 };
 

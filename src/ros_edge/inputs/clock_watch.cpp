@@ -31,14 +31,14 @@ ClockState ClockWatch::look(const ros::Time& time, std::uint64_t later_data,
   later_data_ = later_data;
   ClockState state;
   state.stood_for = std::chrono::duration<double>(now - moved_at_).count();
-  // Before the clock starts there is no time at all, which is told by itself.
+  // Before the clock starts there is no time at all; that is reported elsewhere.
   if (!is_simulated_ || time.isZero() || now - moved_at_ <= timeout_) {
     return state;
   }
   if (now - heard_at_ > timeout_) {
     state.fault = ClockFault::silent;
   } else if (data_at_ - moved_at_ > timeout_) {
-    // Later than what was on its way when the clock stopped.
+    // Later than messages that were in transit when the clock stopped.
     state.fault = ClockFault::data_pass_it;
   }
   return state;

@@ -13,30 +13,30 @@ namespace collision_monitor {
 
 enum class ClockFault : unsigned char {
   none,
-  not_started,   ///< no time at all yet
-  silent,        ///< no message of the clock comes any more
-  data_pass_it,  ///< the clock repeats one time, and data of later times come
+  not_started,   ///< no time yet
+  silent,        ///< the clock sends no messages any more
+  data_pass_it,  ///< the clock repeats one time, but data with later stamps arrive
 };
 
 struct ClockState {
   ClockFault fault{ClockFault::none};
-  double stood_for{0.0};  ///< [s] of wall time
+  double stood_for{0.0};  ///< [s] wall time
 };
 
-/// Tells on wall time whether a simulated clock lives. By a clock that is dead no pose grows old,
-/// so nothing may be believed then. A simulator that is paused repeats its time: it lives, as long
-/// as no data of later times come. Safe for several threads.
+/// Tells, by wall time, whether a simulated clock is alive. By a dead clock no pose ever grows old,
+/// so no data can be trusted. A paused simulator repeats its time: it is alive as long as no data
+/// with later stamps arrive. Safe for several threads.
 class ClockWatch {
  public:
-  /// @param is_simulated false: the clock is that of the machine, and always lives
+  /// @param is_simulated false: the machine's clock, which is always alive
   ClockWatch(bool is_simulated, SteadyClock::time_point now);
 
-  /// [s] How long the clock may stand still and say nothing. One second unless told.
+  /// [s] How long the clock may stand still without a message. Default: one second.
   void allow(double timeout);
-  /// A message of the clock came, whatever it says.
+  /// Notes a message of the clock, whatever time it has.
   void hear(SteadyClock::time_point now);
   /// @param time by the clock
-  /// @param later_data a count that grows with data of later times
+  /// @param later_data a count that grows with data of later stamps
   ClockState look(const ros::Time& time, std::uint64_t later_data, SteadyClock::time_point now);
 
  private:
@@ -45,9 +45,9 @@ class ClockWatch {
   SteadyClock::duration timeout_;
   ros::Time time_;
   std::uint64_t later_data_{0};
-  SteadyClock::time_point moved_at_;  ///< when the time changed
+  SteadyClock::time_point moved_at_;  ///< when the time last changed
   SteadyClock::time_point heard_at_;
-  SteadyClock::time_point data_at_;  ///< when data of later times came
+  SteadyClock::time_point data_at_;  ///< when data with later stamps last arrived
 };
 
 }  // namespace collision_monitor

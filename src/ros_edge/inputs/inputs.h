@@ -8,14 +8,14 @@
 
 namespace collision_monitor {
 
-/// Where poses, joint states and the time come from.
+/// Sources of poses, joint states and time.
 struct Inputs {
   TransformStore& transforms;
   JointStore& joints;
   ClockWatch& clock;
 };
 
-/// Whether the clock can be believed now, for the time that it told.
+/// Whether the clock can be trusted now, given the time that it reports.
 ClockState lookAtClock(const Inputs& inputs, const ros::Time& time);
 
 }  // namespace collision_monitor

@@ -10,17 +10,17 @@
 
 namespace collision_monitor {
 
-/// What the log says of time that jumps back. One jump is that of a recording that begins again;
-/// two clocks that contradict each other make as many as they have messages.
+/// Log text about time that jumps back. A recording that restarts causes one jump. Two clocks that
+/// contradict each other cause one with every message.
 class TimeJumps {
  public:
-  /// Time jumped back.
-  /// @return what is to be said; empty where that was said in the last ten seconds of wall time
+  /// Counts a jump back in time.
+  /// @return the text to log; empty if one was logged in the last ten seconds of wall time
   std::string tell(SteadyClock::time_point now);
 
  private:
   std::optional<SteadyClock::time_point> told_at_;
-  std::uint64_t untold_{0};  ///< since then
+  std::uint64_t untold_{0};  ///< jumps since then
 };
 
 }  // namespace collision_monitor

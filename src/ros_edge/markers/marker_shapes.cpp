@@ -60,7 +60,7 @@ void findWorstVerdicts(const CycleSetup& setup, const PairEvents& events,
                        std::vector<Verdict>& verdicts) {
   verdicts.assign(setup.model.links.size(), Verdict::clear);
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
-    // An unknown partner says nothing of this link.
+    // An unknown pair says nothing about this link: its partner may be the cause.
     if (events.verdicts[i] != Verdict::unknown) {
       Verdict& a = verdicts[index(setup.checked[i].a)];
       Verdict& b = verdicts[index(setup.checked[i].b)];

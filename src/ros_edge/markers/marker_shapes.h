@@ -9,7 +9,7 @@
 
 namespace collision_monitor {
 
-/// A marker with the shape's type, scale and triangles; pose and colour are left open.
+/// A marker with the shape's type, scale and triangles; pose and color are not set.
 visualization_msgs::Marker makeShapeMarker(const Shape& shape);
 
 /// Green, yellow, red, or grey for unknown.

@@ -22,9 +22,9 @@ constexpr double kLineWidth = 0.004;
 constexpr double kPointSize = 0.015;
 constexpr double kNormalLength = 0.08;
 constexpr double kTextHeight = 0.035;
-constexpr double kTextWidth = 8.0 * kTextHeight;  // of ">= 35 mm", with some room
+constexpr double kTextWidth = 8.0 * kTextHeight;  // of ">= 35 mm", with a margin
 
-/// As in docs/interfaces.md: a lower bound may be less than the distance, an estimate more.
+/// Format: docs/interfaces.md. A lower bound may be less than the distance, an estimate more.
 std::string labelOf(const PairDistance& distance) {
   const char* relation = distance.quality == Quality::lower_bound ? ">= "
                          : distance.quality == Quality::estimate  ? "<= "
@@ -37,7 +37,7 @@ bool hides(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
   return std::abs(one.z() - other.z()) < kTextHeight && (one - other).head<2>().norm() < kTextWidth;
 }
 
-/// Where a label can be read: above those that it would lie on. Takes the place.
+/// A readable place for a label: above any labels that it would overlap. Marks it as taken.
 Eigen::Vector3d takePlace(const Eigen::Vector3d& wanted, std::vector<Eigen::Vector3d>& taken) {
   std::sort(taken.begin(), taken.end(),
             [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.z() < b.z(); });
@@ -61,8 +61,8 @@ Markers::Markers(const Watch& watch) {
   }
 }
 
-/// rviz is to take the newest that tf has of a part that floats: at the stamp of the data it may
-/// have none.
+/// For a floating part, rviz must use tf's newest transform: tf may have none for the stamp of the
+/// data.
 std_msgs::Header Markers::headerOf(const Watch& watch, LinkId link) const {
   return watch.poses.part[index(link)] == kWorldPart
              ? header_
@@ -96,7 +96,7 @@ void Markers::keepShapes() {
   markers.resize(shapes_);
 }
 
-/// What was never seen is nowhere.
+/// A link that was never seen has no place.
 void Markers::addShapes(const BodyPoses& poses) {
   const auto first_seen = std::stable_partition(
       unseen_.begin(), unseen_.end(),

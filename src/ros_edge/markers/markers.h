@@ -13,21 +13,20 @@
 
 namespace collision_monitor {
 
-/// The picture of a cycle for rviz, in the world frame and with the stamp of the data; of a part
-/// that floats in the frame of its top link, without a stamp.
+/// The picture of a cycle for rviz. It is in the world frame with the stamp of the data. A floating
+/// part is in the frame of its top link, without a stamp.
 ///
-/// Namespaces: `shapes` (id = body; green clear, yellow warning, red contact, grey
-/// unknown where the link was last seen), `contacts` (ids 2 n and 2 n + 1 = point and normal of
-/// pair n of bodies, for the same pairs as the topic `contacts`), `distances` (id = pair of links)
-/// and `labels` (the same; of pairs that are not clear and of the closest; ">= " stands before a
-/// lower bound, "<= " before an estimate). A marker whose reason is gone is deleted. Shapes are
-/// triangulated once, at set-up.
+/// Namespaces: `shapes` (id = body; green clear, yellow warning, red contact, grey unknown, at the
+/// last known pose), `contacts` (ids 2 n and 2 n + 1 = point and normal of body pair n, for the
+/// same pairs as the topic `contacts`), `distances` (id = link pair) and `labels` (same ids; for
+/// pairs that are not clear, and the closest; ">= " precedes a lower bound, "<= " an estimate). A
+/// marker that no longer applies is deleted. Shapes are triangulated once, at set-up.
 class Markers {
  public:
-  /// The first array deletes what another set-up may have left.
+  /// The first array deletes markers of an earlier set-up.
   explicit Markers(const Watch& watch);
 
-  /// The array to publish now; stays valid until the next call.
+  /// The array to publish now; valid until the next call.
   const visualization_msgs::MarkerArray& draw(const Watch& watch);
 
  private:
@@ -44,12 +43,12 @@ class Markers {
                                   const std_msgs::Header& header);
   std_msgs::Header headerOf(const Watch& watch, LinkId link) const;
 
-  std::vector<visualization_msgs::Marker> unseen_;  ///< shapes in the body frame
-  /// Shapes that were seen come first and stay: they are most of its bytes.
+  std::vector<visualization_msgs::Marker> unseen_;  ///< shapes not seen yet, in the body frame
+  /// Shapes that were seen come first and stay: they are most of the bytes.
   visualization_msgs::MarkerArray array_;
-  std::size_t shapes_{0};  ///< of the array's markers
+  std::size_t shapes_{0};  ///< number of shapes among the array's markers
   std_msgs::Header header_;
-  std::vector<Eigen::Vector3d> label_places_;  ///< of this array, in the world
+  std::vector<Eigen::Vector3d> label_places_;  ///< places in this array, world frame
   std::set<Key> shown_;
   std::set<Key> drawn_;
   bool is_first_{true};

@@ -11,12 +11,12 @@
 namespace collision_monitor {
 namespace {
 
-/// Lines of latitude and longitude. A line where one quarter ends and the next begins stands twice,
-/// once for each, so that the core's extent opens between the two.
+/// Lines of latitude and longitude. A line between two quarters occurs twice, once in each, because
+/// the core's extent separates them.
 struct Grid {
-  std::uint32_t steps;  // to a quarter circle
+  std::uint32_t steps;  // per quarter circle
 
-  std::uint32_t quarter() const { return steps + 1; }  // lines of one
+  std::uint32_t quarter() const { return steps + 1; }  // lines of one quarter
   std::uint32_t rows() const { return 2 * quarter(); }
   std::uint32_t columns() const { return 4 * quarter(); }
   double angleAt(std::uint32_t line) const {
@@ -25,7 +25,7 @@ struct Grid {
   }
 };
 
-/// Chords of small circles lie near them with few steps.
+/// For small circles, few steps keep the chords close.
 Grid gridFor(double radius) {
   constexpr double kFewest = 2.0;
   constexpr double kMost = 4.0;
@@ -37,7 +37,7 @@ Grid gridFor(double radius) {
 
 double sideOf(bool is_positive) { return is_positive ? 1.0 : -1.0; }
 
-/// A sphere's grid of latitudes and longitudes, cut into octants that the core pushes apart.
+/// A sphere's grid of latitudes and longitudes, cut into octants that the core separates.
 void addVertices(const Grid& grid, const Eigen::Vector3d& half_extents, double radius,
                  TriangleMesh& mesh) {
   for (std::uint32_t row = 0; row < grid.rows(); ++row) {
@@ -55,7 +55,7 @@ void addVertices(const Grid& grid, const Eigen::Vector3d& half_extents, double r
   }
 }
 
-/// Flat ones are left out: quarters that are not pushed apart have many.
+/// Skips flat triangles: quarters without a gap between them have many.
 void addTriangle(const std::array<std::uint32_t, 3>& triangle, TriangleMesh& mesh) {
   const auto& v = mesh.vertices;
   const Eigen::Vector3d area =
@@ -76,7 +76,8 @@ TriangleMesh surfaceOf(const Shape& shape) {
   TriangleMesh mesh;
   const Grid grid = gridFor(radiusOf(shape));
   const std::uint32_t columns = grid.columns();
-  // Chords touch the surface: with corners on it, what the shape encloses would show through.
+  // Chords are tangent to the surface. With corners on the surface, the enclosed geometry would
+  // show through.
   const double to_corner = radiusOf(shape) / std::cos(0.25 * kPi / grid.steps);
   addVertices(grid, coreHalfExtents(shape), to_corner, mesh);
   for (std::uint32_t row = 0; row + 1 < grid.rows(); ++row) {
@@ -87,7 +88,7 @@ TriangleMesh surfaceOf(const Shape& shape) {
               mesh);
     }
   }
-  // All points of a quarter meet at its pole, so the cap has one corner a quarter.
+  // All points of a quarter coincide at its pole, so the cap has one corner per quarter.
   const std::uint32_t quarter = grid.quarter();
   const std::uint32_t top = (grid.rows() - 1) * columns;
   addQuad({3 * quarter, 2 * quarter, quarter, 0}, mesh);

@@ -7,11 +7,11 @@
 
 namespace collision_monitor {
 
-/// Triangles to look at: the surface of a shape in its body frame, counter-clockwise seen from
-/// outside. Rounded parts are drawn with two to four corners to a quarter circle, which lie
-/// outside, and middles of triangles inside, by up to 2 mm or, where that is more, 2 % of the
-/// radius; lines of the grid touch the surface. Fewer corners are fewer bytes for who looks at
-/// markers thirty times a second.
+/// Triangles for display: the surface of a shape in its body frame, counter-clockwise seen from
+/// outside. Rounded parts have two to four corners per quarter circle. Corners are outside the
+/// surface and centers of triangles inside, by up to 2 mm or 2 % of the radius, whichever is more;
+/// grid lines are tangent to it. Few corners keep messages small: listeners get them thirty times a
+/// second.
 TriangleMesh surfaceOf(const Shape& shape);
 
 }  // namespace collision_monitor

@@ -39,7 +39,7 @@ std::unique_ptr<Watch> CycleRunner::makeWatch(std::shared_ptr<const MonitorSetup
 }
 
 void CycleRunner::replaceWatch(std::unique_ptr<Watch> watch) {
-  std::unique_ptr<Watch> former;  // ends after the lock
+  std::unique_ptr<Watch> former;  // destroyed after the lock is released
   std::unique_lock<std::mutex> lock(mutex_);
   current_ = watch->fixed;
   next_ = std::move(watch);
@@ -113,7 +113,7 @@ void CycleRunner::waitForNext() {
   const SteadyClock::time_point now = SteadyClock::now();
   pace_.planned_start = nextStart(parameters, pace_, now);
   if (parameters.trigger == Trigger::pose) {
-    // News first: where they come no faster than `rate`, there is nothing left to sleep.
+    // Waits for news first: if they come no faster than `rate`, no sleep is left.
     store_.waitForNews(seen_data_, endOfWait(parameters, pace_, now));
   }
   std::this_thread::sleep_until(pace_.planned_start);
@@ -148,7 +148,7 @@ void CycleRunner::runOnce() {
   statistics_.addWork(watch_->buffers, facts_.cycle_time, watch_->budget);
 }
 
-/// @return true when something differs from the last cycle.
+/// @return true if anything differs from the last cycle.
 bool CycleRunner::readPoses(const ros::Time& now) {
   const TransformStore::Version version = store_.version();
   seen_data_ = version.data;

@@ -17,8 +17,8 @@
 
 namespace collision_monitor {
 
-/// Runs cycles on a thread of its own, by the timer or by new poses, and publishes. Wall time
-/// paces it, so that it speaks also while a simulated clock stands still.
+/// Runs cycles on its own thread, by timer or by new poses, and publishes. It is paced by wall
+/// time, so it still publishes while a simulated clock stands still.
 class CycleRunner {
  public:
   /// @pre the inputs outlive the runner.
@@ -28,10 +28,11 @@ class CycleRunner {
   CycleRunner(const CycleRunner&) = delete;
   CycleRunner& operator=(const CycleRunner&) = delete;
 
-  /// Takes the memory that watching a set-up needs.
+  /// Allocates everything needed to watch a set-up.
   std::unique_ptr<Watch> makeWatch(std::shared_ptr<const MonitorSetup> setup) const;
-  /// Watches that set-up from the next cycle on, for which it waits. The former watch ends here and
-  /// not on the cycle's thread: to give its memory back takes longer than a cycle. Does not throw.
+  /// Watches the new set-up from the next cycle on, and waits for that cycle. The former watch is
+  /// destroyed in this call, not on the cycle's thread, because freeing its memory takes longer
+  /// than a cycle. Does not throw.
   void replaceWatch(std::unique_ptr<Watch> watch);
   std::shared_ptr<const MonitorSetup> currentSetup() const;
   void setEnabled(bool is_enabled);
@@ -54,14 +55,14 @@ class CycleRunner {
   CycleStatistics statistics_;
   Enabling enabling_;
 
-  mutable std::mutex mutex_;  ///< of the next five
+  mutable std::mutex mutex_;  ///< guards the next five
   std::condition_variable taken_over_;
   std::shared_ptr<const MonitorSetup> current_;
   std::unique_ptr<Watch> next_;
-  std::unique_ptr<Watch> former_;  ///< to be ended by who replaced it
+  std::unique_ptr<Watch> former_;  ///< destroyed by the caller that replaced it
   bool is_taking_over_{false};
 
-  // Of the thread alone.
+  // Used by the thread only.
   std::unique_ptr<Watch> watch_;
   CycleFacts facts_;
   CyclePace pace_;

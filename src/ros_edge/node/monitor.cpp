@@ -18,7 +18,7 @@
 
 namespace collision_monitor {
 
-/// In order of need; they end in the opposite order, services before what they use.
+/// Declared in order of dependence. They are destroyed in reverse: services before what they use.
 class Monitor::Parts {
  public:
   Parts(const ros::NodeHandle& private_node, const std::string& node_name, const GoesOn& goes_on)
@@ -42,8 +42,8 @@ class Monitor::Parts {
     return setup;
   }
 
-  /// Links may be as old as max_age, and others as far ahead of now; what came while a reader was
-  /// on its way is in the rest.
+  /// Links may be as old as max_age, and others equally far ahead of now. The rest covers messages
+  /// that arrive while a reader works.
   void tellInputs(const MonitorSetup& setup) {
     const double seconds = 2.0 * setup.parameters.max_age + 1.0;
     store_.keepFor(seconds);
@@ -56,7 +56,7 @@ class Monitor::Parts {
     }
   }
 
-  /// Joint states are news for who waits for poses only where they place links.
+  /// Joint states wake those who wait for poses only if they place links.
   void wakeForJoints() {
     if (runner_.currentSetup()->parameters.pose_source == PoseSource::joint_states) {
       store_.wake();
@@ -68,7 +68,7 @@ class Monitor::Parts {
     hooks.goes_on = goes_on;
     hooks.current_setup = [this] { return runner_.currentSetup(); };
     hooks.replace_setup = [this](const std::shared_ptr<const MonitorSetup>& setup) {
-      std::unique_ptr<Watch> watch = runner_.makeWatch(setup);  // before anything is changed
+      std::unique_ptr<Watch> watch = runner_.makeWatch(setup);  // before anything changes
       tellInputs(*setup);
       joint_feed_.listenTo(jointTopics(*setup));
       runner_.replaceWatch(std::move(watch));
@@ -84,7 +84,7 @@ class Monitor::Parts {
   ClockFeed clock_feed_;
   SecondOpinion second_opinion_;
   CycleRunner runner_;
-  std::optional<TransformFeed> feed_;  ///< once it is known what is wanted
+  std::optional<TransformFeed> feed_;  ///< made once the wanted frames are known
   JointFeed joint_feed_;
   Diagnostics diagnostics_;
   Services services_;

@@ -11,17 +11,17 @@
 
 namespace collision_monitor {
 
-/// The whole monitor: reads its parameters and the robots, follows tf on roscpp's network thread,
-/// runs cycles on one of its own, answers services on the callback queue of the node handle and,
-/// where they may take seconds, on a thread in the background. Topics, services and parameters:
-/// README.md and config/monitor.yaml.
+/// The whole monitor. Reads its parameters and the robots, follows tf on roscpp's network thread,
+/// and runs cycles on its own thread. Answers quick services on the node handle's callback queue,
+/// and slow ones on a background thread. Topics, services and parameters: README.md and
+/// config/monitor.yaml.
 class Monitor {
  public:
-  /// Returns when the set-up is built and the cycle runs; may wait for robot descriptions.
-  /// `node_name` is what diagnostics call it. Set-ups, this one and those of reloads, are given up
-  /// when ROS shuts down or `goes_on`, which may be empty, says no.
+  /// Returns once the set-up is built and the cycle runs; may wait for robot descriptions.
+  /// Diagnostics use `node_name`. A set-up, this one or that of a reload, is given up when ROS
+  /// shuts down or `goes_on`, if not empty, returns false.
   /// @throws SetupError with every problem of parameters, URDFs and SRDFs.
-  /// @throws Interrupted where the set-up was given up
+  /// @throws Interrupted if the set-up was given up
   Monitor(const ros::NodeHandle& private_node, const std::string& node_name,
           const GoesOn& goes_on = {});
   ~Monitor();

@@ -40,18 +40,18 @@ int main(int argc, char** argv) {
   if (const auto code = initNode(argc, argv, "collision_monitor")) {
     return *code;
   }
-  // Outside of the try: when the last handle ends, ROS shuts its log down.
+  // Outside the try block: ROS shuts its log down when the last handle ends.
   const ros::NodeHandle private_node("~");
   try {
     const Monitor monitor(private_node, ros::this_node::getName());
-    // Two threads: a reload that takes long must not delay diagnostics.
+    // Two threads, so that a long reload does not delay diagnostics.
     ros::MultiThreadedSpinner spinner(2);
     spinner.spin();
   } catch (const std::exception& error) {
     logFailure(error);
     return kFault;
   } catch (const Interrupted&) {
-    return kDone;  // told to end before it had begun
+    return kDone;  // asked to end before it began
   }
   return kDone;
 }

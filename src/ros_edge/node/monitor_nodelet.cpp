@@ -12,9 +12,9 @@
 
 namespace collision_monitor {
 
-/// The monitor inside a nodelet manager. A set-up that fails is logged and leaves the manager
-/// alive; the set-up is built on a thread of its own, for a manager must not wait for robot
-/// descriptions.
+/// The monitor inside a nodelet manager. It builds the set-up on its own thread, because the
+/// manager must not wait for robot descriptions. If the set-up fails, it logs that and the manager
+/// lives on.
 class MonitorNodelet : public nodelet::Nodelet {
  public:
   ~MonitorNodelet() override {
@@ -34,7 +34,7 @@ class MonitorNodelet : public nodelet::Nodelet {
       } catch (const std::exception& error) {
         logFailure(error);
       } catch (const Interrupted&) {
-        // Unloaded before it had begun.
+        // Unloaded before it began.
       }
     });
   }

@@ -31,7 +31,7 @@ std::optional<int> initNode(int& argc, char** argv, const std::string& name) {
   try {
     ros::init(argc, argv, name);
   } catch (const ros::InvalidNameException& error) {
-    // Without a name there is no log.
+    // The log needs a node name.
     std::fprintf(stderr, "bad name of the node or of a remapping: %s\n", error.what());
     return kUsageFault;
   }

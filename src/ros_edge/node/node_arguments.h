@@ -7,18 +7,18 @@
 
 namespace collision_monitor {
 
-// Exit codes, as of all programs.
+// Exit codes, the same for all programs.
 constexpr int kDone = 0;
 constexpr int kFault = 1;
 constexpr int kUsageFault = 2;
 
-/// Answers what stands on a node's command line beside ROS's own NAME:=VALUE, before there is a
-/// node: --help prints the usage, anything else is an error.
-/// @return an exit code; nothing: the node is to run
+/// Handles a node's command line beside ROS's NAME:=VALUE, before the node exists. --help prints
+/// the usage; anything else is an error.
+/// @return an exit code; nothing: run the node
 std::optional<int> answerArguments(int argc, char** argv, const std::string& usage);
 
-/// As ros::init, with one line for a name of the node or of a remapping that is none.
-/// @return an exit code; nothing: the node is to run
+/// As ros::init, but prints one line if the name of the node or of a remapping is invalid.
+/// @return an exit code; nothing: run the node
 std::optional<int> initNode(int& argc, char** argv, const std::string& name);
 
 }  // namespace collision_monitor

@@ -21,7 +21,7 @@ using diagnostic_updater::DiagnosticStatusWrapper;
 
 namespace {
 
-/// A pair of links that takes much of the budget.
+/// A link pair that takes much of the budget.
 struct Eater {
   LinkId a{};
   LinkId b{};
@@ -48,7 +48,7 @@ std::string pairText(const Eater& pair, const CycleSetup& setup) {
   return nameOf(pair.a, setup) + " and " + nameOf(pair.b, setup);
 }
 
-/// As one would write it in a file: "0.0001", "100".
+/// A number as written in a parameter file: "0.0001", "100".
 std::string parameterText(double value) {
   std::ostringstream text;
   text << value;
@@ -57,7 +57,7 @@ std::string parameterText(double value) {
 
 std::string percentText(double share) { return fixedText(100.0 * share, 0) + " %"; }
 
-/// Of meshes that are searched: what is convex or refined to hulls is not.
+/// Triangles of meshes that are searched, so not of meshes that are convex or refined to hulls.
 std::size_t searchedTriangles(LinkId link, const CycleSetup& setup) {
   std::size_t count = 0;
   for (const Element& element : setup.elements) {
@@ -67,7 +67,7 @@ std::size_t searchedTriangles(LinkId link, const CycleSetup& setup) {
   return count;
 }
 
-/// The link with more triangles; none where neither has a mesh that is searched.
+/// The link with more triangles; none if neither has a mesh that is searched.
 std::optional<LinkId> densestOf(const Eater& pair, const CycleSetup& setup) {
   const std::size_t of_a = searchedTriangles(pair.a, setup);
   const std::size_t of_b = searchedTriangles(pair.b, setup);
@@ -77,12 +77,12 @@ std::optional<LinkId> densestOf(const Eater& pair, const CycleSetup& setup) {
   return of_a < of_b ? pair.b : pair.a;
 }
 
-/// [s] The mean of the cycles that the budget did not suffice for.
+/// [s] Mean time of the cycles for which the budget was too small.
 double timeOfShort(const BudgetUse& use) {
   return use.short_time / static_cast<double>(std::max<std::uint64_t>(use.short_cycles, 1));
 }
 
-/// A larger budget makes longer cycles, so it takes time that they leave.
+/// A larger budget makes cycles longer. Without spare time the rate must become lower as well.
 std::string budgetAdvice(const Parameters& parameters, const RefineLimits& limits, double time) {
   constexpr double kRoom = 0.5;
   const double period = periodOf(parameters);
@@ -123,7 +123,7 @@ std::string ignoreAdvice(const Eater& pair, const CycleSetup& setup) {
 
 struct DenseLink {
   LinkId link{};
-  double share{0.0};  ///< of pairs in which it is the densest
+  double share{0.0};  ///< of the pairs in which it is the densest
 };
 
 /// In the order of their pairs.
@@ -143,11 +143,11 @@ std::vector<DenseLink> denseLinksOf(const std::vector<Eater>& eaters, const Cycl
   return dense;
 }
 
-/// What helps these pairs.
+/// Advice that helps these pairs.
 /// @param time [s] as timeOfShort
 std::vector<std::string> adviceFor(const MonitorSetup& setup, const std::vector<Eater>& eaters,
                                    double time) {
-  constexpr double kMuch = 0.1;  // less is not worth a rule of its own
+  constexpr double kMuch = 0.1;  // smaller shares do not justify a rule
   const CycleSetup& cycle = setup.setup;
   std::vector<std::string> advice = {budgetAdvice(setup.parameters, cycle.refine, time)};
   const std::vector<DenseLink> dense_links = denseLinksOf(eaters, cycle);
@@ -177,8 +177,8 @@ void summarizeBudget(const CycleSetup& setup, const BudgetUse& use,
   std::string text = "refine_budget did not suffice in " + std::to_string(use.short_cycles) +
                      " of the " + std::to_string(use.cycles) + " cycles since the last report";
   for (std::size_t i = 0; i < eaters.size(); ++i) {
-    text += (i == 0 ? "; these pairs took most of its steps: " : ", ") +
-            pairText(eaters[i], setup) + " (" + percentText(eaters[i].share) + ")";
+    text += (i == 0 ? "; these pairs took most of its work: " : ", ") + pairText(eaters[i], setup) +
+            " (" + percentText(eaters[i].share) + ")";
   }
   status.summary(DiagnosticStatus::WARN, text);
 }
@@ -195,13 +195,13 @@ void describeBudget(const MonitorSetup& setup, const BudgetUse& spent,
   status.add("cycles since the last report", use.cycles);
   status.add("cycles in which it did not suffice", use.short_cycles);
   const double cycles = static_cast<double>(std::max<std::uint64_t>(use.cycles, 1));
-  status.add("steps of a cycle, mean", fixedText(static_cast<double>(use.work) / cycles, 0));
-  status.add("steps of a cycle, worst", use.worst);
+  status.add("work of a cycle, mean", fixedText(static_cast<double>(use.work) / cycles, 0));
+  status.add("work of a cycle, worst", use.worst);
   std::vector<std::string> most;
   std::transform(eaters.begin(), eaters.end(), std::back_inserter(most), [&](const Eater& pair) {
     return pairText(pair, cycle) + ": " + percentText(pair.share);
   });
-  addNumbered("most steps", most, status);
+  addNumbered("most work", most, status);
   if (use.short_cycles > 0) {
     addNumbered("advice", adviceFor(setup, eaters, timeOfShort(use)), status);
   }

@@ -9,8 +9,8 @@
 
 namespace collision_monitor {
 
-/// The entry `budget`: whether refine_budget sufficed; if not, on which pairs of links it went, and
-/// what helps each of them. No two values have the same key.
+/// The entry `budget`: whether refine_budget was sufficient; if not, which link pairs used it, and
+/// advice for each of them. All keys differ.
 /// @param spent since the last report
 void describeBudget(const MonitorSetup& setup, const BudgetUse& spent,
                     diagnostic_updater::DiagnosticStatusWrapper& status);

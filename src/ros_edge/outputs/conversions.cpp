@@ -26,7 +26,7 @@ void nameLinks(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance& messag
   message.frame_id.clear();
 }
 
-/// The row is left to those who publish it.
+/// Does not fill the gradient row.
 void fillNumbers(const SignedDistance& measured, LinkDistance& message) {
   message.closing_speed = kUnknown;
   message.time_to_contact = kUnknown;
@@ -51,7 +51,7 @@ const PassedContact* passedOf(const Watch& watch, LinkPairIndex link_pair) {
   }
   const std::uint32_t closest = events.closest[link_pair];
   const Limits& limits = watch.setup().limits;
-  // Of several shapes of a link one may have passed while another touches.
+  // With several shapes, one may have passed while another touches.
   const bool touches =
       events.estimated[link_pair] != kNone ||
       (closest != kNone && isTouching(distances.pairs[closest], limits.contact_distance));

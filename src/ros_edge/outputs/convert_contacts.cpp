@@ -29,7 +29,7 @@ void fillPoints(const Watch& watch, const PairDistance& distance, Contact& messa
   message.feature = nameOf(manifold->feature);
 }
 
-/// All but points and poses.
+/// Fills everything but points and poses.
 void fillPair(const Watch& watch, const PairDistance& distance, Contact& message) {
   const CycleSetup& setup = watch.setup();
   const BodyPair& pair = setup.table[distance.pair];
@@ -69,7 +69,7 @@ bool isInContact(const Watch& watch, const PairDistance& distance) {
   const std::uint32_t link_pair = watch.setup().link_pair_of[index(distance.pair)];
   const Limits& limits = watch.setup().limits;
   const PairEvents& events = watch.buffers.events;
-  // One that only passed is listed as that.
+  // A pair that only passed contact is listed as passed.
   const double kept = events.passed[link_pair] == kNone ? limits.hysteresis : 0.0;
   return events.verdicts[link_pair] == Verdict::contact &&
          isTouching(distance, limits.contact_distance + kept);

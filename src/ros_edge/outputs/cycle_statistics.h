@@ -15,7 +15,7 @@
 
 namespace collision_monitor {
 
-/// What /diagnostics says of the last cycle; plain data, copied under a lock.
+/// What /diagnostics reports about the last cycle; plain data, copied under a lock.
 struct CycleSummary {
   std::uint8_t level{0};  ///< as in State
   std::string sentence;
@@ -33,28 +33,27 @@ struct CycleSummary {
   double step_cap{0.0};    ///< [s]
   std::string step_warning;
   StepCount steps;
-  std::uint64_t refused{
-      0};  ///< messages of inputs that were too long, and frames that were too many
+  std::uint64_t refused{0};  ///< input messages that were too long, and frames beyond the limit
   std::vector<std::string> unknown_links;
 };
 
 /// Cycles since start.
 struct CycleCounts {
   std::uint64_t cycles{0};
-  std::uint64_t overruns{0};           ///< of these, they took longer than the period
-  SteadyClock::time_point newest_end;  ///< when the newest ended; of none yet: the start
+  std::uint64_t overruns{0};           ///< cycles among them that took longer than the period
+  SteadyClock::time_point newest_end;  ///< end of the newest cycle; the start if there is none yet
 };
 
-/// Counts and times of cycles, and a summary of the last that was published, written by the cycle's
-/// thread and read by that of the diagnostics.
+/// Counts and times of cycles, and a summary of the last published one. The cycle's thread writes
+/// them, the diagnostics thread reads them.
 class CycleStatistics {
  public:
   /// Units: seconds.
   void addCycle(double cycle_time, bool is_overrun);
   void setSummary(CycleSummary summary);
-  /// Another set-up is watched, whose work is added to `tally`; what was not taken is forgotten.
+  /// Starts a new set-up, whose work is added to `tally`; forgets budget use that was not taken.
   void startWork(const BudgetTally& tally);
-  /// Adds the cycle that has just ended to `tally`, which begins anew where its use was taken.
+  /// Adds the cycle that has just ended to `tally`; first clears `tally` if its use was taken.
   /// Neither allocates nor throws. @pre as addCycle of budget_use.h
   void addWork(const CycleBuffers& buffers, double cycle_time, BudgetTally& tally);
 
@@ -65,10 +64,10 @@ class CycleStatistics {
   };
   /// Of the last cycles, at most 1024. Units: seconds.
   Times times() const;
-  /// Up to this moment, however seldom states are published.
+  /// Up to now, however rarely states are published.
   CycleCounts counts() const;
   CycleSummary summary() const;
-  /// Since it was last taken, or since another set-up is watched.
+  /// Since it was last taken, or since the set-up changed.
   BudgetUse takeBudgetUse();
 
  private:

@@ -46,8 +46,8 @@ Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& pri
 }
 
 void describeVerdict(const CycleSummary& summary, DiagnosticStatusWrapper& status) {
-  // A contact is what the monitor is there to find; it is the robot that is in trouble,
-  // yet whoever looks at diagnostics wants to see it in red.
+  // Finding a contact means that the monitor works and the robot is in trouble. Still, a reader of
+  // diagnostics wants to see it in red.
   std::uint8_t level = DiagnosticStatus::OK;
   if (summary.level == State::CONTACT || summary.level == State::UNKNOWN) {
     level = DiagnosticStatus::ERROR;
@@ -104,14 +104,14 @@ void Diagnostics::reportCycle(DiagnosticStatusWrapper& status) {
   last_counts_ = counts;
 }
 
-/// The set-up first: while it is held, no other one has its address.
+/// Gets the set-up first: while this holds it, no other one can have its address.
 void Diagnostics::reportBudget(DiagnosticStatusWrapper& status) {
   const std::shared_ptr<const MonitorSetup> setup = current_setup_();
   describeBudget(*setup, statistics_.takeBudgetUse(), status);
 }
 
-/// A step over the cap is a warning where nothing covers it. Where the look at the way does, it is
-/// told at level OK, for fast robots with thin links would be yellow for ever.
+/// A step over the cap is a warning unless continuous checks cover it. Then it is reported at level
+/// OK; otherwise fast robots with thin links would always be yellow.
 void Diagnostics::reportStep(DiagnosticStatusWrapper& status) {
   const CycleSummary summary = statistics_.summary();
   const std::uint64_t over_cap = summary.steps.over_cap - last_steps_.over_cap;

@@ -18,25 +18,26 @@ namespace collision_monitor {
 struct CycleReport {
   std::uint64_t cycles{0};
   std::uint64_t overruns{0};
-  double since_newest{0.0};  ///< [s] since the end of the newest, this report's or not
-  double longest{0.0};       ///< [s] it may be so long ago
+  double since_newest{
+      0.0};  ///< [s] since the end of the newest cycle, even if that was before the last report
+  double longest{0.0};  ///< [s] limit of since_newest
 };
 
-/// Level and sentence of the entry `cycle`. Where cycles are as slow as reports, there may be none
-/// between two of these.
+/// Level and sentence of the entry `cycle`. If cycles are as slow as reports, there may be no cycle
+/// between two reports.
 void summarizeCycles(const CycleReport& report,
                      diagnostic_updater::DiagnosticStatusWrapper& status);
 
-/// The entry `verdict`. No two values have the same key.
+/// The entry `verdict`. All keys differ.
 void describeVerdict(const CycleSummary& summary,
                      diagnostic_updater::DiagnosticStatusWrapper& status);
 
-/// The entry `setup`. No two values have the same key.
+/// The entry `setup`. All keys differ.
 void describeSetup(const MonitorSetup& setup, diagnostic_updater::DiagnosticStatusWrapper& status);
 
-/// Publishes /diagnostics once a wall second, also while a simulated clock stands still.
-/// Five entries: the verdict with its data, the cycle with its times, the budget with the pairs
-/// that take most of it, the step between poses with what it may be, the set-up with its warnings.
+/// Publishes /diagnostics once per wall second, even while a simulated clock stands still. Five
+/// entries: the verdict with its data; the cycle with its times; the budget with the pairs that use
+/// most of it; the step between poses with its limits; the set-up with its warnings.
 class Diagnostics {
  public:
   using SetupGetter = std::function<std::shared_ptr<const MonitorSetup>()>;

@@ -12,17 +12,17 @@
 
 namespace collision_monitor {
 
-/// The message that lists near pairs of links, filled anew each cycle. Most of it is names, and
-/// pairs mostly keep their places: an entry that stays with its pair keeps its names.
+/// The message that lists near link pairs, filled in each cycle. Names are most of it, and pairs
+/// mostly keep their positions, so an entry that still has the same pair keeps its names.
 class DistanceList {
  public:
-  /// Pairs of links within their report_distance, those that passed contact on the way, and the
-  /// closest of all. It stands until the next is asked for.
-  /// @pre always of the same set-up
+  /// Link pairs within their report_distance, those that passed contact since the last cycle, and
+  /// the closest of all. Valid until the next call.
+  /// @pre all calls are for one set-up
   const Distances& fill(const Watch& watch);
 
  private:
-  /// Whose names an entry holds.
+  /// The pair whose names an entry holds.
   struct Named {
     bool by_anyone{false};
     PairId pair{};

@@ -13,7 +13,7 @@ namespace {
 
 std::string inSeconds(double value) { return fixedText(value, 2) + " s"; }
 
-/// Old by more than any hiccup: most likely two clocks.
+/// [s] No delay explains this age; most likely there are two clocks.
 constexpr double kSuspiciousAge = 60.0;
 
 /// @param what the data: "transform to 'hand'", "state of joint 'elbow'"
@@ -37,16 +37,16 @@ std::string countText(std::uint64_t count) {
 
 }  // namespace
 
-/// [s] Before the last read.
+/// [s] Time from then to the last read.
 double PoseReader::since(std::int64_t then_ns) const { return toSeconds(now_ns_ - then_ns); }
 
-/// Whether what came then may still be sent now.
+/// Whether data of that time may still come from a live source.
 bool PoseReader::isOfNow(std::int64_t then_ns) const {
-  constexpr double kSlow = 1.0;  // [s] few sources send more rarely
+  constexpr double kSlow = 1.0;  // [s] few sources send less often
   return since(then_ns) <= std::max(max_age_, kSlow);
 }
 
-/// Of data that were refused some time ago: why there are none of that time, either.
+/// Explains missing data by older data that were refused.
 std::string PoseReader::explainBefore(const Refusal& refusal) const {
   return refusal.ahead_ns == 0 ? ""
                                : "; what came last, " + inSeconds(since(refusal.at_ns)) +
@@ -54,7 +54,7 @@ std::string PoseReader::explainBefore(const Refusal& refusal) const {
                                      inSeconds(toSeconds(refusal.ahead_ns)) + " in the future";
 }
 
-/// Whoever sends transforms without a stamp, or by another clock, wonders why none arrives.
+/// For users who send transforms without a stamp, or by another clock, and wonder why none arrives.
 std::string PoseReader::refused(const Refusals& refusals, const char* reason) const {
   if (refusals.count == 0) {
     return "";
@@ -64,7 +64,7 @@ std::string PoseReader::refused(const Refusals& refusals, const char* reason) co
                                     : ", the last " + inSeconds(since(refusals.last_ns)) + " ago");
 }
 
-/// Who said different things of one time.
+/// Explains who sent contradicting data for one time.
 std::string PoseReader::explainContradiction(const Edge& edge) const {
   if (edge.joint != nullptr) {
     const Joint& joint = edge.joint->mimic ? model_.joint(edge.joint->mimic->source) : *edge.joint;
@@ -83,9 +83,9 @@ std::string PoseReader::explainContradiction(const Edge& edge) const {
   return "its sources contradicted each other";
 }
 
-/// Of a link that a joint places, or should.
+/// For a link that a joint places or should place.
 std::string PoseReader::explainJoint(const Edge& edge) const {
-  // A mimic joint waits for its source.
+  // A mimic joint depends on its source.
   const Joint& joint = edge.joint->mimic ? model_.joint(edge.joint->mimic->source) : *edge.joint;
   const std::string what = "state of joint '" + joint.name + "'";
   const Refusal refusal = joints_->refusedAhead(joint.first_variable);
@@ -104,7 +104,7 @@ std::string PoseReader::explainJoint(const Edge& edge) const {
   }
 }
 
-/// Of a link that tf places, or should. A loop is told alike for all links below it.
+/// For a link that tf places or should place. All links below a loop get the same text.
 std::string PoseReader::explainMissing(const Edge& edge) const {
   for (const std::string& frame : {edge.child_frame, edge.parent_frame}) {
     if (!edge.is_connected && chainAbove(frame).empty()) {
@@ -123,7 +123,7 @@ std::string PoseReader::explainMissing(const Edge& edge) const {
          refused(store_.refusedAhead(), "as too far in the future");
 }
 
-/// Of the data that place the link: the latest that were refused for being too far ahead of now.
+/// The latest data for this link that were refused for being too far ahead of now.
 Refusal PoseReader::refusedAhead(const Edge& edge) const {
   Refusal latest;
   const auto look = [&](std::size_t record) {
@@ -146,8 +146,8 @@ Refusal PoseReader::refusedAhead(const Edge& edge) const {
 }
 
 std::string PoseReader::explain(LinkId link) const {
-  // What lies above the top of its part; of faults in a row the topmost is the cause. Where a root
-  // stands is of no matter to what lies below another fault.
+  // The fault above the top of this part. Of several faults in a chain, the topmost is the cause.
+  // An unknown root does not matter to links below another fault.
   const Edge* cause = nullptr;
   for (std::size_t i = index(link);;) {
     const auto& joint = model_.links[i].parent_joint;

@@ -10,18 +10,18 @@
 
 namespace collision_monitor {
 
-/// How many pairs of links there are, by PairReason.
+/// Number of link pairs by PairReason.
 using PairCounts = std::array<std::size_t, 7>;
 
 PairCounts countPairs(const std::vector<LinkPair>& pairs);
 std::size_t countOf(PairReason reason, const PairCounts& counts);
 
-/// The reasons for which pairs are not checked.
+/// The reasons that exclude pairs from checks.
 constexpr std::array<PairReason, 5> kReasonsNotToCheck{
     PairReason::same_rigid_group, PairReason::adjacent, PairReason::disabled_by_srdf,
     PairReason::default_overlap, PairReason::ignored_by_user};
 
-/// What a number of pairs is followed by: "that meet at a joint".
+/// Text to follow a number of pairs: "that meet at a joint".
 const char* whyNotText(PairReason reason) noexcept;
 
 /// "; not checked: 2 that meet at a joint, 1 hidden by ignore_pairs"; empty if all are.

@@ -11,19 +11,20 @@ namespace collision_monitor {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 10;
-/// Many pairs can change in one cycle, and each change is said once only.
+/// Many pairs can change in one cycle, and each change is published only once.
 constexpr std::uint32_t kWarningQueueSize = 1000;
 
-/// In the sense of cob_collision_monitor: false stops whoever listens. A monitor that does not know
-/// or is switched off vouches for nothing.
+/// Same meaning as in cob_collision_monitor: false stops the listeners. A monitor that is uncertain
+/// or switched off guarantees nothing.
 bool isValid(const State& state) {
   return state.enabled != 0 && (state.level == State::OK || state.level == State::WARNING);
 }
 
-/// [s] Who begins to listen is noticed this soon.
+/// [s] Longest delay until a new listener is noticed.
 constexpr double kAskPeriod = 0.01;
 
-/// Who comes late gets the last message sent: while nobody listens, only another value is sent.
+/// Publishes a latched value. Late listeners get the last message, so without listeners only
+/// changes are sent.
 template <class Message, class Value>
 void publishLatched(Value value, bool is_heard, const ros::Publisher& publisher,
                     std::optional<Value>& last) {
@@ -86,8 +87,8 @@ void Publishers::askWhoListens(ros::SteadyTime now) {
   listeners_.to_markers = markers_publisher_.getNumSubscribers() > 0;
 }
 
-/// First all is computed and then all is sent: each message wakes roscpp's network thread unless it
-/// is still awake from the one before.
+/// Computes everything first, then sends it: each message wakes roscpp's network thread unless the
+/// previous one has just done so.
 const State& Publishers::publishCycle(const Watch& watch, const CycleFacts& facts) {
   askWhoListens(ros::SteadyTime::now());
   toMessage(watch, facts, state_);

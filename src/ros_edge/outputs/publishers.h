@@ -15,18 +15,18 @@
 
 namespace collision_monitor {
 
-/// All topics of the monitor. Used by the thread of the cycle alone. Messages that nobody
-/// listens to are not computed; only the state is, for those who come late.
+/// All topics of the monitor. For the cycle's thread only. Messages without listeners are not
+/// computed, except the state, which late listeners get.
 class Publishers {
  public:
   explicit Publishers(ros::NodeHandle private_node);
 
-  /// Another set-up is watched from now on.
+  /// Starts another set-up.
   void startWatch(const Watch& watch);
 
-  /// Changes of verdict, on the topic and in the log.
+  /// Publishes and logs changes of verdict.
   void publishChanges(const Watch& watch);
-  /// That another set-up checks no more what was not clear.
+  /// Reports that the new set-up no longer checks a pair that was not clear.
   void publishDropped(const Watch& former, LinkPairIndex pair);
   /// state, state_is_valid and speed_scale; contacts and distances.
   const State& publishCycle(const Watch& watch, const CycleFacts& facts);
@@ -34,7 +34,7 @@ class Publishers {
   void publishMarkers(const Watch& watch);
 
  private:
-  /// Who listens, and to which topics. To ask takes a lock and a search for the topic.
+  /// Which topics have listeners. Asking takes a lock and a search for the topic.
   struct Listeners {
     bool to_is_valid{false};
     bool to_speed_scale{false};
@@ -53,7 +53,7 @@ class Publishers {
   ros::Publisher warnings_publisher_;
   ros::Publisher markers_publisher_;
   Listeners listeners_;
-  ros::SteadyTime asked_;  ///< for listeners
+  ros::SteadyTime asked_;  ///< when listeners were last asked for
   std::unique_ptr<Markers> markers_;
   ros::SteadyTime last_markers_;
   std::optional<bool> is_valid_;       ///< as last sent

@@ -17,17 +17,17 @@
 namespace collision_monitor {
 namespace {
 
-/// [m] Less than can be told from 0 in print.
+/// [m] Smaller values print as 0.
 constexpr double kTouching = 0.5e-4;
 
-/// [m/s] Slower than can be told from rest in print.
+/// [m/s] Smaller speeds print as 0.
 constexpr double kResting = 0.005;
 
 const std::string& nameOf(const CycleSetup& setup, BodyId body) {
   return setup.model.link(setup.bodies[index(body)].link).name;
 }
 
-/// Said in every cycle, so in one piece of memory.
+/// Joins texts with one allocation, because this runs in every cycle.
 std::string concatenate(std::initializer_list<std::string_view> parts) {
   std::size_t size = 0;
   for (const std::string_view part : parts) {
@@ -66,7 +66,7 @@ std::string placeText(const CycleSetup& setup, const PairDistance& distance) {
   return concatenate({a, is, lengthText(value), " from ", b});
 }
 
-/// ", closing at 0.20 m/s, contact in 0.06 s"; empty for a pair that rests or is not known to move.
+/// ", closing at 0.20 m/s, contact in 0.06 s"; empty if the pair rests or its motion is unknown.
 std::string motionText(const PairDistance& distance) {
   const double closing = distance.closing_speed;
   if (!(std::abs(closing) >= kResting)) {
@@ -88,8 +88,7 @@ std::string motionText(const PairDistance& distance) {
                       is_bound ? " s at the earliest" : " s"});
 }
 
-/// Of the pairs of links with this verdict, the one with the least distance; kNone if none was
-/// measured.
+/// The nearest link pair with this verdict; kNone if none was measured.
 LinkPairIndex nearestWith(Verdict verdict, const Watch& watch, std::size_t& count) {
   const PairDistances& distances = watch.buffers.distances;
   const std::vector<Verdict>& verdicts = watch.buffers.events.verdicts;
@@ -126,7 +125,7 @@ std::string passedSentence(const Watch& watch, const PassedContact& passed) {
          " ms after the poses of the last one";
 }
 
-/// Of a pair that was measured: what it is now, or that it touched on its way.
+/// For a measured pair: its state now, or that it touched since the last cycle.
 std::string pairSentence(const Watch& watch, LinkPairIndex link_pair) {
   const PassedContact* passed = passedOf(watch, link_pair);
   return passed != nullptr

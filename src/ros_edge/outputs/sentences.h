@@ -9,11 +9,11 @@
 #include "ros_edge/poses/floating_parts.h"
 #include "ros_edge/watch.h"
 
-/// What a person reads: one sentence each, without full stop.
+/// Sentences for people, without full stop.
 namespace collision_monitor {
 
-/// "12.35": with so many decimals, as printf's %f has them, in a quarter of its time: some of it is
-/// said in every cycle.
+/// "12.35" with the given number of decimals. Same text as printf's %f in a quarter of its time;
+/// some of these are made in every cycle.
 std::string fixedText(double value, int decimals);
 
 /// "4.2 mm", "120 mm", "1.23 m"; without sign.
@@ -22,16 +22,15 @@ std::string lengthText(double length);
 /// "1.250 s"
 std::string secondsText(double time);
 
-/// With semicolons between.
+/// Joined with semicolons.
 std::string join(const std::vector<std::string>& texts);
 
-/// "a is 12 mm from b" or "a overlaps b by 3.0 mm", and how they move: "a is 12 mm from b, closing
-/// at 0.20 m/s, contact in 0.06 s". Says where the number is that of the enclosing shapes: "a is at
-/// least 12 mm from b".
+/// "a is 12 mm from b" or "a overlaps b by 3.0 mm", plus the motion: "a is 12 mm from b, closing at
+/// 0.20 m/s, contact in 0.06 s". For enclosing shapes it says so: "a is at least 12 mm from b".
 std::string distanceSentence(const CycleSetup& setup, const PairDistance& distance);
 
-/// The measured shapes that a pair of links is judged by, as an index into the measured pairs: the
-/// nearest, or those that touch first if that is why they matter; kNone if none was measured.
+/// The measured shapes that represent a link pair, as an index into the measured pairs: the
+/// nearest, or the first to touch if their time decides the verdict; kNone if none was measured.
 std::uint32_t speakerOf(const CycleSetup& setup, const CycleBuffers& buffers,
                         LinkPairIndex link_pair);
 
@@ -48,21 +47,21 @@ std::string unknownSentence(const Watch& watch, LinkId link);
 /// @pre it has a fault
 std::string clockSentence(const ClockState& clock);
 
-/// Parts that float beside the main one and have pairs of their own, which are known.
+/// Floating parts other than the main one that have known pairs of their own.
 std::vector<FloatingPart> partsWithPairs(const Watch& watch);
 
-/// The unknown links (findUnknownLinks) that are of none of these parts, into `links`.
+/// The unknown links (findUnknownLinks) outside these parts, into `links`.
 void findLoneLinks(const Watch& watch, std::vector<LinkId>& links);
 
 /// "the part of robot 'left' from link 'left/base' on floats: no transform from 'world' to
 /// 'left/base' yet; its 54 own pairs are checked, 120 pairs with others are unknown"
 std::string floatingSentence(const Watch& watch, const FloatingPart& part);
 
-/// Poses that come too seldom, how often they are needed, and whether the look at the way between
-/// them covers it; empty if they do not.
+/// Says that poses come too rarely, how often they are needed, and whether continuous checks
+/// between them cover it; empty if poses are frequent enough.
 std::string stepSentence(const Watch& watch);
 
-/// The state of the whole.
+/// The state of the whole monitor.
 std::string stateSentence(const Watch& watch, const CycleFacts& facts);
 
 /// "known", "stale", "missing", "not finite" or "contradicted".

@@ -13,7 +13,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Wall seconds between two lines of one cause.
+/// [s] Wall time between two lines with one cause.
 constexpr double kPeriod = 1.0;
 
 bool isTooSoon(const ros::SteadyTime& last, const ros::SteadyTime& now, double period = kPeriod) {
@@ -22,7 +22,7 @@ bool isTooSoon(const ros::SteadyTime& last, const ros::SteadyTime& now, double p
 
 }  // namespace
 
-/// So that those that are kept are as many as changed lately.
+/// Keeps only recent changes.
 void WarningLog::forgetOld(const ros::SteadyTime& now) {
   if (last_of_change_.size() < most_kept_) {
     return;
@@ -74,7 +74,7 @@ void WarningLog::logUnknownLinks(const Watch& watch) {
   for (const FloatingPart& part : partsWithPairs(watch)) {
     ROS_WARN_STREAM("unknown: " << floatingSentence(watch, part));
   }
-  // One line for each cause: a joint that is silent hides every link behind it.
+  // One line per cause: a silent joint makes every link behind it unknown.
   std::vector<LinkId> lone;
   findLoneLinks(watch, lone);
   std::map<std::string, std::string> links_of_cause;

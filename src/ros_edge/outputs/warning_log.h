@@ -12,18 +12,17 @@
 
 namespace collision_monitor {
 
-/// Says in the log what the topics say, at most once a second for each cause: a verdict
-/// of a pair of links, or the set of unknown links. Wall time, for a simulated clock may stand
-/// still.
+/// Logs what the topics say, at most once a second for each cause: a verdict of a link pair, or the
+/// set of unknown links. By wall time, because a simulated clock may stand still.
 class WarningLog {
  public:
   void logChange(const VerdictChange& change, const std::string& sentence);
-  /// Links that became unknown or known again since it was last said.
+  /// Links that became unknown or known again since the last line.
   void logUnknownLinks(const Watch& watch);
-  /// Poses that come too seldom for the speed of the links, at most every ten seconds; once where
-  /// the look at the way covers it.
+  /// Poses that are too rare for the speed of the links: at most every ten seconds; only once if
+  /// continuous checks cover it.
   void logStep(const Watch& watch);
-  /// Another set-up: what was said does not count.
+  /// Starts another set-up: earlier lines do not count.
   void reset();
 
  private:

@@ -8,21 +8,21 @@
 namespace collision_monitor {
 namespace {
 
-/// "http://server:80" of a URI.
+/// The server part of a URI: "http://server:80".
 std::string serverOf(const std::string& uri) {
   const std::size_t slashes = uri.find("://");
   const std::size_t start = slashes == std::string::npos ? 0 : slashes + 3;
   return uri.substr(0, std::min(uri.find('/', start), uri.size()));
 }
 
-/// [bytes] resource_retriever lets a buffer grow by doubling and copies it; a copy is the answer.
-/// The rest is what threads that look for a name take of the address space.
+/// [bytes] resource_retriever's buffer grows by doubling and is then copied; the answer is another
+/// copy. The constant is address space for the threads that resolve host names.
 double memoryFor(std::uintmax_t size) { return 5.0 * static_cast<double>(size) + 3e8; }
 
 }  // namespace
 
 std::string Downloads::load(const std::string& uri) {
-  // What many files wait for, one after the other, could take as long as for ever.
+  // Otherwise many files of one slow server, one after the other, could block without end.
   const auto known = fault_of_.find(serverOf(uri));
   if (known != fault_of_.end()) {
     throw std::runtime_error(uri + ": not asked for after " + known->second);

@@ -11,13 +11,13 @@
 
 namespace collision_monitor {
 
-/// Files from other computers. Nothing runs before the first.
+/// Fetches files from other computers. Starts nothing before the first file.
 class Downloads {
  public:
   explicit Downloads(const LoadRules& rules) : rules_(rules) {}
 
-  /// @throws std::runtime_error with a sentence: what curl says, too large, not in time; for each
-  /// file of a server that once took too long
+  /// @throws std::runtime_error with a sentence: curl's error, too large, too slow; also for every
+  /// further file of a server that was too slow once
   /// @throws Interrupted
   std::string load(const std::string& uri);
 

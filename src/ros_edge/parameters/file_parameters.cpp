@@ -11,7 +11,7 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-/// Source: RFC 3986, 3.1; in small letters, as programs write them.
+/// Source: RFC 3986, 3.1; lower case only, as is customary.
 bool isScheme(const std::string& text) {
   const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
   return !text.empty() && is_letter(text.front()) &&

@@ -12,8 +12,8 @@
 
 namespace collision_monitor {
 
-/// Reads the struct `files` of the parameters: which files may be read, and what they may take.
-/// Faults are added to `report`; what is at fault keeps its default.
+/// Reads the parameter struct `files`: which files may be read, and with which limits. Faults are
+/// added to `report`; faulty values keep their defaults.
 void readFileParameters(const XmlRpc::XmlRpcValue& values, const std::string& where,
                         LoadRules& loading, MeshReading& meshes, SetupReport& report);
 

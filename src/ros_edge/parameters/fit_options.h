@@ -9,12 +9,13 @@
 
 namespace collision_monitor {
 
-/// The folder that a value of `fit_cache` means: "" the usual one below $ROS_HOME or ~/.ros, "none"
-/// nothing, else the folder itself, with ~ for the home folder. Nothing where neither is known.
+/// The folder for a value of `fit_cache`: "" is the default below $ROS_HOME or ~/.ros; "none" is no
+/// folder; anything else is the folder itself, where ~ is the home folder. Empty if neither is
+/// known.
 std::filesystem::path fitCacheFolder(const std::string& parameter);
 
-/// The options of the parameters, with the text of the rules file read anew. A file
-/// that cannot be read is added to `report`.
+/// The options from the parameters, with the rules file read again. If it cannot be read, an error
+/// is added to `report`.
 SetupOptions loadSetupOptions(const Parameters& parameters, const ResourceLoader& load_resource,
                               SetupReport& report);
 

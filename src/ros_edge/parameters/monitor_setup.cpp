@@ -16,7 +16,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Says how far fitting has come where it takes long, as it may at a first start with large meshes.
+/// Logs the progress of fitting if it takes long, as at a first start with large meshes.
 FitProgress logLongFitting() {
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::seconds kBetween(3);
@@ -34,7 +34,7 @@ FitProgress logLongFitting() {
 
 std::vector<std::string> jointTopics(const MonitorSetup& setup) {
   std::vector<std::string> topics(setup.setup.model.robots.size(), setup.parameters.joint_states);
-  // Without a list there is one robot.
+  // An empty list means one robot.
   for (std::size_t i = 0; i < setup.parameters.robots.size(); ++i) {
     const std::string& own = setup.parameters.robots[i].joint_states;
     topics[i] = own.empty() ? topics[i] : own;
@@ -59,7 +59,7 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   private_node.getParam(where, values);
   auto made = std::make_shared<MonitorSetup>();
   made->parameters = readParameters(values, where, report);
-  // With broken parameters it is not known which robots to wait for.
+  // Faulty parameters may not even tell which robots to wait for.
   throwIfErrors(report);
 
   const ResourceLoader load_resource = makeResourceLoader(made->parameters.loading);
@@ -75,7 +75,8 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   made->world_frame = stripLeadingSlash(made->parameters.world_frame.empty()
                                             ? model.link(model.robots.front().root).frame
                                             : made->parameters.world_frame);
-  malloc_trim(0);  // reading and fitting free more than what is left, and glibc would keep it
+  malloc_trim(
+      0);  // reading and fitting free more memory than they leave in use, and glibc would keep it
   return made;
 }
 

@@ -15,7 +15,7 @@
 
 namespace collision_monitor {
 
-/// Warnings of a set-up that are found while it is watched already.
+/// Warnings about a set-up that are found after its monitoring began.
 class LaterWarnings {
  public:
   void add(const std::vector<Problem>& warnings) {
@@ -32,24 +32,25 @@ class LaterWarnings {
   std::vector<Problem> warnings_;
 };
 
-/// All that a reload replaces at once; shared by the cycle and the services, never changed.
+/// Everything that a reload replaces at once. The cycle and the services share it; it never
+/// changes.
 struct MonitorSetup {
   Parameters parameters;
   CycleSetup setup;
   std::string world_frame;
-  std::vector<RobotDescription> descriptions;  ///< that it was built from
+  std::vector<RobotDescription> descriptions;  ///< it was built from these
   std::shared_ptr<LaterWarnings> later_warnings{std::make_shared<LaterWarnings>()};
 };
 
-/// The topic of each robot's joint states, by RobotId; "": none.
+/// The topic of each robot's joint states, by RobotId; "": no topic.
 std::vector<std::string> jointTopics(const MonitorSetup& setup);
 
-/// The frames of tf that hold the links, and that of the world.
+/// The tf frames of the links and of the world.
 std::vector<std::string> frameNames(const MonitorSetup& setup);
 
-/// Reads parameters and descriptions anew and builds the set-up. May wait for descriptions.
+/// Reads parameters and descriptions again and builds the set-up. May wait for descriptions.
 /// @throws SetupError with every problem of parameters, URDFs and SRDFs.
-/// @throws Interrupted where `goes_on` said no
+/// @throws Interrupted if `goes_on` returned false
 std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node,
                                                      GoesOn goes_on);
 

@@ -89,7 +89,7 @@ void ParameterStruct::read(const std::string& name, const NumberRange& range, do
     read_value = valueAs<double>(*found);
   }
   if (!isIn(read_value, range)) {
-    // 1e3 without a point and the sign of its exponent, among others.
+    // YAML takes 1e3 for text, because it has no point and no sign in its exponent.
     const bool is_text = isNumberAsText(*found);
     refuse(
         name, toText(*found) + (is_text ? ", a text to YAML" : ""),

@@ -11,32 +11,32 @@
 
 namespace collision_monitor {
 
-/// Accepted range of a number; an end that is open is not accepted itself.
+/// Accepted range of a number. An open end is not itself accepted.
 struct NumberRange {
   double least;
   double greatest;
   bool is_least_open{false};
 };
 
-/// Reads one struct of parameters field by field and notes which names it was asked for, so
-/// that names nobody asked for can be told. A field that is absent leaves the value alone;
-/// one that is wrong does so too, and adds a problem.
+/// Reads one struct of parameters field by field. Notes which names were read, so that the others
+/// can be refused. A missing or faulty field leaves the value unchanged; a faulty one also adds a
+/// problem.
 class ParameterStruct {
  public:
   ParameterStruct(const XmlRpc::XmlRpcValue& values, std::string where, SetupReport& report);
 
   void read(const std::string& name, const NumberRange& range, double& value);
-  /// A number without fraction.
+  /// A whole number.
   void readWhole(const std::string& name, const NumberRange& range, double& value);
   void read(const std::string& name, bool& value);
   void read(const std::string& name, std::string& value);
-  /// One of `words`; `position` is its place among them.
+  /// One of `words`; `position` is its index.
   void read(const std::string& name, const std::vector<std::string>& words, std::size_t& position);
   /// The raw value of a field, or nullptr.
   const XmlRpc::XmlRpcValue* find(const std::string& name);
-  /// A name that others use in this namespace.
+  /// Accepts a name that other software uses in this namespace.
   void tolerate(const std::string& name);
-  /// Adds a problem for each name that nobody asked for.
+  /// Adds a problem for each name that was not read.
   void refuseOthers();
 
   std::string pathOf(const std::string& name) const { return where_ + "/" + name; }
@@ -50,7 +50,7 @@ class ParameterStruct {
   std::vector<std::string> asked_for_;
 };
 
-/// The value as a person would write it.
+/// The value as written in YAML.
 std::string toText(const XmlRpc::XmlRpcValue& value);
 
 }  // namespace collision_monitor

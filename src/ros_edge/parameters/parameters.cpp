@@ -48,7 +48,7 @@ void readLookAhead(const XmlRpcValue& values, const std::string& where, LookAhea
   fields.refuseOthers();
 }
 
-/// A name that ROS can resolve, or none.
+/// Reads a valid ROS name, or none.
 /// @param accepted "the name of a topic"
 void readName(ParameterStruct& fields, const std::string& field, const char* accepted,
               std::string& name, SetupReport& report) {
@@ -77,7 +77,7 @@ RobotSource readRobot(const XmlRpcValue& values, const std::string& where, Setup
   readTopic(fields, "joint_states", robot.joint_states, report);
   fields.refuseOthers();
   if (values.getType() != XmlRpcValue::TypeStruct) {
-    return robot;  // that was told, and the rest would only follow from it
+    return robot;  // reported already, and further faults would only follow from it
   }
   if (robot.description.empty() == robot.file.empty()) {
     report.errors.push_back({"parameter " + where, robot.file.empty() ? "no source" : "two sources",
@@ -177,7 +177,7 @@ void readMemoryLimit(ParameterStruct& fields, SetupOptions& options) {
   options.memory_limit = static_cast<std::uint64_t>(megabytes * kMegabyte);
 }
 
-/// How links get their shapes.
+/// Reads how links get their shapes.
 void readFitting(ParameterStruct& fields, Parameters& parameters) {
   fields.read("shape_rules", parameters.shape_rules);
   double max_shapes = parameters.setup.default_limits.max_shapes;
@@ -188,8 +188,8 @@ void readFitting(ParameterStruct& fields, Parameters& parameters) {
   fields.read("padding", {0.0, 1e3}, parameters.setup.padding);
 }
 
-/// What is measured where enclosing shapes come near, and how much of it in one cycle.
-/// @param most  [m] a larger tolerance could hide all that warnings tell
+/// Reads what is measured where enclosing shapes are near, and how much of it per cycle.
+/// @param most [m] larger tolerances are refused: they could hide everything that warnings report
 void readRefining(ParameterStruct& fields, double most, RefineOptions& refine) {
   std::size_t geometry = 0;
   fields.read("refine_geometry", {"mesh", "hull", "none"}, geometry);
@@ -205,7 +205,7 @@ void readRefining(ParameterStruct& fields, double most, RefineOptions& refine) {
   fields.read("distance_tolerance", {0.0, most}, refine.limits.tolerance);
 }
 
-/// Names that other software keeps in a node's private namespace.
+/// Accepts names that other software keeps in a node's private namespace.
 void tolerateForeign(ParameterStruct& fields) {
   for (const char* name :
        {"diagnostic_period", "robot_description", "robot_description_semantic",

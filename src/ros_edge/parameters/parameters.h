@@ -13,36 +13,38 @@
 
 namespace collision_monitor {
 
-/// Where one robot's description comes from: a parameter or a file.
+/// Source of one robot's description: a parameter or a file.
 struct RobotSource {
-  std::string name;           ///< what errors call it
+  std::string name;           ///< its name in errors
   std::string description;    ///< parameter that holds the URDF
   std::string semantic;       ///< parameter that holds the SRDF, "" for none
-  std::string file;           ///< URDF file or package:// URI, instead of `description`
-  std::string semantic_file;  ///< SRDF file or package:// URI, instead of `semantic`
+  std::string file;           ///< URDF file or package:// URI; replaces `description`
+  std::string semantic_file;  ///< SRDF file or package:// URI; replaces `semantic`
   std::string tf_prefix;      ///< as in RobotDescription
-  std::string joint_states;   ///< topic of its joint states; "": that of all robots
+  std::string joint_states;   ///< topic of its joint states; "": that for all robots
 };
 
 enum class Trigger : unsigned char {
   timer,  ///< `rate` times a second
-  pose,   ///< as soon as a robot has a new complete stamp, at most 1.01 `rate` times a second
+  pose,   ///< at each new complete stamp of a robot, at most 1.01 `rate` times a second
 };
 
 enum class PoseSource : unsigned char {
   tf,            ///< all links
-  joint_states,  ///< links behind fixed joints and joints with one variable; tf places the others
+  joint_states,  ///< for links below fixed joints and joints with one variable; tf places the
+                 ///< others
 };
 
-/// The private parameters of the node; config/monitor.yaml explains each.
+/// The private parameters of the node; config/monitor.yaml explains them.
 struct Parameters {
-  std::vector<RobotSource> robots;  ///< empty: robot_description
-  std::string mesh_directory;       ///< for relative mesh names of URDFs that are not files
-  LoadRules loading;                ///< of robots, meshes and rules; that of meshes is in `setup`
-  bool obey_up_axis{false};         ///< as RobotDescription::obeys_up_axis
-  bool is_strict{false};            ///< as in RobotDescription
-  std::string world_frame;          ///< empty: the root link of the first robot
-  double rate{100.0};               ///< [Hz]
+  std::vector<RobotSource> robots;  ///< empty: one robot, from robot_description
+  std::string mesh_directory;       ///< base of relative mesh names, for URDFs that are not files
+  LoadRules loading;  ///< limits for files of robots, meshes and rules; those for reading meshes
+                      ///< are in `setup`
+  bool obey_up_axis{false};  ///< as RobotDescription::obeys_up_axis
+  bool is_strict{false};     ///< as in RobotDescription
+  std::string world_frame;   ///< empty: the root link of the first robot
+  double rate{100.0};        ///< [Hz]
   Trigger trigger{Trigger::timer};
   PoseSource pose_source{PoseSource::tf};
   double max_age{0.5};                       ///< [s]
@@ -51,18 +53,17 @@ struct Parameters {
   double velocity_filter{0.02};              ///< [s] as VelocityOptions::time_constant
   double heartbeat_rate{2.0};                ///< [Hz]
   double marker_rate{30.0};                  ///< [Hz]
-  SetupOptions setup;       ///< its texts and folders are filled in when it is built
+  SetupOptions setup;       ///< its texts and folders are filled in when the set-up is built
   std::string shape_rules;  ///< file or package:// URI, "" for none
-  std::string fit_cache;    ///< folder; "": the usual one; "none": none
+  std::string fit_cache;    ///< folder; "": the default; "none": none
   BroadPhaseKind broad_phase{BroadPhaseKind::automatic};
   double disable_timeout{60.0};      ///< [s]
   double wait_for_description{5.0};  ///< [s]
 };
 
-/// Reads the parameters from the struct that the parameter server holds for a namespace.
-/// Names that are unknown, values of a wrong type or out of range are added to
-/// `report`, all of them; each keeps its default then.
-/// `where` is the namespace, for messages.
+/// Reads the parameters from the struct that the parameter server has for a namespace. Unknown
+/// names, and values of a wrong type or out of range, are all added to `report`; faulty values keep
+/// their defaults. `where` is the namespace, for messages.
 Parameters readParameters(const XmlRpc::XmlRpcValue& values, const std::string& where,
                           SetupReport& report);
 

@@ -25,7 +25,7 @@ std::optional<unsigned> hexDigit(char c) {
                                     : std::optional<unsigned>(static_cast<unsigned>(place % 16));
 }
 
-/// Of a URI, whose %XX are escapes (RFC 3986, 2.1); other % are letters.
+/// Replaces the escapes %XX of a URI (RFC 3986, 2.1). Any other % is a plain character.
 std::string unescaped(const std::string& path) {
   std::string text;
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -46,7 +46,7 @@ std::string unescaped(const std::string& path) {
   return text;
 }
 
-/// Of "file:", without it: "///path", "//localhost/path" or "/path".
+/// The path of a file URI, given without "file:": "///path", "//localhost/path" or "/path".
 std::string pathOfFileUri(const std::string& rest) {
   if (rest.rfind("//", 0) != 0) {
     return unescaped(rest);
@@ -60,11 +60,11 @@ std::string pathOfFileUri(const std::string& rest) {
   return unescaped(rest.substr(slash));
 }
 
-using Folders = std::map<std::string, std::string>;  ///< of packages, by name; "": not found
+using Folders = std::map<std::string, std::string>;  ///< package folders by name; "": not found
 
-/// "" if there is none. As ros::package::getPath, which writes lines of its own to stderr then.
+/// "" if there is none. As ros::package::getPath, but without its lines on stderr.
 std::string findPackage(const std::string& name) {
-  static std::mutex mutex;  // rospack is not made for several threads
+  static std::mutex mutex;  // rospack is not safe for several threads
   const std::lock_guard<std::mutex> lock(mutex);
   rospack::Rospack packages;
   packages.setQuiet(true);
@@ -77,7 +77,7 @@ std::string findPackage(const std::string& name) {
   return path;
 }
 
-/// Each package is looked for once.
+/// Looks each package up once.
 std::string packageFolder(const std::string& name, Folders& folders) {
   const auto [place, is_new] = folders.try_emplace(name);
   if (is_new && !name.empty()) {
@@ -89,7 +89,7 @@ std::string packageFolder(const std::string& name, Folders& folders) {
   return place->second;
 }
 
-/// Of "package://", without it.
+/// The path of a package URI, given without "package://".
 std::string pathInPackage(const std::string& rest, Folders& folders) {
   const std::size_t slash = std::min(rest.find('/'), rest.size());
   if (slash == 0) {
@@ -98,7 +98,7 @@ std::string pathInPackage(const std::string& rest, Folders& folders) {
   return packageFolder(rest.substr(0, slash), folders) + unescaped(rest.substr(slash));
 }
 
-/// In small letters, as they count.
+/// In lower case, because schemes ignore case.
 std::string schemeOf(const std::string& uri) {
   std::string scheme = uri.substr(0, uri.find(':'));
   std::transform(scheme.begin(), scheme.end(), scheme.begin(), [](char c) {
@@ -107,7 +107,7 @@ std::string schemeOf(const std::string& uri) {
   return scheme;
 }
 
-/// One set-up's way to its files.
+/// Loads files for one set-up.
 class Loader {
  public:
   explicit Loader(const LoadRules& rules) : rules_(rules), downloads_(rules) {}

@@ -11,21 +11,21 @@
 
 namespace collision_monitor {
 
-/// What may be loaded, and what it may take.
+/// What may be loaded, with limits.
 struct LoadRules {
   std::uintmax_t max_size{kUsualFileSize};  ///< [bytes] of a file
-  std::vector<std::string> schemes;         ///< beside package and file, as http; in small letters
-  double download_time{30.0};               ///< [s] from the first look for the computer to the end
+  std::vector<std::string> schemes;  ///< allowed beside package and file, such as http; lower case
+  double download_time{30.0};        ///< [s] from the name look-up to the end of the download
 };
 
-/// Reads regular files by package:// and file:// URIs and plain absolute paths; whatever else the
-/// rules allow through resource_retriever, in a process of its own that is ended when its time is
-/// over (docs/decisions/helper-processes.md). A server that did not answer in time is not asked
-/// again by this loader. Blanks and letters of any language may stand in paths, packages and
-/// file:// URIs; in the latter two %XX is an escape, as in any URI.
+/// Reads regular files by package:// and file:// URIs and absolute paths. Fetches other allowed
+/// schemes by resource_retriever, in a separate process that is ended after its time limit
+/// (docs/decisions/helper-processes.md). This loader does not ask a server again that was too slow
+/// once. Paths, packages and file:// URIs may contain blanks and any letters. In the two kinds of
+/// URI, %XX is an escape.
 /// Not for several threads at once.
 /// @throws std::exception from the loader, with a sentence: no such package, no regular file, too
-/// large, a scheme that is not allowed, no answer in time, or what curl says.
+/// large, a scheme that is not allowed, too slow, or curl's error.
 /// @throws Interrupted from the loader
 ResourceLoader makeResourceLoader(const LoadRules& rules = {});
 

@@ -12,8 +12,8 @@
 namespace collision_monitor {
 namespace {
 
-/// A search takes names as they were remapped for the process. What was remapped for a nodelet is
-/// resolved, and the search would not know it.
+/// A search uses the process's remappings only, not those of a nodelet. So a name that a nodelet
+/// remaps is resolved first.
 std::string nameForSearch(const ros::NodeHandle& node, const std::string& name) {
   if (ros::names::getUnresolvedRemappings().count(name) > 0) {
     return name;
@@ -23,15 +23,15 @@ std::string nameForSearch(const ros::NodeHandle& node, const std::string& name) 
   return remapped == node.resolveName(plain, false) ? name : remapped;
 }
 
-/// The parameter that a search for `name` starts from. A search takes names as they were remapped,
-/// not as the node's namespace resolves them.
+/// The parameter name that a search for `name` starts from. A search applies remappings, but not
+/// the node's namespace.
 std::string startOfSearch(const ros::NodeHandle& node, const std::string& name) {
   const ros::M_string& remapped = ros::names::getUnresolvedRemappings();
   const auto found = remapped.find(name);
   return node.resolveName(found == remapped.end() ? name : found->second, false);
 }
 
-/// Wall time: a simulated clock may not have started.
+/// By wall time: a simulated clock may not have started.
 bool waitForParameter(const ros::NodeHandle& node, const std::string& name,
                       const ros::WallTime& deadline, std::string& text) {
   constexpr double kPollPeriod = 0.1;
@@ -87,7 +87,7 @@ RobotDescription fromFile(const RobotSource& robot, const ResourceLoader& load_r
   return description;
 }
 
-/// An SRDF that was named must be there; the one that goes with robot_description by custom may.
+/// A named SRDF must exist. The default one beside robot_description is optional.
 void addSemantic(const ros::NodeHandle& node, const RobotSource& robot, bool is_required,
                  RobotDescription& description, SetupReport& report) {
   if (robot.semantic.empty()) {

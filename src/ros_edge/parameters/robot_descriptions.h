@@ -11,10 +11,9 @@
 
 namespace collision_monitor {
 
-/// Fetches the URDF, and the SRDF if there is one, of each robot from the parameter server
-/// or from files. Waits up to `wait_for_description` for URDF parameters that are not there
-/// yet, as launch files start nodes in no order. What is missing or unreadable is added to
-/// `report` with the name that was looked up.
+/// Gets each robot's URDF, and its SRDF if there is one, from the parameter server or from files.
+/// Launch files start nodes in any order, so this waits up to `wait_for_description` for URDF
+/// parameters. What is missing or unreadable is added to `report` with the name that was looked up.
 std::vector<RobotDescription> loadDescriptions(const ros::NodeHandle& private_node,
                                                const Parameters& parameters,
                                                const ResourceLoader& load_resource,

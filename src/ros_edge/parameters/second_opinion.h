@@ -10,8 +10,8 @@
 
 namespace collision_monitor {
 
-/// Asks the second reader about set-ups that are watched already, on a thread of its own. What it
-/// finds goes into the log and to the later warnings of the set-up.
+/// Runs the second reader on its own thread for a set-up that is already monitored. Differences go
+/// into the log and to the set-up's later warnings.
 class SecondOpinion {
  public:
   SecondOpinion() = default;
@@ -19,8 +19,8 @@ class SecondOpinion {
   SecondOpinion(const SecondOpinion&) = delete;
   SecondOpinion& operator=(const SecondOpinion&) = delete;
 
-  /// Waits for the last answer, which takes milliseconds, and not for this one. Does not throw: a
-  /// set-up without a second opinion is as good as it was.
+  /// Waits for the previous answer, which takes milliseconds, but not for this one. Does not throw:
+  /// the set-up works without a second opinion.
   void askFor(std::shared_ptr<const MonitorSetup> setup) noexcept;
   /// Waits for the answer.
   void wait();

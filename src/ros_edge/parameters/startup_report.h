@@ -13,10 +13,10 @@ namespace collision_monitor {
 /// that meet at a joint, 3 hidden by ignore_pairs; 1 warning".
 std::string summaryOf(const MonitorSetup& setup);
 
-/// The summary and every warning of the set-up, in the log.
+/// Logs the summary and every warning of the set-up.
 void logSetup(const MonitorSetup& setup);
 
-/// Every problem of a set-up that failed, one line each, in the log.
+/// Logs every problem of a failed set-up, one line each.
 void logFailure(const std::exception& error);
 
 }  // namespace collision_monitor

@@ -35,7 +35,7 @@ std::string unknownJoint(const RobotModel& model, const std::string& name) {
   return "there is no joint " + quoted(name) + suggestion(name, known);
 }
 
-/// How often each name stands in a request.
+/// Number of occurrences of each name in a request.
 using NameCounts = std::unordered_map<std::string_view, std::size_t>;
 
 NameCounts countNames(const std::vector<std::string>& names) {
@@ -46,7 +46,7 @@ NameCounts countNames(const std::vector<std::string>& names) {
   return counts;
 }
 
-/// What is wrong with one entry; empty if nothing is.
+/// The fault of one entry; empty if there is none.
 /// @pre the model has the joint
 std::string fault(const RobotModel& model, const Joint& joint, double position,
                   const NameCounts& counts) {
@@ -69,7 +69,7 @@ NamedPositions readPositions(const RobotModel& model, const sensor_msgs::JointSt
                        std::vector<unsigned char>(model.variable_count, 0)};
   for (std::size_t i = 0; i < joints.name.size(); ++i) {
     const Joint& joint = model.joint(*model.findJoint(joints.name[i]));
-    // The value of a mimic joint follows from that of its source.
+    // A mimic joint follows its source, whatever its own value is.
     if (!joint.mimic) {
       named.positions[joint.first_variable] = joints.position[i];
       named.is_named[joint.first_variable] = 1;
@@ -78,7 +78,7 @@ NamedPositions readPositions(const RobotModel& model, const sensor_msgs::JointSt
   return named;
 }
 
-/// parent_from_child where it is given, or known before.
+/// parent_from_child from the named positions, or else from `before`.
 std::optional<Pose> jointPose(const Joint& joint, const NamedPositions& named,
                               const LinkPoses& before) {
   const bool is_named = hasOneVariable(joint) && named.is_named[joint.first_variable] != 0;
@@ -91,14 +91,14 @@ std::optional<Pose> jointPose(const Joint& joint, const NamedPositions& named,
                   : std::nullopt;
 }
 
-/// In the world, if it is known there.
+/// The root's pose, if it is known in the world.
 std::optional<Pose> rootPose(std::size_t root, const LinkPoses& before) {
   return statusInWorld(before, idAt<LinkId>(root)) == LinkStatus::known
              ? std::optional(before.world_from_link[root])
              : std::nullopt;
 }
 
-/// Beside its parent link; a root in the world.
+/// Places a link relative to its parent link; a root in the world.
 void placeLink(const RobotModel& model, std::size_t link, const Pose& pose, LinkPoses& poses) {
   poses.status[link] = LinkStatus::known;
   poses.world_from_link[link] = pose;

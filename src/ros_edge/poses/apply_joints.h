@@ -11,18 +11,18 @@
 
 namespace collision_monitor {
 
-/// What is wrong with a position or velocity of a joint: "is not finite"; empty if nothing is.
+/// The fault of a joint's position or velocity: "is not finite"; empty if there is none.
 std::string numberFault(double number);
 
-/// What is wrong with `joints`: a few sentences and how many more, in time linear in the names.
+/// Faults of `joints`: a few sentences and the number of others. The time is linear in the names.
 std::vector<std::string> jointFaults(const RobotModel& model,
                                      const sensor_msgs::JointState& joints);
 
-/// Moves the named joints, and those that mimic them, to the given positions; all other joints
-/// stay where `poses` has them. Fixed joints are taken from the model where `poses` does not
-/// know them, so that a robot whose moving joints are all named is one part, wherever its root is.
-/// What neither places begins a part that floats.
-/// @return as jointFaults: `poses` are unchanged if there are any.
+/// Moves the named joints and their mimic joints to the given positions. All other joints stay
+/// where `poses` has them. Fixed joints that `poses` does not know come from the model, so a robot
+/// with all its moving joints named is one part, wherever its root is. A link that nothing places
+/// begins a floating part.
+/// @return as jointFaults: if there are any, `poses` is unchanged.
 std::vector<std::string> applyJoints(const RobotModel& model, const sensor_msgs::JointState& joints,
                                      LinkPoses& poses);
 

@@ -88,7 +88,7 @@ std::string floatingText(const RobotModel& model, const FloatingPart& part,
   }
   const Link& top = model.link(part.top);
   const Robot& robot = model.robots[index(top.robot)];
-  // Robots that are alike differ in their prefix alone.
+  // Identical robots differ only in their prefixes.
   return "the part of robot '" + (robot.tf_prefix.empty() ? robot.name : robot.tf_prefix) +
          "' from link '" + top.name + "' on floats: " + reason;
 }

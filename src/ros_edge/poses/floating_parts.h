@@ -9,21 +9,22 @@
 #include "collision_monitor/pipeline/setup.h"
 #include "pipeline/data/cycle_data.h"
 
-/// Which parts of robots float, and how that is said.
+/// Which parts of robots float, and the text about them.
 namespace collision_monitor {
 
-/// A part, and its pairs of links among those that are asked for. A link that is not known in any
-/// part is one by itself.
+/// A part, with the number of its link pairs among those considered. A link that is not known in
+/// any part is a part by itself.
 struct FloatingPart {
   LinkId top{};
-  LinkId first{};              ///< of its links in these pairs
-  std::size_t own_pairs{0};    ///< between its links: these are known
-  std::size_t other_pairs{0};  ///< with other parts: these are not
+  LinkId first{};              ///< first of its links in these pairs
+  std::size_t own_pairs{0};    ///< pairs within the part: known
+  std::size_t other_pairs{0};  ///< pairs with other parts: unknown
 };
 
-/// The part that others are told apart from: the world's if a link of these pairs is known there,
-/// else of one robot that of its topmost link, for where its root stands is of no matter then, of
-/// several that of the first pair that is known; none if none is.
+/// The part that others float relative to. It is the world's part if a link of these pairs is known
+/// there. Otherwise, for one robot, it is the part of the topmost link, because the pose of the
+/// robot's root does not matter then; for several robots, the part of the first known pair. None if
+/// there is none.
 class MainPart {
  public:
   MainPart(const LinkPoses& poses, const std::vector<CheckedLinkPair>& pairs);
@@ -34,21 +35,21 @@ class MainPart {
 
   const LinkPoses& poses_;
   std::optional<PartId> part_;
-  std::optional<LinkId> topmost_;  ///< of one robot
+  std::optional<LinkId> topmost_;  ///< if there is only one robot
 };
 
-/// Parts beside the main one that have pairs with others, in order of their tops.
+/// Parts other than the main one that have pairs with other parts, in the order of their top links.
 std::vector<FloatingPart> findFloatingParts(const LinkPoses& poses,
                                             const std::vector<CheckedLinkPair>& pairs);
 
-/// "the part of robot 'left' from link 'left/base' on floats: no transform ..." or, of a part
-/// without pairs of its own, "link left/hand is unknown: no transform ...".
+/// "the part of robot 'left' from link 'left/base' on floats: no transform ..."; for a part without
+/// pairs of its own: "link left/hand is unknown: no transform ...".
 std::string floatingText(const RobotModel& model, const FloatingPart& part,
                          const std::string& reason);
 
-/// What services say of parts that float among these pairs: the first, and how many more; empty if
-/// there are none.
-/// @param reasons as those of NewestState
+/// The text of services about floating parts among these pairs: the first, and the number of
+/// others; empty if there are none.
+/// @param reasons as in NewestState
 std::string floatingPartsText(const RobotModel& model, const LinkPoses& poses,
                               const std::vector<CheckedLinkPair>& pairs,
                               const std::vector<std::string>& reasons);

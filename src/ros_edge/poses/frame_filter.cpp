@@ -7,7 +7,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Far more frames than stand above any robot, or beside it.
+/// Far more frames than above or beside any robot.
 constexpr std::size_t kMostOthers = 10000;
 
 }  // namespace

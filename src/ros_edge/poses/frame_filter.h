@@ -12,33 +12,33 @@
 
 namespace collision_monitor {
 
-/// Which frames of tf are kept: those that a model names, and what is above them. Static transforms
-/// of other frames come only once, so they are held back in case they turn out to be above. What is
-/// above and what is held back is limited, so that no flood of frames fills the memory.
+/// Selects the tf frames to keep: those that a model names, and those above them. Static transforms
+/// come only once, so those of other frames are held back in case they turn out to be above. The
+/// number of frames above and held back is limited, so a flood of frames cannot fill the memory.
 class FrameFilter {
  public:
-  /// Wants these, too; before the first call every frame is wanted.
+  /// Adds wanted frames. Before the first call every frame is wanted.
   void want(const std::vector<std::string>& frames);
   bool isWanted(const std::string& frame) const;
-  /// A wanted frame has this parent, so it is wanted as well.
+  /// Wants the parent of a wanted frame, too.
   void wantParent(const std::string& frame);
 
-  /// Keeps a static transform of a frame that is not wanted yet.
+  /// Holds a static transform back whose frame is not wanted yet.
   void holdBack(const geometry_msgs::TransformStamped& transform);
-  /// Takes out the next held-back transform whose frame is wanted now.
+  /// Takes out the next held-back transform whose frame has become wanted.
   /// @return false if there is none.
   bool release(geometry_msgs::TransformStamped& transform);
 
-  /// How many transforms of a message are too many: more than any tree that holds the frames.
+  /// Limit for the transforms of one message: more than any tree with these frames has.
   std::size_t mostTransforms() const;
-  /// Frames that were refused because there were too many.
+  /// Number of frames refused because of the limit.
   std::uint64_t refusedCount() const { return refused_count_; }
 
  private:
   bool wants_all_{true};
-  std::size_t told_count_{0};  ///< of those wanted, somebody asked for them
+  std::size_t told_count_{0};  ///< wanted frames that were named by want()
   std::unordered_set<std::string> wanted_;
-  std::vector<std::string> newly_wanted_;  ///< whose transforms may be held back
+  std::vector<std::string> newly_wanted_;  ///< their transforms may be held back
   std::unordered_map<std::string, geometry_msgs::TransformStamped> held_back_;
   std::uint64_t refused_count_{0};
 };

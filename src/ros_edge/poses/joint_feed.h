@@ -15,22 +15,22 @@
 
 namespace collision_monitor {
 
-/// Subscribes to topics of joint states and feeds a store with what comes, at once. Stops with its
-/// life.
+/// Subscribes to topics of joint states and passes messages to a store at once. Ends with this
+/// object.
 class JointFeed {
  public:
-  /// Topics are beside the node, not below it. `after_message` is called on the thread that brought
-  /// it.
+  /// Topics are beside the node, not below it. `after_message` is called on the thread that
+  /// delivered the message.
   JointFeed(const ros::NodeHandle& private_node, JointStore& store,
             std::function<void()> after_message);
 
-  /// Listens to these topics, and to no others any more; "" is none. From one thread at a time.
+  /// Listens to these topics only; "" is no topic. Not for several threads at once.
   void listenTo(const std::vector<std::string>& topics);
 
  private:
   JointStore& store_;
   std::function<void()> after_message_;
-  DirectQueue queue_;  ///< ends after the subscribers
+  DirectQueue queue_;  ///< outlives the subscribers
   ros::NodeHandle private_node_;
   std::map<std::string, ros::Subscriber> subscribers_;
 };

@@ -61,8 +61,7 @@ std::optional<JointStore::Record> JointReader::find(std::size_t robot, const Joi
   return record || hasOtherRobotJoint(robot, bare) ? record : store_.find(topics_[robot], bare);
 }
 
-/// Whether a joint of another robot on the same topic has the same name but for
-/// the prefix.
+/// Whether another robot's joint on the same topic has the same name apart from the prefix.
 bool JointReader::hasOtherRobotJoint(std::size_t robot, const std::string& bare_name) const {
   for (std::size_t i = 0; i < model_.robots.size(); ++i) {
     const Robot& other = model_.robots[i];

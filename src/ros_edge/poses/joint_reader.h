@@ -14,19 +14,17 @@
 
 namespace collision_monitor {
 
-/// Reads what a store knows of a model's joints with one variable; mimic joints
-/// follow their source, whatever is published of them. All arrays are by
-/// variable.
+/// Reads what a store has about a model's joints with one variable. A mimic joint follows its
+/// source, whatever is published for it. All arrays are by variable.
 class JointReader {
  public:
-  /// @param topics one a robot; "": none
+  /// @param topics one per robot; "": no topic
   /// @pre `model` and `store` outlive the reader
   JointReader(const RobotModel& model, const JointStore& store, std::vector<std::string> topics);
 
   /// Reads the newest samples.
   void refresh();
-  /// The newest sample of a variable, as of the last refresh; without stamp if
-  /// there is none.
+  /// The newest sample of a variable at the last refresh; no stamp if there is none.
   const NewestSample& newest(std::size_t variable) const { return newest_[variable]; }
   /// As JointStore::publisher.
   std::string publisher(PublisherId id) const { return store_.publisher(id); }
@@ -34,13 +32,11 @@ class JointReader {
   /// As JointStore::refusedAhead, by variable.
   Refusal refusedAhead(std::size_t variable) const;
 
-  /// Positions at a stamp; NaN where JointStore::readAt has none.
+  /// Positions at a stamp; NaN if JointStore::readAt has none.
   void readPositions(std::int64_t stamp_ns, double longest_gap, JointPositions& positions);
-  /// The newest positions, as of the last refresh; NaN for joints without one
-  /// that is finite and no older than `max_age` [s].
+  /// The newest positions at the last refresh; NaN unless finite and no older than `max_age` [s].
   void readNewestPositions(const ros::Time& now, double max_age, JointPositions& positions) const;
-  /// The newest velocities, as of the last refresh; NaN for joints without one
-  /// that is finite and no older than `max_age` [s].
+  /// The newest velocities at the last refresh; NaN unless finite and no older than `max_age` [s].
   void readVelocities(const ros::Time& now, double max_age, JointVelocities& velocities) const;
 
  private:
@@ -52,14 +48,14 @@ class JointReader {
   const JointStore& store_;
   std::vector<std::string> topics_;
   std::size_t known_records_{0};
-  std::vector<std::size_t> variables_;        ///< of the joints that the store knows
-  std::vector<JointStore::Wanted> records_;   ///< beside variables_
-  std::vector<NewestSample> newest_samples_;  ///< beside variables_
-  std::vector<JointSample> samples_;          ///< beside variables_, at a stamp
+  std::vector<std::size_t> variables_;        ///< of the joints that the store has
+  std::vector<JointStore::Wanted> records_;   ///< same order as variables_
+  std::vector<NewestSample> newest_samples_;  ///< same order as variables_
+  std::vector<JointSample> samples_;          ///< same order as variables_, at a stamp
   std::vector<NewestSample> newest_;          ///< by variable
 };
 
-/// The names by which joint states may call the joints of a robot: with its prefix or without.
+/// The names that joint states may use for a robot's joints: with its prefix or without.
 std::vector<std::string> jointNames(const RobotModel& model, RobotId robot);
 
 }  // namespace collision_monitor

@@ -17,7 +17,7 @@ double valueOr(const std::vector<double>& values, std::size_t place) {
   return place < values.size() ? values[place] : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// NaN where it means nothing.
+/// NaN if the message has no valid position.
 double positionOf(const sensor_msgs::JointState& message, std::size_t place) {
   const double position = valueOr(message.position, place);
   return std::abs(position) <= kFarthest ? position : std::numeric_limits<double>::quiet_NaN();
@@ -30,10 +30,10 @@ JointSample newestOf(const std::deque<JointSample>& samples) {
 /// Far more joints than any robot has.
 constexpr std::size_t kMostJoints = 10000;
 
-/// [rad] or [m]: one state, computed by two programs.
+/// [rad] or [m] Tolerance between two programs that compute the same state.
 constexpr double kSame = 1e-6;
 
-/// NaN is the same as NaN alone.
+/// NaN equals only NaN.
 bool isSame(double one, double other) {
   return std::abs(one - other) <= kSame || (std::isnan(one) && std::isnan(other));
 }
@@ -44,7 +44,7 @@ struct Moment {
   bool wraps;
 };
 
-/// Without stamp where the two are too far apart.
+/// No stamp if the two samples are too far apart.
 /// @pre the moment is between them
 JointSample sampleBetween(const JointSample& before, const JointSample& after,
                           const Moment& moment) {
@@ -70,7 +70,7 @@ void JointStore::keepOnly(const std::string& topic, const std::vector<std::strin
   wants_all_ = false;
   Topic& known = topics_[topic];
   known.wanted.insert(joints.begin(), joints.end());
-  known.names.clear();  // what the last message named may be wanted now
+  known.names.clear();  // names of the last message may have become wanted
   most_joints_ = std::max(most_joints_, 2 * known.wanted.size());
 }
 
@@ -90,7 +90,7 @@ void JointStore::accept(const std::string& topic, const sensor_msgs::JointState&
     return;
   }
   const auto stamp_ns = static_cast<std::int64_t>(message.header.stamp.toNSec());
-  // Read under the lock: what came before a jump back must not be kept after `forget`.
+  // Read under the lock: data from before a jump back must not be stored after `forget`.
   const auto now_ns = static_cast<std::int64_t>(time_source_().toNSec());
   const bool is_too_far_ahead = stamp_ns - now_ns > history_ns_;
   const PublisherId sent_by = publishers_.idOf(publisher);
@@ -128,7 +128,7 @@ void JointStore::keepSample(const JointSample& sample, PublisherId publisher,
   }
   samples.push_back(sample);
   history.sent_by = publisher;
-  // The last one before the history stays: what lies between it and the next is asked for.
+  // Keeps the last sample before the history: readers need it to interpolate to the next.
   while (samples.size() > 1 && samples[1].stamp_ns < sample.stamp_ns - history_ns_) {
     samples.pop_front();
   }

@@ -25,7 +25,7 @@ double positionOf(const Joint& joint, const Pose& parent_from_child) {
   return std::atan2(joint.axis.dot(doubled_sine), r.trace() - 1.0);
 }
 
-/// Whether a whole turn of a joint leaves every link where it is: also those that follow it.
+/// Whether a whole turn of a joint leaves every link in place, including links that mimic it.
 bool endsWhereItBegan(const RobotModel& model, JointId joint) {
   return model.joint(joint).type == JointType::continuous &&
          std::all_of(model.joints.begin(), model.joints.end(), [&](const Joint& other) {
@@ -35,11 +35,11 @@ bool endsWhereItBegan(const RobotModel& model, JointId joint) {
          });
 }
 
-/// The one angle within the limits that whole turns lead to.
+/// The only angle within the limits, modulo whole turns; nothing if there are several.
 std::optional<double> withinLimits(const Joint& joint, double angle) {
   const double middle = 0.5 * (joint.lower + joint.upper);
   const double from_middle = std::remainder(angle - middle, kWholeTurn);
-  // Where the limits are infinite, so is the right side.
+  // If the limits are infinite, the right side is infinite too.
   const bool is_only_one = kWholeTurn - std::abs(from_middle) > 0.5 * (joint.upper - joint.lower);
   return is_only_one ? std::optional(middle + from_middle) : std::nullopt;
 }

@@ -11,23 +11,23 @@
 
 namespace collision_monitor {
 
-/// Where robots are now, as far as it is known.
+/// The newest known poses and positions of the robots.
 struct NewestState {
   LinkPoses poses;
-  JointPositions positions;            ///< as joint states tell, by variable; NaN: they do not
-  std::vector<std::string> reasons{};  ///< by LinkId: why a part begins there, where one does
+  JointPositions positions;            ///< from joint states, by variable; NaN: not given
+  std::vector<std::string> reasons{};  ///< by LinkId: why a part begins at this link, if one does
 };
 
-/// Nothing is known.
+/// A state in which nothing is known.
 NewestState makeNewestState(const RobotModel& model);
 
-/// The position of a joint now: as joint states tell or, where they do not, as the poses of its two
-/// links do. A continuous joint has the one from which the way to `target` is shorter, unless a
-/// joint follows it that is elsewhere after a whole turn, as a slide on a screw.
+/// The position of a joint now: from joint states or, if they lack it, from the poses of its two
+/// links. For a continuous joint, it is the position nearest to `target`, unless a joint that
+/// mimics it is elsewhere after a whole turn, such as a slide on a screw.
 ///
-/// Limits: poses do not tell whole turns. Of a joint that can turn farther than one they say
-/// nothing, unless it is such a continuous one.
-/// @pre the joint is revolute, continuous or prismatic, and follows no other
+/// Limits: poses do not show whole turns. If a joint can turn farther than one turn, they give no
+/// position, unless it is such a continuous joint.
+/// @pre the joint is revolute, continuous or prismatic, and no mimic joint
 std::optional<double> newestPosition(const RobotModel& model, const NewestState& newest,
                                      JointId joint, double target);
 

@@ -9,8 +9,8 @@
 #include "geometry/constants.h"
 #include "ros_edge/poses/pose_reader.h"
 
-/// What places each link: finding it in tf or among the joints, judging it,
-/// looking it up.
+/// The edges of a PoseReader: finds what places each link, in tf or among the joints, then judges
+/// and reads it.
 namespace collision_monitor {
 
 void PoseReader::makeEdges() {
@@ -25,7 +25,7 @@ void PoseReader::makeEdges() {
       edges_[i].joint = joints_ != nullptr && freedomOf(joint) <= 1 ? &joint : nullptr;
     }
   }
-  // Children stand behind their parents.
+  // Children come after their parents.
   for (std::size_t i = edges_.size(); i-- > 0;) {
     const Link& link = model_.links[i];
     edges_[i].is_needed = edges_[i].is_needed || hasShapes(link);
@@ -62,11 +62,11 @@ std::string PoseReader::parentOf(const std::string& frame) const {
   return place == places_.end() ? "" : records_[place->second].parent;
 }
 
-/// The frame and what is above it, up to a frame without parent; empty if that leads in a loop.
+/// The frame and those above it, up to a frame without parent; empty if they form a loop.
 std::vector<std::string> PoseReader::chainAbove(const std::string& frame) const {
   std::vector<std::string> chain;
   for (std::string next = frame; !next.empty(); next = parentOf(next)) {
-    // Of the frames of a chain only the last has no record: one more, and a frame stands twice.
+    // Only the last frame of a chain has no record. One more frame than that means a loop.
     if (chain.size() > records_.size()) {
       return {};
     }
@@ -75,11 +75,12 @@ std::vector<std::string> PoseReader::chainAbove(const std::string& frame) const 
   return chain;
 }
 
-/// Each frame of it once, the first by name first. @pre chainAbove(frame) is empty.
+/// Each frame of the loop once, beginning with the alphabetically first. @pre chainAbove(frame) is
+/// empty.
 std::vector<std::string> PoseReader::loopAbove(const std::string& frame) const {
   std::string next = frame;
   for (std::size_t i = 0; i < records_.size(); ++i) {
-    next = parentOf(next);  // after as many steps as there are frames, it is in the loop
+    next = parentOf(next);  // after as many steps as there are frames, `next` is in the loop
   }
   std::vector<std::string> loop;
   for (; loop.empty() || next != loop.front(); next = parentOf(next)) {
@@ -100,7 +101,7 @@ void PoseReader::connect(Edge& edge) const {
   }
   std::vector<std::string> up = chainAbove(edge.child_frame);
   std::vector<std::string> down = chainAbove(edge.parent_frame);
-  // Around a loop, several ways join two frames, and none is the right one.
+  // Around a loop, several paths connect two frames, and none is the right one.
   edge.is_connected = edge.child_frame == edge.parent_frame ||
                       (!up.empty() && !down.empty() && up.back() == down.back());
   if (!edge.is_connected) {
@@ -125,7 +126,7 @@ bool PoseReader::isMoving(const Edge& edge) {
   return edge.joint != nullptr ? edge.joint->type != JointType::fixed : !edge.moving_path.empty();
 }
 
-/// The largest number for what does not move, 0 if nothing came yet.
+/// The largest number for what does not move, 0 if no data came yet.
 std::int64_t PoseReader::newestOf(const Edge& edge) const {
   std::int64_t newest_ns = std::numeric_limits<std::int64_t>::max();
   if (edge.joint != nullptr) {
@@ -145,8 +146,8 @@ bool PoseReader::isBad(const Edge& edge) const {
                      [&](std::size_t frame) { return records_[frame].is_bad; });
 }
 
-/// As long as a pose is believed: of two publishers that contradict each other at every stamp, one
-/// always comes first.
+/// A contradiction counts for as long as a pose is trusted. With two contradicting publishers, the
+/// newest stamp often has only the first one's data.
 bool PoseReader::isContradicted(const Edge& edge) const {
   if (edge.joint != nullptr) {
     const NewestSample& newest = joints_->newest(edge.joint->first_variable);
@@ -202,8 +203,8 @@ void PoseReader::lookUpTransform(std::int64_t stamp_ns, Edge& edge) const {
   }
 }
 
-/// From the records, which is many times faster than by name.
-/// @return false when one of them has no pose at the stamp.
+/// Composes the poses of the records, many times faster than look-ups by name.
+/// @return false if a record has no pose at the stamp.
 bool PoseReader::compose(std::int64_t stamp_ns, Edge& edge) const {
   const bool has_poses = std::all_of(edge.path.begin(), edge.path.end(), [&](std::size_t frame) {
     const FrameRecord& record = records_[frame];
@@ -227,9 +228,8 @@ bool PoseReader::compose(std::int64_t stamp_ns, Edge& edge) const {
   return true;
 }
 
-/// At a stamp that is not the newest, the data may begin later or have a gap
-/// there; tf2 throws in the first case, which is slow, and bridges the second
-/// with invented poses.
+/// Asks tf2. At a stamp that is not the newest, data may begin later or have a gap. In the first
+/// case tf2 throws, which is slow; in the second it interpolates across the gap.
 bool PoseReader::askBuffer(std::int64_t stamp_ns, bool is_newest, Edge& edge) const {
   ros::Time stamp;
   stamp.fromNSec(static_cast<std::uint64_t>(stamp_ns));
@@ -241,7 +241,7 @@ bool PoseReader::askBuffer(std::int64_t stamp_ns, bool is_newest, Edge& edge) co
     edge.parent_from_child =
         toPose(buffer.lookupTransform(edge.parent_frame, edge.child_frame, stamp).transform);
   } catch (const tf2::TransformException&) {
-    return false;  // the data went away in between, as when time jumps
+    return false;  // the data disappeared in between, as after a jump in time
   }
   return true;
 }

@@ -36,7 +36,7 @@ bool PoseReader::read(const ros::Time& now, LinkPoses& poses) {
     oldest_ns = stamp_ns > 0 ? std::min(oldest_ns, stamp_ns) : oldest_ns;
   }
   if (oldest_ns == std::numeric_limits<std::int64_t>::max()) {
-    // Nothing moves, or nothing that moves is known: then the last stamp stays.
+    // Nothing moves, or nothing that moves is known: in the second case the last stamp stays.
     oldest_ns = isAllKnown() ? now_ns_ : poses.stamp_ns;
   }
   for (std::int64_t& stamp_ns : poses.robot_stamp_ns) {
@@ -48,7 +48,7 @@ bool PoseReader::read(const ros::Time& now, LinkPoses& poses) {
   return is_new;
 }
 
-/// 0 when nothing of the robot moves and is known.
+/// 0 if nothing of the robot both moves and is known.
 std::int64_t PoseReader::commonStamp(const Robot& robot) const {
   std::int64_t stamp_ns = std::numeric_limits<std::int64_t>::max();
   for (std::size_t i = robot.first_link; i < robot.first_link + robot.link_count; ++i) {
@@ -66,7 +66,7 @@ bool PoseReader::isAllKnown() const {
   });
 }
 
-/// @return true when a transform was looked up.
+/// @return true if a transform was looked up.
 bool PoseReader::readRobot(const Robot& robot, std::int64_t stamp_ns) {
   bool is_new = false;
   if (joints_ != nullptr) {
@@ -83,7 +83,7 @@ bool PoseReader::readRobot(const Robot& robot, std::int64_t stamp_ns) {
   return is_new;
 }
 
-/// @return true when the status of a link changed, or its part.
+/// @return true if the status or part of a link changed.
 bool PoseReader::placeLinks(LinkPoses& poses) const {
   bool has_changed = false;
   for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -97,7 +97,8 @@ bool PoseReader::placeLinks(LinkPoses& poses) const {
   return has_changed;
 }
 
-/// Beside its parent link or, where that is not known, as the top of a part that floats.
+/// Places a link relative to its parent link or, if that pose is unknown, as the top of a floating
+/// part.
 void PoseReader::placeLink(std::size_t link, LinkPoses& poses) const {
   const Edge& edge = edges_[link];
   if (edge.is_needed && edge.status != LinkStatus::known) {
@@ -119,7 +120,7 @@ void PoseReader::placeLink(std::size_t link, LinkPoses& poses) const {
   if (edge.status == LinkStatus::known) {
     poses.world_from_link[link] = world_from_parent * edge.parent_from_child;
   }
-  // Data of the near future, as of a localisation that dates its output ahead, are fresh.
+  // Data of the near future are fresh, as from a localisation that dates its output ahead.
   poses.age[link] = std::max({0.0, age, edge.age});
 }
 

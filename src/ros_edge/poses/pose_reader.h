@@ -15,63 +15,58 @@
 namespace collision_monitor {
 
 struct PoseReaderOptions {
-  std::string world_frame;  ///< frame of all poses; empty: the root of the first robot
-  double max_age{0.5};      ///< [s] data older, or as far in the future, are stale
+  std::string world_frame;  ///< frame of all poses; empty: the root link of the first robot
+  double max_age{0.5};      ///< [s] older data, or data farther in the future, are stale
 };
 
-/// Reads the poses of all links from a transform store or, where joints place
-/// them, from joint states.
+/// Reads the poses of all links from a transform store. Joint states may replace tf where joints
+/// place links.
 ///
-/// Each link is looked up from its parent link, once, and the chain is composed
-/// here; what stands between the two in tf does not matter. All moving links of
-/// a robot are read at one stamp: the newest that all of them have whose data
-/// are not older than `max_age`. At a link's newest stamp its pose stands in the
-/// store's records. Between two samples tf2 interpolates, unless they are more
-/// than `max_age` apart: the link is stale then. Links below a loop of frames are
-/// `missing`. With joint
-/// states, links behind fixed joints and joints with one variable are placed by
-/// the model's kinematics, at the same stamp and by the same rules; tf places
-/// roots and links behind planar and floating joints. Links that only static
-/// transforms place have age 0. Links that neither have geometry nor lead to a
-/// link that has stay `missing` and hold nobody back.
+/// Looks each link up once, relative to its parent link, and composes the chain here. tf may have
+/// other frames between the two. Reads all moving links of a robot at one stamp: the newest that
+/// all of them have, among those whose data are no older than `max_age`. At a link's newest stamp
+/// its pose comes from the store's records. Between two samples tf2 interpolates; if they are more
+/// than `max_age` apart, the link is stale. Links below a loop of frames are `missing`.
 ///
-/// Where a link cannot be placed beside its parent link, or a root in the world, a part begins that
-/// floats (LinkPoses); the links below are placed in it as they would be in the world.
+/// With joint states, the model's kinematics places links below fixed joints and joints with one
+/// variable, at the same stamp and by the same rules. tf places roots and links below planar and
+/// floating joints. Links placed only by static transforms have age 0. Links without geometry in
+/// them or below them stay `missing` and delay no other link.
 ///
-/// Robots keep their own stamps; LinkPoses::stamp_ns is the oldest of them, the
-/// time of the call when nothing moves, and left alone when nothing that moves
-/// is known. So it stands for robots of which nothing moves. Ages of `missing`
+/// A link that cannot be placed relative to its parent link, or a root in the world, begins a
+/// floating part (LinkPoses). Links below it are placed in that part as they would be in the world.
+///
+/// Robots keep their own stamps. LinkPoses::stamp_ns is the oldest of them. It is the time of the
+/// call if nothing moves, and stays unchanged if nothing that moves is known. Ages of `missing`
 /// links are infinite.
 class PoseReader {
  public:
-  /// @param joints nullptr: all from tf
+  /// @param joints nullptr: everything from tf
   /// @pre `model`, `store` and `joints` outlive the reader.
   PoseReader(const RobotModel& model, const TransformStore& store, const PoseReaderOptions& options,
              JointReader* joints = nullptr);
 
-  /// Brings `poses` (sized for the model) up to date; looks nothing up when no
-  /// message came since the last call. Does not throw: what cannot be looked up
-  /// is unknown.
-  /// @return true when a stamp, or the status or part of a link changed.
+  /// Updates `poses` (sized for the model). Looks nothing up if no message came since the last
+  /// call. Does not throw: a failed look-up leaves the link unknown.
+  /// @return true if a stamp, or the status or part of a link changed.
   bool read(const ros::Time& now, LinkPoses& poses);
 
-  /// Why it is not known where the link's part is, as of the last read: "no transform for 0.52 s".
+  /// Why the place of the link's part was unknown at the last read: "no transform for 0.52 s".
   std::string explain(LinkId link) const;
 
  private:
-  /// What places one link: the transform from its parent link, or from the
-  /// world for a root.
+  /// What places one link: the transform from its parent link, or from the world for a root.
   struct Edge {
-    const Joint* joint{nullptr};  ///< that places the link; nullptr: tf does
+    const Joint* joint{nullptr};  ///< the joint that places the link; nullptr: tf does
     std::string parent_frame;
     std::string child_frame;
     bool is_needed{false};     ///< the link or one below it has geometry
-    bool is_connected{false};  ///< the joint, or tf, joins the two frames
-    /// Frames between them, as indices of records: from the child up, then from the parent up.
+    bool is_connected{false};  ///< the joint or tf connects the two frames
+    /// Records of the frames between them: from the child up, then from the parent up.
     std::vector<std::size_t> path;
-    std::size_t up_count{0};               ///< of these, above the child
-    std::vector<std::size_t> moving_path;  ///< of these, not static
-    std::int64_t newest_ns{0};             ///< newest stamp that the whole path has
+    std::size_t up_count{0};               ///< number of these above the child
+    std::vector<std::size_t> moving_path;  ///< those that are not static
+    std::int64_t newest_ns{0};             ///< newest stamp available on the whole path
     std::int64_t read_ns{-1};              ///< stamp of parent_from_child; -1: not read
     Pose parent_from_child;
     LinkStatus status{LinkStatus::missing};
@@ -114,10 +109,10 @@ class PoseReader {
   double max_age_;
   std::int64_t now_ns_{0};  ///< of the last read
   JointReader* joints_;
-  JointPositions positions_;  ///< of all joints at the stamp that is being read
+  JointPositions positions_;  ///< of all joints at the current stamp
   std::vector<Edge> edges_;   ///< by LinkId
   std::vector<FrameRecord> records_;
-  std::unordered_map<std::string, std::size_t> places_;  ///< of records, by frame
+  std::unordered_map<std::string, std::size_t> places_;  ///< indices of records, by frame
   TransformStore::Version seen_;
   bool has_records_{false};
 };

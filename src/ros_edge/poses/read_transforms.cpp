@@ -5,7 +5,7 @@
 
 #include "ros_edge/poses/transform_store.h"
 
-/// What readers ask a store, and the time that it goes by.
+/// What readers ask a store, and its time.
 namespace collision_monitor {
 
 const tf2::BufferCore& TransformStore::bufferOf(const std::vector<std::size_t>& frames) const {
@@ -31,8 +31,8 @@ ros::Time TransformStore::readTime() {
   return readTimeLocked();
 }
 
-/// The clock is read under the lock: between two threads that read it before, the later one
-/// could come first, and time would seem to jump back.
+/// Reads the clock under the lock. Otherwise, of two threads that read it before, the later could
+/// come first, and time would seem to jump back.
 ros::Time TransformStore::readTimeLocked() {
   const ros::Time now = time_source_();
   if (now < last_time_) {

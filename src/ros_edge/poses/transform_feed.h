@@ -11,14 +11,14 @@
 
 namespace collision_monitor {
 
-/// Subscribes to tf and tf_static and feeds a store with what comes, at once. Stops with its life.
+/// Subscribes to tf and tf_static and passes messages to a store at once. Ends with this object.
 class TransformFeed {
  public:
   TransformFeed(ros::NodeHandle node, TransformStore& store);
 
  private:
   TransformStore& store_;
-  DirectQueue queue_;  ///< ends after the subscribers
+  DirectQueue queue_;  ///< outlives the subscribers
   ros::Subscriber moving_;
   ros::Subscriber static_;
 };

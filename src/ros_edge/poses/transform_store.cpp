@@ -13,20 +13,20 @@
 namespace collision_monitor {
 namespace {
 
-/// tf2 refuses quaternions farther than this from unit length, with a line in the log each
-/// time; here the frame becomes unknown instead.
+/// tf2 refuses quaternions farther than this from unit length and logs each one. Here the frame
+/// becomes unknown instead.
 constexpr double kQuaternionTolerance = 1e-2;
 
 constexpr const char* kAuthority = "collision_monitor";
 
-/// [ns] What tf2's buffer keeps.
+/// [ns] The length of the history in tf2's buffer.
 constexpr std::int64_t kHistory = 1000000000LL * tf2::BufferCore::DEFAULT_CACHE_TIME;
 
 bool isUsable(const geometry_msgs::Transform& transform) {
   const auto& t = transform.translation;
   const auto& q = transform.rotation;
   const double norm = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
-  // NaN is not less than anything.
+  // Comparisons with NaN are false.
   return std::abs(t.x) <= kFarthest && std::abs(t.y) <= kFarthest && std::abs(t.z) <= kFarthest &&
          std::abs(norm - 1.0) < kQuaternionTolerance;
 }
@@ -39,7 +39,7 @@ geometry_msgs::TransformStamped withoutSlashes(geometry_msgs::TransformStamped t
   return transform;
 }
 
-/// Signed: ros::Time cannot hold the difference of two times in the wrong order.
+/// Signed: ros::Time cannot hold a negative difference.
 std::int64_t nanoseconds(const ros::Time& time) { return static_cast<std::int64_t>(time.toNSec()); }
 
 }  // namespace
@@ -47,7 +47,7 @@ std::int64_t nanoseconds(const ros::Time& time) { return static_cast<std::int64_
 Pose toPose(const geometry_msgs::Transform& transform) noexcept {
   const auto& q = transform.rotation;
   Pose pose;
-  // The store lets quaternions pass that are a little off unit length.
+  // The store accepts quaternions slightly off unit length.
   pose.rotation = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
   pose.translation = {transform.translation.x, transform.translation.y, transform.translation.z};
   return pose;
@@ -57,8 +57,8 @@ std::string stripLeadingSlash(const std::string& frame) {
   return hasLeadingSlash(frame) ? frame.substr(1) : frame;
 }
 
-/// Messages mostly name frames in the order in which they were first seen: the one after the last
-/// is looked at first.
+/// Finds a frame's record. Messages mostly name frames in the order of their first appearance, so
+/// the record after the last one is tried first.
 std::size_t TransformStore::recordOf(const std::string& frame, std::size_t expected) {
   if (expected < records_.size() && records_[expected].name == frame) {
     return expected;
@@ -115,7 +115,8 @@ void TransformStore::accept(const std::vector<geometry_msgs::TransformStamped>& 
   news_.notify_all();
 }
 
-/// Static transforms of frames that are wanted by now; each may show another one to be wanted.
+/// Accepts held-back transforms of frames that are wanted by now. Each may make another frame
+/// wanted.
 void TransformStore::acceptHeldBack() {
   geometry_msgs::TransformStamped transform;
   std::size_t expected = 0;
@@ -124,7 +125,7 @@ void TransformStore::acceptHeldBack() {
   }
 }
 
-/// @param expected the record to look at first; the one after this transform's when it returns
+/// @param expected the record to try first; on return, the one after this transform's
 void TransformStore::acceptOne(const geometry_msgs::TransformStamped& transform, bool is_static,
                                std::size_t& expected) {
   const std::string& parent = transform.header.frame_id;
@@ -140,7 +141,7 @@ void TransformStore::acceptOne(const geometry_msgs::TransformStamped& transform,
     return;
   }
   if (!is_static && transform.header.stamp.isZero()) {
-    // tf2 would read it as "always", so the link would never be old.
+    // tf2 would read it as "always", so the link would never grow old.
     without_stamp_ = {without_stamp_.count + 1, nanoseconds(last_time_)};
     return;
   }
@@ -164,7 +165,7 @@ void TransformStore::takeIn(const geometry_msgs::TransformStamped& transform, bo
     return;
   }
   if (!is_static && (isRepeated(transform, frame) || stamp < record.newest_ns - kHistory)) {
-    return;  // sent again, or too old; tf2 would complain of it
+    return;  // repeated or too old; tf2 would log it
   }
   if (is_static || record.is_static || record.parent != parent) {
     attach(frame, parent, is_static);
@@ -182,7 +183,7 @@ void TransformStore::takeIn(const geometry_msgs::TransformStamped& transform, bo
   keepSample(frame, {stamp, transform.transform});
 }
 
-/// Whether there is one with that stamp. Notes it if that says something else.
+/// Whether a transform with that stamp was kept. Notes a contradiction if the two differ.
 bool TransformStore::isRepeated(const geometry_msgs::TransformStamped& transform,
                                 std::size_t frame) {
   const std::int64_t stamp_ns = nanoseconds(transform.header.stamp);
@@ -198,7 +199,7 @@ bool TransformStore::isRepeated(const geometry_msgs::TransformStamped& transform
   return true;
 }
 
-/// @pre one with its stamp is kept
+/// @pre a transform with its stamp is kept
 bool TransformStore::isSameAsBefore(const geometry_msgs::TransformStamped& transform,
                                     std::size_t frame) const {
   const FrameRecord& record = records_[frame];
@@ -213,15 +214,16 @@ bool TransformStore::isSameAsBefore(const geometry_msgs::TransformStamped& trans
       before = toPose(
           buffer_.lookupTransform(record.parent, record.name, transform.header.stamp).transform);
     } catch (const tf2::TransformException&) {
-      return true;  // it is gone, and what is newer counts
+      return true;  // it was dropped, and newer data count
     }
   }
-  constexpr double kSame = 1e-6;  // [m] and [rad]: one state, computed by two programs
+  constexpr double kSame =
+      1e-6;  // [m] and [rad] tolerance between two programs that compute the same state
   return (now.translation - before.translation).cwiseAbs().maxCoeff() <= kSame &&
          (now.rotation - before.rotation).cwiseAbs().maxCoeff() <= kSame;
 }
 
-/// Notes it in the record, and that it is no more.
+/// Notes in the record whether it is.
 bool TransformStore::isTooFarAhead(std::int64_t stamp_ns, FrameRecord& record) {
   const std::int64_t now_ns = nanoseconds(last_time_);
   const bool is_refused = stamp_ns - now_ns > history_ns_;
@@ -233,7 +235,7 @@ bool TransformStore::isTooFarAhead(std::int64_t stamp_ns, FrameRecord& record) {
   return is_refused;
 }
 
-/// What came before is of the former parent.
+/// Sets the frame's parent. Earlier data belong to the former parent.
 void TransformStore::attach(std::size_t frame, const std::string& parent, bool is_static) {
   fillBuffer(frame);
   records_[frame].is_static = is_static;
@@ -248,7 +250,8 @@ void TransformStore::keepSample(std::size_t frame, const Sample& sample) {
   std::deque<Sample>& unbuffered = unbuffered_[frame];
   unbuffered.push_back(sample);
   keepStamp(frame, sample.stamp_ns);
-  // As many as there are stamps: the old samples themselves have long left the processor's caches.
+  // As many samples as stamps. The stamps decide, because old samples are no longer in the
+  // processor's caches.
   while (unbuffered.size() > stamps_[frame].size()) {
     unbuffered.pop_front();
   }
@@ -258,10 +261,10 @@ void TransformStore::keepStamp(std::size_t frame, std::int64_t stamp_ns) {
   std::deque<std::int64_t>& stamps = stamps_[frame];
   if (stamps.empty() || stamps.back() < stamp_ns) {
     stamps.push_back(stamp_ns);
-  } else {  // of several publishers, or over UDP
+  } else {  // from several publishers, or over UDP
     stamps.insert(std::upper_bound(stamps.begin(), stamps.end(), stamp_ns), stamp_ns);
   }
-  // The last one before the history stays: what lies between it and the next is asked for.
+  // Keeps the last stamp before the history: readers need it for the gap up to the next.
   while (stamps.size() > 1 && stamps[1] < stamps.back() - history_ns_) {
     stamps.pop_front();
   }

@@ -16,15 +16,15 @@
 namespace collision_monitor {
 namespace {
 
-/// Half a minute of arms whose meshes are near in every state, and some 20 MB. More gain nothing
-/// from being one call, and others wait for its end.
+/// Half a minute for arms whose meshes are near in every state, and some 20 MB. Larger calls are no
+/// more efficient, and other calls wait for their end.
 constexpr std::size_t kMostStates = 100'000;
-/// Tenths of a second at most: so soon a call gives up.
+/// Tenths of a second at most: the delay until a call can give up.
 constexpr std::size_t kStatesAtOnce = 1000;
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
-/// The number of states; a sentence for each thing that is wrong.
+/// The number of states. Adds a sentence for each fault of the request.
 std::size_t countStates(const RobotModel& model, const CheckStates::Request& request,
                         std::vector<std::string>& faults) {
   sensor_msgs::JointState names;
@@ -33,7 +33,7 @@ std::size_t countStates(const RobotModel& model, const CheckStates::Request& req
   faults = jointFaults(model, names);
   const std::size_t joints = request.joint_names.size();
   if (model.variable_count == 0 && joints == 0 && request.positions.empty()) {
-    return 1;  // nothing moves: the one state there is
+    return 1;  // nothing moves, so there is exactly one state
   }
   if (joints == 0) {
     faults.emplace_back("joint_names is empty; name the joints that move");
@@ -50,12 +50,12 @@ std::size_t countStates(const RobotModel& model, const CheckStates::Request& req
   return faults.empty() ? request.positions.size() / joints : 0;
 }
 
-/// By variable: its place in a state of the request, or -1.
+/// By variable: its index in a state of the request, or -1.
 std::vector<int> placesOf(const RobotModel& model, const std::vector<std::string>& joint_names) {
   std::vector<int> places(model.variable_count, -1);
   for (std::size_t i = 0; i < joint_names.size(); ++i) {
     const Joint& joint = model.joint(*model.findJoint(joint_names[i]));
-    // The value of a mimic joint follows from that of its source.
+    // A mimic joint follows its source, whatever its own value is.
     if (!joint.mimic) {
       places[joint.first_variable] = static_cast<int>(i);
     }
@@ -65,10 +65,10 @@ std::vector<int> placesOf(const RobotModel& model, const std::vector<std::string
 
 struct StateRange {
   std::size_t first;
-  std::size_t last;  ///< the one behind
+  std::size_t last;  ///< one past the end
 };
 
-/// NaN where a number means nothing: the state is unknown then.
+/// NaN for invalid numbers: the state is then unknown.
 void positionsOf(const CheckStates::Request& request, const std::vector<int>& places,
                  const StateRange& range, JointPositions& positions) {
   positions.clear();

@@ -11,9 +11,9 @@
 
 namespace collision_monitor {
 
-/// Answers the service of that name: the states of the named joints, all other joints where the
-/// newest poses have them. Works with buffers of its own.
-/// @param progress asked now and then with the part that is done, 0 to 1; false: give up
+/// Answers the service of that name for states of the named joints. All other joints stay where the
+/// newest poses have them. Uses its own buffers.
+/// @param progress called now and then with the share done, 0 to 1; false: give up
 void answerCheckStates(const MonitorSetup& current, const NewestState& newest,
                        const std::function<bool(double)>& progress,
                        const CheckStates::Request& request, CheckStates::Response& response);

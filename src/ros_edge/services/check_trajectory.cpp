@@ -17,7 +17,7 @@
 namespace collision_monitor {
 namespace {
 
-/// Some ten seconds of search: a service must come to an end.
+/// Limits the search to some ten seconds: a service must end.
 constexpr std::uint64_t kBudget = 100'000'000;
 
 static_assert(LinkApproach::CLEAR == static_cast<int>(ApproachState::clear) &&
@@ -44,7 +44,7 @@ std::vector<std::string> findFaults(const CheckTrajectory::Request& request) {
   return faults;
 }
 
-/// The first contact, then by distance, then what is unknown; pairs that are alike by index.
+/// The first contact, then pairs by distance, then unknown ones; ties by index.
 std::vector<LinkPairIndex> orderOf(const TrajectoryReport& report) {
   std::vector<LinkPairIndex> order(report.pairs.size());
   for (LinkPairIndex i = 0; i < order.size(); ++i) {
@@ -61,7 +61,7 @@ std::vector<LinkPairIndex> orderOf(const TrajectoryReport& report) {
   return order;
 }
 
-/// @param start where the trajectory begins: its parts are those of the whole way
+/// @param start where the trajectory begins; its parts are valid for the whole motion
 void fill(const MonitorSetup& current, const LinkPoses& start, const CheckedLinkPair& links,
           const PairApproach& pair, LinkApproach& message) {
   const CycleSetup& setup = current.setup;
@@ -75,7 +75,7 @@ void fill(const MonitorSetup& current, const LinkPoses& start, const CheckedLink
   message.at_least = pair.at_least;
   if (std::isfinite(pair.nearest.measured.distance)) {
     toMessage(current, start, pair.nearest, message.nearest);
-  } else {  // given up before anything was measured
+  } else {  // given up before any measurement
     toUnknownMessage(setup, links.a, links.b, message.nearest);
   }
 }

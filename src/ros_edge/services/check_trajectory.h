@@ -10,8 +10,8 @@
 
 namespace collision_monitor {
 
-/// Answers the service of that name; joints that the trajectory does not name stay as `newest` has
-/// them, and the others go from there to its first point. Works with buffers of its own.
+/// Answers the service of that name. Joints that the trajectory does not name stay as in `newest`;
+/// the others move from there to its first point. Uses its own buffers.
 /// @param progress as TrajectoryOptions::progress
 void answerCheckTrajectory(const MonitorSetup& current, const NewestState& newest,
                            const std::function<bool(double)>& progress,

@@ -8,15 +8,15 @@
 
 namespace collision_monitor {
 
-/// Switched on, or off until a time comes. Steady time: a clock that jumps must not
-/// keep a monitor off. Safe for several threads.
+/// On, or off until a given time. By steady time: a clock that jumps must not keep a monitor off.
+/// Safe for several threads.
 class Enabling {
  public:
   void switchOn();
   /// Units: seconds.
   void switchOffFor(double duration);
   bool isOn(const ros::SteadyTime& now) const;
-  /// 0 while switched on. Units: seconds.
+  /// [s] 0 while on.
   double secondsUntilOn(const ros::SteadyTime& now) const;
 
  private:

@@ -62,7 +62,7 @@ LinkSet findLinks(const CycleSetup& setup, const std::vector<std::string>& names
   return links;
 }
 
-/// Which pairs of links are asked for.
+/// The link pairs that the request asks for.
 struct Selection {
   LinkSet a;
   LinkSet b;
@@ -73,7 +73,7 @@ struct Selection {
   }
 };
 
-/// The reasons of the pairs that are asked for and ignored.
+/// Why requested pairs are ignored.
 std::string ignoredText(const CycleSetup& setup, const Selection& selection) {
   FewTexts found;
   for (const LinkPair& pair : setup.link_pairs) {
@@ -88,7 +88,7 @@ std::string ignoredText(const CycleSetup& setup, const Selection& selection) {
   return ignored.empty() ? "" : "not checked: " + join(ignored);
 }
 
-/// Pairs of shapes to measure: asked for, and known beside each other.
+/// Selects the body pairs to measure: requested, and with a known relative pose.
 void selectPairs(const CycleSetup& setup, const Selection& selection, const BodyPoses& poses,
                  std::vector<PairId>& pairs) {
   pairs.clear();
@@ -100,14 +100,14 @@ void selectPairs(const CycleSetup& setup, const Selection& selection, const Body
   }
 }
 
-/// What was measured, and where the links were.
+/// The measured distances, and the poses.
 struct Scene {
   LinkPoses poses;
   CycleBuffers buffers;
 };
 
-/// By LinkPairIndex: the nearest shapes, null if none were measured. A contact that is certain
-/// stands before a bound that is deeper.
+/// By LinkPairIndex: the nearest shapes, null if none were measured. A certain contact precedes a
+/// deeper bound.
 std::vector<const PairDistance*> nearestOf(const CycleSetup& setup,
                                            const std::vector<PairDistance>& measured) {
   std::vector<const PairDistance*> nearest(setup.checked.size(), nullptr);
@@ -132,7 +132,7 @@ std::vector<const PairDistance*> nearestOf(const CycleSetup& setup,
   return nearest;
 }
 
-/// Of the pairs that are asked for, the nearest; kNone if none was measured.
+/// The nearest requested pair; kNone if none was measured.
 LinkPairIndex closestOf(const CycleSetup& setup, const Selection& selection,
                         const std::vector<const PairDistance*>& nearest) {
   LinkPairIndex closest = kNone;
@@ -146,20 +146,20 @@ LinkPairIndex closestOf(const CycleSetup& setup, const Selection& selection,
   return closest;
 }
 
-/// Measures all pairs that are asked for, and refines those within the distance.
+/// Measures all requested pairs, and refines those within the distance.
 void measureWithin(const CycleSetup& setup, double distance, CycleBuffers& buffers) {
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   buffers.refine.limits = {distance, std::numeric_limits<std::uint32_t>::max()};
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
 }
 
-/// Which pairs are told: those within the distance, and the closest.
+/// The reported pairs: those within the distance, and the closest.
 struct Reach {
   double distance;  ///< [m]
   LinkPairIndex closest;
 };
 
-/// Where no pair is within the distance, all are refined: it takes that to know which is closest.
+/// If no pair is within the distance, all are refined; only that shows which one is closest.
 Reach measureReach(const CycleSetup& setup, const Selection& selection, double max_distance,
                    CycleBuffers& buffers) {
   measureWithin(setup, max_distance, buffers);
@@ -173,7 +173,7 @@ Reach measureReach(const CycleSetup& setup, const Selection& selection, double m
   return {max_distance, closest};
 }
 
-/// One entry a pair of links, its nearest shapes; nearest pairs first, then the unknown ones.
+/// One entry per link pair, for its nearest shapes: nearest pairs first, then unknown ones.
 void fillDistances(const MonitorSetup& current, const Selection& selection, const Scene& scene,
                    const Reach& reach, Distances& message) {
   const CycleSetup& setup = current.setup;
@@ -204,7 +204,7 @@ void fillDistances(const MonitorSetup& current, const Selection& selection, cons
   message.pairs.insert(message.pairs.end(), unknown.begin(), unknown.end());
 }
 
-/// "; none within 10 mm, the nearest: a is 12 mm from b"; empty where one is.
+/// "; none within 10 mm, the nearest: a is 12 mm from b"; empty if a pair is within the distance.
 std::string nearestText(const CycleSetup& setup, const CycleBuffers& buffers, const Reach& reach) {
   if (reach.closest == kNone) {
     return "";
@@ -216,7 +216,7 @@ std::string nearestText(const CycleSetup& setup, const CycleBuffers& buffers, co
                    ", the nearest: " + distanceSentence(setup, closest);
 }
 
-/// Why no pair of these links is checked. One that is not ignored either is a link and itself.
+/// Why none of these pairs is checked. A pair that is not even ignored is a link with itself.
 std::string nothingCheckedText(const CycleSetup& setup, const Selection& selection) {
   const std::string ignored = ignoredText(setup, selection);
   return "no pair of these links is checked; " +
@@ -225,7 +225,7 @@ std::string nothingCheckedText(const CycleSetup& setup, const Selection& selecti
                           : ignored);
 }
 
-/// What floats among the pairs that are asked for.
+/// The text about floating parts among the requested pairs.
 std::string floatingTextOf(const CycleSetup& setup, const Selection& selection,
                            const LinkPoses& poses, const std::vector<std::string>& reasons) {
   std::vector<CheckedLinkPair> asked;
@@ -280,7 +280,7 @@ void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
     response.message = nothingCheckedText(setup, selection);
     return;
   }
-  // Of all links, pairs that are ignored are many and no news.
+  // With all links, many pairs are ignored; that is not worth a message.
   const bool is_explicit = !request.links_a.empty() && !request.links_b.empty();
   response.message =
       summaryText(response.distances, floatingTextOf(setup, selection, scene.poses, newest.reasons),

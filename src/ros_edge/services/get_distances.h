@@ -9,8 +9,8 @@
 
 namespace collision_monitor {
 
-/// Answers the service of that name for the newest poses, or for them with some joints moved.
-/// Measures every pair that is asked for, near or far, with buffers of its own.
+/// Answers the service of that name for the newest poses, optionally with some joints moved.
+/// Measures every requested pair at any distance. Uses its own buffers.
 void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
                         const GetDistances::Request& request, GetDistances::Response& response);
 

@@ -23,7 +23,7 @@ std::string jointFault(const std::string& field, const std::string& joint,
   return field + " of joint " + quoted(joint) + " " + fault;
 }
 
-/// One number a joint, and every number of use.
+/// Checks that there is one valid number per joint.
 void checkNumbers(const JointTrajectory& trajectory, std::size_t point,
                   const std::vector<double>& numbers, const char* field, FewTexts& faults) {
   const std::string where = pointText(point) + "." + field;
@@ -42,10 +42,10 @@ void checkNumbers(const JointTrajectory& trajectory, std::size_t point,
   }
 }
 
-/// Not by ros::Duration, which throws where the difference of two is beyond its range.
+/// Without subtracting ros::Duration, which throws if the difference is out of its range.
 double timeOf(const JointTrajectoryPoint& point) { return point.time_from_start.toSec(); }
 
-/// From 0 on, each later than the one before it.
+/// Checks that the time is 0 or more, and later than that of the point before.
 void checkTime(const JointTrajectory& trajectory, std::size_t point, FewTexts& faults) {
   const double time = timeOf(trajectory.points[point]);
   const double before = point == 0 ? 0.0 : timeOf(trajectory.points[point - 1]);
@@ -62,8 +62,8 @@ void checkTime(const JointTrajectory& trajectory, std::size_t point, FewTexts& f
   }
 }
 
-/// How far cubics swing between two points that may be near each other; time 0 is next to the
-/// first.
+/// Checks how far cubics overshoot between two points, whose positions may be near each other. Time
+/// 0 is beside the first.
 /// @pre the points have no other faults
 void checkSwings(const JointTrajectory& trajectory, FewTexts& faults) {
   const std::vector<JointTrajectoryPoint>& points = trajectory.points;
@@ -112,7 +112,7 @@ std::vector<std::string> findFaults(const JointTrajectory& trajectory) {
 }
 
 void fillPath(const RobotModel& model, const JointTrajectory& trajectory, JointPath& path) {
-  std::vector<std::size_t> places;  // joints that follow another are given by that one
+  std::vector<std::size_t> places;  // mimic joints are left out; they follow their sources
   for (std::size_t i = 0; i < trajectory.joint_names.size(); ++i) {
     const JointId joint = *model.findJoint(trajectory.joint_names[i]);
     if (!model.joint(joint).mimic) {

@@ -12,16 +12,15 @@
 
 namespace collision_monitor {
 
-/// A trajectory as a path, and the poses it starts from: `start` is changed to its first point.
-/// @return what is wrong with the trajectory, each with what is accepted; empty if nothing is.
+/// Reads a trajectory as a path. Changes `start` to the poses at its first point.
+/// @return the faults, each with what is accepted; empty if there are none.
 std::vector<std::string> readTrajectory(const RobotModel& model,
                                         const trajectory_msgs::JointTrajectory& trajectory,
                                         JointPath& path, LinkPoses& start);
 
-/// Puts the way to the first point before it, where its time is not 0: at time 0 the path leaves
-/// from where its joints are now, with velocity 0 if it has velocities. `start` is changed to
-/// there.
-/// @return the joints whose positions now are not known; if there are any, nothing is changed.
+/// If the first point's time is not 0, adds the motion to it. The path then begins at time 0 at the
+/// joints' current positions, with velocity 0 if it has velocities. `start` becomes that state.
+/// @return the joints whose current positions are unknown; if there are any, nothing is changed.
 std::vector<std::string> addWayToFirstPoint(const RobotModel& model, const NewestState& newest,
                                             JointPath& path, LinkPoses& start);
 

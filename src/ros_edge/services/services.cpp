@@ -30,10 +30,10 @@ Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, Se
   reload_ = private_node_.advertiseService("reload", &Services::reload, this);
 }
 
-/// Servers that end wait for the call at hand.
+/// Servers wait for their current call when they end.
 Services::~Services() { background_.end(); }
 
-/// Whether a long call may go on.
+/// Whether a long call may continue.
 bool Services::goesOn() const { return hooks_.goes_on() && !background_.isEnding(); }
 
 NewestState Services::newestState(const MonitorSetup& current) const {

@@ -21,17 +21,17 @@
 
 namespace collision_monitor {
 
-/// What the services ask of the monitor. All may be called from any thread.
+/// What the services need from the monitor. Any thread may call these.
 struct ServiceHooks {
   std::function<std::shared_ptr<const MonitorSetup>()> current_setup;
   std::function<void(std::shared_ptr<const MonitorSetup>)> replace_setup;
   std::function<void(bool)> set_enabled;
-  GoesOn goes_on;  ///< whether long calls may
+  GoesOn goes_on;  ///< whether long calls may continue
 };
 
-/// get_distances, check_trajectory, check_states, set_enabled and reload, beside the cycle and
-/// without touching its data. The two checks may take seconds and run in the background, the others
-/// on the callback queue of the node handle.
+/// get_distances, check_trajectory, check_states, set_enabled and reload. They do not touch the
+/// cycle's data. The two checks may take seconds and run in the background; the others run on the
+/// node handle's callback queue.
 class Services {
  public:
   /// @pre the inputs outlive the services.

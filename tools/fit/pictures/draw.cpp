@@ -12,7 +12,7 @@
 namespace collision_monitor::fit_tool {
 namespace {
 
-/// The smallest rectangle of whole pixels that may be touched, inside the image.
+/// The pixels that may be touched: the smallest rectangle of whole pixels, inside the image.
 struct PixelRange {
   int first_column, last_column, first_row, last_row;
 };
@@ -72,7 +72,7 @@ struct Ray {
   Eigen::Vector3d direction;
 };
 
-/// How far along the ray the shape is met; infinity if it is missed.
+/// Distance along the ray to the shape; infinity if it misses.
 double traceRay(const Shape& shape, const Ray& ray, double tolerance) {
   constexpr int kMostSteps = 200;
   double travelled = 0.0;
@@ -91,7 +91,7 @@ double traceRay(const Shape& shape, const Ray& ray, double tolerance) {
   return kInfinity;
 }
 
-/// Away from the nearest point of the core.
+/// Direction from the nearest point of the core.
 Eigen::Vector3d normalAt(const Shape& shape, const Eigen::Vector3d& point,
                          const Eigen::Vector3d& fallback) {
   const Eigen::Vector3d core = coreHalfExtents(shape);
@@ -100,7 +100,7 @@ Eigen::Vector3d normalAt(const Shape& shape, const Eigen::Vector3d& point,
   return length > 0.0 ? Eigen::Vector3d(from_core / length) : fallback;
 }
 
-/// How far the shape reaches along each axis of the view, its center at the origin.
+/// Half extents of the shape along the view's axes, with its center at the origin.
 Eigen::Vector3d reachOf(const Shape& shape, const Eigen::Matrix3d& view_from_body) {
   Eigen::Vector3d reach;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {

@@ -11,17 +11,17 @@
 
 namespace collision_monitor::fit_tool {
 
-/// How a scene is seen: without perspective, from in front, above and one side.
+/// A camera without perspective, looking from the front, above and one side.
 ///
-/// Frames: in the view x points to the right, y up and z to the viewer; link frames are only
-/// turned, not shifted.
+/// Frames: in the view, x points right, y up and z to the viewer. Link frames are only rotated, not
+/// translated.
 struct View {
   Eigen::Matrix3d view_from_link{Eigen::Matrix3d::Identity()};
   Eigen::Vector2d center{Eigen::Vector2d::Zero()};  ///< [m] x and y at the middle of the picture
   double pixels_per_metre{1.0};
   int width{0}, height{0};  ///< pixels
 
-  /// Column and row, fractions included, rows downwards, and z [m].
+  /// Column, row (downwards) with fractions, and z [m].
   Eigen::Vector3d pixelOf(const Eigen::Vector3d& point_in_link) const;
 };
 
@@ -29,7 +29,7 @@ struct View {
 View viewOf(const std::vector<PosedShape>& shapes, const std::vector<Eigen::Vector3d>& points,
             int width, int height);
 
-/// What is seen in each pixel: the surface nearest to the viewer.
+/// The visible surface in each pixel: the one nearest to the viewer.
 struct DepthImage {
   static constexpr int kNobody = -1;
 
@@ -40,20 +40,20 @@ struct DepthImage {
   }
 
   int width, height;
-  std::vector<double> depth;            ///< [m] z in the view, minus infinity for nothing
+  std::vector<double> depth;            ///< [m] z in the view, minus infinity if there is none
   std::vector<Eigen::Vector3f> normal;  ///< unit, in the view
-  std::vector<int> owner;               ///< who is seen
+  std::vector<int> owner;               ///< number of the visible object
 };
 
-/// Draws triangles, each facing the viewer whichever way it is wound.
+/// Draws triangles on both sides, whatever their winding.
 void drawMesh(const TriangleMesh& mesh, const View& view, int owner, DepthImage& image);
 
-/// Draws the shape itself, not triangles about it: along each pixel's ray by steps of
-/// the distance to the shape.
-/// Error: the surface is met within a twentieth of a pixel.
+/// Draws the shape itself, without triangles: follows each pixel's ray in steps of the distance to
+/// the shape.
+/// Error: the surface is hit within a twentieth of a pixel.
 /// Source: Hart, "Sphere Tracing: A Geometric Method for the Antialiased Ray Tracing of Implicit
-/// Surfaces" (1996); departs from it in giving up as soon as the distance grows, for the distance
-/// to a convex shape does not shrink again.
+/// Surfaces" (1996). Departure: gives up as soon as the distance grows, because the distance to a
+/// convex shape then never shrinks again.
 void drawShape(const PosedShape& shape, const View& view, int owner, DepthImage& image);
 
 }  // namespace collision_monitor::fit_tool

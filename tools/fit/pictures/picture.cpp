@@ -16,13 +16,13 @@ constexpr int kWidth = 480;
 constexpr int kHeight = 360;
 constexpr int kOversampling = 2;
 
-/// Light from above on the viewer's left.
+/// Light comes from above, on the viewer's left.
 float brightnessOf(const Eigen::Vector3f& normal) {
   const Eigen::Vector3f to_light = Eigen::Vector3f(-0.45F, 0.65F, 0.6F).normalized();
   return 0.5F + 0.47F * std::max(normal.dot(to_light), 0.0F);
 }
 
-/// Whether an outline runs between two pixels: between two shapes, at a rim, at an edge.
+/// Whether an outline runs between two pixels: between two shapes, at a rim or at a sharp bend.
 bool isOutlined(const DepthImage& shapes, std::size_t here, std::size_t there) {
   constexpr float kBend = 0.87F;  // cosine of 30 degrees
   return shapes.owner[here] != shapes.owner[there] ||
@@ -30,8 +30,8 @@ bool isOutlined(const DepthImage& shapes, std::size_t here, std::size_t there) {
           shapes.normal[here].dot(shapes.normal[there]) < kBend);
 }
 
-/// A line belongs to the shape that is nearer to the viewer, and is two pixels wide before two are
-/// made one.
+/// The line is drawn in the shape nearer to the viewer. It is two pixels wide before the image is
+/// halved.
 bool drawsOutline(const DepthImage& shapes, int column, int row) {
   constexpr std::array<std::array<int, 2>, 4> kNeighbours{{{-2, 0}, {2, 0}, {0, -2}, {0, 2}}};
   const std::size_t here = shapes.at(column, row);

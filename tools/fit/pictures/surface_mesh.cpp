@@ -12,10 +12,10 @@ namespace {
 constexpr int kSectors = 96;
 constexpr int kQuarter = kSectors / 4;
 
-using Profile = std::vector<Eigen::Vector2d>;  // distance from the axis, height; upwards
+using Profile = std::vector<Eigen::Vector2d>;  // (distance from the axis, height), upwards
 
-/// A profile turned about z. Rings on the axis shrink to a point; their triangles without area do
-/// no harm.
+/// Turns a profile about z. Rings on the axis shrink to a point; their triangles without area do no
+/// harm.
 TriangleMesh turned(const Profile& profile) {
   TriangleMesh mesh;
   for (const Eigen::Vector2d& corner : profile) {
@@ -36,7 +36,7 @@ TriangleMesh turned(const Profile& profile) {
   return mesh;
 }
 
-/// Half circles at both ends of a segment along z.
+/// A segment along z with a half circle at each end.
 TriangleMesh turnedCapsule(double half_length, double radius) {
   Profile profile;
   for (const double end : {-half_length, half_length}) {
@@ -61,7 +61,7 @@ struct Surface {
   }
   TriangleMesh operator()(const Box& box) const {
     TriangleMesh mesh;
-    for (int i = 0; i < 8; ++i) {  // the bits of i: which side along x, y, z
+    for (int i = 0; i < 8; ++i) {  // bits of i: the sides along x, y, z
       const Eigen::Vector3d sides(i & 1, (i >> 1) & 1, i >> 2);
       mesh.vertices.push_back(
           (2.0 * sides - Eigen::Vector3d::Ones()).cwiseProduct(box.half_extents));

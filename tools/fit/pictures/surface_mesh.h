@@ -6,8 +6,9 @@
 
 namespace collision_monitor::fit_tool {
 
-/// Triangles to look at and to measure by: a mesh itself; of a shape its surface, outward, corners
-/// on the true surface, 96 around an axis, so at most 0.06 % of the radius inside it.
+/// Triangles for display and measurement: a mesh itself, or the surface of a shape, facing outward.
+/// Corners are on the true surface, 96 around an axis, so triangles are at most 0.06 % of the
+/// radius inside it.
 /// Frames: that of the geometry.
 TriangleMesh surfaceMeshOf(const Geometry& geometry);
 

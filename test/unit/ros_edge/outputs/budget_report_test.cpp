@@ -61,16 +61,16 @@ TEST(BudgetReport, budgetThatDoesNotSuffice_isAWarningThatNamesThePairs) {
   EXPECT_EQ(status.level, DiagnosticStatus::WARN);
   EXPECT_EQ(status.message,
             "refine_budget did not suffice in 40 of the 100 cycles since the last report; these "
-            "pairs took most of its steps: link_0 and link_1 (75 %), link_1 and link_2 (20 %), "
+            "pairs took most of its work: link_0 and link_1 (75 %), link_1 and link_2 (20 %), "
             "link_0 and link_2 (5 %)");
   const auto values = valuesOf(status);
   EXPECT_EQ(values.at("refine_budget"), "8000");
   EXPECT_EQ(values.at("cycles since the last report"), "100");
   EXPECT_EQ(values.at("cycles in which it did not suffice"), "40");
-  EXPECT_EQ(values.at("steps of a cycle, mean"), "3000");
-  EXPECT_EQ(values.at("steps of a cycle, worst"), "9500");
-  EXPECT_EQ(values.at("most steps 1"), "link_0 and link_1: 75 %");
-  EXPECT_EQ(values.at("most steps 3"), "link_0 and link_2: 5 %");
+  EXPECT_EQ(values.at("work of a cycle, mean"), "3000");
+  EXPECT_EQ(values.at("work of a cycle, worst"), "9500");
+  EXPECT_EQ(values.at("most work 1"), "link_0 and link_1: 75 %");
+  EXPECT_EQ(values.at("most work 3"), "link_0 and link_2: 5 %");
 }
 
 TEST(BudgetReport, advice_fitsThePairs) {
@@ -106,7 +106,7 @@ TEST(BudgetReport, budgetThatSuffices_isOkAndGivesNoAdvice) {
   const DiagnosticStatus status = statusOf(setup, use);
   EXPECT_EQ(status.level, DiagnosticStatus::OK);
   EXPECT_EQ(status.message, "refine_budget sufficed in all cycles");
-  EXPECT_EQ(valuesOf(status).at("steps of a cycle, worst"), "9500");
+  EXPECT_EQ(valuesOf(status).at("work of a cycle, worst"), "9500");
   EXPECT_EQ(adviceOf(status), "");
 }
 
@@ -117,7 +117,7 @@ TEST(BudgetReport, noCycle_isOk) {
   const DiagnosticStatus status = statusOf(setup, use);
   EXPECT_EQ(status.level, DiagnosticStatus::OK);
   EXPECT_EQ(status.message, "no cycle since the last report");
-  EXPECT_EQ(valuesOf(status).at("steps of a cycle, mean"), "0");
+  EXPECT_EQ(valuesOf(status).at("work of a cycle, mean"), "0");
 }
 
 TEST(BudgetReport, useOfAnotherSetup_namesNoLinksOfThisOne) {
