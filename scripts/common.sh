@@ -2,25 +2,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # shellcheck shell=bash
-# What the scripts share: install what is missing, build, bring the workspace into
-# the environment. Sourced, not run. Every step says what it does and costs nothing
-# when there is nothing to do.
+# Functions shared by the scripts: install missing packages, build, source the workspace. To be
+# sourced, not run. Every step prints what it does, and does nothing if there is nothing to do.
 
 package_dir="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 build_dir="${BUILD_DIR:-$package_dir/build}"
-# As CMakeLists.txt has it.
+# Same value as in CMakeLists.txt.
 devel_dir="$build_dir/devel"
 [[ "$build_dir" != "$package_dir/build" ]] || devel_dir="$package_dir/devel"
 
-# ROS's Python programs need the system's interpreter, whatever else is installed.
+# ROS's Python programs need the system's interpreter, even if others are installed.
 export PATH="/usr/bin:$PATH"
 export LC_ALL="${LC_ALL:-C.UTF-8}"
 
 say() { printf '==> %s\n' "$*"; }
 fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
-fail_usage() { printf 'error: %s\n' "$*" >&2; exit 2; }  # the command line is at fault
+fail_usage() { printf 'error: %s\n' "$*" >&2; exit 2; }  # for faults of the command line
 
-# Debian's packages; where /opt/ros/noetic is sourced, ROS itself comes from there.
+# Debian's packages. If /opt/ros/noetic is sourced, ROS itself comes from there.
 library_packages=(
   build-essential cmake ninja-build pkg-config
   libeigen3-dev libassimp-dev libqhull-dev libtinyxml2-dev libyaml-cpp-dev libssl-dev
@@ -46,7 +45,7 @@ has_ros_noetic() { [[ "${ROS_DISTRO:-}" == noetic && -d /opt/ros/noetic ]]; }
 
 is_installed() { dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null | grep -qx installed; }
 
-# install_packages PACKAGE...: installs those that are missing.
+# install_packages PACKAGE...: installs missing packages.
 install_packages() {
   local missing=() package
   for package in "$@"; do
@@ -65,7 +64,7 @@ install_packages() {
     fail "apt-get could not install: ${missing[*]}"
 }
 
-# install_missing [GROUP...]: what building needs, and the groups named: test, show, plot.
+# install_missing [GROUP...]: installs build dependencies and the given groups: test, show, plot.
 install_missing() {
   local packages=("${library_packages[@]}") group
   has_ros_noetic || packages+=("${debian_ros_packages[@]}")
@@ -80,7 +79,7 @@ install_missing() {
   install_packages "${packages[@]}"
 }
 
-# build_package [CMAKE OPTION...]: configures and builds, all or BUILD_TARGET; nothing is done twice.
+# build_package [CMAKE OPTION...]: configures and builds all or BUILD_TARGET; repeats nothing.
 build_package() {
   say "building in $build_dir"
   local log="$build_dir/build.log"
@@ -91,7 +90,7 @@ build_package() {
   cmake --build "$build_dir" ${BUILD_TARGET:+--target "$BUILD_TARGET"} || fail "the build failed"
 }
 
-# source_workspace: makes rosrun, roslaunch and rostest find the package just built.
+# source_workspace: lets rosrun, roslaunch and rostest find the built package.
 source_workspace() {
   set +u
   # shellcheck disable=SC1091

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Holds the includes of the package against the table of rooms below.
+"""Checks the includes of the package against the table of rooms below.
 
-Prints one line for each include that points the wrong way and exits 1 if there is one.
+Prints one line for each forbidden include and exits 1 if there is one.
 """
 import argparse
 import pathlib
@@ -22,8 +22,8 @@ MAY_INCLUDE = {
     "pipeline": GEOMETRY | {"fitting", "model", "pipeline"} | PHASES,
     "ros_edge": GEOMETRY | {"fitting", "model", "pipeline", "ros_edge"} | PHASES,
 }
-# The same for folders within a room: what stands in the room itself is free to both sides. Rooms
-# that are not named here have folders that may include each other.
+# The same for folders within a room. Files directly in a room may include any folder, and the
+# reverse. Folders of rooms that are not listed may include each other.
 CONVEX = {"closed_form", "contact", "gjk"}
 MESHES = {"mesh", "mesh_front", "mesh_depth", "triangle"}
 MAY_INCLUDE_WITHIN = {
@@ -65,7 +65,7 @@ MAY_INCLUDE_WITHIN = {
         "mesh_depth": CONVEX | MESHES,
     },
 }
-# Headers that only the named rooms may know; all other third-party headers are free.
+# Headers that only the named rooms may include; all other third-party headers are free.
 RESERVED = {
     re.compile(r"^(ros|tf2|tf2_ros|nodelet|pluginlib|diagnostic_\w+|resource_retriever)/"): {"ros_edge"},
     re.compile(r"^(geometry|sensor|std|trajectory|visualization)_(msgs|srvs)/"): {"ros_edge"},
@@ -87,18 +87,18 @@ def room_of(path, root):
 
 
 def included_room(include, path):
-    """The room an include leads to, or None if it leads out of the package."""
+    """@return the room of an included header, or None if it is outside the package."""
     parts = pathlib.PurePosixPath(include).parts
     if parts[0] == "collision_monitor":
-        # One level deep are the generated message headers.
+        # Generated message headers are one level deep.
         return parts[1] if len(parts) > 2 else "ros_edge"
     if (path.parent / include).exists():
-        return None  # beside it
+        return None  # in the same folder
     return parts[0] if parts[0] in MAY_INCLUDE else None
 
 
 def folder_faults_of(path, root, include):
-    """Of includes between the folders of one room."""
+    """@return the faults of an include between folders of one room."""
     parts = path.relative_to(root).parts
     folders = MAY_INCLUDE_WITHIN.get(parts[1]) if parts[0] == "src" and len(parts) == 4 else None
     if folders is None:

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Prints what the collision monitor says while a joint path is played, and sums it up at the end.
+"""Prints what the collision monitor reports while a joint path is played, with a summary at the end.
 
-Exit code: 0 if the monitor spoke until the end and measured distances; 1 if it never spoke or fell silent, no
-distance was ever known, or the path did not come to its end; 2 if the command line is at fault.
+Exit code: 0 if the monitor reported until the end and measured distances; 1 if it never reported or fell silent,
+knew no distance, or the path did not finish; 2 if the command line is faulty.
 """
 import argparse
 import math
@@ -27,7 +27,7 @@ LONGEST_SILENCE = 3.0  # [s]; the monitor promises a state at least once a secon
 
 
 class Record:
-    """What is kept of a run, from the first step of the path on: start-up does not count."""
+    """Data of a run, from the first step of the path on, without start-up."""
 
     def __init__(self):
         self.closest = None
@@ -81,7 +81,7 @@ class Record:
 
 
 class Reporter:
-    """Listens, prints each change as it comes, and knows when the path is over."""
+    """Listens, prints each change at once, and detects the end of the path."""
 
     def __init__(self, monitor, player):
         self.record, self.lock = Record(), threading.Lock()
@@ -139,7 +139,7 @@ class Reporter:
         return self.heard_at is not None
 
     def wait_for_end(self, patience):
-        """@return a sentence if the run did not come to its end, else None."""
+        """@return a sentence if the run did not finish, else None."""
         last_progress, moved_at = None, time.monotonic()
         while self.progress < 1.0:
             now = time.monotonic()
@@ -153,7 +153,7 @@ class Reporter:
                 return f"the player did not move on for {patience:.0f} s"
             self.show_progress()
             time.sleep(0.1)
-        time.sleep(0.5)  # what is still on its way
+        time.sleep(0.5)  # for messages still in transit
         return None
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Joint paths: way-points from a YAML file, checked, and what lies between them. Knows no ROS.
+"""Joint paths: reads and checks waypoints from a YAML file, and interpolates them. Needs no ROS.
 
 The file format is described in play_joint_path.py.
 """
@@ -17,8 +17,8 @@ FRAME_FIELDS = 6
 
 
 def read_regular_file(path):
-    """@return its bytes. Raises PathError for what is no regular file: a pipe would be waited for, a device may
-    do anything."""
+    """@return its bytes. Raises PathError if it is not a regular file: a pipe would block, a device may do
+    anything."""
     mode = os.stat(path).st_mode
     if not stat.S_ISREG(mode):
         kinds = {stat.S_IFDIR: "a folder", stat.S_IFIFO: "a pipe (FIFO)", stat.S_IFSOCK: "a socket"}
@@ -28,7 +28,7 @@ def read_regular_file(path):
 
 
 class PathError(Exception):
-    """Everything that is wrong with a path file, one problem a line."""
+    """All problems of a path file, one per line."""
 
     def __init__(self, problems):
         super().__init__("\n".join(problems))
@@ -106,7 +106,7 @@ def check_header(content, name, problems):
 
 
 def parse_path(text, name):
-    """@return the path in `text`, bytes or str; `name` stands in messages. Raises PathError with every problem."""
+    """@return the path in `text`, bytes or str. `name` is for messages. Raises PathError with every problem."""
     try:
         content = yaml.safe_load(text)
     except yaml.YAMLError as error:
@@ -136,8 +136,8 @@ def parse_path(text, name):
 
 
 def check_robot(path, name, urdf, urdf_name):
-    """Raises PathError unless the path moves each joint of the URDF text that moves on its own, and
-    nothing else. What the path leaves out would stay without a pose."""
+    """Raises PathError unless the path moves exactly the joints of the URDF text that move on their own. A
+    joint without positions would leave links without a pose."""
     try:
         robot = ElementTree.fromstring(urdf)
     except ElementTree.ParseError as error:
@@ -153,7 +153,7 @@ def check_robot(path, name, urdf, urdf_name):
 
 def find_slopes(times, values):
     """Slopes of a cubic that does not overshoot: zero at the ends and at turning points, else the
-    weighted harmonic mean of both neighbours (Fritsch and Butland, "A method for constructing local
+    weighted harmonic mean of both neighboring slopes (Fritsch and Butland, "A method for constructing local
     monotone piecewise cubic interpolants", SIAM J. Sci. Stat. Comput. 5, 1984)."""
     slopes = [0.0] * len(values)
     for k in range(1, len(values) - 1):
@@ -166,7 +166,7 @@ def find_slopes(times, values):
 
 
 def sample(path, time):
-    """@return values and their rates at `time`, which is held within the path's times."""
+    """@return values and their rates at `time`, clamped to the path's times."""
     time = min(max(time, path.times[0]), path.times[-1])
     if len(path.times) == 1:
         return list(path.rows[0]), [0.0] * len(path.rows[0])
@@ -196,7 +196,7 @@ def quaternion_from_rpy(roll, pitch, yaw):
 
 
 def check_loop(path, name):
-    """Raises PathError unless the path can be played again and again without a jump."""
+    """Raises PathError unless the path can be repeated without a jump."""
     if len(path.rows) < 2 or path.rows[0] != path.rows[-1]:
         raise PathError([f"{name}, way-point {len(path.rows)}: the last of {len(path.rows)}, differs from the first or is "
                          "the only one; accepted in a loop: two or more way-points, the last equal to the first"])

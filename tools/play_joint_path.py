@@ -13,10 +13,10 @@ The file:
       - {time: 2.0, positions: [0.5, -1.2], frames: {torso: [0, 0, 0.3, 0, 0, 0.5]}}
 
 Times in seconds, positions in rad or m. `frames` places floating and planar joints, which JointState
-cannot carry: x, y, z [m], roll, pitch, yaw [rad], parent from child, interpolated number by number.
+cannot carry: x, y, z [m], roll, pitch, yaw [rad], parent from child. Each number is interpolated by itself.
 
-cubic runs through the way-points and rests only at turning points and at both ends; it never leaves the
-range of two neighbouring way-points. cosine rests at every way-point.
+cubic stops only at turning points and at both ends. Between two waypoints it stays within their range.
+cosine stops at every waypoint.
 """
 import argparse
 import os
@@ -34,7 +34,7 @@ from joint_path import (FRAME_FIELDS, PathError, check_loop, check_robot, parse_
 
 
 class Player:
-    """Owns the publishers; everything that can be wrong with the path was found before."""
+    """Owns the publishers. The path has been checked before."""
 
     def __init__(self, path, options):
         self.path, self.options = path, options
@@ -61,7 +61,7 @@ class Player:
         self.broadcaster.sendTransform(message)
 
     def hold(self, time, is_over):
-        """Stands still at `time` until `is_over` says so: poses must not grow old."""
+        """Publishes the pose at `time` until `is_over` returns true, so that poses do not grow old."""
         rate = rospy.Rate(self.options.rate)
         while not rospy.is_shutdown() and not is_over():
             self.publish(time)
@@ -73,7 +73,7 @@ class Player:
         deadline = rospy.Time.now() + rospy.Duration(patience)
         self.hold(0.0, lambda: heard or rospy.Time.now() > deadline)
         subscriber.unregister()
-        if heard:  # time for the listener to see the robot before it moves
+        if heard:  # lets the listener see the robot before it moves
             deadline = rospy.Time.now() + rospy.Duration(1.0)
             self.hold(0.0, lambda: rospy.Time.now() > deadline)
         elif not rospy.is_shutdown():

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Waits for the monitor and becomes rviz, with the monitor's world frame as the fixed frame.
+"""Waits for the monitor, then becomes rviz with the monitor's world frame as the fixed frame.
 
-Nothing else knows that frame before: by default it is the root link of the robot's URDF. With --frame
-it waits for nobody. ROS's own NAME:=VALUE are handed on to rviz.
+Only the monitor knows that frame: by default it is the root link of the robot's URDF. With --frame, this
+program does not wait. It passes ROS's own NAME:=VALUE on to rviz.
 """
 import argparse
 import os
@@ -14,11 +14,11 @@ import rospy
 
 from collision_monitor.msg import State
 
-PATIENCE = 10.0  # wall seconds between two lines in the log
+PATIENCE = 10.0  # [s] wall time between two lines in the log
 
 
 def wait_for_frame(topic):
-    """@return the frame of the monitor's results; None if it is time to end."""
+    """@return the frame of the monitor's results; None if ROS shuts down."""
     while not rospy.is_shutdown():
         try:
             return rospy.wait_for_message(topic, State, timeout=PATIENCE).header.frame_id
@@ -31,7 +31,7 @@ def wait_for_frame(topic):
 def frame_of_monitor(name):
     rospy.init_node("show_in_rviz")
     frame = wait_for_frame(rospy.resolve_name(name + "/state"))
-    rospy.signal_shutdown("rviz takes its place")  # and its name
+    rospy.signal_shutdown("rviz takes its place")  # including its name
     return frame
 
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lists functions of the core that no program of the package reaches: what only tests and
-benchmarks call. Reads the object files of a build: each function stands in a section of its own,
-and its relocations name what it calls. What reached_interface.txt names is reached, too: the
-interface of the library. Exits 1 where a function is not reached.
+"""Lists functions of the core that no program of the package reaches, because only tests and
+benchmarks call them. Reads the object files of a build: each function has its own section, whose
+relocations name the functions it calls. Functions in reached_interface.txt, the library's
+interface, count as reached. Exits 1 if a function is not reached.
 
     tools/unreached_functions.py [BUILD_DIR]
 """
@@ -20,15 +20,15 @@ PROGRAMS = ("monitor", "nodelet", "fit", "fit_parts", "pairs", "pairs_parts", "t
 LIBRARIES = ("core", "mesh_reading", "ros_edge")
 ALLOWED = pathlib.Path(__file__).with_name("reached_interface.txt")
 
-# Of `readelf --wide`: "  [12] .text.name  PROGBITS ...", a symbol, a relocation.
+# Lines of `readelf --wide`: "  [12] .text.name  PROGBITS ...", a symbol, a relocation.
 SECTION = re.compile(r"^\s*\[\s*(\d+)\] (\S+)\s+[A-Z_]+\s+[0-9a-f]+ ([0-9a-f]+) ")
 SYMBOL = re.compile(r"^\s*\d+:\s+[0-9a-f]+\s+\S+\s+(\S+)\s+(\S+)\s+\S+\s+(\S+)\s*(\S*)")
-RELOCATIONS = re.compile(r"^Relocation section '.* at offset 0x([0-9a-f]+) ")  # long names are cut
+RELOCATIONS = re.compile(r"^Relocation section '.* at offset 0x([0-9a-f]+) ")  # long names are truncated
 RELOCATION = re.compile(r"^[0-9a-f]+\s+[0-9a-f]+\s+R_\S+\s+[0-9a-f]+\s+(\S+)")
 
 
 class Graph:
-    """Sections as (object file, name of the section), and which names which."""
+    """Sections as (object file, section name), and the references between them."""
 
     def __init__(self):
         self.symbols_of = collections.defaultdict(list)  # names that a section refers to
@@ -67,7 +67,7 @@ class Graph:
             local[name] = section
         else:
             self.defined[name].append(section)
-        # What is local to a file goes with its callers: the compiler says where there are none.
+        # File-local functions belong to their callers; the compiler reports those without any.
         if kind == "FUNC" and binding != "LOCAL" and names[place].startswith(".text"):
             self.functions.setdefault(section, name)
 
@@ -99,7 +99,7 @@ def demangled(names):
 
 
 def plain(function):
-    """Without instruction set, clones and what is local to a file: one name for all of them."""
+    """@return the name without instruction set, clone suffix and anonymous namespace."""
     function = function.replace("(anonymous namespace)::", "")
     function = re.sub(r"N_[A-Z0-9_]+::", "", function)
     return re.sub(r"(\[abi:\w+\])|( \[clone .*\])", "", function)
