@@ -24,10 +24,9 @@ struct ComparisonOptions {
 struct KindTally {
   std::size_t separated{0};
   std::size_t overlapping{0};
-  std::size_t without_fcl{0};     ///< FCL threw or gave no answer
-  double worst_against_fcl{0.0};  ///< [m] separated pairs on which FCL and we agree
-  std::size_t decided_for_us{
-      0};  ///< differs from FCL by more than the tolerance; the reference agrees with us
+  std::size_t without_fcl{0};      ///< FCL threw or gave no answer
+  double worst_against_fcl{0.0};   ///< [m] separated pairs on which FCL and we agree
+  std::size_t decided_for_us{0};   ///< beyond the tolerance from FCL; the reference agrees with us
   std::size_t decided_for_fcl{0};  ///< ... the reference agrees with FCL, or with neither
   double worst_of_fcl{0.0};        ///< [m] FCL against the reference, among those decided
   std::size_t depths{0};           ///< overlaps compared with the reference

@@ -14,8 +14,7 @@ namespace collision_monitor::fit_tool {
 struct OutputFile {
   std::filesystem::path path;
   std::string text{};
-  bool may_replace{
-      false};  ///< an existing file, because of --force or because the text was made from it
+  bool may_replace{false};  ///< an existing file: by --force, or as the source of the text
 };
 
 /// Adds an error if a file cannot be written: its folder is missing or read-only; it is itself a

@@ -25,8 +25,7 @@ struct PairLine {
 
 struct PairLines {
   std::vector<PairLine> lines;
-  std::vector<PairLine>
-      left_out;  ///< touched in none or all of the sampled states, without a proof
+  std::vector<PairLine> left_out;  ///< touched in no or all sampled states, without a proof
 };
 
 /// Lines for pairs that are adjacent, or proven to touch always or never.

@@ -154,8 +154,7 @@ std::string withoutStrayDeclaration(const std::string& srdf_xml) {
 }  // namespace
 
 SrdfPlaces findPlaces(const std::string& srdf_xml) {
-  const std::string text =
-      withoutStrayDeclaration(srdf_xml);  // same length, so places are the same
+  const std::string text = withoutStrayDeclaration(srdf_xml);  // same length, same places
   if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     throw std::runtime_error("it is larger than 2 GB");
   }

@@ -18,11 +18,10 @@ struct RobotDescription {
   std::string urdf_xml;
   std::string srdf_xml;     ///< empty if there is none
   std::string srdf_source;  ///< its name in messages; empty: "SOURCE (SRDF)"
-  std::string
-      tf_prefix;  ///< "" or "left": tf frames and link names become "left/NAME"; slashes around it
-                  ///< are dropped, and a name that has it already does not get it again
-  std::string
-      directory;  ///< where relative mesh names are looked up: the URDF's folder, "" if unknown
+  /// "" or "left": tf frames and link names become "left/NAME". Slashes around it are dropped;
+  /// names that have it already do not get it again.
+  std::string tf_prefix;
+  std::string directory;  ///< base of relative mesh names: the URDF's folder, "" if unknown
   /// Turn meshes that declare an up axis other than z. docs/decisions/mesh-up-axis.md says why this
   /// is not the default.
   bool obeys_up_axis{false};

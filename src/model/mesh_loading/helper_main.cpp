@@ -75,8 +75,7 @@ rlim_t usedSeconds() {
 /// @param own [bytes] address space of the program before the first question
 void limitQuestion(const Message& question, rlim_t own) {
   if (addressSpace() > own + question.terms.memory / 4) {
-    malloc_trim(0);  // only now: the next question needs much of it again, so trimming after each
-                     // one is slow
+    malloc_trim(0);  // not each time: the next question needs much of it again
   }
   setLimit(RLIMIT_AS, own + question.text.size() + question.bytes.size() + question.terms.memory);
   // The parent enforces the time. This limit matters only if the parent is dead.

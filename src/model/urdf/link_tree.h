@@ -12,11 +12,9 @@ namespace collision_monitor {
 /// The links of a robot from the root outwards: every parent before its children, and children in
 /// the order of their joints in the URDF.
 struct LinkTree {
-  std::vector<std::size_t> links;  ///< indices into UrdfRobot::links, the root first
-  std::vector<std::size_t>
-      joints;  ///< indices into UrdfRobot::joints: joints[i] moves links[i + 1]
-  std::vector<std::size_t>
-      parents;  ///< positions in `links`: parents[i] is the parent of links[i + 1]
+  std::vector<std::size_t> links;    ///< indices into UrdfRobot::links, the root first
+  std::vector<std::size_t> joints;   ///< into UrdfRobot::joints: joints[i] moves links[i + 1]
+  std::vector<std::size_t> parents;  ///< into `links`: parents[i] is the parent of links[i + 1]
 };
 
 /// Adds an error for every name used twice, every joint to an unknown link, every link with two

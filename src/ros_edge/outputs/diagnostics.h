@@ -18,9 +18,8 @@ namespace collision_monitor {
 struct CycleReport {
   std::uint64_t cycles{0};
   std::uint64_t overruns{0};
-  double since_newest{
-      0.0};  ///< [s] since the end of the newest cycle, even if that was before the last report
-  double longest{0.0};  ///< [s] limit of since_newest
+  double since_newest{0.0};  ///< [s] since the newest cycle ended, in this report or before
+  double longest{0.0};       ///< [s] limit of since_newest
 };
 
 /// Level and sentence of the entry `cycle`. If cycles are as slow as reports, there may be no cycle

@@ -75,8 +75,7 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   made->world_frame = stripLeadingSlash(made->parameters.world_frame.empty()
                                             ? model.link(model.robots.front().root).frame
                                             : made->parameters.world_frame);
-  malloc_trim(
-      0);  // reading and fitting free more memory than they leave in use, and glibc would keep it
+  malloc_trim(0);  // reading and fitting free much memory that glibc would keep
   return made;
 }
 

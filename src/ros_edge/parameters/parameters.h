@@ -31,16 +31,14 @@ enum class Trigger : unsigned char {
 
 enum class PoseSource : unsigned char {
   tf,            ///< all links
-  joint_states,  ///< for links below fixed joints and joints with one variable; tf places the
-                 ///< others
+  joint_states,  ///< links below fixed joints and joints with one variable; tf places others
 };
 
 /// The private parameters of the node; config/monitor.yaml explains them.
 struct Parameters {
   std::vector<RobotSource> robots;  ///< empty: one robot, from robot_description
   std::string mesh_directory;       ///< base of relative mesh names, for URDFs that are not files
-  LoadRules loading;  ///< limits for files of robots, meshes and rules; those for reading meshes
-                      ///< are in `setup`
+  LoadRules loading;  ///< of robots, meshes and rules; `setup` has the limits of reading meshes
   bool obey_up_axis{false};  ///< as RobotDescription::obeys_up_axis
   bool is_strict{false};     ///< as in RobotDescription
   std::string world_frame;   ///< empty: the root link of the first robot

@@ -217,8 +217,7 @@ bool TransformStore::isSameAsBefore(const geometry_msgs::TransformStamped& trans
       return true;  // it was dropped, and newer data count
     }
   }
-  constexpr double kSame =
-      1e-6;  // [m] and [rad] tolerance between two programs that compute the same state
+  constexpr double kSame = 1e-6;  // [m] and [rad] between two programs for the same state
   return (now.translation - before.translation).cwiseAbs().maxCoeff() <= kSame &&
          (now.rotation - before.rotation).cwiseAbs().maxCoeff() <= kSame;
 }
