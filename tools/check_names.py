@@ -5,6 +5,7 @@
 are undefined behaviour, and the linker says nothing. Prints one line for each and exits 1 if there
 is one. What is local to a file, in an anonymous namespace, may share names.
 """
+import argparse
 import collections
 import pathlib
 import re
@@ -48,13 +49,18 @@ def definitions(path):
 
 
 def main():
-    root = pathlib.Path(__file__).resolve().parent.parent
+    parser = argparse.ArgumentParser(description=__doc__.split(":")[0])
+    parser.add_argument("root", nargs="?", default=pathlib.Path(__file__).resolve().parent.parent,
+                        type=pathlib.Path, help="the package's folder")
+    root = parser.parse_args().root.resolve()
     places = collections.defaultdict(set)
     for folder in ("include", "src"):
         for suffix in ("*.h", "*.cpp"):
             for path in (root / folder).rglob(suffix):
                 for name in definitions(path):
                     places[name].add(str(path.relative_to(root)))
+    if not places:
+        sys.exit(f"no names under {root}")
     shared = {name: files for name, files in sorted(places.items()) if len(files) > 1}
     for name, files in shared.items():
         print(f"{name}: {', '.join(sorted(files))}")

@@ -5,9 +5,8 @@
 benchmarks call them. Reads the object files of a build: each function has its own section, whose
 relocations name the functions it calls. Functions in reached_interface.txt, the library's
 interface, count as reached. Exits 1 if a function is not reached.
-
-    tools/unreached_functions.py [BUILD_DIR]
 """
+import argparse
 import collections
 import json
 import pathlib
@@ -18,12 +17,12 @@ import sys
 PROGRAMS = ("monitor", "nodelet", "fit", "fit_parts", "pairs", "pairs_parts", "two_capsules",
             "two_capsules_parts", "compare_with_fcl", "read_meshes", "fetch_resource")
 LIBRARIES = ("core", "mesh_reading", "ros_edge")
-ALLOWED = pathlib.Path(__file__).with_name("reached_interface.txt")
+INTERFACE = pathlib.Path(__file__).with_name("reached_interface.txt")
 
 # Lines of `readelf --wide`: "  [12] .text.name  PROGBITS ...", a symbol, a relocation.
 SECTION = re.compile(r"^\s*\[\s*(\d+)\] (\S+)\s+[A-Z_]+\s+[0-9a-f]+ ([0-9a-f]+) ")
 SYMBOL = re.compile(r"^\s*\d+:\s+[0-9a-f]+\s+\S+\s+(\S+)\s+(\S+)\s+\S+\s+(\S+)\s*(\S*)")
-RELOCATIONS = re.compile(r"^Relocation section '.* at offset 0x([0-9a-f]+) ")  # long names are truncated
+RELOCATIONS = re.compile(r"^Relocation section '.* at offset 0x([0-9a-f]+) ")  # cuts names
 RELOCATION = re.compile(r"^[0-9a-f]+\s+[0-9a-f]+\s+R_\S+\s+[0-9a-f]+\s+(\S+)")
 
 
@@ -109,19 +108,29 @@ def without_parameters(function):
     return function.split("(")[0]
 
 
-def allowed_functions():
-    lines = ALLOWED.read_text().splitlines() if ALLOWED.exists() else []
+def functions_in(interface):
+    lines = interface.read_text().splitlines()
     return {line.split()[0] for line in lines if line.strip() and not line.startswith("#")}
 
 
+def read_arguments():
+    parser = argparse.ArgumentParser(description=__doc__.split(":")[0])
+    parser.add_argument("build_dir", nargs="?", default=pathlib.Path("build"), type=pathlib.Path,
+                        help="of a build with compile_commands.json")
+    parser.add_argument("--interface", default=INTERFACE, type=pathlib.Path,
+                        help="file of functions that are reached, too, one a line")
+    return parser.parse_args()
+
+
 def main():
-    build_dir = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "build")
+    arguments = read_arguments()
+    build_dir = arguments.build_dir
     graph = Graph()
     for target in PROGRAMS + LIBRARIES:
         for file in objects_of(build_dir, target):
             graph.add_file(file)
     names = dict(zip(graph.functions.values(), demangled(graph.functions.values())))
-    allowed = allowed_functions()
+    allowed = functions_in(arguments.interface)
     roots = [section for file in graph.files for section in graph.files[file]
              if section[1].startswith((".init_array", ".ctors"))]
     for target in PROGRAMS:
@@ -142,7 +151,7 @@ def main():
             print(f"{file}: {function}")
     stale = allowed - {without_parameters(plain(name)) for name in names.values()}
     for function in sorted(stale):
-        print(f"{ALLOWED.name}: {function} is no function of the core")
+        print(f"{arguments.interface.name}: {function} is no function of the core")
     return 1 if unreached or stale else 0
 
 

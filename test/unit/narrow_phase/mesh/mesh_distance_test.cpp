@@ -8,7 +8,6 @@
 #include <limits>
 #include <memory>
 
-#include "narrow_phase/mesh_depth/mesh_depth.h"
 #include "support/expect_distance.h"
 #include "support/mesh_overlap.h"
 #include "support/sample_meshes.h"
@@ -127,24 +126,6 @@ TEST_F(Meshes, poseNotFinite_isUnknownAndNotClear) {
   }
 }
 
-TEST_F(Meshes, poseBeyondAllReach_isUnknown) {
-  const ConvexGeometry hull = ConvexHull(boxMesh({1, 1, 1}).vertices);
-  const auto kept = std::make_unique<KeptDepth>();
-  for (const double far : {1e16, 1e18, 1e39, 1e60, 1e308}) {
-    for (const Pose& pose : {at(far, 0, 0), at(far, far, far), at(-far, far, 0)}) {
-      EXPECT_EQ(distance(cube_, at(0, 0, 0), cube_, pose).state, MeshState::unknown) << far;
-      EXPECT_EQ(distance(cube_, pose, cube_, at(0, 0, 0)).state, MeshState::unknown) << far;
-      EXPECT_EQ(shapeDistance(cube_, Sphere{0.1}, pose).state, MeshState::unknown) << far;
-      EXPECT_EQ(distanceBetween({cube_, at(0, 0, 0)}, PlacedConvex{hull, pose}, *memory_).state,
-                MeshState::unknown)
-          << far;
-      EXPECT_FALSE(meet(cube_, at(0, 0, 0), cube_, pose)) << far;
-      EXPECT_EQ(depthOf({cube_, at(0, 0, 0)}, {cube_, pose}, *memory_, *kept, 60).deepest.distance,
-                0.0);
-    }
-  }
-}
-
 TEST_F(Meshes, oneTriangleOnePointAndEqualVertices_areLegal) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -202,22 +183,6 @@ TEST_F(Meshes, insideBeyondTheLimit_isNotClear) {
   EXPECT_EQ(
       distanceBetween({cube_, at(0, 0, 0)}, {small_, at(0.1, 0, 0)}, *memory_, {}, limits).state,
       MeshState::overlapping);
-}
-
-TEST_F(Meshes, hullBesideItsOriginBeyondTheLimit_isWhereItsCornersAre) {
-  const auto distanceTo = [&](const Vector3d& middle, const Pose& pose, MeshQueryLimits limits) {
-    const ConvexGeometry hull = ConvexHull(boxMeshAt({0.1, 0.1, 0.1}, middle).vertices);
-    return distanceBetween({cube_, at(0, 0, 0)}, PlacedConvex{hull, pose}, *memory_, {}, limits);
-  };
-  MeshQueryLimits near_only;
-  near_only.stop_beyond = 0.01;
-  MeshQueryLimits no_budget;
-  no_budget.visit_budget = 0;
-  for (const MeshQueryLimits& limits : {near_only, no_budget}) {
-    EXPECT_EQ(distanceTo({5, 0, 0}, at(0, 0, 0), limits).state, MeshState::lower_bound);
-    EXPECT_EQ(distanceTo({5, 0, 0}, at(-5, 0, 0), limits).state, MeshState::overlapping);
-  }
-  EXPECT_NEAR(distanceTo({5, 0, 0}, at(-5, 0, 0), near_only).measured.distance, -0.9, kExact);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
@@ -102,53 +101,6 @@ TEST_F(LongBoxes, waysThatGetLong_beginAnewAndWhatIsKnownStays) {
   EXPECT_FALSE(isMeasured());
   shake(0.02);
   EXPECT_TRUE(isMeasured());
-}
-
-/// A ball, and on another link two that stand for one element, 0.05 m farther away the second.
-class OneElement : public testing::Test {
- protected:
-  OneElement() {
-    setup_.element_pair_of[1] = setup_.element_pair_of[0];
-    buffers_ = makeBuffers(setup_, BroadPhaseKind::brute_force);
-    std::fill(poses_.velocities.known.begin(), poses_.velocities.known.end(), 1);
-  }
-  std::vector<double> distancesAt(double gap) {
-    poses_.world_from_link[1].translation.x() = 0.2 + gap;
-    runCycle(setup_, poses_, buffers_);
-    std::vector<double> distances;
-    for (const PairDistance& distance : buffers_.distances.pairs) {
-      distances.push_back(std::round(1e6 * distance.measured.distance) / 1e6);
-    }
-    return distances;
-  }
-
-  CycleSetup setup_ =
-      handMadeSetup({{0, Sphere{0.1}},
-                     {1, Sphere{0.1}},
-                     {1, Sphere{0.1}, {Eigen::Matrix3d::Identity(), {0.05, 0.0, 0.0}}}});
-  CycleBuffers buffers_;
-  LinkPoses poses_ = knownPoses(setup_);
-};
-
-TEST_F(OneElement, fartherThanWarnings_nearestBodiesAlone) {
-  EXPECT_EQ(distancesAt(0.1), std::vector<double>{0.1});
-  EXPECT_EQ(distancesAt(0.11), std::vector<double>{0.11});
-}
-
-TEST_F(OneElement, nearEnoughToBeWarnedOf_allBodies) {
-  EXPECT_EQ(distancesAt(0.002), (std::vector<double>{0.002, 0.052}));
-}
-
-TEST_F(OneElement, thatMayTouchWithinTheHorizon_allBodies) {
-  poses_.velocities.of_link[1].linear.x() = -1.0;
-  EXPECT_EQ(distancesAt(0.1), (std::vector<double>{0.1, 0.15})) << "0.5 m in 0.5 s";
-  poses_.velocities.of_link[1].linear.x() = -0.2;
-  EXPECT_EQ(distancesAt(0.1), std::vector<double>{0.1}) << "0.115 m";
-}
-
-TEST_F(OneElement, velocityNotKnown_allBodies) {
-  poses_.velocities.known[0] = 0;
-  EXPECT_EQ(distancesAt(0.1), (std::vector<double>{0.1, 0.15}));
 }
 
 }  // namespace

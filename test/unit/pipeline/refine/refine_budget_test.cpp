@@ -3,12 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
-#include "pipeline/cycle/cycle_buffers.h"
 #include "refine_scene.h"
-#include "support/sample_meshes.h"
 
 // What a cycle refines when the budget does not suffice.
 namespace collision_monitor {
@@ -54,43 +51,6 @@ TEST(RefineBudget, stepBetweenStamps_isWhatPosesComeBy) {
   scene.poses.stamp_ns += 20'000'000;
   scene.run();
   EXPECT_EQ(scene.buffers.refine.elapsed, 0.02);
-}
-
-/// Hooked angles, 1 mm apart and so within the hysteresis of a contact, that rest.
-Scene restingAngles() {
-  Scene scene = hookedAngles(RefineGeometry::mesh);
-  scene.poses.world_from_link[1].translation.y() -= 0.019;
-  std::fill(scene.poses.velocities.known.begin(), scene.poses.velocities.known.end(), 1);
-  return scene;
-}
-
-TEST(RefineBudget, contactOfEnclosingShapesAlone_endsWhenTheGeometriesAreSeenApart) {
-  Scene scene = restingAngles();
-  const auto budget = scene.buffers.refine.limits.budget;
-  scene.buffers.refine.limits.budget = 0;
-  scene.run();
-  scene.run();
-  ASSERT_EQ(scene.verdict(), Verdict::contact);
-  EXPECT_EQ(scene.buffers.memory.speed.scale, 0.0) << "what may touch is stopped";
-  scene.buffers.refine.limits.budget = budget;
-  scene.poses.stamp_ns += 1'000'000'000;
-  scene.run();
-  EXPECT_EQ(scene.closest().quality, Quality::exact);
-  EXPECT_NEAR(scene.closest().measured.distance, 0.001, 1e-9);
-  EXPECT_EQ(scene.verdict(), Verdict::warning) << "hysteresis holds contacts, not the want of work";
-  EXPECT_EQ(scene.buffers.memory.speed.scale, 1.0) << "nor is it stopped";
-}
-
-TEST(RefineBudget, contactOfTheGeometries_isHeldByHysteresis) {
-  Scene scene = restingAngles();
-  Eigen::Vector3d& place = scene.poses.world_from_link[1].translation;
-  place.y() -= 0.002;
-  scene.run();
-  ASSERT_EQ(scene.verdict(), Verdict::contact);
-  place.y() += 0.002;
-  scene.run();
-  EXPECT_NEAR(scene.closest().measured.distance, 0.001, 1e-9);
-  EXPECT_EQ(scene.verdict(), Verdict::contact);
 }
 
 /// Two pairs of hooked angles far from each other, measured once; then the budget is spent at once.
@@ -140,106 +100,6 @@ TEST(RefineBudget, budgetSpentAndOneMovedFar_theEnclosingShapesSpeak) {
   scene.poses.world_from_link[3].translation.z() += 0.03;
   scene.run();
   EXPECT_EQ(scene.buffers.events.overall, Verdict::contact);
-}
-
-/// Geometries that are not convex are in contact however deep they overlap: a bound between that
-/// and 0 rules no contact out.
-TEST(RefineBudget, contactOfSomeDepth_isNotRuledOutByABoundBelowZero) {
-  SetupOptions options;
-  options.default_limits.max_shapes = 1;
-  options.limits.contact_distance = -0.003;
-  options.limits.hysteresis = 0.0;
-  Scene scene({test::angleMesh(), test::angleMesh()}, options);
-  scene.poses.world_from_link[1] = test::hookedPose();
-  scene.poses.world_from_link[1].translation.y() -= 0.0195;  // 0.5 mm apart
-  scene.run();
-  ASSERT_NE(scene.verdict(), Verdict::contact);
-  scene.poses.world_from_link[1].translation.y() -= 0.002;
-  scene.buffers.refine.limits.budget = 0;
-  scene.run();
-  EXPECT_EQ(scene.verdict(), Verdict::contact);
-}
-
-/// A ball in the hollow of a thick shell, twice, far from each other: they are apart, and
-/// everywhere by nearly the same distance, which takes long to find.
-Scene ballsInShells() {
-  TriangleMesh ball = test::sphereMesh(0.1, 24);
-  ball.triangles.pop_back();
-  TriangleMesh hollow = test::sphereMesh(0.2, 24);
-  for (auto& triangle : hollow.triangles) {
-    std::swap(triangle[0], triangle[1]);
-  }
-  const TriangleMesh shell = test::joined(test::sphereMesh(0.3, 24), hollow);
-  Scene scene({ball, shell, ball, shell});
-  scene.moveTo(2, 5.0);
-  scene.moveTo(3, 5.0);
-  return scene;
-}
-
-TEST(RefineBudget, budgetOfOneDistance_noContactOfEnclosingShapesIsLeft) {
-  Scene scene = ballsInShells();
-  scene.buffers.refine.limits.budget = 1000000;
-  scene.run();
-  ASSERT_EQ(scene.buffers.counters.left, 0U);
-  ASSERT_GT(scene.closest().measured.distance, 0.09);
-  resetMemory(scene.buffers);
-  scene.buffers.refine.limits.budget =
-      static_cast<std::uint32_t>(scene.buffers.counters.refine_work / 2);
-  scene.run();
-  EXPECT_GT(scene.buffers.counters.left, 0U);
-  EXPECT_NE(scene.buffers.events.overall, Verdict::contact);
-  for (const PairDistance& pair : scene.buffers.distances.pairs) {
-    EXPECT_GE(pair.measured.distance, 0.002) << "as much as it takes to be in no contact";
-  }
-}
-
-/// A ball in the hollow of a shell, twice, far from each other: apart, and everywhere by nearly the
-/// same distance, which takes long to find.
-Scene ballsInHollowShells() {
-  const TriangleMesh ball = test::sphereMesh(0.1, 24);
-  TriangleMesh hollow = test::sphereMesh(0.19, 24);
-  for (auto& [a, b, c] : hollow.triangles) {
-    std::swap(b, c);
-  }
-  const TriangleMesh shell = test::joined(test::sphereMesh(0.2, 24), hollow);
-  Scene scene({ball, shell, ball, shell});
-  scene.moveTo(2, 5.0);
-  scene.moveTo(3, 5.0);
-  return scene;
-}
-
-/// What decides of each pair that it is in no contact, and finds no distance to the end.
-std::uint32_t budgetOfDecisions() {
-  Scene scene = ballsInHollowShells();
-  scene.buffers.refine.limits.budget = 1000000;
-  scene.run();
-  return static_cast<std::uint32_t>(scene.buffers.counters.refine_work / 2);
-}
-
-TEST(RefineBudget, contactOfEnclosingShapesAlone_endsWhenASearchProvesItNone) {
-  Scene scene = ballsInHollowShells();
-  scene.buffers.refine.limits.budget = 0;
-  scene.run();
-  ASSERT_EQ(scene.buffers.events.overall, Verdict::contact);
-  scene.buffers.refine.limits.budget = budgetOfDecisions();
-  scene.run();
-  ASSERT_GT(scene.buffers.counters.left, 0U);
-  EXPECT_NE(scene.buffers.events.overall, Verdict::contact);
-}
-
-TEST(RefineBudget, contactOfTheGeometries_endsWhenASearchProvesThemFartherThanHysteresis) {
-  Scene scene = ballsInHollowShells();
-  scene.moveTo(0, 0.1);
-  scene.moveTo(2, 5.1);
-  scene.run();
-  ASSERT_EQ(scene.buffers.events.overall, Verdict::contact);
-  scene.moveTo(0, 0.0);
-  scene.moveTo(2, 5.0);
-  forgetPoses(scene.buffers);
-  scene.buffers.refine.limits.budget = budgetOfDecisions();
-  scene.run();
-  ASSERT_GT(scene.buffers.counters.left, 0U);
-  EXPECT_NE(scene.buffers.events.overall, Verdict::contact);
 }
 
 /// Three cylinders side by side, their enclosing boxes in reach of each other, and a budget that

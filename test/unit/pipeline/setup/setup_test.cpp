@@ -55,5 +55,26 @@ TEST(BuildSetup, wrongNumbers_areAllNamedWithWhatIsAccepted) {
   EXPECT_EQ(faultsOf(options), expected);
 }
 
+TEST(CheckLimits, everyFaultIsNamed) {
+  SetupReport report;
+  checkLimits({0.1, 0.05, -1.0, kNaN}, "limits/", report);
+  ASSERT_EQ(report.errors.size(), 3U);
+  EXPECT_EQ(report.errors[0].where, "limits/warning_distance");
+  EXPECT_EQ(report.errors[1].where, "limits/report_distance");
+  EXPECT_EQ(report.errors[2].where, "limits/hysteresis");
+}
+
+TEST(CheckLimits, timesAreNamedWithWhatIsAccepted) {
+  SetupReport report;
+  Limits limits;
+  limits.contact_time = 0.3;
+  limits.time_hysteresis = -1.0;
+  checkLimits(limits, "limits/", report);
+  ASSERT_EQ(report.errors.size(), 2U);
+  EXPECT_EQ(report.errors[0].where, "limits/warning_time");
+  EXPECT_EQ(report.errors[0].accepted, "a finite number >= 0.3 s");
+  EXPECT_EQ(report.errors[1].where, "limits/time_hysteresis");
+}
+
 }  // namespace
 }  // namespace collision_monitor

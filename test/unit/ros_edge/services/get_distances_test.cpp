@@ -6,46 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "get_distances_scene.h"
 #include "support/robots/geometry_setup.h"
-#include "unit/ros_edge/edge_scene.h"
 
 namespace collision_monitor::test {
 namespace {
 
-class GetDistancesTest : public testing::Test {
- protected:
-  GetDistances::Response ask() {
-    GetDistances::Response response;
-    NewestState newest = makeNewestState(setup_->setup.model);
-    newest.poses = poses_;
-    newest.reasons[0] = "no transform from 'world' to 'base' yet";
-    answerGetDistances(*setup_, newest, request_, response);
-    return response;
-  }
-  void move(const std::string& joint, double position) {
-    request_.joints.name.push_back(joint);
-    request_.joints.position.push_back(position);
-  }
-  void lose(const std::string& link) {
-    poses_.status[index(linkNamed(setup_->setup.model, link))] = LinkStatus::stale;
-  }
-  /// NaN if the pair is not in the answer.
-  static double distanceOf(const GetDistances::Response& response, const std::string& a,
-                           const std::string& b) {
-    for (const LinkDistance& pair : response.distances.pairs) {
-      if (pair.link_a == a && pair.link_b == b) {
-        return pair.distance;
-      }
-    }
-    return std::nan("");
-  }
-
-  std::shared_ptr<const MonitorSetup> setup_ = slidingSetup();
-  LinkPoses poses_ = slidingPoses(setup_->setup.model, 0.0, 0.25);
-  GetDistances::Request request_;
-};
+class GetDistancesTest : public GetDistancesScene {};
 
 TEST_F(GetDistancesTest, noNames_everyCheckedPairByDistance) {
   const auto response = ask();
@@ -162,51 +130,6 @@ TEST_F(GetDistancesTest, nothingKnownButTheRoot_unnamedJointsStayUnknown) {
   EXPECT_EQ(ask().distances.pairs_unknown, 0U);
 }
 
-TEST_F(GetDistancesTest, aMillionUnknownNames_areAFewAndHowManyMore) {
-  for (int i = 0; i < 1'000'000; ++i) {
-    request_.links_a.push_back("unknown" + std::to_string(i % 500'000));
-  }
-  const auto response = ask();
-  EXPECT_FALSE(response.success);
-  EXPECT_NE(response.message.find("'unknown4'"), std::string::npos) << response.message;
-  EXPECT_NE(response.message.find("; 499995 more"), std::string::npos) << response.message;
-  EXPECT_LT(response.message.size(), 1000U);
-}
-
-TEST_F(GetDistancesTest, everyFaultIsNamed) {
-  request_.links_a = {"tol"};
-  request_.links_b = {"antenna"};
-  request_.max_distance = std::nan("");
-  move("slid", 0.0);
-  move("mast", 0.0);
-  move("follow", 0.0);
-  move("reach", std::numeric_limits<double>::infinity());
-  const auto response = ask();
-  EXPECT_FALSE(response.success);
-  EXPECT_EQ(response.distances.closest, -1) << "there is no pair";
-  for (const char* text :
-       {"did you mean 'tool'", "'antenna' has no collision geometry",
-        "max_distance is not a number", "did you mean 'slide'", "'mast' is fixed",
-        "'follow' follows 'slide'", "'reach' is not finite"}) {
-    EXPECT_NE(response.message.find(text), std::string::npos) << text << " in " << response.message;
-  }
-}
-
-TEST_F(GetDistancesTest, positionBeyondSense_isRefused) {
-  move("reach", 1e155);  // the square of which is infinite
-  EXPECT_FALSE(ask().success);
-  EXPECT_EQ(ask().message, "the position of joint 'reach' is 1e+155; accepted: -1e9 to 1e9");
-}
-
-TEST_F(GetDistancesTest, namesAndPositionsOfDifferentNumber) {
-  request_.joints.name = {"slide", "reach"};
-  request_.joints.position = {0.0};
-  EXPECT_FALSE(ask().success);
-  request_.joints.name = {"slide", "slide"};
-  request_.joints.position = {0.0, 1.0};
-  EXPECT_FALSE(ask().success) << "twice the same joint";
-}
-
 /// A box goes through an angle and, deeper, through a box that is padded as all of them are.
 TEST_F(GetDistancesTest, contactThatIsCertain_isNotHiddenByADeeperBound) {
   SetupOptions options;
@@ -226,40 +149,6 @@ TEST_F(GetDistancesTest, contactThatIsCertain_isNotHiddenByADeeperBound) {
   ASSERT_EQ(response.distances.pairs.size(), 1U) << response.message;
   EXPECT_EQ(response.distances.pairs[0].quality, LinkDistance::ESTIMATE);
   EXPECT_EQ(response.distances.pairs[0].shape_a, "angle");
-}
-
-TEST_F(GetDistancesTest, ignoredPairs_areNamedWithTheirReason) {
-  request_.links_a = {"base"};
-  request_.links_b = {"slider"};
-  const auto none = ask();
-  EXPECT_FALSE(none.success);
-  EXPECT_NE(none.message.find("base and slider (ignored: the links meet at a joint)"),
-            std::string::npos)
-      << none.message;
-  request_.links_b = {"slider", "tool"};
-  EXPECT_TRUE(ask().success);
-}
-
-TEST_F(GetDistancesTest, linkAndItself_theReasonIsNamed) {
-  request_.links_a = {"tool"};
-  request_.links_b = {"tool"};
-  const auto response = ask();
-  EXPECT_FALSE(response.success);
-  EXPECT_EQ(response.message,
-            "no pair of these links is checked; a link is not checked with itself, and no other "
-            "link with collision geometry is asked for");
-}
-
-TEST_F(GetDistancesTest, allPairsOfAllLinksIgnored_theyAreNamed) {
-  SetupOptions options;
-  options.ignored_pairs = {{"*", "*"}};
-  setup_ = slidingSetup(options);
-  poses_ = slidingPoses(setup_->setup.model, 0.0, 0.25);
-  const auto response = ask();
-  EXPECT_FALSE(response.success);
-  EXPECT_NE(response.message.find("base and tool (ignored: parameter ignore_pairs)"),
-            std::string::npos)
-      << response.message;
 }
 
 TEST_F(GetDistancesTest, partThatFloats_itsOwnPairsAreMeasured) {

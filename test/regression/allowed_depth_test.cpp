@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Users that allow some depth saw deep geometries called clear, and concave ones pass unseen.
+// Only shapes deeper than that were refined, but the depth of shapes does not bound that of these.
+// Now geometries are asked wherever shapes overlap, and concave ones touch however deep they are.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,8 +17,6 @@
 #include "pipeline/trajectory/link_pair_distance.h"
 #include "support/robots/urdf_text.h"
 
-// A contact_distance below 0 allows some depth: that of the geometries, which that of the shapes
-// about them does not bound.
 namespace collision_monitor::test {
 namespace {
 

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+
+// Users saw false contacts in the first cycles, after a reload and after an outage of poses.
+// Many links came to be known at once, and one cycle has no budget to refine all their pairs.
+// Now the node measures them first, judging nothing, for as many cycles as that takes.
 #include <gtest/gtest.h>
 
 #include "pipeline/cycle/cycle_buffers.h"
@@ -12,12 +16,12 @@ namespace {
 
 /// Balls in the hollow of an angle, whose one shape they all overlap: more than a cycle of this
 /// budget looks at.
-struct Scene {
+struct BallsInAHollow {
   CycleSetup setup;
   CycleBuffers buffers;
   LinkPoses poses;
 
-  explicit Scene(std::uint32_t budget) {
+  explicit BallsInAHollow(std::uint32_t budget) {
     constexpr int kBalls = 12;
     SetupOptions options;
     options.default_limits.max_shapes = 1;
@@ -34,14 +38,14 @@ struct Scene {
   }
 };
 
-TEST(LearnPairs, moreThanOneCycleMeasures_theFirstVerdictIsOfTheGeometries) {
+TEST(FirstVerdicts, moreThanOneCycleMeasures_theFirstVerdictIsOfTheGeometries) {
   constexpr std::uint32_t kBudget = 150;
-  Scene unlearned(kBudget);
+  BallsInAHollow unlearned(kBudget);
   runCycle(unlearned.setup, unlearned.poses, unlearned.buffers);
   ASSERT_GT(unlearned.buffers.counters.left, 0U);
   EXPECT_EQ(unlearned.buffers.events.overall, Verdict::contact) << "of enclosing shapes";
 
-  Scene scene(kBudget);
+  BallsInAHollow scene(kBudget);
   learnPairs(scene.setup, scene.poses, scene.buffers);
   runCycle(scene.setup, scene.poses, scene.buffers);
   EXPECT_EQ(scene.buffers.counters.left, 0U);
@@ -49,7 +53,7 @@ TEST(LearnPairs, moreThanOneCycleMeasures_theFirstVerdictIsOfTheGeometries) {
   EXPECT_TRUE(scene.buffers.distances.passed.empty());
 }
 
-TEST(LearnPairs, betweenTwoCycles_changesNoStep) {
+TEST(FirstVerdicts, betweenTwoCycles_changesNoStep) {
   CycleSetup setup =
       handMadeSetup({{0, Box{{0.001, 0.3, 0.3}}}, {1, Sphere{0.01}}, {2, Sphere{0.01}}});
   setup.is_continuous = true;
@@ -77,15 +81,15 @@ TEST(LearnPairs, betweenTwoCycles_changesNoStep) {
   }
 }
 
-TEST(LearnPairs, noBudgetAtAll_ends) {
-  Scene scene(0);
+TEST(FirstVerdicts, noBudgetAtAll_ends) {
+  BallsInAHollow scene(0);
   learnPairs(scene.setup, scene.poses, scene.buffers);
   runCycle(scene.setup, scene.poses, scene.buffers);
   EXPECT_EQ(scene.buffers.events.overall, Verdict::contact);
 }
 
-TEST(LearnPairs, nothingIsKnown_changesNothing) {
-  Scene scene(8000);
+TEST(FirstVerdicts, nothingIsKnown_changesNothing) {
+  BallsInAHollow scene(8000);
   scene.poses.status.assign(scene.poses.status.size(), LinkStatus::missing);
   learnPairs(scene.setup, scene.poses, scene.buffers);
   runCycle(scene.setup, scene.poses, scene.buffers);

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/cycle/keep_near.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "pipeline/cycle/measure_pairs.h"
+#include "pipeline/cycle/run_cycle.h"
+#include "support/robots/hand_made_setup.h"
+
+namespace collision_monitor::test {
+namespace {
+
+/// A ball, and on another link two that stand for one element, 0.05 m farther away the second.
+class OneElement : public testing::Test {
+ protected:
+  OneElement() {
+    setup_.element_pair_of[1] = setup_.element_pair_of[0];
+    buffers_ = makeBuffers(setup_, BroadPhaseKind::brute_force);
+    std::fill(poses_.velocities.known.begin(), poses_.velocities.known.end(), 1);
+  }
+  std::vector<double> distancesAt(double gap) {
+    poses_.world_from_link[1].translation.x() = 0.2 + gap;
+    runCycle(setup_, poses_, buffers_);
+    std::vector<double> distances;
+    for (const PairDistance& distance : buffers_.distances.pairs) {
+      distances.push_back(std::round(1e6 * distance.measured.distance) / 1e6);
+    }
+    return distances;
+  }
+
+  CycleSetup setup_ =
+      handMadeSetup({{0, Sphere{0.1}},
+                     {1, Sphere{0.1}},
+                     {1, Sphere{0.1}, {Eigen::Matrix3d::Identity(), {0.05, 0.0, 0.0}}}});
+  CycleBuffers buffers_;
+  LinkPoses poses_ = knownPoses(setup_);
+};
+
+TEST_F(OneElement, fartherThanWarnings_nearestBodiesAlone) {
+  EXPECT_EQ(distancesAt(0.1), std::vector<double>{0.1});
+  EXPECT_EQ(distancesAt(0.11), std::vector<double>{0.11});
+}
+
+TEST_F(OneElement, nearEnoughToBeWarnedOf_allBodies) {
+  EXPECT_EQ(distancesAt(0.002), (std::vector<double>{0.002, 0.052}));
+}
+
+TEST_F(OneElement, thatMayTouchWithinTheHorizon_allBodies) {
+  poses_.velocities.of_link[1].linear.x() = -1.0;
+  EXPECT_EQ(distancesAt(0.1), (std::vector<double>{0.1, 0.15})) << "0.5 m in 0.5 s";
+  poses_.velocities.of_link[1].linear.x() = -0.2;
+  EXPECT_EQ(distancesAt(0.1), std::vector<double>{0.1}) << "0.115 m";
+}
+
+TEST_F(OneElement, velocityNotKnown_allBodies) {
+  poses_.velocities.known[0] = 0;
+  EXPECT_EQ(distancesAt(0.1), (std::vector<double>{0.1, 0.15}));
+}
+
+TEST_F(OneElement, whatIsNotKept_isRememberedAllTheSame) {
+  distancesAt(0.1);
+  const DistanceCache& cache = buffers_.memory.distance_cache;
+  EXPECT_NEAR(cache.distances[0], 0.1, 1e-6);
+  EXPECT_NEAR(cache.distances[1], 0.15, 1e-6) << "its body is not kept";
+  EXPECT_NEAR(cache.nearest[0], 0.1, 1e-12);
+  EXPECT_EQ(cache.measured_pairs, std::vector<ElementPairIndex>{0});
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
