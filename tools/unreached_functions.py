@@ -66,8 +66,9 @@ class Graph:
             local[name] = section
         else:
             self.defined[name].append(section)
-        # File-local functions belong to their callers; the compiler reports those without any.
-        if kind == "FUNC" and binding != "LOCAL" and names[place].startswith(".text"):
+        # File-local and inline functions belong to their callers; the compiler reports file-local
+        # ones without any, and may leave a copy of inline ones behind.
+        if kind == "FUNC" and binding == "GLOBAL" and names[place].startswith(".text"):
             self.functions.setdefault(section, name)
 
     def reached_from(self, roots):
