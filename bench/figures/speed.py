@@ -159,6 +159,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--group", choices=[*GROUPS, "states", "broad_phase", "node"],
                         help="one group only")
+    parser.add_argument("--robots", nargs="+", default=[], metavar="ROBOT",
+                        help="of group node: these alone, also such as have no goals")
     parser.add_argument("--repetitions", type=int, default=5)
     arguments = parser.parse_args()
     stay_on_one_core()
@@ -175,7 +177,7 @@ def main():
     if arguments.group in (None, "broad_phase"):
         broad_phase.add_rows(figures)
     if arguments.group in (None, "node"):
-        node_cost.add_rows(figures, node_allowance(arguments.repetitions))
+        node_cost.add_rows(figures, node_allowance(arguments.repetitions), arguments.robots)
     figures.finish()
 
 
