@@ -131,7 +131,7 @@ std::optional<Shape> readShape(const std::string& kind, std::istream& in, Pose& 
   read(in, core);
   read(in, radius);
   read(in, pose);
-  const std::optional<Shape> shape = makeShape(kind, core, radius);
+  std::optional<Shape> shape = makeShape(kind, core, radius);
   if (!shape) {
     in.setstate(std::ios::failbit);
   }
