@@ -3,16 +3,14 @@
 #include "pipeline/cycle/keep_near.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "geometry/constants.h"
 #include "pipeline/cycle/distance_cache.h"
 #include "pipeline/cycle/measure_pairs.h"
 #include "pipeline/cycle/near_bodies.h"
 
 namespace collision_monitor {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// For distances from index `first` on.
 void keepNearFrom(const CycleSetup& setup, std::size_t first, CycleBuffers& buffers) noexcept {
