@@ -20,6 +20,7 @@ MAY_INCLUDE = {
     "narrow_phase": GEOMETRY | {"narrow_phase"},
     "motion": GEOMETRY | {"narrow_phase", "motion"},
     "pipeline": GEOMETRY | {"fitting", "model", "pipeline"} | PHASES,
+    "library": GEOMETRY | {"fitting", "model", "pipeline", "library"} | PHASES,
     "ros_edge": GEOMETRY | {"fitting", "model", "pipeline", "ros_edge"} | PHASES,
 }
 # The same for folders within a room. Files directly in a room may include any folder, and the
@@ -83,15 +84,19 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 def room_of(path, root):
     parts = path.relative_to(root).parts
-    return parts[2] if parts[0] == "include" else parts[1]
+    if parts[0] == "include":
+        return parts[2] if len(parts) > 3 else "library"
+    return parts[1]
 
 
 def included_room(include, path):
     """@return the room of an included header, or None if it is outside the package."""
     parts = pathlib.PurePosixPath(include).parts
     if parts[0] == "collision_monitor":
-        # Generated message headers are one level deep.
-        return parts[1] if len(parts) > 2 else "ros_edge"
+        if len(parts) > 2:
+            return parts[1]
+        # One level deep: generated headers of messages, and the library's own, in lower case.
+        return "library" if parts[1].islower() else "ros_edge"
     if (path.parent / include).exists():
         return None  # in the same folder
     return parts[0] if parts[0] in MAY_INCLUDE else None

@@ -15,6 +15,7 @@
 #include "collision_monitor/narrow_phase/signed_distance.h"
 #include "collision_monitor/pipeline/element.h"
 #include "collision_monitor/pipeline/pair_blocks.h"
+#include "collision_monitor/pipeline/verdict.h"
 #include "motion/conservative_advancement.h"
 #include "pipeline/data/refine_memory.h"
 
@@ -152,9 +153,6 @@ struct PairDistances {
   std::vector<PairDistance> pairs;
   std::vector<PassedContact> passed;
 };
-
-/// Ordered by urgency: the overall verdict is the largest.
-enum class Verdict : unsigned char { clear, warning, unknown, contact };
 
 using LinkPairIndex = std::uint32_t;  ///< into CycleSetup::checked
 

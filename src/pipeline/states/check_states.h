@@ -12,11 +12,6 @@
 /// Judges many states of the robots at once: of trajectories, samples, requests.
 namespace collision_monitor {
 
-enum class StateQuestion : unsigned char {
-  contact,  ///< is anything in contact? The search of a state ends at its first contact
-  nearest,  ///< the nearest pair and the worst verdict
-};
-
 /// The answer for one state.
 struct StateCheck {
   /// For StateQuestion::contact: contact, clear or unknown. Unknown, never clear, if a joint

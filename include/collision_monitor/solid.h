@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "collision_monitor/geometry/geometry.h"
+#include "collision_monitor/geometry/pose.h"
+#include "collision_monitor/model/mesh_reading.h"
+#include "collision_monitor/narrow_phase/quality.h"
+#include "collision_monitor/narrow_phase/signed_distance.h"
+
+/// Two solids with poses, without a robot.
+namespace collision_monitor {
+
+struct SolidParts;
+
+/// Something that can be measured. Never changes, so threads may share it. Copies are cheap and
+/// share what is inside. Units: metres; each is centered at its frame's origin, with its axis along
+/// z, unless it is made of points.
+class Solid {
+ public:
+  /// Geometry of a URDF. A mesh is its triangles, and its inside if it has one.
+  /// @throws ArgumentError for lengths that are negative or not finite, and meshes without
+  /// vertices, with vertices that are not finite or triangles of missing vertices
+  explicit Solid(const Geometry& geometry);
+
+  static Solid sphere(double radius);
+  static Solid capsule(double radius, double length);  ///< between the centers of its caps
+  static Solid box(const Eigen::Vector3d& size);
+  static Solid cylinder(double radius, double length);
+  /// The tip is at +length / 2. Made of a hull around the cone that sticks out by at most 0.2 % of
+  /// the radius; its distances are lower bounds.
+  static Solid cone(double radius, double length);
+  static Solid hull(const std::vector<Eigen::Vector3d>& points);
+  static Solid mesh(const TriangleMesh& mesh);
+  /// A mesh file: STL, DAE, OBJ, PLY.
+  /// @throws ArgumentError if it cannot be read
+  static Solid mesh(const std::filesystem::path& file,
+                    const Eigen::Vector3d& scale = Eigen::Vector3d::Ones(),
+                    const MeshReading& reading = {});
+
+ private:
+  friend class SolidQuery;
+  explicit Solid(std::shared_ptr<const SolidParts> parts);
+
+  std::shared_ptr<const SolidParts> parts_;
+};
+
+struct SolidDistance {
+  SignedDistance measured;
+  Quality quality{Quality::unknown};
+};
+
+/// Measures two solids. Keeps scratch, and warm starts as long as the same two are asked about:
+/// each thread needs its own.
+///
+/// Frames: answers are in the world frame. Error: as signedDistanceBetween; meshes as in
+/// docs/accuracy.md. Overlaps of meshes that are not convex are Quality::estimate: at least that
+/// deep. A pose that is not rigid, not finite or beyond kFarthest gives Quality::unknown and NaN.
+class SolidQuery {
+ public:
+  SolidQuery();
+  ~SolidQuery();
+  SolidQuery(SolidQuery&& other) noexcept;
+  SolidQuery& operator=(SolidQuery&& other) noexcept;
+
+  /// @param within [m] > 0: beyond it the search may stop; the answer is then a lower bound of at
+  /// least this, and its points may be NaN.
+  /// @throws ArgumentError if `within` is not above 0
+  SolidDistance distance(const Solid& a, const Pose& world_from_a, const Solid& b,
+                         const Pose& world_from_b,
+                         double within = std::numeric_limits<double>::infinity());
+
+  /// Whether they touch or overlap, by the cheapest search that tells.
+  /// @throws ArgumentError if a pose is not rigid, not finite or beyond kFarthest: yes and no would
+  /// both be wrong
+  bool collide(const Solid& a, const Pose& world_from_a, const Solid& b, const Pose& world_from_b);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace collision_monitor
