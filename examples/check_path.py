@@ -7,8 +7,8 @@ import numpy as np
 
 import collision_monitor_core as cm
 
-folder = pathlib.Path(__file__).resolve().parent.parent / "urdf"
-robot = cm.load(folder / "arm6.urdf", folder / "arm6.srdf")
+package = pathlib.Path(__file__).resolve().parent.parent
+robot = cm.load(package / "urdf/arm6.urdf", package / "urdf/arm6.srdf", packages=package)
 
 path = np.linspace(robot.default_state, 0.8 * robot.upper, 5)
 answer = robot.check_path(path, times=[0.0, 1.0, 2.0, 3.0, 4.0])

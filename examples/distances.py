@@ -7,8 +7,8 @@ import numpy as np
 
 import collision_monitor_core as cm
 
-folder = pathlib.Path(__file__).resolve().parent.parent / "urdf"
-robot = cm.load(folder / "arm6.urdf", folder / "arm6.srdf")
+package = pathlib.Path(__file__).resolve().parent.parent
+robot = cm.load(package / "urdf/arm6.urdf", package / "urdf/arm6.srdf", packages=package)
 print(robot)
 
 q = np.array([0.3, 1.2, 1.9, 0.0, 0.8, 0.0])

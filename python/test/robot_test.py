@@ -14,12 +14,12 @@ from conftest import URDF
 
 def test_lists_areAsLongAsTheyClaim(arm):
     n = len(arm.variables)
-    assert n == 6 and arm.lower.shape == arm.upper.shape == arm.default_state.shape == (n,)
+    assert n == 7 and arm.lower.shape == arm.upper.shape == arm.default_state.shape == (n,)
     assert all(low == each.lower for low, each in zip(arm.lower, arm.variables))
     checked = [(pair.link_a, pair.link_b) for pair in arm.all_pairs if pair.is_checked]
     assert sorted(checked) == sorted(arm.pairs) and len(checked) > 3
     assert {shape.link for shape in arm.shapes} >= {name for pair in arm.pairs for name in pair}
-    assert repr(arm) == (f"Robot arm6: 7 links with shapes, 6 variables, {len(arm.pairs)} pairs")
+    assert repr(arm) == f"Robot arm6: 10 links with shapes, 7 variables, {len(arm.pairs)} pairs"
 
 
 def test_distances_columnsAndRowsAgree(arm, states):
@@ -27,7 +27,7 @@ def test_distances_columnsAndRowsAgree(arm, states):
     k = len(found)
     assert k == len(arm.pairs) and found.distance.shape == (k,)
     assert found.point_on_a.shape == found.normal_a_to_b.shape == (k, 3)
-    assert found.gradient.shape == (k, 6) and np.isfinite(found.gradient).all()
+    assert found.gradient.shape == (k, 7) and np.isfinite(found.gradient).all()
     apart = found.point_on_b - found.point_on_a
     assert np.allclose(apart, found.distance[:, None] * found.normal_a_to_b, atol=1e-9)
     for i, row in enumerate(found):
@@ -61,7 +61,7 @@ def test_distances_withinLeavesOutWhatIsFarther(arm, states):
 def test_distances_gradientIsTheDerivative(arm, states):
     state, step = states[1], 1e-6
     found = arm.distances(state, gradients=True)
-    for joint in range(6):
+    for joint in range(7):
         moved = state.copy()
         moved[joint] += step
         change = (arm.distances(moved).distance - found.distance) / step
@@ -95,7 +95,7 @@ def test_state_takesNamesAndAnyFormOfNumbers(arm, states):
     state = states[2]
     names = [each.name for each in arm.variables]
     wanted = arm.distances(state).distance.tobytes()
-    wide = np.zeros((6, 2))
+    wide = np.zeros((7, 2))
     wide[:, 0] = state
     for form in (dict(zip(names, state)), list(state), tuple(state), wide[:, 0],
                  state.astype(">f8"), np.ma.array(state), memoryview(state)):
@@ -107,7 +107,7 @@ def test_state_takesNamesAndAnyFormOfNumbers(arm, states):
 
 @pytest.mark.parametrize("missing", [np.nan, np.inf, -np.inf, np.ma.masked])
 def test_missingNumber_isUnknownAndNeverClear(arm, missing):
-    state = np.ma.array(np.zeros(6))
+    state = np.ma.array(np.zeros(7))
     state[0] = missing
     assert arm.verdict(state) in (cm.Verdict.unknown, cm.Verdict.contact)
     assert arm.check(state.filled(np.nan)[None])[0].verdict != cm.Verdict.clear
@@ -190,7 +190,7 @@ def test_gil_isFreeWhileManyStatesAreChecked(arm, states):
 def test_load_severalRobots():
     pair = cm.load([URDF / "arm6.urdf"] * 2, prefix=["left", "right"],
                    world_from_root=[None, [0.0, 0.9, 0.0]], fit_cache="none")
-    assert len(pair.variables) == 12 and "left" in repr(pair) and "right" in repr(pair)
+    assert len(pair.variables) == 14 and "left" in repr(pair) and "right" in repr(pair)
     assert any(a.startswith("left/") and b.startswith("right/") for a, b in pair.pairs)
     roots = pair.link_poses(pair.default_state)[[pair.links.index(name) for name in pair.links
                                                  if name.endswith("/base_link")]]
