@@ -28,8 +28,7 @@ void findNearest(const CycleSetup& setup, LinkDistances& links) noexcept {
     }
   }
   for (std::size_t i = 0; i < links.nearest.size(); ++i) {
-    if (links.estimated[i] != kNone &&
-        measured[links.nearest[i]].quality == Quality::lower_bound) {
+    if (links.estimated[i] != kNone && measured[links.nearest[i]].quality == Quality::lower_bound) {
       links.nearest[i] = links.estimated[i];
     }
   }

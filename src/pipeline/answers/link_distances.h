@@ -46,8 +46,7 @@ LinkPairIndex closestOf(const LinkDistances& links, const IsAsked& is_asked) {
   LinkPairIndex closest = kNone;
   for (LinkPairIndex i = 0; i < links.nearest.size(); ++i) {
     if (links.nearest[i] != kNone && is_asked(i) &&
-        (closest == kNone ||
-         links.of(i).measured.distance < links.of(closest).measured.distance)) {
+        (closest == kNone || links.of(i).measured.distance < links.of(closest).measured.distance)) {
       closest = i;
     }
   }
