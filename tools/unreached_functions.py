@@ -4,7 +4,8 @@
 """Lists functions of the core that no program of the package reaches, because only tests and
 benchmarks call them. Reads the object files of a build: each function has its own section, whose
 relocations name the functions it calls. Functions in reached_interface.txt, the library's
-interface, count as reached. Exits 1 if a function is not reached.
+interface, count as reached; a name that ends in :: stands for all functions of a class. Exits 1 if
+a function is not reached.
 """
 import argparse
 import collections
@@ -114,6 +115,11 @@ def functions_in(interface):
     return {line.split()[0] for line in lines if line.strip() and not line.startswith("#")}
 
 
+def is_among(function, allowed):
+    name = without_parameters(function)
+    return name in allowed or name.rpartition("::")[0] + "::" in allowed
+
+
 def read_arguments():
     parser = argparse.ArgumentParser(description=__doc__.split(":")[0])
     parser.add_argument("build_dir", nargs="?", default=pathlib.Path("build"), type=pathlib.Path,
@@ -138,7 +144,7 @@ def main():
         for file in objects_of(build_dir, target):
             roots += graph.files[file]
     interface = {section for section, name in graph.functions.items()
-                 if without_parameters(plain(names[name])) in allowed}
+                 if is_among(plain(names[name]), allowed)}
     reached = graph.reached_from(roots + list(interface))
     reached_names = {plain(names[graph.functions[s]]) for s in reached if s in graph.functions}
     unreached = collections.defaultdict(set)
@@ -150,7 +156,8 @@ def main():
     for file, functions in sorted(unreached.items()):
         for function in sorted(functions):
             print(f"{file}: {function}")
-    stale = allowed - {without_parameters(plain(name)) for name in names.values()}
+    functions = {without_parameters(plain(name)) for name in names.values()}
+    stale = allowed - functions - {name.rpartition("::")[0] + "::" for name in functions}
     for function in sorted(stale):
         print(f"{arguments.interface.name}: {function} is no function of the core")
     return 1 if unreached or stale else 0

@@ -17,10 +17,7 @@
 namespace collision_monitor {
 
 struct MonitorParts;
-
-/// The folder in which the program `fit` keeps fits: collision_monitor/fits below $ROS_HOME or
-/// ~/.ros. Empty if neither is known.
-std::filesystem::path defaultFitCache();
+struct QueryParts;
 
 struct MonitorOptions {
   Limits limits;  ///< times, hysteresis and report_distance play no part: a query knows no past
@@ -36,8 +33,10 @@ struct MonitorOptions {
   std::vector<std::filesystem::path> package_roots;
   ResourceLoader load_resource;  ///< replaces the look-up above; may be empty
   MeshReading meshes;
-  std::filesystem::path fit_cache{defaultFitCache()};  ///< empty: fits are not kept
-  FitProgress fit_progress;                            ///< may be empty
+  /// Folder that keeps fits. "": that of the program `fit`, below $ROS_HOME or ~/.ros; "none": fits
+  /// are not kept.
+  std::string fit_cache;
+  FitProgress fit_progress;  ///< may be empty
   /// By robot: where its root link stands. Empty: all in the world's origin.
   std::vector<Pose> world_from_root;
 };
@@ -101,7 +100,7 @@ class RobotMonitor {
   const Limits& limits() const noexcept;
 
  private:
-  friend class RobotQuery;
+  friend struct QueryParts;
   explicit RobotMonitor(std::shared_ptr<const MonitorParts> parts);
 
   std::shared_ptr<const MonitorParts> parts_;

@@ -19,6 +19,8 @@
 
 namespace collision_monitor {
 
+struct QueryParts;
+
 /// The distance of two links. Frames: world. Sign: as SignedDistance.
 struct MeasuredPair {
   std::uint32_t pair{0};     ///< index into RobotMonitor::pairs()
@@ -112,8 +114,8 @@ class RobotQuery {
   Verdict verdict(Numbers state);
   /// The signed distance of every pair within a distance.
   const DistanceTable& distances(Numbers state, const DistanceRequest& request = {});
-  /// The nearest pair; a pair that is unknown if there is no known one. `pair` is kNone if no pair
-  /// is checked.
+  /// The nearest of the pairs that are known; an unknown pair if there is none. `pair` is kNone if
+  /// no pair is checked.
   const MeasuredPair& nearest(Numbers state);
   /// Pairs in contact, and those that are unknown.
   const std::vector<TouchingPair>& contacts(Numbers state);
@@ -121,15 +123,14 @@ class RobotQuery {
   const std::vector<Pose>& linkPoses(Numbers state);
 
   /// Many states, row by row. Each answer is the same for any number of threads and of states.
-  /// @return fewer answers if progress gave up
+  /// @return by state; empty if progress gave up
   std::vector<StateAnswer> check(Numbers states, const StatesRequest& request = {});
   /// Proves for the whole path whether links touch, as checkTrajectory. Planar and floating joints
   /// must stay where they are.
   PathAnswer checkPath(const WayPoints& path, const TrajectoryOptions& options = {});
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<QueryParts> parts_;
 };
 
 }  // namespace collision_monitor

@@ -8,6 +8,8 @@
 #include <memory>
 #include <vector>
 
+#include "collision_monitor/arguments.h"
+#include "collision_monitor/fitting/posed_shape.h"
 #include "collision_monitor/geometry/geometry.h"
 #include "collision_monitor/geometry/pose.h"
 #include "collision_monitor/model/mesh_reading.h"
@@ -18,6 +20,7 @@
 namespace collision_monitor {
 
 struct SolidParts;
+struct SolidWork;
 
 /// Something that can be measured. Never changes, so threads may share it. Copies are cheap and
 /// share what is inside. Units: metres; each is centered at its frame's origin, with its axis along
@@ -46,10 +49,20 @@ class Solid {
 
  private:
   friend class SolidQuery;
+  friend struct SolidWork;
   explicit Solid(std::shared_ptr<const SolidParts> parts);
 
   std::shared_ptr<const SolidParts> parts_;
 };
+
+enum class ShapeKind : unsigned char { sphere, capsule, box, rounded_box };
+
+/// The shape of a kind of least volume that holds all points, in their frame.
+/// Error: every point is inside up to rounding. Spheres are the least; capsules and boxes are
+/// within 1 %; rounded boxes are no larger than the other three. encloseTightly proves what it
+/// encloses.
+/// @throws ArgumentError if there is no point or one is not finite or beyond 1e6 m
+PosedShape leastShape(ShapeKind kind, const std::vector<Eigen::Vector3d>& points);
 
 struct SolidDistance {
   SignedDistance measured;
@@ -82,8 +95,7 @@ class SolidQuery {
   bool collide(const Solid& a, const Pose& world_from_a, const Solid& b, const Pose& world_from_b);
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<SolidWork> work_;
 };
 
 }  // namespace collision_monitor

@@ -54,6 +54,17 @@ class Layers(unittest.TestCase):
         result = check_one_file("src/pipeline/cycle.cpp", "#include <collision_monitor/State.h>\n")
         self.assertEqual(result.returncode, 1)
 
+    def test_header_of_the_library_in_a_room_below_is_named(self):
+        result = check_one_file("src/pipeline/cycle.cpp",
+                                '#include "collision_monitor/robot_monitor.h"\n')
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("pipeline may not include library", result.stdout)
+
+    def test_ros_in_a_header_of_the_library_is_named(self):
+        result = check_one_file("include/collision_monitor/robot_monitor.h", "#include <ros/ros.h>\n")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("library may not include ros/ros.h", result.stdout)
+
     def test_fcl_in_the_library_is_named(self):
         result = check_one_file("src/narrow_phase/distance.cpp", "#include <fcl/fcl.h>\n")
         self.assertEqual(result.returncode, 1)

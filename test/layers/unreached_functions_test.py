@@ -24,6 +24,9 @@ int forgotten(int x) { return x + 7; }
 int calledByForgotten(int x) { return x + 8; }
 int (*volatile kept)(int);
 int forgottenToo(int x) { kept = calledByForgotten; return x; }
+struct Face { int asked(int x); int told(int x); };
+int Face::asked(int x) { return x + 9; }
+int Face::told(int x) { return x + 10; }
 }
 """
 MORE = "namespace collision_monitor { int calledByCalled(int x) { return x + 2; } }\n"
@@ -78,21 +81,26 @@ class UnreachedFunctions(unittest.TestCase):
         result = self.build.check("")
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertEqual(result.stdout.splitlines(),
-                         ["core.cpp: collision_monitor::calledByForgotten(int)",
+                         ["core.cpp: collision_monitor::Face::asked(int)",
+                          "core.cpp: collision_monitor::Face::told(int)",
+                          "core.cpp: collision_monitor::calledByForgotten(int)",
                           "core.cpp: collision_monitor::forgotten(int)",
                           "core.cpp: collision_monitor::forgottenToo(int)"])
 
     def test_interface_isReachedWithWhatItCalls(self):
         result = self.build.check("# the library's\ncollision_monitor::forgotten  why\n"
-                                  "collision_monitor::forgottenToo\n")
+                                  "collision_monitor::forgottenToo\n"
+                                  "collision_monitor::Face::  all of a class\n")
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertEqual(result.stdout, "")
 
     def test_interfaceThatIsNoFunction_isNamed(self):
         result = self.build.check("collision_monitor::forgotten\ncollision_monitor::forgottenToo\n"
+                                  "collision_monitor::Face::\ncollision_monitor::Gone::\n"
                                   "collision_monitor::removed\n")
         self.assertEqual(result.returncode, 1)
         self.assertEqual(result.stdout,
+                         "interface.txt: collision_monitor::Gone:: is no function of the core\n"
                          "interface.txt: collision_monitor::removed is no function of the core\n")
 
 

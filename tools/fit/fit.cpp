@@ -8,9 +8,9 @@
 #include "options.h"
 #include "output_files.h"
 #include "pictures/write_html.h"
+#include "pipeline/fits/fit_cache_folder.h"
 #include "progress.h"
 #include "read_robot.h"
-#include "ros_edge/parameters/fit_options.h"
 #include "sphere_overlaps.h"
 #include "table.h"
 

@@ -26,8 +26,17 @@ void add(std::uint32_t variable, double value, GradientRow& row) noexcept {
 GradientRows::GradientRows(const CycleSetup& setup, const LinkPoses& poses)
     : setup_(setup), joined_(setup.model.links.size()) {
   row_.reserve(setup.model.variable_count);
-  twists_.reserve(setup.model.variable_count);
+  std::size_t twists = 0;
   for (const Joint& joint : setup.model.joints) {
+    twists += freedomOf(joint);
+  }
+  twists_.reserve(twists);
+  moveTo(poses);
+}
+
+void GradientRows::moveTo(const LinkPoses& poses) noexcept {
+  twists_.clear();
+  for (const Joint& joint : setup_.model.joints) {
     addLink(poses, joint);
   }
 }

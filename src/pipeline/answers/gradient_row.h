@@ -30,6 +30,9 @@ class GradientRows {
   /// @pre setup and poses outlive the rows and stay unchanged
   GradientRows(const CycleSetup& setup, const LinkPoses& poses);
 
+  /// Moves the links; rows are then those at these poses. Does not allocate.
+  void moveTo(const LinkPoses& poses) noexcept;
+
   /// The row of a measured pair, apart or overlapping. Mimic joints count for their source. The row
   /// is valid until the next call.
   /// Error: the error of the witness points times the derivative of the normal: 1e-9 of the lever

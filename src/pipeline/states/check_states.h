@@ -81,6 +81,10 @@ struct StatesRefinement {
   std::vector<std::uint64_t> touched;   ///< by ElementPairIndex: the last state with a contact
   std::vector<ElementPairIndex> order;  ///< pairs last in contact come first
   bool has_geometries{false};           ///< some enclosing shapes are not their geometry
+  /// Each state is searched as if it were the first: answers then depend on no other state, to the
+  /// last bit. `order` stays as it is.
+  bool is_independent{false};
+  std::vector<std::uint64_t> searched_in;  ///< by ElementPairIndex: the state of its memory
 };
 
 /// What checkStates needs; made once for a set-up and the standing poses of its robots.

@@ -154,6 +154,7 @@ StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork&
   refinement.place_of.resize(setup.element_pairs.size(), kNone);
   refinement.pairs.reserve(setup.element_pairs.size());
   refinement.touched.resize(setup.element_pairs.size(), 0);
+  refinement.searched_in.resize(setup.element_pairs.size(), 0);
   return refinement;
 }
 

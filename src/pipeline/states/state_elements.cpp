@@ -36,8 +36,13 @@ PlacedElement placed(const StateSearch& state, ElementId id) noexcept {
 
 ElementSearch searchFor(const StateSearch& state, ElementPairIndex pair, double cutoff) noexcept {
   StatesRefinement& refinement = state.refinement();
-  return {std::numeric_limits<std::uint32_t>::max(), refinement.memory.of(pair),
-          *refinement.scratch, cutoff};
+  RefineMemory& memory = refinement.memory.of(pair);
+  if (refinement.is_independent && refinement.searched_in[pair] != refinement.state) {
+    forget(memory.warm);
+    memory.nearest = TrianglePair();
+    refinement.searched_in[pair] = refinement.state;
+  }
+  return {std::numeric_limits<std::uint32_t>::max(), memory, *refinement.scratch, cutoff};
 }
 
 bool isTouching(const StateSearch& state, const ElementsInState& pair) noexcept {
@@ -183,8 +188,10 @@ bool findContact(const StateSearch& state, StateCheck& check) noexcept {
   for (const ElementsInState& pair : refinement.pairs) {
     if (!(pair.bound > state.work.pairs[pair.bodies].contact_distance) &&
         (areBodies(state.setup, pair.elements) || isTouching(state, pair))) {
-      refinement.touched[pair.elements] = refinement.state;
-      putFirst(pair.elements, refinement.order);
+      if (!refinement.is_independent) {
+        refinement.touched[pair.elements] = refinement.state;
+        putFirst(pair.elements, refinement.order);
+      }
       check = contactCheck(state, pair);
       return true;
     }

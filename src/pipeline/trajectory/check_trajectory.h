@@ -50,4 +50,8 @@ struct TrajectoryReport {
 TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
                                  const LinkPoses& start, const TrajectoryOptions& options);
 
+/// The verdict of the whole path: a warning if a pair comes within `margin` [m]. Pairs that are
+/// undecided are unknown, and so is a path without pairs.
+Verdict verdictOf(const TrajectoryReport& report, double margin) noexcept;
+
 }  // namespace collision_monitor

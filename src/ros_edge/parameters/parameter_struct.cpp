@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "model/nearest_name.h"
 #include "model/number_text.h"
 #include "model/place.h"
-#include "ros_edge/nearest_name.h"
 
 namespace collision_monitor {
 namespace {

@@ -9,10 +9,10 @@
 #include <unordered_set>
 
 #include "collision_monitor/model/kinematics.h"
+#include "model/few_texts.h"
+#include "model/nearest_name.h"
 #include "model/number_text.h"
 #include "model/place.h"
-#include "ros_edge/few_texts.h"
-#include "ros_edge/nearest_name.h"
 
 namespace collision_monitor {
 namespace {

@@ -80,21 +80,6 @@ void fill(const MonitorSetup& current, const LinkPoses& start, const CheckedLink
   }
 }
 
-std::uint8_t levelOf(const TrajectoryReport& report, double margin) {
-  std::uint8_t level = report.pairs.empty() ? State::UNKNOWN : State::OK;
-  for (const PairApproach& pair : report.pairs) {
-    if (pair.state == ApproachState::contact) {
-      return State::CONTACT;
-    }
-    if (pair.state != ApproachState::clear) {
-      level = State::UNKNOWN;
-    } else if (pair.nearest.measured.distance <= margin) {
-      level = std::max(level, std::uint8_t{State::WARNING});
-    }
-  }
-  return level;
-}
-
 std::string summaryText(const CycleSetup& setup, const TrajectoryReport& report,
                         const CheckTrajectory::Response& response) {
   const std::string unknown =
@@ -166,7 +151,7 @@ void answerCheckTrajectory(const MonitorSetup& current, const NewestState& newes
   response.pairs_unknown = static_cast<std::uint32_t>(
       std::count_if(report.pairs.begin(), report.pairs.end(),
                     [](const PairApproach& pair) { return pair.state == ApproachState::unknown; }));
-  response.level = levelOf(report, options.margin);
+  response.level = static_cast<std::uint8_t>(verdictOf(report, options.margin));
   if (report.first_contact != kNone) {
     response.contact_time = report.pairs[report.first_contact].time;
   }

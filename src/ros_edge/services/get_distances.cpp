@@ -10,12 +10,10 @@
 #include <unordered_set>
 
 #include "collision_monitor/geometry/ids.h"
+#include "model/few_texts.h"
+#include "model/nearest_name.h"
 #include "model/place.h"
-#include "pipeline/cycle/cycle_buffers.h"
-#include "pipeline/cycle/measure_pairs.h"
-#include "pipeline/cycle/place_bodies.h"
-#include "ros_edge/few_texts.h"
-#include "ros_edge/nearest_name.h"
+#include "pipeline/answers/link_distances.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/sentences.h"
 #include "ros_edge/poses/apply_joints.h"
@@ -103,54 +101,15 @@ void selectPairs(const CycleSetup& setup, const Selection& selection, const Body
 /// The measured distances, and the poses.
 struct Scene {
   LinkPoses poses;
-  CycleBuffers buffers;
+  LinkDistances links;
 };
 
-/// By LinkPairIndex: the nearest shapes, null if none were measured. A certain contact precedes a
-/// deeper bound.
-std::vector<const PairDistance*> nearestOf(const CycleSetup& setup,
-                                           const std::vector<PairDistance>& measured) {
-  std::vector<const PairDistance*> nearest(setup.checked.size(), nullptr);
-  std::vector<const PairDistance*> estimated(setup.checked.size(), nullptr);
-  const auto improve = [](const PairDistance& distance, const PairDistance*& best) {
-    if (best == nullptr || distance.measured.distance < best->measured.distance) {
-      best = &distance;
-    }
-  };
-  for (const PairDistance& distance : measured) {
-    const std::uint32_t link_pair = setup.link_pair_of[index(distance.pair)];
-    improve(distance, nearest[link_pair]);
-    if (distance.quality == Quality::estimate) {
-      improve(distance, estimated[link_pair]);
-    }
-  }
-  for (std::size_t i = 0; i < nearest.size(); ++i) {
-    if (estimated[i] != nullptr && nearest[i]->quality == Quality::lower_bound) {
-      nearest[i] = estimated[i];
-    }
-  }
-  return nearest;
-}
-
 /// The nearest requested pair; kNone if none was measured.
-LinkPairIndex closestOf(const CycleSetup& setup, const Selection& selection,
-                        const std::vector<const PairDistance*>& nearest) {
-  LinkPairIndex closest = kNone;
-  for (LinkPairIndex i = 0; i < nearest.size(); ++i) {
-    const CheckedLinkPair& pair = setup.checked[i];
-    if (nearest[i] != nullptr && selection.has(pair.a, pair.b) &&
-        (closest == kNone || nearest[i]->measured.distance < nearest[closest]->measured.distance)) {
-      closest = i;
-    }
-  }
-  return closest;
-}
-
-/// Measures all requested pairs, and refines those within the distance.
-void measureWithin(const CycleSetup& setup, double distance, CycleBuffers& buffers) {
-  measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
-  buffers.refine.limits = {distance, std::numeric_limits<std::uint32_t>::max()};
-  refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
+LinkPairIndex closestAsked(const CycleSetup& setup, const Selection& selection,
+                           const LinkDistances& links) {
+  return closestOf(links, [&](LinkPairIndex i) {
+    return selection.has(setup.checked[i].a, setup.checked[i].b);
+  });
 }
 
 /// The reported pairs: those within the distance, and the closest.
@@ -161,14 +120,12 @@ struct Reach {
 
 /// If no pair is within the distance, all are refined; only that shows which one is closest.
 Reach measureReach(const CycleSetup& setup, const Selection& selection, double max_distance,
-                   CycleBuffers& buffers) {
-  measureWithin(setup, max_distance, buffers);
-  std::vector<const PairDistance*> nearest = nearestOf(setup, buffers.distances.pairs);
-  LinkPairIndex closest = closestOf(setup, selection, nearest);
-  if (closest != kNone && nearest[closest]->measured.distance > max_distance) {
-    measureWithin(setup, std::numeric_limits<double>::infinity(), buffers);
-    nearest = nearestOf(setup, buffers.distances.pairs);
-    closest = closestOf(setup, selection, nearest);
+                   LinkDistances& links) {
+  measureWithin(setup, max_distance, links);
+  LinkPairIndex closest = closestAsked(setup, selection, links);
+  if (closest != kNone && links.of(closest).measured.distance > max_distance) {
+    measureWithin(setup, std::numeric_limits<double>::infinity(), links);
+    closest = closestAsked(setup, selection, links);
   }
   return {max_distance, closest};
 }
@@ -177,22 +134,22 @@ Reach measureReach(const CycleSetup& setup, const Selection& selection, double m
 void fillDistances(const MonitorSetup& current, const Selection& selection, const Scene& scene,
                    const Reach& reach, Distances& message) {
   const CycleSetup& setup = current.setup;
-  const std::vector<const PairDistance*> nearest = nearestOf(setup, scene.buffers.distances.pairs);
+  const LinkDistances& links = scene.links;
   std::vector<LinkDistance> unknown;
   GradientRows rows(setup, scene.poses);
-  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+  for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
     const CheckedLinkPair& pair = setup.checked[i];
     if (!selection.has(pair.a, pair.b)) {
       continue;
     }
     ++message.pairs_checked;
-    if (nearest[i] == nullptr) {
+    if (links.nearest[i] == kNone) {
       unknown.emplace_back();
       toUnknownMessage(setup, pair.a, pair.b, unknown.back());
-    } else if (i == reach.closest || nearest[i]->measured.distance <= reach.distance) {
+    } else if (i == reach.closest || links.of(i).measured.distance <= reach.distance) {
       message.pairs.emplace_back();
-      toMessage(current, scene.poses, *nearest[i], message.pairs.back());
-      toMessage(setup, rows.of(*nearest[i]), message.pairs.back());
+      toMessage(current, scene.poses, links.of(i), message.pairs.back());
+      toMessage(setup, rows.of(links.of(i)), message.pairs.back());
     }
   }
   std::stable_sort(message.pairs.begin(), message.pairs.end(),
@@ -205,11 +162,11 @@ void fillDistances(const MonitorSetup& current, const Selection& selection, cons
 }
 
 /// "; none within 10 mm, the nearest: a is 12 mm from b"; empty if a pair is within the distance.
-std::string nearestText(const CycleSetup& setup, const CycleBuffers& buffers, const Reach& reach) {
+std::string nearestText(const CycleSetup& setup, const LinkDistances& links, const Reach& reach) {
   if (reach.closest == kNone) {
     return "";
   }
-  const PairDistance& closest = *nearestOf(setup, buffers.distances.pairs)[reach.closest];
+  const PairDistance& closest = links.of(reach.closest);
   return closest.measured.distance <= reach.distance
              ? ""
              : "; none within " + lengthText(reach.distance) +
@@ -253,7 +210,7 @@ void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
   if (std::isnan(request.max_distance)) {
     faults.emplace_back("max_distance is not a number; give metres, or 0 for no limit");
   }
-  Scene scene{newest.poses, makeBuffers(setup, BroadPhaseKind::brute_force)};
+  Scene scene{newest.poses, makeLinkDistances(setup)};
   if (!request.joints.name.empty() || !request.joints.position.empty()) {
     const std::vector<std::string> joint_faults =
         applyJoints(setup.model, request.joints, scene.poses);
@@ -265,15 +222,14 @@ void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
     response.message = join(faults);
     return;
   }
-  CycleBuffers& buffers = scene.buffers;
-  placeBodies(setup, scene.poses, buffers.body_poses);
-  placeElements(setup, scene.poses, buffers.body_poses);
-  selectPairs(setup, selection, buffers.body_poses, buffers.candidates);
+  LinkDistances& links = scene.links;
+  placeAll(setup, scene.poses, links);
+  selectPairs(setup, selection, links.body_poses, links.candidates);
   response.distances.header = makeHeader(scene.poses.stamp_ns, current.world_frame);
   const Reach reach = measureReach(
       setup, selection,
       request.max_distance > 0.0 ? request.max_distance : std::numeric_limits<double>::infinity(),
-      buffers);
+      links);
   fillDistances(current, selection, scene, reach, response.distances);
   response.success = response.distances.pairs_checked > 0 ? 1 : 0;
   if (response.success == 0) {
@@ -285,7 +241,7 @@ void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
   response.message =
       summaryText(response.distances, floatingTextOf(setup, selection, scene.poses, newest.reasons),
                   is_explicit ? ignoredText(setup, selection) : "") +
-      nearestText(setup, buffers, reach);
+      nearestText(setup, links, reach);
 }
 
 }  // namespace collision_monitor

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/few_texts.h"
 #include "model/number_text.h"
 #include "model/place.h"
-#include "ros_edge/few_texts.h"
 #include "ros_edge/poses/apply_joints.h"
 
 namespace collision_monitor {

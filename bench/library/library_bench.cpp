@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The library as its users call it: the distance of every pair of a robot in motion, for joint
+// values, beside FCL's distance of every pair, whose elements are placed before. Prints lines of
+// "robot/figure microseconds", and for FCL "robot/figure/fcl microseconds".
+//   collision_monitor_library_bench ROBOT...
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "bench_loop.h"
+#include "collision_monitor/robot_query.h"
+#include "fcl_elements.h"
+#include "pipeline/cycle/place_bodies.h"
+#include "support/robots/file_loader.h"
+#include "support/robots/robot_moves.h"
+
+namespace collision_monitor::test {
+namespace {
+
+constexpr std::size_t kStates = 400;
+constexpr std::size_t kStatesAMove = 100;
+constexpr std::size_t kFclStates = 20;  // evenly among them: FCL takes milliseconds for each
+constexpr std::size_t kManyStates = 100'000;
+
+MonitorOptions optionsOf(const RobotFile& robot) {
+  MonitorOptions options;
+  options.load_resource = fileLoader(robot.package_root);
+  options.fit_cache = "none";
+  return options;
+}
+
+/// From each random configuration straight to the next.
+std::vector<JointPositions> moveThrough(const RobotModel& model) {
+  std::mt19937_64 random(20260101);
+  std::vector<JointPositions> states;
+  JointPositions from = drawPositions(model, random);
+  while (states.size() < kStates) {
+    const JointPositions to = drawPositions(model, random);
+    for (std::size_t step = 0; step < kStatesAMove; ++step) {
+      states.push_back(between(from, to, static_cast<double>(step) / kStatesAMove));
+    }
+    from = to;
+  }
+  return states;
+}
+
+void print(const std::string& robot, const char* figure, double nanoseconds) {
+  std::printf("%s/%s %.4g\n", robot.c_str(), figure, 1e-3 * nanoseconds);
+  std::fflush(stdout);
+}
+
+/// [ns] a state
+double timeOurs(RobotQuery& query, const std::vector<JointPositions>& states,
+                const DistanceRequest& request) {
+  double sum = 0.0;
+  const double time = medianTime([&] {
+    for (const JointPositions& state : states) {
+      for (const MeasuredPair& pair : query.distances(state, request).pairs) {
+        sum += pair.measured.distance;
+      }
+    }
+  });
+  benchmark::DoNotOptimize(sum);
+  return time / static_cast<double>(states.size());
+}
+
+/// [ns] a state
+double timeFcl(const RobotFile& robot, const std::vector<JointPositions>& states) {
+  SetupOptions options;
+  options.default_limits.max_shapes = 1;
+  const CycleSetup setup = buildSetup({describe(robot)}, fileLoader(robot.package_root), options);
+  const std::vector<FclGeometry> geometries = fclGeometries(setup);
+  BodyPoses poses = makeBodyPoses(setup);
+  std::vector<FclObjects> placed;
+  for (std::size_t i = 0; i < kFclStates; ++i) {
+    const LinkPoses links = posesAt(setup.model, states[i * (kStates / kFclStates)]);
+    placeBodies(setup, links, poses);
+    placeElements(setup, links, poses);
+    placed.push_back(placeFcl(geometries, poses.world_from_element));
+  }
+  double sum = 0.0;
+  const double time = medianTime([&] {
+    for (const FclObjects& objects : placed) {
+      sum += fclLeastOfEvery(setup, objects);
+    }
+  });
+  benchmark::DoNotOptimize(sum);
+  return time / kFclStates;
+}
+
+/// [ns] a state, on one thread
+double timeCheck(RobotQuery& query, StateQuestion question) {
+  std::mt19937_64 random(20260101);
+  std::vector<double> states;
+  for (std::size_t i = 0; i < kManyStates; ++i) {
+    const JointPositions state = drawPositions(query.monitor().model(), random);
+    states.insert(states.end(), state.begin(), state.end());
+  }
+  const StatesRequest request{question, 1, {}};
+  return timeOf([&] { query.check(states, request); }) / kManyStates;
+}
+
+void measure(const RobotFile& robot) {
+  const std::string name = robot.name.substr(0, robot.name.find('/'));
+  RobotQuery query(RobotMonitor({describe(robot)}, optionsOf(robot)));
+  const std::vector<JointPositions> states = moveThrough(query.monitor().model());
+  print(name, "every_distance", timeOurs(query, states, {}));
+  print(name, "every_distance/fcl", timeFcl(robot, states));
+  print(name, "every_distance_and_gradient",
+        timeOurs(query, states, {std::numeric_limits<double>::infinity(), true}));
+  print(name, "distances_within_0.2_m", timeOurs(query, states, {0.2, false}));
+  print(name, "check_contact", timeCheck(query, StateQuestion::contact));
+  print(name, "check_nearest", timeCheck(query, StateQuestion::nearest));
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
+
+int main(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const auto robot = collision_monitor::test::findRobot(argv[i]);
+    if (!robot) {
+      return 1;
+    }
+    collision_monitor::test::measure(*robot);
+  }
+  return 0;
+}

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "library/monitor_parts.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "model/resources/file_loader.h"
+#include "pipeline/fits/fit_cache_folder.h"
+
+namespace collision_monitor {
+namespace {
+
+SetupOptions setupOptions(const MonitorOptions& options) {
+  SetupOptions setup;
+  setup.where = "option ";
+  setup.limits = options.limits;
+  setup.limits.report_distance =
+      std::max(options.limits.report_distance, options.limits.warning_distance);
+  setup.padding = options.padding;
+  setup.default_limits = options.fit;
+  setup.shape_rules = options.shape_rules;
+  setup.meshes = options.meshes;
+  setup.refine.geometry = options.detail;
+  setup.refine.limits.tolerance = options.distance_tolerance;
+  setup.is_continuous = false;
+  setup.fit_cache = fitCacheFolder(options.fit_cache);
+  setup.fit_progress = options.fit_progress;
+  setup.ignored_pairs = options.ignored_pairs;
+  setup.ignore_default_overlap = options.ignore_default_overlap;
+  return setup;
+}
+
+void checkRoots(const MonitorOptions& options, std::size_t robots, SetupReport& report) {
+  const std::vector<Pose>& roots = options.world_from_root;
+  if (!roots.empty() && roots.size() != robots) {
+    report.errors.push_back({"option world_from_root", std::to_string(roots.size()) + " poses",
+                             "none, or one for each of the " + std::to_string(robots) + " robots"});
+  }
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    if (!isRigid(roots[i]) || roots[i].translation.cwiseAbs().maxCoeff() > kFarthest) {
+      report.errors.push_back({"option world_from_root[" + std::to_string(i) + "]",
+                               "a pose that is not finite, not rigid or far away",
+                               "a rotation of orthonormal columns, right-handed, and a translation "
+                               "up to 1e9 m"});
+    }
+  }
+}
+
+/// The set-up; its faults join those of the report. Rules may name links of a robot that is
+/// missing: they are then not looked at.
+CycleSetup buildReported(const std::vector<RobotDescription>& robots, const MonitorOptions& options,
+                         SetupReport& report) {
+  SetupOptions setup = setupOptions(options);
+  if (!report.errors.empty()) {
+    setup.shape_rules = {};
+    setup.ignored_pairs.clear();
+  }
+  FileSources sources;
+  sources.package_roots = options.package_roots;
+  try {
+    return buildSetup(
+        robots, options.load_resource ? options.load_resource : makeFileLoader(sources), setup);
+  } catch (const SetupError& fault) {
+    report.errors.insert(report.errors.end(), fault.problems().begin(), fault.problems().end());
+  }
+  return {};
+}
+
+const char* endingOf(const Joint& joint, std::size_t variable) {
+  constexpr const char* kPlanar[] = {"/x", "/y", "/theta"};
+  constexpr const char* kFloating[] = {"/trans_x", "/trans_y", "/trans_z", "/rot_x",
+                                       "/rot_y",   "/rot_z",   "/rot_w"};
+  return joint.type == JointType::planar     ? kPlanar[variable]
+         : joint.type == JointType::floating ? kFloating[variable]
+                                             : "";
+}
+
+std::size_t variablesOf(const Joint& joint) noexcept {
+  constexpr std::size_t kFloating = 7;
+  return joint.mimic ? 0 : joint.type == JointType::floating ? kFloating : freedomOf(joint);
+}
+
+std::vector<JointVariable> listVariables(const RobotModel& model) {
+  std::vector<JointVariable> variables(model.variable_count);
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    const Joint& joint = model.joints[i];
+    for (std::size_t k = 0; k < variablesOf(joint); ++k) {
+      variables[joint.first_variable + k] = {joint.name + endingOf(joint, k), idAt<JointId>(i),
+                                             joint.lower, joint.upper, joint.max_velocity};
+    }
+  }
+  return variables;
+}
+
+std::vector<EnclosingShape> listShapes(const CycleSetup& setup) {
+  std::vector<EnclosingShape> shapes;
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+    const Body& body = setup.bodies[i];
+    const BodyLabel& label = setup.labels[i];
+    shapes.push_back({body.link, label.shape_name, body.shape, body.link_from_body, label.overshoot,
+                      body.is_exact, label.is_proven});
+  }
+  return shapes;
+}
+
+}  // namespace
+
+std::shared_ptr<const MonitorParts> makeMonitorParts(const GivenRobots& robots,
+                                                     const MonitorOptions& options) {
+  auto parts = std::make_shared<MonitorParts>();
+  SetupReport report = robots.report;
+  if (!robots.descriptions.empty() || report.errors.empty()) {
+    parts->setup = buildReported(robots.descriptions, options, report);
+  }
+  checkRoots(options, robots.descriptions.size() + robots.report.errors.size(), report);
+  throwIfErrors(report);
+  const RobotModel& model = parts->setup.model;
+  parts->world_from_root = options.world_from_root;
+  parts->world_from_root.resize(model.robots.size());
+  parts->variables = listVariables(model);
+  parts->default_state = defaultPositions(model);
+  parts->shapes = listShapes(parts->setup);
+  return parts;
+}
+
+}  // namespace collision_monitor
