@@ -19,22 +19,26 @@ def _several(given: Any) -> List[Any]:
     return list(given) if isinstance(given, (list, tuple)) else [given]
 
 
-def _path(given: Any, name: str, faults: List[str]) -> str:
-    """The path as text, with bytes that are no text escaped."""
+def _path(given: Any, name: str, faults: List[str]) -> bytes:
+    """The path as the system takes it."""
     try:
-        path = os.fsdecode(given)
-    except TypeError:
-        faults.append(f"`{name}` is of type '{type(given).__name__}'; accepted: a path")
-        return ""
-    if "\0" in path:
+        path = os.fsencode(given)
+    except (TypeError, UnicodeError):
+        faults.append(f"`{name}` is {given!r:.100}; accepted: a path")
+        return b""
+    if b"\0" in path:
         faults.append(f"`{name}` has a zero byte; accepted: a path")
     return os.path.expanduser(path)
 
 
 def _text(given: Any, name: str, faults: List[str]) -> str:
-    if isinstance(given, str):
-        return given
-    faults.append(f"`{name}` is of type '{type(given).__name__}'; accepted: a str")
+    try:
+        if isinstance(given, str):
+            given.encode()
+            return given
+    except UnicodeError:
+        pass
+    faults.append(f"`{name}` is {given!r:.100}; accepted: a str")
     return ""
 
 
@@ -62,14 +66,14 @@ def _plain(name: str, value: Any, faults: List[str]) -> Any:
         is_good = hasattr(value, "__float__") or hasattr(value, "__index__")
     if is_good:
         try:
-            return os.fsdecode(value) if kind is str else kind(value)
-        except (TypeError, ValueError, OverflowError):
+            return os.fsencode(value) if kind is str else kind(value)
+        except (TypeError, ValueError, OverflowError):  # of objects that refuse, too
             pass
     faults.append(f"`{name}` is {value!r:.100}; accepted: {_KINDS[kind]}")
     return DEFAULTS[name]
 
 
-def _rules(given: Any, faults: List[str]) -> Tuple[str, str]:
+def _rules(given: Any, faults: List[str]) -> Tuple[Union[str, bytes], str]:
     """The name of the rules in messages, and their text."""
     if given is None:
         return "", ""
@@ -80,8 +84,8 @@ def _rules(given: Any, faults: List[str]) -> Tuple[str, str]:
         with open(path, encoding="utf-8") as file:
             return path, file.read()
     except (OSError, ValueError) as fault:
-        faults.append(f"`rules`: {path} cannot be read ({fault}); accepted: a YAML file, or its "
-                      "text")
+        faults.append(f"`rules`: {os.fsdecode(path)} cannot be read ({fault}); accepted: a YAML file, "
+                      "or its text")
         return "", ""
 
 
@@ -140,8 +144,8 @@ def load(urdf: Union[Path, Sequence[Path]], srdf: Union[None, Path, Sequence[Opt
     """
     faults: List[str] = []
     urdfs = [_path(path, "urdf", faults) for path in _several(urdf)]
-    srdfs = [path if path == "" else _path(path, "srdf", faults)
-             for path in _matched(srdf, len(urdfs), "srdf", faults, "")]
+    srdfs = [path if path == b"" else _path(path, "srdf", faults)
+             for path in _matched(srdf, len(urdfs), "srdf", faults, b"")]
     prefixes = [_text(each, "prefix", faults)
                 for each in _matched(prefix, len(urdfs), "prefix", faults, "")]
     given = _options(packages, rules, ignore_pairs, _roots(world_from_root, len(urdfs), faults),

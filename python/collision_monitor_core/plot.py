@@ -70,7 +70,7 @@ def _draw_pair(axes: Any, pair: PairDistance) -> None:
     colour = _COLOURS[pair.verdict]
     axes.plot(*ends.T, color=colour, marker="o", markersize=3, linewidth=1.5, zorder=10)
     axes.text(*ends.mean(axis=0), f"{1000 * pair.distance:.0f} mm", color=colour, fontsize=8,
-              zorder=11)
+              zorder=11, bbox={"facecolor": "white", "alpha": 0.7, "linewidth": 0, "pad": 1.0})
 
 
 def _show_all(axes: Any, drawn: list) -> None:

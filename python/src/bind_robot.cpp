@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <pybind11/stl.h>
+
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <optional>
 
 #include "collision_monitor/model/pair_rules.h"
 #include "enums.h"
@@ -105,7 +107,8 @@ StatesAnswer check(const SharedRobot& self, const py::object& states, const std:
 
 PathsAnswer checkPath(const SharedRobot& self, const py::object& positions, const py::object& times,
                       const py::object& velocities, double margin, double resolution,
-                      double tolerance, const py::object& budget, const py::object& progress) {
+                      double tolerance, std::optional<std::uint64_t> budget,
+                      const py::object& progress) {
   const Array rows = readRows(self->monitor(), positions, "positions");
   Array stamps;
   Array speeds;
@@ -121,9 +124,7 @@ PathsAnswer checkPath(const SharedRobot& self, const py::object& positions, cons
   options.resolution = resolution;
   options.tolerance = tolerance;
   options.progress = [&](double done) { return told(done); };
-  if (!budget.is_none()) {
-    options.budget = budget.cast<std::uint64_t>();
-  }
+  options.budget = budget.value_or(options.budget);
   const WayPoints path{numbersOf(rows), numbersOf(stamps), numbersOf(speeds)};
   PathsAnswer answer{self,
                      self->ask([&](RobotQuery& query) { return query.checkPath(path, options); })};

@@ -55,6 +55,17 @@ Array convert(const py::object& given, const std::string& name, const std::strin
   refuse(name, typeName(given), accepted);
 }
 
+/// The array itself, if it is rows of doubles already; else nothing.
+Array asItIs(const py::object& given) {
+  if (isPlainArray(given) && py::isinstance<Array>(given)) {
+    auto array = py::reinterpret_borrow<Array>(given);
+    if (isAligned(array)) {
+      return array;
+    }
+  }
+  return py::reinterpret_steal<Array>(py::handle());
+}
+
 std::vector<double> copied(const Array& array) {
   return {array.data(), array.data() + array.size()};
 }
@@ -108,13 +119,8 @@ Pose poseOf(const Array& matrix, const std::string& name) {
 }  // namespace
 
 Array readArray(const py::object& given, const std::string& name, const std::string& accepted) {
-  if (isPlainArray(given) && py::isinstance<Array>(given)) {
-    auto array = py::reinterpret_borrow<Array>(given);
-    if (isAligned(array)) {
-      return array;
-    }
-  }
-  return convert(given, name, accepted);
+  const Array ready = asItIs(given);
+  return ready ? ready : convert(given, name, accepted);
 }
 
 std::string shapeText(const py::array& array) {
@@ -130,11 +136,8 @@ std::vector<double> readState(const RobotMonitor& monitor, const py::object& giv
     return readNamed(monitor, py::reinterpret_borrow<py::dict>(given));
   }
   const auto n = static_cast<py::ssize_t>(monitor.model().variable_count);
-  if (isPlainArray(given)) {
-    const auto array = readArray(given, "q", "numbers, or a dict of joint names");
-    if (array.ndim() == 1 && array.shape(0) == n) {
-      return copied(array);
-    }
+  if (const Array ready = asItIs(given); ready && ready.ndim() == 1 && ready.shape(0) == n) {
+    return copied(ready);
   }
   const std::string accepted =
       std::to_string(n) + " numbers, one for each variable, or a dict of joint names";

@@ -36,7 +36,7 @@ def test_within_tellsHowManyAreFarther(arm):
 
 @pytest.mark.parametrize("arguments, words", [
     (["no_such.urdf"], "no_such.urdf"),
-    ([*ARM, "--joints", "elbow=1"], "elbow_joint"),
+    ([*ARM, "--joints", "elbow_join=1"], "elbow_joint"),
     ([*ARM, "--joints", "elbow_joint=1", "elbow_joint=2"], "twice")])
 def test_faultsOfInput_endWithOne(arguments, words):
     done = run(*arguments)

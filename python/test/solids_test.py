@@ -81,3 +81,12 @@ def test_poses_notRigid():
             cm.distance(ball, pose, ball, None)
     with pytest.raises(cm.ArgumentError, match="within"):
         cm.distance(ball, None, ball, None, within=0.0)
+
+
+@pytest.mark.parametrize("ball", [cm.Solid.sphere(2.0), cm.Solid.capsule(2.0, 1.0)])
+def test_ballOverAnOpenMesh_touchesIt(ball):
+    triangle = cm.Solid.mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    for a, b in ((triangle, ball), (ball, triangle)):
+        found = cm.distance(a, [0.9, 0.7, 0.4], b, [0.0, 0.0, 0.1])
+        assert found.quality == cm.Quality.estimate and found.distance <= 0.0
+        assert cm.collide(a, [0.9, 0.7, 0.4], b, [0.0, 0.0, 0.1])
