@@ -25,11 +25,12 @@ library_packages=(
   libeigen3-dev libassimp-dev libqhull-dev libtinyxml2-dev libyaml-cpp-dev libssl-dev
   libboost-all-dev liburdfdom-dev liburdfdom-headers-dev libconsole-bridge-dev
   libcli11-dev libexpat1-dev libfcl-dev libhwy-dev libpng-dev
-  python3-yaml
+  pybind11-dev python3-dev python3-numpy python3-yaml
 )
 test_packages=(
   libgtest-dev librapidcheck-dev
   nlohmann-json3-dev libbenchmark-dev libbullet-dev
+  python3-pytest python3-matplotlib python3-distributed
 )
 debian_ros_packages=(
   ros-base-dev ros-robot-dev catkin rosbash python3-rosgraph python3-roslaunch python3-rospy

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The Python module beside the library in C++, on the same states. Times are processor time of one
-core, and the module is measured in a process of its own:
+core. The module is measured in a process of its own."""
 import json
 import pathlib
 import statistics

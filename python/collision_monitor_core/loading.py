@@ -84,8 +84,8 @@ def _rules(given: Any, faults: List[str]) -> Tuple[Union[str, bytes], str]:
         with open(path, encoding="utf-8") as file:
             return path, file.read()
     except (OSError, ValueError) as fault:
-        faults.append(f"`rules`: {os.fsdecode(path)} cannot be read ({fault}); accepted: a YAML file, "
-                      "or its text")
+        faults.append(f"`rules`: {os.fsdecode(path)} cannot be read ({fault}); accepted: a YAML "
+                      "file, or its text")
         return "", ""
 
 
@@ -117,8 +117,8 @@ def _options(packages: Any, rules: Any, ignore_pairs: Any, poses: List[Any],
     return options
 
 
-def load(urdf: Union[Path, Sequence[Path]], srdf: Union[None, Path, Sequence[Optional[Path]]] = None,
-         *, prefix: Union[None, str, Sequence[str]] = None, world_from_root: Any = None,
+def load(urdf: Union[Path, Sequence[Path]],
+         srdf: Union[None, Path, Sequence[Optional[Path]]] = None, *, prefix: Union[None, str, Sequence[str]] = None, world_from_root: Any = None,
          packages: Union[Path, Sequence[Path]] = (), rules: Optional[Path] = None,
          ignore_pairs: Iterable[Tuple[str, str]] = (), **options: Any) -> "_core.Robot":
     """Reads a robot, encloses its links in shapes and decides which pairs of links are checked.

@@ -28,7 +28,8 @@ def test_state_byNames_allFaultsAtOnce(arm):
         arm.verdict({"no_joint": 0.0, name + "x": 1.0, name: "far", 3: 0.0})
     text = str(caught.value)
     assert len(caught.value.faults) == 4
-    assert all(word in text for word in ("no_joint", name + "x", f"'{name}' is of type 'str'", "the name of a joint"))
+    assert all(word in text for word in (
+        "no_joint", name + "x", f"'{name}' is of type 'str'", "the name of a joint"))
 
 
 @pytest.mark.parametrize("states", [np.zeros(7), np.zeros((2, 6)), np.zeros((1, 2, 7)), None, []])

@@ -90,7 +90,8 @@ class Maker:
             return self.anything(n)
         if self.random.random() < 0.2:
             names = [each.name for each in robot.variables] + ["?", "", "\0", 3, None]
-            return {self.random.choice(names): self.number() for _ in range(self.random.randrange(5))}
+            return {self.random.choice(names): self.number()
+                    for _ in range(self.random.randrange(5))}
         return self.array(n)
 
     def states(self, robot):
@@ -114,7 +115,8 @@ class Maker:
             4: lambda: cm.Solid.cone(self.number(), self.number()),
             5: lambda: cm.Solid.hull(self.array(self.size(), 3)),
             6: lambda: cm.Solid.mesh(self.array(self.size(), 3), self.triangles()),
-            7: lambda: cm.Solid.mesh_file(self.pick(self.anything(), URDF, "no.stl"), self.number())}
+            7: lambda: cm.Solid.mesh_file(self.pick(self.anything(), URDF, "no.stl"),
+                                          self.number())}
         return make[self.random.randrange(8)]()
 
     def triangles(self):
@@ -213,7 +215,8 @@ class Calls:
             attribute(*(self.make.anything() for _ in range(self.make.random.randrange(4))))
 
     def load_text(self):
-        text = bytearray((URDF / self.make.pick("two_boxes.urdf", "three_capsules.urdf")).read_bytes())
+        name = self.make.pick("two_boxes.urdf", "three_capsules.urdf")
+        text = bytearray((URDF / name).read_bytes())
         for _ in range(self.make.random.randrange(4)):
             text[self.make.random.randrange(len(text))] = self.make.random.randrange(256)
         robot = cm.loads(text.decode("latin-1"), fit_cache="none")

@@ -40,6 +40,8 @@ class Configure(unittest.TestCase):
         self.assertEqual(len(lines), 1, result.stdout)
         for package in OF_TESTS:
             self.assertEqual(package in lines[0], package in hidden, lines[0])
+        if "pybind11" in hidden:
+            self.assertIn("The Python module is left out", result.stdout)
         listed = subprocess.run(["ctest", "-N"], cwd=self.folder, capture_output=True, text=True, check=True)
         return re.findall(r"Test +#\d+: (\w+)", listed.stdout)
 
@@ -55,7 +57,7 @@ class Configure(unittest.TestCase):
         self.assertNotIn("oracle", left)
 
     def test_without_any(self):
-        self.assertEqual(self.names_of_tests_without(OF_TESTS),
+        self.assertEqual(self.names_of_tests_without((*OF_TESTS, "pybind11")),
                          ["layers", "names", "unreached_functions", "tools", "configure"])
 
     def test_benchmarks_that_are_asked_for_are_not_left_out(self):
