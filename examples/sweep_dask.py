@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks random states, or CSV recordings (a line of joint names, then one of numbers a state), by
-dask: sweep_dask.py ROBOT.urdf SRDF|- SCHEDULER|WORKERS STATES|CSV..."""
+dask: sweep_dask.py ROBOT.urdf SRDF|- SCHEDULER|here STATES|CSV..."""
 import functools
 import sys
 import numpy as np
@@ -17,16 +17,14 @@ def check(robot_files, part, size=10_000):
         states = np.random.default_rng(part).uniform(low, high, (size, len(low)))
     else:
         table = np.atleast_1d(np.genfromtxt(part, delimiter=",", names=True, deletechars=""))
-        rows = [dict(zip(table.dtype.names, row)) for row in table.tolist()]
-        states = np.stack([robot.state(row) for row in rows])
+        states = np.stack([robot.state(dict(zip(table.dtype.names, row))) for row in table])
     return np.bincount(robot.check(states, threads=1).verdict, minlength=4)
 
 if __name__ == "__main__":
-    urdf, srdf, cluster, *what = sys.argv[1:]
+    urdf, srdf, scheduler, *what = sys.argv[1:]
     parts = range(int(what[0]) // 10_000) if what[0].isdecimal() else what
-    local = {"n_workers": int(cluster), "threads_per_worker": 1} if cluster.isdecimal() else {}
-    with Client(None if local else cluster, **local) as client:
-        answers = client.map(functools.partial(check, (urdf, None if srdf == "-" else srdf)), parts)
+    job = functools.partial(check, (urdf, None if srdf == "-" else srdf))
+    with Client(None if scheduler == "here" else scheduler) as client:
+        answers = client.map(job, parts)
         progress(answers, notebook=False)
-        counts = zip(sum(client.gather(answers)), cm.Verdict)
-        print("\n" + ", ".join(f"{count} {verdict.name}" for count, verdict in counts))
+        print("\n", dict(zip(cm.Verdict.__members__, sum(client.gather(answers)).tolist())), sep="")

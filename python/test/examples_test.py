@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The examples run, are short, and dask gives what one process gives."""
+import ast
 import importlib.util
 import subprocess
 import sys
@@ -43,19 +44,26 @@ def sweep():
     return module
 
 
+@pytest.fixture(scope="module")
+def scheduler(sweep):
+    """The address of a cluster of two workers, each a process."""
+    from dask.distributed import LocalCluster
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        yield cluster.scheduler_address
+
+
 def counts(text):
     """The last line of the sweep: {"clear": 12, ...}"""
-    pairs = (part.split() for part in text.strip().splitlines()[-1].split(", "))
-    return {name: int(count) for count, name in pairs}
+    return ast.literal_eval(text.strip().splitlines()[-1])
 
 
-def test_sweep_twoWorkersGiveWhatOneProcessGives(sweep):
+def test_sweep_twoWorkersGiveWhatOneProcessGives(sweep, scheduler):
     wanted = sum(sweep.check(tuple(ARM), block) for block in range(3))
-    assert counts(run("sweep_dask.py", *ARM, "2", "30000")) == {
+    assert counts(run("sweep_dask.py", *ARM, scheduler, "30000")) == {
         verdict.name: wanted[verdict] for verdict in cm.Verdict}
 
 
-def test_sweep_ofRecordings(sweep, arm, states, tmp_path):
+def test_sweep_ofRecordings(sweep, scheduler, arm, states, tmp_path):
     names = [each.name for each in arm.variables]
     order = np.random.default_rng(1).permutation(len(names))
     files = [tmp_path / "a.csv", tmp_path / "b.csv"]
@@ -63,5 +71,5 @@ def test_sweep_ofRecordings(sweep, arm, states, tmp_path):
         np.savetxt(file, rows[:, order], delimiter=",", comments="", fmt="%.17g",
                    header=",".join(names[i] for i in order))
     wanted = np.bincount(arm.check(states).verdict, minlength=4)
-    assert counts(run("sweep_dask.py", *ARM, "2", *map(str, files))) == {
+    assert counts(run("sweep_dask.py", *ARM, scheduler, *map(str, files))) == {
         verdict.name: wanted[verdict] for verdict in cm.Verdict}
