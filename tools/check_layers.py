@@ -44,6 +44,7 @@ MAY_INCLUDE_WITHIN = {
     "model": {
         "mesh_files": {"mesh_files"},
         "mesh_loading": {"mesh_loading", "mesh_files"},
+        "resources": {"resources", "mesh_files"},
         "urdf": {"urdf", "mesh_loading", "mesh_files"},
         "srdf": {"srdf"},
         "rules": {"rules"},

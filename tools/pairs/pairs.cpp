@@ -9,10 +9,10 @@
 #include "merge_srdf.h"
 #include "output_files.h"
 #include "pairs_options.h"
+#include "pipeline/fits/fit_cache_folder.h"
 #include "progress.h"
 #include "read_robot.h"
 #include "report.h"
-#include "ros_edge/parameters/fit_options.h"
 
 /// Finds which pairs of links can touch: `pairs --help`.
 namespace collision_monitor::pairs_tool {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,13 +17,13 @@ struct LoadRules {
   std::uintmax_t max_size{kUsualFileSize};  ///< [bytes] of a file
   std::vector<std::string> schemes;  ///< allowed beside package and file, such as http; lower case
   double download_time{30.0};        ///< [s] from the name look-up to the end of the download
+  std::vector<std::filesystem::path> package_roots;  ///< looked at before ROS_PACKAGE_PATH
 };
 
-/// Reads regular files by package:// and file:// URIs and absolute paths. Fetches other allowed
-/// schemes by resource_retriever, in a separate process that is ended after its time limit
+/// Reads files as makeFileLoader, and asks rospack for packages. Fetches other allowed schemes by
+/// resource_retriever, in a separate process that is ended after its time limit
 /// (docs/decisions/helper-processes.md). This loader does not ask a server again that was too slow
-/// once. Paths, packages and file:// URIs may contain blanks and any letters. In the two kinds of
-/// URI, %XX is an escape.
+/// once.
 /// Not for several threads at once.
 /// @throws std::exception from the loader, with a sentence: no such package, no regular file, too
 /// large, a scheme that is not allowed, too slow, or curl's error.

@@ -4,63 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
 namespace collision_monitor::test {
 namespace {
-
-/// Sets environment variables and puts them back.
-class Environment {
- public:
-  Environment(const char* home, const char* ros_home) {
-    set("HOME", home, old_home_);
-    set("ROS_HOME", ros_home, old_ros_home_);
-  }
-  ~Environment() {
-    restore("HOME", old_home_);
-    restore("ROS_HOME", old_ros_home_);
-  }
-  Environment(const Environment&) = delete;
-  Environment& operator=(const Environment&) = delete;
-
- private:
-  static void set(const char* name, const char* value, std::optional<std::string>& old) {
-    if (const char* before = std::getenv(name)) {
-      old = before;
-    }
-    restore(name, value == nullptr ? std::nullopt : std::optional<std::string>(value));
-  }
-  static void restore(const char* name, const std::optional<std::string>& value) {
-    if (value) {
-      setenv(name, value->c_str(), 1);
-    } else {
-      unsetenv(name);
-    }
-  }
-  std::optional<std::string> old_home_;
-  std::optional<std::string> old_ros_home_;
-};
-
-std::string folderWith(const char* home, const char* ros_home, const std::string& parameter) {
-  const Environment environment(home, ros_home);
-  return fitCacheFolder(parameter).string();
-}
-
-TEST(FitCacheFolder, usualOne_isBelowRosHomeOrHome) {
-  EXPECT_EQ(folderWith("/home/a", "/ros", ""), "/ros/collision_monitor/fits");
-  EXPECT_EQ(folderWith("/home/a", nullptr, ""), "/home/a/.ros/collision_monitor/fits");
-  EXPECT_EQ(folderWith("/home/a", "", ""), "/home/a/.ros/collision_monitor/fits");
-  EXPECT_EQ(folderWith(nullptr, nullptr, ""), "");
-}
-
-TEST(FitCacheFolder, namedOne_isTaken_noneIsNone) {
-  EXPECT_EQ(folderWith("/home/a", "/ros", "/var/fits"), "/var/fits");
-  EXPECT_EQ(folderWith("/home/a", "/ros", "~/fits"), "/home/a/fits");
-  EXPECT_EQ(folderWith("/home/a", "/ros", "none"), "");
-}
 
 TEST(LoadSetupOptions, rulesFile_isReadAnewEachTime) {
   Parameters parameters;
