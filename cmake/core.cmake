@@ -1,5 +1,4 @@
 # The core: all geometry, no ROS. tools/check_layers.py checks which rooms may include each other.
-find_package(Eigen3 REQUIRED)
 find_package(assimp REQUIRED)
 find_package(Qhull REQUIRED)
 find_package(tinyxml2 REQUIRED)

@@ -17,7 +17,8 @@ export(EXPORT ${core_package} FILE ${core_config}/${core_package}Targets.cmake
 install(FILES ${core_config}/${core_package}Config.cmake
     ${core_config}/${core_package}ConfigVersion.cmake
   DESTINATION ${config_destination})
-install(DIRECTORY include/${PROJECT_NAME}/ DESTINATION ${include_destination}/${PROJECT_NAME})
+install(DIRECTORY include/${PROJECT_NAME}/
+  DESTINATION ${include_destination}/${PROJECT_NAME})
 
 if(has_ros)
   install(TARGETS ${PROJECT_NAME}_ros_edge ${PROJECT_NAME}_nodelet

@@ -1,12 +1,6 @@
-# Where things are built and installed. With ROS, as catkin has it; without, as on any system.
+# Where things are built and installed: without ROS, as on any system; with ROS, as catkin has it.
 # `core_space` holds the built library as an installed prefix does.
-if(has_ros)
-  set(library_destination ${CATKIN_PACKAGE_LIB_DESTINATION})
-  set(program_destination ${CATKIN_PACKAGE_BIN_DESTINATION})
-  set(helper_destination ${CATKIN_PACKAGE_BIN_DESTINATION})
-  set(include_destination ${CATKIN_GLOBAL_INCLUDE_DESTINATION})
-  set(core_space ${CATKIN_DEVEL_PREFIX})
-else()
+if(NOT has_ros)
   include(GNUInstallDirs)
   set(library_destination ${CMAKE_INSTALL_LIBDIR})
   set(program_destination ${CMAKE_INSTALL_BINDIR})
@@ -16,6 +10,12 @@ else()
   set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${core_space}/${library_destination})
   set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${core_space}/${library_destination})
   set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${core_space}/${program_destination})
+else()
+  set(library_destination ${CATKIN_PACKAGE_LIB_DESTINATION})
+  set(program_destination ${CATKIN_PACKAGE_BIN_DESTINATION})
+  set(helper_destination ${CATKIN_PACKAGE_BIN_DESTINATION})
+  set(include_destination ${CATKIN_GLOBAL_INCLUDE_DESTINATION})
+  set(core_space ${CATKIN_DEVEL_PREFIX})
 endif()
 # What is installed finds the library beside it, wherever the prefix is moved.
 file(RELATIVE_PATH libraries_from_program /${program_destination} /${library_destination})

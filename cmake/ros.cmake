@@ -1,5 +1,5 @@
-# Whether there is ROS (`has_ros`) and whether tests are built (`with_tests`). Finds ROS's packages
-# and makes the messages.
+# Whether there is ROS (`has_ros`). Finds its packages and makes the messages.
+#catkin_lint: ignore missing_required
 
 # rosrun does not look below a package's own build folder. So a build in there keeps its devel space
 # beside it, as catkin_make does.
@@ -24,7 +24,7 @@ else()
 endif()
 if(NOT has_ros)
   message(STATUS "Building the core without ROS")
-  set(with_tests ${COLLISION_MONITOR_TESTS})
+  set(CATKIN_ENABLE_TESTING ${COLLISION_MONITOR_TESTS})
   return()
 endif()
 
@@ -47,7 +47,6 @@ set(ros_packages
   visualization_msgs
 )
 find_package(catkin REQUIRED COMPONENTS message_generation ${ros_packages})
-set(with_tests ${CATKIN_ENABLE_TESTING})
 
 add_message_files(FILES
   Contact.msg
@@ -65,10 +64,23 @@ add_service_files(FILES
 )
 generate_messages(DEPENDENCIES geometry_msgs sensor_msgs std_msgs trajectory_msgs)
 
-find_package(Eigen3 REQUIRED)
 catkin_package(
   INCLUDE_DIRS include
   LIBRARIES ${PROJECT_NAME}_core ${PROJECT_NAME}_ros_edge
   CATKIN_DEPENDS message_runtime ${ros_packages}
   DEPENDS EIGEN3
 )
+
+# catkin gives its definitions and include folders to everything in this folder. The core gets none
+# of them, so that it is the same library with and without ROS.
+get_directory_property(ros_definitions COMPILE_DEFINITIONS)
+get_directory_property(message_includes INCLUDE_DIRECTORIES)
+set_directory_properties(PROPERTIES COMPILE_DEFINITIONS "" INCLUDE_DIRECTORIES "")
+
+# use_ros(TARGET): compiles against ROS and the messages of this package.
+function(use_ros target)
+  add_dependencies(${target} ${${PROJECT_NAME}_EXPORTED_TARGETS} ${catkin_EXPORTED_TARGETS})
+  target_compile_definitions(${target} PRIVATE ${ros_definitions})
+  target_include_directories(${target} PRIVATE ${message_includes})
+  target_include_directories(${target} SYSTEM PRIVATE ${catkin_INCLUDE_DIRS})
+endfunction()

@@ -45,6 +45,11 @@ function(add_python_tests)
     COMMAND ${PYTHON_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/configure/configure_test.py)
   set_tests_properties(configure PROPERTIES
     ENVIRONMENT "COLLISION_MONITOR_CMAKE=${CMAKE_COMMAND}")
+  add_test(NAME install
+    COMMAND ${PYTHON_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/install/install_test.py)
+  set(install_environment COLLISION_MONITOR_BUILD=${PROJECT_BINARY_DIR} COLLISION_MONITOR_SPACE=${core_space}
+    COLLISION_MONITOR_CMAKE=${CMAKE_COMMAND} COLLISION_MONITOR_HAS_ROS=$<BOOL:${has_ros}>)
+  set_tests_properties(install PROPERTIES ENVIRONMENT "${install_environment}")
 endfunction()
 
 # As catkin has it, run_tests itself does not fail; catkin_test_results tells what did. ctest's file

@@ -2,7 +2,7 @@
 set(loading ${PROJECT_SOURCE_DIR}/src/model/mesh_loading)
 add_helper(fetch_resource helpers/fetch_resource.cpp
   ${loading}/helper_main.cpp ${loading}/message_channel.cpp)
-target_include_directories(${PROJECT_NAME}_fetch_resource SYSTEM PRIVATE ${catkin_INCLUDE_DIRS})
+use_ros(${PROJECT_NAME}_fetch_resource)
 target_link_libraries(${PROJECT_NAME}_fetch_resource PRIVATE ${catkin_LIBRARIES} strict_warnings)
 
 add_library(${PROJECT_NAME}_two_capsules_parts STATIC two_capsules/exercise.cpp)
@@ -13,7 +13,7 @@ target_link_libraries(${PROJECT_NAME}_two_capsules_parts
 
 add_program(two_capsules
   two_capsules/two_capsules.cpp two_capsules/draw.cpp two_capsules/keyboard.cpp)
-target_include_directories(${PROJECT_NAME}_two_capsules SYSTEM PRIVATE ${catkin_INCLUDE_DIRS})
+use_ros(${PROJECT_NAME}_two_capsules)
 target_link_libraries(${PROJECT_NAME}_two_capsules
   PRIVATE ${PROJECT_NAME}_two_capsules_parts ${PROJECT_NAME}_ros_edge strict_warnings)
 compile_together(${PROJECT_NAME}_two_capsules)

@@ -19,7 +19,7 @@ CMAKE = os.environ.get("COLLISION_MONITOR_CMAKE", "cmake")
 # ROS's CMake files call python3: it must be the one that has their modules.
 ENVIRONMENT = dict(os.environ, PATH=os.path.dirname(sys.executable) + ":" + os.environ["PATH"])
 OPTIONAL = ("GTest", "rapidcheck", "nlohmann_json", "fcl", "rostest", "CLI11", "EXPAT", "PNG")
-TESTS_OF_ALL = ["layers", "names", "unreached_functions", "tools", "configure"]
+TESTS_OF_ALL = ["layers", "names", "unreached_functions", "tools", "configure", "install"]
 
 
 class Configure(unittest.TestCase):
