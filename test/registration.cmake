@@ -15,9 +15,6 @@ function(add_cpp_test name program)
   add_test(NAME ${name} COMMAND ${program})
   set_tests_properties(${name} PROPERTIES
     ENVIRONMENT "GTEST_OUTPUT=xml:${results_dir}/gtest-${name}.xml")
-  if(TARGET run_tests_${PROJECT_NAME})
-    add_dependencies(run_tests_${PROJECT_NAME} ${program})
-  endif()
 endfunction()
 
 # Tests in Python of the sources, the programs, the configuration and the installation.
@@ -52,9 +49,9 @@ function(add_python_tests)
   set_tests_properties(install PROPERTIES ENVIRONMENT "${install_environment}")
 endfunction()
 
-# As catkin has it, run_tests itself does not fail; catkin_test_results tells what did. ctest's file
-# lacks an attribute that it asks for.
-if(has_ros AND NOT TARGET run_tests_${PROJECT_NAME})
+# add_run_tests(): with ROS, builds everything and runs ctest. As catkin has it, run_tests itself does
+# not fail; catkin_test_results tells what did. ctest's file lacks an attribute that it asks for.
+function(add_run_tests)
   set(results ${results_dir}/ctest.xml)
   set(tests_to_results "'${CMAKE_CTEST_COMMAND}' --output-on-failure")
   if(NOT CMAKE_VERSION VERSION_LESS 3.21)
@@ -66,4 +63,13 @@ if(has_ros AND NOT TARGET run_tests_${PROJECT_NAME})
     COMMAND sh -c "${tests_to_results}; true"
     WORKING_DIRECTORY ${PROJECT_BINARY_DIR} USES_TERMINAL VERBATIM)
   add_dependencies(run_tests run_tests_${PROJECT_NAME})
-endif()
+  foreach(folder . tools test test/ros_edge)
+    get_property(targets DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} PROPERTY BUILDSYSTEM_TARGETS)
+    foreach(target IN LISTS targets)
+      get_target_property(type ${target} TYPE)
+      if(type MATCHES "EXECUTABLE|_LIBRARY")
+        add_dependencies(run_tests_${PROJECT_NAME} ${target})
+      endif()
+    endforeach()
+  endforeach()
+endfunction()

@@ -52,16 +52,11 @@ class Configure(unittest.TestCase):
         self.assertIn("ros_edge_verdicts", left)
         self.assertNotIn("unit_model", left)
 
-    def test_without_fcl_the_oracle_is_left_out(self):
-        left = self.names_of_tests_without(["fcl"])
+    def test_without_fcl_png_or_expat_what_needs_them_is_left_out(self):
+        left = self.names_of_tests_without(["fcl", "PNG", "EXPAT"])
         self.assertIn("unit_model", left)
-        self.assertNotIn("oracle", left)
-
-    def test_without_png_or_expat_what_needs_them_is_left_out(self):
-        left = self.names_of_tests_without(["PNG", "EXPAT"])
-        self.assertIn("unit_model", left)
-        self.assertNotIn("unit_fit_tool", left)
-        self.assertNotIn("unit_pairs_tool", left)
+        for name in ("oracle", "unit_fit_tool", "unit_pairs_tool"):
+            self.assertNotIn(name, left)
 
     def test_without_any(self):
         # Without CLI11 nobody asks for the others of the programs.
