@@ -20,18 +20,20 @@ fail() { printf 'error: %s\n' "$*" >&2; exit 1; }
 fail_usage() { printf 'error: %s\n' "$*" >&2; exit 2; }  # for faults of the command line
 
 # Debian's packages. If /opt/ros/noetic is sourced, ROS itself comes from there.
-library_packages=(
-  build-essential cmake ninja-build pkg-config
+core_packages=(
+  build-essential cmake ninja-build pkg-config python3
   libeigen3-dev libassimp-dev libqhull-dev libtinyxml2-dev libyaml-cpp-dev libssl-dev
-  libboost-all-dev liburdfdom-dev liburdfdom-headers-dev libconsole-bridge-dev
+  liburdfdom-dev liburdfdom-headers-dev libconsole-bridge-dev
   libcli11-dev libexpat1-dev libfcl-dev libhwy-dev libpng-dev
-  python3-yaml
+  pybind11-dev python3-dev python3-numpy python3-yaml
 )
 test_packages=(
-  libgtest-dev librapidcheck-dev
-  nlohmann-json3-dev libbenchmark-dev libbullet-dev
+  libgtest-dev librapidcheck-dev nlohmann-json3-dev
+  python3-pytest python3-matplotlib python3-distributed
 )
+bench_packages=(libbenchmark-dev libbullet-dev)
 debian_ros_packages=(
+  libboost-all-dev
   ros-base-dev ros-robot-dev catkin rosbash python3-rosgraph python3-roslaunch python3-rospy
   python3-rostopic python3-rosservice python3-rostest python3-tf2-ros librostest-dev
   libtf2-ros-dev libtf2-eigen-dev libresource-retriever-dev libdiagnostic-updater-dev
@@ -64,16 +66,17 @@ install_packages() {
     fail "apt-get could not install: ${missing[*]}"
 }
 
-# install_missing [GROUP...]: installs build dependencies and the given groups: test, show, plot.
+# install_missing [GROUP...]: installs what the core needs and the given groups.
 install_missing() {
-  local packages=("${library_packages[@]}") group
-  has_ros_noetic || packages+=("${debian_ros_packages[@]}")
+  local packages=("${core_packages[@]}") group
   for group in "$@"; do
     case "$group" in
+      ros) has_ros_noetic || packages+=("${debian_ros_packages[@]}") ;;
       test) packages+=("${test_packages[@]}") ;;
+      bench) packages+=("${bench_packages[@]}") ;;
       show) has_ros_noetic || packages+=(rviz) ;;
       plot) packages+=(python3-matplotlib) ;;
-      *) fail "install_missing: no group '$group'; there are: test, show, plot" ;;
+      *) fail "install_missing: no group '$group'; there are: ros, test, bench, show, plot" ;;
     esac
   done
   install_packages "${packages[@]}"

@@ -16,7 +16,7 @@ import subprocess
 import sys
 
 PROGRAMS = ("monitor", "nodelet", "fit", "fit_parts", "pairs", "pairs_parts", "two_capsules",
-            "two_capsules_parts", "compare_with_fcl", "read_meshes", "fetch_resource")
+            "two_capsules_parts", "compare_with_fcl", "read_robot", "read_meshes", "fetch_resource")
 LIBRARIES = ("core", "mesh_reading", "ros_edge")
 INTERFACE = pathlib.Path(__file__).with_name("reached_interface.txt")
 

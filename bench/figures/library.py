@@ -8,6 +8,7 @@ import os
 import subprocess
 
 from figure import Figures, shared_data, stay_on_one_core
+from library_python import add_python
 
 PROGRAM = ("rosrun", "collision_monitor", "collision_monitor_library_bench")
 # Times as fast as FCL: the goals that `scripts/figures speed` has for every pair of hulls.
@@ -34,6 +35,7 @@ def main():
                        "check_nearest"):
             figures.tell(f"{robot}: {figure.replace('_', ' ')}", f"{times[f'{robot}/{figure}']:.4g} us",
                          "-")
+    add_python(figures)
     figures.finish()
 
 

@@ -35,9 +35,10 @@ void measureBodies(QueryParts& parts) {
   }
 }
 
-/// Measures each pair of elements whose nearest bodies are within a distance. Farther ones are
-/// farther apart than that.
-void measureNear(double within, QueryParts& parts) {
+/// Measures each pair of elements whose nearest bodies are within a distance, and all whose bodies
+/// overlap: depths of bodies without points are no bounds. Others are farther apart than that.
+void measureNear(double distance, QueryParts& parts) {
+  const double within = std::max(distance, 0.0);
   std::vector<PairId>& candidates = parts.links.candidates;
   candidates.clear();
   for (const std::uint32_t id : parts.nearest_bodies) {

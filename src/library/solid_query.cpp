@@ -46,11 +46,14 @@ SignedDistance unknownDistance() {
   return {kNaN, nowhere, nowhere, nowhere};
 }
 
-/// Searches for the largest depth of two meshes that overlap.
+/// Searches for the largest depth of two meshes that overlap. Spheres and capsules have no mesh:
+/// with them, the depth of inner shapes remains.
 void deepen(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
             SignedDistance& overlap) {
   constexpr std::uint32_t kPoints = 1000;  // a millisecond
-  deepenElements(a, b, kPoints, search, overlap);
+  if (a.element.mesh && b.element.mesh) {
+    deepenElements(a, b, kPoints, search, overlap);
+  }
 }
 
 }  // namespace

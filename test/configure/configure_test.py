@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The package is configured without packages that only tests need: they are named, their tests left out.
+"""The package is configured without ROS, and without packages that only some programs and tests need: they
+are named, and what needs them is left out.
 
 COLLISION_MONITOR_CMAKE is the program; ctest sets it.
 """
@@ -17,7 +18,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 CMAKE = os.environ.get("COLLISION_MONITOR_CMAKE", "cmake")
 # ROS's CMake files call python3: it must be the one that has their modules.
 ENVIRONMENT = dict(os.environ, PATH=os.path.dirname(sys.executable) + ":" + os.environ["PATH"])
-OF_TESTS = ("GTest", "rapidcheck", "nlohmann_json", "fcl", "rostest")
+OPTIONAL = ("GTest", "rapidcheck", "nlohmann_json", "fcl", "rostest", "CLI11", "EXPAT", "PNG", "pybind11")
+TESTS_OF_ALL = ["layers", "names", "unreached_functions", "tools", "configure", "install",
+                "example_distances", "example_check_path", "example_two_shapes"]
 
 
 class Configure(unittest.TestCase):
@@ -32,14 +35,15 @@ class Configure(unittest.TestCase):
              *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in hidden)],
             capture_output=True, text=True, timeout=300, check=False, env=ENVIRONMENT)
 
-    def names_of_tests_without(self, hidden):
+    def names_of_tests_without(self, hidden, *options):
         """Names of the tests that are left."""
-        result = self.configure(hidden)
+        result = self.configure(hidden, *options)
         self.assertEqual(result.returncode, 0, result.stderr)
-        lines = [line for line in result.stdout.splitlines() if "Tests are left out" in line]
-        self.assertEqual(len(lines), 1, result.stdout)
-        for package in OF_TESTS:
-            self.assertEqual(package in lines[0], package in hidden, lines[0])
+        before, _, left_out = result.stdout.partition("-- Left out, for want of what is in brackets")
+        self.assertEqual(bool(left_out), bool(hidden), result.stdout)
+        for package in OPTIONAL:
+            named = re.search(rf"\(.*\b{package}\b.*\)", left_out) is not None
+            self.assertEqual(named, package in hidden, left_out)
         listed = subprocess.run(["ctest", "-N"], cwd=self.folder, capture_output=True, text=True, check=True)
         return re.findall(r"Test +#\d+: (\w+)", listed.stdout)
 
@@ -49,14 +53,34 @@ class Configure(unittest.TestCase):
         self.assertIn("ros_edge_verdicts", left)
         self.assertNotIn("unit_model", left)
 
-    def test_without_fcl_the_oracle_is_left_out(self):
-        left = self.names_of_tests_without(["fcl"])
+    def test_without_fcl_png_or_expat_what_needs_them_is_left_out(self):
+        left = self.names_of_tests_without(["fcl", "PNG", "EXPAT"])
         self.assertIn("unit_model", left)
-        self.assertNotIn("oracle", left)
+        for name in ("oracle", "unit_fit_tool", "unit_pairs_tool"):
+            self.assertNotIn(name, left)
 
     def test_without_any(self):
-        self.assertEqual(self.names_of_tests_without(OF_TESTS),
-                         ["layers", "names", "unreached_functions", "tools", "configure"])
+        # Without CLI11 nobody asks for the others of the programs.
+        hidden = set(OPTIONAL) - {"EXPAT", "PNG"}
+        self.assertEqual(self.names_of_tests_without(hidden), TESTS_OF_ALL)
+
+    def test_without_ros(self):
+        left = self.names_of_tests_without([], "-DCOLLISION_MONITOR_ROS=OFF", "-DCOLLISION_MONITOR_TESTS=ON")
+        self.assertIn("unit_pairs_tool", left)
+        self.assertIn("oracle", left)
+        self.assertFalse([name for name in left if "ros_edge" in name or "two_capsules" in name])
+
+    def test_where_catkin_is_not_found_ros_is_left_out(self):
+        result = self.configure(["catkin"])
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("-- Building the core without ROS", result.stdout)
+        self.assertIn("--   node, nodelet and messages (catkin)", result.stdout)
+
+    def test_ros_that_is_asked_for_is_not_left_out(self):
+        for value, named in (("ON", "catkin"), ("yes", "accepted: ON, OFF, AUTO")):
+            result = self.configure(["catkin"], f"-DCOLLISION_MONITOR_ROS={value}")
+            self.assertNotEqual(result.returncode, 0)
+            self.assertIn(named, result.stderr)
 
     def test_benchmarks_that_are_asked_for_are_not_left_out(self):
         result = self.configure(["rapidcheck"], "-DCOLLISION_MONITOR_BENCH=ON")

@@ -8,7 +8,7 @@
 #include "comparison.h"
 #include "exact_comparison.h"
 #include "model/mesh_files/regular_file.h"
-#include "ros_edge/parameters/resource_loader.h"
+#include "read_robot.h"
 
 /// Compares our distances and verdicts with FCL's, on the enclosing shapes of a robot.
 namespace collision_monitor {
@@ -87,7 +87,7 @@ void checkHasPairs(const CycleSetup& setup) {
 int compare(const RobotDescription& robot, const ComparisonOptions& options) {
   SetupOptions setup_options = optionsForPoses();
   setup_options.refine.geometry = RefineGeometry::none;  // FCL gets the enclosing shapes
-  const CycleSetup setup = buildSetup({robot}, makeResourceLoader(), setup_options);
+  const CycleSetup setup = buildSetup({robot}, fit_tool::makeLoader(), setup_options);
   checkHasPairs(setup);
   std::printf("%s: %zu links, %zu shapes, %zu link pairs checked, %zu shape pairs\n",
               robot.source.c_str(), setup.model.links.size(), setup.bodies.size(),
@@ -103,7 +103,7 @@ double percent(std::size_t part, std::size_t whole) {
 }
 
 int compareExact(const RobotDescription& robot, const ComparisonOptions& options) {
-  const CycleSetup setup = buildSetup({robot}, makeResourceLoader(), optionsForPoses());
+  const CycleSetup setup = buildSetup({robot}, fit_tool::makeLoader(), optionsForPoses());
   checkHasPairs(setup);
   const ExactComparison found = compareExactly(setup, options);
   for (const std::string& line : found.wrong) {
@@ -141,7 +141,7 @@ int run(int argc, char** argv) {
   std::string urdf;
   std::string srdf;
   ComparisonOptions options;
-  app.add_option("urdf", urdf, "URDF file; package:// names are looked up as rospack does");
+  app.add_option("urdf", urdf, "URDF file; package:// names are looked up by ROS_PACKAGE_PATH");
   app.add_option("--srdf", srdf, "SRDF file with the pairs to ignore");
   constexpr std::size_t kMost = 1000000000;
   app.add_option("--poses", options.poses, "random poses, 1 to 1000000000")

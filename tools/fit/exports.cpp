@@ -3,7 +3,7 @@
 #include "exports.h"
 
 #include "fitting/sphere_trees/build_sphere_tree.h"
-#include "pictures/write_html.h"
+#include "markup_text.h"
 #include "table.h"
 #include "write_urdf.h"
 

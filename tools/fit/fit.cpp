@@ -33,6 +33,17 @@ void warn(const std::vector<Problem>& warnings) {
   }
 }
 
+void addPage(const Options& options, const RobotDescription& description, const FittedRobot& robot,
+             const Progress& progress, std::vector<OutputFile>& files) {
+  if (!options.html.empty()) {
+    const auto show = [&](const std::string& link, std::size_t done, std::size_t total) {
+      progress.show("drawing", link, done, total);
+    };
+    files.push_back(
+        {options.html, writeHtml(robot, description.source, show), options.may_replace});
+  }
+}
+
 std::vector<OutputFile> makeOutputs(const Options& options, const RobotDescription& description,
                                     const FittedRobot& robot, const Progress& progress) {
   std::vector<OutputFile> files;
@@ -43,12 +54,8 @@ std::vector<OutputFile> makeOutputs(const Options& options, const RobotDescripti
     files.push_back(
         {options.new_urdf, writeShapeUrdf(robot, description.urdf_xml), options.may_replace});
   }
-  if (!options.html.empty()) {
-    const auto show = [&](const std::string& link, std::size_t done, std::size_t total) {
-      progress.show("drawing", link, done, total);
-    };
-    files.push_back(
-        {options.html, writeHtml(robot, description.source, show), options.may_replace});
+  if constexpr (kHasPictures) {
+    addPage(options, description, robot, progress, files);
   }
   if (options.spheres_yaml.empty() && options.spheres_srdf.empty()) {
     return files;

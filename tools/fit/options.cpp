@@ -26,7 +26,7 @@ const char* const kFooter =
     "  fit robot.urdf --html fit.html        look at every link\n"
     "  fit robot.urdf --yaml rules.yaml      write the shapes down, edit them, then\n"
     "  fit robot.urdf --rules rules.yaml     see how they do, and give the file to the monitor\n"
-    "  fit --param /robot_description --link '*_finger' --max-shapes 6";
+    "  fit robot.urdf --link '*_finger' --max-shapes 6";
 
 /// Lengths are finite and not negative. CLI11's own checks accept infinity.
 std::string faultOfLength(const std::string& text) {
@@ -85,7 +85,9 @@ void addOutputs(CLI::App& app, Options& options) {
   const auto add_file = [&](const char* name, std::string& file, const char* what) {
     app.add_option(name, file, what)->type_name("FILE")->group("Output");
   };
-  add_file("--html", options.html, "a page with a picture and figures of each link");
+  if (kHasPictures) {
+    add_file("--html", options.html, "a page with a picture and figures of each link");
+  }
   add_file("--yaml", options.yaml, "the shapes as rules, for --rules and the monitor");
   add_file("--urdf", options.new_urdf, "the robot with its shapes as <collision> and <visual>");
   add_file("--spheres-yaml", options.spheres_yaml, "sphere hierarchies about the links");

@@ -11,6 +11,9 @@
 
 namespace collision_monitor::fit_tool {
 
+/// Whether the program is built with libpng: then it has --html.
+constexpr bool kHasPictures = COLLISION_MONITOR_HAS_PNG;
+
 /// The command line. Empty names: not asked for.
 struct Options {
   RobotSource source;

@@ -18,8 +18,13 @@ std::string readInput(const std::string& what, const std::string& path, SetupRep
 /// The rules; empty if none are asked for. Adds an error to `report` if they cannot be read.
 ShapeRulesText readRules(const std::string& path, SetupReport& report);
 
+/// The text of a parameter of a running roscore. Adds an error to `report` if there is none.
+/// @pre kHasRos
+std::string readParameter(const std::string& name, SetupReport& report);
+
 /// Looks package:// names up in the given folders in order, each a package or a folder of packages,
-/// then where ROS does. Takes other names as they are. Has the monitor's limits.
-ResourceLoader makeLoader(const RobotSource& source);
+/// then where ROS_PACKAGE_PATH leads to; without ROS, also by AMENT_PREFIX_PATH. Takes other names
+/// as they are. Has the monitor's limits. Defined in read_by_ros.cpp or read_without_ros.cpp.
+ResourceLoader makeLoader(const RobotSource& source = {});
 
 }  // namespace collision_monitor::fit_tool

@@ -7,30 +7,42 @@
 
 namespace collision_monitor::fit_tool {
 
-void addRobotOptions(CLI::App& app, RobotSource& source) {
-  app.add_option("urdf", source.urdf, "the robot, or - for standard input")->type_name("FILE");
-  const char* const group = "Input";
+namespace {
+
+const char* const kInput = "Input";
+
+void addRosOptions(CLI::App& app, RobotSource& source) {
   app.add_option("--param", source.parameter,
                  "read the URDF from this parameter of a running roscore instead")
       ->type_name("NAME")
-      ->group(group);
-  app.add_option("--package-root", source.package_roots,
-                 "holds packages, or is one: where package:// names are looked up first,\n"
-                 "before ROS_PACKAGE_PATH; may be given several times")
-      ->allow_extra_args(false)
-      ->type_name("FOLDER")
-      ->group(group);
+      ->group(kInput);
   app.add_option("--scheme", source.schemes,
                  "by which meshes may be fetched, as http; may be given several times;\n"
                  "without it only files and packages are read")
       ->allow_extra_args(false)
       ->type_name("NAME")
-      ->group(group);
+      ->group(kInput);
+}
+
+}  // namespace
+
+void addRobotOptions(CLI::App& app, RobotSource& source) {
+  app.add_option("urdf", source.urdf, "the robot, or - for standard input")->type_name("FILE");
+  app.add_option("--package-root", source.package_roots,
+                 "holds packages, or is one: where package:// names are looked up first,\n"
+                 "before ROS_PACKAGE_PATH; may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("FOLDER")
+      ->group(kInput);
+  if (kHasRos) {
+    addRosOptions(app, source);
+  }
 }
 
 void checkOneRobot(const RobotSource& source) {
   if (source.urdf.empty() == source.parameter.empty()) {
-    throw CLI::ValidationError("give one robot: a URDF file, - or --param NAME");
+    throw CLI::ValidationError(kHasRos ? "give one robot: a URDF file, - or --param NAME"
+                                       : "give one robot: a URDF file or -");
   }
 }
 

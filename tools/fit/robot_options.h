@@ -11,12 +11,15 @@ class App;
 
 namespace collision_monitor::fit_tool {
 
+/// Whether the programs are built with ROS: then they read parameters and fetch meshes by http.
+constexpr bool kHasRos = COLLISION_MONITOR_HAS_ROS;
+
 /// The source of a program's robot. Empty names: not asked for.
 struct RobotSource {
   std::string urdf;       ///< file, or "-" for standard input
-  std::string parameter;  ///< alternative to the file
+  std::string parameter;  ///< alternative to the file; needs ROS
   std::vector<std::string> package_roots;
-  std::vector<std::string> schemes;  ///< as LoadRules::schemes
+  std::vector<std::string> schemes;  ///< as LoadRules::schemes; needs ROS
 };
 
 constexpr int kUsageFault = 2;  ///< exit code

@@ -35,11 +35,12 @@ using ResourceLoader = std::function<std::string(const std::string& uri)>;
 /// Reads all robots into one model: every `<collision>` of every link (box,
 /// sphere, cylinder, capsule, mesh with scale), all joint types, mimic.
 ///
-/// Shapes: a `<capsule radius length>` is read as in Bullet: `length` is the distance between the
-/// centers of its caps. It is not part of the URDF specification. A cylinder with spheres of its
+/// Shapes: of a `<capsule radius length>`, `length` is the distance between the centers of its
+/// caps, as in Bullet and since URDF 1.1. It is read in any version. A cylinder with spheres of its
 /// radius on both ends, all in one link, becomes one capsule. Meshes are scaled, also by negative
 /// and non-uniform scales.
-/// Frames: `rpy` turns about fixed axes, R = Rz(yaw) Ry(pitch) Rx(roll).
+/// Frames: `rpy` turns about fixed axes, R = Rz(yaw) Ry(pitch) Rx(roll). From `<robot
+/// version="1.1">` on, `quat_xyzw` may stand in its place; it is normalised.
 /// Names: leading slashes are dropped. A link written "/base" keeps the tf frame "base" without
 /// prefix, as robot_state_publisher publishes it; its name in messages has the prefix.
 /// Joints: axes are normalised; the default axis is x, as in URDF. Missing limits mean no limits. A

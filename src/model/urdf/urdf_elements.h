@@ -68,7 +68,8 @@ std::optional<Geometry> readGeometry(const tinyxml2::XMLElement& geometry, const
 std::optional<Eigen::Vector3d> readMeshScale(const tinyxml2::XMLElement& mesh, const Place& place);
 
 /// The `<origin>` of an element: identity by default.
-/// Rotation: fixed axes, R = Rz(yaw) Ry(pitch) Rx(roll).
+/// Rotation: fixed axes, R = Rz(yaw) Ry(pitch) Rx(roll); from version 1.1 on also a quaternion,
+/// which is normalised.
 Pose readOrigin(const tinyxml2::XMLElement& parent, const Place& place);
 
 }  // namespace collision_monitor

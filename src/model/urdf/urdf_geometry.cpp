@@ -5,7 +5,6 @@
 #include <exception>
 
 #include "geometry/constants.h"
-#include "geometry/rpy.h"
 #include "model/urdf/urdf_elements.h"
 #include "model/xml_document.h"
 
@@ -199,25 +198,6 @@ std::optional<Eigen::Vector3d> readMeshScale(const XMLElement& element, const Pl
     return std::nullopt;
   }
   return scale;
-}
-
-Pose readOrigin(const XMLElement& parent, const Place& place) {
-  Pose pose;
-  const XMLElement* origin = onlyChild(parent, "origin", place);
-  if (origin == nullptr) {
-    return pose;
-  }
-  if (origin->Attribute("quat_xyzw") != nullptr) {
-    place.addError(origin->GetLineNum(), "origin with quat_xyzw",
-                   "rpy: the URDF of ROS 1 has no quaternions");
-  }
-  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-  pose.translation = readNumbersOr<3>(
-      zero, *origin, {"xyz", "three finite numbers separated by spaces, in metres"}, place);
-  const Eigen::Vector3d rpy = readNumbersOr<3>(
-      zero, *origin, {"rpy", "three finite numbers separated by spaces, in radians"}, place);
-  pose.rotation = rotationOfRpy(rpy);
-  return pose;
 }
 
 }  // namespace collision_monitor

@@ -55,7 +55,7 @@ TEST(Options, help_endsWell_andNamesEveryOutput) {
 TEST(Options, faults_endWithTwo_andNameTheFault) {
   const std::vector<std::pair<std::vector<const char*>, const char*>> cases{
       {{}, "give one robot"},
-      {{"a.urdf", "--param", "/robot_description"}, "give one robot"},
+      {{"a.urdf", "--param", "/robot_description"}, kHasRos ? "give one robot" : "--param"},
       {{"a.urdf", "--frobnicate"}, "--frobnicate"},
       {{"a.urdf", "b.urdf"}, "b.urdf"},
       {{"a.urdf", "--kinds", "cone"}, "cone"},

@@ -34,10 +34,10 @@ TEST(PairsOptions, help_endsWell) {
   const Parsed parsed = parse({"--help"}, &said);
   EXPECT_FALSE(parsed.is_to_run);
   EXPECT_EQ(parsed.exit_code, 0);
-  for (const char* option :
-       {"--states", "--seed", "--write-srdf", "--force", "--trust-samples", "--param"}) {
+  for (const char* option : {"--states", "--seed", "--write-srdf", "--force", "--trust-samples"}) {
     EXPECT_NE(said.find(option), std::string::npos) << option;
   }
+  EXPECT_EQ(said.find("--param") != std::string::npos, fit_tool::kHasRos);
 }
 
 TEST(PairsOptions, faults) {

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture.h"
 
-#include <png.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace collision_monitor::fit_tool {
 namespace {
@@ -104,22 +101,6 @@ Picture pictureOf(const TriangleMesh& surface, const std::vector<PosedShape>& sh
     drawShape(shapes[i], view, static_cast<int>(i), outside);
   }
   return compose(solid, outside);
-}
-
-std::string encodePng(const Picture& picture) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(picture.width);
-  image.height = static_cast<png_uint_32>(picture.height);
-  image.format = PNG_FORMAT_RGB;
-  std::string file(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
-  png_alloc_size_t size = file.size();
-  if (png_image_write_to_memory(&image, file.data(), &size, 0, picture.bytes.data(), 0, nullptr) ==
-      0) {
-    throw std::runtime_error(std::string("no PNG can be made: ") + image.message);
-  }
-  file.resize(size);
-  return file;
 }
 
 }  // namespace collision_monitor::fit_tool

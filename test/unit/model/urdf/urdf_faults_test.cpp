@@ -132,7 +132,8 @@ TEST(UrdfFaults, geometryAndOrigins) {
              "by spaces, in metres"}},
       {"quaternion",
        robotXml(linkXml("a", "<sphere radius='1'/>", "<origin quat_xyzw='0 0 0 1'/>")),
-       {at + "origin with quat_xyzw; accepted: rpy: the URDF of ROS 1 has no quaternions"}},
+       {at + "origin with quat_xyzw in a URDF of version 1.0; accepted: rpy, or <robot "
+             "version=\"1.1\"> and later"}},
   });
 }
 

@@ -1,0 +1,21 @@
+# Where things are built and installed: without ROS, as on any system; with ROS, as catkin has it.
+# `core_space` holds the built library as an installed prefix does.
+if(NOT has_ros)
+  include(GNUInstallDirs)
+  set(library_destination ${CMAKE_INSTALL_LIBDIR})
+  set(program_destination ${CMAKE_INSTALL_BINDIR})
+  set(helper_destination ${CMAKE_INSTALL_LIBDIR}/${PROJECT_NAME})
+  set(include_destination ${CMAKE_INSTALL_INCLUDEDIR})
+  set(core_space ${PROJECT_BINARY_DIR})
+  set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${core_space}/${library_destination})
+  set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${core_space}/${library_destination})
+  set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${core_space}/${program_destination})
+else()
+  set(library_destination ${CATKIN_PACKAGE_LIB_DESTINATION})
+  set(program_destination ${CATKIN_PACKAGE_BIN_DESTINATION})
+  set(helper_destination ${CATKIN_PACKAGE_BIN_DESTINATION})
+  set(include_destination ${CATKIN_GLOBAL_INCLUDE_DESTINATION})
+  set(core_space ${CATKIN_DEVEL_PREFIX})
+endif()
+# What is installed finds the library beside it, wherever the prefix is moved.
+file(RELATIVE_PATH libraries_from_program /${program_destination} /${library_destination})

@@ -1,0 +1,112 @@
+# SPDX-FileCopyrightText: 2026 The collision_monitor authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures for notebooks and papers. Needs matplotlib."""
+from typing import Any, List, Optional
+
+import numpy as np
+
+from ._core import PairDistance, Robot
+from .enums import Quality, Verdict
+from .records import EnclosingShape
+
+_COLOURS = {Verdict.clear: "tab:green", Verdict.warning: "tab:orange",
+            Verdict.contact: "tab:red"}
+_STEPS = 12  # points of a quarter of a turn, rounded up to what looks round
+
+
+def surface(shape: EnclosingShape) -> np.ndarray:
+    """(rows, columns, 3) A grid of points on a shape, in its own frame.
+
+    A ball's grid, moved outward by the half extents of the core: each quarter goes with a corner.
+    """
+    # The angles at which a quarter ends stand twice: once for each of the two corners there.
+    quarter = np.linspace(0.0, np.pi / 2, _STEPS // 2 + 1)
+    around = np.concatenate([quarter + i * np.pi / 2 for i in range(4)] + [[2.0 * np.pi]])
+    corner_x = np.concatenate([np.full(len(quarter), x) for x in (1, -1, -1, 1)] + [[1]])
+    corner_y = np.concatenate([np.full(len(quarter), y) for y in (1, 1, -1, -1)] + [[1]])
+    up = np.concatenate([quarter - np.pi / 2, quarter])
+    corner_z = np.repeat([-1, 1], len(quarter))
+    ball = np.stack([np.outer(np.cos(up), np.cos(around)), np.outer(np.cos(up), np.sin(around)),
+                     np.outer(np.sin(up), np.ones_like(around))], axis=-1)
+    ones = np.ones_like(up)
+    corners = np.stack([np.outer(ones, corner_x), np.outer(ones, corner_y),
+                        np.outer(corner_z, np.ones_like(around))], axis=-1)
+    grid = shape.radius * ball + shape.half_extents * corners
+    return np.concatenate([_cap(grid[:1]), grid, _cap(grid[-1:])])
+
+
+def _cap(border: np.ndarray) -> np.ndarray:
+    """A row of one point in the middle of a border, so that the grid is closed."""
+    return np.broadcast_to(border[:, :-1].mean(axis=1, keepdims=True), border.shape)
+
+
+def _in_world(grid: np.ndarray, world_from_shape: np.ndarray) -> np.ndarray:
+    return grid @ world_from_shape[:3, :3].T + world_from_shape[:3, 3]
+
+
+def _draw_shapes(axes: Any, robot: Robot, poses: np.ndarray, pairs: List[PairDistance]) -> list:
+    """Draws the shapes of known links; returns the points that the view must hold."""
+    worst = {}
+    for pair in pairs:
+        for link in pair.links:
+            worst[link] = max(worst.get(link, Verdict.clear), pair.verdict)
+    pose_of = dict(zip(robot.links, poses))
+    drawn = []
+    for shape in robot.shapes:
+        if not np.isfinite(pose_of[shape.link]).all():
+            continue
+        grid = _in_world(surface(shape), pose_of[shape.link] @ shape.link_from_shape)
+        verdict = worst.get(shape.link, Verdict.clear)
+        colour = "lightsteelblue" if verdict == Verdict.clear else _COLOURS[verdict]
+        axes.plot_surface(*np.moveaxis(grid, -1, 0), color=colour, alpha=0.35, linewidth=0,
+                          rstride=1, cstride=1, shade=True)
+        drawn.append(grid.reshape(-1, 3))
+    return drawn
+
+
+def _draw_pair(axes: Any, pair: PairDistance) -> None:
+    """A line between the nearest points, with the distance in millimetres."""
+    ends = np.stack([pair.point_on_a, pair.point_on_b])
+    colour = _COLOURS[pair.verdict]
+    axes.plot(*ends.T, color=colour, marker="o", markersize=3, linewidth=1.5, zorder=10)
+    axes.text(*ends.mean(axis=0), f"{1000 * pair.distance:.0f} mm", color=colour, fontsize=8,
+              zorder=11, bbox={"facecolor": "white", "alpha": 0.7, "linewidth": 0, "pad": 1.0})
+
+
+def _show_all(axes: Any, drawn: list) -> None:
+    """Equal scales, and limits that hold all that is drawn."""
+    if drawn:
+        points = np.concatenate(drawn)
+        middle = (points.min(axis=0) + points.max(axis=0)) / 2
+        reach = max((points.max(axis=0) - points.min(axis=0)).max() / 2, 1e-3)
+        for set_limits, centre in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), middle):
+            set_limits(centre - reach, centre + reach)
+    axes.set_box_aspect((1, 1, 1))
+    axes.set_xlabel("x [m]")
+    axes.set_ylabel("y [m]")
+    axes.set_zlabel("z [m]")
+
+
+def plot(robot: Robot, q: Any, within: float = 0.2, count: int = 10,
+         axes: Optional[Any] = None) -> Any:
+    """Draws a robot's enclosing shapes at a state, and lines between the nearest points of pairs.
+
+    within: [m] pairs that are farther apart get no line. count: most lines, the nearest first.
+    axes: of matplotlib with projection="3d"; None: of a new figure. Links that are unknown are not
+    drawn; the title tells how many pairs are unknown.
+    Returns the axes, whose `figure` can be saved.
+    """
+    try:
+        from matplotlib import pyplot
+    except ImportError as fault:
+        raise ImportError("plot() needs matplotlib (Debian: python3-matplotlib)") from fault
+    found = robot.distances(q, within).sorted()
+    known = [pair for pair in found if pair.quality != Quality.unknown][:count]
+    if axes is None:
+        axes = pyplot.figure(figsize=(8, 8)).add_subplot(projection="3d", computed_zorder=False)
+    _show_all(axes, _draw_shapes(axes, robot, robot.link_poses(q), known))
+    for pair in known:
+        _draw_pair(axes, pair)
+    unknown = sum(pair.quality == Quality.unknown for pair in found)
+    axes.set_title(f"{robot.verdict(q).name}" + (f", {unknown} pairs unknown" if unknown else ""))
+    return axes
