@@ -3,7 +3,7 @@
 //
 // The library as its users call it: the distance of every pair of a robot in motion, for joint
 // values, beside FCL's distance of every pair, whose elements are placed before. Prints lines of
-// "robot/figure microseconds", and for FCL "robot/figure/fcl microseconds".
+// "robot/figure microseconds"; FCL's figures end in /fcl and /fcl_solids.
 //   collision_monitor_library_bench ROBOT...
 #include <cmath>
 #include <cstdio>
@@ -69,12 +69,27 @@ double timeOurs(RobotQuery& query, const std::vector<JointPositions>& states,
   return time / static_cast<double>(states.size());
 }
 
-/// [ns] a state
-double timeFcl(const RobotFile& robot, const std::vector<JointPositions>& states) {
+CycleSetup fclSetup(const RobotFile& robot) {
   SetupOptions options;
   options.default_limits.max_shapes = 1;
-  const CycleSetup setup = buildSetup({describe(robot)}, fileLoader(robot.package_root), options);
-  const std::vector<FclGeometry> geometries = fclGeometries(setup);
+  return buildSetup({describe(robot)}, fileLoader(robot.package_root), options);
+}
+
+/// The convex elements as FCL's convex solids, in which it is faster than in meshes; the others as
+/// their geometries.
+std::vector<FclGeometry> fclSolids(const CycleSetup& setup) {
+  std::vector<FclGeometry> solids = fclGeometries(setup);
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    if (setup.elements[i].convex) {
+      solids[i] = toFclGeometry(*setup.elements[i].convex);
+    }
+  }
+  return solids;
+}
+
+/// [ns] a state
+double timeFcl(const CycleSetup& setup, const std::vector<FclGeometry>& geometries,
+               const std::vector<JointPositions>& states) {
   BodyPoses poses = makeBodyPoses(setup);
   std::vector<FclObjects> placed;
   for (std::size_t i = 0; i < kFclStates; ++i) {
@@ -110,7 +125,9 @@ void measure(const RobotFile& robot) {
   RobotQuery query(RobotMonitor({describe(robot)}, optionsOf(robot)));
   const std::vector<JointPositions> states = moveThrough(query.monitor().model());
   print(name, "every_distance", timeOurs(query, states, {}));
-  print(name, "every_distance/fcl", timeFcl(robot, states));
+  const CycleSetup setup = fclSetup(robot);
+  print(name, "every_distance/fcl", timeFcl(setup, fclGeometries(setup), states));
+  print(name, "every_distance/fcl_solids", timeFcl(setup, fclSolids(setup), states));
   print(name, "every_distance_and_gradient",
         timeOurs(query, states, {std::numeric_limits<double>::infinity(), true}));
   print(name, "distances_within_0.2_m", timeOurs(query, states, {0.2, false}));

@@ -186,6 +186,36 @@ TEST(QueryLaws, manyStates_areAnsweredAsOneByOneByAnyNumberOfThreads) {
   }
 }
 
+TEST(QueryLaws, oddNumbers_areUnknownOrMeasuredButNeverLeftOut) {
+  constexpr double kOdd[] = {0.0,    std::numeric_limits<double>::quiet_NaN(),
+                             1e300,  -std::numeric_limits<double>::infinity(),
+                             1e9,    -1e9,
+                             1e-300, 0.5};
+  for (const char* name : {"urdf/humanoid.urdf", "urdf/three_capsules.urdf"}) {
+    SCOPED_TRACE(name);
+    Scene scene = sceneOf(name);
+    RobotQuery query(scene.monitor);
+    for (int i = 0; i < 1000; ++i) {
+      JointPositions state = scene.draw();
+      for (int k = 0; k < 3; ++k) {
+        state[scene.random() % state.size()] = kOdd[scene.random() % std::size(kOdd)];
+      }
+      const bool is_sound = std::all_of(state.begin(), state.end(),
+                                        [](double number) { return std::abs(number) <= 1e9; });
+      const DistanceTable& table = query.distances(state, {0.1, true});
+      for (const MeasuredPair& pair : table.pairs) {
+        EXPECT_EQ(std::isnan(pair.measured.distance), pair.quality == Quality::unknown);
+        EXPECT_EQ(pair.verdict == Verdict::unknown, pair.quality == Quality::unknown);
+      }
+      EXPECT_EQ(query.distances(state).pairs.size(), scene.setup.checked.size());
+      EXPECT_TRUE(is_sound || query.verdict(state) >= Verdict::unknown);
+      EXPECT_TRUE(is_sound || query.check(state).at(0).verdict == Verdict::unknown);
+      query.nearest(state);
+      query.contacts(state);
+    }
+  }
+}
+
 TEST(QueryLaws, twoThreads_shareOneMonitor) {
   Scene scene = sceneOf("urdf/arm6.urdf");
   const std::vector<double> states = scene.drawMany(200);
