@@ -11,7 +11,7 @@ package = pathlib.Path(__file__).resolve().parent.parent
 robot = cm.load(package / "urdf/arm6.urdf", package / "urdf/arm6.srdf", packages=package)
 print(robot)
 
-q = np.array([0.3, 1.2, 1.9, 0.0, 0.8, 0.0])
+q = np.array([0.3, 1.2, 1.9, 0.0, 0.8, 0.0, 0.02])
 found = robot.distances(q, within=0.5, gradients=True)
 print(found)
 if len(found):

@@ -8,10 +8,9 @@ import numpy as np
 from dask.distributed import Client, progress
 import collision_monitor_core as cm
 
-load = functools.lru_cache(cm.load)  # each worker reads the robot once
 
 def check(robot_files, part, size=10_000):
-    robot = load(*robot_files)
+    robot = cm.load(*robot_files)  # milliseconds: fits are kept
     if isinstance(part, int):  # the number of a block of random states
         low, high = np.maximum(robot.lower, -np.pi), np.minimum(robot.upper, np.pi)
         states = np.random.default_rng(part).uniform(low, high, (size, len(low)))
@@ -19,6 +18,7 @@ def check(robot_files, part, size=10_000):
         table = np.atleast_1d(np.genfromtxt(part, delimiter=",", names=True, deletechars=""))
         states = np.stack([robot.state(dict(zip(table.dtype.names, row))) for row in table])
     return np.bincount(robot.check(states, threads=1).verdict, minlength=4)
+
 
 if __name__ == "__main__":
     urdf, srdf, scheduler, *what = sys.argv[1:]

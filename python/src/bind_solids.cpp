@@ -88,8 +88,20 @@ Eigen::Vector3d threeOf(const py::object& given, const char* name, bool may_be_o
   return Eigen::Map<const Eigen::Vector3d>(numbers.data());
 }
 
+std::string readPath(const py::object& given) {
+  std::string path;
+  try {
+    path = py::module_::import("os").attr("fsencode")(given).cast<std::string>();
+  } catch (const py::error_already_set&) {
+  }
+  if (path.empty() || path.find('\0') != std::string::npos) {
+    throw ArgumentError({"`file` is no path; accepted: the path of a mesh file"});
+  }
+  return path;
+}
+
 NamedSolid meshInFile(const py::object& file, const py::object& scale) {
-  const auto path = py::module_::import("os").attr("fsencode")(file).cast<std::string>();
+  const std::string path = readPath(file);
   const Eigen::Vector3d factors = threeOf(scale, "scale", true);
   const py::gil_scoped_release no_gil;
   return {Solid::mesh(std::filesystem::path(path), factors), "mesh of " + path};

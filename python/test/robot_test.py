@@ -79,9 +79,11 @@ def test_calls_agreeWithEachOther(arm, states):
         assert nearest.distance == pytest.approx(every.distance.min(), abs=1e-9)
         assert arm.verdict(state) == answers[i].verdict == every.verdict.max()
         assert bool(arm.contacts(state)) == touching[i]
-        if not touching[i]:
+        if not touching[i] and answers[i].quality == cm.Quality.exact:
             assert answers.distance[i] == pytest.approx(nearest.distance, abs=1e-9)
             assert answers[i].links == nearest.links
+        assert touching[i] or answers.distance[i] <= nearest.distance + 1e-9
+    assert (answers.quality == cm.Quality.exact)[~touching].sum() > 10
 
 
 def test_check_sameBytesForAnyNumberOfThreads(arm, states):
@@ -156,16 +158,14 @@ def test_progress_growsAndItsExceptionEndsTheCall(arm, states):
 
 
 def test_threads_shareARobot(arm, states):
-    wanted = arm.check(states)
+    wanted = [(arm.verdict(state), arm.nearest(state).distance) for state in states]
     failures = []
 
     def work(first):
         for i in range(first, len(states), 4):
-            nearest = arm.nearest(states[i])
-            verdict = arm.verdict(states[i])
-            if verdict != wanted[i].verdict or (
-                    verdict != cm.Verdict.contact
-                    and abs(nearest.distance - wanted.distance[i]) > 1e-9):
+            verdict, distance = wanted[i]
+            if (arm.verdict(states[i]) != verdict
+                    or abs(arm.nearest(states[i]).distance - distance) > 1e-9):
                 failures.append(i)
     threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
     for thread in threads:
