@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "pipeline/pair_search/prove_apart.h"
+#include "pipeline/pair_search/touch.h"
 #include "support/robots/urdf_text.h"
 
 namespace collision_monitor::test {
