@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "collision_monitor/pipeline/search_pairs.h"
+#include "pipeline/pair_search/joint_ranges.h"
 #include "pipeline/pair_search/touch.h"
 #include "support/robots/file_loader.h"
 
