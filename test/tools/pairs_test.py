@@ -94,16 +94,64 @@ class RobotsOfThisPackage(unittest.TestCase):
                 self.assertEqual(rows_of(result.stdout), {})
                 self.assertEqual(disabled_in(self.srdf), {})
 
+    def two_turns(self, kind):
+        """Links a and b about one point, with a link and two joints of this kind between them."""
+        return ("<robot name='r'><link name='a'>" + BALL + "</link><link name='between'>" + BALL + "</link>"
+                "<link name='b'>" + BALL + "</link>"
+                f"<joint name='j' type='{kind}'><parent link='a'/><child link='between'/></joint>"
+                f"<joint name='k' type='{kind}'><parent link='between'/><child link='b'/></joint></robot>")
+
     def test_always_is_written_only_if_it_is_proven_or_samples_are_trusted(self):
-        always = ("<robot name='r'><link name='a'>" + BALL + "</link><link name='between'>" + BALL + "</link>"
-                  "<link name='b'>" + BALL + "</link>"
-                  "<joint name='j' type='continuous'><parent link='a'/><child link='between'/></joint>"
-                  "<joint name='k' type='continuous'><parent link='between'/><child link='b'/></joint></robot>")
-        result = run("-", "--no-cache", "--states", 20, "--write-srdf", self.srdf, text=always)
+        proven = run("-", "--no-cache", "--states", 20, "--write-srdf", self.srdf, text=self.two_turns("continuous"))
+        self.assertEqual(rows_of(proven.stdout)[("a", "b")], ("always", "proven"))
+        self.assertEqual(disabled_in(self.srdf)[("a", "b")], "Always")
+        always = self.two_turns("planar")  # no proof covers it; each slides up to 1 m
+        always = always.replace("radius='0.1'", "radius='9'")
+        result = run("-", "--no-cache", "--states", 20, "--write-srdf", self.srdf, "--force", text=always)
         self.assertEqual(rows_of(result.stdout)[("a", "b")], ("always", "touch in all 20 states"))
         self.assertNotIn(("a", "b"), disabled_in(self.srdf))
         run("-", "--no-cache", "--states", 20, "--write-srdf", self.srdf, "--trust-samples", text=always)
         self.assertEqual(disabled_in(self.srdf)[("a", "b")], "Always")
+
+    def test_check_finds_what_an_srdf_should_not_disable(self):
+        urdf = ("<robot name='r'><link name='a'>" + BALL + "</link><link name='m'/><link name='b'>" + BALL + "</link>"
+                "<link name='far'>" + BALL + "</link><joint name='f' type='fixed'><parent link='m'/><child link='far'/>"
+                "<origin xyz='9 0 0'/></joint>"
+                "<joint name='j' type='prismatic'><parent link='m'/><child link='a'/><axis xyz='1 0 0'/>"
+                "<limit lower='0' upper='1' velocity='1' effort='1'/></joint>"
+                "<joint name='k' type='fixed'><parent link='m'/><child link='b'/><origin xyz='0.9 0 0'/></joint></robot>")
+        urdf = urdf.replace("<link name='m'/>", "<link name='m'>" + BALL.replace("0.1", "0.01") + "</link>")
+        line = "<disable_collisions link1='{}' link2='{}' reason='Never'/>\n"
+        self.srdf.write_text("<robot name='r'>\n" + line.format("a", "b") + "</robot>", encoding="utf-8")
+        wrong = run("-", "--no-cache", "--states", 50, "--check", self.srdf, text=urdf)
+        self.assertEqual(wrong.returncode, 1, wrong.stderr)
+        self.assertRegex(wrong.stdout, r"1 pairs are disabled although they touch:\n  'a' - 'b' "
+                                       r"\(line 2, Never\) touch at j=0\.[0-9.]+\n")
+        self.assertIn("  'a' - 'far' never touch\n", wrong.stdout)
+        self.srdf.write_text("<robot name='r'>\n" + line.format("a", "far") + "</robot>", encoding="utf-8")
+        right = run("-", "--no-cache", "--states", 50, "--check", self.srdf, text=urdf)
+        self.assertEqual(right.returncode, 0, right.stdout)
+        self.assertIn("the SRDF disables no pair that touches", right.stdout)
+
+    def test_several_robots_and_yaml(self):
+        folder = self.srdf.parent
+        (folder / "arm.urdf").write_text(TWO_BALLS, encoding="utf-8")
+        yaml = folder / "pairs.yaml"
+        arguments = (folder / "arm.urdf", "--no-cache", "--prefix", "left", "--with", f"right={folder / 'arm.urdf'}",
+                     "--write-yaml", yaml)
+        at_one_place = run(*arguments)
+        self.assertEqual(at_one_place.returncode, 0, at_one_place.stderr)
+        self.assertEqual(rows_of(at_one_place.stdout)[("left/a", "right/a")],
+                         ("always", "proven: fixed to each other"))
+        apart = run(*arguments, "--place", "right=0,0,3", "--force")
+        self.assertEqual(apart.returncode, 0, apart.stderr)
+        self.assertEqual(rows_of(apart.stdout)[("left/a", "right/a")], ("never", "proven: fixed apart"))
+        self.assertIn('  - ["left/a", "right/b"]  # Never\n', yaml.read_text(encoding="utf-8"))
+        self.assertEqual(run(*arguments).returncode, 1)  # it is there, and --force is not given
+
+    def test_time_limit_ends_proofs(self):
+        self.assertIn("(0 proven)", run("-", "--no-cache", "--time-limit", 0, "--states", 20,
+                                        text=self.two_turns("continuous")).stdout)
 
     def test_an_srdf_that_is_there_changes_in_its_pairs_alone(self):
         for robot in ("arm6", "dual_arm", "humanoid"):
@@ -130,7 +178,7 @@ class RobotsOfThisPackage(unittest.TestCase):
 
     def test_says_how_far_it_has_come(self):
         said = pairs("arm6").stderr
-        for step in ("fitting base_link (1 of", "drawing 300 states (6 of 10)", "proving 45 pairs (6 of 10)"):
+        for step in ("fitting base_link (1 of", "drawing 300 states (6 of 10)", "proving 45 pairs (10 of 10)"):
             self.assertIn(step, said)
 
 

@@ -6,7 +6,10 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "check_srdf.h"
+#include "geometry/rpy.h"
 #include "merge_srdf.h"
+#include "model/frame_names.h"
 #include "output_files.h"
 #include "pairs_options.h"
 #include "pipeline/fits/fit_cache_folder.h"
@@ -20,6 +23,7 @@ namespace {
 
 constexpr int kDone = 0;
 constexpr int kInputFault = 1;
+constexpr int kDisabledTouch = 1;
 
 std::string readSrdfText(const Options& options, const std::string& robot_name,
                          SetupReport& report) {
@@ -45,7 +49,7 @@ bool checkOutput(const Options& options, const std::string& robot_name, SetupRep
 }
 
 /// Includes every pair, even those that overlap in the default pose.
-CycleSetup makeSetup(const Options& options, const RobotDescription& description,
+CycleSetup makeSetup(const Options& options, const std::vector<RobotDescription>& descriptions,
                      const fit_tool::Progress& progress) {
   SetupOptions setup_options;
   setup_options.ignore_default_overlap = false;
@@ -53,7 +57,7 @@ CycleSetup makeSetup(const Options& options, const RobotDescription& description
   setup_options.fit_progress = [&](const std::string& link, std::size_t done, std::size_t total) {
     progress.show("fitting", link, done, total);
   };
-  return buildSetup({description}, fit_tool::makeLoader(options.source), setup_options);
+  return buildSetup(descriptions, fit_tool::makeLoader(options.source), setup_options);
 }
 
 /// Leaves out warnings about pairs: the table has these.
@@ -78,9 +82,40 @@ WorkProgress showTenths(const fit_tool::Progress& progress, const std::string& w
       };
 }
 
+/// By RobotId.
+std::vector<Pose> rootsOf(const SeveralRobots& robots) {
+  std::vector<std::string> prefixes{trimmedPrefix(robots.prefix)};
+  for (const OtherRobot& other : robots.others) {
+    prefixes.push_back(other.prefix);
+  }
+  std::vector<Pose> roots(prefixes.size());
+  for (const Place& place : robots.places) {
+    for (std::size_t i = 0; i < prefixes.size(); ++i) {
+      if (prefixes[i] == place.prefix) {
+        roots[i] = {rotationOfRpy(place.rpy), place.xyz};
+      }
+    }
+  }
+  return roots;
+}
+
+std::vector<RobotDescription> readAll(const Options& options, SetupReport& report) {
+  std::vector<RobotDescription> descriptions{fit_tool::readDescription(options.source, report)};
+  descriptions.front().tf_prefix = options.robots.prefix;
+  for (const OtherRobot& other : options.robots.others) {
+    fit_tool::RobotSource source = options.source;
+    source.parameter.clear();
+    source.urdf = other.urdf;
+    descriptions.push_back(fit_tool::readDescription(source, report));
+    descriptions.back().tf_prefix = other.prefix;
+  }
+  return descriptions;
+}
+
 std::vector<PairFound> search(const CycleSetup& setup, const Options& options,
                               const fit_tool::Progress& progress) {
   PairSearchOptions search = options.search;
+  search.world_from_root = rootsOf(options.robots);
   search.state_progress = showTenths(progress, "drawing", " states");
   search.proof_progress = showTenths(progress, "proving", " pairs");
   using Clock = std::chrono::steady_clock;
@@ -129,11 +164,7 @@ std::size_t makeSrdf(const Options& options, const RobotModel& model, const Pair
   return lines.left_out.size();
 }
 
-void writeSrdf(const Options& options, bool merges, const RobotModel& model,
-               const std::vector<PairFound>& pairs) {
-  const PairLines lines = linesOf(model, pairs, options.trusts_samples);
-  const std::size_t left_out =
-      merges ? updateSrdf(options, model, pairs, lines) : makeSrdf(options, model, lines);
+void printLeftOut(std::size_t left_out) {
   if (left_out > 0) {
     std::printf(
         "left out %zu pairs that touched in no state drawn, or in all, and are not proven to; "
@@ -142,20 +173,65 @@ void writeSrdf(const Options& options, bool merges, const RobotModel& model,
   }
 }
 
+void writeFiles(const Options& options, bool merges, const RobotModel& model,
+                const std::vector<PairFound>& pairs) {
+  const PairLines lines = linesOf(model, pairs, options.trusts_samples);
+  if (!options.write_yaml.empty()) {
+    fit_tool::writeFiles(
+        {{options.write_yaml, ignoredPairsYaml(lines.lines), options.may_replace}});
+    std::printf("wrote %s\n", options.write_yaml.c_str());
+  }
+  if (!options.write_srdf.empty()) {
+    printLeftOut(merges ? updateSrdf(options, model, pairs, lines)
+                        : makeSrdf(options, model, lines));
+  } else if (!options.write_yaml.empty()) {
+    printLeftOut(lines.left_out.size());
+  }
+}
+
+/// The SRDF of --check; its faults are known before the long work.
+std::string readCheck(const Options& options, const std::string& robot_name, SetupReport& report) {
+  std::string text = fit_tool::readInput("option --check", options.check, report);
+  if (!options.check.empty() && report.errors.empty()) {
+    checkMergeable(options.check, text, robot_name, report);
+  }
+  return text;
+}
+
+/// @return the exit code
+int check(const Options& options, RobotDescription description, const std::string& srdf,
+          const RobotModel& model, const std::vector<PairFound>& pairs) {
+  SetupReport report;
+  description.srdf_xml = srdf;
+  description.srdf_source = options.check;
+  const SrdfCheck found = checkSrdf(description, model, pairs, report);
+  throwIfErrors(report);
+  printWarnings(report);
+  std::fputs(textOf(found).c_str(), stdout);
+  return found.touching.empty() ? kDone : kDisabledTouch;
+}
+
 int run(const Options& options) {
   const fit_tool::Progress progress(stderr, isatty(STDERR_FILENO) != 0);
   SetupReport report;
-  const RobotDescription description = fit_tool::readDescription(options.source, report);
-  const bool merges = checkOutput(options, robotNameOf(description.urdf_xml), report);
+  const std::vector<RobotDescription> descriptions = readAll(options, report);
+  const std::string robot_name = robotNameOf(descriptions.front().urdf_xml);
+  const std::string srdf = readCheck(options, robot_name, report);
+  const bool merges = checkOutput(options, robot_name, report);
+  if (!options.write_yaml.empty()) {
+    fit_tool::checkWritable("option --write-yaml", {options.write_yaml, "", options.may_replace},
+                            report);
+  }
   throwIfErrors(report);
-  const CycleSetup setup = makeSetup(options, description, progress);
+  const CycleSetup setup = makeSetup(options, descriptions, progress);
   printWarnings(setup.report);
   const std::vector<PairFound> pairs = search(setup, options, progress);
   std::fputs(tableOf(setup.model, pairs, options.search.states).c_str(), stdout);
-  if (!options.write_srdf.empty()) {
-    writeSrdf(options, merges, setup.model, pairs);
-  }
-  return kDone;
+  const int answer = options.check.empty()
+                         ? kDone
+                         : check(options, descriptions.front(), srdf, setup.model, pairs);
+  writeFiles(options, merges, setup.model, pairs);
+  return answer;
 }
 
 }  // namespace

@@ -6,16 +6,20 @@
 
 #include "collision_monitor/pipeline/search_pairs.h"
 #include "robot_options.h"
+#include "several_robots.h"
 
 namespace collision_monitor::pairs_tool {
 
 /// The command line. Empty names: not asked for.
 struct Options {
   fit_tool::RobotSource source;
+  SeveralRobots robots;
   std::string cache;  ///< as the parameter fit_cache
   PairSearchOptions search;
+  std::string check;        ///< an SRDF to be held against what is found
   std::string write_srdf;   ///< updated if it exists
-  bool may_replace{false};  ///< write it anew
+  std::string write_yaml;   ///< never updated
+  bool may_replace{false};  ///< write files anew
   bool trusts_samples{false};
 };
 

@@ -44,7 +44,9 @@ std::string reasonOf(const RobotModel& model, const PairFound& pair, std::size_t
     case PairFinding::adjacent:
       return "the links meet at a joint";
     case PairFinding::always:
-      return pair.is_proven ? "proven: fixed to each other" : "touch" + seen;
+      return pair.is_proven
+                 ? "proven" + std::string(pair.joints.empty() ? ": fixed to each other" : "")
+                 : "touch" + seen;
     case PairFinding::sometimes:
     case PairFinding::unclear:
       return stateText(model, pair);
@@ -106,6 +108,18 @@ std::string totalsOf(const std::vector<PairFound>& pairs) {
   return text + "\n";
 }
 
+/// A double-quoted scalar of YAML.
+std::string quoted(const std::string& name) {
+  std::string text = "\"";
+  for (const char c : name) {
+    if (c == '"' || c == '\\') {
+      text += '\\';
+    }
+    text += c;
+  }
+  return text + "\"";
+}
+
 }  // namespace
 
 std::string stateText(const RobotModel& model, const PairFound& pair) {
@@ -159,6 +173,16 @@ std::string newSrdf(const std::string& robot_name, const std::vector<PairLine>& 
   }
   printer.CloseElement();
   return printer.CStr();
+}
+
+std::string ignoredPairsYaml(const std::vector<PairLine>& lines) {
+  std::string text =
+      "# Pairs that need no checking, found by the program pairs, for the monitor's parameters.\n";
+  text += lines.empty() ? "ignore_pairs: []\n" : "ignore_pairs:\n";
+  for (const PairLine& line : lines) {
+    text += "  - [" + quoted(line.link1) + ", " + quoted(line.link2) + "]  # " + line.reason + "\n";
+  }
+  return text;
 }
 
 }  // namespace collision_monitor::pairs_tool

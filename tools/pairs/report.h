@@ -36,4 +36,7 @@ PairLines linesOf(const RobotModel& model, const std::vector<PairFound>& pairs,
 /// An SRDF with only these lines.
 std::string newSrdf(const std::string& robot_name, const std::vector<PairLine>& lines);
 
+/// A YAML file of the monitor's parameter ignore_pairs with these lines. Names are quoted.
+std::string ignoredPairsYaml(const std::vector<PairLine>& lines);
+
 }  // namespace collision_monitor::pairs_tool

@@ -9,7 +9,7 @@
 
 #include "collision_monitor/model/kinematics.h"
 #include "geometry/interruption.h"
-#include "pipeline/pair_search/prove_apart.h"
+#include "pipeline/pair_search/touch.h"
 #include "setup_parts.h"
 
 namespace collision_monitor {

@@ -57,18 +57,6 @@ PairIds bodyPairsOf(const LinkPairMeasures& measures, LinkPairIndex pair) noexce
   return {all + measures.first_body_pair[pair], all + measures.first_body_pair[pair + 1]};
 }
 
-/// Measures the bodies of each pair of elements into `nearest_bodies`.
-void measureBodies(LinkPairMeasures& measures, LinkPairIndex pair,
-                   const std::vector<Pose>& world_from_link) noexcept {
-  const ElementPairIndex first = measures.first_element_pair[pair];
-  std::fill_n(measures.nearest_bodies.begin(), measures.first_element_pair[pair + 1] - first,
-              nothingNear());
-  for (const PairId bodies : bodyPairsOf(measures, pair)) {
-    const ElementPairIndex elements = measures.setup.element_pair_of[index(bodies)];
-    improveByBodies(measures, bodies, world_from_link, measures.nearest_bodies[elements - first]);
-  }
-}
-
 /// The cutoff and the kind of a measurement.
 struct Question {
   double cutoff;
@@ -205,6 +193,29 @@ PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
     improveByBodies(measures, bodies, world_from_link, nearest);
   }
   return nearest;
+}
+
+void measureBodies(LinkPairMeasures& measures, LinkPairIndex pair,
+                   const std::vector<Pose>& world_from_link) noexcept {
+  const ElementPairIndex first = measures.first_element_pair[pair];
+  std::fill_n(measures.nearest_bodies.begin(), measures.first_element_pair[pair + 1] - first,
+              nothingNear());
+  for (const PairId bodies : bodyPairsOf(measures, pair)) {
+    const ElementPairIndex elements = measures.setup.element_pair_of[index(bodies)];
+    improveByBodies(measures, bodies, world_from_link, measures.nearest_bodies[elements - first]);
+  }
+}
+
+PairDistance elementPairDistance(LinkPairMeasures& measures, ElementPairIndex pair,
+                                 const PairDistance& bodies,
+                                 const std::vector<Pose>& world_from_link, double cutoff) noexcept {
+  return measureElementPair(measures, pair, bodies, world_from_link, {cutoff, measureElements});
+}
+
+PairDistance hullPairDistance(LinkPairMeasures& measures, ElementPairIndex pair,
+                              const PairDistance& bodies, const std::vector<Pose>& world_from_link,
+                              double cutoff) noexcept {
+  return measureElementPair(measures, pair, bodies, world_from_link, {cutoff, measureByHulls});
 }
 
 PairDistance hullDistance(LinkPairMeasures& measures, LinkPairIndex pair,

@@ -42,6 +42,23 @@ double ballDistance(const LinkPairMeasures& measures, LinkPairIndex pair,
 PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                           const std::vector<Pose>& world_from_link) noexcept;
 
+/// Measures the bodies of each pair of elements of a pair of links into `nearest_bodies`.
+void measureBodies(LinkPairMeasures& measures, LinkPairIndex pair,
+                   const std::vector<Pose>& world_from_link) noexcept;
+
+/// The distance of two elements, or that of their bodies if that is the better bound. Lessens
+/// LinkPairMeasures::outside to what was met.
+/// @param bodies from measureBodies
+/// @param cutoff [m] > 0, as in elementDistance
+PairDistance elementPairDistance(LinkPairMeasures& measures, ElementPairIndex pair,
+                                 const PairDistance& bodies,
+                                 const std::vector<Pose>& world_from_link, double cutoff) noexcept;
+
+/// The distance of the hulls of two elements, as in hullDistance.
+PairDistance hullPairDistance(LinkPairMeasures& measures, ElementPairIndex pair,
+                              const PairDistance& bodies, const std::vector<Pose>& world_from_link,
+                              double cutoff) noexcept;
+
 /// The distance of the hulls of elements: a lower bound, mostly close, for a hundredth of the work
 /// of meshes. Refined if it is the distance of the elements. For depths it is that of the enclosing
 /// shapes.

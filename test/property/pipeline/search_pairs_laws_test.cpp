@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "collision_monitor/pipeline/search_pairs.h"
-#include "pipeline/pair_search/prove_apart.h"
+#include "pipeline/pair_search/joint_ranges.h"
+#include "pipeline/pair_search/touch.h"
 #include "support/robots/file_loader.h"
 
 // What is said of pairs of links, held to other states than those it was found in, each measured

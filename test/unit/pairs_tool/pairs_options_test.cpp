@@ -57,6 +57,48 @@ TEST(PairsOptions, faults) {
   }
 }
 
+TEST(PairsOptions, severalRobots) {
+  const Parsed parsed = parse({"cell.urdf", "--with", "left=arm.urdf", "--with", "right/=arm.urdf",
+                               "--place", "left=0,0.5,1", "--place", "=1,0,0,0,0,-1.5",
+                               "--write-yaml", "out.yaml", "--time-limit", "5", "--no-cache"});
+  ASSERT_TRUE(parsed.is_to_run);
+  const SeveralRobots& robots = parsed.options.robots;
+  ASSERT_EQ(robots.others.size(), 2U);
+  EXPECT_EQ(robots.others[0].prefix, "left");
+  EXPECT_EQ(robots.others[1].prefix, "right");
+  EXPECT_EQ(robots.others[1].urdf, "arm.urdf");
+  ASSERT_EQ(robots.places.size(), 2U);
+  EXPECT_EQ(robots.places[0].xyz, Eigen::Vector3d(0.0, 0.5, 1.0));
+  EXPECT_EQ(robots.places[1].prefix, "");
+  EXPECT_EQ(robots.places[1].rpy, Eigen::Vector3d(0.0, 0.0, -1.5));
+  EXPECT_EQ(parsed.options.write_yaml, "out.yaml");
+  EXPECT_EQ(parsed.options.search.time_limit, 5.0);
+}
+
+TEST(PairsOptions, whatDoesNotGoTogether_isRefusedWithTheReason) {
+  const std::vector<std::pair<std::vector<const char*>, const char*>> cases{
+      {{"a.urdf", "--with", "b.urdf"}, "PREFIX=FILE"},
+      {{"a.urdf", "--with", "l=b.urdf", "--with", "l=c.urdf"}, "prefix 'l'"},
+      {{"a.urdf", "--place", "l=0,0,0"}, "prefix 'l'"},
+      {{"a.urdf", "--place", "=0,0,0", "--place", "=1,0,0"}, "two places"},
+      {{"a.urdf", "--place", "=0,0"}, "X,Y,Z"},
+      {{"a.urdf", "--place", "=0,0,nan"}, "X,Y,Z"},
+      {{"a.urdf", "--place", "=0,0,0,1"}, "X,Y,Z"},
+      {{"a.urdf", "--place", "=0,0,0,0,0,0,0"}, "X,Y,Z"},
+      {{"a.urdf", "--with", "l=b.urdf", "--check", "a.srdf"}, "one robot"},
+      {{"a.urdf", "--prefix", "l", "--write-srdf", "a.srdf"}, "one robot"},
+      {{"a.urdf", "--force"}, "--write-yaml"},
+      {{"a.urdf", "--write-srdf", "f", "--write-yaml", "f"}, "same file"},
+      {{"a.urdf", "--check", "a.srdf", "--write-yaml", "a.srdf"}, "would replace"},
+      {{"a.urdf", "--with", "l=b.urdf", "--write-yaml", "b.urdf"}, "would replace"},
+      {{"a.urdf", "--time-limit", "-1"}, "--time-limit"}};
+  for (const auto& [arguments, reason] : cases) {
+    std::string said;
+    EXPECT_EQ(parse(arguments, &said).exit_code, 2);
+    EXPECT_NE(said.find(reason), std::string::npos) << said;
+  }
+}
+
 /// The word reads an SRDF in every other tool, and once wrote one here.
 TEST(PairsOptions, srdf_isRefused_withTheWordThatWrites) {
   for (const std::vector<const char*>& arguments : std::vector<std::vector<const char*>>{

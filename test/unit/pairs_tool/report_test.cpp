@@ -56,6 +56,8 @@ TEST(Report, whatIsProvenSaysSo) {
   EXPECT_NE(scene.table().find("never  proven: fixed apart\n"), std::string::npos);
   scene.pairs[0].finding = PairFinding::always;
   EXPECT_NE(scene.table().find("always  proven: fixed to each other\n"), std::string::npos);
+  scene.pairs[0].joints = {JointId{1}};
+  EXPECT_NE(scene.table().find("always  proven\n"), std::string::npos);
   scene.pairs[0].is_proven = false;
   EXPECT_NE(scene.table().find("always  touch in all 100 states\n"), std::string::npos);
 }
@@ -98,6 +100,16 @@ TEST(Report, lines_notOfWhatMayTouchAndMayNot) {
   scene.add(0, 1, PairFinding::sometimes);
   scene.add(0, 2, PairFinding::unclear);
   EXPECT_TRUE(linesOf(scene, true, 0).empty());
+}
+
+TEST(Report, ignoredPairsYaml_quotesNames) {
+  EXPECT_EQ(pairs_tool::ignoredPairsYaml({{"base", "left/arm", "Never"}, {"a\\b", "\"", "Always"}}),
+            "# Pairs that need no checking, found by the program pairs, for the monitor's "
+            "parameters.\n"
+            "ignore_pairs:\n"
+            "  - [\"base\", \"left/arm\"]  # Never\n"
+            "  - [\"a\\\\b\", \"\\\"\"]  # Always\n");
+  EXPECT_NE(pairs_tool::ignoredPairsYaml({}).find("ignore_pairs: []\n"), std::string::npos);
 }
 
 TEST(Report, newSrdf) {
