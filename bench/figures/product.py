@@ -12,6 +12,7 @@ asked the same in the same way. Times are processor time of one core; for
 starts the smaller one of that and the clock."""
 import argparse
 import os
+import statistics
 import subprocess
 import sys
 
@@ -90,19 +91,23 @@ def robot_names(only):
             label not in missing]
 
 
-def measure(names, parts, cycles, found, failed):
+def measure(names, parts, arguments, found, failed):
     """Adds numbers of these robots to `found`, by label, and failures to `failed`."""
     options = [word for part in parts for word in ("--part", part)]
+    options += ["--cycles", str(arguments.cycles)]
     for name in names if parts else []:
         print(f"measuring {label_of(name)}: {', '.join(parts)}", file=sys.stderr, flush=True)
-        result = subprocess.run([*PROGRAM, name, *options, "--cycles", str(cycles)],
-                                capture_output=True, text=True, check=False)
-        if result.returncode != 0:
-            failed[label_of(name)] = first_line(result)
-        numbers = found.setdefault(label_of(name), {})
-        for line in result.stdout.splitlines():
-            word, number, _ = line.split()
-            numbers[word] = float(number)
+        runs = {}
+        for _ in range(arguments.runs):
+            result = subprocess.run([*PROGRAM, name, *options], capture_output=True, text=True,
+                                    check=False)
+            if result.returncode != 0:
+                failed[label_of(name)] = first_line(result)
+            for line in result.stdout.splitlines():
+                word, number, _ = line.split()
+                runs.setdefault(word, []).append(float(number))
+        found.setdefault(label_of(name), {}).update(
+            {word: statistics.median(numbers) for word, numbers in runs.items()})
 
 
 def slowness(numbers):
@@ -217,15 +222,15 @@ def main():
     parser.add_argument("--only", nargs="+", default=[], metavar="ROBOT", help="by its folder")
     parser.add_argument("--part", nargs="+", default=PARTS, choices=PARTS)
     parser.add_argument("--cycles", type=int, default=10000, help="at 1 kHz; at 50 Hz a tenth")
+    parser.add_argument("--runs", type=int, default=1, help="of each program; medians are printed")
     arguments = parser.parse_args()
     os.environ["COLLISION_MONITOR_SHARED_DATA"] = str(shared_data())
     names = robot_names(arguments.only)
     found, failed = {}, {}
     # A start may use all cores. It needs its own process, free of the memory of other parts.
-    measure(names, [part for part in arguments.part if part == "start"], 1, found, failed)
+    measure(names, [part for part in arguments.part if part == "start"], arguments, found, failed)
     stay_on_one_core()
-    measure(names, [part for part in arguments.part if part != "start"], arguments.cycles, found,
-            failed)
+    measure(names, [part for part in arguments.part if part != "start"], arguments, found, failed)
     complete = {label: numbers for label, numbers in found.items() if label not in failed}
     print_table(complete, arguments.part)
     figures = Figures()
