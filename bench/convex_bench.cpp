@@ -9,10 +9,14 @@
 #include "support/convex_cases.h"
 #include "support/sample_meshes.h"
 #include "support_fcl/fcl_adapter.h"
+#ifdef COLLISION_MONITOR_HAS_COAL
+#include "peers/coal_adapter.h"
+#endif
 
 // Time of one signed distance of hulls and cylinders: without a warm start, and as in a monitor,
 // where the pair turns by half a degree between queries and keeps its warm start. FCL's distance
-// and its contact with depth run on the same pairs in the same run.
+// and its contact with depth run on the same pairs in the same run; so does Coal, warm, if it is
+// there.
 namespace collision_monitor::test {
 namespace {
 
@@ -77,12 +81,14 @@ void measureOurs(benchmark::State& state, const Scene& scene, bool is_warm) {
   }
 }
 
-template <class Query>
-void measureFcl(benchmark::State& state, const Scene& scene, const Query& query) {
-  const auto geometry_a = toFclGeometry(scene.a);
-  const auto geometry_b = toFclGeometry(scene.b);
-  std::vector<FclObject> objects_a;
-  std::vector<FclObject> objects_b;
+/// Asks about pose after pose of two geometries of a peer.
+template <class Object, class Geometry, class Query>
+void measurePeer(benchmark::State& state, const Scene& scene,
+                 Geometry (*geometry_of)(const ConvexGeometry&), const Query& query) {
+  const Geometry geometry_a = geometry_of(scene.a);
+  const Geometry geometry_b = geometry_of(scene.b);
+  std::vector<Object> objects_a;
+  std::vector<Object> objects_b;
   for (const PosedConvexPair& pair : makePath(scene)) {
     objects_a.emplace_back(geometry_a, pair.world_from_a.rotation, pair.world_from_a.translation);
     objects_b.emplace_back(geometry_b, pair.world_from_b.rotation, pair.world_from_b.translation);
@@ -94,18 +100,36 @@ void measureFcl(benchmark::State& state, const Scene& scene, const Query& query)
   }
 }
 
+void registerFcl(const std::string& name, const Scene& scene) {
+  const bool is_apart = scene.gap > 0.0;
+  benchmark::RegisterBenchmark((name + (is_apart ? "/fcl_distance" : "/fcl_signed")).c_str(),
+                               [=](benchmark::State& state) {
+                                 measurePeer<FclObject>(state, scene, toFclGeometry,
+                                                        is_apart ? fclDistance : fclSignedDistance);
+                               });
+}
+
+#ifdef COLLISION_MONITOR_HAS_COAL
+void registerCoal(const std::string& name, const Scene& scene) {
+  const bool is_apart = scene.gap > 0.0;
+  benchmark::RegisterBenchmark(
+      (name + (is_apart ? "/coal_distance" : "/coal_signed")).c_str(),
+      [=](benchmark::State& state) {
+        const coal::DistanceRequest warm = warmCoalRequest(!is_apart);
+        measurePeer<CoalObject>(
+            state, scene, toCoalGeometry,
+            [&](const CoalObject& a, const CoalObject& b) { return coalDistance(a, b, warm); });
+      });
+}
+#endif
+
 void registerScene(const std::string& name, const Scene& scene) {
   benchmark::RegisterBenchmark((name + "/warm").c_str(), measureOurs, scene, true);
   benchmark::RegisterBenchmark((name + "/cold").c_str(), measureOurs, scene, false);
-  if (scene.gap > 0.0) {
-    benchmark::RegisterBenchmark(
-        (name + "/fcl_distance").c_str(),
-        [scene](benchmark::State& state) { measureFcl(state, scene, fclDistance); });
-  } else {
-    benchmark::RegisterBenchmark((name + "/fcl_signed").c_str(), [scene](benchmark::State& state) {
-      measureFcl(state, scene, fclSignedDistance);
-    });
-  }
+  registerFcl(name, scene);
+#ifdef COLLISION_MONITOR_HAS_COAL
+  registerCoal(name, scene);
+#endif
 }
 
 void registerAll() {

@@ -14,11 +14,15 @@
 #include "support/own_front.h"
 #include "support/query_meshes.h"
 #include "support_fcl/fcl_mesh.h"
+#ifdef COLLISION_MONITOR_HAS_COAL
+#include "peers/coal_adapter.h"
+#endif
 
 // Two bodies of 50,000 triangles each, brought to a gap. Times of an overlap test, of a distance
 // without a warm start, of a distance with the last nearest pair after a motion of a millimetre and
 // a milliradian, and of a series of such steps, or of a tenth of them, across the gap, each from
-// the result of the last. FCL runs on the same poses in the same run. Read as ratios.
+// the result of the last. FCL runs on the same poses in the same run, and Coal if it is there. Read
+// as ratios.
 namespace collision_monitor::test {
 namespace {
 
@@ -137,6 +141,38 @@ void addFcl(const std::string& gap_name, double gap) {
   });
 }
 
+#ifdef COLLISION_MONITOR_HAS_COAL
+std::shared_ptr<CoalMesh> coalMesh() {
+  static const std::shared_ptr<CoalMesh> mesh = toCoal(scene().mesh);
+  return mesh;
+}
+
+void addCoal(const std::string& gap_name, double gap) {
+  benchmark::RegisterBenchmark((gap_name + "coal_overlap").c_str(), [gap](benchmark::State& state) {
+    forPoses(state, gap, [](const ScenePose& pose) {
+      return coalOverlap(coalObject(coalMesh(), pose.world_from_a),
+                         coalObject(coalMesh(), pose.world_from_b));
+    });
+  });
+  benchmark::RegisterBenchmark(
+      (gap_name + "coal_distance").c_str(), [gap](benchmark::State& state) {
+        forPoses(state, gap, [](const ScenePose& pose) {
+          return coalDistance(coalObject(coalMesh(), pose.world_from_a),
+                              coalObject(coalMesh(), pose.world_from_b), coalRequest(false));
+        });
+      });
+}
+
+void addCoalBuild() {
+  benchmark::RegisterBenchmark("coal_build", [](benchmark::State& state) {
+    const TriangleMesh& mesh = scene().mesh;
+    for ([[maybe_unused]] const auto unused : state) {
+      benchmark::DoNotOptimize(toCoal(mesh));
+    }
+  });
+}
+#endif
+
 void registerAll() {
   benchmark::RegisterBenchmark("build", [](benchmark::State& state) {
     const TriangleMesh& mesh = scene().mesh;
@@ -157,7 +193,13 @@ void registerAll() {
     addWalk(std::string(name) + "distance_walk_1mm", gap, 1e-3);
     addWalk(std::string(name) + "distance_walk_0.1mm", gap, 1e-4);
     addFcl(name, gap);
+#ifdef COLLISION_MONITOR_HAS_COAL
+    addCoal(name, gap);
+#endif
   }
+#ifdef COLLISION_MONITOR_HAS_COAL
+  addCoalBuild();
+#endif
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "fcl_elements.h"
 #include "narrow_phase/convex/convex_pairs.h"
+#include "peers/fcl_elements.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "support/robots/file_loader.h"
 

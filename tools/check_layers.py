@@ -78,7 +78,7 @@ RESERVED = {
     re.compile(r"^openssl/"): {"pipeline"},
     re.compile(r"^hwy/"): {"geometry", "fitting", "model", "broad_phase", "narrow_phase", "motion", "pipeline"},
     re.compile(r"^libqhull"): {"geometry"},
-    re.compile(r"^fcl/"): set(),
+    re.compile(r"^(fcl|coal)/"): set(),
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 

@@ -7,10 +7,12 @@ memory. Prints one table, the slowest robot first, then the figures.
 FCL tests every pair of collision elements, which are placed before; our times include placing the
 links. FCL uses `collide` where boxes meet. For the nearest pair it uses `distance`, told the least
 distance so far; it skips pairs whose boxes are farther apart, and stops at a contact. The column
-`every` is its distance of every pair without such help. Times are processor time of one core; for
+`every` is its distance of every pair without such help. Coal, if the benchmarks are built with it, is
+asked the same in the same way. Times are processor time of one core; for
 starts the smaller one of that and the clock."""
 import argparse
 import os
+import statistics
 import subprocess
 import sys
 
@@ -25,6 +27,7 @@ CYCLE_GOAL = 100.0  # [us] at 1 kHz, median
 CYCLE_GOALS = {"panda_moveit": 8.0, "atlas": 40.0, "ur5_robotiq": 40.0}
 MOST_TRIANGLES = 400000  # the goals hold for robots with at most this many
 WORST_GOAL = 1100.0  # [us]
+COAL_ERROR = 1e-5  # [m] by which Coal's distances may differ from ours, which are 0.1 mm short
 ALARM_GOAL = 1e-4  # share of the cycles
 ARM = "panda_moveit"
 PATH_GOALS = {"nearest": 2.0, "contacts_only": 0.5}  # [ms] for the arm
@@ -47,9 +50,12 @@ COLUMNS = (
     ("other", 6, "cycle", "cycle_50Hz_differing", ".0f"),
     ("contact", 9, "states", "states_contact", ".1f"),
     ("FCL", 8, "states", "states_fcl_collide", ".1f"),
+    ("Coal", 8, "states", "states_coal_collide", ".1f"),
     ("nearest", 9, "states", "states_nearest", ".1f"),
     ("FCL", 9, "states", "states_fcl_least", ".1f"),
+    ("Coal", 9, "states", "states_coal_least", ".1f"),
     ("every", 9, "states", "states_fcl_every_distance", ".0f"),
+    ("Coal", 9, "states", "states_coal_every_distance", ".0f"),
     ("wrong", 6, "states", lambda found: sum(wrong_states(found)), ".0f"),
     ("path", 9, "trajectory", "trajectory_nearest", ".2f"),
     ("alone", 8, "trajectory", "trajectory_contacts_only", ".2f"),
@@ -60,7 +66,7 @@ COLUMNS = (
 LEGEND = """\
 1 kHz, 50 Hz: a cycle [us]; other: cycles of which a contact or the level is another without a budget
 learn: what is measured before the first cycle [us]
-contact, nearest: check_states [us a state], beside FCL; wrong: states with a wrong verdict
+contact, nearest: check_states [us a state], beside FCL and, if built with it, Coal; wrong: states with a wrong verdict
 path: check_trajectory [ms], alone: contacts alone; start, kept: without and with kept fits [s]
 """
 SLOWNESS = ("cycle_1000Hz_median", "states_contact", "trajectory_nearest", "start_without_cache")
@@ -85,19 +91,23 @@ def robot_names(only):
             label not in missing]
 
 
-def measure(names, parts, cycles, found, failed):
+def measure(names, parts, arguments, found, failed):
     """Adds numbers of these robots to `found`, by label, and failures to `failed`."""
     options = [word for part in parts for word in ("--part", part)]
+    options += ["--cycles", str(arguments.cycles)]
     for name in names if parts else []:
         print(f"measuring {label_of(name)}: {', '.join(parts)}", file=sys.stderr, flush=True)
-        result = subprocess.run([*PROGRAM, name, *options, "--cycles", str(cycles)],
-                                capture_output=True, text=True, check=False)
-        if result.returncode != 0:
-            failed[label_of(name)] = first_line(result)
-        numbers = found.setdefault(label_of(name), {})
-        for line in result.stdout.splitlines():
-            word, number, _ = line.split()
-            numbers[word] = float(number)
+        runs = {}
+        for _ in range(arguments.runs):
+            result = subprocess.run([*PROGRAM, name, *options], capture_output=True, text=True,
+                                    check=False)
+            if result.returncode != 0:
+                failed[label_of(name)] = first_line(result)
+            for line in result.stdout.splitlines():
+                word, number, _ = line.split()
+                runs.setdefault(word, []).append(float(number))
+        found.setdefault(label_of(name), {}).update(
+            {word: statistics.median(numbers) for word, numbers in runs.items()})
 
 
 def slowness(numbers):
@@ -105,7 +115,8 @@ def slowness(numbers):
 
 
 def print_table(found, parts):
-    columns = [column for column in COLUMNS if column[2] in (None, *parts)]
+    columns = [column for column in COLUMNS if column[2] in (None, *parts) and
+               (callable(column[3]) or any(column[3] in numbers for numbers in found.values()))]
     print(f"{'robot':22}" + "".join(f"{title:>{width}}" for title, width, *_ in columns))
     for label, numbers in sorted(found.items(), key=lambda one: -slowness(one[1])):
         texts = (f"{number(numbers) if callable(number) else numbers[number]:>{width}{form}}"
@@ -135,6 +146,19 @@ def add_states(figures, label, numbers):
     figures.add(f"{label}: check_states, wrong verdicts", f"{wrong:.0f}",
                 f"{numbers['states_in_contact']:.0f} of {numbers['states']:.0f}",
                 f"0 (and {missed_inside:.0f} of what is inside a mesh)", wrong == 0)
+    if "states_coal_collide" in numbers:
+        add_coal(figures, label, numbers)
+
+
+def add_coal(figures, label, numbers):
+    """Times beside Coal, which have no goal, and whether the benchmarks ask it rightly."""
+    for question, peer in (("contact", "collide"), ("nearest", "least")):
+        ours, coal = numbers[f"states_{question}"], numbers[f"states_coal_{peer}"]
+        figures.tell(f"{label}: {question}, beside Coal", f"{ours:.4g} us",
+                     f"{coal:.4g}, {coal / ours:.3g}x")
+    other, worst = numbers["states_coal_other_contacts"], numbers["states_coal_worst_distance"]
+    figures.add(f"{label}: Coal's answers, other contacts", f"{other:.0f}", f"{1e3 * worst:.2g} mm",
+                f"0, distances within {1e3 * COAL_ERROR:g} mm", other == 0 and worst <= COAL_ERROR)
 
 
 def add_cycle(figures, label, numbers):
@@ -198,15 +222,15 @@ def main():
     parser.add_argument("--only", nargs="+", default=[], metavar="ROBOT", help="by its folder")
     parser.add_argument("--part", nargs="+", default=PARTS, choices=PARTS)
     parser.add_argument("--cycles", type=int, default=10000, help="at 1 kHz; at 50 Hz a tenth")
+    parser.add_argument("--runs", type=int, default=1, help="of each program; medians are printed")
     arguments = parser.parse_args()
     os.environ["COLLISION_MONITOR_SHARED_DATA"] = str(shared_data())
     names = robot_names(arguments.only)
     found, failed = {}, {}
     # A start may use all cores. It needs its own process, free of the memory of other parts.
-    measure(names, [part for part in arguments.part if part == "start"], 1, found, failed)
+    measure(names, [part for part in arguments.part if part == "start"], arguments, found, failed)
     stay_on_one_core()
-    measure(names, [part for part in arguments.part if part != "start"], arguments.cycles, found,
-            failed)
+    measure(names, [part for part in arguments.part if part != "start"], arguments, found, failed)
     complete = {label: numbers for label, numbers in found.items() if label not in failed}
     print_table(complete, arguments.part)
     figures = Figures()

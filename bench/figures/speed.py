@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Times beside peers in the same run, as ratios: how many times faster, and the goal. Each group is
 one benchmark, pinned to one core. Figures are medians of several repetitions, of processor time if
-the benchmark measures it."""
+the benchmark measures it. Hulls and meshes stand beside Coal, too, if the benchmarks have it."""
 import argparse
 import json
 import os
@@ -131,7 +131,7 @@ def text(nanoseconds):
 def add_group(group, repetitions, figures, instructions=None):
     """Adds the rows of a group, for one instruction set or for those that the rows name."""
     program, rows = GROUPS[group]
-    names = {name for row in rows for name in row[1:3]}
+    names = {name for row in rows for name in (*row[1:3], coals(row[2]))}
     times = measure(program, sorted(names), repetitions, instructions)
     for figure, ours, peer, goal in rows:
         if ours not in times:
@@ -139,6 +139,15 @@ def add_group(group, repetitions, figures, instructions=None):
         ratio, goal = times[peer] / times[ours], goal * INSTRUCTION_SETS.get(instructions, 1.0)
         figures.add(figure + (f", {instructions}" if instructions else ""), text(times[ours]),
                     f"{text(times[peer])}, {ratio:.3g}x", f"{goal:.3g}x", ratio >= goal)
+        if coals(peer) in times:
+            coal = times[coals(peer)]
+            figures.tell("  beside Coal", text(times[ours]),
+                         f"{text(coal)}, {coal / times[ours]:.3g}x")
+
+
+def coals(peer):
+    """The benchmark of Coal that does what this one of FCL does; there may be none."""
+    return peer.replace("fcl", "coal")
 
 
 def node_allowance(repetitions):

@@ -5,10 +5,12 @@
 #include <random>
 #include <vector>
 
-#include "fcl_elements.h"
+#include "peer_times.h"
+#include "peers/fcl_elements.h"
 #include "pipeline/cycle/place_bodies.h"
 #include "pipeline/states/check_states.h"
 #include "product_bench.h"
+#include "product_coal.h"
 #include "support/robots/robot_moves.h"
 #include "support_fcl/solid.h"
 #include "thread_time.h"
@@ -51,25 +53,9 @@ Scene makeScene(const CycleSetup& setup) {
   return scene;
 }
 
-/// Some queries take FCL seconds. These are timed once, or for some of the states.
 template <class Query>
 void timeFcl(const std::string& name, const Scene& scene, const Query& query) {
-  constexpr double kLong = 2e9;    // [ns]
-  constexpr double kEnough = 2e9;  // [ns]
-  constexpr std::size_t kLeast = 5;
-  std::vector<double> times;
-  std::size_t asked = 0;
-  for (int run = 0; run < 3 && (times.empty() || times.back() * 1e3 * kStates < kLong); ++run) {
-    const double start = threadTime();
-    double taken = 0.0;
-    for (asked = 0; asked < scene.size() && (asked < kLeast || taken < kEnough); ++asked) {
-      query(scene.setup, scene.fcl[asked]);
-      taken = threadTime() - start;
-    }
-    times.push_back(1e-3 * taken / static_cast<double>(asked));
-  }
-  print(name, medianOf(times), "us");
-  print(name + "_states", asked);
+  timePeer(name, scene.size(), [&](std::size_t state) { query(scene.setup, scene.fcl[state]); });
 }
 
 std::vector<StateCheck> timeOurs(const std::string& name, const Scene& scene,
@@ -116,6 +102,11 @@ bool isTouch(const StateCheck& nearest) {
          std::abs(nearest.distance) <= kTouch;
 }
 
+double exactDistanceOf(const StateCheck& nearest) {
+  return nearest.has_pair && nearest.quality == Quality::exact ? std::max(0.0, nearest.distance)
+                                                               : 0.0;
+}
+
 /// Numbers of states whose verdict contradicts the truth.
 struct Differences {
   std::size_t contacts{0};  ///< in truth
@@ -139,21 +130,26 @@ struct Differences {
   }
 };
 
-void compare(const Scene& scene, const std::vector<StateCheck>& contact,
-             const std::vector<StateCheck>& nearest) {
+/// Prints how often we are wrong.
+/// @return what is known of each state
+std::vector<KnownState> compare(const Scene& scene, const std::vector<StateCheck>& contact,
+                                const std::vector<StateCheck>& nearest) {
   Differences of_contact;
   Differences of_nearest;
+  std::vector<KnownState> known(scene.size());
   for (std::size_t i = 0; i < scene.size(); ++i) {
     if (!isTouch(nearest[i])) {
       const Truth truth = truthOf(scene, i);
       of_contact.add(truth, contact[i].verdict == Verdict::contact);
       of_nearest.add(truth, nearest[i].verdict == Verdict::contact);
+      known[i] = {true, truth.meets, exactDistanceOf(nearest[i])};
     }
   }
   print("states_in_contact", of_contact.contacts);
   print("states_inside", of_contact.inside);
   of_contact.print("contact");
   of_nearest.print("nearest");
+  return known;
 }
 
 }  // namespace
@@ -168,7 +164,10 @@ void measureStates(const CycleSetup& setup) {
   timeFcl("states_fcl_collide", scene, fclContacts);
   timeFcl("states_fcl_least", scene, fclLeast);
   timeFcl("states_fcl_every_distance", scene, fclLeastOfEvery);
-  compare(scene, contact, nearest);
+  [[maybe_unused]] const std::vector<KnownState> known = compare(scene, contact, nearest);
+#ifdef COLLISION_MONITOR_HAS_COAL
+  measureCoal(setup, scene.world_from_element, known);
+#endif
 }
 
 }  // namespace collision_monitor::test
