@@ -14,7 +14,7 @@
 
 #include "bench_loop.h"
 #include "collision_monitor/robot_query.h"
-#include "fcl_elements.h"
+#include "peers/fcl_elements.h"
 #include "pipeline/cycle/place_bodies.h"
 #include "support/robots/file_loader.h"
 #include "support/robots/robot_moves.h"
