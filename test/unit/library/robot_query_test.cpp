@@ -70,6 +70,7 @@ TEST(RobotQuery, nearest_isThePairOfTheBoxes) {
   const MeasuredPair& nearest = query.nearest({0.0, kTurn});
   EXPECT_EQ(nearest.pair, boxes(query.monitor()));
   EXPECT_NEAR(nearest.measured.distance, 0.15 - 0.05 * std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(query.nearest({-0.13, 0.0}).measured.distance, -0.03, 1e-9);
 }
 
 TEST(RobotQuery, contacts_haveDepthAndPointsBetweenTheSurfaces) {

@@ -78,6 +78,19 @@ TEST(Solid, ballInsideAMesh_collides) {
   EXPECT_FALSE(query.collide(angle, Pose(), Solid::sphere(0.01), at(0.2, 0.2, 0.0)));
 }
 
+TEST(Solid, ballOverAMesh_isAtLeastSomewhatDeep) {
+  SolidQuery query;
+  const Solid angle = Solid::mesh(angleMesh());
+  const Solid ball = Solid::sphere(0.02);
+  for (const double x : {0.05, -0.01}) {
+    const SolidDistance one = query.distance(angle, Pose(), ball, at(x, 0.05, 0.0));
+    EXPECT_EQ(one.quality, Quality::estimate);
+    EXPECT_LT(one.measured.distance, -0.009);
+    const SolidDistance other = query.distance(ball, at(x, 0.05, 0.0), angle, Pose());
+    EXPECT_NEAR(other.measured.distance, one.measured.distance, 1e-9);
+  }
+}
+
 TEST(Solid, searchThatMayStop_givesABound) {
   SolidQuery query;
   const Solid angle = Solid::mesh(angleMesh());
