@@ -79,7 +79,7 @@ def row(pair: PairDistance) -> "tuple[str, ...]":
 def print_table(robot: Robot, values: Dict[str, float], within: float, count: int) -> None:
     """The nearest pairs, and the worst verdict of all."""
     found = robot.distances(values, within)
-    rows = [("link A", "link B", "metres", "quality", "verdict")]
+    rows: "List[tuple[str, ...]]" = [("link A", "link B", "metres", "quality", "verdict")]
     rows += [row(pair) for pair in found.sorted()[:count]]
     widths = [max(map(len, column)) for column in zip(*rows)]
     print(robot)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads the arguments of load() and loads(). All faults are told at once."""
 import os
-from typing import Any, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
 from .errors import ArgumentError
@@ -103,7 +103,7 @@ def _pairs(given: Any, faults: List[str]) -> List[Tuple[str, str]]:
 
 
 def _options(packages: Any, rules: Any, ignore_pairs: Any, poses: List[Any],
-             plain: Mapping[str, Any], faults: List[str]) -> dict:
+             plain: Mapping[str, Any], faults: List[str]) -> Dict[str, Any]:
     unknown = sorted(set(plain) - set(DEFAULTS))
     if unknown:
         faults.append(f"there is no option {', '.join(map(repr, unknown))}; accepted: "
@@ -118,7 +118,8 @@ def _options(packages: Any, rules: Any, ignore_pairs: Any, poses: List[Any],
 
 
 def load(urdf: Union[Path, Sequence[Path]],
-         srdf: Union[None, Path, Sequence[Optional[Path]]] = None, *, prefix: Union[None, str, Sequence[str]] = None, world_from_root: Any = None,
+         srdf: Union[None, Path, Sequence[Optional[Path]]] = None, *,
+         prefix: Union[None, str, Sequence[str]] = None, world_from_root: Any = None,
          packages: Union[Path, Sequence[Path]] = (), rules: Optional[Path] = None,
          ignore_pairs: Iterable[Tuple[str, str]] = (), **options: Any) -> "_core.Robot":
     """Reads a robot, encloses its links in shapes and decides which pairs of links are checked.
@@ -152,7 +153,7 @@ def load(urdf: Union[Path, Sequence[Path]],
                      options, faults)
     if faults:
         raise ArgumentError(faults)
-    return _core.load_files([*map(list, zip(urdfs, srdfs, prefixes))], given)
+    return _core.load_files(list(zip(urdfs, srdfs, prefixes)), given)
 
 
 def loads(urdf: str, srdf: str = "", *, directory: Path = "", prefix: str = "",

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures for notebooks and papers. Needs matplotlib."""
-from typing import Any, List, Optional
+from typing import Any, Dict, List, Optional
 
 import numpy as np
+import numpy.typing as npt
 
 from ._core import PairDistance, Robot
 from .enums import Quality, Verdict
@@ -11,10 +12,11 @@ from .records import EnclosingShape
 
 _COLOURS = {Verdict.clear: "tab:green", Verdict.warning: "tab:orange",
             Verdict.contact: "tab:red"}
+Floats = npt.NDArray[np.float64]
 _STEPS = 12  # points of a quarter of a turn, rounded up to what looks round
 
 
-def surface(shape: EnclosingShape) -> np.ndarray:
+def surface(shape: EnclosingShape) -> Floats:
     """(rows, columns, 3) A grid of points on a shape, in its own frame.
 
     A ball's grid, moved outward by the half extents of the core: each quarter goes with a corner.
@@ -35,18 +37,19 @@ def surface(shape: EnclosingShape) -> np.ndarray:
     return np.concatenate([_cap(grid[:1]), grid, _cap(grid[-1:])])
 
 
-def _cap(border: np.ndarray) -> np.ndarray:
+def _cap(border: Floats) -> Floats:
     """A row of one point in the middle of a border, so that the grid is closed."""
     return np.broadcast_to(border[:, :-1].mean(axis=1, keepdims=True), border.shape)
 
 
-def _in_world(grid: np.ndarray, world_from_shape: np.ndarray) -> np.ndarray:
-    return grid @ world_from_shape[:3, :3].T + world_from_shape[:3, 3]
+def _in_world(grid: Floats, world_from_shape: Floats) -> Floats:
+    placed: Floats = grid @ world_from_shape[:3, :3].T + world_from_shape[:3, 3]
+    return placed
 
 
-def _draw_shapes(axes: Any, robot: Robot, poses: np.ndarray, pairs: List[PairDistance]) -> list:
+def _draw_shapes(axes: Any, robot: Robot, poses: Floats, pairs: List[PairDistance]) -> List[Floats]:
     """Draws the shapes of known links; returns the points that the view must hold."""
-    worst = {}
+    worst: Dict[str, Verdict] = {}
     for pair in pairs:
         for link in pair.links:
             worst[link] = max(worst.get(link, Verdict.clear), pair.verdict)
@@ -73,7 +76,7 @@ def _draw_pair(axes: Any, pair: PairDistance) -> None:
               zorder=11, bbox={"facecolor": "white", "alpha": 0.7, "linewidth": 0, "pad": 1.0})
 
 
-def _show_all(axes: Any, drawn: list) -> None:
+def _show_all(axes: Any, drawn: List[Floats]) -> None:
     """Equal scales, and limits that hold all that is drawn."""
     if drawn:
         points = np.concatenate(drawn)

@@ -4,6 +4,7 @@
 from typing import NamedTuple, Optional, Tuple
 
 import numpy as np
+import numpy.typing as npt
 
 from .enums import Quality, Verdict
 
@@ -30,9 +31,9 @@ class EnclosingShape(NamedTuple):
     link: str
     name: str  #: unique within its link
     kind: str  #: "sphere", "capsule", "box" or "rounded_box"
-    half_extents: np.ndarray  #: (3,) [m] of the core
+    half_extents: npt.NDArray[np.float64]  #: (3,) [m] of the core
     radius: float  #: [m] with the padding
-    link_from_shape: np.ndarray  #: (4, 4) its pose in the frame of the link
+    link_from_shape: npt.NDArray[np.float64]  #: (4, 4) its pose in the frame of the link
     max_overshoot: float  #: [m] how far it sticks out; NaN for shapes that rules give
     mean_overshoot: float  #: [m] likewise
     is_exact: bool  #: it is the geometry of the URDF

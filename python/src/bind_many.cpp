@@ -54,8 +54,8 @@ void bindStates(py::module_& module) {
       .def_property_readonly("pair", view([](const Row& row) -> auto& { return row.pair; }),
                              "(m,) int32: indices into Robot.pairs; -1 where there is none.")
       .def_property_readonly("distance", view([](const Row& row) -> auto& { return row.distance; }),
-                             "(m,) [m] of that pair; overlaps are not measured. NaN without a "
-                             "pair.")
+                             "(m,) [m] of that pair; a lower bound where it is far: see quality. "
+                             "Overlaps are not measured. NaN without a pair.")
       .def("__len__", [](const StatesAnswer& self) { return self.states.size(); })
       .def("__getitem__", stateAnswer)
       .def("__repr__", [](const StatesAnswer& self) { return text(statesText(self)); });

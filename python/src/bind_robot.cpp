@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <limits>
 #include <optional>
 
-#include "collision_monitor/model/pair_rules.h"
 #include "enums.h"
 #include "failures.h"
 #include "many_answers.h"
 #include "numbers.h"
 #include "python_progress.h"
+#include "robot_lists.h"
 
 namespace collision_monitor::python {
 namespace {
@@ -55,13 +54,6 @@ py::list contacts(const SharedRobot& self, const py::object& q) {
 py::object verdict(const SharedRobot& self, const py::object& q) {
   const std::vector<double> state = readState(self->monitor(), q);
   return member(self->ask([&](RobotQuery& query) { return query.verdict(state); }));
-}
-
-void writePose(const Pose& pose, double* rows) {
-  Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix(rows);
-  matrix.setIdentity();
-  matrix.topLeftCorner<3, 3>() = pose.rotation;
-  matrix.topRightCorner<3, 1>() = pose.translation;
 }
 
 py::array_t<double> linkPoses(const SharedRobot& self, const py::object& q) {
@@ -130,126 +122,6 @@ PathsAnswer checkPath(const SharedRobot& self, const py::object& positions, cons
                      self->ask([&](RobotQuery& query) { return query.checkPath(path, options); })};
   told.throwIfFailed();
   return answer;
-}
-
-std::string robotText(const Robot& robot) {
-  const RobotModel& model = robot.monitor().model();
-  std::string names;
-  for (const auto& one : model.robots) {
-    names +=
-        (names.empty() ? "" : ", ") + one.tf_prefix + (one.tf_prefix.empty() ? "" : "/") + one.name;
-  }
-  const auto links = std::count_if(model.links.begin(), model.links.end(),
-                                   [](const Link& link) { return hasShapes(link); });
-  return std::string(model.robots.size() == 1 ? "Robot " : "Robots ") + names + ": " +
-         std::to_string(links) + " links with shapes, " + std::to_string(model.variable_count) +
-         " variables, " + std::to_string(robot.monitor().pairs().size()) + " pairs";
-}
-
-py::list variables(const Robot& self) {
-  py::list rows;
-  const py::object variable = pythonClass("records", "Variable");
-  for (const JointVariable& each : self.monitor().variables()) {
-    rows.append(variable(text(each.name), each.lower, each.upper, each.max_velocity));
-  }
-  return rows;
-}
-
-/// A number of each variable, in an array.
-template <class Field>
-auto ofVariables(const Field& field) {
-  return [field](const Robot& self) {
-    const std::vector<JointVariable>& all = self.monitor().variables();
-    py::array_t<double> numbers(static_cast<py::ssize_t>(all.size()));
-    std::transform(all.begin(), all.end(), numbers.mutable_data(), field);
-    return numbers;
-  };
-}
-
-py::list pairs(const Robot& self) {
-  py::list rows;
-  for (const CheckedLinkPair& pair : self.monitor().pairs()) {
-    rows.append(py::make_tuple(text(self.nameOfLink(pair.a)), text(self.nameOfLink(pair.b))));
-  }
-  return rows;
-}
-
-py::list allPairs(const Robot& self) {
-  py::list rows;
-  const py::object link_pair = pythonClass("records", "LinkPair");
-  for (const LinkPair& pair : self.monitor().allPairs()) {
-    rows.append(link_pair(text(self.nameOfLink(pair.a)), text(self.nameOfLink(pair.b)),
-                          isChecked(pair.reason), reasonText(pair.reason)));
-  }
-  return rows;
-}
-
-py::list shapes(const Robot& self) {
-  py::list rows;
-  const py::object enclosing_shape = pythonClass("records", "EnclosingShape");
-  for (const EnclosingShape& each : self.monitor().shapes()) {
-    const Eigen::Vector3d half_extents = coreHalfExtents(each.shape);
-    py::array_t<double> pose({4, 4});
-    writePose(each.link_from_shape, pose.mutable_data());
-    rows.append(enclosing_shape(text(self.nameOfLink(each.link)), text(each.name),
-                                kindName(each.shape), py::array_t<double>(3, half_extents.data()),
-                                radiusOf(each.shape), pose, each.overshoot.max, each.overshoot.mean,
-                                each.is_exact, each.is_proven));
-  }
-  return rows;
-}
-
-py::list warnings(const Robot& self) {
-  py::list rows;
-  const py::object problem = pythonClass("errors", "Problem");
-  for (const Problem& each : self.monitor().warnings()) {
-    rows.append(
-        problem(text(each.where), text(each.found), text(each.accepted), text(each.advice)));
-  }
-  return rows;
-}
-
-py::list links(const Robot& self) {
-  py::list names;
-  for (const Link& link : self.monitor().model().links) {
-    names.append(text(link.name));
-  }
-  return names;
-}
-
-void addLists(py::class_<Robot, SharedRobot>& type) {
-  type.def_property_readonly("variables", variables,
-                             "The n numbers of a state, in order: Variable(name, lower, upper, "
-                             "max_velocity).")
-      .def_property_readonly("lower",
-                             ofVariables([](const JointVariable& each) { return each.lower; }),
-                             "(n,) [rad] or [m]; -inf where unlimited.")
-      .def_property_readonly("upper",
-                             ofVariables([](const JointVariable& each) { return each.upper; }),
-                             "(n,) [rad] or [m]; inf where unlimited.")
-      .def_property_readonly(
-          "default_state",
-          [](const Robot& self) {
-            const JointPositions& state = self.monitor().defaultState();
-            return py::array_t<double>(static_cast<py::ssize_t>(state.size()), state.data());
-          },
-          "(n,) Zeros as far as limits allow.")
-      .def_property_readonly("links", links, "Names of all links, in the order of link_poses.")
-      .def_property_readonly("pairs", pairs, "Names of links A and B of each pair that is checked.")
-      .def_property_readonly("all_pairs", allPairs,
-                             "LinkPair(link_a, link_b, is_checked, reason) of all links with "
-                             "shapes.")
-      .def_property_readonly("shapes", shapes, "The EnclosingShapes of all links.")
-      .def_property_readonly("warnings", warnings,
-                             "Problem(where, found, accepted, advice) that did not stop loading.")
-      .def_property_readonly(
-          "contact_distance",
-          [](const Robot& self) { return self.monitor().limits().contact_distance; },
-          "[m] At or below: contact.")
-      .def_property_readonly(
-          "warning_distance",
-          [](const Robot& self) { return self.monitor().limits().warning_distance; },
-          "[m] At or below: warning.");
 }
 
 void addOneState(py::class_<Robot, SharedRobot>& type) {
@@ -325,7 +197,6 @@ void bindRobot(py::module_& module) {
       "It never changes. Threads may share it: each call works on its own scratch, and frees the\n"
       "GIL. Earlier calls may change the last digits of distances, except in check.\n"
       "Frames: world. Units: metres and radians.");
-  type.def("__repr__", [](const Robot& self) { return text(robotText(self)); });
   addLists(type);
   addOneState(type);
   addManyStates(type);
