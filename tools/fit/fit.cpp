@@ -4,9 +4,9 @@
 
 #include <cstdio>
 
-#include "exports.h"
 #include "options.h"
 #include "output_files.h"
+#include "outputs/exports.h"
 #include "pictures/write_html.h"
 #include "pipeline/fits/fit_cache_folder.h"
 #include "progress.h"

@@ -286,17 +286,4 @@ TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
   return std::move(search.report);
 }
 
-Verdict verdictOf(const TrajectoryReport& report, double margin) noexcept {
-  Verdict verdict = report.pairs.empty() ? Verdict::unknown : Verdict::clear;
-  for (const PairApproach& pair : report.pairs) {
-    const bool is_near = pair.nearest.measured.distance <= margin;
-    const Verdict of_pair = pair.state == ApproachState::contact ? Verdict::contact
-                            : pair.state != ApproachState::clear ? Verdict::unknown
-                            : is_near                            ? Verdict::warning
-                                                                 : Verdict::clear;
-    verdict = std::max(verdict, of_pair);
-  }
-  return verdict;
-}
-
 }  // namespace collision_monitor

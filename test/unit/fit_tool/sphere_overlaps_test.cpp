@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "exports.h"
+#include "outputs/exports.h"
 #include "support/robots/urdf_text.h"
 
 namespace collision_monitor::fit_tool {

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "write_urdf.h"
+#include "outputs/write_urdf.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "collision_monitor/model/urdf_reader.h"
-#include "exports.h"
 #include "fit_robot.h"
 #include "fitting/proofs/covering.h"
 #include "geometry/bvh/visit_held.h"
+#include "outputs/exports.h"
 #include "support/random_poses.h"
 #include "support/robots/file_loader.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "geometry/bvh/visit_held.h"
-#include "markup_text.h"
+#include "outputs/markup_text.h"
 #include "picture.h"
 #include "surface_mesh.h"
 #include "table.h"

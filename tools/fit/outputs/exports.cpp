@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "exports.h"
+#include "outputs/exports.h"
 
 #include "fitting/sphere_trees/build_sphere_tree.h"
-#include "markup_text.h"
+#include "outputs/markup_text.h"
+#include "outputs/write_urdf.h"
 #include "table.h"
-#include "write_urdf.h"
 
 namespace collision_monitor::fit_tool {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "write_urdf.h"
+#include "outputs/write_urdf.h"
 
 #include <tinyxml2.h>
 
