@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "enums.h"
 
+#include <array>
+
 #include "failures.h"
 
 namespace collision_monitor::python {
@@ -24,16 +26,35 @@ static_assert(static_cast<int>(ApproachState::clear) == 0 &&
                   static_cast<int>(ApproachState::unknown) == 3,
               "as in collision_monitor_core/enums.py");
 
+// As long as the process lives: a look-up takes longer than most calls. By number.
+using Members = std::array<py::handle, 4>;
+Members verdicts;
+Members qualities;
+Members path_states;
+
+void find(const char* name, Members& members) {
+  const py::object type = pythonClass("enums", name);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    members[i] = type(i).release();
+  }
+}
+
 template <class Enum>
-py::object memberOf(const char* name, Enum value) {
-  return pythonClass("enums", name)(static_cast<int>(value));
+py::object memberOf(const Members& members, Enum value) {
+  return py::reinterpret_borrow<py::object>(members[static_cast<std::size_t>(value)]);
 }
 
 }  // namespace
 
-py::object member(Verdict verdict) { return memberOf("Verdict", verdict); }
-py::object member(Quality quality) { return memberOf("Quality", quality); }
-py::object member(ApproachState state) { return memberOf("PathState", state); }
+void findMembers() {
+  find("Verdict", verdicts);
+  find("Quality", qualities);
+  find("PathState", path_states);
+}
+
+py::object member(Verdict verdict) { return memberOf(verdicts, verdict); }
+py::object member(Quality quality) { return memberOf(qualities, quality); }
+py::object member(ApproachState state) { return memberOf(path_states, state); }
 
 const char* nameOf(Verdict verdict) noexcept {
   constexpr const char* kNames[] = {"clear", "warning", "unknown", "contact"};

@@ -11,6 +11,9 @@
 /// Members of the enums in collision_monitor_core.enums, and their names. The numbers are the same.
 namespace collision_monitor::python {
 
+/// Looks the members up, once, when the module is made.
+void findMembers();
+
 pybind11::object member(Verdict verdict);
 pybind11::object member(Quality quality);
 pybind11::object member(ApproachState state);

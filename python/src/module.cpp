@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "enums.h"
 #include "failures.h"
 #include "robot.h"
 
@@ -7,6 +8,7 @@
 PYBIND11_MODULE(_core, module) {
   namespace binding = collision_monitor::python;
   binding::translateFailures();
+  binding::findMembers();
   binding::bindRobot(module);
   binding::bindDistances(module);
   binding::bindMany(module);
