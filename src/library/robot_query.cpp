@@ -49,9 +49,9 @@ void measureNear(double distance, QueryParts& parts) {
   std::sort(candidates.begin(), candidates.end());
   measureWithin(parts.setup, within, parts.links);
   std::fill(parts.verdicts.begin(), parts.verdicts.end(), Verdict::clear);
-  for (const PairDistance& distance : parts.links.distances.pairs) {
-    Verdict& verdict = parts.verdicts[parts.setup.link_pair_of[index(distance.pair)]];
-    verdict = std::max(verdict, verdictOf(parts.setup, distance));
+  for (const PairDistance& measured : parts.links.distances.pairs) {
+    Verdict& verdict = parts.verdicts[parts.setup.link_pair_of[index(measured.pair)]];
+    verdict = std::max(verdict, verdictOf(parts.setup, measured));
   }
 }
 
