@@ -282,7 +282,6 @@ TEST(SearchPairs, progress_goesToTheEnd) {
     EXPECT_EQ(total, 21U);
     states.push_back(done);
   };
-  std::size_t pair_count = 0;
   options.proof_progress = [&](std::size_t done, std::size_t total) {
     EXPECT_TRUE(pairs.empty() || done >= pairs.back());
     EXPECT_EQ(total, 10U);
