@@ -29,7 +29,9 @@ def run(*arguments, text=None, program=PROGRAM):
 
 
 def pairs(robot, *arguments):
-    return run(ROOT / f"urdf/{robot}.urdf", "--package-root", ROOT, "--no-cache", "--states", 300, *arguments)
+    """Ends its proofs by their number of cells, long before the time limit."""
+    return run(ROOT / f"urdf/{robot}.urdf", "--package-root", ROOT, "--no-cache", "--states", 300, "--cells", 2000,
+               *arguments)
 
 
 def rows_of(output):
@@ -127,7 +129,7 @@ class RobotsOfThisPackage(unittest.TestCase):
         self.assertEqual(wrong.returncode, 1, wrong.stderr)
         self.assertRegex(wrong.stdout, r"1 pairs are disabled although they touch:\n  'a' - 'b' "
                                        r"\(line 2, Never\) touch at j=0\.[0-9.]+\n")
-        self.assertIn("  'a' - 'far' never touch\n", wrong.stdout)
+        self.assertIn("  'far' - 'a' never touch\n", wrong.stdout)
         self.srdf.write_text("<robot name='r'>\n" + line.format("a", "far") + "</robot>", encoding="utf-8")
         right = run("-", "--no-cache", "--states", 50, "--check", self.srdf, text=urdf)
         self.assertEqual(right.returncode, 0, right.stdout)

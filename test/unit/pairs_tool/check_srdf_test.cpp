@@ -95,7 +95,7 @@ TEST(CheckSrdf, defaultsOfALink_disableItsPairs) {
 TEST(CheckSrdf, faultsOfTheFile_areReported) {
   StarScene scene;
   scene.add("b", "c", PairFinding::sometimes, false);
-  EXPECT_TRUE(scene.check("<disable_collisions link1='b'/>\n", 1).touching.empty());
+  EXPECT_TRUE(scene.check("<disable_collisions link1='b'\n", 1).touching.empty());
 }
 
 }  // namespace

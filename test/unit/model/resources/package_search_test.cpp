@@ -48,8 +48,9 @@ TEST(FindPackage, rosPackagePath_isSearchedBelowItsFolders_inOrder) {
 TEST(FindPackage, markersAndPackages_endTheSearch) {
   const ScratchFolder folder;
   for (const char* marker : {"CATKIN_IGNORE", "AMENT_IGNORE", "COLCON_IGNORE"}) {
-    makePackage(folder.path() / marker / "below" / "arm", "arm");
-    mark(folder.path() / marker, marker);
+    const fs::path marked = folder.path() / (std::string("with_") + marker);
+    makePackage(marked / "below" / "arm", "arm");
+    mark(marked, marker);
   }
   makePackage(folder.path() / "hand", "hand");
   makePackage(folder.path() / "hand" / "arm", "arm");

@@ -143,7 +143,7 @@ TEST(SearchPairs, manyJoints_areProven_whereBoundsFollowTheChain) {
   const CycleSetup setup = robot(hand);
   PairSearchOptions options = few(200);
   options.most_cells = 100;
-  const PairFound found = of(setup, searchPairs(setup, options), "post", "w5");
+  const PairFound found = of(setup, searchPairs(setup, options), "w5", "post");
   EXPECT_EQ(found.joints.size(), 7U);
   EXPECT_EQ(found.finding, PairFinding::never);
   EXPECT_TRUE(found.is_proven);
