@@ -176,16 +176,6 @@ LinkPairMeasures::LinkPairMeasures(const CycleSetup& cycle_setup)
   }
 }
 
-double ballDistance(const LinkPairMeasures& measures, LinkPairIndex pair,
-                    const std::vector<Pose>& world_from_link) noexcept {
-  const CheckedLinkPair& links = measures.setup.checked[pair];
-  const Ball& a = measures.balls[index(links.a)];
-  const Ball& b = measures.balls[index(links.b)];
-  return (world_from_link[index(links.a)] * a.center - world_from_link[index(links.b)] * b.center)
-             .norm() -
-         a.radius - b.radius;
-}
-
 PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                           const std::vector<Pose>& world_from_link) noexcept {
   PairDistance nearest = nothingNear();
@@ -210,12 +200,6 @@ PairDistance elementPairDistance(LinkPairMeasures& measures, ElementPairIndex pa
                                  const PairDistance& bodies,
                                  const std::vector<Pose>& world_from_link, double cutoff) noexcept {
   return measureElementPair(measures, pair, bodies, world_from_link, {cutoff, measureElements});
-}
-
-PairDistance hullPairDistance(LinkPairMeasures& measures, ElementPairIndex pair,
-                              const PairDistance& bodies, const std::vector<Pose>& world_from_link,
-                              double cutoff) noexcept {
-  return measureElementPair(measures, pair, bodies, world_from_link, {cutoff, measureByHulls});
 }
 
 PairDistance hullDistance(LinkPairMeasures& measures, LinkPairIndex pair,

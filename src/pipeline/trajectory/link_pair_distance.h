@@ -34,10 +34,6 @@ struct LinkPairMeasures {
   std::uint64_t work{0};  ///< as in RefineLimits::budget; a pair of bodies counts one
 };
 
-/// [m] A lower bound from one ball for each link.
-double ballDistance(const LinkPairMeasures& measures, LinkPairIndex pair,
-                    const std::vector<Pose>& world_from_link) noexcept;
-
 /// The distance of the enclosing shapes.
 PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                           const std::vector<Pose>& world_from_link) noexcept;
@@ -53,11 +49,6 @@ void measureBodies(LinkPairMeasures& measures, LinkPairIndex pair,
 PairDistance elementPairDistance(LinkPairMeasures& measures, ElementPairIndex pair,
                                  const PairDistance& bodies,
                                  const std::vector<Pose>& world_from_link, double cutoff) noexcept;
-
-/// The distance of the hulls of two elements, as in hullDistance.
-PairDistance hullPairDistance(LinkPairMeasures& measures, ElementPairIndex pair,
-                              const PairDistance& bodies, const std::vector<Pose>& world_from_link,
-                              double cutoff) noexcept;
 
 /// The distance of the hulls of elements: a lower bound, mostly close, for a hundredth of the work
 /// of meshes. Refined if it is the distance of the elements. For depths it is that of the enclosing
