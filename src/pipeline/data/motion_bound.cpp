@@ -29,15 +29,6 @@ std::optional<ChainJoint> movedJoint(const RobotModel& model, const JointPath& p
                     joint.mimic ? std::abs(joint.mimic->multiplier) : 1.0};
 }
 
-/// The link and its ancestors, up to the root.
-std::vector<LinkId> ancestorsOf(const RobotModel& model, LinkId link) {
-  std::vector<LinkId> chain{link};
-  while (const auto& joint = model.link(chain.back()).parent_joint) {
-    chain.push_back(model.joint(*joint).parent);
-  }
-  return chain;
-}
-
 /// A ball that joints move, world frame.
 struct Load {
   Eigen::Vector3d center;
@@ -67,9 +58,17 @@ Load loadOf(const Ball& ball, const Pose& world_from_link) noexcept {
 
 }  // namespace
 
+std::vector<LinkId> linksToRoot(const RobotModel& model, LinkId link) {
+  std::vector<LinkId> chain{link};
+  while (const auto& joint = model.link(chain.back()).parent_joint) {
+    chain.push_back(model.joint(*joint).parent);
+  }
+  return chain;
+}
+
 LinkChain chainBetween(const RobotModel& model, const JointPath& path, LinkId a, LinkId b) {
-  std::vector<LinkId> up = ancestorsOf(model, a);
-  std::vector<LinkId> down = ancestorsOf(model, b);
+  std::vector<LinkId> up = linksToRoot(model, a);
+  std::vector<LinkId> down = linksToRoot(model, b);
   while (!up.empty() && !down.empty() && up.back() == down.back()) {
     up.pop_back();
     down.pop_back();

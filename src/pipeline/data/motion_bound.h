@@ -19,6 +19,9 @@ struct ChainJoint {
   double factor{1.0};         ///< of a mimic joint: its travel per travel of that joint
 };
 
+/// The link and its ancestors, up to the root.
+std::vector<LinkId> linksToRoot(const RobotModel& model, LinkId link);
+
 /// The joints between two links that the path moves, from A to B.
 struct LinkChain {
   LinkId a{};

@@ -78,7 +78,7 @@ struct CoverOf {
   PointCover operator()(const HalfSpace& /*unbounded*/) const { return {{}, kInfinity}; }
 };
 
-PointCover hullOf(const Element& element) {
+PointCover hullCover(const Element& element) {
   const std::optional<ConvexGeometry>& geometry = element.convex ? element.convex : element.hull;
   PointCover cover = geometry ? std::visit(CoverOf{}, *geometry) : PointCover{{}, kInfinity};
   cover.radius += element.padding;
@@ -166,7 +166,7 @@ std::vector<ElementCover> coverElements(const CycleSetup& setup) {
   }
   for (std::size_t i = 0; i < covers.size(); ++i) {
     covers[i].ball = ballAbout(covers[i].balls);
-    covers[i].hull = hullOf(setup.elements[i]);
+    covers[i].hull = hullCover(setup.elements[i]);
     covers[i].inner = innerOf(setup.elements[i]);
   }
   return covers;

@@ -7,18 +7,10 @@
 #include <optional>
 
 #include "geometry/constants.h"
+#include "pipeline/data/motion_bound.h"
 
 namespace collision_monitor {
 namespace {
-
-/// The link and its ancestors, up to the root.
-std::vector<LinkId> ancestorsOf(const RobotModel& model, LinkId link) {
-  std::vector<LinkId> chain{link};
-  while (const auto& joint = model.link(chain.back()).parent_joint) {
-    chain.push_back(model.joint(*joint).parent);
-  }
-  return chain;
-}
 
 /// Index of the range that moves a joint; adds it where it is not there. Empty: none moves it.
 std::optional<std::size_t> variableOf(JointId source, const std::vector<JointRange>& ranges,
@@ -92,8 +84,8 @@ void placeJoints(const JointCell& cell, PlacedCell& placed) {
 
 PairMotion makePairMotion(const RobotModel& model, const std::vector<JointRange>& ranges, LinkId a,
                           LinkId b) {
-  std::vector<LinkId> up = ancestorsOf(model, a);
-  std::vector<LinkId> down = ancestorsOf(model, b);
+  std::vector<LinkId> up = linksToRoot(model, a);
+  std::vector<LinkId> down = linksToRoot(model, b);
   while (!up.empty() && !down.empty() && up.back() == down.back()) {
     up.pop_back();
     down.pop_back();
