@@ -97,7 +97,7 @@ bool isPackage(const fs::path& folder, const std::string& name) try {
 
 std::string findPackage(const std::string& name) {
   for (const fs::path& folder : foldersIn("ROS_PACKAGE_PATH")) {
-    const std::string found = findBelow(folder, name);
+    std::string found = findBelow(folder, name);
     if (!found.empty()) {
       return found;
     }

@@ -94,7 +94,7 @@ void addBalls(const Body& body, std::size_t most, std::vector<Ball>& balls) {
   Eigen::Array3i counts = Eigen::Array3i::Ones();
   const double radius = radiusOf(body.shape);
   int longest = 0;
-  while (static_cast<std::size_t>(2 * counts.prod()) <= most &&
+  while (2 * static_cast<std::size_t>(counts.prod()) <= most &&
          half.maxCoeff(&longest) > 0.25 * radius) {
     counts[longest] *= 2;
     half[longest] *= 0.5;
