@@ -12,6 +12,7 @@
 #include "fitting/shapes/fit_rounded_box.h"
 #include "fitting/shapes/fit_sphere.h"
 #include "geometry/hulls/convex_hull.h"
+#include "geometry/meshes/check_mesh.h"
 #include "library/solid_parts.h"
 #include "model/mesh_files/regular_file.h"
 #include "model/mesh_loading/mesh_process.h"
@@ -24,14 +25,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLongest = 1e6;  // [m] as the limit of meshes
-
 /// Gathers lengths that cannot be used.
 struct LengthFaults {
   std::vector<std::string> texts;
 
   void check(const char* name, double length) {
-    if (!(length >= 0.0 && length <= kLongest)) {
+    if (!(length >= 0.0 && length <= kMaxMeasured)) {
       texts.push_back(std::string(name) + " is " + shortText(length) +
                       " m; accepted: from 0 to 1e6 m");
     }
@@ -144,7 +143,7 @@ PosedShape leastShape(ShapeKind kind, const std::vector<Vector3d>& points) {
     throw ArgumentError({"there are no points; accepted: one or more"});
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(points[i].cwiseAbs().maxCoeff() <= kLongest) || points[i].hasNaN()) {
+    if (!(points[i].cwiseAbs().maxCoeff() <= kMaxMeasured) || points[i].hasNaN()) {
       throw ArgumentError({"points[" + std::to_string(i) +
                            "] is not finite or too far away; accepted: up to 1e6 m"});
     }

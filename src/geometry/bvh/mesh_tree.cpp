@@ -5,13 +5,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "geometry/bvh/bound_triangles.h"
 #include "geometry/bvh/split_triangles.h"
 #include "geometry/interruption.h"
+#include "geometry/meshes/check_mesh.h"
 #include "geometry/meshes/mesh_pieces.h"
 #include "geometry/meshes/open_surface.h"
 
@@ -22,31 +21,6 @@ using Eigen::Vector3d;
 using Index = std::uint32_t;
 
 constexpr Index kWidth = MeshTreeNode::kWidth;
-constexpr double kLargestCoordinate = 1e6;
-
-void checkMesh(const TriangleMesh& mesh) {
-  const std::size_t count = mesh.vertices.size();
-  if (count == 0) {
-    throw std::invalid_argument("mesh: no vertices; at least one is needed");
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    // This form refuses NaN.
-    if (!(mesh.vertices[i].cwiseAbs().maxCoeff() <= kLargestCoordinate) ||
-        !mesh.vertices[i].allFinite()) {
-      throw std::invalid_argument("mesh: vertex " + std::to_string(i) +
-                                  " is not finite or beyond 1e6 m");
-    }
-  }
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    for (const Index corner : mesh.triangles[i]) {
-      if (corner >= count) {
-        throw std::invalid_argument("mesh: triangle " + std::to_string(i) + " names vertex " +
-                                    std::to_string(corner) + "; there are " +
-                                    std::to_string(count) + ", counted from 0");
-      }
-    }
-  }
-}
 
 Index primitiveCount(const TriangleMesh& mesh) {
   return static_cast<Index>(mesh.triangles.empty() ? mesh.vertices.size() : mesh.triangles.size());
@@ -212,7 +186,7 @@ void boundBySlabs(const std::vector<Builder::Extents>& extents,
 }  // namespace
 
 MeshTree MeshTree::ofOriented(const TriangleMesh& oriented) {
-  checkMesh(oriented);
+  checkMesh(oriented, kMaxMeasured);
   return MeshTree(oriented, false, openSurfaceOf(oriented));
 }
 
@@ -221,7 +195,7 @@ MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed)
 
 MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed, std::optional<OpenSurface> open)
     : open_(std::move(open)), is_closed_(is_closed) {
-  checkMesh(mesh);
+  checkMesh(mesh, kMaxMeasured);
   Vector3d low = mesh.vertices.front();
   Vector3d high = low;
   for (const Vector3d& vertex : mesh.vertices) {

@@ -9,16 +9,16 @@
 namespace collision_monitor {
 namespace {
 
-void checkVertices(const TriangleMesh& mesh) {
+void checkVertices(const TriangleMesh& mesh, double most) {
   if (mesh.vertices.empty()) {
     throw std::invalid_argument("mesh: no vertices; at least one is needed");
   }
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const Eigen::Vector3d& vertex = mesh.vertices[i];
-    if (!(vertex.array().abs() <= kMaxLength).all()) {
+    if (!(vertex.array().abs() <= most).all()) {
       std::ostringstream message;
       message << "mesh: vertex " << i << " is (" << vertex.x() << ", " << vertex.y() << ", "
-              << vertex.z() << "); coordinates up to " << kMaxLength << " are accepted";
+              << vertex.z() << "); coordinates up to " << most << " are accepted";
       throw std::invalid_argument(message.str());
     }
   }
@@ -38,8 +38,8 @@ void checkTriangles(const TriangleMesh& mesh) {
 
 }  // namespace
 
-void checkMesh(const TriangleMesh& mesh) {
-  checkVertices(mesh);
+void checkMesh(const TriangleMesh& mesh, double most) {
+  checkVertices(mesh, most);
   checkTriangles(mesh);
 }
 

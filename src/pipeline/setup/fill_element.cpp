@@ -7,6 +7,7 @@
 #include "fitting/proofs/closed_surface.h"
 #include "fitting/proofs/surrounding_mesh.h"
 #include "geometry/hulls/convex_hull.h"
+#include "geometry/meshes/check_mesh.h"
 #include "pipeline/fits/open_meshes.h"
 #include "pipeline/setup/convex_mesh.h"
 
@@ -49,6 +50,7 @@ struct FillElement {
   }
 
   void operator()(const TriangleMesh& mesh) const {
+    checkMesh(mesh, kMaxMeasured);
     const TriangleMesh whole = withStrayVertices(mesh);
     const bool is_closed = closedSurface(mesh).has_value();
     ConvexHull hull(mesh.vertices);
