@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "bench_loop.h"
-#include "pipeline/blocks/search_blocks.h"
 #include "pipeline/cycle/place_bodies.h"
 #include "pipeline/states/check_states.h"
 #include "support/instruction_sets.h"
@@ -19,8 +18,8 @@
 #include "support_fcl/fcl_adapter.h"
 
 // Prints a table for robots of the shared data with one shape per link, at random joint positions:
-// times of one state [us] with given link poses, and of one of many states [us], kinematics
-// included. FCL runs on the same pairs, with given link poses, in the same run.
+// times of one of many states [us], kinematics included. FCL runs on the same pairs, with given
+// link poses, in the same run.
 //   states_bench ROBOT... [--only INSTRUCTION_SET]
 namespace collision_monitor::test {
 namespace {
@@ -111,22 +110,6 @@ void benchScene(const std::string& name, const Scene& scene) {
     placeFcl(scene, i, fcl);
     fclContact(scene, fcl);
   });
-
-  BodyRows rows = makeBodyPoses(scene.setup).rows;
-  std::vector<double> distances(scene.setup.table.size());
-  const double all = perState([&](std::size_t i) {
-    placeRows(scene.setup, scene.poses[i], rows);
-    measureBlocks(scene.setup.blocks, rows, distances);
-  });
-  print(name, "one_state_every_distance", all, fcl_all);
-
-  const ContactDistances limits = contactDistancesOf(scene.setup);
-  const double any = perState([&](std::size_t i) {
-    FoundContact found;
-    findContact(scene.setup, scene.poses[i], limits, rows, found);
-    benchmark::DoNotOptimize(found);
-  });
-  print(name, "one_state_contact", any, fcl_any);
 
   StatesWork work = makeStatesWork(
       scene.setup,

@@ -14,7 +14,7 @@ import broad_phase
 import node_cost
 from figure import Figures, shared_data, stay_on_one_core
 
-HUMANOIDS = ("atlas", "icub", "anymal_kinova", "stretch")
+HUMANOIDS = ("atlas", "icub")
 
 INSTRUCTION_SETS = {"AVX3": 1.0, "AVX2": 0.5}  # the share of a goal that each has to reach
 
@@ -41,14 +41,6 @@ GROUPS = {
         ("meshes, distance at 1 cm, cold", "gap_1cm/distance_cold", "gap_1cm/fcl_distance", 10.1),
         ("meshes, distance at 1 cm, coherent", "gap_1cm/distance_warm", "gap_1cm/fcl_distance",
          21.8)]),
-    "robots": ("robots_bench", [
-        (f"{robot}: {words}", f"{robot}/{what}/ours", f"{robot}/{what}/fcl",
-         goals[robot in HUMANOIDS])
-        for robot in ("panda_moveit",) + HUMANOIDS
-        for what, words, goals in (
-            ("least_distance", "least distance", (19.5, 37.0)),
-            ("contacts", "all contacts", (2.0, 4.6)),
-            ("hulls", "every pair of hulls", (10.0, 12.0)))]),
     "poses": ("poses_bench", [
         ("poses of 11 links, peer tf2", "arm_11_links/read/manual_time",
          "arm_11_links/tf2/manual_time", 1.5),
@@ -59,14 +51,10 @@ GROUPS = {
 # [ns] FCL's distance of separated pairs, on the machine where the node's goals were set.
 FCL_THERE = {"sphere-box": 91.0, "capsule-capsule": 79.0, "capsule-box": 1230.0, "box-box": 864.0}
 
-WITH_LANES = ("hulls", "meshes", "robots")  # measured once for each instruction set
+WITH_LANES = ("hulls", "meshes")  # measured once for each instruction set
 
 # Goals of collision_monitor_states_bench, which prints a table: for panda, for humanoids.
-STATE_GOALS = {"capsules/one_state_every_distance": (6.0, 20.0),
-               "boxes/one_state_every_distance": (9.0, 10.7),
-               "capsules/one_state_contact": (11.5, 8.2),
-               "boxes/one_state_contact": (4.9, 6.7),
-               "capsules/many_states_contact": (23.0, None),
+STATE_GOALS = {"capsules/many_states_contact": (23.0, None),
                "capsules/many_states_nearest": (8.0, None)}
 
 
@@ -81,7 +69,7 @@ def is_missing(run, instructions):
 
 
 def add_states(figures):
-    """Adds all distances and any contact of one state, and many states with their kinematics."""
+    """Adds many states of enclosing shapes, with their kinematics."""
     for instructions, share in INSTRUCTION_SETS.items():
         run = subprocess.run(
             ["rosrun", "collision_monitor", "collision_monitor_states_bench", "panda_moveit", "atlas",
@@ -177,8 +165,6 @@ def main():
     for group in GROUPS:
         if arguments.group not in (None, group):
             continue
-        if group == "robots":
-            shared_data()
         for instructions in INSTRUCTION_SETS if group in WITH_LANES else [None]:
             add_group(group, arguments.repetitions, figures, instructions)
     if arguments.group in (None, "states"):

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The library as its users call it: the distance of every pair of a robot in motion, for joint
-// values, beside FCL's distance of every pair, whose elements are placed before. Prints lines of
-// "robot/figure microseconds"; FCL's figures end in /fcl and /fcl_solids.
+// values, the nearest pair and all contacts, beside FCL, whose elements are placed before. FCL
+// skips pairs by their boxes where it can. Prints lines of "robot/figure microseconds"; FCL's
+// figures end in /fcl and /fcl_solids.
 //   collision_monitor_library_bench ROBOT...
 #include <cmath>
 #include <cstdio>
@@ -54,19 +55,29 @@ void print(const std::string& robot, const char* figure, double nanoseconds) {
   std::fflush(stdout);
 }
 
-/// [ns] a state
-double timeOurs(RobotQuery& query, const std::vector<JointPositions>& states,
-                const DistanceRequest& request) {
+/// [ns] a state; `ask` returns a number that depends on the answer.
+template <class Inputs, class Ask>
+double timeOfEach(const Inputs& inputs, const Ask& ask) {
   double sum = 0.0;
   const double time = medianTime([&] {
-    for (const JointPositions& state : states) {
-      for (const MeasuredPair& pair : query.distances(state, request).pairs) {
-        sum += pair.measured.distance;
-      }
+    for (const auto& input : inputs) {
+      sum += ask(input);
     }
   });
   benchmark::DoNotOptimize(sum);
-  return time / static_cast<double>(states.size());
+  return time / static_cast<double>(inputs.size());
+}
+
+/// [ns] a state
+double timeDistances(RobotQuery& query, const std::vector<JointPositions>& states,
+                     const DistanceRequest& request) {
+  return timeOfEach(states, [&](const JointPositions& state) {
+    double sum = 0.0;
+    for (const MeasuredPair& pair : query.distances(state, request).pairs) {
+      sum += pair.measured.distance;
+    }
+    return sum;
+  });
 }
 
 CycleSetup fclSetup(const RobotFile& robot) {
@@ -87,9 +98,10 @@ std::vector<FclGeometry> fclSolids(const CycleSetup& setup) {
   return solids;
 }
 
-/// [ns] a state
-double timeFcl(const CycleSetup& setup, const std::vector<FclGeometry>& geometries,
-               const std::vector<JointPositions>& states) {
+/// Some of the states.
+std::vector<FclObjects> placeForFcl(const CycleSetup& setup,
+                                    const std::vector<FclGeometry>& geometries,
+                                    const std::vector<JointPositions>& states) {
   BodyPoses poses = makeBodyPoses(setup);
   std::vector<FclObjects> placed;
   for (std::size_t i = 0; i < kFclStates; ++i) {
@@ -98,14 +110,7 @@ double timeFcl(const CycleSetup& setup, const std::vector<FclGeometry>& geometri
     placeElements(setup, links, poses);
     placed.push_back(placeFcl(geometries, poses.world_from_element));
   }
-  double sum = 0.0;
-  const double time = medianTime([&] {
-    for (const FclObjects& objects : placed) {
-      sum += fclLeastOfEvery(setup, objects);
-    }
-  });
-  benchmark::DoNotOptimize(sum);
-  return time / kFclStates;
+  return placed;
 }
 
 /// [ns] a state, on one thread
@@ -120,17 +125,36 @@ double timeCheck(RobotQuery& query, StateQuestion question) {
   return timeOf([&] { query.check(states, request); }) / kManyStates;
 }
 
+void measureFcl(const RobotFile& robot, const std::string& name,
+                const std::vector<JointPositions>& states) {
+  const CycleSetup setup = fclSetup(robot);
+  const auto every = [&](const FclObjects& objects) { return fclLeastOfEvery(setup, objects); };
+  const std::vector<FclObjects> placed = placeForFcl(setup, fclGeometries(setup), states);
+  print(name, "every_distance/fcl", timeOfEach(placed, every));
+  print(name, "every_distance/fcl_solids",
+        timeOfEach(placeForFcl(setup, fclSolids(setup), states), every));
+  print(name, "nearest/fcl",
+        timeOfEach(placed, [&](const FclObjects& objects) { return fclLeast(setup, objects); }));
+  print(name, "contacts/fcl", timeOfEach(placed, [&](const FclObjects& objects) {
+          return static_cast<double>(fclContacts(setup, objects));
+        }));
+}
+
 void measure(const RobotFile& robot) {
   const std::string name = robot.name.substr(0, robot.name.find('/'));
   RobotQuery query(RobotMonitor({describe(robot)}, optionsOf(robot)));
   const std::vector<JointPositions> states = moveThrough(query.monitor().model());
-  print(name, "every_distance", timeOurs(query, states, {}));
-  const CycleSetup setup = fclSetup(robot);
-  print(name, "every_distance/fcl", timeFcl(setup, fclGeometries(setup), states));
-  print(name, "every_distance/fcl_solids", timeFcl(setup, fclSolids(setup), states));
+  print(name, "every_distance", timeDistances(query, states, {}));
   print(name, "every_distance_and_gradient",
-        timeOurs(query, states, {std::numeric_limits<double>::infinity(), true}));
-  print(name, "distances_within_0.2_m", timeOurs(query, states, {0.2, false}));
+        timeDistances(query, states, {std::numeric_limits<double>::infinity(), true}));
+  print(name, "distances_within_0.2_m", timeDistances(query, states, {0.2, false}));
+  print(name, "nearest", timeOfEach(states, [&](const JointPositions& state) {
+          return query.nearest(state).measured.distance;
+        }));
+  print(name, "contacts", timeOfEach(states, [&](const JointPositions& state) {
+          return static_cast<double>(query.contacts(state).size());
+        }));
+  measureFcl(robot, name, states);
   print(name, "check_contact", timeCheck(query, StateQuestion::contact));
   print(name, "check_nearest", timeCheck(query, StateQuestion::nearest));
 }

@@ -28,7 +28,6 @@ struct PairBlock {
   std::uint32_t first{0};
   std::uint32_t is_pair{0};     ///< bit by lane
   std::uint32_t first_pair{0};  ///< PairId of the lowest set bit; the other pairs follow in order
-  std::uint32_t arrived{0};  ///< how many of PairBlocks::arrivals this block and all before it need
 };
 
 /// Blocks [first, last) join a body of kind `one` with bodies of kind `row`.
@@ -44,7 +43,6 @@ struct PairBlocks {
   std::vector<std::uint32_t> slot_of;  ///< by BodyId: ordered by kind, then by id
   std::vector<PairBlock> blocks;
   std::vector<BlockRange> ranges;
-  std::vector<std::uint32_t> arrivals;  ///< the groups that have pairs, in the order of use
 };
 
 PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores);
@@ -59,19 +57,6 @@ struct BodyRows {
 };
 
 constexpr std::size_t kBoundingColumn = column::count;
-
-/// How many numbers a pose has: the columns of its rotation, then its translation.
-constexpr std::size_t kPoseNumbers = sizeof(Pose) / sizeof(double);
-static_assert(kPoseNumbers == 12);
-
-/// Where the bodies of kBlockLanes slots are fixed to their links, laid out to place them together.
-/// Made at set-up.
-struct SlotGroup {
-  alignas(64) double link_from_body[kPoseNumbers][kBlockLanes] = {};
-  std::int64_t pose_at[kBlockLanes] = {};  ///< index of the link's pose in the numbers of all poses
-  std::uint32_t link[kBlockLanes] = {};    ///< LinkId
-  CoreKind kind{CoreKind::point};          ///< kind of the last body, the most complex one
-};
 
 /// Sizes the columns and fills in what does not move. `bounding_radii` is by BodyId.
 BodyRows makeBodyRows(const PairBlocks& blocks, const std::vector<Core>& cores,

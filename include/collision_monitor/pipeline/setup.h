@@ -85,9 +85,8 @@ struct CycleSetup {
   PairTable table;                          ///< by PairId, ordered by kind of core pair
   std::vector<std::uint32_t> link_pair_of;  ///< by PairId: index into checked
   std::vector<PairRange> ranges;            ///< one for each kind of core pair present
-  PairBlocks blocks;                   ///< the table again, laid out to measure all pairs of a pose
-  std::vector<SlotGroup> slot_groups;  ///< the bodies again, in slots of the blocks
-  std::vector<Element> elements;       ///< by ElementId, in order of link
+  PairBlocks blocks;              ///< the table again, laid out to measure all pairs of a pose
+  std::vector<Element> elements;  ///< by ElementId, in order of link
   std::vector<ElementPair> element_pairs;         ///< by ElementPairIndex, grouped by pair of links
   std::vector<ElementPairIndex> element_pair_of;  ///< by PairId
   Limits limits;

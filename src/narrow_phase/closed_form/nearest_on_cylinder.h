@@ -4,8 +4,7 @@
 
 #include <Eigen/Core>
 
-/// Closest points of a solid cylinder. Sums are in the order of lanes, so that cylinder_lanes-inl.h
-/// finds the same to the last bit.
+/// Closest points of a solid cylinder.
 namespace collision_monitor {
 
 constexpr int kMaxClosestSteps = 12;

@@ -100,11 +100,4 @@ HullAxis bestAxis(const ConvexHull& a, const ConvexHull& b, const Pose& a_from_b
   return best;
 }
 
-HullAxis separateHulls(const ConvexHull& a, const Pose& world_from_a, const ConvexHull& b,
-                       const Pose& world_from_b) noexcept {
-  HullAxis best = bestAxis(a, b, relativePose(world_from_a, world_from_b));
-  best.direction = world_from_a.rotation * best.direction;
-  return best;
-}
-
 }  // namespace collision_monitor

@@ -17,7 +17,7 @@ struct HullAxis {
 
   /// [m] > 0: the hulls are apart by at least this. Otherwise minus the penetration depth.
   double separation{-std::numeric_limits<double>::infinity()};
-  Eigen::Vector3d direction{Eigen::Vector3d::UnitX()};  ///< unit, from A to B, world frame
+  Eigen::Vector3d direction{Eigen::Vector3d::UnitX()};  ///< unit, from A to B, in A's frame
   Kind kind{Kind::face_of_a};
   std::uint32_t feature_of_a{0};  ///< the face or edge of A; if face_of_b, A's nearest vertex
   std::uint32_t feature_of_b{0};  ///< likewise
@@ -35,8 +35,9 @@ struct HullAxis {
 /// Source: Gregorius, "The Separating Axis Test between Convex Polyhedra" (Game Developers
 /// Conference 2013), for the Gauss map; Gottschalk, Lin, Manocha, "OBBTree" (1996). Departure: what
 /// is skipped.
-/// @pre both hulls have volume and edges; poses are finite and rigid.
-HullAxis separateHulls(const ConvexHull& a, const Pose& world_from_a, const ConvexHull& b,
-                       const Pose& world_from_b) noexcept;
+/// @param cutoff [m] a face that separates this much ends the search.
+/// @pre both hulls have volume and edges; the pose is finite and rigid.
+HullAxis bestAxis(const ConvexHull& a, const ConvexHull& b, const Pose& a_from_b,
+                  double cutoff = std::numeric_limits<double>::infinity()) noexcept;
 
 }  // namespace collision_monitor

@@ -2,19 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
-
 #include "collision_monitor/narrow_phase/signed_distance.h"
 #include "narrow_phase/gjk/convex_pair.h"
 #include "narrow_phase/sat/hull_axes.h"
 
 /// Depth of two hulls by their separating axes.
 namespace collision_monitor {
-
-/// As separateHulls, in A's frame.
-/// @param cutoff [m] a face that separates this much ends the search.
-HullAxis bestAxis(const ConvexHull& a, const ConvexHull& b, const Pose& a_from_b,
-                  double cutoff = std::numeric_limits<double>::infinity()) noexcept;
 
 /// True if both are hulls with so few faces that their axes give the depth faster than GJK and EPA.
 bool haveFewFaces(const ConvexPair& pair) noexcept;

@@ -8,7 +8,6 @@
 
 #include "narrow_phase/gjk/simplex.h"
 
-// Sums are in the order of lanes: prove_cylinder_rows.cpp finds the same to the last bit.
 namespace collision_monitor {
 namespace {
 

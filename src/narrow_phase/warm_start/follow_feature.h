@@ -9,8 +9,7 @@
 
 /// Follows a feature of another core beside a cylinder: finds its closest point on the cylinder,
 /// and proves whether the cores are nearest there. A of every pair is the cylinder. Closest points
-/// are in its frame, points of the other core in the other's. cylinder_rows.h proves what a first
-/// look proves, many at once and to the last bit the same.
+/// are in its frame, points of the other core in the other's.
 namespace collision_monitor {
 
 ClosestOnCylinder closestToCorner(const PlacedPair& pair, const Eigen::Vector3d& corner) noexcept;

@@ -31,4 +31,14 @@ inline double contactOfBodies(const CycleSetup& setup, PairId pair) noexcept {
   return are_elements ? contact : std::max(0.0, contact);
 }
 
+/// For findContact of pair_blocks.h.
+inline ContactDistances contactDistancesOf(const CycleSetup& setup) {
+  ContactDistances limits;
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
+    limits.of_pair.push_back(contactOfBodies(setup, idAt<PairId>(i)));
+    limits.largest = std::max(limits.largest, limits.of_pair.back());
+  }
+  return limits;
+}
+
 }  // namespace collision_monitor

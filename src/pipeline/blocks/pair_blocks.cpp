@@ -28,27 +28,8 @@ void extendRanges(CoreKind one, CoreKind row, PairBlocks& blocks) {
   ++blocks.ranges.back().last;
 }
 
-/// Lists the groups of slots that the last block needs and no block before it.
-void addArrivals(std::vector<unsigned char>& has_arrived, PairBlocks& blocks) {
-  PairBlock& block = blocks.blocks.back();
-  const auto arrive = [&](std::uint32_t slot) {
-    const auto group = static_cast<std::uint32_t>(slot / kBlockLanes);
-    if (has_arrived[group] == 0) {
-      has_arrived[group] = 1;
-      blocks.arrivals.push_back(group);
-    }
-  };
-  arrive(block.one);
-  for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
-    if ((block.is_pair >> lane & 1U) != 0) {
-      arrive(block.first + lane);
-    }
-  }
-  block.arrived = static_cast<std::uint32_t>(blocks.arrivals.size());
-}
-
 /// Where the fewest blocks that hold all these slots begin. Blocks begin at groups unless that
-/// takes more blocks: each then needs the bodies of one group, not of two.
+/// takes more blocks: each then reads one cache line of a column, not two.
 std::vector<std::uint32_t> startsOver(const std::vector<std::uint32_t>& slots) {
   std::vector<std::uint32_t> anywhere;
   std::vector<std::uint32_t> at_groups;
@@ -72,17 +53,15 @@ struct PairRow {
   std::vector<std::uint32_t> slots;
 };
 
-void addRow(CoreKind one, CoreKind other, const PairRow& row,
-            std::vector<unsigned char>& has_arrived, PairBlocks& blocks) {
+void addRow(CoreKind one, CoreKind other, const PairRow& row, PairBlocks& blocks) {
   std::uint32_t place = 0;
   for (const std::uint32_t first : startsOver(row.slots)) {
     extendRanges(one, other, blocks);
     PairBlock& block =
-        blocks.blocks.emplace_back(PairBlock{row.one, first, 0, row.first_pair + place, 0});
+        blocks.blocks.emplace_back(PairBlock{row.one, first, 0, row.first_pair + place});
     for (; place < row.slots.size() && row.slots[place] < first + kBlockLanes; ++place) {
       block.is_pair |= 1U << (row.slots[place] - first);
     }
-    addArrivals(has_arrived, blocks);
   }
 }
 
@@ -91,7 +70,6 @@ void addRow(CoreKind one, CoreKind other, const PairRow& row,
 PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores) {
   PairBlocks blocks;
   blocks.slot_of = slotsByKind(cores);
-  std::vector<unsigned char> has_arrived(groupCountOf(cores.size()), 0);
   // Pairs are ordered by kinds, then by body a, then by body b.
   const std::vector<BodyPair>& pairs = table.pairs();
   for (std::size_t i = 0; i < pairs.size();) {
@@ -101,7 +79,7 @@ PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores) {
     for (; i < pairs.size() && pairs[i].a == one && cores[index(pairs[i].b)].kind == kind; ++i) {
       row.slots.push_back(blocks.slot_of[index(pairs[i].b)]);
     }
-    addRow(cores[index(one)].kind, kind, row, has_arrived, blocks);
+    addRow(cores[index(one)].kind, kind, row, blocks);
   }
   return blocks;
 }

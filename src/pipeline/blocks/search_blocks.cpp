@@ -8,9 +8,6 @@
 #include <cmath>
 
 #include "pipeline/blocks/block_lanes-inl.h"
-#include "pipeline/blocks/contact_of_pairs.h"
-#include "pipeline/blocks/place_lanes-inl.h"
-#include "pipeline/blocks/search_blocks.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
@@ -19,8 +16,6 @@ namespace HWY_NAMESPACE {
 /// Measures all pairs of a part.
 struct MeasureAll {
   std::vector<double>& distances;
-
-  static void begin(const PairBlock&) {}
 
   template <class CoreOne, class CoreRow>
   HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
@@ -33,8 +28,6 @@ struct MeasureAll {
 struct FindNearest {
   const PassedPairs& passed;
   NearestPair& best;
-
-  static void begin(const PairBlock&) {}
 
   template <class CoreOne, class CoreRow>
   HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
@@ -53,33 +46,10 @@ struct FindNearest {
   }
 };
 
-/// Bodies that are placed when a search first needs them.
-struct LateBodies {
-  const CycleSetup& setup;
-  const LinkPoses& poses;
-  BodyRows& rows;
-  std::uint32_t placed{0};  ///< how many of PairBlocks::arrivals
-};
-
-/// Not inlined: within the search the compiler has too few registers for both.
-HWY_NOINLINE void placeUpTo(std::uint32_t arrived, LateBodies& bodies) {
-  for (; bodies.placed < arrived; ++bodies.placed) {
-    placeGroup(bodies.setup.slot_groups, bodies.setup.blocks.arrivals[bodies.placed], bodies.poses,
-               bodies.rows);
-  }
-}
-
 /// Keeps the first contact.
 struct FindContact {
   const ContactDistances& limits;
   FoundContact& found;
-  LateBodies* late;  ///< null: all bodies are placed
-
-  HWY_INLINE void begin(const PairBlock& block) const {
-    if (late != nullptr && late->placed < block.arrived) {
-      placeUpTo(block.arrived, *late);
-    }
-  }
 
   template <class CoreOne, class CoreRow>
   HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
@@ -117,7 +87,6 @@ bool visitRange(const PairBlocks& blocks, const BlockRange& range, const BodyRow
                 const Visitor& visitor) {
   for (std::size_t i = range.first; i < range.last; ++i) {
     const PairBlock& block = blocks.blocks[i];
-    visitor.begin(block);
     const bool goes_on = forParts(block, [&](std::size_t, const BlockPart& part) HWY_ATTR {
       return visitor.template visit<CoreOne, CoreRow>(rows, part);
     });
@@ -162,19 +131,7 @@ void searchInLanes(const PairBlocks& blocks, const BodyRows& rows, const PassedP
 
 void findContactInLanes(const PairBlocks& blocks, const BodyRows& rows,
                         const ContactDistances& limits, FoundContact& found) {
-  visitBlocks(blocks, rows, FindContact{limits, found, nullptr});
-}
-
-void placeInRows(const CycleSetup& setup, const LinkPoses& poses, BodyRows& rows) {
-  for (std::size_t i = 0; i < setup.slot_groups.size(); ++i) {
-    placeGroup(setup.slot_groups, i, poses, rows);
-  }
-}
-
-void placeAndFindContact(const CycleSetup& setup, const LinkPoses& poses,
-                         const ContactDistances& limits, BodyRows& rows, FoundContact& found) {
-  LateBodies late{setup, poses, rows, 0};
-  visitBlocks(setup.blocks, rows, FindContact{limits, found, &late});
+  visitBlocks(blocks, rows, FindContact{limits, found});
 }
 
 // NOLINTNEXTLINE(google-readability-namespace-comments)
@@ -188,8 +145,6 @@ namespace {
 HWY_EXPORT(measureInLanes);
 HWY_EXPORT(searchInLanes);
 HWY_EXPORT(findContactInLanes);
-HWY_EXPORT(placeInRows);
-HWY_EXPORT(placeAndFindContact);
 }  // namespace
 
 void measureBlocks(const PairBlocks& blocks, const BodyRows& rows,
@@ -205,24 +160,6 @@ void searchBlocks(const PairBlocks& blocks, const BodyRows& rows, const PassedPa
 void findContact(const PairBlocks& blocks, const BodyRows& rows, const ContactDistances& limits,
                  FoundContact& found) noexcept {
   HWY_DYNAMIC_DISPATCH(findContactInLanes)(blocks, rows, limits, found);
-}
-
-void findContact(const CycleSetup& setup, const LinkPoses& poses, const ContactDistances& limits,
-                 BodyRows& rows, FoundContact& found) noexcept {
-  HWY_DYNAMIC_DISPATCH(placeAndFindContact)(setup, poses, limits, rows, found);
-}
-
-ContactDistances contactDistancesOf(const CycleSetup& setup) {
-  ContactDistances limits;
-  for (std::size_t i = 0; i < setup.table.size(); ++i) {
-    limits.of_pair.push_back(contactOfBodies(setup, idAt<PairId>(i)));
-    limits.largest = std::max(limits.largest, limits.of_pair.back());
-  }
-  return limits;
-}
-
-void placeRows(const CycleSetup& setup, const LinkPoses& poses, BodyRows& rows) noexcept {
-  HWY_DYNAMIC_DISPATCH(placeInRows)(setup, poses, rows);
 }
 
 }  // namespace collision_monitor

@@ -42,7 +42,7 @@ std::vector<LinkBlock> makeLinkBlocks(const CycleSetup& setup, const std::vector
     const std::uint32_t b = slotOf(pair.b);
     if (blocks.empty() || blocks.back().pairs.one != a ||
         b >= blocks.back().pairs.first + kBlockLanes) {
-      blocks.emplace_back().pairs = {a, b, 0, i, 0};
+      blocks.emplace_back().pairs = {a, b, 0, i};
     }
     LinkBlock& block = blocks.back();
     const std::uint32_t lane = b - block.pairs.first;

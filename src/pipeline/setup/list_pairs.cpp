@@ -132,27 +132,6 @@ std::vector<BodyPair> takeBodyPairs(CycleSetup& setup) {
   return pairs;
 }
 
-/// Empty slots refer to the first link.
-std::vector<SlotGroup> groupSlots(const CycleSetup& setup) {
-  std::vector<SlotGroup> groups(groupCountOf(setup.bodies.size()));
-  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
-    const std::size_t slot = setup.blocks.slot_of[i];
-    const std::size_t lane = slot % kBlockLanes;
-    SlotGroup& group = groups[slot / kBlockLanes];
-    const Pose& link_from_body = setup.bodies[i].link_from_body;
-    for (std::size_t c = 0; c < 9; ++c) {
-      group.link_from_body[c][lane] = link_from_body.rotation.data()[c];
-    }
-    for (std::size_t c = 0; c < 3; ++c) {
-      group.link_from_body[9 + c][lane] = link_from_body.translation.data()[c];
-    }
-    group.link[lane] = static_cast<std::uint32_t>(index(setup.bodies[i].link));
-    group.pose_at[lane] = static_cast<std::int64_t>(kPoseNumbers * group.link[lane]);
-    group.kind = std::max(group.kind, setup.cores[i].kind);
-  }
-  return groups;
-}
-
 }  // namespace
 
 void listPairs(CycleSetup& setup) {
@@ -171,7 +150,6 @@ void listPairs(CycleSetup& setup) {
   }
   setup.table = PairTable(takeBodyPairs(setup), setup.bodies.size());
   setup.blocks = makeBlocks(setup.table, setup.cores);
-  setup.slot_groups = groupSlots(setup);
   linkBodiesToElements(setup);
 }
 

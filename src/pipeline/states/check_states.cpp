@@ -9,7 +9,6 @@
 
 #include "narrow_phase/simd/plain_twin.h"
 #include "pipeline/blocks/contact_of_pairs.h"
-#include "pipeline/blocks/search_blocks.h"
 #include "pipeline/cycle/place_bodies.h"
 #include "pipeline/states/float_unknown.h"
 #include "pipeline/states/states_block.h"

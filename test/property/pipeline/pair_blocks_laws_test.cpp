@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "narrow_phase/distance.h"
-#include "pipeline/blocks/search_blocks.h"
+#include "pipeline/blocks/contact_of_pairs.h"
 #include "pipeline/cycle/place_bodies.h"
 #include "support/fixed_seed.h"
 #include "support/instruction_sets.h"
@@ -19,7 +19,6 @@ namespace {
 
 struct Scene {
   const CycleSetup& setup;
-  const LinkPoses& poses;
   const BodyPoses& body_poses;
 };
 
@@ -34,9 +33,8 @@ void expectNearest(const Scene& scene, const std::vector<double>& distances) {
   ASSERT_EQ(index(nearest.pair), static_cast<std::size_t>(least - distances.begin()));
 }
 
-/// By bodies placed before and by bodies placed as the search comes to them.
 void expectFirstContact(const Scene& scene, const std::vector<double>& distances,
-                        BodyRows& late_rows, std::size_t& contacts) {
+                        std::size_t& contacts) {
   const CycleSetup& setup = scene.setup;
   FoundContact found;
   findContact(setup.blocks, scene.body_poses.rows, contactDistancesOf(setup), found);
@@ -45,11 +43,6 @@ void expectFirstContact(const Scene& scene, const std::vector<double>& distances
   ASSERT_EQ(found.contact.distance,
             touching == distances.end() ? std::numeric_limits<double>::infinity() : *touching);
   contacts += touching == distances.end() ? 0 : 1;
-  FoundContact late;
-  findContact(setup, scene.poses, contactDistancesOf(setup), late_rows, late);
-  ASSERT_EQ(late.contact.pair, found.contact.pair);
-  ASSERT_EQ(late.contact.distance, found.contact.distance);
-  ASSERT_EQ(late.has_unknown, found.has_unknown);
 }
 
 void expectPlainDistances(const Scene& scene, const std::vector<double>& distances) {
@@ -68,7 +61,6 @@ void expectPlainDistances(const Scene& scene, const std::vector<double>& distanc
 
 /// The same bytes on every instruction set, and the plain twin's distances.
 void expectLaws(const Scene& scene, std::size_t& contacts) {
-  BodyRows late_rows = makeBodyPoses(scene.setup).rows;
   std::vector<double> first;
   for (const std::int64_t target : instructionSets()) {
     SCOPED_TRACE(hwy::TargetName(target));
@@ -79,7 +71,7 @@ void expectLaws(const Scene& scene, std::size_t& contacts) {
                 std::memcmp(first.data(), distances.data(), first.size() * sizeof(double)) == 0);
     first = distances;
     ASSERT_NO_FATAL_FAILURE(expectNearest(scene, distances));
-    ASSERT_NO_FATAL_FAILURE(expectFirstContact(scene, distances, late_rows, contacts));
+    ASSERT_NO_FATAL_FAILURE(expectFirstContact(scene, distances, contacts));
   }
   expectPlainDistances(scene, first);
 }
@@ -92,60 +84,9 @@ TEST(PairBlocksLaws, distancesAndNearestPairAreThoseOfThePlainTwin_onEveryInstru
     const LinkPoses poses = randomLinkPoses(setup, round % 2 == 0 ? 0.4 : 4.0, kSeed + round);
     BodyPoses body_poses = makeBodyPoses(setup);
     placeBodies(setup, poses, body_poses);
-    ASSERT_NO_FATAL_FAILURE(expectLaws({setup, poses, body_poses}, contacts));
+    ASSERT_NO_FATAL_FAILURE(expectLaws({setup, body_poses}, contacts));
   }
   EXPECT_GT(contacts, 100U);
-}
-
-/// Poses of which each third is not known, not finite or not rigid.
-LinkPoses damagedPoses(const CycleSetup& setup, unsigned seed) {
-  LinkPoses poses = randomLinkPoses(setup, 1.0, seed);
-  for (std::size_t link = 0; link < poses.status.size(); link += 3) {
-    Pose& pose = poses.world_from_link[link];
-    switch ((link / 3 + seed) % 4) {
-      case 0:
-        poses.status[link] = LinkStatus::stale;
-        break;
-      case 1:
-        pose.translation.y() = std::numeric_limits<double>::quiet_NaN();
-        break;
-      case 2:
-        pose.rotation(1, 2) = std::numeric_limits<double>::infinity();
-        break;
-      default:
-        pose.rotation.col(0) *= 1.0 + 1e-5;
-    }
-  }
-  return poses;
-}
-
-TEST(PairBlocksLaws, rowsPlacedTogetherAreThoseOfEachBody_onEveryInstructionSet) {
-  std::size_t unknown = 0;
-  for (unsigned round = 0; round < 100; ++round) {
-    SCOPED_TRACE(testing::Message() << "seed " << kSeed + round);
-    const CycleSetup setup = randomSetup(2 + round % 20, kSeed + round);
-    const LinkPoses poses = damagedPoses(setup, kSeed + round);
-    BodyPoses body_poses = makeBodyPoses(setup);
-    placeBodies(setup, poses, body_poses);
-    for (const std::int64_t target : instructionSets()) {
-      SCOPED_TRACE(hwy::TargetName(target));
-      const OnlyInstructionSet only(target);
-      BodyRows rows = makeBodyPoses(setup).rows;
-      placeRows(setup, poses, rows);
-      for (std::size_t body = 0; body < setup.bodies.size(); ++body) {
-        const std::size_t slot = setup.blocks.slot_of[body];
-        if (body_poses.known[body] == 0) {
-          ASSERT_TRUE(std::isnan(rows.at(column::center)[slot]));
-          ++unknown;
-          continue;
-        }
-        for (std::size_t c = 0; c < columnCountOf(setup.cores[body].kind); ++c) {
-          ASSERT_EQ(rows.at(c)[slot], body_poses.rows.at(c)[slot]) << "column " << c;
-        }
-      }
-    }
-  }
-  EXPECT_GT(unknown, 100U);
 }
 
 }  // namespace

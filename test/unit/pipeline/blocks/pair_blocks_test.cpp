@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "pipeline/blocks/search_blocks.h"
+#include "pipeline/blocks/contact_of_pairs.h"
 #include "pipeline/cycle/place_bodies.h"
 #include "support/instruction_sets.h"
 #include "support/robots/hand_made_setup.h"
@@ -57,37 +57,12 @@ TEST(MakeBlocks, beginAtGroupsOfSlotsUnlessThatTakesMoreOfThem) {
   // Body 0 meets bodies 1 to 7 of the first group, then 8 to 11 of the second.
   EXPECT_EQ(blocks.blocks[0].first, 0U);
   EXPECT_EQ(blocks.blocks[0].is_pair, 0b11111110U);
-  EXPECT_EQ(blocks.blocks[0].arrived, 1U);
   EXPECT_EQ(blocks.blocks[1].first, 8U);
   EXPECT_EQ(blocks.blocks[1].is_pair, 0b00001111U);
-  EXPECT_EQ(blocks.blocks[1].arrived, 2U);
   // Body 3 meets 4 to 11, which one block can hold.
   EXPECT_EQ(blocks.blocks[6].one, 3U);
   EXPECT_EQ(blocks.blocks[6].first, 4U);
   EXPECT_EQ(blocks.blocks[6].is_pair, 0b11111111U);
-}
-
-TEST(MakeBlocks, groupsOfSlotsArriveBeforeTheBlockThatNeedsThem_eachOnce) {
-  const CycleSetup setup = randomSetup(30, 1);
-  const PairBlocks& blocks = setup.blocks;
-  const std::size_t groups = setup.slot_groups.size();
-  ASSERT_EQ(groups, (setup.bodies.size() + kBlockLanes - 1) / kBlockLanes);
-  std::vector<std::size_t> place(groups, groups);
-  for (std::size_t i = 0; i < blocks.arrivals.size(); ++i) {
-    EXPECT_EQ(place[blocks.arrivals[i]], groups);
-    place[blocks.arrivals[i]] = i;
-  }
-  for (const PairBlock& block : blocks.blocks) {
-    EXPECT_LT(place[block.one / kBlockLanes], block.arrived);
-    for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
-      if ((block.is_pair >> lane & 1U) != 0) {
-        EXPECT_LT(place[(block.first + lane) / kBlockLanes], block.arrived);
-      }
-    }
-  }
-  // Every link is checked against every other, so all bodies arrive, but not at once.
-  EXPECT_EQ(blocks.blocks.back().arrived, groups);
-  EXPECT_LE(blocks.blocks.front().arrived, 3U);
 }
 
 /// A ball at the origin, a capsule along z from (3, 0, -1) to (3, 0, 1), a cube about (0, 5, 0).
@@ -119,12 +94,6 @@ class BlocksTest : public testing::TestWithParam<std::int64_t> {
     limits.largest = std::max(limits.largest, contact_distance);
     FoundContact found;
     findContact(setup_.blocks, placed(setup_, poses_).rows, limits, found);
-    FoundContact late;
-    BodyRows rows = makeBodyPoses(setup_).rows;
-    findContact(setup_, poses_, limits, rows, late);
-    EXPECT_EQ(late.contact.pair, found.contact.pair);
-    EXPECT_EQ(late.contact.distance, found.contact.distance);
-    EXPECT_EQ(late.has_unknown, found.has_unknown);
     return found;
   }
 

@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: 2026 The collision_monitor authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pairs that never touch, as `rosrun collision_monitor pairs` finds them with its default limit of time.
+A pair that is truly never in contact touches in no state drawn, so the share that is proven of all pairs
+that touch in no state is at most the share of those that truly never touch. Proofs run on all cores."""
+import argparse
+import re
+import subprocess
+import time
+
+from figure import Figures, first_line, package_path, shared_robots
+
+# The least share of pairs that are proven, and within how many seconds.
+GOALS = {"panda_moveit": (0.9, 60.0), "atlas": (0.5, None)}
+COUNT = re.compile(r"(\d+) never(?: \((\d+) proven\))?$")
+
+
+def prove(robot, states):
+    """(pairs that touch in no state, those proven, seconds), or a sentence."""
+    _, folder, urdf, _, _ = robot
+    start = time.monotonic()
+    run = subprocess.run(["rosrun", "collision_monitor", "pairs", str(urdf), "--states", str(states)],
+                         env=package_path(folder), capture_output=True, text=True, check=False)
+    taken = time.monotonic() - start
+    count = COUNT.search(run.stdout.strip()) if run.returncode == 0 else None
+    return (int(count[1]), int(count[2] or 0), taken) if count else first_line(run)
+
+
+def add_robot(figures, robot, states):
+    found = prove(robot, states)
+    name = f"{robot[0]}: pairs that never touch, proven"
+    share, limit = GOALS.get(robot[0], (None, None))
+    if isinstance(found, str):
+        print(f"{name}: {found}")
+        figures.not_met += 1
+        return
+    never, proven, taken = found
+    ours = f"{proven} in {taken:.1f} s"
+    if share is None:
+        figures.tell(name, ours, f"of {never}")
+        return
+    in_time = limit is None or taken <= limit
+    figures.add(name, ours, f"of {never}", f"{share:.0%}" + (f" in {limit:g} s" if limit else ""),
+                proven >= share * never and in_time)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--states", type=int, default=50000, help="drawn for each robot")
+    parser.add_argument("--robots", nargs="+", default=list(GOALS), metavar="ROBOT",
+                        help="these alone, or all")
+    arguments = parser.parse_args()
+    figures = Figures()
+    for robot in shared_robots():
+        if robot[0] in arguments.robots or "all" in arguments.robots:
+            add_robot(figures, robot, arguments.states)
+    figures.finish()
+
+
+if __name__ == "__main__":
+    main()
