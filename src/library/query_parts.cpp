@@ -26,11 +26,12 @@ QueryParts::QueryParts(const RobotMonitor& its_monitor)
       state(shared.default_state),
       poses(knownPoses(setup)),
       links(makeLinkDistances(setup)),
-      of_bodies(setup.table.size()),
-      nearest_bodies(setup.element_pairs.size(), kNone),
+      nearest_of(setup.element_pairs.size(), kNone),
       verdicts(setup.checked.size(), Verdict::clear),
+      none_passed(setup.element_pairs.size(), 0),
       rows(setup, poses) {
   links.refine.limits.tolerance = setup.refine.tolerance;
+  near_bodies.reserve(setup.table.size());
   table.pairs.reserve(setup.checked.size());
   contacts.reserve(setup.checked.size());
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,11 @@ struct QueryParts {
   JointPositions state;  ///< NaN for numbers that mean nothing
   LinkPoses poses;
   LinkDistances links;
-  std::vector<double> of_bodies;              ///< [m] by PairId
-  std::vector<std::uint32_t> nearest_bodies;  ///< by ElementPairIndex: a PairId, or kNone
-  std::vector<Verdict> verdicts;              ///< by LinkPairIndex, of what was measured
+  std::vector<NearestPair> near_bodies;    ///< by PairId
+  std::vector<std::uint32_t> nearest_of;   ///< by ElementPairIndex: into near_bodies, or kNone
+  std::vector<Verdict> verdicts;           ///< by LinkPairIndex, of what was measured
+  std::vector<unsigned char> none_passed;  ///< by ElementPairIndex: 0
+  std::optional<PairId> last_nearest;      ///< in the last state that nearest() was asked for
   GradientRows rows;
   DistanceTable table;
   MeasuredPair nearest;

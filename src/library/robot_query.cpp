@@ -19,35 +19,39 @@ void place(Numbers state, QueryParts& parts) {
              parts.poses.world_from_link);
 }
 
-/// Measures the bodies of all pairs, without points, and finds the nearest of each pair of
-/// elements.
-void measureBodies(QueryParts& parts) {
-  const CycleSetup& setup = parts.setup;
-  placeAll(setup, parts.poses, parts.links);
-  measureBlocks(setup.blocks, parts.links.body_poses.rows, parts.of_bodies);
-  std::fill(parts.nearest_bodies.begin(), parts.nearest_bodies.end(), kNone);
-  for (std::uint32_t id = 0; id < parts.of_bodies.size(); ++id) {
-    std::uint32_t& nearest = parts.nearest_bodies[setup.element_pair_of[id]];
-    const double distance = parts.of_bodies[id];
-    if (!std::isnan(distance) && (nearest == kNone || distance < parts.of_bodies[nearest])) {
-      nearest = id;
+void placeShapes(Numbers state, QueryParts& parts) {
+  place(state, parts);
+  placeAll(parts.setup, parts.poses, parts.links);
+}
+
+/// Lists of each pair of elements its nearest bodies, if these are within a distance.
+void listNear(double within, QueryParts& parts) {
+  const auto& near = parts.near_bodies;
+  findNear(parts.setup.blocks, parts.links.body_poses.rows, within, parts.near_bodies);
+  for (const NearestPair& bodies : near) {
+    parts.nearest_of[parts.setup.element_pair_of[index(bodies.pair)]] = kNone;
+  }
+  for (std::uint32_t i = 0; i < near.size(); ++i) {
+    std::uint32_t& nearest = parts.nearest_of[parts.setup.element_pair_of[index(near[i].pair)]];
+    if (nearest == kNone || near[i].distance < near[nearest].distance) {
+      nearest = i;
+    }
+  }
+  std::vector<PairId>& candidates = parts.links.candidates;
+  candidates.clear();
+  for (std::uint32_t i = 0; i < near.size(); ++i) {
+    if (parts.nearest_of[parts.setup.element_pair_of[index(near[i].pair)]] == i) {
+      candidates.push_back(near[i].pair);
     }
   }
 }
 
 /// Measures each pair of elements whose nearest bodies are within a distance, and all whose bodies
 /// overlap: depths of bodies without points are no bounds. Others are farther apart than that.
-void measureNear(double distance, QueryParts& parts) {
+void measureNear(double distance, Asked asked, QueryParts& parts) {
   const double within = std::max(distance, 0.0);
-  std::vector<PairId>& candidates = parts.links.candidates;
-  candidates.clear();
-  for (const std::uint32_t id : parts.nearest_bodies) {
-    if (id != kNone && parts.of_bodies[id] <= within) {
-      candidates.push_back(idAt<PairId>(id));
-    }
-  }
-  std::sort(candidates.begin(), candidates.end());
-  measureWithin(parts.setup, within, parts.links);
+  listNear(within, parts);
+  measureWithin(parts.setup, within, asked, parts.links);
   std::fill(parts.verdicts.begin(), parts.verdicts.end(), Verdict::clear);
   for (const PairDistance& measured : parts.links.distances.pairs) {
     Verdict& verdict = parts.verdicts[parts.setup.link_pair_of[index(measured.pair)]];
@@ -111,13 +115,47 @@ TouchingPair touchingPair(const QueryParts& parts, LinkPairIndex pair) {
   return contact;
 }
 
-/// The distance of the nearest bodies of all; infinity if there are none.
-double leastOfBodies(const QueryParts& parts) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t id : parts.nearest_bodies) {
-    least = id == kNone ? least : std::min(least, parts.of_bodies[id]);
+constexpr auto kAnyPair = [](LinkPairIndex) { return true; };
+
+/// Measures the elements of one pair of bodies.
+/// @return kNone if their distance is unknown
+LinkPairIndex measureOne(PairId pair, QueryParts& parts) {
+  const BodyPair& bodies = parts.setup.table[pair];
+  const auto linkOf = [&](BodyId body) { return parts.setup.bodies[index(body)].link; };
+  if (!isJoined(parts.links.body_poses, linkOf(bodies.a), linkOf(bodies.b))) {
+    return kNone;
   }
-  return least;
+  parts.links.candidates.assign(1, pair);
+  measureWithin(parts.setup, std::numeric_limits<double>::infinity(), Asked::within, parts.links);
+  return closestOf(parts.links, kAnyPair);
+}
+
+/// Some pair that is near: the one that was nearest in the last state, or that of the nearest
+/// bodies.
+LinkPairIndex measureLikely(QueryParts& parts) {
+  const LinkPairIndex last =
+      parts.last_nearest ? measureOne(*parts.last_nearest, parts) : LinkPairIndex{kNone};
+  if (last != kNone) {
+    return last;
+  }
+  NearestPair bodies;
+  searchBlocks(parts.setup.blocks, parts.links.body_poses.rows,
+               {parts.setup.element_pair_of, parts.none_passed}, bodies);
+  return bodies.distance < std::numeric_limits<double>::infinity() ? measureOne(bodies.pair, parts)
+                                                                   : LinkPairIndex{kNone};
+}
+
+/// The nearest of all pairs; kNone if none is known. A first pair limits the search for others.
+LinkPairIndex measureNearest(QueryParts& parts) {
+  constexpr double kRounding = 1e-9;  // bodies are measured by two routines
+  const LinkPairIndex likely = measureLikely(parts);
+  if (likely == kNone) {
+    return kNone;
+  }
+  measureNear(parts.links.of(likely).measured.distance + kRounding, Asked::nearest, parts);
+  const LinkPairIndex closest = closestOf(parts.links, kAnyPair);
+  parts.last_nearest = parts.links.of(closest).pair;
+  return closest;
 }
 
 }  // namespace
@@ -135,9 +173,8 @@ const DistanceTable& RobotQuery::distances(Numbers state, const DistanceRequest&
     throw ArgumentError({"`within` is not a number; give metres, or infinity for all pairs"});
   }
   QueryParts& parts = *parts_;
-  place(state, parts);
-  measureBodies(parts);
-  measureNear(request.within, parts);
+  placeShapes(state, parts);
+  measureNear(request.within, Asked::within, parts);
   parts.table.pairs.clear();
   parts.table.gradients.clear();
   if (request.gradients) {
@@ -155,17 +192,8 @@ const DistanceTable& RobotQuery::distances(Numbers state, const DistanceRequest&
 
 const MeasuredPair& RobotQuery::nearest(Numbers state) {
   QueryParts& parts = *parts_;
-  place(state, parts);
-  measureBodies(parts);
-  // What the nearest bodies enclose is mostly the nearest. If not, what is nearer is within that.
-  const auto any = [](LinkPairIndex) { return true; };
-  measureNear(leastOfBodies(parts), parts);
-  LinkPairIndex closest = closestOf(parts.links, any);
-  if (closest != kNone) {
-    constexpr double kRounding = 1e-9;  // bodies are measured by two routines
-    measureNear(parts.links.of(closest).measured.distance + kRounding, parts);
-    closest = closestOf(parts.links, any);
-  }
+  placeShapes(state, parts);
+  const LinkPairIndex closest = measureNearest(parts);
   const bool has_pairs = !parts.setup.checked.empty();
   parts.nearest = closest != kNone ? answerOf(parts, closest) : unknownPair(has_pairs ? 0 : kNone);
   return parts.nearest;
@@ -173,10 +201,9 @@ const MeasuredPair& RobotQuery::nearest(Numbers state) {
 
 const std::vector<TouchingPair>& RobotQuery::contacts(Numbers state) {
   QueryParts& parts = *parts_;
-  place(state, parts);
-  measureBodies(parts);
+  placeShapes(state, parts);
   const double within = std::max(0.0, parts.setup.limits.contact_distance);
-  measureNear(within, parts);
+  measureNear(within, Asked::within, parts);
   parts.contacts.clear();
   forPairsWithin(within, parts, [&](LinkPairIndex pair) {
     if (isUnknown(parts, pair) || parts.verdicts[pair] == Verdict::contact) {

@@ -87,16 +87,17 @@ inline void loseBody(std::size_t slot, BodyRows& rows) noexcept {
   rows.at(column::center)[slot] = std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Measures signed distances of all pairs, by PairId; NaN where a body is not known.
-/// Error: as distanceBetween; the same bytes with every instruction set.
-/// @pre `distances` has the size of the table.
-void measureBlocks(const PairBlocks& blocks, const BodyRows& rows,
-                   std::vector<double>& distances) noexcept;
-
 struct NearestPair {
   PairId pair{};
   double distance{std::numeric_limits<double>::infinity()};  ///< [m]
 };
+
+/// Lists the pairs that are at most `within` [m] apart, with their signed distances, by PairId.
+/// Leaves out pairs with a body that is not known. Bounding spheres save most of the measuring.
+/// Error: as distanceBetween; the same bytes with every instruction set.
+/// @param near is overwritten. @pre it has room for all pairs.
+void findNear(const PairBlocks& blocks, const BodyRows& rows, double within,
+              std::vector<NearestPair>& near) noexcept;
 
 /// Pairs that a search skips: those of a marked group.
 struct PassedPairs {

@@ -3,6 +3,7 @@
 #include "pipeline/answers/link_distances.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "pipeline/cycle/measure_pairs.h"
@@ -56,9 +57,12 @@ void placeAll(const CycleSetup& setup, const LinkPoses& poses, LinkDistances& li
   placeElements(setup, poses, links.body_poses);
 }
 
-void measureWithin(const CycleSetup& setup, double distance, LinkDistances& links) noexcept {
+void measureWithin(const CycleSetup& setup, double distance, Asked asked,
+                   LinkDistances& links) noexcept {
   measurePairs(setup, links.body_poses, links.candidates, links.distances);
   links.refine.limits.distance = distance;
+  links.refine.cutoff = std::nextafter(distance, std::numeric_limits<double>::infinity());
+  links.refine.finds_nearest = asked == Asked::nearest;
   refinePairs(setup, links.body_poses, links.memory, links.refine, links.distances);
   findNearest(setup, links);
 }

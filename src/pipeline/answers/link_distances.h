@@ -36,9 +36,24 @@ LinkDistances makeLinkDistances(const CycleSetup& setup);
 /// Places bodies and elements.
 void placeAll(const CycleSetup& setup, const LinkPoses& poses, LinkDistances& links) noexcept;
 
-/// Measures the candidates, and refines those within a distance [m]. Does not allocate.
+/// Which distances are asked for.
+enum class Asked : unsigned char {
+  within,   ///< those up to the distance
+  nearest,  ///< the least up to the distance
+};
+
+/// Measures the candidates, and refines those within a distance [m]. Pairs whose distances are not
+/// asked for may keep a lower bound. Does not allocate.
 /// @pre the links are placed; candidates have known relative poses.
-void measureWithin(const CycleSetup& setup, double distance, LinkDistances& links) noexcept;
+void measureWithin(const CycleSetup& setup, double distance, Asked asked,
+                   LinkDistances& links) noexcept;
+
+/// Whether a pair is nearer than another, or as near and measured: a bound stops at the distance
+/// that ended its search.
+inline bool isNearer(const PairDistance& one, const PairDistance& other) noexcept {
+  return one.measured.distance < other.measured.distance ||
+         (one.measured.distance == other.measured.distance && !one.is_raised && other.is_raised);
+}
 
 /// The nearest pair among those that `is_asked` accepts; kNone if none was measured.
 template <class IsAsked>
@@ -46,7 +61,7 @@ LinkPairIndex closestOf(const LinkDistances& links, const IsAsked& is_asked) {
   LinkPairIndex closest = kNone;
   for (LinkPairIndex i = 0; i < links.nearest.size(); ++i) {
     if (links.nearest[i] != kNone && is_asked(i) &&
-        (closest == kNone || links.of(i).measured.distance < links.of(closest).measured.distance)) {
+        (closest == kNone || isNearer(links.of(i), links.of(closest)))) {
       closest = i;
     }
   }

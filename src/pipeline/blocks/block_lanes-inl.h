@@ -141,17 +141,6 @@ HWY_INLINE Number measurePart(const BodyRows& rows, const BlockPart& part, doubl
   return settled<CoreOne, CoreRow>(rows, part, which, distance);
 }
 
-/// Correct in all lanes that have pairs. Does not extract bits by lane: with short vectors this
-/// takes as long as a large part of the measuring.
-template <class CoreOne, class CoreRow>
-HWY_INLINE Number measureAllOfPart(const BodyRows& rows, const BlockPart& part) {
-  Truth counts = truthOf(part.is_pair);
-  const Number distance =
-      distanceWithin(coreOfOne<CoreOne>(rows, part), coreOfRow<CoreRow>(rows, part),
-                     number(std::numeric_limits<double>::infinity()), counts);
-  return settled<CoreOne, CoreRow>(rows, part, part.is_pair, distance);
-}
-
 /// Calls `take` with pair, lane and distance of each of the lanes `which`.
 template <class Take>
 HWY_INLINE void forLanes(const BlockPart& part, std::uint32_t which, Number distance,

@@ -13,13 +13,22 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// Measures all pairs of a part.
-struct MeasureAll {
-  std::vector<double>& distances;
+/// Keeps all pairs within a distance.
+struct CollectNear {
+  double within;
+  std::vector<NearestPair>& near;
 
   template <class CoreOne, class CoreRow>
   HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
-    storeByPair(part, measureAllOfPart<CoreOne, CoreRow>(rows, part), distances);
+    std::uint32_t which = bitsOf(mayBeNearer(rows, part, within)) & part.is_pair;
+    if (which == 0) {
+      return true;
+    }
+    const Number distance = measurePart<CoreOne, CoreRow>(rows, part, within, which);
+    which &= bitsOf(hn::Le(distance, number(within)));
+    forLanes(part, which, distance, [&](std::uint32_t pair, std::size_t, double value) HWY_ATTR {
+      near.push_back({idAt<PairId>(pair), value});
+    });
     return true;
   }
 };
@@ -119,9 +128,9 @@ void visitBlocks(const PairBlocks& blocks, const BodyRows& rows, const Visitor& 
   }
 }
 
-void measureInLanes(const PairBlocks& blocks, const BodyRows& rows,
-                    std::vector<double>& distances) {
-  visitBlocks(blocks, rows, MeasureAll{distances});
+void collectInLanes(const PairBlocks& blocks, const BodyRows& rows, double within,
+                    std::vector<NearestPair>& near) {
+  visitBlocks(blocks, rows, CollectNear{within, near});
 }
 
 void searchInLanes(const PairBlocks& blocks, const BodyRows& rows, const PassedPairs& passed,
@@ -142,14 +151,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace collision_monitor {
 namespace {
-HWY_EXPORT(measureInLanes);
+HWY_EXPORT(collectInLanes);
 HWY_EXPORT(searchInLanes);
 HWY_EXPORT(findContactInLanes);
 }  // namespace
 
-void measureBlocks(const PairBlocks& blocks, const BodyRows& rows,
-                   std::vector<double>& distances) noexcept {
-  HWY_DYNAMIC_DISPATCH(measureInLanes)(blocks, rows, distances);
+void findNear(const PairBlocks& blocks, const BodyRows& rows, double within,
+              std::vector<NearestPair>& near) noexcept {
+  near.clear();
+  HWY_DYNAMIC_DISPATCH(collectInLanes)(blocks, rows, within, near);
 }
 
 void searchBlocks(const PairBlocks& blocks, const BodyRows& rows, const PassedPairs& passed,

@@ -44,17 +44,22 @@ void takeOver(const ElementDistance& found, double contact, PairDistance& distan
   }
 }
 
-/// Whether the pair is farther than the nearest refined pair of its links and in no contact.
+/// [m] Beyond this a pair is not the nearest of its links, or nobody asks for its distance.
+double farthestAsked(const Refinement& all, const RefineTask& task) noexcept {
+  const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
+  return std::min(all.work.nearest[link_pair], all.work.cutoff);
+}
+
+/// Whether the distance of the pair is not asked for and the pair is in no contact.
 bool isSettled(const Refinement& all, const RefineTask& task) noexcept {
   const Limits& limits = all.setup.limits;
-  return task.bound > all.work.nearest[all.setup.element_pairs[task.pair].link_pair] &&
+  return task.bound > farthestAsked(all, task) &&
          task.bound > std::max(0.0, limits.contact_distance + limits.hysteresis);
 }
 
-/// [m] Beyond this a pair is neither the nearest of its links nor in contact.
+/// [m] Beyond this the distance of the pair is not asked for and the pair is in no contact.
 double cutoffFor(const Refinement& all, const RefineTask& task) noexcept {
-  const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
-  return std::max(all.work.nearest[link_pair], clearBeyond(all));
+  return std::max(farthestAsked(all, task), clearBeyond(all));
 }
 
 /// Whether a threshold of verdicts lies within the tolerance of a distance.
@@ -118,6 +123,9 @@ void report(const Refinement& all, RefineTask& task, const ElementDistance& foun
   if (found.is_complete) {
     double& nearest = work.nearest[all.setup.element_pairs[task.pair].link_pair];
     nearest = std::min(nearest, distance.measured.distance);
+    if (work.finds_nearest && !distance.is_raised) {
+      work.cutoff = std::min(work.cutoff, distance.measured.distance);
+    }
   }
 }
 

@@ -118,13 +118,13 @@ struct Reach {
   LinkPairIndex closest;
 };
 
-/// If no pair is within the distance, all are refined; only that shows which one is closest.
+/// If no pair is within the distance, the nearest of all is searched for.
 Reach measureReach(const CycleSetup& setup, const Selection& selection, double max_distance,
                    LinkDistances& links) {
-  measureWithin(setup, max_distance, links);
+  measureWithin(setup, max_distance, Asked::within, links);
   LinkPairIndex closest = closestAsked(setup, selection, links);
   if (closest != kNone && links.of(closest).measured.distance > max_distance) {
-    measureWithin(setup, std::numeric_limits<double>::infinity(), links);
+    measureWithin(setup, std::numeric_limits<double>::infinity(), Asked::nearest, links);
     closest = closestAsked(setup, selection, links);
   }
   return {max_distance, closest};

@@ -59,34 +59,54 @@ void expectPlainDistances(const Scene& scene, const std::vector<double>& distanc
   }
 }
 
+/// The same bytes as among all distances, in the order of the table.
+void expectNear(const Scene& scene, const std::vector<double>& distances, double within,
+                std::size_t& left_out) {
+  std::vector<NearestPair> near;
+  findNear(scene.setup.blocks, scene.body_poses.rows, within, near);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    if (distances[i] <= within) {
+      ASSERT_LT(next, near.size());
+      ASSERT_EQ(index(near[next].pair), i);
+      ASSERT_EQ(near[next].distance, distances[i]);
+      ++next;
+    }
+  }
+  ASSERT_EQ(next, near.size());
+  left_out += distances.size() - next;
+}
+
 /// The same bytes on every instruction set, and the plain twin's distances.
-void expectLaws(const Scene& scene, std::size_t& contacts) {
+void expectLaws(const Scene& scene, std::size_t& contacts, std::size_t& left_out) {
   std::vector<double> first;
   for (const std::int64_t target : instructionSets()) {
     SCOPED_TRACE(hwy::TargetName(target));
     const OnlyInstructionSet only(target);
-    std::vector<double> distances(scene.setup.table.size());
-    measureBlocks(scene.setup.blocks, scene.body_poses.rows, distances);
+    const std::vector<double> distances = allDistances(scene.setup, scene.body_poses.rows);
     ASSERT_TRUE(first.empty() ||
                 std::memcmp(first.data(), distances.data(), first.size() * sizeof(double)) == 0);
     first = distances;
     ASSERT_NO_FATAL_FAILURE(expectNearest(scene, distances));
     ASSERT_NO_FATAL_FAILURE(expectFirstContact(scene, distances, contacts));
+    ASSERT_NO_FATAL_FAILURE(expectNear(scene, distances, 0.3, left_out));
   }
   expectPlainDistances(scene, first);
 }
 
 TEST(PairBlocksLaws, distancesAndNearestPairAreThoseOfThePlainTwin_onEveryInstructionSet) {
   std::size_t contacts = 0;
+  std::size_t left_out = 0;
   for (unsigned round = 0; round < 200; ++round) {
     SCOPED_TRACE(testing::Message() << "seed " << kSeed + round);
     const CycleSetup setup = randomSetup(2 + round % 20, kSeed + round);
     const LinkPoses poses = randomLinkPoses(setup, round % 2 == 0 ? 0.4 : 4.0, kSeed + round);
     BodyPoses body_poses = makeBodyPoses(setup);
     placeBodies(setup, poses, body_poses);
-    ASSERT_NO_FATAL_FAILURE(expectLaws({setup, body_poses}, contacts));
+    ASSERT_NO_FATAL_FAILURE(expectLaws({setup, body_poses}, contacts, left_out));
   }
   EXPECT_GT(contacts, 100U);
+  EXPECT_GT(left_out, 100U);
 }
 
 }  // namespace

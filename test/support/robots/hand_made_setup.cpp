@@ -92,4 +92,15 @@ LinkPoses randomLinkPoses(const CycleSetup& setup, double reach, unsigned seed) 
   return poses;
 }
 
+std::vector<double> allDistances(const CycleSetup& setup, const BodyRows& rows) {
+  constexpr double kEverywhere = std::numeric_limits<double>::infinity();
+  std::vector<NearestPair> near;
+  findNear(setup.blocks, rows, kEverywhere, near);
+  std::vector<double> distances(setup.table.size(), std::numeric_limits<double>::quiet_NaN());
+  for (const NearestPair& pair : near) {
+    distances[index(pair.pair)] = pair.distance;
+  }
+  return distances;
+}
+
 }  // namespace collision_monitor::test

@@ -34,4 +34,7 @@ CycleSetup randomSetup(std::size_t count, unsigned seed);
 /// Every link at a random pose within a cube of half edge `reach` [m].
 LinkPoses randomLinkPoses(const CycleSetup& setup, double reach, unsigned seed);
 
+/// [m] By PairId, as findNear measures bodies at any distance; NaN where a body is not known.
+std::vector<double> allDistances(const CycleSetup& setup, const BodyRows& rows);
+
 }  // namespace collision_monitor::test

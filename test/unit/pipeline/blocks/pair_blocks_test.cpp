@@ -80,9 +80,7 @@ class BlocksTest : public testing::TestWithParam<std::int64_t> {
   std::vector<std::uint32_t> groups_ = {0, 1, 2};
 
   std::vector<double> distances() const {
-    std::vector<double> found(setup_.table.size());
-    measureBlocks(setup_.blocks, placed(setup_, poses_).rows, found);
-    return found;
+    return allDistances(setup_, placed(setup_, poses_).rows);
   }
   NearestPair nearest(NearestPair best = {}) const {
     searchBlocks(setup_.blocks, placed(setup_, poses_).rows, {groups_, passed_}, best);
@@ -108,6 +106,17 @@ TEST_P(BlocksTest, everyDistance) {
   EXPECT_NEAR(found[0], 3.0 - 0.5 - 0.25, 1e-12);
   EXPECT_NEAR(found[1], 4.5 - 0.5, 1e-12);
   EXPECT_NEAR(found[2], std::hypot(2.5, 4.5) - 0.25, 1e-12);
+}
+
+TEST_P(BlocksTest, pairsFartherThanAsked_areLeftOut) {
+  std::vector<NearestPair> near;
+  near.reserve(setup_.table.size());
+  findNear(setup_.blocks, placed(setup_, poses_).rows, 4.5, near);
+  ASSERT_EQ(near.size(), 2U);
+  EXPECT_EQ(near[0].pair, PairId{0});
+  EXPECT_NEAR(near[0].distance, 2.25, 1e-12);
+  EXPECT_EQ(near[1].pair, PairId{1});
+  EXPECT_NEAR(near[1].distance, 4.0, 1e-12);
 }
 
 TEST_P(BlocksTest, nearestPair) {
