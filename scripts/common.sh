@@ -28,7 +28,7 @@ core_packages=(
   pybind11-dev python3-dev python3-numpy python3-yaml
 )
 test_packages=(
-  libgtest-dev librapidcheck-dev nlohmann-json3-dev
+  libgtest-dev librapidcheck-dev nlohmann-json3-dev doxygen
   python3-pytest python3-matplotlib python3-distributed
 )
 bench_packages=(libbenchmark-dev libbullet-dev)

@@ -6,6 +6,7 @@
 
 #include "collision_monitor/arguments.h"
 #include "failures.h"
+#include "interruptible_work.h"
 #include "numbers.h"
 #include "robot.h"
 
@@ -71,8 +72,8 @@ SharedRobot loadFiles(const std::vector<std::array<std::string, 3>>& files, cons
     robots.push_back({urdf, srdf, prefix});
   }
   const MonitorOptions options = readOptions(given);
-  const py::gil_scoped_release no_gil;
-  return std::make_shared<Robot>(RobotMonitor::fromFiles(robots, options));
+  return runInterruptibly(
+      [&] { return std::make_shared<Robot>(RobotMonitor::fromFiles(robots, options)); });
 }
 
 SharedRobot loadTexts(const std::vector<std::array<std::string, 3>>& texts,
@@ -88,8 +89,7 @@ SharedRobot loadTexts(const std::vector<std::array<std::string, 3>>& texts,
     robots.push_back(robot);
   }
   const MonitorOptions options = readOptions(given);
-  const py::gil_scoped_release no_gil;
-  return std::make_shared<Robot>(RobotMonitor(robots, options));
+  return runInterruptibly([&] { return std::make_shared<Robot>(RobotMonitor(robots, options)); });
 }
 
 }  // namespace

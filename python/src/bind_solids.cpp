@@ -9,6 +9,7 @@
 #include "columns.h"
 #include "enums.h"
 #include "failures.h"
+#include "interruptible_work.h"
 #include "numbers.h"
 #include "pair_answers.h"
 
@@ -65,8 +66,7 @@ NamedSolid meshOf(const py::object& vertices, const py::object& triangles) {
     }
   }
   const std::string name = "mesh of " + std::to_string(corners.size()) + " triangles";
-  const py::gil_scoped_release no_gil;
-  return {Solid::mesh(mesh), name};
+  return {runInterruptibly([&] { return Solid::mesh(mesh); }), name};
 }
 
 NamedSolid hullOf(const py::object& points) {
@@ -103,8 +103,8 @@ std::string readPath(const py::object& given) {
 NamedSolid meshInFile(const py::object& file, const py::object& scale) {
   const std::string path = readPath(file);
   const Eigen::Vector3d factors = threeOf(scale, "scale", true);
-  const py::gil_scoped_release no_gil;
-  return {Solid::mesh(std::filesystem::path(path), factors), "mesh of " + path};
+  return {runInterruptibly([&] { return Solid::mesh(std::filesystem::path(path), factors); }),
+          "mesh of " + path};
 }
 
 std::string lengthsText(const char* kind, double radius, double length) {

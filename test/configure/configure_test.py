@@ -18,7 +18,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 CMAKE = os.environ.get("COLLISION_MONITOR_CMAKE", "cmake")
 # ROS's CMake files call python3: it must be the one that has their modules.
 ENVIRONMENT = dict(os.environ, PATH=os.path.dirname(sys.executable) + ":" + os.environ["PATH"])
-OPTIONAL = ("GTest", "rapidcheck", "nlohmann_json", "fcl", "rostest", "CLI11", "EXPAT", "PNG", "pybind11")
+OPTIONAL = ("GTest", "rapidcheck", "nlohmann_json", "fcl", "rostest", "CLI11", "EXPAT", "PNG", "pybind11",
+            "Doxygen")
 TESTS_OF_ALL = ["layers", "names", "unreached_functions", "tools", "configure", "install",
                 "example_distances", "example_check_path", "example_two_shapes"]
 

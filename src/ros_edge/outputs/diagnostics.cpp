@@ -140,7 +140,8 @@ void describeSetup(const MonitorSetup& setup, DiagnosticStatusWrapper& status) {
   if (warnings.empty()) {
     status.summary(DiagnosticStatus::OK, "no warnings");
   } else {
-    status.summaryf(DiagnosticStatus::WARN, "%zu warnings", warnings.size());
+    status.summary(DiagnosticStatus::WARN, std::to_string(warnings.size()) + " warning" +
+                                               (warnings.size() == 1 ? "" : "s"));
   }
   status.add("robots", cycle.model.robots.size());
   status.add("shapes", cycle.bodies.size());

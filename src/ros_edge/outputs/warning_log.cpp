@@ -62,6 +62,9 @@ void WarningLog::logChange(const VerdictChange& change, const std::string& sente
 void WarningLog::logUnknownLinks(const Watch& watch) {
   findUnknownLinks(watch, unknown_);
   const ros::SteadyTime now = ros::SteadyTime::now();
+  if (last_unknown_.isZero()) {
+    last_unknown_ = now;  // at the start the first poses are still on their way
+  }
   if (unknown_ == told_unknown_ || isTooSoon(last_unknown_, now)) {
     return;
   }

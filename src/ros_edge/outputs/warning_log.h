@@ -17,7 +17,8 @@ namespace collision_monitor {
 class WarningLog {
  public:
   void logChange(const VerdictChange& change, const std::string& sentence);
-  /// Links that became unknown or known again since the last line.
+  /// Links that became unknown or known again since the last line. The first line comes after a
+  /// second.
   void logUnknownLinks(const Watch& watch);
   /// Poses that are too rare for the speed of the links: at most every ten seconds; only once if
   /// continuous checks cover it.

@@ -52,6 +52,7 @@ TEST(DiagnosticSetup, everyWarningHasAKeyOfItsOwn) {
   diagnostic_updater::DiagnosticStatusWrapper status;
   describeSetup(setup, status);
   EXPECT_EQ(status.level, DiagnosticStatus::WARN);
+  EXPECT_EQ(status.message, "2 warnings");
   const auto values = valuesOf(status);
   EXPECT_EQ(values.at("warning 1"), "a: b; accepted: c");
   EXPECT_EQ(values.at("warning 2"), "d: e; accepted: f");
