@@ -175,7 +175,9 @@ const std::vector<TouchingPair>& RobotQuery::contacts(Numbers state) {
   QueryParts& parts = *parts_;
   place(state, parts);
   measureBodies(parts);
-  const double within = std::max(0.0, parts.setup.limits.contact_distance);
+  const double within = std::max(0.0, largestOfLimits(parts.setup, [](const Limits& limits) {
+                                   return limits.contact_distance;
+                                 }));
   measureNear(within, parts);
   parts.contacts.clear();
   forPairsWithin(within, parts, [&](LinkPairIndex pair) {

@@ -58,7 +58,7 @@ void placeAll(const CycleSetup& setup, const LinkPoses& poses, LinkDistances& li
 
 void measureWithin(const CycleSetup& setup, double distance, LinkDistances& links) noexcept {
   measurePairs(setup, links.body_poses, links.candidates, links.distances);
-  links.refine.limits.distance = distance;
+  std::fill(links.refine.distances.begin(), links.refine.distances.end(), distance);
   refinePairs(setup, links.body_poses, links.memory, links.refine, links.distances);
   findNearest(setup, links);
 }

@@ -46,7 +46,7 @@ void takeOver(const ElementDistance& found, double contact, PairDistance& distan
 
 /// Whether the pair is farther than the nearest refined pair of its links and in no contact.
 bool isSettled(const Refinement& all, const RefineTask& task) noexcept {
-  const Limits& limits = all.setup.limits;
+  const Limits& limits = limitsOf(all, task);
   return task.bound > all.work.nearest[all.setup.element_pairs[task.pair].link_pair] &&
          task.bound > std::max(0.0, limits.contact_distance + limits.hysteresis);
 }
@@ -54,12 +54,13 @@ bool isSettled(const Refinement& all, const RefineTask& task) noexcept {
 /// [m] Beyond this a pair is neither the nearest of its links nor in contact.
 double cutoffFor(const Refinement& all, const RefineTask& task) noexcept {
   const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
-  return std::max(all.work.nearest[link_pair], clearBeyond(all));
+  return std::max(all.work.nearest[link_pair], clearBeyond(all, task));
 }
 
 /// Whether a threshold of verdicts lies within the tolerance of a distance.
-bool isAtThreshold(const Refinement& all, const ElementDistance& found) noexcept {
-  const Limits& limits = all.setup.limits;
+bool isAtThreshold(const Refinement& all, const RefineTask& task,
+                   const ElementDistance& found) noexcept {
+  const Limits& limits = limitsOf(all, task);
   if (!found.has_points || found.quality == Quality::estimate) {
     return false;
   }
@@ -78,7 +79,7 @@ ElementDistance measureForVerdict(const Refinement& all, RefineTask& task, const
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   ElementDistance found = measureElements(placed(all, pair.a), placed(all, pair.b), search);
   spend(all, task, found.work);
-  if (!isAtThreshold(all, found)) {
+  if (!isAtThreshold(all, task, found)) {
     return found;
   }
   found.is_complete = false;
@@ -128,7 +129,7 @@ ElementDistance recallToCutoff(const Refinement& all, const RefineTask& task) no
   const std::optional<ElementDistance> within =
       recallWithin(all.work.limits.tolerance, all.memory.refined.lastOf(task.pair),
                    placed(all, pair.a), placed(all, pair.b), recalled);
-  return within && !isAtThreshold(all, *within) ? *within : recalled;
+  return within && !isAtThreshold(all, task, *within) ? *within : recalled;
 }
 
 void refine(const Refinement& all, RefineTask& task) noexcept {

@@ -30,7 +30,8 @@ struct RefineTask {
 
 /// Inputs and results of refinePairs, sized at set-up.
 struct RefineWork {
-  RefineLimits limits;
+  RefineLimits limits;            ///< `distance` is not used
+  std::vector<double> distances;  ///< [m] by CheckedLinkPair::limits: what is refined
   double elapsed{0.0};  ///< [s] between the stamps of the last poses and these; 0: unknown
   std::vector<RefineTask> tasks;
   std::vector<std::uint32_t> task_of;      ///< by ElementPairIndex: index into tasks, or kNone
@@ -52,7 +53,7 @@ RefineWork makeRefineWork(const CycleSetup& setup);
 
 RefineStore makeRefineMemory(const CycleSetup& setup);
 
-/// Measures the elements behind enclosing shapes that are within limits.distance: each pair of
+/// Measures the elements behind enclosing shapes that are within work.distances: each pair of
 /// elements once, however many bodies it has. Pairs starved longest come first, then nearest ones,
 /// until the budget is spent. Where enclosing shapes touch, contact is decided first for all pairs,
 /// which takes less work than distances; the rest of the budget goes into distances. A complete
