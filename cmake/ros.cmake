@@ -60,7 +60,10 @@ add_message_files(FILES
 add_service_files(FILES
   CheckStates.srv
   CheckTrajectory.srv
+  ExplainPair.srv
   GetDistances.srv
+  SetLimits.srv
+  SetPairs.srv
 )
 generate_messages(DEPENDENCIES geometry_msgs sensor_msgs std_msgs trajectory_msgs)
 

@@ -26,7 +26,7 @@ function(add_python_tests)
   set_tests_properties(unreached_functions PROPERTIES ENVIRONMENT "CXX=${CMAKE_CXX_COMPILER}")
   add_test(NAME tools COMMAND ${PYTHON_EXECUTABLE} -m unittest discover
     -s ${CMAKE_CURRENT_SOURCE_DIR}/tools -p "*_test.py")
-  set(programs FIT fit PAIRS pairs MONITOR monitor TWO_CAPSULES two_capsules COMPARE compare_with_fcl)
+  set(programs FIT fit PAIRS pairs EXPLAIN explain MONITOR monitor TWO_CAPSULES two_capsules COMPARE compare_with_fcl)
   if(NOT PNG_FOUND)
     list(REMOVE_ITEM programs FIT fit)
   endif()

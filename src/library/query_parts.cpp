@@ -76,11 +76,12 @@ MeasuredPair unknownPair(std::uint32_t pair) {
 }
 
 Verdict verdictOf(const CycleSetup& setup, const PairDistance& distance) noexcept {
+  const Limits& limits = limitsOf(setup, setup.link_pair_of[index(distance.pair)]);
   const double contact =
-      distance.is_refined ? setup.limits.contact_distance : contactOfBodies(setup, distance.pair);
-  return isTouching(distance, contact)                                 ? Verdict::contact
-         : distance.measured.distance <= setup.limits.warning_distance ? Verdict::warning
-                                                                       : Verdict::clear;
+      distance.is_refined ? limits.contact_distance : contactOfBodies(setup, distance.pair);
+  return isTouching(distance, contact)                           ? Verdict::contact
+         : distance.measured.distance <= limits.warning_distance ? Verdict::warning
+                                                                 : Verdict::clear;
 }
 
 }  // namespace collision_monitor

@@ -190,7 +190,7 @@ PathAnswer RobotQuery::checkPath(const WayPoints& way_points, const TrajectoryOp
     answer.pairs.push_back(answerOf(setup, i, report.pairs[i]));
   }
   answer.first_contact = report.first_contact;
-  answer.verdict = verdictOf(report, options.margin);
+  answer.verdict = verdictOf(report, options);
   return answer;
 }
 

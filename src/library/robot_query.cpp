@@ -202,7 +202,9 @@ const MeasuredPair& RobotQuery::nearest(Numbers state) {
 const std::vector<TouchingPair>& RobotQuery::contacts(Numbers state) {
   QueryParts& parts = *parts_;
   placeShapes(state, parts);
-  const double within = std::max(0.0, parts.setup.limits.contact_distance);
+  const double within = std::max(0.0, largestOfLimits(parts.setup, [](const Limits& limits) {
+                                   return limits.contact_distance;
+                                 }));
   measureNear(within, Asked::within, parts);
   parts.contacts.clear();
   forPairsWithin(within, parts, [&](LinkPairIndex pair) {

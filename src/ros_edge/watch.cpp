@@ -25,7 +25,11 @@ Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformSto
       budget(makeBudgetTally(fixed->setup)),
       believed(buffers.memory.reported),
       pairs_ignored(static_cast<std::uint32_t>(
-          countOf(PairReason::ignored_by_user, countPairs(fixed->setup.link_pairs)))) {}
+          countOf(PairReason::ignored_by_user, countPairs(fixed->setup.link_pairs)))),
+      pairs_muted(static_cast<std::uint32_t>(
+          countOf(PairReason::muted, countPairs(fixed->setup.link_pairs)))),
+      last_mute(lastMuteOf(*fixed)),
+      nearest(fixed->setup) {}
 
 PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
                           JointReader& joints) {
@@ -73,6 +77,7 @@ void Watch::cycle() noexcept {
   }
   links_known = known;
   runCycle(setup(), poses, buffers);
+  nearest.add(setup(), poses, joints, buffers);
 }
 
 void Watch::forget() {
@@ -91,7 +96,20 @@ void Watch::resumeReporting() {
 }
 
 std::vector<LinkPairIndex> Watch::inheritVerdicts(const Watch& former) {
-  return carryOver(former.setup(), former.buffers.memory, setup(), buffers.memory);
+  if (!haveSameRobots(*former.fixed, *fixed)) {
+    return carryOver(former.setup(), former.buffers.memory, setup(), buffers.memory);
+  }
+  std::vector<LinkPairIndex> dropped;
+  dropped.reserve(former.setup().checked.size());
+  carryOverSameLinks(former.setup(), former.buffers.memory, setup(), buffers.memory, dropped);
+  poses = former.poses;
+  tracker = former.tracker;
+  nearest.inherit(former.setup(), former.nearest, setup());
+  return dropped;
+}
+
+double Watch::mutedFor(RuleEnd now) const {
+  return last_mute ? std::max(0.0, std::chrono::duration<double>(*last_mute - now).count()) : 0.0;
 }
 
 void countStep(const SweepWork& work, StepCount& count) noexcept {

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "pipeline/answers/budget_use.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/look_ahead/link_velocities.h"
 #include "ros_edge/inputs/clock_watch.h"
+#include "ros_edge/nearest_seen.h"
 #include "ros_edge/parameters/monitor_setup.h"
 #include "ros_edge/poses/pose_reader.h"
 
@@ -35,6 +37,8 @@ struct Watch {
   /// Continues what another watch has reported.
   /// @return pairs that the other checked and this one does not, and that were not clear
   std::vector<LinkPairIndex> inheritVerdicts(const Watch& former);
+  /// [s] Until the last muted pair is checked again; 0: none is muted.
+  double mutedFor(RuleEnd now) const;
 
   std::shared_ptr<const MonitorSetup> fixed;
   JointReader joints;
@@ -47,6 +51,9 @@ struct Watch {
   ClockState clock;
   std::vector<Verdict> believed;  ///< by LinkPairIndex: what listeners last got, while switched off
   std::uint32_t pairs_ignored;    ///< as in State
+  std::uint32_t pairs_muted;      ///< as in State
+  std::optional<RuleEnd> last_mute;
+  NearestSeen nearest;
   std::ptrdiff_t links_known{0};  ///< in the last cycle
 
   const CycleSetup& setup() const noexcept { return fixed->setup; }
@@ -76,6 +83,7 @@ struct CycleFacts {
   ros::Time now;
   bool is_enabled{true};
   double enabled_again_in{0.0};  ///< [s] while switched off
+  double muted_for{0.0};         ///< [s] as in State
   std::uint64_t cycles{0};
   std::uint64_t overruns{0};
   StepCount steps;

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "collision_monitor/geometry/ids.h"
+#include "collision_monitor/model/limits.h"
 #include "collision_monitor/model/srdf_reader.h"
 
 namespace collision_monitor {
@@ -19,6 +24,9 @@ enum class PairReason : unsigned char {
   disabled_by_srdf,  ///< ignored: a disable_collisions or disable_default_collisions line
   default_overlap,   ///< ignored: the links touch in the default pose and there is no SRDF
   ignored_by_user,   ///< ignored: the parameter ignore_pairs names it
+  checked_by_rule,   ///< checked: a rule for pairs says so
+  ignored_by_rule,   ///< ignored: a rule for pairs says so
+  muted,             ///< ignored until a rule for pairs ends by itself
 };
 
 const char* reasonText(PairReason reason) noexcept;
@@ -29,7 +37,63 @@ struct LinkPair {
   LinkId a{};
   LinkId b{};
   PairReason reason{PairReason::checked};
+  PairReason without_rules{PairReason::checked};  ///< the reason if there were no PairRule
+  std::uint32_t rule{kNone};                      ///< the PairRule behind the reason, or kNone
+  std::uint32_t limits{0};  ///< 0: the common limits; else an index into OwnLimits, plus one
 };
+
+/// A user's rules about pairs of links, in YAML. config/pair_rules.yaml shows all of it.
+///
+/// A list of rules, alone or under `pair_rules`. Each rule selects pairs by `a` and `b`, in either
+/// order, and sets some fields: `check`, or limits. The last rule that sets a field of a pair
+/// decides it.
+struct PairRulesText {
+  std::string source;  ///< its name in messages: a file name
+  std::string yaml;    ///< empty: no rules
+};
+
+struct PairRule {
+  std::vector<bool> a;             ///< by LinkId
+  std::vector<bool> b;             ///< by LinkId
+  std::optional<bool> is_checked;  ///< empty: the rule does not decide it
+  LimitChanges limits{};
+  bool ends{false};   ///< ends by itself: a rule of this kind that ignores pairs mutes them
+  std::string where;  ///< "rules.yaml line 12, rule 3"
+};
+
+/// Limits that rules give to some pairs.
+struct OwnLimits {
+  Limits limits;
+  std::array<std::uint32_t, kLimitFields.size()> rules{};  ///< which set each field, or kNone
+};
+
+/// Whether a rule selects two links, in either order.
+bool selects(const PairRule& rule, LinkId a, LinkId b) noexcept;
+
+/// What becomes of a rule that selects no pair.
+enum class IdleRule : unsigned char { is_error, is_warning };
+
+/// Reads the rules and finds the links that they select.
+///
+/// `a` and `b` are each a name, a pattern (* for any characters, ? for one), a group as {group:
+/// NAME}, or a list of these. Names and groups are found as in shape rules.
+///
+/// Adds every fault to `report` as an error with its line: text that is no YAML, unknown and
+/// repeated keys, values of a wrong kind or out of range, rules without links or without effect.
+/// Names that match nothing are told as `idle` says.
+/// @return after an error, what could be read.
+std::vector<PairRule> readPairRules(const PairRulesText& text, const RobotModel& model,
+                                    const std::vector<SrdfPairs>& srdfs, IdleRule idle,
+                                    SetupReport& report);
+
+/// Sets reason, rule and limits of each pair anew.
+/// @return the limits that are not the common ones, each once
+std::vector<OwnLimits> applyPairRules(const std::vector<PairRule>& rules, const Limits& common,
+                                      std::vector<LinkPair>& pairs);
+
+/// Tells of each rule that selects no pair. A rule that names links without shapes is one.
+void reportIdleRules(const std::vector<PairRule>& rules, const std::vector<LinkPair>& pairs,
+                     IdleRule idle, SetupReport& report);
 
 /// Two links to be ignored; each name may be a pattern for several links.
 struct NamedPair {

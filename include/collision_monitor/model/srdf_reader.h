@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_monitor/fitting/posed_shape.h"
 #include "collision_monitor/model/robot_model.h"
 #include "collision_monitor/model/urdf_reader.h"
 
@@ -28,12 +29,21 @@ struct SrdfPairs {
     LinkId a{};
     LinkId b{};
     std::string reason;  ///< the attribute as written; may be empty
+    int line{0};         ///< of the SRDF
   };
+  /// `<link_sphere_approximation>`, in the frame of the link.
+  struct Spheres {
+    LinkId link{};
+    std::vector<PosedShape> spheres;
+    int line{0};
+  };
+  std::string source{};  ///< the name of the SRDF in messages
   RobotId robot{};
   std::vector<Entry> disabled;              ///< `<disable_collisions>`
   std::vector<Entry> enabled;               ///< `<enable_collisions>`
   std::vector<LinkId> disabled_by_default;  ///< `<disable_default_collisions>`
   std::vector<LinkGroup> groups;            ///< `<group>`, in the order of the file
+  std::vector<Spheres> spheres;             ///< of links that have some
 };
 
 /// Reads the SRDF of one robot of the model, `description.srdf_xml`. Names in an SRDF are those of
@@ -44,6 +54,9 @@ struct SrdfPairs {
 /// tip_link, the chain adds all links from one to the other, through their lowest common ancestor.
 /// A `<group>` adds its links, wherever it is in the file. A `<virtual_joint>` stands for the link
 /// that it moves.
+///
+/// Virtual joints and passive joints decide no pair: tf and joint states place links. Spheres of
+/// radius 0 are left out of approximations.
 ///
 /// Warnings: unknown links and unknown names in groups, listed with their lines and ignored
 /// (variants of a robot share SRDFs; pairs that are thus not disabled are checked); pairs that are

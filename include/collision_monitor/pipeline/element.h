@@ -46,8 +46,8 @@ struct ElementPair {
 
 /// How much work a cycle spends on elements.
 struct RefineLimits {
-  /// [m] Elements are measured if their bodies are at most this far apart. The set-up raises this
-  /// value to warning_distance + hysteresis.
+  /// [m] Elements are measured if their bodies are at most this far apart, or at most
+  /// warning_distance + hysteresis of their pair.
   double distance{0.05};
   /// Work of one cycle: the number of node pairs opened; other work is converted. A continuous
   /// set-up leaves a quarter for sweepPairs. The budget grows where poses come seldom (budgetOf).

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -10,6 +11,7 @@
 
 #include "collision_monitor/broad_phase/pair_table.h"
 #include "collision_monitor/fitting/fit_parts.h"
+#include "collision_monitor/model/limits.h"
 #include "collision_monitor/model/pair_rules.h"
 #include "collision_monitor/model/robot_model.h"
 #include "collision_monitor/model/shape_rules.h"
@@ -21,19 +23,6 @@
 #include "collision_monitor/pipeline/pair_blocks.h"
 
 namespace collision_monitor {
-
-/// Thresholds of the verdicts. Units: metres and seconds.
-/// @pre finite; contact_distance <= warning_distance <= report_distance; hysteresis >= 0;
-/// 0 <= contact_time <= warning_time; time_hysteresis >= 0.
-struct Limits {
-  double contact_distance{0.0};   ///< at or below: contact
-  double warning_distance{0.05};  ///< at or below: warning
-  double hysteresis{0.005};       ///< how far beyond its threshold a verdict is left
-  double report_distance{0.2};    ///< pairs at or below are published
-  double contact_time{0.0};       ///< a pair that touches this soon is a contact; 0: off
-  double warning_time{0.1};       ///< a pair that touches this soon is a warning; 0: off
-  double time_hysteresis{0.05};   ///< as hysteresis, for times
-};
 
 /// How far ahead a cycle looks, and how the speed scale follows from it.
 struct LookAhead {
@@ -59,10 +48,11 @@ struct BodyLabel {
   bool is_proven{true};    ///< false: given shapes that their link may stick out of
 };
 
-/// A checked pair of links. CycleSetup::limits decide the verdicts of all pairs.
+/// A checked pair of links. limitsOf gives the limits that decide its verdict.
 struct CheckedLinkPair {
   LinkId a{};
   LinkId b{};
+  std::uint32_t limits{0};  ///< as LinkPair::limits
 };
 
 /// Pairs [first, last) of the table join these kinds of core, in either order; a <= b.
@@ -89,12 +79,43 @@ struct CycleSetup {
   std::vector<Element> elements;  ///< by ElementId, in order of link
   std::vector<ElementPair> element_pairs;         ///< by ElementPairIndex, grouped by pair of links
   std::vector<ElementPairIndex> element_pair_of;  ///< by PairId
-  Limits limits;
+  Limits limits;                                  ///< of all pairs without limits of their own
+  std::vector<OwnLimits> own_limits;              ///< by CheckedLinkPair::limits - 1
   RefineLimits refine;
   bool is_continuous{false};  ///< contacts between two cycles are searched for
   LookAhead ahead;
-  std::vector<std::string> velocity_names;  ///< as velocityNames; never read in a cycle
-  SetupReport report;                       ///< warnings only
+  // Never read in a cycle.
+  std::vector<std::string> velocity_names;  ///< as velocityNames
+  std::vector<SrdfPairs> srdfs;
+  std::vector<PairRule> pair_rules;  ///< by LinkPair::rule
+  SetupReport report;                ///< warnings only
+};
+
+/// The limits of a pair. Most pairs have the common ones.
+inline const Limits& limitsOf(const CycleSetup& setup, const CheckedLinkPair& pair) noexcept {
+  return pair.limits == 0 ? setup.limits : setup.own_limits[pair.limits - 1].limits;
+}
+
+/// @param link_pair index into CycleSetup::checked
+inline const Limits& limitsOf(const CycleSetup& setup, std::size_t link_pair) noexcept {
+  return setup.own_limits.empty() ? setup.limits : limitsOf(setup, setup.checked[link_pair]);
+}
+
+/// The largest value of all limits.
+/// @param value takes Limits
+template <class Value>
+double largestOfLimits(const CycleSetup& setup, const Value& value) noexcept {
+  double largest = value(setup.limits);
+  for (const OwnLimits& own : setup.own_limits) {
+    largest = std::max(largest, value(own.limits));
+  }
+  return largest;
+}
+
+/// The padding of links whose name matches.
+struct NamedPadding {
+  std::string link;     ///< a name or pattern
+  double padding{0.0};  ///< [m] >= 0
 };
 
 struct SetupOptions {
@@ -104,12 +125,17 @@ struct SetupOptions {
   double padding{0.0};  ///< [m] >= 0; added to the radius or extents of every shape
   FitLimits default_limits{4, 0.01, {}};  ///< of links for which the rules say nothing
   ShapeRulesText shape_rules;
+  PairRulesText pair_rules;
   MeshReading meshes;
   RefineOptions refine;
   bool is_continuous{true};  ///< as in CycleSetup
   LookAhead ahead;
-  std::filesystem::path fit_cache;       ///< directory that keeps fits, empty for none
-  FitProgress fit_progress;              ///< may be empty
+  std::filesystem::path fit_cache;          ///< directory that keeps fits, empty for none
+  FitProgress fit_progress;                 ///< may be empty
+  std::vector<NamedPadding> link_paddings;  ///< of links whose rules give no padding
+  /// `<link_sphere_approximation>` of SRDFs replaces fits where rules give no shapes. Whether the
+  /// spheres enclose their link is not proven.
+  bool uses_srdf_spheres{false};
   std::vector<NamedPair> ignored_pairs;  ///< ignored in addition to what SRDFs say
   /// [bytes] What pairs may take, which grows with the square of links; 0: what is available.
   std::uint64_t memory_limit{0};
@@ -122,6 +148,25 @@ struct SetupOptions {
 /// @throws Interrupted
 CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
                       const ResourceLoader& load_resource, const SetupOptions& options);
+
+/// The same set-up with other limits and rules for pairs. Bodies and elements are copied, not made
+/// anew. Pairs that a rule ignored at start were not looked at in the default pose; without that
+/// rule they are checked.
+/// @param report gets a warning for each rule that selects no pair.
+/// @throws SetupError with every fault: those of the report, limits that break a precondition, or
+/// too little memory.
+/// @throws Interrupted
+CycleSetup withPairRules(const CycleSetup& setup, const Limits& limits,
+                         const std::vector<PairRule>& rules, SetupReport& report);
+
+/// Adds the faults for which withPairRules would refuse these limits and rules, and its warnings.
+void checkPairRules(const CycleSetup& setup, const Limits& limits,
+                    const std::vector<PairRule>& rules, SetupReport& report);
+
+/// The same set-up that checks only these pairs, whatever rules say.
+/// @param is_wanted by index into setup.link_pairs
+/// @throws Interrupted
+CycleSetup withPairs(const CycleSetup& setup, const std::vector<bool>& is_wanted);
 
 /// Adds a problem for each limit that breaks a precondition of Limits.
 /// @param where stands before the names of limits in messages

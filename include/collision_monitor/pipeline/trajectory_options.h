@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <vector>
 
 namespace collision_monitor {
 
@@ -14,14 +15,20 @@ struct TrajectoryOptions {
   /// pairs are only proven to stay farther apart. <= 0: only contacts are searched for, which is
   /// faster.
   double margin{0.05};
-  double resolution{1e-3};  ///< [m] how much nearer than reported a near miss may be
-  double tolerance{1e-6};   ///< [m] contact is up to contact_distance + tolerance
+  std::vector<double> margins;  ///< [m] by LinkPairIndex, at most `margin`; empty: `margin` for all
+  double resolution{1e-3};      ///< [m] how much nearer than reported a near miss may be
+  double tolerance{1e-6};       ///< [m] contact is up to contact_distance + tolerance
   /// Work as in RefineLimits::budget; each placed link and each pair visited in a part count one.
   std::uint64_t budget{std::numeric_limits<std::uint64_t>::max()};
   /// Receives the growing share that is done, after each way-point and in long segments. Returns
   /// false to end the search. May be empty.
   std::function<bool(double done)> progress;
 };
+
+/// [m] The margin of a pair.
+inline double marginOf(const TrajectoryOptions& options, std::size_t link_pair) noexcept {
+  return options.margins.empty() ? options.margin : options.margins[link_pair];
+}
 
 enum class ApproachState : unsigned char {
   clear,      ///< proven: no contact on the whole path

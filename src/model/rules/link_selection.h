@@ -19,8 +19,8 @@ std::string urdfNameOf(const RobotModel& model, LinkId link);
 /// Links whose name in messages or in the URDF matches.
 std::vector<LinkId> findMatching(const std::string& pattern, const RobotModel& model);
 
-/// Links of every group with this name, with or without the robot's prefix; nothing if no SRDF has
-/// such a group.
+/// Links of every group with this name, with or without the robot's prefix; nothing if there is no
+/// such group. Groups of other sources than SRDFs join here and in groupNames.
 std::optional<std::vector<LinkId>> findGroup(const std::string& name, const RobotModel& model,
                                              const std::vector<SrdfPairs>& srdfs);
 

@@ -151,12 +151,19 @@ const char* reasonText(PairReason reason) noexcept {
       return "ignored: the links overlap in the default pose and there is no SRDF";
     case PairReason::ignored_by_user:
       return "ignored: parameter ignore_pairs";
+    case PairReason::checked_by_rule:
+      return "checked: a rule for pairs";
+    case PairReason::ignored_by_rule:
+      return "ignored: a rule for pairs";
+    case PairReason::muted:
+      return "muted: a rule for pairs that ends by itself";
   }
   return "unknown reason";
 }
 
 bool isChecked(PairReason reason) noexcept {
-  return reason == PairReason::checked || reason == PairReason::enabled_by_srdf;
+  return reason == PairReason::checked || reason == PairReason::enabled_by_srdf ||
+         reason == PairReason::checked_by_rule;
 }
 
 std::vector<LinkPair> decideLinkPairs(const RobotModel& model, const std::vector<SrdfPairs>& srdfs,
@@ -175,7 +182,8 @@ std::vector<LinkPair> decideLinkPairs(const RobotModel& model, const std::vector
     for (std::size_t j = i + 1; j < with_shapes.size(); ++j) {
       const LinkId a = with_shapes[i];
       const LinkId b = with_shapes[j];
-      pairs.push_back({a, b, decide(model, rules, a, b)});
+      const PairReason reason = decide(model, rules, a, b);
+      pairs.push_back({a, b, reason, reason});
     }
   }
   return pairs;

@@ -10,6 +10,7 @@
 
 #include "model/name_index.h"
 #include "model/srdf/srdf_groups.h"
+#include "model/srdf/srdf_spheres.h"
 #include "model/xml_document.h"
 
 namespace collision_monitor {
@@ -87,7 +88,7 @@ void readPair(const XMLElement& element, const Place& place, LinkLookup& links,
     return;
   }
   const char* reason = element.Attribute("reason");
-  entries.push_back({*a, *b, reason == nullptr ? "" : reason});
+  entries.push_back({*a, *b, reason == nullptr ? "" : reason, element.GetLineNum()});
 }
 
 void readRule(const XMLElement& element, const Place& place, LinkLookup& links, SrdfPairs& pairs,
@@ -172,10 +173,10 @@ SrdfPairs readSrdf(const RobotDescription& description, RobotId robot, const Rob
                    SetupReport& report) {
   SrdfPairs pairs;
   pairs.robot = robot;
+  pairs.source =
+      description.srdf_source.empty() ? description.source + " (SRDF)" : description.srdf_source;
   Oddities oddities;
-  const Place place(
-      description.srdf_source.empty() ? description.source + " (SRDF)" : description.srdf_source,
-      report, oddities);
+  const Place place(pairs.source, report, oddities);
   tinyxml2::XMLDocument document;
   const XMLElement* root = parseRobotXml(description.srdf_xml, "SRDF", place, document);
   if (root == nullptr || index(robot) >= model.robots.size()) {
@@ -192,6 +193,7 @@ SrdfPairs readSrdf(const RobotDescription& description, RobotId robot, const Rob
   reportUnknownLinks(links, description.is_strict, place);
   UnknownOfGroups unknown;
   pairs.groups = readGroups(*root, model, names, unknown);
+  pairs.spheres = readSpheres(*root, names, place);
   reportUnknownOfGroups(unknown, description.is_strict, place);
   reportContradictions(pairs, model, place);
   return pairs;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace collision_monitor {
@@ -19,7 +20,43 @@ FramePair framesOf(const CycleSetup& setup, const CheckedLinkPair& pair) {
   return {std::min(a, b), std::max(a, b)};
 }
 
+void carryPair(LinkPairIndex from, const PairMemory& reported, LinkPairIndex to,
+               PairMemory& memory) noexcept {
+  memory.reported[to] = reported.reported[from];
+  memory.contact_detail[to] = reported.contact_detail[from];
+  memory.speed.stopped[to] = reported.speed.stopped[from];
+}
+
+void carrySpeed(const SpeedScale& from, SpeedScale& to) noexcept {
+  to.scale = from.scale;
+  to.stamp_ns = from.stamp_ns;
+}
+
+bool comesBefore(const CheckedLinkPair& one, const CheckedLinkPair& other) noexcept {
+  return std::tie(one.a, one.b) < std::tie(other.a, other.b);
+}
+
 }  // namespace
+
+void carryOverSameLinks(const CycleSetup& from, const PairMemory& reported, const CycleSetup& to,
+                        PairMemory& memory, std::vector<LinkPairIndex>& dropped) noexcept {
+  dropped.clear();
+  LinkPairIndex place = 0;
+  for (LinkPairIndex i = 0; i < from.checked.size(); ++i) {
+    while (place < to.checked.size() && comesBefore(to.checked[place], from.checked[i])) {
+      ++place;
+    }
+    const bool is_kept =
+        place < to.checked.size() && !comesBefore(from.checked[i], to.checked[place]);
+    if (is_kept) {
+      carryPair(i, reported, place, memory);
+    } else if (reported.reported[i] != Verdict::clear) {
+      dropped.push_back(i);
+    }
+  }
+  carrySpeed(reported.speed, memory.speed);
+  memory.last = reported.last;
+}
 
 std::vector<LinkPairIndex> carryOver(const CycleSetup& from, const PairMemory& reported,
                                      const CycleSetup& to, PairMemory& memory) {
@@ -31,15 +68,12 @@ std::vector<LinkPairIndex> carryOver(const CycleSetup& from, const PairMemory& r
   for (LinkPairIndex i = 0; i < from.checked.size(); ++i) {
     const auto place = places.find(framesOf(from, from.checked[i]));
     if (place != places.end()) {
-      memory.reported[place->second] = reported.reported[i];
-      memory.contact_detail[place->second] = reported.contact_detail[i];
-      memory.speed.stopped[place->second] = reported.speed.stopped[i];
+      carryPair(i, reported, place->second, memory);
     } else if (reported.reported[i] != Verdict::clear) {
       dropped.push_back(i);
     }
   }
-  memory.speed.scale = reported.speed.scale;
-  memory.speed.stamp_ns = reported.speed.stamp_ns;
+  carrySpeed(reported.speed, memory.speed);
   return dropped;
 }
 

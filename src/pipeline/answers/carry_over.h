@@ -13,4 +13,11 @@ namespace collision_monitor {
 std::vector<LinkPairIndex> carryOver(const CycleSetup& from, const PairMemory& reported,
                                      const CycleSetup& to, PairMemory& memory);
 
+/// The same for two set-ups of the same links, and fast enough for the cycle's thread: also keeps
+/// the last poses, so that contacts since the last cycle are still found.
+/// @pre both memories are sized for their set-ups; links have the same ids
+/// @param dropped has room for every pair of `from`
+void carryOverSameLinks(const CycleSetup& from, const PairMemory& reported, const CycleSetup& to,
+                        PairMemory& memory, std::vector<LinkPairIndex>& dropped) noexcept;
+
 }  // namespace collision_monitor

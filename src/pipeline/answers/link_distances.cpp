@@ -60,7 +60,7 @@ void placeAll(const CycleSetup& setup, const LinkPoses& poses, LinkDistances& li
 void measureWithin(const CycleSetup& setup, double distance, Asked asked,
                    LinkDistances& links) noexcept {
   measurePairs(setup, links.body_poses, links.candidates, links.distances);
-  links.refine.limits.distance = distance;
+  std::fill(links.refine.distances.begin(), links.refine.distances.end(), distance);
   links.refine.cutoff = std::nextafter(distance, std::numeric_limits<double>::infinity());
   links.refine.finds_nearest = asked == Asked::nearest;
   refinePairs(setup, links.body_poses, links.memory, links.refine, links.distances);

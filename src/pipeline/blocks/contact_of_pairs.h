@@ -12,7 +12,7 @@ namespace collision_monitor {
 /// contact at any depth, since their depth is an estimate.
 inline double contactOfElements(const CycleSetup& setup, ElementPairIndex pair) noexcept {
   const ElementPair& elements = setup.element_pairs[pair];
-  const double contact = setup.limits.contact_distance;
+  const double contact = limitsOf(setup, elements.link_pair).contact_distance;
   const bool are_convex =
       setup.elements[index(elements.a)].convex && setup.elements[index(elements.b)].convex;
   return are_convex ? contact : std::max(0.0, contact);
@@ -24,8 +24,8 @@ inline double contactOfElements(const CycleSetup& setup, ElementPairIndex pair) 
 /// body that is one of several around an element is less deep than the element, and overlapping
 /// concave geometries are in contact at any depth.
 inline double contactOfBodies(const CycleSetup& setup, PairId pair) noexcept {
-  const double contact = setup.limits.contact_distance;
   const ElementPair& elements = setup.element_pairs[setup.element_pair_of[index(pair)]];
+  const double contact = limitsOf(setup, elements.link_pair).contact_distance;
   const bool are_elements =
       setup.elements[index(elements.a)].is_body && setup.elements[index(elements.b)].is_body;
   return are_elements ? contact : std::max(0.0, contact);

@@ -22,7 +22,7 @@ void findClosings(const CycleSetup& setup, const LinkPoses& poses,
             : kUnknown;
     distance.closing_speed = std::isfinite(rate) ? -rate : kUnknown;
     distance.time_to_contact =
-        timeToContact(distance.measured.distance - setup.limits.contact_distance,
+        timeToContact(distance.measured.distance - limitsOf(setup, pair).contact_distance,
                       distance.closing_speed, setup.ahead.horizon);
   }
 }

@@ -132,7 +132,7 @@ Detail contactDetailOf(const CycleSetup& setup, const PairDistances& distances,
   }
   const PairDistance& nearest = distances.pairs[closest];
   const bool is_shown =
-      passed == kNone || nearest.measured.distance <= setup.limits.contact_distance;
+      passed == kNone || nearest.measured.distance <= limitsOf(setup, link_pair).contact_distance;
   return is_shown ? std::max(detail, detailOf(nearest)) : detail;
 }
 
@@ -160,7 +160,7 @@ Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
   const PairDistance& nearest = distances.pairs[closest];
   const std::uint32_t soonest = events.soonest[link_pair];
   const double time = soonest == kNone ? kNever : distances.pairs[soonest].time_to_contact;
-  return verdictFor(nearest.measured.distance, time, setup.limits,
+  return verdictFor(nearest.measured.distance, time, limitsOf(setup, link_pair),
                     heldVerdict(memory, link_pair, nearest));
 }
 

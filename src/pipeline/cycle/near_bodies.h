@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "pipeline/cycle/cycle_buffers.h"
-#include "pipeline/data/activation_distance.h"
 
 namespace collision_monitor {
 
@@ -14,28 +13,31 @@ struct NearBodies {
   const CycleSetup& setup;
   const ActivationDistances& reaches;
   const DistanceCache& cache;
-  double least;  ///< [m] as nearActivationDistanceOf
-  double reach;  ///< [m] as activationDistanceOf
+
+  const PairReach& reachOf(std::uint32_t link_pair) const noexcept {
+    return reaches.of_limits[setup.own_limits.empty() ? 0 : setup.checked[link_pair].limits];
+  }
 
   /// [m] At or below this distance bodies matter whatever other bodies of their elements do. It is
   /// the lesser of two bounds: by the motion of both links, and by the motion of both bodies.
   double nearOf(PairId id) const noexcept {
     const BodyPair& pair = setup.table[id];
     const double ahead = cache.travels[index(pair.a)].ahead + cache.travels[index(pair.b)].ahead;
+    const std::uint32_t link_pair = setup.link_pair_of[index(id)];
+    const PairReach& reach = reachOf(link_pair);
     // `ahead` may be NaN: by the order of arguments the result is then the other bound.
-    return std::min(reaches.near_of_pair[setup.link_pair_of[index(id)]],
-                    std::max(reaches.stop + ahead, least));
+    return std::min(reaches.near_of_pair[link_pair], std::max(reach.stop + ahead, reach.near));
   }
 
   /// [m] Above this distance bodies do not matter, since nearer ones of their elements do.
   double limitOf(PairId id, double nearest) const noexcept {
-    return std::max(nearOf(id), std::min(reach, nearest));
+    const double all = reachOf(setup.link_pair_of[index(id)]).all;
+    return std::max(nearOf(id), std::min(all, nearest));
   }
 };
 
 inline NearBodies nearBodies(const CycleSetup& setup, const CycleBuffers& buffers) noexcept {
-  return {setup, buffers.activation, buffers.memory.distance_cache, nearActivationDistanceOf(setup),
-          activationDistanceOf(setup.limits)};
+  return {setup, buffers.activation, buffers.memory.distance_cache};
 }
 
 /// Stores a lower bound of the distance in the cache.

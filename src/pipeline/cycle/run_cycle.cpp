@@ -63,7 +63,7 @@ void place(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_pose
 
 /// Measures distances of near pairs, within the budget.
 void measureNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
-  const double reach = activationDistanceOf(setup.limits);
+  const double reach = farthestActivationDistanceOf(setup);
   boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
   if (setup.is_continuous) {
     sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
@@ -95,7 +95,7 @@ void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& b
 }
 
 void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
-  const double reach = activationDistanceOf(setup.limits);
+  const double reach = leastActivationDistanceOf(setup);
   place(setup, poses, buffers.body_poses);
   findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
   measureNear(setup, poses, buffers);

@@ -27,24 +27,23 @@ void ask(double scale, Demand& demand) noexcept {
   demand.is_free = false;
 }
 
-void askForMeasured(const CycleSetup& setup, const PairDistance& distance, Demand& demand,
-                    unsigned char& seen) noexcept {
-  const StopRule& rule = setup.ahead.stop;
+void askForMeasured(const StopRule& rule, const Limits& limits, const PairDistance& distance,
+                    Demand& demand, unsigned char& seen) noexcept {
   const double gap = distance.measured.distance;
   const double closing = distance.closing_speed;
   if (std::isnan(closing)) {
-    ask(scaleForUnknownSpeed(gap, setup.limits.warning_distance, rule), demand);
+    ask(scaleForUnknownSpeed(gap, limits.warning_distance, rule), demand);
   } else if (closing > rule.rest_speed) {
     ask(scaleForPair(gap, closing, rule), demand);
     seen |= gap <= rule.stop_distance ? kCloses : 0;
   } else if (closing >= -rule.rest_speed) {
     // A pair that touches was stopped, or should have been.
-    if (isTouching(distance, setup.limits.contact_distance)) {
+    if (isTouching(distance, limits.contact_distance)) {
       seen |= distance.quality == Quality::lower_bound ? kMayTouch : kWasStopped;
     }
-    seen |= gap <= rule.stop_distance + setup.limits.hysteresis ? kRests : 0;
+    seen |= gap <= rule.stop_distance + limits.hysteresis ? kRests : 0;
     // A near pair may rest because it was slowed down: the scale must not jump to full speed.
-    demand.is_free = demand.is_free && gap > setup.limits.warning_distance;
+    demand.is_free = demand.is_free && gap > limits.warning_distance;
   }
 }
 
@@ -56,7 +55,7 @@ void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistan
   Demand demand;
   for (const PairDistance& distance : distances.pairs) {
     const std::uint32_t link_pair = setup.link_pair_of[index(distance.pair)];
-    askForMeasured(setup, distance, demand, speed.stopped[link_pair]);
+    askForMeasured(rule, limitsOf(setup, link_pair), distance, demand, speed.stopped[link_pair]);
   }
   for (std::size_t i = 0; i < setup.checked.size(); ++i) {
     const unsigned char seen = speed.stopped[i];

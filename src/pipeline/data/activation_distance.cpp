@@ -10,8 +10,20 @@ double activationDistanceOf(const Limits& limits) noexcept {
   return std::max(limits.report_distance, limits.warning_distance + limits.hysteresis);
 }
 
-double nearActivationDistanceOf(const CycleSetup& setup) noexcept {
-  return std::max(setup.refine.distance, setup.limits.warning_distance + setup.limits.hysteresis);
+double nearActivationDistanceOf(const CycleSetup& setup, const Limits& limits) noexcept {
+  return std::max(setup.refine.distance, limits.warning_distance + limits.hysteresis);
+}
+
+double farthestActivationDistanceOf(const CycleSetup& setup) noexcept {
+  return largestOfLimits(setup, [&](const Limits& limits) noexcept {
+    return std::max({activationDistanceOf(limits), nearActivationDistanceOf(setup, limits),
+                     setup.ahead.stop.stop_distance + limits.hysteresis});
+  });
+}
+
+double leastActivationDistanceOf(const CycleSetup& setup) noexcept {
+  return -largestOfLimits(
+      setup, [](const Limits& limits) noexcept { return -activationDistanceOf(limits); });
 }
 
 }  // namespace collision_monitor

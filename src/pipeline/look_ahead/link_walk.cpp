@@ -52,6 +52,38 @@ std::vector<LinkBlock> makeLinkBlocks(const CycleSetup& setup, const std::vector
   return blocks;
 }
 
+/// @pre blocks and of_limits are filled
+std::vector<LaneReaches> makeLaneReaches(const CycleSetup& setup,
+                                         const ActivationDistances& reaches) {
+  std::vector<LaneReaches> of_blocks;
+  if (setup.own_limits.empty()) {
+    return of_blocks;
+  }
+  for (const LinkBlock& block : reaches.blocks) {
+    LaneReaches& lanes = of_blocks.emplace_back();
+    std::size_t pair = block.pairs.first_pair;
+    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+      if ((block.pairs.is_pair >> lane & 1U) != 0) {
+        const PairReach& reach = reaches.of_limits[setup.checked[pair++].limits];
+        lanes.all[lane] = reach.all;
+        lanes.near[lane] = reach.near;
+        lanes.stop[lane] = reach.stop;
+        lanes.contact[lane] = reach.contact;
+      }
+    }
+  }
+  return of_blocks;
+}
+
+PairReach reachFor(const CycleSetup& setup, const Limits& limits) {
+  PairReach reach;
+  reach.all = activationDistanceOf(limits);
+  reach.near = nearActivationDistanceOf(setup, limits);
+  reach.contact = std::max(0.0, limits.contact_distance);  // as contactOfBodies
+  reach.stop = std::max(reach.contact, setup.ahead.stop.stop_distance + limits.hysteresis);
+  return reach;
+}
+
 void writeTwist(const Twist& twist, std::size_t c, std::size_t slot, BodyRows& rows) noexcept {
   writeVector(twist.linear, c, slot, rows);
   writeVector(twist.angular, c + 3, slot, rows);
@@ -139,10 +171,12 @@ ActivationDistances makeActivationDistances(const CycleSetup& setup) {
   ActivationDistances reaches;
   reaches.links = linksInPairs(setup);
   reaches.thickness = thicknessOfPairs(setup);
+  reaches.of_limits.push_back(reachFor(setup, setup.limits));
+  for (const OwnLimits& own : setup.own_limits) {
+    reaches.of_limits.push_back(reachFor(setup, own.limits));
+  }
   reaches.blocks = makeLinkBlocks(setup, reaches.links, reaches.thickness);
-  reaches.contact = std::max(0.0, setup.limits.contact_distance);  // as contactOfBodies
-  reaches.stop =
-      std::max(reaches.contact, setup.ahead.stop.stop_distance + setup.limits.hysteresis);
+  reaches.of_blocks = makeLaneReaches(setup, reaches);
   reaches.rows.stride = (groupCountOf(reaches.links.size()) + 1) * kBlockLanes;
   reaches.rows.numbers.resize(link_column::count * reaches.rows.stride, 0.0);
   const std::vector<Ball> balls = linkBalls(setup);
@@ -176,9 +210,7 @@ void findActivationDistances(const CycleSetup& setup, const LinkPoses& poses, Sw
     writeSteps(sweep, reaches);
   }
   const Farthest farthest =
-      walkLinkPairs({activationDistanceOf(setup.limits), nearActivationDistanceOf(setup),
-                     setup.ahead.horizon, has_step, setup.is_continuous},
-                    reaches);
+      walkLinkPairs({setup.ahead.horizon, has_step, setup.is_continuous}, reaches);
   if (has_step) {
     StepLimit& limit = sweep.step;
     limit.step = sweep.elapsed;

@@ -10,6 +10,22 @@
 /// each is joined with several neighbours at once.
 namespace collision_monitor {
 
+/// [m] How near pairs with some limits must be to matter at rest.
+struct PairReach {
+  double all{0.0};      ///< as activationDistanceOf
+  double near{0.0};     ///< as nearActivationDistanceOf
+  double stop{0.0};     ///< >= contact; the farthest at which scaleSpeed acts
+  double contact{0.0};  ///< the largest contact distance of bodies
+};
+
+/// [m] PairReach of the pairs of a block, by lane.
+struct LaneReaches {
+  alignas(64) double all[kBlockLanes] = {};
+  alignas(64) double near[kBlockLanes] = {};
+  alignas(64) double stop[kBlockLanes] = {};
+  alignas(64) double contact[kBlockLanes] = {};
+};
+
 /// A link and the links in slots from `pairs.first` on. PairIds are LinkPairIndices here.
 struct LinkBlock {
   PairBlock pairs;
@@ -35,10 +51,10 @@ struct ActivationDistances {
   std::vector<LinkId> links;  ///< by slot: links of checked pairs
   std::vector<Ball> balls;    ///< by slot: as linkBalls
   std::vector<LinkBlock> blocks;
-  std::vector<double> thickness;  ///< [m] by LinkPairIndex: as thicknessOfPairs
-  double contact{0.0};            ///< [m] contact_distance
-  double stop{0.0};               ///< [m] >= contact; the farthest at which scaleSpeed acts
-  bool is_split{false};           ///< links are in several parts
+  std::vector<LaneReaches> of_blocks;  ///< by block; empty if all pairs have the common limits
+  std::vector<double> thickness;       ///< [m] by LinkPairIndex: as thicknessOfPairs
+  std::vector<PairReach> of_limits;    ///< by CheckedLinkPair::limits
+  bool is_split{false};                ///< links are in several parts
 
   BodyRows rows;                ///< of the links
   std::vector<double> of_pair;  ///< [m] by LinkPairIndex

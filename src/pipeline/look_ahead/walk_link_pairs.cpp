@@ -18,10 +18,18 @@ namespace HWY_NAMESPACE {
 struct LinkLanes {
   OneShape one;
   ShapeLanes row;
-  const ActivationDistances& reaches;
+  const PairReach& common;
+  const LaneReaches* own;   ///< null: the common ones
   const double* thickness;  ///< [m] of these pairs
+  std::size_t lane;         ///< of the block, where these pairs begin
   BlockPart part;
 };
+
+HWY_INLINE Number reachOf(const LinkLanes& pairs, double PairReach::*common,
+                          double (LaneReaches::*own)[kBlockLanes]) {
+  return pairs.own == nullptr ? number(pairs.common.*common)
+                              : hn::Load(Lanes(), pairs.own->*own + pairs.lane);
+}
 
 /// The motion of B's ball relative to A.
 struct SeenMotion {
@@ -45,9 +53,9 @@ HWY_INLINE Number travelOf(const SeenMotion& motion) {
 /// [m] How near pairs must be to matter to past or future motion; not finite if unknown.
 HWY_INLINE Number reachByMotion(const LinkLanes& pairs, const WalkQuestion& question) {
   const Number speed = travelOf(motionSeen(pairs, link_column::velocity, link_column::center));
-  const Number asked =
-      hn::Add(number(pairs.reaches.stop), hn::Mul(speed, number(question.horizon)));
-  const Number contact = number(pairs.reaches.contact);
+  const Number asked = hn::Add(reachOf(pairs, &PairReach::stop, &LaneReaches::stop),
+                               hn::Mul(speed, number(question.horizon)));
+  const Number contact = reachOf(pairs, &PairReach::contact, &LaneReaches::contact);
   const Number came = hn::Add(hn::Add(contact, pairs.one.at(link_column::travel)),
                               pairs.row.at(link_column::travel));
   const Truth is_known = hn::Le(asked, number(std::numeric_limits<double>::max()));
@@ -74,16 +82,22 @@ HWY_INLINE void findFarther(const LinkLanes& pairs, std::size_t twist, FarthestP
 
 void walkInLanes(const WalkQuestion& question, ActivationDistances& reaches, Farthest& farthest) {
   const double* columns = reaches.rows.numbers.data();
-  for (const LinkBlock& block : reaches.blocks) {
+  const LaneReaches* const own = reaches.of_blocks.empty() ? nullptr : reaches.of_blocks.data();
+  for (std::size_t i = 0; i < reaches.blocks.size(); ++i) {
+    const LinkBlock& block = reaches.blocks[i];
     forParts(block.pairs, [&](std::size_t lane, const BlockPart& part) HWY_ATTR {
       const LinkLanes pairs{{columns + part.one, reaches.rows.stride},
                             {columns + part.first, reaches.rows.stride},
-                            reaches,
+                            reaches.of_limits.front(),
+                            own == nullptr ? nullptr : own + i,
                             block.thickness + lane,
+                            lane,
                             part};
       const Number reach = reachByMotion(pairs, question);
-      storeByPair(part, hn::Max(number(question.reach), reach), reaches.of_pair);
-      storeByPair(part, hn::Max(number(question.near), reach), reaches.near_of_pair);
+      storeByPair(part, hn::Max(reachOf(pairs, &PairReach::all, &LaneReaches::all), reach),
+                  reaches.of_pair);
+      storeByPair(part, hn::Max(reachOf(pairs, &PairReach::near, &LaneReaches::near), reach),
+                  reaches.near_of_pair);
       if (question.has_step) {
         findFarther(pairs, link_column::moved, farthest.moved);
       }

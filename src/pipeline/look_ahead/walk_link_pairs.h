@@ -8,8 +8,6 @@
 namespace collision_monitor {
 
 struct WalkQuestion {
-  double reach;    ///< [m] activationDistanceOf
-  double near;     ///< [m] nearActivationDistanceOf
   double horizon;  ///< [s]
   bool has_step;   ///< the columns of the last motion are filled
   bool has_bends;

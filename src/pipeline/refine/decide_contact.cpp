@@ -56,7 +56,7 @@ bool isFollowed(const ElementDistance& last, const ElementDistance& recalled,
 
 void decideContact(const Refinement& all, RefineTask& task) noexcept {
   constexpr double kPastThreshold = 1e-6;
-  const Goal clear{clearBeyond(all), budgetOf(all) / 4 * 3};
+  const Goal clear{clearBeyond(all, task), budgetOf(all) / 4 * 3};
   if (task.bound > clear.cutoff) {
     return;
   }
@@ -67,7 +67,7 @@ void decideContact(const Refinement& all, RefineTask& task) noexcept {
       (!has_overlapped && tryDecide(all, task, recalled, clear))) {
     return;
   }
-  const double contact = std::max(0.0, all.setup.limits.contact_distance);
+  const double contact = std::max(0.0, limitsOf(all, task).contact_distance);
   tryDecide(all, task, recalled, {contact + kPastThreshold, clear.budget});
 }
 

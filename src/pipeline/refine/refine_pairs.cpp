@@ -52,19 +52,20 @@ double farthestAsked(const Refinement& all, const RefineTask& task) noexcept {
 
 /// Whether the distance of the pair is not asked for and the pair is in no contact.
 bool isSettled(const Refinement& all, const RefineTask& task) noexcept {
-  const Limits& limits = all.setup.limits;
+  const Limits& limits = limitsOf(all, task);
   return task.bound > farthestAsked(all, task) &&
          task.bound > std::max(0.0, limits.contact_distance + limits.hysteresis);
 }
 
 /// [m] Beyond this the distance of the pair is not asked for and the pair is in no contact.
 double cutoffFor(const Refinement& all, const RefineTask& task) noexcept {
-  return std::max(farthestAsked(all, task), clearBeyond(all));
+  return std::max(farthestAsked(all, task), clearBeyond(all, task));
 }
 
 /// Whether a threshold of verdicts lies within the tolerance of a distance.
-bool isAtThreshold(const Refinement& all, const ElementDistance& found) noexcept {
-  const Limits& limits = all.setup.limits;
+bool isAtThreshold(const Refinement& all, const RefineTask& task,
+                   const ElementDistance& found) noexcept {
+  const Limits& limits = limitsOf(all, task);
   if (!found.has_points || found.quality == Quality::estimate) {
     return false;
   }
@@ -83,7 +84,7 @@ ElementDistance measureForVerdict(const Refinement& all, RefineTask& task, const
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   ElementDistance found = measureElements(placed(all, pair.a), placed(all, pair.b), search);
   spend(all, task, found.work);
-  if (!isAtThreshold(all, found)) {
+  if (!isAtThreshold(all, task, found)) {
     return found;
   }
   found.is_complete = false;
@@ -136,7 +137,7 @@ ElementDistance recallToCutoff(const Refinement& all, const RefineTask& task) no
   const std::optional<ElementDistance> within =
       recallWithin(all.work.limits.tolerance, all.memory.refined.lastOf(task.pair),
                    placed(all, pair.a), placed(all, pair.b), recalled);
-  return within && !isAtThreshold(all, *within) ? *within : recalled;
+  return within && !isAtThreshold(all, task, *within) ? *within : recalled;
 }
 
 void refine(const Refinement& all, RefineTask& task) noexcept {

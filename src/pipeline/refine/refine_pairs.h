@@ -30,7 +30,8 @@ struct RefineTask {
 
 /// Inputs and results of refinePairs, sized at set-up.
 struct RefineWork {
-  RefineLimits limits;
+  RefineLimits limits;            ///< `distance` is not used
+  std::vector<double> distances;  ///< [m] by CheckedLinkPair::limits: what is refined
   /// [m] Of a pair beyond this, a lower bound may be told instead of the distance. A cycle has none.
   double cutoff{std::numeric_limits<double>::infinity()};
   bool finds_nearest{false};  ///< the cutoff falls to each distance that is measured
@@ -55,7 +56,7 @@ RefineWork makeRefineWork(const CycleSetup& setup);
 
 RefineStore makeRefineMemory(const CycleSetup& setup);
 
-/// Measures the elements behind enclosing shapes that are within limits.distance: each pair of
+/// Measures the elements behind enclosing shapes that are within work.distances: each pair of
 /// elements once, however many bodies it has. Pairs starved longest come first, then nearest ones,
 /// until the budget is spent. Where enclosing shapes touch, contact is decided first for all pairs,
 /// which takes less work than distances; the rest of the budget goes into distances. A complete

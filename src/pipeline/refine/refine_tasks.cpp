@@ -47,7 +47,9 @@ void listTasks(const CycleSetup& setup, const PairMemory& memory, const PairDist
   for (std::uint32_t i = 0; i < distances.pairs.size(); ++i) {
     const PairDistance& distance = distances.pairs[i];
     const ElementPairIndex pair = setup.element_pair_of[index(distance.pair)];
-    if (!(distance.measured.distance <= work.limits.distance) || !isRefinable(setup, pair)) {
+    const std::uint32_t limits =
+        setup.own_limits.empty() ? 0 : setup.checked[setup.element_pairs[pair].link_pair].limits;
+    if (!(distance.measured.distance <= work.distances[limits]) || !isRefinable(setup, pair)) {
       continue;
     }
     if (work.task_of[pair] == kNone) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "collision_monitor/geometry/ids.h"
+#include "pipeline/data/activation_distance.h"
 #include "pipeline/refine/recall_elements.h"
 #include "pipeline/refine/refine_pairs.h"
 
@@ -39,6 +40,10 @@ RefineWork makeRefineWork(const CycleSetup& setup) {
   RefineWork work;
   const std::size_t pairs = setup.element_pairs.size();
   work.limits = setup.refine;
+  work.distances.push_back(nearActivationDistanceOf(setup, setup.limits));
+  for (const OwnLimits& own : setup.own_limits) {
+    work.distances.push_back(nearActivationDistanceOf(setup, own.limits));
+  }
   work.tasks.reserve(pairs);
   work.task_of.resize(pairs, kNone);
   work.is_measured.resize(pairs, 0);

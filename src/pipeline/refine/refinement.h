@@ -29,11 +29,15 @@ inline PlacedElement placed(const Refinement& all, ElementId id) noexcept {
   return {all.setup.elements[index(id)], all.body_poses.world_from_element[index(id)]};
 }
 
+inline const Limits& limitsOf(const Refinement& all, const RefineTask& task) noexcept {
+  return limitsOf(all.setup, all.setup.element_pairs[task.pair].link_pair);
+}
+
 /// [m] Beyond this a pair is in no contact.
-inline double clearBeyond(const Refinement& all) noexcept {
+inline double clearBeyond(const Refinement& all, const RefineTask& task) noexcept {
   constexpr double kNotTouching = 1e-3;
   constexpr double kPastThreshold = 1e-6;  // a contact is held at its threshold itself
-  const Limits& limits = all.setup.limits;
+  const Limits& limits = limitsOf(all, task);
   return std::max(limits.contact_distance + limits.hysteresis + kPastThreshold, kNotTouching);
 }
 

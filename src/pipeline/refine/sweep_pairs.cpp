@@ -47,7 +47,7 @@ bool mayHaveMet(const Sweeping& all, const PairDistance& distance) noexcept {
   const SweepWork& work = all.work;
   const CheckedLinkPair& links = all.linksOf(distance.pair);
   if (work.has_motion[index(links.a)] == 0 || work.has_motion[index(links.b)] == 0 ||
-      isTouching(distance, all.setup.limits.contact_distance)) {
+      isTouching(distance, limitsOf(all.setup, links).contact_distance)) {
     return false;
   }
   if (all.isOfElements(distance.pair)) {
@@ -182,7 +182,7 @@ void sweepTask(const Sweeping& all, SweepTask& task) noexcept {
   const ScrewMotion motion_a = carriedBy(all.motionOf(a.link), a.link_from_element);
   const ScrewMotion motion_b = carriedBy(all.motionOf(b.link), b.link_from_element);
   SweepLimits limits;
-  limits.contact_distance = all.setup.limits.contact_distance;
+  limits.contact_distance = limitsOf(all.setup, pair.link_pair).contact_distance;
   limits.from = task.from;
   limits.budget = all.work.budget - std::min(all.work.budget, all.work.work_done);
   const MovingElement moving_a = movingElement(all, pair.a, motion_a);

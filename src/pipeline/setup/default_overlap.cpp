@@ -70,6 +70,21 @@ bool hasSrdf(const std::vector<SrdfPairs>& srdfs, RobotId robot) {
                      [&](const SrdfPairs& srdf) { return srdf.robot == robot; });
 }
 
+/// Notes that a pair overlaps in the default pose.
+/// @return whether it becomes ignored: a rule that checks it stays in force
+bool ignoreUnlessRuled(const CheckedLinkPair& pair, std::vector<LinkPair>& pairs) {
+  const auto listed = std::lower_bound(
+      pairs.begin(), pairs.end(), pair, [](const LinkPair& one, const CheckedLinkPair& wanted) {
+        return std::tie(one.a, one.b) < std::tie(wanted.a, wanted.b);
+      });
+  listed->without_rules = PairReason::default_overlap;
+  if (listed->rule != kNone) {
+    return false;
+  }
+  listed->reason = PairReason::default_overlap;
+  return true;
+}
+
 /// [m] The padding of the shapes of each link.
 std::vector<double> paddingsOf(const std::vector<LinkFit>& fits, std::size_t link_count) {
   std::vector<double> paddings(link_count, 0.0);
@@ -102,16 +117,9 @@ void ruleDefaultOverlaps(const std::vector<SrdfPairs>& srdfs, const std::vector<
       continue;
     }
     distance.measured.distance += paddings[index(pair.a)] + paddings[index(pair.b)];
-    const bool is_ignored = ignore && !hasSrdf(srdfs, robot) && touchOf(distance) != Touch::apart;
+    const bool overlaps = ignore && !hasSrdf(srdfs, robot) && touchOf(distance) != Touch::apart;
+    const bool is_ignored = overlaps && ignoreUnlessRuled(pair, setup.link_pairs);
     add(setup.model, pair, distance, (is_ignored ? ignored : kept)[index(robot)]);
-    if (is_ignored) {
-      const auto rule =
-          std::lower_bound(setup.link_pairs.begin(), setup.link_pairs.end(), pair,
-                           [](const LinkPair& listed, const CheckedLinkPair& wanted) {
-                             return std::tie(listed.a, listed.b) < std::tie(wanted.a, wanted.b);
-                           });
-      rule->reason = PairReason::default_overlap;
-    }
   }
   for (std::size_t i = 0; i < setup.model.robots.size(); ++i) {
     warnOf(ignored[i], setup.model.robots[i].name, true, report);

@@ -141,7 +141,7 @@ void listPairs(CycleSetup& setup) {
                     [](const LinkPair& pair) { return isChecked(pair.reason); })));
   for (const LinkPair& pair : setup.link_pairs) {
     if (isChecked(pair.reason)) {
-      setup.checked.push_back({pair.a, pair.b});
+      setup.checked.push_back({pair.a, pair.b, pair.limits});
     }
   }
   setup.cores.clear();

@@ -56,12 +56,10 @@ void checkLookAhead(const LookAhead& ahead, const std::string& where, SetupRepor
   check.atLeast(0.0, "creep_scale", stop.creep_scale, "");
 }
 
-/// Raises the horizon to what time thresholds and the speed scale need.
+/// Raises the horizon to what the speed scale needs.
 LookAhead lookAheadFor(const SetupOptions& options) {
   LookAhead ahead = options.ahead;
-  ahead.horizon =
-      std::max({ahead.horizon, options.limits.warning_time + options.limits.time_hysteresis,
-                ahead.stop.stop_time});
+  ahead.horizon = std::max(ahead.horizon, ahead.stop.stop_time);
   return ahead;
 }
 
@@ -121,11 +119,12 @@ void checkInput(const std::vector<RobotDescription>& robots, const SetupOptions&
 
 /// Checks the size of everything that grows with the square of links, before it is made.
 /// @throws SetupError
-void decidePairs(const std::vector<SrdfPairs>& srdfs, const std::vector<LinkIdPair>& ignored,
-                 std::uint64_t memory_limit, CycleSetup& setup, SetupReport& report) {
+void decidePairs(const std::vector<LinkIdPair>& ignored, std::uint64_t memory_limit,
+                 CycleSetup& setup, SetupReport& report) {
   checkMemory(countPairs(setup), memory_limit, report);
   throwIfErrors(report);
-  setup.link_pairs = decideLinkPairs(setup.model, srdfs, ignored);
+  setup.link_pairs = decideLinkPairs(setup.model, setup.srdfs, ignored);
+  decideByRules(IdleRule::is_error, setup, report);
   checkMemory(countPairs(setup), memory_limit, report);
   throwIfErrors(report);
 }
@@ -141,24 +140,28 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   setup.limits = options.limits;
   setup.is_continuous = options.is_continuous;
   setup.refine = options.refine.limits;
-  setup.refine.distance =
-      std::max(setup.refine.distance, options.limits.warning_distance + options.limits.hysteresis);
   setup.model = readRobots(robots, load_resource, report, options.meshes);
   throwIfErrors(report);
 
-  const std::vector<SrdfPairs> srdfs = readSrdfs(robots, setup.model, report);
-  const FitSettings settings{options.default_limits, options.padding,
-                             readShapeRules(options.shape_rules, setup.model, srdfs, report),
-                             options.fit_cache};
+  setup.srdfs = readSrdfs(robots, setup.model, report);
+  const std::vector<SrdfPairs>& srdfs = setup.srdfs;
+  std::vector<LinkRules> rules = readShapeRules(options.shape_rules, setup.model, srdfs, report);
+  padLinks(options.link_paddings, options.where + "link_padding", setup.model, rules, report);
+  if (options.uses_srdf_spheres) {
+    giveSpheres(srdfs, rules);
+  }
+  const FitSettings settings{options.default_limits, options.padding, rules, options.fit_cache};
   const std::vector<LinkIdPair> ignored =
       findNamedPairs(options.ignored_pairs, options.where + "ignore_pairs", setup.model, report);
+  setup.pair_rules =
+      readPairRules(options.pair_rules, setup.model, srdfs, IdleRule::is_error, report);
   throwIfErrors(report);
   const std::vector<LinkFit> fits = fitLinks(setup.model, settings, options.fit_progress, report);
   makeBodies(fits, setup);
   throwIfErrors(report);
   makeElements(fits, {options.refine.geometry, settings.rules}, setup, report);
 
-  decidePairs(srdfs, ignored, options.memory_limit, setup, report);
+  decidePairs(ignored, options.memory_limit, setup, report);
   ruleDefaultOverlaps(srdfs, fits, options.ignore_default_overlap, setup, report);
   listPairs(setup);
   setup.velocity_names = velocityNames(setup.model);

@@ -10,6 +10,14 @@
 /// The stages of buildSetup, one file each. They fill a CycleSetup in this order.
 namespace collision_monitor {
 
+/// Adds paddings of links whose rules give none. Reports names that match nothing.
+/// @param where the list in messages
+void padLinks(const std::vector<NamedPadding>& paddings, const std::string& where,
+              const RobotModel& model, std::vector<LinkRules>& rules, SetupReport& report);
+
+/// Makes the spheres of SRDFs the given shapes of links that have none.
+void giveSpheres(const std::vector<SrdfPairs>& srdfs, std::vector<LinkRules>& rules);
+
 /// Fills bodies and labels, in order of link, and marks links with given shapes in the model.
 void makeBodies(const std::vector<LinkFit>& fits, CycleSetup& setup);
 
@@ -28,6 +36,10 @@ struct ElementSettings {
 /// @pre makeBodies was called with these fits.
 void makeElements(const std::vector<LinkFit>& fits, const ElementSettings& settings,
                   CycleSetup& setup, SetupReport& report);
+
+/// Gives link pairs their rules, reasons and limits by setup.pair_rules, and raises the horizon to
+/// what thresholds of time need. Reports limits that break a precondition.
+void decideByRules(IdleRule idle, CycleSetup& setup, SetupReport& report);
 
 /// Fills the checked link pairs, the pairs of bodies (ordered by kind of core pair, then by bodies)
 /// and the pairs of elements from setup.link_pairs.

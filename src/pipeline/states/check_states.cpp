@@ -18,13 +18,12 @@ namespace {
 
 StatePair statePair(const CycleSetup& setup, std::size_t id) {
   const BodyPair& bodies = setup.table.pairs()[id];
-  const Limits& limits = setup.limits;
   StatePair pair;
   pair.a = static_cast<std::uint32_t>(index(bodies.a));
   pair.b = static_cast<std::uint32_t>(index(bodies.b));
   pair.bounding_radii = setup.bodies[pair.a].bounding_radius + setup.bodies[pair.b].bounding_radius;
   pair.contact_distance = contactOfBodies(setup, idAt<PairId>(id));
-  pair.warning_distance = limits.warning_distance;
+  pair.warning_distance = limitsOf(setup, setup.link_pair_of[id]).warning_distance;
   if (setup.cores[pair.a].kind > setup.cores[pair.b].kind) {
     std::swap(pair.a, pair.b);
   }
@@ -116,12 +115,17 @@ void addUnknown(const StatesWork& work, std::vector<StateCheck>& checks) noexcep
   }
 }
 
-/// Whether geometries must decide. The nearest bodies may not be the ones in contact.
+/// Whether geometries must decide. The nearest bodies may not be the ones in contact, nor those
+/// that are a warning by limits of their own.
 bool isOpen(const CycleSetup& setup, const StateCheck& check) noexcept {
   const bool is_contact = check.verdict == Verdict::contact;
   const bool is_near = is_contact || check.verdict == Verdict::warning;
-  return is_near && (check.quality != Quality::exact ||
-                     (is_contact && check.distance > contactOfBodies(setup, check.pair)));
+  if (!is_near || check.quality != Quality::exact) {
+    return is_near;
+  }
+  const std::uint32_t link_pair = setup.link_pair_of[index(check.pair)];
+  return check.distance > (is_contact ? contactOfBodies(setup, check.pair)
+                                      : limitsOf(setup, link_pair).warning_distance);
 }
 
 /// Judges by enclosing shapes. @param count states in the block

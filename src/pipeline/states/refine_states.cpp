@@ -54,9 +54,11 @@ void findNearestOf(const CycleSetup& setup, StateNumber& asked, StatesWork& work
 /// A pair within the warning distance is mostly the nearest. If not, queries up to its distance.
 void refineNearest(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
                    BlockChecks& checks) noexcept {
+  const double farthest =
+      largestOfLimits(setup, [](const Limits& limits) { return limits.warning_distance; });
   StateNumber asked;
   for (std::size_t lane = 0; lane < kStateCount; ++lane) {
-    asked.of[lane] = open[lane] ? setup.limits.warning_distance : kNotAsked;
+    asked.of[lane] = open[lane] ? farthest : kNotAsked;
   }
   findNearestOf(setup, asked, work, checks);
   if (std::any_of(std::begin(asked.of), std::end(asked.of),
@@ -113,7 +115,8 @@ void listBodies(const CycleSetup& setup, const StatesWork& work, StatesRefinemen
     pair.a = static_cast<std::uint32_t>(index(setup.element_pairs[i].a));
     pair.b = static_cast<std::uint32_t>(index(setup.element_pairs[i].b));
     pair.radii = refinement.balls[pair.a].radius + refinement.balls[pair.b].radius;
-    pair.contact_distance = std::max(0.0, setup.limits.contact_distance);
+    const Limits& limits = limitsOf(setup, setup.element_pairs[i].link_pair);
+    pair.contact_distance = std::max(0.0, limits.contact_distance);
     pair.are_convex = setup.elements[pair.a].convex && setup.elements[pair.b].convex;
     pair.first = static_cast<std::uint32_t>(refinement.body_pairs.size());
     refinement.body_pairs.insert(refinement.body_pairs.end(), bodies[i].begin(), bodies[i].end());
@@ -168,7 +171,8 @@ void settleContacts(const CycleSetup& setup, StatesWork& work, OpenStates& open,
     open[lane] = open[lane] && !is_contact;
   }
   // Depths of concave geometries are not needed.
-  const bool is_convex_only = setup.limits.contact_distance <= 0.0;
+  const bool is_convex_only =
+      largestOfLimits(setup, [](const Limits& limits) { return limits.contact_distance; }) <= 0.0;
   visitAll(
       setup, {touching, 0, work.refinement.order.size(), is_convex_only}, work,
       [&](const StateSearch& state, bool) noexcept { findNearest(state, checks[state.lane]); });

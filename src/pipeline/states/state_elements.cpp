@@ -86,11 +86,13 @@ StateCheck measure(const StateSearch& state, const ElementsInState& pair, double
 
 Verdict verdictOf(const StateSearch& state, const ElementsInState& pair,
                   const StateCheck& check) noexcept {
-  const double contact = areBodies(state.setup, pair.elements)
-                             ? state.work.pairs[pair.bodies].contact_distance
-                             : state.setup.limits.contact_distance;
+  const StatePair& bodies = state.work.pairs[pair.bodies];
+  const double contact =
+      areBodies(state.setup, pair.elements)
+          ? bodies.contact_distance
+          : limitsOf(state.setup, state.setup.link_pair_of[pair.bodies]).contact_distance;
   return check.quality == Quality::estimate || check.distance <= contact ? Verdict::contact
-         : check.distance <= state.setup.limits.warning_distance         ? Verdict::warning
+         : check.distance <= bodies.warning_distance                     ? Verdict::warning
                                                                          : Verdict::clear;
 }
 
@@ -131,10 +133,24 @@ bool mayBeNearer(const StateSearch& state, const ElementsInState& pair,
          (best.distance > 0.0 || areConvex(state.setup, pair.elements));
 }
 
+/// [m] Up to this distance the pair may make the verdict worse, though it is not the nearest. Only
+/// limits of its own can cause that.
+double worseWithin(const StateSearch& state, const ElementsInState& pair,
+                   const StateCheck& best) noexcept {
+  return state.setup.own_limits.empty() || best.verdict >= Verdict::warning
+             ? -kInfinity
+             : state.work.pairs[pair.bodies].warning_distance;
+}
+
+bool matters(const StateSearch& state, const ElementsInState& pair,
+             const StateCheck& best) noexcept {
+  return mayBeNearer(state, pair, best) || pair.bound <= worseWithin(state, pair, best);
+}
+
 /// Raises bounds by the hulls of the geometries.
 void raiseBounds(const StateSearch& state, const StateCheck& best) noexcept {
   for (ElementsInState& pair : state.refinement().pairs) {
-    if (mayBeNearer(state, pair, best) && !areConvex(state.setup, pair.elements)) {
+    if (matters(state, pair, best) && !areConvex(state.setup, pair.elements)) {
       const ElementPair& elements = state.setup.element_pairs[pair.elements];
       ElementSearch search = searchFor(state, pair.elements, best.distance);
       pair.bound = std::max(
@@ -207,9 +223,10 @@ void findNearest(const StateSearch& state, StateCheck& best) noexcept {
               return std::tie(one.bound, one.elements) < std::tie(other.bound, other.elements);
             });
   for (const ElementsInState& pair : pairs) {
-    if (mayBeNearer(state, pair, best)) {
+    if (matters(state, pair, best)) {
       constexpr double kNotTouching = 1e-3;
-      StateCheck found = measure(state, pair, std::max(best.distance, kNotTouching));
+      const double beyond = std::nextafter(worseWithin(state, pair, best), kInfinity);
+      StateCheck found = measure(state, pair, std::max({best.distance, kNotTouching, beyond}));
       found.verdict = std::max(best.verdict, verdictOf(state, pair, found));
       best.verdict = found.verdict;
       best = found.distance < best.distance ? found : best;

@@ -191,9 +191,10 @@ std::vector<FarPair> listFarPairs(const TrajectorySearch& search) {
     const PairApproach& approach = search.report.pairs[pair];
     const double found = approach.nearest.measured.distance;
     const bool is_by_waypoint = search.by_waypoints[pair].bound < found;
-    const bool is_asked = search.found[pair] == Found::bodies
-                              ? is_by_waypoint || found == kInfinity
-                              : search.found[pair] == Found::bounds && search.options.margin > 0.0;
+    const bool is_asked =
+        search.found[pair] == Found::bodies
+            ? is_by_waypoint || found == kInfinity
+            : search.found[pair] == Found::bounds && marginOf(search.options, pair) > 0.0;
     if (approach.state == ApproachState::clear && is_asked) {
       far.push_back({is_by_waypoint ? search.by_waypoints[pair] : search.by_balls[pair], pair});
     }

@@ -52,6 +52,6 @@ TrajectoryReport checkTrajectory(const CycleSetup& setup, const JointPath& path,
 
 /// The verdict of the whole path: a warning if a pair comes within `margin` [m]. Pairs that are
 /// undecided are unknown, and so is a path without pairs.
-Verdict verdictOf(const TrajectoryReport& report, double margin) noexcept;
+Verdict verdictOf(const TrajectoryReport& report, const TrajectoryOptions& options) noexcept;
 
 }  // namespace collision_monitor

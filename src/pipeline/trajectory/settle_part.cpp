@@ -17,7 +17,7 @@ bool reachesCutoff(const TrajectorySearch& search, LinkPairIndex pair, double bo
 
 /// [m] If elements are farther apart than this at one end, their part is settled.
 double cutoffFor(const TrajectorySearch& search, LinkPairIndex pair, double travel) noexcept {
-  const double contact = std::max(0.0, search.setup.limits.contact_distance);
+  const double contact = std::max(0.0, limitsOf(search.setup, pair).contact_distance);
   return std::max(wantedOf(search, pair), contact + search.options.tolerance) +
          search.options.tolerance + travel;
 }
@@ -28,7 +28,7 @@ double travelOf(const Sample& sample) noexcept { return std::min(sample.leeway, 
 void raiseToBodies(TrajectorySearch& search, LinkPairIndex pair, Instant& at) noexcept {
   Sample& sample = at.samples[pair];
   const PairDistance distance = bodyDistance(search.measures, pair, at.world_from_link);
-  const Sample found = sampleBy(search, distance.measured.distance, Level::bodies);
+  const Sample found = sampleBy(search, pair, distance.measured.distance, Level::bodies);
   sample.bound = std::max(sample.bound, found.bound);
   sample.leeway = std::max(sample.leeway, found.leeway);
   sample.level = Level::bodies;
@@ -41,8 +41,8 @@ void raiseToHulls(TrajectorySearch& search, LinkPairIndex pair, double cutoff,
   Sample& sample = at.samples[pair];
   const PairDistance distance = hullDistance(search.measures, pair, at.world_from_link, cutoff);
   // If some depth is allowed, each pair of elements must be measured.
-  const bool is_final = distance.is_refined && search.setup.limits.contact_distance >= 0.0;
-  const Sample found = sampleBy(search, distance.measured.distance, Level::hulls);
+  const bool is_final = distance.is_refined && limitsOf(search.setup, pair).contact_distance >= 0.0;
+  const Sample found = sampleBy(search, pair, distance.measured.distance, Level::hulls);
   sample.bound = std::max(sample.bound, found.bound);
   sample.leeway = std::max(sample.leeway, found.leeway);
   sample.level = is_final ? Level::elements : Level::hulls;

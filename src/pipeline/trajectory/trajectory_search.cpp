@@ -41,11 +41,12 @@ double wantedOf(const TrajectorySearch& search, LinkPairIndex pair) noexcept {
   const double nearest = search.found[pair] == Found::elements
                              ? search.report.pairs[pair].nearest.measured.distance
                              : kInfinity;
-  return std::min(search.options.margin, nearest - search.options.resolution);
+  return std::min(marginOf(search.options, pair), nearest - search.options.resolution);
 }
 
-Sample sampleBy(const TrajectorySearch& search, double distance, Level level) noexcept {
-  const double contact = search.setup.limits.contact_distance;
+Sample sampleBy(const TrajectorySearch& search, LinkPairIndex pair, double distance,
+                Level level) noexcept {
+  const double contact = limitsOf(search.setup, pair).contact_distance;
   const double bound = distance > 0.0 || contact >= 0.0 ? distance : -kInfinity;
   return {bound, bound - std::max(0.0, contact), level, false, kInfinity};
 }
@@ -86,7 +87,7 @@ void sampleBalls(TrajectorySearch& search, const std::vector<LinkPairIndex>& pai
                  Instant& at) noexcept {
   at.samples.resize(search.chains.size());
   for (const LinkPairIndex pair : pairs) {
-    at.samples[pair] = sampleBy(search, ballsApart(search, pair, at), Level::balls);
+    at.samples[pair] = sampleBy(search, pair, ballsApart(search, pair, at), Level::balls);
   }
 }
 
@@ -126,9 +127,9 @@ void sampleWaypoint(TrajectorySearch& search, const std::vector<LinkPairIndex>& 
   for (const LinkPairIndex pair : pairs) {
     const double bound = distanceAt(*search.waypoints, waypoint, pair);
     if (bound < search.waypoints->reach) {
-      at.samples[pair] = sampleBy(search, bound, Level::bodies);
+      at.samples[pair] = sampleBy(search, pair, bound, Level::bodies);
     } else if (bound > at.samples[pair].bound) {
-      at.samples[pair] = sampleBy(search, bound, at.samples[pair].level);
+      at.samples[pair] = sampleBy(search, pair, bound, at.samples[pair].level);
     }
   }
 }

@@ -80,7 +80,8 @@ double wantedOf(const TrajectorySearch& search, LinkPairIndex pair) noexcept;
 
 /// Makes a sample of a distance of balls, bodies or hulls. If some depth is allowed, overlapping
 /// ones give no bound: see contactOfBodies.
-Sample sampleBy(const TrajectorySearch& search, double distance, Level level) noexcept;
+Sample sampleBy(const TrajectorySearch& search, LinkPairIndex pair, double distance,
+                Level level) noexcept;
 
 double timeOf(const TrajectorySearch& search, const Instant& at) noexcept;
 

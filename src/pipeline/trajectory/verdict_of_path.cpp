@@ -6,10 +6,11 @@
 
 namespace collision_monitor {
 
-Verdict verdictOf(const TrajectoryReport& report, double margin) noexcept {
+Verdict verdictOf(const TrajectoryReport& report, const TrajectoryOptions& options) noexcept {
   Verdict verdict = report.pairs.empty() ? Verdict::unknown : Verdict::clear;
-  for (const PairApproach& pair : report.pairs) {
-    const bool is_near = pair.nearest.measured.distance <= margin;
+  for (std::size_t i = 0; i < report.pairs.size(); ++i) {
+    const PairApproach& pair = report.pairs[i];
+    const bool is_near = pair.nearest.measured.distance <= marginOf(options, i);
     const Verdict of_pair = pair.state == ApproachState::contact ? Verdict::contact
                             : pair.state != ApproachState::clear ? Verdict::unknown
                             : is_near                            ? Verdict::warning

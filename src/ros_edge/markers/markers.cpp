@@ -177,7 +177,7 @@ void Markers::addDistances(const Watch& watch) {
     }
     const PairDistance& distance = watch.buffers.distances.pairs[place];
     const SignedDistance& measured = distance.measured;
-    if (place != events.closest_of_all && measured.distance > setup.limits.report_distance) {
+    if (place != events.closest_of_all && measured.distance > limitsOf(setup, i).report_distance) {
       continue;
     }
     const std_msgs::Header header = headerOf(watch, setup.checked[i].a);

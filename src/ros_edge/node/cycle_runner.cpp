@@ -55,6 +55,33 @@ std::shared_ptr<const MonitorSetup> CycleRunner::currentSetup() const {
   return current_;
 }
 
+std::optional<PairView> CycleRunner::viewPair(const std::string& link_a,
+                                              const std::string& link_b) {
+  constexpr std::chrono::seconds kLongest(2);
+  auto request = std::make_shared<ViewRequest>();
+  request->link_a = link_a;
+  request->link_b = link_b;
+  std::unique_lock<std::mutex> lock(mutex_);
+  view_requests_.push_back(request);
+  viewed_.wait_for(lock, kLongest, [&] { return request->view.has_value(); });
+  view_requests_.erase(std::remove(view_requests_.begin(), view_requests_.end(), request),
+                       view_requests_.end());
+  return request->view;
+}
+
+/// Verdicts are those of the cycle that has just ended.
+void CycleRunner::answerViews() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const std::shared_ptr<ViewRequest>& request : view_requests_) {
+    if (!request->view) {
+      request->view = viewOf(*watch_, request->link_a, request->link_b);
+    }
+  }
+  if (!view_requests_.empty()) {
+    viewed_.notify_all();
+  }
+}
+
 void CycleRunner::setEnabled(bool is_enabled) {
   if (is_enabled) {
     enabling_.switchOn();
@@ -69,6 +96,7 @@ void CycleRunner::run() {
   while (is_running_) {
     takeOverSetup();
     runOnce();
+    answerViews();
     waitForNext();
   }
 }
@@ -126,6 +154,7 @@ void CycleRunner::runOnce() {
   const ros::SteadyTime steady_now = ros::SteadyTime::now();
   facts_.is_enabled = enabling_.isOn(steady_now);
   facts_.enabled_again_in = enabling_.secondsUntilOn(steady_now);
+  facts_.muted_for = watch_->mutedFor(start);
   bool is_new = readPoses(facts_.now);
   if (facts_.is_enabled != was_enabled) {
     ROS_WARN_STREAM("the monitor is switched " << (facts_.is_enabled ? "on" : "off"));
@@ -206,6 +235,8 @@ void CycleRunner::summarize(const State& state) {
   summary.steps = facts_.steps;
   summary.refused = store_.refusedTooMany() + joints_.refusedTooLong();
   summary.unknown_links = state.unknown_links;
+  summary.muted = state.pairs_muted;
+  summary.muted_for = state.muted_for;
   statistics_.setSummary(std::move(summary));
 }
 

@@ -6,11 +6,15 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/inputs/time_jumps.h"
 #include "ros_edge/outputs/cycle_statistics.h"
+#include "ros_edge/outputs/pair_view.h"
 #include "ros_edge/outputs/publishers.h"
 #include "ros_edge/pace.h"
 #include "ros_edge/services/enabling.h"
@@ -35,6 +39,8 @@ class CycleRunner {
   /// than a cycle. Does not throw.
   void replaceWatch(std::unique_ptr<Watch> watch);
   std::shared_ptr<const MonitorSetup> currentSetup() const;
+  /// What the next cycle knows of two links; nothing if no cycle ends within two seconds.
+  std::optional<PairView> viewPair(const std::string& link_a, const std::string& link_b);
   void setEnabled(bool is_enabled);
   CycleStatistics& statistics() noexcept { return statistics_; }
 
@@ -47,6 +53,7 @@ class CycleRunner {
   bool readPoses(const ros::Time& now);
   void publish(bool is_new);
   void summarize(const State& state);
+  void answerViews();
 
   TransformStore& store_;
   JointStore& joints_;
@@ -55,7 +62,16 @@ class CycleRunner {
   CycleStatistics statistics_;
   Enabling enabling_;
 
-  mutable std::mutex mutex_;  ///< guards the next five
+  /// Two links of which a caller wants to know.
+  struct ViewRequest {
+    std::string link_a;
+    std::string link_b;
+    std::optional<PairView> view;
+  };
+
+  mutable std::mutex mutex_;  ///< guards the next seven
+  std::vector<std::shared_ptr<ViewRequest>> view_requests_;
+  std::condition_variable viewed_;
   std::condition_variable taken_over_;
   std::shared_ptr<const MonitorSetup> current_;
   std::unique_ptr<Watch> next_;

@@ -74,6 +74,12 @@ class Monitor::Parts {
       runner_.replaceWatch(std::move(watch));
       second_opinion_.askFor(setup);
     };
+    hooks.change_rules = [this](const std::shared_ptr<const MonitorSetup>& setup) {
+      runner_.replaceWatch(runner_.makeWatch(setup));
+    };
+    hooks.view_pair = [this](const std::string& link_a, const std::string& link_b) {
+      return runner_.viewPair(link_a, link_b);
+    };
     hooks.set_enabled = [this](bool is_enabled) { runner_.setEnabled(is_enabled); };
     return hooks;
   }

@@ -24,8 +24,8 @@ const char* const kUsage =
     "Publishes  below its name: state, state_is_valid, speed_scale, contacts, distances, "
     "warnings,\n"
     "           markers; and /diagnostics\n"
-    "Serves     below its name: get_distances, check_trajectory, check_states, set_enabled, "
-    "reload\n"
+    "Serves     below its name: get_distances, check_trajectory, check_states, explain_pair,\n"
+    "           set_pairs, set_limits, set_enabled, reload\n"
     "\n"
     "Exit code: 0, it was told to end. 1, the set-up is at fault; all faults are in the log.\n"
     "2, the command line is at fault.\n";

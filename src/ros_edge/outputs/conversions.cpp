@@ -50,7 +50,7 @@ const PassedContact* passedOf(const Watch& watch, LinkPairIndex link_pair) {
     return nullptr;
   }
   const std::uint32_t closest = events.closest[link_pair];
-  const Limits& limits = watch.setup().limits;
+  const Limits& limits = limitsOf(watch.setup(), link_pair);
   // With several shapes, one may have passed while another touches.
   const bool touches =
       events.estimated[link_pair] != kNone ||
@@ -167,7 +167,7 @@ void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& messag
   } else if (speakerOf(setup, watch.buffers, link_pair) == kNone) {
     nameLinks(setup, pair.a, pair.b, message);
     message.quality = LinkDistance::LOWER_BOUND;
-    fillNumbers(unknownDistance(activationDistanceOf(setup.limits)), message);
+    fillNumbers(unknownDistance(activationDistanceOf(limitsOf(setup, link_pair))), message);
   } else {
     const std::uint32_t speaker = speakerOf(setup, watch.buffers, link_pair);
     toMessage(*watch.fixed, watch.poses, watch.buffers.distances.pairs[speaker], message);

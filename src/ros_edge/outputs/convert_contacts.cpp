@@ -67,7 +67,7 @@ void fill(const Watch& watch, const PassedContact& passed, Contact& message) {
 
 bool isInContact(const Watch& watch, const PairDistance& distance) {
   const std::uint32_t link_pair = watch.setup().link_pair_of[index(distance.pair)];
-  const Limits& limits = watch.setup().limits;
+  const Limits& limits = limitsOf(watch.setup(), link_pair);
   const PairEvents& events = watch.buffers.events;
   // A pair that only passed contact is listed as passed.
   const double kept = events.passed[link_pair] == kNone ? limits.hysteresis : 0.0;

@@ -108,6 +108,8 @@ void toMessage(const Watch& watch, const CycleFacts& facts, State& message) {
   fillLinks(watch, message);
   fillCounters(watch.buffers.counters, facts, message);
   message.pairs_ignored = watch.pairs_ignored;
+  message.pairs_muted = watch.pairs_muted;
+  message.muted_for = facts.muted_for;
   message.pairs_passed = static_cast<std::uint32_t>(watch.buffers.distances.passed.size());
   message.step = watch.buffers.sweep.step.step;
   message.step_limit = watch.buffers.sweep.step.on_way.longest;

@@ -35,6 +35,8 @@ struct CycleSummary {
   StepCount steps;
   std::uint64_t refused{0};  ///< input messages that were too long, and frames beyond the limit
   std::vector<std::string> unknown_links;
+  std::size_t muted{0};   ///< as State::pairs_muted
+  double muted_for{0.0};  ///< [s] as in State
 };
 
 /// Cycles since start.

@@ -51,7 +51,7 @@ void describeVerdict(const CycleSummary& summary, DiagnosticStatusWrapper& statu
   std::uint8_t level = DiagnosticStatus::OK;
   if (summary.level == State::CONTACT || summary.level == State::UNKNOWN) {
     level = DiagnosticStatus::ERROR;
-  } else if (summary.level == State::WARNING) {
+  } else if (summary.level == State::WARNING || summary.muted > 0) {
     level = DiagnosticStatus::WARN;
   }
   status.summary(level, summary.sentence);
@@ -59,6 +59,8 @@ void describeVerdict(const CycleSummary& summary, DiagnosticStatusWrapper& statu
   status.add("least time to contact [s]", summary.time_to_contact);
   status.add("speed scale", summary.speed_scale);
   status.add("inputs refused as too long or too many", summary.refused);
+  status.add("muted pairs of links", summary.muted);
+  status.add("muted for another [s]", summary.muted_for);
   status.add("unknown links", summary.unknown_links.size());
   addNumbered("unknown link", summary.unknown_links, status);
 }

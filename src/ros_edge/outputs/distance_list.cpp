@@ -15,7 +15,7 @@ bool isListed(const Watch& watch, LinkPairIndex link_pair) {
   const std::uint32_t place = events.closest[link_pair];
   return place != kNone && (place == events.closest_of_all || events.passed[link_pair] != kNone ||
                             !(watch.buffers.distances.pairs[place].measured.distance >
-                              watch.setup().limits.report_distance));
+                              limitsOf(watch.setup(), link_pair).report_distance));
 }
 
 }  // namespace

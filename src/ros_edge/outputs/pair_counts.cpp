@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/outputs/pair_counts.h"
 
+#include <cmath>
 #include <tuple>
 
 namespace collision_monitor {
 
-static_assert(static_cast<std::size_t>(PairReason::ignored_by_user) + 1 ==
-              std::tuple_size_v<PairCounts>);
+static_assert(static_cast<std::size_t>(PairReason::muted) + 1 == std::tuple_size_v<PairCounts>);
 
 PairCounts countPairs(const std::vector<LinkPair>& pairs) {
   PairCounts counts{};
@@ -33,11 +33,24 @@ const char* whyNotText(PairReason reason) noexcept {
       return "that overlap in the default pose";
     case PairReason::ignored_by_user:
       return "hidden by ignore_pairs";
+    case PairReason::ignored_by_rule:
+      return "ignored by pair_rules";
+    case PairReason::muted:
+      return "muted";
     case PairReason::checked:
+    case PairReason::checked_by_rule:
     case PairReason::enabled_by_srdf:
       return "checked";
   }
   return "";
+}
+
+std::string muteText(std::size_t pairs, double time) {
+  return pairs == 0
+             ? ""
+             : "; " + std::to_string(pairs) +
+                   (pairs == 1 ? " pair of links is" : " pairs of links are") +
+                   " muted for another " + std::to_string(std::lround(std::ceil(time))) + " s";
 }
 
 std::string notCheckedText(const PairCounts& counts) {

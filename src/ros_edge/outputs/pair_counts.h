@@ -11,20 +11,28 @@
 namespace collision_monitor {
 
 /// Number of link pairs by PairReason.
-using PairCounts = std::array<std::size_t, 7>;
+using PairCounts = std::array<std::size_t, 10>;
 
 PairCounts countPairs(const std::vector<LinkPair>& pairs);
 std::size_t countOf(PairReason reason, const PairCounts& counts);
 
 /// The reasons that exclude pairs from checks.
-constexpr std::array<PairReason, 5> kReasonsNotToCheck{
-    PairReason::same_rigid_group, PairReason::adjacent, PairReason::disabled_by_srdf,
-    PairReason::default_overlap, PairReason::ignored_by_user};
+constexpr std::array<PairReason, 7> kReasonsNotToCheck{PairReason::same_rigid_group,
+                                                       PairReason::adjacent,
+                                                       PairReason::disabled_by_srdf,
+                                                       PairReason::default_overlap,
+                                                       PairReason::ignored_by_user,
+                                                       PairReason::ignored_by_rule,
+                                                       PairReason::muted};
 
 /// Text to follow a number of pairs: "that meet at a joint".
 const char* whyNotText(PairReason reason) noexcept;
 
 /// "; not checked: 2 that meet at a joint, 1 hidden by ignore_pairs"; empty if all are.
 std::string notCheckedText(const PairCounts& counts);
+
+/// "; 3 pairs of links are muted for another 12 s", or nothing.
+/// @param time [s]
+std::string muteText(std::size_t pairs, double time);
 
 }  // namespace collision_monitor

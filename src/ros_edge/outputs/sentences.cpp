@@ -9,10 +9,10 @@
 #include <limits>
 #include <string_view>
 
-#include "collision_monitor/geometry/ids.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/data/activation_distance.h"
 #include "ros_edge/outputs/conversions.h"
+#include "ros_edge/outputs/pair_counts.h"
 
 namespace collision_monitor {
 namespace {
@@ -222,7 +222,7 @@ std::string distanceSentence(const CycleSetup& setup, const PairDistance& distan
 
 std::uint32_t speakerOf(const CycleSetup& setup, const CycleBuffers& buffers,
                         LinkPairIndex link_pair) {
-  const Limits& limits = setup.limits;
+  const Limits& limits = limitsOf(setup, link_pair);
   const std::uint32_t closest = buffers.events.closest[link_pair];
   const std::uint32_t soonest = buffers.events.soonest[link_pair];
   const bool is_near = closest != kNone && buffers.distances.pairs[closest].measured.distance <=
@@ -241,7 +241,7 @@ std::string changeSentence(const Watch& watch, const VerdictChange& change) {
   const std::uint32_t speaker = speakerOf(setup, watch.buffers, change.link_pair);
   if (speaker == kNone) {
     return setup.model.link(pair.a).name + " is clear of " + setup.model.link(pair.b).name +
-           " by more than " + lengthText(activationDistanceOf(setup.limits));
+           " by more than " + lengthText(activationDistanceOf(limitsOf(setup, pair)));
   }
   const std::string measured = pairSentence(watch, change.link_pair);
   return change.after == Verdict::clear ? measured + ", clear again" : measured;
@@ -274,7 +274,8 @@ std::string stepSentence(const Watch& watch) {
 }
 
 std::string stateSentence(const Watch& watch, const CycleFacts& facts) {
-  const std::string sentence = verdictSentence(watch, facts);
+  const std::string sentence =
+      verdictSentence(watch, facts) + muteText(watch.pairs_muted, facts.muted_for);
   return facts.is_enabled ? sentence
                           : "switched off for another " + fixedText(facts.enabled_again_in, 0) +
                                 " s; " + sentence;

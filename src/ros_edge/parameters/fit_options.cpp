@@ -7,20 +7,33 @@
 #include "pipeline/fits/fit_cache_folder.h"
 
 namespace collision_monitor {
+namespace {
+
+/// The text of a file; empty if there is no name, or after an error.
+std::string load(const std::string& name, const std::string& parameter,
+                 const ResourceLoader& load_resource, SetupReport& report) {
+  try {
+    return name.empty() ? "" : load_resource(name);
+  } catch (const std::exception& fault) {
+    report.errors.push_back(
+        {parameter + " '" + name + "'", fault.what(), "a readable file or package:// URI"});
+  }
+  return "";
+}
+
+}  // namespace
 
 SetupOptions loadSetupOptions(const Parameters& parameters, const ResourceLoader& load_resource,
                               SetupReport& report) {
   SetupOptions options = parameters.setup;
   options.fit_cache = fitCacheFolder(parameters.fit_cache);
-  if (parameters.shape_rules.empty()) {
-    return options;
-  }
-  options.shape_rules.source = parameters.shape_rules;
-  try {
-    options.shape_rules.yaml = load_resource(parameters.shape_rules);
-  } catch (const std::exception& fault) {
-    report.errors.push_back({options.where + "shape_rules '" + parameters.shape_rules + "'",
-                             fault.what(), "a readable file or package:// URI"});
+  options.shape_rules = {
+      parameters.shape_rules,
+      load(parameters.shape_rules, options.where + "shape_rules", load_resource, report)};
+  if (!parameters.pair_rules.empty()) {
+    options.pair_rules = {
+        parameters.pair_rules,
+        load(parameters.pair_rules, options.where + "pair_rules", load_resource, report)};
   }
   return options;
 }

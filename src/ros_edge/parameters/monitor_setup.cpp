@@ -5,6 +5,7 @@
 #include <malloc.h>
 #include <ros/console.h>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -31,6 +32,17 @@ FitProgress logLongFitting() {
 }
 
 }  // namespace
+
+std::optional<RuleEnd> lastMuteOf(const MonitorSetup& setup) {
+  std::optional<RuleEnd> last;
+  for (const LinkPair& pair : setup.setup.link_pairs) {
+    if (pair.reason == PairReason::muted) {
+      const RuleEnd end = setup.rule_ends[pair.rule];
+      last = last ? std::max(*last, end) : end;
+    }
+  }
+  return last;
+}
 
 std::vector<std::string> jointTopics(const MonitorSetup& setup) {
   std::vector<std::string> topics(setup.setup.model.robots.size(), setup.parameters.joint_states);
@@ -71,6 +83,7 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
 
   made->descriptions = descriptions;
   made->setup = buildSetup(descriptions, load_resource, options);
+  made->rule_ends.assign(made->setup.pair_rules.size(), kLasts);
   const RobotModel& model = made->setup.model;
   made->world_frame = stripLeadingSlash(made->parameters.world_frame.empty()
                                             ? model.link(model.robots.front().root).frame

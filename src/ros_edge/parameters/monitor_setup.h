@@ -4,8 +4,10 @@
 
 #include <ros/node_handle.h>
 
+#include <chrono>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,9 @@ class LaterWarnings {
   std::vector<Problem> warnings_;
 };
 
+using RuleEnd = std::chrono::steady_clock::time_point;
+constexpr RuleEnd kLasts = RuleEnd::max();  ///< of a rule that does not end by itself
+
 /// Everything that a reload replaces at once. The cycle and the services share it; it never
 /// changes.
 struct MonitorSetup {
@@ -39,8 +44,18 @@ struct MonitorSetup {
   CycleSetup setup;
   std::string world_frame;
   std::vector<RobotDescription> descriptions;  ///< it was built from these
+  std::vector<RuleEnd> rule_ends{};            ///< by CycleSetup::pair_rules
   std::shared_ptr<LaterWarnings> later_warnings{std::make_shared<LaterWarnings>()};
 };
+
+/// Whether both were built from the same robots: they differ by rules and limits alone, and share
+/// ids of links, bodies and elements.
+inline bool haveSameRobots(const MonitorSetup& one, const MonitorSetup& other) {
+  return one.later_warnings == other.later_warnings;
+}
+
+/// When the last muted pair is checked again; nothing if none is muted.
+std::optional<RuleEnd> lastMuteOf(const MonitorSetup& setup);
 
 /// The topic of each robot's joint states, by RobotId; "": no topic.
 std::vector<std::string> jointTopics(const MonitorSetup& setup);

@@ -61,6 +61,57 @@ std::string toText(const XmlRpcValue& value) {
   }
 }
 
+namespace {
+
+/// In double quotes, where YAML knows the escapes of JSON.
+std::string doubleQuoted(const std::string& text) {
+  std::string escaped = "\"";
+  for (const char letter : text) {
+    constexpr unsigned char kFirstVisible = 0x20;
+    if (static_cast<unsigned char>(letter) < kFirstVisible) {
+      constexpr const char* kDigits = "0123456789abcdef";
+      escaped += "\\x";
+      escaped += kDigits[static_cast<unsigned char>(letter) >> 4U];
+      escaped += kDigits[static_cast<unsigned char>(letter) & 0xfU];
+    } else {
+      escaped += (letter == '"' || letter == '\\') ? "\\" : "";
+      escaped += letter;
+    }
+  }
+  return escaped + "\"";
+}
+
+std::string flowYaml(const XmlRpcValue& value) {
+  std::string text;
+  if (value.getType() == XmlRpcValue::TypeArray) {
+    for (int i = 0; i < value.size(); ++i) {
+      text += (i == 0 ? "" : ", ") + flowYaml(value[i]);
+    }
+    return "[" + text + "]";
+  }
+  if (value.getType() == XmlRpcValue::TypeStruct) {
+    for (const auto& [name, field] : value) {
+      text += (text.empty() ? "" : ", ") + doubleQuoted(name) + ": " + flowYaml(field);
+    }
+    return "{" + text + "}";
+  }
+  return value.getType() == XmlRpcValue::TypeString ? doubleQuoted(valueAs<std::string>(value))
+                                                    : toText(value);
+}
+
+}  // namespace
+
+std::string toYaml(const XmlRpcValue& value) {
+  if (value.getType() != XmlRpcValue::TypeArray || value.size() == 0) {
+    return flowYaml(value);
+  }
+  std::string text;
+  for (int i = 0; i < value.size(); ++i) {
+    text += "- " + flowYaml(value[i]) + "\n";
+  }
+  return text;
+}
+
 ParameterStruct::ParameterStruct(const XmlRpcValue& values, std::string where, SetupReport& report)
     : values_(values), where_(std::move(where)), report_(report) {
   if (values_.valid() && values_.getType() != XmlRpcValue::TypeStruct) {

@@ -50,7 +50,10 @@ class ParameterStruct {
   std::vector<std::string> asked_for_;
 };
 
-/// The value as written in YAML.
+/// The value for a message; of lists and structs only their size.
 std::string toText(const XmlRpc::XmlRpcValue& value);
+
+/// The whole value as YAML. Items of an outer list stand one a line.
+std::string toYaml(const XmlRpc::XmlRpcValue& value);
 
 }  // namespace collision_monitor

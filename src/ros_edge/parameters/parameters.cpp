@@ -24,13 +24,9 @@ constexpr NumberRange kDuration{0.0, 1e3};
 void readLimits(const XmlRpcValue& values, const std::string& where, Limits& limits,
                 SetupReport& report) {
   ParameterStruct fields(values, where, report);
-  fields.read("contact_distance", kAnyLength, limits.contact_distance);
-  fields.read("warning_distance", kAnyLength, limits.warning_distance);
-  fields.read("hysteresis", kLength, limits.hysteresis);
-  fields.read("report_distance", kAnyLength, limits.report_distance);
-  fields.read("contact_time", kDuration, limits.contact_time);
-  fields.read("warning_time", kDuration, limits.warning_time);
-  fields.read("time_hysteresis", kDuration, limits.time_hysteresis);
+  for (const LimitField& field : kLimitFields) {
+    fields.read(field.name, {field.least, field.greatest}, limits.*field.value);
+  }
   fields.refuseOthers();
   checkLimits(limits, "parameter " + where + "/", report);
 }
@@ -113,6 +109,35 @@ std::vector<RobotSource> readRobotList(const XmlRpcValue& values, const std::str
   return robots;
 }
 
+/// A struct of links or patterns and metres, like MoveIt's default_robot_link_padding.
+std::vector<NamedPadding> readPaddings(const XmlRpcValue& values, const std::string& where,
+                                       SetupReport& report) {
+  constexpr double kMost = 1e3;
+  std::vector<NamedPadding> paddings;
+  ParameterStruct fields(values, where, report);
+  if (values.getType() != XmlRpcValue::TypeStruct) {
+    return paddings;
+  }
+  for (const auto& named : values) {
+    paddings.push_back({named.first, 0.0});
+    fields.read(named.first, {0.0, kMost}, paddings.back().padding);
+  }
+  return paddings;
+}
+
+/// A file, or the rules themselves.
+void readRuleList(const XmlRpcValue& value, const std::string& where, Parameters& parameters,
+                  SetupReport& report) {
+  if (value.getType() == XmlRpcValue::TypeString) {
+    parameters.pair_rules = static_cast<std::string>(value);
+  } else if (value.getType() == XmlRpcValue::TypeArray) {
+    parameters.setup.pair_rules = {"parameter " + where, toYaml(value)};
+  } else {
+    report.errors.push_back(
+        {"parameter " + where, toText(value), "a list of rules, or a file that has one"});
+  }
+}
+
 NamedPair readPair(const XmlRpcValue& value, const std::string& where, SetupReport& report) {
   if (value.getType() != XmlRpcValue::TypeArray || value.size() != 2) {
     report.errors.push_back(
@@ -186,6 +211,7 @@ void readFitting(ParameterStruct& fields, Parameters& parameters) {
   fields.read("target_overshoot", kLength, parameters.setup.default_limits.target_overshoot);
   fields.read("fit_cache", parameters.fit_cache);
   fields.read("padding", {0.0, 1e3}, parameters.setup.padding);
+  fields.read("srdf_spheres", parameters.setup.uses_srdf_spheres);
 }
 
 /// Reads what is measured where enclosing shapes are near, and how much of it per cycle.
@@ -232,6 +258,12 @@ Parameters readParameters(const XmlRpcValue& values, const std::string& where,
   }
   if (const XmlRpcValue* pairs = fields.find("ignore_pairs")) {
     parameters.setup.ignored_pairs = readPairs(*pairs, fields.pathOf("ignore_pairs"), report);
+  }
+  if (const XmlRpcValue* paddings = fields.find("link_padding")) {
+    parameters.setup.link_paddings = readPaddings(*paddings, fields.pathOf("link_padding"), report);
+  }
+  if (const XmlRpcValue* rules = fields.find("pair_rules")) {
+    readRuleList(*rules, fields.pathOf("pair_rules"), parameters, report);
   }
   if (const XmlRpcValue* files = fields.find("files")) {
     readFileParameters(*files, fields.pathOf("files"), parameters.loading, parameters.setup.meshes,

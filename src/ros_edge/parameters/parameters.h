@@ -53,6 +53,7 @@ struct Parameters {
   double marker_rate{30.0};                  ///< [Hz]
   SetupOptions setup;       ///< its texts and folders are filled in when the set-up is built
   std::string shape_rules;  ///< file or package:// URI, "" for none
+  std::string pair_rules;   ///< the same; "" if `setup` has the rules themselves, or for none
   std::string fit_cache;    ///< folder; "": the default; "none": none
   BroadPhaseKind broad_phase{BroadPhaseKind::automatic};
   double disable_timeout{60.0};      ///< [s]

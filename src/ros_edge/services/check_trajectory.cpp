@@ -27,7 +27,14 @@ static_assert(LinkApproach::CLEAR == static_cast<int>(ApproachState::clear) &&
 
 TrajectoryOptions optionsOf(const CycleSetup& setup, const CheckTrajectory::Request& request) {
   TrajectoryOptions options;
-  options.margin = request.margin > 0.0 ? request.margin : setup.limits.warning_distance;
+  options.margin = request.margin;
+  if (!(request.margin > 0.0)) {
+    const auto warning_distance = [](const Limits& limits) { return limits.warning_distance; };
+    options.margin = largestOfLimits(setup, warning_distance);
+    for (const CheckedLinkPair& pair : setup.checked) {
+      options.margins.push_back(warning_distance(limitsOf(setup, pair)));
+    }
+  }
   options.resolution = request.resolution > 0.0 ? request.resolution : options.resolution;
   options.budget = kBudget;
   return options;
@@ -151,7 +158,7 @@ void answerCheckTrajectory(const MonitorSetup& current, const NewestState& newes
   response.pairs_unknown = static_cast<std::uint32_t>(
       std::count_if(report.pairs.begin(), report.pairs.end(),
                     [](const PairApproach& pair) { return pair.state == ApproachState::unknown; }));
-  response.level = static_cast<std::uint8_t>(verdictOf(report, options.margin));
+  response.level = static_cast<std::uint8_t>(verdictOf(report, options));
   if (report.first_contact != kNone) {
     response.contact_time = report.pairs[report.first_contact].time;
   }

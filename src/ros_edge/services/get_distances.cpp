@@ -14,6 +14,7 @@
 #include "model/nearest_name.h"
 #include "model/place.h"
 #include "pipeline/answers/link_distances.h"
+#include "pipeline/answers/pair_reason.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/sentences.h"
 #include "ros_edge/poses/apply_joints.h"
@@ -199,10 +200,9 @@ std::string summaryText(const Distances& distances, const std::string& floating,
          (ignored.empty() ? "" : "; " + ignored);
 }
 
-}  // namespace
-
-void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
-                        const GetDistances::Request& request, GetDistances::Response& response) {
+/// Answers for pairs that the set-up checks.
+void answerChecked(const MonitorSetup& current, const NewestState& newest,
+                   const GetDistances::Request& request, GetDistances::Response& response) {
   const CycleSetup& setup = current.setup;
   std::vector<std::string> faults;
   const Selection selection{findLinks(setup, request.links_a, "links_a", faults),
@@ -242,6 +242,36 @@ void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
       summaryText(response.distances, floatingTextOf(setup, selection, scene.poses, newest.reasons),
                   is_explicit ? ignoredText(setup, selection) : "") +
       nearestText(setup, links, reach);
+}
+
+/// A set-up that checks every pair of the links that the request names.
+CycleSetup withAsked(const CycleSetup& setup, const GetDistances::Request& request) {
+  std::vector<std::string> faults;  // are told later
+  const Selection selection{findLinks(setup, request.links_a, "links_a", faults),
+                            findLinks(setup, request.links_b, "links_b", faults)};
+  std::vector<bool> is_wanted;
+  for (const LinkPair& pair : setup.link_pairs) {
+    is_wanted.push_back(selection.has(pair.a, pair.b));
+  }
+  return withPairs(setup, is_wanted);
+}
+
+}  // namespace
+
+void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
+                        const GetDistances::Request& request, GetDistances::Response& response) {
+  if (request.include_ignored == 0) {
+    answerChecked(current, newest, request, response);
+    return;
+  }
+  const MonitorSetup all{{}, withAsked(current.setup, request), current.world_frame, {}, {}, {}};
+  answerChecked(all, newest, request, response);
+  for (const LinkDistance& pair : response.distances.pairs) {
+    const RobotModel& model = current.setup.model;
+    const std::size_t place =
+        findLinkPair(current.setup, *model.findLink(pair.link_a), *model.findLink(pair.link_b));
+    response.reasons.push_back(reasonOf(current.setup, current.setup.link_pairs[place]));
+  }
 }
 
 }  // namespace collision_monitor

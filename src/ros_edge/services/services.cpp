@@ -11,6 +11,7 @@
 #include "model/number_text.h"
 #include "ros_edge/outputs/sentences.h"
 #include "ros_edge/parameters/startup_report.h"
+#include "ros_edge/services/change_rules.h"
 #include "ros_edge/services/check_states.h"
 #include "ros_edge/services/check_trajectory.h"
 #include "ros_edge/services/get_distances.h"
@@ -19,13 +20,19 @@
 namespace collision_monitor {
 
 Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, ServiceHooks hooks)
-    : private_node_(private_node), inputs_(inputs), hooks_(std::move(hooks)) {
+    : private_node_(private_node),
+      inputs_(inputs),
+      hooks_(std::move(hooks)),
+      rule_clock_([this] { return nextEndOf(*hooks_.current_setup()); }, [this] { endRules(); }) {
   get_distances_ = private_node_.advertiseService("get_distances", &Services::getDistances, this);
   ros::NodeHandle background_node(private_node_);
   background_node.setCallbackQueue(&background_.queue());
   check_trajectory_ =
       background_node.advertiseService("check_trajectory", &Services::checkTrajectory, this);
   check_states_ = background_node.advertiseService("check_states", &Services::checkStates, this);
+  explain_pair_ = private_node_.advertiseService("explain_pair", &Services::explainPair, this);
+  set_pairs_ = private_node_.advertiseService("set_pairs", &Services::setPairs, this);
+  set_limits_ = private_node_.advertiseService("set_limits", &Services::setLimits, this);
   set_enabled_ = private_node_.advertiseService("set_enabled", &Services::setEnabled, this);
   reload_ = private_node_.advertiseService("reload", &Services::reload, this);
 }
@@ -91,6 +98,42 @@ bool Services::checkStates(CheckStates::Request& request, CheckStates::Response&
   return true;
 }
 
+bool Services::explainPair(ExplainPair::Request& request, ExplainPair::Response& response) {
+  const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
+  answerExplainPair(*current, newestState(*current), hooks_.view_pair, request, response);
+  return true;
+}
+
+bool Services::setPairs(SetPairs::Request& request, SetPairs::Response& response) {
+  const std::lock_guard<std::mutex> lock(change_mutex_);
+  const NextSetup next = answerSetPairs(*hooks_.current_setup(), std::chrono::steady_clock::now(),
+                                        ++requests_, request, response);
+  if (next) {
+    hooks_.change_rules(next);
+    rule_clock_.wake();
+    ROS_INFO_STREAM("set_pairs: " << response.message);
+  }
+  return true;
+}
+
+bool Services::setLimits(SetLimits::Request& request, SetLimits::Response& response) {
+  const std::lock_guard<std::mutex> lock(change_mutex_);
+  if (const NextSetup next = answerSetLimits(*hooks_.current_setup(), request, response)) {
+    hooks_.change_rules(next);
+    ROS_INFO_STREAM("set_limits: " << response.message);
+  }
+  return true;
+}
+
+void Services::endRules() {
+  const std::lock_guard<std::mutex> lock(change_mutex_);
+  const NextSetup next = withoutEnded(*hooks_.current_setup(), std::chrono::steady_clock::now());
+  if (next) {
+    hooks_.change_rules(next);
+    ROS_INFO_STREAM("rules for pairs have ended; left: " << next->setup.pair_rules.size());
+  }
+}
+
 bool Services::setEnabled(std_srvs::SetBool::Request& request,
                           std_srvs::SetBool::Response& response) {
   const bool is_enabled = request.data != 0;
@@ -114,7 +157,11 @@ bool Services::reload(std_srvs::Trigger::Request& /*request*/,
   try {
     const std::shared_ptr<const MonitorSetup> made =
         makeMonitorSetup(private_node_, [this] { return goesOn(); });
-    hooks_.replace_setup(made);
+    {
+      const std::lock_guard<std::mutex> change(change_mutex_);
+      hooks_.replace_setup(made);
+    }
+    rule_clock_.wake();
     logSetup(*made);
     response.message = summaryOf(*made);
     response.success = 1;

@@ -4,7 +4,10 @@
 
 #include <collision_monitor/CheckStates.h>
 #include <collision_monitor/CheckTrajectory.h>
+#include <collision_monitor/ExplainPair.h>
 #include <collision_monitor/GetDistances.h>
+#include <collision_monitor/SetLimits.h>
+#include <collision_monitor/SetPairs.h>
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
 #include <std_srvs/SetBool.h>
@@ -18,6 +21,8 @@
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/parameters/monitor_setup.h"
 #include "ros_edge/poses/newest_state.h"
+#include "ros_edge/services/explain_pair.h"
+#include "ros_edge/services/rule_clock.h"
 
 namespace collision_monitor {
 
@@ -25,13 +30,16 @@ namespace collision_monitor {
 struct ServiceHooks {
   std::function<std::shared_ptr<const MonitorSetup>()> current_setup;
   std::function<void(std::shared_ptr<const MonitorSetup>)> replace_setup;
+  /// Watches a set-up of the same robots.
+  std::function<void(std::shared_ptr<const MonitorSetup>)> change_rules;
+  PairViewer view_pair;
   std::function<void(bool)> set_enabled;
   GoesOn goes_on;  ///< whether long calls may continue
 };
 
-/// get_distances, check_trajectory, check_states, set_enabled and reload. They do not touch the
-/// cycle's data. The two checks may take seconds and run in the background; the others run on the
-/// node handle's callback queue.
+/// All services. They do not touch the cycle's data. Rules that end by themselves end on a thread
+/// of their own, however long other calls take. The two checks may take seconds and run in the
+/// background; the others run on the node handle's callback queue.
 class Services {
  public:
   /// @pre the inputs outlive the services.
@@ -46,6 +54,10 @@ class Services {
   bool getDistances(GetDistances::Request& request, GetDistances::Response& response);
   bool checkTrajectory(CheckTrajectory::Request& request, CheckTrajectory::Response& response);
   bool checkStates(CheckStates::Request& request, CheckStates::Response& response);
+  bool explainPair(ExplainPair::Request& request, ExplainPair::Response& response);
+  bool setPairs(SetPairs::Request& request, SetPairs::Response& response);
+  bool setLimits(SetLimits::Request& request, SetLimits::Response& response);
+  void endRules();
   bool setEnabled(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool reload(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
@@ -53,12 +65,18 @@ class Services {
   Inputs inputs_;
   ServiceHooks hooks_;
   std::mutex reload_mutex_;
+  std::mutex change_mutex_;     ///< held from reading the current set-up to replacing it
+  std::size_t requests_{0};     ///< of set_pairs
   BackgroundQueue background_;  ///< outlives its services
   ros::ServiceServer get_distances_;
   ros::ServiceServer check_trajectory_;
   ros::ServiceServer check_states_;
+  ros::ServiceServer explain_pair_;
+  ros::ServiceServer set_pairs_;
+  ros::ServiceServer set_limits_;
   ros::ServiceServer set_enabled_;
   ros::ServiceServer reload_;
+  RuleClock rule_clock_;  ///< the last, since its thread uses the others
 };
 
 }  // namespace collision_monitor

@@ -17,6 +17,7 @@
 #include "support/robots/geometry_setup.h"
 #include "support/robots/hand_made_setup.h"
 #include "support/robots/random_model.h"
+#include "support/robots/ruled_setup.h"
 #include "support/sample_meshes.h"
 
 // States of robots of meshes, held to cycles without a budget.
@@ -63,9 +64,18 @@ CycleSetup anyRobot(double contact_distance, Random& random) {
   return setup;
 }
 
+/// Gives some pairs limits of their own.
+CycleSetup ruled(CycleSetup setup, Random& random) {
+  giveRules({ruleForSome(randomLimits(random), setup, random),
+             ruleForSome(randomLimits(random), setup, random)},
+            setup);
+  return setup;
+}
+
 struct Scene {
-  Scene(double contact_distance, Random& random)
-      : setup(anyRobot(contact_distance, random)),
+  Scene(double contact_distance, Random& random, bool has_rules = false)
+      : setup(has_rules ? ruled(anyRobot(contact_distance, random), random)
+                        : anyRobot(contact_distance, random)),
         work(makeStatesWork(setup, standingAt(setup.model, {Pose()}))),
         buffers(makeBuffers(setup, BroadPhaseKind::brute_force)) {
     buffers.refine.limits.budget = std::numeric_limits<std::uint32_t>::max();
@@ -120,8 +130,8 @@ TEST(ExactStatesLaws, verdictsAreThoseOfCyclesWithoutABudget) {
   Random random(kSeed);
   std::size_t contacts = 0;
   std::size_t clear = 0;
-  for (int round = 0; round < 40; ++round) {
-    Scene scene(round % 3 == 0 ? 0.004 : 0.0, random);
+  for (int round = 0; round < 60; ++round) {
+    Scene scene(round % 3 == 0 ? 0.004 : 0.0, random, round >= 40);
     const std::vector<StateCheck> contact = scene.check(StateQuestion::contact);
     const std::vector<StateCheck> nearest = scene.check(StateQuestion::nearest);
     for (std::size_t i = 0; i < Scene::kCount; ++i) {

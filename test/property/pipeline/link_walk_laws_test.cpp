@@ -140,7 +140,7 @@ TEST(LinkWalkLaws, reachesAndStepsAreThoseOfEveryPairAlone_onEveryInstructionSet
         expectReach(reaches.of_pair[i],
                     std::max(expected, activationDistanceOf(scene.setup.limits)));
         expectReach(reaches.near_of_pair[i],
-                    std::max(expected, nearActivationDistanceOf(scene.setup)));
+                    std::max(expected, nearActivationDistanceOf(scene.setup, scene.setup.limits)));
       }
       ASSERT_TRUE(first.empty() || std::memcmp(first.data(), reaches.of_pair.data(),
                                                first.size() * sizeof(double)) == 0);

@@ -22,8 +22,6 @@ CycleSetup linkSetup(const std::vector<std::vector<CollisionElement>>& links,
   CycleSetup setup;
   setup.limits = options.limits;
   setup.refine = options.refine.limits;
-  setup.refine.distance =
-      std::max(setup.refine.distance, options.limits.warning_distance + options.limits.hysteresis);
   setup.model.robots.push_back({"hand_made", "", LinkId{0}, 0, links.size(), 0, 0});
   for (std::size_t i = 0; i < links.size(); ++i) {
     Link link;

@@ -24,6 +24,29 @@ RobotDescription describeArm(const std::string& prefix) {
   return description;
 }
 
+/// One robot per prefix.
+std::vector<SrdfPairs> readArms(const std::vector<std::string>& prefixes, RobotModel& model) {
+  std::vector<RobotDescription> robots;
+  for (const std::string& prefix : prefixes) {
+    robots.push_back(describeArm(prefix));
+  }
+  SetupReport ignored;
+  model = readRobots(robots, textLoader({}), ignored);
+  std::vector<SrdfPairs> srdfs;
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    srdfs.push_back(readSrdf(robots[i], idAt<RobotId>(i), model, ignored));
+  }
+  return srdfs;
+}
+
+std::vector<std::string> textsOf(const std::vector<Problem>& problems) {
+  std::vector<std::string> texts;
+  for (const Problem& problem : problems) {
+    texts.push_back(toString(problem));
+  }
+  return texts;
+}
+
 }  // namespace
 
 const LinkRules& ReadRules::of(const std::string& link) const {
@@ -41,25 +64,32 @@ std::vector<std::string> ReadRules::withMaximum() const {
 }
 
 ReadRules readRules(const std::string& yaml, const std::vector<std::string>& prefixes) {
-  std::vector<RobotDescription> robots;
-  for (const std::string& prefix : prefixes) {
-    robots.push_back(describeArm(prefix));
-  }
   ReadRules read;
-  SetupReport ignored;
-  read.model = readRobots(robots, textLoader({}), ignored);
-  std::vector<SrdfPairs> srdfs;
-  for (std::size_t i = 0; i < robots.size(); ++i) {
-    srdfs.push_back(readSrdf(robots[i], idAt<RobotId>(i), read.model, ignored));
-  }
+  const std::vector<SrdfPairs> srdfs = readArms(prefixes, read.model);
   SetupReport report;
   read.rules = readShapeRules({"rules.yaml", yaml}, read.model, srdfs, report);
-  for (const Problem& problem : report.errors) {
-    read.errors.push_back(toString(problem));
+  read.errors = textsOf(report.errors);
+  read.warnings = textsOf(report.warnings);
+  return read;
+}
+
+std::vector<std::string> ReadPairRulesText::names(const std::vector<bool>& side) const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    if (side[i]) {
+      names.push_back(model.links[i].name);
+    }
   }
-  for (const Problem& problem : report.warnings) {
-    read.warnings.push_back(toString(problem));
-  }
+  return names;
+}
+
+ReadPairRulesText readPairs(const std::string& yaml, IdleRule idle) {
+  ReadPairRulesText read;
+  const std::vector<SrdfPairs> srdfs = readArms({""}, read.model);
+  SetupReport report;
+  read.rules = readPairRules({"rules.yaml", yaml}, read.model, srdfs, idle, report);
+  read.errors = textsOf(report.errors);
+  read.warnings = textsOf(report.warnings);
   return read;
 }
 

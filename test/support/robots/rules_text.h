@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_monitor/model/pair_rules.h"
 #include "collision_monitor/model/shape_rules.h"
 
 namespace collision_monitor::test {
@@ -28,5 +29,18 @@ ReadRules readRules(const std::string& yaml, const std::vector<std::string>& pre
 
 /// As above, with one rule for the link "arm_1"; the fields start at line 3.
 ReadRules readFields(const std::string& fields);
+
+/// Rules for pairs read from text, for one such arm.
+struct ReadPairRulesText {
+  RobotModel model;
+  std::vector<PairRule> rules;
+  std::vector<std::string> errors;
+  std::vector<std::string> warnings;
+
+  /// The links of one side of a rule.
+  std::vector<std::string> names(const std::vector<bool>& side) const;
+};
+
+ReadPairRulesText readPairs(const std::string& yaml, IdleRule idle = IdleRule::is_error);
 
 }  // namespace collision_monitor::test

@@ -208,5 +208,40 @@ TEST(SrdfReader, badXml_isAnErrorAlsoWithoutTheRobot) {
   EXPECT_EQ(report.errors[0].where, "test.urdf (SRDF) line 2");
 }
 
+TEST(SrdfReader, spheres_areThoseOfRadiusAboveZero) {
+  const ReadSrdf srdf =
+      read(robotXml("<link_sphere_approximation link='b'><sphere center='1 2 3' radius='0.5'/>"
+                    "<sphere center='0 0 0' radius='0'/></link_sphere_approximation>\n"
+                    "<link_sphere_approximation link='c'><sphere center='0 0 0' radius='0.0'/>"
+                    "</link_sphere_approximation>"));
+  EXPECT_TRUE(srdf.errors.empty());
+  EXPECT_TRUE(srdf.warnings.empty());
+  ASSERT_EQ(srdf.pairs.spheres.size(), 1u);
+  EXPECT_EQ(srdf.model.link(srdf.pairs.spheres[0].link).name, "b");
+  EXPECT_EQ(srdf.pairs.spheres[0].line, 2);
+  ASSERT_EQ(srdf.pairs.spheres[0].spheres.size(), 1u);
+  const PosedShape& sphere = srdf.pairs.spheres[0].spheres[0];
+  EXPECT_EQ(std::get<Sphere>(sphere.shape).radius, 0.5);
+  EXPECT_EQ(sphere.geometry_from_body.translation, Eigen::Vector3d(1, 2, 3));
+}
+
+TEST(SrdfReader, faultySpheres_areAWarningAndNotUsed) {
+  for (const char* sphere :
+       {"<sphere center='1 2' radius='0.5'/>", "<sphere center='1 2 3'/>",
+        "<sphere center='1 2 nan' radius='0.5'/>", "<sphere center='1 2 3' radius='-0.5'/>"}) {
+    const ReadSrdf srdf = read(robotXml("<link_sphere_approximation link='b'>" +
+                                        std::string(sphere) + "</link_sphere_approximation>"));
+    EXPECT_TRUE(srdf.errors.empty());
+    EXPECT_EQ(srdf.warnings.size(), 1u) << sphere;
+    EXPECT_TRUE(srdf.pairs.spheres.empty());
+  }
+}
+
+TEST(SrdfReader, lines_keepTheirNumbers) {
+  const ReadSrdf srdf = read(robotXml("\n<disable_collisions link1='a' link2='c'/>"));
+  EXPECT_EQ(srdf.pairs.disabled.at(0).line, 3);
+  EXPECT_EQ(srdf.pairs.source, "test.srdf");
+}
+
 }  // namespace
 }  // namespace collision_monitor

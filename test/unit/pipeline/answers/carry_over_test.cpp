@@ -54,5 +54,30 @@ TEST(CarryOver, clearPairThatIsNotCheckedAnyMore_isNoLoss) {
   EXPECT_EQ(carryOver(from, reported, to, memory), std::vector<LinkPairIndex>{1});
 }
 
+TEST(CarryOver, sameLinks_keepVerdictsPosesAndSpeed) {
+  const CycleSetup all = handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}, {2, Sphere{0.1}}});
+  const CycleSetup few = withPairs(all, {true, false, true});
+  PairMemory reported = makeBuffers(all, BroadPhaseKind::brute_force).memory;
+  reported.reported = {Verdict::contact, Verdict::warning, Verdict::unknown};
+  reported.contact_detail[0] = Detail::geometries;
+  reported.speed.scale = 0.25;
+  reported.last.stamp_ns = 7;
+  reported.last.known = {1, 0, 1};
+  PairMemory memory = makeBuffers(few, BroadPhaseKind::brute_force).memory;
+  std::vector<LinkPairIndex> dropped;
+  carryOverSameLinks(all, reported, few, memory, dropped);
+  EXPECT_EQ(dropped, std::vector<LinkPairIndex>{1});
+  EXPECT_EQ(memory.reported, (std::vector<Verdict>{Verdict::contact, Verdict::unknown}));
+  EXPECT_EQ(memory.contact_detail[0], Detail::geometries);
+  EXPECT_EQ(memory.speed.scale, 0.25);
+  EXPECT_EQ(memory.last.stamp_ns, 7);
+  EXPECT_EQ(memory.last.known, reported.last.known);
+  PairMemory again = makeBuffers(all, BroadPhaseKind::brute_force).memory;
+  carryOverSameLinks(few, memory, all, again, dropped);
+  EXPECT_TRUE(dropped.empty());
+  EXPECT_EQ(again.reported,
+            (std::vector<Verdict>{Verdict::contact, Verdict::clear, Verdict::unknown}));
+}
+
 }  // namespace
 }  // namespace collision_monitor::test

@@ -97,5 +97,15 @@ TEST_F(ScaleSpeedOfThree, everyPairIsLookedAt) {
   EXPECT_NEAR(buffers_.events.time_to_contact, 0.15, 1e-12);
 }
 
+TEST_F(ScaleSpeedOfThree, stopDistanceBeyondReportDistance_holdsForPairsThatAreNotTheClosest) {
+  setup_.ahead.stop.stop_distance = 0.4;
+  buffers_ = makeBuffers(setup_, BroadPhaseKind::brute_force);
+  poses_.world_from_link[1].translation.x() = 0.3;  // rests, 0.1 m away
+  poses_.world_from_link[2].translation.y() = 0.5;  // closes, 0.3 m away
+  poses_.velocities.of_link[2].linear.y() = -0.01;
+  runCycle(setup_, poses_, buffers_);
+  EXPECT_EQ(scale(), 0.0);
+}
+
 }  // namespace
 }  // namespace collision_monitor::test

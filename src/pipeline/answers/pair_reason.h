@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision_monitor/pipeline/setup.h"
+
+/// Why a pair is checked or not, and by which limits.
+namespace collision_monitor {
+
+/// The place in setup.link_pairs; its size if one of the links has no shapes or both are the same.
+std::size_t findLinkPair(const CycleSetup& setup, LinkId a, LinkId b) noexcept;
+
+/// "ignored: a rule for pairs (rules.yaml line 3, rule 2)"; names lines of SRDFs too.
+std::string reasonOf(const CycleSetup& setup, const LinkPair& pair);
+
+/// Where the rule stands that sets each limit of a pair, by kLimitFields; empty: a common limit.
+std::vector<std::string> limitPlaces(const CycleSetup& setup, const LinkPair& pair);
+
+/// The limits of a pair, whether it is checked or not.
+const Limits& limitsOf(const CycleSetup& setup, const LinkPair& pair) noexcept;
+
+}  // namespace collision_monitor

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/nearest_seen.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace collision_monitor {
+namespace {
+
+/// Positions take at most 8 MB; the pairs that come first keep theirs.
+constexpr std::size_t kMostNumbers = 1'000'000;
+
+std::size_t placesFor(const CycleSetup& setup) {
+  const std::size_t variables = std::max<std::size_t>(1, setup.model.variable_count);
+  return std::min(setup.checked.size(), kMostNumbers / variables);
+}
+
+/// The least distance of a pair in a cycle, on the way there too; infinity if none was measured.
+double leastOf(const CycleBuffers& buffers, LinkPairIndex pair) noexcept {
+  const std::uint32_t closest = buffers.events.closest[pair];
+  const std::uint32_t passed = buffers.events.passed[pair];
+  double least = std::numeric_limits<double>::infinity();
+  if (closest != kNone) {
+    least = buffers.distances.pairs[closest].measured.distance;
+  }
+  if (passed != kNone) {
+    least = std::min(least, buffers.distances.passed[passed].distance.measured.distance);
+  }
+  return least;
+}
+
+bool isOne(const Joint& joint) noexcept {
+  return !joint.mimic &&
+         (joint.type == JointType::revolute || joint.type == JointType::continuous ||
+          joint.type == JointType::prismatic);
+}
+
+}  // namespace
+
+NearestSeen::NearestSeen(const CycleSetup& setup)
+    : records_(setup.checked.size()),
+      positions_(placesFor(setup) * setup.model.variable_count),
+      variables_(setup.model.variable_count),
+      newest_(makeNewestState(setup.model)),
+      now_(variables_, kUnknown) {}
+
+void NearestSeen::add(const CycleSetup& setup, const LinkPoses& poses, const JointReader& joints,
+                      const CycleBuffers& buffers) noexcept {
+  bool has_positions = false;
+  for (LinkPairIndex i = 0; i < records_.size(); ++i) {
+    const double least = leastOf(buffers, i);
+    Record& record = records_[i];
+    if (!(least < record.distance) || buffers.events.verdicts[i] == Verdict::unknown) {
+      continue;
+    }
+    record.distance = least;
+    record.stamp_ns = poses.stamp_ns;
+    record.place = record.place == kNone ? takePlace() : record.place;
+    if (record.place != kNone) {
+      if (!has_positions) {
+        readPositions(setup, poses, joints);
+        has_positions = true;
+      }
+      std::copy(now_.begin(), now_.end(),
+                positions_.begin() + static_cast<std::ptrdiff_t>(record.place * variables_));
+    }
+  }
+}
+
+void NearestSeen::readPositions(const CycleSetup& setup, const LinkPoses& poses,
+                                const JointReader& joints) noexcept {
+  newest_.poses.world_from_link = poses.world_from_link;
+  newest_.poses.status = poses.status;
+  newest_.poses.part = poses.part;
+  std::fill(now_.begin(), now_.end(), kUnknown);
+  for (std::size_t i = 0; i < setup.model.joints.size(); ++i) {
+    const Joint& joint = setup.model.joints[i];
+    if (isOne(joint)) {
+      const double told = joints.newest(joint.first_variable).position;
+      const double target = std::isfinite(told) ? told : 0.0;
+      now_[joint.first_variable] =
+          newestPosition(setup.model, newest_, idAt<JointId>(i), target).value_or(told);
+    }
+  }
+}
+
+std::uint32_t NearestSeen::takePlace() noexcept {
+  const bool has_room = (places_taken_ + 1) * variables_ <= positions_.size();
+  return has_room ? places_taken_++ : kNone;
+}
+
+void NearestSeen::inherit(const CycleSetup& from, const NearestSeen& former,
+                          const CycleSetup& to) noexcept {
+  LinkPairIndex place = 0;
+  for (LinkPairIndex i = 0; i < from.checked.size(); ++i) {
+    const auto key = std::tie(from.checked[i].a, from.checked[i].b);
+    while (place < to.checked.size() && std::tie(to.checked[place].a, to.checked[place].b) < key) {
+      ++place;
+    }
+    if (place == to.checked.size() || std::tie(to.checked[place].a, to.checked[place].b) != key) {
+      continue;
+    }
+    Record& record = records_[place] = former.records_[i];
+    if (record.place != kNone) {
+      const auto first =
+          former.positions_.begin() + static_cast<std::ptrdiff_t>(record.place * variables_);
+      record.place = takePlace();
+      if (record.place != kNone) {
+        std::copy_n(first, variables_,
+                    positions_.begin() + static_cast<std::ptrdiff_t>(record.place * variables_));
+      }
+    }
+  }
+}
+
+JointPositions NearestSeen::positionsOf(LinkPairIndex pair) const {
+  if (records_[pair].place == kNone) {
+    return {};
+  }
+  const auto first =
+      positions_.begin() + static_cast<std::ptrdiff_t>(records_[pair].place * variables_);
+  return {first, first + static_cast<std::ptrdiff_t>(variables_)};
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "pipeline/cycle/cycle_buffers.h"
+#include "ros_edge/poses/joint_reader.h"
+#include "ros_edge/poses/newest_state.h"
+
+namespace collision_monitor {
+
+/// How near checked links have been. For the cycle's thread.
+class NearestSeen {
+ public:
+  struct Record {
+    double distance{std::numeric_limits<double>::infinity()};  ///< [m] infinity: never measured
+    std::int64_t stamp_ns{0};
+    std::uint32_t place{kNone};  ///< of its positions, or kNone: not kept
+  };
+
+  explicit NearestSeen(const CycleSetup& setup);
+
+  /// Keeps the distances of a cycle that are the least so far, and the positions of joints then.
+  /// Positions follow from the poses; joint states tell whole turns.
+  void add(const CycleSetup& setup, const LinkPoses& poses, const JointReader& joints,
+           const CycleBuffers& buffers) noexcept;
+
+  /// Takes over what another one has of pairs that both check.
+  /// @pre both set-ups have the same links
+  void inherit(const CycleSetup& from, const NearestSeen& former, const CycleSetup& to) noexcept;
+
+  const Record& of(LinkPairIndex pair) const noexcept { return records_[pair]; }
+  /// By variable, NaN where not known; empty if they were not kept.
+  JointPositions positionsOf(LinkPairIndex pair) const;
+
+ private:
+  void readPositions(const CycleSetup& setup, const LinkPoses& poses,
+                     const JointReader& joints) noexcept;
+  std::uint32_t takePlace() noexcept;
+
+  std::vector<Record> records_;  ///< by LinkPairIndex
+  JointPositions positions_;     ///< by place, then by variable
+  std::size_t variables_;
+  std::uint32_t places_taken_{0};
+  NewestState newest_;  ///< scratch: the poses of a cycle, and no joint states
+  JointPositions now_;  ///< scratch, by variable
+};
+
+}  // namespace collision_monitor

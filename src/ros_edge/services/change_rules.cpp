@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/services/change_rules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "model/nearest_name.h"
+#include "model/number_text.h"
+#include "model/place.h"
+#include "ros_edge/outputs/pair_counts.h"
+#include "ros_edge/outputs/sentences.h"
+
+namespace collision_monitor {
+namespace {
+
+constexpr double kLongestRules = 86400.0;  // [s]
+
+/// Rules, and when each ends.
+struct TimedRules {
+  std::vector<PairRule> rules;
+  std::vector<RuleEnd> ends;
+
+  void add(const PairRule& rule, RuleEnd end) {
+    rules.push_back(rule);
+    rules.back().ends = end != kLasts;
+    ends.push_back(end);
+  }
+};
+
+template <class IsKept>
+TimedRules keepRules(const MonitorSetup& current, const IsKept& is_kept) {
+  TimedRules kept;
+  for (std::size_t i = 0; i < current.rule_ends.size(); ++i) {
+    if (is_kept(current.rule_ends[i])) {
+      kept.add(current.setup.pair_rules[i], current.rule_ends[i]);
+    }
+  }
+  return kept;
+}
+
+/// Checks the set-ups that will follow as rules end: an end must not fail.
+void checkEnds(const MonitorSetup& current, const Limits& limits, const TimedRules& rules,
+               SetupReport& report) {
+  const std::set<RuleEnd> ends(rules.ends.begin(), rules.ends.end());
+  for (const RuleEnd end : ends) {
+    TimedRules left;
+    for (std::size_t i = 0; i < rules.rules.size(); ++i) {
+      if (rules.ends[i] > end) {
+        left.add(rules.rules[i], rules.ends[i]);
+      }
+    }
+    if (end != kLasts) {
+      checkPairRules(current.setup, limits, left.rules, report);
+    }
+  }
+}
+
+/// @throws SetupError
+std::shared_ptr<MonitorSetup> makeChanged(const MonitorSetup& current, const Limits& limits,
+                                          const TimedRules& rules, SetupReport& report) {
+  checkEnds(current, limits, rules, report);
+  throwIfErrors(report);
+  return std::make_shared<MonitorSetup>(
+      MonitorSetup{current.parameters, withPairRules(current.setup, limits, rules.rules, report),
+                   current.world_frame, current.descriptions, rules.ends, current.later_warnings});
+}
+
+std::string textOf(const std::vector<Problem>& problems) {
+  std::vector<std::string> texts;
+  for (const Problem& problem : problems) {
+    const std::string text = toString(problem);
+    if (std::find(texts.begin(), texts.end(), text) == texts.end()) {
+      texts.push_back(text);
+    }
+  }
+  return join(texts);
+}
+
+std::string refusalOf(const std::vector<Problem>& problems) {
+  return "nothing was changed: " + textOf(problems);
+}
+
+/// The rules of a request after those that stay.
+/// @param duration [s] checked
+TimedRules mergeRules(const MonitorSetup& current, RuleEnd now, std::size_t number,
+                      const SetPairs::Request& request, SetupReport& report) {
+  const bool ends = request.duration > 0.0;
+  const bool replaces = request.action == SetPairs::Request::REPLACE;
+  TimedRules merged = keepRules(
+      current, [&](RuleEnd end) { return end > now && (!replaces || (ends && end == kLasts)); });
+  const PairRulesText text{"set_pairs request " + std::to_string(number), request.rules};
+  const RuleEnd end = ends ? now + std::chrono::duration_cast<RuleEnd::duration>(
+                                       std::chrono::duration<double>(request.duration))
+                           : kLasts;
+  for (const PairRule& rule : readPairRules(text, current.setup.model, current.setup.srdfs,
+                                            IdleRule::is_warning, report)) {
+    merged.add(rule, end);
+  }
+  return merged;
+}
+
+void checkRequest(const SetPairs::Request& request, SetupReport& report) {
+  if (request.action > SetPairs::Request::APPEND) {
+    report.errors.push_back(
+        {"action", std::to_string(request.action), "REPLACE (0) or APPEND (1)"});
+  }
+  if (!(request.duration >= 0.0 && request.duration <= kLongestRules)) {
+    report.errors.push_back({"duration", shortText(request.duration) + " s",
+                             "from 0 s to " + shortText(kLongestRules) + " s"});
+  }
+}
+
+/// "1 rule", "2 rules"
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string changedText(const MonitorSetup& changed, double duration) {
+  const PairCounts counts = countPairs(changed.setup.link_pairs);
+  return counted(changed.setup.pair_rules.size(), "rule") +
+         "; checked: " + counted(changed.setup.checked.size(), "pair") + " of links" +
+         notCheckedText(counts) +
+         (duration > 0.0 ? "; these rules end in " + shortText(duration) + " s" : "");
+}
+
+/// The place of a limit in kLimitFields; its end if there is none.
+std::size_t fieldNamed(const std::string& name) {
+  const auto field = std::find_if(kLimitFields.begin(), kLimitFields.end(),
+                                  [&](const LimitField& one) { return name == one.name; });
+  return static_cast<std::size_t>(field - kLimitFields.begin());
+}
+
+LimitChanges readChanges(const SetLimits::Request& request, SetupReport& report) {
+  LimitChanges changes{};
+  std::vector<std::string> known;
+  for (const LimitField& field : kLimitFields) {
+    known.emplace_back(field.name);
+  }
+  if (request.names.empty() || request.names.size() != request.values.size()) {
+    report.errors.push_back({"names",
+                             std::to_string(request.names.size()) + " names and " +
+                                 std::to_string(request.values.size()) + " values",
+                             "one value for each name, and one name at least"});
+    return changes;
+  }
+  for (std::size_t i = 0; i < request.names.size(); ++i) {
+    const std::string& name = request.names[i];
+    const std::size_t place = fieldNamed(name);
+    if (place == kLimitFields.size()) {
+      report.errors.push_back(
+          {"names", quoted(name) + ", which is no limit" + suggestion(name, known), joined(known)});
+      continue;
+    }
+    const LimitField& field = kLimitFields[place];
+    if (changes[place]) {
+      report.errors.push_back({name, "a second time", "each limit once"});
+    } else if (!(request.values[i] >= field.least && request.values[i] <= field.greatest)) {
+      report.errors.push_back({name, shortText(request.values[i]) + field.unit,
+                               "from " + shortText(field.least) + field.unit + " to " +
+                                   shortText(field.greatest) + field.unit});
+    }
+    changes[place] = request.values[i];
+  }
+  return changes;
+}
+
+}  // namespace
+
+NextSetup answerSetPairs(const MonitorSetup& current, RuleEnd now, std::size_t number,
+                         const SetPairs::Request& request, SetPairs::Response& response) {
+  response.success = 0;
+  SetupReport report;
+  try {
+    checkRequest(request, report);
+    throwIfErrors(report);
+    const TimedRules merged = mergeRules(current, now, number, request, report);
+    throwIfErrors(report);
+    std::shared_ptr<MonitorSetup> changed =
+        makeChanged(current, current.setup.limits, merged, report);
+    response.success = 1;
+    response.message = changedText(*changed, request.duration) +
+                       (report.warnings.empty() ? "" : "; " + textOf(report.warnings));
+    response.pairs_checked = static_cast<std::uint32_t>(changed->setup.checked.size());
+    response.pairs_muted = static_cast<std::uint32_t>(
+        countOf(PairReason::muted, countPairs(changed->setup.link_pairs)));
+    return changed;
+  } catch (const SetupError& error) {
+    response.message = refusalOf(error.problems());
+  } catch (const std::exception& error) {
+    response.message = "nothing was changed: " + failureText(error);
+  }
+  return nullptr;
+}
+
+NextSetup answerSetLimits(const MonitorSetup& current, const SetLimits::Request& request,
+                          SetLimits::Response& response) {
+  response.success = 0;
+  SetupReport report;
+  try {
+    const LimitChanges changes = readChanges(request, report);
+    throwIfErrors(report);
+    Limits limits = current.setup.limits;
+    change(changes, limits);
+    const TimedRules rules = keepRules(current, [](RuleEnd) { return true; });
+    std::shared_ptr<MonitorSetup> changed = makeChanged(current, limits, rules, report);
+    response.success = 1;
+    for (const LimitField& field : kLimitFields) {
+      response.message += (response.message.empty() ? "" : ", ") + std::string(field.name) + " " +
+                          shortText(limits.*field.value) + field.unit;
+    }
+    return changed;
+  } catch (const SetupError& error) {
+    response.message = refusalOf(error.problems());
+  } catch (const std::exception& error) {
+    response.message = "nothing was changed: " + failureText(error);
+  }
+  return nullptr;
+}
+
+NextSetup withoutEnded(const MonitorSetup& current, RuleEnd now) {
+  if (nextEndOf(current) > now) {
+    return nullptr;
+  }
+  SetupReport ignored;
+  const TimedRules left = keepRules(current, [&](RuleEnd end) { return end > now; });
+  return makeChanged(current, current.setup.limits, left, ignored);
+}
+
+RuleEnd nextEndOf(const MonitorSetup& current) {
+  const auto next = std::min_element(current.rule_ends.begin(), current.rule_ends.end());
+  return next == current.rule_ends.end() ? kLasts : *next;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The collision_monitor authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program `explain` as its users run it. COLLISION_MONITOR_EXPLAIN names it; ctest sets that.
+
+urdf/two_boxes.urdf gives the distance by hand: 0.1 m + slide, between two boxes.
+"""
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ.get("COLLISION_MONITOR_EXPLAIN")
+
+
+def explain(*arguments):
+    environment = dict(os.environ, ROS_MASTER_URI="http://127.0.0.1:1")  # nobody there
+    return subprocess.run([PROGRAM, ROOT / "urdf/two_boxes.urdf", *map(str, arguments), "--no-cache"],
+                          capture_output=True, text=True, timeout=300, check=False, env=environment)
+
+
+@unittest.skipUnless(PROGRAM, "COLLISION_MONITOR_EXPLAIN names no program")
+class Explain(unittest.TestCase):
+    def file(self, name, text):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        path = pathlib.Path(folder.name) / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def test_pair_withoutRules(self):
+        result = explain("box_b", "box_a", "--joint", "slide=0.2")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("box_a and box_b are checked: no rule says otherwise", result.stdout)
+        self.assertRegex(result.stdout, r"distance  (0\.3|0\.30000\d*|0\.29999\d*) m, exact; between ")
+        self.assertRegex(result.stdout, r"warning_distance +0\.05 m\n")
+
+    def test_rule_isNamedWithItsPlace(self):
+        rules = self.file("rules.yaml", "pair_rules:\n- {a: box_a, b: '*', check: false, hysteresis: 0.01}\n")
+        result = explain("box_a", "box_b", "--pair-rules", rules)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn(f"ignored: a rule for pairs ({rules} line 2, rule 1)", result.stdout)
+        self.assertRegex(result.stdout, r"hysteresis +0\.01 m  \(.*line 2, rule 1\)")
+        self.assertIn("distance  ", result.stdout)
+
+    def test_lineOfAnSrdf_isNamed(self):
+        srdf = self.file("robot.srdf", "<robot name='two_boxes'>\n"
+                         "<disable_collisions link1='box_b' link2='box_a' reason='Never'/>\n</robot>\n")
+        result = explain("box_a", "box_b", "--srdf", srdf)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn(f"ignored: a line of the SRDF ({srdf} line 2, Never)", result.stdout)
+
+    def test_faults_areNamed(self):
+        result = explain("box_a", "box_c", "--joint", "slide=x", "--joint", "nothing=1")
+        self.assertEqual(result.returncode, 1)
+        for text in ("box_c", "slide=x", "nothing=1"):
+            self.assertIn(text, result.stderr)
+        self.assertEqual(explain("box_a").returncode, 2)
+        self.assertEqual(explain("box_a", "box_a").returncode, 1)
+        rules = self.file("rules.yaml", "- {a: box_a, b: box_a, check: false}\n")
+        result = explain("box_a", "box_b", "--pair-rules", rules)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("a rule that selects no pair", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
