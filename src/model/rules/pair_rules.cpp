@@ -151,6 +151,8 @@ const char* reasonText(PairReason reason) noexcept {
       return "ignored: the links overlap in the default pose and there is no SRDF";
     case PairReason::ignored_by_user:
       return "ignored: parameter ignore_pairs";
+    case PairReason::touch_link:
+      return "ignored: an attached object and a link that may touch it";
   }
   return "unknown reason";
 }
