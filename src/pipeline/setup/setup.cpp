@@ -79,7 +79,7 @@ std::vector<SrdfPairs> readSrdfs(const std::vector<RobotDescription>& robots,
 void warnIfNothingChecked(const CycleSetup& setup, SetupReport& report) {
   if (setup.checked.empty()) {
     report.warnings.push_back(
-        {"pairs", "no pair of links is checked", "",
+        {kPairsWarning, "no pair of links is checked", "",
          "the state stays UNKNOWN; the line at start tells why pairs are left "
          "out"});
   }

@@ -10,6 +10,9 @@
 /// The stages of buildSetup, one file each. They fill a CycleSetup in this order.
 namespace collision_monitor {
 
+/// Where the warning is that no pair is checked.
+constexpr const char* kPairsWarning = "pairs";
+
 /// Fills bodies and labels, in order of link, and marks links with given shapes in the model.
 void makeBodies(const std::vector<LinkFit>& fits, CycleSetup& setup);
 

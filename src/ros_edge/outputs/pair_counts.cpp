@@ -6,7 +6,7 @@
 
 namespace collision_monitor {
 
-static_assert(static_cast<std::size_t>(PairReason::ignored_by_user) + 1 ==
+static_assert(static_cast<std::size_t>(PairReason::touch_link) + 1 ==
               std::tuple_size_v<PairCounts>);
 
 PairCounts countPairs(const std::vector<LinkPair>& pairs) {
@@ -33,6 +33,8 @@ const char* whyNotText(PairReason reason) noexcept {
       return "that overlap in the default pose";
     case PairReason::ignored_by_user:
       return "hidden by ignore_pairs";
+    case PairReason::touch_link:
+      return "of attached objects and links that may touch them";
     case PairReason::checked:
     case PairReason::enabled_by_srdf:
       return "checked";

@@ -24,7 +24,7 @@ TEST(CarryOver, pairsOfTheSameLinks_keepWhatWasReportedAndOthersAreDropped) {
   reported.speed.scale = 0.25;
   reported.speed.stamp_ns = 7;
   PairMemory memory = makeBuffers(to, BroadPhaseKind::brute_force).memory;
-  EXPECT_EQ(carryOver(from, reported, to, memory), std::vector<LinkPairIndex>{2});
+  EXPECT_EQ(carryOver(planCarryOver(from, to), reported, memory), std::vector<LinkPairIndex>{2});
   EXPECT_EQ(memory.reported, std::vector<Verdict>{Verdict::contact});
   EXPECT_EQ(memory.contact_detail[0], Detail::geometries);
   EXPECT_EQ(memory.speed.stopped[0], 1);
@@ -38,7 +38,7 @@ TEST(CarryOver, pairThatIsNew_isAsNothingWereReported) {
   PairMemory reported = makeBuffers(from, BroadPhaseKind::brute_force).memory;
   reported.reported = {Verdict::unknown};
   PairMemory memory = makeBuffers(to, BroadPhaseKind::brute_force).memory;
-  EXPECT_TRUE(carryOver(from, reported, to, memory).empty());
+  EXPECT_TRUE(carryOver(planCarryOver(from, to), reported, memory).empty());
   EXPECT_EQ(memory.reported,
             (std::vector<Verdict>{Verdict::unknown, Verdict::clear, Verdict::clear}));
 }
@@ -49,9 +49,9 @@ TEST(CarryOver, clearPairThatIsNotCheckedAnyMore_isNoLoss) {
   ASSERT_TRUE(to.checked.empty());
   PairMemory reported = makeBuffers(from, BroadPhaseKind::brute_force).memory;
   PairMemory memory = makeBuffers(to, BroadPhaseKind::brute_force).memory;
-  EXPECT_TRUE(carryOver(from, reported, to, memory).empty());
+  EXPECT_TRUE(carryOver(planCarryOver(from, to), reported, memory).empty());
   reported.reported[1] = Verdict::unknown;
-  EXPECT_EQ(carryOver(from, reported, to, memory), std::vector<LinkPairIndex>{1});
+  EXPECT_EQ(carryOver(planCarryOver(from, to), reported, memory), std::vector<LinkPairIndex>{1});
 }
 
 }  // namespace
