@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "model/object_links.h"
 #include "ros_edge/numbered_values.h"
 #include "ros_edge/outputs/budget_report.h"
 #include "ros_edge/outputs/pair_counts.h"
@@ -142,7 +143,8 @@ void describeSetup(const MonitorSetup& setup, DiagnosticStatusWrapper& status) {
   } else {
     status.summaryf(DiagnosticStatus::WARN, "%zu warnings", warnings.size());
   }
-  status.add("robots", cycle.model.robots.size());
+  status.add("robots", robotCount(cycle.model));
+  status.add("objects", setup.world.objects.size());
   status.add("shapes", cycle.bodies.size());
   status.add("shapes not proven to enclose",
              std::count_if(cycle.labels.begin(), cycle.labels.end(),

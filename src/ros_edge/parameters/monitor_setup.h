@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "collision_monitor/model/world.h"
 #include "collision_monitor/pipeline/setup.h"
 #include "geometry/interruption.h"
+#include "pipeline/world/prepare_object.h"
 #include "ros_edge/parameters/parameters.h"
 
 namespace collision_monitor {
@@ -36,7 +38,10 @@ class LaterWarnings {
 /// changes.
 struct MonitorSetup {
   Parameters parameters;
-  CycleSetup setup;
+  std::shared_ptr<const CycleSetup> robots;  ///< the set-up without objects
+  World world;
+  PreparedObjects prepared;  ///< of `world`
+  CycleSetup setup;          ///< of the robots and the world
   std::string world_frame;
   std::vector<RobotDescription> descriptions;  ///< it was built from these
   std::shared_ptr<LaterWarnings> later_warnings{std::make_shared<LaterWarnings>()};
@@ -45,13 +50,19 @@ struct MonitorSetup {
 /// The topic of each robot's joint states, by RobotId; "": no topic.
 std::vector<std::string> jointTopics(const MonitorSetup& setup);
 
-/// The tf frames of the links and of the world.
+/// The tf frames of the links, of the objects and of the world.
 std::vector<std::string> frameNames(const MonitorSetup& setup);
 
 /// Reads parameters and descriptions again and builds the set-up. May wait for descriptions.
-/// @throws SetupError with every problem of parameters, URDFs and SRDFs.
+/// @param former keeps its objects, in place of those of the parameters; may be null
+/// @throws SetupError with every problem of parameters, URDFs, SRDFs and objects.
 /// @throws Interrupted if `goes_on` returned false
 std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node,
-                                                     GoesOn goes_on);
+                                                     GoesOn goes_on, const MonitorSetup* former);
+
+/// The same robots with another world.
+/// @throws SetupError if there are more pairs than memory has room for
+/// @throws Interrupted
+std::shared_ptr<const MonitorSetup> changeWorld(const MonitorSetup& former, const World& world);
 
 }  // namespace collision_monitor

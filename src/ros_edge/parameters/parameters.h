@@ -55,6 +55,8 @@ struct Parameters {
   std::string shape_rules;  ///< file or package:// URI, "" for none
   std::string fit_cache;    ///< folder; "": the default; "none": none
   BroadPhaseKind broad_phase{BroadPhaseKind::automatic};
+  std::string world;                 ///< objects in YAML, "" for none
+  std::string world_file;            ///< file or package:// URI with objects, "" for none
   double disable_timeout{60.0};      ///< [s]
   double wait_for_description{5.0};  ///< [s]
 };

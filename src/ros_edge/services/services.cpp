@@ -19,7 +19,12 @@
 namespace collision_monitor {
 
 Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, ServiceHooks hooks)
-    : private_node_(private_node), inputs_(inputs), hooks_(std::move(hooks)) {
+    : private_node_(private_node),
+      inputs_(inputs),
+      hooks_(std::move(hooks)),
+      objects_(private_node, inputs,
+               {hooks_.current_setup, hooks_.replace_world, [this] { return goesOn(); }},
+               changing_) {
   get_distances_ = private_node_.advertiseService("get_distances", &Services::getDistances, this);
   ros::NodeHandle background_node(private_node_);
   background_node.setCallbackQueue(&background_.queue());
@@ -105,16 +110,18 @@ bool Services::setEnabled(std_srvs::SetBool::Request& request,
 
 bool Services::reload(std_srvs::Trigger::Request& /*request*/,
                       std_srvs::Trigger::Response& response) {
-  const std::unique_lock<std::mutex> lock(reload_mutex_, std::try_to_lock);
+  const std::unique_lock<std::mutex> lock(changing_, std::try_to_lock);
   response.success = 0;
   if (!lock.owns_lock()) {
-    response.message = "another reload is running; try again when it is done";
+    response.message = "another reload or change of objects is running; try again when it is done";
     return true;
   }
   try {
-    const std::shared_ptr<const MonitorSetup> made =
-        makeMonitorSetup(private_node_, [this] { return goesOn(); });
+    const std::shared_ptr<const MonitorSetup> former = hooks_.current_setup();
+    const std::shared_ptr<const MonitorSetup> made = makeMonitorSetup(
+        private_node_, [this] { return goesOn(); }, former.get());
     hooks_.replace_setup(made);
+    objects_.publish();
     logSetup(*made);
     response.message = summaryOf(*made);
     response.success = 1;

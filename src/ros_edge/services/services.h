@@ -18,6 +18,7 @@
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/parameters/monitor_setup.h"
 #include "ros_edge/poses/newest_state.h"
+#include "ros_edge/world/object_services.h"
 
 namespace collision_monitor {
 
@@ -25,13 +26,15 @@ namespace collision_monitor {
 struct ServiceHooks {
   std::function<std::shared_ptr<const MonitorSetup>()> current_setup;
   std::function<void(std::shared_ptr<const MonitorSetup>)> replace_setup;
+  /// Watches a set-up that differs in its objects alone.
+  std::function<void(std::shared_ptr<const MonitorSetup>)> replace_world;
   std::function<void(bool)> set_enabled;
   GoesOn goes_on;  ///< whether long calls may continue
 };
 
-/// get_distances, check_trajectory, check_states, set_enabled and reload. They do not touch the
-/// cycle's data. The two checks may take seconds and run in the background; the others run on the
-/// node handle's callback queue.
+/// get_distances, check_trajectory, check_states, set_enabled, reload, and those of objects. They
+/// do not touch the cycle's data. The two checks may take seconds and run in the background; the
+/// others run on the node handle's callback queue.
 class Services {
  public:
   /// @pre the inputs outlive the services.
@@ -52,13 +55,14 @@ class Services {
   ros::NodeHandle private_node_;
   Inputs inputs_;
   ServiceHooks hooks_;
-  std::mutex reload_mutex_;
+  std::mutex changing_;         ///< held while a set-up is replaced
   BackgroundQueue background_;  ///< outlives its services
   ros::ServiceServer get_distances_;
   ros::ServiceServer check_trajectory_;
   ros::ServiceServer check_states_;
   ros::ServiceServer set_enabled_;
   ros::ServiceServer reload_;
+  ObjectServices objects_;
 };
 
 }  // namespace collision_monitor
