@@ -92,7 +92,7 @@ void CycleRunner::takeOverSetup() {
     handOver(*watch_, *next);
   }
   watch_.swap(next);
-  publishers_.startWatch(*watch_);
+  publishers_.startWatch();
   statistics_.startWork(watch_->budget);
   pace_.last_state = SteadyClock::time_point();
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -213,10 +213,6 @@ TEST(WorldLaws, equalWorlds_giveEqualSetUpsHoweverTheyCame) {
   }
   const CycleSetup one = withWorld(robots, world);
   const CycleSetup other = withWorld(robots, test::worldOf(objects, places()));
-  ASSERT_EQ(one.model.links.size(), other.model.links.size());
-  for (std::size_t i = 0; i < one.model.links.size(); ++i) {
-    EXPECT_EQ(one.model.links[i].name, other.model.links[i].name);
-  }
   ASSERT_EQ(one.table.size(), other.table.size());
   for (std::size_t i = 0; i < one.table.size(); ++i) {
     EXPECT_EQ(one.table.pairs()[i].a, other.table.pairs()[i].a);
@@ -232,15 +228,11 @@ struct Crossing {
 };
 
 Crossing crossing() {
-  Crossing scene{test::handMadeSetup([] {
-                   std::vector<test::ShapeOnLink> shapes;
-                   for (std::size_t i = 0; i < kLinks; ++i) {
-                     shapes.push_back({i, Sphere{0.02}});
-                   }
-                   return shapes;
-                 }()),
-                 {},
-                 {}};
+  std::vector<test::ShapeOnLink> shapes;
+  for (std::size_t i = 0; i < kLinks; ++i) {
+    shapes.push_back({i, Sphere{0.02}});
+  }
+  Crossing scene{test::handMadeSetup(shapes), {}, {}};
   scene.robots.is_continuous = true;
   scene.before = test::knownPoses(scene.robots);
   for (std::size_t i = 0; i < kLinks; ++i) {
