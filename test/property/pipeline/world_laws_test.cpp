@@ -15,7 +15,6 @@
 #include "support/robots/hand_made_setup.h"
 #include "support/robots/world_objects.h"
 
-/// A change of the world between two cycles.
 namespace collision_monitor::world_laws {
 namespace {
 
