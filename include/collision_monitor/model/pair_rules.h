@@ -19,7 +19,7 @@ enum class PairReason : unsigned char {
   disabled_by_srdf,  ///< ignored: a disable_collisions or disable_default_collisions line
   default_overlap,   ///< ignored: the links touch in the default pose and there is no SRDF
   ignored_by_user,   ///< ignored: the parameter ignore_pairs names it
-  touch_link,        ///< ignored: an attached object and a link that may touch it
+  touch_link,        ///< ignored: an object and a link that may touch it
 };
 
 const char* reasonText(PairReason reason) noexcept;

@@ -61,7 +61,7 @@ struct WorldObject {
   std::string group;    ///< for rules about pairs; may be empty
   ObjectColour colour{0.6F, 0.6F, 0.6F, 1.0F};
   bool is_attached{false};  ///< moves with the link `frame`
-  /// Links that an attached object may touch, beside its own link and those rigidly joined to it.
+  /// Links that may touch it, beside those that an attached object is rigidly joined to.
   std::vector<std::string> touch_links;
   std::string where;  ///< where the user wrote it, for messages: "cell.yaml line 12"; may be empty
 };

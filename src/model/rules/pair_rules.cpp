@@ -152,7 +152,7 @@ const char* reasonText(PairReason reason) noexcept {
     case PairReason::ignored_by_user:
       return "ignored: parameter ignore_pairs";
     case PairReason::touch_link:
-      return "ignored: an attached object and a link that may touch it";
+      return "ignored: an object and a link that may touch it";
   }
   return "unknown reason";
 }

@@ -146,10 +146,6 @@ class ChangeMaker {
     for (const std::string& link : object.touch_links) {
       checkLink(link, "touch link");
     }
-    if (!object.is_attached && !object.touch_links.empty()) {
-      refuse("touch links of an object that is not attached",
-             "touch links of attached objects only");
-    }
   }
 
   const WorldObject* find(const std::string& name) {

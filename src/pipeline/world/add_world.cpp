@@ -179,10 +179,7 @@ class PairAdder {
  private:
   PairReason reasonFor(LinkId link, std::size_t k) const {
     const ObjectLink& object = objects_[k];
-    if (!object.object->is_attached) {
-      return PairReason::checked;
-    }
-    if (group_of_[index(link)] == group_of_[index(object.link)]) {
+    if (object.object->is_attached && group_of_[index(link)] == group_of_[index(object.link)]) {
       return PairReason::same_rigid_group;
     }
     return touch_links_[k].count(model_.link(link).name) != 0 ? PairReason::touch_link

@@ -24,8 +24,8 @@ struct WorldOptions {
 /// Links, bodies, elements and pairs of links of the robots keep their order, and ids of links,
 /// bodies and elements stay the same. Equal worlds give equal set-ups.
 ///
-/// Pairs: every object with every link that has shapes, except an attached object with its link,
-/// the links rigidly joined to it, and its touch links. An attached object with every other object,
+/// Pairs: every object with every link that has shapes, except its touch links, and of an attached
+/// object its link and the links rigidly joined to it. An attached object with every other object,
 /// except those that move with it. Two objects that are not attached never.
 ///
 /// Errors: more pairs than memory has room for.

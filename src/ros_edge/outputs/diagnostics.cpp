@@ -149,9 +149,11 @@ void describeSetup(const MonitorSetup& setup, DiagnosticStatusWrapper& status) {
   status.add("shapes not proven to enclose",
              std::count_if(cycle.labels.begin(), cycle.labels.end(),
                            [](const BodyLabel& label) { return !label.is_proven; }));
-  status.add("links without shapes",
-             std::count_if(cycle.model.links.begin(), cycle.model.links.end(),
-                           [](const Link& link) { return !hasShapes(link); }));
+  status.add(
+      "links without shapes",
+      std::count_if(cycle.model.links.begin(), cycle.model.links.end(), [&](const Link& link) {
+        return !hasShapes(link) && !cycle.model.robots[index(link.robot)].is_world;
+      }));
   status.add("checked pairs of links", cycle.checked.size());
   const PairCounts counts = countPairs(cycle.link_pairs);
   for (const PairReason reason : kReasonsNotToCheck) {

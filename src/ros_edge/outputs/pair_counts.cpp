@@ -34,7 +34,7 @@ const char* whyNotText(PairReason reason) noexcept {
     case PairReason::ignored_by_user:
       return "hidden by ignore_pairs";
     case PairReason::touch_link:
-      return "of attached objects and links that may touch them";
+      return "of objects and links that may touch them";
     case PairReason::checked:
     case PairReason::enabled_by_srdf:
       return "checked";

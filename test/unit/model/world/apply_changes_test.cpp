@@ -155,21 +155,16 @@ TEST(ApplyChanges, misusedChanges_areNamed) {
       (Texts{"change 1 (clear): a list of objects; accepted: none: clear removes all; remove takes "
              "names",
              "change 2 (add): no objects; accepted: at least one"}));
-  WorldObject free = objectOf("free", kBox);
-  free.touch_links = {"hand"};
   EXPECT_EQ(faultsOf(world, {{ChangeKind::detach, {named("table")}, true},
                              {ChangeKind::move, {named("tool", "map")}, true},
-                             {ChangeKind::attach, {named("table", "hand")}, false},
-                             {ChangeKind::add, {free}, true}}),
+                             {ChangeKind::attach, {named("table", "hand")}, false}}),
             (Texts{"change 1 (detach), object 'table': an object that is not attached; accepted: "
                    "an attached object; move places others",
                    "change 2 (move), object 'tool': frame 'map' for an object attached to link "
                    "'hand'; accepted: no frame, for a pose in that link; detach sets the object "
                    "free",
                    "change 3 (attach), object 'table': the pose of 'map' in 'hand' is not known "
-                   "now; accepted: frames that tf joins with fresh data, or attach with a pose",
-                   "change 4 (add), object 'free': touch links of an object that is not attached; "
-                   "accepted: touch links of attached objects only"}));
+                   "now; accepted: frames that tf joins with fresh data, or attach with a pose"}));
 }
 
 TEST(ApplyChanges, aMillionObjects_areRefusedWithOneFault) {

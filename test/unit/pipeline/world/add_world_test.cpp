@@ -95,6 +95,12 @@ TEST(AddWorld, anObject_isCheckedAgainstAllLinksAndNoObject) {
   EXPECT_EQ(pairsOf(setup, "table"), (Names{"base", "arm", "hand", "finger"}));
 }
 
+TEST(AddWorld, anObject_mayTouchItsTouchLinks) {
+  WorldObject floor = objectOf("floor", Plane());
+  floor.touch_links = {"base", "finger"};
+  EXPECT_EQ(pairsOf(withWorld(armSetup(), worldOf({floor})), "floor"), (Names{"arm", "hand"}));
+}
+
 TEST(AddWorld, anObjectInALinksFrame_movesWithItAndIsCheckedAgainstIt) {
   WorldObject lamp = objectOf("lamp", kBox);
   lamp.frame = "flange";
