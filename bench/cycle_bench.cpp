@@ -157,8 +157,8 @@ struct Depths {
     }
     for (const PairDistance& found : buffers.distances.pairs) {
       const ElementPair& pair = setup.element_pairs[setup.element_pair_of[index(found.pair)]];
-      const std::optional<MeshTree>& a = setup.elements[index(pair.a)].mesh;
-      const std::optional<MeshTree>& b = setup.elements[index(pair.b)].mesh;
+      const std::shared_ptr<const MeshTree>& a = setup.elements[index(pair.a)].mesh;
+      const std::shared_ptr<const MeshTree>& b = setup.elements[index(pair.b)].mesh;
       if (found.quality == Quality::estimate && a && b) {
         const std::vector<Pose>& poses = buffers.body_poses.world_from_element;
         add(-found.measured.distance, {*a, poses[index(pair.a)]}, {*b, poses[index(pair.b)]});

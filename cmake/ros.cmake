@@ -38,6 +38,7 @@ set(ros_packages
   roscpp
   rospack
   sensor_msgs
+  shape_msgs
   std_msgs
   std_srvs
   tf2
@@ -56,16 +57,21 @@ add_message_files(FILES
   LinkDistance.msg
   State.msg
   PairWarning.msg
+  SceneChange.msg
+  SceneObject.msg
+  SceneObjects.msg
 )
 add_service_files(FILES
+  ApplyObjects.srv
   CheckStates.srv
   CheckTrajectory.srv
   ExplainPair.srv
   GetDistances.srv
+  GetObjects.srv
   SetLimits.srv
   SetPairs.srv
 )
-generate_messages(DEPENDENCIES geometry_msgs sensor_msgs std_msgs trajectory_msgs)
+generate_messages(DEPENDENCIES geometry_msgs sensor_msgs shape_msgs std_msgs trajectory_msgs)
 
 catkin_package(
   INCLUDE_DIRS include

@@ -40,7 +40,7 @@ debian_ros_packages=(
   libnodelet-dev libnodeletlib-dev libnodeletlib-tools python3-nodelet ros-robot-state-publisher
   python3-diagnostic-msgs python3-geometry-msgs python3-rosgraph-msgs python3-sensor-msgs
   python3-std-msgs python3-std-srvs python3-tf2-msgs python3-trajectory-msgs
-  python3-visualization-msgs libtrajectory-msgs-dev
+  python3-shape-msgs python3-visualization-msgs libshape-msgs-dev libtrajectory-msgs-dev
 )
 
 has_ros_noetic() { [[ "${ROS_DISTRO:-}" == noetic && -d /opt/ros/noetic ]]; }

@@ -49,6 +49,7 @@ MAY_INCLUDE_WITHIN = {
         "urdf": {"urdf", "mesh_loading", "mesh_files"},
         "srdf": {"srdf"},
         "rules": {"rules"},
+        "world": {"world", "rules", "mesh_loading", "mesh_files"},
         "kinematics": {"kinematics"},
         "second_reader": {"second_reader"},
     },
@@ -70,7 +71,7 @@ MAY_INCLUDE_WITHIN = {
 # Headers that only the named rooms may include; all other third-party headers are free.
 RESERVED = {
     re.compile(r"^(ros|tf2|tf2_ros|nodelet|pluginlib|diagnostic_\w+|resource_retriever)/"): {"ros_edge"},
-    re.compile(r"^(geometry|sensor|std|trajectory|visualization)_(msgs|srvs)/"): {"ros_edge"},
+    re.compile(r"^(geometry|sensor|shape|std|trajectory|visualization)_(msgs|srvs)/"): {"ros_edge"},
     re.compile(r"^assimp/"): {"model"},
     re.compile(r"^tinyxml2\.h$"): {"model"},
     re.compile(r"^yaml-cpp/"): {"model"},

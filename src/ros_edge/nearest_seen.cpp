@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace collision_monitor {
 namespace {
@@ -15,20 +14,6 @@ constexpr std::size_t kMostNumbers = 1'000'000;
 std::size_t placesFor(const CycleSetup& setup) {
   const std::size_t variables = std::max<std::size_t>(1, setup.model.variable_count);
   return std::min(setup.checked.size(), kMostNumbers / variables);
-}
-
-/// The least distance of a pair in a cycle, on the way there too; infinity if none was measured.
-double leastOf(const CycleBuffers& buffers, LinkPairIndex pair) noexcept {
-  const std::uint32_t closest = buffers.events.closest[pair];
-  const std::uint32_t passed = buffers.events.passed[pair];
-  double least = std::numeric_limits<double>::infinity();
-  if (closest != kNone) {
-    least = buffers.distances.pairs[closest].measured.distance;
-  }
-  if (passed != kNone) {
-    least = std::min(least, buffers.distances.passed[passed].distance.measured.distance);
-  }
-  return least;
 }
 
 bool isOne(const Joint& joint) noexcept {
@@ -49,13 +34,14 @@ NearestSeen::NearestSeen(const CycleSetup& setup)
 void NearestSeen::add(const CycleSetup& setup, const LinkPoses& poses, const JointReader& joints,
                       const CycleBuffers& buffers) noexcept {
   bool has_positions = false;
-  for (LinkPairIndex i = 0; i < records_.size(); ++i) {
-    const double least = leastOf(buffers, i);
-    Record& record = records_[i];
-    if (!(least < record.distance) || buffers.events.verdicts[i] == Verdict::unknown) {
-      continue;
+  const auto look = [&](const PairDistance& measured) {
+    const LinkPairIndex pair = setup.link_pair_of[index(measured.pair)];
+    Record& record = records_[pair];
+    if (!(measured.measured.distance < record.distance) ||
+        buffers.events.verdicts[pair] == Verdict::unknown) {
+      return;
     }
-    record.distance = least;
+    record.distance = measured.measured.distance;
     record.stamp_ns = poses.stamp_ns;
     record.place = record.place == kNone ? takePlace() : record.place;
     if (record.place != kNone) {
@@ -66,6 +52,14 @@ void NearestSeen::add(const CycleSetup& setup, const LinkPoses& poses, const Joi
       std::copy(now_.begin(), now_.end(),
                 positions_.begin() + static_cast<std::ptrdiff_t>(record.place * variables_));
     }
+  };
+  for (const std::uint32_t closest : buffers.events.closest) {
+    if (closest != kNone) {
+      look(buffers.distances.pairs[closest]);
+    }
+  }
+  for (const PassedContact& passed : buffers.distances.passed) {
+    look(passed.distance);
   }
 }
 
@@ -91,19 +85,15 @@ std::uint32_t NearestSeen::takePlace() noexcept {
   return has_room ? places_taken_++ : kNone;
 }
 
-void NearestSeen::inherit(const CycleSetup& from, const NearestSeen& former,
-                          const CycleSetup& to) noexcept {
-  LinkPairIndex place = 0;
-  for (LinkPairIndex i = 0; i < from.checked.size(); ++i) {
-    const auto key = std::tie(from.checked[i].a, from.checked[i].b);
-    while (place < to.checked.size() && std::tie(to.checked[place].a, to.checked[place].b) < key) {
-      ++place;
-    }
-    if (place == to.checked.size() || std::tie(to.checked[place].a, to.checked[place].b) != key) {
+void NearestSeen::inherit(const NearestSeen& former,
+                          const std::vector<LinkPairIndex>& pair_of) noexcept {
+  for (LinkPairIndex i = 0; i < pair_of.size(); ++i) {
+    if (pair_of[i] == kNone) {
       continue;
     }
-    Record& record = records_[place] = former.records_[i];
-    if (record.place != kNone) {
+    Record& record = records_[i] = former.records_[pair_of[i]];
+    const bool keeps_positions = record.place != kNone && variables_ == former.variables_;
+    if (keeps_positions) {
       const auto first =
           former.positions_.begin() + static_cast<std::ptrdiff_t>(record.place * variables_);
       record.place = takePlace();
@@ -111,6 +101,8 @@ void NearestSeen::inherit(const CycleSetup& from, const NearestSeen& former,
         std::copy_n(first, variables_,
                     positions_.begin() + static_cast<std::ptrdiff_t>(record.place * variables_));
       }
+    } else {
+      record.place = kNone;
     }
   }
 }

@@ -29,8 +29,8 @@ class NearestSeen {
            const CycleBuffers& buffers) noexcept;
 
   /// Takes over what another one has of pairs that both check.
-  /// @pre both set-ups have the same links
-  void inherit(const CycleSetup& from, const NearestSeen& former, const CycleSetup& to) noexcept;
+  /// @param pair_of as in CarryPlan
+  void inherit(const NearestSeen& former, const std::vector<LinkPairIndex>& pair_of) noexcept;
 
   const Record& of(LinkPairIndex pair) const noexcept { return records_[pair]; }
   /// By variable, NaN where not known; empty if they were not kept.

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "pipeline/answers/carry_over.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
+#include "pipeline/look_ahead/find_motions.h"
 #include "ros_edge/outputs/pair_counts.h"
 #include "ros_edge/poses/floating_parts.h"
 
@@ -95,16 +95,26 @@ void Watch::resumeReporting() {
   links_known = 0;
 }
 
-std::vector<LinkPairIndex> Watch::inheritVerdicts(const Watch& former) {
-  if (!haveSameRobots(*former.fixed, *fixed)) {
-    return carryOver(former.setup(), former.buffers.memory, setup(), buffers.memory);
+void Watch::prepare(const ros::Time& now, const ClockState& clock_now,
+                    std::shared_ptr<const MonitorSetup> former) {
+  read(now, clock_now);
+  links_known = std::count(poses.status.begin(), poses.status.end(), LinkStatus::known);
+  learnPairs(setup(), poses, buffers);
+  keepPoses(poses, buffers.body_poses, buffers.memory.last);
+  carried = planCarryOver(former->setup, setup());
+  planned_from = std::move(former);
+}
+
+std::vector<LinkPairIndex> Watch::takeOver(const Watch& former) {
+  if (planned_from != former.fixed) {
+    carried = planCarryOver(former.setup(), setup());
   }
-  std::vector<LinkPairIndex> dropped;
-  dropped.reserve(former.setup().checked.size());
-  carryOverSameLinks(former.setup(), former.buffers.memory, setup(), buffers.memory, dropped);
-  poses = former.poses;
-  tracker = former.tracker;
-  nearest.inherit(former.setup(), former.nearest, setup());
+  carryMotion(carried, setup(), {former.poses, former.buffers.memory.last, former.tracker}, poses,
+              buffers.memory, tracker);
+  std::vector<LinkPairIndex> dropped = carryOver(carried, former.buffers.memory, buffers.memory);
+  nearest.inherit(former.nearest, carried.pair_of);
+  carried = CarryPlan();
+  planned_from.reset();
   return dropped;
 }
 

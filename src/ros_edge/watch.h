@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/answers/budget_use.h"
+#include "pipeline/answers/carry_over.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/look_ahead/link_velocities.h"
 #include "ros_edge/inputs/clock_watch.h"
@@ -34,9 +35,13 @@ struct Watch {
   void pauseReporting();
   /// Switches reporting on: every difference from what listeners last got is a change.
   void resumeReporting();
-  /// Continues what another watch has reported.
+  /// Does before a swap what would make the first cycle long: reads the poses, learns the pairs,
+  /// and finds out what can be taken over from the watch of `former`. For any thread.
+  void prepare(const ros::Time& now, const ClockState& clock_now,
+               std::shared_ptr<const MonitorSetup> former);
+  /// Continues what another watch has reported, and its motion.
   /// @return pairs that the other checked and this one does not, and that were not clear
-  std::vector<LinkPairIndex> inheritVerdicts(const Watch& former);
+  std::vector<LinkPairIndex> takeOver(const Watch& former);
   /// [s] Until the last muted pair is checked again; 0: none is muted.
   double mutedFor(RuleEnd now) const;
 
@@ -54,7 +59,9 @@ struct Watch {
   std::uint32_t pairs_muted;      ///< as in State
   std::optional<RuleEnd> last_mute;
   NearestSeen nearest;
-  std::ptrdiff_t links_known{0};  ///< in the last cycle
+  std::ptrdiff_t links_known{0};                     ///< in the last cycle
+  std::shared_ptr<const MonitorSetup> planned_from;  ///< `carried` is about this set-up
+  CarryPlan carried;
 
   const CycleSetup& setup() const noexcept { return fixed->setup; }
 };

@@ -27,6 +27,7 @@ enum class PairReason : unsigned char {
   checked_by_rule,   ///< checked: a rule for pairs says so
   ignored_by_rule,   ///< ignored: a rule for pairs says so
   muted,             ///< ignored until a rule for pairs ends by itself
+  touch_link,        ///< ignored: an object and a link that may touch it
 };
 
 const char* reasonText(PairReason reason) noexcept;
@@ -59,6 +60,7 @@ struct PairRule {
   LimitChanges limits{};
   bool ends{false};   ///< ends by itself: a rule of this kind that ignores pairs mutes them
   std::string where;  ///< "rules.yaml line 12, rule 3"
+  std::string yaml;   ///< the rule as it was read
 };
 
 /// Limits that rules give to some pairs.
@@ -70,8 +72,12 @@ struct OwnLimits {
 /// Whether a rule selects two links, in either order.
 bool selects(const PairRule& rule, LinkId a, LinkId b) noexcept;
 
-/// What becomes of a rule that selects no pair.
-enum class IdleRule : unsigned char { is_error, is_warning };
+/// What becomes of a rule that selects no pair, and of names that match nothing.
+enum class IdleRule : unsigned char {
+  is_error,
+  is_warning,
+  is_accepted,  ///< objects that come later may match
+};
 
 /// Reads the rules and finds the links that they select.
 ///
@@ -85,6 +91,10 @@ enum class IdleRule : unsigned char { is_error, is_warning };
 std::vector<PairRule> readPairRules(const PairRulesText& text, const RobotModel& model,
                                     const std::vector<SrdfPairs>& srdfs, IdleRule idle,
                                     SetupReport& report);
+
+/// The same rules for a model with other links, which their names may select, too.
+std::vector<PairRule> selectAnew(std::vector<PairRule> rules, const RobotModel& model,
+                                 const std::vector<SrdfPairs>& srdfs);
 
 /// Sets reason, rule and limits of each pair anew.
 /// @return the limits that are not the common ones, each once

@@ -74,6 +74,7 @@ struct Robot {
   LinkId root{};
   std::size_t first_link{0}, link_count{0};
   std::size_t first_joint{0}, joint_count{0};
+  bool is_world{false};  ///< its links are objects of the world, or the frame that carries them
 };
 
 /// All monitored robots as one forest of links. The links and joints of a robot are contiguous, and

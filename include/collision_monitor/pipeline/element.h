@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -28,7 +29,8 @@ struct Element {
   Pose link_from_element;
   std::optional<ConvexGeometry> convex;
   /// A mesh. Beside `convex` it is a closed surface that holds `convex`, used for depths in meshes.
-  std::optional<MeshTree> mesh;
+  /// Equal elements share it, and so do set-ups: it is large and takes long to make.
+  std::shared_ptr<const MeshTree> mesh;
   std::optional<ConvexGeometry> hull;  ///< around `mesh`, where there is no `convex`
   double mesh_excess{0.0};             ///< [m] how far `mesh` may stick out of `convex`
   InnerShapes inner;                   ///< present only if is_exact

@@ -126,6 +126,7 @@ struct SetupOptions {
   FitLimits default_limits{4, 0.01, {}};  ///< of links for which the rules say nothing
   ShapeRulesText shape_rules;
   PairRulesText pair_rules;
+  IdleRule idle_rules{IdleRule::is_error};  ///< of `pair_rules`
   MeshReading meshes;
   RefineOptions refine;
   bool is_continuous{true};  ///< as in CycleSetup

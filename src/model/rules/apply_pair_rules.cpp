@@ -83,6 +83,9 @@ std::vector<OwnLimits> applyPairRules(const std::vector<PairRule>& rules, const 
 
 void reportIdleRules(const std::vector<PairRule>& rules, const std::vector<LinkPair>& pairs,
                      IdleRule idle, SetupReport& report) {
+  if (idle == IdleRule::is_accepted) {
+    return;
+  }
   for (const PairRule& rule : rules) {
     const bool is_idle = std::none_of(pairs.begin(), pairs.end(), [&](const LinkPair& pair) {
       return selects(rule, pair.a, pair.b);

@@ -157,6 +157,8 @@ const char* reasonText(PairReason reason) noexcept {
       return "ignored: a rule for pairs";
     case PairReason::muted:
       return "muted: a rule for pairs that ends by itself";
+    case PairReason::touch_link:
+      return "ignored: an object and a link that may touch it";
   }
   return "unknown reason";
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <utility>
 
 #include "collision_monitor/model/pair_rules.h"
 #include "model/rules/link_selection.h"
@@ -36,6 +37,9 @@ struct SideReader {
 
   void tellIdle(const YAML::Node& node, const std::string& found,
                 const std::string& accepted) const {
+    if (idle == IdleRule::is_accepted) {
+      return;
+    }
     idle == IdleRule::is_error ? place.addError(lineOf(node), found, accepted)
                                : place.addWarning(lineOf(node), found, "known are " + accepted);
   }
@@ -177,6 +181,20 @@ std::vector<PairRule> readPairRules(const PairRulesText& text, const RobotModel&
     const std::string number = "rule " + std::to_string(i + 1);
     rules.push_back(reader.read(list[i], place.within(number)));
     rules.back().where = text.source + " line " + std::to_string(lineOf(list[i])) + ", " + number;
+    rules.back().yaml = YAML::Dump(list[i]);
+  }
+  return rules;
+}
+
+std::vector<PairRule> selectAnew(std::vector<PairRule> rules, const RobotModel& model,
+                                 const std::vector<SrdfPairs>& srdfs) {
+  SetupReport none;  // the rules were read before
+  Oddities oddities;
+  const PairRuleReader reader(model, srdfs, IdleRule::is_accepted);
+  for (PairRule& rule : rules) {
+    PairRule read = reader.read(YAML::Load(rule.yaml), Place(rule.where, none, oddities));
+    rule.a = std::move(read.a);
+    rule.b = std::move(read.b);
   }
   return rules;
 }

@@ -3,78 +3,214 @@
 #include "pipeline/answers/carry_over.h"
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <tuple>
-#include <utility>
+#include <unordered_map>
+
+#include "geometry/constants.h"
+#include "model/object_links.h"
+#include "pipeline/cycle/distance_cache.h"
 
 namespace collision_monitor {
 namespace {
 
-using FramePair = std::pair<std::string, std::string>;
-
-/// The tf frames of two links, in an order that does not depend on that of the links.
-FramePair framesOf(const CycleSetup& setup, const CheckedLinkPair& pair) {
-  const std::string& a = setup.model.link(pair.a).frame;
-  const std::string& b = setup.model.link(pair.b).frame;
-  return {std::min(a, b), std::max(a, b)};
+/// An object may have the name of a frame that carries others.
+std::string keyOf(const RobotModel& model, std::size_t link) {
+  return (isObject(model, idAt<LinkId>(link)) ? "object " : "frame ") + model.links[link].frame;
 }
 
-void carryPair(LinkPairIndex from, const PairMemory& reported, LinkPairIndex to,
-               PairMemory& memory) noexcept {
-  memory.reported[to] = reported.reported[from];
-  memory.contact_detail[to] = reported.contact_detail[from];
-  memory.speed.stopped[to] = reported.speed.stopped[from];
+std::vector<std::uint32_t> planLinks(const RobotModel& from, const RobotModel& to) {
+  std::unordered_map<std::string, std::uint32_t> places;
+  for (std::size_t i = 0; i < from.links.size(); ++i) {
+    places.emplace(keyOf(from, i), static_cast<std::uint32_t>(i));
+  }
+  std::vector<std::uint32_t> link_of(to.links.size(), kNone);
+  for (std::size_t i = 0; i < to.links.size(); ++i) {
+    const auto place = places.find(keyOf(to, i));
+    link_of[i] = place == places.end() ? kNone : place->second;
+  }
+  return link_of;
 }
 
-void carrySpeed(const SpeedScale& from, SpeedScale& to) noexcept {
-  to.scale = from.scale;
-  to.stamp_ns = from.stamp_ns;
+/// Robots are the same if their roots are. One that objects of robots' links form is new each time;
+/// its links do not move on their own.
+std::vector<std::uint32_t> planRobots(const RobotModel& from, const RobotModel& to,
+                                      const std::vector<std::uint32_t>& link_of) {
+  std::vector<std::uint32_t> robot_of;
+  for (const Robot& robot : to.robots) {
+    const std::uint32_t root = link_of[index(robot.root)];
+    robot_of.push_back(root == kNone ? kNone
+                                     : static_cast<std::uint32_t>(index(from.links[root].robot)));
+  }
+  return robot_of;
 }
 
-bool comesBefore(const CheckedLinkPair& one, const CheckedLinkPair& other) noexcept {
-  return std::tie(one.a, one.b) < std::tie(other.a, other.b);
+/// The former pair of two former links; kNone if it is not checked.
+LinkPairIndex findPair(const std::vector<CheckedLinkPair>& pairs, std::uint32_t one,
+                       std::uint32_t other) {
+  if (one == kNone || other == kNone) {
+    return kNone;
+  }
+  const auto wanted =
+      std::make_tuple(idAt<LinkId>(std::min(one, other)), idAt<LinkId>(std::max(one, other)));
+  const auto place = std::lower_bound(pairs.begin(), pairs.end(), wanted,
+                                      [](const CheckedLinkPair& pair, const auto& key) {
+                                        return std::make_tuple(pair.a, pair.b) < key;
+                                      });
+  const bool is_found = place != pairs.end() && std::make_tuple(place->a, place->b) == wanted;
+  return is_found ? static_cast<LinkPairIndex>(place - pairs.begin()) : kNone;
+}
+
+/// Where a link was in the last cycle, and how it moves.
+struct LinkMotion {
+  Pose world_from_link;
+  bool is_known{false};
+  PartId part{kWorldPart};
+  Pose tracked;
+  bool was_tracked{false};
+  PartId tracked_part{kWorldPart};
+  Twist twist;
+  bool is_twist_known{false};
+};
+
+/// Parts are named by links: of a former link, the new one; kNone, which is kWorldPart, too, if
+/// there is none.
+PartId newPart(PartId former, const std::vector<std::uint32_t>& new_of) {
+  return former == kWorldPart ? kWorldPart : new_of[former];
+}
+
+LinkMotion motionOf(std::uint32_t link, const FormerMotion& former,
+                    const std::vector<std::uint32_t>& new_of) {
+  LinkMotion motion;
+  motion.world_from_link = former.poses.world_from_link[link];
+  motion.part = newPart(former.poses.part[link], new_of);
+  motion.is_known = former.last.stamp_ns > 0 && former.poses.status[link] == LinkStatus::known &&
+                    (motion.part != kNone || former.poses.part[link] == kWorldPart);
+  motion.tracked = former.tracker.world_from_link[link];
+  motion.tracked_part = newPart(former.tracker.part[link], new_of);
+  const bool has_part = motion.tracked_part != kNone || former.tracker.part[link] == kWorldPart;
+  motion.was_tracked = has_part && former.tracker.was_known[link] != 0;
+  motion.twist = former.tracker.filtered.of_link[link];
+  motion.is_twist_known = has_part && former.tracker.filtered.known[link] != 0;
+  return motion;
+}
+
+/// The motion of a frame that is new.
+LinkMotion restingAt(const LinkPoses& poses, std::size_t link) {
+  LinkMotion motion;
+  motion.world_from_link = motion.tracked = poses.world_from_link[link];
+  motion.is_known = motion.was_tracked = motion.is_twist_known =
+      poses.status[link] == LinkStatus::known && poses.age[link] == 0.0 &&
+      poses.part[link] == kWorldPart;
+  return motion;
+}
+
+LinkMotion carriedBy(const LinkMotion& carrier, const Pose& carrier_from_object) {
+  LinkMotion motion = carrier;
+  motion.world_from_link = carrier.world_from_link * carrier_from_object;
+  motion.tracked = carrier.tracked * carrier_from_object;
+  return motion;
+}
+
+/// Lengthens the travel of bodies of a link by its turn between the poses that their distances were
+/// cached for and those of the last cycle. Their centers tell the rest.
+void addTurn(const CycleSetup& to, const std::vector<double>& turns, DistanceCache& cache) {
+  constexpr double kNotRigid = 1.0 + 10.0 * kRigid;  // as for the travel of a cycle
+  constexpr double kRounding = 1e-12;
+  for (std::size_t i = 0; i < to.bodies.size(); ++i) {
+    const double turn = turns[index(to.bodies[i].link)];
+    if (turn > 0.0) {
+      cache.travels[i].all += kNotRigid * turn * to.bodies[i].bounding_radius + kRounding;
+    }
+  }
 }
 
 }  // namespace
 
-void carryOverSameLinks(const CycleSetup& from, const PairMemory& reported, const CycleSetup& to,
-                        PairMemory& memory, std::vector<LinkPairIndex>& dropped) noexcept {
-  dropped.clear();
-  LinkPairIndex place = 0;
-  for (LinkPairIndex i = 0; i < from.checked.size(); ++i) {
-    while (place < to.checked.size() && comesBefore(to.checked[place], from.checked[i])) {
-      ++place;
-    }
-    const bool is_kept =
-        place < to.checked.size() && !comesBefore(from.checked[i], to.checked[place]);
-    if (is_kept) {
-      carryPair(i, reported, place, memory);
-    } else if (reported.reported[i] != Verdict::clear) {
-      dropped.push_back(i);
+CarryPlan planCarryOver(const CycleSetup& from, const CycleSetup& to) {
+  CarryPlan plan;
+  plan.link_of = planLinks(from.model, to.model);
+  plan.robot_of = planRobots(from.model, to.model, plan.link_of);
+  std::vector<bool> is_kept(from.checked.size(), false);
+  plan.pair_of.reserve(to.checked.size());
+  for (const CheckedLinkPair& pair : to.checked) {
+    const LinkPairIndex former =
+        findPair(from.checked, plan.link_of[index(pair.a)], plan.link_of[index(pair.b)]);
+    plan.pair_of.push_back(former);
+    if (former != kNone) {
+      is_kept[former] = true;
     }
   }
-  carrySpeed(reported.speed, memory.speed);
-  memory.last = reported.last;
+  for (LinkPairIndex i = 0; i < from.checked.size(); ++i) {
+    if (!is_kept[i]) {
+      plan.dropped.push_back(i);
+    }
+  }
+  return plan;
 }
 
-std::vector<LinkPairIndex> carryOver(const CycleSetup& from, const PairMemory& reported,
-                                     const CycleSetup& to, PairMemory& memory) {
-  std::map<FramePair, LinkPairIndex> places;
-  for (LinkPairIndex i = 0; i < to.checked.size(); ++i) {
-    places.emplace(framesOf(to, to.checked[i]), i);
-  }
-  std::vector<LinkPairIndex> dropped;
-  for (LinkPairIndex i = 0; i < from.checked.size(); ++i) {
-    const auto place = places.find(framesOf(from, from.checked[i]));
-    if (place != places.end()) {
-      carryPair(i, reported, place->second, memory);
-    } else if (reported.reported[i] != Verdict::clear) {
-      dropped.push_back(i);
+std::vector<LinkPairIndex> carryOver(const CarryPlan& plan, const PairMemory& reported,
+                                     PairMemory& memory) {
+  for (LinkPairIndex i = 0; i < plan.pair_of.size(); ++i) {
+    const LinkPairIndex former = plan.pair_of[i];
+    if (former != kNone) {
+      memory.reported[i] = reported.reported[former];
+      memory.contact_detail[i] = reported.contact_detail[former];
+      memory.speed.stopped[i] = reported.speed.stopped[former];
     }
   }
-  carrySpeed(reported.speed, memory.speed);
+  std::vector<LinkPairIndex> dropped;
+  for (const LinkPairIndex pair : plan.dropped) {
+    if (reported.reported[pair] != Verdict::clear) {
+      dropped.push_back(pair);
+    }
+  }
+  memory.speed.scale = reported.speed.scale;
+  memory.speed.stamp_ns = reported.speed.stamp_ns;
   return dropped;
+}
+
+void carryMotion(const CarryPlan& plan, const CycleSetup& to, const FormerMotion& former,
+                 const LinkPoses& poses, PairMemory& memory, VelocityTracker& tracker) {
+  const RobotModel& model = to.model;
+  std::vector<std::uint32_t> new_of(former.poses.status.size(), kNone);
+  for (std::size_t i = 0; i < plan.link_of.size(); ++i) {
+    if (plan.link_of[i] != kNone) {
+      new_of[plan.link_of[i]] = static_cast<std::uint32_t>(i);
+    }
+  }
+  LastPoses& last = memory.last;
+  std::vector<LinkMotion> motions;
+  std::vector<double> turns;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    if (isObject(model, idAt<LinkId>(i))) {
+      const Joint& joint = model.joint(*model.links[i].parent_joint);
+      motions.push_back(carriedBy(motions[index(joint.parent)], joint.parent_from_joint));
+    } else {
+      motions.push_back(plan.link_of[i] == kNone ? restingAt(poses, i)
+                                                 : motionOf(plan.link_of[i], former, new_of));
+    }
+    const LinkMotion& motion = motions.back();
+    turns.push_back(
+        last.known[i] == 0
+            ? 0.0
+            : (motion.world_from_link.rotation - last.world_from_link[i].rotation).norm());
+    last.world_from_link[i] = motion.world_from_link;
+    last.known[i] = motion.is_known && hasShapes(model.links[i]) ? 1 : 0;
+    last.part[i] = motion.part;
+    tracker.world_from_link[i] = motion.tracked;
+    tracker.was_known[i] = motion.was_tracked ? 1 : 0;
+    tracker.part[i] = motion.tracked_part;
+    tracker.filtered.of_link[i] = motion.twist;
+    tracker.filtered.known[i] = motion.is_twist_known ? 1 : 0;
+  }
+  last.stamp_ns = former.last.stamp_ns;
+  for (std::size_t i = 0; i < model.robots.size(); ++i) {
+    tracker.stamp_ns[i] = plan.robot_of[i] == kNone ? former.poses.stamp_ns
+                                                    : former.tracker.stamp_ns[plan.robot_of[i]];
+  }
+  addTurn(to, turns, memory.distance_cache);
+  forgetNearest(memory.distance_cache);
 }
 
 }  // namespace collision_monitor

@@ -8,6 +8,7 @@
 #include "geometry/constants.h"
 #include "pipeline/data/activation_distance.h"
 #include "pipeline/data/motion_bound.h"
+#include "pipeline/look_ahead/object_ranges.h"
 #include "pipeline/look_ahead/walk_link_pairs.h"
 
 namespace collision_monitor {
@@ -17,12 +18,13 @@ double thicknessOf(const Shape& shape) noexcept {
   return 2.0 * (coreHalfExtents(shape).minCoeff() + radiusOf(shape));
 }
 
-/// The links of checked pairs, in order of id.
+/// The links that need columns, in order of id.
 std::vector<LinkId> linksInPairs(const CycleSetup& setup) {
+  const std::vector<LinkId> first_of = firstCarried(setup.model);
   std::vector<LinkId> links;
   for (const CheckedLinkPair& pair : setup.checked) {
     links.push_back(pair.a);
-    links.push_back(pair.b);
+    links.push_back(isInRange(setup.model, pair) ? first_of[index(pair.b)] : pair.b);
   }
   std::sort(links.begin(), links.end());
   links.erase(std::unique(links.begin(), links.end()), links.end());
@@ -38,6 +40,9 @@ std::vector<LinkBlock> makeLinkBlocks(const CycleSetup& setup, const std::vector
   std::vector<LinkBlock> blocks;
   for (std::uint32_t i = 0; i < setup.checked.size(); ++i) {
     const CheckedLinkPair& pair = setup.checked[i];
+    if (isInRange(setup.model, pair)) {
+      continue;
+    }
     const std::uint32_t a = slotOf(pair.a);
     const std::uint32_t b = slotOf(pair.b);
     if (blocks.empty() || blocks.back().pairs.one != a ||
@@ -184,6 +189,7 @@ ActivationDistances makeActivationDistances(const CycleSetup& setup) {
     reaches.balls.push_back(balls[index(reaches.links[slot])]);
     reaches.rows.at(link_column::radius)[slot] = reaches.balls.back().radius;
   }
+  makeObjectRanges(setup, reaches);
   reaches.of_pair.resize(setup.checked.size(), kInfinity);
   reaches.near_of_pair = reaches.of_pair;
   return reaches;
@@ -209,8 +215,9 @@ void findActivationDistances(const CycleSetup& setup, const LinkPoses& poses, Sw
   if (has_step) {
     writeSteps(sweep, reaches);
   }
-  const Farthest farthest =
-      walkLinkPairs({setup.ahead.horizon, has_step, setup.is_continuous}, reaches);
+  const WalkQuestion question{setup.ahead.horizon, has_step, setup.is_continuous};
+  Farthest farthest = walkLinkPairs(question, reaches);
+  walkObjectRanges(question, poses, reaches, farthest);
   if (has_step) {
     StepLimit& limit = sweep.step;
     limit.step = sweep.elapsed;

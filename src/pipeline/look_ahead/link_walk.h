@@ -33,6 +33,17 @@ struct LinkBlock {
   alignas(64) double thickness[kBlockLanes] = {};
 };
 
+/// The pairs [first, last) of one link of a robot with objects that one link or frame carries. All
+/// these objects have the same twist.
+struct ObjectRange {
+  LinkPairIndex first{0};
+  LinkPairIndex last{0};
+  std::uint32_t link{0};     ///< slot
+  std::uint32_t objects{0};  ///< slot of the first of all objects of this carrier
+  double thickness{0.0};     ///< [m] the least of these pairs
+  std::uint32_t limits{0};   ///< CheckedLinkPair::limits of all of them
+};
+
 /// The columns of links. World frame, [m] and [s], or per time between two cycles.
 namespace link_column {
 constexpr std::size_t center = 0;    ///< of its ball, x, y, z
@@ -48,13 +59,17 @@ constexpr std::size_t count = 26;
 /// The activation distances of all link pairs, and what is needed to find them.
 struct ActivationDistances {
   // Made at set-up.
-  std::vector<LinkId> links;  ///< by slot: links of checked pairs
-  std::vector<Ball> balls;    ///< by slot: as linkBalls
-  std::vector<LinkBlock> blocks;
+  /// By slot: links of checked pairs; of objects only those in blocks, and the first of each range.
+  std::vector<LinkId> links;
+  /// By slot: as linkBalls; the first object of a range has a ball about all objects of its
+  /// carrier.
+  std::vector<Ball> balls;
+  std::vector<LinkBlock> blocks;       ///< without the pairs of ranges
   std::vector<LaneReaches> of_blocks;  ///< by block; empty if all pairs have the common limits
-  std::vector<double> thickness;       ///< [m] by LinkPairIndex: as thicknessOfPairs
-  std::vector<PairReach> of_limits;    ///< by CheckedLinkPair::limits
-  bool is_split{false};                ///< links are in several parts
+  std::vector<ObjectRange> ranges;
+  std::vector<double> thickness;     ///< [m] by LinkPairIndex: as thicknessOfPairs
+  std::vector<PairReach> of_limits;  ///< by CheckedLinkPair::limits
+  bool is_split{false};              ///< links are in several parts
 
   BodyRows rows;                ///< of the links
   std::vector<double> of_pair;  ///< [m] by LinkPairIndex
@@ -73,7 +88,8 @@ std::vector<double> thicknessOfPairs(const CycleSetup& setup);
 /// to lower the speed scale within the horizon at present velocities, or to have touched since the
 /// last cycle. Infinite where a velocity is unknown.
 ///
-/// A distance changes no faster than the ball of B's bodies moves relative to A.
+/// A distance changes no faster than the ball of B's bodies moves relative to A. Objects may be
+/// large or without bounds, so it is the ball of the robot's link that moves relative to them.
 ///
 /// If time has passed, it also fills `sweep.step`. To pass through a link unseen, another must
 /// travel farther relative to it than both are thick. If only poses are checked, this travel

@@ -44,7 +44,7 @@ struct FillElement {
       reach = std::max(reach, corner.head<2>().norm());
     }
     element.convex = cylinder;
-    element.mesh.emplace(around, true);
+    element.mesh = std::make_shared<MeshTree>(around, true);
     element.mesh_excess = reach - cylinder.radius;
     element.is_exact = true;
   }
@@ -57,9 +57,10 @@ struct FillElement {
     const bool is_convex =
         is_closed && whole.triangles.size() == mesh.triangles.size() && isSurfaceOf(mesh, hull);
     if (refine == RefineGeometry::hull && !is_convex) {
-      element.mesh.emplace(convexHullOf(mesh.vertices), hull.hasVolume());
+      element.mesh = std::make_shared<MeshTree>(convexHullOf(mesh.vertices), hull.hasVolume());
     } else {
-      element.mesh.emplace(is_closed ? MeshTree(whole, true) : treeOfOpen(whole));
+      element.mesh =
+          std::make_shared<MeshTree>(is_closed ? MeshTree(whole, true) : treeOfOpen(whole));
       element.is_exact = true;
     }
     const bool stands_for_it = is_convex || refine == RefineGeometry::hull;
@@ -68,7 +69,8 @@ struct FillElement {
 
   void operator()(const Box& box) const {
     element.convex = box;
-    element.mesh.emplace(surroundingMesh(box), box.half_extents.minCoeff() > 0.0);
+    element.mesh =
+        std::make_shared<MeshTree>(surroundingMesh(box), box.half_extents.minCoeff() > 0.0);
     element.is_exact = true;
   }
 

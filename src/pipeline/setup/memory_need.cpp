@@ -64,7 +64,9 @@ PairCounts countPairs(const CycleSetup& setup) {
   counts.bodies = setup.bodies.size();
   counts.links = static_cast<std::uint64_t>(
       std::count_if(bodies.begin(), bodies.end(), [](std::uint64_t count) { return count > 0; }));
-  counts.link_pairs = counts.links < 2 ? 0 : counts.links * (counts.links - 1) / 2;
+  counts.link_pairs = !setup.link_pairs.empty() ? setup.link_pairs.size()
+                      : counts.links < 2        ? 0
+                                                : counts.links * (counts.links - 1) / 2;
   for (const LinkPair& pair : setup.link_pairs) {
     if (isChecked(pair.reason)) {
       ++counts.checked;

@@ -77,7 +77,7 @@ std::vector<SrdfPairs> readSrdfs(const std::vector<RobotDescription>& robots,
 void warnIfNothingChecked(const CycleSetup& setup, SetupReport& report) {
   if (setup.checked.empty()) {
     report.warnings.push_back(
-        {"pairs", "no pair of links is checked", "",
+        {kPairsWarning, "no pair of links is checked", "",
          "the state stays UNKNOWN; the line at start tells why pairs are left "
          "out"});
   }
@@ -119,13 +119,13 @@ void checkInput(const std::vector<RobotDescription>& robots, const SetupOptions&
 
 /// Checks the size of everything that grows with the square of links, before it is made.
 /// @throws SetupError
-void decidePairs(const std::vector<LinkIdPair>& ignored, std::uint64_t memory_limit,
+void decidePairs(const std::vector<LinkIdPair>& ignored, const SetupOptions& options,
                  CycleSetup& setup, SetupReport& report) {
-  checkMemory(countPairs(setup), memory_limit, report);
+  checkMemory(countPairs(setup), options.memory_limit, report);
   throwIfErrors(report);
   setup.link_pairs = decideLinkPairs(setup.model, setup.srdfs, ignored);
-  decideByRules(IdleRule::is_error, setup, report);
-  checkMemory(countPairs(setup), memory_limit, report);
+  decideByRules(options.idle_rules, setup, report);
+  checkMemory(countPairs(setup), options.memory_limit, report);
   throwIfErrors(report);
 }
 
@@ -154,14 +154,14 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   const std::vector<LinkIdPair> ignored =
       findNamedPairs(options.ignored_pairs, options.where + "ignore_pairs", setup.model, report);
   setup.pair_rules =
-      readPairRules(options.pair_rules, setup.model, srdfs, IdleRule::is_error, report);
+      readPairRules(options.pair_rules, setup.model, srdfs, options.idle_rules, report);
   throwIfErrors(report);
   const std::vector<LinkFit> fits = fitLinks(setup.model, settings, options.fit_progress, report);
   makeBodies(fits, setup);
   throwIfErrors(report);
   makeElements(fits, {options.refine.geometry, settings.rules}, setup, report);
 
-  decidePairs(ignored, options.memory_limit, setup, report);
+  decidePairs(ignored, options, setup, report);
   ruleDefaultOverlaps(srdfs, fits, options.ignore_default_overlap, setup, report);
   listPairs(setup);
   setup.velocity_names = velocityNames(setup.model);

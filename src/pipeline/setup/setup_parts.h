@@ -18,6 +18,9 @@ void padLinks(const std::vector<NamedPadding>& paddings, const std::string& wher
 /// Makes the spheres of SRDFs the given shapes of links that have none.
 void giveSpheres(const std::vector<SrdfPairs>& srdfs, std::vector<LinkRules>& rules);
 
+/// Where the warning is that no pair is checked.
+constexpr const char* kPairsWarning = "pairs";
+
 /// Fills bodies and labels, in order of link, and marks links with given shapes in the model.
 void makeBodies(const std::vector<LinkFit>& fits, CycleSetup& setup);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "collision_monitor/geometry/ids.h"
 #include "ros_edge/markers/shape_mesh.h"
 #include "ros_edge/outputs/conversions.h"
 
@@ -52,6 +53,43 @@ std_msgs::ColorRGBA colourOf(Verdict verdict, float alpha) {
     case Verdict::unknown:
       colour.r = colour.g = colour.b = 0.5F;
       break;
+  }
+  return colour;
+}
+
+namespace {
+
+constexpr double kShownHalf = 5.0;     // [m] of a plane
+constexpr double kShownDepth = 0.005;  // [m] half of what is drawn of its inside
+
+bool isPlane(const CycleSetup& setup, const Body& body) {
+  const auto& convex = setup.elements[index(body.element)].convex;
+  return convex && std::holds_alternative<HalfSpace>(*convex);
+}
+
+}  // namespace
+
+Shape shownShape(const CycleSetup& setup, const Body& body) {
+  return isPlane(setup, body) ? Shape(Box{{kShownHalf, kShownHalf, kShownDepth}}) : body.shape;
+}
+
+Pose shownPose(const CycleSetup& setup, std::size_t body, const Pose& world_from_body) {
+  Pose pose = world_from_body;
+  if (isPlane(setup, setup.bodies[body])) {
+    const double top = coreHalfExtents(setup.bodies[body].shape).z();
+    pose.translation += (top - kShownDepth) * pose.rotation.col(2);
+  }
+  return pose;
+}
+
+std_msgs::ColorRGBA colourOf(const World& world, const Link& link) {
+  std_msgs::ColorRGBA colour;
+  const auto object = world.objects.find(link.name);
+  if (object != world.objects.end()) {
+    colour.r = object->second->colour[0];
+    colour.g = object->second->colour[1];
+    colour.b = object->second->colour[2];
+    colour.a = object->second->colour[3];
   }
   return colour;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "collision_monitor/geometry/ids.h"
+#include "model/object_links.h"
 #include "ros_edge/markers/marker_shapes.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/sentences.h"
@@ -54,9 +55,14 @@ Eigen::Vector3d takePlace(const Eigen::Vector3d& wanted, std::vector<Eigen::Vect
 }  // namespace
 
 Markers::Markers(const Watch& watch) {
-  for (const Body& body : watch.setup().bodies) {
-    unseen_.push_back(makeShapeMarker(body.shape));
-    unseen_.back().ns = "shapes";
+  const CycleSetup& setup = watch.setup();
+  for (const Body& body : setup.bodies) {
+    const bool is_object = isObject(setup.model, body.link);
+    colours_.push_back(is_object ? std::optional<std_msgs::ColorRGBA>(
+                                       colourOf(watch.fixed->world, setup.model.link(body.link)))
+                                 : std::nullopt);
+    unseen_.push_back(makeShapeMarker(shownShape(setup, body)));
+    unseen_.back().ns = is_object ? "objects" : "shapes";
     unseen_.back().id = static_cast<int>(unseen_.size()) - 1;
   }
 }
@@ -115,11 +121,12 @@ void Markers::placeShapes(const Watch& watch) {
     const bool is_known = poses.known[body] != 0;
     const LinkId link = watch.setup().bodies[body].link;
     if (is_known) {
-      toMessage(poses.world_from_body[body], shape.pose);
+      toMessage(shownPose(watch.setup(), body, poses.world_from_body[body]), shape.pose);
       shape.header = headerOf(watch, link);
     }
     const Verdict verdict = is_known ? verdicts[index(link)] : Verdict::unknown;
-    shape.color = colourOf(verdict, kShapeAlpha);
+    const bool has_own = colours_[body] && verdict <= Verdict::warning;
+    shape.color = has_own ? *colours_[body] : colourOf(verdict, kShapeAlpha);
     shape.header.stamp = shape.header.frame_id == header_.frame_id ? header_.stamp : ros::Time();
   }
 }

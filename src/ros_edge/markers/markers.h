@@ -4,6 +4,7 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -17,7 +18,8 @@ namespace collision_monitor {
 /// part is in the frame of its top link, without a stamp.
 ///
 /// Namespaces: `shapes` (id = body; green clear, yellow warning, red contact, grey unknown, at the
-/// last known pose), `contacts` (ids 2 n and 2 n + 1 = point and normal of body pair n, for the
+/// last known pose), `objects` (ids as in `shapes`; in their own colours, unless they are in
+/// contact or unknown), `contacts` (ids 2 n and 2 n + 1 = point and normal of body pair n, for the
 /// same pairs as the topic `contacts`), `distances` (id = link pair) and `labels` (same ids; for
 /// pairs that are not clear, and the closest; ">= " precedes a lower bound, "<= " an estimate). A
 /// marker that no longer applies is deleted. Shapes are triangulated once, at set-up.
@@ -43,6 +45,8 @@ class Markers {
                                   const std_msgs::Header& header);
   std_msgs::Header headerOf(const Watch& watch, LinkId link) const;
 
+  /// By BodyId: the colour of an object, none for links of robots.
+  std::vector<std::optional<std_msgs::ColorRGBA>> colours_;
   std::vector<visualization_msgs::Marker> unseen_;  ///< shapes not seen yet, in the body frame
   /// Shapes that were seen come first and stay: they are most of the bytes.
   visualization_msgs::MarkerArray array_;

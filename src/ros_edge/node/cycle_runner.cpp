@@ -35,7 +35,12 @@ CycleRunner::~CycleRunner() {
 }
 
 std::unique_ptr<Watch> CycleRunner::makeWatch(std::shared_ptr<const MonitorSetup> setup) const {
-  return std::make_unique<Watch>(std::move(setup), store_, joints_);
+  auto watch = std::make_unique<Watch>(std::move(setup), store_, joints_);
+  if (std::shared_ptr<const MonitorSetup> former = currentSetup()) {
+    const ros::Time now = ros::Time::now();
+    watch->prepare(now, lookAtClock({store_, joints_, clock_}, now), std::move(former));
+  }
+  return watch;
 }
 
 void CycleRunner::replaceWatch(std::unique_ptr<Watch> watch) {
@@ -115,7 +120,7 @@ void CycleRunner::takeOverSetup() {
     handOver(*watch_, *next);
   }
   watch_.swap(next);
-  publishers_.startWatch(*watch_);
+  publishers_.startWatch();
   statistics_.startWork(watch_->budget);
   pace_.last_state = SteadyClock::time_point();
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -128,7 +133,7 @@ void CycleRunner::handOver(Watch& former, Watch& next) {
   if (!facts_.is_enabled) {
     former.resumeReporting();
   }
-  for (const LinkPairIndex pair : next.inheritVerdicts(former)) {
+  for (const LinkPairIndex pair : next.takeOver(former)) {
     publishers_.publishDropped(former, pair);
   }
   if (!facts_.is_enabled) {

@@ -32,7 +32,7 @@ class CycleRunner {
   CycleRunner(const CycleRunner&) = delete;
   CycleRunner& operator=(const CycleRunner&) = delete;
 
-  /// Allocates everything needed to watch a set-up.
+  /// Allocates everything needed to watch a set-up, and prepares what the first cycle needs.
   std::unique_ptr<Watch> makeWatch(std::shared_ptr<const MonitorSetup> setup) const;
   /// Watches the new set-up from the next cycle on, and waits for that cycle. The former watch is
   /// destroyed in this call, not on the cycle's thread, because freeing its memory takes longer

@@ -37,7 +37,7 @@ class Monitor::Parts {
  private:
   static std::shared_ptr<const MonitorSetup> makeLoggedSetup(const ros::NodeHandle& private_node,
                                                              const GoesOn& goes_on) {
-    std::shared_ptr<const MonitorSetup> setup = makeMonitorSetup(private_node, goes_on);
+    std::shared_ptr<const MonitorSetup> setup = makeMonitorSetup(private_node, goes_on, nullptr);
     logSetup(*setup);
     return setup;
   }
@@ -52,7 +52,9 @@ class Monitor::Parts {
     store_.keepOnly(frameNames(setup));
     const std::vector<std::string> topics = jointTopics(setup);
     for (std::size_t i = 0; i < topics.size(); ++i) {
-      joints_.keepOnly(topics[i], jointNames(setup.setup.model, idAt<RobotId>(i)));
+      if (!setup.setup.model.robots[i].is_world) {
+        joints_.keepOnly(topics[i], jointNames(setup.setup.model, idAt<RobotId>(i)));
+      }
     }
   }
 
@@ -74,7 +76,8 @@ class Monitor::Parts {
       runner_.replaceWatch(std::move(watch));
       second_opinion_.askFor(setup);
     };
-    hooks.change_rules = [this](const std::shared_ptr<const MonitorSetup>& setup) {
+    hooks.change_setup = [this](const std::shared_ptr<const MonitorSetup>& setup) {
+      store_.keepOnly(frameNames(*setup));  // first, so that it has their transforms
       runner_.replaceWatch(runner_.makeWatch(setup));
     };
     hooks.view_pair = [this](const std::string& link_a, const std::string& link_b) {

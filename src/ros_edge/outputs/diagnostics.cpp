@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "model/object_links.h"
 #include "ros_edge/numbered_values.h"
 #include "ros_edge/outputs/budget_report.h"
 #include "ros_edge/outputs/pair_counts.h"
@@ -145,14 +146,17 @@ void describeSetup(const MonitorSetup& setup, DiagnosticStatusWrapper& status) {
     status.summary(DiagnosticStatus::WARN, std::to_string(warnings.size()) + " warning" +
                                                (warnings.size() == 1 ? "" : "s"));
   }
-  status.add("robots", cycle.model.robots.size());
+  status.add("robots", robotCount(cycle.model));
+  status.add("objects", setup.world.objects.size());
   status.add("shapes", cycle.bodies.size());
   status.add("shapes not proven to enclose",
              std::count_if(cycle.labels.begin(), cycle.labels.end(),
                            [](const BodyLabel& label) { return !label.is_proven; }));
-  status.add("links without shapes",
-             std::count_if(cycle.model.links.begin(), cycle.model.links.end(),
-                           [](const Link& link) { return !hasShapes(link); }));
+  status.add(
+      "links without shapes",
+      std::count_if(cycle.model.links.begin(), cycle.model.links.end(), [&](const Link& link) {
+        return !hasShapes(link) && !cycle.model.robots[index(link.robot)].is_world;
+      }));
   status.add("checked pairs of links", cycle.checked.size());
   const PairCounts counts = countPairs(cycle.link_pairs);
   for (const PairReason reason : kReasonsNotToCheck) {

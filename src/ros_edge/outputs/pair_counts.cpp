@@ -7,7 +7,8 @@
 
 namespace collision_monitor {
 
-static_assert(static_cast<std::size_t>(PairReason::muted) + 1 == std::tuple_size_v<PairCounts>);
+static_assert(static_cast<std::size_t>(PairReason::touch_link) + 1 ==
+              std::tuple_size_v<PairCounts>);
 
 PairCounts countPairs(const std::vector<LinkPair>& pairs) {
   PairCounts counts{};
@@ -37,6 +38,8 @@ const char* whyNotText(PairReason reason) noexcept {
       return "ignored by pair_rules";
     case PairReason::muted:
       return "muted";
+    case PairReason::touch_link:
+      return "of objects and links that may touch them";
     case PairReason::checked:
     case PairReason::checked_by_rule:
     case PairReason::enabled_by_srdf:

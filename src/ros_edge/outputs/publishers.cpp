@@ -51,8 +51,9 @@ Publishers::Publishers(ros::NodeHandle private_node)
       markers_publisher_(
           private_node.advertise<visualization_msgs::MarkerArray>("markers", kQueueSize)) {}
 
-void Publishers::startWatch(const Watch& watch) {
-  markers_ = std::make_unique<Markers>(watch);
+/// Markers are made when somebody first looks: with many objects they take longer than a cycle.
+void Publishers::startWatch() {
+  markers_.reset();
   distances_ = DistanceList();
   log_.reset();
 }
@@ -117,6 +118,9 @@ void Publishers::publishMarkers(const Watch& watch) {
     return;
   }
   last_markers_ = now;
+  if (!markers_) {
+    markers_ = std::make_unique<Markers>(watch);
+  }
   markers_publisher_.publish(markers_->draw(watch));
 }
 

@@ -22,7 +22,7 @@ class Publishers {
   explicit Publishers(ros::NodeHandle private_node);
 
   /// Starts another set-up.
-  void startWatch(const Watch& watch);
+  void startWatch();
 
   /// Publishes and logs changes of verdict.
   void publishChanges(const Watch& watch);

@@ -9,10 +9,14 @@
 #include <chrono>
 #include <utility>
 
+#include "model/object_links.h"
+#include "pipeline/world/add_world.h"
 #include "ros_edge/parameters/fit_options.h"
 #include "ros_edge/parameters/resource_loader.h"
 #include "ros_edge/parameters/robot_descriptions.h"
 #include "ros_edge/poses/transform_store.h"
+#include "ros_edge/world/world_parameters.h"
+#include "ros_edge/world/world_places.h"
 
 namespace collision_monitor {
 namespace {
@@ -45,7 +49,10 @@ std::optional<RuleEnd> lastMuteOf(const MonitorSetup& setup) {
 }
 
 std::vector<std::string> jointTopics(const MonitorSetup& setup) {
-  std::vector<std::string> topics(setup.setup.model.robots.size(), setup.parameters.joint_states);
+  std::vector<std::string> topics;
+  for (const Robot& robot : setup.setup.model.robots) {
+    topics.push_back(robot.is_world ? "" : setup.parameters.joint_states);
+  }
   // An empty list means one robot.
   for (std::size_t i = 0; i < setup.parameters.robots.size(); ++i) {
     const std::string& own = setup.parameters.robots[i].joint_states;
@@ -56,14 +63,88 @@ std::vector<std::string> jointTopics(const MonitorSetup& setup) {
 
 std::vector<std::string> frameNames(const MonitorSetup& setup) {
   std::vector<std::string> names{setup.world_frame};
-  for (const Link& link : setup.setup.model.links) {
-    names.push_back(link.frame);
+  const RobotModel& model = setup.setup.model;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    if (!isObject(model, idAt<LinkId>(i))) {
+      names.push_back(model.links[i].frame);
+    }
   }
   return names;
 }
 
+namespace {
+
+/// The objects at start, or those of the set-up before a reload.
+World makeWorld(const MonitorSetup& made, const MonitorSetup* former,
+                const ResourceLoader& load_resource) {
+  SetupReport report;
+  ObjectChange change{ChangeKind::replace_all, {}, true};
+  if (former != nullptr) {
+    for (const auto& [name, object] : former->world.objects) {
+      change.objects.push_back(*object);
+    }
+  } else {
+    change.objects = loadObjects(made.parameters, load_resource, report);
+  }
+  const World world =
+      applyChanges(World(), {change}, placesAtStart(made.robots->model, made.world_frame), report);
+  throwIfErrors(report);
+  return world;
+}
+
+void addObjects(World world, const PreparedObjects& former, MonitorSetup& made) {
+  const RefineGeometry refine = made.parameters.setup.refine.geometry;
+  made.world = std::move(world);
+  made.prepared = prepareObjects(made.world, refine, former);
+  made.setup = addWorld(*made.robots, made.world, made.prepared,
+                        {made.world_frame, made.parameters.setup.memory_limit});
+}
+
+/// Rules at start may name objects, too.
+void applyRulesAtStart(const PairRulesText& text, MonitorSetup& made) {
+  CycleSetup& setup = made.setup;
+  SetupReport report;
+  const std::vector<PairRule> rules =
+      readPairRules(text, setup.model, setup.srdfs, IdleRule::is_error, report);
+  reportIdleRules(rules, setup.link_pairs, IdleRule::is_error, report);
+  throwIfErrors(report);
+  if (!rules.empty()) {
+    setup = withPairRules(setup, setup.limits, rules, report);
+  }
+}
+
+/// Rules and limits that have changed since start.
+void keepRules(const MonitorSetup& former, MonitorSetup& made) {
+  const CycleSetup& last = former.setup;
+  const bool has_common_limits =
+      std::all_of(kLimitFields.begin(), kLimitFields.end(), [&](const LimitField& field) {
+        return last.limits.*field.value == made.setup.limits.*field.value;
+      });
+  if (!has_common_limits || !last.pair_rules.empty() || !made.setup.pair_rules.empty()) {
+    SetupReport idle;  // objects that rules name may have gone
+    made.setup =
+        withPairRules(made.setup, last.limits,
+                      selectAnew(last.pair_rules, made.setup.model, made.setup.srdfs), idle);
+  }
+  made.rule_ends = former.rule_ends;
+}
+
+}  // namespace
+
+std::shared_ptr<const MonitorSetup> changeWorld(const MonitorSetup& former, const World& world) {
+  auto made = std::make_shared<MonitorSetup>();
+  made->parameters = former.parameters;
+  made->robots = former.robots;
+  made->world_frame = former.world_frame;
+  made->descriptions = former.descriptions;
+  made->later_warnings = former.later_warnings;
+  addObjects(world, former.prepared, *made);
+  keepRules(former, *made);
+  return made;
+}
+
 std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node,
-                                                     GoesOn goes_on) {
+                                                     GoesOn goes_on, const MonitorSetup* former) {
   const Interruptible interruptible(std::move(goes_on));
   SetupReport report;
   const std::string& where = private_node.getNamespace();
@@ -82,12 +163,20 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   throwIfErrors(report);
 
   made->descriptions = descriptions;
-  made->setup = buildSetup(descriptions, load_resource, options);
-  made->rule_ends.assign(made->setup.pair_rules.size(), kLasts);
-  const RobotModel& model = made->setup.model;
+  const bool has_objects =
+      former != nullptr ? !former->world.objects.empty()
+                        : !made->parameters.world.empty() || !made->parameters.world_file.empty();
+  options.idle_rules = has_objects ? IdleRule::is_accepted : IdleRule::is_error;
+  made->robots = std::make_shared<CycleSetup>(buildSetup(descriptions, load_resource, options));
+  const RobotModel& model = made->robots->model;
   made->world_frame = stripLeadingSlash(made->parameters.world_frame.empty()
                                             ? model.link(model.robots.front().root).frame
                                             : made->parameters.world_frame);
+  addObjects(makeWorld(*made, former, load_resource), {}, *made);
+  if (has_objects) {
+    applyRulesAtStart(options.pair_rules, *made);
+  }
+  made->rule_ends.assign(made->setup.pair_rules.size(), kLasts);
   malloc_trim(0);  // reading and fitting free much memory that glibc would keep
   return made;
 }

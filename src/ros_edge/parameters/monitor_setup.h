@@ -11,8 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "collision_monitor/model/world.h"
 #include "collision_monitor/pipeline/setup.h"
 #include "geometry/interruption.h"
+#include "pipeline/world/prepare_object.h"
 #include "ros_edge/parameters/parameters.h"
 
 namespace collision_monitor {
@@ -41,18 +43,15 @@ constexpr RuleEnd kLasts = RuleEnd::max();  ///< of a rule that does not end by 
 /// changes.
 struct MonitorSetup {
   Parameters parameters;
-  CycleSetup setup;
+  std::shared_ptr<const CycleSetup> robots;  ///< the set-up without objects
+  World world;
+  PreparedObjects prepared;  ///< of `world`
+  CycleSetup setup;          ///< of the robots and the world
   std::string world_frame;
   std::vector<RobotDescription> descriptions;  ///< it was built from these
   std::vector<RuleEnd> rule_ends{};            ///< by CycleSetup::pair_rules
   std::shared_ptr<LaterWarnings> later_warnings{std::make_shared<LaterWarnings>()};
 };
-
-/// Whether both were built from the same robots: they differ by rules and limits alone, and share
-/// ids of links, bodies and elements.
-inline bool haveSameRobots(const MonitorSetup& one, const MonitorSetup& other) {
-  return one.later_warnings == other.later_warnings;
-}
 
 /// When the last muted pair is checked again; nothing if none is muted.
 std::optional<RuleEnd> lastMuteOf(const MonitorSetup& setup);
@@ -60,13 +59,19 @@ std::optional<RuleEnd> lastMuteOf(const MonitorSetup& setup);
 /// The topic of each robot's joint states, by RobotId; "": no topic.
 std::vector<std::string> jointTopics(const MonitorSetup& setup);
 
-/// The tf frames of the links and of the world.
+/// The tf frames of the links, of the objects and of the world.
 std::vector<std::string> frameNames(const MonitorSetup& setup);
 
 /// Reads parameters and descriptions again and builds the set-up. May wait for descriptions.
-/// @throws SetupError with every problem of parameters, URDFs and SRDFs.
+/// @param former keeps its objects, in place of those of the parameters; may be null
+/// @throws SetupError with every problem of parameters, URDFs, SRDFs and objects.
 /// @throws Interrupted if `goes_on` returned false
 std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node,
-                                                     GoesOn goes_on);
+                                                     GoesOn goes_on, const MonitorSetup* former);
+
+/// The same robots with another world.
+/// @throws SetupError if there are more pairs than memory has room for
+/// @throws Interrupted
+std::shared_ptr<const MonitorSetup> changeWorld(const MonitorSetup& former, const World& world);
 
 }  // namespace collision_monitor

@@ -10,6 +10,7 @@
 #include "ros_edge/pace.h"
 #include "ros_edge/parameters/file_parameters.h"
 #include "ros_edge/parameters/parameter_struct.h"
+#include "ros_edge/world/world_parameters.h"
 
 namespace collision_monitor {
 namespace {
@@ -269,6 +270,10 @@ Parameters readParameters(const XmlRpcValue& values, const std::string& where,
     readFileParameters(*files, fields.pathOf("files"), parameters.loading, parameters.setup.meshes,
                        report);
   }
+  if (const XmlRpcValue* world = fields.find("world")) {
+    parameters.world = yamlOf(*world);
+  }
+  fields.read("world_file", parameters.world_file);
   fields.read("mesh_directory", parameters.mesh_directory);
   fields.read("obey_up_axis", parameters.obey_up_axis);
   fields.read("strict", parameters.is_strict);

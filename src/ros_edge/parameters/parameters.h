@@ -56,6 +56,8 @@ struct Parameters {
   std::string pair_rules;   ///< the same; "" if `setup` has the rules themselves, or for none
   std::string fit_cache;    ///< folder; "": the default; "none": none
   BroadPhaseKind broad_phase{BroadPhaseKind::automatic};
+  std::string world;                 ///< objects in YAML, "" for none
+  std::string world_file;            ///< file or package:// URI with objects, "" for none
   double disable_timeout{60.0};      ///< [s]
   double wait_for_description{5.0};  ///< [s]
 };

@@ -6,6 +6,7 @@
 
 #include <sstream>
 
+#include "model/object_links.h"
 #include "ros_edge/outputs/pair_counts.h"
 #include "ros_edge/pace.h"
 
@@ -14,11 +15,15 @@ namespace collision_monitor {
 std::string summaryOf(const MonitorSetup& setup) {
   const std::size_t warnings = setup.setup.report.warnings.size();
   const std::size_t pairs = setup.setup.checked.size();
+  const std::size_t robots = robotCount(setup.setup.model);
+  const std::size_t objects = setup.world.objects.size();
   std::ostringstream text;
-  text << "watching " << setup.setup.model.robots.size() << " robot"
-       << (setup.setup.model.robots.size() == 1 ? "" : "s") << " in frame '" << setup.world_frame
-       << "': " << setup.setup.bodies.size() << " shapes, " << pairs
-       << (pairs == 1 ? " pair of links, " : " pairs of links, ")
+  text << "watching " << robots << " robot" << (robots == 1 ? "" : "s");
+  if (objects > 0) {
+    text << " and " << objects << (objects == 1 ? " object" : " objects");
+  }
+  text << " in frame '" << setup.world_frame << "': " << setup.setup.bodies.size() << " shapes, "
+       << pairs << (pairs == 1 ? " pair of links, " : " pairs of links, ")
        << (setup.parameters.trigger == Trigger::pose ? "at most " : "at ")
        << 1.0 / periodOf(setup.parameters) << " Hz"
        << notCheckedText(countPairs(setup.setup.link_pairs)) << "; " << warnings

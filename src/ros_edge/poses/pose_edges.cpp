@@ -22,7 +22,10 @@ void PoseReader::makeEdges() {
     if (link.parent_joint) {
       const Joint& joint = model_.joint(*link.parent_joint);
       edges_[i].parent_frame = stripLeadingSlash(model_.link(joint.parent).frame);
-      edges_[i].joint = joints_ != nullptr && freedomOf(joint) <= 1 ? &joint : nullptr;
+      // tf does not know objects.
+      const bool is_object = model_.robots[index(link.robot)].is_world;
+      const bool places = is_object || (joints_ != nullptr && freedomOf(joint) <= 1);
+      edges_[i].joint = places ? &joint : nullptr;
     }
   }
   // Children come after their parents.
@@ -150,8 +153,11 @@ bool PoseReader::isBad(const Edge& edge) const {
 /// newest stamp often has only the first one's data.
 bool PoseReader::isContradicted(const Edge& edge) const {
   if (edge.joint != nullptr) {
+    if (!isMoving(edge)) {
+      return false;
+    }
     const NewestSample& newest = joints_->newest(edge.joint->first_variable);
-    return isMoving(edge) && isRecent(newest.contradiction, newest.stamp_ns, max_age_);
+    return isRecent(newest.contradiction, newest.stamp_ns, max_age_);
   }
   return std::any_of(edge.moving_path.begin(), edge.moving_path.end(), [&](std::size_t frame) {
     return isRecent(records_[frame].contradiction, records_[frame].newest_ns, max_age_);

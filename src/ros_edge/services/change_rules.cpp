@@ -62,9 +62,17 @@ std::shared_ptr<MonitorSetup> makeChanged(const MonitorSetup& current, const Lim
                                           const TimedRules& rules, SetupReport& report) {
   checkEnds(current, limits, rules, report);
   throwIfErrors(report);
-  return std::make_shared<MonitorSetup>(
-      MonitorSetup{current.parameters, withPairRules(current.setup, limits, rules.rules, report),
-                   current.world_frame, current.descriptions, rules.ends, current.later_warnings});
+  auto changed = std::make_shared<MonitorSetup>();
+  changed->parameters = current.parameters;
+  changed->robots = current.robots;
+  changed->world = current.world;
+  changed->prepared = current.prepared;
+  changed->setup = withPairRules(current.setup, limits, rules.rules, report);
+  changed->world_frame = current.world_frame;
+  changed->descriptions = current.descriptions;
+  changed->rule_ends = rules.ends;
+  changed->later_warnings = current.later_warnings;
+  return changed;
 }
 
 std::string textOf(const std::vector<Problem>& problems) {

@@ -23,6 +23,8 @@ Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, Se
     : private_node_(private_node),
       inputs_(inputs),
       hooks_(std::move(hooks)),
+      objects_(private_node, inputs,
+               {hooks_.current_setup, hooks_.change_setup, [this] { return goesOn(); }}, changing_),
       rule_clock_([this] { return nextEndOf(*hooks_.current_setup()); }, [this] { endRules(); }) {
   get_distances_ = private_node_.advertiseService("get_distances", &Services::getDistances, this);
   ros::NodeHandle background_node(private_node_);
@@ -105,11 +107,11 @@ bool Services::explainPair(ExplainPair::Request& request, ExplainPair::Response&
 }
 
 bool Services::setPairs(SetPairs::Request& request, SetPairs::Response& response) {
-  const std::lock_guard<std::mutex> lock(change_mutex_);
+  const std::lock_guard<std::mutex> lock(changing_);
   const NextSetup next = answerSetPairs(*hooks_.current_setup(), std::chrono::steady_clock::now(),
                                         ++requests_, request, response);
   if (next) {
-    hooks_.change_rules(next);
+    hooks_.change_setup(next);
     rule_clock_.wake();
     ROS_INFO_STREAM("set_pairs: " << response.message);
   }
@@ -117,19 +119,19 @@ bool Services::setPairs(SetPairs::Request& request, SetPairs::Response& response
 }
 
 bool Services::setLimits(SetLimits::Request& request, SetLimits::Response& response) {
-  const std::lock_guard<std::mutex> lock(change_mutex_);
+  const std::lock_guard<std::mutex> lock(changing_);
   if (const NextSetup next = answerSetLimits(*hooks_.current_setup(), request, response)) {
-    hooks_.change_rules(next);
+    hooks_.change_setup(next);
     ROS_INFO_STREAM("set_limits: " << response.message);
   }
   return true;
 }
 
 void Services::endRules() {
-  const std::lock_guard<std::mutex> lock(change_mutex_);
+  const std::lock_guard<std::mutex> lock(changing_);
   const NextSetup next = withoutEnded(*hooks_.current_setup(), std::chrono::steady_clock::now());
   if (next) {
-    hooks_.change_rules(next);
+    hooks_.change_setup(next);
     ROS_INFO_STREAM("rules for pairs have ended; left: " << next->setup.pair_rules.size());
   }
 }
@@ -148,19 +150,18 @@ bool Services::setEnabled(std_srvs::SetBool::Request& request,
 
 bool Services::reload(std_srvs::Trigger::Request& /*request*/,
                       std_srvs::Trigger::Response& response) {
-  const std::unique_lock<std::mutex> lock(reload_mutex_, std::try_to_lock);
+  const std::unique_lock<std::mutex> lock(changing_, std::try_to_lock);
   response.success = 0;
   if (!lock.owns_lock()) {
-    response.message = "another reload is running; try again when it is done";
+    response.message = "another reload or change of objects is running; try again when it is done";
     return true;
   }
   try {
-    const std::shared_ptr<const MonitorSetup> made =
-        makeMonitorSetup(private_node_, [this] { return goesOn(); });
-    {
-      const std::lock_guard<std::mutex> change(change_mutex_);
-      hooks_.replace_setup(made);
-    }
+    const std::shared_ptr<const MonitorSetup> former = hooks_.current_setup();
+    const std::shared_ptr<const MonitorSetup> made = makeMonitorSetup(
+        private_node_, [this] { return goesOn(); }, former.get());
+    hooks_.replace_setup(made);
+    objects_.publish();
     rule_clock_.wake();
     logSetup(*made);
     response.message = summaryOf(*made);

@@ -23,6 +23,7 @@
 #include "ros_edge/poses/newest_state.h"
 #include "ros_edge/services/explain_pair.h"
 #include "ros_edge/services/rule_clock.h"
+#include "ros_edge/world/object_services.h"
 
 namespace collision_monitor {
 
@@ -30,8 +31,8 @@ namespace collision_monitor {
 struct ServiceHooks {
   std::function<std::shared_ptr<const MonitorSetup>()> current_setup;
   std::function<void(std::shared_ptr<const MonitorSetup>)> replace_setup;
-  /// Watches a set-up of the same robots.
-  std::function<void(std::shared_ptr<const MonitorSetup>)> change_rules;
+  /// Watches a set-up that differs in its objects, rules or limits alone.
+  std::function<void(std::shared_ptr<const MonitorSetup>)> change_setup;
   PairViewer view_pair;
   std::function<void(bool)> set_enabled;
   GoesOn goes_on;  ///< whether long calls may continue
@@ -64,8 +65,7 @@ class Services {
   ros::NodeHandle private_node_;
   Inputs inputs_;
   ServiceHooks hooks_;
-  std::mutex reload_mutex_;
-  std::mutex change_mutex_;     ///< held from reading the current set-up to replacing it
+  std::mutex changing_;         ///< held from reading the current set-up to replacing it
   std::size_t requests_{0};     ///< of set_pairs
   BackgroundQueue background_;  ///< outlives its services
   ros::ServiceServer get_distances_;
@@ -76,6 +76,7 @@ class Services {
   ros::ServiceServer set_limits_;
   ros::ServiceServer set_enabled_;
   ros::ServiceServer reload_;
+  ObjectServices objects_;
   RuleClock rule_clock_;  ///< the last, since its thread uses the others
 };
 

@@ -24,7 +24,7 @@ TEST(CarryOver, pairsOfTheSameLinks_keepWhatWasReportedAndOthersAreDropped) {
   reported.speed.scale = 0.25;
   reported.speed.stamp_ns = 7;
   PairMemory memory = makeBuffers(to, BroadPhaseKind::brute_force).memory;
-  EXPECT_EQ(carryOver(from, reported, to, memory), std::vector<LinkPairIndex>{2});
+  EXPECT_EQ(carryOver(planCarryOver(from, to), reported, memory), std::vector<LinkPairIndex>{2});
   EXPECT_EQ(memory.reported, std::vector<Verdict>{Verdict::contact});
   EXPECT_EQ(memory.contact_detail[0], Detail::geometries);
   EXPECT_EQ(memory.speed.stopped[0], 1);
@@ -38,7 +38,7 @@ TEST(CarryOver, pairThatIsNew_isAsNothingWereReported) {
   PairMemory reported = makeBuffers(from, BroadPhaseKind::brute_force).memory;
   reported.reported = {Verdict::unknown};
   PairMemory memory = makeBuffers(to, BroadPhaseKind::brute_force).memory;
-  EXPECT_TRUE(carryOver(from, reported, to, memory).empty());
+  EXPECT_TRUE(carryOver(planCarryOver(from, to), reported, memory).empty());
   EXPECT_EQ(memory.reported,
             (std::vector<Verdict>{Verdict::unknown, Verdict::clear, Verdict::clear}));
 }
@@ -49,32 +49,25 @@ TEST(CarryOver, clearPairThatIsNotCheckedAnyMore_isNoLoss) {
   ASSERT_TRUE(to.checked.empty());
   PairMemory reported = makeBuffers(from, BroadPhaseKind::brute_force).memory;
   PairMemory memory = makeBuffers(to, BroadPhaseKind::brute_force).memory;
-  EXPECT_TRUE(carryOver(from, reported, to, memory).empty());
+  EXPECT_TRUE(carryOver(planCarryOver(from, to), reported, memory).empty());
   reported.reported[1] = Verdict::unknown;
-  EXPECT_EQ(carryOver(from, reported, to, memory), std::vector<LinkPairIndex>{1});
+  EXPECT_EQ(carryOver(planCarryOver(from, to), reported, memory), std::vector<LinkPairIndex>{1});
 }
 
-TEST(CarryOver, sameLinks_keepVerdictsPosesAndSpeed) {
+TEST(CarryOver, pairsThatRulesDropAndTakeBack_keepVerdictsOfTheOthers) {
   const CycleSetup all = handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}, {2, Sphere{0.1}}});
   const CycleSetup few = withPairs(all, {true, false, true});
   PairMemory reported = makeBuffers(all, BroadPhaseKind::brute_force).memory;
   reported.reported = {Verdict::contact, Verdict::warning, Verdict::unknown};
   reported.contact_detail[0] = Detail::geometries;
   reported.speed.scale = 0.25;
-  reported.last.stamp_ns = 7;
-  reported.last.known = {1, 0, 1};
   PairMemory memory = makeBuffers(few, BroadPhaseKind::brute_force).memory;
-  std::vector<LinkPairIndex> dropped;
-  carryOverSameLinks(all, reported, few, memory, dropped);
-  EXPECT_EQ(dropped, std::vector<LinkPairIndex>{1});
+  EXPECT_EQ(carryOver(planCarryOver(all, few), reported, memory), std::vector<LinkPairIndex>{1});
   EXPECT_EQ(memory.reported, (std::vector<Verdict>{Verdict::contact, Verdict::unknown}));
   EXPECT_EQ(memory.contact_detail[0], Detail::geometries);
   EXPECT_EQ(memory.speed.scale, 0.25);
-  EXPECT_EQ(memory.last.stamp_ns, 7);
-  EXPECT_EQ(memory.last.known, reported.last.known);
   PairMemory again = makeBuffers(all, BroadPhaseKind::brute_force).memory;
-  carryOverSameLinks(few, memory, all, again, dropped);
-  EXPECT_TRUE(dropped.empty());
+  EXPECT_TRUE(carryOver(planCarryOver(few, all), memory, again).empty());
   EXPECT_EQ(again.reported,
             (std::vector<Verdict>{Verdict::contact, Verdict::clear, Verdict::unknown}));
 }

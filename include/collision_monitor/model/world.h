@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "collision_monitor/geometry/pose.h"
+#include "collision_monitor/geometry/shapes.h"
+#include "collision_monitor/geometry/triangle_mesh.h"
+#include "collision_monitor/model/problems.h"
+
+/// Objects beside the robots, such as a table, a floor or a grasped part, and how they change.
+/// Units: metres.
+namespace collision_monitor {
+
+/// Axis along z: the base is a disc at -half_length, the tip is at +half_length.
+struct Cone {
+  double half_length{0.0};
+  double radius{0.0};
+};
+
+/// The half space of all points with normal . point <= offset. The normal need not be unit; then
+/// the offset is a multiple of its length.
+struct Plane {
+  Eigen::Vector3d normal{Eigen::Vector3d::UnitZ()};
+  double offset{0.0};
+};
+
+/// Copies of an object share its triangles.
+using SharedMesh = std::shared_ptr<const TriangleMesh>;
+
+/// What an object may be made of.
+using ObjectGeometry = std::variant<Sphere, Capsule, Box, Cylinder, Cone, SharedMesh, Plane>;
+
+/// One geometry of an object, placed in its frame.
+struct ObjectShape {
+  Pose object_from_shape;
+  ObjectGeometry geometry;
+};
+
+using ObjectShapes = std::vector<ObjectShape>;
+
+/// Red, green, blue and opacity, from 0 to 1.
+using ObjectColour = std::array<float, 4>;
+
+/// A rigid thing that links may touch. Copies share their shapes, which never change.
+struct WorldObject {
+  std::string name;   ///< unique among objects and links
+  std::string frame;  ///< tf frame that carries it; of an attached object, its link in messages
+  Pose frame_from_object;
+  std::shared_ptr<const ObjectShapes> shapes;
+  double padding{0.0};  ///< [m] added to every shape
+  std::string group;    ///< for rules about pairs; may be empty
+  ObjectColour colour{0.6F, 0.6F, 0.6F, 1.0F};
+  bool is_attached{false};  ///< moves with the link `frame`
+  /// Links that may touch it, beside those that an attached object is rigidly joined to.
+  std::vector<std::string> touch_links;
+  std::string where;  ///< where the user wrote it, for messages: "cell.yaml line 12"; may be empty
+};
+
+/// All objects, in order of name, so that the same objects make the same set-up, however they came.
+struct World {
+  std::map<std::string, std::shared_ptr<const WorldObject>> objects;
+};
+
+/// What is accepted.
+constexpr std::size_t kMostObjects = 20000;
+constexpr std::size_t kMostObjectTriangles = 1000000;  ///< of one mesh
+constexpr double kFarthestObject = 1e6;                ///< [m] coordinates and lengths
+
+enum class ChangeKind : unsigned char {
+  add,          ///< new objects, whole
+  move,         ///< new poses, in new frames where these are named
+  remove,       ///< by name
+  clear,        ///< all objects, attached ones too; names none
+  replace_all,  ///< these objects, whole, in place of all
+  attach,       ///< to the links `frame`, at their poses or where they stand
+  detach,       ///< to the frames `frame`, where they stand
+};
+
+/// "add", "move", ... as in messages.
+const char* nameOf(ChangeKind kind) noexcept;
+
+/// One change of the objects that it holds. `add` and `replace_all` read every field of them;
+/// others only those that ChangeKind names, and the name. An empty frame means the world frame; for
+/// `move` it means that the object keeps its frame.
+struct ObjectChange {
+  ChangeKind kind{ChangeKind::add};
+  std::vector<WorldObject> objects;
+  bool has_poses{true};  ///< for `attach`: false keeps the objects where they stand
+};
+
+/// What changes may refer to.
+struct KnownPlaces {
+  std::vector<std::string> links;        ///< names in messages
+  std::vector<std::string> link_frames;  ///< their tf frames: no object may have such a name
+  std::string world_frame;
+  /// Whether a frame that is neither a link's nor the world's exists; empty: any may come to exist.
+  std::function<bool(const std::string& frame)> has_frame;
+  /// The newest pose of `child` (a frame, or a link by its name) in `parent`; nothing if it is not
+  /// known. Empty: no pose is known.
+  std::function<std::optional<Pose>(const std::string& parent, const std::string& child)> find_pose;
+};
+
+/// Makes all changes in their order, or none if one has a fault. All faults are added to `report`,
+/// up to a hundred, each with the number of its change, the name of its object, the value and what
+/// is accepted. An object with a fault counts as present for the changes after it.
+/// @return the changed world; `world` itself after a fault.
+World applyChanges(const World& world, const std::vector<ObjectChange>& changes,
+                   const KnownPlaces& places, SetupReport& report);
+
+}  // namespace collision_monitor

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/world/object_services.h"
+
+#include <ros/console.h>
+
+#include <exception>
+#include <utility>
+
+#include "ros_edge/parameters/resource_loader.h"
+#include "ros_edge/world/convert_objects.h"
+#include "ros_edge/world/world_places.h"
+
+namespace collision_monitor {
+namespace {
+
+/// [s] The longest wait for frames that tf was not asked for before.
+constexpr double kPatience = 1.0;
+
+SceneObjects listOf(const MonitorSetup& setup) {
+  SceneObjects objects;
+  objects.header.stamp = ros::Time::now();
+  objects.header.frame_id = setup.world_frame;
+  toMessage(setup.world, objects);
+  return objects;
+}
+
+std::string countText(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " object" : " objects");
+}
+
+}  // namespace
+
+ObjectServices::ObjectServices(const ros::NodeHandle& private_node, const Inputs& inputs,
+                               ObjectHooks hooks, std::mutex& changing)
+    : private_node_(private_node), inputs_(inputs), hooks_(std::move(hooks)), changing_(changing) {
+  objects_ = private_node_.advertise<SceneObjects>("objects", 1, true);
+  publish();
+  apply_objects_ = private_node_.advertiseService("apply_objects", &ObjectServices::apply, this);
+  get_objects_ = private_node_.advertiseService("get_objects", &ObjectServices::list, this);
+}
+
+void ObjectServices::publish() { objects_.publish(listOf(*hooks_.current_setup())); }
+
+bool ObjectServices::apply(ApplyObjects::Request& request, ApplyObjects::Response& response) {
+  const std::lock_guard<std::mutex> lock(changing_);
+  response.success = 0;
+  try {
+    const Interruptible interruptible(hooks_.goes_on);
+    const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
+    const ResourceLoader load_resource = makeResourceLoader(current->parameters.loading);
+    SetupReport report;
+    const std::vector<ObjectChange> changes =
+        fromMessages(request.changes, {load_resource, current->parameters.setup.meshes}, report);
+    const World world =
+        applyChanges(current->world, changes, placesNow(*current, inputs_, kPatience), report);
+    throwIfErrors(report);
+    hooks_.replace_world(changeWorld(*current, world));
+    publish();
+    response.message = "watching " + countText(world.objects.size());
+    response.success = 1;
+  } catch (const std::exception& fault) {
+    response.message = "nothing was changed: " + failureText(fault);
+  } catch (const Interrupted&) {
+    response.message = "nothing was changed: the monitor ends";
+  }
+  return true;
+}
+
+bool ObjectServices::list(GetObjects::Request& /*request*/, GetObjects::Response& response) {
+  response.objects = listOf(*hooks_.current_setup());
+  return true;
+}
+
+}  // namespace collision_monitor

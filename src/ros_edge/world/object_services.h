@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <collision_monitor/ApplyObjects.h>
+#include <collision_monitor/GetObjects.h>
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/service_server.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+
+#include "ros_edge/inputs/inputs.h"
+#include "ros_edge/parameters/monitor_setup.h"
+
+namespace collision_monitor {
+
+/// What the services of objects need from the monitor. Any thread may call these.
+struct ObjectHooks {
+  std::function<std::shared_ptr<const MonitorSetup>()> current_setup;
+  /// Watches a set-up that differs in its objects alone.
+  std::function<void(std::shared_ptr<const MonitorSetup>)> replace_world;
+  GoesOn goes_on;
+};
+
+/// apply_objects and get_objects, and the latched topic `objects`. A change is prepared on the
+/// thread of the call, and the cycle only swaps it in.
+class ObjectServices {
+ public:
+  /// @param changing is held while a set-up is replaced
+  /// @pre the inputs and the mutex outlive the services.
+  ObjectServices(const ros::NodeHandle& private_node, const Inputs& inputs, ObjectHooks hooks,
+                 std::mutex& changing);
+
+  /// Publishes the objects, after a reload.
+  void publish();
+
+ private:
+  bool apply(ApplyObjects::Request& request, ApplyObjects::Response& response);
+  bool list(GetObjects::Request& request, GetObjects::Response& response);
+
+  ros::NodeHandle private_node_;
+  Inputs inputs_;
+  ObjectHooks hooks_;
+  std::mutex& changing_;
+  ros::Publisher objects_;
+  ros::ServiceServer apply_objects_;
+  ros::ServiceServer get_objects_;
+};
+
+}  // namespace collision_monitor
