@@ -59,7 +59,7 @@ class JointStates(TwoBoxes):
         self.probe.wait_for_level(State.OK)
 
     def test_getDistances_readsJointStatesToo(self):
-        answer = self.service("get_distances", GetDistances)([], [], JointState(), 0.0)
+        answer = self.service("get_distances", GetDistances)([], [], JointState(), 0.0, False)
         self.assertTrue(answer.success, answer.message)
         self.assertAlmostEqual(answer.distances.pairs[0].distance, 0.4, places=6)
         self.assertEqual(answer.distances.pairs[0].gradient_joints, ["slide", "turn"])

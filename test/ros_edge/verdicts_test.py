@@ -86,14 +86,14 @@ class Verdicts(TwoBoxes):
         late.wait(lambda: late.state is not None and late.is_valid is not None, "the latched state")
 
     def test_getDistances_now(self):
-        answer = self.service("get_distances", GetDistances)([], [], JointState(), 0.0)
+        answer = self.service("get_distances", GetDistances)([], [], JointState(), 0.0, False)
         self.assertTrue(answer.success, answer.message)
         self.assertEqual(len(answer.distances.pairs), 1)
         self.assertAlmostEqual(answer.distances.pairs[0].distance, 0.4, places=6)
 
     def test_getDistances_forGivenJoints_leavesTheMonitorAlone(self):
         joints = JointState(name=["slide", "turn"], position=[0.0, math.pi / 4.0])
-        answer = self.service("get_distances", GetDistances)(["box_b"], ["box_a"], joints, 0.0)
+        answer = self.service("get_distances", GetDistances)(["box_b"], ["box_a"], joints, 0.0, False)
         self.assertTrue(answer.success, answer.message)
         self.assertAlmostEqual(answer.distances.pairs[0].distance,
                                0.15 - 0.05 * math.sqrt(2.0), places=9)
@@ -102,17 +102,17 @@ class Verdicts(TwoBoxes):
 
     def test_getDistances_refusesWhatItDoesNotKnow(self):
         call = self.service("get_distances", GetDistances)
-        answer = call(["box_aa"], [], JointState(name=["slid"], position=[0.0]), 0.0)
+        answer = call(["box_aa"], [], JointState(name=["slid"], position=[0.0]), 0.0, False)
         self.assertFalse(answer.success)
         self.assertIn("did you mean 'box_a'", answer.message)
         self.assertIn("did you mean 'slide'", answer.message)
-        answer = call([], [], JointState(name=["slide"], position=[float("nan")]), 0.0)
+        answer = call([], [], JointState(name=["slide"], position=[float("nan")]), 0.0, False)
         self.assertFalse(answer.success)
-        answer = call([], [], JointState(name=["slide"], position=[]), 0.0)
+        answer = call([], [], JointState(name=["slide"], position=[]), 0.0, False)
         self.assertFalse(answer.success)
 
     def test_getDistances_namesPairsThatAreIgnored(self):
-        answer = self.service("get_distances", GetDistances)(["rail"], ["box_a"], JointState(), 0.0)
+        answer = self.service("get_distances", GetDistances)(["rail"], ["box_a"], JointState(), 0.0, False)
         self.assertFalse(answer.success)
         self.assertIn("rail and box_a (", answer.message)
 

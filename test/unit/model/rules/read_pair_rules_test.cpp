@@ -78,7 +78,7 @@ TEST(ReadPairRules, faults_areNamedWithTheirLine) {
   expectError("- {a: base, b: {group: hands}, check: false}", "group 'hands', which is unknown");
   expectError("- {a: base, b: [], check: false}", "b []");
   expectError("- {a: *, b: base, check: false}", "patterns stand in quotes");
-  expectError("rules: []", "'rules'");
+  expectError("pair_rules: 3", "pair_rules '3'");
   expectError("- base", "'base'");
 }
 

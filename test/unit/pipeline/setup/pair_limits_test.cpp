@@ -124,7 +124,19 @@ TEST(PairLimitsOfSetup, spheresOfTheSrdf_replaceFitsWhenAskedFor) {
   options.uses_srdf_spheres = true;
   const CycleSetup setup = setupOf(options);
   EXPECT_EQ(radiusOf(setup.bodies.back().shape), 0.2);
+  EXPECT_TRUE(setup.report.warnings.empty());
+}
+
+TEST(PairLimitsOfSetup, spheresThatDoNotEncloseTheirLink_areTakenWithAWarning) {
+  RobotDescription description = threeBalls();
+  const std::size_t radius = description.srdf_xml.find("radius='0.2'");
+  description.srdf_xml.replace(radius, 12, "radius='.05'");
+  SetupOptions options;
+  options.uses_srdf_spheres = true;
+  const CycleSetup setup = buildSetup({description}, textLoader({}), options);
+  EXPECT_EQ(radiusOf(setup.bodies.back().shape), 0.05);
   EXPECT_FALSE(setup.labels.back().is_proven);
+  EXPECT_EQ(setup.report.warnings.size(), 1U);
 }
 
 TEST(PairLimitsOfSetup, paddings_areThoseOfNamedLinks) {
