@@ -4,8 +4,8 @@
 of exact geometries, with points and normals, nearest(q), and contacts(q) with depths and points. FCL
 runs in the same run: the distance of every pair in the faster of two forms (meshes, or convex solids
 where the geometry is convex), the least distance and whether each pair is in contact, which skip pairs
-by their boxes. Our time includes placing the links; FCL's elements are placed before. Times are
-processor time of one core."""
+by their boxes. Both place their objects; our time includes the kinematics, too. Times are processor
+time of one core."""
 import os
 import subprocess
 

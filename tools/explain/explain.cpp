@@ -90,7 +90,7 @@ void printDistance(const CycleSetup& setup, std::size_t place, const JointPositi
   for (std::size_t i = 0; i < alone.table.size(); ++i) {
     links.candidates.push_back(idAt<PairId>(i));
   }
-  measureWithin(alone, std::numeric_limits<double>::infinity(), links);
+  measureWithin(alone, std::numeric_limits<double>::infinity(), Asked::nearest, links);
   const PairDistance& nearest = links.of(0);
   const BodyPair& bodies = alone.table[nearest.pair];
   const auto shape = [&](BodyId body) {

@@ -48,8 +48,9 @@ std::string fillNow(const MonitorSetup& current, const NewestState& newest, std:
                     LinkDistance& message) {
   std::vector<bool> is_wanted(current.setup.link_pairs.size(), false);
   is_wanted[place] = true;
-  const MonitorSetup alone{{}, withPairs(current.setup, is_wanted), current.world_frame, {}, {},
-                           {}};
+  MonitorSetup alone;
+  alone.setup = withPairs(current.setup, is_wanted);
+  alone.world_frame = current.world_frame;
   const CycleSetup& setup = alone.setup;
   const CheckedLinkPair& pair = setup.checked.front();
   LinkDistances links = makeLinkDistances(setup);
@@ -61,7 +62,7 @@ std::string fillNow(const MonitorSetup& current, const NewestState& newest, std:
   for (std::size_t i = 0; i < setup.table.size(); ++i) {
     links.candidates.push_back(idAt<PairId>(i));
   }
-  measureWithin(setup, std::numeric_limits<double>::infinity(), links);
+  measureWithin(setup, std::numeric_limits<double>::infinity(), Asked::nearest, links);
   toMessage(alone, newest.poses, links.of(0), message);
   return "now " + distanceSentence(setup, links.of(0)) + " (" + message.shape_a + ", " +
          message.shape_b + ")";

@@ -264,7 +264,9 @@ void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
     answerChecked(current, newest, request, response);
     return;
   }
-  const MonitorSetup all{{}, withAsked(current.setup, request), current.world_frame, {}, {}, {}};
+  MonitorSetup all;
+  all.setup = withAsked(current.setup, request);
+  all.world_frame = current.world_frame;
   answerChecked(all, newest, request, response);
   for (const LinkDistance& pair : response.distances.pairs) {
     const RobotModel& model = current.setup.model;
