@@ -25,7 +25,7 @@ std::string ball(double radius) { return "<sphere radius='" + std::to_string(rad
 
 /// base - (fixed) - flange - (slides along x) - arm - (fixed) - hand - (slides) - finger; balls of
 /// 5 cm a meter apart, and the flange without geometry.
-CycleSetup armSetup(SetupOptions options = SetupOptions()) {
+CycleSetup gripperSetup(SetupOptions options = SetupOptions()) {
   options.meshes.is_in_process = true;
   const std::string xml = robotXml(
       linkXml("base", ball(0.05)) + "<link name='flange'/>" + linkXml("arm", ball(0.05)) +
@@ -45,7 +45,7 @@ CycleSetup farSeeingSetup() {
   SetupOptions options;
   options.limits.report_distance = 1.0;
   options.refine.limits.distance = 1.0;
-  return armSetup(options);
+  return gripperSetup(options);
 }
 
 CycleSetup withWorld(const CycleSetup& robots, const World& world) {
@@ -67,7 +67,7 @@ std::set<std::string> pairsOf(const CycleSetup& setup, const std::string& name) 
 using Names = std::set<std::string>;
 
 TEST(AddWorld, objectsBecomeLinksBehindThoseOfTheRobots) {
-  const CycleSetup robots = armSetup();
+  const CycleSetup robots = gripperSetup();
   const CycleSetup setup =
       withWorld(robots, worldOf({objectOf("table", kBox, at(0, 0, -1)), objectOf("crate", kBox)}));
   ASSERT_EQ(setup.model.links.size(), robots.model.links.size() + 3);
@@ -83,7 +83,7 @@ TEST(AddWorld, objectsBecomeLinksBehindThoseOfTheRobots) {
 }
 
 TEST(AddWorld, withoutObjects_nothingChanges) {
-  const CycleSetup robots = armSetup();
+  const CycleSetup robots = gripperSetup();
   const CycleSetup setup = withWorld(robots, World());
   EXPECT_EQ(setup.model.links.size(), robots.model.links.size());
   EXPECT_EQ(setup.table.size(), robots.table.size());
@@ -91,20 +91,20 @@ TEST(AddWorld, withoutObjects_nothingChanges) {
 
 TEST(AddWorld, anObject_isCheckedAgainstAllLinksAndNoObject) {
   const CycleSetup setup =
-      withWorld(armSetup(), worldOf({objectOf("table", kBox), objectOf("crate", kBox)}));
+      withWorld(gripperSetup(), worldOf({objectOf("table", kBox), objectOf("crate", kBox)}));
   EXPECT_EQ(pairsOf(setup, "table"), (Names{"base", "arm", "hand", "finger"}));
 }
 
 TEST(AddWorld, anObject_mayTouchItsTouchLinks) {
   WorldObject floor = objectOf("floor", Plane());
   floor.touch_links = {"base", "finger"};
-  EXPECT_EQ(pairsOf(withWorld(armSetup(), worldOf({floor})), "floor"), (Names{"arm", "hand"}));
+  EXPECT_EQ(pairsOf(withWorld(gripperSetup(), worldOf({floor})), "floor"), (Names{"arm", "hand"}));
 }
 
 TEST(AddWorld, anObjectInALinksFrame_movesWithItAndIsCheckedAgainstIt) {
   WorldObject lamp = objectOf("lamp", kBox);
   lamp.frame = "flange";
-  const CycleSetup setup = withWorld(armSetup(), worldOf({lamp}, [] {
+  const CycleSetup setup = withWorld(gripperSetup(), worldOf({lamp}, [] {
                                        KnownPlaces places = armPlaces();
                                        places.link_frames.push_back("flange");
                                        return places;
@@ -114,7 +114,7 @@ TEST(AddWorld, anObjectInALinksFrame_movesWithItAndIsCheckedAgainstIt) {
 }
 
 TEST(AddWorld, anAttachedObject_mayTouchWhatMovesWithItAndItsTouchLinks) {
-  const CycleSetup robots = armSetup();
+  const CycleSetup robots = gripperSetup();
   const World world =
       worldOf({attached(objectOf("part", kBox), "hand"), objectOf("table", kBox),
                attached(objectOf("sensor", kBox), "arm"), attached(objectOf("cap", kBox), "base")});
@@ -129,8 +129,8 @@ TEST(AddWorld, anAttachedObject_mayTouchWhatMovesWithItAndItsTouchLinks) {
 
 TEST(AddWorld, pairsAreSorted) {
   const CycleSetup setup =
-      withWorld(armSetup(), worldOf({objectOf("a", kBox), attached(objectOf("b", kBox), "hand"),
-                                     attached(objectOf("c", kBox), "finger")}));
+      withWorld(gripperSetup(), worldOf({objectOf("a", kBox), attached(objectOf("b", kBox), "hand"),
+                                         attached(objectOf("c", kBox), "finger")}));
   EXPECT_TRUE(std::is_sorted(setup.link_pairs.begin(), setup.link_pairs.end(),
                              [](const LinkPair& one, const LinkPair& other) {
                                return std::make_pair(one.a, one.b) <
@@ -203,7 +203,7 @@ TEST(AddWorld, padding_isTakenFromTheDistance) {
 TEST(AddWorld, tooManyPairs_areRefused) {
   const World world = worldOf({objectOf("a", kBox)});
   EXPECT_THROW(
-      addWorld(armSetup(), world, prepareObjects(world, RefineGeometry::mesh, {}), {"map", 1}),
+      addWorld(gripperSetup(), world, prepareObjects(world, RefineGeometry::mesh, {}), {"map", 1}),
       SetupError);
 }
 
