@@ -32,10 +32,11 @@ struct RefineTask {
 struct RefineWork {
   RefineLimits limits;            ///< `distance` is not used
   std::vector<double> distances;  ///< [m] by CheckedLinkPair::limits: what is refined
-  /// [m] Of a pair beyond this, a lower bound may be told instead of the distance. A cycle has none.
+  /// [m] Of a pair beyond this, a lower bound may be told instead of the distance. A cycle has
+  /// none.
   double cutoff{std::numeric_limits<double>::infinity()};
   bool finds_nearest{false};  ///< the cutoff falls to each distance that is measured
-  double elapsed{0.0};  ///< [s] between the stamps of the last poses and these; 0: unknown
+  double elapsed{0.0};        ///< [s] between the stamps of the last poses and these; 0: unknown
   std::vector<RefineTask> tasks;
   std::vector<std::uint32_t> task_of;      ///< by ElementPairIndex: index into tasks, or kNone
   std::vector<unsigned char> is_measured;  ///< by ElementPairIndex: in this cycle

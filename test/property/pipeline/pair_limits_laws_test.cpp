@@ -70,7 +70,7 @@ void expectSame(const CycleBuffers& one, const CycleBuffers& other, double withi
   ASSERT_EQ(one.events.verdicts, other.events.verdicts);
   ASSERT_EQ(one.events.changes.size(), other.events.changes.size());
   ASSERT_EQ(one.events.closest_of_all == kNone, other.events.closest_of_all == kNone);
-  if (one.events.closest_of_all != kNone) {
+  if (!near.empty()) {
     ASSERT_TRUE(isSame(one.distances.pairs[one.events.closest_of_all],
                        other.distances.pairs[other.events.closest_of_all]));
   }
