@@ -11,6 +11,7 @@
 #include "pipeline/states/check_states.h"
 #include "support/allocation_guard.h"
 #include "support/fixed_seed.h"
+#include "support/query_meshes.h"
 #include "support/robots/geometry_setup.h"
 #include "support/robots/hand_made_setup.h"
 #include "support/robots/ruled_setup.h"

@@ -16,6 +16,7 @@
 namespace collision_monitor {
 namespace {
 
+using Eigen::Vector3d;
 using test::boxMesh;
 
 SphereTreeLimits leaves(std::size_t count) {
