@@ -14,9 +14,8 @@ if(COLLISION_MONITOR_SANITIZE)
 endif()
 
 # sanitize_quickly(LIBRARY SOURCE...): compiles rooms together whose files share no names, so not
-# the readers of objects. In
-# kernels for lanes every operation is a call whose values have their own scope. Checking these
-# scopes takes three times as long as all other checks, which stay on.
+# the readers of objects. In kernels for lanes every operation is a call whose values have their own
+# scope. Checking these scopes takes three times as long as all other checks, which stay on.
 function(sanitize_quickly library)
   if(NOT COLLISION_MONITOR_SANITIZE)
     return()
@@ -28,8 +27,11 @@ function(sanitize_quickly library)
     if(lanes)
       set_source_files_properties(${source} PROPERTIES
         COMPILE_OPTIONS -fno-sanitize-address-use-after-scope)
-    elseif(room AND NOT source MATCHES "/src/model/world/")
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${CMAKE_MATCH_1})
+    elseif(room)
+      set(group ${CMAKE_MATCH_1})
+      if(NOT source MATCHES "/src/model/world/")
+        set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+      endif()
     endif()
   endforeach()
 endfunction()

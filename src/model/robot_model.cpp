@@ -20,7 +20,15 @@ std::optional<Id> findByName(const std::vector<Named>& all, const std::string& n
 }  // namespace
 
 std::optional<LinkId> RobotModel::findLink(const std::string& name) const {
-  return findByName<LinkId>(links, name);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const std::size_t robot = index(links[i].robot);
+    const bool carries_objects =
+        robot < robots.size() && robots[robot].is_world && !links[i].parent_joint;
+    if (links[i].name == name && !carries_objects) {
+      return idAt<LinkId>(i);
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<JointId> RobotModel::findJoint(const std::string& name) const {

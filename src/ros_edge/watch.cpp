@@ -112,7 +112,9 @@ std::vector<LinkPairIndex> Watch::takeOver(const Watch& former) {
   carryMotion(carried, setup(), {former.poses, former.buffers.memory.last, former.tracker}, poses,
               buffers.memory, tracker);
   std::vector<LinkPairIndex> dropped = carryOver(carried, former.buffers.memory, buffers.memory);
-  nearest.inherit(former.nearest, carried.pair_of);
+  if (former.fixed->robots == fixed->robots) {  // not reloaded
+    nearest.inherit(former.nearest, carried.pair_of);
+  }
   carried = CarryPlan();
   planned_from.reset();
   return dropped;

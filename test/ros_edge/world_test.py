@@ -15,7 +15,8 @@ from shape_msgs.msg import SolidPrimitive
 from std_srvs.srv import Trigger
 
 from collision_monitor.msg import LinkDistance, SceneChange, SceneObject, SceneObjects, State
-from collision_monitor.srv import ApplyObjects, GetDistances, GetDistancesRequest, GetObjects
+from collision_monitor.srv import (ApplyObjects, ExplainPair, GetDistances, GetDistancesRequest,
+                                   GetObjects)
 from monitor_probe import DEADLINE, NODE, TwoBoxes, transform
 
 
@@ -146,6 +147,26 @@ class World(TwoBoxes):
         finally:
             ends.set()
             thread.join()
+
+    def test_questionsAboutPairsThatAreNeverChecked_areAnswered(self):
+        # The object has the name of the frame that carries it.
+        transforms = tf2_ros.StaticTransformBroadcaster()
+        transforms.sendTransform(transform("rail", "trolley", rospy.Time.now(), 0.9))
+        self.change(SceneChange.ADD, cube("trolley", 0.0, "trolley"), cube("crate", 1.2))
+        answer = self.service("explain_pair", ExplainPair)(link_a="trolley", link_b="crate")
+        self.assertTrue(answer.success, answer.message)
+        self.assertFalse(answer.checked)
+        self.assertIn("neither is attached", answer.message)
+        answer = self.service("get_distances", GetDistances)(
+            GetDistancesRequest(links_a=["trolley"], include_ignored=True))
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual(len(answer.reasons), len(answer.distances.pairs))
+
+    def test_aNameThatCouldWriteTheLog_isRefused(self):
+        answer = self.apply(SceneChange(kind=SceneChange.ADD, objects=[cube("a\nFATAL", 1.0)]))
+        self.assertFalse(answer.success)
+        self.assertIn("control characters", answer.message)
+        self.assertEqual(self.names(), ["floor"])
 
     def test_objectsOutlastAReload_andAreListedInALatchedTopic(self):
         self.change(SceneChange.ADD, cube("table", 0.75))

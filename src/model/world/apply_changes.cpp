@@ -115,6 +115,9 @@ class ChangeMaker {
   void checkName(const std::string& name) {
     if (name.empty()) {
       refuse("an object without name", "a name that no other object and no link has");
+    } else if (std::any_of(name.begin(), name.end(),
+                           [](unsigned char one) { return one < 0x20 || one == 0x7f; })) {
+      refuse("a name with control characters", "names without");
     } else if (world_.objects.count(name) != 0) {
       refuse("this name twice", "names that no other object has; move and remove change objects");
     } else if (links_.count(name) != 0 || frames_.count(name) != 0) {

@@ -68,7 +68,13 @@ class SceneReader {
       WorldObject object = readObject(node, own);
       if (are_attached) {
         object.is_attached = true;
-        object.frame = textOf(childOf(attached, "link_name"));
+        const std::string carrier = textOf(childOf(attached, "link_name"));
+        const std::string& frame = object.frame;
+        if (!frame.empty() && frame != carrier) {
+          own.addError(lineOf(node), "frame_id " + quoted(frame),
+                       quoted(carrier) + ", the link that the object is attached to");
+        }
+        object.frame = carrier;
         for (const YAML::Node& link : childOf(attached, "touch_links")) {
           object.touch_links.push_back(textOf(link));
         }

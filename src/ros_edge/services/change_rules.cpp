@@ -232,8 +232,16 @@ NextSetup withoutEnded(const MonitorSetup& current, RuleEnd now) {
     return nullptr;
   }
   SetupReport ignored;
-  const TimedRules left = keepRules(current, [&](RuleEnd end) { return end > now; });
-  return makeChanged(current, current.setup.limits, left, ignored);
+  TimedRules left = keepRules(current, [&](RuleEnd end) { return end > now; });
+  try {
+    return makeChanged(current, current.setup.limits, left, ignored);
+  } catch (const SetupError&) {
+    // With objects that came later, limits that are left need not fit together. No mute may last.
+    for (PairRule& rule : left.rules) {
+      rule.limits = {};
+    }
+    return makeChanged(current, current.setup.limits, left, ignored = SetupReport());
+  }
 }
 
 RuleEnd nextEndOf(const MonitorSetup& current) {

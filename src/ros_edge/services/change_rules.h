@@ -27,7 +27,8 @@ NextSetup answerSetPairs(const MonitorSetup& current, RuleEnd now, std::size_t n
 NextSetup answerSetLimits(const MonitorSetup& current, const SetLimits::Request& request,
                           SetLimits::Response& response);
 
-/// The set-up without rules that have ended by now; null if none has.
+/// The set-up without rules that have ended by now; null if none has. If the limits of those that
+/// are left do not fit together, pairs get the common limits.
 /// @throws SetupError, std::bad_alloc
 NextSetup withoutEnded(const MonitorSetup& current, RuleEnd now);
 

@@ -113,8 +113,13 @@ void answerExplainPair(const MonitorSetup& current, const NewestState& newest,
     return;
   }
   const std::size_t place = findLinkPair(setup, *a, *b);
-  const LinkPair& pair = setup.link_pairs[place];
   response.success = 1;
+  if (place == setup.link_pairs.size()) {
+    response.reason = "ignored: two objects of which neither is attached";
+    response.message = request.link_a + " and " + request.link_b + " are " + response.reason;
+    return;
+  }
+  const LinkPair& pair = setup.link_pairs[place];
   response.checked = isChecked(pair.reason) ? 1 : 0;
   response.reason = reasonOf(setup, pair);
   fillLimits(setup, pair, response);

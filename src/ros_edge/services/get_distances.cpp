@@ -272,7 +272,9 @@ void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
     const RobotModel& model = current.setup.model;
     const std::size_t place =
         findLinkPair(current.setup, *model.findLink(pair.link_a), *model.findLink(pair.link_b));
-    response.reasons.push_back(reasonOf(current.setup, current.setup.link_pairs[place]));
+    response.reasons.push_back(place < current.setup.link_pairs.size()
+                                   ? reasonOf(current.setup, current.setup.link_pairs[place])
+                                   : "");
   }
 }
 
