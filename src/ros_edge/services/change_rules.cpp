@@ -143,6 +143,7 @@ std::size_t fieldNamed(const std::string& name) {
 LimitChanges readChanges(const SetLimits::Request& request, SetupReport& report) {
   LimitChanges changes{};
   std::vector<std::string> known;
+  known.reserve(kLimitFields.size());
   for (const LimitField& field : kLimitFields) {
     known.emplace_back(field.name);
   }
