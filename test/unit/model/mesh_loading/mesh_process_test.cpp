@@ -84,10 +84,10 @@ TEST(MeshProcess, polygonThatTakesForEver_meetsTheLimitOfTime) {
     face += " " + std::to_string(i + 1);
   }
   MeshReading reading;
-  reading.seconds = 0.2;
+  reading.seconds = 2.0;
   MeshProcess process(reading);
   EXPECT_EQ(messageOf([&] { process.read(text + face + "\n", "many.obj"); }),
-            "many.obj: not read within the limit of 0.2 s (parameter files/mesh_time)");
+            "many.obj: not read within the limit of 2 s (parameter files/mesh_time)");
   expectTheTriangle(process.read(kTriangleObj, "a.obj"));
 }
 
