@@ -60,7 +60,7 @@ class Stages {
     const double reach = activationDistanceOf(setup.limits);
     last_ = Clock::now();
     find(setup, poses, reach, buffers);
-    measure(setup, reach, buffers);
+    measure(setup, poses, reach, buffers);
     judge(setup, poses, buffers);
   }
 
@@ -83,10 +83,10 @@ class Stages {
       sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
       end("4 sweepBounds");
     }
-    growBounds(setup, poses, setup.ahead.horizon, buffers.bounds);
+    growBounds(setup, poses, buffers.body_poses, setup.ahead.horizon, buffers.bounds);
     end("5 growBounds");
-    findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
-    end("6 findCandidates");
+    findPairs(setup, poses, reach, buffers);
+    end("6 findPairs");
     findActivationDistances(setup, poses, buffers.sweep, buffers.activation);
     end("6b findActivationDistances");
     accumulateTravel(setup, poses, buffers);
@@ -94,14 +94,15 @@ class Stages {
     end("6c accumulateTravel, cullCandidates");
   }
 
-  void measure(const CycleSetup& setup, double reach, CycleBuffers& buffers) {
+  void measure(const CycleSetup& setup, const LinkPoses& poses, double reach,
+               CycleBuffers& buffers) {
     measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
     keepNear(setup, buffers);
     end("7 measurePairs, keepNear");
     refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
     measureDeferred(setup, buffers);
     end("8 refinePairs, measureDeferred");
-    measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
+    measureClosest(setup, poses, reach, buffers);
     end("9 measureClosest");
     if (setup.is_continuous) {
       sweepPairs(setup, buffers.memory.refined, buffers.refine, buffers.sweep, buffers.distances);

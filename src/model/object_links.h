@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include "collision_monitor/model/robot_model.h"
 
@@ -18,6 +19,34 @@ inline bool isOfWorld(const RobotModel& model, LinkId link) {
 inline bool isObject(const RobotModel& model, LinkId link) {
   return isOfWorld(model, link) && model.link(link).parent_joint;
 }
+
+/// Objects that stand together and have one carrier: links [first, last).
+struct ObjectRun {
+  LinkId carrier{};
+  std::size_t first{0};
+  std::size_t last{0};
+};
+
+/// All objects, in order of link.
+std::vector<ObjectRun> objectRuns(const RobotModel& model);
+
+/// The number of links of a robot without its objects, which stand last: all links, or the frame
+/// that carries objects, or none.
+inline std::size_t ownLinkCount(const RobotModel& model, const Robot& robot) {
+  return robot.is_world ? (model.links[robot.first_link].parent_joint ? 0 : 1) : robot.link_count;
+}
+
+/// Calls `use` with the index of each link of a robot that is no object.
+template <class Use>
+void forOwnLinks(const RobotModel& model, const Robot& robot, const Use& use) {
+  const std::size_t last = robot.first_link + ownLinkCount(model, robot);
+  for (std::size_t i = robot.first_link; i < last; ++i) {
+    use(i);
+  }
+}
+
+/// first_from_other, of two objects that one carrier carries.
+Pose poseBeside(const RobotModel& model, LinkId first, LinkId other);
 
 /// The number of robots, without those that objects form.
 inline std::size_t robotCount(const RobotModel& model) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/object_links.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -53,7 +55,8 @@ void NearestSeen::add(const CycleSetup& setup, const LinkPoses& poses, const Joi
                 positions_.begin() + static_cast<std::ptrdiff_t>(record.place * variables_));
     }
   };
-  for (const std::uint32_t closest : buffers.events.closest) {
+  for (const LinkPairIndex pair : buffers.events.active) {
+    const std::uint32_t closest = buffers.events.closest[pair];
     if (closest != kNone) {
       look(buffers.distances.pairs[closest]);
     }
@@ -65,9 +68,13 @@ void NearestSeen::add(const CycleSetup& setup, const LinkPoses& poses, const Joi
 
 void NearestSeen::readPositions(const CycleSetup& setup, const LinkPoses& poses,
                                 const JointReader& joints) noexcept {
-  newest_.poses.world_from_link = poses.world_from_link;
-  newest_.poses.status = poses.status;
-  newest_.poses.part = poses.part;
+  for (const Robot& robot : setup.model.robots) {
+    forOwnLinks(setup.model, robot, [&](std::size_t link) noexcept {
+      newest_.poses.world_from_link[link] = poses.world_from_link[link];
+      newest_.poses.status[link] = poses.status[link];
+      newest_.poses.part[link] = poses.part[link];
+    });
+  }
   std::fill(now_.begin(), now_.end(), kUnknown);
   for (std::size_t i = 0; i < setup.model.joints.size(); ++i) {
     const Joint& joint = setup.model.joints[i];

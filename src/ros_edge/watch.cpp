@@ -8,6 +8,7 @@
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "pipeline/look_ahead/find_motions.h"
+#include "pipeline/objects/carry_objects.h"
 #include "ros_edge/outputs/pair_counts.h"
 #include "ros_edge/poses/floating_parts.h"
 
@@ -67,6 +68,7 @@ bool Watch::read(const ros::Time& now, const ClockState& clock_now) {
   joints.refresh();
   joints.readVelocities(now, parameters.max_age, joint_velocities);
   applyJointVelocities(setup().model, joint_velocities, poses);
+  carryVelocities(tracker.objects, poses);
   return is_new;
 }
 
@@ -90,6 +92,7 @@ void Watch::pauseReporting() { believed = buffers.memory.reported; }
 
 void Watch::resumeReporting() {
   buffers.memory.reported = believed;
+  buffers.memory.judges_all = true;
   buffers.memory.speed.scale = 0.0;  // the value sent while switched off
   forgetPoses(buffers);
   links_known = 0;
@@ -133,6 +136,9 @@ void countStep(const SweepWork& work, StepCount& count) noexcept {
 
 void findUnknownLinks(const Watch& watch, std::vector<LinkId>& links) {
   links.clear();
+  if (watch.buffers.events.unknown == 0) {
+    return;
+  }
   const CycleSetup& setup = watch.setup();
   const MainPart main(watch.poses, setup.checked);
   std::vector<bool> is_unknown(setup.model.links.size());

@@ -63,6 +63,18 @@ struct PairRange {
   std::size_t last{0};
 };
 
+/// Many objects that one frame or link carries: their links, bodies and elements, each [first,
+/// last). They keep their places to each other, so a cycle skips them while they rest.
+struct CarriedObjects {
+  std::size_t first_link{0};
+  std::size_t last_link{0};
+  std::size_t first_body{0};
+  std::size_t last_body{0};
+  std::size_t first_element{0};
+  std::size_t last_element{0};
+  bool is_checked{false};  ///< one of the links is in a checked pair
+};
+
 /// Everything that stays the same from cycle to cycle. A service that changes something builds a
 /// new set-up and swaps it in between two cycles.
 struct CycleSetup {
@@ -79,6 +91,7 @@ struct CycleSetup {
   std::vector<Element> elements;  ///< by ElementId, in order of link
   std::vector<ElementPair> element_pairs;         ///< by ElementPairIndex, grouped by pair of links
   std::vector<ElementPairIndex> element_pair_of;  ///< by PairId
+  std::vector<CarriedObjects> carried;            ///< in order of link
   Limits limits;                                  ///< of all pairs without limits of their own
   std::vector<OwnLimits> own_limits;              ///< by CheckedLinkPair::limits - 1
   RefineLimits refine;

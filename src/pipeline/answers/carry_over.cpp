@@ -165,6 +165,7 @@ std::vector<LinkPairIndex> carryOver(const CarryPlan& plan, const PairMemory& re
       dropped.push_back(pair);
     }
   }
+  memory.judges_all = true;
   memory.speed.scale = reported.speed.scale;
   memory.speed.stamp_ns = reported.speed.stamp_ns;
   return dropped;
@@ -204,6 +205,7 @@ void carryMotion(const CarryPlan& plan, const CycleSetup& to, const FormerMotion
     tracker.filtered.of_link[i] = motion.twist;
     tracker.filtered.known[i] = motion.is_twist_known ? 1 : 0;
   }
+  std::fill(last.rests.begin(), last.rests.end(), Rest());
   last.stamp_ns = former.last.stamp_ns;
   for (std::size_t i = 0; i < model.robots.size(); ++i) {
     tracker.stamp_ns[i] = plan.robot_of[i] == kNone ? former.poses.stamp_ns

@@ -11,21 +11,21 @@ namespace collision_monitor {
 
 void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double reach,
                  BodyBounds& bounds) noexcept {
-  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+  forIndices(body_poses.moved.bodies, [&](std::size_t i) noexcept {
     bounds.known[i] = body_poses.known[i];
     if (bounds.known[i] != 0) {
       bounds.boxes[i] = aabbOf(setup.bodies[i].shape, body_poses.world_from_body[i], 0.5 * reach);
     }
-  }
+  });
 }
 
 void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const SweepWork& work,
                  double reach, BodyBounds& bounds) noexcept {
   constexpr double kShort = 0.1;  // share of `reach`: growing to all sides is good enough
-  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+  forIndices(body_poses.moved.bodies, [&](std::size_t i) noexcept {
     const double travel = work.body_travel[i];
     if (bounds.known[i] == 0 || !(travel > 0.0)) {
-      continue;
+      return;
     }
     if (travel <= kShort * reach) {
       bounds.boxes[i].min.array() -= travel;
@@ -36,21 +36,23 @@ void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const Swe
           carriedBy(work.link_motions[index(body.link)], body.link_from_body);
       bounds.boxes[i] = sweptAabbOf(body.shape, motion, body_poses.world_from_body[i], 0.5 * reach);
     }
-  }
+  });
 }
 
-void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration,
-                BodyBounds& bounds) noexcept {
+void growBounds(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
+                double duration, BodyBounds& bounds) noexcept {
   const LinkVelocities& velocities = poses.velocities;
   const std::size_t root = index(setup.model.robots.front().root);
-  const bool is_shared = velocities.known[root] != 0 && isFinite(velocities.of_link[root]);
+  // Many objects at rest keep their bounds, so these are seen from the world.
+  const bool is_shared =
+      setup.carried.empty() && velocities.known[root] != 0 && isFinite(velocities.of_link[root]);
   const Twist shared = is_shared ? velocities.of_link[root] : Twist();
-  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+  forIndices(body_poses.moved.bodies, [&](std::size_t i) noexcept {
     const Body& body = setup.bodies[i];
     const std::size_t link = index(body.link);
     bounds.ahead[i] = kUnknown;
     if (bounds.known[i] == 0 || velocities.known[link] == 0) {
-      continue;
+      return;
     }
     const bool has_shared = poses.part[link] == poses.part[root];
     const Twist own = has_shared ? velocities.of_link[link] - shared : velocities.of_link[link];
@@ -61,7 +63,7 @@ void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration
       bounds.boxes[i].min.array() -= bounds.ahead[i];
       bounds.boxes[i].max.array() += bounds.ahead[i];
     }
-  }
+  });
 }
 
 }  // namespace collision_monitor

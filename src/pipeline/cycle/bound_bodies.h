@@ -20,8 +20,9 @@ void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const Swe
 
 /// Grows the boxes by how far their bodies can travel in `duration` [s], so that bodies that may be
 /// within `reach` by then have boxes that meet. Velocities are relative to the first robot's root,
-/// since shared motion changes no distance. Parts without this root use their own frame.
-void growBounds(const CycleSetup& setup, const LinkPoses& poses, double duration,
-                BodyBounds& bounds) noexcept;
+/// since shared motion changes no distance. Parts without this root use their own frame; where
+/// CycleSetup::carried has objects, all do, so that bounds of objects at rest stay the same.
+void growBounds(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
+                double duration, BodyBounds& bounds) noexcept;
 
 }  // namespace collision_monitor

@@ -74,7 +74,7 @@ void cullBySpheres(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
     const BodyPair& pair = setup.table[id];
     const Ball& a = balls[index(pair.a)];
     const Ball& b = balls[index(pair.b)];
-    if (!ballsPart(a, b, buffers.activation.of_pair[setup.link_pair_of[index(id)]])) {
+    if (!ballsPart(a, b, buffers.activation.of(setup.link_pair_of[index(id)]))) {
       return false;
     }
     const double gap = (b.center - a.center).norm() - a.radius - b.radius;
@@ -87,7 +87,7 @@ void cullBySpheres(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
 void cullByBoxes(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   const auto isFar = [&](PairId id) {
     return orientedBoxesPart(setup, buffers.body_poses, setup.table[id],
-                             buffers.activation.of_pair[setup.link_pair_of[index(id)]]);
+                             buffers.activation.of(setup.link_pair_of[index(id)]));
   };
   keepUnless(isFar, buffers.candidates);
 }

@@ -33,6 +33,13 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.events.estimated.resize(link_pairs, kNone);
   buffers.events.soonest.resize(link_pairs, kNone);
   buffers.events.changes.reserve(link_pairs);
+  buffers.events.active.reserve(link_pairs);
+  buffers.events.is_active.resize(link_pairs, 0);
+  buffers.events.is_checked.resize(links, 0);
+  for (const CheckedLinkPair& pair : setup.checked) {
+    buffers.events.is_checked[index(pair.a)] = buffers.events.is_checked[index(pair.b)] = 1;
+  }
+  buffers.memory.lively.reserve(link_pairs);
   buffers.events.island_of_link.resize(links, 0);
   buffers.events.island_forest.resize(links, 0);
   buffers.memory.reported.resize(link_pairs, Verdict::clear);
@@ -43,9 +50,14 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.memory.last.world_from_link.resize(links);
   buffers.memory.last.known.resize(links, 0);
   buffers.memory.last.part.resize(links, kWorldPart);
+  buffers.memory.last.rests.resize(setup.carried.size());
   buffers.memory.speed.stopped.resize(link_pairs, 0);
   buffers.counters.pairs = pairs;
-  buffers.broad_phase = makeBroadPhase(kind, bodies, pairs);
+  buffers.trees = makeObjectTrees(setup);
+  buffers.broad_phase =
+      buffers.trees.trees.empty()
+          ? makeBroadPhase(kind, bodies, pairs)
+          : makeBroadPhase(kind, buffers.trees.loose.size(), buffers.trees.table.size());
   buffers.culls_by_boxes = kind == BroadPhaseKind::combination;
   return buffers;
 }
@@ -53,8 +65,10 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
 void forgetPoses(CycleBuffers& buffers) noexcept {
   buffers.memory.refined.forgetAll();
   std::fill(buffers.memory.starved_cycles.begin(), buffers.memory.starved_cycles.end(), 0);
-  std::fill(buffers.memory.last.known.begin(), buffers.memory.last.known.end(), 0);
-  buffers.memory.last.stamp_ns = 0;
+  LastPoses& last = buffers.memory.last;
+  std::fill(last.known.begin(), last.known.end(), 0);
+  std::fill(last.rests.begin(), last.rests.end(), Rest());
+  last.stamp_ns = 0;
 }
 
 void resetMemory(CycleBuffers& buffers) noexcept {
@@ -62,6 +76,7 @@ void resetMemory(CycleBuffers& buffers) noexcept {
   std::fill(buffers.memory.reported.begin(), buffers.memory.reported.end(), Verdict::clear);
   std::fill(buffers.memory.contact_detail.begin(), buffers.memory.contact_detail.end(),
             Detail::shapes);
+  buffers.memory.judges_all = true;
   SpeedScale& speed = buffers.memory.speed;
   std::fill(speed.stopped.begin(), speed.stopped.end(), 0);
   speed.scale = 1.0;

@@ -6,6 +6,7 @@
 #include "collision_monitor/pipeline/setup.h"
 #include "pipeline/data/cycle_data.h"
 #include "pipeline/look_ahead/link_walk.h"
+#include "pipeline/objects/object_trees.h"
 #include "pipeline/refine/refine_pairs.h"
 #include "pipeline/refine/sweep_pairs.h"
 
@@ -24,7 +25,8 @@ struct CycleBuffers {
   PairEvents events;
   PairMemory memory;
   CycleCounters counters;
-  BroadPhase broad_phase;
+  BroadPhase broad_phase;  ///< of all bodies, or of the loose ones
+  ObjectTrees trees;
   bool culls_by_boxes{false};  ///< as in BroadPhaseKind::combination
 };
 

@@ -13,10 +13,10 @@ namespace {
 
 bool hasNewLink(const BodyPoses& body_poses, const LastPoses& last) noexcept {
   bool has_new = false;
-  for (std::size_t link = 0; link < last.known.size(); ++link) {
+  forIndices(body_poses.moved.links, [&](std::size_t link) noexcept {
     has_new |= body_poses.link_known[link] > last.known[link] ||
                (body_poses.link_known[link] != 0 && body_poses.part[link] != last.part[link]);
-  }
+  });
   return has_new;
 }
 
@@ -56,6 +56,32 @@ void beginAnew(const PairTable& table, DistanceCache& cache) noexcept {
   }
 }
 
+/// For the bodies of one link, from `first` on. @return one after the last of them.
+std::size_t accumulateOfLink(const CycleSetup& setup, double turn, std::size_t first,
+                             CycleBuffers& buffers) noexcept {
+  DistanceCache& cache = buffers.memory.distance_cache;
+  const LinkId link = setup.bodies[first].link;
+  double farthest = 0.0;
+  std::size_t last = first;
+  for (; last < setup.bodies.size() && setup.bodies[last].link == link; ++last) {
+    BodyTravel& travel = cache.travels[last];
+    const Ball& ball = buffers.body_poses.balls[last];
+    const double step = turn >= 0.0 ? stepOf(ball, travel.center, turn) : 0.0;
+    travel.center = ball.center;
+    travel.all += step;
+    travel.ahead = buffers.bounds.ahead[last];
+    if (setup.is_continuous && travel.ahead < buffers.sweep.body_travel[last]) {
+      travel.ahead = buffers.sweep.body_travel[last];
+    }
+    farthest = std::max(farthest, step);
+    cache.longest = std::max(cache.longest, travel.all);
+  }
+  for (; first < last; ++first) {
+    cache.travels[first].of_link = farthest;
+  }
+  return last;
+}
+
 }  // namespace
 
 void forgetNearest(DistanceCache& cache) noexcept {
@@ -82,30 +108,15 @@ void accumulateTravel(const CycleSetup& setup, const LinkPoses& poses,
   if (hasNewLink(body_poses, buffers.memory.last)) {
     forget(cache);
   }
-  double longest = 0.0;
-  for (std::size_t first = 0; first < setup.bodies.size();) {
-    const LinkId link = setup.bodies[first].link;
-    const double turn = turnOf(poses, body_poses, buffers.memory.last, index(link));
-    double farthest = 0.0;
-    std::size_t i = first;
-    for (; i < setup.bodies.size() && setup.bodies[i].link == link; ++i) {
-      BodyTravel& travel = cache.travels[i];
-      const Ball& ball = body_poses.balls[i];
-      const double step = turn >= 0.0 ? stepOf(ball, travel.center, turn) : 0.0;
-      travel.center = ball.center;
-      travel.all += step;
-      travel.ahead = buffers.bounds.ahead[i];
-      if (setup.is_continuous && travel.ahead < buffers.sweep.body_travel[i]) {
-        travel.ahead = buffers.sweep.body_travel[i];
-      }
-      farthest = std::max(farthest, step);
-      longest = std::max(longest, travel.all);
-    }
-    for (; first < i; ++first) {
-      cache.travels[first].of_link = farthest;
+  cache.longest = 0.0;
+  for (const IndexRange& bodies : body_poses.moved.bodies) {
+    for (std::size_t first = bodies.first; first < bodies.last;) {
+      const std::size_t link = index(setup.bodies[first].link);
+      const double turn = turnOf(poses, body_poses, buffers.memory.last, link);
+      first = accumulateOfLink(setup, turn, first, buffers);
     }
   }
-  if (longest > kLongest) {
+  if (cache.longest > kLongest) {
     beginAnew(setup.table, cache);
   }
 }

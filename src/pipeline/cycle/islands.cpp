@@ -21,7 +21,7 @@ std::uint32_t rootOf(std::vector<std::uint32_t>& parents, std::uint32_t link) no
 void findIslands(const std::vector<CheckedLinkPair>& checked, PairEvents& events) noexcept {
   std::vector<std::uint32_t>& parents = events.island_forest;
   std::iota(parents.begin(), parents.end(), 0U);
-  for (std::size_t i = 0; i < checked.size(); ++i) {
+  for (const LinkPairIndex i : events.active) {
     if (events.verdicts[i] == Verdict::contact) {
       const std::uint32_t a = rootOf(parents, static_cast<std::uint32_t>(index(checked[i].a)));
       const std::uint32_t b = rootOf(parents, static_cast<std::uint32_t>(index(checked[i].b)));
@@ -30,7 +30,7 @@ void findIslands(const std::vector<CheckedLinkPair>& checked, PairEvents& events
   }
   std::fill(events.island_of_link.begin(), events.island_of_link.end(), 0U);
   events.island_count = 0;
-  for (std::size_t i = 0; i < checked.size(); ++i) {
+  for (const LinkPairIndex i : events.active) {
     if (events.verdicts[i] == Verdict::contact) {
       const std::uint32_t root = rootOf(parents, static_cast<std::uint32_t>(index(checked[i].a)));
       std::uint32_t& number = events.island_of_link[root];

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "collision_monitor/geometry/ids.h"
 #include "islands.h"
@@ -35,14 +36,45 @@ Verdict verdictFor(double distance, double time, const Limits& limits, Verdict b
   return distance > limits.warning_distance ? Verdict::clear : Verdict::unknown;
 }
 
+/// Fills the pairs to look at, and forgets what the last cycle told of pairs.
+void listActive(const CycleSetup& setup, const PairDistances& distances, const PairMemory& memory,
+                PairEvents& events) noexcept {
+  for (const LinkPairIndex pair : events.active) {
+    events.closest[pair] = events.soonest[pair] = kNone;
+    events.estimated[pair] = events.passed[pair] = kNone;
+  }
+  std::vector<LinkPairIndex>& active = events.active;
+  if (memory.judges_all) {
+    active.resize(setup.checked.size());
+    std::iota(active.begin(), active.end(), 0U);
+    ++events.complete_judgements;
+    return;
+  }
+  active.clear();
+  const auto add = [&](LinkPairIndex pair) {
+    if (events.is_active[pair] == 0) {
+      events.is_active[pair] = 1;
+      active.push_back(pair);
+    }
+  };
+  std::for_each(memory.lively.begin(), memory.lively.end(), add);
+  for (const PairDistance& distance : distances.pairs) {
+    add(setup.link_pair_of[index(distance.pair)]);
+  }
+  for (const PassedContact& passed : distances.passed) {
+    add(setup.link_pair_of[index(passed.distance.pair)]);
+  }
+  std::sort(active.begin(), active.end());
+  for (const LinkPairIndex pair : active) {
+    events.is_active[pair] = 0;
+  }
+}
+
 /// Fills, for each link pair, the closest pair, the pair that touches first and the deepest
 /// estimate; for all link pairs the closest and the least time. Ignores unknown times.
 /// @return whether any time is unknown.
 bool findClosestAndSoonest(const CycleSetup& setup, const PairDistances& distances,
                            PairEvents& events) noexcept {
-  std::fill(events.closest.begin(), events.closest.end(), kNone);
-  std::fill(events.soonest.begin(), events.soonest.end(), kNone);
-  std::fill(events.estimated.begin(), events.estimated.end(), kNone);
   events.closest_of_all = kNone;
   events.time_to_contact = kNever;
   bool has_unknown = false;
@@ -92,7 +124,8 @@ void findClosestOfAll(const CycleSetup& setup, const PairDistances& distances,
     return;
   }
   nearest = kNone;
-  for (const std::uint32_t closest : events.closest) {
+  for (const LinkPairIndex pair : events.active) {
+    const std::uint32_t closest = events.closest[pair];
     if (closest != kNone && (nearest == kNone || measured[closest].measured.distance <
                                                      measured[nearest].measured.distance)) {
       nearest = closest;
@@ -102,7 +135,6 @@ void findClosestOfAll(const CycleSetup& setup, const PairDistances& distances,
 
 void findPassed(const CycleSetup& setup, const PairDistances& distances,
                 PairEvents& events) noexcept {
-  std::fill(events.passed.begin(), events.passed.end(), kNone);
   const auto& passed = distances.passed;
   for (std::uint32_t i = 0; i < passed.size(); ++i) {
     std::uint32_t& first = events.passed[setup.link_pair_of[index(passed[i].distance.pair)]];
@@ -112,9 +144,18 @@ void findPassed(const CycleSetup& setup, const PairDistances& distances,
   }
 }
 
-/// If it is false, the time to contact is unknown at any distance.
-bool isMotionKnown(const LinkVelocities& velocities, const CheckedLinkPair& pair) noexcept {
-  return velocities.known[index(pair.a)] != 0 && velocities.known[index(pair.b)] != 0;
+/// Whether all links of checked pairs have a known velocity. If not, a time to contact is unknown
+/// at any distance.
+bool areMotionsKnown(const CycleSetup& setup, const BodyPoses& body_poses,
+                     const LinkVelocities& velocities, const PairEvents& events) noexcept {
+  bool are_known = true;
+  forIndices(body_poses.moved.links, [&](std::size_t link) noexcept {
+    are_known &= velocities.known[link] != 0 || events.is_checked[link] == 0;
+  });
+  for (const CarriedObjects& objects : setup.carried) {
+    are_known &= velocities.known[objects.first_link] != 0 || !objects.is_checked;
+  }
+  return are_known;
 }
 
 /// The finest detail that shows a contact of the link pair. A pair that is apart now shows nothing
@@ -164,40 +205,72 @@ Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
                     heldVerdict(memory, link_pair, nearest));
 }
 
+/// Stores a verdict, and lists it if it differs from the one that listeners have.
+void report(LinkPairIndex pair, Verdict verdict, PairMemory& memory, PairEvents& events) noexcept {
+  Verdict& reported = memory.reported[pair];
+  events.verdicts[pair] = verdict;
+  const bool is_silent = reported == Verdict::clear && verdict == Verdict::unknown;
+  if (verdict != reported && !is_silent) {
+    events.changes.push_back({pair, reported, verdict});
+    reported = verdict;
+  }
+}
+
 }  // namespace
 
 void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                 const LinkVelocities& velocities, const PairDistances& distances,
                 PairMemory& memory, PairEvents& events) noexcept {
+  listActive(setup, distances, memory, events);
   bool has_unknown = findClosestAndSoonest(setup, distances, events);
   findPassed(setup, distances, events);
   events.changes.clear();
+  events.unjoined = memory.judges_all ? 0 : events.unjoined;
+  events.unknown = 0;
   // An unknown link in no checked pair does not matter.
   events.overall = Verdict::clear;
-  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
-    Verdict& reported = memory.reported[i];
+  for (const LinkPairIndex i : events.active) {
     preferEstimate(distances, i, events);
     const CheckedLinkPair& pair = setup.checked[i];
-    const Verdict verdict = isJoined(body_poses, pair.a, pair.b)
-                                ? judgeLinkPair(setup, distances, events, i, memory)
-                                : Verdict::unknown;
+    const bool is_joined = isJoined(body_poses, pair.a, pair.b);
+    events.unjoined += memory.judges_all && !is_joined ? 1 : 0;
+    const Verdict verdict =
+        is_joined ? judgeLinkPair(setup, distances, events, i, memory) : Verdict::unknown;
+    events.unknown += is_joined && verdict == Verdict::unknown ? 1 : 0;
     const Detail detail = contactDetailOf(setup, distances, events, i);
     memory.contact_detail[i] =
         verdict == Verdict::contact ? std::max(memory.contact_detail[i], detail) : Detail::shapes;
-    events.verdicts[i] = verdict;
     events.overall = std::max(events.overall, verdict);
-    has_unknown = has_unknown || verdict == Verdict::unknown || !isMotionKnown(velocities, pair);
-    const bool is_silent = reported == Verdict::clear && verdict == Verdict::unknown;
-    if (verdict != reported && !is_silent) {
-      events.changes.push_back({static_cast<LinkPairIndex>(i), reported, verdict});
-      reported = verdict;
-    }
+    report(i, verdict, memory, events);
+  }
+  events.unknown += events.unjoined;
+  if (events.unknown > 0) {
+    events.overall = std::max(events.overall, Verdict::unknown);
   }
   findClosestOfAll(setup, distances, events);
+  has_unknown =
+      has_unknown || events.unknown > 0 || !areMotionsKnown(setup, body_poses, velocities, events);
   if (has_unknown && events.time_to_contact == kNever) {
     events.time_to_contact = kUnknown;
   }
   findIslands(setup.checked, events);
+}
+
+void keepLively(const CycleSetup& setup, const PairEvents& events, PairMemory& memory) noexcept {
+  constexpr std::size_t kFewPairs = 1024;  // looking at all of these takes a microsecond
+  memory.judges_all = setup.checked.size() <= kFewPairs;
+  memory.lively.clear();
+  if (memory.judges_all) {
+    return;
+  }
+  for (const LinkPairIndex pair : events.active) {
+    const Verdict verdict = events.verdicts[pair];
+    const bool is_quiet = verdict == Verdict::unknown ||
+                          (verdict == Verdict::clear && memory.reported[pair] == Verdict::clear);
+    if (!is_quiet || memory.speed.stopped[pair] != 0) {
+      memory.lively.push_back(pair);
+    }
+  }
 }
 
 }  // namespace collision_monitor

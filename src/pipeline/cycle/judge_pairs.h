@@ -7,8 +7,14 @@
 
 namespace collision_monitor {
 
+/// Judges the pairs that have a distance or are lively, or all if `memory.judges_all`.
 void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                 const LinkVelocities& velocities, const PairDistances& distances,
                 PairMemory& memory, PairEvents& events) noexcept;
+
+/// Keeps which pairs the next cycle judges even if they have no distance: those that are not clear,
+/// that listeners do not know to be clear, or that the speed scale remembers. Where pairs are few,
+/// it judges all.
+void keepLively(const CycleSetup& setup, const PairEvents& events, PairMemory& memory) noexcept;
 
 }  // namespace collision_monitor

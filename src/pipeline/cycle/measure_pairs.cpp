@@ -111,9 +111,9 @@ void addPairs(const CycleSetup& setup, const BodyPoses& body_poses,
   }
 }
 
-void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, RefineWork& refined,
-                    double reach, PairDistances& distances) noexcept {
-  auto& measured = distances.pairs;
+void measureClosest(const CycleSetup& setup, const LinkPoses& poses, double reach,
+                    CycleBuffers& buffers) noexcept {
+  auto& measured = buffers.distances.pairs;
   const auto nearest = std::min_element(measured.begin(), measured.end(), comesNearer);
   if (nearest != measured.end() && nearest->measured.distance <= reach) {
     return;
@@ -122,8 +122,12 @@ void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, Refine
   if (nearest != measured.end()) {
     found = {nearest->pair, nearest->measured.distance};
   }
-  searchBlocks(setup.blocks, body_poses.rows,
-               {setup.element_pair_of, passedElements(setup, body_poses, refined)}, found);
+  const BodyPoses& body_poses = buffers.body_poses;
+  const ObjectTrees& trees = buffers.trees;
+  const std::vector<unsigned char>& is_passed = passedElements(setup, body_poses, buffers.refine);
+  searchBlocks(trees.trees.empty() ? setup.blocks : trees.blocks, body_poses.rows,
+               {setup.element_pair_of, is_passed}, found);
+  searchTrees(setup, poses, body_poses, trees, is_passed, found);
   if (!(found.distance < std::numeric_limits<double>::infinity())) {
     return;
   }

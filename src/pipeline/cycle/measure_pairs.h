@@ -3,8 +3,7 @@
 #pragma once
 
 #include "collision_monitor/pipeline/setup.h"
-#include "pipeline/data/cycle_data.h"
-#include "pipeline/refine/refine_pairs.h"
+#include "pipeline/cycle/cycle_buffers.h"
 
 namespace collision_monitor {
 
@@ -16,11 +15,11 @@ void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,
 void addPairs(const CycleSetup& setup, const BodyPoses& body_poses,
               const std::vector<PairId>& pairs, PairDistances& distances) noexcept;
 
-/// Makes sure that `distances` hold the closest of all known pairs. Costs nothing if a pair is
+/// Makes sure that the distances hold the closest of all known pairs. Costs nothing if a pair is
 /// within `reach`. Otherwise searches all pairs except refined ones and those of two parts. The
-/// pair that it adds is not refined. @pre `distances` hold the nearest pairs within `reach`,
-/// refined as `refined` says.
-void measureClosest(const CycleSetup& setup, const BodyPoses& body_poses, RefineWork& refined,
-                    double reach, PairDistances& distances) noexcept;
+/// pair that it adds is not refined. @pre they hold the nearest pairs within `reach`,
+/// refined as RefineWork says.
+void measureClosest(const CycleSetup& setup, const LinkPoses& poses, double reach,
+                    CycleBuffers& buffers) noexcept;
 
 }  // namespace collision_monitor

@@ -26,7 +26,7 @@ struct NearBodies {
     const std::uint32_t link_pair = setup.link_pair_of[index(id)];
     const PairReach& reach = reachOf(link_pair);
     // `ahead` may be NaN: by the order of arguments the result is then the other bound.
-    return std::min(reaches.near_of_pair[link_pair], std::max(reach.stop + ahead, reach.near));
+    return std::min(reaches.nearOf(link_pair), std::max(reach.stop + ahead, reach.near));
   }
 
   /// [m] Above this distance bodies do not matter, since nearer ones of their elements do.

@@ -7,6 +7,7 @@
 
 #include "collision_monitor/geometry/bounds.h"
 #include "pipeline/blocks/contact_of_pairs.h"
+#include "pipeline/objects/find_resting.h"
 
 namespace collision_monitor {
 namespace {
@@ -77,14 +78,14 @@ bool isSplit(const BodyPoses& body_poses) noexcept {
 /// Fills which links are known, and in which parts.
 void findLinks(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept {
   bool floats = false;
-  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+  forIndices(body_poses.moved.bodies, [&](std::size_t i) noexcept {
     const std::size_t link = index(setup.bodies[i].link);
     if (i == 0 || setup.bodies[i - 1].link != setup.bodies[i].link) {
       body_poses.link_known[link] = isKnown(poses, link) ? 1 : 0;
       body_poses.part[link] = poses.part[link];
       floats = floats || poses.part[link] != kWorldPart;
     }
-  }
+  });
   if (floats) {
     leaveLoneLinks(body_poses);
   }
@@ -109,35 +110,36 @@ LinkPoses makeLinkPoses(const RobotModel& model) {
 void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept {
   const std::vector<Body>& bodies = setup.bodies;
   findLinks(setup, poses, body_poses);
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+  forIndices(body_poses.moved.bodies, [&](std::size_t i) noexcept {
     const std::size_t link = index(bodies[i].link);
     const Pose& world_from_link = poses.world_from_link[link];
     const std::size_t slot = setup.blocks.slot_of[i];
     body_poses.known[i] = body_poses.link_known[link];
     if (body_poses.known[i] == 0) {
       loseBody(slot, body_poses.rows);
-      continue;
+      return;
     }
     place(world_from_link, bodies[i].link_from_body, body_poses.world_from_body[i]);
     const double* center = body_poses.world_from_body[i].translation.data();
     std::copy(center, center + 3, body_poses.balls[i].center.data());
     writeBody(setup.cores[i].kind, body_poses.world_from_body[i], slot, body_poses.rows);
-  }
+  });
 }
 
 void placeElements(const CycleSetup& setup, const LinkPoses& poses,
                    BodyPoses& body_poses) noexcept {
-  for (std::size_t i = 0; i < setup.elements.size(); ++i) {
+  forIndices(body_poses.moved.elements, [&](std::size_t i) noexcept {
     const Element& element = setup.elements[i];
     if (body_poses.link_known[index(element.link)] != 0) {
       place(poses.world_from_link[index(element.link)], element.link_from_element,
             body_poses.world_from_element[i]);
     }
-  }
+  });
 }
 
 BodyPoses makeBodyPoses(const CycleSetup& setup) {
   BodyPoses body_poses;
+  moveAll(setup, body_poses.moved);
   body_poses.world_from_body.resize(setup.bodies.size());
   std::vector<double> bounding_radii;
   for (const Body& body : setup.bodies) {

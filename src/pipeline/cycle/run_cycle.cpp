@@ -18,6 +18,7 @@
 #include "pipeline/data/activation_distance.h"
 #include "pipeline/look_ahead/find_motions.h"
 #include "pipeline/look_ahead/link_walk.h"
+#include "pipeline/objects/find_resting.h"
 
 namespace collision_monitor {
 namespace {
@@ -39,6 +40,16 @@ void countUnknown(const CycleSetup& setup, const BodyPoses& body_poses,
       ++counters.unknown_pairs;
     }
   }
+}
+
+/// Whether links became known, unknown or parts of something else since the last cycle.
+bool haveLinksChanged(const BodyPoses& body_poses, const LastPoses& last) noexcept {
+  bool have_changed = false;
+  forIndices(body_poses.moved.links, [&](std::size_t link) noexcept {
+    have_changed |= body_poses.link_known[link] != last.known[link];
+    have_changed |= body_poses.part[link] != last.part[link];
+  });
+  return have_changed;
 }
 
 /// Removes pairs of two parts: relative poses of these mean nothing.
@@ -68,8 +79,8 @@ void measureNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
   if (setup.is_continuous) {
     sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
   }
-  growBounds(setup, poses, setup.ahead.horizon, buffers.bounds);
-  findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
+  growBounds(setup, poses, buffers.body_poses, setup.ahead.horizon, buffers.bounds);
+  findPairs(setup, poses, reach, buffers);
   dropUnjoined(setup, buffers.body_poses, buffers.candidates);
   buffers.counters.candidates = buffers.candidates.size();
   findActivationDistances(setup, poses, buffers.sweep, buffers.activation);
@@ -85,6 +96,7 @@ void measureNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
 
 void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   constexpr int kMost = 50;
+  moveAll(setup, buffers.body_poses.moved);
   place(setup, poses, buffers.body_poses);
   for (int i = 0; i < kMost; ++i) {
     measureNear(setup, poses, buffers);
@@ -96,11 +108,14 @@ void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& b
 
 void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   const double reach = leastActivationDistanceOf(setup);
+  findResting(setup, poses, buffers.memory.last, buffers.body_poses);
   place(setup, poses, buffers.body_poses);
+  buffers.memory.judges_all =
+      buffers.memory.judges_all || haveLinksChanged(buffers.body_poses, buffers.memory.last);
   findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
   measureNear(setup, poses, buffers);
   measureDeferred(setup, buffers);
-  measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
+  measureClosest(setup, poses, reach, buffers);
   if (setup.is_continuous) {
     sweepPairs(setup, buffers.memory.refined, buffers.refine, buffers.sweep, buffers.distances);
   }
@@ -115,7 +130,10 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   buffers.counters.refine_work = buffers.refine.work_done;
   buffers.counters.swept = buffers.sweep.swept;
   buffers.counters.swept_left = buffers.sweep.left;
-  countUnknown(setup, buffers.body_poses, buffers.counters);
+  if (buffers.memory.judges_all) {
+    countUnknown(setup, buffers.body_poses, buffers.counters);
+  }
+  keepLively(setup, buffers.events, buffers.memory);
 }
 
 }  // namespace collision_monitor

@@ -57,7 +57,10 @@ void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistan
     const std::uint32_t link_pair = setup.link_pair_of[index(distance.pair)];
     askForMeasured(rule, limitsOf(setup, link_pair), distance, demand, speed.stopped[link_pair]);
   }
-  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+  if (events.unknown > 0) {
+    ask(0.0, demand);
+  }
+  for (const LinkPairIndex i : events.active) {
     const unsigned char seen = speed.stopped[i];
     const std::uint32_t closest = events.closest[i];
     const bool is_seen = closest != kNone && distances.pairs[closest].quality == Quality::exact;
@@ -67,7 +70,7 @@ void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistan
     if (rests && !closes) {
       ask(rule.creep_scale, demand);
     }
-    if (events.verdicts[i] == Verdict::unknown || events.passed[i] != kNone) {
+    if (events.passed[i] != kNone) {
       ask(0.0, demand);
     }
     speed.stopped[i] = closes ? kWasStopped : rests ? stops : 0;

@@ -85,7 +85,31 @@ inline void floatFrom(std::size_t link, LinkStatus reason, LinkPoses& poses) noe
 /// Makes poses for the model: all links `missing`, in the world's part, velocities unknown.
 LinkPoses makeLinkPoses(const RobotModel& model);
 
+/// Indices [first, last).
+struct IndexRange {
+  std::size_t first{0};
+  std::size_t last{0};
+};
+
+/// What a cycle places and bounds: everything but objects that rest, see findResting.
+struct MovedParts {
+  std::vector<IndexRange> links;
+  std::vector<IndexRange> bodies;
+  std::vector<IndexRange> elements;
+};
+
+/// Calls `use` with every index of the ranges.
+template <class Use>
+void forIndices(const std::vector<IndexRange>& ranges, const Use& use) {
+  for (const IndexRange& range : ranges) {
+    for (std::size_t i = range.first; i < range.last; ++i) {
+      use(i);
+    }
+  }
+}
+
 struct BodyPoses {
+  MovedParts moved;  ///< all, unless findResting left some out
   std::vector<Pose> world_from_body;
   std::vector<Ball> balls;  ///< bounding balls, world frame; contiguous for culling
   BodyRows rows;            ///< body poses in columns, NaN where a body is not known
@@ -164,6 +188,15 @@ struct VerdictChange {
 
 /// The verdicts of all checked link pairs.
 struct PairEvents {
+  /// The pairs that a cycle looked at, in order. All others are clear and without a distance, or
+  /// they stay unknown.
+  std::vector<LinkPairIndex> active;
+  std::vector<unsigned char> is_active;   ///< by LinkPairIndex: scratch, 0 between two cycles
+  std::vector<unsigned char> is_checked;  ///< by LinkId: the link is in a checked pair
+  std::size_t unjoined{0};                ///< the number of pairs with an unknown relative pose
+  std::size_t unknown{0};                 ///< the number of pairs that are unknown
+  /// How often a cycle judged every pair. Which pairs are unknown changes only then.
+  std::uint64_t complete_judgements{0};
   std::vector<Verdict> verdicts;       ///< by LinkPairIndex
   std::vector<std::uint32_t> closest;  ///< by LinkPairIndex: index into `pairs`, or kNone
   std::vector<std::uint32_t>
@@ -203,12 +236,20 @@ struct CycleCounters {
   std::size_t unknown_links{0};      ///< links with geometry whose pose is unknown
 };
 
+/// How long many objects have rested, and their twist then.
+struct Rest {
+  std::uint32_t cycles{0};
+  bool is_twist_known{false};
+  Twist twist;
+};
+
 /// The poses of the links in the last cycle.
 struct LastPoses {
   std::int64_t stamp_ns{0};
   std::vector<Pose> world_from_link;
   std::vector<unsigned char> known;
   std::vector<PartId> part;
+  std::vector<Rest> rests;  ///< by CycleSetup::carried; 0 cycles whenever the rest is changed
 };
 
 /// Whether a link was known in the same part. Otherwise its motion since then is not known.
@@ -231,6 +272,7 @@ struct DistanceCache {
   /// value minus their travel now is a lower bound of the distance. -infinity: none.
   std::vector<double> distances;
   std::vector<BodyTravel> travels;  ///< by BodyId
+  double longest{0.0};              ///< [m] of bodies that moved
   /// By ElementPairIndex: [m] the least distance of its bodies in the last cycle; infinity if none
   /// was measured.
   std::vector<double> nearest;
@@ -250,7 +292,12 @@ struct SpeedScale {
 /// last cycle are then not found. A reset of the distance cache changes only the time a cycle
 /// takes.
 struct PairMemory {
-  std::vector<Verdict> reported;       ///< by LinkPairIndex: the verdict last reported
+  /// The next cycle looks at every pair: links became known or unknown, or what follows was changed
+  /// from outside of a cycle.
+  bool judges_all{true};
+  std::vector<LinkPairIndex>
+      lively;                     ///< pairs that the next cycle looks at whatever their distance
+  std::vector<Verdict> reported;  ///< by LinkPairIndex: the verdict last reported
   std::vector<Detail> contact_detail;  ///< by LinkPairIndex: the finest detail that showed the
                                        ///< reported contact
   SpeedScale speed;

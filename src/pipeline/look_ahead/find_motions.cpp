@@ -44,31 +44,35 @@ void findMotions(const CycleSetup& setup, const LinkPoses& poses, const BodyPose
   if (last.stamp_ns == 0) {
     work.last_elapsed = 0.0;  // forgetPoses
   }
-  for (std::size_t i = 0; i < setup.model.links.size(); ++i) {
+  forIndices(body_poses.moved.links, [&](std::size_t i) noexcept {
     work.has_motion[i] = hasStayed(last, body_poses, i) ? 1 : 0;
     if (work.has_motion[i] == 0 || isSame(last.world_from_link[i], poses.world_from_link[i])) {
       work.link_motions[i] = {last.world_from_link[i]};
     } else {
       work.link_motions[i] = screwBetween(last.world_from_link[i], poses.world_from_link[i]);
     }
-  }
-  std::fill(work.element_travel.begin(), work.element_travel.end(), 0.0);
-  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+  });
+  forIndices(body_poses.moved.elements,
+             [&](std::size_t i) noexcept { work.element_travel[i] = 0.0; });
+  forIndices(body_poses.moved.bodies, [&](std::size_t i) noexcept {
     const Body& body = setup.bodies[i];
     work.body_travel[i] = reachOf(body, work.link_motions[index(body.link)]);
     double& of_element = work.element_travel[index(body.element)];
     of_element = std::max(of_element, work.body_travel[i]);
-  }
+  });
   const bool is_known = last.stamp_ns > 0 && poses.stamp_ns > last.stamp_ns;
   work.elapsed = is_known ? 1e-9 * static_cast<double>(poses.stamp_ns - last.stamp_ns) : 0.0;
 }
 
 void keepPoses(const LinkPoses& poses, const BodyPoses& body_poses, LastPoses& last) noexcept {
   last.stamp_ns = poses.stamp_ns;
-  std::copy(poses.world_from_link.begin(), poses.world_from_link.end(),
-            last.world_from_link.begin());
-  std::copy(body_poses.link_known.begin(), body_poses.link_known.end(), last.known.begin());
-  std::copy(body_poses.part.begin(), body_poses.part.end(), last.part.begin());
+  for (const IndexRange& range : body_poses.moved.links) {
+    const auto first = static_cast<std::ptrdiff_t>(range.first);
+    const auto count = static_cast<std::ptrdiff_t>(range.last - range.first);
+    std::copy_n(poses.world_from_link.begin() + first, count, last.world_from_link.begin() + first);
+    std::copy_n(body_poses.link_known.begin() + first, count, last.known.begin() + first);
+    std::copy_n(body_poses.part.begin() + first, count, last.part.begin() + first);
+  }
 }
 
 }  // namespace collision_monitor

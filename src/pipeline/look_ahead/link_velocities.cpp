@@ -6,6 +6,7 @@
 
 #include "collision_monitor/model/kinematics.h"
 #include "motion/link_velocity.h"
+#include "pipeline/objects/carry_objects.h"
 
 namespace collision_monitor {
 namespace {
@@ -56,6 +57,21 @@ Twist twistOf(const Joint& joint, const JointVelocities& velocities,
   return twist;
 }
 
+void applyJointVelocity(const RobotModel& model, const JointVelocities& velocities,
+                        std::size_t link, LinkPoses& poses) noexcept {
+  LinkVelocities& moving = poses.velocities;
+  const auto& parent_joint = model.links[link].parent_joint;
+  if (!parent_joint || !isPlaced(poses, link) || poses.part[link] == link) {
+    return;
+  }
+  const Joint& joint = model.joint(*parent_joint);
+  const Twist own = twistOf(joint, velocities, poses);
+  if (moving.known[index(joint.parent)] != 0 && isFinite(own)) {
+    moving.of_link[link] = moving.of_link[index(joint.parent)] + own;
+    moving.known[link] = 1;
+  }
+}
+
 }  // namespace
 
 VelocityTracker makeVelocityTracker(const RobotModel& model) {
@@ -66,6 +82,7 @@ VelocityTracker makeVelocityTracker(const RobotModel& model) {
   tracker.part.resize(model.links.size(), kWorldPart);
   tracker.filtered.of_link.resize(model.links.size());
   tracker.filtered.known.resize(model.links.size(), 0);
+  tracker.objects = objectRuns(model);
   return tracker;
 }
 
@@ -82,30 +99,23 @@ void trackVelocities(const RobotModel& model, const VelocityOptions& options,
     const double passed = 1e-9 * static_cast<double>(stamp_ns - tracker.stamp_ns[i]);
     const double duration = passed <= options.longest_gap ? passed : 0.0;
     const double share = smoothingShare(duration, options.time_constant);
-    for (std::size_t link = robot.first_link; link < robot.first_link + robot.link_count; ++link) {
+    forOwnLinks(model, robot, [&](std::size_t link) noexcept {
       if (stamp_ns != tracker.stamp_ns[i]) {
         trackLink(poses, duration, share, link, tracker);
       }
       tellVelocity(tracker, link, poses);
-    }
+    });
     tracker.stamp_ns[i] = stamp_ns;
   }
+  carryVelocities(tracker.objects, poses);
 }
 
 void applyJointVelocities(const RobotModel& model, const JointVelocities& velocities,
                           LinkPoses& poses) noexcept {
-  LinkVelocities& moving = poses.velocities;
-  for (std::size_t link = 0; link < model.links.size(); ++link) {
-    const auto& parent_joint = model.links[link].parent_joint;
-    if (!parent_joint || !isPlaced(poses, link) || poses.part[link] == link) {
-      continue;
-    }
-    const Joint& joint = model.joint(*parent_joint);
-    const Twist own = twistOf(joint, velocities, poses);
-    if (moving.known[index(joint.parent)] != 0 && isFinite(own)) {
-      moving.of_link[link] = moving.of_link[index(joint.parent)] + own;
-      moving.known[link] = 1;
-    }
+  for (const Robot& robot : model.robots) {
+    forOwnLinks(model, robot, [&](std::size_t link) noexcept {
+      applyJointVelocity(model, velocities, link, poses);
+    });
   }
 }
 

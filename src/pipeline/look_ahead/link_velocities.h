@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "model/object_links.h"
 #include "pipeline/data/cycle_data.h"
 
 /// Velocities of links for a cycle: from the poses of two stamps or, where known, from joint
@@ -22,6 +23,7 @@ struct VelocityTracker {
   std::vector<unsigned char> was_known;  ///< by LinkId
   std::vector<PartId> part;              ///< by LinkId: the part at that stamp
   LinkVelocities filtered;
+  std::vector<ObjectRun> objects;  ///< these have the velocities of their carriers
 };
 
 VelocityTracker makeVelocityTracker(const RobotModel& model);
@@ -39,7 +41,7 @@ void trackVelocities(const RobotModel& model, const VelocityOptions& options,
 using JointVelocities = std::vector<double>;
 
 /// Replaces the velocities of links whose joint and parent link have known velocities. Roots, links
-/// of joints without velocities and top links of parts keep theirs.
+/// of joints without velocities, top links of parts and objects keep theirs.
 /// @pre `velocities` has RobotModel::variable_count entries
 void applyJointVelocities(const RobotModel& model, const JointVelocities& velocities,
                           LinkPoses& poses) noexcept;

@@ -190,8 +190,8 @@ ActivationDistances makeActivationDistances(const CycleSetup& setup) {
     reaches.rows.at(link_column::radius)[slot] = reaches.balls.back().radius;
   }
   makeObjectRanges(setup, reaches);
-  reaches.of_pair.resize(setup.checked.size(), kInfinity);
-  reaches.near_of_pair = reaches.of_pair;
+  reaches.all.resize(setup.checked.size() + reaches.ranges.size(), kInfinity);
+  reaches.near = reaches.all;
   return reaches;
 }
 

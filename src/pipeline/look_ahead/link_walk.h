@@ -71,11 +71,16 @@ struct ActivationDistances {
   std::vector<PairReach> of_limits;  ///< by CheckedLinkPair::limits
   bool is_split{false};              ///< links are in several parts
 
-  BodyRows rows;                ///< of the links
-  std::vector<double> of_pair;  ///< [m] by LinkPairIndex
-  /// [m] By LinkPairIndex: as of_pair but without report_distance. Farther bodies matter only if
-  /// they are the nearest of two elements.
-  std::vector<double> near_of_pair;
+  BodyRows rows;  ///< of the links
+  /// By LinkPairIndex: where `all` and `near` hold its distance. Pairs of a range share one place.
+  std::vector<std::uint32_t> place_of;
+  std::vector<double> all;  ///< [m]
+  /// [m] As `all` but without report_distance. Farther bodies matter only if they are the nearest
+  /// of two elements.
+  std::vector<double> near;
+
+  double of(LinkPairIndex pair) const noexcept { return all[place_of[pair]]; }
+  double nearOf(LinkPairIndex pair) const noexcept { return near[place_of[pair]]; }
 };
 
 ActivationDistances makeActivationDistances(const CycleSetup& setup);

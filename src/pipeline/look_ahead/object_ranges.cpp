@@ -17,10 +17,6 @@ std::uint32_t slotOf(const std::vector<LinkId>& links, LinkId link) {
                                     links.begin());
 }
 
-const Joint& jointOf(const RobotModel& model, LinkId object) {
-  return model.joint(*model.link(object).parent_joint);
-}
-
 Eigen::Vector3d vectorAt(const BodyRows& rows, std::size_t c, std::size_t slot) noexcept {
   return {rows.at(c)[slot], rows.at(c + 1)[slot], rows.at(c + 2)[slot]};
 }
@@ -62,13 +58,13 @@ bool isInRange(const RobotModel& model, const CheckedLinkPair& pair) {
 }
 
 std::vector<LinkId> firstCarried(const RobotModel& model) {
-  std::vector<LinkId> first(model.links.size());
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    const LinkId link = idAt<LinkId>(i);
-    first[i] = link;
-    if (i > 0 && isObject(model, link) && isObject(model, idAt<LinkId>(i - 1)) &&
-        jointOf(model, link).parent == jointOf(model, idAt<LinkId>(i - 1)).parent) {
-      first[i] = first[i - 1];
+  std::vector<LinkId> first;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    first.push_back(idAt<LinkId>(i));
+  }
+  for (const ObjectRun& run : objectRuns(model)) {
+    for (std::size_t i = run.first; i < run.last; ++i) {
+      first[i] = idAt<LinkId>(run.first);
     }
   }
   return first;
@@ -87,9 +83,7 @@ void growBalls(const CycleSetup& setup, const std::vector<LinkId>& first_of,
     const LinkId first = first_of[index(body.link)];
     const std::uint32_t slot = slotOf(reaches.links, first);
     if (slot < reaches.links.size() && reaches.links[slot] == first) {
-      const Pose first_from_body = inverse(jointOf(model, first).parent_from_joint) *
-                                   jointOf(model, body.link).parent_from_joint *
-                                   body.link_from_body;
+      const Pose first_from_body = poseBeside(model, first, body.link) * body.link_from_body;
       Ball& ball = reaches.balls[slot];
       ball.radius = std::max(
           ball.radius, (first_from_body.translation - ball.center).norm() + body.bounding_radius);
@@ -103,9 +97,11 @@ void growBalls(const CycleSetup& setup, const std::vector<LinkId>& first_of,
 void makeObjectRanges(const CycleSetup& setup, ActivationDistances& reaches) {
   const RobotModel& model = setup.model;
   const std::vector<LinkId> first_of = firstCarried(model);
+  reaches.place_of.resize(setup.checked.size());
   for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
     const CheckedLinkPair& pair = setup.checked[i];
     if (!isInRange(model, pair)) {
+      reaches.place_of[i] = i;
       continue;
     }
     const std::uint32_t link = slotOf(reaches.links, pair.a);
@@ -120,6 +116,8 @@ void makeObjectRanges(const CycleSetup& setup, ActivationDistances& reaches) {
     ObjectRange& range = reaches.ranges.back();
     range.last = i + 1;
     range.thickness = std::min(range.thickness, reaches.thickness[i]);
+    reaches.place_of[i] =
+        static_cast<std::uint32_t>(setup.checked.size() + reaches.ranges.size() - 1);
   }
   growBalls(setup, first_of, reaches);
 }
@@ -129,10 +127,8 @@ void walkObjectRanges(const WalkQuestion& question, const LinkPoses& poses,
   for (const ObjectRange& range : reaches.ranges) {
     const double reach = reachByMotion(question, reaches, range);
     const PairReach& at_rest = reaches.of_limits[range.limits];
-    std::fill(reaches.of_pair.begin() + range.first, reaches.of_pair.begin() + range.last,
-              std::max(at_rest.all, reach));
-    std::fill(reaches.near_of_pair.begin() + range.first, reaches.near_of_pair.begin() + range.last,
-              std::max(at_rest.near, reach));
+    reaches.all[reaches.place_of[range.first]] = std::max(at_rest.all, reach);
+    reaches.near[reaches.place_of[range.first]] = std::max(at_rest.near, reach);
     const bool is_joined = poses.part[index(reaches.links[range.link])] ==
                            poses.part[index(reaches.links[range.objects])];
     if (question.has_step && is_joined) {

@@ -95,9 +95,9 @@ void walkInLanes(const WalkQuestion& question, ActivationDistances& reaches, Far
                             part};
       const Number reach = reachByMotion(pairs, question);
       storeByPair(part, hn::Max(reachOf(pairs, &PairReach::all, &LaneReaches::all), reach),
-                  reaches.of_pair);
+                  reaches.all);
       storeByPair(part, hn::Max(reachOf(pairs, &PairReach::near, &LaneReaches::near), reach),
-                  reaches.near_of_pair);
+                  reaches.near);
       if (question.has_step) {
         findFarther(pairs, link_column::moved, farthest.moved);
       }

@@ -151,6 +151,7 @@ void listPairs(CycleSetup& setup) {
   setup.table = PairTable(takeBodyPairs(setup), setup.bodies.size());
   setup.blocks = makeBlocks(setup.table, setup.cores);
   linkBodiesToElements(setup);
+  setup.carried = findCarried(setup);
 }
 
 }  // namespace collision_monitor

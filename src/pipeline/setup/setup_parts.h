@@ -44,8 +44,12 @@ void makeElements(const std::vector<LinkFit>& fits, const ElementSettings& setti
 /// what thresholds of time need. Reports limits that break a precondition.
 void decideByRules(IdleRule idle, CycleSetup& setup, SetupReport& report);
 
+/// The objects of carriers with very many, see CycleSetup::carried.
+/// @pre bodies and elements are filled
+std::vector<CarriedObjects> findCarried(const CycleSetup& setup);
+
 /// Fills the checked link pairs, the pairs of bodies (ordered by kind of core pair, then by bodies)
-/// and the pairs of elements from setup.link_pairs.
+/// and the pairs of elements from setup.link_pairs; and what is carried.
 void listPairs(CycleSetup& setup);
 
 }  // namespace collision_monitor

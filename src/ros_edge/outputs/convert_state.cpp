@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "collision_monitor/geometry/ids.h"
+#include "model/object_links.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/sentences.h"
 
@@ -36,10 +37,13 @@ void fillCounters(const CycleCounters& counters, const CycleFacts& facts, State&
 void fillLinks(const Watch& watch, State& message) {
   const RobotModel& model = watch.setup().model;
   message.age = 0.0;
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
-    if (watch.poses.status[i] == LinkStatus::known) {
-      message.age = std::max(message.age, watch.poses.age[i]);
-    }
+  // Objects are as old as what carries them.
+  for (const Robot& robot : model.robots) {
+    forOwnLinks(model, robot, [&](std::size_t link) {
+      if (watch.poses.status[link] == LinkStatus::known) {
+        message.age = std::max(message.age, watch.poses.age[link]);
+      }
+    });
   }
   message.unknown_links.clear();
   std::vector<LinkId> unknown;

@@ -26,13 +26,12 @@ const Distances& DistanceList::fill(const Watch& watch) {
   message_.header = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);
   message_.closest = -1;
   message_.pairs_checked = static_cast<std::uint32_t>(setup.checked.size());
-  message_.pairs_unknown = static_cast<std::uint32_t>(
-      std::count(events.verdicts.begin(), events.verdicts.end(), Verdict::unknown));
+  message_.pairs_unknown = static_cast<std::uint32_t>(events.unknown);
   message_.truncated = 0;
   message_.tolerance = setup.refine.tolerance;
   GradientRows rows(setup, watch.poses);
   size_ = 0;
-  for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
+  for (const LinkPairIndex i : events.active) {
     if (!isListed(watch, i)) {
       continue;
     }

@@ -88,14 +88,14 @@ std::string motionText(const PairDistance& distance) {
                       is_bound ? " s at the earliest" : " s"});
 }
 
-/// The nearest link pair with this verdict; kNone if none was measured.
+/// The nearest link pair with this verdict, which is not `unknown`; kNone if none was measured.
 LinkPairIndex nearestWith(Verdict verdict, const Watch& watch, std::size_t& count) {
   const PairDistances& distances = watch.buffers.distances;
   const std::vector<Verdict>& verdicts = watch.buffers.events.verdicts;
   LinkPairIndex nearest = kNone;
   double least = std::numeric_limits<double>::infinity();
   count = 0;
-  for (LinkPairIndex i = 0; i < verdicts.size(); ++i) {
+  for (const LinkPairIndex i : watch.buffers.events.active) {
     if (verdicts[i] != verdict) {
       continue;
     }

@@ -23,9 +23,10 @@ void PoseReader::makeEdges() {
       const Joint& joint = model_.joint(*link.parent_joint);
       edges_[i].parent_frame = stripLeadingSlash(model_.link(joint.parent).frame);
       // tf does not know objects.
-      const bool is_object = model_.robots[index(link.robot)].is_world;
+      const bool is_object = isObject(model_, idAt<LinkId>(i));
       const bool places = is_object || (joints_ != nullptr && freedomOf(joint) <= 1);
       edges_[i].joint = places ? &joint : nullptr;
+      edges_[i].status = is_object ? LinkStatus::known : LinkStatus::missing;  // for good
     }
   }
   // Children come after their parents.

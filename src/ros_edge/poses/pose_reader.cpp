@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "pipeline/objects/carry_objects.h"
+
 namespace collision_monitor {
 
 PoseReader::PoseReader(const RobotModel& model, const TransformStore& store,
@@ -14,7 +16,8 @@ PoseReader::PoseReader(const RobotModel& model, const TransformStore& store,
       world_frame_(stripLeadingSlash(options.world_frame)),
       max_age_(options.max_age),
       joints_(joints),
-      positions_(model.variable_count) {
+      positions_(model.variable_count),
+      objects_(objectRuns(model)) {
   if (world_frame_.empty() && !model.robots.empty()) {
     world_frame_ = stripLeadingSlash(model.link(model.robots.front().root).frame);
   }
@@ -24,8 +27,8 @@ PoseReader::PoseReader(const RobotModel& model, const TransformStore& store,
 bool PoseReader::read(const ros::Time& now, LinkPoses& poses) {
   refresh();
   now_ns_ = static_cast<std::int64_t>(now.toNSec());
-  for (Edge& edge : edges_) {
-    judge(now_ns_, edge);
+  for (const Robot& robot : model_.robots) {
+    forOwnLinks(model_, robot, [&](std::size_t link) { judge(now_ns_, edges_[link]); });
   }
   std::int64_t oldest_ns = std::numeric_limits<std::int64_t>::max();
   bool is_new = false;
@@ -51,19 +54,23 @@ bool PoseReader::read(const ros::Time& now, LinkPoses& poses) {
 /// 0 if nothing of the robot both moves and is known.
 std::int64_t PoseReader::commonStamp(const Robot& robot) const {
   std::int64_t stamp_ns = std::numeric_limits<std::int64_t>::max();
-  for (std::size_t i = robot.first_link; i < robot.first_link + robot.link_count; ++i) {
-    const Edge& edge = edges_[i];
+  forOwnLinks(model_, robot, [&](std::size_t link) {
+    const Edge& edge = edges_[link];
     if (edge.status == LinkStatus::known && isMoving(edge)) {
       stamp_ns = std::min(stamp_ns, edge.newest_ns);
     }
-  }
+  });
   return stamp_ns == std::numeric_limits<std::int64_t>::max() ? 0 : stamp_ns;
 }
 
 bool PoseReader::isAllKnown() const {
-  return std::all_of(edges_.begin(), edges_.end(), [](const Edge& edge) {
-    return !edge.is_needed || edge.status == LinkStatus::known;
-  });
+  bool is_all_known = true;
+  for (const Robot& robot : model_.robots) {
+    forOwnLinks(model_, robot, [&](std::size_t link) {
+      is_all_known &= !edges_[link].is_needed || edges_[link].status == LinkStatus::known;
+    });
+  }
+  return is_all_known;
 }
 
 /// @return true if a transform was looked up.
@@ -72,28 +79,31 @@ bool PoseReader::readRobot(const Robot& robot, std::int64_t stamp_ns) {
   if (joints_ != nullptr) {
     joints_->readPositions(stamp_ns, max_age_, positions_);
   }
-  for (std::size_t i = robot.first_link; i < robot.first_link + robot.link_count; ++i) {
-    Edge& edge = edges_[i];
+  forOwnLinks(model_, robot, [&](std::size_t link) {
+    Edge& edge = edges_[link];
     const std::int64_t wanted_ns = isMoving(edge) ? stamp_ns : 0;
     if (edge.status == LinkStatus::known && edge.read_ns != wanted_ns) {
       look(wanted_ns, edge);
       is_new = true;
     }
-  }
+  });
   return is_new;
 }
 
 /// @return true if the status or part of a link changed.
 bool PoseReader::placeLinks(LinkPoses& poses) const {
   bool has_changed = false;
-  for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const PartId part = poses.part[i];
-    const LinkStatus part_status = poses.part_status[i];
-    const LinkStatus status = poses.status[i];
-    placeLink(i, poses);
-    has_changed = has_changed || status != poses.status[i] || part != poses.part[i] ||
-                  part_status != poses.part_status[i];
+  for (const Robot& robot : model_.robots) {
+    forOwnLinks(model_, robot, [&](std::size_t link) {
+      const PartId part = poses.part[link];
+      const LinkStatus part_status = poses.part_status[link];
+      const LinkStatus status = poses.status[link];
+      placeLink(link, poses);
+      has_changed = has_changed || status != poses.status[link] || part != poses.part[link] ||
+                    part_status != poses.part_status[link];
+    });
   }
+  carryPoses(model_, objects_, poses);
   return has_changed;
 }
 

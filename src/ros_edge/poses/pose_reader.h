@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "model/object_links.h"
 #include "pipeline/data/cycle_data.h"
 #include "ros_edge/poses/joint_reader.h"
 #include "ros_edge/poses/transform_store.h"
@@ -35,6 +36,8 @@ struct PoseReaderOptions {
 ///
 /// A link that cannot be placed relative to its parent link, or a root in the world, begins a
 /// floating part (LinkPoses). Links below it are placed in that part as they would be in the world.
+///
+/// Objects follow the frame or link that carries them.
 ///
 /// Robots keep their own stamps. LinkPoses::stamp_ns is the oldest of them. It is the time of the
 /// call if nothing moves, and stays unchanged if nothing that moves is known. Ages of `missing`
@@ -110,7 +113,8 @@ class PoseReader {
   std::int64_t now_ns_{0};  ///< of the last read
   JointReader* joints_;
   JointPositions positions_;  ///< of all joints at the current stamp
-  std::vector<Edge> edges_;   ///< by LinkId
+  std::vector<ObjectRun> objects_;
+  std::vector<Edge> edges_;  ///< by LinkId
   std::vector<FrameRecord> records_;
   std::unordered_map<std::string, std::size_t> places_;  ///< indices of records, by frame
   TransformStore::Version seen_;

@@ -134,17 +134,16 @@ TEST(LinkWalkLaws, reachesAndStepsAreThoseOfEveryPairAlone_onEveryInstructionSet
       const OnlyInstructionSet only(target);
       ActivationDistances reaches = makeActivationDistances(scene.setup);
       findActivationDistances(scene.setup, scene.poses, scene.sweep, reaches);
-      ASSERT_EQ(reaches.of_pair.size(), scene.setup.checked.size());
-      for (std::size_t i = 0; i < reaches.of_pair.size(); ++i) {
+      ASSERT_EQ(reaches.all.size(), scene.setup.checked.size());
+      for (std::size_t i = 0; i < reaches.all.size(); ++i) {
         const double expected = plainReach(scene, scene.setup.checked[i], balls);
-        expectReach(reaches.of_pair[i],
-                    std::max(expected, activationDistanceOf(scene.setup.limits)));
-        expectReach(reaches.near_of_pair[i],
+        expectReach(reaches.all[i], std::max(expected, activationDistanceOf(scene.setup.limits)));
+        expectReach(reaches.near[i],
                     std::max(expected, nearActivationDistanceOf(scene.setup, scene.setup.limits)));
       }
-      ASSERT_TRUE(first.empty() || std::memcmp(first.data(), reaches.of_pair.data(),
+      ASSERT_TRUE(first.empty() || std::memcmp(first.data(), reaches.all.data(),
                                                first.size() * sizeof(double)) == 0);
-      first = reaches.of_pair;
+      first = reaches.all;
       expectStep(scene, scene.sweep.step);
     }
   }

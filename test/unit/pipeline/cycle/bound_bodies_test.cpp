@@ -33,7 +33,7 @@ class BoundBodies : public testing::Test {
   }
   void grow(double duration) {
     bound();
-    growBounds(setup_, poses_, duration, buffers_.bounds);
+    growBounds(setup_, poses_, buffers_.body_poses, duration, buffers_.bounds);
   }
   /// Boxes are some ulps larger than they need to be.
   void expectBox(std::size_t body, const Vector3d& center, const Vector3d& half) const {

@@ -87,7 +87,7 @@ class FindReachesTest : public testing::Test {
   FindReachesTest() { rest(poses_); }
   double reach() {
     runCycle(setup_, poses_, buffers_);
-    return buffers_.activation.of_pair[0];
+    return buffers_.activation.of(0);
   }
   Twist& twist(std::size_t link) { return poses_.velocities.of_link[link]; }
 

@@ -29,9 +29,7 @@ struct MeasuredScene {
   void measure(const std::vector<PairId>& pairs) {
     measurePairs(setup, buffers.body_poses, pairs, buffers.distances);
   }
-  void findClosest(double reach) {
-    measureClosest(setup, buffers.body_poses, buffers.refine, reach, buffers.distances);
-  }
+  void findClosest(double reach) { measureClosest(setup, poses, reach, buffers); }
   const std::vector<PairDistance>& measured() const { return buffers.distances.pairs; }
 
   CycleSetup setup;

@@ -31,7 +31,7 @@ class FindReachesTest : public testing::TestWithParam<std::int64_t> {
   /// A and B, A and C, B and C.
   const std::vector<double>& reaches() {
     findActivationDistances(setup_, poses_, sweep_, reaches_);
-    return reaches_.of_pair;
+    return reaches_.all;
   }
 
   CycleSetup setup_ = handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}, {2, Sphere{0.1}}});

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "broad_phase/rigid_tree.h"
+#include "collision_monitor/pipeline/setup.h"
+#include "pipeline/data/cycle_data.h"
+
+/// The broad phase of set-ups with very many objects: a tree for the objects of each carrier, and a
+/// method of the broad phase for all other bodies.
+namespace collision_monitor {
+
+/// The objects of one carrier.
+struct ObjectTree {
+  RigidTree tree;     ///< in the frame of the first object
+  double grown{0.0};  ///< [m] how far bounds reach beyond the shapes
+  /// The pair of each loose body with each object, at place in `loose` * objects + place of object:
+  /// its PairId, or kNone.
+  std::vector<std::uint32_t> pair_of;
+};
+
+struct ObjectTrees {
+  std::vector<ObjectTree> trees;   ///< by CycleSetup::carried
+  std::vector<BodyId> loose;       ///< bodies in no tree, in order
+  std::vector<BodyId> seekers;     ///< bodies of trees that have pairs with bodies of trees
+  BodyBounds bounds;               ///< of the loose bodies
+  PairTable table;                 ///< pairs of loose bodies, as places in `loose`
+  std::vector<PairId> loose_pair;  ///< by PairId of this table: the pair of the set-up
+  PairBlocks blocks;               ///< those of the set-up that hold pairs of loose bodies
+};
+
+struct CycleBuffers;
+
+/// @return without trees for set-ups without CycleSetup::carried
+ObjectTrees makeObjectTrees(const CycleSetup& setup);
+
+/// Fills the candidates: pairs of the table whose bounds meet, sorted by id. Bounds of objects in
+/// trees are those of their shapes, grown along the axes of their carrier.
+/// @param reach [m] as for boundBodies
+void findPairs(const CycleSetup& setup, const LinkPoses& poses, double reach,
+               CycleBuffers& buffers) noexcept;
+
+/// Finds the nearest pair with an object in a tree that is not passed, if it is nearer than `best`.
+void searchTrees(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
+                 const ObjectTrees& trees, const std::vector<unsigned char>& is_passed,
+                 NearestPair& best) noexcept;
+
+}  // namespace collision_monitor
