@@ -5,13 +5,13 @@ if(CATKIN_GLOBAL_PYTHON_DESTINATION)
   set(python_space ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_PYTHON_DESTINATION})
   set(library_from_prefix ${CATKIN_PACKAGE_LIB_DESTINATION})
 else()
-  # The folder below the prefix where the interpreter looks by itself, if there is one: below
-  # /usr/local, and below ~/.local for its owner.
+  # The folder below the prefix where the interpreter looks by itself, if there is one: for /usr,
+  # /usr/local, and ~/.local of the one who installs.
   execute_process(COMMAND ${Python3_EXECUTABLE} -c
     "import os, site
 prefix = os.path.realpath('${CMAKE_INSTALL_PREFIX}') + os.sep
 folders = site.getsitepackages() + [os.path.realpath(site.getusersitepackages())]
-print(next((f[len(prefix):] for f in folders if f.startswith(prefix)), ''), end='')"
+print(next((f[len(prefix):] for f in folders if f.startswith(prefix + 'lib')), ''), end='')"
     OUTPUT_VARIABLE python_destination)
   if(NOT python_destination)
     set(python_destination lib/python3/dist-packages)
