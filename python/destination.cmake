@@ -5,11 +5,13 @@ if(CATKIN_GLOBAL_PYTHON_DESTINATION)
   set(python_space ${CATKIN_DEVEL_PREFIX}/${CATKIN_GLOBAL_PYTHON_DESTINATION})
   set(library_from_prefix ${CATKIN_PACKAGE_LIB_DESTINATION})
 else()
-  # The folder below the prefix where the interpreter looks by itself, if there is one.
+  # The folder below the prefix where the interpreter looks by itself, if there is one: for /usr,
+  # /usr/local, and ~/.local of the one who installs.
   execute_process(COMMAND ${Python3_EXECUTABLE} -c
     "import os, site
 prefix = os.path.realpath('${CMAKE_INSTALL_PREFIX}') + os.sep
-print(next((f[len(prefix):] for f in site.getsitepackages() if f.startswith(prefix)), ''), end='')"
+folders = site.getsitepackages() + [os.path.realpath(site.getusersitepackages())]
+print(next((f[len(prefix):] for f in folders if f.startswith(prefix + 'lib')), ''), end='')"
     OUTPUT_VARIABLE python_destination)
   if(NOT python_destination)
     set(python_destination lib/python3/dist-packages)

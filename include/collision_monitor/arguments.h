@@ -16,7 +16,9 @@ namespace collision_monitor {
 class Numbers {
  public:
   Numbers() = default;
+  /// `size` numbers that start at `data`.
   Numbers(const double* data, std::size_t size) noexcept : data_(data), size_(size) {}
+  /// Numbers in braces, as in `query.verdict({0.1, 0.2})`.
   Numbers(std::initializer_list<double> list) noexcept : Numbers(list.begin(), list.size()) {}
   /// Anything with data() and size(), such as std::vector<double> or Eigen::VectorXd.
   template <class Row,
@@ -24,11 +26,12 @@ class Numbers {
   Numbers(const Row& row) noexcept  // NOLINT(google-explicit-constructor)
       : Numbers(row.data(), static_cast<std::size_t>(row.size())) {}
 
+  /// The first number; may be null where there is none.
   const double* data() const noexcept { return data_; }
-  const double* begin() const noexcept { return data_; }
-  const double* end() const noexcept { return data_ + size_; }
-  std::size_t size() const noexcept { return size_; }
-  double operator[](std::size_t i) const noexcept { return data_[i]; }
+  const double* begin() const noexcept { return data_; }        ///< as data()
+  const double* end() const noexcept { return data_ + size_; }  ///< behind the last number
+  std::size_t size() const noexcept { return size_; }           ///< how many numbers there are
+  double operator[](std::size_t i) const noexcept { return data_[i]; }  ///< @pre i < size()
 
  private:
   const double* data_{nullptr};
@@ -41,6 +44,7 @@ class ArgumentError : public std::invalid_argument {
  public:
   /// @param faults sentences; what() joins them, one a line.
   explicit ArgumentError(std::vector<std::string> faults);
+  /// Sentences, at least one.
   const std::vector<std::string>& faults() const noexcept { return faults_; }
 
  private:

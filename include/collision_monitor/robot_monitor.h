@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "collision_monitor/arguments.h"
+#include "collision_monitor/geometry/interrupted.h"
 #include "collision_monitor/model/kinematics.h"
 #include "collision_monitor/pipeline/setup.h"
 
@@ -19,39 +20,43 @@ namespace collision_monitor {
 struct MonitorParts;
 struct QueryParts;
 
+/// What a monitor is made with. The defaults do for most robots.
 struct MonitorOptions {
   Limits limits;  ///< times, hysteresis and report_distance play no part: a query knows no past
   RefineGeometry detail{RefineGeometry::mesh};  ///< what is measured, where rules say nothing
   double distance_tolerance{0.0};               ///< [m] as RefineLimits::tolerance
   double padding{0.0};                          ///< [m] >= 0; added to every shape
   FitLimits fit{4, 0.01, {}};                   ///< of links for which the rules say nothing
-  ShapeRulesText shape_rules;
-  std::vector<NamedPair> ignored_pairs;  ///< in addition to what SRDFs say
-  bool ignore_default_overlap{true};     ///< as SetupOptions
+  ShapeRulesText shape_rules;                   ///< for single links; wins over the options here
+  std::vector<NamedPair> ignored_pairs;         ///< in addition to what SRDFs say
+  bool ignore_default_overlap{true};            ///< as SetupOptions
   /// Where package://NAME/ is looked up, each a package or a folder of packages. What
   /// ROS_PACKAGE_PATH and AMENT_PREFIX_PATH name follows.
   std::vector<std::filesystem::path> package_roots;
   ResourceLoader load_resource;  ///< replaces the look-up above; may be empty
-  MeshReading meshes;
+  MeshReading meshes;            ///< how mesh files are read
   /// Folder that keeps fits. "": that of the program `fit`, below $ROS_HOME or ~/.ros; "none": fits
   /// are not kept.
   std::string fit_cache;
   FitProgress fit_progress;  ///< may be empty
+  /// Asked again and again while the monitor is made, on any thread, but never on two at once.
+  /// False ends the work with Interrupted. It must not throw. May be empty.
+  GoesOn goes_on;
   /// By robot: where its root link stands. Empty: all in the world's origin.
   std::vector<Pose> world_from_root;
 };
 
 /// One robot in files.
 struct RobotFiles {
-  std::filesystem::path urdf;
+  std::filesystem::path urdf;    ///< path of the file
   std::filesystem::path srdf{};  ///< empty if there is none
   std::string prefix{};          ///< as RobotDescription::tf_prefix
 };
 
 /// One number of a state: the position of a joint, or a part of it.
 struct JointVariable {
-  std::string name;  ///< of the joint; planar and floating joints have an ending: "base/x"
-  JointId joint{};
+  std::string name;          ///< of the joint; planar and floating joints have an ending: "base/x"
+  JointId joint{};           ///< in model()
   double lower{0.0};         ///< [rad] or [m]; -infinity if unlimited
   double upper{0.0};         ///< likewise
   double max_velocity{0.0};  ///< [rad/s] or [m/s]; infinity if unlimited
@@ -59,10 +64,10 @@ struct JointVariable {
 
 /// A shape that encloses a part of a link.
 struct EnclosingShape {
-  LinkId link{};
-  std::string name;  ///< unique within its link
-  Shape shape;       ///< with the padding
-  Pose link_from_shape;
+  LinkId link{};         ///< to which it is fixed
+  std::string name;      ///< unique within its link
+  Shape shape;           ///< with the padding
+  Pose link_from_shape;  ///< where the shape stands in the link
   Overshoot overshoot;   ///< [m] without the padding; NaN for given shapes: not measured
   bool is_exact{false};  ///< the shape is the geometry of the URDF
   bool is_proven{true};  ///< false: given shapes that their link may stick out of
@@ -74,6 +79,7 @@ class RobotMonitor {
  public:
   /// Reads the robots, encloses their links in shapes and decides which pairs are checked.
   /// @throws SetupError with all faults of descriptions, meshes, rules and options
+  /// @throws Interrupted if MonitorOptions::goes_on returned false
   explicit RobotMonitor(const std::vector<RobotDescription>& robots,
                         const MonitorOptions& options = {});
   /// The same for robots in files. A file that cannot be read is one more fault.
@@ -97,6 +103,7 @@ class RobotMonitor {
   const std::vector<LinkPair>& allPairs() const noexcept;
   const std::vector<EnclosingShape>& shapes() const noexcept;  ///< in order of link
   const std::vector<Problem>& warnings() const noexcept;       ///< of the set-up
+  /// The distances that decide verdicts, as in the options.
   const Limits& limits() const noexcept;
 
  private:

@@ -23,10 +23,10 @@ struct QueryParts;
 
 /// The distance of two links. Frames: world. Sign: as SignedDistance.
 struct MeasuredPair {
-  std::uint32_t pair{0};     ///< index into RobotMonitor::pairs()
-  std::uint32_t shape_a{0};  ///< index into RobotMonitor::shapes(): the nearest ones
-  std::uint32_t shape_b{0};
-  Quality quality{Quality::unknown};
+  std::uint32_t pair{0};              ///< index into RobotMonitor::pairs()
+  std::uint32_t shape_a{0};           ///< index into RobotMonitor::shapes(): the nearest ones
+  std::uint32_t shape_b{0};           ///< likewise, of the second link
+  Quality quality{Quality::unknown};  ///< of the distance
   Verdict verdict{Verdict::unknown};  ///< by contact_distance and warning_distance
   bool is_refined{false};             ///< measured between what the shapes enclose
   SignedDistance measured;            ///< unknown: all NaN
@@ -38,6 +38,7 @@ struct DistanceRequest {
   bool gradients{false};                                   ///< fill DistanceTable::gradients
 };
 
+/// The answer of RobotQuery::distances.
 struct DistanceTable {
   /// In the order of RobotMonitor::pairs(). Pairs of unknown distance are never left out.
   std::vector<MeasuredPair> pairs;
@@ -48,7 +49,7 @@ struct DistanceTable {
 
 /// Two links in contact.
 struct TouchingPair {
-  MeasuredPair between;
+  MeasuredPair between;                   ///< the two links, and where they are nearest
   std::uint32_t point_count{0};           ///< 0 if the pair is unknown
   std::array<Eigen::Vector3d, 4> points;  ///< world frame, midway between the two surfaces
 };
@@ -62,9 +63,10 @@ struct StateAnswer {
   double distance{std::numeric_limits<double>::quiet_NaN()};
 };
 
+/// What is asked of many states.
 struct StatesRequest {
-  StateQuestion question{StateQuestion::nearest};
-  unsigned threads{0};  ///< at most; 0: one for each processor
+  StateQuestion question{StateQuestion::nearest};  ///< how much is looked for
+  unsigned threads{0};                             ///< at most; 0: one for each processor
   /// Receives the growing share that is done, on the calling thread. Returns false to give up. May
   /// be empty.
   std::function<bool(double done)> progress;
@@ -72,19 +74,20 @@ struct StatesRequest {
 
 /// Way-points, row by row: m states of n numbers.
 struct WayPoints {
-  Numbers positions;
+  Numbers positions;     ///< m x n, [rad] or [m]
   Numbers times{};       ///< [s] m, increasing; empty: 0, 1, 2, ...
   Numbers velocities{};  ///< empty, or like `positions`: joints move on cubics
 };
 
 /// The approach of two links on a path.
 struct PairOnPath {
-  ApproachState state{ApproachState::unknown};
+  ApproachState state{ApproachState::unknown};  ///< what was proven
   double time{0.0};      ///< [s] of `nearest`; undecided: until when the pair is clear
   double at_least{0.0};  ///< [m] proven lower bound of the distance, until the contact if any
   MeasuredPair nearest;  ///< the nearest measurement; in contact, the first contact
 };
 
+/// The answer of RobotQuery::checkPath.
 struct PathAnswer {
   std::vector<PairOnPath> pairs;       ///< as RobotMonitor::pairs()
   std::uint32_t first_contact{kNone};  ///< the pair of the first contact, or kNone
@@ -103,12 +106,13 @@ struct PathAnswer {
 /// @throws ArgumentError if a number of values is wrong, or a request holds NaN
 class RobotQuery {
  public:
+  /// Sizes scratch for the monitor's pairs. The query shares what is inside the monitor.
   explicit RobotQuery(const RobotMonitor& monitor);
   ~RobotQuery();
-  RobotQuery(RobotQuery&& other) noexcept;
-  RobotQuery& operator=(RobotQuery&& other) noexcept;
+  RobotQuery(RobotQuery&& other) noexcept;  ///< the other one can only be assigned to or destroyed
+  RobotQuery& operator=(RobotQuery&& other) noexcept;  ///< as the constructor
 
-  const RobotMonitor& monitor() const noexcept;
+  const RobotMonitor& monitor() const noexcept;  ///< as given to the constructor
 
   /// The worst verdict of all pairs.
   Verdict verdict(Numbers state);

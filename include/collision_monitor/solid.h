@@ -32,14 +32,16 @@ class Solid {
   /// vertices, with vertices that are not finite or triangles of missing vertices
   explicit Solid(const Geometry& geometry);
 
-  static Solid sphere(double radius);
+  static Solid sphere(double radius);                  ///< @param radius [m]
   static Solid capsule(double radius, double length);  ///< between the centers of its caps
-  static Solid box(const Eigen::Vector3d& size);
-  static Solid cylinder(double radius, double length);
+  static Solid box(const Eigen::Vector3d& size);  ///< @param size [m] whole lengths along x, y, z
+  static Solid cylinder(double radius, double length);  ///< @param length [m] along z, as a whole
   /// The tip is at +length / 2. Made of a hull around the cone that sticks out by at most 0.2 % of
   /// the radius; its distances are lower bounds.
   static Solid cone(double radius, double length);
+  /// The convex hull of points [m].
   static Solid hull(const std::vector<Eigen::Vector3d>& points);
+  /// @param mesh triangles, and their inside if they have one
   static Solid mesh(const TriangleMesh& mesh);
   /// A mesh file: STL, DAE, OBJ, PLY.
   /// @throws ArgumentError if it cannot be read
@@ -55,6 +57,7 @@ class Solid {
   std::shared_ptr<const SolidParts> parts_;
 };
 
+/// Kinds of shape that leastShape can make.
 enum class ShapeKind : unsigned char { sphere, capsule, box, rounded_box };
 
 /// The shape of a kind of least volume that holds all points, in their frame.
@@ -64,9 +67,10 @@ enum class ShapeKind : unsigned char { sphere, capsule, box, rounded_box };
 /// @throws ArgumentError if there is no point or one is not finite or beyond 1e6 m
 PosedShape leastShape(ShapeKind kind, const std::vector<Eigen::Vector3d>& points);
 
+/// The answer for two solids.
 struct SolidDistance {
-  SignedDistance measured;
-  Quality quality{Quality::unknown};
+  SignedDistance measured;            ///< world frame; NaN where the quality is unknown
+  Quality quality{Quality::unknown};  ///< of the distance
 };
 
 /// Measures two solids. Keeps scratch, and warm starts as long as the same two are asked about:
@@ -79,8 +83,8 @@ class SolidQuery {
  public:
   SolidQuery();
   ~SolidQuery();
-  SolidQuery(SolidQuery&& other) noexcept;
-  SolidQuery& operator=(SolidQuery&& other) noexcept;
+  SolidQuery(SolidQuery&& other) noexcept;  ///< the other one can only be assigned to or destroyed
+  SolidQuery& operator=(SolidQuery&& other) noexcept;  ///< as the constructor
 
   /// @param within [m] > 0: beyond it the search may stop; the answer is then a lower bound of at
   /// least this, and its points may be NaN.

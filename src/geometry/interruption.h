@@ -2,17 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
+#include "collision_monitor/geometry/interrupted.h"
 
 /// Interrupts long work of a set-up from outside, for example because the program is to end.
 namespace collision_monitor {
-
-/// Thrown to end work that is no longer wanted. It is not a std::exception: code that turns every
-/// fault into a problem and goes on must let it pass.
-struct Interrupted {};
-
-/// Whether work may go on. It is called often, so it must be fast.
-using GoesOn = std::function<bool()>;
 
 /// While it lives, the library's work on this thread ends with Interrupted as soon as `goes_on`
 /// returns false. This covers reading files and meshes, fitting, making pairs and applying rules.

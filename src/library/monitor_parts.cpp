@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/interruption.h"
 #include "model/resources/file_loader.h"
 #include "pipeline/fits/fit_cache_folder.h"
 
@@ -109,6 +110,8 @@ std::vector<EnclosingShape> listShapes(const CycleSetup& setup) {
 
 std::shared_ptr<const MonitorParts> makeMonitorParts(const GivenRobots& robots,
                                                      const MonitorOptions& options) {
+  // An empty question leaves the caller's own in place.
+  const Interruptible interruptible(options.goes_on ? options.goes_on : goesOnHere());
   auto parts = std::make_shared<MonitorParts>();
   SetupReport report = robots.report;
   if (!robots.descriptions.empty() || report.errors.empty()) {

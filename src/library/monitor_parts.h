@@ -24,6 +24,7 @@ struct GivenRobots {
 };
 
 /// @throws SetupError with all faults, those of the robots' report first
+/// @throws Interrupted
 std::shared_ptr<const MonitorParts> makeMonitorParts(const GivenRobots& robots,
                                                      const MonitorOptions& options);
 

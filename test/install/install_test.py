@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What others use of an installed package: its library from C++, its programs, and with ROS its node,
-nodelet, launch files and messages. Installs the build into a folder of its own.
+"""What others use of an installed package: its library from C++ and Python, its programs, and with ROS
+its node, nodelet, launch files and messages. Installs the build into a folder of its own.
 
 COLLISION_MONITOR_BUILD is the build folder, COLLISION_MONITOR_SPACE where the built library can be used
 from, COLLISION_MONITOR_CMAKE the program, COLLISION_MONITOR_HAS_ROS 1 or 0; ctest sets them.
@@ -87,19 +87,42 @@ class Install(unittest.TestCase):
         words = " ".join(shlex.quote(str(word)) for word in command)
         return self.succeed("bash", "-c", f"source {self.prefix}/setup.bash && {words}")
 
-    def counted_by_user(self, source, *options):
-        """Configures and builds another package, and runs its program, which reads an OBJ by the helper."""
+    def built_by_user(self, source, *options):
+        """Configures and builds another package, whose programs are then below the folder returned."""
         build = self.folder / f"build_{source}_{len(list(self.folder.iterdir()))}"
         self.succeed(CMAKE, "-S", HERE / source, "-B", build, f"-DPYTHON_EXECUTABLE={sys.executable}", *options)
         self.succeed(CMAKE, "--build", build)
+        return build
+
+    def counted_by(self, build):
+        """What a user's program prints, which reads an OBJ by the helper."""
         program = next(path for path in build.rglob("count_triangles") if path.is_file())
         return self.succeed(program, self.urdf)
 
     def test_core_is_found_where_it_is_installed(self):
-        self.assertEqual(self.counted_by_user("core_user", f"-DCMAKE_PREFIX_PATH={self.prefix}"), "4 triangles\n")
+        build = self.built_by_user("core_user", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        self.assertEqual(self.counted_by(build), "4 triangles\n")
+        said = self.succeed(build / "distances", ROOT / "urdf/two_boxes.urdf", "slide", -0.02,
+                            environment=dict(self.environment, ROS_HOME=str(self.folder)))
+        self.assertEqual(said, "box_a - box_b: 0.08 m\n")
 
     def test_core_is_found_where_it_is_built(self):
-        self.assertEqual(self.counted_by_user("core_user", f"-DCMAKE_PREFIX_PATH={SPACE}"), "4 triangles\n")
+        build = self.built_by_user("core_user", f"-DCMAKE_PREFIX_PATH={SPACE}")
+        self.assertEqual(self.counted_by(build), "4 triangles\n")
+
+    def test_module_of_python_is_imported(self):
+        module = next(self.prefix.rglob("collision_monitor_core/__init__.py"), None)
+        if module is None:
+            self.skipTest("built without the Python module")
+        command = [sys.executable, "-c", f"""{'import collision_monitor.msg' if HAS_ROS else ''}
+import collision_monitor_core as cm
+print(cm.__file__, cm.load({str(self.urdf)!r}, fit_cache="none"))"""]
+        if HAS_ROS:
+            said = self.sourced(*command)
+        else:
+            said = self.succeed(*command, environment=dict(self.environment,
+                                                           PYTHONPATH=str(module.parents[1])))
+        self.assertRegex(said, f"^{module} Robot r: 1 links with shapes")
 
     def test_other_version_is_refused(self):
         other = self.folder / "other"
@@ -125,7 +148,8 @@ class Install(unittest.TestCase):
 
     @unittest.skipUnless(HAS_ROS, "built without ROS")
     def test_catkin_finds_library_and_messages(self):
-        self.assertEqual(self.counted_by_user("catkin_user", f"-DCMAKE_PREFIX_PATH={self.prefix}"), "4 triangles\n")
+        build = self.built_by_user("catkin_user", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        self.assertEqual(self.counted_by(build), "4 triangles\n")
 
     @unittest.skipUnless(HAS_ROS, "built without ROS")
     def test_node_and_nodelet_are_launched_and_heard_from_python(self):

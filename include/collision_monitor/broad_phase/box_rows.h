@@ -13,16 +13,19 @@ namespace collision_monitor {
 /// Boxes stored as one array per coordinate, so that one vector instruction tests many of them.
 /// kRowPadding rows of NaN follow each stretch of rows. They meet nothing.
 struct BoxRows {
-  std::array<std::vector<float>, 3> min;
-  std::array<std::vector<float>, 3> max;
-  std::vector<std::uint32_t> bodies;
+  std::array<std::vector<float>, 3> min;  ///< by axis, then by row: lower ends [m]
+  std::array<std::vector<float>, 3> max;  ///< by axis, then by row: upper ends [m]
+  std::vector<std::uint32_t> bodies;      ///< by row: the body that the box bounds
 };
 
 /// The number of lanes of the widest vector.
 constexpr std::size_t kRowPadding = 16;
 
+/// Takes memory for `count` rows. @throws std::bad_alloc.
 void reserveRows(std::size_t count, BoxRows& rows);
+/// Changes the number of rows, the padding included. @pre reserveRows was called for `count`.
 void resizeRows(std::size_t count, BoxRows& rows) noexcept;
+/// Writes the box of one body. @pre the row exists.
 inline void setRow(std::size_t row, std::uint32_t body, const SmallBox& box,
                    BoxRows& rows) noexcept {
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -31,14 +34,16 @@ inline void setRow(std::size_t row, std::uint32_t body, const SmallBox& box,
   }
   rows.bodies[row] = body;
 }
+/// Writes the padding: kRowPadding rows of NaN from `first` on. @pre these rows exist.
 void padRows(std::size_t first, BoxRows& rows) noexcept;
 
 /// Two rows that meet, `row` before `other`.
 struct RowPair {
-  std::uint32_t row;
-  std::uint32_t other;
+  std::uint32_t row;    ///< the row that was being looked at
+  std::uint32_t other;  ///< its partner
 };
 
+/// How far a search for pairs has come.
 struct PairedRows {
   std::size_t next{0};   ///< the first row whose partners were not looked for
   std::size_t count{0};  ///< pairs written

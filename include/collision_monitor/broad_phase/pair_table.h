@@ -12,8 +12,8 @@ namespace collision_monitor {
 
 /// Two bodies that may touch, a < b.
 struct BodyPair {
-  BodyId a{};
-  BodyId b{};
+  BodyId a{};  ///< the body with the lower id
+  BodyId b{};  ///< the body with the higher id
 };
 
 /// The fixed list of pairs that may touch, in the order given, with a look-up from two bodies to
@@ -24,9 +24,10 @@ class PairTable {
   /// @pre a < b < body_count for every pair; no pair appears twice.
   PairTable(std::vector<BodyPair> pairs, std::size_t body_count);
 
-  const std::vector<BodyPair>& pairs() const noexcept { return pairs_; }
+  const std::vector<BodyPair>& pairs() const noexcept { return pairs_; }  ///< all pairs, by PairId
+  /// @pre `id` names a pair of this table.
   const BodyPair& operator[](PairId id) const noexcept { return pairs_[index(id)]; }
-  std::size_t size() const noexcept { return pairs_.size(); }
+  std::size_t size() const noexcept { return pairs_.size(); }  ///< how many pairs there are
 
   /// Finds the pair of two bodies, given in either order.
   /// @return false when they may not touch; `id` then stays unchanged.

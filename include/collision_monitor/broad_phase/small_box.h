@@ -13,13 +13,13 @@ namespace collision_monitor {
 /// it may meet too many boxes and never too few. It takes half the memory of an Aabb, and vector
 /// code tests twice as many at once. World frame, [m]. The fourth coordinates are 0.
 struct alignas(32) SmallBox {
-  std::array<float, 4> min{};
-  std::array<float, 4> max{};
+  std::array<float, 4> min{};  ///< x, y, z of the lower corner, then 0
+  std::array<float, 4> max{};  ///< x, y, z of the upper corner, then 0
 };
 
 /// A box of NaN, which meets nothing, not even itself.
 SmallBox emptyBox() noexcept;
-bool isEmpty(const SmallBox& box) noexcept;
+bool isEmpty(const SmallBox& box) noexcept;  ///< whether the box meets nothing, as emptyBox()
 
 /// The box rounded outward. Empty if a coordinate is NaN or min > max.
 /// Error: between half a unit and 3 units in the last place of single precision outward.

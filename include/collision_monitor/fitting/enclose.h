@@ -10,19 +10,19 @@ namespace collision_monitor {
 
 /// One shape that is proven to enclose one geometry.
 struct Enclosure {
-  Shape shape;
+  Shape shape;              ///< without padding, in its own body frame
   Pose geometry_from_body;  ///< places the shape in the geometry's frame
-  Overshoot overshoot;
-  double widening{0.0};  ///< [m] growth of the radius or extents that the proof needed
-  bool is_exact{false};  ///< the shape equals the geometry, so distances to it are exact
+  Overshoot overshoot;      ///< [m] of the shape over the geometry
+  double widening{0.0};     ///< [m] growth of the radius or extents that the proof needed
+  bool is_exact{false};     ///< the shape equals the geometry, so distances to it are exact
 };
 
 /// Kinds of shape that may be chosen.
 struct ShapeKinds {
-  bool sphere{true};
-  bool capsule{true};
-  bool box{true};
-  bool rounded_box{true};
+  bool sphere{true};       ///< Sphere may be chosen
+  bool capsule{true};      ///< Capsule may be chosen
+  bool box{true};          ///< Box may be chosen
+  bool rounded_box{true};  ///< RoundedBox may be chosen
 };
 
 /// Whether a shape is of one of the kinds.

@@ -17,21 +17,21 @@ struct FitLimits {
   /// cycle grows with the product of two links' shapes.
   std::uint32_t max_shapes{1};
   double target_overshoot{0.0};  ///< [m] a part that sticks out no farther is not divided
-  ShapeKinds kinds;
+  ShapeKinds kinds;              ///< of shape that may be chosen
 };
 
 /// A cut of one part of a surface in two. The part keeps what is below the plane
 /// { x : normal . x = offset }. What is above becomes the part with the next number.
 struct PartCut {
-  std::uint32_t part{0};
+  std::uint32_t part{0};  ///< which part is cut; part 0 is the whole surface
   Eigen::Vector3d normal{Eigen::Vector3d::UnitX()};  ///< unit, in the geometry's frame
   double offset{0.0};                                ///< [m]
 };
 
 /// The shapes of one geometry.
 struct Fit {
-  std::vector<Enclosure> shapes;
-  std::vector<PartCut> cuts;  ///< in the order in which they were made; one fewer than parts
+  std::vector<Enclosure> shapes;  ///< which together enclose the surface
+  std::vector<PartCut> cuts;      ///< in the order in which they were made; one fewer than parts
   /// By part: the shape that holds it. Empty: each part has its own shape, in the same order.
   std::vector<std::uint32_t> shape_of;
   /// Overshoot of the union of the shapes: over the points of each shape that no other holds.

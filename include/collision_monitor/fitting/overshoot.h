@@ -17,8 +17,8 @@ namespace collision_monitor {
 ///
 /// Units: metres. Means are over the area of the shape.
 struct Overshoot {
-  double max{0.0};
-  double mean{0.0};
+  double max{0.0};   ///< the farthest point
+  double mean{0.0};  ///< over the area of the shape
   /// Fourth root of the mean of the fourth power. Lies between mean and max: area and height count.
   double fourth_power_mean{0.0};
 };
@@ -32,6 +32,7 @@ struct SurfaceSample {
 /// Gathers overshoot sample by sample.
 class OvershootSum {
  public:
+  /// Adds a sample that lies `distance` [m] outside and stands for `area` [m^2].
   void add(double distance, double area) noexcept {
     max_ = std::max(max_, distance);
     area_ += area;
@@ -39,7 +40,8 @@ class OvershootSum {
     const double squared = distance * distance;
     fourth_moment_ += area * squared * squared;
   }
-  void add(const OvershootSum& other) noexcept;
+  void add(const OvershootSum& other) noexcept;  ///< adds all samples of another sum
+  /// The overshoot of all samples so far; zeros if their area is 0.
   Overshoot total() const noexcept;
 
  private:

@@ -16,7 +16,7 @@ using Points = std::vector<Eigen::Vector3d>;
 
 /// A shape placed in the frame of the points it was fitted to.
 struct PosedShape {
-  Shape shape;
+  Shape shape;              ///< in its own body frame
   Pose geometry_from_body;  ///< where the shape sits in the frame of the points
 };
 

@@ -11,8 +11,8 @@ namespace collision_monitor {
 
 /// Axis-aligned box in the world frame, [m].
 struct Aabb {
-  Eigen::Vector3d min{Eigen::Vector3d::Zero()};
-  Eigen::Vector3d max{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d min{Eigen::Vector3d::Zero()};  ///< corner of the lowest coordinates
+  Eigen::Vector3d max{Eigen::Vector3d::Zero()};  ///< corner of the highest coordinates
 };
 
 /// True when the boxes overlap or touch. The test is closed, so a broad phase may report too many

@@ -29,30 +29,35 @@ class ConvexHull {
   /// The solid lies where normal . x <= offset; so does every vertex, in floating point too.
   struct Face {
     Eigen::Vector3d normal;  ///< unit, outward
-    double offset;
+    double offset;           ///< [m] of the face's plane along the normal
   };
 
   /// An edge between two faces that are not in one plane.
   struct Edge {
-    std::uint32_t from, to;     ///< vertices
-    std::uint32_t left, right;  ///< faces, seen from outside along the edge
+    std::uint32_t from;   ///< vertex
+    std::uint32_t to;     ///< vertex
+    std::uint32_t left;   ///< the face on this side, seen from outside along the edge
+    std::uint32_t right;  ///< the other face
   };
 
   /// Indices of vertices or faces, stored in the hull.
   struct Indices {
-    const std::uint32_t* first;
-    const std::uint32_t* last;  ///< beyond the last one
+    const std::uint32_t* first;  ///< the first one
+    const std::uint32_t* last;   ///< beyond the last one
 
-    const std::uint32_t* begin() const noexcept { return first; }
-    const std::uint32_t* end() const noexcept { return last; }
+    const std::uint32_t* begin() const noexcept { return first; }  ///< for loops over the indices
+    const std::uint32_t* end() const noexcept { return last; }     ///< behind the last one
+    /// How many indices there are.
     std::size_t size() const noexcept { return static_cast<std::size_t>(last - first); }
   };
 
   /// Neighbours of a vertex that a climb tests together, one column per coordinate.
   struct Fan {
-    static constexpr int kSize = 8;
+    static constexpr int kSize = 8;  ///< how many neighbours a fan holds
 
-    Eigen::Array<double, kSize, 1> x, y, z;
+    Eigen::Array<double, kSize, 1> x;         ///< [m] of each neighbour
+    Eigen::Array<double, kSize, 1> y;         ///< [m] likewise
+    Eigen::Array<double, kSize, 1> z;         ///< [m] likewise
     std::array<std::uint32_t, kSize> vertex;  ///< the first one repeats where there are fewer
 
     /// `direction` . x of each.
@@ -63,26 +68,30 @@ class ConvexHull {
 
   /// A vertex that is farthest in a direction.
   struct Extreme {
-    std::uint32_t vertex;
-    double reach;   ///< direction . x of the vertex
-    double beside;  ///< the greatest direction . x in its fans; -infinity without fans
+    std::uint32_t vertex;  ///< index of the vertex
+    double reach;          ///< direction . x of the vertex
+    double beside;         ///< the greatest direction . x in its fans; -infinity without fans
   };
 
+  /// The fans of one vertex, stored in the hull.
   struct Fans {
-    const Fan* first;
-    const Fan* last;  ///< beyond the last one
+    const Fan* first;  ///< the first one
+    const Fan* last;   ///< beyond the last one
 
-    const Fan* begin() const noexcept { return first; }
-    const Fan* end() const noexcept { return last; }
+    const Fan* begin() const noexcept { return first; }  ///< for loops over the fans
+    const Fan* end() const noexcept { return last; }     ///< behind the last one
   };
 
   /// @throws std::invalid_argument when there is no point or one is not finite.
   explicit ConvexHull(const std::vector<Eigen::Vector3d>& points);
 
+  /// [m] Corners of the hull.
   const std::vector<Eigen::Vector3d>& vertices() const noexcept { return vertices_; }
+  /// Both sides of a flat hull; none of collinear and coincident points.
   const std::vector<Face>& faces() const noexcept { return faces_; }
   /// All edges of the hull, or none where slivers tear or fold its faces.
   const std::vector<Edge>& edges() const noexcept { return edges_; }
+  /// False for flat hulls, and for points on a line.
   bool hasVolume() const noexcept { return has_volume_; }
 
   /// The corners of a face in order, counter-clockwise seen from outside.

@@ -23,14 +23,14 @@ namespace collision_monitor {
 ///
 /// Frames: the mesh's axes, origin at MeshTree::center(). Units: metres.
 struct alignas(64) MeshTreeNode {
-  static constexpr std::uint32_t kWidth = 8;
+  static constexpr std::uint32_t kWidth = 8;               ///< children of a node
   static constexpr std::uint32_t kTriangle = 0x80000000u;  ///< marks a child that is a triangle
 
-  float center[3][kWidth];
-  float half[3][kWidth];
-  float normal[3][kWidth];
-  float slab_center[kWidth];
-  float slab_half[kWidth];
+  float center[3][kWidth];      ///< by axis and child: the middle of the box
+  float half[3][kWidth];        ///< by axis and child: half its extent, >= 0
+  float normal[3][kWidth];      ///< by axis and child: mean normal of the triangles
+  float slab_center[kWidth];    ///< by child: the middle of the slab, along the normal
+  float slab_half[kWidth];      ///< by child: half its thickness, >= 0
   std::uint32_t child[kWidth];  ///< a node, or kTriangle + a triangle, or kNone
 };
 
@@ -54,6 +54,7 @@ class MeshTree {
  public:
   /// The most levels below node 0. From level kSplitByCount on, ranges are halved at any cost.
   static constexpr std::uint32_t kSplitByCount = 24;
+  /// Upper bound of the tree's depth.
   static constexpr std::uint32_t kMaxLevels = kSplitByCount + 32;
 
   /// A mesh without triangles is treated as its vertices.
@@ -69,17 +70,21 @@ class MeshTree {
   /// @throws std::invalid_argument as the constructor.
   static MeshTree ofOriented(const TriangleMesh& oriented);
 
+  /// Node 0 is the root.
   const std::vector<MeshTreeNode>& nodes() const noexcept { return nodes_; }
   /// In the order of the tree.
   const std::vector<Triangle>& triangles() const noexcept { return triangles_; }
   /// By position in triangles(): the number of the triangle (or vertex) in the mesh.
   const std::vector<std::uint32_t>& sourceTriangles() const noexcept { return source_triangles_; }
+  /// [m] The origin of the nodes' frame, in the frame of the mesh.
   const Eigen::Vector3d& center() const noexcept { return center_; }
   /// [m] The radius of a ball about center() that holds all triangles.
   double radius() const noexcept { return radius_; }
+  /// Whether the triangles bound a solid, as the constructor was told.
   bool isClosed() const noexcept { return is_closed_; }
   /// None if the mesh is closed or has no inside.
   const std::optional<OpenSurface>& openSurface() const noexcept { return open_; }
+  /// Whether points can be inside: of a solid, or of a surface with winding numbers.
   bool hasInside() const noexcept { return is_closed_ || open_; }
   /// One corner of each connected piece of the surface. A piece that crosses no other surface lies
   /// inside or outside a solid with all its points.

@@ -13,10 +13,13 @@ namespace collision_monitor {
 /// Units: metres. The rotation is a proper orthonormal matrix. Functions that read poses from
 /// outside check it (isRigid); the others rely on it.
 struct Pose {
+  /// From the second frame named to the first.
   Eigen::Matrix3d rotation{Eigen::Matrix3d::Identity()};
+  /// [m] Origin of the second frame, in the first.
   Eigen::Vector3d translation{Eigen::Vector3d::Zero()};
 };
 
+/// Chains two transforms.
 inline Pose operator*(const Pose& a_from_b, const Pose& b_from_c) noexcept {
   Pose a_from_c;
   a_from_c.rotation.noalias() = a_from_b.rotation * b_from_c.rotation;
@@ -25,10 +28,12 @@ inline Pose operator*(const Pose& a_from_b, const Pose& b_from_c) noexcept {
   return a_from_c;
 }
 
+/// The coordinates of a point in the first frame named. [m].
 inline Eigen::Vector3d operator*(const Pose& a_from_b, const Eigen::Vector3d& point_in_b) noexcept {
   return a_from_b.rotation * point_in_b + a_from_b.translation;
 }
 
+/// The transform the other way.
 inline Pose inverse(const Pose& a_from_b) noexcept {
   Pose b_from_a;
   b_from_a.rotation = a_from_b.rotation.transpose();

@@ -15,31 +15,33 @@ namespace collision_monitor {
 ///
 /// Units: metres. Every length is finite and >= 0; zero is legal everywhere.
 
+/// Core: the origin.
 struct Sphere {
-  double radius{0.0};
+  double radius{0.0};  ///< [m]
 };
 
 /// Core: the segment from (0, 0, -half_length) to (0, 0, +half_length).
 struct Capsule {
-  double half_length{0.0};
-  double radius{0.0};
+  double half_length{0.0};  ///< [m] without the cap
+  double radius{0.0};       ///< [m]
 };
 
+/// Core: the box itself; its radius is 0.
 struct Box {
-  Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};  ///< [m] along x, y, z
 };
 
 /// A box inflated by a radius. `half_extents` belong to the core, so the shape extends to
 /// half_extents + radius along each axis. A zero half extent makes the core a rectangle.
 struct RoundedBox {
-  Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};
-  double radius{0.0};
+  Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};  ///< [m] along x, y, z
+  double radius{0.0};                                     ///< [m] added on all sides
 };
 
 /// Axis along z. Only a geometry of a URDF, not an enclosing shape.
 struct Cylinder {
-  double half_length{0.0};
-  double radius{0.0};
+  double half_length{0.0};  ///< [m]
+  double radius{0.0};       ///< [m]
 };
 
 /// The closed set of shapes that enclose a link's geometry.
@@ -50,8 +52,8 @@ enum class CoreKind : unsigned char { point, segment, box };
 
 /// Half extents of the core along x, y, z; zero where the core has none.
 Eigen::Vector3d coreHalfExtents(const Shape& shape) noexcept;
-double radiusOf(const Shape& shape) noexcept;
-CoreKind coreKindOf(const Shape& shape) noexcept;
+double radiusOf(const Shape& shape) noexcept;      ///< the radius around the core; 0 for a Box
+CoreKind coreKindOf(const Shape& shape) noexcept;  ///< the kind of the shape's core
 
 /// "sphere", "capsule", "box" or "rounded_box", as in messages and files.
 const char* kindName(const Shape& shape) noexcept;

@@ -17,7 +17,7 @@ namespace collision_monitor {
 /// The point of a mesh that is nearest to a query point.
 struct NearestPoint {
   double distance{std::numeric_limits<double>::infinity()};  ///< [m], never negative
-  Eigen::Vector3d point{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d point{Eigen::Vector3d::Zero()};            ///< [m] the nearest point itself
   std::uint32_t leaf_triangle{kNone};  ///< in TriangleBvh::triangles; kNone: none is so near
 };
 
@@ -35,21 +35,22 @@ struct NearestPoint {
 /// of Incoherent Rays" (2008), for four children side by side.
 class TriangleBvh {
  public:
-  using Triangle = std::array<Eigen::Vector3d, 3>;
-  using Lanes = Eigen::Array<float, 4, 1>;
+  using Triangle = std::array<Eigen::Vector3d, 3>;  ///< three corners, [m]
+  using Lanes = Eigen::Array<float, 4, 1>;          ///< one number for each child of a node
 
+  /// Four children side by side.
   struct Node {
     static constexpr std::uint32_t kLeaf = 0x80000000u;  ///< child: kLeaf + leaf triangle
 
-    std::array<Lanes, 3> low;  ///< unit frame; lanes without a child are infinitely far away
-    std::array<Lanes, 3> high;
-    std::array<std::uint32_t, 4> child;
+    std::array<Lanes, 3> low;   ///< unit frame; lanes without a child are infinitely far away
+    std::array<Lanes, 3> high;  ///< upper corners, likewise
+    std::array<std::uint32_t, 4> child;  ///< a node, or kLeaf + a leaf triangle
   };
 
   /// The unit frame, in which the mesh lies between -1 and 1.
   struct UnitFrame {
-    Eigen::Vector3d center{Eigen::Vector3d::Zero()};
-    double scale{1.0};  ///< [m] of one unit
+    Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< [m] its origin, in the frame of the mesh
+    double scale{1.0};                                ///< [m] of one unit
   };
 
   /// @throws std::invalid_argument as checkMesh.
@@ -72,6 +73,7 @@ class TriangleBvh {
   const std::vector<Triangle>& triangles() const noexcept { return triangles_; }
   /// All nodes, the root first.
   const std::vector<Node>& nodes() const noexcept { return nodes_; }
+  /// How the boxes of the nodes are placed and scaled.
   const UnitFrame& unitFrame() const noexcept { return unit_frame_; }
 
  private:

@@ -14,8 +14,8 @@ namespace collision_monitor {
 ///
 /// Shape: `vertices` n x 3 [m], `triangles` m x 3 indices into `vertices`.
 struct TriangleMesh {
-  std::vector<Eigen::Vector3d> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Eigen::Vector3d> vertices;                ///< n points [m]
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< m times three vertices
 };
 
 }  // namespace collision_monitor

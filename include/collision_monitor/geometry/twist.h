@@ -13,18 +13,21 @@ namespace collision_monitor {
 /// Frames: world. Units: [m/s] and [rad/s].
 /// Source: Featherstone, "Rigid Body Dynamics Algorithms" (2008), section 2.2.
 struct Twist {
-  Eigen::Vector3d linear{Eigen::Vector3d::Zero()};  ///< of the body's point at the world's origin
-  Eigen::Vector3d angular{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d linear{Eigen::Vector3d::Zero()};   ///< of the body's point at the world's origin
+  Eigen::Vector3d angular{Eigen::Vector3d::Zero()};  ///< [rad/s]
 };
 
+/// The twist of a body that moves with `b` relative to a frame that moves with `a`.
 inline Twist operator+(const Twist& a, const Twist& b) noexcept {
   return {a.linear + b.linear, a.angular + b.angular};
 }
 
+/// The twist of a body with `a` as seen from one with `b`, in the axes of the world.
 inline Twist operator-(const Twist& a, const Twist& b) noexcept {
   return {a.linear - b.linear, a.angular - b.angular};
 }
 
+/// The same motion, `factor` times as fast.
 inline Twist operator*(double factor, const Twist& twist) noexcept {
   return {factor * twist.linear, factor * twist.angular};
 }
@@ -48,7 +51,7 @@ inline Twist twistAbout(const Eigen::Vector3d& point, const Eigen::Vector3d& vel
 /// The sum of forces on a rigid body. Frames: world. Units: [N] and [Nm].
 /// Source: Featherstone (2008), section 2.3.
 struct Wrench {
-  Eigen::Vector3d force{Eigen::Vector3d::Zero()};
+  Eigen::Vector3d force{Eigen::Vector3d::Zero()};   ///< [N]
   Eigen::Vector3d torque{Eigen::Vector3d::Zero()};  ///< about the world's origin
 };
 
@@ -57,6 +60,7 @@ inline Wrench forceAt(const Eigen::Vector3d& point, const Eigen::Vector3d& force
   return {force, point.cross(force)};
 }
 
+/// The wrench that balances it.
 inline Wrench operator-(const Wrench& wrench) noexcept { return {-wrench.force, -wrench.torque}; }
 
 /// The power [W] of a wrench on a body that moves with `twist`. For `forceAt` it is the force times
@@ -68,6 +72,7 @@ inline double power(const Wrench& wrench, const Twist& twist) noexcept {
   return dot(wrench.force, twist.linear) + dot(wrench.torque, twist.angular);
 }
 
+/// True when no entry is NaN or infinite.
 inline bool isFinite(const Twist& twist) noexcept {
   return twist.linear.allFinite() && twist.angular.allFinite();
 }

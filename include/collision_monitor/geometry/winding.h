@@ -22,10 +22,11 @@ namespace collision_monitor {
 /// Source: van Oosterom, Strackee, "The Solid Angle of a Plane Triangle" (1983).
 class SolidAngles {
  public:
+  /// @param point [m] from where the triangles are seen
   explicit SolidAngles(const Eigen::Vector3d& point) noexcept : point_(point) {}
 
-  void add(const Triangle& triangle) noexcept;
-  double sum() const noexcept;
+  void add(const Triangle& triangle) noexcept;  ///< adds a triangle's angle
+  double sum() const noexcept;  ///< [sr] the sum so far: 4 pi inside a closed surface, 0 outside
 
  private:
   Eigen::Vector3d point_;
@@ -46,15 +47,15 @@ struct WindingMoments {
   double radius{0.0};   ///< [m] of a ball about the center that holds the part
 };
 
-WindingMoments momentsOf(const Triangle& triangle) noexcept;
+WindingMoments momentsOf(const Triangle& triangle) noexcept;  ///< the moments of one triangle
 
 /// The moments of both parts together. The radius is an upper bound.
 WindingMoments joined(const WindingMoments& one, const WindingMoments& other) noexcept;
 
 /// A number and an upper bound of its error.
 struct BoundedNumber {
-  double value{0.0};
-  double error{0.0};
+  double value{0.0};  ///< what was computed
+  double error{0.0};  ///< >= 0; the true number is at most this far from `value`
 };
 
 /// The winding number that a part of a surface adds at a point outside the part's ball.

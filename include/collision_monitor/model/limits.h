@@ -21,12 +21,13 @@ struct Limits {
   double time_hysteresis{0.05};   ///< as hysteresis, for times
 };
 
+/// What readers and messages say about a field of Limits.
 struct LimitField {
-  const char* name;
-  double Limits::*value;
-  const char* unit;  ///< to stand behind a number: " m"
-  double least;      ///< of what readers accept
-  double greatest;
+  const char* name;       ///< as in files and messages
+  double Limits::*value;  ///< the field itself
+  const char* unit;       ///< to stand behind a number: " m"
+  double least;           ///< of what readers accept
+  double greatest;        ///< likewise
 };
 
 /// Every field of Limits, in the order of the struct.
@@ -43,6 +44,7 @@ constexpr std::array<LimitField, 7> kLimitFields{{
 /// Some limits, by the order of kLimitFields; empty: as they were.
 using LimitChanges = std::array<std::optional<double>, kLimitFields.size()>;
 
+/// Sets the limits that are not empty.
 inline void change(const LimitChanges& changes, Limits& limits) noexcept {
   for (std::size_t i = 0; i < kLimitFields.size(); ++i) {
     double& value = limits.*kLimitFields[i].value;

@@ -30,14 +30,15 @@ enum class PairReason : unsigned char {
   touch_link,        ///< ignored: an object and a link that may touch it
 };
 
+/// In messages: "ignored: a line of the SRDF", ...
 const char* reasonText(PairReason reason) noexcept;
-bool isChecked(PairReason reason) noexcept;
+bool isChecked(PairReason reason) noexcept;  ///< whether pairs with this reason are checked
 
 /// a < b; both links have shapes.
 struct LinkPair {
-  LinkId a{};
-  LinkId b{};
-  PairReason reason{PairReason::checked};
+  LinkId a{};                                     ///< the link with the lower id
+  LinkId b{};                                     ///< the link with the higher id
+  PairReason reason{PairReason::checked};         ///< why it is checked or ignored
   PairReason without_rules{PairReason::checked};  ///< the reason if there were no PairRule
   std::uint32_t rule{kNone};                      ///< the PairRule behind the reason, or kNone
   std::uint32_t limits{0};  ///< 0: the common limits; else an index into OwnLimits, plus one
@@ -53,11 +54,12 @@ struct PairRulesText {
   std::string yaml;    ///< empty: no rules
 };
 
+/// One rule of PairRulesText, with its names resolved to links of a model.
 struct PairRule {
   std::vector<bool> a;             ///< by LinkId
   std::vector<bool> b;             ///< by LinkId
   std::optional<bool> is_checked;  ///< empty: the rule does not decide it
-  LimitChanges limits{};
+  LimitChanges limits{};           ///< those that it sets; empty: the rule leaves them
   bool ends{false};   ///< ends by itself: a rule of this kind that ignores pairs mutes them
   std::string where;  ///< "rules.yaml line 12, rule 3"
   std::string yaml;   ///< the rule as it was read
@@ -65,7 +67,7 @@ struct PairRule {
 
 /// Limits that rules give to some pairs.
 struct OwnLimits {
-  Limits limits;
+  Limits limits;  ///< all of them, those that no rule sets as they are for all pairs
   std::array<std::uint32_t, kLimitFields.size()> rules{};  ///< which set each field, or kNone
 };
 
@@ -107,8 +109,8 @@ void reportIdleRules(const std::vector<PairRule>& rules, const std::vector<LinkP
 
 /// Two links to be ignored; each name may be a pattern for several links.
 struct NamedPair {
-  std::string a;
-  std::string b;
+  std::string a;  ///< a name or pattern
+  std::string b;  ///< a name or pattern
 };
 
 using LinkIdPair = std::pair<LinkId, LinkId>;  ///< first < second

@@ -18,6 +18,7 @@ struct Problem {
   std::string advice{};  ///< "they are taken as unlimited": what was done, or what the user can do
 };
 
+/// One sentence or two: where it is, what was found, what is accepted and advised.
 std::string toString(const Problem& problem);
 
 /// All faults that set-up finds. Readers add to it and go on, so that the user sees every fault at
@@ -30,7 +31,8 @@ struct SetupReport {
 /// All faults of a set-up in one error; what() lists them, one per line.
 class SetupError : public std::runtime_error {
  public:
-  explicit SetupError(std::vector<Problem> problems);
+  explicit SetupError(std::vector<Problem> problems);  ///< @param problems at least one
+  /// In the order in which they were found.
   const std::vector<Problem>& problems() const noexcept { return problems_; }
 
  private:

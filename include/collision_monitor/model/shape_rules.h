@@ -44,12 +44,12 @@ enum class RefineGeometry : unsigned char {
 
 /// What the rules say about one link; empty fields: no rule sets them.
 struct LinkRules {
-  std::optional<ShapeKinds> kinds;
-  std::optional<std::uint32_t> max_shapes;
-  std::optional<double> target_overshoot;  ///< [m]
-  std::optional<double> padding;           ///< [m]
-  std::optional<GivenShapes> given;
-  std::optional<RefineGeometry> refine;
+  std::optional<ShapeKinds> kinds;          ///< of shape that may be fitted
+  std::optional<std::uint32_t> max_shapes;  ///< >= 1, of the whole link
+  std::optional<double> target_overshoot;   ///< [m]
+  std::optional<double> padding;            ///< [m]
+  std::optional<GivenShapes> given;         ///< in place of fitted ones
+  std::optional<RefineGeometry> refine;     ///< to what distances are refined
 };
 
 /// Reads the rules and finds the links that they select.
@@ -68,7 +68,7 @@ std::vector<LinkRules> readShapeRules(const ShapeRulesText& text, const RobotMod
 
 /// Shapes of one link, to be written as rules.
 struct NamedShapes {
-  std::string link;
+  std::string link;                ///< the link's name in messages
   std::vector<PosedShape> shapes;  ///< as in GivenShapes
   std::string comment;             ///< one line above the shapes, "" for none
 };

@@ -13,32 +13,34 @@ namespace collision_monitor {
 
 /// A `<group>` and its members as listed. linksOf computes the links that it holds.
 struct LinkGroup {
+  /// `<chain>`: the links from one to the other.
   struct Chain {
-    LinkId base{};
-    LinkId tip{};
+    LinkId base{};  ///< where it starts
+    LinkId tip{};   ///< where it ends
   };
-  std::string name;           ///< as written, without the robot's prefix
-  std::vector<LinkId> links;  ///< from `<link>` and `<joint>`
-  std::vector<Chain> chains;
+  std::string name;                 ///< as written, without the robot's prefix
+  std::vector<LinkId> links;        ///< from `<link>` and `<joint>`
+  std::vector<Chain> chains;        ///< from `<chain>`
   std::vector<std::size_t> groups;  ///< indices into SrdfPairs::groups
 };
 
 /// What an SRDF says about pairs and groups, with names resolved to links of the model.
 struct SrdfPairs {
+  /// One line about two links.
   struct Entry {
-    LinkId a{};
-    LinkId b{};
+    LinkId a{};          ///< in the order of the line
+    LinkId b{};          ///< in the order of the line
     std::string reason;  ///< the attribute as written; may be empty
     int line{0};         ///< of the SRDF
   };
   /// `<link_sphere_approximation>`, in the frame of the link.
   struct Spheres {
-    LinkId link{};
-    std::vector<PosedShape> spheres;
-    int line{0};
+    LinkId link{};                    ///< the link that they stand for
+    std::vector<PosedShape> spheres;  ///< in the order of the file
+    int line{0};                      ///< of the SRDF
   };
-  std::string source{};  ///< the name of the SRDF in messages
-  RobotId robot{};
+  std::string source{};                     ///< the name of the SRDF in messages
+  RobotId robot{};                          ///< whose SRDF it is
   std::vector<Entry> disabled;              ///< `<disable_collisions>`
   std::vector<Entry> enabled;               ///< `<enable_collisions>`
   std::vector<LinkId> disabled_by_default;  ///< `<disable_default_collisions>`

@@ -14,8 +14,8 @@ namespace collision_monitor {
 
 /// One robot as the user gives it.
 struct RobotDescription {
-  std::string source;  ///< its name in messages: a file name or "parameter /robot_description"
-  std::string urdf_xml;
+  std::string source;       ///< its name in messages: a file name or "parameter /robot_description"
+  std::string urdf_xml;     ///< the whole text
   std::string srdf_xml;     ///< empty if there is none
   std::string srdf_source;  ///< its name in messages; empty: "SOURCE (SRDF)"
   /// "" or "left": tf frames and link names become "left/NAME". Slashes around it are dropped;

@@ -23,15 +23,16 @@ namespace collision_monitor {
 
 /// Axis along z: the base is a disc at -half_length, the tip is at +half_length.
 struct Cone {
-  double half_length{0.0};
-  double radius{0.0};
+  double half_length{0.0};  ///< [m]
+  double radius{0.0};       ///< [m] of the base
 };
 
 /// The half space of all points with normal . point <= offset. The normal need not be unit; then
 /// the offset is a multiple of its length.
 struct Plane {
+  /// Out of the half space, in the object's frame.
   Eigen::Vector3d normal{Eigen::Vector3d::UnitZ()};
-  double offset{0.0};
+  double offset{0.0};  ///< [m] times the normal's length
 };
 
 /// Copies of an object share its triangles.
@@ -42,11 +43,11 @@ using ObjectGeometry = std::variant<Sphere, Capsule, Box, Cylinder, Cone, Shared
 
 /// One geometry of an object, placed in its frame.
 struct ObjectShape {
-  Pose object_from_shape;
-  ObjectGeometry geometry;
+  Pose object_from_shape;   ///< where the shape stands in the object
+  ObjectGeometry geometry;  ///< in the shape's own frame
 };
 
-using ObjectShapes = std::vector<ObjectShape>;
+using ObjectShapes = std::vector<ObjectShape>;  ///< all shapes of one object
 
 /// Red, green, blue and opacity, from 0 to 1.
 using ObjectColour = std::array<float, 4>;
@@ -55,12 +56,12 @@ using ObjectColour = std::array<float, 4>;
 struct WorldObject {
   std::string name;   ///< unique among objects and links
   std::string frame;  ///< tf frame that carries it; of an attached object, its link in messages
-  Pose frame_from_object;
-  std::shared_ptr<const ObjectShapes> shapes;
-  double padding{0.0};  ///< [m] added to every shape
-  std::string group;    ///< for rules about pairs; may be empty
-  ObjectColour colour{0.6F, 0.6F, 0.6F, 1.0F};
-  bool is_attached{false};  ///< moves with the link `frame`
+  Pose frame_from_object;                       ///< where the object stands in `frame`
+  std::shared_ptr<const ObjectShapes> shapes;   ///< at least one
+  double padding{0.0};                          ///< [m] added to every shape
+  std::string group;                            ///< for rules about pairs; may be empty
+  ObjectColour colour{0.6F, 0.6F, 0.6F, 1.0F};  ///< for rviz
+  bool is_attached{false};                      ///< moves with the link `frame`
   /// Links that may touch it, beside those that an attached object is rigidly joined to.
   std::vector<std::string> touch_links;
   std::string where;  ///< where the user wrote it, for messages: "cell.yaml line 12"; may be empty
@@ -68,14 +69,15 @@ struct WorldObject {
 
 /// All objects, in order of name, so that the same objects make the same set-up, however they came.
 struct World {
-  std::map<std::string, std::shared_ptr<const WorldObject>> objects;
+  std::map<std::string, std::shared_ptr<const WorldObject>> objects;  ///< by name; never null
 };
 
 /// What is accepted.
-constexpr std::size_t kMostObjects = 20000;
+constexpr std::size_t kMostObjects = 20000;            ///< how many objects a world may hold
 constexpr std::size_t kMostObjectTriangles = 1000000;  ///< of one mesh
 constexpr double kFarthestObject = 1e6;                ///< [m] coordinates and lengths
 
+/// What a change does with the objects that it names.
 enum class ChangeKind : unsigned char {
   add,          ///< new objects, whole
   move,         ///< new poses, in new frames where these are named
@@ -93,16 +95,16 @@ const char* nameOf(ChangeKind kind) noexcept;
 /// others only those that ChangeKind names, and the name. An empty frame means the world frame; for
 /// `move` it means that the object keeps its frame.
 struct ObjectChange {
-  ChangeKind kind{ChangeKind::add};
-  std::vector<WorldObject> objects;
-  bool has_poses{true};  ///< for `attach`: false keeps the objects where they stand
+  ChangeKind kind{ChangeKind::add};  ///< what is done
+  std::vector<WorldObject> objects;  ///< new ones, or the names of those meant
+  bool has_poses{true};              ///< for `attach`: false keeps the objects where they stand
 };
 
 /// What changes may refer to.
 struct KnownPlaces {
   std::vector<std::string> links;        ///< names in messages
   std::vector<std::string> link_frames;  ///< their tf frames: no object may have such a name
-  std::string world_frame;
+  std::string world_frame;               ///< tf frame in which distances are measured
   /// Whether a frame that is neither a link's nor the world's exists; empty: any may come to exist.
   std::function<bool(const std::string& frame)> has_frame;
   /// The newest pose of `child` (a frame, or a link by its name) in `parent`; nothing if it is not

@@ -24,9 +24,10 @@ namespace collision_monitor {
 using ConvexGeometry =
     std::variant<Sphere, Capsule, Box, RoundedBox, Cylinder, ConvexHull, HalfSpace>;
 
+/// The answer for two convex geometries.
 struct ConvexDistance {
-  SignedDistance measured;
-  Quality quality{Quality::unknown};
+  SignedDistance measured;            ///< distance, points and normal
+  Quality quality{Quality::unknown};  ///< what the distance is worth
 };
 
 /// What a search may use, and what it leaves for the next search of the pair.

@@ -20,15 +20,15 @@ constexpr std::size_t kRowCount = 64;
 /// Columns of a posed shape. Frames: world. Units: [m]. A point fills the first four, a segment
 /// (along its z axis) the first eight, a box all.
 namespace column {
-constexpr std::size_t center = 0;  ///< x, y, z
-constexpr std::size_t radius = 3;
-constexpr std::size_t axis_z = 4;  ///< the body's z axis in the world: x, y, z
-constexpr std::size_t half_z = 7;
-constexpr std::size_t axis_x = 8;
-constexpr std::size_t half_x = 11;
-constexpr std::size_t axis_y = 12;
-constexpr std::size_t half_y = 15;
-constexpr std::size_t count = 16;
+constexpr std::size_t center = 0;   ///< x, y, z
+constexpr std::size_t radius = 3;   ///< around the core
+constexpr std::size_t axis_z = 4;   ///< the body's z axis in the world: x, y, z
+constexpr std::size_t half_z = 7;   ///< half length of a segment, half extent of a box along z
+constexpr std::size_t axis_x = 8;   ///< the body's x axis in the world: x, y, z
+constexpr std::size_t half_x = 11;  ///< half extent of a box along x
+constexpr std::size_t axis_y = 12;  ///< the body's y axis in the world: x, y, z
+constexpr std::size_t half_y = 15;  ///< half extent of a box along y
+constexpr std::size_t count = 16;   ///< how many columns there are
 }  // namespace column
 
 /// Number of columns that a kind fills.
@@ -36,37 +36,39 @@ constexpr std::size_t columnCountOf(CoreKind kind) noexcept {
   return kind == CoreKind::point ? 4 : kind == CoreKind::segment ? 8 : column::count;
 }
 
+/// Columns of one number for each pair.
 template <std::size_t kColumns>
 struct Columns {
-  alignas(64) std::array<std::array<double, kRowCount>, kColumns> at;
+  alignas(64) std::array<std::array<double, kRowCount>, kColumns> at;  ///< by column, then by pair
 };
 
-using ShapeRows = Columns<column::count>;
+using ShapeRows = Columns<column::count>;  ///< columns of posed shapes, as `column` names them
 
 /// Columns of an answer, in the order of SignedDistance.
 namespace answer {
-constexpr std::size_t distance = 0;
+constexpr std::size_t distance = 0;    ///< signed, [m]
 constexpr std::size_t point_on_a = 1;  ///< x, y, z
-constexpr std::size_t point_on_b = 4;
-constexpr std::size_t normal = 7;
-constexpr std::size_t count = 10;
+constexpr std::size_t point_on_b = 4;  ///< x, y, z
+constexpr std::size_t normal = 7;      ///< x, y, z: unit, from A to B
+constexpr std::size_t count = 10;      ///< how many columns there are
 }  // namespace answer
 
 /// Not initialised: writeRow fills all that measureRows reads.
 struct PairRows {
-  ShapeRows a;
-  ShapeRows b;
-  Columns<answer::count> answers;
+  ShapeRows a;                     ///< the first shape of each pair
+  ShapeRows b;                     ///< the second shape of each pair
+  Columns<answer::count> answers;  ///< what measureRows found, as `answer` names it
 };
 
 /// What a row needs of a shape, computed once per shape.
 struct Core {
-  CoreKind kind{CoreKind::point};
+  CoreKind kind{CoreKind::point};  ///< of the shape
+  /// [m] Along x, y, z; 0 where the core has none.
   Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};
-  double radius{0.0};
+  double radius{0.0};  ///< [m] around the core
 };
 
-Core coreOf(const Shape& shape) noexcept;
+Core coreOf(const Shape& shape) noexcept;  ///< the core of a shape
 
 /// Writes a posed core into a row. @pre row < kRowCount
 void writeRow(const Core& core, const Pose& world_from_body, std::size_t row,

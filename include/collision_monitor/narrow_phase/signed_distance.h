@@ -14,10 +14,10 @@ namespace collision_monitor {
 /// `normal_a_to_b` is a unit vector from A to B.
 /// `point_on_b - point_on_a = distance * normal_a_to_b` also holds for shapes that overlap.
 struct SignedDistance {
-  double distance{0.0};
-  Eigen::Vector3d point_on_a{Eigen::Vector3d::Zero()};
-  Eigen::Vector3d point_on_b{Eigen::Vector3d::Zero()};
-  Eigen::Vector3d normal_a_to_b{Eigen::Vector3d::UnitX()};
+  double distance{0.0};                                     ///< [m]
+  Eigen::Vector3d point_on_a{Eigen::Vector3d::Zero()};      ///< [m] A's witness point
+  Eigen::Vector3d point_on_b{Eigen::Vector3d::Zero()};      ///< [m] B's witness point
+  Eigen::Vector3d normal_a_to_b{Eigen::Vector3d::UnitX()};  ///< unit
 };
 
 }  // namespace collision_monitor

@@ -18,16 +18,17 @@
 /// are measured where their shapes come near; see docs/architecture.md.
 namespace collision_monitor {
 
+/// Index into CycleSetup::elements.
 enum class ElementId : std::uint32_t {};
 using ElementPairIndex = std::uint32_t;  ///< into CycleSetup::element_pairs
 
 /// What distances are refined to: a collision element of the URDF, or one enclosing shape where the
 /// rules leave no geometry. `convex`, `mesh` or both are present.
 struct Element {
-  LinkId link{};
-  std::string name;  ///< its name in messages; never read in a cycle
-  Pose link_from_element;
-  std::optional<ConvexGeometry> convex;
+  LinkId link{};                         ///< to which it is fixed
+  std::string name;                      ///< its name in messages; never read in a cycle
+  Pose link_from_element;                ///< where its geometry stands in the link
+  std::optional<ConvexGeometry> convex;  ///< none: `mesh` alone says what it is
   /// A mesh. Beside `convex` it is a closed surface that holds `convex`, used for depths in meshes.
   /// Equal elements share it, and so do set-ups: it is large and takes long to make.
   std::shared_ptr<const MeshTree> mesh;
@@ -41,8 +42,8 @@ struct Element {
 
 /// Two elements of a checked link pair; the link of `a` comes before the link of `b`.
 struct ElementPair {
-  ElementId a{};
-  ElementId b{};
+  ElementId a{};               ///< of the first link
+  ElementId b{};               ///< of the second link
   std::uint32_t link_pair{0};  ///< index into CycleSetup::checked
 };
 
@@ -62,9 +63,10 @@ struct RefineLimits {
   double period{std::numeric_limits<double>::infinity()};
 };
 
+/// What distances are refined to, and how much work that may take.
 struct RefineOptions {
   RefineGeometry geometry{RefineGeometry::mesh};  ///< where the rules say nothing
-  RefineLimits limits;
+  RefineLimits limits;                            ///< of a cycle
 };
 
 }  // namespace collision_monitor

@@ -23,6 +23,7 @@ struct FitSettings {
   std::filesystem::path cache_directory;
 };
 
+/// Where the shapes of a link come from.
 enum class FitSource : unsigned char {
   fitted,    ///< computed now
   cached,    ///< read from the cache directory and proven again
@@ -30,12 +31,13 @@ enum class FitSource : unsigned char {
   given,     ///< the user's shapes
 };
 
+/// As in messages: "fitted", "cached", "repeated" or "given".
 const char* nameOf(FitSource source) noexcept;
 
 /// The shapes of one link.
 struct LinkFit {
-  LinkId link{};
-  FitSource source{FitSource::fitted};
+  LinkId link{};                        ///< with geometry or given shapes
+  FitSource source{FitSource::fitted};  ///< where its shapes come from
   std::vector<Fit> fits;  ///< one for each collision element, in its frame; none for given shapes
   /// Given shapes, in the link frame. Their overshoot is not measured: NaN.
   std::vector<Enclosure> given;

@@ -24,44 +24,49 @@ constexpr std::size_t groupCountOf(std::size_t bodies) noexcept {
 
 /// Joins the body in slot `one` with the bodies in slots from `first` on that form pairs with it.
 struct PairBlock {
-  std::uint32_t one{0};
-  std::uint32_t first{0};
-  std::uint32_t is_pair{0};     ///< bit by lane
+  std::uint32_t one{0};      ///< slot of the body
+  std::uint32_t first{0};    ///< slot of the first neighbour; kBlockLanes slots follow each other
+  std::uint32_t is_pair{0};  ///< bit by lane
   std::uint32_t first_pair{0};  ///< PairId of the lowest set bit; the other pairs follow in order
 };
 
 /// Blocks [first, last) join a body of kind `one` with bodies of kind `row`.
 struct BlockRange {
-  CoreKind one{};
-  CoreKind row{};
-  std::size_t first{0};
-  std::size_t last{0};
+  CoreKind one{};        ///< of the single bodies
+  CoreKind row{};        ///< of their neighbours
+  std::size_t first{0};  ///< index into PairBlocks::blocks
+  std::size_t last{0};   ///< index behind the last one
 };
 
 /// How bodies and pairs are laid out. Made at set-up.
 struct PairBlocks {
   std::vector<std::uint32_t> slot_of;  ///< by BodyId: ordered by kind, then by id
-  std::vector<PairBlock> blocks;
-  std::vector<BlockRange> ranges;
+  std::vector<PairBlock> blocks;       ///< grouped by kinds
+  std::vector<BlockRange> ranges;      ///< one for each two kinds that form pairs
 };
 
+/// Lays out the pairs of a table. @param cores by BodyId.
 PairBlocks makeBlocks(const PairTable& table, const std::vector<Core>& cores);
 
 /// Columns of all bodies, as in pair_rows.h, and the radii of their bounding spheres.
 struct BodyRows {
-  std::size_t stride{0};
+  std::size_t stride{0};        ///< slots of a column, with those that fill up the last vector
   std::vector<double> numbers;  ///< column c of slot s: [c * stride + s]
 
+  /// Column c, by slot.
   double* at(std::size_t c) noexcept { return numbers.data() + c * stride; }
+  /// Column c, by slot.
   const double* at(std::size_t c) const noexcept { return numbers.data() + c * stride; }
 };
 
+/// The column of BodyRows with the radii of bounding spheres, behind those of a posed shape.
 constexpr std::size_t kBoundingColumn = column::count;
 
 /// Sizes the columns and fills in what does not move. `bounding_radii` is by BodyId.
 BodyRows makeBodyRows(const PairBlocks& blocks, const std::vector<Core>& cores,
                       const std::vector<double>& bounding_radii);
 
+/// Writes x, y and z of a slot into the columns c, c + 1 and c + 2.
 inline void writeVector(const Eigen::Vector3d& v, std::size_t c, std::size_t slot,
                         BodyRows& rows) noexcept {
   rows.at(c)[slot] = v.x();
@@ -87,8 +92,9 @@ inline void loseBody(std::size_t slot, BodyRows& rows) noexcept {
   rows.at(column::center)[slot] = std::numeric_limits<double>::quiet_NaN();
 }
 
+/// A pair and its distance.
 struct NearestPair {
-  PairId pair{};
+  PairId pair{};  ///< no pair while the distance is infinite
   double distance{std::numeric_limits<double>::infinity()};  ///< [m]
 };
 
@@ -112,10 +118,11 @@ void searchBlocks(const PairBlocks& blocks, const BodyRows& rows, const PassedPa
 
 /// [m] Pairs are in contact at or below these distances.
 struct ContactDistances {
-  std::vector<double> of_pair;  ///< by PairId
-  double largest{-std::numeric_limits<double>::infinity()};
+  std::vector<double> of_pair;                               ///< by PairId
+  double largest{-std::numeric_limits<double>::infinity()};  ///< [m] of all pairs
 };
 
+/// What a search for a contact found.
 struct FoundContact {
   NearestPair contact;      ///< the first in the table; infinitely far if there is none
   bool has_unknown{false};  ///< a visited pair has a body that is not known

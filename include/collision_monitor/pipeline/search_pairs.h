@@ -16,9 +16,10 @@ namespace collision_monitor {
 /// Reports how much of some work is done.
 using WorkProgress = std::function<void(std::size_t done, std::size_t total)>;
 
+/// How long a search goes on, and from where.
 struct PairSearchOptions {
-  std::size_t states{10000};  ///< how many are drawn; the first is the default state
-  std::uint64_t seed{1};
+  std::size_t states{10000};         ///< how many are drawn; the first is the default state
+  std::uint64_t seed{1};             ///< the same seed draws the same states
   std::size_t most_cells{20000000};  ///< how many cells a proof may cut the joints' ranges into
   double time_limit{60.0};           ///< [s] for all proofs; those that are not done then stay open
   std::vector<Pose> world_from_root;  ///< by RobotId; robots that are not in it stand at the origin
@@ -26,6 +27,7 @@ struct PairSearchOptions {
   WorkProgress proof_progress;        ///< pairs whose proof is over or not needed; may be empty
 };
 
+/// What a search found of a pair.
 enum class PairFinding : unsigned char {
   adjacent,   ///< as PairReason::adjacent: links of a joint touch by design; not measured
   always,     ///< the geometries touch in every state drawn
@@ -36,9 +38,9 @@ enum class PairFinding : unsigned char {
 
 /// The finding for one pair of links.
 struct PairFound {
-  LinkId a{};
-  LinkId b{};
-  PairFinding finding{PairFinding::adjacent};
+  LinkId a{};                                  ///< a < b
+  LinkId b{};                                  ///< the other link
+  PairFinding finding{PairFinding::adjacent};  ///< what was found
   /// `always` and `never` hold for all states within the joints' limits, by a proof.
   bool is_proven{false};
   std::vector<JointId> joints{};  ///< joints with a variable that move one link against the other

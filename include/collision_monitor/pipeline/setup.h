@@ -27,14 +27,14 @@ namespace collision_monitor {
 /// How far ahead a cycle looks, and how the speed scale follows from it.
 struct LookAhead {
   double horizon{0.5};  ///< [s] the set-up raises it to what thresholds and rule need
-  StopRule stop;
+  StopRule stop;        ///< how speed is scaled
 };
 
 /// One enclosing shape, fixed to a link.
 struct Body {
-  LinkId link{};
-  Pose link_from_body;
-  Shape shape;
+  LinkId link{};                ///< to which it is fixed
+  Pose link_from_body;          ///< where its shape stands in the link
+  Shape shape;                  ///< with the padding
   double bounding_radius{0.0};  ///< [m] about the body's origin
   bool is_exact{false};         ///< the shape is the geometry of the URDF
   ElementId element{};          ///< the element that this body encloses, alone or with others
@@ -50,17 +50,17 @@ struct BodyLabel {
 
 /// A checked pair of links. limitsOf gives the limits that decide its verdict.
 struct CheckedLinkPair {
-  LinkId a{};
-  LinkId b{};
+  LinkId a{};               ///< a < b
+  LinkId b{};               ///< the other link
   std::uint32_t limits{0};  ///< as LinkPair::limits
 };
 
 /// Pairs [first, last) of the table join these kinds of core, in either order; a <= b.
 struct PairRange {
-  CoreKind a{};
-  CoreKind b{};
-  std::size_t first{0};
-  std::size_t last{0};
+  CoreKind a{};          ///< of one body
+  CoreKind b{};          ///< of the other body
+  std::size_t first{0};  ///< first PairId
+  std::size_t last{0};   ///< behind the last PairId
 };
 
 /// Many objects that one frame or link carries: their links, bodies and elements, each [first,
@@ -78,7 +78,7 @@ struct CarriedObjects {
 /// Everything that stays the same from cycle to cycle. A service that changes something builds a
 /// new set-up and swaps it in between two cycles.
 struct CycleSetup {
-  RobotModel model;
+  RobotModel model;                         ///< robots, links and joints
   std::vector<Body> bodies;                 ///< by BodyId, in order of link
   std::vector<Core> cores;                  ///< by BodyId: of its shape, for rows of pairs
   std::vector<BodyLabel> labels;            ///< by BodyId
@@ -94,14 +94,14 @@ struct CycleSetup {
   std::vector<CarriedObjects> carried;            ///< in order of link
   Limits limits;                                  ///< of all pairs without limits of their own
   std::vector<OwnLimits> own_limits;              ///< by CheckedLinkPair::limits - 1
-  RefineLimits refine;
-  bool is_continuous{false};  ///< contacts between two cycles are searched for
-  LookAhead ahead;
+  RefineLimits refine;                            ///< what a cycle may spend on elements
+  bool is_continuous{false};                      ///< contacts between two cycles are searched for
+  LookAhead ahead;  ///< how far forecasts reach, and the rule of the speed scale
   // Never read in a cycle.
   std::vector<std::string> velocity_names;  ///< as velocityNames
-  std::vector<SrdfPairs> srdfs;
-  std::vector<PairRule> pair_rules;  ///< by LinkPair::rule
-  SetupReport report;                ///< warnings only
+  std::vector<SrdfPairs> srdfs;             ///< of each robot that has one
+  std::vector<PairRule> pair_rules;         ///< by LinkPair::rule
+  SetupReport report;                       ///< warnings only
 };
 
 /// The limits of a pair. Most pairs have the common ones.
@@ -131,19 +131,20 @@ struct NamedPadding {
   double padding{0.0};  ///< [m] >= 0
 };
 
+/// What the user wants of a set-up.
 struct SetupOptions {
   /// Stands before the names of options in messages: "parameter /collision_monitor/".
   std::string where;
-  Limits limits;
+  Limits limits;        ///< of pairs without limits of their own
   double padding{0.0};  ///< [m] >= 0; added to the radius or extents of every shape
-  FitLimits default_limits{4, 0.01, {}};  ///< of links for which the rules say nothing
-  ShapeRulesText shape_rules;
-  PairRulesText pair_rules;
+  FitLimits default_limits{4, 0.01, {}};    ///< of links for which the rules say nothing
+  ShapeRulesText shape_rules;               ///< for single links; wins over the options here
+  PairRulesText pair_rules;                 ///< for pairs; wins over SRDFs and ignored_pairs
   IdleRule idle_rules{IdleRule::is_error};  ///< of `pair_rules`
-  MeshReading meshes;
-  RefineOptions refine;
-  bool is_continuous{true};  ///< as in CycleSetup
-  LookAhead ahead;
+  MeshReading meshes;                       ///< how mesh files are read
+  RefineOptions refine;                     ///< to what distances are refined
+  bool is_continuous{true};                 ///< as in CycleSetup
+  LookAhead ahead;                          ///< as in CycleSetup
   std::filesystem::path fit_cache;          ///< directory that keeps fits, empty for none
   FitProgress fit_progress;                 ///< may be empty
   std::vector<NamedPadding> link_paddings;  ///< of links whose rules give no padding

@@ -30,6 +30,7 @@ inline double marginOf(const TrajectoryOptions& options, std::size_t link_pair) 
   return options.margins.empty() ? options.margin : options.margins[link_pair];
 }
 
+/// What a search proved about two links on a path.
 enum class ApproachState : unsigned char {
   clear,      ///< proven: no contact on the whole path
   contact,    ///< proven: first contact at `time`, clear before

@@ -147,6 +147,21 @@ TEST(RobotMonitor, filesThatAreMissing_areNamedBesideOtherFaults) {
   EXPECT_NE(faults[2].find("bad.urdf"), std::string::npos) << faults[2];
 }
 
+TEST(RobotMonitor, whileItIsMade_isAskedOften_andEndsWhenItIsTold) {
+  MonitorOptions asking = options();
+  std::size_t asked = 0;
+  std::size_t allowed = std::numeric_limits<std::size_t>::max();
+  asking.goes_on = [&] { return ++asked <= allowed; };
+  const std::vector<RobotFiles> arm{{kRobots / "arm6.urdf", kRobots / "arm6.srdf"}};
+  RobotMonitor::fromFiles(arm, asking);
+  const std::size_t often = asked;
+  EXPECT_GT(often, 100U);
+  allowed = often / 2;
+  asked = 0;
+  EXPECT_THROW(RobotMonitor::fromFiles(arm, asking), Interrupted);
+  EXPECT_EQ(asked, allowed + 1);
+}
+
 TEST(RobotMonitor, rootThatIsNoPose_isRefused) {
   MonitorOptions bad = options();
   bad.world_from_root.resize(1);
