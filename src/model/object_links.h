@@ -19,6 +19,12 @@ inline bool isObject(const RobotModel& model, LinkId link) {
   return isOfWorld(model, link) && model.link(link).parent_joint;
 }
 
+/// Whether there are objects, or frames that carry some.
+inline bool hasObjects(const RobotModel& model) {
+  return std::any_of(model.robots.begin(), model.robots.end(),
+                     [](const Robot& robot) { return robot.is_world; });
+}
+
 /// The number of robots, without those that objects form.
 inline std::size_t robotCount(const RobotModel& model) {
   return static_cast<std::size_t>(

@@ -85,6 +85,8 @@ struct CycleSetup {
   bool is_continuous{false};  ///< contacts between two cycles are searched for
   LookAhead ahead;
   // Never read in a cycle.
+  double least_horizon{0.0};      ///< [s] `ahead` has this horizon, or what thresholds of time need
+  std::uint64_t memory_limit{0};  ///< as in SetupOptions
   std::vector<std::string> velocity_names;  ///< as velocityNames
   std::vector<SrdfPairs> srdfs;
   std::vector<PairRule> pair_rules;  ///< by LinkPair::rule

@@ -44,6 +44,9 @@ void makeElements(const std::vector<LinkFit>& fits, const ElementSettings& setti
 /// what thresholds of time need. Reports limits that break a precondition.
 void decideByRules(IdleRule idle, CycleSetup& setup, SetupReport& report);
 
+/// A copy with this model, without what listPairs fills.
+CycleSetup withoutTables(const CycleSetup& setup, RobotModel model);
+
 /// Fills the checked link pairs, the pairs of bodies (ordered by kind of core pair, then by bodies)
 /// and the pairs of elements from setup.link_pairs.
 void listPairs(CycleSetup& setup);
