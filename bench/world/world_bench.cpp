@@ -1,159 +1,233 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <malloc.h>
+#include <ros/time.h>
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "pipeline/answers/carry_over.h"
-#include "pipeline/cycle/run_cycle.h"
-#include "pipeline/look_ahead/find_motions.h"
-#include "pipeline/world/add_world.h"
+#include "ros_edge/outputs/conversions.h"
 #include "support/robots/robot_moves.h"
-#include "support/robots/world_objects.h"
+#include "world/watched_robot.h"
 
-/// Prints how long it takes until new objects are watched, and what they cost in each cycle, beside
-/// one robot of the shared data: `world_bench [ROBOT]`, by default atlas.
-namespace collision_monitor::test {
+/// Prints how long it takes until new objects are watched, and the memory that they take, beside
+/// one robot of the shared data: `world_bench [ROBOT [COUNT]...] [--attach TIMES]`, by default
+/// atlas, 1,000 and 10,000 boxes.
+namespace collision_monitor::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+SceneChange changeOf(std::uint8_t kind, std::vector<SceneObject> objects) {
+  SceneChange change;
+  change.kind = kind;
+  change.objects = std::move(objects);
+  return change;
 }
 
-KnownPlaces placesOf(const CycleSetup& robots) {
-  KnownPlaces places;
-  for (const Link& link : robots.model.links) {
-    places.links.push_back(link.name);
-    places.link_frames.push_back(link.frame);
-  }
-  places.world_frame = "map";
-  return places;
+SceneObject named(const std::string& name) {
+  SceneObject object;
+  object.name = name;
+  object.pose.orientation.w = 1.0;
+  return object;
 }
 
 /// Boxes of 5 cm on a shell around the robot, from 1.5 m to 6 m away.
-std::vector<WorldObject> boxesAround(std::size_t count) {
+std::vector<SceneObject> boxesAround(std::size_t count) {
   std::mt19937_64 random(20260101);
   std::uniform_real_distribution<double> coordinate(-6.0, 6.0);
-  std::vector<WorldObject> objects;
+  std::vector<SceneObject> objects;
   while (objects.size() < count) {
-    const Pose place = at(coordinate(random), coordinate(random), coordinate(random));
-    if (place.translation.norm() > 1.5 && place.translation.norm() < 6.0) {
-      objects.push_back(
-          objectOf("box_" + std::to_string(objects.size()), Box{{0.025, 0.025, 0.025}}, place));
+    const Eigen::Vector3d place(coordinate(random), coordinate(random), coordinate(random));
+    if (place.norm() > 1.5 && place.norm() < 6.0) {
+      SceneObject object = named("box_" + std::to_string(objects.size()));
+      object.primitives.resize(1);
+      object.primitives[0].type = shape_msgs::SolidPrimitive::BOX;
+      object.primitives[0].dimensions = {0.05, 0.05, 0.05};
+      toMessage(place, object.pose.position);
+      objects.push_back(object);
     }
   }
   return objects;
 }
 
+geometry_msgs::Point pointOf(double x, double y, double z) {
+  geometry_msgs::Point point;
+  point.x = x;
+  point.y = y;
+  point.z = z;
+  return point;
+}
+
 /// A ball of 2 n^2 triangles with bumps, so that it is not convex.
-SharedMesh bumpyBall(std::uint32_t n) {
+SceneObject bumpyBall(std::uint32_t n) {
   constexpr double kTurn = 6.283185307179586;
-  auto mesh = std::make_shared<TriangleMesh>();
+  SceneObject object = named("mesh");
+  object.pose.position.x = 3.0;
+  shape_msgs::Mesh& mesh = object.meshes.emplace_back();
   for (std::uint32_t i = 0; i <= n; ++i) {
     for (std::uint32_t k = 0; k < n; ++k) {
       const double up = 0.5 * kTurn * i / n;
       const double round = kTurn * k / n;
       const double radius = 0.5 + 0.02 * std::sin(9.0 * up) * std::sin(9.0 * round);
-      mesh->vertices.emplace_back(radius * std::sin(up) * std::cos(round),
-                                  radius * std::sin(up) * std::sin(round), radius * std::cos(up));
+      mesh.vertices.push_back(pointOf(radius * std::sin(up) * std::cos(round),
+                                      radius * std::sin(up) * std::sin(round),
+                                      radius * std::cos(up)));
     }
   }
   for (std::uint32_t i = 0; i < n; ++i) {
     for (std::uint32_t k = 0; k < n; ++k) {
       const std::uint32_t next = (k + 1) % n;
-      mesh->triangles.push_back({i * n + k, (i + 1) * n + k, (i + 1) * n + next});
-      mesh->triangles.push_back({i * n + k, (i + 1) * n + next, i * n + next});
+      mesh.triangles.emplace_back().vertex_indices = {i * n + k, (i + 1) * n + k,
+                                                      (i + 1) * n + next};
+      mesh.triangles.emplace_back().vertex_indices = {i * n + k, (i + 1) * n + next, i * n + next};
     }
   }
-  return mesh;
+  return object;
 }
 
-struct Watched {
-  CycleSetup setup;
-  CycleBuffers buffers;
+/// [MB] What this process holds now.
+double memoryNow() {
+  malloc_trim(0);
+  std::ifstream file("/proc/self/statm");
+  double pages = 0.0;
+  file >> pages >> pages;
+  return pages * 4096e-6;
+}
+
+void print(const std::string& what, const ChangeTimes& times) {
+  std::printf(
+      "%-28s %8.1f ms: read %.1f, checked %.1f, set-up %.1f, buffers %.1f, prepared %.1f, "
+      "swapped %.2f; CPU %.1f ms\n",
+      what.c_str(), times.all(), times.read, times.checked, times.made, times.buffered,
+      times.prepared, times.swapped, times.cpu);
+}
+
+/// Prints the first and the median of some times that these changes take, each of which `undo`
+/// takes back.
+void printTimes(const std::string& what, const std::vector<SceneChange>& changes,
+                const std::vector<SceneChange>& undo, WatchedRobot& robot) {
+  constexpr std::size_t kTimes = 9;
+  std::vector<ChangeTimes> times;
+  for (std::size_t i = 0; i < kTimes; ++i) {
+    times.push_back(robot.change(changes));
+    robot.cycle();
+    robot.change(undo);
+    robot.cycle();
+  }
+  print(what + ", first", times.front());
+  std::sort(times.begin(), times.end(), [](const ChangeTimes& one, const ChangeTimes& other) {
+    return one.all() < other.all();
+  });
+  print(what, times[kTimes / 2]);
+}
+
+void addBoxes(std::size_t count, WatchedRobot& robot) {
+  const std::vector<SceneChange> clear{changeOf(SceneChange::CLEAR, {})};
+  const std::vector<SceneChange> add{changeOf(SceneChange::ADD, boxesAround(count))};
+  printTimes(std::to_string(count) + " boxes", add, clear, robot);
+  const double before = memoryNow();
+  robot.change(add);
+  robot.cycle();
+  const std::size_t pairs = robot.watch().setup().table.size();
+  const double taken = memoryNow() - before;
+  std::printf("%-28s %8.1f MB, %.0f bytes a pair of %zu\n", "  memory", taken,
+              1e6 * taken / static_cast<double>(pairs), pairs);
+  SceneObject more = boxesAround(1).front();
+  more.name = "one more";
+  printTimes("  one more", {changeOf(SceneChange::ADD, {more})},
+             {changeOf(SceneChange::REMOVE, {named("one more")})}, robot);
+  robot.change(clear);
+  robot.cycle();
+}
+
+/// By names of links, without this object.
+std::map<std::string, Verdict> verdictsWithout(const std::string& object, const Watch& watch) {
+  std::map<std::string, Verdict> verdicts;
+  const CycleSetup& setup = watch.setup();
+  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+    const std::string& a = setup.model.link(setup.checked[i].a).name;
+    const std::string& b = setup.model.link(setup.checked[i].b).name;
+    if (a != object && b != object) {
+      verdicts[a + " " + b] = watch.buffers.events.verdicts[i];
+    }
+  }
+  return verdicts;
+}
+
+/// Attaches a box to the last link and detaches it, many times, where it stands.
+void attachOften(std::size_t times, WatchedRobot& robot) {
+  SceneObject box = boxesAround(1).front();
+  robot.change({changeOf(SceneChange::ADD, {box})});
+  robot.cycle();
+  SceneChange attach = changeOf(SceneChange::ATTACH, {named(box.name)});
+  attach.where_it_stands = 1;
+  attach.objects[0].frame_id = robot.lastLink();
+  const SceneChange detach = changeOf(SceneChange::DETACH, {named(box.name)});
+  const auto verdicts = verdictsWithout(box.name, robot.watch());
+  std::size_t others = 0;
+  double before = 0.0;
+  double taken = 0.0;
+  for (std::size_t i = 0; i < times; ++i) {
+    taken += robot.change({attach}).all();
+    robot.cycle();
+    others += verdictsWithout(box.name, robot.watch()) == verdicts ? 0 : 1;
+    taken += robot.change({detach}).all();
+    robot.cycle();
+    others += verdictsWithout(box.name, robot.watch()) == verdicts ? 0 : 1;
+    before = i == times / 10 ? memoryNow() : before;
+  }
+  std::printf("%-28s %8.1f ms a change, %.1f MB more at the end, %zu times another verdict\n",
+              ("attached " + std::to_string(times) + " times").c_str(),
+              taken / static_cast<double>(2 * times), memoryNow() - before, others);
+  robot.change({changeOf(SceneChange::CLEAR, {})});
+}
+
+struct Options {
+  std::string robot{"atlas"};
+  std::vector<std::size_t> counts;
+  std::size_t attach_times{200};
 };
 
-/// Prints the stages of a change up to the swap.
-Watched watch(const CycleSetup& robots, const CycleSetup& former, const LinkPoses& robot_poses,
-              const std::string& what, const std::vector<WorldObject>& objects) {
-  const auto start = Clock::now();
-  const World world = worldOf(objects, placesOf(robots));
-  const double checked = millisecondsSince(start);
-  const PreparedObjects prepared = prepareObjects(world, RefineGeometry::mesh, {});
-  const double made = millisecondsSince(start);
-  Watched watched{addWorld(robots, world, prepared, {"map", 0}), {}};
-  const double added = millisecondsSince(start);
-  watched.buffers = makeBuffers(watched.setup, BroadPhaseKind::automatic);
-  LinkPoses poses = makeLinkPoses(watched.setup.model);
-  std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
-  std::copy(robot_poses.world_from_link.begin(), robot_poses.world_from_link.end(),
-            poses.world_from_link.begin());
-  for (const Joint& joint : watched.setup.model.joints) {
-    if (index(joint.child) >= robots.model.links.size()) {
-      poses.world_from_link[index(joint.child)] =
-          poses.world_from_link[index(joint.parent)] * joint.parent_from_joint;
+Options optionsOf(int argc, char** argv) {
+  Options options;
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == "--attach" && i + 1 < words.size()) {
+      options.attach_times = std::stoul(words[++i]);
+    } else if (i == 0) {
+      options.robot = words[i];
+    } else {
+      options.counts.push_back(std::stoul(words[i]));
     }
   }
-  const double buffered = millisecondsSince(start);
-  learnPairs(watched.setup, poses, watched.buffers);
-  const double learnt = millisecondsSince(start);
-  planCarryOver(former, watched.setup);
-  std::printf(
-      "%-28s %8.1f ms: checked %.1f, prepared %.1f, pairs %.1f, buffers %.1f, learnt %.1f, "
-      "carry-over %.1f\n",
-      what.c_str(), millisecondsSince(start), checked, made - checked, added - made,
-      buffered - added, learnt - buffered, millisecondsSince(start) - learnt);
-  return watched;
+  if (options.counts.empty()) {
+    options.counts = {1000, 10000};
+  }
+  return options;
 }
 
-/// [ms] The median cycle of moves at 100 Hz.
-double cycleTime(Watched& watched) {
-  Mover mover(watched.setup.model, 100.0, 1.0);
-  std::vector<double> times;
-  for (int i = 0; i < 8; ++i) {
-    for (const LinkPoses& poses : mover.next()) {
-      const auto start = Clock::now();
-      runCycle(watched.setup, poses, watched.buffers);
-      times.push_back(millisecondsSince(start));
-    }
+void run(const Options& options) {
+  WatchedRobot robot(options.robot);
+  const CycleSetup& setup = robot.watch().setup();
+  std::printf("%s: %zu links, %zu bodies\n", options.robot.c_str(), setup.model.links.size(),
+              setup.bodies.size());
+  for (const std::size_t count : options.counts) {
+    addBoxes(count, robot);
   }
-  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2),
-                   times.end());
-  return times[times.size() / 2];
-}
-
-int run(const std::string& name) {
-  const std::optional<RobotFile> file = findRobot(name);
-  if (!file) {
-    return 1;
-  }
-  SetupOptions options;
-  options.limits.warning_time = 0.0;
-  CycleSetup robots = buildSetup({describe(*file)}, fileLoader(file->package_root), options);
-  const LinkPoses poses = posesAt(robots.model, defaultPositions(robots.model));
-  std::printf("%s: %zu links, %zu bodies\n", name.c_str(), robots.model.links.size(),
-              robots.bodies.size());
-  Watched alone{robots, makeBuffers(robots, BroadPhaseKind::automatic)};
-  const double without = cycleTime(alone);
-  watch(robots, robots, poses, "1,000 boxes, first", boxesAround(1000));
-  Watched thousand = watch(robots, robots, poses, "1,000 boxes, again", boxesAround(1000));
-  Watched many = watch(robots, robots, poses, "10,000 boxes", boxesAround(10000));
-  const Watched mesh = watch(robots, robots, poses, "a mesh of 100,352 triangles",
-                             {objectOf("mesh", bumpyBall(224), at(3, 0, 0))});
-  std::printf("cycle: %.3f ms alone, %.3f ms with 1,000 boxes, %.3f ms with 10,000\n", without,
-              cycleTime(thousand), cycleTime(many));
-  return 0;
+  printTimes("a mesh of 100,352 triangles", {changeOf(SceneChange::ADD, {bumpyBall(224)})},
+             {changeOf(SceneChange::CLEAR, {})}, robot);
+  attachOften(options.attach_times, robot);
 }
 
 }  // namespace
-}  // namespace collision_monitor::test
+}  // namespace collision_monitor::bench
 
 int main(int argc, char** argv) {
-  return collision_monitor::test::run(argc > 1 ? argv[1] : "atlas");
+  ros::Time::init();
+  collision_monitor::bench::run(collision_monitor::bench::optionsOf(argc, argv));
 }
