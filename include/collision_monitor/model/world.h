@@ -73,8 +73,8 @@ struct World {
 
 /// What is accepted.
 constexpr std::size_t kMostObjects = 20000;
-constexpr std::size_t kMostObjectTriangles = 1000000;  ///< of one mesh
-constexpr double kFarthestObject = 1e6;                ///< [m] coordinates and lengths
+constexpr std::size_t kMostObjectTriangles = 500000;  ///< of one mesh
+constexpr double kFarthestObject = 1e6;               ///< [m] coordinates and lengths
 
 enum class ChangeKind : unsigned char {
   add,          ///< new objects, whole
