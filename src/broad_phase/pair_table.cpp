@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 #include <utility>
 
 #include "collision_monitor/geometry/ids.h"
@@ -38,18 +39,21 @@ void PairTable::fillPartners() {
     assert(pair.a < pair.b && index(pair.b) < body_count_);
     ++first_partner_[index(pair.a) + 1];
   }
-  for (std::size_t body = 0; body < body_count_; ++body) {
-    first_partner_[body + 1] += first_partner_[body];
+  std::partial_sum(first_partner_.begin(), first_partner_.end(), first_partner_.begin());
+  // Sorted by body b first, each body a gets its partners in order.
+  std::vector<std::uint32_t> first_of_b(body_count_ + 1, 0);
+  for (const BodyPair& pair : pairs_) {
+    ++first_of_b[index(pair.b) + 1];
+  }
+  std::partial_sum(first_of_b.begin(), first_of_b.end(), first_of_b.begin());
+  std::vector<std::uint32_t> by_b(pairs_.size());
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    by_b[first_of_b[index(pairs_[i].b)]++] = static_cast<std::uint32_t>(i);
   }
   partners_.resize(pairs_.size());
   std::vector<std::uint32_t> next(first_partner_.begin(), first_partner_.end() - 1);
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    partners_[next[index(pairs_[i].a)]++] = {pairs_[i].b, idAt<PairId>(i)};
-  }
-  for (std::size_t body = 0; body < body_count_; ++body) {
-    std::sort(partners_.begin() + first_partner_[body],
-              partners_.begin() + first_partner_[body + 1],
-              [](const Partner& one, const Partner& other) { return one.body < other.body; });
+  for (const std::uint32_t i : by_b) {
+    partners_[next[index(pairs_[i].a)]++] = {pairs_[i].b, PairId{i}};
   }
 }
 

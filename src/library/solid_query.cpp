@@ -14,13 +14,15 @@ namespace collision_monitor {
 struct SolidWork {
   RefineScratch scratch;
   FrontPool pool{MeshFront::kMostBlocks};
-  RefineMemory memory;  ///< after `pool`, which its front uses
+  MeshFront front{pool};
+  KeptDepth depth;
+  RefineMemory memory;
   std::shared_ptr<const SolidParts> a;
   std::shared_ptr<const SolidParts> b;
 
   SolidWork() {
-    memory.front = std::make_unique<MeshFront>(pool);
-    memory.depth = std::make_unique<KeptDepth>();
+    memory.front = &front;
+    memory.depth = &depth;
   }
 
   /// Prepares a search for two solids, from the last one if they are the same.

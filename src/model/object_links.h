@@ -48,6 +48,12 @@ void forOwnLinks(const RobotModel& model, const Robot& robot, const Use& use) {
 /// first_from_other, of two objects that one carrier carries.
 Pose poseBeside(const RobotModel& model, LinkId first, LinkId other);
 
+/// Whether there are objects, or frames that carry some.
+inline bool hasObjects(const RobotModel& model) {
+  return std::any_of(model.robots.begin(), model.robots.end(),
+                     [](const Robot& robot) { return robot.is_world; });
+}
+
 /// The number of robots, without those that objects form.
 inline std::size_t robotCount(const RobotModel& model) {
   return static_cast<std::size_t>(

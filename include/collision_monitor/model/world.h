@@ -73,9 +73,9 @@ struct World {
 };
 
 /// What is accepted.
-constexpr std::size_t kMostObjects = 20000;            ///< how many objects a world may hold
-constexpr std::size_t kMostObjectTriangles = 1000000;  ///< of one mesh
-constexpr double kFarthestObject = 1e6;                ///< [m] coordinates and lengths
+constexpr std::size_t kMostObjects = 20000;           ///< how many objects a world may hold
+constexpr std::size_t kMostObjectTriangles = 500000;  ///< of one mesh
+constexpr double kFarthestObject = 1e6;               ///< [m] coordinates and lengths
 
 /// What a change does with the objects that it names.
 enum class ChangeKind : unsigned char {

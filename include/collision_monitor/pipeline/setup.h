@@ -98,6 +98,8 @@ struct CycleSetup {
   bool is_continuous{false};                      ///< contacts between two cycles are searched for
   LookAhead ahead;  ///< how far forecasts reach, and the rule of the speed scale
   // Never read in a cycle.
+  double least_horizon{0.0};      ///< [s] `ahead` has this horizon, or what thresholds of time need
+  std::uint64_t memory_limit{0};  ///< as in SetupOptions
   std::vector<std::string> velocity_names;  ///< as velocityNames
   std::vector<SrdfPairs> srdfs;             ///< of each robot that has one
   std::vector<PairRule> pair_rules;         ///< by LinkPair::rule

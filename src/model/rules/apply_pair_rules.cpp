@@ -86,13 +86,21 @@ void reportIdleRules(const std::vector<PairRule>& rules, const std::vector<LinkP
   if (idle == IdleRule::is_accepted) {
     return;
   }
+  const auto isNone = [](const std::vector<bool>& links) {
+    return std::find(links.begin(), links.end(), true) == links.end();
+  };
   for (const PairRule& rule : rules) {
+    if (idle == IdleRule::is_warning && (isNone(rule.a) || isNone(rule.b))) {
+      continue;  // told of its names
+    }
     const bool is_idle = std::none_of(pairs.begin(), pairs.end(), [&](const LinkPair& pair) {
       return selects(rule, pair.a, pair.b);
     });
     if (is_idle) {
       const std::string found = "a rule that selects no pair";
-      const std::string accepted = "two different links with shapes, one of 'a' and one of 'b'";
+      const std::string accepted =
+          "two different links with shapes, one of 'a' and one of 'b'; of two objects, one that is "
+          "attached";
       idle == IdleRule::is_error
           ? report.errors.push_back({rule.where, found, accepted})
           : report.warnings.push_back({rule.where, found, "", "it needs " + accepted});

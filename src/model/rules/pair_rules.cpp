@@ -10,18 +10,11 @@
 #include "geometry/interruption.h"
 #include "model/place.h"
 #include "model/rules/link_selection.h"
+#include "model/rules/rigid_groups.h"
 
 namespace collision_monitor {
-namespace {
 
-LinkIdPair ordered(LinkId a, LinkId b) { return a < b ? LinkIdPair(a, b) : LinkIdPair(b, a); }
-
-std::optional<LinkId> parentOf(const RobotModel& model, LinkId link) {
-  const auto& joint = model.link(link).parent_joint;
-  return joint ? std::optional<LinkId>(model.joint(*joint).parent) : std::nullopt;
-}
-
-/// For every link, the first link of its rigid group. Parents come before children.
+/// Parents come before children.
 std::vector<LinkId> findRigidGroups(const RobotModel& model) {
   std::vector<LinkId> group_of(model.links.size());
   for (std::size_t i = 0; i < model.links.size(); ++i) {
@@ -30,6 +23,15 @@ std::vector<LinkId> findRigidGroups(const RobotModel& model) {
     group_of[i] = is_fixed ? group_of[index(model.joint(*joint).parent)] : idAt<LinkId>(i);
   }
   return group_of;
+}
+
+namespace {
+
+LinkIdPair ordered(LinkId a, LinkId b) { return a < b ? LinkIdPair(a, b) : LinkIdPair(b, a); }
+
+std::optional<LinkId> parentOf(const RobotModel& model, LinkId link) {
+  const auto& joint = model.link(link).parent_joint;
+  return joint ? std::optional<LinkId>(model.joint(*joint).parent) : std::nullopt;
 }
 
 std::set<LinkIdPair> findAdjacent(const RobotModel& model) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "collision_monitor/model/pair_rules.h"
+#include "model/object_links.h"
 #include "model/rules/link_selection.h"
 #include "model/rules/yaml_fields.h"
 
@@ -51,7 +52,8 @@ struct SideReader {
       const bool is_group = findGroup(name, model, srdfs).has_value();
       tellIdle(word, "link " + quoted(name) + ", which matches none",
                is_group ? "the group of that name, as {group: " + name + "}"
-                        : "links of the robots: " + linkNames(model));
+                        : (hasObjects(model) ? "links and objects: " : "links of the robots: ") +
+                              linkNames(model));
     }
     add(found);
   }

@@ -63,7 +63,7 @@ class ChangeMaker {
     }
     where_ = change_;
     if (change.kind == ChangeKind::clear) {
-      refuse("a list of objects", "none: clear removes all; remove takes names");
+      refuse("a list of objects", "an empty list, for all objects; remove takes names");
     } else {
       refuse("no objects", "at least one");
     }

@@ -187,8 +187,10 @@ class SceneReader {
     for (const YAML::Node& triangle : childOf(node, "triangles")) {
       const YAML::Node indices = childOf(triangle, "vertex_indices");
       const auto corners = numbersOf(indices.IsDefined() ? indices : triangle, 3);
-      const bool are_whole =
-          corners && (corners->array() >= 0.0).all() && (corners->array() <= kMost * kMost).all();
+      constexpr double kMostVertices = 4294967295.0;
+      const bool are_whole = corners && (corners->array() >= 0.0).all() &&
+                             (corners->array() < kMostVertices).all() &&
+                             (corners->array() == corners->array().floor()).all();
       if (!are_whole) {
         place.addError(lineOf(triangle), "triangle " + describe(triangle),
                        "three numbers of vertices");

@@ -4,11 +4,19 @@
 
 namespace collision_monitor {
 
-FrontPool::FrontPool(std::size_t blocks) : blocks_(blocks) {
-  free_.reserve(blocks);
-  for (MeshFront::Block& block : blocks_) {
-    free_.push_back(&block);
+FrontPool::FrontPool(std::size_t blocks) : blocks_(blocks) { free_.reserve(blocks); }
+
+bool FrontPool::isEmpty() const noexcept {
+  return free_.empty() && blocks_.size() == blocks_.most();
+}
+
+MeshFront::Block* FrontPool::take() noexcept {
+  if (free_.empty()) {
+    return &blocks_.make();
   }
+  MeshFront::Block* block = free_.back();
+  free_.pop_back();
+  return block;
 }
 
 bool FrontPool::grow(MeshFront& front) noexcept {
@@ -17,17 +25,16 @@ bool FrontPool::grow(MeshFront& front) noexcept {
   if (front.block_count == MeshFront::kMostBlocks) {
     return false;
   }
-  if (free_.empty() && oldest_ != nullptr && oldest_->followed_at + kUnasked < clock_) {
+  if (isEmpty() && oldest_ != nullptr && oldest_->followed_at + kUnasked < clock_) {
     clear(*oldest_);
   }
-  if (free_.empty()) {
+  if (isEmpty()) {
     return false;
   }
   if (front.block_count == 0) {
     putNewest(front);
   }
-  front.blocks[front.block_count++] = free_.back();
-  free_.pop_back();
+  front.blocks[front.block_count++] = take();
   return true;
 }
 

@@ -10,6 +10,7 @@
 
 #include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/geometry/pose.h"
+#include "geometry/fixed_room.h"
 
 /// What a search of a mesh and something else leaves for the next one about the same two. Units:
 /// metres.
@@ -92,10 +93,12 @@ class FrontPool {
   void touch(MeshFront& front) noexcept;
 
  private:
+  bool isEmpty() const noexcept;
+  MeshFront::Block* take() noexcept;
   void takeOut(MeshFront& front) noexcept;
   void putNewest(MeshFront& front) noexcept;
 
-  std::vector<MeshFront::Block> blocks_;
+  FixedRoom<MeshFront::Block> blocks_;
   std::vector<MeshFront::Block*> free_;
   MeshFront* oldest_{nullptr};
   MeshFront* newest_{nullptr};

@@ -6,6 +6,7 @@
 
 #include "pipeline/cycle/distance_cache.h"
 #include "pipeline/cycle/place_bodies.h"
+#include "pipeline/data/near_room.h"
 #include "pipeline/look_ahead/link_walk.h"
 
 namespace collision_monitor {
@@ -21,10 +22,10 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.bounds.known.resize(bodies, 0);
   buffers.bounds.ahead.resize(bodies, 0.0);
   buffers.activation = makeActivationDistances(setup);
-  buffers.candidates.reserve(pairs);
-  buffers.deferred.reserve(pairs);
-  buffers.distances.pairs.reserve(pairs);
-  buffers.distances.passed.reserve(pairs);
+  buffers.candidates.reserve(roomForNear(pairs));
+  buffers.deferred.reserve(roomForNear(pairs));
+  buffers.distances.pairs.reserve(roomForNear(pairs));
+  buffers.distances.passed.reserve(roomForNear(pairs));
   buffers.refine = makeRefineWork(setup);
   buffers.sweep = makeSweepWork(setup);
   buffers.events.verdicts.resize(link_pairs, Verdict::unknown);
@@ -32,7 +33,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.events.passed.resize(link_pairs, kNone);
   buffers.events.estimated.resize(link_pairs, kNone);
   buffers.events.soonest.resize(link_pairs, kNone);
-  buffers.events.changes.reserve(link_pairs);
+  buffers.events.changes.reserve(roomForNear(link_pairs));
   buffers.events.active.reserve(link_pairs);
   buffers.events.is_active.resize(link_pairs, 0);
   buffers.events.is_checked.resize(links, 0);

@@ -29,51 +29,74 @@ void remember(const LastMeasurement& measurement, RefineMemory& memory) noexcept
 }
 
 void forget(RefineMemory& memory) noexcept {
-  std::unique_ptr<MeshFront> front = std::move(memory.front);
-  std::unique_ptr<KeptDepth> depth = std::move(memory.depth);
+  MeshFront* const front = memory.front;
+  KeptDepth* const depth = memory.depth;
   memory = RefineMemory();
-  memory.front = std::move(front);
-  memory.depth = std::move(depth);
-  if (memory.front) {
+  memory.front = front;
+  memory.depth = depth;
+  if (memory.front != nullptr) {
     memory.front->pool.clear(*memory.front);
     memory.front->resting_from_moving.reset();
     memory.front->nearest.a = kNone;
   }
-  if (memory.depth) {
+  if (memory.depth != nullptr) {
     forget(*memory.depth);
   }
 }
 
 RefineStore::RefineStore(std::vector<RefineKind> kinds)
     : slot_of_(kinds.size(), kNone), kinds_(std::move(kinds)) {
-  const auto with_front =
-      static_cast<std::size_t>(std::count_if(kinds_.begin(), kinds_.end(), [](RefineKind kind) {
-        return kind == RefineKind::front || kind == RefineKind::both;
-      }));
-  pool_ = std::make_unique<FrontPool>(
-      with_front == 0 ? 0 : kBlocksOfPair * std::min(with_front, kMostMeshes) + kBlocksOfAll);
-  for (const RefineKind kind :
-       {RefineKind::plain, RefineKind::front, RefineKind::depth, RefineKind::both}) {
-    const auto pairs = static_cast<std::size_t>(std::count(kinds_.begin(), kinds_.end(), kind));
-    const bool is_plain = kind == RefineKind::plain;
-    const std::size_t least = is_plain && !kinds_.empty() ? 1 : 0;  // slotKindOf
-    addSlots(kind, std::max(least, std::min(pairs, is_plain ? kMostPlain : kMostMeshes)));
+  std::array<std::size_t, 5> counts{};
+  for (const RefineKind kind : kinds_) {
+    ++counts[static_cast<std::size_t>(kind)];
   }
+  const auto countOf = [&](RefineKind kind) -> std::size_t& {
+    return counts[static_cast<std::size_t>(kind)];
+  };
+  countOf(RefineKind::never) = 0;
+  const std::size_t least = kinds_.empty() ? 0 : 1;  // slotKindOf
+  countOf(RefineKind::plain) = std::max(least, countOf(RefineKind::plain));
+  std::size_t slots = 0;
+  for (std::size_t kind = 0; kind < counts.size(); ++kind) {
+    const bool is_plain = static_cast<RefineKind>(kind) == RefineKind::plain;
+    counts[kind] = std::min(counts[kind], is_plain ? kMostPlain : kMostMeshes);
+    orders_[kind].unmade = static_cast<std::uint32_t>(counts[kind]);
+    slots += counts[kind];
+  }
+  const std::size_t fronts = countOf(RefineKind::front) + countOf(RefineKind::both);
+  pool_ = std::make_unique<FrontPool>(
+      fronts == 0 ? 0 : kBlocksOfPair * std::min(fronts, kMostMeshes) + kBlocksOfAll);
+  fronts_ = FixedRoom<MeshFront>(fronts);
+  depths_ = FixedRoom<KeptDepth>(countOf(RefineKind::depth) + countOf(RefineKind::both));
+  slots_ = FixedRoom<Slot>(slots);
 }
 
-void RefineStore::addSlots(RefineKind kind, std::size_t count) {
-  slots_.reserve(slots_.size() + count);
-  for (std::size_t i = 0; i < count; ++i) {
-    RefineMemory& memory = slots_.emplace_back().memory;
-    if (kind == RefineKind::front || kind == RefineKind::both) {
-      memory.front = std::make_unique<MeshFront>(*pool_);
-    }
-    if (kind == RefineKind::depth || kind == RefineKind::both) {
-      memory.depth = std::make_unique<KeptDepth>();
-    }
-    putFirst(orders_[static_cast<std::size_t>(kind)],
-             static_cast<std::uint32_t>(slots_.size() - 1));
+/// @pre one may be made
+std::uint32_t RefineStore::makeSlot(RefineKind kind) noexcept {
+  RefineMemory& memory = slots_.make().memory;
+  if (kind == RefineKind::front || kind == RefineKind::both) {
+    memory.front = &fronts_.make(*pool_);
   }
+  if (kind == RefineKind::depth || kind == RefineKind::both) {
+    memory.depth = &depths_.make();
+  }
+  const auto slot = static_cast<std::uint32_t>(slots_.size() - 1);
+  Order& order = orders_[static_cast<std::size_t>(kind)];
+  --order.unmade;
+  putFirst(order, slot);
+  return slot;
+}
+
+/// A slot that has no pair: a new one, or the one that was asked for longest ago.
+std::uint32_t RefineStore::takeSlot(RefineKind kind) noexcept {
+  const Order& order = orders_[static_cast<std::size_t>(kind)];
+  if (order.unmade > 0) {
+    return makeSlot(kind);
+  }
+  Slot& taken = slots_[order.oldest];
+  slot_of_[taken.pair] = kNone;
+  forget(taken.memory);
+  return order.oldest;
 }
 
 void RefineStore::takeOut(Order& order, std::uint32_t slot) noexcept {
@@ -90,16 +113,12 @@ void RefineStore::putFirst(Order& order, std::uint32_t slot) noexcept {
 }
 
 RefineMemory& RefineStore::of(ElementPairIndex pair) noexcept {
-  Order& order = orders_[static_cast<std::size_t>(slotKindOf(kinds_[pair]))];
+  const RefineKind kind = slotKindOf(kinds_[pair]);
+  Order& order = orders_[static_cast<std::size_t>(kind)];
   std::uint32_t& slot = slot_of_[pair];
   if (slot == kNone) {
-    slot = order.oldest;
-    Slot& taken = slots_[slot];
-    if (taken.pair != kNone) {
-      slot_of_[taken.pair] = kNone;
-      forget(taken.memory);
-    }
-    taken.pair = pair;
+    slot = takeSlot(kind);
+    slots_[slot].pair = pair;
   }
   if (order.newest != slot) {
     takeOut(order, slot);

@@ -44,9 +44,9 @@ struct RefineMemory {
   ConvexWarmStart warm;
   TrianglePair nearest;
   LastMeasurement last;
-  LastMeasurement before;            ///< the one before `last`, at other poses
-  std::unique_ptr<MeshFront> front;  ///< where a mesh is searched; null: starts at the roots
-  std::unique_ptr<KeptDepth> depth;  ///< of two elements with meshes, one or both not convex
+  LastMeasurement before;     ///< the one before `last`, at other poses
+  MeshFront* front{nullptr};  ///< where a mesh is searched; null: starts at the roots
+  KeptDepth* depth{nullptr};  ///< of two elements with meshes, one or both not convex
 };
 
 /// Keeps a measurement as the last one.
@@ -67,7 +67,8 @@ enum class RefineKind : unsigned char {
 /// The memories of pairs of elements. While few pairs are ever refined each has its own. Of more
 /// pairs only those measured last have one, since memory would otherwise grow with the square of
 /// links; there are more memories than a cycle's budget measures pairs. Forgetting a pair has the
-/// effects that resetMemory has for refinement.
+/// effects that resetMemory has for refinement. Memories are made when they are first asked for, in
+/// room that is there: making all at once would take longer than anything else at set-up.
 class RefineStore {
  public:
   static constexpr std::size_t kMostPlain = 2048;  ///< memories of kind plain
@@ -96,8 +97,8 @@ class RefineStore {
     return slot_of_[pair] == kNone ? kNothingMeasured : slots_[slot_of_[pair]].memory.before;
   }
 
-  /// The number of memories.
-  std::size_t size() const noexcept { return slots_.size(); }
+  /// The most memories there can be.
+  std::size_t size() const noexcept { return slots_.most(); }
 
   /// Makes all memories as new.
   void forgetAll() noexcept;
@@ -115,14 +116,18 @@ class RefineStore {
   struct Order {
     std::uint32_t newest{kNone};
     std::uint32_t oldest{kNone};
+    std::uint32_t unmade{0};  ///< how many more may be made
   };
 
-  void addSlots(RefineKind kind, std::size_t count);
+  std::uint32_t takeSlot(RefineKind kind) noexcept;
+  std::uint32_t makeSlot(RefineKind kind) noexcept;
   void takeOut(Order& order, std::uint32_t slot) noexcept;
   void putFirst(Order& order, std::uint32_t slot) noexcept;
 
   std::unique_ptr<FrontPool> pool_;
-  std::vector<Slot> slots_;
+  FixedRoom<MeshFront> fronts_;
+  FixedRoom<KeptDepth> depths_;
+  FixedRoom<Slot> slots_;
   std::vector<std::uint32_t> slot_of_;  ///< by ElementPairIndex
   std::vector<RefineKind> kinds_;       ///< by ElementPairIndex
   std::array<Order, 5> orders_;         ///< by RefineKind

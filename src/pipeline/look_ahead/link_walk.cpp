@@ -21,13 +21,17 @@ double thicknessOf(const Shape& shape) noexcept {
 /// The links that need columns, in order of id.
 std::vector<LinkId> linksInPairs(const CycleSetup& setup) {
   const std::vector<LinkId> first_of = firstCarried(setup.model);
-  std::vector<LinkId> links;
+  std::vector<bool> is_in_pair(setup.model.links.size(), false);
   for (const CheckedLinkPair& pair : setup.checked) {
-    links.push_back(pair.a);
-    links.push_back(isInRange(setup.model, pair) ? first_of[index(pair.b)] : pair.b);
+    is_in_pair[index(pair.a)] = true;
+    is_in_pair[index(isInRange(setup.model, pair) ? first_of[index(pair.b)] : pair.b)] = true;
   }
-  std::sort(links.begin(), links.end());
-  links.erase(std::unique(links.begin(), links.end()), links.end());
+  std::vector<LinkId> links;
+  for (std::size_t link = 0; link < is_in_pair.size(); ++link) {
+    if (is_in_pair[link]) {
+      links.push_back(idAt<LinkId>(link));
+    }
+  }
   return links;
 }
 
@@ -196,11 +200,15 @@ ActivationDistances makeActivationDistances(const CycleSetup& setup) {
 }
 
 std::vector<double> thicknessOfPairs(const CycleSetup& setup) {
+  std::vector<double> of_bodies;
+  of_bodies.reserve(setup.bodies.size());
+  for (const Body& body : setup.bodies) {
+    of_bodies.push_back(thicknessOf(body.shape));
+  }
   std::vector<double> least(setup.checked.size(), kInfinity);
   for (std::size_t i = 0; i < setup.table.size(); ++i) {
     const BodyPair& pair = setup.table.pairs()[i];
-    const double thickness = thicknessOf(setup.bodies[index(pair.a)].shape) +
-                             thicknessOf(setup.bodies[index(pair.b)].shape);
+    const double thickness = of_bodies[index(pair.a)] + of_bodies[index(pair.b)];
     double& of_links = least[setup.link_pair_of[i]];
     of_links = thickness > 0.0 ? std::min(of_links, thickness) : of_links;
   }

@@ -70,7 +70,7 @@ MeshDistance searchFrom(Start& start, const PlacedElement& a, const PlacedElemen
 
 MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
                           ElementSearch& search) noexcept {
-  if (search.memory.front) {
+  if (search.memory.front != nullptr) {
     return searchFrom(*search.memory.front, a, b, search);
   }
   TrianglePair& nearest = search.memory.nearest;
@@ -237,7 +237,7 @@ std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b,
                              std::uint32_t most_points, ElementSearch& search,
                              SignedDistance& overlap) noexcept {
   const std::uint32_t points = std::min(most_points, search.budget / kPointSteps);
-  if (!search.memory.depth || points == 0) {
+  if (search.memory.depth == nullptr || points == 0) {
     return 0;
   }
   const MeshDepth found =

@@ -6,16 +6,24 @@
 
 #include "collision_monitor/geometry/ids.h"
 #include "pipeline/data/activation_distance.h"
+#include "pipeline/data/near_room.h"
 #include "pipeline/refine/recall_elements.h"
 #include "pipeline/refine/refine_pairs.h"
 
 namespace collision_monitor {
 namespace {
 
+/// What matters of an element. There are many pairs, and elements are large.
+struct ElementTraits {
+  bool has_mesh;
+  bool has_convex;
+  bool is_body;
+};
+
 /// Fronts are kept where a mesh is searched, against a mesh or a solid.
-RefineKind refineKindOf(const Element& a, const Element& b) noexcept {
-  const bool has_front = (a.mesh && !a.convex) || (b.mesh && !b.convex);
-  const bool has_depth = a.mesh && b.mesh && !(a.convex && b.convex);
+RefineKind refineKindOf(const ElementTraits& a, const ElementTraits& b) noexcept {
+  const bool has_front = (a.has_mesh && !a.has_convex) || (b.has_mesh && !b.has_convex);
+  const bool has_depth = a.has_mesh && b.has_mesh && !(a.has_convex && b.has_convex);
   if (a.is_body && b.is_body) {
     return RefineKind::never;
   }
@@ -44,7 +52,7 @@ RefineWork makeRefineWork(const CycleSetup& setup) {
   for (const OwnLimits& own : setup.own_limits) {
     work.distances.push_back(nearActivationDistanceOf(setup, own.limits));
   }
-  work.tasks.reserve(pairs);
+  work.tasks.reserve(roomForNear(pairs));
   work.task_of.resize(pairs, kNone);
   work.is_measured.resize(pairs, 0);
   work.is_passed.resize(pairs, 0);
@@ -57,10 +65,15 @@ RefineWork makeRefineWork(const CycleSetup& setup) {
 }
 
 RefineStore makeRefineMemory(const CycleSetup& setup) {
+  std::vector<ElementTraits> traits;
+  traits.reserve(setup.elements.size());
+  for (const Element& element : setup.elements) {
+    traits.push_back({element.mesh != nullptr, element.convex.has_value(), element.is_body});
+  }
   std::vector<RefineKind> kinds;
   kinds.reserve(setup.element_pairs.size());
   for (const ElementPair& pair : setup.element_pairs) {
-    kinds.push_back(refineKindOf(setup.elements[index(pair.a)], setup.elements[index(pair.b)]));
+    kinds.push_back(refineKindOf(traits[index(pair.a)], traits[index(pair.b)]));
   }
   return RefineStore(std::move(kinds));
 }

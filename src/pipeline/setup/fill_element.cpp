@@ -3,9 +3,14 @@
 #include "pipeline/setup/fill_element.h"
 
 #include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
 
 #include "fitting/proofs/closed_surface.h"
 #include "fitting/proofs/surrounding_mesh.h"
+#include "geometry/all_cores.h"
 #include "geometry/hulls/convex_hull.h"
 #include "geometry/meshes/check_mesh.h"
 #include "pipeline/fits/open_meshes.h"
@@ -32,6 +37,19 @@ TriangleMesh withStrayVertices(const TriangleMesh& mesh) {
   return all;
 }
 
+/// From so many triangles on, a second thread saves more time than it costs.
+constexpr std::size_t kManyTriangles = 5000;
+
+/// Does two independent things, at the same time if wanted.
+void doBoth(bool at_once, const std::function<void()>& one, const std::function<void()>& other) {
+  if (at_once) {
+    forEachOnAllCores(2, [&](std::size_t i) { i == 0 ? one() : other(); });
+  } else {
+    one();
+    other();
+  }
+}
+
 /// Fills an element from a geometry of the URDF.
 struct FillElement {
   RefineGeometry refine;
@@ -52,19 +70,28 @@ struct FillElement {
   void operator()(const TriangleMesh& mesh) const {
     checkMesh(mesh, kMaxMeasured);
     const TriangleMesh whole = withStrayVertices(mesh);
-    const bool is_closed = closedSurface(mesh).has_value();
-    ConvexHull hull(mesh.vertices);
+    bool is_closed = false;
+    std::shared_ptr<const MeshTree> tree;
+    std::optional<ConvexHull> hull;
+    const auto makeTree = [&] {
+      is_closed = closedSurface(mesh).has_value();
+      if (refine != RefineGeometry::hull) {
+        tree = std::make_shared<MeshTree>(is_closed ? MeshTree(whole, true) : treeOfOpen(whole));
+      }
+    };
+    const auto makeHull = [&] { hull.emplace(mesh.vertices); };
+    doBoth(mesh.triangles.size() >= kManyTriangles, makeTree, makeHull);
     const bool is_convex =
-        is_closed && whole.triangles.size() == mesh.triangles.size() && isSurfaceOf(mesh, hull);
-    if (refine == RefineGeometry::hull && !is_convex) {
-      element.mesh = std::make_shared<MeshTree>(convexHullOf(mesh.vertices), hull.hasVolume());
-    } else {
-      element.mesh =
-          std::make_shared<MeshTree>(is_closed ? MeshTree(whole, true) : treeOfOpen(whole));
-      element.is_exact = true;
+        is_closed && whole.triangles.size() == mesh.triangles.size() && isSurfaceOf(mesh, *hull);
+    if (tree == nullptr && is_convex) {
+      tree = std::make_shared<MeshTree>(whole, true);
     }
+    element.is_exact = tree != nullptr;
+    element.mesh = tree != nullptr
+                       ? std::move(tree)
+                       : std::make_shared<MeshTree>(convexHullOf(mesh.vertices), hull->hasVolume());
     const bool stands_for_it = is_convex || refine == RefineGeometry::hull;
-    (stands_for_it ? element.convex : element.hull) = std::move(hull);
+    (stands_for_it ? element.convex : element.hull) = std::move(*hull);
   }
 
   void operator()(const Box& box) const {
@@ -85,6 +112,10 @@ struct FillElement {
 
 void fillElement(const Geometry& geometry, RefineGeometry refine, Element& element) {
   std::visit(FillElement{refine, element}, geometry);
+}
+
+void fillElement(const TriangleMesh& mesh, RefineGeometry refine, Element& element) {
+  FillElement{refine, element}(mesh);
 }
 
 void fillAs(const Element& other, Element& element) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/data/near_room.h"
 
 namespace collision_monitor {
 namespace {
@@ -15,18 +16,22 @@ constexpr std::uint64_t kId = sizeof(std::uint32_t);
 
 /// For CycleSetup::checked, ActivationDistances, PairEvents, PairMemory and BudgetTally. Blocks
 /// hold about two pairs at their emptiest.
-constexpr std::uint64_t kOfCheckedPair =
-    sizeof(CheckedLinkPair) + sizeof(LinkBlock) / 2 + 2 * sizeof(double) + sizeof(Verdict) +
-    4 * kId + sizeof(VerdictChange) + sizeof(double) + 4 + sizeof(std::uint64_t) + kId;
+constexpr std::uint64_t kOfCheckedPair = sizeof(CheckedLinkPair) + sizeof(LinkBlock) / 2 +
+                                         2 * sizeof(double) + sizeof(Verdict) + 4 * kId +
+                                         sizeof(double) + 4 + sizeof(std::uint64_t) + kId;
 
-/// For the table, its blocks, candidates and distances.
-constexpr std::uint64_t kOfBodyPair = 2 * sizeof(BodyPair) + kId + sizeof(PairBlock) / 2 + 3 * kId +
-                                      sizeof(PairDistance) + sizeof(PassedContact) + sizeof(double);
+/// For the table, its blocks and the distance cache.
+constexpr std::uint64_t kOfBodyPair =
+    2 * sizeof(BodyPair) + 2 * kId + sizeof(PairBlock) / 2 + sizeof(double);
 
 /// For refinement, sweeps and the distance cache.
-constexpr std::uint64_t kOfElementPair = sizeof(ElementPair) + sizeof(RefineTask) +
-                                         sizeof(SweepTask) + 2 * kId + 1 + sizeof(double) + kId +
-                                         (kId + 1) + kId;
+constexpr std::uint64_t kOfElementPair =
+    sizeof(ElementPair) + 2 * kId + 1 + sizeof(double) + (kId + 1) + kId;
+
+/// For lists of pairs that are near.
+constexpr std::uint64_t kOfNearLinkPair = sizeof(VerdictChange);
+constexpr std::uint64_t kOfNearBodyPair = 2 * kId + sizeof(PairDistance) + sizeof(PassedContact);
+constexpr std::uint64_t kOfNearElementPair = sizeof(RefineTask) + sizeof(SweepTask) + kId;
 
 /// The lists of a broad phase that have room for all pairs of bodies.
 constexpr std::uint64_t kBroadPhaseLists = 8;
@@ -39,15 +44,6 @@ std::uint64_t storedMemories(std::uint64_t element_pairs) noexcept {
          RefineStore::kBlocksOfAll * sizeof(MeshFront::Block);
 }
 
-template <class Part>
-std::vector<std::uint64_t> countByLink(const std::vector<Part>& parts, std::size_t link_count) {
-  std::vector<std::uint64_t> counts(link_count, 0);
-  for (const Part& part : parts) {
-    ++counts[index(part.link)];
-  }
-  return counts;
-}
-
 std::string bytesText(std::uint64_t bytes) {
   const double megabytes = 1e-6 * static_cast<double>(bytes);
   return megabytes < 10000.0 ? std::to_string(std::lround(megabytes)) + " MB"
@@ -57,9 +53,8 @@ std::string bytesText(std::uint64_t bytes) {
 }  // namespace
 
 PairCounts countPairs(const CycleSetup& setup) {
-  const std::size_t link_count = setup.model.links.size();
-  const std::vector<std::uint64_t> bodies = countByLink(setup.bodies, link_count);
-  const std::vector<std::uint64_t> elements = countByLink(setup.elements, link_count);
+  const std::vector<std::uint64_t> bodies = countByLink(setup.bodies, setup.model);
+  const std::vector<std::uint64_t> elements = countByLink(setup.elements, setup.model);
   PairCounts counts;
   counts.bodies = setup.bodies.size();
   counts.links = static_cast<std::uint64_t>(
@@ -80,6 +75,9 @@ PairCounts countPairs(const CycleSetup& setup) {
 std::uint64_t memoryNeedOf(const PairCounts& counts) noexcept {
   return counts.link_pairs * sizeof(LinkPair) + counts.checked * kOfCheckedPair +
          counts.body_pairs * kOfBodyPair + counts.element_pairs * kOfElementPair +
+         roomForNear(counts.checked) * kOfNearLinkPair +
+         roomForNear(counts.body_pairs) * kOfNearBodyPair +
+         roomForNear(counts.element_pairs) * kOfNearElementPair +
          storedMemories(counts.element_pairs) +
          kBroadPhaseLists * sizeof(PairKey) * roomForPairs(counts.bodies);
 }

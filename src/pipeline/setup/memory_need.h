@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "collision_monitor/pipeline/setup.h"
 
@@ -18,6 +19,16 @@ struct PairCounts {
   std::uint64_t body_pairs{0};     ///< of checked link pairs
   std::uint64_t element_pairs{0};  ///< of checked link pairs
 };
+
+/// By LinkId: the number of bodies or elements.
+template <class Part>
+std::vector<std::uint64_t> countByLink(const std::vector<Part>& parts, const RobotModel& model) {
+  std::vector<std::uint64_t> counts(model.links.size(), 0);
+  for (const Part& part : parts) {
+    ++counts[index(part.link)];
+  }
+  return counts;
+}
 
 /// @pre bodies and elements are made. Before link_pairs are decided, only counts of bodies and
 /// links are not 0.

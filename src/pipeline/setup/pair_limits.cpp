@@ -61,7 +61,7 @@ void decideByRules(IdleRule idle, CycleSetup& setup, SetupReport& report) {
   checkOwnLimits(setup.own_limits, setup.pair_rules, setup.refine.tolerance, report);
   const double longest = largestOfLimits(
       setup, [](const Limits& limits) { return limits.warning_time + limits.time_hysteresis; });
-  setup.ahead.horizon = std::max(setup.ahead.horizon, longest);
+  setup.ahead.horizon = std::max(setup.least_horizon, longest);
 }
 
 void checkPairRules(const CycleSetup& setup, const Limits& limits,
@@ -78,19 +78,19 @@ CycleSetup withPairRules(const CycleSetup& setup, const Limits& limits,
                          const std::vector<PairRule>& rules, SetupReport& report) {
   checkPairRules(setup, limits, rules, report);
   throwIfErrors(report);
-  CycleSetup changed = setup;
+  CycleSetup changed = withoutTables(setup, setup.model);
   changed.limits = limits;
   changed.pair_rules = rules;
   SetupReport known;
   decideByRules(IdleRule::is_warning, changed, known);
-  checkMemory(countPairs(changed), 0, report);
+  checkMemory(countPairs(changed), changed.memory_limit, report);
   throwIfErrors(report);
   listPairs(changed);
   return changed;
 }
 
 CycleSetup withPairs(const CycleSetup& setup, const std::vector<bool>& is_wanted) {
-  CycleSetup changed = setup;
+  CycleSetup changed = withoutTables(setup, setup.model);
   for (std::size_t i = 0; i < is_wanted.size(); ++i) {
     changed.link_pairs[i].reason = is_wanted[i] ? PairReason::checked : PairReason::ignored_by_user;
   }

@@ -121,11 +121,11 @@ void checkInput(const std::vector<RobotDescription>& robots, const SetupOptions&
 /// @throws SetupError
 void decidePairs(const std::vector<LinkIdPair>& ignored, const SetupOptions& options,
                  CycleSetup& setup, SetupReport& report) {
-  checkMemory(countPairs(setup), options.memory_limit, report);
+  checkMemory(countPairs(setup), setup.memory_limit, report);
   throwIfErrors(report);
   setup.link_pairs = decideLinkPairs(setup.model, setup.srdfs, ignored);
   decideByRules(options.idle_rules, setup, report);
-  checkMemory(countPairs(setup), options.memory_limit, report);
+  checkMemory(countPairs(setup), setup.memory_limit, report);
   throwIfErrors(report);
 }
 
@@ -137,6 +137,8 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   SetupReport report;
   checkInput(robots, options, report);
   setup.ahead = lookAheadFor(options);
+  setup.least_horizon = setup.ahead.horizon;
+  setup.memory_limit = options.memory_limit;
   setup.limits = options.limits;
   setup.is_continuous = options.is_continuous;
   setup.refine = options.refine.limits;

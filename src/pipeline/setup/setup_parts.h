@@ -48,6 +48,9 @@ void decideByRules(IdleRule idle, CycleSetup& setup, SetupReport& report);
 /// @pre bodies and elements are filled
 std::vector<CarriedObjects> findCarried(const CycleSetup& setup);
 
+/// A copy with this model, without what listPairs fills.
+CycleSetup withoutTables(const CycleSetup& setup, RobotModel model);
+
 /// Fills the checked link pairs, the pairs of bodies (ordered by kind of core pair, then by bodies)
 /// and the pairs of elements from setup.link_pairs; and what is carried.
 void listPairs(CycleSetup& setup);

@@ -4,28 +4,20 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
-#include "geometry/interruption.h"
-#include "pipeline/setup/memory_need.h"
 #include "pipeline/setup/setup_parts.h"
+#include "pipeline/world/object_pairs.h"
 
 namespace collision_monitor {
 namespace {
 
-/// An object and the link that it becomes.
-struct ObjectLink {
-  LinkId link{};
-  const WorldObject* object{nullptr};
-};
-
 /// Adds links of objects to a set-up.
 class LinkAdder {
  public:
-  LinkAdder(const WorldOptions& options, const PreparedObjects& prepared, CycleSetup& setup)
-      : options_(options), prepared_(prepared), setup_(setup) {
+  LinkAdder(const std::string& world_frame, const PreparedObjects& prepared, CycleSetup& setup)
+      : world_frame_(world_frame), prepared_(prepared), setup_(setup) {
     for (std::size_t i = 0; i < setup.model.links.size(); ++i) {
       names_.emplace(setup.model.links[i].name, idAt<LinkId>(i));
       frames_.emplace(setup.model.links[i].frame, idAt<LinkId>(i));
@@ -66,7 +58,7 @@ class LinkAdder {
 
  private:
   const std::string& frameOf(const WorldObject& object) const {
-    return object.frame.empty() ? options_.world_frame : object.frame;
+    return object.frame.empty() ? world_frame_ : object.frame;
   }
 
   /// The link that carries an object; none: a tf frame does.
@@ -125,31 +117,13 @@ class LinkAdder {
     }
   }
 
-  const WorldOptions& options_;
+  const std::string& world_frame_;
   const PreparedObjects& prepared_;
   CycleSetup& setup_;
   std::unordered_map<std::string, LinkId> names_;
   std::unordered_map<std::string, LinkId> frames_;
   std::vector<ObjectLink> added_;
 };
-
-/// By LinkId: the first link of those that only fixed joints join. Parents come before children.
-std::vector<LinkId> rigidGroups(const RobotModel& model) {
-  std::vector<LinkId> group_of(model.links.size());
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
-    const auto& joint = model.links[i].parent_joint;
-    const bool is_fixed = joint && model.joint(*joint).type == JointType::fixed;
-    group_of[i] = is_fixed ? group_of[index(model.joint(*joint).parent)] : idAt<LinkId>(i);
-  }
-  return group_of;
-}
-
-/// A pair that no rule has decided.
-LinkPair pairOf(LinkId a, LinkId b, PairReason reason) {
-  LinkPair pair{a, b};
-  pair.reason = pair.without_rules = reason;
-  return pair;
-}
 
 /// The groups of objects, for rules.
 SrdfPairs groupsOf(const std::vector<ObjectLink>& objects, const RobotModel& model) {
@@ -168,85 +142,6 @@ SrdfPairs groupsOf(const std::vector<ObjectLink>& objects, const RobotModel& mod
   return groups;
 }
 
-/// Decides the pairs of objects.
-class PairAdder {
- public:
-  PairAdder(const RobotModel& model, const std::vector<ObjectLink>& objects)
-      : model_(model), objects_(objects), group_of_(rigidGroups(model)) {
-    for (const ObjectLink& object : objects) {
-      touch_links_.emplace_back(object.object->touch_links.begin(),
-                                object.object->touch_links.end());
-    }
-  }
-
-  /// Merges pairs of objects into those of robots, sorted by (a, b).
-  void add(std::vector<LinkPair>& pairs) const {
-    std::vector<LinkPair> merged;
-    merged.reserve(pairs.size() + model_.links.size() * objects_.size());
-    auto next = pairs.begin();
-    const std::size_t robot_links = index(objects_.front().link);
-    for (std::size_t i = 0; i < robot_links; ++i) {
-      throwIfInterrupted();
-      const LinkId link = idAt<LinkId>(i);
-      for (; next != pairs.end() && next->a == link; ++next) {
-        merged.push_back(*next);
-      }
-      if (hasShapes(model_.link(link))) {
-        for (std::size_t k = 0; k < objects_.size(); ++k) {
-          merged.push_back(pairOf(link, objects_[k].link, reasonFor(link, k)));
-        }
-      }
-    }
-    addObjectPairs(merged);
-    pairs = std::move(merged);
-  }
-
- private:
-  PairReason reasonFor(LinkId link, std::size_t k) const {
-    const ObjectLink& object = objects_[k];
-    if (object.object->is_attached && group_of_[index(link)] == group_of_[index(object.link)]) {
-      return PairReason::same_rigid_group;
-    }
-    return touch_links_[k].count(model_.link(link).name) != 0 ? PairReason::touch_link
-                                                              : PairReason::checked;
-  }
-
-  /// Pairs that no attached object is in are left out: they may be a million.
-  void addObjectPairs(std::vector<LinkPair>& pairs) const {
-    std::vector<std::size_t> attached;
-    for (std::size_t k = 0; k < objects_.size(); ++k) {
-      if (objects_[k].object->is_attached) {
-        attached.push_back(k);
-      }
-    }
-    for (std::size_t i = 0; i < objects_.size() && !attached.empty(); ++i) {
-      if (objects_[i].object->is_attached) {
-        for (std::size_t k = i + 1; k < objects_.size(); ++k) {
-          addObjectPair(i, k, pairs);
-        }
-        continue;
-      }
-      for (auto k = std::upper_bound(attached.begin(), attached.end(), i); k != attached.end();
-           ++k) {
-        addObjectPair(i, *k, pairs);
-      }
-    }
-  }
-
-  void addObjectPair(std::size_t i, std::size_t k, std::vector<LinkPair>& pairs) const {
-    const LinkId a = objects_[i].link;
-    const LinkId b = objects_[k].link;
-    const bool move_together = group_of_[index(a)] == group_of_[index(b)];
-    pairs.push_back(
-        pairOf(a, b, move_together ? PairReason::same_rigid_group : PairReason::checked));
-  }
-
-  const RobotModel& model_;
-  const std::vector<ObjectLink>& objects_;
-  std::vector<LinkId> group_of_;
-  std::vector<std::set<std::string>> touch_links_;  ///< by object
-};
-
 /// Robots without a pair of their own have pairs with objects.
 void dropWarningOfNoPairs(CycleSetup& setup) {
   std::vector<Problem>& warnings = setup.report.warnings;
@@ -256,38 +151,48 @@ void dropWarningOfNoPairs(CycleSetup& setup) {
   }
 }
 
+/// The model without triangles of meshes, which are large: elements and bodies stand for them.
+RobotModel withoutMeshes(const RobotModel& model) {
+  RobotModel copy;
+  copy.robots = model.robots;
+  copy.joints = model.joints;
+  copy.variable_count = model.variable_count;
+  for (const Link& link : model.links) {
+    copy.links.push_back(
+        {link.name, link.frame, link.robot, link.parent_joint, {}, link.has_given_shapes});
+    for (const CollisionElement& element : link.collisions) {
+      const bool is_mesh = std::holds_alternative<TriangleMesh>(element.geometry);
+      copy.links.back().collisions.push_back({element.name, element.link_from_geometry,
+                                              is_mesh ? TriangleMesh() : element.geometry,
+                                              element.mesh_name, element.mesh_scale});
+    }
+  }
+  return copy;
+}
+
 }  // namespace
 
+CycleSetup withoutPairs(const CycleSetup& robots) {
+  return withoutTables(robots, withoutMeshes(robots.model));
+}
+
 CycleSetup addWorld(const CycleSetup& robots, const World& world, const PreparedObjects& prepared,
-                    const WorldOptions& options) {
+                    const std::string& world_frame) {
+  CycleSetup setup = withoutPairs(robots);
   if (world.objects.empty()) {
-    return robots;
+    listPairs(setup);
+    return setup;
   }
-  CycleSetup setup;
-  setup.model = robots.model;
-  setup.bodies = robots.bodies;
-  setup.labels = robots.labels;
-  setup.elements = robots.elements;
-  setup.link_pairs = robots.link_pairs;
-  setup.limits = robots.limits;
-  setup.own_limits = robots.own_limits;
-  setup.refine = robots.refine;
-  setup.is_continuous = robots.is_continuous;
-  setup.ahead = robots.ahead;
-  setup.velocity_names = robots.velocity_names;
-  setup.srdfs = robots.srdfs;
-  setup.pair_rules = robots.pair_rules;
-  setup.report = robots.report;
-  const std::vector<ObjectLink> objects = LinkAdder(options, prepared, setup).add(world);
+  const std::vector<ObjectLink> objects = LinkAdder(world_frame, prepared, setup).add(world);
   setup.srdfs.push_back(groupsOf(objects, setup.model));
-  PairAdder(setup.model, objects).add(setup.link_pairs);
+  const ObjectPairs pairs(setup, objects);
+  const PairCounts counts = pairs.count();
   SetupReport report;
-  checkMemory(countPairs(setup), options.memory_limit, report);
+  checkMemory(counts, setup.memory_limit, report);
   throwIfErrors(report);
+  setup.link_pairs = pairs.merged(counts.link_pairs);
   listPairs(setup);
-  if (robots.checked.empty()) {
-    dropWarningOfNoPairs(setup);
-  }
+  dropWarningOfNoPairs(setup);
   return setup;
 }
 

@@ -2,18 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "pipeline/world/prepare_object.h"
 
 namespace collision_monitor {
 
-/// What joins a world to a set-up.
-struct WorldOptions {
-  std::string world_frame;        ///< of objects without frame
-  std::uint64_t memory_limit{0};  ///< as in SetupOptions
-};
+/// What addWorld needs of a set-up of robots: all but the tables of pairs and the triangles of the
+/// URDF's meshes, for which bodies and elements stand.
+CycleSetup withoutPairs(const CycleSetup& robots);
 
 /// The set-up of robots with objects beside them. Each object is a link, so everything that is true
 /// of links is true of objects: verdicts, gradients, times, and UNKNOWN without a pose. It is
@@ -30,12 +27,13 @@ struct WorldOptions {
 /// object its link and the links rigidly joined to it. An attached object with every other object,
 /// except those that move with it. Two objects that are not attached never.
 ///
-/// Errors: more pairs than memory has room for.
-/// @param robots a set-up without objects
+/// Errors: more pairs than memory has room for, which is found before anything is made of them.
+/// @param world_frame of objects without frame
+/// @param robots a set-up without objects, or what withoutPairs left of it
 /// @param prepared those of `world`
 /// @pre the world passed applyChanges for these robots
 /// @throws SetupError, Interrupted
 CycleSetup addWorld(const CycleSetup& robots, const World& world, const PreparedObjects& prepared,
-                    const WorldOptions& options);
+                    const std::string& world_frame);
 
 }  // namespace collision_monitor

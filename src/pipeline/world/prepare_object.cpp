@@ -95,14 +95,13 @@ struct Fill {
   Enclosure operator()(const Cone& cone) {
     kind = "cone";
     const std::vector<Eigen::Vector3d> corners = cornersOf(cone);
-    fillElement(Geometry(convexHullOf(corners)), RefineGeometry::hull, element);
+    fillElement(convexHullOf(corners), RefineGeometry::hull, element);
     element.is_exact = false;
     return boxAround(corners);
   }
   Enclosure operator()(const SharedMesh& mesh) {
     kind = "mesh";
-    fillElement(Geometry(*mesh), refine == RefineGeometry::none ? RefineGeometry::hull : refine,
-                element);
+    fillElement(*mesh, refine == RefineGeometry::none ? RefineGeometry::hull : refine, element);
     return boxAround(mesh->vertices);
   }
   Enclosure operator()(const Plane& plane) {

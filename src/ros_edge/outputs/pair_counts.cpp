@@ -49,11 +49,13 @@ const char* whyNotText(PairReason reason) noexcept {
 }
 
 std::string muteText(std::size_t pairs, double time) {
-  return pairs == 0
-             ? ""
-             : "; " + std::to_string(pairs) +
-                   (pairs == 1 ? " pair of links is" : " pairs of links are") +
-                   " muted for another " + std::to_string(std::lround(std::ceil(time))) + " s";
+  if (pairs == 0) {
+    return "";
+  }
+  const std::string muted = "; " + std::to_string(pairs) +
+                            (pairs == 1 ? " pair of links is" : " pairs of links are") + " muted";
+  return time > 0.0 ? muted + " for another " + std::to_string(std::lround(std::ceil(time))) + " s"
+                    : muted + " until a change that is being made is done";
 }
 
 std::string notCheckedText(const PairCounts& counts) {

@@ -33,7 +33,7 @@ const char* whyNotText(PairReason reason) noexcept;
 std::string notCheckedText(const PairCounts& counts);
 
 /// "; 3 pairs of links are muted for another 12 s", or nothing.
-/// @param time [s]
+/// @param time [s] 0: it is over, but another change keeps the rules from ending
 std::string muteText(std::size_t pairs, double time);
 
 }  // namespace collision_monitor

@@ -37,6 +37,18 @@ FitProgress logLongFitting() {
 
 }  // namespace
 
+std::shared_ptr<MonitorSetup> partsOf(const MonitorSetup& former) {
+  auto made = std::make_shared<MonitorSetup>();
+  made->parameters = former.parameters;
+  made->robots = former.robots;
+  made->world = former.world;
+  made->prepared = former.prepared;
+  made->world_frame = former.world_frame;
+  made->descriptions = former.descriptions;
+  made->later_warnings = former.later_warnings;
+  return made;
+}
+
 std::optional<RuleEnd> lastMuteOf(const MonitorSetup& setup) {
   std::optional<RuleEnd> last;
   for (const LinkPair& pair : setup.setup.link_pairs) {
@@ -96,21 +108,24 @@ void addObjects(World world, const PreparedObjects& former, MonitorSetup& made) 
   const RefineGeometry refine = made.parameters.setup.refine.geometry;
   made.world = std::move(world);
   made.prepared = prepareObjects(made.world, refine, former);
-  made.setup = addWorld(*made.robots, made.world, made.prepared,
-                        {made.world_frame, made.parameters.setup.memory_limit});
+  made.setup = addWorld(*made.robots, made.world, made.prepared, made.world_frame);
 }
 
-/// Rules at start may name objects, too.
-void applyRulesAtStart(const PairRulesText& text, MonitorSetup& made) {
+/// Rules of the parameters may name objects, too.
+/// @param idle a warning at a reload: objects that rules name may have gone
+void applyRules(const PairRulesText& text, IdleRule idle, MonitorSetup& made) {
   CycleSetup& setup = made.setup;
   SetupReport report;
-  const std::vector<PairRule> rules =
-      readPairRules(text, setup.model, setup.srdfs, IdleRule::is_error, report);
-  reportIdleRules(rules, setup.link_pairs, IdleRule::is_error, report);
+  const std::vector<PairRule> rules = readPairRules(text, setup.model, setup.srdfs, idle, report);
+  if (idle == IdleRule::is_error) {
+    reportIdleRules(rules, setup.link_pairs, idle, report);
+  }
   throwIfErrors(report);
   if (!rules.empty()) {
     setup = withPairRules(setup, setup.limits, rules, report);
   }
+  std::vector<Problem>& warnings = setup.report.warnings;
+  warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
 }
 
 /// Rules and limits that have changed since start.
@@ -132,12 +147,7 @@ void keepRules(const MonitorSetup& former, MonitorSetup& made) {
 }  // namespace
 
 std::shared_ptr<const MonitorSetup> changeWorld(const MonitorSetup& former, const World& world) {
-  auto made = std::make_shared<MonitorSetup>();
-  made->parameters = former.parameters;
-  made->robots = former.robots;
-  made->world_frame = former.world_frame;
-  made->descriptions = former.descriptions;
-  made->later_warnings = former.later_warnings;
+  std::shared_ptr<MonitorSetup> made = partsOf(former);
   addObjects(world, former.prepared, *made);
   keepRules(former, *made);
   return made;
@@ -163,18 +173,20 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   throwIfErrors(report);
 
   made->descriptions = descriptions;
-  const bool has_objects =
-      former != nullptr ? !former->world.objects.empty()
-                        : !made->parameters.world.empty() || !made->parameters.world_file.empty();
+  const bool has_objects = !made->parameters.world.empty() ||
+                           !made->parameters.world_file.empty() ||
+                           (former != nullptr && !former->world.objects.empty());
   options.idle_rules = has_objects ? IdleRule::is_accepted : IdleRule::is_error;
-  made->robots = std::make_shared<CycleSetup>(buildSetup(descriptions, load_resource, options));
+  made->robots =
+      std::make_shared<CycleSetup>(withoutPairs(buildSetup(descriptions, load_resource, options)));
   const RobotModel& model = made->robots->model;
   made->world_frame = stripLeadingSlash(made->parameters.world_frame.empty()
                                             ? model.link(model.robots.front().root).frame
                                             : made->parameters.world_frame);
   addObjects(makeWorld(*made, former, load_resource), {}, *made);
   if (has_objects) {
-    applyRulesAtStart(options.pair_rules, *made);
+    applyRules(options.pair_rules, former == nullptr ? IdleRule::is_error : IdleRule::is_warning,
+               *made);
   }
   made->rule_ends.assign(made->setup.pair_rules.size(), kLasts);
   malloc_trim(0);  // reading and fitting free much memory that glibc would keep

@@ -43,7 +43,7 @@ constexpr RuleEnd kLasts = RuleEnd::max();  ///< of a rule that does not end by 
 /// changes.
 struct MonitorSetup {
   Parameters parameters;
-  std::shared_ptr<const CycleSetup> robots;  ///< the set-up without objects
+  std::shared_ptr<const CycleSetup> robots;  ///< without objects, as withoutPairs
   World world;
   PreparedObjects prepared;  ///< of `world`
   CycleSetup setup;          ///< of the robots and the world
@@ -52,6 +52,9 @@ struct MonitorSetup {
   std::vector<RuleEnd> rule_ends{};            ///< by CycleSetup::pair_rules
   std::shared_ptr<LaterWarnings> later_warnings{std::make_shared<LaterWarnings>()};
 };
+
+/// All parts of a set-up but `setup` and `rule_ends`, for one that follows it.
+std::shared_ptr<MonitorSetup> partsOf(const MonitorSetup& former);
 
 /// When the last muted pair is checked again; nothing if none is muted.
 std::optional<RuleEnd> lastMuteOf(const MonitorSetup& setup);

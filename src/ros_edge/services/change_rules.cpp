@@ -62,16 +62,9 @@ std::shared_ptr<MonitorSetup> makeChanged(const MonitorSetup& current, const Lim
                                           const TimedRules& rules, SetupReport& report) {
   checkEnds(current, limits, rules, report);
   throwIfErrors(report);
-  auto changed = std::make_shared<MonitorSetup>();
-  changed->parameters = current.parameters;
-  changed->robots = current.robots;
-  changed->world = current.world;
-  changed->prepared = current.prepared;
+  std::shared_ptr<MonitorSetup> changed = partsOf(current);
   changed->setup = withPairRules(current.setup, limits, rules.rules, report);
-  changed->world_frame = current.world_frame;
-  changed->descriptions = current.descriptions;
   changed->rule_ends = rules.ends;
-  changed->later_warnings = current.later_warnings;
   return changed;
 }
 

@@ -93,6 +93,16 @@ std::string fillNearest(const CycleSetup& setup, const PairView& view, double fa
          lengthText(distance) + (joints.empty() ? "" : " at " + joints);
 }
 
+/// Why two objects have no pair: neither is attached, or both move together.
+std::string reasonOfObjects(const World& world, const std::string& a, const std::string& b) {
+  const auto isAttached = [&](const std::string& name) {
+    const auto object = world.objects.find(name);
+    return object != world.objects.end() && object->second->is_attached;
+  };
+  return isAttached(a) || isAttached(b) ? "ignored: two objects that move together"
+                                        : "ignored: two objects of which neither is attached";
+}
+
 }  // namespace
 
 void answerExplainPair(const MonitorSetup& current, const NewestState& newest,
@@ -115,7 +125,8 @@ void answerExplainPair(const MonitorSetup& current, const NewestState& newest,
   const std::size_t place = findLinkPair(setup, *a, *b);
   response.success = 1;
   if (place == setup.link_pairs.size()) {
-    response.reason = "ignored: two objects of which neither is attached";
+    response.reason =
+        reasonOfObjects(current.world, setup.model.link(*a).name, setup.model.link(*b).name);
     response.message = request.link_a + " and " + request.link_b + " are " + response.reason;
     return;
   }

@@ -43,15 +43,14 @@ ObjectServices::ObjectServices(const ros::NodeHandle& private_node, const Inputs
 void ObjectServices::publish() { objects_.publish(listOf(*hooks_.current_setup())); }
 
 bool ObjectServices::apply(ApplyObjects::Request& request, ApplyObjects::Response& response) {
-  const std::lock_guard<std::mutex> lock(changing_);
   response.success = 0;
   try {
     const Interruptible interruptible(hooks_.goes_on);
-    const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
-    const ResourceLoader load_resource = makeResourceLoader(current->parameters.loading);
     SetupReport report;
-    const std::vector<ObjectChange> changes =
-        fromMessages(request.changes, {load_resource, current->parameters.setup.meshes}, report);
+    const std::vector<ObjectChange> changes = read(request.changes, report);
+    // Only now, so that files that load slowly keep no mute from ending.
+    const std::lock_guard<std::mutex> lock(changing_);
+    const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
     const World world =
         applyChanges(current->world, changes, placesNow(*current, inputs_, kPatience), report);
     throwIfErrors(report);
@@ -65,6 +64,13 @@ bool ObjectServices::apply(ApplyObjects::Request& request, ApplyObjects::Respons
     response.message = "nothing was changed: the monitor ends";
   }
   return true;
+}
+
+std::vector<ObjectChange> ObjectServices::read(const std::vector<SceneChange>& messages,
+                                               SetupReport& report) const {
+  const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
+  const ResourceLoader load_resource = makeResourceLoader(current->parameters.loading);
+  return fromMessages(messages, {load_resource, current->parameters.setup.meshes}, report);
 }
 
 bool ObjectServices::list(GetObjects::Request& /*request*/, GetObjects::Response& response) {

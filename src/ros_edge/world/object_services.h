@@ -4,6 +4,7 @@
 
 #include <collision_monitor/ApplyObjects.h>
 #include <collision_monitor/GetObjects.h>
+#include <collision_monitor/SceneChange.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <ros/service_server.h>
@@ -11,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/parameters/monitor_setup.h"
@@ -38,6 +40,8 @@ class ObjectServices {
   void publish();
 
  private:
+  std::vector<ObjectChange> read(const std::vector<SceneChange>& messages,
+                                 SetupReport& report) const;
   bool apply(ApplyObjects::Request& request, ApplyObjects::Response& response);
   bool list(GetObjects::Request& request, GetObjects::Response& response);
 

@@ -200,6 +200,12 @@ std::vector<ObjectChange> fromMessages(const std::vector<SceneChange>& messages,
     }
     ObjectChange change;
     change.kind = static_cast<ChangeKind>(messages[i].kind);
+    if (messages[i].objects.size() > kMostObjects) {
+      report.errors.push_back({number + " (" + nameOf(change.kind) + ")",
+                               std::to_string(messages[i].objects.size()) + " objects",
+                               "at most " + std::to_string(kMostObjects)});
+      continue;
+    }
     change.has_poses = messages[i].where_it_stands == 0;
     const bool has_pose = isWhole(change.kind) || change.kind == ChangeKind::move ||
                           (change.kind == ChangeKind::attach && change.has_poses);

@@ -140,7 +140,7 @@ CycleSetup robotsWithoutHysteresis(unsigned seed) {
 }
 
 CycleSetup withWorld(const CycleSetup& robots, const World& world) {
-  return addWorld(robots, world, prepareObjects(world, RefineGeometry::mesh, {}), {"map", 0});
+  return addWorld(robots, world, prepareObjects(world, RefineGeometry::mesh, {}), "map");
 }
 
 /// 10 ms later, up to 2 cm away.

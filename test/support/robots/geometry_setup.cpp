@@ -20,6 +20,7 @@ CycleSetup geometrySetup(const std::vector<Geometry>& geometries, const SetupOpt
 CycleSetup linkSetup(const std::vector<std::vector<CollisionElement>>& links,
                      const SetupOptions& options) {
   CycleSetup setup;
+  setup.least_horizon = setup.ahead.horizon;
   setup.limits = options.limits;
   setup.refine = options.refine.limits;
   setup.model.robots.push_back({"hand_made", "", LinkId{0}, 0, links.size(), 0, 0});

@@ -31,6 +31,7 @@ Shape randomShape(Random& random) {
 
 CycleSetup handMadeSetup(const std::vector<ShapeOnLink>& shapes, const Limits& limits) {
   CycleSetup setup;
+  setup.least_horizon = setup.ahead.horizon;
   setup.limits = limits;
   setup.model.robots.push_back({"hand_made", "", LinkId{0}, 0, 0, 0, 0});
   for (const ShapeOnLink& placed : shapes) {

@@ -152,9 +152,10 @@ TEST(ApplyChanges, misusedChanges_areNamed) {
   const World world = worldOf({objectOf("table", kBox), attached(objectOf("tool", kBox), "hand")});
   EXPECT_EQ(
       faultsOf(world, {{ChangeKind::clear, {named("table")}, true}, {ChangeKind::add, {}, true}}),
-      (Texts{"change 1 (clear): a list of objects; accepted: none: clear removes all; remove takes "
-             "names",
-             "change 2 (add): no objects; accepted: at least one"}));
+      (Texts{
+          "change 1 (clear): a list of objects; accepted: an empty list, for all objects; remove "
+          "takes names",
+          "change 2 (add): no objects; accepted: at least one"}));
   EXPECT_EQ(faultsOf(world, {{ChangeKind::detach, {named("table")}, true},
                              {ChangeKind::move, {named("tool", "map")}, true},
                              {ChangeKind::attach, {named("table", "hand")}, false}}),

@@ -31,5 +31,56 @@ TEST(ListPairs, tableIsOrderedByKindOfCore) {
   EXPECT_EQ(next, 10U);
 }
 
+/// Links of several bodies and elements, and so many that the table has no dense look-up.
+CycleSetup manyBodies() {
+  std::vector<ShapeOnLink> shapes;
+  for (std::size_t link = 0; link < 120; ++link) {
+    for (std::size_t i = 0; i < 1 + link % 17; ++i) {
+      const std::size_t kind = (link + i) % 3;
+      shapes.push_back({link, kind == 0   ? Shape(Sphere{1})
+                              : kind == 1 ? Shape(Box{{1, 1, 1}})
+                                          : Shape(Capsule{1, 1})});
+    }
+  }
+  return handMadeSetup(shapes);
+}
+
+TEST(ListPairs, eachPairStandsOnceInOrder_andBelongsToItsLinksAndElements) {
+  const CycleSetup setup = manyBodies();
+  ASSERT_EQ(setup.table.idsOfAll(), nullptr);
+  std::size_t count = 0;
+  for (const CheckedLinkPair& pair : setup.checked) {
+    count += (1 + index(pair.a) % 17) * (1 + index(pair.b) % 17);
+  }
+  ASSERT_EQ(setup.table.size(), count);
+  for (const PairRange& range : setup.ranges) {
+    for (std::size_t i = range.first; i < range.last; ++i) {
+      const BodyPair& pair = setup.table.pairs()[i];
+      const Body& a = setup.bodies[index(pair.a)];
+      const Body& b = setup.bodies[index(pair.b)];
+      const CheckedLinkPair& links = setup.checked[setup.link_pair_of[i]];
+      const ElementPair& elements = setup.element_pairs[setup.element_pair_of[i]];
+      ASSERT_EQ(links.a, a.link);
+      ASSERT_EQ(links.b, b.link);
+      ASSERT_EQ(elements.a, a.element);
+      ASSERT_EQ(elements.b, b.element);
+      ASSERT_EQ(elements.link_pair, setup.link_pair_of[i]);
+      if (i > range.first) {
+        const BodyPair& before = setup.table.pairs()[i - 1];
+        ASSERT_TRUE(before.a < pair.a || (before.a == pair.a && before.b < pair.b));
+      }
+      PairId found{};
+      ASSERT_TRUE(setup.table.find(pair.b, pair.a, found));
+      ASSERT_EQ(index(found), i);
+    }
+  }
+}
+
+TEST(ListPairs, bodiesOfOneLink_areNoPair) {
+  const CycleSetup setup = manyBodies();
+  PairId found{};
+  EXPECT_FALSE(setup.table.find(BodyId{1}, BodyId{2}, found));  // both on the second link
+}
+
 }  // namespace
 }  // namespace collision_monitor::test

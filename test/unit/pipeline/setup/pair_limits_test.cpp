@@ -71,6 +71,20 @@ TEST(PairLimitsOfSetup, horizon_isThatOfTheLongestWarningTime) {
   EXPECT_DOUBLE_EQ(setup.ahead.horizon, 2.0 + Limits().time_hysteresis);
 }
 
+TEST(PairLimitsOfSetup, horizon_shrinksWhenLongTimesEnd) {
+  const CycleSetup setup = setupOf(ruled("- {a: a, b: c, warning_time: 2.0}"));
+  SetupReport report;
+  const CycleSetup changed = withPairRules(setup, setup.limits, {}, report);
+  EXPECT_DOUBLE_EQ(changed.ahead.horizon, setupOf(SetupOptions()).ahead.horizon);
+}
+
+TEST(PairLimitsOfSetup, changedRules_obeyTheLimitOfMemory) {
+  CycleSetup setup = setupOf(SetupOptions());
+  setup.memory_limit = 1;
+  SetupReport report;
+  EXPECT_THROW(withPairRules(setup, setup.limits, {}, report), SetupError);
+}
+
 TEST(PairLimitsOfSetup, faults_areErrorsThatNameTheRule) {
   EXPECT_NE(faultsOf(ruled("- {a: a, b: a, check: true}"))
                 .find("rules.yaml line 1, rule 1: a rule that selects no pair"),

@@ -49,7 +49,7 @@ CycleSetup farSeeingSetup() {
 }
 
 CycleSetup withWorld(const CycleSetup& robots, const World& world) {
-  return addWorld(robots, world, prepareObjects(world, RefineGeometry::mesh, {}), {"map", 0});
+  return addWorld(robots, world, prepareObjects(world, RefineGeometry::mesh, {}), "map");
 }
 
 std::set<std::string> pairsOf(const CycleSetup& setup, const std::string& name) {
@@ -200,11 +200,50 @@ TEST(AddWorld, padding_isTakenFromTheDistance) {
       0.1, 1e-9);
 }
 
-TEST(AddWorld, tooManyPairs_areRefused) {
-  const World world = worldOf({objectOf("a", kBox)});
-  EXPECT_THROW(
-      addWorld(gripperSetup(), world, prepareObjects(world, RefineGeometry::mesh, {}), {"map", 1}),
-      SetupError);
+TEST(AddWorld, tooManyPairs_areRefusedWithTheMemoryThatTheyNeed) {
+  CycleSetup robots = gripperSetup();
+  robots.memory_limit = 50'000'000;
+  std::vector<WorldObject> objects;
+  for (int i = 0; i < 2000; ++i) {
+    objects.push_back(
+        attached(objectOf("o" + std::to_string(i), kBox), i % 2 == 0 ? "hand" : "finger"));
+  }
+  try {
+    withWorld(robots, worldOf(objects));
+    FAIL();
+  } catch (const SetupError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find(" MB: its 2004 links with shapes make 1008006 pairs, of which"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("accepted: at most 50 MB (parameter memory_limit)"), std::string::npos)
+        << text;
+  }
+}
+
+TEST(AddWorld, attachedObjectsThatMoveTogether_takeNoRoomAsPairs) {
+  CycleSetup robots = gripperSetup();
+  robots.memory_limit = 100'000'000;
+  std::vector<WorldObject> objects;
+  for (int i = 0; i < 5000; ++i) {
+    objects.push_back(attached(objectOf("o" + std::to_string(i), kBox), "hand"));
+  }
+  const CycleSetup setup = withWorld(robots, worldOf(objects));
+  EXPECT_EQ(setup.link_pairs.size(), robots.link_pairs.size() + 4 * 5000);
+  EXPECT_EQ(setup.checked.size(), robots.checked.size() + 2 * 5000);
+}
+
+TEST(AddWorld, whatWithoutPairsLeaves_sufficesForTheSameSetUp) {
+  const CycleSetup robots = gripperSetup();
+  for (const World& world : {World(), worldOf({attached(objectOf("part", kBox), "hand")})}) {
+    const CycleSetup setup = withWorld(robots, world);
+    const CycleSetup from_rest = withWorld(withoutPairs(robots), world);
+    ASSERT_EQ(from_rest.table.size(), setup.table.size());
+    for (std::size_t i = 0; i < setup.table.size(); ++i) {
+      EXPECT_EQ(from_rest.table.pairs()[i].b, setup.table.pairs()[i].b);
+      EXPECT_EQ(from_rest.element_pair_of[i], setup.element_pair_of[i]);
+    }
+  }
 }
 
 TEST(PrepareObjects, theSameShapes_arePreparedOnce) {

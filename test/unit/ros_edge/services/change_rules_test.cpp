@@ -111,6 +111,15 @@ TEST_F(ChangeRules, idleRule_isAWarning) {
       << response.message;
 }
 
+TEST_F(ChangeRules, aNameThatMatchesNothing_isToldOnce) {
+  const SetPairs::Response response = setPairs("- {a: base, b: nobody, check: false}");
+  EXPECT_TRUE(response.success);
+  EXPECT_NE(response.message.find("link 'nobody', which matches none"), std::string::npos)
+      << response.message;
+  EXPECT_EQ(response.message.find("a rule that selects no pair"), std::string::npos)
+      << response.message;
+}
+
 TEST_F(ChangeRules, faultyRules_changeNothing) {
   const NextSetup before = current_;
   const auto expectRefused = [&](const SetPairs::Response& response, const std::string& part) {
