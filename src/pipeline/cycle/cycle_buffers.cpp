@@ -44,6 +44,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.memory.last.known.resize(links, 0);
   buffers.memory.last.part.resize(links, kWorldPart);
   buffers.memory.speed.stopped.resize(link_pairs, 0);
+  buffers.robots = makeRobotSpeeds(setup.model);
   buffers.counters.pairs = pairs;
   buffers.broad_phase = makeBroadPhase(kind, bodies, pairs);
   buffers.culls_by_boxes = kind == BroadPhaseKind::combination;
@@ -65,6 +66,7 @@ void resetMemory(CycleBuffers& buffers) noexcept {
   SpeedScale& speed = buffers.memory.speed;
   std::fill(speed.stopped.begin(), speed.stopped.end(), 0);
   speed.scale = 1.0;
+  std::fill(buffers.robots.scales.begin(), buffers.robots.scales.end(), 1.0);
 }
 
 }  // namespace collision_monitor

@@ -4,6 +4,7 @@
 
 #include "broad_phase/broad_phase.h"
 #include "collision_monitor/pipeline/setup.h"
+#include "pipeline/cycle/robot_speeds.h"
 #include "pipeline/data/cycle_data.h"
 #include "pipeline/look_ahead/link_walk.h"
 #include "pipeline/refine/refine_pairs.h"
@@ -23,6 +24,7 @@ struct CycleBuffers {
   SweepWork sweep;
   PairEvents events;
   PairMemory memory;
+  RobotSpeeds robots;  ///< survives a cycle, like `memory`
   CycleCounters counters;
   BroadPhase broad_phase;
   bool culls_by_boxes{false};  ///< as in BroadPhaseKind::combination
