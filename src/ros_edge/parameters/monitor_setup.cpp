@@ -9,7 +9,9 @@
 #include <chrono>
 #include <utility>
 
+#include "collision_monitor/geometry/ids.h"
 #include "model/object_links.h"
+#include "model/rules/awaited_names.h"
 #include "pipeline/world/add_world.h"
 #include "ros_edge/parameters/fit_options.h"
 #include "ros_edge/parameters/resource_loader.h"
@@ -53,10 +55,15 @@ std::vector<std::string> jointTopics(const MonitorSetup& setup) {
   for (const Robot& robot : setup.setup.model.robots) {
     topics.push_back(robot.is_world ? "" : setup.parameters.joint_states);
   }
-  // An empty list means one robot.
+  // An empty list means one robot. Robots that are missing have no place among those of the model.
+  std::size_t robot = 0;
   for (std::size_t i = 0; i < setup.parameters.robots.size(); ++i) {
+    if (i < setup.listed.size() && !setup.listed[i].id) {
+      continue;
+    }
     const std::string& own = setup.parameters.robots[i].joint_states;
-    topics[i] = own.empty() ? topics[i] : own;
+    topics[robot] = own.empty() ? topics[robot] : own;
+    ++robot;
   }
   return topics;
 }
@@ -74,20 +81,42 @@ std::vector<std::string> frameNames(const MonitorSetup& setup) {
 
 namespace {
 
-/// The objects at start, or those of the set-up before a reload.
-World makeWorld(const MonitorSetup& made, const MonitorSetup* former,
-                const ResourceLoader& load_resource) {
-  SetupReport report;
-  ObjectChange change{ChangeKind::replace_all, {}, true};
-  if (former != nullptr) {
-    for (const auto& [name, object] : former->world.objects) {
-      change.objects.push_back(*object);
+/// Whether all links that an object names are there.
+bool hasItsLinks(const WorldObject& object, const RobotModel& model) {
+  return (!object.is_attached || model.findLink(object.frame)) &&
+         std::all_of(object.touch_links.begin(), object.touch_links.end(),
+                     [&](const std::string& link) { return model.findLink(link).has_value(); });
+}
+
+/// The objects at start, or those of the set-up before a reload, and what that held back.
+std::vector<WorldObject> objectsFor(const MonitorSetup& made, const MonitorSetup* former,
+                                    const ResourceLoader& load_resource, SetupReport& report) {
+  if (former == nullptr) {
+    return loadObjects(made.parameters, load_resource, report);
+  }
+  std::vector<WorldObject> objects;
+  for (const auto& [name, object] : former->world.objects) {
+    objects.push_back(*object);
+  }
+  for (const WorldObject& object : former->held_back) {
+    if (former->world.objects.count(object.name) == 0) {  // else it was added meanwhile
+      objects.push_back(object);
     }
-  } else {
-    change.objects = loadObjects(made.parameters, load_resource, report);
+  }
+  return objects;
+}
+
+World makeWorld(const MonitorSetup* former, const ResourceLoader& load_resource,
+                MonitorSetup& made) {
+  SetupReport report;
+  const RobotModel& model = made.robots->model;
+  ObjectChange change{ChangeKind::replace_all, {}, true};
+  for (WorldObject& object : objectsFor(made, former, load_resource, report)) {
+    const bool waits = isAnyMissing(made) && !hasItsLinks(object, model);
+    (waits ? made.held_back : change.objects).push_back(std::move(object));
   }
   const World world =
-      applyChanges(World(), {change}, placesAtStart(made.robots->model, made.world_frame), report);
+      applyChanges(World(), {change}, placesAtStart(model, made.world_frame), report);
   throwIfErrors(report);
   return world;
 }
@@ -101,12 +130,11 @@ void addObjects(World world, const PreparedObjects& former, MonitorSetup& made) 
 }
 
 /// Rules at start may name objects, too.
-void applyRulesAtStart(const PairRulesText& text, MonitorSetup& made) {
+void applyRulesAtStart(const PairRulesText& text, IdleRule idle, MonitorSetup& made) {
   CycleSetup& setup = made.setup;
   SetupReport report;
-  const std::vector<PairRule> rules =
-      readPairRules(text, setup.model, setup.srdfs, IdleRule::is_error, report);
-  reportIdleRules(rules, setup.link_pairs, IdleRule::is_error, report);
+  const std::vector<PairRule> rules = readPairRules(text, setup.model, setup.srdfs, idle, report);
+  reportIdleRules(rules, setup.link_pairs, idle, report);
   throwIfErrors(report);
   if (!rules.empty()) {
     setup = withPairRules(setup, setup.limits, rules, report);
@@ -129,17 +157,125 @@ void keepRules(const MonitorSetup& former, MonitorSetup& made) {
   made.rule_ends = former.rule_ends;
 }
 
+/// The warnings about robots that have not come yet.
+void warnOfMissing(MonitorSetup& made) {
+  std::vector<Problem>& warnings = made.setup.report.warnings;
+  for (std::size_t i = 0; i < made.listed.size(); ++i) {
+    const ListedRobot& robot = made.listed[i];
+    if (!robot.id) {
+      const bool is_frame = i == 0 && made.parameters.world_frame.empty();
+      warnings.push_back({"robot '" + robot.name + "'", robot.missing, "",
+                          "it is taken in when it comes; until then the state is UNKNOWN" +
+                              std::string(is_frame ? ". The world frame is '" + made.world_frame +
+                                                         "' meanwhile and then; set world_frame"
+                                                   : "")});
+    }
+  }
+  for (const WorldObject& object : made.held_back) {
+    warnings.push_back({object.where.empty() ? "world" : object.where,
+                        "object '" + object.name + "', which names a link that is not there yet",
+                        "", "it is added when the missing robots have come"});
+  }
+}
+
+/// Builds everything of `made` but its parameters, from these robots.
+/// @param former gives objects, and where `keeps_rules` rules and limits; may be null
+/// @param report has the faults of loading the robots
+void build(LoadedRobots loaded, const ResourceLoader& load_resource, const MonitorSetup* former,
+           bool keeps_rules, SetupReport& report, MonitorSetup& made) {
+  SetupOptions options = loadSetupOptions(made.parameters, load_resource, report);
+  options.fit_progress = logLongFitting();
+  throwIfErrors(report);
+  made.descriptions = std::move(loaded.descriptions);
+  made.listed = std::move(loaded.listed);
+  const bool has_objects =
+      former != nullptr ? !former->world.objects.empty() || !former->held_back.empty()
+                        : !made.parameters.world.empty() || !made.parameters.world_file.empty();
+  const bool is_any_missing = isAnyMissing(made);
+  const AwaitedNames awaited(is_any_missing);
+  options.idle_rules =
+      has_objects || is_any_missing || keeps_rules ? IdleRule::is_accepted : IdleRule::is_error;
+  made.robots = std::make_shared<CycleSetup>(buildSetup(made.descriptions, load_resource, options));
+  const RobotModel& model = made.robots->model;
+  if (made.parameters.robots.empty()) {
+    made.listed.front().name = model.robots.front().name;
+  }
+  if (made.world_frame.empty()) {
+    made.world_frame = stripLeadingSlash(made.parameters.world_frame.empty()
+                                             ? model.link(model.robots.front().root).frame
+                                             : made.parameters.world_frame);
+  }
+  addObjects(makeWorld(former, load_resource, made), {}, made);
+  if (keeps_rules) {
+    keepRules(*former, made);
+  } else {
+    if (has_objects) {
+      applyRulesAtStart(options.pair_rules,
+                        is_any_missing ? IdleRule::is_accepted : IdleRule::is_error, made);
+    }
+    made.rule_ends.assign(made.setup.pair_rules.size(), kLasts);
+  }
+  warnOfMissing(made);
+  malloc_trim(0);  // reading and fitting free much memory that glibc would keep
+}
+
 }  // namespace
 
-std::shared_ptr<const MonitorSetup> changeWorld(const MonitorSetup& former, const World& world) {
+bool isAnyMissing(const MonitorSetup& setup) {
+  return std::any_of(setup.listed.begin(), setup.listed.end(),
+                     [](const ListedRobot& robot) { return !robot.id; });
+}
+
+std::shared_ptr<const MonitorSetup> changeWorld(const MonitorSetup& former, const World& world,
+                                                std::vector<WorldObject> held_back) {
   auto made = std::make_shared<MonitorSetup>();
   made->parameters = former.parameters;
   made->robots = former.robots;
+  made->listed = former.listed;
+  made->held_back = std::move(held_back);
   made->world_frame = former.world_frame;
   made->descriptions = former.descriptions;
   made->later_warnings = former.later_warnings;
   addObjects(world, former.prepared, *made);
   keepRules(former, *made);
+  warnOfMissing(*made);
+  return made;
+}
+
+std::shared_ptr<const MonitorSetup> takeInRobots(const ros::NodeHandle& private_node,
+                                                 GoesOn goes_on, const MonitorSetup& former) {
+  const Interruptible interruptible(std::move(goes_on));
+  const auto has_come = [&](std::size_t i) {
+    return !former.listed[i].id && hasCome(private_node, former.parameters.robots[i]);
+  };
+  bool is_any = false;
+  for (std::size_t i = 0; i < former.listed.size() && !is_any; ++i) {
+    is_any = has_come(i);
+  }
+  if (!is_any) {
+    return nullptr;
+  }
+  auto made = std::make_shared<MonitorSetup>();
+  made->parameters = former.parameters;
+  made->world_frame = former.world_frame;
+  const ResourceLoader load_resource = makeResourceLoader(made->parameters.loading);
+  SetupReport report;
+  LoadedRobots loaded =
+      loadDescriptions(private_node, made->parameters, load_resource, 0.0, report);
+  // Those that are watched stay as they are, also if their parameters have gone.
+  LoadedRobots all;
+  for (std::size_t i = 0; i < loaded.listed.size(); ++i) {
+    ListedRobot robot = loaded.listed[i];
+    const ListedRobot& before = former.listed[i];
+    if (before.id || robot.id) {
+      all.descriptions.push_back(before.id ? former.descriptions[index(*before.id)]
+                                           : loaded.descriptions[index(*robot.id)]);
+      robot.id = idAt<RobotId>(all.descriptions.size() - 1);
+      robot.missing.clear();
+    }
+    all.listed.push_back(std::move(robot));
+  }
+  build(std::move(all), load_resource, &former, true, report, *made);
   return made;
 }
 
@@ -154,30 +290,10 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   made->parameters = readParameters(values, where, report);
   // Faulty parameters may not even tell which robots to wait for.
   throwIfErrors(report);
-
   const ResourceLoader load_resource = makeResourceLoader(made->parameters.loading);
-  const std::vector<RobotDescription> descriptions =
-      loadDescriptions(private_node, made->parameters, load_resource, report);
-  SetupOptions options = loadSetupOptions(made->parameters, load_resource, report);
-  options.fit_progress = logLongFitting();
-  throwIfErrors(report);
-
-  made->descriptions = descriptions;
-  const bool has_objects =
-      former != nullptr ? !former->world.objects.empty()
-                        : !made->parameters.world.empty() || !made->parameters.world_file.empty();
-  options.idle_rules = has_objects ? IdleRule::is_accepted : IdleRule::is_error;
-  made->robots = std::make_shared<CycleSetup>(buildSetup(descriptions, load_resource, options));
-  const RobotModel& model = made->robots->model;
-  made->world_frame = stripLeadingSlash(made->parameters.world_frame.empty()
-                                            ? model.link(model.robots.front().root).frame
-                                            : made->parameters.world_frame);
-  addObjects(makeWorld(*made, former, load_resource), {}, *made);
-  if (has_objects) {
-    applyRulesAtStart(options.pair_rules, *made);
-  }
-  made->rule_ends.assign(made->setup.pair_rules.size(), kLasts);
-  malloc_trim(0);  // reading and fitting free much memory that glibc would keep
+  LoadedRobots loaded = loadDescriptions(private_node, made->parameters, load_resource,
+                                         made->parameters.wait_for_description, report);
+  build(std::move(loaded), load_resource, former, false, report, *made);
   return made;
 }
 

@@ -65,6 +65,8 @@ std::shared_ptr<MonitorSetup> makeChanged(const MonitorSetup& current, const Lim
   auto changed = std::make_shared<MonitorSetup>();
   changed->parameters = current.parameters;
   changed->robots = current.robots;
+  changed->listed = current.listed;
+  changed->held_back = current.held_back;
   changed->world = current.world;
   changed->prepared = current.prepared;
   changed->setup = withPairRules(current.setup, limits, rules.rules, report);
