@@ -116,7 +116,8 @@ class Stages {
     findClosings(setup, poses, buffers.distances);
     judgePairs(setup, buffers.body_poses, poses.velocities, buffers.distances, buffers.memory,
                buffers.events);
-    scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed);
+    scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed,
+               buffers.robots);
     end("c findClosings, judgePairs, scaleSpeed");
   }
 

@@ -55,6 +55,7 @@ add_message_files(FILES
   Distances.msg
   LinkApproach.msg
   LinkDistance.msg
+  RobotState.msg
   State.msg
   PairWarning.msg
   SceneChange.msg

@@ -75,8 +75,9 @@ install_missing() {
       test) packages+=("${test_packages[@]}") ;;
       bench) packages+=("${bench_packages[@]}") ;;
       show) has_ros_noetic || packages+=(rviz) ;;
+      picture) packages+=(xvfb imagemagick pngquant) ;;
       plot) packages+=(python3-matplotlib) ;;
-      *) fail "install_missing: no group '$group'; there are: ros, test, bench, show, plot" ;;
+      *) fail "install_missing: no group '$group'; there are: ros, test, bench, show, picture, plot" ;;
     esac
   done
   install_packages "${packages[@]}"

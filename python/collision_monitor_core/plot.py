@@ -10,8 +10,9 @@ from ._core import PairDistance, Robot
 from .enums import Quality, Verdict
 from .records import EnclosingShape
 
-_COLOURS = {Verdict.clear: "tab:green", Verdict.warning: "tab:orange",
-            Verdict.contact: "tab:red"}
+# Colour-blind people can tell them apart, also by their lightness. The first two: Okabe and Ito.
+_COLOURS = {Verdict.clear: "#0072B2", Verdict.warning: "#E69F00",
+            Verdict.contact: "#960000"}
 Floats = npt.NDArray[np.float64]
 _STEPS = 12  # points of a quarter of a turn, rounded up to what looks round
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "collision_monitor/model/robot_model.h"
@@ -52,6 +54,29 @@ Pose poseBeside(const RobotModel& model, LinkId first, LinkId other);
 inline bool hasObjects(const RobotModel& model) {
   return std::any_of(model.robots.begin(), model.robots.end(),
                      [](const Robot& robot) { return robot.is_world; });
+}
+
+/// A link in a sentence: "hand", "object table", "frame conveyor".
+inline std::string nameInText(const RobotModel& model, LinkId link) {
+  const std::string& name = model.link(link).name;
+  return isObject(model, link) ? "object " + name : isOfWorld(model, link) ? "frame " + name : name;
+}
+
+/// By LinkId: the index of the robot that moves it, also as the link that carries an object; the
+/// number of robots if none does.
+inline std::vector<std::uint32_t> findMovers(const RobotModel& model) {
+  const auto none = static_cast<std::uint32_t>(model.robots.size());
+  std::vector<std::uint32_t> movers;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const Link& link = model.links[i];
+    if (!isOfWorld(model, idAt<LinkId>(i))) {
+      movers.push_back(static_cast<std::uint32_t>(index(link.robot)));
+    } else {
+      movers.push_back(link.parent_joint ? movers[index(model.joint(*link.parent_joint).parent)]
+                                         : none);
+    }
+  }
+  return movers;
 }
 
 /// The number of robots, without those that objects form.

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "collision_monitor/geometry/ids.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "pipeline/look_ahead/find_motions.h"
 #include "pipeline/objects/carry_objects.h"
 #include "ros_edge/outputs/pair_counts.h"
 #include "ros_edge/poses/floating_parts.h"
+#include "ros_edge/robots/absence.h"
 
 namespace collision_monitor {
 
@@ -30,7 +32,13 @@ Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformSto
       pairs_muted(static_cast<std::uint32_t>(
           countOf(PairReason::muted, countPairs(fixed->setup.link_pairs)))),
       last_mute(lastMuteOf(*fixed)),
-      nearest(fixed->setup) {}
+      nearest(fixed->setup),
+      is_robot_checked(buffers.robots.scales.size(), 0) {
+  for (const CheckedLinkPair& pair : setup().checked) {
+    is_robot_checked[buffers.robots.robot_of_link[index(pair.a)]] = 1;
+    is_robot_checked[buffers.robots.robot_of_link[index(pair.b)]] = 1;
+  }
+}
 
 PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
                           JointReader& joints) {
@@ -78,6 +86,12 @@ void Watch::cycle() noexcept {
     learnPairs(setup(), poses, buffers);
   }
   links_known = known;
+  for (const ListedRobot& robot : fixed->listed) {
+    if (robot.id && robot.may_be_absent) {
+      buffers.robots.is_excused[index(*robot.id)] =
+          isAbsent(setup().model, *robot.id, poses) ? 1 : 0;
+    }
+  }
   runCycle(setup(), poses, buffers);
   nearest.add(setup(), poses, joints, buffers);
 }
@@ -94,6 +108,7 @@ void Watch::resumeReporting() {
   buffers.memory.reported = believed;
   buffers.memory.judges_all = true;
   buffers.memory.speed.scale = 0.0;  // the value sent while switched off
+  std::fill(buffers.robots.scales.begin(), buffers.robots.scales.end(), 0.0);
   forgetPoses(buffers);
   links_known = 0;
 }
@@ -115,6 +130,11 @@ std::vector<LinkPairIndex> Watch::takeOver(const Watch& former) {
   carryMotion(carried, setup(), {former.poses, former.buffers.memory.last, former.tracker}, poses,
               buffers.memory, tracker);
   std::vector<LinkPairIndex> dropped = carryOver(carried, former.buffers.memory, buffers.memory);
+  for (std::size_t i = 0; i < carried.robot_of.size(); ++i) {
+    if (carried.robot_of[i] != kNone) {
+      buffers.robots.scales[i] = former.buffers.robots.scales[carried.robot_of[i]];
+    }
+  }
   if (former.fixed->robots == fixed->robots) {  // not reloaded
     nearest.inherit(former.nearest, carried.pair_of);
   }

@@ -59,7 +59,8 @@ struct Watch {
   std::uint32_t pairs_muted;      ///< as in State
   std::optional<RuleEnd> last_mute;
   NearestSeen nearest;
-  std::ptrdiff_t links_known{0};                     ///< in the last cycle
+  std::vector<unsigned char> is_robot_checked;  ///< by RobotId: it moves a link of a checked pair
+  std::ptrdiff_t links_known{0};                ///< in the last cycle
   std::shared_ptr<const MonitorSetup> planned_from;  ///< `carried` is about this set-up
   CarryPlan carried;
 

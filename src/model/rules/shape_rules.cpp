@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/rules/awaited_names.h"
 #include "model/rules/given_shape.h"
 #include "model/rules/link_selection.h"
 #include "model/rules/yaml_fields.h"
@@ -70,6 +71,9 @@ class RuleReader {
     }
     if (const auto name = fields.readText("group", "a group of an SRDF")) {
       const auto group = findGroup(*name, model_, srdfs_);
+      if (!group && areNamesAwaited()) {
+        return links;
+      }
       if (!group) {
         fields.refuse("group", "a group of an SRDF: " + groupNames(srdfs_));
       } else if (group->empty()) {
@@ -93,7 +97,7 @@ class RuleReader {
                                  }),
                   found.end());
     }
-    if (found.empty()) {
+    if (found.empty() && !areNamesAwaited()) {
       const bool has_wildcard = name.find_first_of("*?") != std::string::npos;
       place.addError(lineOf(node),
                      (is_pattern && has_wildcard ? "links " + quoted(name) + ", which matches none"

@@ -53,6 +53,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.memory.last.part.resize(links, kWorldPart);
   buffers.memory.last.rests.resize(setup.carried.size());
   buffers.memory.speed.stopped.resize(link_pairs, 0);
+  buffers.robots = makeRobotSpeeds(setup.model);
   buffers.counters.pairs = pairs;
   buffers.trees = makeObjectTrees(setup);
   buffers.broad_phase =
@@ -81,6 +82,7 @@ void resetMemory(CycleBuffers& buffers) noexcept {
   SpeedScale& speed = buffers.memory.speed;
   std::fill(speed.stopped.begin(), speed.stopped.end(), 0);
   speed.scale = 1.0;
+  std::fill(buffers.robots.scales.begin(), buffers.robots.scales.end(), 1.0);
 }
 
 }  // namespace collision_monitor

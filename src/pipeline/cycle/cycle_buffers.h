@@ -4,6 +4,7 @@
 
 #include "broad_phase/broad_phase.h"
 #include "collision_monitor/pipeline/setup.h"
+#include "pipeline/cycle/robot_speeds.h"
 #include "pipeline/data/cycle_data.h"
 #include "pipeline/look_ahead/link_walk.h"
 #include "pipeline/objects/object_trees.h"
@@ -24,6 +25,7 @@ struct CycleBuffers {
   SweepWork sweep;
   PairEvents events;
   PairMemory memory;
+  RobotSpeeds robots;  ///< survives a cycle, like `memory`
   CycleCounters counters;
   BroadPhase broad_phase;  ///< of all bodies, or of the loose ones
   ObjectTrees trees;

@@ -123,7 +123,8 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   findClosings(setup, poses, buffers.distances);
   judgePairs(setup, buffers.body_poses, poses.velocities, buffers.distances, buffers.memory,
              buffers.events);
-  scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed);
+  scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed,
+             buffers.robots);
   buffers.counters.measured = buffers.candidates.size() + buffers.deferred.size();
   buffers.counters.refined = buffers.refine.refined;
   buffers.counters.left = buffers.refine.left;

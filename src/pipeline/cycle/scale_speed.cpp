@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "collision_monitor/geometry/ids.h"
+#include "model/object_links.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -16,19 +19,13 @@ constexpr unsigned char kCloses = 2;
 constexpr unsigned char kRests = 4;
 constexpr unsigned char kMayTouch = 8;  ///< by a lower bound; remembered until it is exact
 
-/// What all pairs ask for.
-struct Demand {
-  double scale{1.0};
-  bool is_free{true};  ///< nothing closes, nothing near rests, and nothing is unknown
-};
-
-void ask(double scale, Demand& demand) noexcept {
+void ask(double scale, SpeedDemand& demand) noexcept {
   demand.scale = std::min(demand.scale, scale);
   demand.is_free = false;
 }
 
 void askForMeasured(const StopRule& rule, const Limits& limits, const PairDistance& distance,
-                    Demand& demand, unsigned char& seen) noexcept {
+                    SpeedDemand& demand, unsigned char& seen) noexcept {
   const double gap = distance.measured.distance;
   const double closing = distance.closing_speed;
   if (std::isnan(closing)) {
@@ -47,19 +44,110 @@ void askForMeasured(const StopRule& rule, const Limits& limits, const PairDistan
   }
 }
 
+void add(const SpeedDemand& more, SpeedDemand& demand) noexcept {
+  demand.scale = std::min(demand.scale, more.scale);
+  demand.is_free = demand.is_free && more.is_free;
+}
+
+/// What the pairs ask for: all of them, and those of each robot.
+class Demands {
+ public:
+  Demands(const CycleSetup& setup, RobotSpeeds& robots) noexcept : setup_(setup), robots_(robots) {
+    std::fill(robots_.demands.begin(), robots_.demands.end(), SpeedDemand());
+  }
+
+  void addPair(std::size_t link_pair, const SpeedDemand& demand) noexcept {
+    if (!demand.is_free) {
+      add(demand, all_);
+      add(demand, robots_.demands[robotOf(setup_.checked[link_pair].a)]);
+      add(demand, robots_.demands[robotOf(setup_.checked[link_pair].b)]);
+    }
+  }
+
+  /// Pairs between these robots are unknown.
+  void addUnknown(std::uint32_t a, std::uint32_t b) noexcept {
+    ask(0.0, all_);
+    for (const auto& [robot, other] : {std::pair(a, b), std::pair(b, a)}) {
+      if (robot == other || robots_.is_excused[other] == 0) {
+        ask(0.0, robots_.demands[robot]);
+      }
+    }
+  }
+
+  /// The scales that follow from the last ones.
+  void release(double duration, double& scale_of_all) const noexcept {
+    const auto follow = [&](const SpeedDemand& demand, double& scale) noexcept {
+      scale = demand.is_free ? demand.scale
+                             : releasedScale(scale, demand.scale, duration, setup_.ahead.stop);
+    };
+    follow(all_, scale_of_all);
+    for (std::size_t i = 0; i < robots_.demands.size(); ++i) {
+      follow(robots_.demands[i], robots_.scales[i]);
+    }
+  }
+
+ private:
+  std::uint32_t robotOf(LinkId link) const noexcept { return robots_.robot_of_link[index(link)]; }
+
+  const CycleSetup& setup_;
+  RobotSpeeds& robots_;
+  SpeedDemand all_;
+};
+
+/// Notes between which robots pairs are unknown. Which are changes only where all are judged, or
+/// where a distance is not a number.
+void noteUnknown(const CycleSetup& setup, const PairEvents& events, RobotSpeeds& robots) noexcept {
+  if (robots.noted != events.complete_judgements) {
+    robots.noted = events.complete_judgements;
+    std::fill(robots.has_unknown.begin(), robots.has_unknown.end(), 0);
+  }
+  for (const LinkPairIndex i : events.active) {
+    if (events.verdicts[i] == Verdict::unknown) {
+      const CheckedLinkPair& pair = setup.checked[i];
+      robots.has_unknown[robots.robot_of_link[index(pair.a)] * robots.scales.size() +
+                         robots.robot_of_link[index(pair.b)]] = 1;
+    }
+  }
+}
+
+void addUnknown(const CycleSetup& setup, const PairEvents& events, RobotSpeeds& robots,
+                Demands& demands) noexcept {
+  if (events.unknown == 0) {
+    return;
+  }
+  noteUnknown(setup, events, robots);
+  for (std::uint32_t a = 0; a < robots.scales.size(); ++a) {
+    for (std::uint32_t b = 0; b < robots.scales.size(); ++b) {
+      if (robots.has_unknown[a * robots.scales.size() + b] != 0) {
+        demands.addUnknown(a, b);
+      }
+    }
+  }
+}
+
 }  // namespace
 
+RobotSpeeds makeRobotSpeeds(const RobotModel& model) {
+  RobotSpeeds robots;
+  robots.scales.resize(model.robots.size() + 1, 1.0);
+  robots.is_excused.resize(robots.scales.size(), 0);
+  robots.demands.resize(robots.scales.size());
+  robots.has_unknown.resize(robots.scales.size() * robots.scales.size(), 0);
+  robots.robot_of_link = findMovers(model);
+  return robots;
+}
+
 void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistances& distances,
-                const PairEvents& events, SpeedScale& speed) noexcept {
+                const PairEvents& events, SpeedScale& speed, RobotSpeeds& robots) noexcept {
   const StopRule& rule = setup.ahead.stop;
-  Demand demand;
+  Demands demands(setup, robots);
   for (const PairDistance& distance : distances.pairs) {
     const std::uint32_t link_pair = setup.link_pair_of[index(distance.pair)];
+    SpeedDemand demand;
     askForMeasured(rule, limitsOf(setup, link_pair), distance, demand, speed.stopped[link_pair]);
+    demands.addPair(link_pair, demand);
   }
-  if (events.unknown > 0) {
-    ask(0.0, demand);
-  }
+  addUnknown(setup, events, robots, demands);
   for (const LinkPairIndex i : events.active) {
     const unsigned char seen = speed.stopped[i];
     const std::uint32_t closest = events.closest[i];
@@ -68,16 +156,14 @@ void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistan
     const bool rests = (seen & kRests) != 0 && stops != 0;
     const bool closes = (seen & kCloses) != 0;
     if (rests && !closes) {
-      ask(rule.creep_scale, demand);
+      demands.addPair(i, {rule.creep_scale, false});
     }
     if (events.passed[i] != kNone) {
-      ask(0.0, demand);
+      demands.addPair(i, {0.0, false});
     }
     speed.stopped[i] = closes ? kWasStopped : rests ? stops : 0;
   }
-  const double duration = 1e-9 * static_cast<double>(stamp_ns - speed.stamp_ns);
-  speed.scale =
-      demand.is_free ? demand.scale : releasedScale(speed.scale, demand.scale, duration, rule);
+  demands.release(1e-9 * static_cast<double>(stamp_ns - speed.stamp_ns), speed.scale);
   speed.stamp_ns = stamp_ns;
 }
 

@@ -3,13 +3,15 @@
 #pragma once
 
 #include "collision_monitor/pipeline/setup.h"
+#include "pipeline/cycle/robot_speeds.h"
 #include "pipeline/data/cycle_data.h"
 
 namespace collision_monitor {
 
 /// Finds the speed scale: the least that a pair asks for. It is 0 while a pair is unknown, and
-/// where links met since the last cycle.
+/// where links met since the last cycle. That of a robot follows from the pairs of links that it
+/// moves.
 void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistances& distances,
-                const PairEvents& events, SpeedScale& speed) noexcept;
+                const PairEvents& events, SpeedScale& speed, RobotSpeeds& robots) noexcept;
 
 }  // namespace collision_monitor

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "collision_monitor/geometry/ids.h"
+#include "model/object_links.h"
+#include "ros_edge/markers/object_mesh.h"
 #include "ros_edge/markers/shape_mesh.h"
 #include "ros_edge/outputs/conversions.h"
 
@@ -12,7 +14,24 @@ namespace collision_monitor {
 
 using visualization_msgs::Marker;
 
-visualization_msgs::Marker makeShapeMarker(const Shape& shape) {
+namespace {
+
+Marker makeMeshMarker(const TriangleMesh& mesh) {
+  Marker marker;
+  marker.type = Marker::TRIANGLE_LIST;
+  toMessage(Eigen::Vector3d::Ones(), marker.scale);
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t corner : triangle) {
+      marker.points.emplace_back();
+      toMessage(mesh.vertices[corner], marker.points.back());
+    }
+  }
+  return marker;
+}
+
+}  // namespace
+
+Marker makeShapeMarker(const Shape& shape) {
   Marker marker;
   if (const auto* sphere = std::get_if<Sphere>(&shape)) {
     marker.type = Marker::SPHERE;
@@ -24,37 +43,29 @@ visualization_msgs::Marker makeShapeMarker(const Shape& shape) {
     toMessage(2.0 * box->half_extents, marker.scale);
     return marker;
   }
-  marker.type = Marker::TRIANGLE_LIST;
-  toMessage(Eigen::Vector3d::Ones(), marker.scale);
-  const TriangleMesh mesh = surfaceOf(shape);
-  for (const auto& triangle : mesh.triangles) {
-    for (const std::uint32_t corner : triangle) {
-      marker.points.emplace_back();
-      toMessage(mesh.vertices[corner], marker.points.back());
-    }
-  }
-  return marker;
+  return makeMeshMarker(surfaceOf(shape));
 }
 
 std_msgs::ColorRGBA colourOf(Verdict verdict, float alpha) {
-  std_msgs::ColorRGBA colour;
-  colour.a = alpha;
+  const auto colour = [&](int red, int green, int blue) {
+    std_msgs::ColorRGBA parts;
+    parts.r = static_cast<float>(red) / 255.0F;
+    parts.g = static_cast<float>(green) / 255.0F;
+    parts.b = static_cast<float>(blue) / 255.0F;
+    parts.a = alpha;
+    return parts;
+  };
   switch (verdict) {
     case Verdict::clear:
-      colour.g = 0.8F;
-      break;
+      return colour(86, 180, 233);
     case Verdict::warning:
-      colour.r = 1.0F;
-      colour.g = 0.8F;
-      break;
+      return colour(240, 228, 66);
     case Verdict::contact:
-      colour.r = 1.0F;
-      break;
+      return colour(213, 94, 0);
     case Verdict::unknown:
-      colour.r = colour.g = colour.b = 0.5F;
       break;
   }
-  return colour;
+  return colour(90, 90, 90);
 }
 
 namespace {
@@ -62,42 +73,76 @@ namespace {
 constexpr double kShownHalf = 5.0;     // [m] of a plane
 constexpr double kShownDepth = 0.005;  // [m] half of what is drawn of its inside
 
-bool isPlane(const CycleSetup& setup, const Body& body) {
-  const auto& convex = setup.elements[index(body.element)].convex;
-  return convex && std::holds_alternative<HalfSpace>(*convex);
+Marker makeCylinderMarker(const Cylinder& cylinder, double padding) {
+  Marker marker;
+  marker.type = Marker::CYLINDER;
+  const double width = 2.0 * (cylinder.radius + padding);
+  toMessage(Eigen::Vector3d(width, width, 2.0 * (cylinder.half_length + padding)), marker.scale);
+  return marker;
+}
+
+std_msgs::ColorRGBA rgbaOf(const ObjectColour& colour) {
+  std_msgs::ColorRGBA message;
+  message.r = colour[0];
+  message.g = colour[1];
+  message.b = colour[2];
+  message.a = colour[3];
+  return message;
+}
+
+/// The part of a plane that is drawn: a flat box that ends where the body does.
+ShownShape showPlane(const Body& body) {
+  ShownShape shown{makeShapeMarker(Box{{kShownHalf, kShownHalf, kShownDepth}}), body.link_from_body,
+                   std::nullopt};
+  const double top = coreHalfExtents(body.shape).z() - kShownDepth;
+  shown.link_from_marker.translation += top * body.link_from_body.rotation.col(2);
+  return shown;
+}
+
+/// One of the shapes of an object, and its body.
+ShownShape showShape(const WorldObject& object, const ObjectShape& shape, const Body& body) {
+  ShownShape shown{{}, shape.object_from_shape, std::nullopt};
+  if (std::holds_alternative<Plane>(shape.geometry)) {
+    shown = showPlane(body);
+  } else if (const auto* cylinder = std::get_if<Cylinder>(&shape.geometry)) {
+    shown.marker = makeCylinderMarker(*cylinder, object.padding);
+  } else if (const auto* cone = std::get_if<Cone>(&shape.geometry)) {
+    shown.marker = makeMeshMarker(surfaceOf(*cone));
+  } else if (const auto* mesh = std::get_if<SharedMesh>(&shape.geometry)) {
+    shown.marker = makeMeshMarker(coarseMesh(**mesh, kMostDrawn));
+  } else {
+    shown.marker = makeShapeMarker(body.shape);
+  }
+  shown.marker.ns = "objects";
+  shown.own_colour = rgbaOf(object.colour);
+  return shown;
 }
 
 }  // namespace
 
-Shape shownShape(const CycleSetup& setup, const Body& body) {
-  return isPlane(setup, body) ? Shape(Box{{kShownHalf, kShownHalf, kShownDepth}}) : body.shape;
-}
-
-Pose shownPose(const CycleSetup& setup, std::size_t body, const Pose& world_from_body) {
-  Pose pose = world_from_body;
-  if (isPlane(setup, setup.bodies[body])) {
-    const double top = coreHalfExtents(setup.bodies[body].shape).z();
-    pose.translation += (top - kShownDepth) * pose.rotation.col(2);
+std::vector<ShownShape> showShapes(const World& world, const CycleSetup& setup) {
+  std::vector<ShownShape> shapes;
+  shapes.reserve(setup.bodies.size());
+  std::size_t first = 0;  // body of the same link; an object has one for each of its shapes
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+    const Body& body = setup.bodies[i];
+    first = setup.bodies[first].link == body.link ? first : i;
+    if (isObject(setup.model, body.link)) {
+      const WorldObject& object = *world.objects.at(setup.model.link(body.link).name);
+      shapes.push_back(showShape(object, object.shapes->at(i - first), body));
+    } else {
+      shapes.push_back({makeShapeMarker(body.shape), body.link_from_body, std::nullopt});
+      shapes.back().marker.ns = "shapes";
+    }
+    shapes.back().marker.id = static_cast<int>(i);
   }
-  return pose;
-}
-
-std_msgs::ColorRGBA colourOf(const World& world, const Link& link) {
-  std_msgs::ColorRGBA colour;
-  const auto object = world.objects.find(link.name);
-  if (object != world.objects.end()) {
-    colour.r = object->second->colour[0];
-    colour.g = object->second->colour[1];
-    colour.b = object->second->colour[2];
-    colour.a = object->second->colour[3];
-  }
-  return colour;
+  return shapes;
 }
 
 void findWorstVerdicts(const CycleSetup& setup, const PairEvents& events,
                        std::vector<Verdict>& verdicts) {
   verdicts.assign(setup.model.links.size(), Verdict::clear);
-  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+  for (const LinkPairIndex i : events.active) {
     // An unknown pair says nothing about this link: its partner may be the cause.
     if (events.verdicts[i] != Verdict::unknown) {
       Verdict& a = verdicts[index(setup.checked[i].a)];

@@ -4,6 +4,9 @@
 
 #include <visualization_msgs/Marker.h>
 
+#include <optional>
+#include <vector>
+
 #include "collision_monitor/geometry/shapes.h"
 #include "collision_monitor/model/world.h"
 #include "pipeline/cycle/cycle_buffers.h"
@@ -13,20 +16,25 @@ namespace collision_monitor {
 /// A marker with the shape's type, scale and triangles; pose and color are not set.
 visualization_msgs::Marker makeShapeMarker(const Shape& shape);
 
-/// Green, yellow, red, or grey for unknown.
+/// A colour of a verdict, of the palette of Okabe and Ito that colour-blind people can tell apart:
+/// sky blue for clear, yellow for a warning, vermilion for a contact; dark grey for unknown.
+/// Source: docs/references.md.
 std_msgs::ColorRGBA colourOf(Verdict verdict, float alpha);
 
 /// The worst verdict of the pairs of each link, by LinkId; clear for links without pairs.
 void findWorstVerdicts(const CycleSetup& setup, const PairEvents& events,
                        std::vector<Verdict>& verdicts);
 
-/// The shape of a body as it is drawn. A plane, whose body has no end, is a flat box of 10 m.
-Shape shownShape(const CycleSetup& setup, const Body& body);
+/// What is drawn of a body: the enclosing shape of a link, the geometry of an object. A plane,
+/// which has no end, is a flat box of 10 m. Padding is drawn, but not of cones and meshes. A mesh
+/// of more than kMostDrawn triangles is drawn coarsely.
+struct ShownShape {
+  visualization_msgs::Marker marker;  ///< with namespace and id; pose and colour are not set
+  Pose link_from_marker;
+  std::optional<std_msgs::ColorRGBA> own_colour;  ///< of an object
+};
 
-/// Where that shape is drawn.
-Pose shownPose(const CycleSetup& setup, std::size_t body, const Pose& world_from_body);
-
-/// The colour of an object.
-std_msgs::ColorRGBA colourOf(const World& world, const Link& link);
+/// By BodyId, which are the ids of the markers.
+std::vector<ShownShape> showShapes(const World& world, const CycleSetup& setup);
 
 }  // namespace collision_monitor

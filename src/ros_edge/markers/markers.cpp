@@ -8,62 +8,42 @@
 #include <utility>
 
 #include "collision_monitor/geometry/ids.h"
-#include "model/object_links.h"
 #include "ros_edge/markers/marker_shapes.h"
 #include "ros_edge/outputs/conversions.h"
-#include "ros_edge/outputs/sentences.h"
 
 namespace collision_monitor {
 namespace {
 
 using visualization_msgs::Marker;
 
-constexpr float kShapeAlpha = 0.45F;
+constexpr float kShapeAlpha = 0.45F;   // links: the robot shows through
+constexpr float kObjectAlpha = 0.75F;  // objects that touch or are unknown
 constexpr double kLineWidth = 0.004;
 constexpr double kPointSize = 0.015;
 constexpr double kNormalLength = 0.08;
-constexpr double kTextHeight = 0.035;
-constexpr double kTextWidth = 8.0 * kTextHeight;  // of ">= 35 mm", with a margin
+constexpr double kNormalWidth = 0.006;
+constexpr double kLift = 0.12;  // [m] of labels above their pair: points and normals stay visible
 
-/// Format: docs/interfaces.md. A lower bound may be less than the distance, an estimate more.
-std::string labelOf(const PairDistance& distance) {
-  const char* relation = distance.quality == Quality::lower_bound ? ">= "
-                         : distance.quality == Quality::estimate  ? "<= "
-                                                                  : "";
-  const double value = distance.measured.distance;
-  return relation + std::string(value < 0.0 ? "-" : "") + lengthText(value);
+/// Numbers of a contact: its points, and the normal at each of them.
+constexpr std::size_t kIdsPerContact = 1 + ContactManifold::kMaxPoints;
+
+int idOfContact(PairId pair, std::size_t i) {
+  return static_cast<int>(kIdsPerContact * index(pair) + i);
 }
 
-bool hides(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
-  return std::abs(one.z() - other.z()) < kTextHeight && (one - other).head<2>().norm() < kTextWidth;
-}
-
-/// A readable place for a label: above any labels that it would overlap. Marks it as taken.
-Eigen::Vector3d takePlace(const Eigen::Vector3d& wanted, std::vector<Eigen::Vector3d>& taken) {
-  std::sort(taken.begin(), taken.end(),
-            [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.z() < b.z(); });
-  Eigen::Vector3d place = wanted;
-  for (const Eigen::Vector3d& other : taken) {
-    if (hides(place, other)) {
-      place.z() = other.z() + 1.2 * kTextHeight;
-    }
-  }
-  taken.push_back(place);
-  return place;
+std_msgs::ColorRGBA white() {
+  std_msgs::ColorRGBA colour;
+  colour.r = colour.g = colour.b = colour.a = 1.0F;
+  return colour;
 }
 
 }  // namespace
 
 Markers::Markers(const Watch& watch) {
-  const CycleSetup& setup = watch.setup();
-  for (const Body& body : setup.bodies) {
-    const bool is_object = isObject(setup.model, body.link);
-    colours_.push_back(is_object ? std::optional<std_msgs::ColorRGBA>(
-                                       colourOf(watch.fixed->world, setup.model.link(body.link)))
-                                 : std::nullopt);
-    unseen_.push_back(makeShapeMarker(shownShape(setup, body)));
-    unseen_.back().ns = is_object ? "objects" : "shapes";
-    unseen_.back().id = static_cast<int>(unseen_.size()) - 1;
+  for (ShownShape& shape : showShapes(watch.fixed->world, watch.setup())) {
+    unseen_.push_back(std::move(shape.marker));
+    link_from_marker_.push_back(shape.link_from_marker);
+    colours_.push_back(shape.own_colour);
   }
 }
 
@@ -83,6 +63,7 @@ const visualization_msgs::MarkerArray& Markers::draw(const Watch& watch) {
   placeShapes(watch);
   addContacts(watch);
   addDistances(watch);
+  addLabels(watch);
   addDeletions();
   if (is_first_) {
     Marker others;
@@ -121,12 +102,13 @@ void Markers::placeShapes(const Watch& watch) {
     const bool is_known = poses.known[body] != 0;
     const LinkId link = watch.setup().bodies[body].link;
     if (is_known) {
-      toMessage(shownPose(watch.setup(), body, poses.world_from_body[body]), shape.pose);
+      toMessage(watch.poses.world_from_link[index(link)] * link_from_marker_[body], shape.pose);
       shape.header = headerOf(watch, link);
     }
     const Verdict verdict = is_known ? verdicts[index(link)] : Verdict::unknown;
     const bool has_own = colours_[body] && verdict <= Verdict::warning;
-    shape.color = has_own ? *colours_[body] : colourOf(verdict, kShapeAlpha);
+    shape.color =
+        has_own ? *colours_[body] : colourOf(verdict, colours_[body] ? kObjectAlpha : kShapeAlpha);
     shape.header.stamp = shape.header.frame_id == header_.frame_id ? header_.stamp : ros::Time();
   }
 }
@@ -146,63 +128,86 @@ Marker& Markers::add(const char* name_space, int id, int type, const std_msgs::H
 void Markers::addContacts(const Watch& watch) {
   for (const PairDistance& distance : watch.buffers.distances.pairs) {
     if (isInContact(watch, distance)) {
-      addContact(watch, distance);
+      addContact(watch, distance, contactPointsOf(watch, distance));
     }
   }
   for (const PassedContact& passed : watch.buffers.distances.passed) {
-    addContact(watch, passed.distance);
+    addContact(watch, passed.distance, onePointOf(passed.distance.measured));
   }
 }
 
-void Markers::addContact(const Watch& watch, const PairDistance& distance) {
+void Markers::addContact(const Watch& watch, const PairDistance& distance,
+                         const ContactPoints& points) {
   const CycleSetup& setup = watch.setup();
   const std_msgs::Header header =
       headerOf(watch, setup.checked[setup.link_pair_of[index(distance.pair)]].a);
-  const SignedDistance& measured = distance.measured;
-  const Eigen::Vector3d middle = 0.5 * (measured.point_on_a + measured.point_on_b);
-  const int id = 2 * static_cast<int>(index(distance.pair));
-  Marker& point = add("contacts", id, Marker::SPHERE, header);
-  toMessage(middle, point.pose.position);
-  toMessage(Eigen::Vector3d::Constant(kPointSize), point.scale);
-  point.color = colourOf(Verdict::contact, 1.0F);
-  Marker& normal = add("contacts", id + 1, Marker::ARROW, header);
-  normal.points.resize(2);
-  toMessage(middle, normal.points[0]);
-  toMessage(middle + kNormalLength * measured.normal_a_to_b, normal.points[1]);
-  toMessage(Eigen::Vector3d(kLineWidth, 2.0 * kLineWidth, 0.0), normal.scale);
-  normal.color = colourOf(Verdict::contact, 1.0F);
+  Marker dots;
+  toMessage(Eigen::Vector3d::Constant(kPointSize), dots.scale);
+  dots.color = colourOf(Verdict::contact, 1.0F);
+  for (std::size_t i = 0; i < points.size; ++i) {
+    const Eigen::Vector3d& point = points.points[i];
+    dots.points.emplace_back();
+    toMessage(point, dots.points.back());
+    Marker& normal = add("contacts", idOfContact(distance.pair, 1 + i), Marker::ARROW, header);
+    normal.points.resize(2);
+    toMessage(point, normal.points[0]);
+    const Eigen::Vector3d end = point + kNormalLength * distance.measured.normal_a_to_b;
+    toMessage(end, normal.points[1]);
+    toMessage(Eigen::Vector3d(kNormalWidth, 3.0 * kNormalWidth, 5.0 * kNormalWidth), normal.scale);
+    normal.color = white();
+  }
+  Marker& added = add("contacts", idOfContact(distance.pair, 0), Marker::SPHERE_LIST, header);
+  added.points = std::move(dots.points);
+  added.scale = dots.scale;
+  added.color = dots.color;
+}
+
+Marker& Markers::addLine(const char* name_space, LinkPairIndex link_pair,
+                         const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                         const std_msgs::Header& header) {
+  Marker& line = add(name_space, static_cast<int>(link_pair), Marker::LINE_LIST, header);
+  line.points.resize(2);
+  toMessage(from, line.points[0]);
+  toMessage(to, line.points[1]);
+  return line;
 }
 
 void Markers::addDistances(const Watch& watch) {
   const CycleSetup& setup = watch.setup();
   const PairEvents& events = watch.buffers.events;
-  label_places_.clear();
-  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
+  for (const LinkPairIndex i : events.active) {
     const std::uint32_t place = events.closest[i];
     if (place == kNone) {
       continue;
     }
-    const PairDistance& distance = watch.buffers.distances.pairs[place];
-    const SignedDistance& measured = distance.measured;
+    const SignedDistance& measured = watch.buffers.distances.pairs[place].measured;
     if (place != events.closest_of_all && measured.distance > limitsOf(setup, i).report_distance) {
       continue;
     }
-    const std_msgs::Header header = headerOf(watch, setup.checked[i].a);
-    Marker& line = add("distances", static_cast<int>(i), Marker::LINE_LIST, header);
-    line.points.resize(2);
-    toMessage(measured.point_on_a, line.points[0]);
-    toMessage(measured.point_on_b, line.points[1]);
+    Marker& line = addLine("distances", i, measured.point_on_a, measured.point_on_b,
+                           headerOf(watch, setup.checked[i].a));
     line.scale.x = kLineWidth;
     line.color = colourOf(events.verdicts[i], 1.0F);
-    if (events.verdicts[i] == Verdict::clear && place != events.closest_of_all) {
-      continue;
-    }
+  }
+}
+
+void Markers::addLabels(const Watch& watch) {
+  label_places_.clear();
+  for (const LinkPairIndex i : chooseLabelled(watch, watch.fixed->parameters.marker_labels)) {
+    const std_msgs::Header header = headerOf(watch, watch.setup().checked[i].a);
+    const SignedDistance& measured =
+        watch.buffers.distances.pairs[watch.buffers.events.closest[i]].measured;
+    const Eigen::Vector3d middle = 0.5 * (measured.point_on_a + measured.point_on_b);
+    const std::string text = labelText(watch, i);
+    const Eigen::Vector3d place = label_places_.take(middle + Eigen::Vector3d(0, 0, kLift), text);
     Marker& label = add("labels", static_cast<int>(i), Marker::TEXT_VIEW_FACING, header);
-    toMessage(takePlace(0.5 * (measured.point_on_a + measured.point_on_b), label_places_),
-              label.pose.position);
+    toMessage(place, label.pose.position);
     label.scale.z = kTextHeight;
-    label.color.r = label.color.g = label.color.b = label.color.a = 1.0F;
-    label.text = labelOf(distance);
+    label.color = white();
+    label.text = text;
+    Marker& line = addLine("leaders", i, middle, place, header);
+    line.scale.x = 0.25 * kLineWidth;
+    line.color = white();
   }
 }
 

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "ros_edge/markers/labels.h"
+#include "ros_edge/outputs/conversions.h"
 #include "ros_edge/watch.h"
 
 namespace collision_monitor {
@@ -17,12 +19,13 @@ namespace collision_monitor {
 /// The picture of a cycle for rviz. It is in the world frame with the stamp of the data. A floating
 /// part is in the frame of its top link, without a stamp.
 ///
-/// Namespaces: `shapes` (id = body; green clear, yellow warning, red contact, grey unknown, at the
-/// last known pose), `objects` (ids as in `shapes`; in their own colours, unless they are in
-/// contact or unknown), `contacts` (ids 2 n and 2 n + 1 = point and normal of body pair n, for the
-/// same pairs as the topic `contacts`), `distances` (id = link pair) and `labels` (same ids; for
-/// pairs that are not clear, and the closest; ">= " precedes a lower bound, "<= " an estimate). A
-/// marker that no longer applies is deleted. Shapes are triangulated once, at set-up.
+/// Namespaces: `shapes` (id = body; in the colour of the worst verdict of their link, those of
+/// unknown links at the last known pose), `objects` (ids as in `shapes`; in their own colours,
+/// unless they are in contact or unknown), `contacts` (ids 5 n for the points of body pair n, and
+/// 5 n + 1 to 5 n + 4 for the normals at them; for the same pairs as the topic `contacts`),
+/// `distances` (id = link pair), `labels` (same ids; of chooseLabelled) and `leaders` (same ids:
+/// lines from pairs to their labels). A marker that no longer applies is deleted.
+/// Shapes are triangulated once, at set-up.
 class Markers {
  public:
   /// The first array deletes markers of an earlier set-up.
@@ -38,21 +41,25 @@ class Markers {
   void addShapes(const BodyPoses& poses);
   void placeShapes(const Watch& watch);
   void addContacts(const Watch& watch);
-  void addContact(const Watch& watch, const PairDistance& distance);
+  void addContact(const Watch& watch, const PairDistance& distance, const ContactPoints& points);
   void addDistances(const Watch& watch);
+  void addLabels(const Watch& watch);
   void addDeletions();
   visualization_msgs::Marker& add(const char* name_space, int id, int type,
                                   const std_msgs::Header& header);
+  visualization_msgs::Marker& addLine(const char* name_space, LinkPairIndex link_pair,
+                                      const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                      const std_msgs::Header& header);
   std_msgs::Header headerOf(const Watch& watch, LinkId link) const;
 
-  /// By BodyId: the colour of an object, none for links of robots.
-  std::vector<std::optional<std_msgs::ColorRGBA>> colours_;
+  std::vector<Pose> link_from_marker_;                       ///< by BodyId
+  std::vector<std::optional<std_msgs::ColorRGBA>> colours_;  ///< by BodyId: of objects
   std::vector<visualization_msgs::Marker> unseen_;  ///< shapes not seen yet, in the body frame
   /// Shapes that were seen come first and stay: they are most of the bytes.
   visualization_msgs::MarkerArray array_;
   std::size_t shapes_{0};  ///< number of shapes among the array's markers
   std_msgs::Header header_;
-  std::vector<Eigen::Vector3d> label_places_;  ///< places in this array, world frame
+  LabelPlaces label_places_;  ///< in this array
   std::set<Key> shown_;
   std::set<Key> drawn_;
   bool is_first_{true};

@@ -20,7 +20,8 @@ double toSeconds(SteadyClock::duration duration) {
 
 CycleRunner::CycleRunner(const ros::NodeHandle& private_node, Inputs inputs,
                          std::shared_ptr<const MonitorSetup> setup)
-    : store_(inputs.transforms),
+    : private_node_(private_node),
+      store_(inputs.transforms),
       joints_(inputs.joints),
       clock_(inputs.clock),
       publishers_(private_node) {
@@ -46,6 +47,12 @@ std::unique_ptr<Watch> CycleRunner::makeWatch(std::shared_ptr<const MonitorSetup
 void CycleRunner::replaceWatch(std::unique_ptr<Watch> watch) {
   std::unique_ptr<Watch> former;  // destroyed after the lock is released
   std::unique_lock<std::mutex> lock(mutex_);
+  const std::shared_ptr<RobotTopics> known = topics_;
+  lock.unlock();
+  auto topics =
+      std::make_shared<RobotTopics>(private_node_, watch->fixed->parameters.robots, known.get());
+  lock.lock();
+  topics_ = std::move(topics);
   current_ = watch->fixed;
   next_ = std::move(watch);
   if (thread_.joinable()) {
@@ -108,19 +115,21 @@ void CycleRunner::run() {
 
 void CycleRunner::takeOverSetup() {
   std::unique_ptr<Watch> next;
+  std::shared_ptr<RobotTopics> topics;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (!next_) {
       return;
     }
     next = std::move(next_);
+    topics = topics_;
     is_taking_over_ = true;
   }
   if (watch_) {
     handOver(*watch_, *next);
   }
   watch_.swap(next);
-  publishers_.startWatch();
+  publishers_.startWatch(std::move(topics));
   statistics_.startWork(watch_->budget);
   pace_.last_state = SteadyClock::time_point();
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -240,6 +249,7 @@ void CycleRunner::summarize(const State& state) {
   summary.steps = facts_.steps;
   summary.refused = store_.refusedTooMany() + joints_.refusedTooLong();
   summary.unknown_links = state.unknown_links;
+  summary.robots = state.robots;
   summary.muted = state.pairs_muted;
   summary.muted_for = state.muted_for;
   statistics_.setSummary(std::move(summary));

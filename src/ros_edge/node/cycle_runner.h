@@ -55,6 +55,7 @@ class CycleRunner {
   void summarize(const State& state);
   void answerViews();
 
+  ros::NodeHandle private_node_;
   TransformStore& store_;
   JointStore& joints_;
   ClockWatch& clock_;
@@ -69,13 +70,14 @@ class CycleRunner {
     std::optional<PairView> view;
   };
 
-  mutable std::mutex mutex_;  ///< guards the next seven
+  mutable std::mutex mutex_;  ///< guards the next eight
   std::vector<std::shared_ptr<ViewRequest>> view_requests_;
   std::condition_variable viewed_;
   std::condition_variable taken_over_;
   std::shared_ptr<const MonitorSetup> current_;
   std::unique_ptr<Watch> next_;
-  std::unique_ptr<Watch> former_;  ///< destroyed by the caller that replaced it
+  std::shared_ptr<RobotTopics> topics_;  ///< of the newest set-up
+  std::unique_ptr<Watch> former_;        ///< destroyed by the caller that replaced it
   bool is_taking_over_{false};
 
   // Used by the thread only.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "collision_monitor/geometry/ids.h"
+#include "model/object_links.h"
 #include "ros_edge/numbered_values.h"
 #include "ros_edge/outputs/sentences.h"
 #include "ros_edge/pace.h"
@@ -45,7 +46,7 @@ const std::string& nameOf(LinkId link, const CycleSetup& setup) {
 }
 
 std::string pairText(const Eater& pair, const CycleSetup& setup) {
-  return nameOf(pair.a, setup) + " and " + nameOf(pair.b, setup);
+  return nameInText(setup.model, pair.a) + " and " + nameInText(setup.model, pair.b);
 }
 
 /// A number as written in a parameter file: "0.0001", "100".
@@ -104,10 +105,14 @@ std::string toleranceAdvice(const CycleSetup& setup) {
 
 std::string hullAdvice(LinkId link, const MonitorSetup& setup) {
   const std::string& name = nameOf(link, setup.setup);
+  const std::string triangles = std::to_string(searchedTriangles(link, setup.setup));
+  if (isObject(setup.setup.model, link)) {
+    return "give object " + name + " a simpler mesh or other shapes in place of its " + triangles +
+           " triangles";
+  }
   const std::string& file = setup.parameters.shape_rules;
   const std::string rule = "{link: " + name + ", refine: hull}";
-  return "if the hull of " + name + " may stand for its " +
-         std::to_string(searchedTriangles(link, setup.setup)) + " triangles, " +
+  return "if the hull of " + name + " may stand for its " + triangles + " triangles, " +
          (file.empty() ? "write shapes: [" + rule + "] into a file and set shape_rules to its path"
                        : "add the rule " + rule + " to " + file);
 }
@@ -115,6 +120,11 @@ std::string hullAdvice(LinkId link, const MonitorSetup& setup) {
 std::string ignoreAdvice(const Eater& pair, const CycleSetup& setup) {
   const RobotId robot = setup.model.link(pair.a).robot;
   const bool is_one_robot = robot == setup.model.link(pair.b).robot;
+  if (isObject(setup.model, pair.a) || isObject(setup.model, pair.b)) {
+    return "if " + pairText(pair, setup) +
+           " may touch, leave them out by a rule of pair_rules: {a: " + nameOf(pair.a, setup) +
+           ", b: " + nameOf(pair.b, setup) + ", check: false}";
+  }
   return "if " + pairText(pair, setup) + " never touch" +
          (is_one_robot ? " (rosrun collision_monitor pairs finds out)" : "") +
          ", or are allowed to, leave them out by ignore_pairs: [[" + nameOf(pair.a, setup) + ", " +

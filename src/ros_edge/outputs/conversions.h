@@ -8,6 +8,9 @@
 #include <collision_monitor/State.h>
 #include <geometry_msgs/Pose.h>
 
+#include <array>
+
+#include "pipeline/answers/contact_manifold.h"
 #include "pipeline/answers/gradient_row.h"
 #include "ros_edge/watch.h"
 
@@ -52,6 +55,17 @@ void toUnknownMessage(const CycleSetup& setup, LinkId a, LinkId b, LinkDistance&
 /// pair beyond the activation distance was not measured. Its distance is then the activation
 /// distance: a lower bound without points.
 void toMessage(const Watch& watch, LinkPairIndex link_pair, LinkDistance& message);
+
+/// Where two links touch, half way between them; the normal is that of the pair.
+struct ContactPoints {
+  std::array<Eigen::Vector3d, ContactManifold::kMaxPoints> points;
+  std::size_t size{0};      ///< at least 1
+  const char* feature{""};  ///< as in Contact
+};
+
+/// All points of the contact or, if a mesh that is not convex touches, the one that was measured.
+ContactPoints contactPointsOf(const Watch& watch, const PairDistance& distance);
+ContactPoints onePointOf(const SignedDistance& measured);
 
 /// Whether a measured pair belongs in `contacts`, including pairs that hysteresis keeps in contact.
 bool isInContact(const Watch& watch, const PairDistance& distance);

@@ -3,30 +3,17 @@
 #include <algorithm>
 
 #include "collision_monitor/geometry/ids.h"
-#include "pipeline/answers/contact_manifold.h"
 #include "ros_edge/outputs/conversions.h"
 
 namespace collision_monitor {
 namespace {
 
-void fillOnePoint(const SignedDistance& measured, Contact& message) {
-  message.points.resize(1);
-  toMessage(0.5 * (measured.point_on_a + measured.point_on_b), message.points.front());
-  message.feature.clear();
-}
-
-void fillPoints(const Watch& watch, const PairDistance& distance, Contact& message) {
-  const auto manifold = contactManifold(watch.setup(), watch.buffers.body_poses, distance);
-  if (!manifold) {
-    fillOnePoint(distance.measured, message);
-    return;
+void fillPoints(const ContactPoints& points, Contact& message) {
+  message.points.resize(points.size);
+  for (std::size_t i = 0; i < points.size; ++i) {
+    toMessage(points.points[i], message.points[i]);
   }
-  message.points.resize(manifold->size);
-  for (std::size_t i = 0; i < manifold->size; ++i) {
-    const ManifoldPoint& point = manifold->points[i];
-    toMessage(0.5 * (point.point_on_a + point.point_on_b), message.points[i]);
-  }
-  message.feature = nameOf(manifold->feature);
+  message.feature = points.feature;
 }
 
 /// Fills everything but points and poses.
@@ -49,7 +36,7 @@ void fill(const Watch& watch, const PairDistance& distance, Contact& message) {
   const CycleSetup& setup = watch.setup();
   const CheckedLinkPair& links = setup.checked[setup.link_pair_of[index(distance.pair)]];
   fillPair(watch, distance, message);
-  fillPoints(watch, distance, message);
+  fillPoints(contactPointsOf(watch, distance), message);
   message.passed_at = kUnknown;
   toMessage(watch.poses.world_from_link[index(links.a)], message.pose_a);
   toMessage(watch.poses.world_from_link[index(links.b)], message.pose_b);
@@ -57,13 +44,35 @@ void fill(const Watch& watch, const PairDistance& distance, Contact& message) {
 
 void fill(const Watch& watch, const PassedContact& passed, Contact& message) {
   fillPair(watch, passed.distance, message);
-  fillOnePoint(passed.distance.measured, message);
+  fillPoints(onePointOf(passed.distance.measured), message);
   message.passed_at = passed.time * watch.buffers.sweep.elapsed;
   toMessage(passed.world_from_link_a, message.pose_a);
   toMessage(passed.world_from_link_b, message.pose_b);
 }
 
 }  // namespace
+
+ContactPoints onePointOf(const SignedDistance& measured) {
+  ContactPoints points;
+  points.points[0] = 0.5 * (measured.point_on_a + measured.point_on_b);
+  points.size = 1;
+  return points;
+}
+
+ContactPoints contactPointsOf(const Watch& watch, const PairDistance& distance) {
+  const auto manifold = contactManifold(watch.setup(), watch.buffers.body_poses, distance);
+  if (!manifold) {
+    return onePointOf(distance.measured);
+  }
+  ContactPoints points;
+  points.size = manifold->size;
+  points.feature = nameOf(manifold->feature);
+  for (std::size_t i = 0; i < manifold->size; ++i) {
+    const ManifoldPoint& point = manifold->points[i];
+    points.points[i] = 0.5 * (point.point_on_a + point.point_on_b);
+  }
+  return points;
+}
 
 bool isInContact(const Watch& watch, const PairDistance& distance) {
   const std::uint32_t link_pair = watch.setup().link_pair_of[index(distance.pair)];

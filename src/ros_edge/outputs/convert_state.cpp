@@ -6,6 +6,7 @@
 #include "model/object_links.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/sentences.h"
+#include "ros_edge/robots/robot_states.h"
 
 namespace collision_monitor {
 namespace {
@@ -49,8 +50,13 @@ void fillLinks(const Watch& watch, State& message) {
   std::vector<LinkId> unknown;
   findUnknownLinks(watch, unknown);
   for (const LinkId link : unknown) {
-    message.unknown_links.push_back(model.link(link).name + " (" +
+    message.unknown_links.push_back(nameInText(model, link) + " (" +
                                     statusText(statusInWorld(watch.poses, link)) + ")");
+  }
+  for (const ListedRobot& robot : watch.fixed->listed) {
+    if (!robot.id) {
+      message.unknown_links.push_back("robot " + robot.name + " (no description)");
+    }
   }
 }
 
@@ -62,12 +68,16 @@ bool isBlind(const Watch& watch, const CycleFacts& facts) {
 }  // namespace
 
 double speedScaleOf(const Watch& watch, const CycleFacts& facts) {
-  return isBlind(watch, facts) || !facts.is_enabled ? 0.0 : watch.buffers.memory.speed.scale;
+  return isBlind(watch, facts) || !facts.is_enabled || isAnyMissing(*watch.fixed)
+             ? 0.0
+             : watch.buffers.memory.speed.scale;
 }
 
 std::uint8_t levelOf(const Watch& watch, const CycleFacts& facts) {
   const auto verdict = static_cast<std::uint8_t>(watch.buffers.events.overall);
-  const std::uint8_t level = isBlind(watch, facts) ? std::uint8_t{State::UNKNOWN} : verdict;
+  const std::uint8_t judged = isBlind(watch, facts) ? std::uint8_t{State::UNKNOWN} : verdict;
+  const std::uint8_t level =
+      isAnyMissing(*watch.fixed) ? std::max(judged, std::uint8_t{State::UNKNOWN}) : judged;
   return facts.is_enabled ? level : std::max(level, std::uint8_t{State::WARNING});
 }
 
@@ -86,7 +96,7 @@ void toDroppedMessage(const Watch& former, LinkPairIndex pair, PairWarning& mess
   message.before = static_cast<std::uint8_t>(former.buffers.memory.reported[pair]);
   message.after = PairWarning::CLEAR;
   toUnknownMessage(setup, links.a, links.b, message.pair);
-  message.sentence = setup.model.link(links.a).name + " and " + setup.model.link(links.b).name +
+  message.sentence = nameInText(setup.model, links.a) + " and " + nameInText(setup.model, links.b) +
                      " are not checked any more";
 }
 
@@ -109,6 +119,7 @@ void toMessage(const Watch& watch, const CycleFacts& facts, State& message) {
   }
   message.time_to_contact = isBlind(watch, facts) ? kUnknown : watch.buffers.events.time_to_contact;
   message.speed_scale = speedScaleOf(watch, facts);
+  fillRobotStates(watch, facts, blindReason(watch, facts), message.robots);
   fillLinks(watch, message);
   fillCounters(watch.buffers.counters, facts, message);
   message.pairs_ignored = watch.pairs_ignored;

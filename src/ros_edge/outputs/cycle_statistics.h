@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <collision_monitor/RobotState.h>
+
 #include <array>
 #include <cstdint>
 #include <mutex>
@@ -35,8 +37,9 @@ struct CycleSummary {
   StepCount steps;
   std::uint64_t refused{0};  ///< input messages that were too long, and frames beyond the limit
   std::vector<std::string> unknown_links;
-  std::size_t muted{0};   ///< as State::pairs_muted
-  double muted_for{0.0};  ///< [s] as in State
+  std::vector<RobotState> robots;  ///< as in State
+  std::size_t muted{0};            ///< as State::pairs_muted
+  double muted_for{0.0};           ///< [s] as in State
 };
 
 /// Cycles since start.

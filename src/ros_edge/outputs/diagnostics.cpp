@@ -62,6 +62,10 @@ void describeVerdict(const CycleSummary& summary, DiagnosticStatusWrapper& statu
   status.add("inputs refused as too long or too many", summary.refused);
   status.add("muted pairs of links", summary.muted);
   status.add("muted for another [s]", summary.muted_for);
+  for (const RobotState& robot : summary.robots) {
+    status.add("robot " + robot.name + ": speed scale", robot.speed_scale);
+    status.add("robot " + robot.name, robot.sentence);
+  }
   status.add("unknown links", summary.unknown_links.size());
   addNumbered("unknown link", summary.unknown_links, status);
 }

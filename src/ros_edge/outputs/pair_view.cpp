@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "model/number_text.h"
+#include "model/object_links.h"
 #include "ros_edge/outputs/sentences.h"
 
 namespace collision_monitor {
@@ -60,7 +61,7 @@ std::string unknownReason(const Watch& watch, const CheckedLinkPair& pair) {
   for (const LinkId link : {pair.a, pair.b}) {
     const LinkStatus status = statusInWorld(watch.poses, link);
     if (status != LinkStatus::known) {
-      texts.push_back("the pose of " + watch.setup().model.link(link).name + " is " +
+      texts.push_back("the pose of " + nameInText(watch.setup().model, link) + " is " +
                       statusText(status));
     }
   }

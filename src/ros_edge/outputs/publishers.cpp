@@ -5,6 +5,9 @@
 #include <std_msgs/Bool.h>
 #include <std_msgs/Float64.h>
 
+#include <utility>
+
+#include "ros_edge/latched_value.h"
 #include "ros_edge/outputs/sentences.h"
 
 namespace collision_monitor {
@@ -23,20 +26,6 @@ bool isValid(const State& state) {
 /// [s] Longest delay until a new listener is noticed.
 constexpr double kAskPeriod = 0.01;
 
-/// Publishes a latched value. Late listeners get the last message, so without listeners only
-/// changes are sent.
-template <class Message, class Value>
-void publishLatched(Value value, bool is_heard, const ros::Publisher& publisher,
-                    std::optional<Value>& last) {
-  if (last == value && !is_heard) {
-    return;
-  }
-  last = value;
-  Message message;
-  message.data = value;
-  publisher.publish(message);
-}
-
 }  // namespace
 
 Publishers::Publishers(ros::NodeHandle private_node)
@@ -52,7 +41,9 @@ Publishers::Publishers(ros::NodeHandle private_node)
           private_node.advertise<visualization_msgs::MarkerArray>("markers", kQueueSize)) {}
 
 /// Markers are made when somebody first looks: with many objects they take longer than a cycle.
-void Publishers::startWatch() {
+void Publishers::startWatch(std::shared_ptr<RobotTopics> robot_topics) {
+  robot_topics_ = std::move(robot_topics);
+  robot_topics_->askWhoListens();
   markers_.reset();
   distances_ = DistanceList();
   log_.reset();
@@ -86,6 +77,7 @@ void Publishers::askWhoListens(ros::SteadyTime now) {
   listeners_.to_contacts = contacts_publisher_.getNumSubscribers() > 0;
   listeners_.to_distances = distances_publisher_.getNumSubscribers() > 0;
   listeners_.to_markers = markers_publisher_.getNumSubscribers() > 0;
+  robot_topics_->askWhoListens();
 }
 
 /// Computes everything first, then sends it: each message wakes roscpp's network thread unless the
@@ -102,6 +94,7 @@ const State& Publishers::publishCycle(const Watch& watch, const CycleFacts& fact
                                  is_valid_);
   publishLatched<std_msgs::Float64>(state_.speed_scale, listeners_.to_speed_scale,
                                     speed_scale_publisher_, speed_scale_);
+  robot_topics_->publish(state_.robots, facts.is_enabled);
   if (listeners_.to_contacts) {
     contacts_publisher_.publish(contacts_);
   }

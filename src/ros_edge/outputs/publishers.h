@@ -12,6 +12,7 @@
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/distance_list.h"
 #include "ros_edge/outputs/warning_log.h"
+#include "ros_edge/robots/robot_topics.h"
 
 namespace collision_monitor {
 
@@ -22,13 +23,13 @@ class Publishers {
   explicit Publishers(ros::NodeHandle private_node);
 
   /// Starts another set-up.
-  void startWatch();
+  void startWatch(std::shared_ptr<RobotTopics> robot_topics);
 
   /// Publishes and logs changes of verdict.
   void publishChanges(const Watch& watch);
   /// Reports that the new set-up no longer checks a pair that was not clear.
   void publishDropped(const Watch& former, LinkPairIndex pair);
-  /// state, state_is_valid and speed_scale; contacts and distances.
+  /// state, state_is_valid and speed_scale, also of each robot; contacts and distances.
   const State& publishCycle(const Watch& watch, const CycleFacts& facts);
   /// markers, at most `marker_rate` times a wall second.
   void publishMarkers(const Watch& watch);
@@ -54,6 +55,7 @@ class Publishers {
   ros::Publisher markers_publisher_;
   Listeners listeners_;
   ros::SteadyTime asked_;  ///< when listeners were last asked for
+  std::shared_ptr<RobotTopics> robot_topics_;
   std::unique_ptr<Markers> markers_;
   ros::SteadyTime last_markers_;
   std::optional<bool> is_valid_;       ///< as last sent

@@ -9,10 +9,12 @@
 #include <limits>
 #include <string_view>
 
+#include "model/object_links.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/data/activation_distance.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/pair_counts.h"
+#include "ros_edge/robots/robot_states.h"
 
 namespace collision_monitor {
 namespace {
@@ -23,8 +25,8 @@ constexpr double kTouching = 0.5e-4;
 /// [m/s] Smaller speeds print as 0.
 constexpr double kResting = 0.005;
 
-const std::string& nameOf(const CycleSetup& setup, BodyId body) {
-  return setup.model.link(setup.bodies[index(body)].link).name;
+std::string nameOf(const CycleSetup& setup, BodyId body) {
+  return nameInText(setup.model, setup.bodies[index(body)].link);
 }
 
 /// Joins texts with one allocation, because this runs in every cycle.
@@ -43,8 +45,8 @@ std::string concatenate(std::initializer_list<std::string_view> parts) {
 
 std::string placeText(const CycleSetup& setup, const PairDistance& distance) {
   const BodyPair& pair = setup.table[distance.pair];
-  const std::string& a = nameOf(setup, pair.a);
-  const std::string& b = nameOf(setup, pair.b);
+  const std::string a = nameOf(setup, pair.a);
+  const std::string b = nameOf(setup, pair.b);
   const double value = distance.measured.distance;
   const bool is_bound = distance.quality == Quality::lower_bound;
   const char* of_shapes = is_bound ? " (enclosing shapes)" : "";
@@ -109,12 +111,6 @@ LinkPairIndex nearestWith(Verdict verdict, const Watch& watch, std::size_t& coun
   return nearest;
 }
 
-std::string andMore(std::size_t count, const char* what) {
-  return count < 2 ? ""
-                   : concatenate({" (and ", std::to_string(count - 1), " more ", what,
-                                  count == 2 ? ")" : "s)"});
-}
-
 std::string passedSentence(const Watch& watch, const PassedContact& passed) {
   const CycleSetup& setup = watch.setup();
   const BodyPair& pair = setup.table[passed.distance.pair];
@@ -123,16 +119,6 @@ std::string passedSentence(const Watch& watch, const PassedContact& passed) {
          (is_bound ? " (enclosing shapes)" : "") + " between two cycles, " +
          fixedText(1e3 * passed.time * watch.buffers.sweep.elapsed, 1) +
          " ms after the poses of the last one";
-}
-
-/// For a measured pair: its state now, or that it touched since the last cycle.
-std::string pairSentence(const Watch& watch, LinkPairIndex link_pair) {
-  const PassedContact* passed = passedOf(watch, link_pair);
-  return passed != nullptr
-             ? passedSentence(watch, *passed)
-             : distanceSentence(watch.setup(),
-                                watch.buffers.distances
-                                    .pairs[speakerOf(watch.setup(), watch.buffers, link_pair)]);
 }
 
 std::string pairsSentence(Verdict verdict, const Watch& watch) {
@@ -167,14 +153,9 @@ std::string clearSentence(const Watch& watch) {
 }
 
 std::string verdictSentence(const Watch& watch, const CycleFacts& facts) {
-  if (facts.now.isZero()) {
-    return clockSentence({ClockFault::not_started, 0.0});
-  }
-  if (watch.clock.fault != ClockFault::none) {
-    return clockSentence(watch.clock);
-  }
-  if (watch.setup().checked.empty()) {
-    return "no pair of links is checked, so nothing can be said";
+  const std::string blind = blindReason(watch, facts);
+  if (!blind.empty()) {
+    return blind;
   }
   switch (watch.buffers.events.overall) {
     case Verdict::contact:
@@ -189,6 +170,21 @@ std::string verdictSentence(const Watch& watch, const CycleFacts& facts) {
 }
 
 }  // namespace
+
+std::string andMore(std::size_t count, const char* what) {
+  return count < 2 ? ""
+                   : concatenate({" (and ", std::to_string(count - 1), " more ", what,
+                                  count == 2 ? ")" : "s)"});
+}
+
+std::string pairSentence(const Watch& watch, LinkPairIndex link_pair) {
+  const PassedContact* passed = passedOf(watch, link_pair);
+  return passed != nullptr
+             ? passedSentence(watch, *passed)
+             : distanceSentence(watch.setup(),
+                                watch.buffers.distances
+                                    .pairs[speakerOf(watch.setup(), watch.buffers, link_pair)]);
+}
 
 std::string fixedText(double value, int decimals) {
   // The largest number has 309 digits before the point.
@@ -236,65 +232,28 @@ std::string changeSentence(const Watch& watch, const VerdictChange& change) {
   if (change.after == Verdict::unknown) {
     const LinkId unknown = MainPart(watch.poses, setup.checked).has(pair.a) ? pair.b : pair.a;
     const LinkId other = unknown == pair.a ? pair.b : pair.a;
-    return unknownSentence(watch, unknown) + ", near " + setup.model.link(other).name + " before";
+    return unknownSentence(watch, unknown) + ", near " + nameInText(setup.model, other) + " before";
   }
   const std::uint32_t speaker = speakerOf(setup, watch.buffers, change.link_pair);
   if (speaker == kNone) {
-    return setup.model.link(pair.a).name + " is clear of " + setup.model.link(pair.b).name +
+    return nameInText(setup.model, pair.a) + " is clear of " + nameInText(setup.model, pair.b) +
            " by more than " + lengthText(activationDistanceOf(limitsOf(setup, pair)));
   }
   const std::string measured = pairSentence(watch, change.link_pair);
   return change.after == Verdict::clear ? measured + ", clear again" : measured;
 }
 
-std::string stepSentence(const Watch& watch) {
-  const CycleSetup& setup = watch.setup();
-  const StepLimit& step = watch.buffers.sweep.step;
-  const bool is_covered = !step.on_way.is_exceeded;
-  const StepCap& cap = is_covered ? step.at_poses : step.on_way;
-  if (!cap.is_exceeded) {
-    return "";
-  }
-  const CheckedLinkPair& pair = setup.checked[cap.pair];
-  const std::string links = setup.model.link(pair.a).name + " and " + setup.model.link(pair.b).name;
-  const std::string every = "every " + fixedText(1e3 * step.step, 1) + " ms";
-  const std::string needed = "every " + fixedText(1e3 * cap.longest, 1) + " ms";
-  if (is_covered) {
-    return links +
-           " move so fast that they could pass through each other from one pose to the next (" +
-           every + "); the monitor also looks at the way in between, so nothing is missed " +
-           "(without that, poses would be needed " + needed + ")";
-  }
-  const char* const danger =
-      setup.is_continuous ? " speed up or slow down so much that they may pass through each other "
-                            "unseen, though the monitor looks at the way in between"
-                          : " can pass through each other unseen (parameter continuous is off)";
-  return "poses " + every + " are too few: from one to the next, " + links + danger +
-         "; at these speeds poses are needed " + needed;
-}
-
 std::string stateSentence(const Watch& watch, const CycleFacts& facts) {
-  const std::string sentence =
-      verdictSentence(watch, facts) + muteText(watch.pairs_muted, facts.muted_for);
+  const std::string missing = missingSentence(*watch.fixed);
+  const bool is_contact = levelOf(watch, facts) == State::CONTACT;
+  const std::string verdict = verdictSentence(watch, facts);
+  const std::string judged = missing.empty() ? verdict
+                             : is_contact    ? verdict + "; " + missing
+                                             : missing + "; " + verdict;
+  const std::string sentence = judged + muteText(watch.pairs_muted, facts.muted_for);
   return facts.is_enabled ? sentence
                           : "switched off for another " + fixedText(facts.enabled_again_in, 0) +
                                 " s; " + sentence;
-}
-
-const char* statusText(LinkStatus status) noexcept {
-  switch (status) {
-    case LinkStatus::known:
-      return "known";
-    case LinkStatus::stale:
-      return "stale";
-    case LinkStatus::missing:
-      return "missing";
-    case LinkStatus::not_finite:
-      return "not finite";
-    case LinkStatus::contradicted:
-      return "contradicted";
-  }
-  return "unknown";
 }
 
 }  // namespace collision_monitor

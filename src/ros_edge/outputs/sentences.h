@@ -34,6 +34,15 @@ std::string distanceSentence(const CycleSetup& setup, const PairDistance& distan
 std::uint32_t speakerOf(const CycleSetup& setup, const CycleBuffers& buffers,
                         LinkPairIndex link_pair);
 
+/// For a measured pair: its state now, or that it touched since the last cycle.
+std::string pairSentence(const Watch& watch, LinkPairIndex link_pair);
+
+/// " (and 2 more pairs)"; empty if there is only one.
+std::string andMore(std::size_t count, const char* what);
+
+/// Why nothing at all can be judged: there is no time, or nothing is checked; empty if it can.
+std::string blindReason(const Watch& watch, const CycleFacts& facts);
+
 /// What a pair's change of verdict means.
 std::string changeSentence(const Watch& watch, const VerdictChange& change);
 

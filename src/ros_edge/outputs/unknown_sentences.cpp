@@ -37,8 +37,7 @@ std::string reasonSentence(const Watch& watch, LinkId link) {
 }
 
 std::string unknownSentence(const Watch& watch, LinkId link) {
-  return "link " + watch.setup().model.link(link).name +
-         " is unknown: " + reasonSentence(watch, link);
+  return unknownText(watch.setup().model, link, reasonSentence(watch, link));
 }
 
 std::string clockSentence(const ClockState& clock) {
@@ -50,6 +49,32 @@ std::string clockSentence(const ClockState& clock) {
   return clock.fault == ClockFault::silent
              ? stands + ": nothing comes on /clock (use_sim_time is set), and no pose grows old"
              : stands + ", but transforms or joint states of later times come";
+}
+
+std::string blindReason(const Watch& watch, const CycleFacts& facts) {
+  if (facts.now.isZero()) {
+    return clockSentence({ClockFault::not_started, 0.0});
+  }
+  if (watch.clock.fault != ClockFault::none) {
+    return clockSentence(watch.clock);
+  }
+  return watch.setup().checked.empty() ? "no pair of links is checked, so nothing can be said" : "";
+}
+
+const char* statusText(LinkStatus status) noexcept {
+  switch (status) {
+    case LinkStatus::known:
+      return "known";
+    case LinkStatus::stale:
+      return "stale";
+    case LinkStatus::missing:
+      return "missing";
+    case LinkStatus::not_finite:
+      return "not finite";
+    case LinkStatus::contradicted:
+      return "contradicted";
+  }
+  return "unknown";
 }
 
 }  // namespace collision_monitor

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 
+#include "model/object_links.h"
 #include "ros_edge/outputs/sentences.h"
 
 namespace collision_monitor {
@@ -83,7 +84,7 @@ void WarningLog::logUnknownLinks(const Watch& watch) {
   std::map<std::string, std::string> links_of_cause;
   for (const LinkId link : lone) {
     std::string& links = links_of_cause[reasonSentence(watch, link)];
-    links += (links.empty() ? "" : ", ") + watch.setup().model.link(link).name;
+    links += (links.empty() ? "" : ", ") + nameInText(watch.setup().model, link);
   }
   for (const auto& [cause, links] : links_of_cause) {
     ROS_WARN_STREAM("unknown: " << links << ": " << cause);

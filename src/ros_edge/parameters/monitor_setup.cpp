@@ -9,7 +9,9 @@
 #include <chrono>
 #include <utility>
 
+#include "collision_monitor/geometry/ids.h"
 #include "model/object_links.h"
+#include "model/rules/awaited_names.h"
 #include "pipeline/world/add_world.h"
 #include "ros_edge/parameters/fit_options.h"
 #include "ros_edge/parameters/resource_loader.h"
@@ -41,6 +43,8 @@ std::shared_ptr<MonitorSetup> partsOf(const MonitorSetup& former) {
   auto made = std::make_shared<MonitorSetup>();
   made->parameters = former.parameters;
   made->robots = former.robots;
+  made->listed = former.listed;
+  made->held_back = former.held_back;
   made->world = former.world;
   made->prepared = former.prepared;
   made->world_frame = former.world_frame;
@@ -49,57 +53,44 @@ std::shared_ptr<MonitorSetup> partsOf(const MonitorSetup& former) {
   return made;
 }
 
-std::optional<RuleEnd> lastMuteOf(const MonitorSetup& setup) {
-  std::optional<RuleEnd> last;
-  for (const LinkPair& pair : setup.setup.link_pairs) {
-    if (pair.reason == PairReason::muted) {
-      const RuleEnd end = setup.rule_ends[pair.rule];
-      last = last ? std::max(*last, end) : end;
-    }
-  }
-  return last;
-}
-
-std::vector<std::string> jointTopics(const MonitorSetup& setup) {
-  std::vector<std::string> topics;
-  for (const Robot& robot : setup.setup.model.robots) {
-    topics.push_back(robot.is_world ? "" : setup.parameters.joint_states);
-  }
-  // An empty list means one robot.
-  for (std::size_t i = 0; i < setup.parameters.robots.size(); ++i) {
-    const std::string& own = setup.parameters.robots[i].joint_states;
-    topics[i] = own.empty() ? topics[i] : own;
-  }
-  return topics;
-}
-
-std::vector<std::string> frameNames(const MonitorSetup& setup) {
-  std::vector<std::string> names{setup.world_frame};
-  const RobotModel& model = setup.setup.model;
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
-    if (!isObject(model, idAt<LinkId>(i))) {
-      names.push_back(model.links[i].frame);
-    }
-  }
-  return names;
-}
-
 namespace {
 
-/// The objects at start, or those of the set-up before a reload.
-World makeWorld(const MonitorSetup& made, const MonitorSetup* former,
-                const ResourceLoader& load_resource) {
-  SetupReport report;
-  ObjectChange change{ChangeKind::replace_all, {}, true};
-  if (former != nullptr) {
-    for (const auto& [name, object] : former->world.objects) {
-      change.objects.push_back(*object);
+/// Whether all links that an object names are there.
+bool hasItsLinks(const WorldObject& object, const RobotModel& model) {
+  return (!object.is_attached || model.findLink(object.frame)) &&
+         std::all_of(object.touch_links.begin(), object.touch_links.end(),
+                     [&](const std::string& link) { return model.findLink(link).has_value(); });
+}
+
+/// The objects at start, or those of the set-up before a reload, and what that held back.
+std::vector<WorldObject> objectsFor(const MonitorSetup& made, const MonitorSetup* former,
+                                    const ResourceLoader& load_resource, SetupReport& report) {
+  if (former == nullptr) {
+    return loadObjects(made.parameters, load_resource, report);
+  }
+  std::vector<WorldObject> objects;
+  for (const auto& [name, object] : former->world.objects) {
+    objects.push_back(*object);
+  }
+  for (const WorldObject& object : former->held_back) {
+    if (former->world.objects.count(object.name) == 0) {  // else it was added meanwhile
+      objects.push_back(object);
     }
-  } else {
-    change.objects = loadObjects(made.parameters, load_resource, report);
+  }
+  return objects;
+}
+
+World makeWorld(const MonitorSetup* former, const ResourceLoader& load_resource,
+                MonitorSetup& made) {
+  SetupReport report;
+  const RobotModel& model = made.robots->model;
+  ObjectChange change{ChangeKind::replace_all, {}, true};
+  for (WorldObject& object : objectsFor(made, former, load_resource, report)) {
+    const bool waits = isAnyMissing(made) && !hasItsLinks(object, model);
+    (waits ? made.held_back : change.objects).push_back(std::move(object));
   }
   const World world =
-      applyChanges(World(), {change}, placesAtStart(made.robots->model, made.world_frame), report);
+      applyChanges(World(), {change}, placesAtStart(model, made.world_frame), report);
   throwIfErrors(report);
   return world;
 }
@@ -144,12 +135,120 @@ void keepRules(const MonitorSetup& former, MonitorSetup& made) {
   made.rule_ends = former.rule_ends;
 }
 
+/// The warnings about robots that have not come yet.
+void warnOfMissing(MonitorSetup& made) {
+  std::vector<Problem>& warnings = made.setup.report.warnings;
+  for (std::size_t i = 0; i < made.listed.size(); ++i) {
+    const ListedRobot& robot = made.listed[i];
+    if (!robot.id) {
+      const bool is_frame = i == 0 && made.parameters.world_frame.empty();
+      warnings.push_back({"robot '" + robot.name + "'", robot.missing, "",
+                          "it is taken in when it comes; until then the state is UNKNOWN" +
+                              std::string(is_frame ? ". The world frame is '" + made.world_frame +
+                                                         "' meanwhile and then; set world_frame"
+                                                   : "")});
+    }
+  }
+  for (const WorldObject& object : made.held_back) {
+    warnings.push_back({object.where.empty() ? "world" : object.where,
+                        "object '" + object.name + "', which names a link that is not there yet",
+                        "", "it is added when the missing robots have come"});
+  }
+}
+
+/// Builds everything of `made` but its parameters, from these robots.
+/// @param former gives objects, and where `keeps_rules` rules and limits; may be null
+/// @param report has the faults of loading the robots
+void build(LoadedRobots loaded, const ResourceLoader& load_resource, const MonitorSetup* former,
+           bool keeps_rules, SetupReport& report, MonitorSetup& made) {
+  SetupOptions options = loadSetupOptions(made.parameters, load_resource, report);
+  options.fit_progress = logLongFitting();
+  throwIfErrors(report);
+  made.descriptions = std::move(loaded.descriptions);
+  made.listed = std::move(loaded.listed);
+  const bool has_objects =
+      !made.parameters.world.empty() || !made.parameters.world_file.empty() ||
+      (former != nullptr && (!former->world.objects.empty() || !former->held_back.empty()));
+  const bool is_any_missing = isAnyMissing(made);
+  const AwaitedNames awaited(is_any_missing);
+  options.idle_rules =
+      has_objects || is_any_missing || keeps_rules ? IdleRule::is_accepted : IdleRule::is_error;
+  made.robots = std::make_shared<CycleSetup>(
+      withoutPairs(buildSetup(made.descriptions, load_resource, options)));
+  const RobotModel& model = made.robots->model;
+  if (made.parameters.robots.empty()) {
+    made.listed.front().name = model.robots.front().name;
+  }
+  if (made.world_frame.empty()) {
+    made.world_frame = stripLeadingSlash(made.parameters.world_frame.empty()
+                                             ? model.link(model.robots.front().root).frame
+                                             : made.parameters.world_frame);
+  }
+  addObjects(makeWorld(former, load_resource, made), {}, made);
+  if (keeps_rules) {
+    keepRules(*former, made);
+  } else {
+    if (has_objects) {
+      const IdleRule at_reload = former == nullptr ? IdleRule::is_error : IdleRule::is_warning;
+      applyRules(options.pair_rules, is_any_missing ? IdleRule::is_accepted : at_reload, made);
+    }
+    made.rule_ends.assign(made.setup.pair_rules.size(), kLasts);
+  }
+  warnOfMissing(made);
+  malloc_trim(0);  // reading and fitting free much memory that glibc would keep
+}
+
 }  // namespace
 
-std::shared_ptr<const MonitorSetup> changeWorld(const MonitorSetup& former, const World& world) {
+bool isAnyMissing(const MonitorSetup& setup) {
+  return std::any_of(setup.listed.begin(), setup.listed.end(),
+                     [](const ListedRobot& robot) { return !robot.id; });
+}
+
+std::shared_ptr<const MonitorSetup> changeWorld(const MonitorSetup& former, const World& world,
+                                                std::vector<WorldObject> held_back) {
   std::shared_ptr<MonitorSetup> made = partsOf(former);
+  made->held_back = std::move(held_back);
   addObjects(world, former.prepared, *made);
   keepRules(former, *made);
+  warnOfMissing(*made);
+  return made;
+}
+
+std::shared_ptr<const MonitorSetup> takeInRobots(const ros::NodeHandle& private_node,
+                                                 GoesOn goes_on, const MonitorSetup& former) {
+  const Interruptible interruptible(std::move(goes_on));
+  const auto has_come = [&](std::size_t i) {
+    return !former.listed[i].id && hasCome(private_node, former.parameters.robots[i]);
+  };
+  bool is_any = false;
+  for (std::size_t i = 0; i < former.listed.size() && !is_any; ++i) {
+    is_any = has_come(i);
+  }
+  if (!is_any) {
+    return nullptr;
+  }
+  auto made = std::make_shared<MonitorSetup>();
+  made->parameters = former.parameters;
+  made->world_frame = former.world_frame;
+  const ResourceLoader load_resource = makeResourceLoader(made->parameters.loading);
+  SetupReport report;
+  LoadedRobots loaded =
+      loadDescriptions(private_node, made->parameters, load_resource, 0.0, report);
+  // Those that are watched stay as they are, also if their parameters have gone.
+  LoadedRobots all;
+  for (std::size_t i = 0; i < loaded.listed.size(); ++i) {
+    ListedRobot robot = loaded.listed[i];
+    const ListedRobot& before = former.listed[i];
+    if (before.id || robot.id) {
+      all.descriptions.push_back(before.id ? former.descriptions[index(*before.id)]
+                                           : loaded.descriptions[index(*robot.id)]);
+      robot.id = idAt<RobotId>(all.descriptions.size() - 1);
+      robot.missing.clear();
+    }
+    all.listed.push_back(std::move(robot));
+  }
+  build(std::move(all), load_resource, &former, true, report, *made);
   return made;
 }
 
@@ -164,32 +263,10 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   made->parameters = readParameters(values, where, report);
   // Faulty parameters may not even tell which robots to wait for.
   throwIfErrors(report);
-
   const ResourceLoader load_resource = makeResourceLoader(made->parameters.loading);
-  const std::vector<RobotDescription> descriptions =
-      loadDescriptions(private_node, made->parameters, load_resource, report);
-  SetupOptions options = loadSetupOptions(made->parameters, load_resource, report);
-  options.fit_progress = logLongFitting();
-  throwIfErrors(report);
-
-  made->descriptions = descriptions;
-  const bool has_objects = !made->parameters.world.empty() ||
-                           !made->parameters.world_file.empty() ||
-                           (former != nullptr && !former->world.objects.empty());
-  options.idle_rules = has_objects ? IdleRule::is_accepted : IdleRule::is_error;
-  made->robots =
-      std::make_shared<CycleSetup>(withoutPairs(buildSetup(descriptions, load_resource, options)));
-  const RobotModel& model = made->robots->model;
-  made->world_frame = stripLeadingSlash(made->parameters.world_frame.empty()
-                                            ? model.link(model.robots.front().root).frame
-                                            : made->parameters.world_frame);
-  addObjects(makeWorld(*made, former, load_resource), {}, *made);
-  if (has_objects) {
-    applyRules(options.pair_rules, former == nullptr ? IdleRule::is_error : IdleRule::is_warning,
-               *made);
-  }
-  made->rule_ends.assign(made->setup.pair_rules.size(), kLasts);
-  malloc_trim(0);  // reading and fitting free much memory that glibc would keep
+  LoadedRobots loaded = loadDescriptions(private_node, made->parameters, load_resource,
+                                         made->parameters.wait_for_description, report);
+  build(std::move(loaded), load_resource, former, false, report, *made);
   return made;
 }
 

@@ -44,7 +44,10 @@ constexpr RuleEnd kLasts = RuleEnd::max();  ///< of a rule that does not end by 
 struct MonitorSetup {
   Parameters parameters;
   std::shared_ptr<const CycleSetup> robots;  ///< without objects, as withoutPairs
+  std::vector<ListedRobot> listed;           ///< in the order of the parameter `robots`
   World world;
+  /// Objects of the parameters that are attached to links of missing robots, or touch these.
+  std::vector<WorldObject> held_back;
   PreparedObjects prepared;  ///< of `world`
   CycleSetup setup;          ///< of the robots and the world
   std::string world_frame;
@@ -72,9 +75,22 @@ std::vector<std::string> frameNames(const MonitorSetup& setup);
 std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& private_node,
                                                      GoesOn goes_on, const MonitorSetup* former);
 
+/// Whether the URDF of a listed robot has not come yet.
+bool isAnyMissing(const MonitorSetup& setup);
+
+/// The same with the robots whose descriptions have come since then: objects, rules and limits stay
+/// as they are, and parameters are not read again.
+/// @return null if none has come
+/// @throws SetupError with every problem of these robots, or of rules and objects with them
+/// @throws Interrupted
+std::shared_ptr<const MonitorSetup> takeInRobots(const ros::NodeHandle& private_node,
+                                                 GoesOn goes_on, const MonitorSetup& former);
+
 /// The same robots with another world.
 /// @throws SetupError if there are more pairs than memory has room for
 /// @throws Interrupted
-std::shared_ptr<const MonitorSetup> changeWorld(const MonitorSetup& former, const World& world);
+/// @param held_back as in MonitorSetup
+std::shared_ptr<const MonitorSetup> changeWorld(const MonitorSetup& former, const World& world,
+                                                std::vector<WorldObject> held_back);
 
 }  // namespace collision_monitor

@@ -4,9 +4,11 @@
 
 #include <ros/names.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
+#include "model/place.h"
 #include "ros_edge/pace.h"
 #include "ros_edge/parameters/file_parameters.h"
 #include "ros_edge/parameters/parameter_struct.h"
@@ -62,10 +64,25 @@ void readTopic(ParameterStruct& fields, const std::string& field, std::string& t
   readName(fields, field, "the name of a topic", topic, report);
 }
 
+/// Whether a name can be a part of the name of a topic.
+bool isTopicPart(const std::string& name) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_legal = [&](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '/';
+  };
+  return !name.empty() && is_letter(name.front()) && name.back() != '/' &&
+         name.find("//") == std::string::npos && std::all_of(name.begin(), name.end(), is_legal);
+}
+
 RobotSource readRobot(const XmlRpcValue& values, const std::string& where, SetupReport& report) {
   RobotSource robot;
   ParameterStruct fields(values, where, report);
   fields.read("name", robot.name);
+  if (!robot.name.empty() && !isTopicPart(robot.name)) {
+    report.errors.push_back({"parameter " + where + "/name", collision_monitor::quoted(robot.name),
+                             "a letter, then letters, digits, _ and /: topics have this name"});
+  }
+  fields.read("may_be_absent", robot.may_be_absent);
   readName(fields, "description", "the name of a parameter", robot.description, report);
   readName(fields, "semantic", "the name of a parameter", robot.semantic, report);
   fields.read("file", robot.file);
@@ -183,6 +200,9 @@ void readTiming(ParameterStruct& fields, Parameters& parameters) {
   fields.read("velocity_filter", kDuration, parameters.velocity_filter);
   fields.read("heartbeat_rate", {1.0, 1000.0}, parameters.heartbeat_rate);
   fields.read("marker_rate", {0.0, 1000.0, true}, parameters.marker_rate);
+  auto labels = static_cast<double>(parameters.marker_labels);
+  fields.readWhole("marker_labels", {0.0, 1000.0}, labels);
+  parameters.marker_labels = static_cast<std::size_t>(labels);
   fields.read("disable_timeout", kTime, parameters.disable_timeout);
   fields.read("wait_for_description", {0.0, 1e6}, parameters.wait_for_description);
 }

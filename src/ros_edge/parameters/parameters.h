@@ -4,10 +4,12 @@
 
 #include <xmlrpcpp/XmlRpcValue.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "collision_monitor/model/problems.h"
+#include "collision_monitor/model/robot_model.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "ros_edge/parameters/resource_loader.h"
 
@@ -22,6 +24,16 @@ struct RobotSource {
   std::string semantic_file;  ///< SRDF file or package:// URI; replaces `semantic`
   std::string tf_prefix;      ///< as in RobotDescription
   std::string joint_states;   ///< topic of its joint states; "": that for all robots
+  bool may_be_absent{false};  ///< as in ListedRobot
+};
+
+/// A robot as the user lists it, whether it is there or not.
+struct ListedRobot {
+  std::string name;           ///< as in the parameter `robots`; of a single robot, as in its URDF
+  std::optional<RobotId> id;  ///< none: its URDF has not come yet
+  std::string missing;        ///< what is missing then: "no URDF in parameter /right/urdf"
+  /// Other robots may go on while nothing of it is known: State says which.
+  bool may_be_absent{false};
 };
 
 enum class Trigger : unsigned char {
@@ -51,6 +63,7 @@ struct Parameters {
   double velocity_filter{0.02};              ///< [s] as VelocityOptions::time_constant
   double heartbeat_rate{2.0};                ///< [Hz]
   double marker_rate{30.0};                  ///< [Hz]
+  std::size_t marker_labels{6};              ///< most labels in the markers
   SetupOptions setup;       ///< its texts and folders are filled in when the set-up is built
   std::string shape_rules;  ///< file or package:// URI, "" for none
   std::string pair_rules;   ///< the same; "" if `setup` has the rules themselves, or for none

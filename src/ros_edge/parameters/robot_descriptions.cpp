@@ -4,8 +4,11 @@
 
 #include <ros/names.h>
 
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/interruption.h"
 #include "ros_edge/name_beside.h"
 
@@ -59,8 +62,9 @@ std::string readFile(const std::string& uri, const std::string& what, const std:
   }
 }
 
+/// @param missing what is missing, if there is no URDF
 RobotDescription fromParameter(const ros::NodeHandle& node, const RobotSource& robot,
-                               const ros::WallTime& deadline, SetupReport& report) {
+                               const ros::WallTime& deadline, std::string& missing) {
   RobotDescription description;
   const std::string name = nameForSearch(node, robot.description);
   description.source = "parameter " + startOfSearch(node, name);
@@ -69,10 +73,7 @@ RobotDescription fromParameter(const ros::NodeHandle& node, const RobotSource& r
     node.searchParam(name, resolved);
     description.source = "parameter " + resolved;
   } else {
-    report.errors.push_back(
-        {"robot '" + robot.name + "'",
-         "no URDF in " + description.source + " nor under the same name in a namespace above",
-         "a parameter that holds the text of a URDF"});
+    missing = "no URDF in " + description.source + " nor under the same name in a namespace above";
   }
   return description;
 }
@@ -110,43 +111,67 @@ void addSemantic(const ros::NodeHandle& node, const RobotSource& robot, bool is_
   }
 }
 
+/// The robots that the parameters name or, without a list, the one in robot_description.
+std::vector<RobotSource> sourcesOf(const Parameters& parameters) {
+  if (!parameters.robots.empty()) {
+    return parameters.robots;
+  }
+  RobotSource robot;
+  robot.name = "robot_description";
+  robot.description = "robot_description";
+  robot.semantic = "robot_description_semantic";
+  return {robot};
+}
+
+void addRest(const ros::NodeHandle& node, const Parameters& parameters, const RobotSource& robot,
+             const ResourceLoader& load_resource, RobotDescription& description,
+             SetupReport& report) {
+  addSemantic(node, robot, !parameters.robots.empty(), description, report);
+  if (!robot.semantic_file.empty()) {
+    description.srdf_source = robot.semantic_file;
+    description.srdf_xml =
+        readFile(robot.semantic_file, "semantic_file", robot.name, load_resource, report);
+  }
+  description.tf_prefix = robot.tf_prefix;
+  description.obeys_up_axis = parameters.obey_up_axis;
+  description.is_strict = parameters.is_strict;
+  if (robot.file.empty()) {
+    description.directory = parameters.mesh_directory;
+  }
+}
+
 }  // namespace
 
-std::vector<RobotDescription> loadDescriptions(const ros::NodeHandle& private_node,
-                                               const Parameters& parameters,
-                                               const ResourceLoader& load_resource,
-                                               SetupReport& report) {
-  std::vector<RobotSource> sources = parameters.robots;
-  const bool is_default = sources.empty();
-  if (is_default) {
-    RobotSource robot;
-    robot.name = "robot_description";
-    robot.description = "robot_description";
-    robot.semantic = "robot_description_semantic";
-    sources.push_back(robot);
-  }
-  const ros::WallTime deadline =
-      ros::WallTime::now() + ros::WallDuration(parameters.wait_for_description);
-  std::vector<RobotDescription> descriptions;
-  for (const RobotSource& robot : sources) {
-    RobotDescription description = robot.file.empty()
-                                       ? fromParameter(private_node, robot, deadline, report)
-                                       : fromFile(robot, load_resource, report);
-    addSemantic(private_node, robot, !is_default, description, report);
-    if (!robot.semantic_file.empty()) {
-      description.srdf_source = robot.semantic_file;
-      description.srdf_xml =
-          readFile(robot.semantic_file, "semantic_file", robot.name, load_resource, report);
+LoadedRobots loadDescriptions(const ros::NodeHandle& private_node, const Parameters& parameters,
+                              const ResourceLoader& load_resource, double patience,
+                              SetupReport& report) {
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(patience);
+  LoadedRobots loaded;
+  for (const RobotSource& robot : sourcesOf(parameters)) {
+    ListedRobot listed{robot.name, std::nullopt, "", robot.may_be_absent};
+    RobotDescription description =
+        robot.file.empty() ? fromParameter(private_node, robot, deadline, listed.missing)
+                           : fromFile(robot, load_resource, report);
+    if (listed.missing.empty()) {
+      addRest(private_node, parameters, robot, load_resource, description, report);
+      listed.id = idAt<RobotId>(loaded.descriptions.size());
+      loaded.descriptions.push_back(std::move(description));
     }
-    description.tf_prefix = robot.tf_prefix;
-    description.obeys_up_axis = parameters.obey_up_axis;
-    description.is_strict = parameters.is_strict;
-    if (robot.file.empty()) {
-      description.directory = parameters.mesh_directory;
-    }
-    descriptions.push_back(std::move(description));
+    loaded.listed.push_back(std::move(listed));
   }
-  return descriptions;
+  if (loaded.descriptions.empty()) {
+    for (const ListedRobot& robot : loaded.listed) {
+      report.errors.push_back({"robot '" + robot.name + "'", robot.missing,
+                               "a parameter that holds the text of a URDF"});
+    }
+  }
+  return loaded;
+}
+
+bool hasCome(const ros::NodeHandle& private_node, const RobotSource& robot) {
+  std::string text;
+  return waitForParameter(private_node, nameForSearch(private_node, robot.description),
+                          ros::WallTime(), text);
 }
 
 }  // namespace collision_monitor

@@ -11,12 +11,24 @@
 
 namespace collision_monitor {
 
+/// The robots that the parameters list, and the descriptions of those that are there, in the same
+/// order.
+struct LoadedRobots {
+  std::vector<RobotDescription> descriptions;
+  std::vector<ListedRobot> listed;
+};
+
 /// Gets each robot's URDF, and its SRDF if there is one, from the parameter server or from files.
-/// Launch files start nodes in any order, so this waits up to `wait_for_description` for URDF
-/// parameters. What is missing or unreadable is added to `report` with the name that was looked up.
-std::vector<RobotDescription> loadDescriptions(const ros::NodeHandle& private_node,
-                                               const Parameters& parameters,
-                                               const ResourceLoader& load_resource,
-                                               SetupReport& report);
+/// Launch files start nodes in any order, so this waits up to `patience` [s] for URDF parameters.
+///
+/// A robot of the parameter `robots` whose URDF parameter is missing then is listed as missing, if
+/// another robot is there. All else that is missing or unreadable is added to `report` with the
+/// name that was looked up.
+LoadedRobots loadDescriptions(const ros::NodeHandle& private_node, const Parameters& parameters,
+                              const ResourceLoader& load_resource, double patience,
+                              SetupReport& report);
+
+/// Whether the URDF parameter of this robot is there.
+bool hasCome(const ros::NodeHandle& private_node, const RobotSource& robot);
 
 }  // namespace collision_monitor

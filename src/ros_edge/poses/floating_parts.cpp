@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "model/object_links.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -81,10 +83,15 @@ std::vector<FloatingPart> findFloatingParts(const LinkPoses& poses,
   return parts;
 }
 
+std::string unknownText(const RobotModel& model, LinkId link, const std::string& reason) {
+  const char* kind = isOfWorld(model, link) ? "" : "link ";
+  return kind + nameInText(model, link) + " is unknown: " + reason;
+}
+
 std::string floatingText(const RobotModel& model, const FloatingPart& part,
                          const std::string& reason) {
   if (part.own_pairs == 0) {
-    return "link " + model.link(part.first).name + " is unknown: " + reason;
+    return unknownText(model, part.first, reason);
   }
   const Link& top = model.link(part.top);
   const Robot& robot = model.robots[index(top.robot)];

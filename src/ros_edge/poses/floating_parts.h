@@ -42,6 +42,9 @@ class MainPart {
 std::vector<FloatingPart> findFloatingParts(const LinkPoses& poses,
                                             const std::vector<CheckedLinkPair>& pairs);
 
+/// "link left/hand is unknown: no transform ..."; "object table is unknown: ...".
+std::string unknownText(const RobotModel& model, LinkId link, const std::string& reason);
+
 /// "the part of robot 'left' from link 'left/base' on floats: no transform ..."; for a part without
 /// pairs of its own: "link left/hand is unknown: no transform ...".
 std::string floatingText(const RobotModel& model, const FloatingPart& part,

@@ -6,6 +6,7 @@
 
 #include "model/nearest_name.h"
 #include "model/number_text.h"
+#include "model/object_links.h"
 #include "model/place.h"
 #include "pipeline/answers/link_distances.h"
 #include "pipeline/answers/pair_reason.h"
@@ -134,8 +135,9 @@ void answerExplainPair(const MonitorSetup& current, const NewestState& newest,
   response.checked = isChecked(pair.reason) ? 1 : 0;
   response.reason = reasonOf(setup, pair);
   fillLimits(setup, pair, response);
-  std::vector<std::string> sentences{setup.model.link(pair.a).name + " and " +
-                                         setup.model.link(pair.b).name + " are " + response.reason,
+  std::vector<std::string> sentences{nameInText(setup.model, pair.a) + " and " +
+                                         nameInText(setup.model, pair.b) + " are " +
+                                         response.reason,
                                      fillNow(current, newest, place, response.now)};
   const std::optional<PairView> seen = view(request.link_a, request.link_b);
   if (!seen) {

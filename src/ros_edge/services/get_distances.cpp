@@ -12,6 +12,7 @@
 #include "collision_monitor/geometry/ids.h"
 #include "model/few_texts.h"
 #include "model/nearest_name.h"
+#include "model/object_links.h"
 #include "model/place.h"
 #include "pipeline/answers/link_distances.h"
 #include "pipeline/answers/pair_reason.h"
@@ -78,7 +79,7 @@ std::string ignoredText(const CycleSetup& setup, const Selection& selection) {
   for (const LinkPair& pair : setup.link_pairs) {
     if (!isChecked(pair.reason) && selection.has(pair.a, pair.b)) {
       found.add([&] {
-        return setup.model.link(pair.a).name + " and " + setup.model.link(pair.b).name + " (" +
+        return nameInText(setup.model, pair.a) + " and " + nameInText(setup.model, pair.b) + " (" +
                reasonText(pair.reason) + ")";
       });
     }

@@ -25,7 +25,9 @@ Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, Se
       hooks_(std::move(hooks)),
       objects_(private_node, inputs,
                {hooks_.current_setup, hooks_.change_setup, [this] { return goesOn(); }}, changing_),
-      rule_clock_([this] { return nextEndOf(*hooks_.current_setup()); }, [this] { endRules(); }) {
+      rule_clock_([this] { return nextEndOf(*hooks_.current_setup()); }, [this] { endRules(); }),
+      late_robots_([this] { return isAnyMissing(*hooks_.current_setup()); },
+                   [this] { takeInLateRobots(); }) {
   get_distances_ = private_node_.advertiseService("get_distances", &Services::getDistances, this);
   ros::NodeHandle background_node(private_node_);
   background_node.setCallbackQueue(&background_.queue());
@@ -133,6 +135,23 @@ void Services::endRules() {
   if (next) {
     hooks_.change_setup(next);
     ROS_INFO_STREAM("rules for pairs have ended; left: " << next->setup.pair_rules.size());
+  }
+}
+
+/// While another change is made, late robots wait.
+void Services::takeInLateRobots() {
+  const std::unique_lock<std::mutex> lock(changing_, std::try_to_lock);
+  if (!lock.owns_lock()) {
+    return;
+  }
+  const std::shared_ptr<const MonitorSetup> made = takeInRobots(
+      private_node_, [this] { return goesOn(); }, *hooks_.current_setup());
+  if (made) {
+    hooks_.replace_setup(made);
+    objects_.publish();
+    rule_clock_.wake();
+    ROS_INFO("a robot has come late and is watched from now on");
+    logSetup(*made);
   }
 }
 

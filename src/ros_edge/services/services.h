@@ -21,6 +21,7 @@
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/parameters/monitor_setup.h"
 #include "ros_edge/poses/newest_state.h"
+#include "ros_edge/robots/late_robots.h"
 #include "ros_edge/services/explain_pair.h"
 #include "ros_edge/services/rule_clock.h"
 #include "ros_edge/world/object_services.h"
@@ -59,6 +60,7 @@ class Services {
   bool setPairs(SetPairs::Request& request, SetPairs::Response& response);
   bool setLimits(SetLimits::Request& request, SetLimits::Response& response);
   void endRules();
+  void takeInLateRobots();
   bool setEnabled(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool reload(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
@@ -77,7 +79,9 @@ class Services {
   ros::ServiceServer set_enabled_;
   ros::ServiceServer reload_;
   ObjectServices objects_;
-  RuleClock rule_clock_;  ///< the last, since its thread uses the others
+  // The last, since their threads use the others.
+  RuleClock rule_clock_;
+  LateRobots late_robots_;
 };
 
 }  // namespace collision_monitor

@@ -4,8 +4,10 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <exception>
 #include <utility>
+#include <vector>
 
 #include "ros_edge/parameters/resource_loader.h"
 #include "ros_edge/world/convert_objects.h"
@@ -27,6 +29,15 @@ SceneObjects listOf(const MonitorSetup& setup) {
 
 std::string countText(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " object" : " objects");
+}
+
+/// A list that is cleared or replaced no longer waits for objects of the parameters.
+std::vector<WorldObject> stillHeldBack(const MonitorSetup& current,
+                                       const std::vector<ObjectChange>& changes) {
+  const bool starts_anew = std::any_of(changes.begin(), changes.end(), [](const auto& change) {
+    return change.kind == ChangeKind::clear || change.kind == ChangeKind::replace_all;
+  });
+  return starts_anew ? std::vector<WorldObject>() : current.held_back;
 }
 
 }  // namespace
@@ -54,7 +65,7 @@ bool ObjectServices::apply(ApplyObjects::Request& request, ApplyObjects::Respons
     const World world =
         applyChanges(current->world, changes, placesNow(*current, inputs_, kPatience), report);
     throwIfErrors(report);
-    hooks_.replace_world(changeWorld(*current, world));
+    hooks_.replace_world(changeWorld(*current, world, stillHeldBack(*current, changes)));
     publish();
     response.message = "watching " + countText(world.objects.size());
     response.success = 1;

@@ -165,14 +165,16 @@ TEST(RunCycleProperty, whatIsCulledMattersToNoVerdictTimeOrScale) {
     memory.reported = buffers.memory.reported;
     memory.contact_detail = buffers.memory.contact_detail;
     memory.speed = buffers.memory.speed;
+    RobotSpeeds robots = buffers.robots;
     runCycle(setup, poses, buffers);
     PairDistances all;
     measurePairs(setup, buffers.body_poses, knownPairs(setup, buffers.body_poses), all);
     findClosings(setup, poses, all);
     judgePairs(setup, buffers.body_poses, poses.velocities, all, memory, events);
-    scaleSpeed(setup, poses.stamp_ns, all, events, memory.speed);
+    scaleSpeed(setup, poses.stamp_ns, all, events, memory.speed, robots);
     ASSERT_EQ(buffers.events.verdicts, events.verdicts);
     ASSERT_EQ(buffers.memory.speed.scale, memory.speed.scale);
+    ASSERT_EQ(buffers.robots.scales, robots.scales);
     if (events.time_to_contact < std::numeric_limits<double>::infinity()) {
       ASSERT_EQ(buffers.events.time_to_contact, events.time_to_contact);
       ++soon;

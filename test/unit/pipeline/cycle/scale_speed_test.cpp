@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "two_balls.h"
 
@@ -14,7 +15,22 @@ namespace {
 
 class ScaleSpeed : public TwoBalls {};
 
-class ScaleSpeedOfThree : public ThreeBalls {};
+class ScaleSpeedOfThree : public ThreeBalls {
+ protected:
+  /// Ball i belongs to robot i.
+  void makeRobots() {
+    const Robot robot = setup_.model.robots.front();
+    setup_.model.robots = {robot, robot, robot};
+    for (std::size_t i = 0; i < 3; ++i) {
+      setup_.model.links[i].robot = idAt<RobotId>(i);
+    }
+    buffers_ = makeBuffers(setup_, BroadPhaseKind::brute_force);
+  }
+  std::vector<double> scalesOfRobots() const {
+    const std::vector<double>& all = buffers_.robots.scales;
+    return {all.begin(), all.begin() + 3};
+  }
+};
 
 TEST_F(ScaleSpeed, slowsWhatClosesAndFreesWhatParts) {
   runWithGap(0.15, 0.2);
@@ -105,6 +121,60 @@ TEST_F(ScaleSpeedOfThree, stopDistanceBeyondReportDistance_holdsForPairsThatAreN
   poses_.velocities.of_link[2].linear.y() = -0.01;
   runCycle(setup_, poses_, buffers_);
   EXPECT_EQ(scale(), 0.0);
+}
+
+TEST_F(ScaleSpeedOfThree, eachRobot_isSlowedByItsOwnPairs) {
+  makeRobots();
+  poses_.world_from_link[1].translation.x() = 0.23;  // 30 mm, closes at 0.2 m/s
+  poses_.world_from_link[2].translation.x() = 5.0;
+  poses_.velocities.of_link[1].linear.x() = -0.2;
+  runCycle(setup_, poses_, buffers_);
+  EXPECT_NEAR(scale(), 0.4, 1e-12);
+  EXPECT_NEAR(scalesOfRobots()[0], 0.4, 1e-12);
+  EXPECT_NEAR(scalesOfRobots()[1], 0.4, 1e-12);
+  EXPECT_EQ(scalesOfRobots()[2], 1.0);
+}
+
+TEST_F(ScaleSpeedOfThree, unknownRobot_stopsTheOthersUnlessItIsExcused) {
+  makeRobots();
+  poses_.world_from_link[1].translation.x() = 5.0;
+  poses_.status[2] = LinkStatus::missing;
+  runCycle(setup_, poses_, buffers_);
+  EXPECT_EQ(scalesOfRobots(), (std::vector<double>{0.0, 0.0, 0.0}));
+  buffers_.robots.is_excused[2] = 1;
+  runCycle(setup_, poses_, buffers_);
+  EXPECT_EQ(scalesOfRobots(), (std::vector<double>{1.0, 1.0, 0.0}));
+  EXPECT_EQ(scale(), 0.0) << "of all: somebody is unknown";
+}
+
+TEST_F(ScaleSpeedOfThree, excusedRobotsOwnPair_stopsIt) {
+  makeRobots();
+  poses_.world_from_link[1].translation.x() = 5.0;
+  setup_.model.links[1].robot = RobotId{2};
+  buffers_ = makeBuffers(setup_, BroadPhaseKind::brute_force);
+  poses_.status[2] = LinkStatus::missing;
+  buffers_.robots.is_excused[2] = 1;
+  runCycle(setup_, poses_, buffers_);
+  EXPECT_EQ(scalesOfRobots(), (std::vector<double>{1.0, 1.0, 0.0}));
+}
+
+/// Ball 1 is a tool in the hand of robot 0, and ball 2 stands in a frame of its own.
+TEST_F(ScaleSpeedOfThree, attachedObject_slowsTheRobotThatHoldsIt) {
+  makeRobots();
+  setup_.model.robots[1].is_world = setup_.model.robots[2].is_world = true;
+  Joint joint;
+  joint.parent = LinkId{0};
+  joint.child = LinkId{1};
+  setup_.model.joints.push_back(joint);
+  setup_.model.links[1].parent_joint = JointId{0};
+  buffers_ = makeBuffers(setup_, BroadPhaseKind::brute_force);
+  EXPECT_EQ(buffers_.robots.robot_of_link, (std::vector<std::uint32_t>{0, 0, 3}));
+  poses_.world_from_link[0].translation.x() = 5.0;
+  poses_.world_from_link[1].translation.x() = 0.23;
+  poses_.velocities.of_link[1].linear.x() = -0.2;
+  runCycle(setup_, poses_, buffers_);
+  EXPECT_NEAR(scalesOfRobots()[0], 0.4, 1e-12);
+  EXPECT_EQ(scalesOfRobots()[1], 1.0);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST_F(MarkersTest, ofAContact_areDeletedWhenItEnds) {
   const auto first = markers.draw(*touching);
   EXPECT_EQ(first.markers.front().action, Marker::DELETEALL);
   EXPECT_EQ(count(first, "shapes", Marker::ADD), 4U);
-  EXPECT_EQ(count(first, "contacts", Marker::ADD), 2U);
+  EXPECT_EQ(count(first, "contacts", Marker::ADD), 5U) << "points, and a normal at each corner";
   EXPECT_EQ(count(first, "distances", Marker::ADD), 1U);
   EXPECT_EQ(count(first, "labels", Marker::ADD), 1U);
   for (const Marker& marker : first.markers) {
@@ -46,7 +46,7 @@ TEST_F(MarkersTest, ofAContact_areDeletedWhenItEnds) {
     EXPECT_EQ(marker.header.frame_id, "base");
   }
   const auto second = markers.draw(*watch(posesAt(0.25)));
-  EXPECT_EQ(count(second, "contacts", Marker::DELETE), 2U);
+  EXPECT_EQ(count(second, "contacts", Marker::DELETE), 5U);
   EXPECT_EQ(count(second, "contacts", Marker::ADD), 0U);
   const auto third = markers.draw(*watch(posesAt(0.25)));
   EXPECT_EQ(count(third, "contacts", Marker::DELETE), 0U) << "once is enough";
@@ -54,7 +54,33 @@ TEST_F(MarkersTest, ofAContact_areDeletedWhenItEnds) {
 
 TEST_F(MarkersTest, ofAnEstimateOfADepthThatIsAllowed_areThoseOfAContact) {
   const auto watch = estimatedDepth(store_);
-  EXPECT_EQ(count(Markers(*watch).draw(*watch), "contacts", visualization_msgs::Marker::ADD), 2U);
+  EXPECT_EQ(count(Markers(*watch).draw(*watch), "contacts", visualization_msgs::Marker::ADD), 5U);
+}
+
+TEST_F(MarkersTest, ofAContact_areItsPointsAndNormals) {
+  using visualization_msgs::Marker;
+  const auto touching = watch(posesAt(-0.34));
+  Contacts contacts;
+  toMessage(*touching, contacts);
+  ASSERT_EQ(contacts.contacts.size(), 1U);
+  ASSERT_EQ(contacts.contacts[0].points.size(), 4U) << "two faces";
+  Markers markers(*touching);
+  std::vector<int> ids;
+  for (const Marker& marker : markers.draw(*touching).markers) {
+    if (marker.ns != "contacts") {
+      continue;
+    }
+    ids.push_back(marker.id % 5);
+    if (marker.type == Marker::SPHERE_LIST) {
+      EXPECT_EQ(marker.points, contacts.contacts[0].points);
+    } else {
+      ASSERT_EQ(marker.type, Marker::ARROW);
+      EXPECT_EQ(marker.points.at(0), contacts.contacts[0].points.at(marker.id % 5 - 1));
+      EXPECT_GT(marker.points.at(1).x, marker.points.at(0).x) << "from base to tool";
+    }
+  }
+  std::sort(ids.begin(), ids.end());
+  EXPECT_EQ(ids, (std::vector<int>{0, 1, 2, 3, 4}));
 }
 
 TEST_F(MarkersTest, ofAPairThatHysteresisKeepsInContact_areThoseOfAContact) {
@@ -66,7 +92,7 @@ TEST_F(MarkersTest, ofAPairThatHysteresisKeepsInContact_areThoseOfAContact) {
   Contacts contacts;
   toMessage(*watch, contacts);
   ASSERT_EQ(contacts.contacts.size(), 1U);
-  EXPECT_EQ(count(Markers(*watch).draw(*watch), "contacts", visualization_msgs::Marker::ADD), 2U);
+  EXPECT_EQ(count(Markers(*watch).draw(*watch), "contacts", visualization_msgs::Marker::ADD), 5U);
 }
 
 TEST_F(MarkersTest, ofAContactBetweenTwoCycles_areWhereItWas) {
@@ -82,7 +108,7 @@ TEST_F(MarkersTest, ofAContactBetweenTwoCycles_areWhereItWas) {
   ASSERT_EQ(count(array, "contacts", visualization_msgs::Marker::ADD), 2U);
   const auto point = std::find_if(array.markers.begin(), array.markers.end(),
                                   [](const auto& marker) { return marker.ns == "contacts"; });
-  EXPECT_NEAR(point->pose.position.x, contacts.contacts[0].points[0].x, 1e-12);
+  EXPECT_NEAR(point->points.at(0).x, contacts.contacts[0].points[0].x, 1e-12);
 }
 
 TEST_F(MarkersTest, ofAnUnknownLink_areGreyWhereItWasSeen) {
@@ -98,6 +124,7 @@ TEST_F(MarkersTest, ofAnUnknownLink_areGreyWhereItWasSeen) {
   for (const auto& marker : array.markers) {
     if (marker.ns == "shapes" && marker.id == static_cast<int>(tool)) {
       EXPECT_EQ(marker.color.r, marker.color.g);
+      EXPECT_EQ(marker.color.g, marker.color.b);
       EXPECT_NEAR(marker.pose.position.x, 0.75, 1e-12);
       ++seen;
     }
@@ -137,11 +164,13 @@ TEST_F(MarkersTest, ofPairsSideBySide_haveLabelsAboveEachOther) {
     }
   }
   ASSERT_EQ(labels.size(), 3U);
-  EXPECT_EQ(labels[0].text, "-40 mm");
-  EXPECT_EQ(labels[1].text, "800 mm");
-  EXPECT_EQ(labels[2].text, "800 mm");
+  EXPECT_EQ(labels[0].text, "-40 mm\nbase - tool");
+  EXPECT_EQ(labels[1].text, "800 mm\nbase - finger");
+  EXPECT_EQ(labels[2].text, "800 mm\ntool - finger");
   EXPECT_GE(std::abs(labels[1].pose.position.z - labels[2].pose.position.z),
-            0.99 * labels[1].scale.z);
+            2.0 * labels[1].scale.z);
+  EXPECT_EQ(count(markers.draw(*near), "leaders", visualization_msgs::Marker::ADD), 3U)
+      << "from each pair to its label";
 }
 
 TEST_F(MarkersTest, ofClearPairs_haveNoLabelButTheClosest) {
@@ -158,11 +187,16 @@ TEST_F(MarkersTest, ofABound_sayThatItIsOne) {
   const auto near = watch(posesAt(-0.25));
   const auto labelText = [&](Quality quality) {
     near->buffers.distances.pairs.front().quality = quality;
-    return Markers(*near).draw(*near).markers.back().text;
+    for (const auto& marker : Markers(*near).draw(*near).markers) {
+      if (marker.ns == "labels") {
+        return marker.text;
+      }
+    }
+    return std::string();
   };
-  EXPECT_EQ(labelText(Quality::exact), "50 mm");
-  EXPECT_EQ(labelText(Quality::lower_bound), ">= 50 mm");
-  EXPECT_EQ(labelText(Quality::estimate), "<= 50 mm");
+  EXPECT_EQ(labelText(Quality::exact), "50 mm\nbase - tool");
+  EXPECT_EQ(labelText(Quality::lower_bound), ">= 50 mm\nbase - tool");
+  EXPECT_EQ(labelText(Quality::estimate), "<= 50 mm\nbase - tool");
 }
 
 }  // namespace

@@ -175,6 +175,7 @@ TEST(BudgetReport, fileOfRules_isNamed) {
 
 TEST(BudgetReport, linksOfTwoRobots_haveNoSrdf) {
   MonitorSetup setup = meshesAndACylinder();
+  setup.setup.model.robots.push_back(setup.setup.model.robots.front());
   setup.setup.model.links[1].robot = RobotId{1};
   const std::string advice = adviceOf(statusOf(setup, shortUse(setup)));
   EXPECT_NE(advice.find("if link_0 and link_1 never touch, or are allowed to, leave them out by "

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "unit/ros_edge/edge_scene.h"
+#include "unit/ros_edge/world_scene.h"
 
 namespace collision_monitor::test {
 namespace {
@@ -41,6 +41,31 @@ TEST_F(SentencesTest, beforeTheClockStarts_itIsTheReasonOfEachLink) {
   watch->read(ros::Time(), ClockState());
   EXPECT_EQ(unknownSentence(*watch, linkNamed(setup_->setup.model, "tool")),
             "link tool is unknown: no time on /clock yet");
+}
+
+TEST_F(SentencesTest, ofAnObject_callItOne) {
+  setup_ = slidingSetupWith({objectOf("table", Box{{0.1, 0.1, 0.1}}, at(0.0, 0.0, 0.212))});
+  const auto near = watchAt(0.5);
+  EXPECT_EQ(stateOf(*near, facts()).sentence, "base is 12 mm from object table");
+  LinkPoses poses = slidingPoses(setup_->setup.model, 0.0, 0.5);
+  poses.status[index(linkNamed(setup_->setup.model, "table"))] = LinkStatus::missing;
+  const auto lost = judged(setup_, store_, poses);
+  const State state = stateOf(*lost, facts());
+  EXPECT_EQ(state.sentence.rfind("object table is unknown: ", 0), 0U) << state.sentence;
+  EXPECT_EQ(state.unknown_links, std::vector<std::string>{"object table (missing)"});
+}
+
+/// What carries an object has no geometry; it is the object that is missed.
+TEST_F(SentencesTest, ofAFrameThatCarriesObjects_nameTheObject) {
+  WorldObject crate = objectOf("crate", Box{{0.1, 0.1, 0.1}}, at(0.0, 0.0, 3.0));
+  crate.frame = "conveyor";
+  setup_ = slidingSetupWith({crate});
+  LinkPoses poses = slidingPoses(setup_->setup.model, 0.0, 0.5);
+  const std::size_t carrier = index(linkNamed(setup_->setup.model, "conveyor"));
+  floatFrom(carrier, LinkStatus::missing, poses);
+  poses.part[index(linkNamed(setup_->setup.model, "crate"))] = static_cast<PartId>(carrier);
+  const State state = stateOf(*judged(setup_, store_, poses), facts());
+  EXPECT_EQ(state.sentence.rfind("object crate is unknown: ", 0), 0U) << state.sentence;
 }
 
 }  // namespace

@@ -256,5 +256,41 @@ TEST(Parameters, robotsThatAreNoList) {
   EXPECT_EQ(faults(values), (std::set<std::string>{"parameter /m/robots"}));
 }
 
+TEST(Parameters, namesOfRobots_areNamesOfTopics) {
+  XmlRpcValue values;
+  for (const char* name : {"left", "cell_1/arm2", "left arm", "2nd", "a//b", "a/", "übung"}) {
+    const int i = values.valid() ? values["robots"].size() : 0;
+    values["robots"][i]["name"] = name;
+    values["robots"][i]["file"] = "robot.urdf";
+  }
+  EXPECT_EQ(faults(values),
+            (std::set<std::string>{"parameter /m/robots[2]/name", "parameter /m/robots[3]/name",
+                                   "parameter /m/robots[4]/name", "parameter /m/robots[5]/name",
+                                   "parameter /m/robots[6]/name"}));
+}
+
+TEST(Parameters, robotsThatMayBeAbsent_areRead) {
+  XmlRpcValue values;
+  values["robots"][0]["file"] = "robot.urdf";
+  values["robots"][0]["may_be_absent"] = true;
+  values["robots"][1]["file"] = "robot.urdf";
+  SetupReport report;
+  const Parameters parameters = readParameters(values, "/m", report);
+  EXPECT_TRUE(report.errors.empty());
+  EXPECT_TRUE(parameters.robots.at(0).may_be_absent);
+  EXPECT_FALSE(parameters.robots.at(1).may_be_absent);
+  values["robots"][0]["may_be_absent"] = "often";
+  EXPECT_EQ(faults(values), std::set<std::string>{"parameter /m/robots[0]/may_be_absent"});
+}
+
+TEST(Parameters, labelsOfMarkers_areCounted) {
+  XmlRpcValue values;
+  values["marker_labels"] = 3;
+  SetupReport report;
+  EXPECT_EQ(readParameters(values, "/m", report).marker_labels, 3U);
+  values["marker_labels"] = 2.5;
+  EXPECT_EQ(faults(values), std::set<std::string>{"parameter /m/marker_labels"});
+}
+
 }  // namespace
 }  // namespace collision_monitor::test

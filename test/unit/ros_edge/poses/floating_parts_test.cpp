@@ -181,7 +181,7 @@ TEST_F(FloatingPartsTest, markers_standInTheFrameOfTheirPart) {
       EXPECT_EQ(marker.header.stamp, ros::Time(12.5));
     }
   }
-  EXPECT_EQ(floating, 3U + 2U + 1U + 1U) << "shapes, contact, distance, label";
+  EXPECT_EQ(floating, 3U + 3U + 1U + 2U) << "shapes, contact of two points, distance, label";
 }
 
 }  // namespace

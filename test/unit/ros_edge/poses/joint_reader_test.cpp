@@ -242,6 +242,13 @@ TEST(JointTopics, topicOfARobotGoesBeforeThatOfAll) {
   setup.parameters.robots.resize(2);
   setup.parameters.robots[1].joint_states = "/right/joint_states";
   EXPECT_EQ(jointTopics(setup), (std::vector<std::string>{"joint_states", "/right/joint_states"}));
+  setup.listed = {{"left", RobotId{0}, "", false}, {"right", RobotId{1}, "", false}};
+  setup.parameters.robots.insert(setup.parameters.robots.begin(), RobotSource());
+  setup.parameters.robots[0].joint_states = "/late/joint_states";
+  setup.listed.insert(setup.listed.begin(), {"late", std::nullopt, "no URDF", false});
+  EXPECT_EQ(jointTopics(setup), (std::vector<std::string>{"joint_states", "/right/joint_states"}))
+      << "one that is missing has none";
+  setup.listed.clear();
   setup.parameters.robots.clear();
   EXPECT_EQ(jointTopics(setup), (std::vector<std::string>{"joint_states", "joint_states"}));
 }

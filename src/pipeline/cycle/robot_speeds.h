@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision_monitor/model/robot_model.h"
+
+namespace collision_monitor {
+
+/// What pairs ask of a speed scale.
+struct SpeedDemand {
+  double scale{1.0};
+  bool is_free{true};  ///< nothing closes, nothing near rests, and nothing is unknown
+};
+
+/// The speed scale of each robot. By RobotId; one more stands for what no robot moves, as a table.
+struct RobotSpeeds {
+  std::vector<double> scales;  ///< 0 stop .. 1 full speed, of the pairs of links that it moves
+  /// The robot's unknown pairs ask nothing of other robots. Set before a cycle.
+  std::vector<unsigned char> is_excused;
+  std::vector<std::uint32_t> robot_of_link;  ///< by LinkId: findMovers
+  std::vector<SpeedDemand> demands;          ///< scratch
+  /// By robot * number of scales + robot: pairs between them are unknown.
+  std::vector<unsigned char> has_unknown;
+  std::uint64_t noted{0};  ///< PairEvents::complete_judgements that `has_unknown` follows
+};
+
+/// All scales are 1, and no robot is excused.
+RobotSpeeds makeRobotSpeeds(const RobotModel& model);
+
+}  // namespace collision_monitor

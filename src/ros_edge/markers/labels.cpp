@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/markers/labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "collision_monitor/geometry/ids.h"
+#include "model/object_links.h"
+#include "ros_edge/outputs/sentences.h"
+
+namespace collision_monitor {
+namespace {
+
+constexpr double kLetterWidth = 0.55 * kTextHeight;
+constexpr double kLineHeight = 1.3 * kTextHeight;
+
+const PairDistance& closestOf(const Watch& watch, LinkPairIndex link_pair) {
+  return watch.buffers.distances.pairs[watch.buffers.events.closest[link_pair]];
+}
+
+/// Less is more urgent.
+std::tuple<int, double, double> urgencyOf(const Watch& watch, LinkPairIndex link_pair) {
+  const PairEvents& events = watch.buffers.events;
+  const PairDistance& closest = closestOf(watch, link_pair);
+  const std::uint32_t soonest = events.soonest[link_pair];
+  const bool has_time = events.verdicts[link_pair] == Verdict::warning && soonest != kNone;
+  const double time = has_time ? watch.buffers.distances.pairs[soonest].time_to_contact
+                               : std::numeric_limits<double>::infinity();
+  return {-static_cast<int>(events.verdicts[link_pair]), time, closest.measured.distance};
+}
+
+/// A lower bound may be less than the distance, an estimate more.
+std::string distanceText(const PairDistance& distance) {
+  const char* relation = distance.quality == Quality::lower_bound ? ">= "
+                         : distance.quality == Quality::estimate  ? "<= "
+                                                                  : "";
+  const double value = distance.measured.distance;
+  return relation + std::string(value < 0.0 ? "-" : "") + lengthText(value);
+}
+
+}  // namespace
+
+std::vector<LinkPairIndex> chooseLabelled(const Watch& watch, std::size_t most) {
+  const PairEvents& events = watch.buffers.events;
+  std::vector<LinkPairIndex> chosen;
+  for (const LinkPairIndex i : events.active) {
+    if (events.verdicts[i] != Verdict::clear && events.closest[i] != kNone) {
+      chosen.push_back(i);
+    }
+  }
+  const auto end = chosen.begin() + static_cast<std::ptrdiff_t>(std::min(most, chosen.size()));
+  std::partial_sort(chosen.begin(), end, chosen.end(), [&](LinkPairIndex a, LinkPairIndex b) {
+    return std::pair(urgencyOf(watch, a), a) < std::pair(urgencyOf(watch, b), b);
+  });
+  chosen.erase(end, chosen.end());
+  if (events.closest_of_all != kNone && chosen.size() < most) {
+    const PairId nearest = watch.buffers.distances.pairs[events.closest_of_all].pair;
+    const LinkPairIndex link_pair = watch.setup().link_pair_of[index(nearest)];
+    if (events.verdicts[link_pair] == Verdict::clear) {
+      chosen.push_back(link_pair);
+    }
+  }
+  return chosen;
+}
+
+std::string labelText(const Watch& watch, LinkPairIndex link_pair) {
+  const CheckedLinkPair& links = watch.setup().checked[link_pair];
+  const RobotModel& model = watch.setup().model;
+  return distanceText(closestOf(watch, link_pair)) + "\n" + nameInText(model, links.a) + " - " +
+         nameInText(model, links.b);
+}
+
+bool LabelPlaces::isFree(const Taken& text) const {
+  return std::none_of(taken_.begin(), taken_.end(), [&](const Taken& other) {
+    const Eigen::Vector3d apart = text.place - other.place;
+    // Texts face the viewer, who may stand on any side.
+    return std::abs(apart.z()) < 0.5 * (text.height + other.height) &&
+           apart.head<2>().norm() < 0.5 * (text.width + other.width);
+  });
+}
+
+Eigen::Vector3d LabelPlaces::take(const Eigen::Vector3d& wanted, const std::string& text) {
+  std::size_t longest = 0;
+  std::size_t lines = 1;
+  std::size_t begin = 0;
+  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {
+    longest = std::max(longest, end - begin);
+    begin = end + 1;
+    ++lines;
+  }
+  longest = std::max(longest, text.size() - begin);
+  Taken place{wanted, kLetterWidth * static_cast<double>(longest),
+              kLineHeight * static_cast<double>(lines)};
+  for (int step = 1; !isFree(place); ++step) {
+    const int halves = step % 2 == 1 ? (step + 1) / 2 : -step / 2;
+    place.place.z() = wanted.z() + 0.5 * halves * place.height;
+  }
+  taken_.push_back(place);
+  return place.place;
+}
+
+}  // namespace collision_monitor

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "ros_edge/watch.h"
+
+/// The texts beside distance lines: which pairs get one, what it says and where it stands.
+namespace collision_monitor {
+
+constexpr double kTextHeight = 0.03;  ///< [m] of a capital letter
+
+/// The pairs that get a label: at most `most` of those that are not clear, the most urgent first,
+/// and then the closest of all, if it is clear. Contacts come before warnings, deep ones first;
+/// warnings by their time to contact, then by distance.
+std::vector<LinkPairIndex> chooseLabelled(const Watch& watch, std::size_t most);
+
+/// Two lines: "35 mm" and "hand - object table". Format: docs/interfaces.md.
+std::string labelText(const Watch& watch, LinkPairIndex link_pair);
+
+/// Places texts so that they do not lie on each other.
+class LabelPlaces {
+ public:
+  /// The free place for a text that is nearest to `wanted`, above or below it. It is taken then.
+  Eigen::Vector3d take(const Eigen::Vector3d& wanted, const std::string& text);
+  void clear() { taken_.clear(); }
+
+ private:
+  struct Taken {
+    Eigen::Vector3d place;
+    double width{0.0};
+    double height{0.0};
+  };
+  bool isFree(const Taken& text) const;
+
+  std::vector<Taken> taken_;
+};
+
+}  // namespace collision_monitor
