@@ -28,10 +28,11 @@ bool isOne(const Joint& joint) noexcept {
 
 NearestSeen::NearestSeen(const CycleSetup& setup)
     : records_(setup.checked.size()),
-      positions_(placesFor(setup) * setup.model.variable_count),
       variables_(setup.model.variable_count),
       newest_(makeNewestState(setup.model)),
-      now_(variables_, kUnknown) {}
+      now_(variables_, kUnknown) {
+  positions_.reserve(placesFor(setup) * variables_);  // touches no memory, which takes long
+}
 
 void NearestSeen::add(const CycleSetup& setup, const LinkPoses& poses, const JointReader& joints,
                       const CycleBuffers& buffers) noexcept {
@@ -88,8 +89,12 @@ void NearestSeen::readPositions(const CycleSetup& setup, const LinkPoses& poses,
 }
 
 std::uint32_t NearestSeen::takePlace() noexcept {
-  const bool has_room = (places_taken_ + 1) * variables_ <= positions_.size();
-  return has_room ? places_taken_++ : kNone;
+  const std::size_t size = (places_taken_ + 1) * variables_;
+  if (size > positions_.capacity()) {
+    return kNone;
+  }
+  positions_.resize(size);
+  return places_taken_++;
 }
 
 void NearestSeen::inherit(const NearestSeen& former,
