@@ -88,7 +88,7 @@ TEST(LabelPlaces, textsAtOnePlace_areSpread) {
   for (std::size_t i = 1; i < heights.size(); ++i) {
     EXPECT_GE(heights[i] - heights[i - 1], 2.0 * kTextHeight) << "two lines";
   }
-  EXPECT_LT(heights.back() - heights.front(), 9 * 3.0 * kTextHeight) << "and near";
+  EXPECT_LT(heights.back() - heights.front(), 9 * 4.0 * kTextHeight) << "and near";
 }
 
 TEST(LabelPlaces, textsBesideEachOther_stayWhereTheyBelong) {

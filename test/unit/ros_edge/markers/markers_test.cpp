@@ -187,7 +187,8 @@ TEST_F(MarkersTest, ofABound_sayThatItIsOne) {
   const auto near = watch(posesAt(-0.25));
   const auto labelText = [&](Quality quality) {
     near->buffers.distances.pairs.front().quality = quality;
-    for (const auto& marker : Markers(*near).draw(*near).markers) {
+    Markers markers(*near);
+    for (const auto& marker : markers.draw(*near).markers) {
       if (marker.ns == "labels") {
         return marker.text;
       }
