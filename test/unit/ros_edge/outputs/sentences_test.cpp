@@ -50,6 +50,8 @@ TEST_F(SentencesTest, ofAnObject_callItOne) {
   LinkPoses poses = slidingPoses(setup_->setup.model, 0.0, 0.5);
   poses.status[index(linkNamed(setup_->setup.model, "table"))] = LinkStatus::missing;
   const auto lost = judged(setup_, store_, poses);
+  LinkPoses unused = makeLinkPoses(setup_->setup.model);
+  lost->reader.read(ros::Time(13.0), unused);  // it explains what it has read
   const State state = stateOf(*lost, facts());
   EXPECT_EQ(state.sentence.rfind("object table is unknown: ", 0), 0U) << state.sentence;
   EXPECT_EQ(state.unknown_links, std::vector<std::string>{"object table (missing)"});
@@ -64,7 +66,10 @@ TEST_F(SentencesTest, ofAFrameThatCarriesObjects_nameTheObject) {
   const std::size_t carrier = index(linkNamed(setup_->setup.model, "conveyor"));
   floatFrom(carrier, LinkStatus::missing, poses);
   poses.part[index(linkNamed(setup_->setup.model, "crate"))] = static_cast<PartId>(carrier);
-  const State state = stateOf(*judged(setup_, store_, poses), facts());
+  const auto lost = judged(setup_, store_, poses);
+  LinkPoses unused = makeLinkPoses(setup_->setup.model);
+  lost->reader.read(ros::Time(13.0), unused);
+  const State state = stateOf(*lost, facts());
   EXPECT_EQ(state.sentence.rfind("object crate is unknown: ", 0), 0U) << state.sentence;
 }
 

@@ -52,6 +52,8 @@ class TwoArms : public testing::Test {
   State stateNow(const CycleFacts& facts = factsNow()) {
     static const JointStore no_joint_states;
     Watch watch(setup_, store_, no_joint_states);
+    LinkPoses unused = makeLinkPoses(setup_->setup.model);
+    watch.reader.read(ros::Time(13.0), unused);  // it explains what it has read
     watch.poses = poses_;
     watch.cycle();
     State state;
