@@ -88,10 +88,9 @@ class Stages {
     findPairs(setup, poses, reach, buffers);
     end("6 findPairs");
     findActivationDistances(setup, poses, buffers.sweep, buffers.activation);
-    end("6b findActivationDistances");
     accumulateTravel(setup, poses, buffers);
     cullCandidates(setup, buffers);
-    end("6c accumulateTravel, cullCandidates");
+    end("6b findActivationDistances to cullCandidates");
   }
 
   void measure(const CycleSetup& setup, const LinkPoses& poses, double reach,
@@ -112,13 +111,12 @@ class Stages {
 
   void judge(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) {
     keepPoses(poses, buffers.body_poses, buffers.memory.last);
-    end("b keepPoses");
     findClosings(setup, poses, buffers.distances);
     judgePairs(setup, buffers.body_poses, poses.velocities, buffers.distances, buffers.memory,
                buffers.events);
     scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed,
                buffers.robots);
-    end("c findClosings, judgePairs, scaleSpeed");
+    end("b keepPoses, findClosings, judgePairs, scaleSpeed");
   }
 
   void end(const std::string& stage) {

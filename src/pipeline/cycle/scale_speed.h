@@ -3,7 +3,7 @@
 #pragma once
 
 #include "collision_monitor/pipeline/setup.h"
-#include "pipeline/cycle/robot_speeds.h"
+#include "pipeline/data/robot_speeds.h"
 #include "pipeline/data/cycle_data.h"
 
 namespace collision_monitor {

@@ -17,6 +17,7 @@
 #include "collision_monitor/pipeline/pair_blocks.h"
 #include "collision_monitor/pipeline/verdict.h"
 #include "motion/conservative_advancement.h"
+#include "pipeline/data/moved_parts.h"
 #include "pipeline/data/refine_memory.h"
 
 /// The data between the stages of a cycle: plain arrays sized at set-up. World frame, metres,
@@ -84,29 +85,6 @@ inline void floatFrom(std::size_t link, LinkStatus reason, LinkPoses& poses) noe
 
 /// Makes poses for the model: all links `missing`, in the world's part, velocities unknown.
 LinkPoses makeLinkPoses(const RobotModel& model);
-
-/// Indices [first, last).
-struct IndexRange {
-  std::size_t first{0};
-  std::size_t last{0};
-};
-
-/// What a cycle places and bounds: everything but objects that rest, see findResting.
-struct MovedParts {
-  std::vector<IndexRange> links;
-  std::vector<IndexRange> bodies;
-  std::vector<IndexRange> elements;
-};
-
-/// Calls `use` with every index of the ranges.
-template <class Use>
-void forIndices(const std::vector<IndexRange>& ranges, const Use& use) {
-  for (const IndexRange& range : ranges) {
-    for (std::size_t i = range.first; i < range.last; ++i) {
-      use(i);
-    }
-  }
-}
 
 struct BodyPoses {
   MovedParts moved;  ///< all, unless findResting left some out

@@ -96,7 +96,6 @@ struct Events {
 };
 
 TEST(RunCycleProperty, tenThousandCyclesAllocateNothingAndEveryBroadPhaseGivesTheSameBytes) {
-  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   CycleSetup setup = test::randomSetup(14, kSeed);
   setup.is_continuous = true;
   CycleBuffers brute_force = makeBuffers(setup, BroadPhaseKind::brute_force);
@@ -147,7 +146,6 @@ std::vector<PairId> knownPairs(const CycleSetup& setup, const BodyPoses& body_po
 }
 
 TEST(RunCycleProperty, whatIsCulledMattersToNoVerdictTimeOrScale) {
-  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   CycleSetup setup = test::randomSetup(10, kSeed);
   setup.ahead.stop.release_time = 1e-9;  // what is asked for shows at once
   CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
