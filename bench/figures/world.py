@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Objects: until they are watched, and the memory that they take, as world_bench prints them beside the
-densest robots. Times begin when a service call arrives and end between two cycles.
+"""Objects: until they are watched, the memory that they take, and a cycle with 10,000 of them, as world_bench
+and crowd_bench print them beside the densest robots. Times begin when a service call arrives and end between two cycles.
 
 Pairs that never touch, as `rosrun collision_monitor pairs` finds them with its default limit of time.
 A pair that is truly never in contact touches in no state drawn, so the share that is proven of all pairs
@@ -21,6 +21,7 @@ OBJECT_GOALS = {"1000 boxes": 50.0, "10000 boxes": 1000.0, "a mesh of 100,352 tr
 TIME = re.compile(r"(.*\S) +([\d.]+) ms: ")
 MEMORY = re.compile(r" +memory .* ([\d.]+) bytes a pair of (\d+)")
 ATTACHED = re.compile(r"attached (\d+) times .* ms a change, (-?[\d.]+) MB more at the end, (\d+) times")
+CROWD = re.compile(r"(.*): ([\d.]+) us alone, ([\d.]+) us with them")
 COUNT = re.compile(r"(\d+) never(?: \((\d+) proven\))?$")
 
 
@@ -76,6 +77,19 @@ def add_objects(figures, robot, times):
                         "", "0", attached[3] == "0")
 
 
+def add_crowd(figures, robot):
+    """The cycle of a robot that moves, with objects at rest and without."""
+    run = subprocess.run(["rosrun", "collision_monitor", "collision_monitor_crowd_bench", robot],
+                         capture_output=True, text=True, check=False)
+    rows = CROWD.findall(run.stdout)
+    if run.returncode != 0 or not rows:
+        print(f"{robot}: cycle with objects: {first_line(run)}")
+        figures.not_met += 1
+    for what, alone, crowded in rows:
+        figures.add(f"{robot}: cycle with {what}", f"{crowded} us", f"{alone} us alone", "2 times",
+                    float(crowded) <= 2.0 * float(alone))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--states", type=int, default=50000, help="drawn for each robot")
@@ -86,6 +100,7 @@ def main():
     figures = Figures()
     for robot in DENSE:
         add_objects(figures, robot, arguments.times)
+        add_crowd(figures, robot)
     for robot in shared_robots():
         if robot[0] in arguments.robots or "all" in arguments.robots:
             add_robot(figures, robot, arguments.states)

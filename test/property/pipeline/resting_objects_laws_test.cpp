@@ -173,7 +173,7 @@ TEST(RestingObjectsLaws, aCycleTellsWhatACycleTellsThatLooksAtEverything) {
     Random random(seed);
     const World world = crowdedWorld(350, random);
     const CycleSetup setup =
-        addWorld(robots, world, prepareObjects(world, RefineGeometry::mesh, {}), {"map", 0});
+        addWorld(robots, world, prepareObjects(world, RefineGeometry::mesh, {}), "map");
     ASSERT_FALSE(setup.carried.empty());
     Monitor sparse(setup, false);
     Monitor complete(setup, true);
