@@ -50,7 +50,7 @@ def add_missing_meshes(figures, scenes, packages):
     named = missing = 0
     for scene, meshes in scenes:
         _, faults = measure("fetch", [scene], packages, ["--states", "1"])
-        named += sum(mesh in faults for mesh in meshes)
+        named += sum(mesh.removeprefix("package://") in faults for mesh in meshes)
         missing += len(meshes)
     figures.add("scenes that lack meshes: meshes named", f"{named}", f"of {missing}",
                 f"every one, in {len(scenes)} scenes", named == missing)

@@ -60,10 +60,30 @@ struct NearSearch {
                    hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed))));
   }
 
+  /// The same of the ball of one element and the box around the other.
+  HWY_INLINE Truth ballMeetsBox(const StateElementPair& pair) const {
+    const StatesRefinement& refinement = states.work.refinement;
+    const BoxCore box(
+        BodyInStates{states.work.bodies[pair.box], states.setup.cores[pair.box], states.lane});
+    const Vector3 center = load(refinement.centers[pair.ball].of, states.lane);
+    const Vector3 beyond = absolute(into(box.axes, center - box.center)) - box.half_extents;
+    const Vector3 outside{hn::Max(beyond.x, zero()), hn::Max(beyond.y, zero()),
+                          hn::Max(beyond.z, zero())};
+    const Number allowed = hn::Add(number(refinement.balls[pair.ball].radius),
+                                   hn::Max(asked, number(pair.contact_distance)));
+    return hn::Not(hn::Gt(dot(outside, outside), hn::Mul(allowed, allowed)));
+  }
+
   void visit(const StateElementPair& pair) {
-    const Truth counts = ballsMeet(pair);
+    Truth counts = ballsMeet(pair);
     if (hn::AllFalse(Lanes(), counts)) {
       return;
+    }
+    if (pair.has_box) {
+      counts = hn::And(counts, ballMeetsBox(pair));
+      if (hn::AllFalse(Lanes(), counts)) {
+        return;
+      }
     }
     const std::vector<std::uint32_t>& bodies = states.work.refinement.body_pairs;
     for (std::uint32_t i = pair.first; i < pair.last; ++i) {
