@@ -109,11 +109,15 @@ def urdf_objects(urdf, packages):
             link = parents[link].find("parent").get("link")
         return offset
 
-    return [{"name": link.get("name"), "kind": "mesh", "xyz":
-             [a + b for a, b in zip(place(link.get("name")), numbers_of(part.find("origin"), "xyz"))],
-             "rpy": numbers_of(part.find("origin"), "rpy"),
-             "file": str(file_of(part.find("geometry/mesh").get("filename"), packages))}
-            for link in robot.findall("link") for part in link.findall("collision")]
+    objects = []
+    for link in robot.findall("link"):
+        for part in link.findall("collision"):
+            origin = part.find("origin")
+            xyz = [a + b for a, b in zip(place(link.get("name")), numbers_of(origin, "xyz"))]
+            mesh = file_of(part.find("geometry/mesh").get("filename"), packages)
+            objects.append({"name": link.get("name"), "kind": "mesh", "file": str(mesh),
+                            "xyz": xyz, "rpy": numbers_of(origin, "rpy")})
+    return objects
 
 
 def file_of(name, packages):

@@ -65,13 +65,9 @@ struct NearSearch {
     const StatesRefinement& refinement = states.work.refinement;
     const BoxCore box(
         BodyInStates{states.work.bodies[pair.box], states.setup.cores[pair.box], states.lane});
-    const Vector3 center = load(refinement.centers[pair.ball].of, states.lane);
-    const Vector3 beyond = absolute(into(box.axes, center - box.center)) - box.half_extents;
-    const Vector3 outside{hn::Max(beyond.x, zero()), hn::Max(beyond.y, zero()),
-                          hn::Max(beyond.z, zero())};
-    const Number allowed = hn::Add(number(refinement.balls[pair.ball].radius),
-                                   hn::Max(asked, number(pair.contact_distance)));
-    return hn::Not(hn::Gt(dot(outside, outside), hn::Mul(allowed, allowed)));
+    const Number reach = hn::Add(number(refinement.balls[pair.ball].radius),
+                                 hn::Max(asked, number(pair.contact_distance)));
+    return isNearBox(load(refinement.centers[pair.ball].of, states.lane), box, reach);
   }
 
   void visit(const StateElementPair& pair) {

@@ -107,7 +107,7 @@ std::vector<std::uint32_t> boxesAround(const CycleSetup& setup) {
   std::vector<bool> has_body(setup.elements.size());
   for (std::uint32_t i = 0; i < setup.bodies.size(); ++i) {
     const std::size_t element = index(setup.bodies[i].element);
-    const bool is_box = setup.cores[i].kind == CoreKind::box && setup.cores[i].radius == 0.0;
+    const bool is_box = setup.cores[i].kind == CoreKind::box;
     boxes[element] = is_box && !has_body[element] ? i : kNone;
     has_body[element] = true;
   }
