@@ -51,6 +51,15 @@ std::size_t fclContacts(const CycleSetup& setup, const FclObjects& objects) {
   });
 }
 
+bool fclHasContact(const CycleSetup& setup, const FclObjects& objects) {
+  bool has_contact = false;
+  forPairs(setup, objects, [&](const FclObject& a, const FclObject& b) {
+    has_contact = a.getAABB().overlap(b.getAABB()) && fclOverlap(a, b).value_or(false);
+    return !has_contact;
+  });
+  return has_contact;
+}
+
 double fclLeast(const CycleSetup& setup, const FclObjects& objects) {
   return leastDistance<fcl::DistanceResultd>(setup, objects, measure);
 }

@@ -24,6 +24,9 @@ FclObjects placeFcl(const std::vector<FclGeometry>& geometries, const std::vecto
 /// The number of element pairs in contact by FCL, which tests only pairs whose boxes meet.
 std::size_t fclContacts(const CycleSetup& setup, const FclObjects& objects);
 
+/// Whether any element pair is in contact by FCL: it stops at the first.
+bool fclHasContact(const CycleSetup& setup, const FclObjects& objects);
+
 /// As leastDistance.
 double fclLeast(const CycleSetup& setup, const FclObjects& objects);
 

@@ -2,17 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include "peer_times.h"
-#include "peers/fcl_elements.h"
-#include "pipeline/cycle/place_bodies.h"
+#include "peers/placed_states.h"
 #include "pipeline/states/check_states.h"
 #include "product_bench.h"
 #include "product_coal.h"
-#include "support/robots/robot_moves.h"
-#include "support_fcl/solid.h"
 #include "thread_time.h"
 
 namespace collision_monitor::test {
@@ -21,44 +17,12 @@ namespace {
 constexpr std::size_t kStates = 200;
 constexpr double kTouch = 1e-6;  // [m] FCL's tolerance: nearer to 0, either verdict is right
 
-/// The same states for us and for FCL.
-struct Scene {
-  const CycleSetup& setup;
-  JointPositions positions;
-  std::vector<std::vector<Pose>> world_from_element;  ///< by state and ElementId
-  std::vector<FclObjects> fcl;                        ///< by state
-  std::vector<Inside> insides;                        ///< by ElementId
-
-  std::size_t size() const { return fcl.size(); }
-};
-
-/// A model without moving joints has one state.
-Scene makeScene(const CycleSetup& setup) {
-  Scene scene{setup, {}, {}, {}, {}};
-  std::mt19937_64 random(20260101);
-  const std::vector<FclGeometry> geometries = fclGeometries(setup);
-  BodyPoses poses = makeBodyPoses(setup);
-  for (std::size_t i = 0; i < (setup.model.variable_count == 0 ? 1 : kStates); ++i) {
-    const JointPositions state = drawPositions(setup.model, random);
-    const LinkPoses links = posesAt(setup.model, state);
-    placeBodies(setup, links, poses);
-    placeElements(setup, links, poses);
-    scene.positions.insert(scene.positions.end(), state.begin(), state.end());
-    scene.world_from_element.push_back(poses.world_from_element);
-    scene.fcl.push_back(placeFcl(geometries, poses.world_from_element));
-  }
-  for (const Element& element : setup.elements) {
-    scene.insides.push_back(insideOf(sourceOf(setup.model, element).geometry));
-  }
-  return scene;
-}
-
 template <class Query>
-void timeFcl(const std::string& name, const Scene& scene, const Query& query) {
+void timeFcl(const std::string& name, const PlacedStates& scene, const Query& query) {
   timePeer(name, scene.size(), [&](std::size_t state) { query(scene.setup, scene.fcl[state]); });
 }
 
-std::vector<StateCheck> timeOurs(const std::string& name, const Scene& scene,
+std::vector<StateCheck> timeOurs(const std::string& name, const PlacedStates& scene,
                                  StateQuestion question, StatesWork& work) {
   constexpr int kCalls = 5;
   std::vector<StateCheck> checks;
@@ -78,21 +42,14 @@ struct Truth {
   bool isContact() const { return meets || holds; }
 };
 
-bool isInside(const Scene& scene, const std::vector<Pose>& poses, const ElementPair& pair) {
-  const std::size_t a = index(pair.a);
-  const std::size_t b = index(pair.b);
-  return holdsMarkOf(scene.insides[a], poses[a], scene.insides[b], poses[b]) != Holds::no ||
-         holdsMarkOf(scene.insides[b], poses[b], scene.insides[a], poses[a]) != Holds::no;
-}
-
 /// Tests for elements inside others only where surfaces do not meet.
-Truth truthOf(const Scene& scene, std::size_t state) {
+Truth truthOf(const PlacedStates& scene, std::size_t state) {
   const std::vector<ElementPair>& pairs = scene.setup.element_pairs;
   Truth truth;
   truth.meets = fclContacts(scene.setup, scene.fcl[state]) > 0;
   truth.holds =
       !truth.meets && std::any_of(pairs.begin(), pairs.end(), [&](const ElementPair& pair) {
-        return isInside(scene, scene.world_from_element[state], pair);
+        return holdsOneInOther(scene, state, pair) != Holds::no;
       });
   return truth;
 }
@@ -132,7 +89,7 @@ struct Differences {
 
 /// Prints how often we are wrong.
 /// @return what is known of each state
-std::vector<KnownState> compare(const Scene& scene, const std::vector<StateCheck>& contact,
+std::vector<KnownState> compare(const PlacedStates& scene, const std::vector<StateCheck>& contact,
                                 const std::vector<StateCheck>& nearest) {
   Differences of_contact;
   Differences of_nearest;
@@ -155,7 +112,7 @@ std::vector<KnownState> compare(const Scene& scene, const std::vector<StateCheck
 }  // namespace
 
 void measureStates(const CycleSetup& setup) {
-  const Scene scene = makeScene(setup);
+  const PlacedStates scene = drawPlacedStates(setup, sourceGeometries(setup, {}), kStates);
   StatesWork work =
       makeStatesWork(setup, standingAt(setup.model, std::vector<Pose>(setup.model.robots.size())));
   print("states", scene.size());

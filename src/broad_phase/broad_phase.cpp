@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "broad_phase/marked_pairs.h"
 #include "geometry/bvh/visit_held.h"
 
 namespace collision_monitor {
@@ -62,7 +63,7 @@ void markMeetings(BroadPhase& broad_phase, const PairTable& table) noexcept {
   for (const PairKey meeting : broad_phase.meetings) {
     PairId pair{};
     if (table.find(BodyId{lowerBody(meeting)}, BodyId{upperBody(meeting)}, pair)) {
-      broad_phase.marks[index(pair) / 64] |= std::uint64_t{1} << (index(pair) % 64);
+      markPair(pair, broad_phase.marks);
     }
   }
 }
@@ -90,21 +91,13 @@ void findMeetings(BroadPhase& broad_phase, const BodyBounds& bounds,
   }
 }
 
-/// Reading the marks from first to last sorts the candidates.
 void findCandidates(BroadPhase& broad_phase, const BodyBounds& bounds, const PairTable& table,
                     std::vector<PairId>& candidates) noexcept {
   fillSmallBoxes(bounds, broad_phase.boxes);
   if (!markPairs(broad_phase, table)) {
     markMeetings(broad_phase, table);
   }
-  candidates.clear();
-  for (std::size_t word = 0; word < broad_phase.marks.size(); ++word) {
-    for (std::uint64_t marks = broad_phase.marks[word]; marks != 0; marks &= marks - 1) {
-      const auto bit = static_cast<std::size_t>(__builtin_ctzll(marks));
-      candidates.push_back(idAt<PairId>(64 * word + bit));
-    }
-    broad_phase.marks[word] = 0;
-  }
+  takeMarked(broad_phase.marks, candidates);
 }
 
 }  // namespace collision_monitor

@@ -56,10 +56,9 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.robots = makeRobotSpeeds(setup.model);
   buffers.counters.pairs = pairs;
   buffers.trees = makeObjectTrees(setup);
-  buffers.broad_phase =
-      buffers.trees.trees.empty()
-          ? makeBroadPhase(kind, bodies, pairs)
-          : makeBroadPhase(kind, buffers.trees.loose.size(), buffers.trees.table.size());
+  buffers.broad_phase = buffers.trees.trees.empty()
+                            ? makeBroadPhase(kind, bodies, pairs)
+                            : makeBroadPhase(kind, buffers.trees.loose.size(), pairs);
   buffers.culls_by_boxes = kind == BroadPhaseKind::combination;
   return buffers;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "broad_phase/marked_pairs.h"
 #include "collision_monitor/geometry/bounds.h"
 #include "geometry/constants.h"
 #include "narrow_phase/distance.h"
@@ -12,6 +13,7 @@
 namespace collision_monitor {
 namespace {
 
+/// Marks the pairs of loose bodies.
 void findLoosePairs(CycleBuffers& buffers) noexcept {
   ObjectTrees& trees = buffers.trees;
   for (std::size_t i = 0; i < trees.loose.size(); ++i) {
@@ -19,8 +21,8 @@ void findLoosePairs(CycleBuffers& buffers) noexcept {
     trees.bounds.known[i] = buffers.bounds.known[index(trees.loose[i])];
   }
   findCandidates(buffers.broad_phase, trees.bounds, trees.table, buffers.candidates);
-  for (PairId& pair : buffers.candidates) {
-    pair = trees.loose_pair[index(pair)];
+  for (const PairId pair : buffers.candidates) {
+    markPair(trees.loose_pair[index(pair)], buffers.broad_phase.marks);
   }
 }
 
@@ -63,15 +65,15 @@ SmallBox boxInTree(const Pose& tree_from_world, const Aabb& box, double grown) n
   return smallBoxOf({center - half, center + half});
 }
 
-/// Adds the pairs of a body with each object of a tree whose bounds may meet.
+/// Marks the pairs of a body with each object of a tree whose bounds may meet.
 /// @param pair_at takes the place of the object; kNone: no pair
 template <class PairAt>
 void seek(const ObjectTree& tree, const Pose& tree_from_world, const Aabb& box,
-          const PairAt& pair_at, std::vector<PairId>& candidates) noexcept {
+          const PairAt& pair_at, std::vector<std::uint64_t>& marks) noexcept {
   tree.tree.visitMeeting(boxInTree(tree_from_world, box, tree.grown), [&](std::uint32_t place) {
     const std::uint32_t pair = pair_at(place);
     if (pair != kNone) {
-      candidates.push_back(PairId{pair});
+      markPair(PairId{pair}, marks);
     }
   });
 }
@@ -92,7 +94,7 @@ void findInTree(const CycleSetup& setup, const LinkPoses& poses, std::size_t pla
           tree.pair_of.data() + i * (objects.last_body - objects.first_body);
       seek(
           tree, tree_from_world, bounds.boxes[body],
-          [&](std::uint32_t object) { return pairs[object]; }, buffers.candidates);
+          [&](std::uint32_t object) { return pairs[object]; }, buffers.broad_phase.marks);
     }
   }
   for (const BodyId seeker : buffers.trees.seekers) {
@@ -104,7 +106,7 @@ void findInTree(const CycleSetup& setup, const LinkPoses& poses, std::size_t pla
             setup.table.find(seeker, idAt<BodyId>(objects.first_body + object), pair);
             return static_cast<std::uint32_t>(index(pair));
           },
-          buffers.candidates);
+          buffers.broad_phase.marks);
     }
   }
 }
@@ -145,14 +147,12 @@ void findPairs(const CycleSetup& setup, const LinkPoses& poses, double reach,
     findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
     return;
   }
-  std::vector<PairId>& candidates = buffers.candidates;
   findLoosePairs(buffers);
   growTrees(setup, reach, buffers);
   for (std::size_t tree = 0; tree < setup.carried.size(); ++tree) {
     findInTree(setup, poses, tree, buffers);
   }
-  std::sort(candidates.begin(), candidates.end());
-  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  takeMarked(buffers.broad_phase.marks, buffers.candidates);
 }
 
 void searchTrees(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,

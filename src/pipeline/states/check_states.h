@@ -56,6 +56,9 @@ struct StateElementPair {
   std::uint32_t first{0};        ///< into StatesRefinement::body_pairs
   std::uint32_t last{0};
   bool are_convex{false};
+  std::uint32_t box{0};   ///< BodyId of the box that alone encloses one element, if has_box
+  std::uint32_t ball{0};  ///< ElementId of the other element, if has_box
+  bool has_box{false};
 };
 
 /// A point in each state.

@@ -60,10 +60,26 @@ struct NearSearch {
                    hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed))));
   }
 
+  /// The same of the ball of one element and the box around the other.
+  HWY_INLINE Truth ballMeetsBox(const StateElementPair& pair) const {
+    const StatesRefinement& refinement = states.work.refinement;
+    const BoxCore box(
+        BodyInStates{states.work.bodies[pair.box], states.setup.cores[pair.box], states.lane});
+    const Number reach = hn::Add(number(refinement.balls[pair.ball].radius),
+                                 hn::Max(asked, number(pair.contact_distance)));
+    return isNearBox(load(refinement.centers[pair.ball].of, states.lane), box, reach);
+  }
+
   void visit(const StateElementPair& pair) {
-    const Truth counts = ballsMeet(pair);
+    Truth counts = ballsMeet(pair);
     if (hn::AllFalse(Lanes(), counts)) {
       return;
+    }
+    if (pair.has_box) {
+      counts = hn::And(counts, ballMeetsBox(pair));
+      if (hn::AllFalse(Lanes(), counts)) {
+        return;
+      }
     }
     const std::vector<std::uint32_t>& bodies = states.work.refinement.body_pairs;
     for (std::uint32_t i = pair.first; i < pair.last; ++i) {

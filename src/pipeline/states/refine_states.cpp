@@ -101,9 +101,33 @@ void refineContacts(const CycleSetup& setup, const OpenStates& open, StatesWork&
   }
 }
 
+/// By ElementId: the body that alone encloses it, if that is a box; else kNone.
+std::vector<std::uint32_t> boxesAround(const CycleSetup& setup) {
+  std::vector<std::uint32_t> boxes(setup.elements.size(), kNone);
+  std::vector<bool> has_body(setup.elements.size());
+  for (std::uint32_t i = 0; i < setup.bodies.size(); ++i) {
+    const std::size_t element = index(setup.bodies[i].element);
+    const bool is_box = setup.cores[i].kind == CoreKind::box;
+    boxes[element] = is_box && !has_body[element] ? i : kNone;
+    has_body[element] = true;
+  }
+  return boxes;
+}
+
+/// The ball of the smaller element is tested against the box around the larger one, which its ball
+/// fills badly if it is long or flat.
+void chooseBox(const std::vector<std::uint32_t>& boxes, const std::vector<Ball>& balls,
+               StateElementPair& pair) {
+  const bool is_a_larger = balls[pair.a].radius > balls[pair.b].radius;
+  pair.ball = is_a_larger ? pair.b : pair.a;
+  pair.box = boxes[is_a_larger ? pair.a : pair.b];
+  pair.has_box = pair.box != kNone;
+}
+
 /// Lists the pairs of bodies of each pair of elements, without those of unknown relative pose.
 void listBodies(const CycleSetup& setup, const StatesWork& work, StatesRefinement& refinement) {
   refinement.element_pairs.resize(setup.element_pairs.size());
+  const std::vector<std::uint32_t> boxes = boxesAround(setup);
   std::vector<std::vector<std::uint32_t>> bodies(setup.element_pairs.size());
   for (std::uint32_t id = 0; id < setup.table.size(); ++id) {
     if (!work.pairs[id].is_apart) {
@@ -115,6 +139,7 @@ void listBodies(const CycleSetup& setup, const StatesWork& work, StatesRefinemen
     pair.a = static_cast<std::uint32_t>(index(setup.element_pairs[i].a));
     pair.b = static_cast<std::uint32_t>(index(setup.element_pairs[i].b));
     pair.radii = refinement.balls[pair.a].radius + refinement.balls[pair.b].radius;
+    chooseBox(boxes, refinement.balls, pair);
     const Limits& limits = limitsOf(setup, setup.element_pairs[i].link_pair);
     pair.contact_distance = std::max(0.0, limits.contact_distance);
     pair.are_convex = setup.elements[pair.a].convex && setup.elements[pair.b].convex;

@@ -58,6 +58,16 @@ HWY_INLINE Truth spheresMeet(const StateLanes& states, const StatePair& pair, Nu
   return hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed)));
 }
 
+/// Whether a point is within `reach` of a box. Near a long or flat box this is far less than near
+/// its bounding sphere.
+HWY_INLINE Truth isNearBox(const Vector3& point, const BoxCore& box, Number reach) {
+  const Vector3 beyond = absolute(into(box.axes, point - box.center)) - box.half_extents;
+  const Vector3 outside{hn::Max(beyond.x, zero()), hn::Max(beyond.y, zero()),
+                        hn::Max(beyond.z, zero())};
+  const Number allowed = hn::Add(reach, box.radius);
+  return hn::Not(hn::Gt(dot(outside, outside), hn::Mul(allowed, allowed)));
+}
+
 /// Measures the lanes whose distance is NaN by the plain twin.
 inline HWY_NOINLINE Number finished(const StateLanes& states, const StatePair& pair,
                                     Number distance) {
@@ -82,6 +92,13 @@ HWY_INLINE Number stateDistanceWithin(const StateLanes& states, const StatePair&
   const std::vector<Core>& cores = states.setup.cores;
   const CoreA a(BodyInStates{states.work.bodies[pair.a], cores[pair.a], states.lane});
   const CoreB b(BodyInStates{states.work.bodies[pair.b], cores[pair.b], states.lane});
+  if constexpr (CoreA::kKind == CoreKind::box) {
+    const double radius = states.setup.bodies[pair.a].bounding_radius;
+    counts = hn::And(counts, isNearBox(a.center, b, hn::Add(reach, number(radius))));
+    if (hn::AllFalse(Lanes(), counts)) {
+      return zero();
+    }
+  }
   const Number distance = distanceWithin(a, b, reach, counts);
   const bool is_sure = hn::AllFalse(Lanes(), hn::AndNot(hn::Eq(distance, distance), counts));
   return HWY_LIKELY(is_sure) ? distance : finished(states, pair, distance);
