@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include "collision_monitor/geometry/ids.h"
 #include "pipeline/refine/element_parts.h"
@@ -27,9 +28,15 @@ ElementContact settled(State state, std::uint32_t work) noexcept {
   return found;
 }
 
-/// Shapes have closed forms: their distance costs no more than a contact test.
-bool areShapes(const PlacedElement& a, const PlacedElement& b) noexcept {
-  return shapeOf(a.element.convex) && shapeOf(b.element.convex);
+bool isHalfSpace(const PlacedElement& placed) noexcept {
+  return std::holds_alternative<HalfSpace>(*placed.element.convex);
+}
+
+/// Shapes have closed forms, and a half space has one with everything: their distance costs no more
+/// than a contact test. @pre both are convex
+bool haveClosedForm(const PlacedElement& a, const PlacedElement& b) noexcept {
+  return isHalfSpace(a) || isHalfSpace(b) ||
+         (shapeOf(a.element.convex) && shapeOf(b.element.convex));
 }
 
 ElementContact measureContact(const PlacedElement& a, const PlacedElement& b, double reach,
@@ -62,7 +69,7 @@ HullAnswer askHulls(const PlacedElement& a, const PlacedElement& b, double reach
 
 ElementContact touchConvex(const PlacedElement& a, const PlacedElement& b, double reach,
                            ElementSearch& search) noexcept {
-  if (reach < 0.0 || areShapes(a, b)) {
+  if (reach < 0.0 || haveClosedForm(a, b)) {
     return measureContact(a, b, reach, search);
   }
   if (!isFinite(a.world_from_element) || !isFinite(b.world_from_element)) {

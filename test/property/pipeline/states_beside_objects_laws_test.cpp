@@ -5,10 +5,12 @@
 #include <limits>
 #include <string>
 
+#include "collision_monitor/model/kinematics.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "pipeline/states/check_states.h"
 #include "pipeline/world/add_world.h"
 #include "support/fixed_seed.h"
+#include "support/query_meshes.h"
 #include "support/robots/geometry_setup.h"
 #include "support/robots/hand_made_setup.h"
 #include "support/robots/random_model.h"
@@ -22,14 +24,19 @@ namespace {
 constexpr std::size_t kLinks = 4;
 constexpr std::size_t kStates = 40;
 
-/// Robots of meshes, and of a mesh and a capsule on one link.
-CycleSetup anyRobot(Random& random) {
+/// Four links of one geometry each.
+CycleSetup fittedLinks() {
   SetupOptions options;
   options.limits.warning_distance = 0.03;
-  CycleSetup robot = geometrySetup(
+  CycleSetup links = geometrySetup(
       {scaled(angleMesh(), 0.5), bumpyMesh(0.08, 8), Capsule{0.08, 0.03}, Cylinder{0.05, 0.1}},
       options);
-  robot.is_continuous = false;
+  links.is_continuous = false;
+  return links;
+}
+
+/// A random tree of these links.
+CycleSetup anyRobot(CycleSetup robot, Random& random) {
   do {
     robot.model = randomModel(kLinks, random);
   } while (robot.model.variable_count == 0);
@@ -104,9 +111,10 @@ void compareWithCycles(const CycleSetup& setup, const JointPositions& positions,
 TEST(StatesBesideObjectsLaws, verdictsAreThoseOfCyclesWithoutABudget) {
   Random random(kSeed);
   Counts counts;
+  const CycleSetup links = fittedLinks();
   for (int round = 0; round < 40; ++round) {
     SCOPED_TRACE(testing::Message() << "round " << round);
-    const CycleSetup robot = anyRobot(random);
+    const CycleSetup robot = anyRobot(links, random);
     World world = anyWorld(robot, random);
     // Of many objects some is always near.
     for (int i = 0; i < 6; ++i) {

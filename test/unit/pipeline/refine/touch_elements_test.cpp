@@ -54,6 +54,22 @@ TEST_F(TouchElements, solidsOfEveryKind_touchUpToTheDistance) {
   }
 }
 
+TEST_F(TouchElements, solidsOfEveryKind_touchAHalfSpaceUpToTheDistance) {
+  const std::vector<Geometry> kinds = {Sphere{0.1}, Capsule{0.0, 0.1}, Box{{0.1, 0.1, 0.1}},
+                                       Cylinder{0.1, 0.1}, boxMesh({0.1, 0.1, 0.1})};
+  for (const Geometry& kind : kinds) {
+    set(kind, Sphere{0.1});
+    setup_.elements[1].convex = HalfSpace();  // z <= 0
+    SCOPED_TRACE(kind.index());
+    at_b_.translation.z() = -0.105;
+    EXPECT_EQ(touch(0.0).state, State::apart);
+    EXPECT_EQ(touch(0.0, 0.004).state, State::apart);
+    EXPECT_EQ(touch(0.0, 0.006).state, State::contact);
+    at_b_.translation.z() = -0.095;
+    EXPECT_EQ(touch(0.0).state, State::contact);
+  }
+}
+
 TEST_F(TouchElements, concaveMeshesWhoseHullsOverlap_areAskedThemselves) {
   set(angleMesh(), angleMesh());
   at_b_ = hookedPose();
