@@ -4,8 +4,8 @@
 
 #include "broad_phase/broad_phase.h"
 #include "collision_monitor/pipeline/setup.h"
-#include "pipeline/data/robot_speeds.h"
 #include "pipeline/data/cycle_data.h"
+#include "pipeline/data/robot_speeds.h"
 #include "pipeline/look_ahead/link_walk.h"
 #include "pipeline/objects/object_trees.h"
 #include "pipeline/refine/refine_pairs.h"

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "collision_monitor/pipeline/setup.h"
-#include "pipeline/data/robot_speeds.h"
 #include "pipeline/data/cycle_data.h"
+#include "pipeline/data/robot_speeds.h"
 
 namespace collision_monitor {
 
