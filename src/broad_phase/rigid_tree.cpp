@@ -31,6 +31,7 @@ std::size_t widestAxis(const std::vector<SmallBox>& boxes, const std::uint32_t* 
 
 RigidTree::RigidTree(const std::vector<Aabb>& boxes) {
   std::vector<SmallBox> small;
+  small.reserve(boxes.size());
   for (const Aabb& box : boxes) {
     small.push_back(smallBoxOf(box));
   }

@@ -40,7 +40,7 @@ class ChangeWorld : public testing::Test {
     };
     const World world = applyChanges(setup_->world, {{kind, {object}, true}}, places, report);
     throwIfErrors(report);
-    const std::shared_ptr<const MonitorSetup> next = changeWorld(*setup_, world;
+    const std::shared_ptr<const MonitorSetup> next = changeWorld(*setup_, world, {});
     auto watch = std::make_unique<Watch>(next, store_, joints_);
     watch->prepare(ros::Time(12.5), ClockState(), setup_);
     watch->takeOver(*watch_);
