@@ -43,7 +43,8 @@ class ObjectMarkers : public testing::Test {
     const auto setup = slidingSetupWith(objects);
     watch_ = judged(setup, store_, slidingPoses(setup->setup.model, 0.0, reach));
     std::vector<Marker> shown;
-    for (const Marker& marker : Markers(*watch_).draw(*watch_).markers) {
+    Markers markers(*watch_);
+    for (const Marker& marker : markers.draw(*watch_).markers) {
       if (marker.ns == "objects") {
         shown.push_back(marker);
       }

@@ -63,7 +63,9 @@ TEST_F(SentencesTest, ofAFrameThatCarriesObjects_nameTheObject) {
   crate.frame = "conveyor";
   setup_ = slidingSetupWith({crate});
   LinkPoses poses = slidingPoses(setup_->setup.model, 0.0, 0.5);
-  const std::size_t carrier = index(linkNamed(setup_->setup.model, "conveyor"));
+  const RobotModel& model = setup_->setup.model;
+  const Joint& joint = model.joint(*model.link(linkNamed(model, "crate")).parent_joint);
+  const std::size_t carrier = index(joint.parent);
   floatFrom(carrier, LinkStatus::missing, poses);
   poses.part[index(linkNamed(setup_->setup.model, "crate"))] = static_cast<PartId>(carrier);
   const auto lost = judged(setup_, store_, poses);
