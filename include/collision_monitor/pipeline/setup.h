@@ -66,13 +66,13 @@ struct PairRange {
 /// Many objects that one frame or link carries: their links, bodies and elements, each [first,
 /// last). They keep their places to each other, so a cycle skips them while they rest.
 struct CarriedObjects {
-  std::size_t first_link{0};
-  std::size_t last_link{0};
-  std::size_t first_body{0};
-  std::size_t last_body{0};
-  std::size_t first_element{0};
-  std::size_t last_element{0};
-  bool is_checked{false};  ///< one of the links is in a checked pair
+  std::size_t first_link{0};     ///< LinkId of the first
+  std::size_t last_link{0};      ///< one after the last
+  std::size_t first_body{0};     ///< BodyId of the first
+  std::size_t last_body{0};      ///< one after the last
+  std::size_t first_element{0};  ///< ElementId of the first
+  std::size_t last_element{0};   ///< one after the last
+  bool is_checked{false};        ///< one of the links is in a checked pair
 };
 
 /// Everything that stays the same from cycle to cycle. A service that changes something builds a
