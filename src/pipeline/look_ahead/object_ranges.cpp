@@ -77,7 +77,7 @@ void growBalls(const CycleSetup& setup, const std::vector<LinkId>& first_of,
                ActivationDistances& reaches) {
   const RobotModel& model = setup.model;
   for (const Body& body : setup.bodies) {
-    if (!isOfWorld(model, body.link)) {
+    if (!isObject(model, body.link)) {
       continue;
     }
     const LinkId first = first_of[index(body.link)];
