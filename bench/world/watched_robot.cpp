@@ -96,7 +96,7 @@ ChangeTimes WatchedRobot::change(const std::vector<SceneChange>& changes) {
   const World world = applyChanges(setup_->world, read, placesNow(*setup_, inputs, 0.0), report);
   throwIfErrors(report);
   times.checked = clock.next();
-  std::shared_ptr<const MonitorSetup> next = changeWorld(*setup_, world);
+  std::shared_ptr<const MonitorSetup> next = changeWorld(*setup_, world, {});
   times.made = clock.next();
   transforms_.keepOnly(frameNames(*next));
   auto watch = std::make_unique<Watch>(next, transforms_, joints_);
