@@ -28,7 +28,7 @@ target_link_libraries(${PROJECT_NAME}_core
     ${urdfdom_model_library} ${console_bridge_library}
     $<BUILD_INTERFACE:strict_warnings>)
 target_precompile_headers(${PROJECT_NAME}_core PRIVATE ${core_headers})
-sanitize_quickly(${PROJECT_NAME}_core ${core_sources})
+compile_folders_together(${PROJECT_NAME}_core ${core_sources})
 # Searches make many small calls. Calls within the library then need no look-up when it is loaded.
 target_link_options(${PROJECT_NAME}_core PRIVATE -Wl,-Bsymbolic-functions)
 # Other packages link collision_monitor::core: from a build, an installation or a subfolder.

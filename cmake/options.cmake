@@ -20,10 +20,35 @@ set(test_headers ${core_headers} <gtest/gtest.h> <rapidcheck.h>)
 set(edge_headers ${core_headers} <ros/ros.h>)
 
 # Most of the rest goes into instantiating the same templates: sources compiled together take a
-# third of the time. The core is compiled file by file, so that each is optimized by itself, except
-# for mesh reading and under sanitizers. COLLISION_MONITOR_UNITY=OFF and clang-tidy in .ci/run
-# compile every source alone, and so show whether it includes what it uses.
+# third of the time. COLLISION_MONITOR_UNITY=OFF and clang-tidy in .ci/run compile every source
+# alone, and so show whether it includes what it uses.
 function(compile_together)
   set_target_properties(${ARGN} PROPERTIES
     UNITY_BUILD ${COLLISION_MONITOR_UNITY} UNITY_BUILD_BATCH_SIZE 16)
+endfunction()
+
+# compile_folders_together(LIBRARY SOURCE...): the sources of a folder of src/ROOM are compiled
+# together, so no two of them may share a name. Rooms that run in a cycle are compiled file by file,
+# so that each is optimized by itself, except under sanitizers. In kernels for lanes every operation
+# is a call whose values have their own scope. Checking these scopes takes three times as long as
+# all other checks, which stay on.
+function(compile_folders_together library)
+  set(rooms fitting|library|model)
+  if(COLLISION_MONITOR_SANITIZE)
+    set(rooms [a-z_]+)
+  endif()
+  set_target_properties(${library} PROPERTIES
+    UNITY_BUILD ${COLLISION_MONITOR_UNITY} UNITY_BUILD_MODE GROUP)
+  foreach(source ${ARGN})
+    file(STRINGS ${source} lanes REGEX "hwy/foreach_target\\.h" LIMIT_COUNT 1)
+    file(RELATIVE_PATH place ${PROJECT_SOURCE_DIR}/src ${source})
+    string(REGEX MATCH "^(${rooms})/(([a-z_]+)/)?" folder ${place})
+    if(lanes AND COLLISION_MONITOR_SANITIZE)
+      set_source_files_properties(${source} PROPERTIES
+        COMPILE_OPTIONS -fno-sanitize-address-use-after-scope)
+    elseif(folder AND NOT lanes)
+      set_source_files_properties(${source} PROPERTIES
+        UNITY_GROUP ${CMAKE_MATCH_1}_${CMAKE_MATCH_3})
+    endif()
+  endforeach()
 endfunction()

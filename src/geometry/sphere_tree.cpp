@@ -3,12 +3,11 @@
 #include "geometry/sphere_tree.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "geometry/constants.h"
 
 namespace collision_monitor {
 namespace {
-
-constexpr double kUnitRoundOff = 0.5 * std::numeric_limits<double>::epsilon();
 
 /// The nodes where the descent from the root ends.
 template <class Ends>

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "collision_monitor/solid.h"
 
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -11,6 +10,7 @@
 #include "fitting/shapes/fit_capsule.h"
 #include "fitting/shapes/fit_rounded_box.h"
 #include "fitting/shapes/fit_sphere.h"
+#include "geometry/hulls/cone_corners.h"
 #include "geometry/hulls/convex_hull.h"
 #include "geometry/meshes/check_mesh.h"
 #include "library/solid_parts.h"
@@ -109,16 +109,7 @@ Solid Solid::cone(double radius, double length) {
   faults.check("radius", radius);
   faults.check("length", length);
   faults.throwIfAny();
-  // The sides of a polygon around the base touch its circle.
-  constexpr int kCorners = 64;
-  constexpr double kPi = 3.14159265358979323846;
-  const double reach = radius / std::cos(kPi / kCorners);
-  std::vector<Vector3d> corners{Vector3d(0.0, 0.0, 0.5 * length)};
-  for (int i = 0; i < kCorners; ++i) {
-    const double angle = 2.0 * kPi * i / kCorners;
-    corners.emplace_back(reach * std::cos(angle), reach * std::sin(angle), -0.5 * length);
-  }
-  const auto parts = makeParts(convexHullOf(corners));
+  const auto parts = makeParts(convexHullOf(cornersAroundCone(radius, 0.5 * length)));
   parts->element.is_exact = false;
   parts->element.inner = InnerShapes();  // these may be outside of the cone itself
   return Solid(std::shared_ptr<const SolidParts>(parts));

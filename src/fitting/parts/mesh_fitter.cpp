@@ -24,10 +24,6 @@ Points representing(const Points& corners) {
              : extremePoints(corners, spreadDirections(kRepresentatives));
 }
 
-PosedShape placed(const Enclosure& enclosure) {
-  return {enclosure.shape, enclosure.geometry_from_body};
-}
-
 }  // namespace
 
 MeshFitter::MeshFitter(const TriangleMesh& mesh, const ShapeKinds& kinds)
@@ -74,7 +70,7 @@ RoughGoal MeshFitter::goalBeside(std::size_t part) const {
   RoughGoal goal{grid_, kinds_, {}, {}};
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     if (i != part) {
-      goal.others.push_back(coreOf(placed(parts_[i].enclosure)));
+      goal.others.push_back(coreOf(posedShapeOf(parts_[i].enclosure)));
     }
   }
   return goal;
@@ -96,7 +92,7 @@ void MeshFitter::refit(std::size_t i) {
   Part& part = parts_[i];
   const Points points = representing(part.corners);
   const RoughGoal goal = goalBeside(i);
-  RoughFit now{coreOf(placed(part.enclosure)), part.enclosure.shape.index()};
+  RoughFit now{coreOf(posedShapeOf(part.enclosure)), part.enclosure.shape.index()};
   now = polished(now, points, goal);
   RoughFit other = fitRoughly(
       points, {now.core.rotation, principalAxes(points), Eigen::Matrix3d::Identity()}, goal);
@@ -112,7 +108,7 @@ void MeshFitter::measureParts() {
   fit.shape_of = shape_of_;
   std::vector<PosedShape> shapes;
   for (const auto& part : parts_) {
-    shapes.push_back(placed(part.enclosure));
+    shapes.push_back(posedShapeOf(part.enclosure));
   }
   OvershootSum sum;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -132,8 +128,8 @@ void MeshFitter::measureParts() {
 
 void MeshFitter::cutWorst() {
   const std::size_t worst = worstPart();
-  const auto cut =
-      chooseCut(parts_[worst].samples, coreOf(placed(parts_[worst].enclosure)), goalBeside(worst));
+  const auto cut = chooseCut(parts_[worst].samples, coreOf(posedShapeOf(parts_[worst].enclosure)),
+                             goalBeside(worst));
   if (!cut || !divide(worst, cut->plane)) {
     parts_[worst].can_be_cut = false;
     return;

@@ -7,6 +7,7 @@
 #include "fitting/proofs/check_geometry.h"
 #include "fitting/proofs/proof.h"
 #include "fitting/proofs/surrounding_mesh.h"
+#include "fitting/shapes/candidate.h"
 #include "fitting/shapes/mesh_part.h"
 #include "geometry/constants.h"
 
@@ -41,10 +42,6 @@ bool isSound(const Fit& fit) {
   });
 }
 
-PosedShape placed(const Enclosure& enclosure) {
-  return {enclosure.shape, enclosure.geometry_from_body};
-}
-
 /// Repeats the cuts and tests each part against its shape.
 double excessOfParts(const TriangleMesh& mesh, const Fit& fit) {
   PartedSurface surface(mesh);
@@ -64,7 +61,7 @@ double excessOfParts(const TriangleMesh& mesh, const Fit& fit) {
     const Points corners = surface.cornersOf(parts[i]);
     if (!corners.empty()) {
       const Enclosure& shape = fit.shapes[fit.shape_of.empty() ? i : fit.shape_of[i]];
-      excess = std::max(excess, provenExcess(placed(shape), corners) + slack[i]);
+      excess = std::max(excess, provenExcess(posedShapeOf(shape), corners) + slack[i]);
     }
   }
   return excess;
@@ -110,7 +107,7 @@ struct Prove {
 
  private:
   PosedShape whole() const {
-    return fit.cuts.empty() ? placed(fit.shapes.front()) : PosedShape{Sphere{0.0}, {}};
+    return fit.cuts.empty() ? posedShapeOf(fit.shapes.front()) : PosedShape{Sphere{0.0}, {}};
   }
   template <class Round>
   double excessOfRound(const Round& round) const {

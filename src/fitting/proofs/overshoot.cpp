@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "collision_monitor/geometry/ids.h"
+#include "geometry/constants.h"
 #include "geometry/interruption.h"
 
 namespace collision_monitor {
@@ -13,7 +14,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kHalfPi = 1.57079632679489661923;
 constexpr double kLeastSteps = 2.0;
 
 /// Visits a grid over a patch with parameters in [0, 1]^2, borders included. The weights are those

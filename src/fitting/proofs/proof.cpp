@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "geometry/constants.h"
 
 namespace collision_monitor {
 namespace {
-
-constexpr double kUnitRoundOff = 0.5 * std::numeric_limits<double>::epsilon();
 
 // [m] Below this a square underflows, and a computed length may be 0 although the true one is not.
 constexpr double kUnderflow = 1e-150;

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "geometry/constants.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -11,7 +13,6 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr int kSteps = 5;  // along an edge of the core
-constexpr double kHalfPi = 1.57079632679489661923;
 
 struct PatternPoint {
   Vector3f fraction;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "geometry/bvh/visit_near.h"
+#include "geometry/constants.h"
 #include "geometry/point_triangle.h"
 
 namespace collision_monitor {
@@ -15,7 +16,6 @@ namespace {
 using Eigen::Vector3d;
 using Triangle = TriangleBvh::Triangle;
 
-constexpr double kUnitRoundOff = 0.5 * std::numeric_limits<double>::epsilon();
 constexpr int kMaxCuts = 40;
 constexpr double kConverged = 1e-13;
 

@@ -21,6 +21,10 @@ double coarseness(const Overshoot& overshoot) noexcept;
 /// @pre one candidate is of an allowed kind.
 Enclosure chooseTightest(const std::vector<Enclosure>& candidates, const ShapeKinds& kinds);
 
+inline PosedShape posedShapeOf(const Enclosure& enclosure) {
+  return {enclosure.shape, enclosure.geometry_from_body};
+}
+
 /// The candidates, at most one of each kind, proven and measured.
 std::vector<Enclosure> encloseCapsule(const Capsule& capsule);
 std::vector<Enclosure> encloseCylinder(const Cylinder& cylinder);

@@ -27,7 +27,7 @@ constexpr double kSameAxis = 0.97;  // cosine of 14 degrees
 
 const FreeExtents kOnlyLength{false, false, true};
 // Capsules of least grown volume have shorter caps than those of least volume: see DescentGoal.
-constexpr double kGrowths[] = {0.1, 0.3, 1.0};
+constexpr double kRadiusGrowths[] = {0.1, 0.3, 1.0};
 
 /// A nearly smallest circle around 2-D points.
 /// Source: Badoiu, Clarkson, "Smaller Core-Sets for Balls" (2003), section 3.
@@ -113,7 +113,7 @@ std::vector<PosedShape> smallCapsules(const Points& points) {
   DescentGoal goal;
   goal.free_extents = kOnlyLength;
   auto cores = descendAll(startCapsules(representatives), representatives, cloud.points, goal);
-  for (const double growth : kGrowths) {
+  for (const double growth : kRadiusGrowths) {
     goal.growth = growth;
     cores.push_back(descendAll({cores.front()}, representatives, cloud.points, goal).front());
   }

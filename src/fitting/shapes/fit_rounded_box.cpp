@@ -20,7 +20,7 @@ constexpr double kStartExtents[] = {0.85, 0.5};
 
 // Of the size of the set, which is 1. Without growth a box wins wherever its corners are filled as
 // well as the rest. More growth demands more of its corners.
-constexpr double kGrowths[] = {0.0, 0.1, 0.3, 1.0};
+constexpr double kBoxGrowths[] = {0.0, 0.1, 0.3, 1.0};
 
 TurnedCore startFrom(const PosedShape& fit, double fraction, const NormalisedPoints& cloud) {
   TurnedCore core;
@@ -48,7 +48,7 @@ std::vector<PosedShape> smallRoundedBoxes(const Points& points,
   starts.push_back(startFrom(capsules.front(), 1.0, cloud));
   const Points representatives = representativesOf(cloud.points);
   std::vector<TurnedCore> cores;
-  for (const double growth : kGrowths) {
+  for (const double growth : kBoxGrowths) {
     DescentGoal goal;
     goal.growth = growth;
     for (const auto& core : descendAll(starts, representatives, cloud.points, goal)) {

@@ -3,15 +3,14 @@
 #include "fitting/shapes/mesh_part.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
+
+#include "geometry/constants.h"
 
 namespace collision_monitor {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kUnitRoundOff = 0.5 * std::numeric_limits<double>::epsilon();
 
 /// The point of the edge on the plane. Always computed from the lower end, so both polygons of an
 /// edge get the same point.

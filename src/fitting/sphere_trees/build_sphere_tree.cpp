@@ -3,7 +3,6 @@
 #include "fitting/sphere_trees/build_sphere_tree.h"
 
 #include <algorithm>
-#include <limits>
 #include <queue>
 #include <stdexcept>
 #include <utility>
@@ -14,13 +13,13 @@
 #include "fitting/search/point_cloud.h"
 #include "fitting/shapes/fit_sphere.h"
 #include "fitting/shapes/mesh_part.h"
+#include "geometry/constants.h"
 
 namespace collision_monitor {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kUnitRoundOff = 0.5 * std::numeric_limits<double>::epsilon();
 constexpr int kSamples = 32;        // of a node's sphere
 constexpr double kTolerance = 0.1;  // of a sample's distance
 

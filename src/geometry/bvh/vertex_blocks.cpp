@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kSmall = 8;    // greatest size of a block without children
-constexpr double kRounding = 1e-14;  // several times that of a product or sum of three
+constexpr std::size_t kSmall = 8;       // greatest size of a block without children
+constexpr double kSumRounding = 1e-14;  // several times that of a product or sum of three
 
 }  // namespace
 
@@ -21,7 +21,7 @@ VertexBlocks::VertexBlocks(const std::vector<Vector3d>& vertices)
   for (const Vector3d& vertex : vertices_) {
     size = std::max(size, vertex.norm());
   }
-  rounding_ = kRounding * size;
+  rounding_ = kSumRounding * size;
   std::iota(order_.begin(), order_.end(), 0U);
   add(0, order_.size());
 }

@@ -3,11 +3,10 @@
 #include "pipeline/world/prepare_object.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "collision_monitor/geometry/bounds.h"
 #include "geometry/all_cores.h"
-#include "geometry/constants.h"
+#include "geometry/hulls/cone_corners.h"
 #include "geometry/hulls/convex_hull.h"
 #include "geometry/interruption.h"
 #include "pipeline/setup/fill_element.h"
@@ -38,18 +37,6 @@ Enclosure boxAround(const std::vector<Eigen::Vector3d>& points) {
   center.translation = 0.5 * (least + most);
   const double growth = kRounding * (least.cwiseAbs().cwiseMax(most.cwiseAbs()).maxCoeff());
   return simple(Box{0.5 * (most - least) + Eigen::Vector3d::Constant(growth)}, center, false);
-}
-
-/// The corners of a hull around a cone: the sides of a polygon around the base touch its circle.
-std::vector<Eigen::Vector3d> cornersOf(const Cone& cone) {
-  constexpr int kCorners = 64;
-  const double reach = cone.radius / std::cos(kPi / kCorners);
-  std::vector<Eigen::Vector3d> corners{{0.0, 0.0, cone.half_length}};
-  for (int i = 0; i < kCorners; ++i) {
-    const double angle = 2.0 * kPi * i / kCorners;
-    corners.emplace_back(reach * std::cos(angle), reach * std::sin(angle), -cone.half_length);
-  }
-  return corners;
 }
 
 /// Places a half space z <= 0 in the frame of the plane, as near to its origin as the plane is.
@@ -94,7 +81,7 @@ struct Fill {
   }
   Enclosure operator()(const Cone& cone) {
     kind = "cone";
-    const std::vector<Eigen::Vector3d> corners = cornersOf(cone);
+    const std::vector<Eigen::Vector3d> corners = cornersAroundCone(cone.radius, cone.half_length);
     fillElement(convexHullOf(corners), RefineGeometry::hull, element);
     element.is_exact = false;
     return boxAround(corners);
