@@ -52,6 +52,7 @@ class Place {
   void addError(int line, const std::string& found, const std::string& accepted) const;
   /// @param advice as in Problem
   void addWarning(int line, const std::string& found, const std::string& advice) const;
+  bool awaitsNames() const noexcept { return report_->awaits_names; }
   /// Notes that this element has the oddity.
   void note(Oddity oddity) const;
   /// Notes that this element names a mesh that cannot be read.

@@ -19,13 +19,8 @@ const char* const kKinds = "sphere, capsule, box or rounded_box";
 
 /// Reads the fields of this kind only. Others are faults: a box's radius would have no effect.
 std::optional<Shape> readShape(const std::string& kind, YamlFields& fields) {
-  const auto needed = [&](const char* key, int count) -> Eigen::VectorXd {
-    if (!fields.find(key)) {
-      fields.refuse("kind", "with " + std::string(key) + ", in metres");
-      return Eigen::VectorXd::Zero(count);
-    }
-    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(count);
-    return fields.readNumbers(key, count, 0.0, kMaxLength).value_or(zero);
+  const auto needed = [&](const char* key, int count) {
+    return fields.readLengths(key, count, 0.0, kMaxLength);
   };
   if (kind == "sphere") {
     return Sphere{needed("radius", 1)[0]};

@@ -9,7 +9,6 @@
 
 #include "geometry/interruption.h"
 #include "model/place.h"
-#include "model/rules/awaited_names.h"
 #include "model/rules/link_selection.h"
 #include "model/rules/rigid_groups.h"
 
@@ -106,7 +105,7 @@ PairReason decide(const RobotModel& model, const Rules& rules, LinkId a, LinkId 
 std::vector<LinkId> findNamed(const std::string& name, const std::string& where,
                               const RobotModel& model, SetupReport& report) {
   std::vector<LinkId> links = findMatching(name, model);
-  if (links.empty() && !areNamesAwaited()) {
+  if (links.empty() && !report.awaits_names) {
     report.errors.push_back({where, "link " + quoted(name) + ", which matches none",
                              "links of the robots: " + linkNames(model)});
   }

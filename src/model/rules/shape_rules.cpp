@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/rules/awaited_names.h"
 #include "model/rules/given_shape.h"
 #include "model/rules/link_selection.h"
 #include "model/rules/yaml_fields.h"
@@ -71,7 +70,7 @@ class RuleReader {
     }
     if (const auto name = fields.readText("group", "a group of an SRDF")) {
       const auto group = findGroup(*name, model_, srdfs_);
-      if (!group && areNamesAwaited()) {
+      if (!group && place.awaitsNames()) {
         return links;
       }
       if (!group) {
@@ -97,7 +96,7 @@ class RuleReader {
                                  }),
                   found.end());
     }
-    if (found.empty() && !areNamesAwaited()) {
+    if (found.empty() && !place.awaitsNames()) {
       const bool has_wildcard = name.find_first_of("*?") != std::string::npos;
       place.addError(lineOf(node),
                      (is_pattern && has_wildcard ? "links " + quoted(name) + ", which matches none"

@@ -55,6 +55,10 @@ std::string describe(const YAML::Node& node) {
   }
 }
 
+YAML::Node childOf(const YAML::Node& node, const std::string& key) {
+  return node.IsDefined() && node.IsMap() ? node[key] : YAML::Node(YAML::NodeType::Undefined);
+}
+
 YamlFields::YamlFields(const YAML::Node& node, const Place& place, const std::string& what)
     : node_(node), place_(place) {
   if (!node_.IsMap()) {
@@ -139,6 +143,16 @@ std::optional<double> YamlFields::readNumber(const std::string& key, double leas
                                              double greatest) {
   const std::optional<Eigen::VectorXd> number = readNumbers(key, 1, least, greatest);
   return number ? std::optional<double>((*number)[0]) : std::nullopt;
+}
+
+Eigen::VectorXd YamlFields::readLengths(const std::string& key, int count, double least,
+                                        double greatest) {
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(count);
+  if (!find(key)) {
+    refuse("kind", "with " + key + ", in metres");
+    return ones;
+  }
+  return readNumbers(key, count, least, greatest).value_or(ones);
 }
 
 void YamlFields::refuse(const std::string& key, const std::string& accepted) {

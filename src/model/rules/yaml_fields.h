@@ -20,6 +20,9 @@ int lineOf(const YAML::Node& node);
 /// The value in the words of a message: "'abc'", "a list of 3".
 std::string describe(const YAML::Node& node);
 
+/// Undefined if the node is no map or has no such key.
+YAML::Node childOf(const YAML::Node& node, const std::string& key);
+
 /// The fields of a YAML map. Notes which keys were asked for, so that refuseOthers can report the
 /// unknown ones. Each fault is added to the place, and the field then counts as absent.
 class YamlFields {
@@ -37,6 +40,8 @@ class YamlFields {
   std::optional<Eigen::VectorXd> readNumbers(const std::string& key, int count, double least,
                                              double greatest);
   std::optional<double> readNumber(const std::string& key, double least, double greatest);
+  /// The lengths that a `kind` of shape needs; ones after a fault.
+  Eigen::VectorXd readLengths(const std::string& key, int count, double least, double greatest);
   void refuse(const std::string& key, const std::string& accepted);
   void refuseOthers();
 

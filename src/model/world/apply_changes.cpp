@@ -139,9 +139,9 @@ class ChangeMaker {
         places_.has_frame(frame)) {
       return true;
     }
-    refuse(
-        "frame " + quoted(frame) + ", which is unknown" + suggestion(frame, places_.link_frames),
-        "a frame that tf knows, a link's frame or the world frame " + quoted(places_.world_frame));
+    refuse("frame " + quoted(frame) + ", which is unknown" + suggestion(frame, places_.link_frames),
+           places_.other_frames + ", a link's frame or the world frame " +
+               quoted(places_.world_frame));
     return false;
   }
 

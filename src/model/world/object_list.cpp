@@ -9,7 +9,6 @@ namespace collision_monitor {
 namespace {
 
 constexpr const char* kKinds = "sphere, capsule, box, cylinder, cone, mesh or plane";
-constexpr double kMost = kFarthestObject;
 constexpr double kMaxAngle = 1e3;  // [rad]
 
 /// Reads the fields of one shape, which may stand among those of its object.
@@ -30,14 +29,8 @@ class ShapeFields {
   }
 
  private:
-  /// Zero, which is refused later, after a fault.
   Eigen::VectorXd needed(const char* key, int count) {
-    if (!fields_.find(key)) {
-      fields_.refuse("kind", "with " + std::string(key) + ", in metres");
-      return Eigen::VectorXd::Ones(count);
-    }
-    const Eigen::VectorXd one = Eigen::VectorXd::Ones(count);
-    return fields_.readNumbers(key, count, -kMost, kMost).value_or(one);
+    return fields_.readLengths(key, count, -kFarthestObject, kFarthestObject);
   }
 
   std::optional<ObjectGeometry> readKind(const std::string& kind) {
@@ -58,8 +51,10 @@ class ShapeFields {
     }
     if (kind == "plane") {
       Plane plane;
-      plane.normal = fields_.readNumbers("normal", 3, -kMost, kMost).value_or(plane.normal);
-      plane.offset = fields_.readNumber("offset", -kMost, kMost).value_or(plane.offset);
+      plane.normal = fields_.readNumbers("normal", 3, -kFarthestObject, kFarthestObject)
+                         .value_or(plane.normal);
+      plane.offset =
+          fields_.readNumber("offset", -kFarthestObject, kFarthestObject).value_or(plane.offset);
       return plane;
     }
     if (kind == "mesh") {
@@ -70,7 +65,7 @@ class ShapeFields {
   }
 
   std::optional<ObjectGeometry> readMesh() {
-    const auto scale = fields_.readNumbers("scale", 3, -kMost, kMost);
+    const auto scale = fields_.readNumbers("scale", 3, -kFarthestObject, kFarthestObject);
     const std::optional<std::string> file = fields_.readText("file", "the name of a mesh file");
     if (!file) {
       if (!fields_.find("file")) {
@@ -93,8 +88,8 @@ class ShapeFields {
 Pose readPose(YamlFields& fields, const Place& place, int line) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(3);
   Pose pose;
-  pose.translation = fields.readNumbers("xyz", 3, -kMost, kMost).value_or(zero);
-  const auto quaternion = fields.readNumbers("quat_xyzw", 4, -kMost, kMost);
+  pose.translation = fields.readNumbers("xyz", 3, -kFarthestObject, kFarthestObject).value_or(zero);
+  const auto quaternion = fields.readNumbers("quat_xyzw", 4, -kFarthestObject, kFarthestObject);
   if (!quaternion) {
     pose.rotation =
         rotationOfRpy(fields.readNumbers("rpy", 3, -kMaxAngle, kMaxAngle).value_or(zero));
@@ -170,7 +165,7 @@ std::optional<WorldObject> readObject(const YAML::Node& node, const WorldSource&
   rest.find("name");
   readCarrier(rest, named, line, object);
   object.frame_from_object = readPose(rest, named, line);
-  object.padding = rest.readNumber("padding", 0.0, kMost).value_or(0.0);
+  object.padding = rest.readNumber("padding", 0.0, kFarthestObject).value_or(0.0);
   object.group = rest.readText("group", "a name").value_or("");
   if (const auto colour = rest.readNumbers("colour", 4, 0.0, 1.0)) {
     for (std::size_t i = 0; i < object.colour.size(); ++i) {

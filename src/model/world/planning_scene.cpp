@@ -8,13 +8,6 @@
 namespace collision_monitor {
 namespace {
 
-constexpr double kMost = kFarthestObject;
-
-/// Undefined if the node is no map or has no such key.
-YAML::Node childOf(const YAML::Node& node, const std::string& key) {
-  return node.IsDefined() && node.IsMap() ? node[key] : YAML::Node(YAML::NodeType::Undefined);
-}
-
 std::string shown(const YAML::Node& node) { return node.IsDefined() ? describe(node) : "nothing"; }
 
 std::string textOf(const YAML::Node& node) {
@@ -182,7 +175,7 @@ class SceneReader {
     for (const YAML::Node& vertex : childOf(node, "vertices")) {
       const auto point = numbersOf(vertex, 3);
       mesh->vertices.emplace_back(point ? Eigen::Vector3d(*point)
-                                        : Eigen::Vector3d::Constant(2.0 * kMost));
+                                        : Eigen::Vector3d::Constant(2.0 * kFarthestObject));
     }
     for (const YAML::Node& triangle : childOf(node, "triangles")) {
       const YAML::Node indices = childOf(triangle, "vertex_indices");

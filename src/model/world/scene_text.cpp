@@ -80,9 +80,9 @@ class SceneText {
   }
 
   std::size_t countIn(std::string_view line, const char* what) const {
-    constexpr double kMost = 1e7;
+    constexpr double kMaxCount = 1e7;
     const double number = numbersIn(line, 1, what)[0];
-    if (!(number >= 0.0 && number <= kMost && number == std::floor(number))) {
+    if (!(number >= 0.0 && number <= kMaxCount && number == std::floor(number))) {
       throw SceneFault{line_, what + (" " + shortText(number)), "a whole number from 0 to 1e7"};
     }
     return static_cast<std::size_t>(number);

@@ -18,11 +18,6 @@ bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-/// Undefined if the document is no map or has no such key.
-YAML::Node childOf(const YAML::Node& document, const std::string& key) {
-  return document.IsMap() ? document[key] : YAML::Node(YAML::NodeType::Undefined);
-}
-
 void readDocument(const YAML::Node& document, const WorldSource& source, const Place& place,
                   std::vector<WorldObject>& objects) {
   const YAML::Node world = childOf(document, "world");

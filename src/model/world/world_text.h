@@ -10,13 +10,6 @@
 
 namespace collision_monitor {
 
-/// Objects as the user writes them.
-struct WorldText {
-  std::string source;  ///< its name in messages: a file name or a parameter
-  std::string text;
-  std::string directory;  ///< base of relative mesh names, "" if unknown
-};
-
 /// Reads objects from one of three formats:
 ///
 /// - A list of objects in YAML, alone or under `world`. An object has a `name`; `frame` (default:

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "model/number_text.h"
-#include "model/rules/awaited_names.h"
 #include "model/rules/link_selection.h"
 #include "setup_parts.h"
 
@@ -17,7 +16,7 @@ void padLinks(const std::vector<NamedPadding>& paddings, const std::string& wher
       report.errors.push_back({place, shortText(padding.padding) + " m", "a finite number >= 0 m"});
     }
     const std::vector<LinkId> links = findMatching(padding.link, model);
-    if (links.empty() && !areNamesAwaited()) {
+    if (links.empty() && !report.awaits_names) {
       report.errors.push_back({place, "link " + quoted(padding.link) + ", which matches none",
                                "links of the robots: " + linkNames(model)});
     }

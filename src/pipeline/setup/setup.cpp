@@ -135,6 +135,7 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
                       const ResourceLoader& load_resource, const SetupOptions& options) {
   CycleSetup setup;
   SetupReport report;
+  report.awaits_names = options.awaits_names;
   checkInput(robots, options, report);
   setup.ahead = lookAheadFor(options);
   setup.least_horizon = setup.ahead.horizon;
