@@ -36,13 +36,7 @@ World boxesAround(std::size_t count, double nearest, double farthest, const Cycl
           objectOf("box_" + std::to_string(objects.size()), Box{{0.025, 0.025, 0.025}}, place));
     }
   }
-  KnownPlaces places;
-  for (const Link& link : robots.model.links) {
-    places.links.push_back(link.name);
-    places.link_frames.push_back(link.frame);
-  }
-  places.world_frame = "map";
-  return worldOf(objects, places);
+  return worldOf(objects, placesOf(robots.model, "map"));
 }
 
 /// A set-up and its cycles.

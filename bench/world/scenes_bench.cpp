@@ -73,17 +73,12 @@ ResourceLoader loaderOf(const std::vector<std::string>& package_roots) {
 }
 
 World readScene(const std::string& file, const CycleSetup& robot, const ResourceLoader& loader) {
-  KnownPlaces places;
-  for (const Link& link : robot.model.links) {
-    places.links.push_back(link.name);
-    places.link_frames.push_back(link.frame);
-  }
-  places.world_frame = "world";
   SetupReport report;
   const std::string folder = std::filesystem::path(file).parent_path().string();
   const auto objects = readWorld({file, readFile(file), folder}, loader, {}, report);
   throwIfErrors(report);
-  World world = applyChanges(World(), {{ChangeKind::replace_all, objects, true}}, places, report);
+  World world = applyChanges(World(), {{ChangeKind::replace_all, objects, true}},
+                             placesOf(robot.model, "world"), report);
   throwIfErrors(report);
   return world;
 }
@@ -142,7 +137,7 @@ void measureTimes(const CycleSetup& whole, const PlacedStates& states) {
 
 void measureScene(const CycleSetup& robot, const World& world, const Arguments& arguments) {
   const PreparedObjects prepared = prepareObjects(world, RefineGeometry::mesh, {});
-  const CycleSetup whole = addWorld(robot, world, prepared, {"world", 0});
+  const CycleSetup whole = addWorld(robot, world, prepared, "world");
   const CycleSetup setup = withObjectPairs(whole);
   const std::vector<Geometry> geometries = sourceGeometries(setup, world);
   const PlacedStates states = drawPlacedStates(setup, geometries, arguments.states);

@@ -11,6 +11,7 @@
 #include "collision_monitor/arguments.h"
 #include "collision_monitor/geometry/interrupted.h"
 #include "collision_monitor/model/kinematics.h"
+#include "collision_monitor/model/world.h"
 #include "collision_monitor/pipeline/setup.h"
 
 /// The library for those who have joint values and no tf. A RobotMonitor is made once; a RobotQuery
@@ -20,6 +21,10 @@ namespace collision_monitor {
 struct MonitorParts;
 struct QueryParts;
 
+/// The frame that all poses of a monitor are in, unless a link has this name. Objects that name no
+/// frame stand in it.
+constexpr const char* kWorldFrame = "world";
+
 /// What a monitor is made with. The defaults do for most robots.
 struct MonitorOptions {
   Limits limits;  ///< times, hysteresis and report_distance play no part: a query knows no past
@@ -28,8 +33,10 @@ struct MonitorOptions {
   double padding{0.0};                          ///< [m] >= 0; added to every shape
   FitLimits fit{4, 0.01, {}};                   ///< of links for which the rules say nothing
   ShapeRulesText shape_rules;                   ///< for single links; wins over the options here
-  std::vector<NamedPair> ignored_pairs;         ///< in addition to what SRDFs say
-  bool ignore_default_overlap{true};            ///< as SetupOptions
+  PairRulesText pair_rules;  ///< for pairs, of objects too; wins over SRDFs and ignored_pairs
+  WorldText world;           ///< objects beside the robots, or attached to links
+  std::vector<NamedPair> ignored_pairs;  ///< in addition to what SRDFs say
+  bool ignore_default_overlap{true};     ///< as SetupOptions
   /// Where package://NAME/ is looked up, each a package or a folder of packages. What
   /// ROS_PACKAGE_PATH and AMENT_PREFIX_PATH name follows.
   std::vector<std::filesystem::path> package_roots;
@@ -85,6 +92,13 @@ class RobotMonitor {
   /// The same for robots in files. A file that cannot be read is one more fault.
   static RobotMonitor fromFiles(const std::vector<RobotFiles>& robots,
                                 const MonitorOptions& options = {});
+
+  /// The same robots with these objects in place of those that they have, as for another scene.
+  /// Robots are not read and fitted anew, and the rules for pairs are applied to the new objects.
+  /// An object stands in the frame of the world or of a link, or is attached to a link, and is a
+  /// link of its own in answers.
+  /// @throws SetupError with all faults of the objects
+  RobotMonitor withWorld(const WorldText& world) const;
 
   /// Robots, links and joints. RobotModel::variable_count is the length n of a state.
   const RobotModel& model() const noexcept;

@@ -52,6 +52,9 @@ def arguments(given: Optional[List[str]]) -> argparse.Namespace:
     parser.add_argument("--srdf", help="pairs that its disable_collisions names are left out")
     parser.add_argument("--packages", nargs="+", default=[], metavar="FOLDER",
                         help="where package://NAME/ is looked up")
+    parser.add_argument("--pair-rules", metavar="FILE", help="YAML, as config/pair_rules.yaml")
+    parser.add_argument("--world", metavar="FILE",
+                        help="objects: YAML, as config/cells/table.yaml, or a .scene of MoveIt")
     parser.add_argument("--joints", nargs="+", default=[], type=joint_value, metavar="NAME=NUMBER",
                         help="[rad] or [m]; other joints are at 0, or at the limit nearest to it")
     parser.add_argument("--within", type=length, default=math.inf, metavar="METRES",
@@ -97,7 +100,8 @@ def main(given: Optional[List[str]] = None) -> int:
     """Runs the program."""
     options = arguments(given)
     try:
-        robot = load(options.urdf, options.srdf, packages=options.packages)
+        robot = load(options.urdf, options.srdf, packages=options.packages,
+                     pair_rules=options.pair_rules, world=options.world)
         for warning in robot.warnings:
             print(f"warning: {warning}", file=sys.stderr)
         print_table(robot, joint_values(options.joints), options.within, options.count)

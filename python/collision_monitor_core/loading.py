@@ -12,6 +12,8 @@ DEFAULTS = {
     "detail": "mesh", "padding": 0.0, "contact_distance": 0.0, "warning_distance": 0.05,
     "distance_tolerance": 0.0, "max_shapes": 4, "target_overshoot": 0.01,
     "ignore_default_overlap": True, "fit_cache": ""}
+DOCUMENTS = {"rules": "a YAML file", "pair_rules": "a YAML file",
+             "world": "a YAML or .scene file"}
 _KINDS = {float: "a number", int: "a whole number from 0", bool: "True or False", str: "a str"}
 
 
@@ -73,20 +75,26 @@ def _plain(name: str, value: Any, faults: List[str]) -> Any:
     return DEFAULTS[name]
 
 
-def _rules(given: Any, faults: List[str]) -> Tuple[Union[str, bytes], str]:
-    """The name of the rules in messages, and their text."""
+def _document(given: Any, name: str, what: str, faults: List[str]) -> Dict[str, Union[str, bytes]]:
+    """The text of a file or the text itself, its name in messages, and its folder."""
+    nothing: Dict[str, Union[str, bytes]] = {name: "", name + "_source": "",
+                                             name + "_directory": ""}
     if given is None:
-        return "", ""
+        return nothing
     if isinstance(given, str) and "\n" in given:
-        return "rules", given
-    path = _path(given, "rules", faults)
+        return {name: _text(given, name, faults), name + "_source": name, name + "_directory": ""}
+    told = len(faults)
+    path = _path(given, name, faults)
+    text = ""
+    if len(faults) > told:
+        return nothing
     try:
         with open(path, encoding="utf-8") as file:
-            return path, file.read()
+            text = file.read()
     except (OSError, ValueError) as fault:
-        faults.append(f"`rules`: {os.fsdecode(path)} cannot be read ({fault}); accepted: a YAML "
-                      "file, or its text")
-        return "", ""
+        faults.append(f"`{name}`: {os.fsdecode(path)} cannot be read ({fault}); accepted: {what}, "
+                      "or its text")
+    return {name: text, name + "_source": path, name + "_directory": os.path.dirname(path)}
 
 
 def _pairs(given: Any, faults: List[str]) -> List[Tuple[str, str]]:
@@ -102,15 +110,17 @@ def _pairs(given: Any, faults: List[str]) -> List[Tuple[str, str]]:
     return pairs
 
 
-def _options(packages: Any, rules: Any, ignore_pairs: Any, poses: List[Any],
-             plain: Mapping[str, Any], faults: List[str]) -> Dict[str, Any]:
+def _options(packages: Any, ignore_pairs: Any, poses: List[Any], given: Mapping[str, Any],
+             faults: List[str]) -> Dict[str, Any]:
+    plain = {name: value for name, value in given.items() if name not in DOCUMENTS}
     unknown = sorted(set(plain) - set(DEFAULTS))
     if unknown:
         faults.append(f"there is no option {', '.join(map(repr, unknown))}; accepted: "
-                      + ", ".join(sorted(DEFAULTS)))
+                      + ", ".join(sorted([*DEFAULTS, *DOCUMENTS])))
     options = {name: _plain(name, plain.get(name, value), faults)
                for name, value in DEFAULTS.items()}
-    options["rules_source"], options["rules"] = _rules(rules, faults)
+    for name, what in DOCUMENTS.items():
+        options.update(_document(given.get(name), name, what, faults))
     options["packages"] = [_path(root, "packages", faults) for root in _several(packages)]
     options["ignored_pairs"] = _pairs(ignore_pairs, faults)
     options["world_from_root"] = poses
@@ -120,7 +130,7 @@ def _options(packages: Any, rules: Any, ignore_pairs: Any, poses: List[Any],
 def load(urdf: Union[Path, Sequence[Path]],
          srdf: Union[None, Path, Sequence[Optional[Path]]] = None, *,
          prefix: Union[None, str, Sequence[str]] = None, world_from_root: Any = None,
-         packages: Union[Path, Sequence[Path]] = (), rules: Optional[Path] = None,
+         packages: Union[Path, Sequence[Path]] = (),
          ignore_pairs: Iterable[Tuple[str, str]] = (), **options: Any) -> "_core.Robot":
     """Reads a robot, encloses its links in shapes and decides which pairs of links are checked.
 
@@ -129,11 +139,14 @@ def load(urdf: Union[Path, Sequence[Path]],
         several robots a list.
     packages: where package://NAME/ is looked up, each a package or a folder of packages;
         ROS_PACKAGE_PATH and AMENT_PREFIX_PATH follow.
-    rules: a YAML file of rules for shapes (config/shape_rules.yaml), or its text.
     ignore_pairs: pairs of names or patterns of links that are not checked, beside those of the
         SRDF.
 
-    Options: contact_distance=0.0 and warning_distance=0.05 [m] decide verdicts; padding=0.0 [m] is
+    Options that are a file or its text: rules for shapes (config/shape_rules.yaml); pair_rules
+    (config/pair_rules.yaml); world, objects beside the robots or attached to links
+    (config/cells/table.yaml, or a .scene file of MoveIt), each a link of its own in answers.
+
+    Other options: contact_distance=0.0 and warning_distance=0.05 [m] decide verdicts; padding=0.0 [m] is
     added to every shape; detail="mesh" measures exact geometry, "hull" convex hulls, "none" the
     enclosing shapes; distance_tolerance=0.0 [m] lets distances be less than exact; max_shapes=4 and
     target_overshoot=0.01 [m] are of each link; ignore_default_overlap=True leaves out, without an
@@ -149,7 +162,7 @@ def load(urdf: Union[Path, Sequence[Path]],
              for path in _matched(srdf, len(urdfs), "srdf", faults, b"")]
     prefixes = [_text(each, "prefix", faults)
                 for each in _matched(prefix, len(urdfs), "prefix", faults, "")]
-    given = _options(packages, rules, ignore_pairs, _roots(world_from_root, len(urdfs), faults),
+    given = _options(packages, ignore_pairs, _roots(world_from_root, len(urdfs), faults),
                      options, faults)
     if faults:
         raise ArgumentError(faults)
@@ -158,8 +171,7 @@ def load(urdf: Union[Path, Sequence[Path]],
 
 def loads(urdf: str, srdf: str = "", *, directory: Path = "", prefix: str = "",
           world_from_root: Any = None, packages: Union[Path, Sequence[Path]] = (),
-          rules: Optional[Path] = None, ignore_pairs: Iterable[Tuple[str, str]] = (),
-          **options: Any) -> "_core.Robot":
+          ignore_pairs: Iterable[Tuple[str, str]] = (), **options: Any) -> "_core.Robot":
     """As load() of one robot, from the texts of its URDF and SRDF.
 
     directory: the base of relative names of meshes.
@@ -168,11 +180,20 @@ def loads(urdf: str, srdf: str = "", *, directory: Path = "", prefix: str = "",
     texts = [_text(urdf, "urdf", faults), _text(srdf, "srdf", faults),
              _text(prefix, "prefix", faults)]
     folder = _path(directory, "directory", faults)
-    given = _options(packages, rules, ignore_pairs, _roots(world_from_root, 1, faults), options,
+    given = _options(packages, ignore_pairs, _roots(world_from_root, 1, faults), options,
                      faults)
     if faults:
         raise ArgumentError(faults)
     return _core.load_texts([texts], folder, given)
+
+
+def with_world(robot: "_core.Robot", world: Any) -> "_core.Robot":
+    """What Robot.with_world() does."""
+    faults: List[str] = []
+    given = _document(world, "world", DOCUMENTS["world"], faults)
+    if faults:
+        raise ArgumentError(faults)
+    return _core.with_world(robot, given)
 
 
 def _roots(given: Any, count: int, faults: List[str]) -> List[Any]:

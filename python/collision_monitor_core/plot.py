@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures for notebooks and papers. Needs matplotlib."""
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -14,6 +14,7 @@ from .records import EnclosingShape
 _COLOURS = {Verdict.clear: "#0072B2", Verdict.warning: "#E69F00",
             Verdict.contact: "#960000"}
 Floats = npt.NDArray[np.float64]
+_PLANE = 1e6  # [m] half an extent: larger boxes stand for planes
 _STEPS = 12  # points of a quarter of a turn, rounded up to what looks round
 
 
@@ -48,24 +49,40 @@ def _in_world(grid: Floats, world_from_shape: Floats) -> Floats:
     return placed
 
 
-def _draw_shapes(axes: Any, robot: Robot, poses: Floats, pairs: List[PairDistance]) -> List[Floats]:
-    """Draws the shapes of known links; returns the points that the view must hold."""
+def _placed_shapes(robot: Robot, poses: Floats) -> List[Tuple[EnclosingShape, Floats]]:
+    """The shapes of known links, with their poses in the world."""
+    pose_of = dict(zip(robot.links, poses))
+    return [(shape, pose_of[shape.link] @ shape.link_from_shape) for shape in robot.shapes
+            if np.isfinite(pose_of[shape.link]).all()]
+
+
+def _view(placed: List[Tuple[EnclosingShape, Floats]]) -> Tuple[Floats, float]:
+    """The middle and half the width of what is shown: all shapes but planes."""
+    grids = [_in_world(surface(shape), pose).reshape(-1, 3) for shape, pose in placed
+             if shape.half_extents.max() < _PLANE]
+    if not grids:
+        return np.zeros(3), 1.0
+    points = np.concatenate(grids)
+    low, high = points.min(axis=0), points.max(axis=0)
+    return (low + high) / 2, max((high - low).max() / 2, 1e-3)
+
+
+def _draw_shapes(axes: Any, placed: List[Tuple[EnclosingShape, Floats]], middle: Floats,
+                 reach: float, pairs: List[PairDistance]) -> None:
+    """Draws shapes, and of planes the part in view."""
     worst: Dict[str, Verdict] = {}
     for pair in pairs:
         for link in pair.links:
             worst[link] = max(worst.get(link, Verdict.clear), pair.verdict)
-    pose_of = dict(zip(robot.links, poses))
-    drawn = []
-    for shape in robot.shapes:
-        if not np.isfinite(pose_of[shape.link]).all():
-            continue
-        grid = _in_world(surface(shape), pose_of[shape.link] @ shape.link_from_shape)
+    for shape, pose in placed:
+        grid = surface(shape)
+        if shape.half_extents.max() >= _PLANE:
+            seen = (middle - pose[:3, 3]) @ pose[:3, :3]
+            grid = np.clip(grid, seen - reach, seen + reach)
         verdict = worst.get(shape.link, Verdict.clear)
         colour = "lightsteelblue" if verdict == Verdict.clear else _COLOURS[verdict]
-        axes.plot_surface(*np.moveaxis(grid, -1, 0), color=colour, alpha=0.35, linewidth=0,
-                          rstride=1, cstride=1, shade=True)
-        drawn.append(grid.reshape(-1, 3))
-    return drawn
+        axes.plot_surface(*np.moveaxis(_in_world(grid, pose), -1, 0), color=colour, alpha=0.35,
+                          linewidth=0, rstride=1, cstride=1, shade=True)
 
 
 def _draw_pair(axes: Any, pair: PairDistance) -> None:
@@ -77,14 +94,10 @@ def _draw_pair(axes: Any, pair: PairDistance) -> None:
               zorder=11, bbox={"facecolor": "white", "alpha": 0.7, "linewidth": 0, "pad": 1.0})
 
 
-def _show_all(axes: Any, drawn: List[Floats]) -> None:
+def _show(axes: Any, middle: Floats, reach: float) -> None:
     """Equal scales, and limits that hold all that is drawn."""
-    if drawn:
-        points = np.concatenate(drawn)
-        middle = (points.min(axis=0) + points.max(axis=0)) / 2
-        reach = max((points.max(axis=0) - points.min(axis=0)).max() / 2, 1e-3)
-        for set_limits, centre in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), middle):
-            set_limits(centre - reach, centre + reach)
+    for set_limits, centre in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), middle):
+        set_limits(centre - reach, centre + reach)
     axes.set_box_aspect((1, 1, 1))
     axes.set_xlabel("x [m]")
     axes.set_ylabel("y [m]")
@@ -108,7 +121,10 @@ def plot(robot: Robot, q: Any, within: float = 0.2, count: int = 10,
     known = [pair for pair in found if pair.quality != Quality.unknown][:count]
     if axes is None:
         axes = pyplot.figure(figsize=(8, 8)).add_subplot(projection="3d", computed_zorder=False)
-    _show_all(axes, _draw_shapes(axes, robot, robot.link_poses(q), known))
+    placed = _placed_shapes(robot, robot.link_poses(q))
+    middle, reach = _view(placed)
+    _draw_shapes(axes, placed, middle, reach, known)
+    _show(axes, middle, reach)
     for pair in known:
         _draw_pair(axes, pair)
     unknown = sum(pair.quality == Quality.unknown for pair in found)

@@ -44,6 +44,11 @@ std::vector<Pose> rootPoses(const py::list& given) {
   return poses;
 }
 
+WorldText readWorldText(const py::dict& given) {
+  return {given["world_source"].cast<std::string>(), given["world"].cast<std::string>(),
+          given["world_directory"].cast<std::string>()};
+}
+
 MonitorOptions readOptions(const py::dict& given) {
   MonitorOptions options;
   options.limits.contact_distance = given["contact_distance"].cast<double>();
@@ -55,6 +60,9 @@ MonitorOptions readOptions(const py::dict& given) {
   options.fit.target_overshoot = given["target_overshoot"].cast<double>();
   options.shape_rules = {given["rules_source"].cast<std::string>(),
                          given["rules"].cast<std::string>()};
+  options.pair_rules = {given["pair_rules_source"].cast<std::string>(),
+                        given["pair_rules"].cast<std::string>()};
+  options.world = readWorldText(given);
   options.ignored_pairs =
       namedPairs(given["ignored_pairs"].cast<std::vector<std::pair<std::string, std::string>>>());
   options.ignore_default_overlap = given["ignore_default_overlap"].cast<bool>();
@@ -92,6 +100,12 @@ SharedRobot loadTexts(const std::vector<std::array<std::string, 3>>& texts,
   return runInterruptibly([&] { return std::make_shared<Robot>(RobotMonitor(robots, options)); });
 }
 
+SharedRobot withWorld(const Robot& robot, const py::dict& given) {
+  const WorldText world = readWorldText(given);
+  return runInterruptibly(
+      [&] { return std::make_shared<Robot>(robot.monitor().withWorld(world)); });
+}
+
 }  // namespace
 
 void bindLoading(py::module_& module) {
@@ -99,6 +113,8 @@ void bindLoading(py::module_& module) {
              "What load() calls, with checked arguments.");
   module.def("load_texts", loadTexts, py::arg("robots"), py::arg("directory"), py::arg("options"),
              "What loads() calls, with checked arguments.");
+  module.def("with_world", withWorld, py::arg("robot"), py::arg("world"),
+             "What Robot.with_world() calls, with checked arguments.");
 }
 
 }  // namespace collision_monitor::python

@@ -153,6 +153,14 @@ void addOneState(py::class_<Robot, SharedRobot>& type) {
            "(links, 4, 4) Poses of all links in the world frame, in the order of `links`; not "
            "finite where\nthey are unknown.")
       .def(
+          "with_world",
+          [](const py::object& self, const py::object& world) {
+            return pythonClass("loading", "with_world")(self, world);
+          },
+          py::arg("world"),
+          "The same robots with other objects beside them, as for another scene: a Robot. Nothing "
+          "is read\nand fitted anew. world: as in load(); None: no objects.")
+      .def(
           "plot",
           [](const py::object& self, const py::args& arguments, const py::kwargs& options) {
             return pythonClass("plot", "plot")(self, *arguments, **options);

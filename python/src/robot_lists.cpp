@@ -9,24 +9,40 @@
 
 #include "collision_monitor/model/pair_rules.h"
 #include "failures.h"
+#include "model/object_links.h"
 
 namespace collision_monitor::python {
 namespace {
 
 namespace py = pybind11;
 
+/// "1 link", "2 links"
+std::string counted(std::ptrdiff_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 std::string robotText(const Robot& robot) {
   const RobotModel& model = robot.monitor().model();
   std::string names;
+  std::ptrdiff_t robots = 0;
   for (const auto& one : model.robots) {
-    names +=
-        (names.empty() ? "" : ", ") + one.tf_prefix + (one.tf_prefix.empty() ? "" : "/") + one.name;
+    if (!one.is_world) {
+      names += (names.empty() ? "" : ", ") + one.tf_prefix + (one.tf_prefix.empty() ? "" : "/") +
+               one.name;
+      ++robots;
+    }
   }
-  const auto links = std::count_if(model.links.begin(), model.links.end(),
-                                   [](const Link& link) { return hasShapes(link); });
-  return std::string(model.robots.size() == 1 ? "Robot " : "Robots ") + names + ": " +
-         std::to_string(links) + " links with shapes, " + std::to_string(model.variable_count) +
-         " variables, " + std::to_string(robot.monitor().pairs().size()) + " pairs";
+  std::ptrdiff_t links = 0;
+  std::ptrdiff_t objects = 0;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const bool is_object = isObject(model, idAt<LinkId>(i));
+    objects += is_object ? 1 : 0;
+    links += !is_object && hasShapes(model.links[i]) ? 1 : 0;
+  }
+  return (robots == 1 ? "Robot " : "Robots ") + names + ": " + counted(links, "link") +
+         " with shapes, " + (objects == 0 ? "" : counted(objects, "object") + ", ") +
+         counted(static_cast<std::ptrdiff_t>(model.variable_count), "variable") + ", " +
+         counted(static_cast<std::ptrdiff_t>(robot.monitor().pairs().size()), "pair");
 }
 
 py::list variables(const Robot& self) {

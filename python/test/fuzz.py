@@ -14,6 +14,11 @@ import numpy as np
 import collision_monitor_core as cm
 
 URDF = pathlib.Path(__file__).resolve().parents[2] / "urdf"
+WORLD = b"""
+- {name: floor, kind: plane, xyz: [0, 0, -1], touch_links: [box_a]}
+- {name: part, kind: cone, attach: box_b, radius: 0.1, length: 0.2, padding: 0.01}
+- {name: post, frame: box_a, shapes: [{kind: box, size: [1, 1, 1]}, {kind: sphere, radius: 2}]}
+"""
 ALLOWED = (cm.ArgumentError, cm.SetupError, TypeError, IndexError)
 NUMBERS = [0.0, 1.0, -1.0, 0.1, 3.0, 1e-9, 1e-300, 5e-324, 1e9, 1e10, 1e300, -1e300, float("inf"),
            -float("inf"), float("nan"), 2**31, 2**32, 2**63, 2**64, 10**400, -1, 7, True, None, "1",
@@ -223,8 +228,18 @@ class Calls:
         use(robot)
         robot.distances(robot.default_state)
 
+    def with_world(self):
+        text = bytearray(WORLD)
+        for _ in range(self.make.random.randrange(4)):
+            text[self.make.random.randrange(len(text))] = self.make.random.randrange(256)
+        robot = self.robot().with_world(self.make.pick(text.decode("latin-1"),
+                                                       self.make.anything(), None))
+        use(robot)
+        robot.distances(robot.default_state)
+
     def load_options(self):
-        names = ["prefix", "world_from_root", "packages", "rules", "ignore_pairs", "padding",
+        names = ["prefix", "world_from_root", "packages", "rules", "pair_rules", "world",
+                 "ignore_pairs", "padding",
                  "contact_distance", "warning_distance", "distance_tolerance", "detail",
                  "max_shapes", "target_overshoot", "ignore_default_overlap", "fit_cache"]
         options = {self.make.random.choice(names): self.make.pick(self.make.anything(),
@@ -237,7 +252,7 @@ class Calls:
 
 # Calls that read robots take a thousand times as long as others.
 WEIGHTS = {"one_state": 30, "distances": 20, "check": 10, "check_path": 10, "make_solid": 15,
-           "two_solids": 30, "index": 3, "wrong_arguments": 10, "load_text": 1, "load_options": 1}
+           "two_solids": 30, "index": 3, "wrong_arguments": 10, "load_text": 1, "with_world": 1, "load_options": 1}
 
 
 def main():

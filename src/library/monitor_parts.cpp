@@ -8,7 +8,9 @@
 
 #include "geometry/interruption.h"
 #include "model/resources/file_loader.h"
+#include "model/world/world_text.h"
 #include "pipeline/fits/fit_cache_folder.h"
+#include "pipeline/world/add_world.h"
 
 namespace collision_monitor {
 namespace {
@@ -22,6 +24,8 @@ SetupOptions setupOptions(const MonitorOptions& options) {
   setup.padding = options.padding;
   setup.default_limits = options.fit;
   setup.shape_rules = options.shape_rules;
+  setup.pair_rules = options.pair_rules;
+  setup.idle_rules = options.world.text.empty() ? IdleRule::is_error : IdleRule::is_accepted;
   setup.meshes = options.meshes;
   setup.refine.geometry = options.detail;
   setup.refine.limits.tolerance = options.distance_tolerance;
@@ -31,6 +35,12 @@ SetupOptions setupOptions(const MonitorOptions& options) {
   setup.ignored_pairs = options.ignored_pairs;
   setup.ignore_default_overlap = options.ignore_default_overlap;
   return setup;
+}
+
+ResourceLoader loaderOf(const MonitorOptions& options) {
+  FileSources sources;
+  sources.package_roots = options.package_roots;
+  return options.load_resource ? options.load_resource : makeFileLoader(sources);
 }
 
 void checkRoots(const MonitorOptions& options, std::size_t robots, SetupReport& report) {
@@ -56,13 +66,11 @@ CycleSetup buildReported(const std::vector<RobotDescription>& robots, const Moni
   SetupOptions setup = setupOptions(options);
   if (!report.errors.empty()) {
     setup.shape_rules = {};
+    setup.pair_rules = {};
     setup.ignored_pairs.clear();
   }
-  FileSources sources;
-  sources.package_roots = options.package_roots;
   try {
-    return buildSetup(
-        robots, options.load_resource ? options.load_resource : makeFileLoader(sources), setup);
+    return buildSetup(robots, loaderOf(options), setup);
   } catch (const SetupError& fault) {
     report.errors.insert(report.errors.end(), fault.problems().begin(), fault.problems().end());
   }
@@ -106,6 +114,38 @@ std::vector<EnclosingShape> listShapes(const CycleSetup& setup) {
   return shapes;
 }
 
+/// The objects of a text, checked.
+World readObjects(const WorldText& text, const RobotModel& robots, const MonitorOptions& options) {
+  SetupReport report;
+  KnownPlaces places = placesOf(robots, kWorldFrame);
+  places.has_frame = [](const std::string&) { return false; };
+  places.other_frames = "none, for the world frame";
+  const ObjectChange change{ChangeKind::replace_all,
+                            readWorld(text, loaderOf(options), options.meshes, report), true};
+  const World world = applyChanges(World(), {change}, places, report);
+  throwIfErrors(report);
+  return world;
+}
+
+/// @param prepared of earlier objects
+void addObjects(const WorldText& text, const PreparedObjects& prepared, IdleRule idle,
+                MonitorParts& parts) {
+  const World world = readObjects(text, parts.robots->model, parts.options);
+  parts.prepared = prepareObjects(world, parts.options.detail, prepared);
+  parts.setup = addWorld(*parts.robots, world, parts.prepared, kWorldFrame);
+  applyRulesText(parts.options.pair_rules, idle, parts.setup);
+}
+
+/// Fills what follows from the set-up.
+void describeSetup(MonitorParts& parts) {
+  const RobotModel& model = parts.setup.model;
+  parts.world_from_root = parts.options.world_from_root;
+  parts.world_from_root.resize(model.robots.size());
+  parts.variables = listVariables(model);
+  parts.default_state = defaultPositions(model);
+  parts.shapes = listShapes(parts.setup);
+}
+
 }  // namespace
 
 std::shared_ptr<const MonitorParts> makeMonitorParts(const GivenRobots& robots,
@@ -119,12 +159,26 @@ std::shared_ptr<const MonitorParts> makeMonitorParts(const GivenRobots& robots,
   }
   checkRoots(options, robots.descriptions.size() + robots.report.errors.size(), report);
   throwIfErrors(report);
-  const RobotModel& model = parts->setup.model;
-  parts->world_from_root = options.world_from_root;
-  parts->world_from_root.resize(model.robots.size());
-  parts->variables = listVariables(model);
-  parts->default_state = defaultPositions(model);
-  parts->shapes = listShapes(parts->setup);
+  parts->options = options;
+  parts->options.goes_on = nullptr;
+  parts->options.fit_progress = nullptr;
+  if (!options.world.text.empty()) {
+    parts->robots = std::make_shared<CycleSetup>(withoutPairs(parts->setup));
+    addObjects(options.world, {}, IdleRule::is_error, *parts);
+  }
+  describeSetup(*parts);
+  return parts;
+}
+
+std::shared_ptr<const MonitorParts> replaceWorld(const MonitorParts& former,
+                                                 const WorldText& world) {
+  auto parts = std::make_shared<MonitorParts>();
+  parts->options = former.options;
+  parts->options.world = world;
+  parts->robots = former.robots ? former.robots
+                                : std::make_shared<const CycleSetup>(withoutPairs(former.setup));
+  addObjects(world, former.prepared, IdleRule::is_warning, *parts);
+  describeSetup(*parts);
   return parts;
 }
 

@@ -5,12 +5,16 @@
 #include <vector>
 
 #include "collision_monitor/robot_monitor.h"
+#include "pipeline/world/prepare_object.h"
 
 namespace collision_monitor {
 
 /// What a RobotMonitor and its queries share.
 struct MonitorParts {
-  CycleSetup setup;
+  CycleSetup setup;                          ///< of the robots and the objects
+  std::shared_ptr<const CycleSetup> robots;  ///< without objects, as withoutPairs; null: no objects
+  PreparedObjects prepared;
+  MonitorOptions options;             ///< without those that are asked or told while it is made
   std::vector<Pose> world_from_root;  ///< by RobotId
   std::vector<JointVariable> variables;
   JointPositions default_state;
@@ -27,5 +31,10 @@ struct GivenRobots {
 /// @throws Interrupted
 std::shared_ptr<const MonitorParts> makeMonitorParts(const GivenRobots& robots,
                                                      const MonitorOptions& options);
+
+/// The same robots with other objects.
+/// @throws SetupError, Interrupted
+std::shared_ptr<const MonitorParts> replaceWorld(const MonitorParts& former,
+                                                 const WorldText& world);
 
 }  // namespace collision_monitor

@@ -79,6 +79,10 @@ RobotMonitor RobotMonitor::fromFiles(const std::vector<RobotFiles>& robots,
   return RobotMonitor(makeMonitorParts(given, options));
 }
 
+RobotMonitor RobotMonitor::withWorld(const WorldText& world) const {
+  return RobotMonitor(replaceWorld(*parts_, world));
+}
+
 const RobotModel& RobotMonitor::model() const noexcept { return parts_->setup.model; }
 
 const std::vector<JointVariable>& RobotMonitor::variables() const noexcept {

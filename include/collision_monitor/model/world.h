@@ -16,6 +16,7 @@
 #include "collision_monitor/geometry/shapes.h"
 #include "collision_monitor/geometry/triangle_mesh.h"
 #include "collision_monitor/model/problems.h"
+#include "collision_monitor/model/robot_model.h"
 
 /// Objects beside the robots, such as a table, a floor or a grasped part, and how they change.
 /// Units: metres.
@@ -72,6 +73,13 @@ struct World {
   std::map<std::string, std::shared_ptr<const WorldObject>> objects;  ///< by name; never null
 };
 
+/// Objects as the user writes them: docs/interfaces.md shows the formats.
+struct WorldText {
+  std::string source;     ///< its name in messages: a file name or a parameter
+  std::string text;       ///< YAML or a scene of MoveIt; empty: no objects
+  std::string directory;  ///< base of relative mesh names, "" if unknown
+};
+
 /// What is accepted.
 constexpr std::size_t kMostObjects = 20000;           ///< how many objects a world may hold
 constexpr std::size_t kMostObjectTriangles = 500000;  ///< of one mesh
@@ -107,10 +115,14 @@ struct KnownPlaces {
   std::string world_frame;               ///< tf frame in which distances are measured
   /// Whether a frame that is neither a link's nor the world's exists; empty: any may come to exist.
   std::function<bool(const std::string& frame)> has_frame;
+  std::string other_frames{"a frame that tf knows"};  ///< in messages: those of has_frame
   /// The newest pose of `child` (a frame, or a link by its name) in `parent`; nothing if it is not
   /// known. Empty: no pose is known.
   std::function<std::optional<Pose>(const std::string& parent, const std::string& child)> find_pose;
 };
+
+/// The links of the robots and the world frame. Any other frame may come to exist.
+KnownPlaces placesOf(const RobotModel& robots, const std::string& world_frame);
 
 /// Makes all changes in their order, or none if one has a fault. All faults are added to `report`,
 /// up to a hundred, each with the number of its change, the name of its object, the value and what

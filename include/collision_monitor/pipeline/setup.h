@@ -143,6 +143,7 @@ struct SetupOptions {
   ShapeRulesText shape_rules;               ///< for single links; wins over the options here
   PairRulesText pair_rules;                 ///< for pairs; wins over SRDFs and ignored_pairs
   IdleRule idle_rules{IdleRule::is_error};  ///< of `pair_rules`
+  bool awaits_names{false};                 ///< as SetupReport, of the other rules
   MeshReading meshes;                       ///< how mesh files are read
   RefineOptions refine;                     ///< to what distances are refined
   bool is_continuous{true};                 ///< as in CycleSetup

@@ -196,4 +196,18 @@ CycleSetup addWorld(const CycleSetup& robots, const World& world, const Prepared
   return setup;
 }
 
+void applyRulesText(const PairRulesText& text, IdleRule idle, CycleSetup& setup) {
+  SetupReport report;
+  const std::vector<PairRule> rules = readPairRules(text, setup.model, setup.srdfs, idle, report);
+  if (idle == IdleRule::is_error) {
+    reportIdleRules(rules, setup.link_pairs, idle, report);
+  }
+  throwIfErrors(report);
+  if (!rules.empty()) {
+    setup = withPairRules(setup, setup.limits, rules, report);
+  }
+  std::vector<Problem>& warnings = setup.report.warnings;
+  warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
+}
+
 }  // namespace collision_monitor

@@ -36,4 +36,9 @@ CycleSetup withoutPairs(const CycleSetup& robots);
 CycleSetup addWorld(const CycleSetup& robots, const World& world, const PreparedObjects& prepared,
                     const std::string& world_frame);
 
+/// Reads the rules for pairs again, since they may name objects, and applies them to the set-up.
+/// @param idle a warning where objects that rules name may have gone
+/// @throws SetupError, Interrupted
+void applyRulesText(const PairRulesText& text, IdleRule idle, CycleSetup& setup);
+
 }  // namespace collision_monitor

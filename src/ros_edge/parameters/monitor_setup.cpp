@@ -11,7 +11,6 @@
 
 #include "collision_monitor/geometry/ids.h"
 #include "model/object_links.h"
-#include "model/rules/awaited_names.h"
 #include "pipeline/world/add_world.h"
 #include "ros_edge/parameters/fit_options.h"
 #include "ros_edge/parameters/resource_loader.h"
@@ -89,8 +88,7 @@ World makeWorld(const MonitorSetup* former, const ResourceLoader& load_resource,
     const bool waits = isAnyMissing(made) && !hasItsLinks(object, model);
     (waits ? made.held_back : change.objects).push_back(std::move(object));
   }
-  const World world =
-      applyChanges(World(), {change}, placesAtStart(model, made.world_frame), report);
+  const World world = applyChanges(World(), {change}, placesOf(model, made.world_frame), report);
   throwIfErrors(report);
   return world;
 }
@@ -100,23 +98,6 @@ void addObjects(World world, const PreparedObjects& former, MonitorSetup& made) 
   made.world = std::move(world);
   made.prepared = prepareObjects(made.world, refine, former);
   made.setup = addWorld(*made.robots, made.world, made.prepared, made.world_frame);
-}
-
-/// Rules of the parameters may name objects, too.
-/// @param idle a warning at a reload: objects that rules name may have gone
-void applyRules(const PairRulesText& text, IdleRule idle, MonitorSetup& made) {
-  CycleSetup& setup = made.setup;
-  SetupReport report;
-  const std::vector<PairRule> rules = readPairRules(text, setup.model, setup.srdfs, idle, report);
-  if (idle == IdleRule::is_error) {
-    reportIdleRules(rules, setup.link_pairs, idle, report);
-  }
-  throwIfErrors(report);
-  if (!rules.empty()) {
-    setup = withPairRules(setup, setup.limits, rules, report);
-  }
-  std::vector<Problem>& warnings = setup.report.warnings;
-  warnings.insert(warnings.end(), report.warnings.begin(), report.warnings.end());
 }
 
 /// Rules and limits that have changed since start.
@@ -170,7 +151,7 @@ void build(LoadedRobots loaded, const ResourceLoader& load_resource, const Monit
       !made.parameters.world.empty() || !made.parameters.world_file.empty() ||
       (former != nullptr && (!former->world.objects.empty() || !former->held_back.empty()));
   const bool is_any_missing = isAnyMissing(made);
-  const AwaitedNames awaited(is_any_missing);
+  options.awaits_names = is_any_missing;
   options.idle_rules =
       has_objects || is_any_missing || keeps_rules ? IdleRule::is_accepted : IdleRule::is_error;
   made.robots = std::make_shared<CycleSetup>(
@@ -190,7 +171,8 @@ void build(LoadedRobots loaded, const ResourceLoader& load_resource, const Monit
   } else {
     if (has_objects) {
       const IdleRule at_reload = former == nullptr ? IdleRule::is_error : IdleRule::is_warning;
-      applyRules(options.pair_rules, is_any_missing ? IdleRule::is_accepted : at_reload, made);
+      applyRulesText(options.pair_rules, is_any_missing ? IdleRule::is_accepted : at_reload,
+                     made.setup);
     }
     made.rule_ends.assign(made.setup.pair_rules.size(), kLasts);
   }

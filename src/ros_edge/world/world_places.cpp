@@ -127,18 +127,8 @@ class PosePair {
 
 }  // namespace
 
-KnownPlaces placesAtStart(const RobotModel& robots, const std::string& world_frame) {
-  KnownPlaces places;
-  for (const Link& link : robots.links) {
-    places.links.push_back(link.name);
-    places.link_frames.push_back(link.frame);
-  }
-  places.world_frame = world_frame;
-  return places;
-}
-
 KnownPlaces placesNow(const MonitorSetup& setup, const Inputs& inputs, double patience) {
-  KnownPlaces places = placesAtStart(setup.robots->model, setup.world_frame);
+  KnownPlaces places = placesOf(setup.robots->model, setup.world_frame);
   const auto search = std::make_shared<FrameSearch>(inputs.transforms, patience);
   places.has_frame = [search](const std::string& frame) { return search->has(frame); };
   places.find_pose = [&setup, inputs](const std::string& parent, const std::string& child) {

@@ -12,10 +12,7 @@
 /// What changes of objects may refer to.
 namespace collision_monitor {
 
-/// The links of the robots and the world frame. Any other frame may come to exist.
-KnownPlaces placesAtStart(const RobotModel& robots, const std::string& world_frame);
-
-/// The same now: frames that tf knows, and the newest poses. Asks tf for the frames that it has not
+/// placesOf now: the frames that tf knows, and the newest poses. Asks tf for the frames that it has not
 /// kept so far, and waits up to `patience` [s] for all of them together.
 /// @pre the arguments outlive the places
 KnownPlaces placesNow(const MonitorSetup& setup, const Inputs& inputs, double patience);

@@ -67,13 +67,7 @@ World anyWorld(const CycleSetup& robot, Random& random) {
         objectOf("object_" + std::to_string(i), geometries[i], randomPose(random, 0.6)));
     objects.back().padding = i % 3 == 0 ? 0.01 : 0.0;
   }
-  KnownPlaces places;
-  for (const Link& link : robot.model.links) {
-    places.links.push_back(link.name);
-    places.link_frames.push_back(link.frame);
-  }
-  places.world_frame = "map";
-  return worldOf(objects, places);
+  return worldOf(objects, placesOf(robot.model, "map"));
 }
 
 struct Counts {
@@ -123,7 +117,7 @@ TEST(StatesBesideObjectsLaws, verdictsAreThoseOfCyclesWithoutABudget) {
       }
     }
     const CycleSetup setup =
-        addWorld(robot, world, prepareObjects(world, RefineGeometry::mesh, {}), {"map", 0});
+        addWorld(robot, world, prepareObjects(world, RefineGeometry::mesh, {}), "map");
     JointPositions positions;
     for (std::size_t i = 0; i < kStates * setup.model.variable_count; ++i) {
       positions.push_back(uniform(random, -1.5, 1.5));

@@ -17,9 +17,9 @@ inline std::shared_ptr<const MonitorSetup> slidingSetupWith(
     const std::vector<WorldObject>& objects, const SetupOptions& options = SetupOptions()) {
   auto made = std::make_shared<MonitorSetup>(*slidingSetup(options));
   made->robots = std::make_shared<CycleSetup>(made->setup);
-  made->world = worldOf(objects, placesAtStart(made->robots->model, made->world_frame));
+  made->world = worldOf(objects, placesOf(made->robots->model, made->world_frame));
   made->prepared = prepareObjects(made->world, RefineGeometry::mesh, {});
-  made->setup = addWorld(*made->robots, made->world, made->prepared, {made->world_frame, 0});
+  made->setup = addWorld(*made->robots, made->world, made->prepared, made->world_frame);
   return made;
 }
 

@@ -31,7 +31,7 @@ class ChangeWorld : public testing::Test {
 
   void change(ChangeKind kind, const WorldObject& object) {
     SetupReport report;
-    KnownPlaces places = placesAtStart(setup_->robots->model, setup_->world_frame);
+    KnownPlaces places = placesOf(setup_->robots->model, setup_->world_frame);
     places.find_pose = [&](const std::string& parent, const std::string& child) {
       const RobotModel& model = setup_->robots->model;
       const std::vector<Pose> poses = defaultPoses(model);

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "collision_monitor/geometry/ids.h"
+#include "collision_monitor/robot_query.h"
+
+// Objects beside urdf/two_boxes.urdf: box_a stands in the origin and box_b at x = 0.25 m + slide,
+// with half extents of 0.1 m and 0.05 m. States are {slide, turn}.
+namespace collision_monitor::test::library_world {
+namespace {
+
+constexpr const char* kPost = "- {name: post, kind: sphere, radius: 0.1, xyz: [0.25, 0.5, 0]}";
+constexpr const char* kTool =
+    "- {name: tool, attach: box_b, kind: sphere, radius: 0.05, xyz: [0, 0, 0.3]}";
+
+RobotMonitor monitorOf(const std::string& world, const std::string& rules = "") {
+  MonitorOptions options;
+  options.fit_cache = "none";
+  options.world = {"cell.yaml", world, ""};
+  options.pair_rules = {"rules.yaml", rules};
+  const std::filesystem::path folder = std::filesystem::path(COLLISION_MONITOR_SOURCE_DIR) / "urdf";
+  return RobotMonitor::fromFiles({{folder / "two_boxes.urdf"}}, options);
+}
+
+/// NaN if the pair is not checked.
+double distanceOf(const RobotMonitor& monitor, const std::string& a, const std::string& b,
+                  double slide = 0.0) {
+  RobotQuery query(monitor);
+  const std::vector<double> state{slide, 0.0};
+  for (const MeasuredPair& pair : query.distances(state).pairs) {
+    const CheckedLinkPair& links = monitor.pairs()[pair.pair];
+    if (monitor.model().link(links.a).name == a && monitor.model().link(links.b).name == b) {
+      return pair.measured.distance;
+    }
+  }
+  return std::nan("");
+}
+
+std::string faultsOf(const std::string& world, const std::string& rules = "") {
+  try {
+    monitorOf(world, rules);
+  } catch (const SetupError& fault) {
+    return fault.what();
+  }
+  return "";
+}
+
+TEST(LibraryWorld, objects_areMeasuredWhereTheyStand) {
+  const RobotMonitor monitor = monitorOf(kPost);
+  EXPECT_NEAR(distanceOf(monitor, "box_b", "post"), 0.35, 1e-12);
+  EXPECT_NEAR(distanceOf(monitor, "box_a", "post"), std::hypot(0.15, 0.4) - 0.1, 1e-12);
+  EXPECT_EQ(monitor.variables().size(), 2U);
+}
+
+TEST(LibraryWorld, attachedObject_movesWithItsLinkAndHasGradients) {
+  const RobotMonitor monitor = monitorOf(kTool);
+  EXPECT_NEAR(distanceOf(monitor, "box_a", "tool"), 0.2, 1e-12);
+  EXPECT_NEAR(distanceOf(monitor, "box_a", "tool", 0.1), std::hypot(0.25, 0.2) - 0.05, 1e-12);
+  EXPECT_TRUE(std::isnan(distanceOf(monitor, "box_b", "tool")));
+}
+
+TEST(LibraryWorld, objectOnAPath_isHitByTheLinkThatMoves) {
+  const RobotMonitor monitor = monitorOf(
+      "- {name: wall, kind: plane, xyz: [0.5, 0, 0], normal: [-1, 0, 0], touch_links: [rail]}");
+  RobotQuery query(monitor);
+  const std::vector<double> path{0.0, 0.0, 0.4, 0.0};
+  const PathAnswer answer = query.checkPath({path});
+  ASSERT_NE(answer.first_contact, kNone);
+  EXPECT_NEAR(answer.pairs[answer.first_contact].time, 0.5, 1e-4);
+  const std::vector<StateAnswer> checks = query.check(path);
+  EXPECT_EQ(checks[0].verdict, Verdict::clear);
+  EXPECT_EQ(checks[1].verdict, Verdict::contact);
+}
+
+TEST(LibraryWorld, rules_nameObjectsToo) {
+  const RobotMonitor monitor = monitorOf(kPost, "- {a: post, b: box_a, check: false}");
+  EXPECT_TRUE(std::isnan(distanceOf(monitor, "box_a", "post")));
+  EXPECT_NEAR(distanceOf(monitor, "box_b", "post"), 0.35, 1e-12);
+}
+
+TEST(LibraryWorld, withWorld_isAsMadeWithThatWorld) {
+  const RobotMonitor robots = monitorOf("", "- {a: 'box_*', b: rail, check: false}");
+  const RobotMonitor first = robots.withWorld({"cell.yaml", kPost, ""});
+  const RobotMonitor second = first.withWorld({"cell.yaml", kTool, ""});
+  const RobotMonitor none = second.withWorld({});
+  EXPECT_NEAR(distanceOf(first, "box_b", "post"), 0.35, 1e-12);
+  EXPECT_NEAR(distanceOf(second, "box_a", "tool"), 0.2, 1e-12);
+  EXPECT_TRUE(std::isnan(distanceOf(second, "box_b", "post")));
+  for (const RobotMonitor& each : {first, second, none}) {
+    EXPECT_TRUE(std::isnan(distanceOf(each, "rail", "box_a")));
+    EXPECT_NEAR(distanceOf(each, "box_a", "box_b"), 0.1, 1e-12);
+  }
+  EXPECT_EQ(none.pairs().size(), robots.pairs().size());
+  EXPECT_EQ(first.pairs().size(), robots.pairs().size() + 3);
+}
+
+TEST(LibraryWorld, badObjects_areRefusedWithEveryFault) {
+  const std::string faults = faultsOf(std::string(kPost) +
+                                      "\n- {name: post, kind: sphere, radius: 0.1}\n"
+                                      "- {name: x, kind: sphere, radius: 0.1, frame: camera}\n"
+                                      "- {name: y, kind: sphere, radius: 0.1, attach: hand}");
+  for (const char* part : {"'post'", "'camera'", "'world'", "'hand'", "cell.yaml"}) {
+    EXPECT_NE(faults.find(part), std::string::npos) << part << " in:\n" << faults;
+  }
+  EXPECT_NE(faultsOf("- {name: [").find("cell.yaml"), std::string::npos);
+  EXPECT_NE(faultsOf(kPost, "- {a: pots, b: box_a, check: false}").find("pots"), std::string::npos);
+  EXPECT_NE(faultsOf("", "- {a: post, b: box_a, check: false}").find("post"), std::string::npos);
+  EXPECT_EQ(faultsOf("[]"), "");
+}
+
+}  // namespace
+}  // namespace collision_monitor::test::library_world
