@@ -62,10 +62,17 @@ inline std::string nameInText(const RobotModel& model, LinkId link) {
   return isObject(model, link) ? "object " + name : isOfWorld(model, link) ? "frame " + name : name;
 }
 
+/// The number of robots, without those that objects form.
+inline std::size_t robotCount(const RobotModel& model) {
+  return static_cast<std::size_t>(
+      std::count_if(model.robots.begin(), model.robots.end(),
+                    [](const Robot& robot) { return !robot.is_world; }));
+}
+
 /// By LinkId: the index of the robot that moves it, also as the link that carries an object; the
-/// number of robots if none does.
+/// number of robots if none does. @pre robots stand before those that objects form
 inline std::vector<std::uint32_t> findMovers(const RobotModel& model) {
-  const auto none = static_cast<std::uint32_t>(model.robots.size());
+  const auto none = static_cast<std::uint32_t>(robotCount(model));
   std::vector<std::uint32_t> movers;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const Link& link = model.links[i];
@@ -77,13 +84,6 @@ inline std::vector<std::uint32_t> findMovers(const RobotModel& model) {
     }
   }
   return movers;
-}
-
-/// The number of robots, without those that objects form.
-inline std::size_t robotCount(const RobotModel& model) {
-  return static_cast<std::size_t>(
-      std::count_if(model.robots.begin(), model.robots.end(),
-                    [](const Robot& robot) { return !robot.is_world; }));
 }
 
 }  // namespace collision_monitor

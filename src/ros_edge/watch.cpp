@@ -130,7 +130,7 @@ std::vector<LinkPairIndex> Watch::takeOver(const Watch& former) {
   carryMotion(carried, setup(), {former.poses, former.buffers.memory.last, former.tracker}, poses,
               buffers.memory, tracker);
   std::vector<LinkPairIndex> dropped = carryOver(carried, former.buffers.memory, buffers.memory);
-  for (std::size_t i = 0; i < carried.robot_of.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < buffers.robots.scales.size(); ++i) {
     if (carried.robot_of[i] != kNone) {
       buffers.robots.scales[i] = former.buffers.robots.scales[carried.robot_of[i]];
     }

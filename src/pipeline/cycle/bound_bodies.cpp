@@ -39,27 +39,35 @@ void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const Swe
   });
 }
 
+Twist sharedTwist(const CycleSetup& setup, const LinkVelocities& velocities) noexcept {
+  const std::size_t root = index(setup.model.robots.front().root);
+  const bool is_shared = velocities.known[root] != 0 && isFinite(velocities.of_link[root]);
+  return is_shared ? velocities.of_link[root] : Twist();
+}
+
+double travelAhead(const CycleSetup& setup, const LinkPoses& poses, const Body& body,
+                   const Twist& shared, double duration) noexcept {
+  const std::size_t link = index(body.link);
+  if (poses.velocities.known[link] == 0) {
+    return kUnknown;
+  }
+  const std::size_t root = index(setup.model.robots.front().root);
+  const Twist& twist = poses.velocities.of_link[link];
+  const Twist own = poses.part[link] == poses.part[root] ? twist - shared : twist;
+  const Eigen::Vector3d center = poses.world_from_link[link] * body.link_from_body.translation;
+  const double speed = velocityAt(own, center).norm() + own.angular.norm() * body.bounding_radius;
+  return std::isfinite(speed) ? speed * duration : kUnknown;
+}
+
 void growBounds(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
                 double duration, BodyBounds& bounds) noexcept {
-  const LinkVelocities& velocities = poses.velocities;
-  const std::size_t root = index(setup.model.robots.front().root);
   // Many objects at rest keep their bounds, so these are seen from the world.
-  const bool is_shared =
-      setup.carried.empty() && velocities.known[root] != 0 && isFinite(velocities.of_link[root]);
-  const Twist shared = is_shared ? velocities.of_link[root] : Twist();
+  const Twist shared = setup.carried.empty() ? sharedTwist(setup, poses.velocities) : Twist();
   forIndices(body_poses.moved.bodies, [&](std::size_t i) noexcept {
-    const Body& body = setup.bodies[i];
-    const std::size_t link = index(body.link);
-    bounds.ahead[i] = kUnknown;
-    if (bounds.known[i] == 0 || velocities.known[link] == 0) {
-      return;
-    }
-    const bool has_shared = poses.part[link] == poses.part[root];
-    const Twist own = has_shared ? velocities.of_link[link] - shared : velocities.of_link[link];
-    const Eigen::Vector3d center = poses.world_from_link[link] * body.link_from_body.translation;
-    const double speed = velocityAt(own, center).norm() + own.angular.norm() * body.bounding_radius;
-    if (std::isfinite(speed)) {
-      bounds.ahead[i] = speed * duration;
+    bounds.ahead[i] = bounds.known[i] == 0
+                          ? kUnknown
+                          : travelAhead(setup, poses, setup.bodies[i], shared, duration);
+    if (std::isfinite(bounds.ahead[i])) {
       bounds.boxes[i].min.array() -= bounds.ahead[i];
       bounds.boxes[i].max.array() += bounds.ahead[i];
     }

@@ -18,6 +18,14 @@ void boundBodies(const CycleSetup& setup, const BodyPoses& body_poses, double re
 void sweepBounds(const CycleSetup& setup, const BodyPoses& body_poses, const SweepWork& work,
                  double reach, BodyBounds& bounds) noexcept;
 
+/// The twist of the first robot's root, which its part shares; zero if it is not known.
+Twist sharedTwist(const CycleSetup& setup, const LinkVelocities& velocities) noexcept;
+
+/// [m] How far a body may travel in `duration` [s]. NaN: not known.
+/// @param shared is left out of the motion of bodies in the part of the first robot's root
+double travelAhead(const CycleSetup& setup, const LinkPoses& poses, const Body& body,
+                   const Twist& shared, double duration) noexcept;
+
 /// Grows the boxes by how far their bodies can travel in `duration` [s], so that bodies that may be
 /// within `reach` by then have boxes that meet. Velocities are relative to the first robot's root,
 /// since shared motion changes no distance. Parts without this root use their own frame; where

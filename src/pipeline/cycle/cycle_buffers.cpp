@@ -6,7 +6,6 @@
 
 #include "pipeline/cycle/distance_cache.h"
 #include "pipeline/cycle/place_bodies.h"
-#include "pipeline/data/near_room.h"
 #include "pipeline/look_ahead/link_walk.h"
 
 namespace collision_monitor {
@@ -22,10 +21,10 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.bounds.known.resize(bodies, 0);
   buffers.bounds.ahead.resize(bodies, 0.0);
   buffers.activation = makeActivationDistances(setup);
-  buffers.candidates.reserve(roomForNear(pairs));
-  buffers.deferred.reserve(roomForNear(pairs));
-  buffers.distances.pairs.reserve(roomForNear(pairs));
-  buffers.distances.passed.reserve(roomForNear(pairs));
+  buffers.candidates.reserve(pairs);
+  buffers.deferred.reserve(pairs);
+  buffers.distances.pairs.reserve(pairs);
+  buffers.distances.passed.reserve(pairs);
   buffers.refine = makeRefineWork(setup);
   buffers.sweep = makeSweepWork(setup);
   buffers.events.verdicts.resize(link_pairs, Verdict::unknown);
@@ -33,7 +32,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.events.passed.resize(link_pairs, kNone);
   buffers.events.estimated.resize(link_pairs, kNone);
   buffers.events.soonest.resize(link_pairs, kNone);
-  buffers.events.changes.reserve(roomForNear(link_pairs));
+  buffers.events.changes.reserve(link_pairs);
   buffers.events.active.reserve(link_pairs);
   buffers.events.is_active.resize(link_pairs, 0);
   buffers.events.is_checked.resize(links, 0);
@@ -55,7 +54,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.memory.speed.stopped.resize(link_pairs, 0);
   buffers.robots = makeRobotSpeeds(setup.model);
   buffers.counters.pairs = pairs;
-  buffers.trees = makeObjectTrees(setup);
+  buffers.trees = makeObjectTrees(setup, kind);
   buffers.broad_phase = buffers.trees.trees.empty()
                             ? makeBroadPhase(kind, bodies, pairs)
                             : makeBroadPhase(kind, buffers.trees.loose.size(), pairs);
@@ -70,6 +69,8 @@ void forgetPoses(CycleBuffers& buffers) noexcept {
   std::fill(last.known.begin(), last.known.end(), 0);
   std::fill(last.rests.begin(), last.rests.end(), Rest());
   last.stamp_ns = 0;
+  std::fill(buffers.sweep.has_motion.begin(), buffers.sweep.has_motion.end(), 0);
+  std::fill(buffers.sweep.had_motion.begin(), buffers.sweep.had_motion.end(), 0);
 }
 
 void resetMemory(CycleBuffers& buffers) noexcept {

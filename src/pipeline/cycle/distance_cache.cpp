@@ -7,7 +7,6 @@
 #include "geometry/constants.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/near_bodies.h"
-#include "pipeline/data/near_room.h"
 
 namespace collision_monitor {
 namespace {
@@ -97,7 +96,7 @@ DistanceCache makeDistanceCache(const CycleSetup& setup) {
   cache.distances.resize(setup.table.size(), -kInfinity);
   cache.travels.resize(setup.bodies.size());
   cache.nearest.resize(setup.element_pairs.size(), kInfinity);
-  cache.measured_pairs.reserve(roomForNear(setup.element_pairs.size()));
+  cache.measured_pairs.reserve(setup.element_pairs.size());
   return cache;
 }
 

@@ -129,7 +129,7 @@ void addUnknown(const CycleSetup& setup, const PairEvents& events, RobotSpeeds& 
 
 RobotSpeeds makeRobotSpeeds(const RobotModel& model) {
   RobotSpeeds robots;
-  robots.scales.resize(model.robots.size() + 1, 1.0);
+  robots.scales.resize(robotCount(model) + 1, 1.0);
   robots.is_excused.resize(robots.scales.size(), 0);
   robots.demands.resize(robots.scales.size());
   robots.has_unknown.resize(robots.scales.size() * robots.scales.size(), 0);

@@ -15,7 +15,8 @@ struct SpeedDemand {
   bool is_free{true};  ///< nothing closes, nothing near rests, and nothing is unknown
 };
 
-/// The speed scale of each robot. By RobotId; one more stands for what no robot moves, as a table.
+/// The speed scale of each robot. By RobotId, without the robots that objects form; one more stands
+/// for what no robot moves, as a table.
 struct RobotSpeeds {
   std::vector<double> scales;  ///< 0 stop .. 1 full speed, of the pairs of links that it moves
   /// The robot's unknown pairs ask nothing of other robots. Set before a cycle.

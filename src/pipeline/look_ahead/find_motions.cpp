@@ -8,7 +8,6 @@
 #include "collision_monitor/geometry/bounds.h"
 #include "collision_monitor/geometry/ids.h"
 #include "geometry/ball_motion.h"
-#include "pipeline/data/near_room.h"
 #include "pipeline/refine/sweep_pairs.h"
 
 namespace collision_monitor {
@@ -29,7 +28,7 @@ SweepWork makeSweepWork(const CycleSetup& setup) {
   work.element_travel.resize(setup.elements.size(), 0.0);
   work.had_motion = work.has_motion;
   work.last_motions = work.link_motions;
-  work.tasks.reserve(roomForNear(setup.element_pairs.size()));
+  work.tasks.reserve(setup.element_pairs.size());
   work.task_of.resize(setup.element_pairs.size(), kNone);
   return work;
 }

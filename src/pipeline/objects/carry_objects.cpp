@@ -20,8 +20,7 @@ bool isCarried(const RobotModel& model, std::size_t carrier, std::size_t object,
                const LinkPoses& poses) noexcept {
   const bool is_alike = poses.status[object] == poses.status[carrier] &&
                         poses.part[object] == poses.part[carrier] &&
-                        poses.part_status[object] == poses.part_status[carrier] &&
-                        poses.age[object] == poses.age[carrier];
+                        poses.part_status[object] == poses.part_status[carrier];
   return is_alike && (poses.status[carrier] != LinkStatus::known ||
                       isSame(poses.world_from_link[object], poseOf(model, carrier, object, poses)));
 }
@@ -38,13 +37,15 @@ void carryPoses(const RobotModel& model, const std::vector<ObjectRun>& objects,
                 LinkPoses& poses) noexcept {
   for (const ObjectRun& run : objects) {
     const std::size_t carrier = index(run.carrier);
+    if (poses.age[run.first] != poses.age[carrier]) {
+      copyToObjects(run, poses.age);
+    }
     if (isCarried(model, carrier, run.first, poses)) {
       continue;
     }
     copyToObjects(run, poses.status);
     copyToObjects(run, poses.part);
     copyToObjects(run, poses.part_status);
-    copyToObjects(run, poses.age);
     for (std::size_t i = run.first; i < run.last; ++i) {
       poses.world_from_link[i] = poseOf(model, carrier, i, poses);
     }

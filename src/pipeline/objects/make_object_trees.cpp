@@ -70,30 +70,49 @@ std::size_t sizeOf(const CarriedObjects& objects) noexcept {
   return objects.last_body - objects.first_body;
 }
 
-/// Fills which pair each loose body and object are. @return by tree: whether its bodies seek
-/// others. Of two trees with pairs the smaller one does.
-std::vector<bool> listTreePairs(const CycleSetup& setup, const Places& places, ObjectTrees& trees) {
-  std::vector<bool> seeks(setup.carried.size(), false);
-  for (std::size_t tree = 0; tree < trees.trees.size(); ++tree) {
-    trees.trees[tree].pair_of.resize(trees.loose.size() * sizeOf(setup.carried[tree]), kNone);
-  }
-  const auto add = [&](BodyId loose, BodyId object, std::uint32_t pair) {
-    const std::uint32_t tree = places.tree[index(object)];
-    const CarriedObjects& objects = setup.carried[tree];
-    const std::size_t row = places.loose[index(loose)] * sizeOf(objects);
-    trees.trees[tree].pair_of[row + index(object) - objects.first_body] = pair;
-  };
-  for (std::uint32_t i = 0; i < setup.table.size(); ++i) {
+/// Calls `use(tree, seeker, object, pair)` for each pair with an object of a tree.
+template <class Use>
+void forTreePairs(const CycleSetup& setup, const Places& places, const Use& use) {
+  for (std::size_t i = 0; i < setup.table.size(); ++i) {
     const BodyPair& pair = setup.table.pairs()[i];
     const std::uint32_t a = places.tree[index(pair.a)];
     const std::uint32_t b = places.tree[index(pair.b)];
-    if (a != kNone && b != kNone) {
-      seeks[sizeOf(setup.carried[a]) < sizeOf(setup.carried[b]) ? a : b] = true;
-    } else if (a != kNone || b != kNone) {
-      add(a == kNone ? pair.a : pair.b, a == kNone ? pair.b : pair.a, i);
+    const bool seeks_a =
+        b == kNone || (a != kNone && sizeOf(setup.carried[b]) <= sizeOf(setup.carried[a]));
+    if (a != kNone || b != kNone) {
+      seeks_a ? use(a, pair.b, pair.a, i) : use(b, pair.a, pair.b, i);
     }
   }
-  return seeks;
+}
+
+/// Fills which bodies have pairs with objects of each tree, and which.
+void listTreePairs(const CycleSetup& setup, const Places& places, ObjectTrees& trees) {
+  const std::size_t bodies = setup.bodies.size();
+  std::vector<std::uint32_t> row_of(trees.trees.size() * bodies, kNone);
+  forTreePairs(setup, places, [&](std::uint32_t tree, BodyId seeker, BodyId, std::size_t) {
+    row_of[tree * bodies + index(seeker)] = 0;
+  });
+  for (std::size_t tree = 0; tree < trees.trees.size(); ++tree) {
+    ObjectTree& sought = trees.trees[tree];
+    std::uint32_t rows = 0;
+    for (std::size_t body = 0; body < bodies; ++body) {
+      std::uint32_t& row = row_of[tree * bodies + body];
+      if (row != kNone) {
+        row = places.tree[body] == kNone ? rows++ : kNone;
+        sought.seekers.push_back({idAt<BodyId>(body), row});
+      }
+    }
+    sought.pair_of.resize(rows * sizeOf(setup.carried[tree]), kNone);
+  }
+  forTreePairs(
+      setup, places, [&](std::uint32_t tree, BodyId seeker, BodyId object, std::size_t pair) {
+        const CarriedObjects& objects = setup.carried[tree];
+        const std::size_t row = row_of[tree * bodies + index(seeker)];
+        if (row != kNone) {
+          trees.trees[tree].pair_of[row * sizeOf(objects) + index(object) - objects.first_body] =
+              static_cast<std::uint32_t>(pair);
+        }
+      });
 }
 
 /// The blocks with a pair of two loose bodies.
@@ -124,22 +143,17 @@ PairBlocks looseBlocks(const CycleSetup& setup, const std::vector<std::uint32_t>
 
 }  // namespace
 
-ObjectTrees makeObjectTrees(const CycleSetup& setup) {
+ObjectTrees makeObjectTrees(const CycleSetup& setup, BroadPhaseKind kind) {
   ObjectTrees trees;
-  if (setup.carried.empty()) {
+  if (setup.carried.empty() || kind == BroadPhaseKind::brute_force) {
     return trees;
   }
   for (const CarriedObjects& objects : setup.carried) {
-    trees.trees.push_back({RigidTree(boxesOf(setup, objects)), 0.0, {}});
+    trees.trees.push_back({RigidTree(boxesOf(setup, objects)), 0.0, {}, {}});
   }
   const Places places = findPlaces(setup, trees);
   listLoosePairs(setup, places, trees);
-  const std::vector<bool> seeks = listTreePairs(setup, places, trees);
-  for (std::size_t i = 0; i < places.tree.size(); ++i) {
-    if (places.tree[i] != kNone && seeks[places.tree[i]]) {
-      trees.seekers.push_back(idAt<BodyId>(i));
-    }
-  }
+  listTreePairs(setup, places, trees);
   trees.bounds.boxes.resize(trees.loose.size());
   trees.bounds.known.resize(trees.loose.size(), 0);
   trees.blocks = looseBlocks(setup, places.tree);

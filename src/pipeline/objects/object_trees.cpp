@@ -3,22 +3,35 @@
 #include "pipeline/objects/object_trees.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "broad_phase/marked_pairs.h"
 #include "collision_monitor/geometry/bounds.h"
 #include "geometry/constants.h"
 #include "narrow_phase/distance.h"
+#include "pipeline/cycle/bound_bodies.h"
 #include "pipeline/cycle/cycle_buffers.h"
 
 namespace collision_monitor {
 namespace {
 
-/// Marks the pairs of loose bodies.
-void findLoosePairs(CycleBuffers& buffers) noexcept {
+/// Marks the pairs of loose bodies. Their bounds are seen from the first robot's root, so that a
+/// base that moves does not make the pairs of its robot candidates.
+void findLoosePairs(const CycleSetup& setup, const LinkPoses& poses,
+                    CycleBuffers& buffers) noexcept {
   ObjectTrees& trees = buffers.trees;
+  const Twist shared = sharedTwist(setup, poses.velocities);
   for (std::size_t i = 0; i < trees.loose.size(); ++i) {
-    trees.bounds.boxes[i] = buffers.bounds.boxes[index(trees.loose[i])];
-    trees.bounds.known[i] = buffers.bounds.known[index(trees.loose[i])];
+    const std::size_t body = index(trees.loose[i]);
+    Aabb& box = trees.bounds.boxes[i];
+    box = buffers.bounds.boxes[body];
+    trees.bounds.known[i] = buffers.bounds.known[body];
+    const double more = travelAhead(setup, poses, setup.bodies[body], shared, setup.ahead.horizon) -
+                        buffers.bounds.ahead[body];
+    if (std::isfinite(more)) {
+      box.min.array() -= more;
+      box.max.array() += more;
+    }
   }
   findCandidates(buffers.broad_phase, trees.bounds, trees.table, buffers.candidates);
   for (const PairId pair : buffers.candidates) {
@@ -65,19 +78,19 @@ SmallBox boxInTree(const Pose& tree_from_world, const Aabb& box, double grown) n
   return smallBoxOf({center - half, center + half});
 }
 
-/// Marks the pairs of a body with each object of a tree whose bounds may meet.
-/// @param pair_at takes the place of the object; kNone: no pair
-template <class PairAt>
-void seek(const ObjectTree& tree, const Pose& tree_from_world, const Aabb& box,
-          const PairAt& pair_at, std::vector<std::uint64_t>& marks) noexcept {
-  tree.tree.visitMeeting(boxInTree(tree_from_world, box, tree.grown), [&](std::uint32_t place) {
-    const std::uint32_t pair = pair_at(place);
-    if (pair != kNone) {
-      markPair(PairId{pair}, marks);
-    }
-  });
+/// The pair of a seeker with an object; kNone if there is none.
+/// @param place of the object in its tree
+PairId pairOf(const CycleSetup& setup, const CarriedObjects& objects, const ObjectTree& tree,
+              const TreeSeeker& seeker, std::size_t place) noexcept {
+  PairId pair{kNone};
+  if (seeker.row == kNone) {
+    setup.table.find(seeker.body, idAt<BodyId>(objects.first_body + place), pair);
+    return pair;
+  }
+  return PairId{tree.pair_of[seeker.row * (objects.last_body - objects.first_body) + place]};
 }
 
+/// Marks the pairs with objects of a tree whose bounds may meet.
 void findInTree(const CycleSetup& setup, const LinkPoses& poses, std::size_t place,
                 CycleBuffers& buffers) noexcept {
   const CarriedObjects& objects = setup.carried[place];
@@ -87,27 +100,18 @@ void findInTree(const CycleSetup& setup, const LinkPoses& poses, std::size_t pla
   }
   const ObjectTree& tree = buffers.trees.trees[place];
   const Pose tree_from_world = inverse(poses.world_from_link[objects.first_link]);
-  for (std::size_t i = 0; i < buffers.trees.loose.size(); ++i) {
-    const std::size_t body = index(buffers.trees.loose[i]);
-    if (bounds.known[body] != 0) {
-      const std::uint32_t* const pairs =
-          tree.pair_of.data() + i * (objects.last_body - objects.first_body);
-      seek(
-          tree, tree_from_world, bounds.boxes[body],
-          [&](std::uint32_t object) { return pairs[object]; }, buffers.broad_phase.marks);
+  for (const TreeSeeker& seeker : tree.seekers) {
+    const std::size_t body = index(seeker.body);
+    if (bounds.known[body] == 0) {
+      continue;
     }
-  }
-  for (const BodyId seeker : buffers.trees.seekers) {
-    if (bounds.known[index(seeker)] != 0) {
-      seek(
-          tree, tree_from_world, bounds.boxes[index(seeker)],
-          [&](std::uint32_t object) {
-            PairId pair{kNone};
-            setup.table.find(seeker, idAt<BodyId>(objects.first_body + object), pair);
-            return static_cast<std::uint32_t>(index(pair));
-          },
-          buffers.broad_phase.marks);
-    }
+    const SmallBox box = boxInTree(tree_from_world, bounds.boxes[body], tree.grown);
+    tree.tree.visitMeeting(box, [&](std::uint32_t object) {
+      const PairId pair = pairOf(setup, objects, tree, seeker, object);
+      if (pair != PairId{kNone}) {
+        markPair(pair, buffers.broad_phase.marks);
+      }
+    });
   }
 }
 
@@ -116,17 +120,15 @@ struct TreeSearch {
   const CycleSetup& setup;
   const BodyPoses& body_poses;
   const std::vector<unsigned char>& is_passed;
-  BodyId seeker;
   NearestPair& best;
 
-  void look(BodyId object) const noexcept {
-    PairId pair{};
+  void look(BodyId seeker, BodyId object, PairId pair) const noexcept {
     const std::size_t a = index(seeker);
     const std::size_t b = index(object);
     const Ball& ball_a = body_poses.balls[a];
     const Ball& ball_b = body_poses.balls[b];
     const double gap = (ball_b.center - ball_a.center).norm() - ball_a.radius - ball_b.radius;
-    if (gap > best.distance || !setup.table.find(seeker, object, pair) ||
+    if (gap > best.distance || pair == PairId{kNone} ||
         is_passed[setup.element_pair_of[index(pair)]] != 0) {
       return;
     }
@@ -143,11 +145,11 @@ struct TreeSearch {
 
 void findPairs(const CycleSetup& setup, const LinkPoses& poses, double reach,
                CycleBuffers& buffers) noexcept {
-  if (setup.carried.empty()) {
+  if (buffers.trees.trees.empty()) {
     findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
     return;
   }
-  findLoosePairs(buffers);
+  findLoosePairs(setup, poses, buffers);
   growTrees(setup, reach, buffers);
   for (std::size_t tree = 0; tree < setup.carried.size(); ++tree) {
     findInTree(setup, poses, tree, buffers);
@@ -163,22 +165,21 @@ void searchTrees(const CycleSetup& setup, const LinkPoses& poses, const BodyPose
     if (body_poses.known[objects.first_body] == 0) {
       continue;
     }
+    const ObjectTree& sought = trees.trees[tree];
     const Pose tree_from_world = inverse(poses.world_from_link[objects.first_link]);
-    const auto seek_from = [&](BodyId seeker) {
-      if (body_poses.known[index(seeker)] == 0) {
-        return;
+    const TreeSearch search{setup, body_poses, is_passed, best};
+    for (const TreeSeeker& seeker : sought.seekers) {
+      if (body_poses.known[index(seeker.body)] == 0) {
+        continue;
       }
-      const Ball& ball = body_poses.balls[index(seeker)];
-      const TreeSearch search{setup, body_poses, is_passed, seeker, best};
+      const Ball& ball = body_poses.balls[index(seeker.body)];
       double within = best.distance + ball.radius;
-      trees.trees[tree].tree.visitNear(tree_from_world * ball.center, within,
-                                       [&](std::uint32_t place) {
-                                         search.look(idAt<BodyId>(objects.first_body + place));
-                                         within = best.distance + ball.radius;
-                                       });
-    };
-    std::for_each(trees.loose.begin(), trees.loose.end(), seek_from);
-    std::for_each(trees.seekers.begin(), trees.seekers.end(), seek_from);
+      sought.tree.visitNear(tree_from_world * ball.center, within, [&](std::uint32_t place) {
+        search.look(seeker.body, idAt<BodyId>(objects.first_body + place),
+                    pairOf(setup, objects, sought, seeker, place));
+        within = best.distance + ball.radius;
+      });
+    }
   }
 }
 

@@ -12,19 +12,26 @@
 /// method of the broad phase for all other bodies.
 namespace collision_monitor {
 
+/// A body that has pairs with objects of a tree.
+struct TreeSeeker {
+  BodyId body{};
+  std::uint32_t row{kNone};  ///< of ObjectTree::pair_of; kNone for bodies of trees
+};
+
 /// The objects of one carrier.
 struct ObjectTree {
   RigidTree tree;     ///< in the frame of the first object
   double grown{0.0};  ///< [m] how far bounds reach beyond the shapes
-  /// The pair of each loose body with each object, at place in `loose` * objects + place of object:
-  /// its PairId, or kNone.
+  /// In order of body. Of two trees with pairs the bodies of the smaller one seek.
+  std::vector<TreeSeeker> seekers;
+  /// The pair of each seeker that is loose with each object, at its row * objects + place of the
+  /// object: its PairId, or kNone.
   std::vector<std::uint32_t> pair_of;
 };
 
 struct ObjectTrees {
   std::vector<ObjectTree> trees;   ///< by CycleSetup::carried
   std::vector<BodyId> loose;       ///< bodies in no tree, in order
-  std::vector<BodyId> seekers;     ///< bodies of trees that have pairs with bodies of trees
   BodyBounds bounds;               ///< of the loose bodies
   PairTable table;                 ///< pairs of loose bodies, as places in `loose`
   std::vector<PairId> loose_pair;  ///< by PairId of this table: the pair of the set-up
@@ -33,8 +40,9 @@ struct ObjectTrees {
 
 struct CycleBuffers;
 
-/// @return without trees for set-ups without CycleSetup::carried
-ObjectTrees makeObjectTrees(const CycleSetup& setup);
+/// @return without trees for set-ups without CycleSetup::carried, and for the method that tests all
+/// pairs
+ObjectTrees makeObjectTrees(const CycleSetup& setup, BroadPhaseKind kind);
 
 /// Fills the candidates: pairs of the table whose bounds meet, sorted by id. Bounds of objects in
 /// trees are those of their shapes, grown along the axes of their carrier.

@@ -6,7 +6,6 @@
 
 #include "collision_monitor/geometry/ids.h"
 #include "pipeline/data/activation_distance.h"
-#include "pipeline/data/near_room.h"
 #include "pipeline/refine/recall_elements.h"
 #include "pipeline/refine/refine_pairs.h"
 
@@ -52,7 +51,7 @@ RefineWork makeRefineWork(const CycleSetup& setup) {
   for (const OwnLimits& own : setup.own_limits) {
     work.distances.push_back(nearActivationDistanceOf(setup, own.limits));
   }
-  work.tasks.reserve(roomForNear(pairs));
+  work.tasks.reserve(pairs);
   work.task_of.resize(pairs, kNone);
   work.is_measured.resize(pairs, 0);
   work.is_passed.resize(pairs, 0);

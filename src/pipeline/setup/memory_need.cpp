@@ -7,7 +7,6 @@
 #include <string>
 
 #include "pipeline/cycle/cycle_buffers.h"
-#include "pipeline/data/near_room.h"
 
 namespace collision_monitor {
 namespace {
@@ -27,6 +26,13 @@ constexpr std::uint64_t kOfBodyPair =
 /// For refinement, sweeps and the distance cache.
 constexpr std::uint64_t kOfElementPair =
     sizeof(ElementPair) + 2 * kId + 1 + sizeof(double) + (kId + 1) + kId;
+
+/// Lists of near pairs have room for all pairs, so that no cycle allocates. What they never fill
+/// takes no memory: few of very many pairs are near at a time.
+constexpr std::uint64_t roomForNear(std::uint64_t pairs) noexcept {
+  constexpr std::uint64_t kMost = 250'000;
+  return std::min(pairs, kMost);
+}
 
 /// For lists of pairs that are near.
 constexpr std::uint64_t kOfNearLinkPair = sizeof(VerdictChange);
