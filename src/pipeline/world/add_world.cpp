@@ -9,6 +9,7 @@
 
 #include "pipeline/setup/setup_parts.h"
 #include "pipeline/world/object_pairs.h"
+#include "pipeline/world/order_objects.h"
 
 namespace collision_monitor {
 namespace {
@@ -26,16 +27,17 @@ class LinkAdder {
 
   /// @return the links of all objects, in order of id
   std::vector<ObjectLink> add(const World& world) {
-    std::vector<std::pair<LinkId, const WorldObject*>> of_links;
+    std::map<LinkId, std::vector<const WorldObject*>> of_links;  // which move together
     std::map<std::string, std::vector<const WorldObject*>> of_frames;
     for (const auto& [name, object] : world.objects) {
       if (const auto link = carrierOf(*object)) {
-        of_links.emplace_back(*link, object.get());
+        of_links[*link].push_back(object.get());
       } else {
         of_frames[frameOf(*object)].push_back(object.get());
       }
     }
-    for (const auto& [frame, objects] : of_frames) {
+    for (auto& [frame, objects] : of_frames) {
+      orderByPlace(objects);
       startRobot(frame);
       const LinkId carrier = addLink(frame, frame);
       setup_.model.robots.back().root = carrier;
@@ -44,13 +46,13 @@ class LinkAdder {
       }
     }
     if (!of_links.empty()) {
-      // Objects of one link stand together, since they move together.
-      std::stable_sort(of_links.begin(), of_links.end(),
-                       [](const auto& one, const auto& other) { return one.first < other.first; });
       startRobot("objects");
       setup_.model.robots.back().root = idAt<LinkId>(setup_.model.links.size());
-      for (const auto& [link, object] : of_links) {
-        addObject(*object, link);
+      for (auto& [link, objects] : of_links) {
+        orderByPlace(objects);
+        for (const WorldObject* object : objects) {
+          addObject(*object, link);
+        }
       }
     }
     return std::move(added_);

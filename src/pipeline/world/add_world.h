@@ -19,7 +19,8 @@ CycleSetup withoutPairs(const CycleSetup& robots);
 /// (Robot::is_world), with stamps of its own. Objects joined to links of robots form one more.
 ///
 /// Links, bodies, elements and pairs of links of the robots keep their order, and ids of links,
-/// bodies and elements stay the same. Equal worlds give equal set-ups.
+/// bodies and elements stay the same. Equal worlds give equal set-ups. Very many objects of one
+/// carrier are sorted by place, others by name.
 ///
 /// Rules of the robots stay as they are; see withPairRules. Groups of objects join setup.srdfs.
 ///
