@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <string_view>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "collision_monitor/geometry/ids.h"
@@ -269,10 +270,15 @@ void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
   all.setup = withAsked(current.setup, request);
   all.world_frame = current.world_frame;
   answerChecked(all, newest, request, response);
+  const std::vector<Link>& links = current.setup.model.links;
+  std::unordered_map<std::string_view, LinkId> ids;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (hasShapes(links[i])) {  // a frame that carries objects may have the name of one
+      ids.emplace(links[i].name, idAt<LinkId>(i));
+    }
+  }
   for (const LinkDistance& pair : response.distances.pairs) {
-    const RobotModel& model = current.setup.model;
-    const std::size_t place =
-        findLinkPair(current.setup, *model.findLink(pair.link_a), *model.findLink(pair.link_b));
+    const std::size_t place = findLinkPair(current.setup, ids.at(pair.link_a), ids.at(pair.link_b));
     response.reasons.push_back(place < current.setup.link_pairs.size()
                                    ? reasonOf(current.setup, current.setup.link_pairs[place])
                                    : "");
