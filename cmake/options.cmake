@@ -27,28 +27,28 @@ function(compile_together)
     UNITY_BUILD ${COLLISION_MONITOR_UNITY} UNITY_BUILD_BATCH_SIZE 16)
 endfunction()
 
-# compile_folders_together(LIBRARY SOURCE...): the sources of a folder of src/ROOM are compiled
-# together, so no two of them may share a name. Rooms that run in a cycle are compiled file by file,
-# so that each is optimized by itself, except under sanitizers. In kernels for lanes every operation
-# is a call whose values have their own scope. Checking these scopes takes three times as long as
-# all other checks, which stay on.
+# compile_folders_together(LIBRARY SOURCE...): the sources of a folder of src/ are compiled together,
+# so no two of them may share a name. Folders that run in a cycle are compiled file by file, so that
+# each is optimized by itself, except under sanitizers. In kernels for lanes every operation is a
+# call whose values have their own scope. Checking these scopes takes three times as long as all
+# other checks, which stay on.
 function(compile_folders_together library)
-  set(rooms fitting|library|model)
+  set(together "^(fitting|library|model|pipeline/(fits|pair_search|setup|world))")
   if(COLLISION_MONITOR_SANITIZE)
-    set(rooms [a-z_]+)
+    set(together .)
   endif()
   set_target_properties(${library} PROPERTIES
     UNITY_BUILD ${COLLISION_MONITOR_UNITY} UNITY_BUILD_MODE GROUP)
   foreach(source ${ARGN})
+    get_filename_component(folder ${source} DIRECTORY)
+    file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/src ${folder})
     file(STRINGS ${source} lanes REGEX "hwy/foreach_target\\.h" LIMIT_COUNT 1)
-    file(RELATIVE_PATH place ${PROJECT_SOURCE_DIR}/src ${source})
-    string(REGEX MATCH "^(${rooms})/(([a-z_]+)/)?" folder ${place})
     if(lanes AND COLLISION_MONITOR_SANITIZE)
       set_source_files_properties(${source} PROPERTIES
         COMPILE_OPTIONS -fno-sanitize-address-use-after-scope)
-    elseif(folder AND NOT lanes)
-      set_source_files_properties(${source} PROPERTIES
-        UNITY_GROUP ${CMAKE_MATCH_1}_${CMAKE_MATCH_3})
+    elseif(folder MATCHES "${together}" AND NOT lanes)
+      string(REPLACE / _ group ${folder})
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
     endif()
   endforeach()
 endfunction()
