@@ -11,6 +11,7 @@
 #include "pipeline/cycle/run_cycle.h"
 #include "pipeline/states/check_states.h"
 #include "support/allocation_guard.h"
+#include "support/case_count.h"
 #include "support/fixed_seed.h"
 #include "support/query_meshes.h"
 #include "support/reference/convex_measure.h"
@@ -130,8 +131,9 @@ TEST(ExactStatesLaws, verdictsAreThoseOfCyclesWithoutABudget) {
   Random random(kSeed);
   std::size_t contacts = 0;
   std::size_t clear = 0;
-  for (int round = 0; round < 60; ++round) {
-    Scene scene(round % 3 == 0 ? 0.004 : 0.0, random, round >= 40);
+  constexpr int kRounds = test::caseCount(60);
+  for (int round = 0; round < kRounds; ++round) {
+    Scene scene(round % 3 == 0 ? 0.004 : 0.0, random, 3 * round >= 2 * kRounds);
     const std::vector<StateCheck> contact = scene.check(StateQuestion::contact);
     const std::vector<StateCheck> nearest = scene.check(StateQuestion::nearest);
     for (std::size_t i = 0; i < Scene::kCount; ++i) {
@@ -150,8 +152,8 @@ TEST(ExactStatesLaws, verdictsAreThoseOfCyclesWithoutABudget) {
       }
     }
   }
-  EXPECT_GT(contacts, 100U);
-  EXPECT_GT(clear, 100U);
+  EXPECT_GT(contacts, test::caseCount(std::size_t{100}));
+  EXPECT_GT(clear, test::caseCount(std::size_t{100}));
 }
 
 TEST(ExactStatesLaws, aStateIsJudgedAlikeWhateverCameBefore) {

@@ -15,6 +15,7 @@
 #include "pipeline/objects/carry_objects.h"
 #include "pipeline/world/add_world.h"
 #include "support/allocation_guard.h"
+#include "support/case_count.h"
 #include "support/random_poses.h"
 #include "support/robots/hand_made_setup.h"
 #include "support/robots/world_objects.h"
@@ -178,7 +179,7 @@ std::size_t movedBodies(const CycleBuffers& buffers) {
 
 TEST(RestingObjectsLaws, aCycleTellsWhatACycleTellsThatLooksAtEverything) {
   std::size_t rested = 0;
-  for (unsigned seed = 1; seed <= 8; ++seed) {
+  for (unsigned seed = 1; seed <= test::caseCount(10U); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     CycleSetup robots = test::randomSetup(kLinks, seed);
     robots.is_continuous = seed % 2 == 0;
@@ -204,7 +205,8 @@ TEST(RestingObjectsLaws, aCycleTellsWhatACycleTellsThatLooksAtEverything) {
       }
     }
   }
-  EXPECT_GT(rested, 20U) << "objects must rest in some cycles, or nothing is tested";
+  EXPECT_GT(rested, test::caseCount(std::size_t{20}))
+      << "objects must rest in some cycles, or nothing is tested";
 }
 
 }  // namespace
