@@ -131,9 +131,15 @@ bool Services::setLimits(SetLimits::Request& request, SetLimits::Response& respo
 
 void Services::endRules() {
   const std::lock_guard<std::mutex> lock(changing_);
-  const NextSetup next = withoutEnded(*hooks_.current_setup(), std::chrono::steady_clock::now());
+  std::vector<Problem> dropped_limits;
+  const NextSetup next =
+      withoutEnded(*hooks_.current_setup(), std::chrono::steady_clock::now(), dropped_limits);
   if (next) {
+    next->later_warnings->add(dropped_limits);
     hooks_.change_setup(next);
+    for (const Problem& warning : dropped_limits) {
+      ROS_WARN_STREAM(toString(warning));
+    }
     ROS_INFO_STREAM("rules for pairs have ended; left: " << next->setup.pair_rules.size());
   }
 }
