@@ -49,17 +49,25 @@ class TwoArms : public testing::Test {
   /// Its joint is silent.
   void lose(const std::string& name) { floatFrom(link(name), LinkStatus::stale, poses_); }
 
-  State stateNow(const CycleFacts& facts = factsNow()) {
+  /// A watch that has run one cycle.
+  std::unique_ptr<Watch> watchNow(const Watch* former = nullptr) {
     static const JointStore no_joint_states;
-    Watch watch(setup_, store_, no_joint_states);
+    auto watch = std::make_unique<Watch>(setup_, store_, no_joint_states);
     LinkPoses unused = makeLinkPoses(setup_->setup.model);
-    watch.reader.read(ros::Time(13.0), unused);  // it explains what it has read
-    watch.poses = poses_;
-    watch.cycle();
+    watch->reader.read(ros::Time(13.0), unused);  // it explains what it has read
+    if (former != nullptr) {
+      watch->takeOver(*former);
+    }
+    watch->poses = poses_;
+    watch->cycle();
+    return watch;
+  }
+  static State stateOf(const Watch& watch, const CycleFacts& facts = factsNow()) {
     State state;
     toMessage(watch, facts, state);
     return state;
   }
+  State stateNow(const CycleFacts& facts = factsNow()) { return stateOf(*watchNow(), facts); }
   static CycleFacts factsNow() {
     CycleFacts facts;
     facts.now = ros::Time(13.0);
