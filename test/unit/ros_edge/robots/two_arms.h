@@ -22,13 +22,12 @@ class TwoArms : public testing::Test {
         linkXml("base", ball) + linkXml("hand", ball) +
         jointXml("slide", "prismatic", "base", "hand",
                  "<axis xyz='1 0 0'/><limit lower='-9' upper='9' velocity='1' effort='1'/>"));
-    std::vector<RobotDescription> robots;
     for (const char* prefix : {"left", "right"}) {
-      robots.push_back(describeText(xml));
-      robots.back().tf_prefix = prefix;
-      setup_->listed.push_back({prefix, idAt<RobotId>(robots.size() - 1), "", false});
+      descriptions_.push_back(describeText(xml));
+      descriptions_.back().tf_prefix = prefix;
+      setup_->listed.push_back({prefix, idAt<RobotId>(descriptions_.size() - 1), "", false});
     }
-    setup_->setup = buildSetup(robots, textLoader({}), SetupOptions());
+    setup_->setup = buildSetup(descriptions_, textLoader({}), SetupOptions());
     setup_->world_frame = "cell";
     poses_ = makeLinkPoses(setup_->setup.model);
     std::fill(poses_.status.begin(), poses_.status.end(), LinkStatus::known);
@@ -75,6 +74,7 @@ class TwoArms : public testing::Test {
   }
 
   TransformStore store_;
+  std::vector<RobotDescription> descriptions_;
   std::shared_ptr<MonitorSetup> setup_ = std::make_shared<MonitorSetup>();
   LinkPoses poses_;
 };
