@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "collision_monitor/geometry/ids.h"
+#include "pipeline/cycle/scale_speed.h"
 #include "ros_edge/outputs/sentences.h"
 
 namespace collision_monitor {
@@ -40,9 +41,10 @@ class RobotViews {
     for (const LinkPairIndex pair : watch.buffers.events.active) {
       addPair(pair);
     }
+    const Unknowns& unknown = watch.unknown();
     for (std::size_t a = 0; a < views_.size(); ++a) {
       for (std::size_t b = 0; b < views_.size(); ++b) {
-        addUnknown(a, b);
+        addUnknown(unknown.between(a, b), a, b);
       }
     }
     addMotions();
@@ -53,11 +55,6 @@ class RobotViews {
  private:
   std::size_t robotOf(LinkId link) const {
     return std::min<std::size_t>(speeds_.robot_of_link[index(link)], views_.size() - 1);
-  }
-
-  /// Whether what is unknown between a robot and another counts for the robot.
-  bool counts(std::size_t robot, std::size_t other) const {
-    return robot == other || other + 1 == views_.size() || speeds_.is_excused[other] == 0;
   }
 
   static void addTime(double time, RobotView& view) {
@@ -97,15 +94,14 @@ class RobotViews {
   }
 
   /// The pairs whose links a and b these robots move.
-  void addUnknown(std::size_t a, std::size_t b) {
-    const UnknownPairs& pairs = watch_.unknown().between(a, b);
+  void addUnknown(const UnknownPairs& pairs, std::size_t a, std::size_t b) {
     if (pairs.count == 0) {
       return;
     }
-    if (counts(a, b)) {
+    if (countsFor(speeds_, a, b)) {
       addUnknown(pairs, views_[a]);
     }
-    if (a != b && counts(b, a)) {
+    if (a != b && countsFor(speeds_, b, a)) {
       addUnknown(pairs, views_[b]);
     }
   }
@@ -134,7 +130,7 @@ class RobotViews {
     for (std::size_t a = 0; a < views_.size(); ++a) {
       for (std::size_t b = 0; b < views_.size(); ++b) {
         const bool meet = watch_.is_checked_between[a][b] && (is_unknown[a] || is_unknown[b]);
-        views_[a].is_time_unknown = views_[a].is_time_unknown || (meet && counts(a, b));
+        views_[a].is_time_unknown = views_[a].is_time_unknown || (meet && countsFor(speeds_, a, b));
       }
     }
   }
