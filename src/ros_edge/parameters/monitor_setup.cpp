@@ -91,7 +91,7 @@ World makeWorld(const MonitorSetup* former, const ResourceLoader& load_resource,
     const bool waits = isAnyMissing(made) && !hasItsLinks(object, model);
     (waits ? made.held_back : change.objects).push_back(std::move(object));
   }
-  const World world = applyChanges(World(), {change}, placesOf(model, made.world_frame), report);
+  World world = applyChanges(World(), {change}, placesOf(model, made.world_frame), report);
   throwIfErrors(report);
   return world;
 }

@@ -12,8 +12,8 @@
 /// What changes of objects may refer to.
 namespace collision_monitor {
 
-/// placesOf now: the frames that tf knows, and the newest poses. Asks tf for the frames that it has not
-/// kept so far, and waits up to `patience` [s] for all of them together.
+/// placesOf now: the frames that tf knows, and the newest poses. Asks tf for the frames that it has
+/// not kept so far, and waits up to `patience` [s] for all of them together.
 /// @pre the arguments outlive the places
 KnownPlaces placesNow(const MonitorSetup& setup, const Inputs& inputs, double patience);
 
