@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "collision_monitor/geometry/ids.h"
+#include "model/object_links.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "pipeline/look_ahead/find_motions.h"
@@ -13,8 +14,24 @@
 #include "ros_edge/outputs/pair_counts.h"
 #include "ros_edge/poses/floating_parts.h"
 #include "ros_edge/robots/absence.h"
+#include "ros_edge/robots/robot_states.h"
 
 namespace collision_monitor {
+
+namespace {
+
+std::vector<std::vector<bool>> findChecked(const CycleSetup& setup, const RobotSpeeds& speeds) {
+  const std::size_t robots = robotCount(setup.model);
+  std::vector<std::vector<bool>> is_checked(robots + 1, std::vector<bool>(robots + 1));
+  for (const CheckedLinkPair& pair : setup.checked) {
+    const auto a = std::min<std::size_t>(speeds.robot_of_link[index(pair.a)], robots);
+    const auto b = std::min<std::size_t>(speeds.robot_of_link[index(pair.b)], robots);
+    is_checked[a][b] = is_checked[b][a] = true;
+  }
+  return is_checked;
+}
+
+}  // namespace
 
 Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformStore& store,
              const JointStore& joint_store)
@@ -33,12 +50,7 @@ Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformSto
           countOf(PairReason::muted, countPairs(fixed->setup.link_pairs)))),
       last_mute(lastMuteOf(*fixed)),
       nearest(fixed->setup),
-      is_robot_checked(buffers.robots.scales.size(), 0) {
-  for (const CheckedLinkPair& pair : setup().checked) {
-    is_robot_checked[buffers.robots.robot_of_link[index(pair.a)]] = 1;
-    is_robot_checked[buffers.robots.robot_of_link[index(pair.b)]] = 1;
-  }
-}
+      is_checked_between(findChecked(setup(), buffers.robots)) {}
 
 PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
                           JointReader& joints) {
@@ -130,17 +142,40 @@ std::vector<LinkPairIndex> Watch::takeOver(const Watch& former) {
   carryMotion(carried, setup(), {former.poses, former.buffers.memory.last, former.tracker}, poses,
               buffers.memory, tracker);
   std::vector<LinkPairIndex> dropped = carryOver(carried, former.buffers.memory, buffers.memory);
-  for (std::size_t i = 0; i + 1 < buffers.robots.scales.size(); ++i) {
-    if (carried.robot_of[i] != kNone) {
-      buffers.robots.scales[i] = former.buffers.robots.scales[carried.robot_of[i]];
-    }
-  }
+  takeOverScales(former);
   if (former.fixed->robots == fixed->robots) {  // not reloaded
     nearest.inherit(former.nearest, carried.pair_of);
   }
   carried = CarryPlan();
   planned_from.reset();
   return dropped;
+}
+
+/// Whatever was published as 0 grows from 0 on.
+void Watch::takeOverScales(const Watch& former) {
+  std::vector<double>& scales = buffers.robots.scales;
+  for (std::size_t i = 0; i + 1 < scales.size(); ++i) {  // without what no robot moves
+    if (carried.robot_of[i] != kNone) {
+      scales[i] = former.buffers.robots.scales[carried.robot_of[i]];
+    }
+  }
+  if (isAnyMissing(*former.fixed)) {
+    buffers.memory.speed.scale = 0.0;
+  }
+  const bool stood = isAnyAwaited(*former.fixed);
+  for (const ListedRobot& robot : fixed->listed) {
+    const bool was_missing = std::any_of(
+        former.fixed->listed.begin(), former.fixed->listed.end(),
+        [&](const ListedRobot& before) { return before.name == robot.name && !before.id; });
+    if (robot.id && (stood || was_missing)) {
+      scales[index(*robot.id)] = 0.0;
+    }
+  }
+}
+
+const Unknowns& Watch::unknown() const {
+  last_unknown.find(setup(), poses, buffers);
+  return last_unknown;
 }
 
 double Watch::mutedFor(RuleEnd now) const {
@@ -151,27 +186,6 @@ void countStep(const SweepWork& work, StepCount& count) noexcept {
   if (work.elapsed > 0.0) {
     count.over_cap += work.step.at_poses.is_exceeded ? 1 : 0;
     count.too_long += work.step.on_way.is_exceeded ? 1 : 0;
-  }
-}
-
-void findUnknownLinks(const Watch& watch, std::vector<LinkId>& links) {
-  links.clear();
-  if (watch.buffers.events.unknown == 0) {
-    return;
-  }
-  const CycleSetup& setup = watch.setup();
-  const MainPart main(watch.poses, setup.checked);
-  std::vector<bool> is_unknown(setup.model.links.size());
-  for (std::size_t i = 0; i < setup.checked.size(); ++i) {
-    if (watch.buffers.events.verdicts[i] == Verdict::unknown) {
-      is_unknown[index(setup.checked[i].a)] = true;
-      is_unknown[index(setup.checked[i].b)] = true;
-    }
-  }
-  for (std::size_t i = 0; i < is_unknown.size(); ++i) {
-    if (is_unknown[i] && !main.has(idAt<LinkId>(i))) {
-      links.push_back(idAt<LinkId>(i));
-    }
   }
 }
 

@@ -14,6 +14,7 @@
 #include "ros_edge/nearest_seen.h"
 #include "ros_edge/parameters/monitor_setup.h"
 #include "ros_edge/poses/pose_reader.h"
+#include "ros_edge/unknowns.h"
 
 namespace collision_monitor {
 
@@ -44,6 +45,8 @@ struct Watch {
   std::vector<LinkPairIndex> takeOver(const Watch& former);
   /// [s] Until the last muted pair is checked again; 0: none is muted.
   double mutedFor(RuleEnd now) const;
+  /// What is unknown. @pre poses are judged
+  const Unknowns& unknown() const;
 
   std::shared_ptr<const MonitorSetup> fixed;
   JointReader joints;
@@ -59,12 +62,18 @@ struct Watch {
   std::uint32_t pairs_muted;      ///< as in State
   std::optional<RuleEnd> last_mute;
   NearestSeen nearest;
-  std::vector<unsigned char> is_robot_checked;  ///< by RobotId: it moves a link of a checked pair
-  std::ptrdiff_t links_known{0};                ///< in the last cycle
+  /// By robot, and by robot that a checked pair joins it to; the last of each is for links that no
+  /// robot moves.
+  std::vector<std::vector<bool>> is_checked_between;
+  std::ptrdiff_t links_known{0};                     ///< in the last cycle
   std::shared_ptr<const MonitorSetup> planned_from;  ///< `carried` is about this set-up
   CarryPlan carried;
+  mutable Unknowns last_unknown;  ///< for unknown()
 
   const CycleSetup& setup() const noexcept { return fixed->setup; }
+
+ private:
+  void takeOverScales(const Watch& former);
 };
 
 /// Reads poses from the sources that the parameters name: tf, or joint states where they can place
@@ -97,10 +106,5 @@ struct CycleFacts {
   StepCount steps;
   double cycle_time{0.0};  ///< [s]
 };
-
-/// Finds the links that keep a checked pair unknown: those of the pair that are outside the
-/// MainPart.
-/// @pre poses are judged
-void findUnknownLinks(const Watch& watch, std::vector<LinkId>& links);
 
 }  // namespace collision_monitor

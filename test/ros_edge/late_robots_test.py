@@ -13,6 +13,7 @@ from std_msgs.msg import Bool, Float64
 from std_srvs.srv import Trigger
 
 from collision_monitor.msg import SceneObjects, State
+from collision_monitor.srv import SetLimits
 from monitor_probe import JointSource, Probe
 
 URDF = "/right/description"
@@ -79,8 +80,12 @@ class LateRobots(unittest.TestCase):
         rospy.set_param(URDF, "<robot name='right'><link/></robot>")
         cycles = self.probe.state.cycles
         self.probe.wait(lambda: self.probe.state.cycles > cycles + 200, "two more seconds of cycles")
-        self.assertFalse(self.probe.state.robots[1].has_description)
+        state = self.wait_for_robots(lambda left, right: "cannot be taken in" in right.sentence, "the fault")
+        self.assertFalse(state.robots[1].has_description)
+        self.assertIn("cannot be taken in", state.robots[0].sentence)
         self.probe.wait_for_distance(0.4)
+        answer = rospy.ServiceProxy("/collision_monitor/set_limits", SetLimits)(["hysteresis"], [0.003])
+        self.assertTrue(answer.success, answer.message)
 
     def test_4_robotThatComes_isWatchedFromThenOn(self):
         rospy.set_param(URDF, rospy.get_param("/robot_description").replace("two_boxes", "other_boxes"))
@@ -141,6 +146,18 @@ class LateRobots(unittest.TestCase):
         self.assertEqual(state.level, State.UNKNOWN)
         self.assertEqual(state.robots[0].level, State.OK)
         self.probe.wait(lambda: self.object_names() == ["wall"], "objects that named its links to be gone")
+
+    def test_9_robotThatLeavesTheList_isStopped(self):
+        self.probe.wait(lambda: self.scales["left"].value.data == 1.0, "free left robot")
+        robots = rospy.get_param("/collision_monitor/robots")
+        robots[0]["name"] = "another"
+        rospy.set_param("/collision_monitor/robots", robots)
+        answer = rospy.ServiceProxy("/collision_monitor/reload", Trigger)()
+        self.assertTrue(answer.success, answer.message)
+        self.probe.wait(lambda: self.scales["left"].value.data == 0.0 and not self.valid["left"].value.data,
+                        "0 and false for the robot that is not listed any more")
+        late = Latest("/collision_monitor/robots/left/speed_scale", Float64)
+        self.probe.wait(lambda: late.value is not None and late.value.data == 0.0, "0 for late listeners")
 
 
 if __name__ == "__main__":

@@ -68,7 +68,7 @@ class Demands {
   void addUnknown(std::uint32_t a, std::uint32_t b) noexcept {
     ask(0.0, all_);
     for (const auto& [robot, other] : {std::pair(a, b), std::pair(b, a)}) {
-      if (robot == other || robots_.is_excused[other] == 0) {
+      if (countsFor(robots_, robot, other)) {
         ask(0.0, robots_.demands[robot]);
       }
     }

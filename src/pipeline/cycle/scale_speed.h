@@ -8,6 +8,11 @@
 
 namespace collision_monitor {
 
+/// Whether what is unknown between two robots counts for the first of them.
+inline bool countsFor(const RobotSpeeds& robots, std::size_t robot, std::size_t other) noexcept {
+  return robot == other || robots.is_excused[other] == 0;
+}
+
 /// Finds the speed scale: the least that a pair asks for. It is 0 while a pair is unknown, and
 /// where links met since the last cycle. That of a robot follows from the pairs of links that it
 /// moves.

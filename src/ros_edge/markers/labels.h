@@ -13,9 +13,9 @@ namespace collision_monitor {
 
 constexpr double kTextHeight = 0.03;  ///< [m] of a capital letter
 
-/// The pairs that get a label: at most `most` of those that are not clear, the most urgent first,
-/// and then the closest of all, if it is clear. Contacts come before warnings, deep ones first;
-/// warnings by their time to contact, then by distance.
+/// The pairs that get a label, at most `most`: those that are not clear, the most urgent first, and
+/// where there is room the closest of all, if it is clear. Contacts come before warnings, deep ones
+/// first; warnings by their time to contact, then by distance.
 std::vector<LinkPairIndex> chooseLabelled(const Watch& watch, std::size_t most);
 
 /// Two lines: "35 mm" and "hand - object table". Format: docs/interfaces.md.

@@ -100,7 +100,8 @@ ShownShape showPlane(const Body& body) {
 }
 
 /// One of the shapes of an object, and its body.
-ShownShape showShape(const WorldObject& object, const ObjectShape& shape, const Body& body) {
+ShownShape showShape(const WorldObject& object, const ObjectShape& shape, const Body& body,
+                     const DrawnMeshes& meshes) {
   ShownShape shown{{}, shape.object_from_shape, std::nullopt};
   if (std::holds_alternative<Plane>(shape.geometry)) {
     shown = showPlane(body);
@@ -109,7 +110,12 @@ ShownShape showShape(const WorldObject& object, const ObjectShape& shape, const 
   } else if (const auto* cone = std::get_if<Cone>(&shape.geometry)) {
     shown.marker = makeMeshMarker(surfaceOf(*cone));
   } else if (const auto* mesh = std::get_if<SharedMesh>(&shape.geometry)) {
-    shown.marker = makeMeshMarker(coarseMesh(**mesh, kMostDrawn));
+    const TriangleMesh& drawn = *meshes.at(*mesh).drawn;
+    if (drawn.triangles.empty()) {
+      shown = {makeShapeMarker(body.shape), body.link_from_body, std::nullopt};
+    } else {
+      shown.marker = makeMeshMarker(drawn);
+    }
   } else {
     shown.marker = makeShapeMarker(body.shape);
   }
@@ -120,7 +126,8 @@ ShownShape showShape(const WorldObject& object, const ObjectShape& shape, const 
 
 }  // namespace
 
-std::vector<ShownShape> showShapes(const World& world, const CycleSetup& setup) {
+std::vector<ShownShape> showShapes(const MonitorSetup& watched) {
+  const CycleSetup& setup = watched.setup;
   std::vector<ShownShape> shapes;
   shapes.reserve(setup.bodies.size());
   std::size_t first = 0;  // body of the same link; an object has one for each of its shapes
@@ -128,8 +135,8 @@ std::vector<ShownShape> showShapes(const World& world, const CycleSetup& setup) 
     const Body& body = setup.bodies[i];
     first = setup.bodies[first].link == body.link ? first : i;
     if (isObject(setup.model, body.link)) {
-      const WorldObject& object = *world.objects.at(setup.model.link(body.link).name);
-      shapes.push_back(showShape(object, object.shapes->at(i - first), body));
+      const WorldObject& object = *watched.world.objects.at(setup.model.link(body.link).name);
+      shapes.push_back(showShape(object, object.shapes->at(i - first), body, watched.drawn));
     } else {
       shapes.push_back({makeShapeMarker(body.shape), body.link_from_body, std::nullopt});
       shapes.back().marker.ns = "shapes";

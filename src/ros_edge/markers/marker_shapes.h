@@ -10,6 +10,7 @@
 #include "collision_monitor/geometry/shapes.h"
 #include "collision_monitor/model/world.h"
 #include "pipeline/cycle/cycle_buffers.h"
+#include "ros_edge/parameters/monitor_setup.h"
 
 namespace collision_monitor {
 
@@ -26,8 +27,8 @@ void findWorstVerdicts(const CycleSetup& setup, const PairEvents& events,
                        std::vector<Verdict>& verdicts);
 
 /// What is drawn of a body: the enclosing shape of a link, the geometry of an object. A plane,
-/// which has no end, is a flat box of 10 m. Padding is drawn, but not of cones and meshes. A mesh
-/// of more than kMostDrawn triangles is drawn coarsely.
+/// which has no end, is a flat box of 10 m. Padding is drawn, but not of cones and meshes. Meshes
+/// are drawn as drawMeshes says, those without triangles there as the box around them.
 struct ShownShape {
   visualization_msgs::Marker marker;  ///< with namespace and id; pose and colour are not set
   Pose link_from_marker;
@@ -35,6 +36,6 @@ struct ShownShape {
 };
 
 /// By BodyId, which are the ids of the markers.
-std::vector<ShownShape> showShapes(const World& world, const CycleSetup& setup);
+std::vector<ShownShape> showShapes(const MonitorSetup& setup);
 
 }  // namespace collision_monitor

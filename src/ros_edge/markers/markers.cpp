@@ -40,7 +40,7 @@ std_msgs::ColorRGBA white() {
 }  // namespace
 
 Markers::Markers(const Watch& watch) {
-  for (ShownShape& shape : showShapes(watch.fixed->world, watch.setup())) {
+  for (ShownShape& shape : showShapes(*watch.fixed)) {
     unseen_.push_back(std::move(shape.marker));
     link_from_marker_.push_back(shape.link_from_marker);
     colours_.push_back(shape.own_colour);

@@ -8,8 +8,12 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <utility>
+#include <variant>
 
+#include "geometry/all_cores.h"
 #include "geometry/constants.h"
+#include "geometry/interruption.h"
 
 namespace collision_monitor {
 namespace {
@@ -43,6 +47,39 @@ TriangleMesh clustered(const TriangleMesh& mesh, double cell) {
     }
   }
   return coarse;
+}
+
+/// Calls `use` with each mesh; with one that stands in several places, for each of them.
+template <class Use>
+void forMeshes(const World& world, const Use& use) {
+  for (const auto& named : world.objects) {
+    for (const ObjectShape& shape : *named.second->shapes) {
+      if (const auto* mesh = std::get_if<SharedMesh>(&shape.geometry)) {
+        use(*mesh);
+      }
+    }
+  }
+}
+
+/// The most triangles of each mesh. Halved again and again, so that it seldom changes.
+std::size_t shareOf(const World& world) {
+  for (std::size_t share = kMostDrawn; share > 0; share /= 2) {
+    std::size_t all = 0;
+    forMeshes(world,
+              [&](const SharedMesh& mesh) { all += std::min(mesh->triangles.size(), share); });
+    if (all <= kMostDrawnOfAll) {
+      return share;
+    }
+  }
+  return 0;
+}
+
+SharedMesh coarser(const SharedMesh& mesh, std::size_t most) {
+  constexpr std::size_t kLeast = 50;  // fewer show no shape
+  return mesh->triangles.size() <= most
+             ? mesh
+             : std::make_shared<const TriangleMesh>(most < kLeast ? TriangleMesh()
+                                                                  : coarseMesh(*mesh, most));
 }
 
 }  // namespace
@@ -81,6 +118,30 @@ TriangleMesh coarseMesh(const TriangleMesh& mesh, std::size_t most) {
     }
   }
   return {};
+}
+
+DrawnMeshes drawMeshes(const World& world, const DrawnMeshes& former) {
+  const std::size_t share = shareOf(world);
+  DrawnMeshes all;
+  std::vector<std::pair<const SharedMesh*, DrawnMesh*>> changed;
+  forMeshes(world, [&](const SharedMesh& mesh) {
+    const auto [place, is_new] = all.try_emplace(mesh);
+    if (is_new) {
+      const auto known = former.find(mesh);
+      place->second = known == former.end() ? DrawnMesh() : known->second;
+      if (place->second.most != share || place->second.drawn == nullptr) {
+        changed.emplace_back(&place->first, &place->second);
+      }
+    }
+  });
+  forEachOnAllCores(changed.size(), [&](std::size_t i) {
+    throwIfInterrupted();
+    DrawnMesh& mesh = *changed[i].second;
+    mesh.fine = mesh.fine == nullptr ? coarser(*changed[i].first, kMostDrawn) : mesh.fine;
+    mesh.drawn = coarser(mesh.fine, share);
+    mesh.most = share;
+  });
+  return all;
 }
 
 }  // namespace collision_monitor

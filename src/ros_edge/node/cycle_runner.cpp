@@ -45,9 +45,11 @@ std::unique_ptr<Watch> CycleRunner::makeWatch(std::shared_ptr<const MonitorSetup
 }
 
 void CycleRunner::replaceWatch(std::unique_ptr<Watch> watch) {
-  std::unique_ptr<Watch> former;  // destroyed after the lock is released
+  // Destroyed after the lock is released: memory and topics take long to end.
+  std::unique_ptr<Watch> former;
+  std::shared_ptr<RobotTopics> known;
   std::unique_lock<std::mutex> lock(mutex_);
-  const std::shared_ptr<RobotTopics> known = topics_;
+  known = topics_;
   lock.unlock();
   auto topics =
       std::make_shared<RobotTopics>(private_node_, watch->fixed->parameters.robots, known.get());

@@ -26,12 +26,12 @@ class Monitor::Parts {
         runner_(private_node, {store_, joints_, clock_}, makeLoggedSetup(private_node, goes_on)),
         joint_feed_(private_node, joints_, [this] { wakeForJoints(); }),
         diagnostics_(ros::NodeHandle(), private_node, node_name, runner_.statistics(),
-                     [this] { return runner_.currentSetup(); }),
-        services_(private_node, {store_, joints_, clock_}, makeHooks(goes_on)) {
+                     [this] { return runner_.currentSetup(); }) {
     tellInputs(*runner_.currentSetup());
     feed_.emplace(private_node, store_);
     joint_feed_.listenTo(jointTopics(*runner_.currentSetup()));
     second_opinion_.askFor(runner_.currentSetup());
+    services_.emplace(private_node, Inputs{store_, joints_, clock_}, makeHooks(goes_on));
   }
 
  private:
@@ -96,7 +96,7 @@ class Monitor::Parts {
   std::optional<TransformFeed> feed_;  ///< made once the wanted frames are known
   JointFeed joint_feed_;
   Diagnostics diagnostics_;
-  Services services_;
+  std::optional<Services> services_;  ///< made last: from then on the set-up may change
 };
 
 Monitor::Monitor(const ros::NodeHandle& private_node, const std::string& node_name,

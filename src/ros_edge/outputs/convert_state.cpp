@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 
 #include "collision_monitor/geometry/ids.h"
 #include "model/object_links.h"
@@ -47,9 +48,7 @@ void fillLinks(const Watch& watch, State& message) {
     });
   }
   message.unknown_links.clear();
-  std::vector<LinkId> unknown;
-  findUnknownLinks(watch, unknown);
-  for (const LinkId link : unknown) {
+  for (const LinkId link : watch.unknown().links()) {
     message.unknown_links.push_back(nameInText(model, link) + " (" +
                                     statusText(statusInWorld(watch.poses, link)) + ")");
   }
@@ -61,8 +60,15 @@ void fillLinks(const Watch& watch, State& message) {
 }
 
 bool isBlind(const Watch& watch, const CycleFacts& facts) {
-  return facts.now.isZero() || watch.clock.fault != ClockFault::none ||
-         watch.setup().checked.empty();
+  return !blindReason(watch, facts).empty();
+}
+
+/// A robot that has not come may be about to touch.
+double timeToContactOf(const Watch& watch, const CycleFacts& facts) {
+  const double time = watch.buffers.events.time_to_contact;
+  const bool is_beyond_horizon = std::isinf(time);
+  return isBlind(watch, facts) || (is_beyond_horizon && isAnyMissing(*watch.fixed)) ? kUnknown
+                                                                                    : time;
 }
 
 }  // namespace
@@ -117,7 +123,7 @@ void toMessage(const Watch& watch, const CycleFacts& facts, State& message) {
   } else {
     toUnknownMessage(message.closest);
   }
-  message.time_to_contact = isBlind(watch, facts) ? kUnknown : watch.buffers.events.time_to_contact;
+  message.time_to_contact = timeToContactOf(watch, facts);
   message.speed_scale = speedScaleOf(watch, facts);
   fillRobotStates(watch, facts, blindReason(watch, facts), message.robots);
   fillLinks(watch, message);

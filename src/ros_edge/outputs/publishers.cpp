@@ -17,12 +17,6 @@ constexpr std::uint32_t kQueueSize = 10;
 /// Many pairs can change in one cycle, and each change is published only once.
 constexpr std::uint32_t kWarningQueueSize = 1000;
 
-/// Same meaning as in cob_collision_monitor: false stops the listeners. A monitor that is uncertain
-/// or switched off guarantees nothing.
-bool isValid(const State& state) {
-  return state.enabled != 0 && (state.level == State::OK || state.level == State::WARNING);
-}
-
 /// [s] Longest delay until a new listener is noticed.
 constexpr double kAskPeriod = 0.01;
 
@@ -90,8 +84,8 @@ const State& Publishers::publishCycle(const Watch& watch, const CycleFacts& fact
   }
   const Distances* distances = listeners_.to_distances ? &distances_.fill(watch) : nullptr;
   state_publisher_.publish(state_);
-  publishLatched<std_msgs::Bool>(isValid(state_), listeners_.to_is_valid, is_valid_publisher_,
-                                 is_valid_);
+  publishLatched<std_msgs::Bool>(vouchesFor(facts.is_enabled, state_.level), listeners_.to_is_valid,
+                                 is_valid_publisher_, is_valid_);
   publishLatched<std_msgs::Float64>(state_.speed_scale, listeners_.to_speed_scale,
                                     speed_scale_publisher_, speed_scale_);
   robot_topics_->publish(state_.robots, facts.is_enabled);

@@ -90,27 +90,6 @@ std::string motionText(const PairDistance& distance) {
                       is_bound ? " s at the earliest" : " s"});
 }
 
-/// The nearest link pair with this verdict, which is not `unknown`; kNone if none was measured.
-LinkPairIndex nearestWith(Verdict verdict, const Watch& watch, std::size_t& count) {
-  const PairDistances& distances = watch.buffers.distances;
-  const std::vector<Verdict>& verdicts = watch.buffers.events.verdicts;
-  LinkPairIndex nearest = kNone;
-  double least = std::numeric_limits<double>::infinity();
-  count = 0;
-  for (const LinkPairIndex i : watch.buffers.events.active) {
-    if (verdicts[i] != verdict) {
-      continue;
-    }
-    ++count;
-    const std::uint32_t place = speakerOf(watch.setup(), watch.buffers, i);
-    if (place != kNone && distances.pairs[place].measured.distance < least) {
-      least = distances.pairs[place].measured.distance;
-      nearest = i;
-    }
-  }
-  return nearest;
-}
-
 std::string passedSentence(const Watch& watch, const PassedContact& passed) {
   const CycleSetup& setup = watch.setup();
   const BodyPair& pair = setup.table[passed.distance.pair];
@@ -121,17 +100,19 @@ std::string passedSentence(const Watch& watch, const PassedContact& passed) {
          " ms after the poses of the last one";
 }
 
-std::string pairsSentence(Verdict verdict, const Watch& watch) {
-  std::size_t count = 0;
-  const LinkPairIndex nearest = nearestWith(verdict, watch, count);
-  return nearest == kNone ? std::to_string(count) + " pairs of links are near each other"
-                          : pairSentence(watch, nearest) + andMore(count, "pair");
+std::string pairsWith(Verdict verdict, const Watch& watch) {
+  Speaker speaker;
+  for (const LinkPairIndex i : watch.buffers.events.active) {
+    if (watch.buffers.events.verdicts[i] == verdict) {
+      speaker.add(watch, i);
+    }
+  }
+  return pairsSentence(watch, speaker);
 }
 
 std::string unknownLinksSentence(const Watch& watch) {
-  const std::vector<FloatingPart> parts = partsWithPairs(watch);
-  std::vector<LinkId> links;
-  findLoneLinks(watch, links);
+  const std::vector<FloatingPart>& parts = watch.unknown().parts();
+  const std::vector<LinkId>& links = watch.unknown().loneLinks();
   if (parts.empty() && links.empty()) {
     return "the pose of a link is not rigid";
   }
@@ -160,7 +141,7 @@ std::string verdictSentence(const Watch& watch, const CycleFacts& facts) {
   switch (watch.buffers.events.overall) {
     case Verdict::contact:
     case Verdict::warning:
-      return pairsSentence(watch.buffers.events.overall, watch);
+      return pairsWith(watch.buffers.events.overall, watch);
     case Verdict::unknown:
       return unknownLinksSentence(watch);
     case Verdict::clear:
@@ -184,6 +165,25 @@ std::string pairSentence(const Watch& watch, LinkPairIndex link_pair) {
              : distanceSentence(watch.setup(),
                                 watch.buffers.distances
                                     .pairs[speakerOf(watch.setup(), watch.buffers, link_pair)]);
+}
+
+void Speaker::add(const Watch& watch, LinkPairIndex link_pair) {
+  ++count;
+  const std::uint32_t place = speakerOf(watch.setup(), watch.buffers, link_pair);
+  if (place == kNone) {
+    return;
+  }
+  const double of_pair = watch.buffers.distances.pairs[place].measured.distance;
+  if (pair == kNone || of_pair < distance) {
+    pair = link_pair;
+    distance = of_pair;
+  }
+}
+
+std::string pairsSentence(const Watch& watch, const Speaker& speaker) {
+  return speaker.pair == kNone
+             ? std::to_string(speaker.count) + " pairs of links are near each other"
+             : pairSentence(watch, speaker.pair) + andMore(speaker.count, "pair");
 }
 
 std::string fixedText(double value, int decimals) {
@@ -230,7 +230,7 @@ std::string changeSentence(const Watch& watch, const VerdictChange& change) {
   const CycleSetup& setup = watch.setup();
   const CheckedLinkPair& pair = setup.checked[change.link_pair];
   if (change.after == Verdict::unknown) {
-    const LinkId unknown = MainPart(watch.poses, setup.checked).has(pair.a) ? pair.b : pair.a;
+    const LinkId unknown = watch.unknown().unknownOf(pair);
     const LinkId other = unknown == pair.a ? pair.b : pair.a;
     return unknownSentence(watch, unknown) + ", near " + nameInText(setup.model, other) + " before";
   }
@@ -250,10 +250,13 @@ std::string stateSentence(const Watch& watch, const CycleFacts& facts) {
   const std::string judged = missing.empty() ? verdict
                              : is_contact    ? verdict + "; " + missing
                                              : missing + "; " + verdict;
-  const std::string sentence = judged + muteText(watch.pairs_muted, facts.muted_for);
-  return facts.is_enabled ? sentence
-                          : "switched off for another " + fixedText(facts.enabled_again_in, 0) +
-                                " s; " + sentence;
+  return offText(facts) + judged + muteText(watch.pairs_muted, facts.muted_for);
+}
+
+std::string offText(const CycleFacts& facts) {
+  return facts.is_enabled
+             ? ""
+             : "switched off for another " + fixedText(facts.enabled_again_in, 0) + " s; ";
 }
 
 }  // namespace collision_monitor

@@ -37,11 +37,26 @@ std::uint32_t speakerOf(const CycleSetup& setup, const CycleBuffers& buffers,
 /// For a measured pair: its state now, or that it touched since the last cycle.
 std::string pairSentence(const Watch& watch, LinkPairIndex link_pair);
 
+/// The link pair that speaks for several: the nearest of those that were measured.
+struct Speaker {
+  LinkPairIndex pair{kNone};  ///< kNone: none was measured
+  double distance{0.0};       ///< [m] of it
+  std::size_t count{0};       ///< for how many it speaks
+
+  void add(const Watch& watch, LinkPairIndex link_pair);
+};
+
+/// pairSentence of the speaker, and how many more there are.
+std::string pairsSentence(const Watch& watch, const Speaker& speaker);
+
 /// " (and 2 more pairs)"; empty if there is only one.
 std::string andMore(std::size_t count, const char* what);
 
 /// Why nothing at all can be judged: there is no time, or nothing is checked; empty if it can.
 std::string blindReason(const Watch& watch, const CycleFacts& facts);
+
+/// "switched off for another 12 s; "; empty while it is on.
+std::string offText(const CycleFacts& facts);
 
 /// What a pair's change of verdict means.
 std::string changeSentence(const Watch& watch, const VerdictChange& change);
@@ -55,12 +70,6 @@ std::string unknownSentence(const Watch& watch, LinkId link);
 /// "no time on /clock yet", "the clock has stood still for 1.2 s: nothing comes on /clock ..."
 /// @pre it has a fault
 std::string clockSentence(const ClockState& clock);
-
-/// Floating parts other than the main one that have known pairs of their own.
-std::vector<FloatingPart> partsWithPairs(const Watch& watch);
-
-/// The unknown links (findUnknownLinks) outside these parts, into `links`.
-void findLoneLinks(const Watch& watch, std::vector<LinkId>& links);
 
 /// "the part of robot 'left' from link 'left/base' on floats: no transform from 'world' to
 /// 'left/base' yet; its 54 own pairs are checked, 120 pairs with others are unknown"

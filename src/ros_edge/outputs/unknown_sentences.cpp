@@ -1,27 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-
 #include "ros_edge/outputs/sentences.h"
 
 namespace collision_monitor {
-
-std::vector<FloatingPart> partsWithPairs(const Watch& watch) {
-  std::vector<FloatingPart> parts = findFloatingParts(watch.poses, watch.setup().checked);
-  const auto has_none = [](const FloatingPart& part) { return part.own_pairs == 0; };
-  parts.erase(std::remove_if(parts.begin(), parts.end(), has_none), parts.end());
-  return parts;
-}
-
-void findLoneLinks(const Watch& watch, std::vector<LinkId>& links) {
-  findUnknownLinks(watch, links);
-  for (const FloatingPart& part : partsWithPairs(watch)) {
-    const auto is_of_part = [&](LinkId link) {
-      return watch.poses.part[index(link)] == static_cast<PartId>(index(part.top));
-    };
-    links.erase(std::remove_if(links.begin(), links.end(), is_of_part), links.end());
-  }
-}
 
 std::string floatingSentence(const Watch& watch, const FloatingPart& part) {
   const bool has_one = part.own_pairs == 1;

@@ -61,28 +61,26 @@ void WarningLog::logChange(const VerdictChange& change, const std::string& sente
 }
 
 void WarningLog::logUnknownLinks(const Watch& watch) {
-  findUnknownLinks(watch, unknown_);
+  const std::vector<LinkId>& unknown = watch.unknown().links();
   const ros::SteadyTime now = ros::SteadyTime::now();
   if (last_unknown_.isZero()) {
     last_unknown_ = now;  // at the start the first poses are still on their way
   }
-  if (unknown_ == told_unknown_ || isTooSoon(last_unknown_, now)) {
+  if (unknown == told_unknown_ || isTooSoon(last_unknown_, now)) {
     return;
   }
   last_unknown_ = now;
-  told_unknown_ = unknown_;
-  if (unknown_.empty()) {
+  told_unknown_ = unknown;
+  if (unknown.empty()) {
     ROS_INFO("every checked pair of links is known");
     return;
   }
-  for (const FloatingPart& part : partsWithPairs(watch)) {
+  for (const FloatingPart& part : watch.unknown().parts()) {
     ROS_WARN_STREAM("unknown: " << floatingSentence(watch, part));
   }
   // One line per cause: a silent joint makes every link behind it unknown.
-  std::vector<LinkId> lone;
-  findLoneLinks(watch, lone);
   std::map<std::string, std::string> links_of_cause;
-  for (const LinkId link : lone) {
+  for (const LinkId link : watch.unknown().loneLinks()) {
     std::string& links = links_of_cause[reasonSentence(watch, link)];
     links += (links.empty() ? "" : ", ") + nameInText(watch.setup().model, link);
   }

@@ -34,7 +34,6 @@ class WarningLog {
   std::unordered_map<std::uint64_t, ros::SteadyTime> last_of_change_;  ///< by pair and verdict
   std::size_t most_kept_{kFewKept};
   std::vector<LinkId> told_unknown_;
-  std::vector<LinkId> unknown_;
   ros::SteadyTime last_unknown_;
   ros::SteadyTime last_step_;
   bool has_told_cap_{false};

@@ -46,6 +46,7 @@ std::shared_ptr<MonitorSetup> partsOf(const MonitorSetup& former) {
   made->held_back = former.held_back;
   made->world = former.world;
   made->prepared = former.prepared;
+  made->drawn = former.drawn;
   made->world_frame = former.world_frame;
   made->descriptions = former.descriptions;
   made->later_warnings = former.later_warnings;
@@ -84,36 +85,63 @@ World makeWorld(const MonitorSetup* former, const ResourceLoader& load_resource,
   SetupReport report;
   const RobotModel& model = made.robots->model;
   ObjectChange change{ChangeKind::replace_all, {}, true};
-  for (WorldObject& object : objectsFor(made, former, load_resource, report)) {
+  std::vector<WorldObject> objects = objectsFor(made, former, load_resource, report);
+  checkFrames(objects, made.listed.front(), made.parameters.world_frame, report);
+  for (WorldObject& object : objects) {
     const bool waits = isAnyMissing(made) && !hasItsLinks(object, model);
     (waits ? made.held_back : change.objects).push_back(std::move(object));
   }
-  const World world = applyChanges(World(), {change}, placesOf(model, made.world_frame), report);
+  World world = applyChanges(World(), {change}, placesOf(model, made.world_frame), report);
   throwIfErrors(report);
   return world;
 }
 
-void addObjects(World world, const PreparedObjects& former, MonitorSetup& made) {
+/// @param former has objects that may be prepared already; may be null
+void addObjects(World world, const MonitorSetup* former, MonitorSetup& made) {
   const RefineGeometry refine = made.parameters.setup.refine.geometry;
+  const bool is_prepared = former != nullptr && former->parameters.setup.refine.geometry == refine;
   made.world = std::move(world);
-  made.prepared = prepareObjects(made.world, refine, former);
+  made.prepared =
+      prepareObjects(made.world, refine, is_prepared ? former->prepared : PreparedObjects());
+  made.drawn = drawMeshes(made.world, former == nullptr ? DrawnMeshes() : former->drawn);
   made.setup = addWorld(*made.robots, made.world, made.prepared, made.world_frame);
 }
 
+/// The warnings about names in rules that match nothing.
+std::vector<Problem> warningsOfNames(const CycleSetup& setup) {
+  std::vector<Problem> warnings;
+  for (const PairRule& rule : setup.pair_rules) {
+    std::string list = "- " + rule.yaml;
+    for (std::size_t end = list.find('\n'); end != std::string::npos;
+         end = list.find('\n', end + 1)) {
+      list.insert(end + 1, "  ");
+    }
+    SetupReport report;
+    readPairRules({rule.where, list}, setup.model, setup.srdfs, IdleRule::is_warning, report);
+    for (Problem& warning : report.warnings) {
+      warning.where = rule.where;
+      warnings.push_back(std::move(warning));
+    }
+  }
+  return warnings;
+}
+
 /// Rules and limits that have changed since start.
-void keepRules(const MonitorSetup& former, MonitorSetup& made) {
+/// @return warnings of rules that select no pair
+std::vector<Problem> keepRules(const MonitorSetup& former, MonitorSetup& made) {
+  SetupReport idle;  // objects that rules name may have gone
   const CycleSetup& last = former.setup;
   const bool has_common_limits =
       std::all_of(kLimitFields.begin(), kLimitFields.end(), [&](const LimitField& field) {
         return last.limits.*field.value == made.setup.limits.*field.value;
       });
   if (!has_common_limits || !last.pair_rules.empty() || !made.setup.pair_rules.empty()) {
-    SetupReport idle;  // objects that rules name may have gone
     made.setup =
         withPairRules(made.setup, last.limits,
                       selectAnew(last.pair_rules, made.setup.model, made.setup.srdfs), idle);
   }
   made.rule_ends = former.rule_ends;
+  return idle.warnings;
 }
 
 /// The warnings about robots that have not come yet.
@@ -137,45 +165,48 @@ void warnOfMissing(MonitorSetup& made) {
   }
 }
 
-/// Builds everything of `made` but its parameters, from these robots.
-/// @param former gives objects, and where `keeps_rules` rules and limits; may be null
-/// @param report has the faults of loading the robots
-void build(LoadedRobots loaded, const ResourceLoader& load_resource, const MonitorSetup* former,
-           bool keeps_rules, SetupReport& report, MonitorSetup& made) {
+/// Builds the robots of `made`, whose parameters are there.
+/// @param report has the faults of loading them
+/// @return the options that they were built with
+SetupOptions buildRobots(LoadedRobots loaded, const ResourceLoader& load_resource, IdleRule idle,
+                         SetupReport& report, MonitorSetup& made) {
   SetupOptions options = loadSetupOptions(made.parameters, load_resource, report);
   options.fit_progress = logLongFitting();
   throwIfErrors(report);
   made.descriptions = std::move(loaded.descriptions);
   made.listed = std::move(loaded.listed);
+  options.awaits_names = isAnyMissing(made);
+  options.idle_rules = options.awaits_names ? IdleRule::is_accepted : idle;
+  made.robots = std::make_shared<CycleSetup>(
+      withoutPairs(buildSetup(made.descriptions, load_resource, options)));
+  return options;
+}
+
+/// Builds everything of `made` but its parameters, from these robots.
+/// @param former gives objects; may be null
+/// @param report has the faults of loading the robots
+void build(LoadedRobots loaded, const ResourceLoader& load_resource, const MonitorSetup* former,
+           SetupReport& report, MonitorSetup& made) {
   const bool has_objects =
       !made.parameters.world.empty() || !made.parameters.world_file.empty() ||
       (former != nullptr && (!former->world.objects.empty() || !former->held_back.empty()));
-  const bool is_any_missing = isAnyMissing(made);
-  options.awaits_names = is_any_missing;
-  options.idle_rules =
-      has_objects || is_any_missing || keeps_rules ? IdleRule::is_accepted : IdleRule::is_error;
-  made.robots = std::make_shared<CycleSetup>(
-      withoutPairs(buildSetup(made.descriptions, load_resource, options)));
+  const SetupOptions options =
+      buildRobots(std::move(loaded), load_resource,
+                  has_objects ? IdleRule::is_accepted : IdleRule::is_error, report, made);
   const RobotModel& model = made.robots->model;
   if (made.parameters.robots.empty()) {
     made.listed.front().name = model.robots.front().name;
   }
-  if (made.world_frame.empty()) {
-    made.world_frame = stripLeadingSlash(made.parameters.world_frame.empty()
-                                             ? model.link(model.robots.front().root).frame
-                                             : made.parameters.world_frame);
+  made.world_frame = stripLeadingSlash(made.parameters.world_frame.empty()
+                                           ? model.link(model.robots.front().root).frame
+                                           : made.parameters.world_frame);
+  addObjects(makeWorld(former, load_resource, made), former, made);
+  if (has_objects) {
+    const IdleRule at_reload = former == nullptr ? IdleRule::is_error : IdleRule::is_warning;
+    applyRulesText(options.pair_rules, options.awaits_names ? IdleRule::is_accepted : at_reload,
+                   made.setup);
   }
-  addObjects(makeWorld(former, load_resource, made), {}, made);
-  if (keeps_rules) {
-    keepRules(*former, made);
-  } else {
-    if (has_objects) {
-      const IdleRule at_reload = former == nullptr ? IdleRule::is_error : IdleRule::is_warning;
-      applyRulesText(options.pair_rules, is_any_missing ? IdleRule::is_accepted : at_reload,
-                     made.setup);
-    }
-    made.rule_ends.assign(made.setup.pair_rules.size(), kLasts);
-  }
+  made.rule_ends.assign(made.setup.pair_rules.size(), kLasts);
   warnOfMissing(made);
   malloc_trim(0);  // reading and fitting free much memory that glibc would keep
 }
@@ -191,46 +222,53 @@ std::shared_ptr<const MonitorSetup> changeWorld(const MonitorSetup& former, cons
                                                 std::vector<WorldObject> held_back) {
   std::shared_ptr<MonitorSetup> made = partsOf(former);
   made->held_back = std::move(held_back);
-  addObjects(world, former.prepared, *made);
+  addObjects(world, &former, *made);
   keepRules(former, *made);
   warnOfMissing(*made);
   return made;
 }
 
-std::shared_ptr<const MonitorSetup> takeInRobots(const ros::NodeHandle& private_node,
-                                                 GoesOn goes_on, const MonitorSetup& former) {
-  const Interruptible interruptible(std::move(goes_on));
-  const auto has_come = [&](std::size_t i) {
-    return !former.listed[i].id && hasCome(private_node, former.parameters.robots[i]);
-  };
-  bool is_any = false;
-  for (std::size_t i = 0; i < former.listed.size() && !is_any; ++i) {
-    is_any = has_come(i);
-  }
-  if (!is_any) {
-    return nullptr;
-  }
+std::shared_ptr<const MonitorSetup> buildLate(LoadedRobots come, const MonitorSetup& former,
+                                              SetupReport& report) {
+  auto late = std::make_shared<MonitorSetup>();
+  late->parameters = former.parameters;
+  buildRobots(std::move(come), makeResourceLoader(former.parameters.loading), IdleRule::is_accepted,
+              report, *late);
+  return late;
+}
+
+std::shared_ptr<const MonitorSetup> takeIn(const MonitorSetup& late, const MonitorSetup& former) {
   auto made = std::make_shared<MonitorSetup>();
   made->parameters = former.parameters;
   made->world_frame = former.world_frame;
-  const ResourceLoader load_resource = makeResourceLoader(made->parameters.loading);
-  SetupReport report;
-  LoadedRobots loaded =
-      loadDescriptions(private_node, made->parameters, load_resource, 0.0, report);
-  // Those that are watched stay as they are, also if their parameters have gone.
-  LoadedRobots all;
-  for (std::size_t i = 0; i < loaded.listed.size(); ++i) {
-    ListedRobot robot = loaded.listed[i];
-    const ListedRobot& before = former.listed[i];
-    if (before.id || robot.id) {
-      all.descriptions.push_back(before.id ? former.descriptions[index(*before.id)]
-                                           : loaded.descriptions[index(*robot.id)]);
-      robot.id = idAt<RobotId>(all.descriptions.size() - 1);
-      robot.missing.clear();
-    }
-    all.listed.push_back(std::move(robot));
+  made->robots = late.robots;
+  made->listed = late.listed;
+  made->descriptions = late.descriptions;
+  addObjects(makeWorld(&former, makeResourceLoader(former.parameters.loading), *made), &former,
+             *made);
+  std::vector<Problem> idle = keepRules(former, *made);
+  if (!isAnyMissing(*made)) {
+    std::vector<Problem>& warnings = made->setup.report.warnings;
+    warnings.insert(warnings.end(), idle.begin(), idle.end());
+    idle = warningsOfNames(made->setup);
+    warnings.insert(warnings.end(), idle.begin(), idle.end());
   }
-  build(std::move(all), load_resource, &former, true, report, *made);
+  warnOfMissing(*made);
+  malloc_trim(0);
+  return made;
+}
+
+std::shared_ptr<const MonitorSetup> withMissing(const MonitorSetup& former,
+                                                const std::vector<std::string>& missing) {
+  auto made = std::make_shared<MonitorSetup>(former);
+  for (std::size_t i = 0; i < missing.size(); ++i) {
+    for (Problem& warning : made->setup.report.warnings) {
+      if (!former.listed[i].id && warning.found == former.listed[i].missing) {
+        warning.found = missing[i];
+      }
+    }
+    made->listed[i].missing = missing[i];
+  }
   return made;
 }
 
@@ -248,7 +286,7 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   const ResourceLoader load_resource = makeResourceLoader(made->parameters.loading);
   LoadedRobots loaded = loadDescriptions(private_node, made->parameters, load_resource,
                                          made->parameters.wait_for_description, report);
-  build(std::move(loaded), load_resource, former, false, report, *made);
+  build(std::move(loaded), load_resource, former, report, *made);
   return made;
 }
 

@@ -15,7 +15,9 @@
 #include "collision_monitor/pipeline/setup.h"
 #include "geometry/interruption.h"
 #include "pipeline/world/prepare_object.h"
+#include "ros_edge/markers/object_mesh.h"
 #include "ros_edge/parameters/parameters.h"
+#include "ros_edge/parameters/robot_descriptions.h"
 
 namespace collision_monitor {
 
@@ -49,6 +51,7 @@ struct MonitorSetup {
   /// Objects of the parameters that are attached to links of missing robots, or touch these.
   std::vector<WorldObject> held_back;
   PreparedObjects prepared;  ///< of `world`
+  DrawnMeshes drawn;         ///< of `world`, for markers
   CycleSetup setup;          ///< of the robots and the world
   std::string world_frame;
   std::vector<RobotDescription> descriptions;  ///< it was built from these
@@ -78,13 +81,25 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
 /// Whether the URDF of a listed robot has not come yet.
 bool isAnyMissing(const MonitorSetup& setup);
 
-/// The same with the robots whose descriptions have come since then: objects, rules and limits stay
-/// as they are, and parameters are not read again.
-/// @return null if none has come
-/// @throws SetupError with every problem of these robots, or of rules and objects with them
+/// Reads and fits robots that have come, which may take long.
+/// @param come those of `former`, and others
+/// @param report has the faults of loading them
+/// @return robots, listed and descriptions, for takeIn
+/// @throws SetupError with every problem of these robots
 /// @throws Interrupted
-std::shared_ptr<const MonitorSetup> takeInRobots(const ros::NodeHandle& private_node,
-                                                 GoesOn goes_on, const MonitorSetup& former);
+std::shared_ptr<const MonitorSetup> buildLate(LoadedRobots come, const MonitorSetup& former,
+                                              SetupReport& report);
+
+/// The same set-up with the robots that buildLate made beside its own. Objects, rules and limits
+/// stay as they are; objects that were held back are added where their links are there now.
+/// @throws SetupError with every problem of rules and objects beside these robots
+/// @throws Interrupted
+std::shared_ptr<const MonitorSetup> takeIn(const MonitorSetup& late, const MonitorSetup& former);
+
+/// The same set-up that tells other reasons why robots are missing.
+/// @param missing by ListedRobot
+std::shared_ptr<const MonitorSetup> withMissing(const MonitorSetup& former,
+                                                const std::vector<std::string>& missing);
 
 /// The same robots with another world.
 /// @throws SetupError if there are more pairs than memory has room for

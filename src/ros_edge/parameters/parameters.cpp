@@ -125,7 +125,7 @@ void readTiming(ParameterStruct& fields, Parameters& parameters) {
   fields.read("heartbeat_rate", {1.0, 1000.0}, parameters.heartbeat_rate);
   fields.read("marker_rate", {0.0, 1000.0, true}, parameters.marker_rate);
   auto labels = static_cast<double>(parameters.marker_labels);
-  fields.readWhole("marker_labels", {0.0, 1000.0}, labels);
+  fields.readWhole("marker_labels", {0.0, 50.0}, labels);  // more cannot be read
   parameters.marker_labels = static_cast<std::size_t>(labels);
   fields.read("disable_timeout", kTime, parameters.disable_timeout);
   fields.read("wait_for_description", {0.0, 1e6}, parameters.wait_for_description);

@@ -78,6 +78,14 @@ RobotDescription fromParameter(const ros::NodeHandle& node, const RobotSource& r
   return description;
 }
 
+/// Where robots are loaded from, and where faults go.
+struct Loading {
+  const ros::NodeHandle& node;
+  const Parameters& parameters;
+  const ResourceLoader& load_resource;
+  SetupReport& report;
+};
+
 RobotDescription fromFile(const RobotSource& robot, const ResourceLoader& load_resource,
                           SetupReport& report) {
   RobotDescription description;
@@ -123,21 +131,33 @@ std::vector<RobotSource> sourcesOf(const Parameters& parameters) {
   return {robot};
 }
 
-void addRest(const ros::NodeHandle& node, const Parameters& parameters, const RobotSource& robot,
-             const ResourceLoader& load_resource, RobotDescription& description,
-             SetupReport& report) {
-  addSemantic(node, robot, !parameters.robots.empty(), description, report);
+void addRest(const Loading& from, const RobotSource& robot, RobotDescription& description) {
+  addSemantic(from.node, robot, !from.parameters.robots.empty(), description, from.report);
   if (!robot.semantic_file.empty()) {
     description.srdf_source = robot.semantic_file;
     description.srdf_xml =
-        readFile(robot.semantic_file, "semantic_file", robot.name, load_resource, report);
+        readFile(robot.semantic_file, "semantic_file", robot.name, from.load_resource, from.report);
   }
   description.tf_prefix = robot.tf_prefix;
-  description.obeys_up_axis = parameters.obey_up_axis;
-  description.is_strict = parameters.is_strict;
+  description.obeys_up_axis = from.parameters.obey_up_axis;
+  description.is_strict = from.parameters.is_strict;
   if (robot.file.empty()) {
-    description.directory = parameters.mesh_directory;
+    description.directory = from.parameters.mesh_directory;
   }
+}
+
+void loadRobot(const Loading& from, const RobotSource& robot, const ros::WallTime& deadline,
+               LoadedRobots& loaded) {
+  ListedRobot listed{robot.name, std::nullopt, "", robot.may_be_absent};
+  RobotDescription description = robot.file.empty()
+                                     ? fromParameter(from.node, robot, deadline, listed.missing)
+                                     : fromFile(robot, from.load_resource, from.report);
+  if (listed.missing.empty()) {
+    addRest(from, robot, description);
+    listed.id = idAt<RobotId>(loaded.descriptions.size());
+    loaded.descriptions.push_back(std::move(description));
+  }
+  loaded.listed.push_back(std::move(listed));
 }
 
 }  // namespace
@@ -148,16 +168,7 @@ LoadedRobots loadDescriptions(const ros::NodeHandle& private_node, const Paramet
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(patience);
   LoadedRobots loaded;
   for (const RobotSource& robot : sourcesOf(parameters)) {
-    ListedRobot listed{robot.name, std::nullopt, "", robot.may_be_absent};
-    RobotDescription description =
-        robot.file.empty() ? fromParameter(private_node, robot, deadline, listed.missing)
-                           : fromFile(robot, load_resource, report);
-    if (listed.missing.empty()) {
-      addRest(private_node, parameters, robot, load_resource, description, report);
-      listed.id = idAt<RobotId>(loaded.descriptions.size());
-      loaded.descriptions.push_back(std::move(description));
-    }
-    loaded.listed.push_back(std::move(listed));
+    loadRobot({private_node, parameters, load_resource, report}, robot, deadline, loaded);
   }
   if (loaded.descriptions.empty()) {
     for (const ListedRobot& robot : loaded.listed) {
@@ -168,10 +179,23 @@ LoadedRobots loadDescriptions(const ros::NodeHandle& private_node, const Paramet
   return loaded;
 }
 
-bool hasCome(const ros::NodeHandle& private_node, const RobotSource& robot) {
-  std::string text;
-  return waitForParameter(private_node, nameForSearch(private_node, robot.description),
-                          ros::WallTime(), text);
+LoadedRobots loadLate(const ros::NodeHandle& private_node, const Parameters& parameters,
+                      const ResourceLoader& load_resource, const LoadedRobots& former,
+                      SetupReport& report) {
+  const std::vector<RobotSource> sources = sourcesOf(parameters);
+  LoadedRobots loaded;
+  for (std::size_t i = 0; i < former.listed.size(); ++i) {
+    const ListedRobot& before = former.listed[i];
+    if (!before.id) {
+      loadRobot({private_node, parameters, load_resource, report}, sources[i], ros::WallTime(),
+                loaded);
+      continue;
+    }
+    loaded.listed.push_back(before);
+    loaded.listed.back().id = idAt<RobotId>(loaded.descriptions.size());
+    loaded.descriptions.push_back(former.descriptions[index(*before.id)]);
+  }
+  return loaded;
 }
 
 }  // namespace collision_monitor

@@ -28,7 +28,10 @@ LoadedRobots loadDescriptions(const ros::NodeHandle& private_node, const Paramet
                               const ResourceLoader& load_resource, double patience,
                               SetupReport& report);
 
-/// Whether the URDF parameter of this robot is there.
-bool hasCome(const ros::NodeHandle& private_node, const RobotSource& robot);
+/// The same robots with those whose URDF parameters have come since. Robots that were there stay as
+/// they are, also if their parameters or files have gone.
+LoadedRobots loadLate(const ros::NodeHandle& private_node, const Parameters& parameters,
+                      const ResourceLoader& load_resource, const LoadedRobots& former,
+                      SetupReport& report);
 
 }  // namespace collision_monitor

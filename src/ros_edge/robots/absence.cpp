@@ -7,15 +7,31 @@
 namespace collision_monitor {
 namespace {
 
-/// Unknown beside the link before it: it begins a part of its own, or has no pose at all.
+bool isSilent(LinkStatus status) {
+  return status == LinkStatus::missing || status == LinkStatus::stale;
+}
+
+/// Nobody tells how it stands to the link before it: it begins a part of its own, or has no pose.
 bool isLost(const LinkPoses& poses, LinkId link) {
-  return poses.status[index(link)] != LinkStatus::known || poses.part[index(link)] == index(link);
+  const LinkStatus status = poses.status[index(link)];
+  return status == LinkStatus::known ? poses.part[index(link)] == index(link) : isSilent(status);
+}
+
+/// Somebody tells of the link, but what cannot be used.
+bool isFaulty(const LinkPoses& poses, std::size_t link) {
+  const LinkStatus status = statusInWorld(poses, idAt<LinkId>(link));
+  return status != LinkStatus::known && !isSilent(status);
 }
 
 }  // namespace
 
 bool isAbsent(const RobotModel& model, RobotId robot, const LinkPoses& poses) {
   const Robot& of = model.robots[index(robot)];
+  for (std::size_t i = of.first_link; i < of.first_link + of.link_count; ++i) {
+    if (isFaulty(poses, i)) {
+      return false;
+    }
+  }
   bool is_moving = false;
   for (std::size_t i = of.first_joint; i < of.first_joint + of.joint_count; ++i) {
     const Joint& joint = model.joints[i];

@@ -6,9 +6,10 @@
 
 namespace collision_monitor {
 
-/// Whether nothing of a robot that can move is known: each link behind a joint that moves is
-/// unknown beside the link before it, as when its driver is switched off. For a robot without such
-/// joints: whether its root is not placed. A robot of which only a part is lost is not absent.
+/// Whether nothing is heard of a robot that can move: for each link behind a joint that moves, no
+/// pose beside the link before it came, or none for max_age, as when its driver is switched off.
+/// For a robot without such joints: the same of its root. A robot of which only a part is lost is
+/// not absent, nor is one of which something contradicted or not finite is heard.
 bool isAbsent(const RobotModel& model, RobotId robot, const LinkPoses& poses);
 
 }  // namespace collision_monitor

@@ -4,7 +4,7 @@
 
 #include <ros/console.h>
 
-#include <chrono>
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -12,45 +12,104 @@
 #include "geometry/interruption.h"
 
 namespace collision_monitor {
+namespace {
 
-LateRobots::LateRobots(std::function<bool()> is_any_missing, std::function<void()> take_in)
-    : is_any_missing_(std::move(is_any_missing)), take_in_(std::move(take_in)) {
-  thread_ = std::thread([this] { run(); });
-}
-
-LateRobots::~LateRobots() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    is_ending_ = true;
+std::vector<std::string> textsOf(const LoadedRobots& robots) {
+  std::vector<std::string> texts;
+  for (const RobotDescription& robot : robots.descriptions) {
+    texts.push_back(robot.urdf_xml);
+    texts.push_back(robot.srdf_xml);
   }
-  woken_.notify_all();
-  thread_.join();
+  return texts;
 }
 
-void LateRobots::run() {
-  constexpr std::chrono::milliseconds kPeriod(500);
-  std::unique_lock<std::mutex> lock(mutex_);
-  while (!woken_.wait_for(lock, kPeriod, [this] { return is_ending_; })) {
-    lock.unlock();
-    look();
-    lock.lock();
-  }
+/// The first fault, for a sentence.
+std::string shortFault(const std::exception& fault) {
+  const auto* error = dynamic_cast<const SetupError*>(&fault);
+  return error == nullptr || error->problems().empty() ? failureText(fault)
+                                                       : toString(error->problems().front());
 }
+
+}  // namespace
+
+LateRobots::LateRobots(LateHooks hooks) : hooks_(std::move(hooks)) {}
 
 void LateRobots::look() {
   try {
-    if (is_any_missing_()) {
-      take_in_();
+    const Interruptible interruptible(hooks_.goes_on);
+    const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
+    if (isAnyMissing(*current)) {
+      lookAt(current);
     }
-  } catch (const std::exception& error) {
-    const std::string reason = failureText(error);
-    if (reason != told_) {
-      told_ = reason;
-      ROS_ERROR_STREAM(
-          "a robot that has come cannot be taken in; the others are watched as before: " << reason);
-    }
+  } catch (const std::exception& fault) {
+    noteFault(fault);
   } catch (const Interrupted&) {
     // The monitor ends.
+  }
+}
+
+void LateRobots::lookAt(const std::shared_ptr<const MonitorSetup>& current) {
+  SetupReport report;
+  LoadedRobots come = hooks_.find(*current, report);
+  const std::vector<ListedRobot> listed = come.listed;
+  if (come.descriptions.size() == current->descriptions.size()) {
+    last_ = Attempt();
+    tell(listed, *current);
+    return;
+  }
+  try {
+    attempt(std::move(come), report, current);
+  } catch (const std::exception& fault) {
+    noteFault(fault);
+  }
+  if (!last_.fault.empty()) {
+    tell(listed, *current);
+  }
+}
+
+void LateRobots::attempt(LoadedRobots come, SetupReport& report,
+                         const std::shared_ptr<const MonitorSetup>& current) {
+  constexpr std::chrono::seconds kLongestWait(60);
+  std::vector<std::string> texts = textsOf(come);
+  const bool is_other = texts != last_.texts || current->robots != last_.beside;
+  if (is_other || Clock::now() >= last_.again_at) {
+    const std::chrono::seconds wait =
+        is_other ? Attempt().wait : std::min(2 * last_.wait, kLongestWait);
+    last_ = {current->robots, std::move(texts), nullptr, nullptr, "", wait, Clock::time_point()};
+    last_.late = hooks_.build(std::move(come), *current, report);
+  } else if (last_.late == nullptr || last_.refused_by == current) {
+    return;
+  }
+  last_.refused_by = current;
+  hooks_.take_in(*last_.late, *current);
+  last_ = Attempt();
+  logged_.clear();
+}
+
+void LateRobots::noteFault(const std::exception& fault) {
+  last_.fault = shortFault(fault);
+  last_.again_at = Clock::now() + last_.wait;
+  const std::string text = failureText(fault);
+  if (text != logged_) {
+    logged_ = text;
+    ROS_ERROR_STREAM(
+        "a robot that has come cannot be taken in; the others are watched as before: " << text);
+  }
+}
+
+/// State tells what is missing, and what is wrong with robots that have come.
+void LateRobots::tell(const std::vector<ListedRobot>& come, const MonitorSetup& current) const {
+  std::vector<std::string> missing;
+  bool is_new = false;
+  for (std::size_t i = 0; i < come.size(); ++i) {
+    const ListedRobot& known = current.listed[i];
+    missing.push_back(known.id     ? ""
+                      : come[i].id ? "its URDF has come, but it cannot be taken in: " + last_.fault
+                                   : come[i].missing);
+    is_new = is_new || missing.back() != known.missing;
+  }
+  if (is_new) {
+    hooks_.tell_missing(current, missing);
   }
 }
 

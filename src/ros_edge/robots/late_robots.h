@@ -2,36 +2,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <condition_variable>
+#include <chrono>
 #include <functional>
-#include <mutex>
+#include <memory>
 #include <string>
-#include <thread>
+#include <vector>
+
+#include "ros_edge/parameters/monitor_setup.h"
 
 namespace collision_monitor {
 
-/// Looks on its own thread, twice a second by wall time, whether robots that are missing have come.
+/// How robots that were missing are found and taken in. All but the first two may throw SetupError.
+struct LateHooks {
+  std::function<std::shared_ptr<const MonitorSetup>()> current_setup;
+  /// loadLate
+  std::function<LoadedRobots(const MonitorSetup& former, SetupReport& report)> find;
+  /// buildLate
+  std::function<std::shared_ptr<const MonitorSetup>(LoadedRobots come, const MonitorSetup& former,
+                                                    SetupReport& report)>
+      build;
+  /// Watches what was built beside `former`; does nothing if other robots are watched by now.
+  std::function<void(const MonitorSetup& late, const MonitorSetup& former)> take_in;
+  /// withMissing
+  std::function<void(const MonitorSetup& former, const std::vector<std::string>& missing)>
+      tell_missing;
+  GoesOn goes_on;
+};
+
+/// Takes in robots that have come. Robots that cannot be taken in are built again when their
+/// descriptions change, or after a wait that grows to a minute; where the rest of the set-up is in
+/// the way, when that changes. Until then State tells why.
 class LateRobots {
  public:
-  /// @param is_any_missing is asked first
-  /// @param take_in takes in those that have come, if there are any; may throw: it is then called
-  /// again, and each reason is logged once
-  LateRobots(std::function<bool()> is_any_missing, std::function<void()> take_in);
-  ~LateRobots();
-  LateRobots(const LateRobots&) = delete;
-  LateRobots& operator=(const LateRobots&) = delete;
+  explicit LateRobots(LateHooks hooks);
 
- private:
-  void run();
+  /// To be called again and again, by one thread. Does not throw.
   void look();
 
-  std::function<bool()> is_any_missing_;
-  std::function<void()> take_in_;
-  std::string told_;  ///< why they could not be taken in, as last logged
-  std::mutex mutex_;  ///< guards the next two
-  std::condition_variable woken_;
-  bool is_ending_{false};
-  std::thread thread_;
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  /// What was last tried.
+  struct Attempt {
+    std::shared_ptr<const CycleSetup> beside;        ///< the robots that were there
+    std::vector<std::string> texts;                  ///< URDFs and SRDFs of all
+    std::shared_ptr<const MonitorSetup> late;        ///< null: they cannot even be built
+    std::shared_ptr<const MonitorSetup> refused_by;  ///< the set-up that they do not fit to
+    std::string fault;
+    std::chrono::seconds wait{1};
+    Clock::time_point again_at;
+  };
+
+  void lookAt(const std::shared_ptr<const MonitorSetup>& current);
+  void attempt(LoadedRobots come, SetupReport& report,
+               const std::shared_ptr<const MonitorSetup>& current);
+  void noteFault(const std::exception& fault);
+  void tell(const std::vector<ListedRobot>& come, const MonitorSetup& current) const;
+
+  LateHooks hooks_;
+  Attempt last_;
+  std::string logged_;  ///< fault
 };
 
 }  // namespace collision_monitor

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "collision_monitor/geometry/ids.h"
+#include "pipeline/cycle/scale_speed.h"
 #include "ros_edge/outputs/sentences.h"
 
 namespace collision_monitor {
@@ -17,112 +18,140 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 /// What the pairs of one robot say.
 struct RobotView {
   Verdict worst{Verdict::clear};
-  LinkPairIndex speaker{kNone};  ///< the nearest pair with that verdict; kNone: none was measured
-  double speaker_distance{kFar};
-  std::size_t count{0};          ///< pairs with that verdict
-  LinkPairIndex unknown{kNone};  ///< the first pair that is unknown
+  Speaker speaker;               ///< of the pairs with that verdict, unless it is `unknown`
+  std::size_t unknowns{0};       ///< pairs that are unknown
+  LinkPairIndex unknown{kNone};  ///< the first of them
   std::uint32_t closest{kNone};  ///< index into the measured pairs
   double time_to_contact{kFar};
+  bool is_time_unknown{false};  ///< of a pair
 };
 
-/// Collects the views of all robots: from what was measured, and from pairs that are not clear.
+/// Collects the views of all robots: from what was measured, from pairs that are not clear, and
+/// from links whose motion is unknown. The last view is of what no robot moves.
 class RobotViews {
  public:
   explicit RobotViews(const Watch& watch)
-      : watch_(watch), robots_(watch.buffers.robots), views_(robots_.scales.size()) {
+      : watch_(watch), speeds_(watch.buffers.robots), views_(watch.is_checked_between.size()) {
     const CycleSetup& setup = watch.setup();
-    const std::vector<PairDistance>& measured = watch.buffers.distances.pairs;
-    for (std::uint32_t i = 0; i < measured.size(); ++i) {
-      const CheckedLinkPair& links = setup.checked[setup.link_pair_of[index(measured[i].pair)]];
-      addDistance(i, views_[robotOf(links.a)]);
-      addDistance(i, views_[robotOf(links.b)]);
+    for (const PairDistance& distance : watch.buffers.distances.pairs) {
+      const CheckedLinkPair& links = setup.checked[setup.link_pair_of[index(distance.pair)]];
+      addTime(distance.time_to_contact, views_[robotOf(links.a)]);
+      addTime(distance.time_to_contact, views_[robotOf(links.b)]);
     }
-    const PairEvents& events = watch.buffers.events;
-    if (events.unknown == 0) {
-      std::for_each(events.active.begin(), events.active.end(),
-                    [&](LinkPairIndex pair) { addPair(pair); });
-    } else {
-      for (LinkPairIndex pair = 0; pair < setup.checked.size(); ++pair) {
-        addPair(pair);
+    for (const LinkPairIndex pair : watch.buffers.events.active) {
+      addPair(pair);
+    }
+    const Unknowns& unknown = watch.unknown();
+    for (std::size_t a = 0; a < views_.size(); ++a) {
+      for (std::size_t b = 0; b < views_.size(); ++b) {
+        addUnknown(unknown.between(a, b), a, b);
       }
     }
+    addMotions();
   }
 
   const RobotView& of(RobotId robot) const { return views_[index(robot)]; }
 
  private:
-  std::uint32_t robotOf(LinkId link) const { return robots_.robot_of_link[index(link)]; }
+  std::size_t robotOf(LinkId link) const {
+    return std::min<std::size_t>(speeds_.robot_of_link[index(link)], views_.size() - 1);
+  }
+
+  static void addTime(double time, RobotView& view) {
+    view.is_time_unknown = view.is_time_unknown || std::isnan(time);
+    view.time_to_contact = std::min(view.time_to_contact, time);  // not a number: stays
+  }
 
   void addPair(LinkPairIndex pair) {
-    const Verdict verdict = watch_.buffers.events.verdicts[pair];
-    if (verdict == Verdict::clear) {
-      return;
-    }
     const CheckedLinkPair& links = watch_.setup().checked[pair];
-    const std::uint32_t a = robotOf(links.a);
-    const std::uint32_t b = robotOf(links.b);
-    const bool is_unknown = verdict == Verdict::unknown;
-    if (a == b || !is_unknown || robots_.is_excused[b] == 0) {
-      addVerdict(pair, views_[a]);
-    }
-    if (a != b && (!is_unknown || robots_.is_excused[a] == 0)) {
-      addVerdict(pair, views_[b]);
+    const std::size_t a = robotOf(links.a);
+    const std::size_t b = robotOf(links.b);
+    addPair(pair, views_[a]);
+    if (a != b) {
+      addPair(pair, views_[b]);
     }
   }
 
-  void addDistance(std::uint32_t place, RobotView& view) {
-    const std::vector<PairDistance>& measured = watch_.buffers.distances.pairs;
-    if (view.closest == kNone ||
-        measured[place].measured.distance < measured[view.closest].measured.distance) {
-      view.closest = place;
+  void addPair(LinkPairIndex pair, RobotView& view) const {
+    const std::uint32_t closest = watch_.buffers.events.closest[pair];
+    if (closest != kNone &&
+        (view.closest == kNone || distanceAt(closest) < distanceAt(view.closest))) {
+      view.closest = closest;
     }
-    view.time_to_contact = std::min(view.time_to_contact, measured[place].time_to_contact);
-  }
-
-  void addVerdict(LinkPairIndex pair, RobotView& view) {
     const Verdict verdict = watch_.buffers.events.verdicts[pair];
-    if (verdict == Verdict::unknown && view.unknown == kNone) {
-      view.unknown = pair;
-    }
-    if (verdict < view.worst) {
+    if (verdict == Verdict::clear || verdict == Verdict::unknown || verdict < view.worst) {
       return;
     }
     if (verdict > view.worst) {
       view.worst = verdict;
-      view.speaker = kNone;
-      view.count = 0;
+      view.speaker = Speaker();
     }
-    ++view.count;
-    const std::uint32_t place = speakerOf(watch_.setup(), watch_.buffers, pair);
-    const double distance =
-        place == kNone ? kFar : watch_.buffers.distances.pairs[place].measured.distance;
-    if (place != kNone && (view.speaker == kNone || distance < view.speaker_distance)) {
-      view.speaker = pair;
-      view.speaker_distance = distance;
+    view.speaker.add(watch_, pair);
+  }
+
+  double distanceAt(std::uint32_t place) const {
+    return watch_.buffers.distances.pairs[place].measured.distance;
+  }
+
+  /// The pairs whose links a and b these robots move.
+  void addUnknown(const UnknownPairs& pairs, std::size_t a, std::size_t b) {
+    if (pairs.count == 0) {
+      return;
+    }
+    if (countsFor(speeds_, a, b)) {
+      addUnknown(pairs, views_[a]);
+    }
+    if (a != b && countsFor(speeds_, b, a)) {
+      addUnknown(pairs, views_[b]);
+    }
+  }
+
+  static void addUnknown(const UnknownPairs& pairs, RobotView& view) {
+    view.worst = std::max(view.worst, Verdict::unknown);
+    view.unknown = std::min(view.unknown, pairs.first);
+    view.unknowns += pairs.count;
+    view.is_time_unknown = true;
+  }
+
+  /// A link whose motion is unknown may meet each robot that it is checked with, from any distance.
+  void addMotions() {
+    std::vector<bool> is_unknown(views_.size());
+    const auto look_at = [&](std::size_t link) {
+      if (watch_.poses.velocities.known[link] == 0 && watch_.buffers.events.is_checked[link] != 0) {
+        is_unknown[robotOf(idAt<LinkId>(link))] = true;
+      }
+    };
+    forIndices(watch_.buffers.body_poses.moved.links, look_at);
+    for (const CarriedObjects& objects : watch_.setup().carried) {
+      if (objects.is_checked && watch_.poses.velocities.known[objects.first_link] == 0) {
+        is_unknown[robotOf(idAt<LinkId>(objects.first_link))] = true;
+      }
+    }
+    for (std::size_t a = 0; a < views_.size(); ++a) {
+      for (std::size_t b = 0; b < views_.size(); ++b) {
+        const bool meet = watch_.is_checked_between[a][b] && (is_unknown[a] || is_unknown[b]);
+        views_[a].is_time_unknown = views_[a].is_time_unknown || (meet && countsFor(speeds_, a, b));
+      }
     }
   }
 
   const Watch& watch_;
-  const RobotSpeeds& robots_;
+  const RobotSpeeds& speeds_;
   std::vector<RobotView> views_;
 };
 
 /// Why a pair is unknown.
 std::string unknownPairSentence(const Watch& watch, LinkPairIndex pair) {
-  const CheckedLinkPair& links = watch.setup().checked[pair];
-  const MainPart main(watch.poses, watch.setup().checked);
-  return unknownSentence(watch, main.has(links.a) ? links.b : links.a);
+  return unknownSentence(watch, watch.unknown().unknownOf(watch.setup().checked[pair]));
 }
 
 std::string sentenceOf(const Watch& watch, const RobotView& view) {
   switch (view.worst) {
     case Verdict::contact:
     case Verdict::warning:
-      return view.speaker == kNone
-                 ? std::to_string(view.count) + " pairs of links are near each other"
-                 : pairSentence(watch, view.speaker) + andMore(view.count, "pair");
+      return pairsSentence(watch, view.speaker);
     case Verdict::unknown:
-      return unknownPairSentence(watch, view.unknown) + andMore(view.count, "unknown pair");
+      return unknownPairSentence(watch, view.unknown) + andMore(view.unknowns, "unknown pair");
     case Verdict::clear:
       break;
   }
@@ -141,6 +170,10 @@ double ageOf(const Watch& watch, RobotId robot) {
   return age;
 }
 
+void raiseTo(Verdict verdict, RobotState& state) {
+  state.level = std::max(state.level, static_cast<std::uint8_t>(verdict));
+}
+
 void fillJudged(const Watch& watch, RobotId robot, const RobotView& view, RobotState& state) {
   state.level = static_cast<std::uint8_t>(view.worst);
   state.sentence = sentenceOf(watch, view);
@@ -149,31 +182,52 @@ void fillJudged(const Watch& watch, RobotId robot, const RobotView& view, RobotS
   if (view.closest != kNone) {
     state.distance = watch.buffers.distances.pairs[view.closest].measured.distance;
   }
-  const bool has_unknown = view.unknown != kNone && view.time_to_contact == kFar;
-  state.time_to_contact = has_unknown ? kUnknown : view.time_to_contact;
+  state.time_to_contact =
+      view.is_time_unknown && std::isinf(view.time_to_contact) ? kUnknown : view.time_to_contact;
 }
 
-void raiseTo(Verdict verdict, RobotState& state) {
-  state.level = std::max(state.level, static_cast<std::uint8_t>(verdict));
+/// Others wait for a robot, which may be about to touch this one.
+void fillAwaiting(const MonitorSetup& setup, RobotState& state) {
+  raiseTo(Verdict::unknown, state);
+  state.speed_scale = 0.0;
+  state.sentence = awaitedSentence(setup) + "; " + state.sentence;
+  if (std::isinf(state.time_to_contact)) {
+    state.time_to_contact = kUnknown;
+  }
 }
 
-}  // namespace
+bool isAwaited(const ListedRobot& robot) { return !robot.id && !robot.may_be_absent; }
 
-bool isAnyAwaited(const MonitorSetup& setup) {
-  return std::any_of(setup.listed.begin(), setup.listed.end(),
-                     [](const ListedRobot& robot) { return !robot.id && !robot.may_be_absent; });
-}
-
-std::string missingSentence(const MonitorSetup& setup) {
+template <class IsTold>
+std::string sentenceOfMissing(const MonitorSetup& setup, const IsTold& is_told) {
   std::string text;
   std::size_t count = 0;
   for (const ListedRobot& robot : setup.listed) {
-    if (!robot.id) {
+    if (!robot.id && is_told(robot)) {
       text = count == 0 ? "robot '" + robot.name + "' is missing: " + robot.missing : text;
       ++count;
     }
   }
   return text + andMore(count, "robot");
+}
+
+bool isChecked(const Watch& watch, RobotId robot) {
+  const std::vector<bool>& others = watch.is_checked_between[index(robot)];
+  return std::find(others.begin(), others.end(), true) != others.end();
+}
+
+}  // namespace
+
+bool isAnyAwaited(const MonitorSetup& setup) {
+  return std::any_of(setup.listed.begin(), setup.listed.end(), isAwaited);
+}
+
+std::string missingSentence(const MonitorSetup& setup) {
+  return sentenceOfMissing(setup, [](const ListedRobot&) { return true; });
+}
+
+std::string awaitedSentence(const MonitorSetup& setup) {
+  return sentenceOfMissing(setup, isAwaited);
 }
 
 void fillRobotStates(const Watch& watch, const CycleFacts& facts, const std::string& blind_reason,
@@ -196,19 +250,18 @@ void fillRobotStates(const Watch& watch, const CycleFacts& facts, const std::str
       state.sentence = listed[i].missing;
     } else if (!is_judged) {
       state.sentence = blind_reason;
-    } else if (watch.is_robot_checked[index(*listed[i].id)] == 0) {
+    } else if (!isChecked(watch, *listed[i].id)) {
       state.sentence = "no pair of its links is checked, so nothing can be said";
     } else {
       fillJudged(watch, *listed[i].id, views->of(*listed[i].id), state);
       if (is_any_awaited) {
-        raiseTo(Verdict::unknown, state);
-        state.speed_scale = 0.0;
-        state.sentence = missingSentence(*watch.fixed) + "; " + state.sentence;
+        fillAwaiting(*watch.fixed, state);
       }
     }
     if (!facts.is_enabled) {
       raiseTo(Verdict::warning, state);
       state.speed_scale = 0.0;
+      state.sentence = offText(facts) + state.sentence;
     }
   }
 }

@@ -19,6 +19,9 @@ bool isAnyAwaited(const MonitorSetup& setup);
 /// empty if none is.
 std::string missingSentence(const MonitorSetup& setup);
 
+/// The same of those that stop others.
+std::string awaitedSentence(const MonitorSetup& setup);
+
 /// Fills the states of all listed robots, in their order.
 ///
 /// A robot's level is that of the worst pair of its links. A pair that is unknown counts for both

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/robots/robot_topics.h"
 
-#include <collision_monitor/State.h>
 #include <std_msgs/Bool.h>
 #include <std_msgs/Float64.h>
+
+#include <algorithm>
 
 #include "ros_edge/latched_value.h"
 
@@ -17,15 +18,16 @@ constexpr std::uint32_t kRobotQueueSize = 10;
 
 RobotTopics::RobotTopics(ros::NodeHandle& private_node, const std::vector<RobotSource>& robots,
                          const RobotTopics* former) {
+  if (former != nullptr) {
+    for (const auto& [name, topic] : former->topics_) {
+      topics_[name].speed_scale = topic.speed_scale;  // the rest is the cycle's
+      topics_[name].is_valid = topic.is_valid;
+    }
+  }
   for (const RobotSource& robot : robots) {
     Topic& topic = topics_[robot.name];
-    if (former != nullptr) {
-      const auto known = former->topics_.find(robot.name);
-      if (known != former->topics_.end()) {
-        topic.speed_scale = known->second.speed_scale;
-        topic.is_valid = known->second.is_valid;
-        continue;
-      }
+    if (topic.speed_scale) {
+      continue;
     }
     const std::string place = "robots/" + robot.name;
     topic.speed_scale =
@@ -43,16 +45,18 @@ void RobotTopics::askWhoListens() {
 }
 
 void RobotTopics::publish(const std::vector<RobotState>& states, bool is_enabled) {
-  for (const RobotState& state : states) {
-    const auto topic = topics_.find(state.name);
-    if (topic == topics_.end()) {
-      continue;  // a single robot that the parameter `robots` does not list
-    }
-    const bool is_valid = is_enabled && (state.level == State::OK || state.level == State::WARNING);
-    publishLatched<std_msgs::Bool>(is_valid, topic->second.is_valid_heard, topic->second.is_valid,
-                                   topic->second.last_valid);
-    publishLatched<std_msgs::Float64>(state.speed_scale, topic->second.is_scale_heard,
-                                      topic->second.speed_scale, topic->second.last_scale);
+  for (auto& known : topics_) {
+    const auto state = std::find_if(states.begin(), states.end(), [&](const RobotState& robot) {
+      return robot.name == known.first;
+    });
+    Topic& topic = known.second;
+    const bool is_listed = state != states.end();
+    const double speed_scale = is_listed ? state->speed_scale : 0.0;
+    const bool is_valid = is_listed && vouchesFor(is_enabled, state->level);
+    publishLatched<std_msgs::Bool>(is_valid, topic.is_valid_heard, topic.is_valid,
+                                   topic.last_valid);
+    publishLatched<std_msgs::Float64>(speed_scale, topic.is_scale_heard, topic.speed_scale,
+                                      topic.last_scale);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <collision_monitor/RobotState.h>
+#include <collision_monitor/State.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
@@ -15,13 +16,20 @@
 
 namespace collision_monitor {
 
+/// The meaning of state_is_valid, as in cob_collision_monitor: false stops the listeners. A monitor
+/// that is uncertain or switched off guarantees nothing.
+inline bool vouchesFor(bool is_enabled, std::uint8_t level) {
+  return is_enabled && (level == State::OK || level == State::WARNING);
+}
+
 /// robots/NAME/speed_scale and robots/NAME/state_is_valid for each robot of the parameter `robots`,
 /// with types and meaning of the topics for all robots; latched. Late listeners get the last
 /// message, so without listeners only changes are sent.
 class RobotTopics {
  public:
   /// Asks the ROS master for each topic that is new: not on the cycle's thread.
-  /// @param former keeps its topics, as far as their robots are still listed; may be null
+  /// @param former keeps its topics; may be null. Those of a robot that is no longer listed stay,
+  /// with 0 and false: who listens must not go on with the last value.
   RobotTopics(ros::NodeHandle& private_node, const std::vector<RobotSource>& robots,
               const RobotTopics* former);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "model/nearest_name.h"
 #include "model/number_text.h"
@@ -66,6 +67,28 @@ std::shared_ptr<MonitorSetup> makeChanged(const MonitorSetup& current, const Lim
   changed->setup = withPairRules(current.setup, limits, rules.rules, report);
   changed->rule_ends = rules.ends;
   return changed;
+}
+
+/// Takes the limits away from rules whose limits do not fit to those of the rules before.
+/// @return a warning for each of these rules
+std::vector<Problem> dropMisfits(const MonitorSetup& current, TimedRules& rules) {
+  std::vector<LimitChanges> wanted;
+  for (PairRule& rule : rules.rules) {
+    wanted.push_back(std::exchange(rule.limits, {}));
+  }
+  std::vector<Problem> dropped;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    rules.rules[i].limits = wanted[i];
+    SetupReport report;
+    checkEnds(current, current.setup.limits, rules, report);
+    checkPairRules(current.setup, current.setup.limits, rules.rules, report);
+    if (!report.errors.empty()) {
+      rules.rules[i].limits = {};
+      dropped.push_back({rules.rules[i].where, "limits that do not fit to others any more", "",
+                         "its limits are dropped: " + toString(report.errors.front())});
+    }
+  }
+  return dropped;
 }
 
 std::string textOf(const std::vector<Problem>& problems) {
@@ -221,7 +244,8 @@ NextSetup answerSetLimits(const MonitorSetup& current, const SetLimits::Request&
   return nullptr;
 }
 
-NextSetup withoutEnded(const MonitorSetup& current, RuleEnd now) {
+NextSetup withoutEnded(const MonitorSetup& current, RuleEnd now,
+                       std::vector<Problem>& dropped_limits) {
   if (nextEndOf(current) > now) {
     return nullptr;
   }
@@ -231,9 +255,7 @@ NextSetup withoutEnded(const MonitorSetup& current, RuleEnd now) {
     return makeChanged(current, current.setup.limits, left, ignored);
   } catch (const SetupError&) {
     // With objects that came later, limits that are left need not fit together. No mute may last.
-    for (PairRule& rule : left.rules) {
-      rule.limits = {};
-    }
+    dropped_limits = dropMisfits(current, left);
     return makeChanged(current, current.setup.limits, left, ignored = SetupReport());
   }
 }

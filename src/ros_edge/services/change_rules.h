@@ -6,6 +6,7 @@
 #include <collision_monitor/SetPairs.h>
 
 #include <memory>
+#include <vector>
 
 #include "ros_edge/parameters/monitor_setup.h"
 
@@ -27,10 +28,12 @@ NextSetup answerSetPairs(const MonitorSetup& current, RuleEnd now, std::size_t n
 NextSetup answerSetLimits(const MonitorSetup& current, const SetLimits::Request& request,
                           SetLimits::Response& response);
 
-/// The set-up without rules that have ended by now; null if none has. If the limits of those that
-/// are left do not fit together, pairs get the common limits.
+/// The set-up without rules that have ended by now; null if none has.
+/// @param dropped_limits gets a warning for each rule that loses its limits, because the limits
+/// that are left do not fit together
 /// @throws SetupError, std::bad_alloc
-NextSetup withoutEnded(const MonitorSetup& current, RuleEnd now);
+NextSetup withoutEnded(const MonitorSetup& current, RuleEnd now,
+                       std::vector<Problem>& dropped_limits);
 
 /// When the next rule ends; kLasts if none does.
 RuleEnd nextEndOf(const MonitorSetup& current);

@@ -10,6 +10,7 @@
 
 #include "model/number_text.h"
 #include "ros_edge/outputs/sentences.h"
+#include "ros_edge/parameters/resource_loader.h"
 #include "ros_edge/parameters/startup_report.h"
 #include "ros_edge/services/change_rules.h"
 #include "ros_edge/services/check_states.h"
@@ -26,8 +27,8 @@ Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, Se
       objects_(private_node, inputs,
                {hooks_.current_setup, hooks_.change_setup, [this] { return goesOn(); }}, changing_),
       rule_clock_([this] { return nextEndOf(*hooks_.current_setup()); }, [this] { endRules(); }),
-      late_robots_([this] { return isAnyMissing(*hooks_.current_setup()); },
-                   [this] { takeInLateRobots(); }) {
+      late_robots_(lateHooks()),
+      late_look_(std::chrono::milliseconds(500), [this] { late_robots_.look(); }) {
   get_distances_ = private_node_.advertiseService("get_distances", &Services::getDistances, this);
   ros::NodeHandle background_node(private_node_);
   background_node.setCallbackQueue(&background_.queue());
@@ -131,27 +132,64 @@ bool Services::setLimits(SetLimits::Request& request, SetLimits::Response& respo
 
 void Services::endRules() {
   const std::lock_guard<std::mutex> lock(changing_);
-  const NextSetup next = withoutEnded(*hooks_.current_setup(), std::chrono::steady_clock::now());
+  std::vector<Problem> dropped_limits;
+  const NextSetup next =
+      withoutEnded(*hooks_.current_setup(), std::chrono::steady_clock::now(), dropped_limits);
   if (next) {
+    next->later_warnings->add(dropped_limits);
     hooks_.change_setup(next);
+    for (const Problem& warning : dropped_limits) {
+      ROS_WARN_STREAM(toString(warning));
+    }
     ROS_INFO_STREAM("rules for pairs have ended; left: " << next->setup.pair_rules.size());
   }
 }
 
-/// While another change is made, late robots wait.
-void Services::takeInLateRobots() {
-  const std::unique_lock<std::mutex> lock(changing_, std::try_to_lock);
-  if (!lock.owns_lock()) {
+LateHooks Services::lateHooks() {
+  LateHooks hooks;
+  hooks.current_setup = hooks_.current_setup;
+  hooks.find = [this](const MonitorSetup& former, SetupReport& report) {
+    const ResourceLoader load_resource = makeResourceLoader(former.parameters.loading);
+    return loadLate(private_node_, former.parameters, load_resource,
+                    {former.descriptions, former.listed}, report);
+  };
+  hooks.build = buildLate;
+  hooks.take_in = [this](const MonitorSetup& late, const MonitorSetup& former) {
+    takeInLate(late, former);
+  };
+  hooks.tell_missing = [this](const MonitorSetup& former, const auto& missing) {
+    tellMissing(former, missing);
+  };
+  hooks.goes_on = [this] { return goesOn(); };
+  return hooks;
+}
+
+/// Changes of objects, rules and limits may have come since the robots were built; after a reload
+/// they are built again.
+void Services::takeInLate(const MonitorSetup& late, const MonitorSetup& former) {
+  const std::lock_guard<std::mutex> lock(changing_);
+  const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
+  if (current->robots != former.robots) {
     return;
   }
-  const std::shared_ptr<const MonitorSetup> made = takeInRobots(
-      private_node_, [this] { return goesOn(); }, *hooks_.current_setup());
-  if (made) {
-    hooks_.replace_setup(made);
-    objects_.publish();
-    rule_clock_.wake();
-    ROS_INFO("a robot has come late and is watched from now on");
-    logSetup(*made);
+  const std::shared_ptr<const MonitorSetup> made = takeIn(late, *current);
+  hooks_.replace_setup(made);
+  objects_.publish();
+  rule_clock_.wake();
+  for (std::size_t i = 0; i < made->listed.size(); ++i) {
+    if (made->listed[i].id && !former.listed[i].id) {
+      ROS_INFO_STREAM("robot '" << made->listed[i].name
+                                << "' has come late and is watched from now on");
+    }
+  }
+  logSetup(*made);
+}
+
+void Services::tellMissing(const MonitorSetup& former, const std::vector<std::string>& missing) {
+  const std::lock_guard<std::mutex> lock(changing_);
+  const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
+  if (current->robots == former.robots) {
+    hooks_.change_setup(withMissing(*current, missing));
   }
 }
 
@@ -172,7 +210,9 @@ bool Services::reload(std_srvs::Trigger::Request& /*request*/,
   const std::unique_lock<std::mutex> lock(changing_, std::try_to_lock);
   response.success = 0;
   if (!lock.owns_lock()) {
-    response.message = "another reload or change of objects is running; try again when it is done";
+    response.message =
+        "another change is running (a reload, objects, rules, or a robot that has come); try again "
+        "when it is done";
     return true;
   }
   try {

@@ -21,6 +21,7 @@
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/parameters/monitor_setup.h"
 #include "ros_edge/poses/newest_state.h"
+#include "ros_edge/repeater.h"
 #include "ros_edge/robots/late_robots.h"
 #include "ros_edge/services/explain_pair.h"
 #include "ros_edge/services/rule_clock.h"
@@ -60,7 +61,9 @@ class Services {
   bool setPairs(SetPairs::Request& request, SetPairs::Response& response);
   bool setLimits(SetLimits::Request& request, SetLimits::Response& response);
   void endRules();
-  void takeInLateRobots();
+  LateHooks lateHooks();
+  void takeInLate(const MonitorSetup& late, const MonitorSetup& former);
+  void tellMissing(const MonitorSetup& former, const std::vector<std::string>& missing);
   bool setEnabled(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool reload(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
@@ -82,6 +85,7 @@ class Services {
   // The last, since their threads use the others.
   RuleClock rule_clock_;
   LateRobots late_robots_;
+  Repeater late_look_;
 };
 
 }  // namespace collision_monitor

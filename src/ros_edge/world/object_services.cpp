@@ -4,13 +4,13 @@
 
 #include <ros/console.h>
 
-#include <algorithm>
 #include <exception>
 #include <utility>
 #include <vector>
 
 #include "ros_edge/parameters/resource_loader.h"
 #include "ros_edge/world/convert_objects.h"
+#include "ros_edge/world/held_back.h"
 #include "ros_edge/world/world_places.h"
 
 namespace collision_monitor {
@@ -29,15 +29,6 @@ SceneObjects listOf(const MonitorSetup& setup) {
 
 std::string countText(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " object" : " objects");
-}
-
-/// A list that is cleared or replaced no longer waits for objects of the parameters.
-std::vector<WorldObject> stillHeldBack(const MonitorSetup& current,
-                                       const std::vector<ObjectChange>& changes) {
-  const bool starts_anew = std::any_of(changes.begin(), changes.end(), [](const auto& change) {
-    return change.kind == ChangeKind::clear || change.kind == ChangeKind::replace_all;
-  });
-  return starts_anew ? std::vector<WorldObject>() : current.held_back;
 }
 
 }  // namespace
@@ -62,10 +53,11 @@ bool ObjectServices::apply(ApplyObjects::Request& request, ApplyObjects::Respons
     // Only now, so that files that load slowly keep no mute from ending.
     const std::lock_guard<std::mutex> lock(changing_);
     const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
-    const World world =
-        applyChanges(current->world, changes, placesNow(*current, inputs_, kPatience), report);
+    std::vector<WorldObject> held_back;
+    const World world = applyChanges(worldBefore(changes, *current, held_back), changes,
+                                     placesNow(*current, inputs_, kPatience), report);
     throwIfErrors(report);
-    hooks_.replace_world(changeWorld(*current, world, stillHeldBack(*current, changes)));
+    hooks_.replace_world(changeWorld(*current, world, std::move(held_back)));
     publish();
     response.message = "watching " + countText(world.objects.size());
     response.success = 1;

@@ -91,4 +91,20 @@ std::vector<WorldObject> loadObjects(const Parameters& parameters,
   return objects;
 }
 
+void checkFrames(const std::vector<WorldObject>& objects, const ListedRobot& first,
+                 const std::string& world_frame, SetupReport& report) {
+  if (first.id || !world_frame.empty()) {
+    return;
+  }
+  for (const WorldObject& object : objects) {
+    if (!object.is_attached && object.frame.empty()) {
+      report.errors.push_back(
+          {(object.where.empty() ? "world" : object.where) + ", object '" + object.name + "'",
+           "no frame, while the root link of robot '" + first.name +
+               "' is not known: " + first.missing,
+           "the name of a frame, or one in the parameter world_frame"});
+    }
+  }
+}
+
 }  // namespace collision_monitor

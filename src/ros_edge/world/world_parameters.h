@@ -21,4 +21,10 @@ std::string yamlOf(const XmlRpc::XmlRpcValue& value);
 std::vector<WorldObject> loadObjects(const Parameters& parameters,
                                      const ResourceLoader& load_resource, SetupReport& report);
 
+/// Refuses objects without a frame while nobody knows which frame they mean: without the parameter
+/// world_frame that is the root of the first robot, not that of the robot which is there first.
+/// @param world_frame the parameter
+void checkFrames(const std::vector<WorldObject>& objects, const ListedRobot& first,
+                 const std::string& world_frame, SetupReport& report);
+
 }  // namespace collision_monitor

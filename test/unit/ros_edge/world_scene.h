@@ -19,6 +19,7 @@ inline std::shared_ptr<const MonitorSetup> slidingSetupWith(
   made->robots = std::make_shared<CycleSetup>(made->setup);
   made->world = worldOf(objects, placesOf(made->robots->model, made->world_frame));
   made->prepared = prepareObjects(made->world, RefineGeometry::mesh, {});
+  made->drawn = drawMeshes(made->world, {});
   made->setup = addWorld(*made->robots, made->world, made->prepared, made->world_frame);
   return made;
 }

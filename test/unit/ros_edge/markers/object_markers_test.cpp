@@ -134,5 +134,49 @@ TEST(CoarseMesh, ofFewTriangles_isTheMesh) {
   EXPECT_EQ(coarseMesh(roundMesh(5), 200).triangles, roundMesh(5).triangles);
 }
 
+World meshesOf(std::size_t count, std::uint32_t rings) {
+  World world;
+  for (std::size_t i = 0; i < count; ++i) {
+    WorldObject object = named("mesh_" + std::to_string(i));
+    object.shapes = std::make_shared<const ObjectShapes>(
+        ObjectShapes{{Pose(), SharedMesh(std::make_shared<const TriangleMesh>(roundMesh(rings)))}});
+    world.objects[object.name] = std::make_shared<const WorldObject>(object);
+  }
+  return world;
+}
+
+std::size_t trianglesOf(const DrawnMeshes& meshes) {
+  std::size_t count = 0;
+  for (const auto& one : meshes) {
+    count += one.second.drawn->triangles.size();
+  }
+  return count;
+}
+
+TEST(DrawMeshes, ofManyMeshes_sharesOneBudget) {
+  const std::size_t of_few = trianglesOf(drawMeshes(meshesOf(2, 90), {}));
+  EXPECT_EQ(of_few, 2U * 40U * 90U) << "each is drawn whole";
+  const std::size_t of_many = trianglesOf(drawMeshes(meshesOf(100, 90), {}));
+  EXPECT_LE(of_many, kMostDrawnOfAll);
+  EXPECT_GT(of_many, kMostDrawnOfAll / 8);
+}
+
+TEST(DrawMeshes, thatStay_areNotMadeAgain) {
+  World world = meshesOf(2, 200);
+  const DrawnMeshes before = drawMeshes(world, {});
+  world.objects.erase("mesh_1");
+  const DrawnMeshes after = drawMeshes(world, before);
+  ASSERT_EQ(after.size(), 1U);
+  const auto& [mesh, drawn] = *after.begin();
+  EXPECT_EQ(drawn.drawn, before.at(mesh).drawn);
+  EXPECT_LE(drawn.drawn->triangles.size(), kMostDrawn);
+}
+
+TEST(DrawMeshes, ofMoreMeshesThanCanBeShown_leavesBoxes) {
+  for (const auto& one : drawMeshes(meshesOf(3000, 3), {})) {
+    EXPECT_TRUE(one.second.drawn->triangles.empty());
+  }
+}
+
 }  // namespace
 }  // namespace collision_monitor::test

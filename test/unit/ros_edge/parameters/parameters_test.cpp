@@ -290,6 +290,8 @@ TEST(Parameters, labelsOfMarkers_areCounted) {
   EXPECT_EQ(readParameters(values, "/m", report).marker_labels, 3U);
   values["marker_labels"] = 2.5;
   EXPECT_EQ(faults(values), std::set<std::string>{"parameter /m/marker_labels"});
+  values["marker_labels"] = 51;  // finding free places takes the cube of their number
+  EXPECT_EQ(faults(values), std::set<std::string>{"parameter /m/marker_labels"});
 }
 
 }  // namespace

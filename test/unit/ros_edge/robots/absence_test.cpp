@@ -50,5 +50,26 @@ TEST_F(Absence, ofLinksThatWereNeverSeen_isTrue) {
   EXPECT_TRUE(isAbsentNow());
 }
 
+TEST_F(Absence, ofARobotOfWhichFaultyPosesAreHeard_isFalse) {
+  for (const LinkStatus fault : {LinkStatus::contradicted, LinkStatus::not_finite}) {
+    for (const char* name : {"slider", "tool", "finger"}) {
+      floatFrom(index(linkNamed(setup_->setup.model, name)), fault, poses_);
+    }
+    EXPECT_FALSE(isAbsentNow()) << "two publishers tell of it";
+    for (LinkStatus& status : poses_.status) {
+      status = fault;
+    }
+    EXPECT_FALSE(isAbsentNow());
+  }
+}
+
+TEST_F(Absence, ofASilentRobotWhoseBaseIsContradicted_isFalse) {
+  for (const char* name : {"slider", "tool", "finger"}) {
+    lose(name);
+  }
+  floatFrom(index(linkNamed(setup_->setup.model, "base")), LinkStatus::contradicted, poses_);
+  EXPECT_FALSE(isAbsentNow());
+}
+
 }  // namespace
 }  // namespace collision_monitor::test

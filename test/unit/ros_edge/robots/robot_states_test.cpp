@@ -101,9 +101,99 @@ TEST_F(RobotStates, whileARobotIsMissing_aContactIsStillTheWorst) {
             "parameter /third");
 }
 
+TEST_F(RobotStates, timeToContactBesideAnUnknownMotion_isUnknown) {
+  poses_.velocities.known[link("right/hand")] = 0;
+  State state = stateNow();
+  EXPECT_TRUE(std::isnan(state.time_to_contact)) << "from any distance";
+  EXPECT_TRUE(std::isnan(state.robots[0].time_to_contact));
+  EXPECT_TRUE(std::isnan(state.robots[1].time_to_contact));
+  place("right/hand", {1.23, 0.0, 0.0});
+  state = stateNow();
+  EXPECT_TRUE(std::isnan(state.robots[0].time_to_contact)) << "of a measured pair";
+  EXPECT_EQ(state.robots[0].level, State::WARNING);
+}
+
+TEST_F(RobotStates, unknownMotionOfARobotThatIsAbsent_doesNotCountForTheOther) {
+  setup_->listed[1].may_be_absent = true;
+  lose("right/hand");
+  poses_.velocities.known[link("right/hand")] = 0;
+  const State state = stateNow();
+  EXPECT_TRUE(std::isinf(state.robots[0].time_to_contact));
+  EXPECT_TRUE(std::isnan(state.robots[1].time_to_contact));
+}
+
+TEST_F(RobotStates, whileARobotIsMissing_timesToContactBeyondTheHorizonAreUnknown) {
+  EXPECT_TRUE(std::isinf(stateNow().time_to_contact));
+  addThird(false);
+  State state = stateNow();
+  EXPECT_TRUE(std::isnan(state.time_to_contact));
+  EXPECT_TRUE(std::isnan(state.robots[0].time_to_contact));
+  setup_->listed[2].may_be_absent = true;
+  state = stateNow();
+  EXPECT_TRUE(std::isnan(state.time_to_contact));
+  EXPECT_TRUE(std::isinf(state.robots[0].time_to_contact)) << "it does not wait for the third";
+  place("right/hand", {1.23, 0.0, 0.0});
+  poses_.velocities.of_link[link("right/hand")].linear.x() = -0.2;
+  EXPECT_NEAR(stateNow().time_to_contact, 0.15, 1e-9) << "soon enough whoever comes";
+}
+
+TEST_F(RobotStates, sentenceNamesOnlyMissingRobotsThatStopIt) {
+  setup_->listed.push_back({"tug", std::nullopt, "no URDF in parameter /tug", true});
+  addThird(false);
+  const State state = stateNow();
+  EXPECT_EQ(state.robots[0].sentence,
+            "robot 'third' is missing: no URDF in parameter /third; clear; " +
+                stateOf(*watchNow()).sentence.substr(stateOf(*watchNow()).sentence.find("left/")));
+  EXPECT_NE(state.sentence.find("robot 'tug' is missing"), std::string::npos);
+}
+
+TEST_F(RobotStates, scalesThatWereZeroForAMissingRobot_doNotJumpWhenItComes) {
+  place("right/hand", {1.23, 0.0, 0.0});
+  poses_.velocities.of_link[link("right/hand")].linear.x() = -0.2;
+  const auto complete = std::make_shared<MonitorSetup>(*setup_);
+  addThird(false);
+  const auto before = watchNow();
+  ASSERT_EQ(stateOf(*before).speed_scale, 0.0);
+  ASSERT_EQ(stateOf(*before).robots[0].speed_scale, 0.0);
+  ASSERT_NEAR(before->buffers.robots.scales[0], 0.4, 1e-9) << "as if it were not missing";
+  setup_ = complete;
+  poses_.stamp_ns += 10'000'000;
+  const State state = stateOf(*watchNow(before.get()));
+  EXPECT_LT(state.speed_scale, 0.1);
+  EXPECT_LT(state.robots[0].speed_scale, 0.1);
+}
+
+TEST_F(RobotStates, scaleOfARobotThatCame_growsFromZero) {
+  place("right/hand", {1.23, 0.0, 0.0});
+  poses_.velocities.of_link[link("right/hand")].linear.x() = -0.2;
+  const auto complete = std::make_shared<MonitorSetup>(*setup_);
+  setup_->listed[0].may_be_absent = setup_->listed[1].may_be_absent = true;
+  setup_->listed[1].id.reset();
+  const auto before = watchNow();
+  setup_ = complete;
+  poses_.stamp_ns += 10'000'000;
+  const State state = stateOf(*watchNow(before.get()));
+  EXPECT_LT(state.robots[1].speed_scale, 0.1);
+  EXPECT_NEAR(state.robots[0].speed_scale, 0.4, 1e-9) << "it was free to go on";
+}
+
+TEST_F(RobotStates, distance_isThatOfTheClosestPairOfTheState) {
+  place("right/hand", {1.1, 0.0, 0.0});
+  const auto watch = watchNow();
+  PairEvents& events = watch->buffers.events;
+  std::vector<PairDistance>& pairs = watch->buffers.distances.pairs;
+  // Another entry of the link pair is deeper, but an estimate represents the pair.
+  pairs.push_back(pairs.at(events.closest_of_all));
+  pairs.back().measured.distance = -0.5;
+  const State state = stateOf(*watch);
+  EXPECT_EQ(state.robots[0].distance, state.closest.distance);
+}
+
 TEST_F(RobotStates, whileSwitchedOff_orWithoutTime_vouchForNothing) {
   CycleFacts off = factsNow();
   off.is_enabled = false;
+  off.enabled_again_in = 12.0;
+  EXPECT_EQ(stateNow(off).robots[0].sentence.rfind("switched off for another 12 s; clear", 0), 0U);
   for (const RobotState& robot : stateNow(off).robots) {
     EXPECT_EQ(robot.level, State::WARNING);
     EXPECT_EQ(robot.speed_scale, 0.0);

@@ -22,13 +22,12 @@ class TwoArms : public testing::Test {
         linkXml("base", ball) + linkXml("hand", ball) +
         jointXml("slide", "prismatic", "base", "hand",
                  "<axis xyz='1 0 0'/><limit lower='-9' upper='9' velocity='1' effort='1'/>"));
-    std::vector<RobotDescription> robots;
     for (const char* prefix : {"left", "right"}) {
-      robots.push_back(describeText(xml));
-      robots.back().tf_prefix = prefix;
-      setup_->listed.push_back({prefix, idAt<RobotId>(robots.size() - 1), "", false});
+      descriptions_.push_back(describeText(xml));
+      descriptions_.back().tf_prefix = prefix;
+      setup_->listed.push_back({prefix, idAt<RobotId>(descriptions_.size() - 1), "", false});
     }
-    setup_->setup = buildSetup(robots, textLoader({}), SetupOptions());
+    setup_->setup = buildSetup(descriptions_, textLoader({}), SetupOptions());
     setup_->world_frame = "cell";
     poses_ = makeLinkPoses(setup_->setup.model);
     std::fill(poses_.status.begin(), poses_.status.end(), LinkStatus::known);
@@ -49,17 +48,25 @@ class TwoArms : public testing::Test {
   /// Its joint is silent.
   void lose(const std::string& name) { floatFrom(link(name), LinkStatus::stale, poses_); }
 
-  State stateNow(const CycleFacts& facts = factsNow()) {
+  /// A watch that has run one cycle.
+  std::unique_ptr<Watch> watchNow(const Watch* former = nullptr) {
     static const JointStore no_joint_states;
-    Watch watch(setup_, store_, no_joint_states);
+    auto watch = std::make_unique<Watch>(setup_, store_, no_joint_states);
     LinkPoses unused = makeLinkPoses(setup_->setup.model);
-    watch.reader.read(ros::Time(13.0), unused);  // it explains what it has read
-    watch.poses = poses_;
-    watch.cycle();
+    watch->reader.read(ros::Time(13.0), unused);  // it explains what it has read
+    if (former != nullptr) {
+      watch->takeOver(*former);
+    }
+    watch->poses = poses_;
+    watch->cycle();
+    return watch;
+  }
+  static State stateOf(const Watch& watch, const CycleFacts& facts = factsNow()) {
     State state;
     toMessage(watch, facts, state);
     return state;
   }
+  State stateNow(const CycleFacts& facts = factsNow()) { return stateOf(*watchNow(), facts); }
   static CycleFacts factsNow() {
     CycleFacts facts;
     facts.now = ros::Time(13.0);
@@ -67,6 +74,7 @@ class TwoArms : public testing::Test {
   }
 
   TransformStore store_;
+  std::vector<RobotDescription> descriptions_;
   std::shared_ptr<MonitorSetup> setup_ = std::make_shared<MonitorSetup>();
   LinkPoses poses_;
 };

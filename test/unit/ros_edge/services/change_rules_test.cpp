@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "pipeline/answers/pair_reason.h"
-#include "unit/ros_edge/edge_scene.h"
+#include "unit/ros_edge/world_scene.h"
 
 namespace collision_monitor::test::change_rules {
 namespace {
@@ -36,6 +36,7 @@ class ChangeRules : public testing::Test {
     take(answerSetLimits(*current_, request, response));
     return response;
   }
+  NextSetup endRules(RuleEnd now) { return withoutEnded(*current_, now, dropped_limits_); }
   void take(const NextSetup& next) { current_ = next ? next : current_; }
 
   const LinkPair& pairOf(const std::string& a, const std::string& b) const {
@@ -46,6 +47,7 @@ class ChangeRules : public testing::Test {
 
   NextSetup current_ = slidingSetup();
   RuleEnd now_ = RuleEnd() + seconds(1000);
+  std::vector<Problem> dropped_limits_;
 };
 
 TEST_F(ChangeRules, appendedRules_followThoseBefore) {
@@ -78,8 +80,8 @@ TEST_F(ChangeRules, mute_endsByItself) {
   const RuleEnd end = now_ + std::chrono::milliseconds(12500);
   EXPECT_EQ(nextEndOf(*current_), end);
   EXPECT_EQ(lastMuteOf(*current_), end);
-  EXPECT_EQ(withoutEnded(*current_, end - seconds(1)), nullptr);
-  const NextSetup later = withoutEnded(*current_, end);
+  EXPECT_EQ(endRules(end - seconds(1)), nullptr);
+  const NextSetup later = endRules(end);
   ASSERT_NE(later, nullptr);
   EXPECT_EQ(later->setup.checked.size(), 3U);
   EXPECT_EQ(nextEndOf(*later), kLasts);
@@ -90,7 +92,7 @@ TEST_F(ChangeRules, endingOneRule_leavesTheOthers) {
   setPairs("- {a: tool, b: finger, check: false}");
   setPairs("- {a: base, b: tool, check: false}", 5.0);
   setPairs("- {a: base, b: finger, check: false}", 50.0);
-  take(withoutEnded(*current_, now_ + seconds(10)));
+  take(endRules(now_ + seconds(10)));
   EXPECT_EQ(pairOf("tool", "finger").reason, PairReason::ignored_by_rule);
   EXPECT_EQ(pairOf("base", "tool").reason, PairReason::checked);
   EXPECT_EQ(pairOf("base", "finger").reason, PairReason::muted);
@@ -178,6 +180,23 @@ TEST_F(ChangeRules, limitThatWouldContradictOnceARuleEnds_isRefusedNow) {
   setPairs("- {a: base, b: tool, warning_distance: 0.01}");
   setPairs("- {a: base, b: tool, warning_distance: 0.05}", 10.0);
   EXPECT_FALSE(setLimits({"contact_distance"}, {0.02}).success);
+}
+
+TEST_F(ChangeRules, limitsThatNoLongerFitWhenARuleEnds_areDroppedAloneAndTold) {
+  current_ = slidingSetupWith({});
+  setPairs("- {a: base, b: tool, warning_distance: 0.03}");
+  setPairs("- {a: tool, b: part, contact_distance: 0.06}");
+  setPairs("- {a: tool, b: part, warning_distance: 0.1}", 10.0);
+  ASSERT_EQ(current_->setup.pair_rules.size(), 3U);
+  const World world = worldOf({objectOf("part", Sphere{0.05}, at(0, 0, 9))},
+                              placesOf(current_->robots->model, current_->world_frame));
+  current_ = changeWorld(*current_, world, {});
+  ASSERT_EQ(limitsOf(current_->setup, pairOf("tool", "part")).contact_distance, 0.06);
+  take(endRules(now_ + seconds(20)));
+  EXPECT_EQ(limitsOf(current_->setup, pairOf("tool", "part")).contact_distance, 0.0);
+  EXPECT_EQ(limitsOf(current_->setup, pairOf("base", "tool")).warning_distance, 0.03);
+  ASSERT_EQ(dropped_limits_.size(), 1U);
+  EXPECT_NE(toString(dropped_limits_[0]).find("its limits are dropped"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/world/world_parameters.h"
+
+#include <gtest/gtest.h>
+
+#include "support/robots/world_objects.h"
+
+namespace collision_monitor::test {
+namespace {
+
+std::vector<std::string> faultsOf(const ListedRobot& first, const std::string& world_frame) {
+  SetupReport report;
+  const WorldObject table = objectOf("table", Sphere{0.1});
+  WorldObject shelf = table;
+  shelf.name = "shelf";
+  shelf.frame = "cell";
+  checkFrames({table, shelf, attached(named("tool"), "hand")}, first, world_frame, report);
+  return textsOf(report.errors);
+}
+
+TEST(ObjectsWithoutFrame, whileTheFirstRobotIsMissing_areRefused) {
+  const ListedRobot missing{"left", std::nullopt, "no URDF in parameter /left", false};
+  EXPECT_EQ(faultsOf(missing, ""),
+            (std::vector<std::string>{
+                "world, object 'table': no frame, while the root link of robot 'left' is not "
+                "known: no URDF in parameter /left; accepted: the name of a frame, or one in the "
+                "parameter world_frame"}));
+  EXPECT_TRUE(faultsOf(missing, "cell").empty());
+  EXPECT_TRUE(faultsOf({"left", RobotId{0}, "", false}, "").empty());
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
