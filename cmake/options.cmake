@@ -33,7 +33,7 @@ endfunction()
 # call whose values have their own scope. Checking these scopes takes three times as long as all
 # other checks, which stay on.
 function(compile_folders_together library)
-  set(together "^(fitting|library|model|pipeline/(fits|pair_search|setup|world))")
+  set(together "^(fitting|library|model|pipeline/(pair_search|setup|world))")
   if(COLLISION_MONITOR_SANITIZE)
     set(together .)
   endif()

@@ -39,9 +39,7 @@ bool Unknowns::isUpToDate(const LinkPoses& poses, const PairEvents& events) cons
 void Unknowns::addPairs(const CycleSetup& setup, const PairEvents& events,
                         const RobotSpeeds& robots) {
   std::vector<bool> is_unknown(setup.model.links.size());
-  const auto robot_of = [&](LinkId link) {
-    return std::min<std::size_t>(robots.robot_of_link[index(link)], robots_);
-  };
+  const auto robot_of = [&](LinkId link) { return std::size_t{robots.robot_of_link[index(link)]}; };
   for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
     if (events.verdicts[i] == Verdict::unknown) {
       const CheckedLinkPair& pair = setup.checked[i];

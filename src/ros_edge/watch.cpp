@@ -24,8 +24,8 @@ std::vector<std::vector<bool>> findChecked(const CycleSetup& setup, const RobotS
   const std::size_t robots = robotCount(setup.model);
   std::vector<std::vector<bool>> is_checked(robots + 1, std::vector<bool>(robots + 1));
   for (const CheckedLinkPair& pair : setup.checked) {
-    const auto a = std::min<std::size_t>(speeds.robot_of_link[index(pair.a)], robots);
-    const auto b = std::min<std::size_t>(speeds.robot_of_link[index(pair.b)], robots);
+    const std::size_t a = speeds.robot_of_link[index(pair.a)];
+    const std::size_t b = speeds.robot_of_link[index(pair.b)];
     is_checked[a][b] = is_checked[b][a] = true;
   }
   return is_checked;

@@ -53,9 +53,7 @@ class RobotViews {
   const RobotView& of(RobotId robot) const { return views_[index(robot)]; }
 
  private:
-  std::size_t robotOf(LinkId link) const {
-    return std::min<std::size_t>(speeds_.robot_of_link[index(link)], views_.size() - 1);
-  }
+  std::size_t robotOf(LinkId link) const { return speeds_.robot_of_link[index(link)]; }
 
   static void addTime(double time, RobotView& view) {
     view.is_time_unknown = view.is_time_unknown || std::isnan(time);
