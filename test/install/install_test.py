@@ -122,7 +122,7 @@ print(cm.__file__, cm.load({str(self.urdf)!r}, fit_cache="none"))"""]
         else:
             said = self.succeed(*command, environment=dict(self.environment,
                                                            PYTHONPATH=str(module.parents[1])))
-        self.assertRegex(said, f"^{module} Robot r: 1 links with shapes")
+        self.assertRegex(said, f"^{module} Robot r: 1 link with shapes")
 
     def test_other_version_is_refused(self):
         other = self.folder / "other"

@@ -110,7 +110,7 @@ bool Services::explainPair(ExplainPair::Request& request, ExplainPair::Response&
 }
 
 bool Services::setPairs(SetPairs::Request& request, SetPairs::Response& response) {
-  const std::lock_guard<std::mutex> lock(changing_);
+  const std::lock_guard<std::timed_mutex> lock(changing_);
   const NextSetup next = answerSetPairs(*hooks_.current_setup(), std::chrono::steady_clock::now(),
                                         ++requests_, request, response);
   if (next) {
@@ -122,7 +122,7 @@ bool Services::setPairs(SetPairs::Request& request, SetPairs::Response& response
 }
 
 bool Services::setLimits(SetLimits::Request& request, SetLimits::Response& response) {
-  const std::lock_guard<std::mutex> lock(changing_);
+  const std::lock_guard<std::timed_mutex> lock(changing_);
   if (const NextSetup next = answerSetLimits(*hooks_.current_setup(), request, response)) {
     hooks_.change_setup(next);
     ROS_INFO_STREAM("set_limits: " << response.message);
@@ -131,7 +131,7 @@ bool Services::setLimits(SetLimits::Request& request, SetLimits::Response& respo
 }
 
 void Services::endRules() {
-  const std::lock_guard<std::mutex> lock(changing_);
+  const std::lock_guard<std::timed_mutex> lock(changing_);
   std::vector<Problem> dropped_limits;
   const NextSetup next =
       withoutEnded(*hooks_.current_setup(), std::chrono::steady_clock::now(), dropped_limits);
@@ -167,7 +167,7 @@ LateHooks Services::lateHooks() {
 /// Changes of objects, rules and limits may have come since the robots were built; after a reload
 /// they are built again.
 void Services::takeInLate(const MonitorSetup& late, const MonitorSetup& former) {
-  const std::lock_guard<std::mutex> lock(changing_);
+  const std::lock_guard<std::timed_mutex> lock(changing_);
   const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
   if (current->robots != former.robots) {
     return;
@@ -186,7 +186,7 @@ void Services::takeInLate(const MonitorSetup& late, const MonitorSetup& former) 
 }
 
 void Services::tellMissing(const MonitorSetup& former, const std::vector<std::string>& missing) {
-  const std::lock_guard<std::mutex> lock(changing_);
+  const std::lock_guard<std::timed_mutex> lock(changing_);
   const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
   if (current->robots == former.robots) {
     hooks_.change_setup(withMissing(*current, missing));
@@ -207,7 +207,8 @@ bool Services::setEnabled(std_srvs::SetBool::Request& request,
 
 bool Services::reload(std_srvs::Trigger::Request& /*request*/,
                       std_srvs::Trigger::Response& response) {
-  const std::unique_lock<std::mutex> lock(changing_, std::try_to_lock);
+  constexpr std::chrono::seconds kPatience(2);  // rules that end take less
+  const std::unique_lock<std::timed_mutex> lock(changing_, kPatience);
   response.success = 0;
   if (!lock.owns_lock()) {
     response.message =

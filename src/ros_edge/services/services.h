@@ -70,7 +70,7 @@ class Services {
   ros::NodeHandle private_node_;
   Inputs inputs_;
   ServiceHooks hooks_;
-  std::mutex changing_;         ///< held from reading the current set-up to replacing it
+  std::timed_mutex changing_;   ///< held from reading the current set-up to replacing it
   std::size_t requests_{0};     ///< of set_pairs
   BackgroundQueue background_;  ///< outlives its services
   ros::ServiceServer get_distances_;

@@ -34,7 +34,7 @@ std::string countText(std::size_t count) {
 }  // namespace
 
 ObjectServices::ObjectServices(const ros::NodeHandle& private_node, const Inputs& inputs,
-                               ObjectHooks hooks, std::mutex& changing)
+                               ObjectHooks hooks, std::timed_mutex& changing)
     : private_node_(private_node), inputs_(inputs), hooks_(std::move(hooks)), changing_(changing) {
   objects_ = private_node_.advertise<SceneObjects>("objects", 1, true);
   publish();
@@ -51,7 +51,7 @@ bool ObjectServices::apply(ApplyObjects::Request& request, ApplyObjects::Respons
     SetupReport report;
     const std::vector<ObjectChange> changes = read(request.changes, report);
     // Only now, so that files that load slowly keep no mute from ending.
-    const std::lock_guard<std::mutex> lock(changing_);
+    const std::lock_guard<std::timed_mutex> lock(changing_);
     const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
     std::vector<WorldObject> held_back;
     const World world = applyChanges(worldBefore(changes, *current, held_back), changes,

@@ -34,7 +34,7 @@ class ObjectServices {
   /// @param changing is held while a set-up is replaced
   /// @pre the inputs and the mutex outlive the services.
   ObjectServices(const ros::NodeHandle& private_node, const Inputs& inputs, ObjectHooks hooks,
-                 std::mutex& changing);
+                 std::timed_mutex& changing);
 
   /// Publishes the objects, after a reload.
   void publish();
@@ -48,7 +48,7 @@ class ObjectServices {
   ros::NodeHandle private_node_;
   Inputs inputs_;
   ObjectHooks hooks_;
-  std::mutex& changing_;
+  std::timed_mutex& changing_;
   ros::Publisher objects_;
   ros::ServiceServer apply_objects_;
   ros::ServiceServer get_objects_;
