@@ -137,7 +137,10 @@ void measureTimes(const CycleSetup& whole, const PlacedStates& states) {
 
 void measureScene(const CycleSetup& robot, const World& world, const Arguments& arguments) {
   const PreparedObjects prepared = prepareObjects(world, RefineGeometry::mesh, {});
-  const CycleSetup whole = addWorld(robot, world, prepared, "world");
+  CycleSetup whole = addWorld(robot, world, prepared, "world");
+  for (std::size_t i = 0; i < robot.model.links.size(); ++i) {  // FCL reads their triangles
+    whole.model.links[i].collisions = robot.model.links[i].collisions;
+  }
   const CycleSetup setup = withObjectPairs(whole);
   const std::vector<Geometry> geometries = sourceGeometries(setup, world);
   const PlacedStates states = drawPlacedStates(setup, geometries, arguments.states);
