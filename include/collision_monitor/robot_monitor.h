@@ -21,10 +21,6 @@ namespace collision_monitor {
 struct MonitorParts;
 struct QueryParts;
 
-/// The frame that all poses of a monitor are in, unless a link has this name. Objects that name no
-/// frame stand in it.
-constexpr const char* kWorldFrame = "world";
-
 /// What a monitor is made with. The defaults do for most robots.
 struct MonitorOptions {
   Limits limits;  ///< times, hysteresis and report_distance play no part: a query knows no past
@@ -34,7 +30,7 @@ struct MonitorOptions {
   FitLimits fit{4, 0.01, {}};                   ///< of links for which the rules say nothing
   ShapeRulesText shape_rules;                   ///< for single links; wins over the options here
   PairRulesText pair_rules;  ///< for pairs, of objects too; wins over SRDFs and ignored_pairs
-  WorldText world;           ///< objects beside the robots, or attached to links
+  WorldText world;           ///< objects beside the robots, or attached to links; see withWorld
   std::vector<NamedPair> ignored_pairs;  ///< in addition to what SRDFs say
   bool ignore_default_overlap{true};     ///< as SetupOptions
   /// Where package://NAME/ is looked up, each a package or a folder of packages. What
@@ -95,8 +91,9 @@ class RobotMonitor {
 
   /// The same robots with these objects in place of those that they have, as for another scene.
   /// Robots are not read and fitted anew, and the rules for pairs are applied to the new objects.
-  /// An object stands in the frame of the world or of a link, or is attached to a link, and is a
-  /// link of its own in answers.
+  /// An object without frame stands in the world, as one in the frame "world" does if no link has
+  /// that name. Others stand in the frame of a link, or are attached to a link. Each object is a
+  /// link of its own in answers, and so is the world: "/world".
   /// @throws SetupError with all faults of the objects
   RobotMonitor withWorld(const WorldText& world) const;
 

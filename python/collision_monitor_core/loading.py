@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads the arguments of load() and loads(). All faults are told at once."""
 import os
+import re
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
@@ -12,6 +13,7 @@ DEFAULTS = {
     "detail": "mesh", "padding": 0.0, "contact_distance": 0.0, "warning_distance": 0.05,
     "distance_tolerance": 0.0, "max_shapes": 4, "target_overshoot": 0.01,
     "ignore_default_overlap": True, "fit_cache": ""}
+_LONGEST = 100_000_000  # [bytes] of a file
 DOCUMENTS = {"rules": "a YAML file", "pair_rules": "a YAML file",
              "world": "a YAML or .scene file"}
 _KINDS = {float: "a number", int: "a whole number from 0", bool: "True or False", str: "a str"}
@@ -75,26 +77,44 @@ def _plain(name: str, value: Any, faults: List[str]) -> Any:
     return DEFAULTS[name]
 
 
+def _is_text(given: str) -> bool:
+    """Whether this is YAML, and no name of a file."""
+    return "\n" in given or given.lstrip()[:2] in ("", "- ", "[]") or given.lstrip()[0] in "[{#" \
+        or re.match(r"\w+:(\s|$)", given.lstrip()) is not None
+
+
+def _read(path: bytes) -> str:
+    if os.path.exists(path) and not os.path.isfile(path):
+        raise ValueError("no regular file")
+    if os.path.getsize(path) > _LONGEST:
+        raise ValueError(f"larger than {_LONGEST} bytes")
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
 def _document(given: Any, name: str, what: str, faults: List[str]) -> Dict[str, Union[str, bytes]]:
     """The text of a file or the text itself, its name in messages, and its folder."""
     nothing: Dict[str, Union[str, bytes]] = {name: "", name + "_source": "",
                                              name + "_directory": ""}
     if given is None:
         return nothing
-    if isinstance(given, str) and "\n" in given:
+    if isinstance(given, str) and _is_text(given):
         return {name: _text(given, name, faults), name + "_source": name, name + "_directory": ""}
+    if not isinstance(given, (str, bytes)) and not hasattr(given, "__fspath__"):
+        faults.append(f"`{name}` is {given!r:.100}; accepted: {what}, or text in YAML")
+        return nothing
     told = len(faults)
     path = _path(given, name, faults)
-    text = ""
     if len(faults) > told:
         return nothing
     try:
-        with open(path, encoding="utf-8") as file:
-            text = file.read()
+        return {name: _read(path), name + "_source": path,
+                name + "_directory": os.path.dirname(os.path.abspath(path))}
     except (OSError, ValueError) as fault:
-        faults.append(f"`{name}`: {os.fsdecode(path)} cannot be read ({fault}); accepted: {what}, "
-                      "or its text")
-    return {name: text, name + "_source": path, name + "_directory": os.path.dirname(path)}
+        reason = getattr(fault, "strerror", None) or fault
+        faults.append(f"`{name}`: {os.fsdecode(path):.100} cannot be read ({reason!s:.100}); "
+                      f"accepted: {what}, or text in YAML")
+        return nothing
 
 
 def _pairs(given: Any, faults: List[str]) -> List[Tuple[str, str]]:
@@ -142,7 +162,7 @@ def load(urdf: Union[Path, Sequence[Path]],
     ignore_pairs: pairs of names or patterns of links that are not checked, beside those of the
         SRDF.
 
-    Options that are a file or its text: rules for shapes (config/shape_rules.yaml); pair_rules
+    Options that are a file, or text in YAML: rules for shapes (config/shape_rules.yaml); pair_rules
     (config/pair_rules.yaml); world, objects beside the robots or attached to links
     (config/cells/table.yaml, or a .scene file of MoveIt), each a link of its own in answers.
 

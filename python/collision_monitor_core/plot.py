@@ -14,7 +14,7 @@ from .records import EnclosingShape
 _COLOURS = {Verdict.clear: "#0072B2", Verdict.warning: "#E69F00",
             Verdict.contact: "#960000"}
 Floats = npt.NDArray[np.float64]
-_PLANE = 1e6  # [m] half an extent: larger boxes stand for planes
+_LARGE = 100.0  # [m] half a width: larger shapes, as planes are, do not set the view
 _STEPS = 12  # points of a quarter of a turn, rounded up to what looks round
 
 
@@ -56,10 +56,14 @@ def _placed_shapes(robot: Robot, poses: Floats) -> List[Tuple[EnclosingShape, Fl
             if np.isfinite(pose_of[shape.link]).all()]
 
 
+def _half_width(shape: EnclosingShape) -> float:
+    return float(shape.half_extents.max()) + shape.radius
+
+
 def _view(placed: List[Tuple[EnclosingShape, Floats]]) -> Tuple[Floats, float]:
-    """The middle and half the width of what is shown: all shapes but planes."""
+    """The middle and half the width of what is shown: all but very large shapes."""
     grids = [_in_world(surface(shape), pose).reshape(-1, 3) for shape, pose in placed
-             if shape.half_extents.max() < _PLANE]
+             if _half_width(shape) < _LARGE]
     if not grids:
         return np.zeros(3), 1.0
     points = np.concatenate(grids)
@@ -69,14 +73,14 @@ def _view(placed: List[Tuple[EnclosingShape, Floats]]) -> Tuple[Floats, float]:
 
 def _draw_shapes(axes: Any, placed: List[Tuple[EnclosingShape, Floats]], middle: Floats,
                  reach: float, pairs: List[PairDistance]) -> None:
-    """Draws shapes, and of planes the part in view."""
+    """Draws shapes, and of very large ones the part in view."""
     worst: Dict[str, Verdict] = {}
     for pair in pairs:
         for link in pair.links:
             worst[link] = max(worst.get(link, Verdict.clear), pair.verdict)
     for shape, pose in placed:
         grid = surface(shape)
-        if shape.half_extents.max() >= _PLANE:
+        if _half_width(shape) >= _LARGE:
             seen = (middle - pose[:3, 3]) @ pose[:3, :3]
             grid = np.clip(grid, seen - reach, seen + reach)
         verdict = worst.get(shape.link, Verdict.clear)

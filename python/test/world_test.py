@@ -29,6 +29,30 @@ def test_world_fromATextAndFromAFile_isTheSame(tmp_path):
         assert "3 links with shapes, 2 objects, 2 variables" in repr(robot)
 
 
+def test_meshes_areFoundBesideARelativeFile(tmp_path, monkeypatch):
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "sub" / "t.obj").write_text(
+        "v 0 0 5\nv 1 0 5\nv 0 1 5\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n")
+    (tmp_path / "sub" / "w.yaml").write_text("- {name: t, kind: mesh, file: t.obj}")
+    monkeypatch.chdir(tmp_path)
+    assert "t" in cm.load(BOXES, world="sub/w.yaml", fit_cache="none").links
+    monkeypatch.chdir(tmp_path / "sub")
+    assert "t" in cm.load(BOXES, world="w.yaml", fit_cache="none").links
+
+
+@pytest.mark.parametrize("text", ["", "[]", "world: []", "- {name: p, kind: plane}",
+                                  "# nothing", "[{name: p, kind: plane}]"])
+def test_textWithoutLineBreak_isNoFileName(text):
+    assert len(cm.load(BOXES, world=text, fit_cache="none").links) >= 4
+
+
+@pytest.mark.parametrize("wrong", ["/dev/zero", "no.yaml", 5, [{"name": "a"}], "x" * 10**6])
+def test_whatIsNoTextAndNoFile_isAShortFault(wrong):
+    with pytest.raises(cm.ArgumentError, match="text in YAML") as caught:
+        cm.load(BOXES, world=wrong, fit_cache="none")
+    assert len(str(caught.value)) < 400
+
+
 def test_withWorld_leavesTheRobotAsItIs():
     robot = cm.load(BOXES, fit_cache="none")
     beside = robot.with_world(POST)

@@ -114,14 +114,31 @@ std::vector<EnclosingShape> listShapes(const CycleSetup& setup) {
   return shapes;
 }
 
+/// The frame of the world. No link of a robot has a name with a slash in front.
+constexpr const char* kWorldFrame = "/world";
+
+std::string absoluteOf(const std::string& directory) {
+  std::error_code ignored;
+  return directory.empty() ? "" : std::filesystem::absolute(directory, ignored).string();
+}
+
 /// The objects of a text, checked.
 World readObjects(const WorldText& text, const RobotModel& robots, const MonitorOptions& options) {
   SetupReport report;
   KnownPlaces places = placesOf(robots, kWorldFrame);
   places.has_frame = [](const std::string&) { return false; };
-  places.other_frames = "none, for the world frame";
-  const ObjectChange change{ChangeKind::replace_all,
-                            readWorld(text, loaderOf(options), options.meshes, report), true};
+  places.other_frames = "none or 'world' for the world";
+  const auto& frames = places.link_frames;
+  const bool is_link = std::find(frames.begin(), frames.end(), "world") != frames.end();
+  ObjectChange change{ChangeKind::replace_all,
+                      readWorld({text.source, text.text, absoluteOf(text.directory)},
+                                loaderOf(options), options.meshes, report),
+                      true};
+  for (WorldObject& object : change.objects) {
+    if (object.frame == "world" && !object.is_attached && !is_link) {
+      object.frame.clear();
+    }
+  }
   const World world = applyChanges(World(), {change}, places, report);
   throwIfErrors(report);
   return world;
@@ -155,7 +172,11 @@ std::shared_ptr<const MonitorParts> makeMonitorParts(const GivenRobots& robots,
   auto parts = std::make_shared<MonitorParts>();
   SetupReport report = robots.report;
   if (!robots.descriptions.empty() || report.errors.empty()) {
-    parts->setup = buildReported(robots.descriptions, options, report);
+    std::vector<RobotDescription> descriptions = robots.descriptions;
+    for (RobotDescription& robot : descriptions) {
+      robot.directory = absoluteOf(robot.directory);
+    }
+    parts->setup = buildReported(descriptions, options, report);
   }
   checkRoots(options, robots.descriptions.size() + robots.report.errors.size(), report);
   throwIfErrors(report);

@@ -154,6 +154,9 @@ LinkPairIndex measureNearest(QueryParts& parts) {
   }
   measureNear(parts.links.of(likely).measured.distance + kRounding, Asked::nearest, parts);
   const LinkPairIndex closest = closestOf(parts.links, kAnyPair);
+  if (closest == kNone) {
+    return measureLikely(parts);  // very far away, rounding is larger
+  }
   parts.last_nearest = parts.links.of(closest).pair;
   return closest;
 }

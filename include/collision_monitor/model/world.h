@@ -84,6 +84,7 @@ struct WorldText {
 constexpr std::size_t kMostObjects = 20000;           ///< how many objects a world may hold
 constexpr std::size_t kMostObjectTriangles = 500000;  ///< of one mesh
 constexpr double kFarthestObject = 1e6;               ///< [m] coordinates and lengths
+constexpr double kMostObjectPadding = 1e3;            ///< [m] as of links
 
 /// What a change does with the objects that it names.
 enum class ChangeKind : unsigned char {
@@ -115,7 +116,7 @@ struct KnownPlaces {
   std::string world_frame;               ///< tf frame in which distances are measured
   /// Whether a frame that is neither a link's nor the world's exists; empty: any may come to exist.
   std::function<bool(const std::string& frame)> has_frame;
-  std::string other_frames{"a frame that tf knows"};  ///< in messages: those of has_frame
+  std::string other_frames;  ///< in messages, beside links' frames; "": those of tf and the world's
   /// The newest pose of `child` (a frame, or a link by its name) in `parent`; nothing if it is not
   /// known. Empty: no pose is known.
   std::function<std::optional<Pose>(const std::string& parent, const std::string& child)> find_pose;

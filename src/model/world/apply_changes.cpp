@@ -140,8 +140,10 @@ class ChangeMaker {
       return true;
     }
     refuse("frame " + quoted(frame) + ", which is unknown" + suggestion(frame, places_.link_frames),
-           places_.other_frames + ", a link's frame or the world frame " +
-               quoted(places_.world_frame));
+           places_.other_frames.empty()
+               ? "a frame that tf knows, a link's frame or the world frame " +
+                     quoted(places_.world_frame)
+               : "a link's frame, or " + places_.other_frames);
     return false;
   }
 

@@ -12,8 +12,6 @@
 namespace collision_monitor {
 namespace {
 
-constexpr double kMostPadding = 1e3;  // [m], as of links
-
 std::string textOf(const Eigen::Vector3d& v) {
   return "(" + shortText(v.x()) + ", " + shortText(v.y()) + ", " + shortText(v.z()) + ")";
 }
@@ -105,9 +103,9 @@ bool checkObject(const WorldObject& object, const std::string& where, SetupRepor
     checkPlacing((*object.shapes)[i].object_from_shape, shape, report);
     std::visit(GeometryCheck{shape, report}, (*object.shapes)[i].geometry);
   }
-  if (!(object.padding >= 0.0 && object.padding <= kMostPadding)) {
+  if (!(object.padding >= 0.0 && object.padding <= kMostObjectPadding)) {
     report.errors.push_back({where, "padding " + shortText(object.padding) + " m",
-                             "from 0 to " + shortText(kMostPadding) + " m"});
+                             "from 0 to " + shortText(kMostObjectPadding) + " m"});
   }
   for (const float part : object.colour) {
     if (!(part >= 0.0F && part <= 1.0F)) {

@@ -165,7 +165,7 @@ std::optional<WorldObject> readObject(const YAML::Node& node, const WorldSource&
   rest.find("name");
   readCarrier(rest, named, line, object);
   object.frame_from_object = readPose(rest, named, line);
-  object.padding = rest.readNumber("padding", 0.0, kFarthestObject).value_or(0.0);
+  object.padding = rest.readNumber("padding", 0.0, kMostObjectPadding).value_or(0.0);
   object.group = rest.readText("group", "a name").value_or("");
   if (const auto colour = rest.readNumbers("colour", 4, 0.0, 1.0)) {
     for (std::size_t i = 0; i < object.colour.size(); ++i) {

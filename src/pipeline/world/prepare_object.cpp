@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/world/prepare_object.h"
 
-#include <Eigen/Geometry>
+#include <cmath>
+#include <stdexcept>
 
 #include "collision_monitor/geometry/bounds.h"
 #include "geometry/all_cores.h"
@@ -39,13 +40,24 @@ Enclosure boxAround(const std::vector<Eigen::Vector3d>& points) {
   return simple(Box{0.5 * (most - least) + Eigen::Vector3d::Constant(growth)}, center, false);
 }
 
+/// A rotation whose third column is this unit vector. Eigen's FromTwoVectors gives none where the
+/// vector is nearly opposite to z.
+Eigen::Matrix3d frameAlong(const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d across =
+      std::abs(normal.x()) < 0.8 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+  Eigen::Matrix3d frame;
+  frame.col(2) = normal;
+  frame.col(0) = (across - normal * normal.dot(across)).normalized();
+  frame.col(1) = normal.cross(frame.col(0)).normalized();
+  return frame;
+}
+
 /// Places a half space z <= 0 in the frame of the plane, as near to its origin as the plane is.
 Pose placeOf(const Plane& plane) {
   const double length = plane.normal.norm();
   const Eigen::Vector3d normal = plane.normal / length;
   Pose shape_from_plane;
-  shape_from_plane.rotation =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal).toRotationMatrix();
+  shape_from_plane.rotation = frameAlong(normal);
   shape_from_plane.translation = plane.offset / length * normal;
   return shape_from_plane;
 }
@@ -122,6 +134,9 @@ void addShape(const ObjectShape& shape, const std::string& number, RefineGeometr
   BodyLabel label;
   label.shape_name = element.name + "/" + kindName(body.shape);
   label.overshoot = enclosure.overshoot;
+  if (!isRigid(body.link_from_body) || !isRigid(element.link_from_element)) {
+    throw std::logic_error(element.name + " would stand in a pose that is no rotation");
+  }
   object.elements.push_back(std::move(element));
   object.bodies.push_back(body);
   object.labels.push_back(std::move(label));
@@ -136,7 +151,12 @@ std::shared_ptr<const PreparedObject> prepareObject(const WorldObject& object,
   prepared->padding = object.padding;
   for (std::size_t i = 0; i < object.shapes->size(); ++i) {
     const std::string number = object.shapes->size() == 1 ? "" : "_" + std::to_string(i + 1);
-    addShape((*object.shapes)[i], number, refine, *prepared);
+    try {
+      addShape((*object.shapes)[i], number, refine, *prepared);
+    } catch (const std::exception& fault) {
+      throw SetupError({{object.where.empty() ? "world" : object.where,
+                         "object '" + object.name + "': " + fault.what(), ""}});
+    }
   }
   return prepared;
 }

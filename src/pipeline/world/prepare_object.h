@@ -36,6 +36,7 @@ constexpr double kPlaneWidening = 2e-5;
 /// has a box or another shape around it. The element of a cone is a hull that sticks out by at most
 /// 0.2 % of its radius; other elements are exact.
 /// @pre checkObject found no fault
+/// @throws SetupError that names the object, if its shapes cannot be made
 std::shared_ptr<const PreparedObject> prepareObject(const WorldObject& object,
                                                     RefineGeometry refine);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/robot_query.h"
@@ -29,7 +30,8 @@ RobotMonitor monitorOf(const std::string& world, const std::string& rules = "") 
 double distanceOf(const RobotMonitor& monitor, const std::string& a, const std::string& b,
                   double slide = 0.0) {
   RobotQuery query(monitor);
-  const std::vector<double> state{slide, 0.0};
+  const std::vector<double> state =
+      monitor.variables().empty() ? std::vector<double>() : std::vector<double>{slide, 0.0};
   for (const MeasuredPair& pair : query.distances(state).pairs) {
     const CheckedLinkPair& links = monitor.pairs()[pair.pair];
     if (monitor.model().link(links.a).name == a && monitor.model().link(links.b).name == b) {
@@ -73,6 +75,66 @@ TEST(LibraryWorld, objectOnAPath_isHitByTheLinkThatMoves) {
   const std::vector<StateAnswer> checks = query.check(path);
   EXPECT_EQ(checks[0].verdict, Verdict::clear);
   EXPECT_EQ(checks[1].verdict, Verdict::contact);
+}
+
+/// A ball of 0.1 m in the origin and a plane whose normal has this tilt from -z, `depth` above it.
+void expectPlane(double tilt, double depth, double padding) {
+  SCOPED_TRACE(testing::Message() << "tilt " << tilt << ", depth " << depth << ", padding "
+                                  << padding);
+  RobotDescription ball;
+  ball.urdf_xml =
+      "<robot name='b'><link name='ball'><collision><geometry><sphere radius='0.1'/></geometry>"
+      "</collision></link></robot>";
+  MonitorOptions options;
+  options.fit_cache = "none";
+  std::ostringstream text;
+  text.precision(17);
+  text << "- {name: plane, kind: plane, padding: " << padding << ", normal: ["
+       << std::sin(tilt) * std::cos(1.0) << ", " << std::sin(tilt) * std::sin(1.0) << ", "
+       << -std::cos(tilt) << "], offset: " << depth - 0.1 << "}";
+  options.world = {"plane.yaml", text.str(), ""};
+  RobotQuery query(RobotMonitor({ball}, options));
+  const double expected = -depth - padding;
+  EXPECT_NEAR(query.distances({}).pairs.at(0).measured.distance, expected, 1e-9);
+  EXPECT_NEAR(query.nearest({}).measured.distance, expected, 1e-9);
+  const Verdict verdict = expected <= 0.0    ? Verdict::contact
+                          : expected <= 0.05 ? Verdict::warning
+                                             : Verdict::clear;
+  EXPECT_EQ(query.verdict({}), verdict);
+  EXPECT_EQ(query.contacts({}).size(), expected <= 0.0 ? 1U : 0U);
+}
+
+TEST(LibraryWorld, planes_areMeasuredWhateverTheirNormal) {
+  for (const double tilt : {0.0, 1e-9, 2.65e-6, 1e-5, 3e-4, 9e-4, 3e-3, 0.05, 0.5, 1.6, 3.1,
+                            3.14159, 3.141592653589793}) {
+    for (const double depth : {-1.0, -0.04, 0.005, 0.3, 2.0}) {
+      expectPlane(tilt, depth, 0.0);
+      expectPlane(tilt, depth, 0.03);
+    }
+  }
+}
+
+TEST(LibraryWorld, linkThatIsCalledWorld_doesNotCarryObjectsWithoutFrame) {
+  RobotDescription robot;
+  robot.urdf_xml =
+      "<robot name='b'><link name='world'><collision><geometry><sphere radius='0.1'/></geometry>"
+      "</collision></link></robot>";
+  MonitorOptions options;
+  options.fit_cache = "none";
+  options.world_from_root = {{Eigen::Matrix3d::Identity(), {1.0, 0.0, 0.0}}};
+  const std::string shape = "kind: sphere, radius: 0.1, xyz: [0, 0, 5]}";
+  options.world = {"w", "[{name: g, " + shape + ", {name: h, frame: world, " + shape + "]", ""};
+  const RobotMonitor monitor({robot}, options);
+  EXPECT_NEAR(distanceOf(monitor, "world", "g"), std::hypot(1.0, 5.0) - 0.2, 1e-12);
+  EXPECT_NEAR(distanceOf(monitor, "world", "h"), 4.8, 1e-12) << "in the frame of the link";
+  const RobotMonitor boxes = monitorOf("[{name: h, frame: world, " + shape + "]");
+  EXPECT_NEAR(distanceOf(boxes, "box_a", "h"), 4.8, 1e-12) << "no link has that name";
+}
+
+TEST(LibraryWorld, shapeThatCannotBeMade_isAFaultOfItsObject) {
+  const std::string faults = faultsOf("- {name: silo, kind: cylinder, radius: 1e6, length: 1}");
+  EXPECT_NE(faults.find("silo"), std::string::npos) << faults;
+  EXPECT_NE(faults.find("cell.yaml"), std::string::npos) << faults;
 }
 
 TEST(LibraryWorld, rules_nameObjectsToo) {
