@@ -9,6 +9,7 @@
 #include <map>
 
 #include "model/object_links.h"
+#include "model/place.h"
 #include "ros_edge/outputs/sentences.h"
 
 namespace collision_monitor {
@@ -79,13 +80,12 @@ void WarningLog::logUnknownLinks(const Watch& watch) {
     ROS_WARN_STREAM("unknown: " << floatingSentence(watch, part));
   }
   // One line per cause: a silent joint makes every link behind it unknown.
-  std::map<std::string, std::string> links_of_cause;
+  std::map<std::string, std::vector<std::string>> links_of_cause;
   for (const LinkId link : watch.unknown().loneLinks()) {
-    std::string& links = links_of_cause[reasonSentence(watch, link)];
-    links += (links.empty() ? "" : ", ") + nameInText(watch.setup().model, link);
+    links_of_cause[reasonSentence(watch, link)].push_back(nameInText(watch.setup().model, link));
   }
   for (const auto& [cause, links] : links_of_cause) {
-    ROS_WARN_STREAM("unknown: " << links << ": " << cause);
+    ROS_WARN_STREAM("unknown: " << someOf(links) << ": " << cause);
   }
 }
 
