@@ -139,7 +139,7 @@ World readObjects(const WorldText& text, const RobotModel& robots, const Monitor
       object.frame.clear();
     }
   }
-  const World world = applyChanges(World(), {change}, places, report);
+  World world = applyChanges(World(), {change}, places, report);
   throwIfErrors(report);
   return world;
 }
