@@ -56,13 +56,20 @@ class ManyStates {
     }
   }
 
+  /// Another thread may have done the last part.
+  void tellEnd() {
+    if (told_ < 1.0 && !is_given_up_) {
+      tell();
+    }
+  }
+
   bool isGivenUp() const { return is_given_up_; }
 
  private:
   void tell() {
-    if (request_.progress && std::this_thread::get_id() == caller_ &&
-        !request_.progress(static_cast<double>(done_) / static_cast<double>(answers_.size()))) {
-      is_given_up_ = true;
+    if (request_.progress && std::this_thread::get_id() == caller_) {
+      told_ = static_cast<double>(done_) / static_cast<double>(answers_.size());
+      is_given_up_ = !request_.progress(told_);
     }
   }
 
@@ -74,6 +81,7 @@ class ManyStates {
   std::atomic<std::size_t> next_{0};
   std::atomic<std::size_t> done_{0};
   std::atomic<bool> is_given_up_{false};
+  double told_{0.0};  ///< the caller's
 };
 
 /// The number of states. A monitor without variables has one.
@@ -104,6 +112,7 @@ std::vector<StateAnswer> RobotQuery::check(Numbers states, const StatesRequest& 
   }
   ManyStates all(parts, states, request, answers);
   forEachOnAllCores(threads, [&](std::size_t i) { all.work(parts.of_threads[i]); });
+  all.tellEnd();
   if (all.isGivenUp()) {
     answers.clear();
   }
