@@ -106,7 +106,7 @@ class BodyPairLister {
   }
 
  private:
-  static constexpr std::size_t kKinds = 3;
+  static constexpr std::size_t kKinds = static_cast<std::size_t>(CoreKind::box) + 1;
 
   std::size_t kindsOf(std::size_t a, std::size_t b) const {
     const auto [simpler, other] = std::minmax(kinds_[a], kinds_[b]);

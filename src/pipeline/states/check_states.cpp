@@ -150,6 +150,7 @@ bool hasOpen(const OpenStates& open) noexcept {
 void judgeApart(const CycleSetup& setup, std::size_t count, StatesWork& work, OpenStates& open,
                 BlockChecks& checks) noexcept {
   BlockChecks by_shapes;
+  placeBodies(setup, work);
   judgeShapes(setup, StateQuestion::nearest, count, work, by_shapes);
   for (std::size_t lane = 0; lane < count; ++lane) {
     if (open[lane]) {
@@ -161,6 +162,7 @@ void judgeApart(const CycleSetup& setup, std::size_t count, StatesWork& work, Op
 
 /// Judges by geometries. For the nearest pair it searches contacts first, which settle most states
 /// that have some; then it refines states that enclosing shapes leave open.
+/// @pre frames are placed.
 void judgeGeometries(const CycleSetup& setup, StateQuestion question, std::size_t count,
                      StatesWork& work, BlockChecks& checks) noexcept {
   OpenStates open{};
@@ -191,7 +193,10 @@ void judgeStates(const CycleSetup& setup, const JointPositions& positions, State
   for (std::size_t first = 0; first < total; first += kStateCount) {
     const std::size_t count = std::min(kStateCount, total - first);
     fillVariables(positions, first, work);
-    placeStates(setup, work);
+    placeFrames(work.plan, work.variables, work.frames);
+    if (!is_exact) {
+      placeBodies(setup, work);
+    }
     (is_exact ? judgeGeometries : judgeShapes)(setup, question, count, work, of_block);
     std::copy_n(of_block.begin(), count, checks.begin() + static_cast<std::ptrdiff_t>(first));
   }

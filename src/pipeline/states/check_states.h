@@ -73,6 +73,8 @@ struct StatesRefinement {
   std::vector<StateElementPair> element_pairs;  ///< by ElementPairIndex; of no bodies if apart
   std::vector<std::uint32_t> body_pairs;        ///< PairIds, in order of element pair
   std::vector<StatePoint> centers;              ///< by ElementId: centers of the balls
+  std::uint64_t block{0};                       ///< counter of blocks
+  std::vector<std::uint64_t> body_placed_in;    ///< by BodyId: the last block that placed it
   std::vector<Pose> world_from_element;         ///< by ElementId, in the current state
   std::vector<std::uint64_t> placed_in;         ///< by ElementId: the state of that pose
   std::uint64_t state{0};                       ///< counter of states

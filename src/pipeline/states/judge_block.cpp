@@ -73,31 +73,9 @@ void BlockSearch::visit(const PairRange& range) {
   }
 }
 
-void placeBody(const LinkPlace& place, const Core& core, std::size_t lane, const StatePose& frame,
-               StatePose& body) {
-  const PoseLanes world_from_frame = load(frame, lane);
-  const Pose& local = place.frame_from_link;
-  const auto axis = [&](Eigen::Index i) HWY_ATTR {
-    return out(world_from_frame.axes, everywhere(Eigen::Vector3d(local.rotation.col(i))));
-  };
-  store(world_from_frame * everywhere(local.translation), lane, body.translation);
-  if (core.kind != CoreKind::point) {
-    store(axis(2), lane, body.axis_z);
-  }
-  if (core.kind == CoreKind::box) {
-    store(axis(0), lane, body.axis_x);
-    store(axis(1), lane, body.axis_y);
-  }
-}
-
 void placeInLanes(const CycleSetup& setup, StatesWork& work) {
   for (std::size_t i = 0; i < work.bodies.size(); ++i) {
-    const LinkPlace& place = work.body_places[i];
-    if (place.frame != MovingFrame::kWorld) {
-      for (std::size_t lane = 0; lane < kStateCount; lane += hn::Lanes(Lanes())) {
-        placeBody(place, setup.cores[i], lane, work.frames[place.frame], work.bodies[i]);
-      }
-    }
+    placeBody(setup, i, work);
   }
 }
 
@@ -138,9 +116,13 @@ HWY_EXPORT(placeInLanes);
 HWY_EXPORT(judgeLanes);
 }  // namespace
 
+void placeBodies(const CycleSetup& setup, StatesWork& work) noexcept {
+  HWY_DYNAMIC_DISPATCH(placeInLanes)(setup, work);
+}
+
 void placeStates(const CycleSetup& setup, StatesWork& work) noexcept {
   placeFrames(work.plan, work.variables, work.frames);
-  HWY_DYNAMIC_DISPATCH(placeInLanes)(setup, work);
+  placeBodies(setup, work);
 }
 
 void judgeBlock(const CycleSetup& setup, StateQuestion question, const StatesWork& work,

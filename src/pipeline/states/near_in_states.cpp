@@ -15,17 +15,27 @@ namespace HWY_NAMESPACE {
 struct NearSearch {
   StateLanes states;
   Number asked;
-  std::vector<NearInStates>& near;
+  StatesWork& work;
+
+  void place(std::uint32_t body) {
+    std::uint64_t& placed_in = work.refinement.body_placed_in[body];
+    if (placed_in != work.refinement.block) {
+      placed_in = work.refinement.block;
+      placeBody(states.setup, body, work);
+    }
+  }
 
   template <class CoreA, class CoreB>
   void measure(std::uint32_t id, Truth counts) {
     const StatePair& pair = states.work.pairs[id];
+    place(pair.a);
+    place(pair.b);
     const Number reach = hn::Max(asked, number(pair.contact_distance));
     const Number distance = stateDistanceWithin<CoreA, CoreB>(states, pair, reach, counts);
     // NaN counts as near.
     counts = hn::AndNot(hn::Gt(distance, reach), counts);
     if (!hn::AllFalse(Lanes(), counts)) {
-      NearInStates& found = near.emplace_back();
+      NearInStates& found = work.refinement.near.emplace_back();
       found.pair = id;
       const Number far = number(std::numeric_limits<double>::infinity());
       hn::StoreU(hn::IfThenElse(counts, distance, far), Lanes(), found.distance.data());
@@ -61,8 +71,9 @@ struct NearSearch {
   }
 
   /// The same of the ball of one element and the box around the other.
-  HWY_INLINE Truth ballMeetsBox(const StateElementPair& pair) const {
+  HWY_INLINE Truth ballMeetsBox(const StateElementPair& pair) {
     const StatesRefinement& refinement = states.work.refinement;
+    place(pair.box);
     const BoxCore box(
         BodyInStates{states.work.bodies[pair.box], states.setup.cores[pair.box], states.lane});
     const Number reach = hn::Add(number(refinement.balls[pair.ball].radius),
@@ -92,8 +103,7 @@ std::size_t listNearInLanes(const CycleSetup& setup, const NearQuery& query, std
                             StatesWork& work) {
   StatesRefinement& refinement = work.refinement;
   refinement.near.clear();
-  NearSearch search{
-      {setup, work, lane}, hn::LoadU(Lanes(), query.asked.of + lane), refinement.near};
+  NearSearch search{{setup, work, lane}, hn::LoadU(Lanes(), query.asked.of + lane), work};
   for (std::size_t i = query.first; i < query.last; ++i) {
     const StateElementPair& pair = refinement.element_pairs[refinement.order[i]];
     if (pair.are_convex || !query.is_convex_only) {
@@ -105,14 +115,15 @@ std::size_t listNearInLanes(const CycleSetup& setup, const NearQuery& query, std
 
 void placeCentersInLanes(StatesWork& work) {
   StatesRefinement& refinement = work.refinement;
+  ++refinement.block;
   for (std::size_t i = 0; i < refinement.places.size(); ++i) {
     const LinkPlace& place = refinement.places[i];
+    if (place.frame == MovingFrame::kWorld) {
+      continue;
+    }
+    const Vector3 center = everywhere(place.frame_from_link * refinement.balls[i].center);
     for (std::size_t lane = 0; lane < kStateCount; lane += hn::Lanes(Lanes())) {
-      Vector3 center = everywhere(place.frame_from_link * refinement.balls[i].center);
-      if (place.frame != MovingFrame::kWorld) {
-        center = load(work.frames[place.frame], lane) * center;
-      }
-      store(center, lane, refinement.centers[i].of);
+      store(load(work.frames[place.frame], lane) * center, lane, refinement.centers[i].of);
     }
   }
 }

@@ -50,6 +50,35 @@ struct BodyInStates {
   }
 };
 
+HWY_INLINE void placeInVector(const LinkPlace& place, const Core& core, std::size_t lane,
+                              const StatePose& frame, StatePose& body) {
+  const PoseLanes world_from_frame = load(frame, lane);
+  const Pose& local = place.frame_from_link;
+  const auto axis = [&](Eigen::Index i) HWY_ATTR {
+    return out(world_from_frame.axes, everywhere(Eigen::Vector3d(local.rotation.col(i))));
+  };
+  store(world_from_frame * everywhere(local.translation), lane, body.translation);
+  if (core.kind != CoreKind::point) {
+    store(axis(2), lane, body.axis_z);
+  }
+  if (core.kind == CoreKind::box) {
+    store(axis(0), lane, body.axis_x);
+    store(axis(1), lane, body.axis_y);
+  }
+}
+
+/// Places a body in all states of the block. Bodies that no joint moves stand where they are.
+/// @pre frames are placed.
+inline void placeBody(const CycleSetup& setup, std::size_t body, StatesWork& work) {
+  const LinkPlace& place = work.body_places[body];
+  if (place.frame == MovingFrame::kWorld) {
+    return;
+  }
+  for (std::size_t lane = 0; lane < kStateCount; lane += hn::Lanes(Lanes())) {
+    placeInVector(place, setup.cores[body], lane, work.frames[place.frame], work.bodies[body]);
+  }
+}
+
 /// Whether bounding spheres allow a pair to be within `reach`.
 HWY_INLINE Truth spheresMeet(const StateLanes& states, const StatePair& pair, Number reach) {
   const Vector3 between = load(states.work.bodies[pair.b].translation, states.lane) -

@@ -25,6 +25,10 @@ void fillVariables(const JointPositions& positions, std::size_t first, StatesWor
 /// Places frames and bodies for the variables in `work`.
 void placeStates(const CycleSetup& setup, StatesWork& work) noexcept;
 
+/// Places bodies alone.
+/// @pre frames are placed.
+void placeBodies(const CycleSetup& setup, StatesWork& work) noexcept;
+
 /// @pre the states are placed.
 void judgeBlock(const CycleSetup& setup, StateQuestion question, const StatesWork& work,
                 StatesBlock& block) noexcept;
@@ -57,12 +61,13 @@ struct NearQuery {
   bool is_convex_only{false};  ///< only pairs of two convex elements
 };
 
-/// Places the balls of elements in the states of a block.
+/// Places the balls of elements in the states of a new block.
+/// @pre frames are placed.
 void placeCenters(StatesWork& work) noexcept;
 
 /// Lists pairs of bodies in StatesRefinement::near that are near in some states of one vector, from
 /// `lane` on.
-/// @pre states and balls are placed.
+/// @pre balls are placed. Bodies are placed here when they are first needed.
 /// @return how many states the vector holds: distances are given for these.
 std::size_t listNear(const CycleSetup& setup, const NearQuery& query, std::size_t lane,
                      StatesWork& work) noexcept;
@@ -71,14 +76,14 @@ std::size_t listNear(const CycleSetup& setup, const NearQuery& query, std::size_
 StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork& work);
 
 /// Finds by geometries which states of the block are in contact, and their nearest pairs.
-/// @pre states and balls are placed.
+/// @pre balls are placed.
 /// @param open by state: the states to search. Closes states in contact and writes their `checks`.
 void settleContacts(const CycleSetup& setup, StatesWork& work, OpenStates& open,
                     BlockChecks& checks) noexcept;
 
 /// Judges open states of the block by geometries. For StateQuestion::nearest, states in contact are
 /// settled before.
-/// @pre states and balls are placed.
+/// @pre balls are placed.
 /// @param open by state
 /// @param checks by state; in: by enclosing shapes; out: by geometries
 void refineStates(const CycleSetup& setup, StateQuestion question, const OpenStates& open,
