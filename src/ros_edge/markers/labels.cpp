@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kLetterWidth = 0.55 * kTextHeight;
 constexpr double kLineHeight = 1.3 * kTextHeight;
+constexpr double kSlope = 0.6;  ///< of a view from 30 degrees above: depth becomes height
 
 const PairDistance& closestOf(const Watch& watch, LinkPairIndex link_pair) {
   return watch.buffers.distances.pairs[watch.buffers.events.closest[link_pair]];
@@ -73,13 +74,15 @@ std::string labelText(const Watch& watch, LinkPairIndex link_pair) {
          nameInText(model, links.b);
 }
 
-bool LabelPlaces::isFree(const Taken& text) const {
-  return std::none_of(taken_.begin(), taken_.end(), [&](const Taken& other) {
+const LabelPlaces::Taken* LabelPlaces::inTheWayOf(const Taken& text) const {
+  const auto found = std::find_if(taken_.begin(), taken_.end(), [&](const Taken& other) {
     const Eigen::Vector3d apart = text.place - other.place;
+    const double beside = apart.head<2>().norm();
     // Texts face the viewer, who may stand on any side.
-    return std::abs(apart.z()) < 0.5 * (text.height + other.height) &&
-           apart.head<2>().norm() < 0.5 * (text.width + other.width);
+    return beside < 0.5 * (text.width + other.width) &&
+           std::abs(apart.z()) < 0.5 * (text.height + other.height) + kSlope * beside;
   });
+  return found == taken_.end() ? nullptr : &*found;
 }
 
 Eigen::Vector3d LabelPlaces::take(const Eigen::Vector3d& wanted, const std::string& text) {
@@ -94,7 +97,10 @@ Eigen::Vector3d LabelPlaces::take(const Eigen::Vector3d& wanted, const std::stri
   longest = std::max(longest, text.size() - begin);
   Taken place{wanted, kLetterWidth * static_cast<double>(longest),
               kLineHeight * static_cast<double>(lines)};
-  for (int step = 1; !isFree(place); ++step) {
+  if (const Taken* other = inTheWayOf(place)) {
+    place.place.head<2>() = other->place.head<2>();
+  }
+  for (int step = 1; inTheWayOf(place) != nullptr; ++step) {
     const int halves = step % 2 == 1 ? (step + 1) / 2 : -step / 2;
     place.place.z() = wanted.z() + 0.5 * halves * place.height;
   }

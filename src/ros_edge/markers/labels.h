@@ -24,7 +24,8 @@ std::string labelText(const Watch& watch, LinkPairIndex link_pair);
 /// Places texts so that they do not lie on each other.
 class LabelPlaces {
  public:
-  /// The free place for a text that is nearest to `wanted`, above or below it. It is taken then.
+  /// Takes a free place for a text: `wanted`, or one above or below the text that is in the way, so
+  /// that they do not cover each other in a view from above either.
   Eigen::Vector3d take(const Eigen::Vector3d& wanted, const std::string& text);
   void clear() { taken_.clear(); }
 
@@ -34,7 +35,8 @@ class LabelPlaces {
     double width{0.0};
     double height{0.0};
   };
-  bool isFree(const Taken& text) const;
+  /// Null: none is.
+  const Taken* inTheWayOf(const Taken& text) const;
 
   std::vector<Taken> taken_;
 };

@@ -88,6 +88,9 @@ World makeWorld(const MonitorSetup* former, const ResourceLoader& load_resource,
   std::vector<WorldObject> objects = objectsFor(made, former, load_resource, report);
   checkFrames(objects, made.listed.front(), made.parameters.world_frame, report);
   for (WorldObject& object : objects) {
+    if (object.where.empty()) {
+      object.where = "world";  // a service brought it
+    }
     const bool waits = isAnyMissing(made) && !hasItsLinks(object, model);
     (waits ? made.held_back : change.objects).push_back(std::move(object));
   }

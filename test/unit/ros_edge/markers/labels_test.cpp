@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
+#include "geometry/constants.h"
 #include "unit/ros_edge/world_scene.h"
 
 namespace collision_monitor::test {
@@ -89,6 +93,24 @@ TEST(LabelPlaces, textsAtOnePlace_areSpread) {
     EXPECT_GE(heights[i] - heights[i - 1], 2.0 * kTextHeight) << "two lines";
   }
   EXPECT_LT(heights.back() - heights.front(), 9 * 4.0 * kTextHeight) << "and near";
+}
+
+TEST(LabelPlaces, textsNearEachOther_areApartInViewsFromAbove) {
+  LabelPlaces places;
+  const std::string text = "12 mm\nhand - table";
+  std::vector<Eigen::Vector3d> taken;
+  for (int i = 0; i < 9; ++i) {
+    taken.push_back(places.take({0.03 * i, 0.05 * (i % 3), 0.02 * (i % 4)}, text));
+  }
+  const double width = 0.5 * 12 * kTextHeight;
+  const Eigen::Vector3d up(0.0, -std::sin(kHalfPi / 3.0), std::cos(kHalfPi / 3.0));
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const Eigen::Vector3d apart = taken[i] - taken[k];
+      EXPECT_TRUE(std::abs(apart.x()) > width || std::abs(up.dot(apart)) > 2.0 * kTextHeight)
+          << i << ", " << k << ": " << apart.transpose();
+    }
+  }
 }
 
 TEST(LabelPlaces, textsBesideEachOther_stayWhereTheyBelong) {
