@@ -10,6 +10,7 @@
 
 #include "collision_monitor/arguments.h"
 #include "collision_monitor/geometry/interrupted.h"
+#include "collision_monitor/model/document_text.h"
 #include "collision_monitor/model/kinematics.h"
 #include "collision_monitor/model/world.h"
 #include "collision_monitor/pipeline/setup.h"
@@ -21,16 +22,17 @@ namespace collision_monitor {
 struct MonitorParts;
 struct QueryParts;
 
-/// What a monitor is made with. The defaults do for most robots.
+/// What a monitor is made with. The defaults do for most robots. Of a document with a source and no
+/// text, the source is the path of a file, which is read while the monitor is made.
 struct MonitorOptions {
   Limits limits;  ///< times, hysteresis and report_distance play no part: a query knows no past
   RefineGeometry detail{RefineGeometry::mesh};  ///< what is measured, where rules say nothing
   double distance_tolerance{0.0};               ///< [m] as RefineLimits::tolerance
   double padding{0.0};                          ///< [m] >= 0; added to every shape
   FitLimits fit{4, 0.01, {}};                   ///< of links for which the rules say nothing
-  ShapeRulesText shape_rules;                   ///< for single links; wins over the options here
-  PairRulesText pair_rules;  ///< for pairs, of objects too; wins over SRDFs and ignored_pairs
-  WorldText world;           ///< objects beside the robots, or attached to links; see withWorld
+  DocumentText shape_rules;                     ///< for single links; wins over the options here
+  DocumentText pair_rules;  ///< for pairs, of objects too; wins over SRDFs and ignored_pairs
+  DocumentText world;       ///< objects beside the robots, or attached to links; see withWorld
   std::vector<NamedPair> ignored_pairs;  ///< in addition to what SRDFs say
   bool ignore_default_overlap{true};     ///< as SetupOptions
   /// Where package://NAME/ is looked up, each a package or a folder of packages. What
@@ -94,8 +96,9 @@ class RobotMonitor {
   /// An object without frame stands in the world, as one in the frame "world" does if no link has
   /// that name. Others stand in the frame of a link, or are attached to a link. Each object is a
   /// link of its own in answers, and so is the world: "/world".
+  /// @param world as MonitorOptions::world
   /// @throws SetupError with all faults of the objects
-  RobotMonitor withWorld(const WorldText& world) const;
+  RobotMonitor withWorld(const DocumentText& world) const;
 
   /// Robots, links and joints. RobotModel::variable_count is the length n of a state.
   const RobotModel& model() const noexcept;

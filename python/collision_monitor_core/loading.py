@@ -13,7 +13,6 @@ DEFAULTS = {
     "detail": "mesh", "padding": 0.0, "contact_distance": 0.0, "warning_distance": 0.05,
     "distance_tolerance": 0.0, "max_shapes": 4, "target_overshoot": 0.01,
     "ignore_default_overlap": True, "fit_cache": ""}
-_LONGEST = 100_000_000  # [bytes] of a file
 DOCUMENTS = {"rules": "a YAML file", "pair_rules": "a YAML file",
              "world": "a YAML or .scene file"}
 _KINDS = {float: "a number", int: "a whole number from 0", bool: "True or False", str: "a str"}
@@ -83,38 +82,17 @@ def _is_text(given: str) -> bool:
         or re.match(r"\w+:(\s|$)", given.lstrip()) is not None
 
 
-def _read(path: bytes) -> str:
-    if os.path.exists(path) and not os.path.isfile(path):
-        raise ValueError("no regular file")
-    if os.path.getsize(path) > _LONGEST:
-        raise ValueError(f"larger than {_LONGEST} bytes")
-    with open(path, encoding="utf-8") as file:
-        return file.read()
-
-
 def _document(given: Any, name: str, what: str, faults: List[str]) -> Dict[str, Union[str, bytes]]:
-    """The text of a file or the text itself, its name in messages, and its folder."""
-    nothing: Dict[str, Union[str, bytes]] = {name: "", name + "_source": "",
-                                             name + "_directory": ""}
-    if given is None:
+    """A text with its name in messages, or no text and the path of a file."""
+    nothing: Dict[str, Union[str, bytes]] = {name: "", name + "_source": ""}
+    if given is None or (isinstance(given, str) and not given):
         return nothing
     if isinstance(given, str) and _is_text(given):
-        return {name: _text(given, name, faults), name + "_source": name, name + "_directory": ""}
+        return {name: _text(given, name, faults), name + "_source": name}
     if not isinstance(given, (str, bytes)) and not hasattr(given, "__fspath__"):
         faults.append(f"`{name}` is {given!r:.100}; accepted: {what}, or text in YAML")
         return nothing
-    told = len(faults)
-    path = _path(given, name, faults)
-    if len(faults) > told:
-        return nothing
-    try:
-        return {name: _read(path), name + "_source": path,
-                name + "_directory": os.path.dirname(os.path.abspath(path))}
-    except (OSError, ValueError) as fault:
-        reason = getattr(fault, "strerror", None) or fault
-        faults.append(f"`{name}`: {os.fsdecode(path):.100} cannot be read ({reason!s:.100}); "
-                      f"accepted: {what}, or text in YAML")
-        return nothing
+    return {name: "", name + "_source": _path(given, name, faults)}
 
 
 def _pairs(given: Any, faults: List[str]) -> List[Tuple[str, str]]:
@@ -166,9 +144,9 @@ def load(urdf: Union[Path, Sequence[Path]],
     (config/pair_rules.yaml); world, objects beside the robots or attached to links
     (config/cells/table.yaml, or a .scene file of MoveIt), each a link of its own in answers.
 
-    Other options: contact_distance=0.0 and warning_distance=0.05 [m] decide verdicts; padding=0.0 [m] is
-    added to every shape; detail="mesh" measures exact geometry, "hull" convex hulls, "none" the
-    enclosing shapes; distance_tolerance=0.0 [m] lets distances be less than exact; max_shapes=4 and
+    Other options: contact_distance=0.0 and warning_distance=0.05 [m] decide verdicts; padding=0.0
+    [m] is added to every shape; detail="mesh" measures exact geometry, "hull" convex hulls, "none"
+    the enclosing shapes; distance_tolerance=0.0 [m] lets distances be less than exact; max_shapes=4 and
     target_overshoot=0.01 [m] are of each link; ignore_default_overlap=True leaves out, without an
     SRDF, pairs that touch in the default state; fit_cache="" keeps fits below $ROS_HOME or ~/.ros,
     "none" nowhere, else in that folder.

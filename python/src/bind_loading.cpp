@@ -44,9 +44,9 @@ std::vector<Pose> rootPoses(const py::list& given) {
   return poses;
 }
 
-WorldText readWorldText(const py::dict& given) {
-  return {given["world_source"].cast<std::string>(), given["world"].cast<std::string>(),
-          given["world_directory"].cast<std::string>()};
+DocumentText documentOf(const py::dict& given, const std::string& name) {
+  return {given[(name + "_source").c_str()].cast<std::string>(),
+          given[name.c_str()].cast<std::string>(), ""};
 }
 
 MonitorOptions readOptions(const py::dict& given) {
@@ -58,11 +58,9 @@ MonitorOptions readOptions(const py::dict& given) {
   options.padding = given["padding"].cast<double>();
   options.fit.max_shapes = given["max_shapes"].cast<std::uint32_t>();
   options.fit.target_overshoot = given["target_overshoot"].cast<double>();
-  options.shape_rules = {given["rules_source"].cast<std::string>(),
-                         given["rules"].cast<std::string>()};
-  options.pair_rules = {given["pair_rules_source"].cast<std::string>(),
-                        given["pair_rules"].cast<std::string>()};
-  options.world = readWorldText(given);
+  options.shape_rules = documentOf(given, "rules");
+  options.pair_rules = documentOf(given, "pair_rules");
+  options.world = documentOf(given, "world");
   options.ignored_pairs =
       namedPairs(given["ignored_pairs"].cast<std::vector<std::pair<std::string, std::string>>>());
   options.ignore_default_overlap = given["ignore_default_overlap"].cast<bool>();
@@ -101,7 +99,7 @@ SharedRobot loadTexts(const std::vector<std::array<std::string, 3>>& texts,
 }
 
 SharedRobot withWorld(const Robot& robot, const py::dict& given) {
-  const WorldText world = readWorldText(given);
+  const DocumentText world = documentOf(given, "world");
   return runInterruptibly(
       [&] { return std::make_shared<Robot>(robot.monitor().withWorld(world)); });
 }

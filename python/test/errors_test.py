@@ -80,13 +80,22 @@ def test_robotWithManyFaults_tellsAllOfThem(tmp_path):
 
 def test_arguments_ofLoad_allFaultsAtOnce():
     with pytest.raises(cm.ArgumentError) as caught:
-        cm.load(3, prefix=7, packages=[None], rules="/no/rules.yaml", ignore_pairs=["ab", "c"],
+        cm.load(3, prefix=7, packages=[None], rules=4, ignore_pairs=["ab", "c"],
                 padding="thick", max_shapes=-1, detail=None, speed=1, ignore_default_overlap=1)
     text = str(caught.value)
     assert len(caught.value.faults) >= 9
     assert all(re.search(name, text) for name in (
         "urdf", "prefix", "packages", "rules", "ignore_pairs", "padding", "max_shapes", "detail",
         "speed", "ignore_default_overlap"))
+
+
+def test_files_thatCannotBeRead_areToldWithTheFaultsOfTheRobot(tmp_path):
+    with pytest.raises(cm.SetupError) as caught:
+        cm.load(tmp_path / "no.urdf", rules="/no/rules.yaml", pair_rules=tmp_path,
+                world=tmp_path / "no.yaml", fit_cache="none")
+    text = str(caught.value)
+    assert len(caught.value.problems) == 4
+    assert all(name in text for name in ("no.urdf", "shape_rules", "pair_rules", "no.yaml"))
 
 
 def test_options_ofLoad_areCheckedByTheLibrary():

@@ -48,7 +48,7 @@ def test_textWithoutLineBreak_isNoFileName(text):
 
 @pytest.mark.parametrize("wrong", ["/dev/zero", "no.yaml", 5, [{"name": "a"}], "x" * 10**6])
 def test_whatIsNoTextAndNoFile_isAShortFault(wrong):
-    with pytest.raises(cm.ArgumentError, match="text in YAML") as caught:
+    with pytest.raises((cm.ArgumentError, cm.SetupError), match="or (its text|text in)") as caught:
         cm.load(BOXES, world=wrong, fit_cache="none")
     assert len(str(caught.value)) < 400
 
@@ -78,8 +78,10 @@ def test_cellOfThePackage_isLoadedWithMeshesAndAttachedPart():
 
 def test_faults_areAllTold(tmp_path):
     with pytest.raises(cm.ArgumentError) as caught:
-        cm.load(BOXES, world=tmp_path / "no.yaml", pair_rules=3, fit_cache="none")
+        cm.load(BOXES, world=2.5, pair_rules=3, fit_cache="none")
     assert len(caught.value.faults) == 2
+    with pytest.raises(cm.SetupError, match="no.yaml"):
+        cm.load(BOXES, fit_cache="none").with_world(tmp_path / "no.yaml")
     with pytest.raises(cm.ArgumentError, match="world"):
         cm.load(BOXES, fit_cache="none").with_world(3)
     with pytest.raises(cm.SetupError) as failed:

@@ -3,10 +3,13 @@
 #include "library/monitor_parts.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "geometry/interruption.h"
+#include "model/mesh_files/regular_file.h"
 #include "model/resources/file_loader.h"
 #include "model/world/world_text.h"
 #include "pipeline/fits/fit_cache_folder.h"
@@ -57,6 +60,30 @@ void checkRoots(const MonitorOptions& options, std::size_t robots, SetupReport& 
                                "up to 1e9 m"});
     }
   }
+}
+
+/// Reads the file of a document that has no text.
+/// @param option its name in messages
+void readText(const char* option, DocumentText& document, SetupReport& report) {
+  if (document.source.empty() || !document.text.empty()) {
+    return;
+  }
+  const std::filesystem::path file = document.source;
+  try {
+    document.text = readRegularFile(file);
+  } catch (const std::runtime_error& fault) {
+    report.errors.push_back(
+        {std::string("option ") + option, fault.what(), "a file that can be read, or its text"});
+  }
+  if (document.directory.empty()) {
+    document.directory = file.has_parent_path() ? file.parent_path().string() : ".";
+  }
+}
+
+void readTexts(MonitorOptions& options, SetupReport& report) {
+  readText("shape_rules", options.shape_rules, report);
+  readText("pair_rules", options.pair_rules, report);
+  readText("world", options.world, report);
 }
 
 /// The set-up; its faults join those of the report. Rules may name links of a robot that is
@@ -123,7 +150,8 @@ std::string absoluteOf(const std::string& directory) {
 }
 
 /// The objects of a text, checked.
-World readObjects(const WorldText& text, const RobotModel& robots, const MonitorOptions& options) {
+World readObjects(const DocumentText& text, const RobotModel& robots,
+                  const MonitorOptions& options) {
   SetupReport report;
   KnownPlaces places = placesOf(robots, kWorldFrame);
   places.has_frame = [](const std::string&) { return false; };
@@ -145,7 +173,7 @@ World readObjects(const WorldText& text, const RobotModel& robots, const Monitor
 }
 
 /// @param prepared of earlier objects
-void addObjects(const WorldText& text, const PreparedObjects& prepared, IdleRule idle,
+void addObjects(const DocumentText& text, const PreparedObjects& prepared, IdleRule idle,
                 MonitorParts& parts) {
   const World world = readObjects(text, parts.robots->model, parts.options);
   parts.prepared = prepareObjects(world, parts.options.detail, prepared);
@@ -166,11 +194,14 @@ void describeSetup(MonitorParts& parts) {
 }  // namespace
 
 std::shared_ptr<const MonitorParts> makeMonitorParts(const GivenRobots& robots,
-                                                     const MonitorOptions& options) {
+                                                     const MonitorOptions& given) {
   // An empty question leaves the caller's own in place.
-  const Interruptible interruptible(options.goes_on ? options.goes_on : goesOnHere());
+  const Interruptible interruptible(given.goes_on ? given.goes_on : goesOnHere());
   auto parts = std::make_shared<MonitorParts>();
   SetupReport report = robots.report;
+  MonitorOptions& options = parts->options;
+  options = given;
+  readTexts(options, report);
   if (!robots.descriptions.empty() || report.errors.empty()) {
     std::vector<RobotDescription> descriptions = robots.descriptions;
     for (RobotDescription& robot : descriptions) {
@@ -180,9 +211,8 @@ std::shared_ptr<const MonitorParts> makeMonitorParts(const GivenRobots& robots,
   }
   checkRoots(options, robots.descriptions.size() + robots.report.errors.size(), report);
   throwIfErrors(report);
-  parts->options = options;
-  parts->options.goes_on = nullptr;
-  parts->options.fit_progress = nullptr;
+  options.goes_on = nullptr;
+  options.fit_progress = nullptr;
   if (!options.world.text.empty()) {
     parts->robots = std::make_shared<CycleSetup>(withoutPairs(parts->setup));
     addObjects(options.world, {}, IdleRule::is_error, *parts);
@@ -192,13 +222,16 @@ std::shared_ptr<const MonitorParts> makeMonitorParts(const GivenRobots& robots,
 }
 
 std::shared_ptr<const MonitorParts> replaceWorld(const MonitorParts& former,
-                                                 const WorldText& world) {
+                                                 const DocumentText& world) {
   auto parts = std::make_shared<MonitorParts>();
   parts->options = former.options;
   parts->options.world = world;
+  SetupReport report;
+  readText("world", parts->options.world, report);
+  throwIfErrors(report);
   parts->robots = former.robots ? former.robots
                                 : std::make_shared<const CycleSetup>(withoutPairs(former.setup));
-  addObjects(world, former.prepared, IdleRule::is_warning, *parts);
+  addObjects(parts->options.world, former.prepared, IdleRule::is_warning, *parts);
   describeSetup(*parts);
   return parts;
 }

@@ -30,11 +30,11 @@ struct GivenRobots {
 /// @throws SetupError with all faults, those of the robots' report first
 /// @throws Interrupted
 std::shared_ptr<const MonitorParts> makeMonitorParts(const GivenRobots& robots,
-                                                     const MonitorOptions& options);
+                                                     const MonitorOptions& given);
 
 /// The same robots with other objects.
 /// @throws SetupError, Interrupted
 std::shared_ptr<const MonitorParts> replaceWorld(const MonitorParts& former,
-                                                 const WorldText& world);
+                                                 const DocumentText& world);
 
 }  // namespace collision_monitor

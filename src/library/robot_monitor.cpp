@@ -79,7 +79,7 @@ RobotMonitor RobotMonitor::fromFiles(const std::vector<RobotFiles>& robots,
   return RobotMonitor(makeMonitorParts(given, options));
 }
 
-RobotMonitor RobotMonitor::withWorld(const WorldText& world) const {
+RobotMonitor RobotMonitor::withWorld(const DocumentText& world) const {
   return RobotMonitor(replaceWorld(*parts_, world));
 }
 

@@ -16,7 +16,7 @@ namespace collision_monitor::fit_tool {
 struct FitRequest {
   FitLimits limits;
   double padding{0.0};          ///< [m]
-  ShapeRulesText rules;         ///< empty for none
+  DocumentText rules;           ///< empty for none
   std::filesystem::path cache;  ///< empty for none
   std::string link_pattern;     ///< only links whose name matches; empty for all
 };

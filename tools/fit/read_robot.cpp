@@ -65,7 +65,7 @@ RobotDescription readDescription(const RobotSource& source, SetupReport& report)
   return description;
 }
 
-ShapeRulesText readRules(const std::string& path, SetupReport& report) {
+DocumentText readRules(const std::string& path, SetupReport& report) {
   return {path, readInput("option --rules", path, report)};
 }
 

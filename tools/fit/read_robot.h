@@ -16,7 +16,7 @@ RobotDescription readDescription(const RobotSource& source, SetupReport& report)
 std::string readInput(const std::string& what, const std::string& path, SetupReport& report);
 
 /// The rules; empty if none are asked for. Adds an error to `report` if they cannot be read.
-ShapeRulesText readRules(const std::string& path, SetupReport& report);
+DocumentText readRules(const std::string& path, SetupReport& report);
 
 /// The text of a parameter of a running roscore. Adds an error to `report` if there is none.
 /// @pre kHasRos

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "collision_monitor/geometry/ids.h"
+#include "collision_monitor/model/document_text.h"
 #include "collision_monitor/model/limits.h"
 #include "collision_monitor/model/srdf_reader.h"
 
@@ -44,17 +45,7 @@ struct LinkPair {
   std::uint32_t limits{0};  ///< 0: the common limits; else an index into OwnLimits, plus one
 };
 
-/// A user's rules about pairs of links, in YAML. config/pair_rules.yaml shows all of it.
-///
-/// A list of rules, alone or under `pair_rules`. Each rule selects pairs by `a` and `b`, in either
-/// order, and sets some fields: `check`, or limits. The last rule that sets a field of a pair
-/// decides it.
-struct PairRulesText {
-  std::string source;  ///< its name in messages: a file name
-  std::string yaml;    ///< empty: no rules
-};
-
-/// One rule of PairRulesText, with its names resolved to links of a model.
+/// One of a user's rules about pairs, with its names resolved to links of a model.
 struct PairRule {
   std::vector<bool> a;             ///< by LinkId
   std::vector<bool> b;             ///< by LinkId
@@ -81,7 +72,12 @@ enum class IdleRule : unsigned char {
   is_accepted,  ///< objects that come later may match
 };
 
-/// Reads the rules and finds the links that they select.
+/// Reads a user's rules about pairs of links, in YAML, and finds the links that they select.
+/// config/pair_rules.yaml shows all of it.
+///
+/// The text is a list of rules, alone or under `pair_rules`. Each rule selects pairs by `a` and
+/// `b`, in either order, and sets some fields: `check`, or limits. The last rule that sets a field
+/// of a pair decides it.
 ///
 /// `a` and `b` are each a name, a pattern (* for any characters, ? for one), a group as {group:
 /// NAME}, or a list of these. Names and groups are found as in shape rules.
@@ -90,7 +86,7 @@ enum class IdleRule : unsigned char {
 /// repeated keys, values of a wrong kind or out of range, rules without links or without effect.
 /// Names that match nothing are told as `idle` says.
 /// @return after an error, what could be read.
-std::vector<PairRule> readPairRules(const PairRulesText& text, const RobotModel& model,
+std::vector<PairRule> readPairRules(const DocumentText& text, const RobotModel& model,
                                     const std::vector<SrdfPairs>& srdfs, IdleRule idle,
                                     SetupReport& report);
 

@@ -9,24 +9,11 @@
 
 #include "collision_monitor/fitting/enclose.h"
 #include "collision_monitor/fitting/posed_shape.h"
+#include "collision_monitor/model/document_text.h"
 #include "collision_monitor/model/robot_model.h"
 #include "collision_monitor/model/srdf_reader.h"
 
 namespace collision_monitor {
-
-/// A user's rules about the shapes of links, in YAML. config/shape_rules.yaml shows all of it.
-///
-/// A file is a list of rules under `shapes`. Each rule selects links and sets some fields. If
-/// several rules set the same field of a link, the last one counts.
-///
-/// Frames: shapes are placed in the frame of their link; `rpy` turns about fixed axes as in a URDF.
-/// Units: metres and radians. A capsule's `length` is the distance between the centers of its caps.
-/// A rounded box's `size` is that of the box before it is rounded. As a whole each is 2 radius
-/// longer.
-struct ShapeRulesText {
-  std::string source;  ///< its name in messages: a file name
-  std::string yaml;    ///< empty: no rules
-};
 
 /// Shapes that replace fitted shapes.
 struct GivenShapes {
@@ -52,7 +39,16 @@ struct LinkRules {
   std::optional<RefineGeometry> refine;     ///< to what distances are refined
 };
 
-/// Reads the rules and finds the links that they select.
+/// Reads a user's rules about the shapes of links, in YAML, and finds the links that they select.
+/// config/shape_rules.yaml shows all of it.
+///
+/// The text is a list of rules under `shapes`. Each rule selects links and sets some fields. If
+/// several rules set the same field of a link, the last one counts.
+///
+/// Frames: shapes are placed in the frame of their link; `rpy` turns about fixed axes as in a URDF.
+/// Units: metres and radians. A capsule's `length` is the distance between the centers of its caps.
+/// A rounded box's `size` is that of the box before it is rounded. As a whole each is 2 radius
+/// longer.
 ///
 /// Names and patterns (* for any characters, ? for one) match a link's name in messages or in its
 /// URDF: "left/hand" selects one link, "hand" selects that link of every robot. A group is one of
@@ -63,7 +59,7 @@ struct LinkRules {
 /// repeated keys, values of a wrong kind or out of range, names that match nothing, rules without
 /// links or without effect. Warnings: no rule at all; a rule whose links have no geometry to fit.
 /// @return one entry per link, by LinkId; after an error, what could be read.
-std::vector<LinkRules> readShapeRules(const ShapeRulesText& text, const RobotModel& model,
+std::vector<LinkRules> readShapeRules(const DocumentText& text, const RobotModel& model,
                                       const std::vector<SrdfPairs>& srdfs, SetupReport& report);
 
 /// Shapes of one link, to be written as rules.

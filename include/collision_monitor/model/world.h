@@ -73,13 +73,6 @@ struct World {
   std::map<std::string, std::shared_ptr<const WorldObject>> objects;  ///< by name; never null
 };
 
-/// Objects as the user writes them: docs/interfaces.md shows the formats.
-struct WorldText {
-  std::string source;     ///< its name in messages: a file name or a parameter
-  std::string text;       ///< YAML or a scene of MoveIt; empty: no objects
-  std::string directory;  ///< base of relative mesh names, "" if unknown
-};
-
 /// What is accepted.
 constexpr std::size_t kMostObjects = 20000;           ///< how many objects a world may hold
 constexpr std::size_t kMostObjectTriangles = 500000;  ///< of one mesh

@@ -140,8 +140,8 @@ struct SetupOptions {
   Limits limits;        ///< of pairs without limits of their own
   double padding{0.0};  ///< [m] >= 0; added to the radius or extents of every shape
   FitLimits default_limits{4, 0.01, {}};    ///< of links for which the rules say nothing
-  ShapeRulesText shape_rules;               ///< for single links; wins over the options here
-  PairRulesText pair_rules;                 ///< for pairs; wins over SRDFs and ignored_pairs
+  DocumentText shape_rules;                 ///< for single links; wins over the options here
+  DocumentText pair_rules;                  ///< for pairs; wins over SRDFs and ignored_pairs
   IdleRule idle_rules{IdleRule::is_error};  ///< of `pair_rules`
   bool awaits_names{false};                 ///< as SetupReport, of the other rules
   MeshReading meshes;                       ///< how mesh files are read

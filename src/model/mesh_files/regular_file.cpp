@@ -13,6 +13,7 @@
 
 #include "geometry/interruption.h"
 #include "model/descriptor.h"
+#include "model/place.h"
 
 namespace collision_monitor {
 namespace {
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& fault) {
-  throw std::runtime_error("'" + path.string() + "' " + fault);
+  throw std::runtime_error(quoted(path.string()) + " " + fault);
 }
 
 [[noreturn]] void refuseFor(const fs::path& path, int error) {

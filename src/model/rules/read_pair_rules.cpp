@@ -171,13 +171,13 @@ YAML::Node findPairRules(const std::string& yaml, const Place& place) {
 
 }  // namespace
 
-std::vector<PairRule> readPairRules(const PairRulesText& text, const RobotModel& model,
+std::vector<PairRule> readPairRules(const DocumentText& text, const RobotModel& model,
                                     const std::vector<SrdfPairs>& srdfs, IdleRule idle,
                                     SetupReport& report) {
   std::vector<PairRule> rules;
   Oddities oddities;
   const Place place(text.source, report, oddities);
-  const YAML::Node list = findPairRules(text.yaml, place);
+  const YAML::Node list = findPairRules(text.text, place);
   const PairRuleReader reader(model, srdfs, idle);
   for (std::size_t i = 0; list.IsSequence() && i < list.size(); ++i) {
     const std::string number = "rule " + std::to_string(i + 1);

@@ -248,15 +248,15 @@ YAML::Node findRules(const std::string& yaml, const Place& place) {
 
 }  // namespace
 
-std::vector<LinkRules> readShapeRules(const ShapeRulesText& text, const RobotModel& model,
+std::vector<LinkRules> readShapeRules(const DocumentText& text, const RobotModel& model,
                                       const std::vector<SrdfPairs>& srdfs, SetupReport& report) {
   std::vector<LinkRules> rules(model.links.size());
-  if (text.source.empty() && text.yaml.empty()) {
+  if (text.source.empty() && text.text.empty()) {
     return rules;
   }
   Oddities oddities;
   const Place place(text.source, report, oddities);
-  const YAML::Node list = findRules(text.yaml, place);
+  const YAML::Node list = findRules(text.text, place);
   RuleReader reader(model, srdfs, rules);
   for (std::size_t i = 0; list.IsSequence() && i < list.size(); ++i) {
     reader.read(list[i], text.source, place.within("rule " + std::to_string(i + 1)));

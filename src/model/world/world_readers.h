@@ -17,7 +17,7 @@ namespace collision_monitor {
 
 /// What all objects of a text share.
 struct WorldSource {
-  const WorldText& text;
+  const DocumentText& text;
   MeshStore& meshes;
 
   /// "cell.yaml line 12"

@@ -64,7 +64,7 @@ SharedMesh loadMesh(const std::string& name, const Eigen::Vector3d& scale, int l
   }
 }
 
-std::vector<WorldObject> readWorld(const WorldText& text, const ResourceLoader& load_resource,
+std::vector<WorldObject> readWorld(const DocumentText& text, const ResourceLoader& load_resource,
                                    const MeshReading& reading, SetupReport& report) {
   Oddities oddities;
   const Place place(text.source, report, oddities);

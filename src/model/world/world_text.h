@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_monitor/model/document_text.h"
 #include "collision_monitor/model/urdf_reader.h"
 #include "collision_monitor/model/world.h"
 
@@ -28,7 +29,7 @@ namespace collision_monitor {
 /// their line, all at once.
 /// @return what could be read
 /// @throws Interrupted
-std::vector<WorldObject> readWorld(const WorldText& text, const ResourceLoader& load_resource,
+std::vector<WorldObject> readWorld(const DocumentText& text, const ResourceLoader& load_resource,
                                    const MeshReading& reading, SetupReport& report);
 
 }  // namespace collision_monitor

@@ -198,7 +198,7 @@ CycleSetup addWorld(const CycleSetup& robots, const World& world, const Prepared
   return setup;
 }
 
-void applyRulesText(const PairRulesText& text, IdleRule idle, CycleSetup& setup) {
+void applyRulesText(const DocumentText& text, IdleRule idle, CycleSetup& setup) {
   SetupReport report;
   const std::vector<PairRule> rules = readPairRules(text, setup.model, setup.srdfs, idle, report);
   if (idle == IdleRule::is_error) {

@@ -40,6 +40,6 @@ CycleSetup addWorld(const CycleSetup& robots, const World& world, const Prepared
 /// Reads the rules for pairs again, since they may name objects, and applies them to the set-up.
 /// @param idle a warning where objects that rules name may have gone
 /// @throws SetupError, Interrupted
-void applyRulesText(const PairRulesText& text, IdleRule idle, CycleSetup& setup);
+void applyRulesText(const DocumentText& text, IdleRule idle, CycleSetup& setup);
 
 }  // namespace collision_monitor

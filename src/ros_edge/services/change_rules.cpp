@@ -114,7 +114,7 @@ TimedRules mergeRules(const MonitorSetup& current, RuleEnd now, std::size_t numb
   const bool replaces = request.action == SetPairs::Request::REPLACE;
   TimedRules merged = keepRules(
       current, [&](RuleEnd end) { return end > now && (!replaces || (ends && end == kLasts)); });
-  const PairRulesText text{"set_pairs request " + std::to_string(number), request.rules};
+  const DocumentText text{"set_pairs request " + std::to_string(number), request.rules};
   const RuleEnd end = ends ? now + std::chrono::duration_cast<RuleEnd::duration>(
                                        std::chrono::duration<double>(request.duration))
                            : kLasts;

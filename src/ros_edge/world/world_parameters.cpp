@@ -80,7 +80,7 @@ std::vector<WorldObject> loadObjects(const Parameters& parameters,
     return objects;
   }
   try {
-    const WorldText text{file, load_resource(file), directoryOf(file)};
+    const DocumentText text{file, load_resource(file), directoryOf(file)};
     for (WorldObject& object : readWorld(text, load_resource, reading, report)) {
       objects.push_back(std::move(object));
     }

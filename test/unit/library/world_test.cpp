@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <sstream>
 
 #include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/robot_query.h"
+#include "support/scratch_folder.h"
 
 // Objects beside urdf/two_boxes.urdf: box_a stands in the origin and box_b at x = 0.25 m + slide,
 // with half extents of 0.1 m and 0.05 m. States are {slide, turn}.
@@ -17,13 +19,20 @@ constexpr const char* kPost = "- {name: post, kind: sphere, radius: 0.1, xyz: [0
 constexpr const char* kTool =
     "- {name: tool, attach: box_b, kind: sphere, radius: 0.05, xyz: [0, 0, 0.3]}";
 
+DocumentText documentOf(const std::string& source, const std::string& text) {
+  return text.empty() ? DocumentText() : DocumentText{source, text};
+}
+
+std::filesystem::path twoBoxes() {
+  return std::filesystem::path(COLLISION_MONITOR_SOURCE_DIR) / "urdf/two_boxes.urdf";
+}
+
 RobotMonitor monitorOf(const std::string& world, const std::string& rules = "") {
   MonitorOptions options;
   options.fit_cache = "none";
-  options.world = {"cell.yaml", world, ""};
-  options.pair_rules = {"rules.yaml", rules};
-  const std::filesystem::path folder = std::filesystem::path(COLLISION_MONITOR_SOURCE_DIR) / "urdf";
-  return RobotMonitor::fromFiles({{folder / "two_boxes.urdf"}}, options);
+  options.world = documentOf("cell.yaml", world);
+  options.pair_rules = documentOf("rules.yaml", rules);
+  return RobotMonitor::fromFiles({{twoBoxes()}}, options);
 }
 
 /// NaN if the pair is not checked.
@@ -157,6 +166,40 @@ TEST(LibraryWorld, withWorld_isAsMadeWithThatWorld) {
   }
   EXPECT_EQ(none.pairs().size(), robots.pairs().size());
   EXPECT_EQ(first.pairs().size(), robots.pairs().size() + 3);
+}
+
+TEST(LibraryWorld, documentsWithoutText_areReadFromTheirFile) {
+  const ScratchFolder folder;
+  std::ofstream(folder.path() / "four.obj")
+      << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+  std::ofstream(folder.path() / "cell.yaml")
+      << "- {name: part, kind: mesh, file: four.obj, xyz: [1, 0, 0]}";
+  std::ofstream(folder.path() / "rules.yaml") << "- {a: part, b: box_a, check: false}";
+  MonitorOptions options;
+  options.fit_cache = "none";
+  options.world = {folder.path() / "cell.yaml"};
+  options.pair_rules = {folder.path() / "rules.yaml"};
+  const RobotMonitor monitor = RobotMonitor::fromFiles({{twoBoxes()}}, options);
+  EXPECT_NEAR(distanceOf(monitor, "box_b", "part"), 0.7, 1e-12);
+  EXPECT_TRUE(std::isnan(distanceOf(monitor, "box_a", "part")));
+  EXPECT_NEAR(distanceOf(monitorOf("").withWorld(options.world), "box_a", "part"), 0.9, 1e-12);
+}
+
+TEST(LibraryWorld, filesThatCannotBeRead_areToldWithAllOtherFaults) {
+  MonitorOptions options;
+  options.shape_rules = {"/no/shapes.yaml"};
+  options.pair_rules = {"/no/rules.yaml"};
+  options.world = {"/no/cell.yaml"};
+  options.padding = -1.0;
+  try {
+    RobotMonitor::fromFiles({{twoBoxes()}, {"/no/robot.urdf"}}, options);
+    ADD_FAILURE() << "no fault";
+  } catch (const SetupError& fault) {
+    for (const char* part : {"shapes.yaml", "rules.yaml", "cell.yaml", "robot.urdf", "padding"}) {
+      EXPECT_NE(std::string(fault.what()).find(part), std::string::npos) << fault.what();
+    }
+  }
+  EXPECT_THROW(monitorOf("").withWorld({"/no/cell.yaml"}), SetupError);
 }
 
 TEST(LibraryWorld, badObjects_areRefusedWithEveryFault) {

@@ -23,7 +23,7 @@ TEST(LoadSetupOptions, rulesFile_isReadAnewEachTime) {
   loadSetupOptions(parameters, loader, report);
   const SetupOptions options = loadSetupOptions(parameters, loader, report);
   EXPECT_EQ(options.shape_rules.source, "package://robot/rules.yaml");
-  EXPECT_EQ(options.shape_rules.yaml, "package://robot/rules.yaml 2");
+  EXPECT_EQ(options.shape_rules.text, "package://robot/rules.yaml 2");
   EXPECT_TRUE(options.fit_cache.empty());
   EXPECT_TRUE(report.errors.empty());
 }
