@@ -20,7 +20,7 @@ namespace HWY_NAMESPACE {
 using Lanes = hn::CappedTag<float, kTreeChildren>;
 using Number = hn::Vec<Lanes>;
 
-HWY_INLINE Number number(float value) { return hn::Set(Lanes(), value); }
+HWY_INLINE Number inAllLanes(float value) { return hn::Set(Lanes(), value); }
 
 /// The boxes of some children, beside the center of the oriented box.
 struct ChildLanes {
@@ -30,13 +30,14 @@ struct ChildLanes {
 };
 
 HWY_INLINE ChildLanes childrenAt(const TreeNode& node, const NearBox& box, std::size_t first) {
-  const Number one_half = number(0.5F);
+  const Number one_half = inAllLanes(0.5F);
   ChildLanes children;
-  children.size = number(0.0F);
+  children.size = inAllLanes(0.0F);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Number min = hn::LoadU(Lanes(), node.min[axis] + first);
     const Number max = hn::LoadU(Lanes(), node.max[axis] + first);
-    children.center[axis] = hn::Sub(hn::Mul(one_half, hn::Add(min, max)), number(box.center[axis]));
+    children.center[axis] =
+        hn::Sub(hn::Mul(one_half, hn::Add(min, max)), inAllLanes(box.center[axis]));
     children.half[axis] = hn::Mul(one_half, hn::Sub(max, min));
     children.size = hn::Add(children.size, hn::Max(hn::Abs(min), hn::Abs(max)));
   }
@@ -47,8 +48,8 @@ HWY_INLINE ChildLanes childrenAt(const TreeNode& node, const NearBox& box, std::
 HWY_INLINE hn::Mask<Lanes> meetingChildren(const TreeNode& node, const NearBox& box,
                                            std::size_t first) {
   const auto on = [&](std::size_t axis) HWY_ATTR {
-    return hn::And(hn::Le(hn::LoadU(Lanes(), node.min[axis] + first), number(box.max[axis])),
-                   hn::Le(number(box.min[axis]), hn::LoadU(Lanes(), node.max[axis] + first)));
+    return hn::And(hn::Le(hn::LoadU(Lanes(), node.min[axis] + first), inAllLanes(box.max[axis])),
+                   hn::Le(inAllLanes(box.min[axis]), hn::LoadU(Lanes(), node.max[axis] + first)));
   };
   return hn::And(hn::And(on(0), on(1)), on(2));
 }
@@ -57,30 +58,31 @@ HWY_INLINE hn::Mask<Lanes> meetingChildren(const TreeNode& node, const NearBox& 
 /// both are at least `gap` apart, and these axes are perpendicular.
 HWY_INLINE hn::Mask<Lanes> nearChildren(const TreeNode& node, const NearBox& box, Number size,
                                         std::size_t first) {
-  const Number rounding = number(2e-6F);  // of sums of such numbers
+  const Number rounding = inAllLanes(2e-6F);  // of sums of such numbers
   const ChildLanes children = childrenAt(node, box, first);
   const Number error = hn::Mul(rounding, hn::Add(children.size, size));
-  Number squared = number(0.0F);
+  Number squared = inAllLanes(0.0F);
   for (std::size_t i = 0; i < 3; ++i) {
-    Number along = number(0.0F);
-    Number reach = hn::Add(number(box.half[i]), error);
+    Number along = inAllLanes(0.0F);
+    Number reach = hn::Add(inAllLanes(box.half[i]), error);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Number unit = number(box.axes[i][axis]);
+      const Number unit = inAllLanes(box.axes[i][axis]);
       along = hn::Add(along, hn::Mul(unit, children.center[axis]));
       reach = hn::Add(reach, hn::Mul(hn::Abs(unit), children.half[axis]));
     }
-    const Number gap = hn::Max(hn::Sub(hn::Abs(along), reach), number(0.0F));
+    const Number gap = hn::Max(hn::Sub(hn::Abs(along), reach), inAllLanes(0.0F));
     squared = hn::Add(squared, hn::Mul(gap, gap));
   }
-  return hn::Le(squared, number(box.within * box.within));
+  return hn::Le(squared, inAllLanes(box.within * box.within));
 }
 
 std::size_t findChildren(const TreeNode* nodes, const SomeNodes& which, const NearBox& box,
                          NearTest test, std::uint32_t* found) {
   const hn::Rebind<std::uint32_t, Lanes> integers;
-  Number size = number(0.0F);
+  Number size = inAllLanes(0.0F);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    size = hn::Add(size, hn::Add(hn::Abs(number(box.center[axis])), number(box.half[axis])));
+    size =
+        hn::Add(size, hn::Add(hn::Abs(inAllLanes(box.center[axis])), inAllLanes(box.half[axis])));
   }
   std::size_t written = 0;
   for (std::size_t i = 0; i < which.count; ++i) {
