@@ -13,21 +13,15 @@
 #include <hwy/foreach_target.h>  // compiles what follows up to HWY_ONCE for every instruction set
 #include <hwy/highway.h>
 
+#include "broad_phase/pack_lanes-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
 
 // Use no templates of the standard library here. The linker would keep one copy of each, perhaps
 // one that this machine cannot run.
 using Lanes = hn::CappedTag<float, kRowPadding>;
-
-template <class Mask>
-std::uint32_t bitsOf(Mask mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(Lanes(), mask, bytes);
-  return bytes[0] | static_cast<std::uint32_t>(bytes[1] << 8);
-}
 
 /// The rows from `other` on that meet `row` on the axis.
 HWY_INLINE hn::Mask<Lanes> meetOnAxis(const RowPointers& rows, std::size_t row, std::size_t other,
@@ -55,7 +49,7 @@ HWY_INLINE void pairRow(const RowPointers& rows, std::size_t row, std::size_t la
     const auto meet =
         hn::And(hn::And(meetOnAxis(rows, row, other, 0), meetOnAxis(rows, row, other, 1)),
                 meetOnAxis(rows, row, other, 2));
-    writePairs(row, other, bitsOf(meet), paired, hits);
+    writePairs(row, other, bitsOf(Lanes(), meet), paired, hits);
   }
   paired.seen += last - row - 1;
 }
@@ -71,50 +65,10 @@ HWY_INLINE void sweepRow(const RowPointers& rows, std::size_t row, std::size_t a
     const auto begins = hn::Le(hn::LoadU(lanes, rows.min[axis] + other), end);
     const auto meet = hn::And(
         begins, hn::And(meetOnAxis(rows, row, other, second), meetOnAxis(rows, row, other, third)));
-    writePairs(row, other, bitsOf(meet), paired, hits);
+    writePairs(row, other, bitsOf(Lanes(), meet), paired, hits);
     goes_on = hn::AllTrue(lanes, begins);
   }
   paired.seen += other - row - 1;
-}
-
-#if HWY_TARGET == HWY_AVX2
-/// By mask: the numbers of its lanes, four bits each, the first in the lowest bits.
-struct LaneNumbers {
-  std::uint32_t of_mask[256];
-};
-
-constexpr LaneNumbers numberLanes() {
-  LaneNumbers numbers{};
-  for (std::uint32_t mask = 0; mask < 256; ++mask) {
-    std::uint32_t shift = 0;
-    for (std::uint32_t lane = 0; lane < 8; ++lane) {
-      if ((mask >> lane & 1U) != 0) {
-        numbers.of_mask[mask] |= lane << shift;
-        shift += 4;
-      }
-    }
-  }
-  return numbers;
-}
-
-constexpr LaneNumbers kLaneNumbers = numberLanes();
-#endif
-
-/// Moves the lanes of the mask to the front; the rest is undefined. CompressStore is very slow on
-/// some processors. Where Highway builds Compress from a table, GCC copies that table, 1 KB, to the
-/// stack each time.
-template <class Ids, class Mask>
-HWY_INLINE Ids packed(Ids ids, Mask mask) {
-#if HWY_TARGET == HWY_AVX2
-  const hn::Rebind<std::uint32_t, Lanes> integers;
-  const std::uint32_t bits = bitsOf(hn::RebindMask(Lanes(), mask));
-  const auto shifts = hn::Mul(hn::Iota(integers, 0), hn::Set(integers, 4));
-  const auto numbers = hn::Shr(hn::Set(integers, kLaneNumbers.of_mask[bits]), shifts);
-  const auto lanes = hn::And(numbers, hn::Set(integers, 7));
-  return hn::TableLookupLanes(ids, hn::IndicesFromVec(integers, lanes));
-#else
-  return hn::Compress(ids, mask);
-#endif
 }
 
 /// Pairs one row; returns how many ids it wrote.

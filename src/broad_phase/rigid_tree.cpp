@@ -3,76 +3,72 @@
 #include "broad_phase/rigid_tree.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "broad_phase/box_tests.h"
 
 namespace collision_monitor {
 namespace {
 
-/// The axis along which the centers of these boxes spread most.
-std::size_t widestAxis(const std::vector<SmallBox>& boxes, const std::uint32_t* first,
-                       const std::uint32_t* last) {
-  std::size_t widest = 0;
-  double width = -1.0;
+/// Infinite boxes become very large: their centers are numbers.
+void setChild(const SmallBox& box, std::size_t child, TreeNode& node) noexcept {
+  constexpr float kFar = 1e15F;  // [m] squares of it are numbers, too
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [low, high] =
-        std::minmax_element(first, last, [&](std::uint32_t one, std::uint32_t other) {
-          return centerOf(boxes[one], axis) < centerOf(boxes[other], axis);
-        });
-    const double spread = centerOf(boxes[*high], axis) - centerOf(boxes[*low], axis);
-    if (spread > width) {
-      width = spread;
-      widest = axis;
-    }
+    node.min[axis][child] = std::max(box.min[axis], -kFar);
+    node.max[axis][child] = std::min(box.max[axis], kFar);
   }
-  return widest;
 }
 
 }  // namespace
 
 RigidTree::RigidTree(const std::vector<Aabb>& boxes) {
-  std::vector<SmallBox> small;
-  small.reserve(boxes.size());
+  std::vector<SmallBox> children;
+  children.reserve(boxes.size());
   for (const Aabb& box : boxes) {
-    small.push_back(smallBoxOf(box));
+    children.push_back(smallBoxOf(box));
   }
-  std::vector<std::uint32_t> bodies(boxes.size());
-  std::iota(bodies.begin(), bodies.end(), 0U);
-  nodes_.reserve(2 * boxes.size());
-  if (!bodies.empty()) {
-    build(small, bodies.data(), bodies.data() + bodies.size());
+  while (!children.empty()) {
+    levels_.push_back(nodes_.size());
+    std::vector<SmallBox> parents;
+    for (std::size_t first = 0; first < children.size(); first += kTreeChildren) {
+      TreeNode& node = nodes_.emplace_back();
+      parents.push_back(children[first]);
+      for (std::size_t child = 0; child < kTreeChildren; ++child) {
+        const bool is_there = first + child < children.size();
+        setChild(is_there ? children[first + child] : emptyBox(), child, node);
+        parents.back() =
+            is_there ? unionOf(parents.back(), children[first + child]) : parents.back();
+      }
+    }
+    children = parents.size() > 1 ? std::move(parents) : std::vector<SmallBox>();
   }
 }
 
-/// Adds the subtree of these bodies, in halves of equal count. They are not none.
-void RigidTree::build(const std::vector<SmallBox>& boxes, std::uint32_t* first,
-                      std::uint32_t* last) {
-  const std::size_t node = nodes_.size();
-  nodes_.emplace_back().box = boxes[*first];
-  for (const std::uint32_t* body = first + 1; body != last; ++body) {
-    nodes_[node].box = unionOf(nodes_[node].box, boxes[*body]);
+FoundBodies RigidTree::findNear(const NearBox& box,
+                                std::vector<std::uint32_t>& room) const noexcept {
+  std::uint32_t* first = room.data();
+  std::size_t count = levels_.empty() ? 0 : 1;
+  *first = 0;  // the highest node
+  for (std::size_t level = levels_.size(); level > 0; --level) {
+    std::uint32_t* const found = first + count;
+    count = findNearChildren(nodes_.data() + levels_[level - 1], {first, count}, box,
+                             level == 1 ? NearTest::fine : NearTest::rough, found);
+    first = found;
   }
-  if (last - first == 1) {
-    nodes_[node].body = *first;
-  } else {
-    const std::size_t axis = widestAxis(boxes, first, last);
-    std::uint32_t* const middle = first + (last - first) / 2;
-    std::nth_element(first, middle, last, [&](std::uint32_t one, std::uint32_t other) {
-      return centerOf(boxes[one], axis) < centerOf(boxes[other], axis);
-    });
-    build(boxes, first, middle);
-    build(boxes, middle, last);
-  }
-  nodes_[node].next = static_cast<std::uint32_t>(nodes_.size());
+  return {first, first + count};
 }
 
-double RigidTree::squaredDistance(const SmallBox& box, const Eigen::Vector3d& point) noexcept {
-  double squared = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double at = point[static_cast<Eigen::Index>(axis)];
-    const double outside = std::max({box.min[axis] - at, at - box.max[axis], 0.0});
-    squared += outside * outside;
+void RigidTree::squaredDistances(const TreeNode& node, const Eigen::Vector3d& point,
+                                 double (&squared)[kTreeChildren]) noexcept {
+  for (std::size_t child = 0; child < kTreeChildren; ++child) {
+    squared[child] = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double at = point[static_cast<Eigen::Index>(axis)];
+      // By the order of arguments NaN stays NaN.
+      const double outside =
+          std::max(std::max(node.min[axis][child] - at, at - node.max[axis][child]), 0.0);
+      squared[child] += outside * outside;
+    }
   }
-  return squared;
 }
 
 }  // namespace collision_monitor

@@ -149,7 +149,9 @@ ObjectTrees makeObjectTrees(const CycleSetup& setup, BroadPhaseKind kind) {
     return trees;
   }
   for (const CarriedObjects& objects : setup.carried) {
-    trees.trees.push_back({RigidTree(boxesOf(setup, objects)), 0.0, {}, {}});
+    trees.trees.push_back({RigidTree(boxesOf(setup, objects)), 0.0, true, {}, {}});
+    const std::size_t room = trees.trees.back().tree.roomForFound();
+    trees.found.resize(std::max(trees.found.size(), room));
   }
   const Places places = findPlaces(setup, trees);
   listLoosePairs(setup, places, trees);

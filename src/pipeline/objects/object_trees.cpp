@@ -39,8 +39,22 @@ void findLoosePairs(const CycleSetup& setup, const LinkPoses& poses,
   }
 }
 
-/// Objects that rest keep how far their bounds are grown.
-void growTrees(const CycleSetup& setup, double reach, CycleBuffers& buffers) noexcept {
+/// [m] How near a body and objects of a tree must be to matter, whatever their limits: at least
+/// NearBodies::limitOf where motions are known, else at least what boundBodies grows boxes by.
+struct SeekReach {
+  double at_rest;
+  double stop;
+  const ObjectTree& tree;
+
+  double of(double ahead, double travel) const noexcept {
+    const double moves = (ahead > travel ? ahead : travel) + tree.moves;  // `ahead` may be NaN
+    const bool are_known = tree.are_known && std::isfinite(ahead);
+    return are_known ? std::max(at_rest, stop + moves) : at_rest + moves;
+  }
+};
+
+/// Objects that rest keep how far they moved or may move.
+void growTrees(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   const auto is_of = [](const IndexRange& moved, const CarriedObjects& objects) {
     return moved.first <= objects.first_body && objects.last_body <= moved.last;
   };
@@ -51,31 +65,15 @@ void growTrees(const CycleSetup& setup, double reach, CycleBuffers& buffers) noe
                      [&](const IndexRange& range) { return is_of(range, objects); })) {
       continue;
     }
-    double ahead = 0.0;
-    double travel = 0.0;
+    ObjectTree& grown = buffers.trees.trees[tree];
+    grown.moves = 0.0;
+    grown.are_known = true;
     for (std::size_t i = objects.first_body; i < objects.last_body; ++i) {
-      ahead = buffers.bounds.ahead[i] > ahead ? buffers.bounds.ahead[i] : ahead;  // may be NaN
-      travel = std::max(travel, buffers.sweep.body_travel[i]);
+      const double ahead = buffers.bounds.ahead[i];
+      grown.are_known &= std::isfinite(ahead);
+      grown.moves = std::max({grown.moves, buffers.sweep.body_travel[i], ahead});  // not a NaN
     }
-    buffers.trees.trees[tree].grown = 0.5 * reach + ahead + travel;
   }
-}
-
-/// The box in the frame of a tree that holds a box of the world.
-/// @param grown [m] to every side, still in the world
-SmallBox boxInTree(const Pose& tree_from_world, const Aabb& box, double grown) noexcept {
-  constexpr double kRounding = 1e-9;  // of coordinates
-  const Eigen::Vector3d center = tree_from_world * (0.5 * (box.min + box.max));
-  const Eigen::Vector3d in_world = 0.5 * (box.max - box.min) + Eigen::Vector3d::Constant(grown);
-  const double rounding =
-      kRounding * (1.0 + in_world.norm() + center.norm() + tree_from_world.translation.norm());
-  const Eigen::Vector3d half =
-      tree_from_world.rotation.cwiseAbs() * in_world + Eigen::Vector3d::Constant(rounding);
-  if (!half.allFinite() || !center.allFinite()) {
-    return smallBoxOf(
-        {Eigen::Vector3d::Constant(-kInfinity), Eigen::Vector3d::Constant(kInfinity)});
-  }
-  return smallBoxOf({center - half, center + half});
 }
 
 /// The pair of a seeker with an object; kNone if there is none.
@@ -90,8 +88,16 @@ PairId pairOf(const CycleSetup& setup, const CarriedObjects& objects, const Obje
   return PairId{tree.pair_of[seeker.row * (objects.last_body - objects.first_body) + place]};
 }
 
-/// Marks the pairs with objects of a tree whose bounds may meet.
-void findInTree(const CycleSetup& setup, const LinkPoses& poses, std::size_t place,
+double farthestStopOf(const ActivationDistances& reaches) noexcept {
+  double stop = 0.0;
+  for (const PairReach& reach : reaches.of_limits) {
+    stop = std::max(stop, reach.stop);
+  }
+  return stop;
+}
+
+/// Marks the pairs with objects of a tree that are near.
+void findInTree(const CycleSetup& setup, const LinkPoses& poses, double reach, std::size_t place,
                 CycleBuffers& buffers) noexcept {
   const CarriedObjects& objects = setup.carried[place];
   const BodyBounds& bounds = buffers.bounds;
@@ -100,18 +106,22 @@ void findInTree(const CycleSetup& setup, const LinkPoses& poses, std::size_t pla
   }
   const ObjectTree& tree = buffers.trees.trees[place];
   const Pose tree_from_world = inverse(poses.world_from_link[objects.first_link]);
+  const SeekReach seek{reach, farthestStopOf(buffers.activation), tree};
   for (const TreeSeeker& seeker : tree.seekers) {
     const std::size_t body = index(seeker.body);
     if (bounds.known[body] == 0) {
       continue;
     }
-    const SmallBox box = boxInTree(tree_from_world, bounds.boxes[body], tree.grown);
-    tree.tree.visitMeeting(box, [&](std::uint32_t object) {
+    const Core& core = setup.cores[body];
+    const double near = seek.of(bounds.ahead[body], buffers.sweep.body_travel[body]);
+    const NearBox box = nearBoxOf(tree_from_world * buffers.body_poses.world_from_body[body],
+                                  core.half_extents, core.radius + near);
+    for (const std::uint32_t object : tree.tree.findNear(box, buffers.trees.found)) {
       const PairId pair = pairOf(setup, objects, tree, seeker, object);
       if (pair != PairId{kNone}) {
         markPair(pair, buffers.broad_phase.marks);
       }
-    });
+    }
   }
 }
 
@@ -150,9 +160,9 @@ void findPairs(const CycleSetup& setup, const LinkPoses& poses, double reach,
     return;
   }
   findLoosePairs(setup, poses, buffers);
-  growTrees(setup, reach, buffers);
+  growTrees(setup, buffers);
   for (std::size_t tree = 0; tree < setup.carried.size(); ++tree) {
-    findInTree(setup, poses, tree, buffers);
+    findInTree(setup, poses, reach, tree, buffers);
   }
   takeMarked(buffers.broad_phase.marks, buffers.candidates);
 }

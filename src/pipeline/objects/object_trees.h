@@ -20,8 +20,9 @@ struct TreeSeeker {
 
 /// The objects of one carrier.
 struct ObjectTree {
-  RigidTree tree;     ///< in the frame of the first object
-  double grown{0.0};  ///< [m] how far bounds reach beyond the shapes
+  RigidTree tree;        ///< in the frame of the first object
+  double moves{0.0};     ///< [m] how far its objects moved or may move within the horizon
+  bool are_known{true};  ///< the velocities of all its objects are
   /// In order of body. Of two trees with pairs the bodies of the smaller one seek.
   std::vector<TreeSeeker> seekers;
   /// The pair of each seeker that is loose with each object, at its row * objects + place of the
@@ -30,12 +31,13 @@ struct ObjectTree {
 };
 
 struct ObjectTrees {
-  std::vector<ObjectTree> trees;   ///< by CycleSetup::carried
-  std::vector<BodyId> loose;       ///< bodies in no tree, in order
-  BodyBounds bounds;               ///< of the loose bodies
-  PairTable table;                 ///< pairs of loose bodies, as places in `loose`
-  std::vector<PairId> loose_pair;  ///< by PairId of this table: the pair of the set-up
-  PairBlocks blocks;               ///< those of the set-up that hold pairs of loose bodies
+  std::vector<ObjectTree> trees;     ///< by CycleSetup::carried
+  std::vector<BodyId> loose;         ///< bodies in no tree, in order
+  BodyBounds bounds;                 ///< of the loose bodies
+  PairTable table;                   ///< pairs of loose bodies, as places in `loose`
+  std::vector<PairId> loose_pair;    ///< by PairId of this table: the pair of the set-up
+  PairBlocks blocks;                 ///< those of the set-up that hold pairs of loose bodies
+  std::vector<std::uint32_t> found;  ///< room for a search in any tree
 };
 
 struct CycleBuffers;
@@ -44,8 +46,9 @@ struct CycleBuffers;
 /// pairs
 ObjectTrees makeObjectTrees(const CycleSetup& setup, BroadPhaseKind kind);
 
-/// Fills the candidates: pairs of the table whose bounds meet, sorted by id. Bounds of objects in
-/// trees are those of their shapes, grown along the axes of their carrier.
+/// Fills the candidates: pairs of the table whose bounds meet, sorted by id. Those of a body and an
+/// object in a tree are an oriented box about the body and a box along the axes of the carrier, and
+/// they meet within how near both must be to matter.
 /// @param reach [m] as for boundBodies
 void findPairs(const CycleSetup& setup, const LinkPoses& poses, double reach,
                CycleBuffers& buffers) noexcept;

@@ -3,51 +3,58 @@
 #include "pipeline/world/order_objects.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <utility>
+
+#include "broad_phase/tree_nodes.h"
 
 namespace collision_monitor {
 namespace {
 
-constexpr int kBits = 10;  // of each axis
+using Objects = std::vector<const WorldObject*>::iterator;
 
-/// The bits of a number, each followed by two zeros.
-std::uint32_t spread(std::uint32_t number) noexcept {
-  std::uint32_t bits = 0;
-  for (int i = 0; i < kBits; ++i) {
-    bits |= (number >> i & 1U) << (3 * i);
+const Eigen::Vector3d& placeOf(const WorldObject* object) noexcept {
+  return object->frame_from_object.translation;
+}
+
+/// How far the objects spread along each axis. Units: metres.
+Eigen::Vector3d spreadOf(Objects first, Objects last) {
+  Eigen::Vector3d least = placeOf(*first);
+  Eigen::Vector3d most = least;
+  for (; first != last; ++first) {
+    least = least.cwiseMin(placeOf(*first));
+    most = most.cwiseMax(placeOf(*first));
   }
-  return bits;
+  return most - least;
+}
+
+/// Splits the objects in halves along the axis in which they spread most, and these again. Halves
+/// hold whole nodes of a RigidTree of each level.
+void split(Objects first, Objects last) {
+  const auto count = static_cast<std::size_t>(last - first);
+  const Eigen::Vector3d spread = spreadOf(first, last);
+  Eigen::Index axis = 0;
+  if (count <= kTreeChildren || !(spread.maxCoeff(&axis) > 0.0)) {
+    return;
+  }
+  std::size_t node = kTreeChildren;  // the largest that does not hold all
+  while (node * kTreeChildren < count) {
+    node *= kTreeChildren;
+  }
+  const std::size_t half = node * ((count / node + 1) / 2);
+  const auto middle = first + static_cast<std::ptrdiff_t>(half);
+  std::nth_element(first, middle, last, [&](const WorldObject* one, const WorldObject* other) {
+    return placeOf(one)[axis] < placeOf(other)[axis];
+  });
+  split(first, middle);
+  split(middle, last);
 }
 
 }  // namespace
 
 void orderByPlace(std::vector<const WorldObject*>& objects) {
   constexpr std::size_t kMany = 64;
-  if (objects.size() < kMany) {
-    return;
+  if (objects.size() >= kMany) {
+    split(objects.begin(), objects.end());
   }
-  Eigen::Vector3d least = objects.front()->frame_from_object.translation;
-  Eigen::Vector3d most = least;
-  for (const WorldObject* object : objects) {
-    least = least.cwiseMin(object->frame_from_object.translation);
-    most = most.cwiseMax(object->frame_from_object.translation);
-  }
-  constexpr double kCells = (1U << kBits) - 1U;
-  const double cell = std::max((most - least).maxCoeff(), 1e-9) / kCells;
-  std::vector<std::pair<std::uint32_t, const WorldObject*>> places;
-  for (const WorldObject* object : objects) {
-    const Eigen::Vector3d place = (object->frame_from_object.translation - least) / cell;
-    std::uint32_t code = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      code |= spread(static_cast<std::uint32_t>(place[axis])) << axis;
-    }
-    places.emplace_back(code, object);
-  }
-  std::stable_sort(places.begin(), places.end(),
-                   [](const auto& one, const auto& other) { return one.first < other.first; });
-  std::transform(places.begin(), places.end(), objects.begin(),
-                 [](const auto& place) { return place.second; });
 }
 
 }  // namespace collision_monitor

@@ -9,10 +9,8 @@
 namespace collision_monitor {
 
 /// Sorts very many objects of one carrier so that neighbours in space are neighbours in memory: a
-/// cycle asks for those that are near. Few objects keep their order, as do those at one place.
-///
-/// Source: Morton, "A Computer Oriented Geodetic Data Base and a New Technique in File Sequencing"
-/// (1966).
+/// cycle asks for those that are near, and each node of a RigidTree holds neighbours. Few objects
+/// keep their order, as do those at one place.
 /// @param objects in the same frame
 void orderByPlace(std::vector<const WorldObject*>& objects);
 

@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/constants.h"
+#include "narrow_phase/distance.h"
 #include "support/random_poses.h"
 
 namespace collision_monitor::test {
@@ -31,22 +33,42 @@ double distanceTo(const Aabb& box, const Eigen::Vector3d& point) {
   return (point - point.cwiseMax(box.min).cwiseMin(box.max)).norm();
 }
 
-TEST(RigidTree, boxOfAnySize_visitsEveryBodyThatItMeets) {
+TEST(RigidTree, orientedBoxOfAnySize_findsEveryBodyThatIsNear) {
   Random random(1);
-  for (const std::size_t count : {1U, 2U, 3U, 100U, 1000U}) {
+  for (const std::size_t count : {1U, 2U, 8U, 9U, 100U, 1000U}) {
     const std::vector<Aabb> boxes = randomBoxes(count, random);
     const RigidTree tree(boxes);
+    std::vector<std::uint32_t> room(tree.roomForFound());
     for (int i = 0; i < 100; ++i) {
-      const Aabb asked = randomBox(random);
-      std::vector<bool> is_visited(count, false);
-      tree.visitMeeting(smallBoxOf(asked), [&](std::uint32_t body) {
-        EXPECT_FALSE(is_visited[body]) << "twice";
-        is_visited[body] = true;
-      });
+      const Pose pose = randomPose(random, 1.0);
+      const Box asked{randomPoint(random, 0.3).cwiseAbs()};
+      const double within = 0.1 * static_cast<double>(random() % 3);
+      std::vector<int> times(count, 0);
+      for (const std::uint32_t body :
+           tree.findNear(nearBoxOf(pose, asked.half_extents, within), room)) {
+        ++times[body];
+      }
       for (std::size_t body = 0; body < count; ++body) {
-        EXPECT_EQ(is_visited[body], meets(smallBoxOf(boxes[body]), smallBoxOf(asked)));
+        const Eigen::Vector3d half = 0.5 * (boxes[body].max - boxes[body].min);
+        const Pose place{Eigen::Matrix3d::Identity(), 0.5 * (boxes[body].max + boxes[body].min)};
+        const double distance = distanceBetween(asked, pose, Box{half}, place).distance;
+        EXPECT_LE(times[body], 1);
+        EXPECT_TRUE(times[body] == 1 || distance > within);
+        // Along each axis the box reaches at most its half diagonal beyond its center.
+        EXPECT_TRUE(times[body] == 0 || distance <= within + 3.0 * half.norm() + 1e-4);
       }
     }
+  }
+}
+
+TEST(RigidTree, distanceThatIsNotKnown_findsEveryBody) {
+  Random random(4);
+  const RigidTree tree(randomBoxes(77, random));
+  std::vector<std::uint32_t> room(tree.roomForFound());
+  for (const double within : {kInfinity, std::numeric_limits<double>::quiet_NaN(), 1e300}) {
+    const FoundBodies found =
+        tree.findNear(nearBoxOf(Pose(), Eigen::Vector3d::Zero(), within), room);
+    EXPECT_EQ(found.end() - found.begin(), 77);
   }
 }
 
@@ -76,20 +98,23 @@ TEST(RigidTree, distanceBelowZero_visitsNothing) {
   tree.visitNear(Eigen::Vector3d::Zero(), -0.1, [](std::uint32_t) { FAIL(); });
 }
 
-TEST(RigidTree, boxWithoutBounds_isMetByAllAndHidesNoOther) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
+TEST(RigidTree, boxWithoutBounds_isNearAllAndHidesNoOther) {
   Random random(3);
   std::vector<Aabb> boxes = randomBoxes(50, random);
-  boxes[20] = {Eigen::Vector3d::Constant(-kFar), Eigen::Vector3d(kFar, kFar, 0.0)};
+  boxes[20] = {Eigen::Vector3d::Constant(-kInfinity), Eigen::Vector3d(kInfinity, kInfinity, 0.0)};
   const RigidTree tree(boxes);
-  std::vector<bool> is_visited(boxes.size(), false);
-  tree.visitMeeting(smallBoxOf(boxes[7]), [&](std::uint32_t body) { is_visited[body] = true; });
-  EXPECT_TRUE(is_visited[7]);
-  EXPECT_EQ(is_visited[20], boxes[7].min.z() <= 0.0);
+  std::vector<std::uint32_t> room(tree.roomForFound());
+  const Pose place{Eigen::Matrix3d::Identity(), 0.5 * (boxes[7].max + boxes[7].min)};
+  const FoundBodies found = tree.findNear(nearBoxOf(place, Eigen::Vector3d::Zero(), 0.0), room);
+  EXPECT_EQ(std::count(found.begin(), found.end(), 7U), 1);
+  EXPECT_EQ(std::count(found.begin(), found.end(), 20U), 1);
 }
 
 TEST(RigidTree, noBodies_visitsNothing) {
   const RigidTree tree({});
+  std::vector<std::uint32_t> room(tree.roomForFound());
+  const FoundBodies found = tree.findNear(nearBoxOf(Pose(), Eigen::Vector3d::Zero(), 1.0), room);
+  EXPECT_EQ(found.begin(), found.end());
   tree.visitNear(Eigen::Vector3d::Zero(), 1.0, [](std::uint32_t) { FAIL(); });
 }
 
