@@ -101,8 +101,8 @@ struct PathAnswer {
 /// unknown, never clear.
 /// Answers by reference are valid until the next call. After the first call of its kind, a call
 /// that returns a reference does not allocate.
-/// Error: as docs/accuracy.md; earlier calls may change the last digits, and which of equally near
-/// points are found.
+/// Error: as docs/accuracy.md; earlier calls may change the last digits, depths of overlapping
+/// meshes (Quality::estimate) by more, and which of equally near points are found.
 /// @throws ArgumentError if a number of values is wrong, or a request holds NaN
 class RobotQuery {
  public:
@@ -114,7 +114,8 @@ class RobotQuery {
 
   const RobotMonitor& monitor() const noexcept;  ///< as given to the constructor
 
-  /// The worst verdict of all pairs.
+  /// The worst verdict of all pairs; unknown if a number of the state is not finite, even where
+  /// other pairs are known to be in contact.
   Verdict verdict(Numbers state);
   /// The signed distance of every pair within a distance.
   const DistanceTable& distances(Numbers state, const DistanceRequest& request = {});

@@ -87,7 +87,7 @@ def _document(given: Any, name: str, what: str, faults: List[str]) -> Dict[str, 
     nothing: Dict[str, Union[str, bytes]] = {name: "", name + "_source": ""}
     if given is None or (isinstance(given, str) and not given):
         return nothing
-    if isinstance(given, str) and _is_text(given):
+    if isinstance(given, str) and _is_text(given) and not os.path.isfile(os.path.expanduser(given)):
         return {name: _text(given, name, faults), name + "_source": name}
     if not isinstance(given, (str, bytes)) and not hasattr(given, "__fspath__"):
         faults.append(f"`{name}` is {given!r:.100}; accepted: {what}, or text in YAML")

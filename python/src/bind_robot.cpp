@@ -137,7 +137,8 @@ void addOneState(py::class_<Robot, SharedRobot>& type) {
           "joints that\nit leaves out are as in default_state. Every method takes it so.\n"
           "A number that is NaN or infinite is missing: what depends on it is unknown, never "
           "clear.\nRaises ArgumentError with all faults: a wrong shape, unknown joints.")
-      .def("verdict", verdict, py::arg("q"), "The worst Verdict of all pairs at a state.")
+      .def("verdict", verdict, py::arg("q"),
+           "The worst Verdict of all pairs at a state; unknown if q has a NaN.")
       .def("distances", distances, py::arg("q"),
            py::arg("within") = std::numeric_limits<double>::infinity(),
            py::arg("gradients") = false,
@@ -203,7 +204,8 @@ void bindRobot(py::module_& module) {
       module, "Robot",
       "One or more robots, their shapes and the pairs to be checked; load() makes it.\n"
       "It never changes. Threads may share it: each call works on its own scratch, and frees the\n"
-      "GIL. Earlier calls may change the last digits of distances, except in check.\n"
+      "GIL. Earlier calls may change the last digits of distances, and depths that are estimates\n"
+      "by more, except in check.\n"
       "Frames: world. Units: metres and radians.");
   addLists(type);
   addOneState(type);

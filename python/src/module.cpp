@@ -4,6 +4,27 @@
 #include "failures.h"
 #include "robot.h"
 
+namespace {
+
+namespace py = pybind11;
+
+PyObject* refuseNew(PyTypeObject* type, PyObject* /*arguments*/, PyObject* /*named*/) {
+  PyErr_Format(PyExc_TypeError, "%s has no constructor: load() and queries make it", type->tp_name);
+  return nullptr;
+}
+
+/// pybind11 takes what __new__ gives as made, although nothing is in it.
+void refuseEmptyInstances(const py::module_& module) {
+  for (const auto& [name, member] : module.attr("__dict__").cast<py::dict>()) {
+    if (PyType_Check(member.ptr()) &&
+        py::detail::get_type_info(reinterpret_cast<PyTypeObject*>(member.ptr())) != nullptr) {
+      reinterpret_cast<PyTypeObject*>(member.ptr())->tp_new = refuseNew;
+    }
+  }
+}
+
+}  // namespace
+
 // The extension behind the package collision_monitor_core. Users import the package.
 PYBIND11_MODULE(_core, module) {
   namespace binding = collision_monitor::python;
@@ -14,4 +35,5 @@ PYBIND11_MODULE(_core, module) {
   binding::bindMany(module);
   binding::bindLoading(module);
   binding::bindSolids(module);
+  refuseEmptyInstances(module);
 }

@@ -105,6 +105,17 @@ def test_options_ofLoad_areCheckedByTheLibrary():
         cm.load(URDF / "arm6.urdf", detail="exact", fit_cache="none")
 
 
+def test_instancesWithNothingInThem_cannotBeMade():
+    made = [kind for kind in vars(cm).values() if isinstance(kind, type)
+            and type(kind).__name__ == "pybind11_type"]
+    assert cm.Robot in made and len(made) > 5
+    for kind in made:
+        with pytest.raises(TypeError):
+            kind.__new__(kind)
+        with pytest.raises(TypeError):
+            kind()
+
+
 def test_exceptions_arePickledWithTheirLists():
     copy = pickle.loads(pickle.dumps(cm.ArgumentError(["one", "two"])))
     assert copy.faults == ["one", "two"] and str(copy) == "one\ntwo"

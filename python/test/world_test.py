@@ -46,6 +46,13 @@ def test_textWithoutLineBreak_isNoFileName(text):
     assert len(cm.load(BOXES, world=text, fit_cache="none").links) >= 4
 
 
+@pytest.mark.parametrize("name", ["#cell.yaml", "world:", "[]", "- a.yaml"])
+def test_fileThatIsThere_isReadWhateverItsName(name, tmp_path, monkeypatch):
+    (tmp_path / name).write_text(POST)
+    monkeypatch.chdir(tmp_path)
+    assert "post" in cm.load(BOXES, world=name, fit_cache="none").links
+
+
 @pytest.mark.parametrize("wrong", ["/dev/zero", "no.yaml", 5, [{"name": "a"}], "x" * 10**6])
 def test_whatIsNoTextAndNoFile_isAShortFault(wrong):
     with pytest.raises((cm.ArgumentError, cm.SetupError), match="or (its text|text in)") as caught:

@@ -46,6 +46,11 @@ ResourceLoader loaderOf(const MonitorOptions& options) {
   return options.load_resource ? options.load_resource : makeFileLoader(sources);
 }
 
+std::string absoluteOf(const std::string& directory) {
+  std::error_code ignored;
+  return directory.empty() ? "" : std::filesystem::absolute(directory, ignored).string();
+}
+
 void checkRoots(const MonitorOptions& options, std::size_t robots, SetupReport& report) {
   const std::vector<Pose>& roots = options.world_from_root;
   if (!roots.empty() && roots.size() != robots) {
@@ -104,6 +109,25 @@ CycleSetup buildReported(const std::vector<RobotDescription>& robots, const Moni
   return {};
 }
 
+/// Adds faults of texts that could not be looked at beside other faults. Their names may be right.
+void addTextFaults(const MonitorOptions& options, SetupReport& report) {
+  SetupReport of_texts;
+  of_texts.awaits_names = true;
+  readShapeRules(options.shape_rules, RobotModel(), {}, of_texts);
+  readPairRules(options.pair_rules, RobotModel(), {}, IdleRule::is_accepted, of_texts);
+  readWorld({options.world.source, options.world.text, absoluteOf(options.world.directory)},
+            loaderOf(options), options.meshes, of_texts);
+  for (Problem& fault : of_texts.errors) {
+    const bool is_told =
+        std::any_of(report.errors.begin(), report.errors.end(), [&](const Problem& told) {
+          return told.where == fault.where && told.found == fault.found;
+        });
+    if (!is_told) {
+      report.errors.push_back(std::move(fault));
+    }
+  }
+}
+
 const char* endingOf(const Joint& joint, std::size_t variable) {
   constexpr const char* kPlanar[] = {"/x", "/y", "/theta"};
   constexpr const char* kFloating[] = {"/trans_x", "/trans_y", "/trans_z", "/rot_x",
@@ -143,11 +167,6 @@ std::vector<EnclosingShape> listShapes(const CycleSetup& setup) {
 
 /// The frame of the world. No link of a robot has a name with a slash in front.
 constexpr const char* kWorldFrame = "/world";
-
-std::string absoluteOf(const std::string& directory) {
-  std::error_code ignored;
-  return directory.empty() ? "" : std::filesystem::absolute(directory, ignored).string();
-}
 
 /// The objects of a text, checked.
 World readObjects(const DocumentText& text, const RobotModel& robots,
@@ -210,6 +229,9 @@ std::shared_ptr<const MonitorParts> makeMonitorParts(const GivenRobots& robots,
     parts->setup = buildReported(descriptions, options, report);
   }
   checkRoots(options, robots.descriptions.size() + robots.report.errors.size(), report);
+  if (!report.errors.empty()) {
+    addTextFaults(options, report);
+  }
   throwIfErrors(report);
   options.goes_on = nullptr;
   options.fit_progress = nullptr;

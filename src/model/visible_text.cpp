@@ -82,4 +82,16 @@ bool isAscii(std::string_view text) noexcept {
                      [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
+std::size_t firstNoUtf8(std::string_view text) noexcept {
+  std::size_t place = 0;
+  while (place < text.size()) {
+    const Letter letter = letterAt(text, place);
+    if (!letter.is_utf8) {
+      return place;
+    }
+    place += letter.size;
+  }
+  return place;
+}
+
 }  // namespace collision_monitor

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -16,5 +17,8 @@ std::string visibleText(std::string_view text);
 std::string asciiText(std::string_view text);
 
 bool isAscii(std::string_view text) noexcept;
+
+/// The place of the first byte that is no part of UTF-8; the size of the text if there is none.
+std::size_t firstNoUtf8(std::string_view text) noexcept;
 
 }  // namespace collision_monitor

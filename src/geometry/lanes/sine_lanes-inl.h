@@ -46,20 +46,14 @@ HWY_INLINE Number polynomial(Number x, const double (&coefficients)[6]) {
   return sum;
 }
 
-/// Error: 2e-16 up to a million turns. Limits: NaN for angles that are not finite.
-/// Source: reduction by multiples of pi / 2 in three parts of 33 bits: Cody, Waite (1980); minimax
-/// polynomials: Sun's fdlibm (1993), k_sin.c and k_cos.c.
-HWY_INLINE SineCosine sineCosine(Number angle) {
+/// @param quarters the quarter turns nearest to the angle, at most kMostQuarterTurns
+HWY_INLINE SineCosine sineCosineOfUsual(Number angle, Number quarters) {
   constexpr double kSine[6] = {-1.66666666666666324348e-01, 8.33333333332248946124e-03,
                                -1.98412698298579493134e-04, 2.75573137070700676789e-06,
                                -2.50507602534068634195e-08, 1.58969099521155010221e-10};
   constexpr double kCosine[6] = {4.16666666666666019037e-02, -1.38888888888741095749e-03,
                                  2.48015872894767294178e-05, -2.75573143513906633035e-07,
                                  2.08757232129817482790e-09, -1.13596475577881948265e-11};
-  const Number quarters = hn::Round(hn::Mul(angle, number(6.36619772367581382433e-01)));
-  if (HWY_UNLIKELY(!hn::AllFalse(Lanes(), hn::Gt(hn::Abs(quarters), number(kMostQuarterTurns))))) {
-    return sineCosineOfLarge(angle);
-  }
   Number rest = hn::Sub(angle, hn::Mul(quarters, number(1.57079632673412561417e+00)));
   rest = hn::Sub(rest, hn::Mul(quarters, number(6.07710050630396597660e-11)));
   rest = hn::Sub(rest, hn::Mul(quarters, number(2.02226624879595063154e-21)));
@@ -79,6 +73,22 @@ HWY_INLINE SineCosine sineCosine(Number angle) {
   const Truth is_left = hn::Or(is_one, hn::Eq(turn, number(2.0)));
   return {hn::IfThenElse(is_back, hn::Neg(across), across),
           hn::IfThenElse(is_left, hn::Neg(ahead), ahead)};
+}
+
+/// No lane depends on another one. Error: 2e-16 up to a million turns. Limits: NaN for angles that
+/// are not finite.
+/// Source: reduction by multiples of pi / 2 in three parts of 33 bits: Cody, Waite (1980); minimax
+/// polynomials: Sun's fdlibm (1993), k_sin.c and k_cos.c.
+HWY_INLINE SineCosine sineCosine(Number angle) {
+  const Number quarters = hn::Round(hn::Mul(angle, number(6.36619772367581382433e-01)));
+  const Truth is_large = hn::Gt(hn::Abs(quarters), number(kMostQuarterTurns));
+  const SineCosine usual = sineCosineOfUsual(angle, quarters);
+  if (HWY_LIKELY(hn::AllFalse(Lanes(), is_large))) {
+    return usual;
+  }
+  const SineCosine large = sineCosineOfLarge(angle);
+  return {hn::IfThenElse(is_large, large.sine, usual.sine),
+          hn::IfThenElse(is_large, large.cosine, usual.cosine)};
 }
 
 // NOLINTNEXTLINE(google-readability-namespace-comments)

@@ -149,7 +149,7 @@ class PairRuleReader {
 YAML::Node findPairRules(const std::string& yaml, const Place& place) {
   const std::string accepted = "YAML with a list of rules, alone or under 'pair_rules'";
   try {
-    const YAML::Node document = YAML::Load(yaml);
+    const YAML::Node document = loadYaml(yaml);
     if (document.IsSequence() || document.IsNull()) {
       return document;
     }

@@ -222,7 +222,7 @@ YAML::Node findRules(const std::string& yaml, const Place& place) {
   const std::string accepted = "YAML with a list of rules under 'shapes'";
   const char* const kNoRule = "rules stand in a list under 'shapes'";
   try {
-    const YAML::Node document = YAML::Load(yaml);
+    const YAML::Node document = loadYaml(yaml);
     if (document.IsNull()) {
       place.addWarning(0, "no rule", kNoRule);
       return {};

@@ -3,9 +3,11 @@
 #include "model/rules/yaml_fields.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <sstream>
 
 #include "model/number_text.h"
+#include "model/visible_text.h"
 
 namespace collision_monitor {
 namespace {
@@ -29,6 +31,24 @@ bool readNumberIn(const YAML::Node& node, double least, double greatest, double&
 }
 
 }  // namespace
+
+YAML::Node loadYaml(const std::string& text) {
+  // Other encodings begin with a byte order mark, or with a letter of several bytes.
+  const bool is_wide = text.size() > 1 && (text[0] == '\0' || text[1] == '\0' ||
+                                           static_cast<unsigned char>(text[0]) >= 0xFE);
+  const std::size_t wrong = is_wide ? text.size() : firstNoUtf8(text);
+  if (wrong < text.size()) {
+    YAML::Mark mark;
+    mark.line = static_cast<int>(
+        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(wrong), '\n'));
+    throw YAML::Exception(mark, "a byte that is no UTF-8");
+  }
+  const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+  if (documents.size() > 1) {
+    throw YAML::Exception(documents[1].Mark(), "a second document");
+  }
+  return documents.empty() ? YAML::Node() : documents.front();
+}
 
 int lineOf(const YAML::Node& node) {
   const YAML::Mark mark = node.Mark();

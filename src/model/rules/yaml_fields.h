@@ -14,6 +14,11 @@
 
 namespace collision_monitor {
 
+/// The only document of a text; null if there is none.
+/// @throws YAML::Exception if the text is no YAML, is not in the encoding that it seems to have, or
+/// has another document, which nobody would read.
+YAML::Node loadYaml(const std::string& text);
+
 /// Line of the document where a node begins, from 1; 0 if it has none.
 int lineOf(const YAML::Node& node);
 

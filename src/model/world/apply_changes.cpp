@@ -122,6 +122,8 @@ class ChangeMaker {
       refuse("this name twice", "names that no other object has; move and remove change objects");
     } else if (links_.count(name) != 0 || frames_.count(name) != 0) {
       refuse("the name of a link", "a name that no link has");
+    } else if (name == places_.world_frame) {
+      refuse("the name of the world's frame", "another name");
     }
   }
 

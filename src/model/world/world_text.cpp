@@ -76,7 +76,7 @@ std::vector<WorldObject> readWorld(const DocumentText& text, const ResourceLoade
     return objects;
   }
   try {
-    readDocument(YAML::Load(text.text), source, place, objects);
+    readDocument(loadYaml(text.text), source, place, objects);
   } catch (const YAML::Exception& fault) {
     place.addError(fault.mark.line + 1, "text that is no YAML: " + fault.msg, kAccepted);
   }

@@ -202,6 +202,37 @@ TEST(LibraryWorld, filesThatCannotBeRead_areToldWithAllOtherFaults) {
   EXPECT_THROW(monitorOf("").withWorld({"/no/cell.yaml"}), SetupError);
 }
 
+TEST(LibraryWorld, texts_areLookedAtBesideOtherFaults) {
+  MonitorOptions options;
+  options.limits.warning_distance = -5.0;
+  options.shape_rules = {"shapes.yaml", "shapes: [{links: [box_a], shpe: 1}]"};
+  options.pair_rules = {"rules.yaml", "- {a: box_a, b: post, chek: false}"};
+  options.world = {"cell.yaml", "- {name: x, kind: sphere}"};
+  try {
+    RobotMonitor::fromFiles({{twoBoxes()}}, options);
+    ADD_FAILURE() << "no fault";
+  } catch (const SetupError& fault) {
+    const std::string text = fault.what();
+    for (const char* part : {"warning_distance", "shpe", "chek", "cell.yaml"}) {
+      EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+    }
+    EXPECT_EQ(text.find("chek"), text.rfind("chek")) << "told once";
+  }
+}
+
+TEST(LibraryWorld, whatNobodyWouldRead_isRefused) {
+  const std::string second = faultsOf(std::string(kPost) + "\n---\n- {name: z, kind: plane}");
+  EXPECT_NE(second.find("cell.yaml line 3"), std::string::npos) << second;
+  EXPECT_NE(second.find("a second document"), std::string::npos) << second;
+  const std::string latin = faultsOf("# caf\xC3\xA9\n- {name: \xE9, kind: plane}");
+  EXPECT_NE(latin.find("cell.yaml line 2"), std::string::npos) << latin;
+  EXPECT_NE(latin.find("UTF-8"), std::string::npos) << latin;
+  EXPECT_EQ(faultsOf("---\n- {name: p, kind: plane}\n...\n"), "");
+  EXPECT_NE(faultsOf("- {name: /world, kind: plane}").find("frame"), std::string::npos);
+  EXPECT_NE(faultsOf("", "- {a: box_a, b: box_b, check: false}\n---\n- x").find("second"),
+            std::string::npos);
+}
+
 TEST(LibraryWorld, badObjects_areRefusedWithEveryFault) {
   const std::string faults = faultsOf(std::string(kPost) +
                                       "\n- {name: post, kind: sphere, radius: 0.1}\n"
