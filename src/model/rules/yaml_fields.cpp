@@ -167,7 +167,7 @@ std::optional<double> YamlFields::readNumber(const std::string& key, double leas
 
 Eigen::VectorXd YamlFields::readLengths(const std::string& key, int count, double least,
                                         double greatest) {
-  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(count);
+  Eigen::VectorXd ones = Eigen::VectorXd::Ones(count);
   if (!find(key)) {
     refuse("kind", "with " + key + ", in metres");
     return ones;
