@@ -146,10 +146,10 @@ def load(urdf: Union[Path, Sequence[Path]],
 
     Other options: contact_distance=0.0 and warning_distance=0.05 [m] decide verdicts; padding=0.0
     [m] is added to every shape; detail="mesh" measures exact geometry, "hull" convex hulls, "none"
-    the enclosing shapes; distance_tolerance=0.0 [m] lets distances be less than exact; max_shapes=4 and
-    target_overshoot=0.01 [m] are of each link; ignore_default_overlap=True leaves out, without an
-    SRDF, pairs that touch in the default state; fit_cache="" keeps fits below $ROS_HOME or ~/.ros,
-    "none" nowhere, else in that folder.
+    the enclosing shapes; distance_tolerance=0.0 [m] lets distances be less than exact; max_shapes=4
+    and target_overshoot=0.01 [m] are of each link; ignore_default_overlap=True leaves out, without
+    an SRDF, pairs that touch in the default state; fit_cache="" keeps fits below $ROS_HOME or
+    ~/.ros, "none" nowhere, else in that folder.
 
     Raises SetupError with all faults of robots, meshes, rules and options, and ArgumentError with
     all arguments of a wrong form.
