@@ -28,15 +28,10 @@ function(compile_together)
 endfunction()
 
 # compile_folders_together(LIBRARY SOURCE...): the sources of a folder of src/ are compiled together,
-# so no two of them may share a name. Folders that run in a cycle are compiled file by file, so that
-# each is optimized by itself, except under sanitizers. In kernels for lanes every operation is a
-# call whose values have their own scope. Checking these scopes takes three times as long as all
-# other checks, which stay on.
+# so no two of them may share a name. Kernels for lanes include themselves once for each instruction
+# set and stay alone. In them every operation is a call whose values have their own scope. Checking
+# these scopes takes three times as long as all other checks, which stay on.
 function(compile_folders_together library)
-  set(together "^(fitting|library|model|pipeline/(pair_search|setup|world))")
-  if(COLLISION_MONITOR_SANITIZE)
-    set(together .)
-  endif()
   set_target_properties(${library} PROPERTIES
     UNITY_BUILD ${COLLISION_MONITOR_UNITY} UNITY_BUILD_MODE GROUP)
   foreach(source ${ARGN})
@@ -46,7 +41,7 @@ function(compile_folders_together library)
     if(lanes AND COLLISION_MONITOR_SANITIZE)
       set_source_files_properties(${source} PROPERTIES
         COMPILE_OPTIONS -fno-sanitize-address-use-after-scope)
-    elseif(folder MATCHES "${together}" AND NOT lanes)
+    elseif(NOT lanes)
       string(REPLACE / _ group ${folder})
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
     endif()

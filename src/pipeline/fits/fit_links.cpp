@@ -48,12 +48,9 @@ void takeGiven(const Link& link, const GivenShapes& given, LinkFit& fit, SetupRe
   fit.source = FitSource::given;
   fit.is_proven = covering.is_proven;
   for (const PosedShape& shape : given.shapes) {
-    Enclosure enclosure;
-    enclosure.shape = grown(shape.shape, covering.widening);
-    enclosure.geometry_from_body = shape.geometry_from_body;
-    enclosure.widening = covering.widening;
-    enclosure.overshoot = {std::nan(""), std::nan(""), std::nan("")};
-    fit.given.push_back(enclosure);
+    const Overshoot unknown{std::nan(""), std::nan(""), std::nan("")};
+    fit.given.push_back({grown(shape.shape, covering.widening), shape.geometry_from_body, unknown,
+                         covering.widening, false});
   }
   if (covering.is_proven) {
     return;
