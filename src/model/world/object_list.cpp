@@ -21,7 +21,9 @@ class ShapeFields {
     const std::optional<std::string> kind = fields_.readText("kind", kKinds);
     if (!kind) {
       if (!fields_.find("kind")) {
-        place_.addError(line_, "no kind", std::string("a shape with its kind: ") + kKinds);
+        place_.addError(
+            line_, "no kind",
+            std::string("'kind: box, size: [0.1, 0.2, 0.3]', or another kind: ") + kKinds);
       }
       return std::nullopt;
     }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <sstream>
 
 #include "model/rules/yaml_fields.h"
 #include "model/world/world_readers.h"
@@ -16,6 +17,16 @@ constexpr const char* kAccepted =
 
 bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// Whether it is named as a scene of MoveIt is, or its second line is the first of an object, which
+/// is no YAML.
+bool isSceneText(const DocumentText& text) {
+  std::istringstream lines(text.text);
+  std::string line;
+  std::getline(lines, line);
+  std::getline(lines >> std::ws, line);
+  return endsWith(text.source, ".scene") || line.substr(0, 2) == "* ";
 }
 
 void readDocument(const YAML::Node& document, const WorldSource& source, const Place& place,
@@ -71,7 +82,7 @@ std::vector<WorldObject> readWorld(const DocumentText& text, const ResourceLoade
   MeshStore meshes(load_resource, reading);
   const WorldSource source{text, meshes};
   std::vector<WorldObject> objects;
-  if (endsWith(text.source, ".scene")) {
+  if (isSceneText(text)) {
     readSceneText(source, place, objects);
     return objects;
   }

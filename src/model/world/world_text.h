@@ -22,8 +22,10 @@ namespace collision_monitor {
 ///   space below).
 /// - A planning scene of MoveIt in YAML: `world` with `collision_objects`, and `robot_state` with
 ///   `attached_collision_objects`.
-/// - A scene of MoveIt as text, if the name of the source ends in ".scene", in the older format
-///   (shapes alone) or the newer one (with a pose of the object and subframes, which are skipped).
+/// - A scene of MoveIt as text, if the name of the source ends in ".scene" or the second line
+/// begins
+///   with "* ", in the older format (shapes alone) or the newer one (with a pose of the object and
+///   subframes, which are skipped).
 ///
 /// Names, sizes, frames and links are checked by applyChanges. Faults of the text are added with
 /// their line, all at once.

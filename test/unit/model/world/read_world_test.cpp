@@ -101,7 +101,8 @@ TEST(ReadWorld, everyFaultOfALists_isNamedWithItsLine) {
                    "colour, frame, group, kind, name, padding, quat_xyzw, radius, rpy, shapes, "
                    "touch_links and xyz",
                    "cell.yaml line 5, object 5, 'e': frame and attach; accepted: one of them",
-                   "cell.yaml line 6, object 6, 'g': no kind; accepted: a shape with its kind: "
+                   "cell.yaml line 6, object 6, 'g': no kind; accepted: 'kind: box, size: [0.1, "
+                   "0.2, 0.3]', or another kind: "
                    "sphere, capsule, box, cylinder, cone, mesh or plane",
                    "cell.yaml line 7, object 7: '7'; accepted: an object with its fields",
                    "cell.yaml line 8, object 8, 'h': quat_xyzw [0, 0, 0, 0]; accepted: a unit "
@@ -189,7 +190,8 @@ TEST(ReadWorld, sceneTextOfBothFormats_isRead) {
   EXPECT_EQ(shapeOf<Box>(older.objects[0]).half_extents, Eigen::Vector3d(0.5, 1, 0.05));
   EXPECT_EQ(older.objects[0].shapes->at(0).object_from_shape.translation.z(), 1.0);
   EXPECT_EQ(older.objects[0].colour[1], 0.4F);
-  const Read newer = readAs("a.scene",
+  // A text without a file is known by its second line.
+  const Read newer = readAs("world",
                             "kitchen\n* pot\n0 0 2\n0 0 0 1\n2\ncylinder\n0.1 0.3\n0 0 0\n"
                             "0 0 0 1\n0 0 0 0\nmesh\n3 1\n0 0 0\n1 0 0\n0 1 0\n0 1 2\n0 0 0\n"
                             "0 0 0 1\n0 0 0 0\n1\nlid\n0 0 1\n0 0 0 1\n* floor\n0 0 0\n0 0 0 1\n"
