@@ -3,14 +3,11 @@
 #include "library/monitor_parts.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "geometry/interruption.h"
-#include "model/mesh_files/regular_file.h"
-#include "model/resources/file_loader.h"
+#include "library/option_texts.h"
 #include "model/world/world_text.h"
 #include "pipeline/fits/fit_cache_folder.h"
 #include "pipeline/world/add_world.h"
@@ -40,17 +37,6 @@ SetupOptions setupOptions(const MonitorOptions& options) {
   return setup;
 }
 
-ResourceLoader loaderOf(const MonitorOptions& options) {
-  FileSources sources;
-  sources.package_roots = options.package_roots;
-  return options.load_resource ? options.load_resource : makeFileLoader(sources);
-}
-
-std::string absoluteOf(const std::string& directory) {
-  std::error_code ignored;
-  return directory.empty() ? "" : std::filesystem::absolute(directory, ignored).string();
-}
-
 void checkRoots(const MonitorOptions& options, std::size_t robots, SetupReport& report) {
   const std::vector<Pose>& roots = options.world_from_root;
   if (!roots.empty() && roots.size() != robots) {
@@ -65,30 +51,6 @@ void checkRoots(const MonitorOptions& options, std::size_t robots, SetupReport& 
                                "up to 1e9 m"});
     }
   }
-}
-
-/// Reads the file of a document that has no text.
-/// @param option its name in messages
-void readText(const char* option, DocumentText& document, SetupReport& report) {
-  if (document.source.empty() || !document.text.empty()) {
-    return;
-  }
-  const std::filesystem::path file = document.source;
-  try {
-    document.text = readRegularFile(file);
-  } catch (const std::runtime_error& fault) {
-    report.errors.push_back(
-        {std::string("option ") + option, fault.what(), "a file that can be read, or its text"});
-  }
-  if (document.directory.empty()) {
-    document.directory = file.has_parent_path() ? file.parent_path().string() : ".";
-  }
-}
-
-void readTexts(MonitorOptions& options, SetupReport& report) {
-  readText("shape_rules", options.shape_rules, report);
-  readText("pair_rules", options.pair_rules, report);
-  readText("world", options.world, report);
 }
 
 /// The set-up; its faults join those of the report. Rules may name links of a robot that is
@@ -107,62 +69,6 @@ CycleSetup buildReported(const std::vector<RobotDescription>& robots, const Moni
     report.errors.insert(report.errors.end(), fault.problems().begin(), fault.problems().end());
   }
   return {};
-}
-
-/// Adds faults of texts that could not be looked at beside other faults. Their names may be right.
-void addTextFaults(const MonitorOptions& options, SetupReport& report) {
-  SetupReport of_texts;
-  of_texts.awaits_names = true;
-  readShapeRules(options.shape_rules, RobotModel(), {}, of_texts);
-  readPairRules(options.pair_rules, RobotModel(), {}, IdleRule::is_accepted, of_texts);
-  readWorld({options.world.source, options.world.text, absoluteOf(options.world.directory)},
-            loaderOf(options), options.meshes, of_texts);
-  for (Problem& fault : of_texts.errors) {
-    const bool is_told =
-        std::any_of(report.errors.begin(), report.errors.end(), [&](const Problem& told) {
-          return told.where == fault.where && told.found == fault.found;
-        });
-    if (!is_told) {
-      report.errors.push_back(std::move(fault));
-    }
-  }
-}
-
-const char* endingOf(const Joint& joint, std::size_t variable) {
-  constexpr const char* kPlanar[] = {"/x", "/y", "/theta"};
-  constexpr const char* kFloating[] = {"/trans_x", "/trans_y", "/trans_z", "/rot_x",
-                                       "/rot_y",   "/rot_z",   "/rot_w"};
-  return joint.type == JointType::planar     ? kPlanar[variable]
-         : joint.type == JointType::floating ? kFloating[variable]
-                                             : "";
-}
-
-std::size_t variablesOf(const Joint& joint) noexcept {
-  constexpr std::size_t kFloating = 7;
-  return joint.mimic ? 0 : joint.type == JointType::floating ? kFloating : freedomOf(joint);
-}
-
-std::vector<JointVariable> listVariables(const RobotModel& model) {
-  std::vector<JointVariable> variables(model.variable_count);
-  for (std::size_t i = 0; i < model.joints.size(); ++i) {
-    const Joint& joint = model.joints[i];
-    for (std::size_t k = 0; k < variablesOf(joint); ++k) {
-      variables[joint.first_variable + k] = {joint.name + endingOf(joint, k), idAt<JointId>(i),
-                                             joint.lower, joint.upper, joint.max_velocity};
-    }
-  }
-  return variables;
-}
-
-std::vector<EnclosingShape> listShapes(const CycleSetup& setup) {
-  std::vector<EnclosingShape> shapes;
-  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
-    const Body& body = setup.bodies[i];
-    const BodyLabel& label = setup.labels[i];
-    shapes.push_back({body.link, label.shape_name, body.shape, body.link_from_body, label.overshoot,
-                      body.is_exact, label.is_proven});
-  }
-  return shapes;
 }
 
 /// The frame of the world. No link of a robot has a name with a slash in front.
@@ -198,16 +104,6 @@ void addObjects(const DocumentText& text, const PreparedObjects& prepared, IdleR
   parts.prepared = prepareObjects(world, parts.options.detail, prepared);
   parts.setup = addWorld(*parts.robots, world, parts.prepared, kWorldFrame);
   applyRulesText(parts.options.pair_rules, idle, parts.setup);
-}
-
-/// Fills what follows from the set-up.
-void describeSetup(MonitorParts& parts) {
-  const RobotModel& model = parts.setup.model;
-  parts.world_from_root = parts.options.world_from_root;
-  parts.world_from_root.resize(model.robots.size());
-  parts.variables = listVariables(model);
-  parts.default_state = defaultPositions(model);
-  parts.shapes = listShapes(parts.setup);
 }
 
 }  // namespace

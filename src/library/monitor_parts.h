@@ -37,4 +37,8 @@ std::shared_ptr<const MonitorParts> makeMonitorParts(const GivenRobots& robots,
 std::shared_ptr<const MonitorParts> replaceWorld(const MonitorParts& former,
                                                  const DocumentText& world);
 
+/// Fills what follows from the set-up: the poses of roots, the variables, their default state and
+/// the shapes.
+void describeSetup(MonitorParts& parts);
+
 }  // namespace collision_monitor
