@@ -15,8 +15,8 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 
+#include "ros_edge/change_locks.h"
 #include "ros_edge/inputs/background_queue.h"
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/parameters/monitor_setup.h"
@@ -70,7 +70,7 @@ class Services {
   ros::NodeHandle private_node_;
   Inputs inputs_;
   ServiceHooks hooks_;
-  std::timed_mutex changing_;   ///< held from reading the current set-up to replacing it
+  ChangeLocks locks_;
   std::size_t requests_{0};     ///< of set_pairs
   BackgroundQueue background_;  ///< outlives its services
   ros::ServiceServer get_distances_;
