@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "model/number_text.h"
@@ -158,17 +159,18 @@ void Services::endRules() {
 LateHooks Services::lateHooks() {
   LateHooks hooks;
   hooks.current_setup = hooks_.current_setup;
-  hooks.find = [this](const MonitorSetup& former, SetupReport& report) {
+  hooks.find = [this](const MonitorSetup& former, std::optional<std::size_t> only,
+                      SetupReport& report) {
     const ResourceLoader load_resource = makeResourceLoader(former.parameters.loading);
     return loadLate(private_node_, former.parameters, load_resource,
-                    {former.descriptions, former.listed}, report);
+                    {former.descriptions, former.listed}, only, report);
   };
   hooks.build = buildLate;
   hooks.take_in = [this](const MonitorSetup& late, const MonitorSetup& former) {
     takeInLate(late, former);
   };
-  hooks.tell_missing = [this](const MonitorSetup& former, const auto& missing) {
-    tellMissing(former, missing);
+  hooks.tell_missing = [this](const MonitorSetup& former, const auto& listed) {
+    tellMissing(former, listed);
   };
   hooks.goes_on = [this] { return goesOn(); };
   return hooks;
@@ -196,12 +198,12 @@ void Services::takeInLate(const MonitorSetup& late, const MonitorSetup& former) 
   logSetup(*made);
 }
 
-void Services::tellMissing(const MonitorSetup& former, const std::vector<std::string>& missing) {
+void Services::tellMissing(const MonitorSetup& former, const std::vector<ListedRobot>& listed) {
   const std::lock_guard<std::timed_mutex> lock(locks_.change);
   const std::lock_guard<std::mutex> swap(locks_.swap);
   const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
   if (current->robots == former.robots) {
-    hooks_.change_setup(withMissing(*current, missing));
+    hooks_.change_setup(withMissing(*current, listed));
   }
 }
 

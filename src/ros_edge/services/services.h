@@ -63,7 +63,7 @@ class Services {
   void endRules();
   LateHooks lateHooks();
   void takeInLate(const MonitorSetup& late, const MonitorSetup& former);
-  void tellMissing(const MonitorSetup& former, const std::vector<std::string>& missing);
+  void tellMissing(const MonitorSetup& former, const std::vector<ListedRobot>& listed);
   bool setEnabled(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool reload(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
