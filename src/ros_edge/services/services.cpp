@@ -43,12 +43,8 @@ Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, Se
   reload_ = private_node_.advertiseService("reload", &Services::reload, this);
 }
 
-/// Servers wait for their current call when they end. These use the threads that end before them.
-Services::~Services() {
-  background_.end();
-  set_pairs_.shutdown();
-  reload_.shutdown();
-}
+/// Servers wait for their current call when they end.
+Services::~Services() { background_.end(); }
 
 /// Whether a long call may continue.
 bool Services::goesOn() const { return hooks_.goes_on() && !background_.isEnding(); }
