@@ -5,6 +5,7 @@
 states end. The left robot is watched all the while. The robots stand as in two_robots_test.py. The
 tests are one story, in the order of their names."""
 import sys
+import threading
 import unittest
 
 import rospy
@@ -13,7 +14,8 @@ from std_msgs.msg import Bool, Float64
 from std_srvs.srv import Trigger
 
 from collision_monitor.msg import SceneObjects, State
-from collision_monitor.srv import SetLimits
+from collision_monitor.srv import (GetDistances, GetDistancesRequest, SetLimits, SetPairs,
+                                   SetPairsRequest)
 from monitor_probe import JointSource, Probe
 
 URDF = "/right/description"
@@ -146,6 +148,29 @@ class LateRobots(unittest.TestCase):
         self.assertEqual(state.level, State.UNKNOWN)
         self.assertEqual(state.robots[0].level, State.OK)
         self.probe.wait(lambda: self.object_names() == ["wall"], "objects that named its links to be gone")
+
+    def test_8b_reloadThatWaits_keepsNoMuteFromEndingAndNoServiceWaiting(self):
+        """The right robot is missing, and a reload waits for it."""
+        self.left.set(slide=-0.15)
+        self.wait_for_robots(lambda left, right: left.level == State.CONTACT, "contact of the left robot")
+        answer = rospy.ServiceProxy("/collision_monitor/set_pairs", SetPairs)(
+            rules="- {a: left/box_a, b: left/box_b, check: false}", action=SetPairsRequest.APPEND, duration=3.0)
+        self.assertTrue(answer.success, answer.message)
+        self.wait_for_robots(lambda left, right: left.level == State.OK, "the mute")
+        rospy.set_param("/collision_monitor/wait_for_description", 10.0)
+        self.addCleanup(rospy.set_param, "/collision_monitor/wait_for_description", 0.2)
+        reload = threading.Thread(target=rospy.ServiceProxy("/collision_monitor/reload", Trigger))
+        reload.start()
+        self.addCleanup(reload.join)
+        set_limits = rospy.ServiceProxy("/collision_monitor/set_limits", SetLimits)
+        self.probe.wait(lambda: not set_limits(["hysteresis"], [0.004]).success, "a refused change")
+        self.assertIn("another change is running", set_limits(["hysteresis"], [0.004]).message)
+        answer = rospy.ServiceProxy("/collision_monitor/get_distances", GetDistances)(GetDistancesRequest())
+        self.assertTrue(answer.success, answer.message)
+        state = self.wait_for_robots(lambda left, right: left.level == State.CONTACT, "the end of the mute")
+        self.assertEqual(state.pairs_muted, 0)
+        self.assertTrue(reload.is_alive(), "the mute ended only with the reload")
+        self.left.set(slide=0.3)
 
     def test_9_robotThatLeavesTheList_isStopped(self):
         self.probe.wait(lambda: self.scales["left"].value.data == 1.0, "free left robot")

@@ -262,15 +262,19 @@ std::shared_ptr<const MonitorSetup> takeIn(const MonitorSetup& late, const Monit
 }
 
 std::shared_ptr<const MonitorSetup> withMissing(const MonitorSetup& former,
-                                                const std::vector<std::string>& missing) {
+                                                const std::vector<ListedRobot>& listed) {
   auto made = std::make_shared<MonitorSetup>(former);
-  for (std::size_t i = 0; i < missing.size(); ++i) {
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    if (former.listed[i].id) {
+      continue;
+    }
     for (Problem& warning : made->setup.report.warnings) {
-      if (!former.listed[i].id && warning.found == former.listed[i].missing) {
-        warning.found = missing[i];
+      if (warning.found == former.listed[i].missing) {
+        warning.found = listed[i].missing;
       }
     }
-    made->listed[i].missing = missing[i];
+    made->listed[i].missing = listed[i].missing;
+    made->listed[i].has_come = listed[i].has_come;
   }
   return made;
 }

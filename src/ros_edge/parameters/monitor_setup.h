@@ -97,9 +97,9 @@ std::shared_ptr<const MonitorSetup> buildLate(LoadedRobots come, const MonitorSe
 std::shared_ptr<const MonitorSetup> takeIn(const MonitorSetup& late, const MonitorSetup& former);
 
 /// The same set-up that tells other reasons why robots are missing.
-/// @param missing by ListedRobot
+/// @param listed the same robots; of those that are missing, `missing` and `has_come` count
 std::shared_ptr<const MonitorSetup> withMissing(const MonitorSetup& former,
-                                                const std::vector<std::string>& missing);
+                                                const std::vector<ListedRobot>& listed);
 
 /// The same robots with another world.
 /// @throws SetupError if there are more pairs than memory has room for

@@ -34,6 +34,7 @@ struct ListedRobot {
   std::string missing;        ///< what is missing then: "no URDF in parameter /right/urdf"
   /// Other robots may go on while nothing of it is known: State says which.
   bool may_be_absent{false};
+  bool has_come{false};  ///< its URDF is there, but cannot be taken in: the robot is not absent
 };
 
 enum class Trigger : unsigned char {

@@ -181,17 +181,20 @@ LoadedRobots loadDescriptions(const ros::NodeHandle& private_node, const Paramet
 
 LoadedRobots loadLate(const ros::NodeHandle& private_node, const Parameters& parameters,
                       const ResourceLoader& load_resource, const LoadedRobots& former,
-                      SetupReport& report) {
+                      std::optional<std::size_t> only, SetupReport& report) {
   const std::vector<RobotSource> sources = sourcesOf(parameters);
   LoadedRobots loaded;
   for (std::size_t i = 0; i < former.listed.size(); ++i) {
     const ListedRobot& before = former.listed[i];
-    if (!before.id) {
+    if (!before.id && only.value_or(i) == i) {
       loadRobot({private_node, parameters, load_resource, report}, sources[i], ros::WallTime(),
                 loaded);
       continue;
     }
     loaded.listed.push_back(before);
+    if (!before.id) {
+      continue;
+    }
     loaded.listed.back().id = idAt<RobotId>(loaded.descriptions.size());
     loaded.descriptions.push_back(former.descriptions[index(*before.id)]);
   }

@@ -4,6 +4,7 @@
 
 #include <ros/node_handle.h>
 
+#include <optional>
 #include <vector>
 
 #include "collision_monitor/model/urdf_reader.h"
@@ -30,8 +31,9 @@ LoadedRobots loadDescriptions(const ros::NodeHandle& private_node, const Paramet
 
 /// The same robots with those whose URDF parameters have come since. Robots that were there stay as
 /// they are, also if their parameters or files have gone.
+/// @param only looks for this robot alone, by its place in the list; nothing: for all
 LoadedRobots loadLate(const ros::NodeHandle& private_node, const Parameters& parameters,
                       const ResourceLoader& load_resource, const LoadedRobots& former,
-                      SetupReport& report);
+                      std::optional<std::size_t> only, SetupReport& report);
 
 }  // namespace collision_monitor

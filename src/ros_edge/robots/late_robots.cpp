@@ -50,17 +50,23 @@ void LateRobots::look() {
 
 void LateRobots::lookAt(const std::shared_ptr<const MonitorSetup>& current) {
   SetupReport report;
-  LoadedRobots come = hooks_.find(*current, report);
+  LoadedRobots come = hooks_.find(*current, std::nullopt, report);
   const std::vector<ListedRobot> listed = come.listed;
   if (come.descriptions.size() == current->descriptions.size()) {
     last_ = Attempt();
+    own_faults_.clear();
     tell(listed, *current);
     return;
   }
+  const std::shared_ptr<const MonitorSetup> built = last_.late;
   try {
     attempt(std::move(come), report, current);
   } catch (const std::exception& fault) {
     noteFault(fault);
+    const bool is_built = last_.late == nullptr || last_.late != built;
+    if (is_built && takeInOne(listed, *current)) {
+      return;  // the next look tries those that are left
+    }
   }
   if (!last_.fault.empty()) {
     tell(listed, *current);
@@ -86,6 +92,29 @@ void LateRobots::attempt(LoadedRobots come, SetupReport& report,
   logged_.clear();
 }
 
+/// One robot's fault keeps no other away.
+/// @return whether one was taken in, of several that have come
+bool LateRobots::takeInOne(const std::vector<ListedRobot>& come, const MonitorSetup& current) {
+  own_faults_.clear();
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < come.size(); ++i) {
+    if (come[i].id && !current.listed[i].id) {
+      places.push_back(i);
+    }
+  }
+  for (std::size_t i = 0; places.size() > 1 && i < places.size(); ++i) {
+    try {
+      SetupReport report;
+      hooks_.take_in(*hooks_.build(hooks_.find(current, places[i], report), current, report),
+                     current);
+      return true;
+    } catch (const std::exception& fault) {
+      own_faults_[places[i]] = shortFault(fault);
+    }
+  }
+  return false;
+}
+
 void LateRobots::noteFault(const std::exception& fault) {
   last_.fault = shortFault(fault);
   last_.again_at = Clock::now() + last_.wait;
@@ -98,18 +127,21 @@ void LateRobots::noteFault(const std::exception& fault) {
 }
 
 /// State tells what is missing, and what is wrong with robots that have come.
-void LateRobots::tell(const std::vector<ListedRobot>& come, const MonitorSetup& current) const {
-  std::vector<std::string> missing;
+void LateRobots::tell(std::vector<ListedRobot> come, const MonitorSetup& current) const {
   bool is_new = false;
   for (std::size_t i = 0; i < come.size(); ++i) {
     const ListedRobot& known = current.listed[i];
-    missing.push_back(known.id     ? ""
-                      : come[i].id ? "its URDF has come, but it cannot be taken in: " + last_.fault
-                                   : come[i].missing);
-    is_new = is_new || missing.back() != known.missing;
+    ListedRobot& robot = come[i];
+    robot.has_come = robot.id && !known.id;
+    if (robot.has_come) {
+      const auto own = own_faults_.find(i);
+      robot.missing = "its URDF has come, but it cannot be taken in: " +
+                      (own == own_faults_.end() ? last_.fault : own->second);
+    }
+    is_new = is_new || robot.missing != known.missing;
   }
   if (is_new) {
-    hooks_.tell_missing(current, missing);
+    hooks_.tell_missing(current, come);
   }
 }
 

@@ -4,7 +4,9 @@
 
 #include <chrono>
 #include <functional>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,9 @@ namespace collision_monitor {
 struct LateHooks {
   std::function<std::shared_ptr<const MonitorSetup>()> current_setup;
   /// loadLate
-  std::function<LoadedRobots(const MonitorSetup& former, SetupReport& report)> find;
+  std::function<LoadedRobots(const MonitorSetup& former, std::optional<std::size_t> only,
+                             SetupReport& report)>
+      find;
   /// buildLate
   std::function<std::shared_ptr<const MonitorSetup>(LoadedRobots come, const MonitorSetup& former,
                                                     SetupReport& report)>
@@ -24,14 +28,15 @@ struct LateHooks {
   /// Watches what was built beside `former`; does nothing if other robots are watched by now.
   std::function<void(const MonitorSetup& late, const MonitorSetup& former)> take_in;
   /// withMissing
-  std::function<void(const MonitorSetup& former, const std::vector<std::string>& missing)>
+  std::function<void(const MonitorSetup& former, const std::vector<ListedRobot>& listed)>
       tell_missing;
   GoesOn goes_on;
 };
 
-/// Takes in robots that have come. Robots that cannot be taken in are built again when their
-/// descriptions change, or after a wait that grows to a minute; where the rest of the set-up is in
-/// the way, when that changes. Until then State tells why.
+/// Takes in robots that have come, one by one if they cannot be taken in together. Robots that
+/// cannot be taken in are built again when their descriptions change, or after a wait that grows to
+/// a minute; where the rest of the set-up is in the way, when that changes. Until then State tells
+/// why.
 class LateRobots {
  public:
   explicit LateRobots(LateHooks hooks);
@@ -56,12 +61,14 @@ class LateRobots {
   void lookAt(const std::shared_ptr<const MonitorSetup>& current);
   void attempt(LoadedRobots come, SetupReport& report,
                const std::shared_ptr<const MonitorSetup>& current);
+  bool takeInOne(const std::vector<ListedRobot>& come, const MonitorSetup& current);
   void noteFault(const std::exception& fault);
-  void tell(const std::vector<ListedRobot>& come, const MonitorSetup& current) const;
+  void tell(std::vector<ListedRobot> come, const MonitorSetup& current) const;
 
   LateHooks hooks_;
   Attempt last_;
-  std::string logged_;  ///< fault
+  std::map<std::size_t, std::string> own_faults_;  ///< of robots tried alone, by ListedRobot
+  std::string logged_;                             ///< fault
 };
 
 }  // namespace collision_monitor

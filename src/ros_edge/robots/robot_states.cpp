@@ -194,7 +194,9 @@ void fillAwaiting(const MonitorSetup& setup, RobotState& state) {
   }
 }
 
-bool isAwaited(const ListedRobot& robot) { return !robot.id && !robot.may_be_absent; }
+bool isAwaited(const ListedRobot& robot) {
+  return !robot.id && (robot.has_come || !robot.may_be_absent);
+}
 
 template <class IsTold>
 std::string sentenceOfMissing(const MonitorSetup& setup, const IsTold& is_told) {

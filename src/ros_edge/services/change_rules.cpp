@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <unordered_set>
 #include <utility>
 
 #include "model/nearest_name.h"
@@ -41,19 +42,27 @@ TimedRules keepRules(const MonitorSetup& current, const IsKept& is_kept) {
   return kept;
 }
 
-/// Checks the set-ups that will follow as rules end: an end must not fail.
+/// Checks the set-ups that will follow as rules end: an end must not fail. Rules without limits
+/// cannot make it fail, and there may be hundreds of mutes.
 void checkEnds(const MonitorSetup& current, const Limits& limits, const TimedRules& rules,
                SetupReport& report) {
-  const std::set<RuleEnd> ends(rules.ends.begin(), rules.ends.end());
-  for (const RuleEnd end : ends) {
-    TimedRules left;
-    for (std::size_t i = 0; i < rules.rules.size(); ++i) {
-      if (rules.ends[i] > end) {
-        left.add(rules.rules[i], rules.ends[i]);
+  TimedRules limiting;
+  for (std::size_t i = 0; i < rules.rules.size(); ++i) {
+    const LimitChanges& changes = rules.rules[i].limits;
+    if (std::any_of(changes.begin(), changes.end(),
+                    [](const auto& one) { return one.has_value(); })) {
+      limiting.add(rules.rules[i], rules.ends[i]);
+    }
+  }
+  for (const RuleEnd end : std::set<RuleEnd>(limiting.ends.begin(), limiting.ends.end())) {
+    std::vector<PairRule> left;
+    for (std::size_t i = 0; i < limiting.rules.size(); ++i) {
+      if (limiting.ends[i] > end) {
+        left.push_back(limiting.rules[i]);
       }
     }
     if (end != kLasts) {
-      checkPairRules(current.setup, limits, left.rules, report);
+      checkPairRules(current.setup, limits, left, report);
     }
   }
 }
@@ -92,12 +101,17 @@ std::vector<Problem> dropMisfits(const MonitorSetup& current, TimedRules& rules)
 }
 
 std::string textOf(const std::vector<Problem>& problems) {
+  constexpr std::size_t kShown = 50;  // a request may have a million faults
   std::vector<std::string> texts;
+  std::unordered_set<std::string> known;
   for (const Problem& problem : problems) {
-    const std::string text = toString(problem);
-    if (std::find(texts.begin(), texts.end(), text) == texts.end()) {
-      texts.push_back(text);
+    std::string text = toString(problem);
+    if (known.insert(text).second && known.size() <= kShown) {
+      texts.push_back(std::move(text));
     }
+  }
+  if (known.size() > kShown) {
+    texts.push_back("and " + std::to_string(known.size() - kShown) + " more");
   }
   return join(texts);
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "model/number_text.h"
@@ -25,7 +26,7 @@ Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, Se
       inputs_(inputs),
       hooks_(std::move(hooks)),
       objects_(private_node, inputs,
-               {hooks_.current_setup, hooks_.change_setup, [this] { return goesOn(); }}, changing_),
+               {hooks_.current_setup, hooks_.change_setup, [this] { return goesOn(); }}, locks_),
       rule_clock_([this] { return nextEndOf(*hooks_.current_setup()); }, [this] { endRules(); }),
       late_robots_(lateHooks()),
       late_look_(std::chrono::milliseconds(500), [this] { late_robots_.look(); }) {
@@ -110,7 +111,12 @@ bool Services::explainPair(ExplainPair::Request& request, ExplainPair::Response&
 }
 
 bool Services::setPairs(SetPairs::Request& request, SetPairs::Response& response) {
-  const std::lock_guard<std::timed_mutex> lock(changing_);
+  const auto lock = locks_.beginChange();
+  if (!lock) {
+    response.message = kOtherChange;
+    return true;
+  }
+  const std::lock_guard<std::mutex> swap(locks_.swap);
   const NextSetup next = answerSetPairs(*hooks_.current_setup(), std::chrono::steady_clock::now(),
                                         ++requests_, request, response);
   if (next) {
@@ -122,7 +128,12 @@ bool Services::setPairs(SetPairs::Request& request, SetPairs::Response& response
 }
 
 bool Services::setLimits(SetLimits::Request& request, SetLimits::Response& response) {
-  const std::lock_guard<std::timed_mutex> lock(changing_);
+  const auto lock = locks_.beginChange();
+  if (!lock) {
+    response.message = kOtherChange;
+    return true;
+  }
+  const std::lock_guard<std::mutex> swap(locks_.swap);
   if (const NextSetup next = answerSetLimits(*hooks_.current_setup(), request, response)) {
     hooks_.change_setup(next);
     ROS_INFO_STREAM("set_limits: " << response.message);
@@ -131,7 +142,7 @@ bool Services::setLimits(SetLimits::Request& request, SetLimits::Response& respo
 }
 
 void Services::endRules() {
-  const std::lock_guard<std::timed_mutex> lock(changing_);
+  const std::lock_guard<std::mutex> swap(locks_.swap);
   std::vector<Problem> dropped_limits;
   const NextSetup next =
       withoutEnded(*hooks_.current_setup(), std::chrono::steady_clock::now(), dropped_limits);
@@ -148,17 +159,18 @@ void Services::endRules() {
 LateHooks Services::lateHooks() {
   LateHooks hooks;
   hooks.current_setup = hooks_.current_setup;
-  hooks.find = [this](const MonitorSetup& former, SetupReport& report) {
+  hooks.find = [this](const MonitorSetup& former, std::optional<std::size_t> only,
+                      SetupReport& report) {
     const ResourceLoader load_resource = makeResourceLoader(former.parameters.loading);
     return loadLate(private_node_, former.parameters, load_resource,
-                    {former.descriptions, former.listed}, report);
+                    {former.descriptions, former.listed}, only, report);
   };
   hooks.build = buildLate;
   hooks.take_in = [this](const MonitorSetup& late, const MonitorSetup& former) {
     takeInLate(late, former);
   };
-  hooks.tell_missing = [this](const MonitorSetup& former, const auto& missing) {
-    tellMissing(former, missing);
+  hooks.tell_missing = [this](const MonitorSetup& former, const auto& listed) {
+    tellMissing(former, listed);
   };
   hooks.goes_on = [this] { return goesOn(); };
   return hooks;
@@ -167,7 +179,8 @@ LateHooks Services::lateHooks() {
 /// Changes of objects, rules and limits may have come since the robots were built; after a reload
 /// they are built again.
 void Services::takeInLate(const MonitorSetup& late, const MonitorSetup& former) {
-  const std::lock_guard<std::timed_mutex> lock(changing_);
+  const std::lock_guard<std::timed_mutex> lock(locks_.change);
+  const std::lock_guard<std::mutex> swap(locks_.swap);
   const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
   if (current->robots != former.robots) {
     return;
@@ -185,11 +198,12 @@ void Services::takeInLate(const MonitorSetup& late, const MonitorSetup& former) 
   logSetup(*made);
 }
 
-void Services::tellMissing(const MonitorSetup& former, const std::vector<std::string>& missing) {
-  const std::lock_guard<std::timed_mutex> lock(changing_);
+void Services::tellMissing(const MonitorSetup& former, const std::vector<ListedRobot>& listed) {
+  const std::lock_guard<std::timed_mutex> lock(locks_.change);
+  const std::lock_guard<std::mutex> swap(locks_.swap);
   const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
   if (current->robots == former.robots) {
-    hooks_.change_setup(withMissing(*current, missing));
+    hooks_.change_setup(withMissing(*current, listed));
   }
 }
 
@@ -207,19 +221,17 @@ bool Services::setEnabled(std_srvs::SetBool::Request& request,
 
 bool Services::reload(std_srvs::Trigger::Request& /*request*/,
                       std_srvs::Trigger::Response& response) {
-  constexpr std::chrono::seconds kPatience(2);  // rules that end take less
-  const std::unique_lock<std::timed_mutex> lock(changing_, kPatience);
+  const auto lock = locks_.beginChange();
   response.success = 0;
-  if (!lock.owns_lock()) {
-    response.message =
-        "another change is running (a reload, objects, rules, or a robot that has come); try again "
-        "when it is done";
+  if (!lock) {
+    response.message = kOtherChange;
     return true;
   }
   try {
     const std::shared_ptr<const MonitorSetup> former = hooks_.current_setup();
     const std::shared_ptr<const MonitorSetup> made = makeMonitorSetup(
         private_node_, [this] { return goesOn(); }, former.get());
+    const std::lock_guard<std::mutex> swap(locks_.swap);  // only now: meanwhile mutes end
     hooks_.replace_setup(made);
     objects_.publish();
     rule_clock_.wake();

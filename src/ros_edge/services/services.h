@@ -15,8 +15,8 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 
+#include "ros_edge/change_locks.h"
 #include "ros_edge/inputs/background_queue.h"
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/parameters/monitor_setup.h"
@@ -63,14 +63,14 @@ class Services {
   void endRules();
   LateHooks lateHooks();
   void takeInLate(const MonitorSetup& late, const MonitorSetup& former);
-  void tellMissing(const MonitorSetup& former, const std::vector<std::string>& missing);
+  void tellMissing(const MonitorSetup& former, const std::vector<ListedRobot>& listed);
   bool setEnabled(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool reload(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
 
   ros::NodeHandle private_node_;
   Inputs inputs_;
   ServiceHooks hooks_;
-  std::timed_mutex changing_;   ///< held from reading the current set-up to replacing it
+  ChangeLocks locks_;
   std::size_t requests_{0};     ///< of set_pairs
   BackgroundQueue background_;  ///< outlives its services
   ros::ServiceServer get_distances_;

@@ -34,8 +34,8 @@ std::string countText(std::size_t count) {
 }  // namespace
 
 ObjectServices::ObjectServices(const ros::NodeHandle& private_node, const Inputs& inputs,
-                               ObjectHooks hooks, std::timed_mutex& changing)
-    : private_node_(private_node), inputs_(inputs), hooks_(std::move(hooks)), changing_(changing) {
+                               ObjectHooks hooks, ChangeLocks& locks)
+    : private_node_(private_node), inputs_(inputs), hooks_(std::move(hooks)), locks_(locks) {
   objects_ = private_node_.advertise<SceneObjects>("objects", 1, true);
   publish();
   apply_objects_ = private_node_.advertiseService("apply_objects", &ObjectServices::apply, this);
@@ -50,14 +50,19 @@ bool ObjectServices::apply(ApplyObjects::Request& request, ApplyObjects::Respons
     const Interruptible interruptible(hooks_.goes_on);
     SetupReport report;
     const std::vector<ObjectChange> changes = read(request.changes, report);
-    // Only now, so that files that load slowly keep no mute from ending.
-    const std::lock_guard<std::timed_mutex> lock(changing_);
-    const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
+    // Only now, so that files that load slowly keep no other change waiting.
+    const auto lock = locks_.beginChange();
+    if (!lock) {
+      response.message = kOtherChange;
+      return true;
+    }
+    const std::shared_ptr<const MonitorSetup> before = hooks_.current_setup();
     std::vector<WorldObject> held_back;
-    const World world = applyChanges(worldBefore(changes, *current, held_back), changes,
-                                     placesNow(*current, inputs_, kPatience), report);
+    const World world = applyChanges(worldBefore(changes, *before, held_back), changes,
+                                     placesNow(*before, inputs_, kPatience), report);
     throwIfErrors(report);
-    hooks_.replace_world(changeWorld(*current, world, std::move(held_back)));
+    const std::lock_guard<std::mutex> swap(locks_.swap);  // only now: waiting for frames takes long
+    hooks_.replace_world(changeWorld(*hooks_.current_setup(), world, std::move(held_back)));
     publish();
     response.message = "watching " + countText(world.objects.size());
     response.success = 1;

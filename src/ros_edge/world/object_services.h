@@ -11,9 +11,9 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <vector>
 
+#include "ros_edge/change_locks.h"
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/parameters/monitor_setup.h"
 
@@ -31,10 +31,9 @@ struct ObjectHooks {
 /// thread of the call, and the cycle only swaps it in.
 class ObjectServices {
  public:
-  /// @param changing is held while a set-up is replaced
-  /// @pre the inputs and the mutex outlive the services.
+  /// @pre the inputs and the locks outlive the services.
   ObjectServices(const ros::NodeHandle& private_node, const Inputs& inputs, ObjectHooks hooks,
-                 std::timed_mutex& changing);
+                 ChangeLocks& locks);
 
   /// Publishes the objects, after a reload.
   void publish();
@@ -48,7 +47,7 @@ class ObjectServices {
   ros::NodeHandle private_node_;
   Inputs inputs_;
   ObjectHooks hooks_;
-  std::timed_mutex& changing_;
+  ChangeLocks& locks_;
   ros::Publisher objects_;
   ros::ServiceServer apply_objects_;
   ros::ServiceServer get_objects_;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "collision_monitor/model/problems.h"
+#include "ros_edge/robots/robot_states.h"
 #include "two_arms.h"
 #include "unit/ros_edge/world_scene.h"
 
@@ -29,7 +30,9 @@ class LateRobotsTest : public TwoArms {
   LateHooks hooks() {
     LateHooks hooks;
     hooks.current_setup = [this] { return current_; };
-    hooks.find = [this](const MonitorSetup& former, SetupReport&) { return find(former); };
+    hooks.find = [this](const MonitorSetup& former, std::optional<std::size_t> only, SetupReport&) {
+      return find(former, only);
+    };
     hooks.build = [this](LoadedRobots come, const MonitorSetup& former, SetupReport& report) {
       ++builds_;
       return buildLate(std::move(come), former, report);
@@ -38,20 +41,26 @@ class LateRobotsTest : public TwoArms {
       ++joins_;
       current_ = takeIn(late, former);
     };
-    hooks.tell_missing = [this](const MonitorSetup& former, const auto& missing) {
+    hooks.tell_missing = [this](const MonitorSetup& former, const auto& listed) {
       ++told_;
-      current_ = withMissing(former, missing);
+      current_ = withMissing(former, listed);
     };
     return hooks;
   }
 
-  LoadedRobots find(const MonitorSetup& former) const {
+  LoadedRobots find(const MonitorSetup& former, std::optional<std::size_t> only) const {
     LoadedRobots found{former.descriptions, former.listed};
-    if (!right_.urdf_xml.empty() && !former.listed[1].id) {
-      found.listed[1].id = idAt<RobotId>(found.descriptions.size());
-      found.descriptions.push_back(right_);
-    } else if (!former.listed[1].id) {
-      found.listed[1].missing = "no URDF in parameter /right";
+    for (std::size_t i = 1; i < found.listed.size(); ++i) {
+      const RobotDescription& late = i == 1 ? right_ : third_;
+      if (former.listed[i].id || only.value_or(i) != i) {
+        continue;
+      }
+      if (late.urdf_xml.empty()) {
+        found.listed[i].missing = "no URDF in parameter /" + found.listed[i].name;
+      } else {
+        found.listed[i].id = idAt<RobotId>(found.descriptions.size());
+        found.descriptions.push_back(late);
+      }
     }
     return found;
   }
@@ -71,6 +80,7 @@ class LateRobotsTest : public TwoArms {
   }
 
   RobotDescription right_;  ///< the parameter; without text: it has not come
+  RobotDescription third_;  ///< the same of a robot that only some tests list
   std::shared_ptr<const MonitorSetup> current_;
   int builds_{0};
   int joins_{0};
@@ -125,6 +135,20 @@ TEST_F(LateRobotsTest, faultyRobot_isToldAsSuchUntilItsTextIsGone) {
   EXPECT_EQ(current_->listed[1].missing, "no URDF in parameter /right");
 }
 
+TEST_F(LateRobotsTest, faultyRobotThatMayBeAbsent_stopsTheOthers) {
+  const auto may_be = std::make_shared<MonitorSetup>(*current_);
+  may_be->listed[1].may_be_absent = true;
+  current_ = may_be;
+  look();
+  EXPECT_FALSE(isAnyAwaited(*current_));
+  breakRight();
+  look(2);
+  EXPECT_TRUE(isAnyAwaited(*current_)) << "it is there";
+  right_.urdf_xml.clear();
+  look(2);
+  EXPECT_FALSE(isAnyAwaited(*current_));
+}
+
 TEST_F(LateRobotsTest, robotThatAnObjectKeepsOut_comesInWithoutBeingBuiltAgain) {
   addObject("right/hand");
   right_ = descriptions_[1];
@@ -136,6 +160,38 @@ TEST_F(LateRobotsTest, robotThatAnObjectKeepsOut_comesInWithoutBeingBuiltAgain) 
   look();
   EXPECT_EQ(builds_, 1);
   EXPECT_TRUE(current_->listed[1].id);
+}
+
+TEST_F(LateRobotsTest, faultOfOneRobot_keepsNoOtherAway) {
+  const auto three = std::make_shared<MonitorSetup>(*current_);
+  three->listed.push_back({"third", std::nullopt, "no URDF in parameter /third", false});
+  current_ = three;
+  breakRight();
+  third_ = descriptions_[1];
+  third_.tf_prefix = "third";
+  look(3);
+  EXPECT_FALSE(current_->listed[1].id);
+  EXPECT_NE(current_->listed[1].missing.find("without name"), std::string::npos)
+      << current_->listed[1].missing;
+  ASSERT_TRUE(current_->listed[2].id);
+  EXPECT_TRUE(current_->setup.model.findLink("third/hand"));
+  const int builds = builds_;
+  look(3);
+  EXPECT_EQ(builds_, builds);
+}
+
+TEST_F(LateRobotsTest, eachFaultyRobot_isToldItsOwnFault) {
+  const auto three = std::make_shared<MonitorSetup>(*current_);
+  three->listed.push_back({"third", std::nullopt, "no URDF in parameter /third", false});
+  current_ = three;
+  breakRight();
+  third_ = descriptions_[1];
+  third_.urdf_xml = "<robot name='third'>";
+  look(2);
+  EXPECT_NE(current_->listed[1].missing.find("without name"), std::string::npos)
+      << current_->listed[1].missing;
+  EXPECT_NE(current_->listed[2].missing.find("cannot be parsed"), std::string::npos)
+      << current_->listed[2].missing;
 }
 
 TEST_F(LateRobotsTest, nameOfARuleThatMatchesNothing_isToldOnceAllHaveCome) {

@@ -167,6 +167,19 @@ TEST_F(ChangeRules, faultyLimits_areAllNamedAndChangeNothing) {
                 {"warning_distance: 0.05 m"});
 }
 
+TEST_F(ChangeRules, ofManyFaults_theFirstAreNamedAndTheOthersCounted) {
+  std::vector<std::string> names;
+  for (int i = 0; i < 20'000; ++i) {
+    names.push_back("limit_" + std::to_string(i));
+  }
+  const std::vector<double> values(names.size(), 0.1);
+  const SetLimits::Response response = setLimits(names, values);
+  EXPECT_FALSE(response.success);
+  EXPECT_LT(response.message.size(), 20'000U);
+  EXPECT_NE(response.message.find("'limit_49', which is no limit"), std::string::npos);
+  EXPECT_NE(response.message.find("and 19950 more"), std::string::npos) << response.message;
+}
+
 TEST_F(ChangeRules, limitThatContradictsARule_namesTheRule) {
   setPairs("- {a: base, b: tool, warning_distance: 0.01}");
   const SetLimits::Response response = setLimits({"contact_distance"}, {0.02});
