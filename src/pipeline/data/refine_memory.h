@@ -71,8 +71,8 @@ enum class RefineKind : unsigned char {
 /// room that is there: making all at once would take longer than anything else at set-up.
 class RefineStore {
  public:
-  static constexpr std::size_t kMostPlain = 2048;  ///< memories of kind plain
-  static constexpr std::size_t kMostMeshes = 640;  ///< of each other kind
+  static constexpr std::size_t kMostPlain = 2048;   ///< memories of kind plain
+  static constexpr std::size_t kMostMeshes = 1024;  ///< of each other kind
 
   /// Blocks of fronts: some for each pair with a front, and some for all. Few pairs are near each
   /// other at a time, and some of these need many.

@@ -20,10 +20,10 @@ struct RefineScratch {
 /// A pair of elements to refine.
 struct RefineTask {
   ElementPairIndex pair{0};
-  std::uint32_t place{0};           ///< index into PairDistances::pairs of its nearest bodies
-  double bound{0.0};                ///< [m] the distance of these bodies
-  std::uint32_t starved_cycles{0};  ///< as PairMemory::starved_cycles
-  std::uint32_t work{0};            ///< work done for this pair
+  std::uint32_t place{kNone};  ///< index into PairDistances::pairs of its nearest bodies
+  double bound{std::numeric_limits<double>::infinity()};  ///< [m] the distance of these bodies
+  std::uint32_t starved_cycles{0};                        ///< as PairMemory::starved_cycles
+  std::uint32_t work{0};                                  ///< work done for this pair
   /// [m] as ElementDistance::outside, where it was measured
   double outside{std::numeric_limits<double>::infinity()};
 };

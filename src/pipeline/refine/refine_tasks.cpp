@@ -3,7 +3,6 @@
 #include "pipeline/refine/refine_tasks.h"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
 
 #include "collision_monitor/geometry/ids.h"
@@ -18,22 +17,54 @@ bool isRefinable(const CycleSetup& setup, ElementPairIndex pair) noexcept {
   return !setup.elements[index(elements.a)].is_body || !setup.elements[index(elements.b)].is_body;
 }
 
+/// Forgets the last cycle but for the order of its tasks, which is nearly the next one.
 void forgetLastCycle(const CycleSetup& setup, RefineWork& work) noexcept {
-  for (const RefineTask& task : work.tasks) {
-    work.task_of[task.pair] = kNone;
+  for (RefineTask& task : work.tasks) {
     work.is_measured[task.pair] = 0;
-    work.nearest[setup.element_pairs[task.pair].link_pair] =
-        std::numeric_limits<double>::infinity();
+    work.nearest[setup.element_pairs[task.pair].link_pair] = kInfinity;
+    task = {task.pair};
   }
-  work.tasks.clear();
   work.refined = work.left = work.work_done = 0;
 }
 
+/// Drops the tasks of pairs that are no longer near.
+void dropFar(RefineWork& work) noexcept {
+  const auto isFar = [&](const RefineTask& task) {
+    const bool is_far = task.place == kNone;
+    work.task_of[task.pair] = is_far ? kNone : work.task_of[task.pair];
+    return is_far;
+  };
+  work.tasks.erase(std::remove_if(work.tasks.begin(), work.tasks.end(), isFar), work.tasks.end());
+}
+
+bool comesFirst(const RefineTask& x, const RefineTask& y) noexcept {
+  return std::tie(y.starved_cycles, x.bound, x.pair) < std::tie(x.starved_cycles, y.bound, y.pair);
+}
+
+/// Moves each task to its place among those before it, which is near.
+/// @return false if this takes many moves; then the order is not done.
+bool sortNearlySorted(std::vector<RefineTask>& tasks) noexcept {
+  constexpr std::size_t kMovesOfTask = 16;  // std::sort takes about as long
+  std::size_t moves = 0;
+  for (std::size_t i = 1; i < tasks.size(); ++i) {
+    const RefineTask task = tasks[i];
+    std::size_t place = i;
+    for (; place > 0 && comesFirst(task, tasks[place - 1]); --place) {
+      tasks[place] = tasks[place - 1];
+    }
+    tasks[place] = task;
+    moves += i - place;
+    if (moves > kMovesOfTask * tasks.size()) {
+      return false;
+    }
+  }
+  return true;
+}
+
 void sortTasks(RefineWork& work) noexcept {
-  std::sort(work.tasks.begin(), work.tasks.end(), [](const RefineTask& x, const RefineTask& y) {
-    return std::tie(y.starved_cycles, x.bound, x.pair) <
-           std::tie(x.starved_cycles, y.bound, y.pair);
-  });
+  if (!sortNearlySorted(work.tasks)) {
+    std::sort(work.tasks.begin(), work.tasks.end(), comesFirst);
+  }
   for (std::uint32_t i = 0; i < work.tasks.size(); ++i) {
     work.task_of[work.tasks[i].pair] = i;
   }
@@ -54,15 +85,16 @@ void listTasks(const CycleSetup& setup, const PairMemory& memory, const PairDist
     }
     if (work.task_of[pair] == kNone) {
       work.task_of[pair] = static_cast<std::uint32_t>(work.tasks.size());
-      work.tasks.push_back(
-          {pair, i, distance.measured.distance, memory.starved_cycles[pair], 0, kInfinity});
+      work.tasks.push_back({pair});
     }
     RefineTask& task = work.tasks[work.task_of[pair]];
-    if (distance.measured.distance < task.bound) {
+    task.starved_cycles = memory.starved_cycles[pair];
+    if (task.place == kNone || distance.measured.distance < task.bound) {
       task.place = i;
       task.bound = distance.measured.distance;
     }
   }
+  dropFar(work);
   sortTasks(work);
 }
 
