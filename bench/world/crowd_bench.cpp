@@ -15,7 +15,8 @@
 #include "support/robots/world_objects.h"
 
 /// Prints what a cycle takes with very many objects at rest, beside one without objects, for one
-/// robot of the shared data: `crowd_bench [ROBOT [COUNT]]`, by default atlas and 10,000 boxes.
+/// robot of the shared data: `crowd_bench [ROBOT [COUNT]]`, by default atlas and 10,000 boxes. The
+/// numbers of pairs that are refined, and in contact or a warning, tell what the robot comes near.
 namespace collision_monitor::test {
 namespace {
 
@@ -67,6 +68,8 @@ class Monitor {
     return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
   }
 
+  const CycleBuffers& buffers() const { return buffers_; }
+
  private:
   CycleSetup setup_;
   CycleBuffers buffers_;
@@ -80,21 +83,42 @@ double medianOf(std::vector<double> times) {
   return *middle;
 }
 
+/// What cycles take, and of how many pairs.
+struct Costs {
+  std::vector<double> times;    ///< [us]
+  std::vector<double> refined;  ///< pairs of elements
+  std::vector<double> near;     ///< pairs of links in contact or with a warning
+
+  void add(double time, const CycleBuffers& buffers) {
+    const PairEvents& events = buffers.events;
+    times.push_back(time);
+    refined.push_back(static_cast<double>(buffers.counters.refined));
+    near.push_back(static_cast<double>(
+        std::count_if(events.active.begin(), events.active.end(), [&](LinkPairIndex pair) {
+          return events.verdicts[pair] == Verdict::warning ||
+                 events.verdicts[pair] == Verdict::contact;
+        })));
+  }
+};
+
 /// Both monitors see the same poses in turn.
 void compare(const std::string& what, const CycleSetup& robots, CycleSetup with_objects) {
   Monitor alone(robots);
   Monitor crowded(std::move(with_objects));
   Mover mover(robots.model, kRate, 1.0);
-  std::vector<double> times_alone;
-  std::vector<double> times_crowded;
+  Costs of_alone;
+  Costs of_crowded;
   for (int move = 0; move < kMoves; ++move) {
     for (const LinkPoses& poses : mover.next()) {
-      times_alone.push_back(alone.cycle(poses));
-      times_crowded.push_back(crowded.cycle(poses));
+      of_alone.add(alone.cycle(poses), alone.buffers());
+      of_crowded.add(crowded.cycle(poses), crowded.buffers());
     }
   }
-  std::printf("%s: %.1f us alone, %.1f us with them\n", what.c_str(), medianOf(times_alone),
-              medianOf(times_crowded));
+  std::printf(
+      "%s: %.1f us alone, %.1f us with them; %.0f and %.0f pairs refined, %.0f and %.0f near\n",
+      what.c_str(), medianOf(of_alone.times), medianOf(of_crowded.times),
+      medianOf(of_alone.refined), medianOf(of_crowded.refined), medianOf(of_alone.near),
+      medianOf(of_crowded.near));
 }
 
 int run(const std::string& name, std::size_t count) {

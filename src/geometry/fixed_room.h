@@ -33,14 +33,19 @@ class FixedRoom {
     }
   }
 
+  /// Without arguments, numbers that have no initializer of their own are left as the memory is:
+  /// zeros in large arrays would only be written over.
   /// @pre size() < most()
   template <class... Arguments>
   Thing& make(Arguments&&... arguments) {
     assert(size_ < most_);
-    Thing* made =
-        ::new (static_cast<void*>(things_ + size_)) Thing{std::forward<Arguments>(arguments)...};
+    void* const place = things_ + size_;
     ++size_;
-    return *made;
+    if constexpr (sizeof...(Arguments) == 0) {
+      return *::new (place) Thing;
+    } else {
+      return *::new (place) Thing{std::forward<Arguments>(arguments)...};
+    }
   }
 
   std::size_t size() const noexcept { return size_; }

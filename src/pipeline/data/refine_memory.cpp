@@ -31,9 +31,11 @@ void remember(const LastMeasurement& measurement, RefineMemory& memory) noexcept
 void forget(RefineMemory& memory) noexcept {
   MeshFront* const front = memory.front;
   KeptDepth* const depth = memory.depth;
+  FixedRoom<KeptDepth>* const depths = memory.depths;
   memory = RefineMemory();
   memory.front = front;
   memory.depth = depth;
+  memory.depths = depths;
   if (memory.front != nullptr) {
     memory.front->pool.clear(*memory.front);
     memory.front->resting_from_moving.reset();
@@ -42,6 +44,13 @@ void forget(RefineMemory& memory) noexcept {
   if (memory.depth != nullptr) {
     forget(*memory.depth);
   }
+}
+
+KeptDepth* keptDepth(RefineMemory& memory) noexcept {
+  if (memory.depth == nullptr && memory.depths != nullptr) {
+    memory.depth = &memory.depths->make();
+  }
+  return memory.depth;
 }
 
 RefineStore::RefineStore(std::vector<RefineKind> kinds)
@@ -67,7 +76,8 @@ RefineStore::RefineStore(std::vector<RefineKind> kinds)
   pool_ = std::make_unique<FrontPool>(
       fronts == 0 ? 0 : kBlocksOfPair * std::min(fronts, kMostMeshes) + kBlocksOfAll);
   fronts_ = FixedRoom<MeshFront>(fronts);
-  depths_ = FixedRoom<KeptDepth>(countOf(RefineKind::depth) + countOf(RefineKind::both));
+  depths_ = std::make_unique<FixedRoom<KeptDepth>>(countOf(RefineKind::depth) +
+                                                   countOf(RefineKind::both));
   slots_ = FixedRoom<Slot>(slots);
 }
 
@@ -78,7 +88,7 @@ std::uint32_t RefineStore::makeSlot(RefineKind kind) noexcept {
     memory.front = &fronts_.make(*pool_);
   }
   if (kind == RefineKind::depth || kind == RefineKind::both) {
-    memory.depth = &depths_.make();
+    memory.depths = depths_.get();
   }
   const auto slot = static_cast<std::uint32_t>(slots_.size() - 1);
   Order& order = orders_[static_cast<std::size_t>(kind)];

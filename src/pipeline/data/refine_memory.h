@@ -46,8 +46,13 @@ struct RefineMemory {
   LastMeasurement last;
   LastMeasurement before;     ///< the one before `last`, at other poses
   MeshFront* front{nullptr};  ///< where a mesh is searched; null: starts at the roots
-  KeptDepth* depth{nullptr};  ///< of two elements with meshes, one or both not convex
+  KeptDepth* depth{nullptr};  ///< of two elements with meshes, one or both not convex; keptDepth
+  FixedRoom<KeptDepth>* depths{nullptr};  ///< room for `depth`, where there is none yet
 };
+
+/// What depths of the pair leave for the next ones; null if they leave nothing. It is large and few
+/// pairs overlap, so it is made when it is first asked for.
+KeptDepth* keptDepth(RefineMemory& memory) noexcept;
 
 /// Keeps a measurement as the last one.
 void remember(const LastMeasurement& measurement, RefineMemory& memory) noexcept;
@@ -60,7 +65,7 @@ enum class RefineKind : unsigned char {
   never,  ///< its bodies are exact: nothing to refine
   plain,
   front,  ///< RefineMemory::front
-  depth,  ///< RefineMemory::depth
+  depth,  ///< keptDepth
   both,
 };
 
@@ -126,7 +131,7 @@ class RefineStore {
 
   std::unique_ptr<FrontPool> pool_;
   FixedRoom<MeshFront> fronts_;
-  FixedRoom<KeptDepth> depths_;
+  std::unique_ptr<FixedRoom<KeptDepth>> depths_;  ///< memories name it
   FixedRoom<Slot> slots_;
   std::vector<std::uint32_t> slot_of_;  ///< by ElementPairIndex
   std::vector<RefineKind> kinds_;       ///< by ElementPairIndex

@@ -104,14 +104,14 @@ void makeObjectRanges(const CycleSetup& setup, ActivationDistances& reaches) {
       reaches.place_of[i] = i;
       continue;
     }
-    const std::uint32_t link = slotOf(reaches.links, pair.a);
-    const std::uint32_t objects = slotOf(reaches.links, first_of[index(pair.b)]);
+    const LinkId objects = first_of[index(pair.b)];
     const bool goes_on = !reaches.ranges.empty() && reaches.ranges.back().last == i &&
-                         reaches.ranges.back().link == link &&
-                         reaches.ranges.back().objects == objects &&
+                         reaches.links[reaches.ranges.back().link] == pair.a &&
+                         reaches.links[reaches.ranges.back().objects] == objects &&
                          reaches.ranges.back().limits == pair.limits;
     if (!goes_on) {
-      reaches.ranges.push_back({i, i, link, objects, kInfinity, pair.limits});
+      reaches.ranges.push_back({i, i, slotOf(reaches.links, pair.a), slotOf(reaches.links, objects),
+                                kInfinity, pair.limits});
     }
     ObjectRange& range = reaches.ranges.back();
     range.last = i + 1;

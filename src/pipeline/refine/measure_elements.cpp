@@ -237,11 +237,11 @@ std::uint32_t deepenElements(const PlacedElement& a, const PlacedElement& b,
                              std::uint32_t most_points, ElementSearch& search,
                              SignedDistance& overlap) noexcept {
   const std::uint32_t points = std::min(most_points, search.budget / kPointSteps);
-  if (search.memory.depth == nullptr || points == 0) {
+  KeptDepth* const kept = points > 0 ? keptDepth(search.memory) : nullptr;
+  if (kept == nullptr) {
     return 0;
   }
-  const MeshDepth found =
-      depthOf(meshOf(a), meshOf(b), search.scratch.mesh, *search.memory.depth, points);
+  const MeshDepth found = depthOf(meshOf(a), meshOf(b), search.scratch.mesh, *kept, points);
   const SignedDistance deepest =
       inflated(withoutExcess(a, b, found.deepest), a.element.padding, b.element.padding);
   if (deepest.distance < overlap.distance) {
