@@ -97,6 +97,11 @@ std::uint32_t NearestSeen::takePlace() noexcept {
   return places_taken_++;
 }
 
+void NearestSeen::touchRoomFor(std::size_t pairs) {
+  positions_.resize(std::min(pairs * variables_, positions_.capacity()));
+  positions_.clear();
+}
+
 void NearestSeen::inherit(const NearestSeen& former,
                           const std::vector<LinkPairIndex>& pair_of) noexcept {
   for (LinkPairIndex i = 0; i < pair_of.size(); ++i) {

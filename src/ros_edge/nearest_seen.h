@@ -28,6 +28,10 @@ class NearestSeen {
   void add(const CycleSetup& setup, const LinkPoses& poses, const JointReader& joints,
            const CycleBuffers& buffers) noexcept;
 
+  /// Touches the memory that positions of some pairs will take: a first touch takes long.
+  /// @pre nothing was added
+  void touchRoomFor(std::size_t pairs);
+
   /// Takes over what another one has of pairs that both check.
   /// @param pair_of as in CarryPlan
   void inherit(const NearestSeen& former, const std::vector<LinkPairIndex>& pair_of) noexcept;

@@ -132,6 +132,8 @@ void Watch::prepare(const ros::Time& now, const ClockState& clock_now,
   learnPairs(setup(), poses, buffers);
   keepPoses(poses, buffers.body_poses, buffers.memory.last);
   carried = planCarryOver(former->setup, setup());
+  const auto added = std::count(carried.pair_of.begin(), carried.pair_of.end(), kNone);
+  nearest.touchRoomFor(carried.pair_of.size() - static_cast<std::size_t>(added));
   planned_from = std::move(former);
 }
 
