@@ -3,6 +3,7 @@
 #include "pipeline/answers/carry_over.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <unordered_map>
@@ -105,12 +106,48 @@ LinkMotion restingAt(const LinkPoses& poses, std::size_t link) {
   return motion;
 }
 
-LinkMotion carriedBy(const LinkMotion& carrier, const Pose& carrier_from_object) {
-  LinkMotion motion = carrier;
-  motion.world_from_link = carrier.world_from_link * carrier_from_object;
-  motion.tracked = carrier.tracked * carrier_from_object;
-  return motion;
-}
+/// The motions of all links. Objects that stand together mostly have the carrier of the one before.
+class LinkMotions {
+ public:
+  LinkMotions(const CarryPlan& plan, const RobotModel& model, const FormerMotion& former,
+              const LinkPoses& poses)
+      : plan_(plan),
+        model_(model),
+        former_(former),
+        poses_(poses),
+        new_of_(former.poses.status.size(), kNone) {
+    for (std::size_t i = 0; i < plan.link_of.size(); ++i) {
+      if (plan.link_of[i] != kNone) {
+        new_of_[plan.link_of[i]] = static_cast<std::uint32_t>(i);
+      }
+    }
+  }
+
+  LinkMotion of(std::size_t link) {
+    if (!isObject(model_, idAt<LinkId>(link))) {
+      return plan_.link_of[link] == kNone ? restingAt(poses_, link)
+                                          : motionOf(plan_.link_of[link], former_, new_of_);
+    }
+    const Joint& joint = model_.joint(*model_.links[link].parent_joint);
+    if (carrier_ != joint.parent) {
+      of_carrier_ = of(index(joint.parent));
+      carrier_ = joint.parent;
+    }
+    LinkMotion motion = of_carrier_;
+    motion.world_from_link = of_carrier_.world_from_link * joint.parent_from_joint;
+    motion.tracked = of_carrier_.tracked * joint.parent_from_joint;
+    return motion;
+  }
+
+ private:
+  const CarryPlan& plan_;
+  const RobotModel& model_;
+  const FormerMotion& former_;
+  const LinkPoses& poses_;
+  std::vector<std::uint32_t> new_of_;  ///< by former link
+  std::optional<LinkId> carrier_;
+  LinkMotion of_carrier_;
+};
 
 /// Lengthens the travel of bodies of a link by its turn between the poses that their distances were
 /// cached for and those of the last cycle. Their centers tell the rest.
@@ -174,24 +211,12 @@ std::vector<LinkPairIndex> carryOver(const CarryPlan& plan, const PairMemory& re
 void carryMotion(const CarryPlan& plan, const CycleSetup& to, const FormerMotion& former,
                  const LinkPoses& poses, PairMemory& memory, VelocityTracker& tracker) {
   const RobotModel& model = to.model;
-  std::vector<std::uint32_t> new_of(former.poses.status.size(), kNone);
-  for (std::size_t i = 0; i < plan.link_of.size(); ++i) {
-    if (plan.link_of[i] != kNone) {
-      new_of[plan.link_of[i]] = static_cast<std::uint32_t>(i);
-    }
-  }
+  LinkMotions motions(plan, model, former, poses);
   LastPoses& last = memory.last;
-  std::vector<LinkMotion> motions;
   std::vector<double> turns;
+  turns.reserve(model.links.size());
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    if (isObject(model, idAt<LinkId>(i))) {
-      const Joint& joint = model.joint(*model.links[i].parent_joint);
-      motions.push_back(carriedBy(motions[index(joint.parent)], joint.parent_from_joint));
-    } else {
-      motions.push_back(plan.link_of[i] == kNone ? restingAt(poses, i)
-                                                 : motionOf(plan.link_of[i], former, new_of));
-    }
-    const LinkMotion& motion = motions.back();
+    const LinkMotion motion = motions.of(i);
     turns.push_back(
         last.known[i] == 0
             ? 0.0
