@@ -21,7 +21,7 @@ PairTable::PairTable(std::vector<BodyPair> pairs, std::size_t body_count)
   if (body_count <= kMostDenseBodies) {
     fillDense();
   } else {
-    fillPartners();
+    fillRuns();
   }
 }
 
@@ -33,27 +33,25 @@ void PairTable::fillDense() {
   }
 }
 
-void PairTable::fillPartners() {
-  first_partner_.resize(body_count_ + 1, 0);
-  for (const BodyPair& pair : pairs_) {
-    assert(pair.a < pair.b && index(pair.b) < body_count_);
-    ++first_partner_[index(pair.a) + 1];
-  }
-  std::partial_sum(first_partner_.begin(), first_partner_.end(), first_partner_.begin());
-  // Sorted by body b first, each body a gets its partners in order.
-  std::vector<std::uint32_t> first_of_b(body_count_ + 1, 0);
-  for (const BodyPair& pair : pairs_) {
-    ++first_of_b[index(pair.b) + 1];
-  }
-  std::partial_sum(first_of_b.begin(), first_of_b.end(), first_of_b.begin());
-  std::vector<std::uint32_t> by_b(pairs_.size());
+void PairTable::fillRuns() {
+  const auto starts_run = [&](std::size_t i) {
+    return i == 0 || pairs_[i].a != pairs_[i - 1].a || pairs_[i].b < pairs_[i - 1].b;
+  };
+  first_run_.resize(body_count_ + 1, 0);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    by_b[first_of_b[index(pairs_[i].b)]++] = static_cast<std::uint32_t>(i);
+    assert(pairs_[i].a < pairs_[i].b && index(pairs_[i].b) < body_count_);
+    first_run_[index(pairs_[i].a) + 1] += starts_run(i) ? 1 : 0;
   }
-  partners_.resize(pairs_.size());
-  std::vector<std::uint32_t> next(first_partner_.begin(), first_partner_.end() - 1);
-  for (const std::uint32_t i : by_b) {
-    partners_[next[index(pairs_[i].a)]++] = {pairs_[i].b, PairId{i}};
+  std::partial_sum(first_run_.begin(), first_run_.end(), first_run_.begin());
+  runs_.resize(first_run_.back());
+  std::vector<std::uint32_t> next(first_run_.begin(), first_run_.end() - 1);
+  Run* run = nullptr;
+  for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
+    if (starts_run(i)) {
+      run = &runs_[next[index(pairs_[i].a)]++];
+      run->first = i;
+    }
+    run->last = i + 1;
   }
 }
 
@@ -65,15 +63,17 @@ bool PairTable::find(BodyId one, BodyId other, PairId& id) const noexcept {
     id = found != kNone ? PairId{found} : id;
     return found != kNone;
   }
-  const auto last = partners_.begin() + first_partner_[index(a) + 1];
-  const auto found =
-      std::lower_bound(partners_.begin() + first_partner_[index(a)], last, b,
-                       [](const Partner& partner, BodyId body) { return partner.body < body; });
-  if (found == last || found->body != b) {
-    return false;
+  for (std::uint32_t i = first_run_[index(a)]; i < first_run_[index(a) + 1]; ++i) {
+    const auto last = pairs_.begin() + runs_[i].last;
+    const auto found =
+        std::lower_bound(pairs_.begin() + runs_[i].first, last, b,
+                         [](const BodyPair& pair, BodyId body) { return pair.b < body; });
+    if (found != last && found->b == b) {
+      id = PairId{static_cast<std::uint32_t>(found - pairs_.begin())};
+      return true;
+    }
   }
-  id = found->pair;
-  return true;
+  return false;
 }
 
 }  // namespace collision_monitor

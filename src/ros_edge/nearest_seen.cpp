@@ -27,11 +27,13 @@ bool isOne(const Joint& joint) noexcept {
 }  // namespace
 
 NearestSeen::NearestSeen(const CycleSetup& setup)
-    : records_(setup.checked.size()),
+    : record_of_(setup.checked.size(), kNone),
       variables_(setup.model.variable_count),
       newest_(makeNewestState(setup.model)),
       now_(variables_, kUnknown) {
-  positions_.reserve(placesFor(setup) * variables_);  // touches no memory, which takes long
+  // Touches no memory, which takes long.
+  records_.reserve(setup.checked.size());
+  positions_.reserve(placesFor(setup) * variables_);
 }
 
 void NearestSeen::add(const CycleSetup& setup, const LinkPoses& poses, const JointReader& joints,
@@ -39,22 +41,17 @@ void NearestSeen::add(const CycleSetup& setup, const LinkPoses& poses, const Joi
   bool has_positions = false;
   const auto look = [&](const PairDistance& measured) {
     const LinkPairIndex pair = setup.link_pair_of[index(measured.pair)];
-    Record& record = records_[pair];
-    if (!(measured.measured.distance < record.distance) ||
+    if (!(measured.measured.distance < of(pair).distance) ||
         buffers.events.verdicts[pair] == Verdict::unknown) {
       return;
     }
-    record.distance = measured.measured.distance;
-    record.stamp_ns = poses.stamp_ns;
-    record.place = record.place == kNone ? takePlace() : record.place;
-    if (record.place != kNone) {
-      if (!has_positions) {
-        readPositions(setup, poses, joints);
-        has_positions = true;
-      }
-      std::copy(now_.begin(), now_.end(),
-                positions_.begin() + static_cast<std::ptrdiff_t>(record.place * variables_));
+    const std::uint32_t record = recordOf(pair);
+    records_[record] = {measured.measured.distance, poses.stamp_ns};
+    if (!has_positions) {
+      readPositions(setup, poses, joints);
+      has_positions = true;
     }
+    keepPositions(record, now_.data());
   };
   for (const LinkPairIndex pair : buffers.events.active) {
     const std::uint32_t closest = buffers.events.closest[pair];
@@ -88,49 +85,54 @@ void NearestSeen::readPositions(const CycleSetup& setup, const LinkPoses& poses,
   }
 }
 
-std::uint32_t NearestSeen::takePlace() noexcept {
-  const std::size_t size = (places_taken_ + 1) * variables_;
-  if (size > positions_.capacity()) {
-    return kNone;
+std::uint32_t NearestSeen::recordOf(LinkPairIndex pair) noexcept {
+  if (record_of_[pair] == kNone) {
+    record_of_[pair] = static_cast<std::uint32_t>(records_.size());
+    records_.emplace_back();
+    if (positions_.size() + variables_ <= positions_.capacity()) {
+      positions_.resize(positions_.size() + variables_);
+    }
   }
-  positions_.resize(size);
-  return places_taken_++;
+  return record_of_[pair];
+}
+
+bool NearestSeen::hasPositions(std::uint32_t record) const noexcept {
+  return (record + std::size_t{1}) * variables_ <= positions_.size();
+}
+
+void NearestSeen::keepPositions(std::uint32_t record, const double* positions) noexcept {
+  if (hasPositions(record)) {
+    std::copy_n(positions, variables_, positions_.data() + record * variables_);
+  }
 }
 
 void NearestSeen::touchRoomFor(std::size_t pairs) {
+  records_.resize(std::min(pairs, records_.capacity()));
+  records_.clear();
   positions_.resize(std::min(pairs * variables_, positions_.capacity()));
   positions_.clear();
 }
 
 void NearestSeen::inherit(const NearestSeen& former,
                           const std::vector<LinkPairIndex>& pair_of) noexcept {
+  std::fill(now_.begin(), now_.end(), kUnknown);
   for (LinkPairIndex i = 0; i < pair_of.size(); ++i) {
-    if (pair_of[i] == kNone) {
-      continue;
-    }
-    Record& record = records_[i] = former.records_[pair_of[i]];
-    const bool keeps_positions = record.place != kNone && variables_ == former.variables_;
-    if (keeps_positions) {
-      const auto first =
-          former.positions_.begin() + static_cast<std::ptrdiff_t>(record.place * variables_);
-      record.place = takePlace();
-      if (record.place != kNone) {
-        std::copy_n(first, variables_,
-                    positions_.begin() + static_cast<std::ptrdiff_t>(record.place * variables_));
-      }
-    } else {
-      record.place = kNone;
+    const std::uint32_t before = pair_of[i] == kNone ? kNone : former.record_of_[pair_of[i]];
+    if (before != kNone) {
+      const std::uint32_t record = recordOf(i);
+      records_[record] = former.records_[before];
+      const bool has_positions = variables_ == former.variables_ && former.hasPositions(before);
+      keepPositions(record, has_positions ? former.positionsAt(before) : now_.data());
     }
   }
 }
 
 JointPositions NearestSeen::positionsOf(LinkPairIndex pair) const {
-  if (records_[pair].place == kNone) {
+  const std::uint32_t record = record_of_[pair];
+  if (record == kNone || !hasPositions(record)) {
     return {};
   }
-  const auto first =
-      positions_.begin() + static_cast<std::ptrdiff_t>(records_[pair].place * variables_);
-  return {first, first + static_cast<std::ptrdiff_t>(variables_)};
+  return {positionsAt(record), positionsAt(record) + variables_};
 }
 
 }  // namespace collision_monitor

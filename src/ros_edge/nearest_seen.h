@@ -18,7 +18,6 @@ class NearestSeen {
   struct Record {
     double distance{std::numeric_limits<double>::infinity()};  ///< [m] infinity: never measured
     std::int64_t stamp_ns{0};
-    std::uint32_t place{kNone};  ///< of its positions, or kNone: not kept
   };
 
   explicit NearestSeen(const CycleSetup& setup);
@@ -28,7 +27,7 @@ class NearestSeen {
   void add(const CycleSetup& setup, const LinkPoses& poses, const JointReader& joints,
            const CycleBuffers& buffers) noexcept;
 
-  /// Touches the memory that positions of some pairs will take: a first touch takes long.
+  /// Touches the memory that records of some pairs will take: a first touch takes long.
   /// @pre nothing was added
   void touchRoomFor(std::size_t pairs);
 
@@ -36,19 +35,28 @@ class NearestSeen {
   /// @param pair_of as in CarryPlan
   void inherit(const NearestSeen& former, const std::vector<LinkPairIndex>& pair_of) noexcept;
 
-  const Record& of(LinkPairIndex pair) const noexcept { return records_[pair]; }
+  Record of(LinkPairIndex pair) const noexcept {
+    return record_of_[pair] == kNone ? Record() : records_[record_of_[pair]];
+  }
   /// By variable, NaN where not known; empty if they were not kept.
   JointPositions positionsOf(LinkPairIndex pair) const;
 
  private:
   void readPositions(const CycleSetup& setup, const LinkPoses& poses,
                      const JointReader& joints) noexcept;
-  std::uint32_t takePlace() noexcept;
+  /// The record of a pair, a new one if it has none.
+  std::uint32_t recordOf(LinkPairIndex pair) noexcept;
+  bool hasPositions(std::uint32_t record) const noexcept;
+  /// @pre hasPositions(record)
+  const double* positionsAt(std::uint32_t record) const noexcept {
+    return positions_.data() + record * variables_;
+  }
+  void keepPositions(std::uint32_t record, const double* positions) noexcept;
 
-  std::vector<Record> records_;  ///< by LinkPairIndex
-  JointPositions positions_;     ///< by place, then by variable
+  std::vector<std::uint32_t> record_of_;  ///< by LinkPairIndex, or kNone
+  std::vector<Record> records_;           ///< of pairs that were measured, with room for all
+  JointPositions positions_;              ///< by record, then by variable; of the first records
   std::size_t variables_;
-  std::uint32_t places_taken_{0};
   NewestState newest_;  ///< scratch: the poses of a cycle, and no joint states
   JointPositions now_;  ///< scratch, by variable
 };

@@ -17,7 +17,8 @@ struct BodyPair {
 };
 
 /// The fixed list of pairs that may touch, in the order given, with a look-up from two bodies to
-/// their pair. Built at set-up, read-only after.
+/// their pair. It is fast if most pairs of a body a follow each other, in order of body b. Built at
+/// set-up, read-only after.
 class PairTable {
  public:
   PairTable() = default;
@@ -38,18 +39,19 @@ class PairTable {
   const std::uint32_t* idsOfAll() const noexcept { return dense_.empty() ? nullptr : &dense_[0]; }
 
  private:
-  struct Partner {
-    BodyId body;
-    PairId pair;
+  /// Pairs [first, last) of one body a that follow each other, with increasing body b.
+  struct Run {
+    std::uint32_t first{0};
+    std::uint32_t last{0};
   };
 
   void fillDense();
-  void fillPartners();
+  void fillRuns();
 
   std::vector<BodyPair> pairs_;
-  /// By body a: where its partners start; one more entry at the end.
-  std::vector<std::uint32_t> first_partner_;
-  std::vector<Partner> partners_;     ///< grouped by body a, sorted by body b; used without dense_
+  std::vector<Run> runs_;  ///< grouped by body a; used without dense_
+  /// By body a: where its runs start; one more entry at the end.
+  std::vector<std::uint32_t> first_run_;
   std::vector<std::uint32_t> dense_;  ///< see idsOfAll; may be empty
   std::size_t body_count_{0};
 };

@@ -71,6 +71,19 @@ TEST_F(ExplainPairTest, nearest_isKeptWithItsJointValues) {
   expectIn(response.message, "nearest since start: 100 mm at slide 0.000, reach -0.200");
 }
 
+TEST_F(ExplainPairTest, nearest_isTakenOverWithItsJointValues) {
+  const auto former = watchAt(-0.2);
+  former->cycle();
+  const auto watch = watchAt(0.3);
+  watch->takeOver(*former);
+  watch->cycle();
+  const ExplainPair::Response response = explain("base", "tool", *watch);
+  EXPECT_GT(response.now.distance, 0.5);
+  EXPECT_NEAR(response.nearest, 0.1, 1e-9);
+  ASSERT_EQ(response.nearest_positions.size(), 2U);
+  EXPECT_NEAR(response.nearest_positions[1], -0.2, 1e-9);
+}
+
 TEST_F(ExplainPairTest, unknownLink_isTheReason) {
   const auto watch = watchAt(0.0);
   watch->poses.status[index(linkNamed(setup_->setup.model, "tool"))] = LinkStatus::stale;
