@@ -5,7 +5,8 @@
 its node, nodelet, launch files and messages. Installs the build into a folder of its own.
 
 COLLISION_MONITOR_BUILD is the build folder, COLLISION_MONITOR_SPACE where the built library can be used
-from, COLLISION_MONITOR_CMAKE the program, COLLISION_MONITOR_HAS_ROS 1 or 0; ctest sets them.
+from, COLLISION_MONITOR_CMAKE the program, COLLISION_MONITOR_HAS_ROS 1 or 0; ctest sets them. With
+COLLISION_MONITOR_PREFIX, looks at what is installed there, as by catkin_make_isolated.
 """
 import os
 import pathlib
@@ -21,6 +22,7 @@ ROOT = HERE.parents[1]
 BUILD = os.environ.get("COLLISION_MONITOR_BUILD")
 SPACE = os.environ.get("COLLISION_MONITOR_SPACE")
 CMAKE = os.environ.get("COLLISION_MONITOR_CMAKE", "cmake")
+PREFIX = os.environ.get("COLLISION_MONITOR_PREFIX")
 HAS_ROS = os.environ.get("COLLISION_MONITOR_HAS_ROS") == "1"
 FOUR_FACES = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"
 ROBOT = """<robot name="r"><link name="a"><collision><geometry><mesh filename="{}"/></geometry></collision>
@@ -69,13 +71,17 @@ class Install(unittest.TestCase):
         cls.addClassCleanup(cls.scratch.cleanup)
         cls.folder = pathlib.Path(cls.scratch.name)
         cls.environment = plain_environment()
-        cls.prefix = cls.folder / configured_prefix().relative_to("/")
-        # catkin's setup files have the configured prefix in them: --prefix would not move them.
-        done = run(CMAKE, "--install", BUILD, environment=dict(cls.environment, DESTDIR=str(cls.folder)))
-        assert done.returncode == 0, done.stdout + done.stderr
+        cls.prefix = pathlib.Path(PREFIX) if PREFIX else cls.installed()
         (cls.folder / "four.obj").write_text(FOUR_FACES)
         cls.urdf = cls.folder / "robot.urdf"
         cls.urdf.write_text(ROBOT.format(cls.folder / "four.obj"))
+
+    @classmethod
+    def installed(cls):
+        # catkin's setup files have the configured prefix in them: --prefix would not move them.
+        done = run(CMAKE, "--install", BUILD, environment=dict(cls.environment, DESTDIR=str(cls.folder)))
+        assert done.returncode == 0, done.stdout + done.stderr
+        return cls.folder / configured_prefix().relative_to("/")
 
     def succeed(self, *command, environment=None):
         done = run(*command, environment=environment or self.environment)
