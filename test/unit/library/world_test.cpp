@@ -227,7 +227,13 @@ TEST(LibraryWorld, whatNobodyWouldRead_isRefused) {
   const std::string latin = faultsOf("# caf\xC3\xA9\n- {name: \xE9, kind: plane}");
   EXPECT_NE(latin.find("cell.yaml line 2"), std::string::npos) << latin;
   EXPECT_NE(latin.find("UTF-8"), std::string::npos) << latin;
-  EXPECT_EQ(faultsOf("---\n- {name: p, kind: plane}\n...\n"), "");
+  const std::string plane = "- {name: p, kind: plane}";
+  EXPECT_EQ(faultsOf("---\n" + plane + "\n...\n"), "");
+  std::string utf16 = "\xFF\xFE";
+  for (const char c : plane) {
+    utf16 += {c, '\0'};
+  }
+  EXPECT_EQ(faultsOf(utf16), "") << "YAML may be UTF-16";
   EXPECT_NE(faultsOf("- {name: /world, kind: plane}").find("frame"), std::string::npos);
   EXPECT_NE(faultsOf("", "- {a: box_a, b: box_b, check: false}\n---\n- x").find("second"),
             std::string::npos);

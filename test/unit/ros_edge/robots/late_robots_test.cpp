@@ -73,6 +73,11 @@ class LateRobotsTest : public TwoArms {
     right_ = descriptions_[1];
     right_.urdf_xml = "<robot name='right'><link/></robot>";
   }
+  void listThird() {
+    const auto three = std::make_shared<MonitorSetup>(*current_);
+    three->listed.push_back({"third", std::nullopt, "no URDF in parameter /third", false});
+    current_ = three;
+  }
   void addObject(const std::string& name) {
     const World world = worldOf({objectOf(name, Sphere{0.1}, at(0, 0, 9))},
                                 placesOf(current_->robots->model, current_->world_frame));
@@ -163,9 +168,7 @@ TEST_F(LateRobotsTest, robotThatAnObjectKeepsOut_comesInWithoutBeingBuiltAgain) 
 }
 
 TEST_F(LateRobotsTest, faultOfOneRobot_keepsNoOtherAway) {
-  const auto three = std::make_shared<MonitorSetup>(*current_);
-  three->listed.push_back({"third", std::nullopt, "no URDF in parameter /third", false});
-  current_ = three;
+  listThird();
   breakRight();
   third_ = descriptions_[1];
   third_.tf_prefix = "third";
@@ -181,9 +184,7 @@ TEST_F(LateRobotsTest, faultOfOneRobot_keepsNoOtherAway) {
 }
 
 TEST_F(LateRobotsTest, eachFaultyRobot_isToldItsOwnFault) {
-  const auto three = std::make_shared<MonitorSetup>(*current_);
-  three->listed.push_back({"third", std::nullopt, "no URDF in parameter /third", false});
-  current_ = three;
+  listThird();
   breakRight();
   third_ = descriptions_[1];
   third_.urdf_xml = "<robot name='third'>";
