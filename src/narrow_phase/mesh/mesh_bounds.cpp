@@ -6,60 +6,16 @@
 // The order matters: Highway first includes this file once for each target.
 #include <algorithm>
 
-#include "hwy/highway.h"
-#include "narrow_phase/mesh/mesh_bounds.h"
+#include "narrow_phase/mesh/mesh_bounds-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-// Some children of a node, one per lane. No fused multiply-add, so that every instruction set
-// rounds alike.
-using Some = hn::CappedTag<float, MeshTreeNode::kWidth>;
-using Number = hn::Vec<Some>;
-
-HWY_INLINE Number number(float value) { return hn::Set(Some(), value); }
-HWY_INLINE Number load(const float* from) { return hn::Load(Some(), from); }
-
-struct Vector {
-  Number at[3];
-};
-
-HWY_INLINE Vector vector(const float* xyz) {
-  return {{number(xyz[0]), number(xyz[1]), number(xyz[2])}};
-}
-HWY_INLINE Vector load(const float (&from)[3][MeshTreeNode::kWidth], std::size_t first) {
-  return {{load(from[0] + first), load(from[1] + first), load(from[2] + first)}};
-}
-HWY_INLINE Vector operator-(const Vector& a, const Vector& b) {
-  return {{hn::Sub(a.at[0], b.at[0]), hn::Sub(a.at[1], b.at[1]), hn::Sub(a.at[2], b.at[2])}};
-}
-HWY_INLINE Vector operator*(Number s, const Vector& v) {
-  return {{hn::Mul(s, v.at[0]), hn::Mul(s, v.at[1]), hn::Mul(s, v.at[2])}};
-}
-HWY_INLINE Vector absolute(const Vector& v) {
-  return {{hn::Abs(v.at[0]), hn::Abs(v.at[1]), hn::Abs(v.at[2])}};
-}
-HWY_INLINE Number dot(const Vector& a, const Vector& b) {
-  return hn::Add(hn::Add(hn::Mul(a.at[0], b.at[0]), hn::Mul(a.at[1], b.at[1])),
-                 hn::Mul(a.at[2], b.at[2]));
-}
-
-struct Children {
-  Vector center, half, normal;
-  Number slab_center, slab_half;
-};
 
 struct Other {
   Vector center, sides[3], reach, normal;
   Number slab_center, slab_half, slack;
 };
-
-HWY_INLINE Children childrenOf(const MeshTreeNode& node, std::size_t first) {
-  return {load(node.center, first), load(node.half, first), load(node.normal, first),
-          load(node.slab_center + first), load(node.slab_half + first)};
-}
 
 HWY_INLINE Other everywhere(const PlacedBound& bound) {
   const float* sides = bound.sides.data();  // column after column
@@ -69,13 +25,6 @@ HWY_INLINE Other everywhere(const PlacedBound& bound) {
           number(bound.slack)};
 }
 
-// The interval that a bound covers along a direction.
-struct Shadow {
-  Number middle, half;
-};
-
-// A direction u is split as u = c n + w, where n is the normal of the slab. The slab bounds c n.x
-// and the box bounds w.x. Near the normal w is small, and the shadow is as thin as the slab.
 HWY_INLINE Shadow shadowOf(const Other& other, const Vector& u, Number shared) {
   const Vector rest = u - shared * other.normal;
   const Number of_sides =
@@ -83,17 +32,6 @@ HWY_INLINE Shadow shadowOf(const Other& other, const Vector& u, Number shared) {
               hn::Abs(dot(rest, other.sides[2])));
   return {hn::Add(hn::Mul(shared, other.slab_center), dot(rest, other.center)),
           hn::Add(hn::Mul(hn::Abs(shared), other.slab_half), of_sides)};
-}
-
-HWY_INLINE Shadow shadowOf(const Children& children, const Vector& u, Number shared) {
-  const Vector rest = u - shared * children.normal;
-  return {
-      hn::Add(hn::Mul(shared, children.slab_center), dot(rest, children.center)),
-      hn::Add(hn::Mul(hn::Abs(shared), children.slab_half), dot(absolute(rest), children.half))};
-}
-
-HWY_INLINE Number gapBetween(const Shadow& a, const Shadow& b) {
-  return hn::Sub(hn::Abs(hn::Sub(a.middle, b.middle)), hn::Add(a.half, b.half));
 }
 
 // The gap along the line of centers, which separates far bounds.

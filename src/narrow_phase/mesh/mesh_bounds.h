@@ -65,6 +65,21 @@ PlacedBound place(const BoundPlacement& placement, const Bound& bound) noexcept;
 std::uint32_t boundNearer(const MeshTreeNode& node, const PlacedBound& other, float limit,
                           NodeBounds& bounds) noexcept;
 
+/// A triangle in the frame of the node that it is compared with.
+struct PlacedTriangle {
+  Eigen::Vector3f corners[3];
+  float slack;  ///< [m] as BoundPlacement::slack
+};
+
+/// @param center of the triangle's tree
+PlacedTriangle place(const BoundPlacement& placement, const Eigen::Vector3d& center,
+                     const Triangle& triangle) noexcept;
+
+/// The same for a triangle, which is bounded by itself. A box about a large slanted triangle holds
+/// much that is far from it.
+std::uint32_t boundNearer(const MeshTreeNode& node, const PlacedTriangle& other, float limit,
+                          NodeBounds& bounds) noexcept;
+
 /// [m] How far `other` lies beyond each child along a unit vector in the node's frame, rounded
 /// down. Far below 0 for empty slots.
 std::array<float, MeshTreeNode::kWidth> gapsAlong(const MeshTreeNode& node,

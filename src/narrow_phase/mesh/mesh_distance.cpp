@@ -78,9 +78,13 @@ void reportBound(const NearestSearch& search, double stop_beyond, MeshDistance& 
 }
 
 // Surfaces that do not meet may still lie one inside the other.
-void reportContainment(const MeshPair& pair, const Pose& world_from_a, MeshQueryMemory& memory,
+void reportContainment(const MeshPair& pair, const Pose& world_from_a,
+                       const MeshQueryLimits& limits, MeshQueryMemory& memory,
                        MeshDistance& answer) noexcept {
-  const Holding held = pointHeld(pair, memory);
+  if (answer.state == MeshState::overlapping || (limits.are_hulls_apart && !limits.asks_outside)) {
+    return;
+  }
+  const Holding held = pointHeld(pair, memory, limits.asks_outside);
   answer.visits += held.visits;
   answer.outside = held.outside;
   if (held.point) {
@@ -148,9 +152,7 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
   queue.push({0.0F, 0, 0});
   searchPairs(pair, limits.visit_budget, queue, search);
   MeshDistance answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
-  if (answer.state != MeshState::overlapping) {
-    reportContainment(pair, a.world_from_mesh, memory, answer);
-  }
+  reportContainment(pair, a.world_from_mesh, limits, memory, answer);
   return answer;
 }
 
@@ -172,8 +174,8 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
   MeshDistance answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
   if (step < std::min(front.apart, front.outside)) {
     answer.outside = front.outside - step;
-  } else if (answer.state != MeshState::overlapping) {
-    reportContainment(pair, a.world_from_mesh, memory, answer);
+  } else {
+    reportContainment(pair, a.world_from_mesh, limits, memory, answer);
   }
   front.apart = answer.state == MeshState::overlapping ? 0.0 : answer.measured.distance;
   front.outside = answer.outside;

@@ -61,6 +61,9 @@ struct MeshQueryLimits {
   /// [m] 0 or more. The triangles found may be farther than the nearest by this. The distance is
   /// then a proven lower bound that is short by no more, and the point on B is moved to fit.
   double tolerance{0.0};
+  bool asks_outside{true};  ///< MeshDistance::outside is wanted, too
+  /// What is known before: neither mesh holds a point of the other.
+  bool are_hulls_apart{false};
 };
 
 /// Scratch of a query; one per thread. Its content means nothing between queries. It is large: keep

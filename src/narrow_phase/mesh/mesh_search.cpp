@@ -13,6 +13,31 @@ float sizeOf(const MeshTree& tree, Slot slot) noexcept {
   return node.half[0][at] + node.half[1][at] + node.half[2][at];
 }
 
+// Chooses the side to open. Of the other side only a triangle is placed.
+void chooseSide(const MeshPair& pair, Slot a, Slot b, OpenedPair& opened) noexcept {
+  const std::uint32_t child_a = childOf(pair.a, a);
+  const std::uint32_t child_b = childOf(pair.b, b);
+  opened.is_of_a =
+      isTriangle(child_b) || (!isTriangle(child_a) && sizeOf(pair.a, a) > sizeOf(pair.b, b));
+  const MeshTree& opened_tree = opened.is_of_a ? pair.a : pair.b;
+  const MeshTree& other_tree = opened.is_of_a ? pair.b : pair.a;
+  const std::uint32_t node = opened.is_of_a ? child_a : child_b;
+  const std::uint32_t other = opened.is_of_a ? child_b : child_a;
+  opened.first = node << kSlotBits;
+  opened.other = opened.is_of_a ? b : a;
+  opened.node = &opened_tree.nodes()[node];
+  if (isTriangle(other)) {
+    opened.triangle = place(opened.is_of_a ? pair.bounds_to_a : pair.bounds_to_b,
+                            other_tree.center(), other_tree.triangles()[triangleAt(other)]);
+  }
+}
+
+// Places the bound of the other side.
+void placeBound(const MeshPair& pair, OpenedPair& opened) noexcept {
+  opened.placed = opened.is_of_a ? place(pair.bounds_to_a, boundAt(pair.b, opened.other))
+                                 : place(pair.bounds_to_b, boundAt(pair.a, opened.other));
+}
+
 }  // namespace
 
 MeshPair makeMeshPair(const PlacedMesh& a, const PlacedMesh& b) noexcept {
@@ -41,26 +66,23 @@ double NodePairQueue::leastBound(double start) const noexcept {
 }
 
 void choose(const MeshPair& pair, Slot a, Slot b, OpenedPair& opened) noexcept {
-  const std::uint32_t child_a = childOf(pair.a, a);
-  const std::uint32_t child_b = childOf(pair.b, b);
-  opened.is_of_a =
-      isTriangle(child_b) || (!isTriangle(child_a) && sizeOf(pair.a, a) > sizeOf(pair.b, b));
-  const std::uint32_t node = opened.is_of_a ? child_a : child_b;
-  opened.first = node << kSlotBits;
-  opened.other = opened.is_of_a ? b : a;
-  opened.node = opened.is_of_a ? &pair.a.nodes()[node] : &pair.b.nodes()[node];
-  opened.placed = opened.is_of_a ? place(pair.bounds_to_a, boundAt(pair.b, b))
-                                 : place(pair.bounds_to_b, boundAt(pair.a, a));
+  chooseSide(pair, a, b, opened);
+  placeBound(pair, opened);
 }
 
 void boundChildren(float limit, OpenedPair& opened) noexcept {
-  opened.nearer = boundNearer(*opened.node, opened.placed, limit, opened.bounds);
+  opened.nearer = opened.triangle
+                      ? boundNearer(*opened.node, *opened.triangle, limit, opened.bounds)
+                      : boundNearer(*opened.node, opened.placed, limit, opened.bounds);
 }
 
 void openLarger(const MeshPair& pair, const MeshQueryMemory::NodePair& bounds, float limit,
                 NodePairQueue& queue) noexcept {
   OpenedPair opened;
-  choose(pair, bounds.a, bounds.b, opened);
+  chooseSide(pair, bounds.a, bounds.b, opened);
+  if (!opened.triangle) {
+    placeBound(pair, opened);
+  }
   boundChildren(limit, opened);
   queue.pushNearer(opened);
 }

@@ -53,9 +53,10 @@ Triangle triangleOfB(const MeshPair& pair, std::uint32_t triangle) noexcept;
 
 /// A node pair of which one side is opened: its children beside the other side.
 struct OpenedPair {
-  const MeshTreeNode* node;  ///< has the children
-  PlacedBound placed;        ///< the other side, in their frame
-  Slot first;                ///< first of the children
+  const MeshTreeNode* node;                ///< has the children
+  PlacedBound placed;                      ///< the other side, in their frame
+  std::optional<PlacedTriangle> triangle;  ///< the same, if it is one
+  Slot first;                              ///< first of the children
   Slot other;
   bool is_of_a;
   NodeBounds bounds;
@@ -110,7 +111,8 @@ class NodePairQueue {
   std::size_t size_{0};
 };
 
-/// Chooses which side of a node pair to open: always the larger node. Does not bound its children.
+/// Chooses which side of a node pair to open: always the larger node. Places the other side. Does
+/// not bound the children.
 /// @pre at least one side is a node.
 void choose(const MeshPair& pair, Slot a, Slot b, OpenedPair& opened) noexcept;
 

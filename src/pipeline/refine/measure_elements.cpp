@@ -13,6 +13,7 @@
 #include "narrow_phase/closed_form/core_distance.h"
 #include "narrow_phase/distance.h"
 #include "narrow_phase/mesh_depth/mesh_depth.h"
+#include "narrow_phase/mesh_depth/point_on_mesh.h"
 #include "pipeline/refine/element_parts.h"
 
 namespace collision_monitor {
@@ -55,8 +56,9 @@ double stopBeyond(const PlacedElement& a, const PlacedElement& b,
 
 template <class Start>
 MeshDistance searchFrom(Start& start, const PlacedElement& a, const PlacedElement& b,
-                        ElementSearch& search) noexcept {
-  const MeshQueryLimits limits{stopBeyond(a, b, search), search.budget, search.tolerance};
+                        bool are_hulls_apart, ElementSearch& search) noexcept {
+  const MeshQueryLimits limits{stopBeyond(a, b, search), search.budget, search.tolerance,
+                               search.asks_outside, are_hulls_apart};
   if (isSimple(b)) {
     return distanceBetween(meshOf(a), convexOf(b), search.scratch.mesh, start, limits);
   }
@@ -68,24 +70,50 @@ MeshDistance searchFrom(Start& start, const PlacedElement& a, const PlacedElemen
   return found;
 }
 
-MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b,
-                          ElementSearch& search) noexcept {
-  if (search.memory.front != nullptr) {
-    return searchFrom(*search.memory.front, a, b, search);
+/// Replaces a triangle by the nearest to a point, or by one within a thousandth of `distance`.
+/// @return visits
+std::uint32_t moveNear(const PlacedMesh& mesh, const Eigen::Vector3d& point, double distance,
+                       MeshQueryMemory& memory, std::uint32_t& triangle) noexcept {
+  const PointOnMesh found = nearestOnMesh(mesh.tree, inverse(mesh.world_from_mesh) * point,
+                                          triangle, {1e-3 * distance}, memory);
+  triangle = found.triangle;
+  return found.visits;
+}
+
+/// Where hulls are nearest, meshes are mostly near, too: a search that begins there passes over
+/// most of the rest. @return visits
+std::uint32_t startAtHulls(const PlacedElement& a, const PlacedElement& b,
+                           const SignedDistance& hulls, ElementSearch& search) noexcept {
+  if (isSimple(a) || isSimple(b)) {
+    return 0;
   }
+  TrianglePair& start = search.memory.nearest;
+  MeshQueryMemory& memory = search.scratch.mesh;
+  return moveNear(meshOf(a), hulls.point_on_a, hulls.distance, memory, start.a) +
+         moveNear(meshOf(b), hulls.point_on_b, hulls.distance, memory, start.b);
+}
+
+/// @param hulls from measureHulls
+MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b, const MeshDistance& hulls,
+                          ElementSearch& search) noexcept {
+  const bool are_hulls_apart = hulls.state == MeshState::lower_bound;
+  if (search.memory.front != nullptr) {
+    return searchFrom(*search.memory.front, a, b, are_hulls_apart, search);
+  }
+  const std::uint32_t visits = are_hulls_apart ? startAtHulls(a, b, hulls.measured, search) : 0;
   TrianglePair& nearest = search.memory.nearest;
-  MeshDistance found = searchFrom(nearest, a, b, search);
+  MeshDistance found = searchFrom(nearest, a, b, are_hulls_apart, search);
+  found.visits += visits;
   nearest = found.nearest.a == kNone ? nearest : found.nearest;
   return found;
 }
 
 /// Measures hulls; false if they give neither the distance nor a bound at the cutoff.
 bool measureHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
-                  ElementDistance& answer) noexcept {
+                  MeshDistance& found, ElementDistance& answer) noexcept {
   const double stop_beyond = stopBeyond(a, b, search);
-  const MeshDistance found =
-      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stop_beyond, search.scratch.mesh,
-                      {search.memory.warm, search.memory.nearest});
+  found = distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stop_beyond, search.scratch.mesh,
+                          {search.memory.warm, search.memory.nearest});
   answer.work += kApartWork + found.visits;
   if (found.state != MeshState::exact && !(found.measured.distance >= stop_beyond)) {
     return false;
@@ -130,7 +158,8 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
   answer.work = kSetUpWork;
   // Elements that overlapped mostly still do, and then hulls give no answer.
   const bool overlapped = search.memory.last.found.quality == Quality::estimate;
-  if (!overlapped && measureHulls(a, b, search, answer)) {
+  MeshDistance hulls;
+  if (!overlapped && measureHulls(a, b, search, hulls, answer)) {
     return answer;
   }
   const bool is_inside = measureInside(a, b, answer.measured) && answer.measured.distance < 0.0;
@@ -138,7 +167,7 @@ ElementDistance measureMeshes(const PlacedElement& a, const PlacedElement& b,
     reportOverlap(a, b, answer);  // a search would find no more
     return answer;
   }
-  const MeshDistance found = searchMeshes(a, b, search);
+  const MeshDistance found = searchMeshes(a, b, hulls, search);
   answer.work += found.visits;
   answer.outside = found.outside;
   if (found.state == MeshState::overlapping) {

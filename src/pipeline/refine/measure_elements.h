@@ -24,7 +24,8 @@ struct ElementSearch {
   RefineScratch& scratch;
   /// [m] > 0. A lower bound at or above the cutoff is a complete answer for meshes.
   double cutoff{std::numeric_limits<double>::infinity()};
-  double tolerance{0.0};  ///< [m] as MeshQueryLimits::tolerance
+  double tolerance{0.0};    ///< [m] as MeshQueryLimits::tolerance
+  bool asks_outside{true};  ///< ElementDistance::outside is wanted, too
 };
 
 /// Measures the signed distance of two elements, paddings included.

@@ -42,7 +42,10 @@ ElementSearch searchFor(const StateSearch& state, ElementPairIndex pair, double 
     memory.nearest = TrianglePair();
     refinement.searched_in[pair] = refinement.state;
   }
-  return {std::numeric_limits<std::uint32_t>::max(), memory, *refinement.scratch, cutoff};
+  ElementSearch search{std::numeric_limits<std::uint32_t>::max(), memory, *refinement.scratch,
+                       cutoff};
+  search.asks_outside = false;
+  return search;
 }
 
 bool isTouching(const StateSearch& state, const ElementsInState& pair) noexcept {

@@ -64,16 +64,19 @@ struct Question {
                              ElementSearch& search) noexcept;
 };
 
-/// The distance of two elements, or that of their bodies if that is the better bound.
-PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pair,
-                                PairDistance distance, const std::vector<Pose>& world_from_link,
-                                const Question& question) noexcept {
+bool areBodies(const LinkPairMeasures& measures, ElementPairIndex pair) noexcept {
+  const CycleSetup& setup = measures.setup;
+  return setup.elements[index(setup.element_pairs[pair].a)].is_body &&
+         setup.elements[index(setup.element_pairs[pair].b)].is_body;
+}
+
+/// @pre the elements are not their bodies.
+ElementDistance searchElements(LinkPairMeasures& measures, ElementPairIndex pair,
+                               const std::vector<Pose>& world_from_link,
+                               const Question& question) noexcept {
   const CycleSetup& setup = measures.setup;
   const Element& a = setup.elements[index(setup.element_pairs[pair].a)];
   const Element& b = setup.elements[index(setup.element_pairs[pair].b)];
-  if (a.is_body && b.is_body) {
-    return distance;
-  }
   const Pose world_from_a = world_from_link[index(a.link)] * a.link_from_element;
   const Pose world_from_b = world_from_link[index(b.link)] * b.link_from_element;
   ElementSearch search{std::numeric_limits<std::uint32_t>::max(), measures.memory.of(pair),
@@ -81,6 +84,11 @@ PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pai
   const ElementDistance found = question.measure({a, world_from_a}, {b, world_from_b}, search);
   measures.work += found.work;
   measures.outside = std::min(measures.outside, found.outside);
+  return found;
+}
+
+/// What was found of two elements, or the distance of their bodies if that is the better bound.
+PairDistance betterOf(const ElementDistance& found, PairDistance distance) noexcept {
   const bool is_nearer = !(found.measured.distance > distance.measured.distance);
   // As in refinePairs: the depth of bodies is no bound.
   const bool is_depth = found.has_points && distance.measured.distance < 0.0;
@@ -93,6 +101,36 @@ PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pai
   }
   distance.measured.distance = found.measured.distance;
   return distance;
+}
+
+/// The distance of two elements, or that of their bodies if that is the better bound.
+PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pair,
+                                const PairDistance& bodies,
+                                const std::vector<Pose>& world_from_link,
+                                const Question& question) noexcept {
+  return areBodies(measures, pair)
+             ? bodies
+             : betterOf(searchElements(measures, pair, world_from_link, question), bodies);
+}
+
+/// The same of two links with one element each. Measures bodies only if the elements tell nothing.
+/// Else `pair` is any of theirs.
+PairDistance measureOneElement(LinkPairMeasures& measures, LinkPairIndex pair,
+                               const std::vector<Pose>& world_from_link,
+                               const Question& question) noexcept {
+  const ElementPairIndex elements = measures.first_element_pair[pair];
+  ElementDistance found;
+  if (!areBodies(measures, elements)) {
+    found = searchElements(measures, elements, world_from_link, question);
+    const bool is_told =
+        found.quality == Quality::lower_bound ? found.measured.distance > 0.0 : found.has_points;
+    if (is_told) {
+      const PairId bodies = measures.body_pairs[measures.first_body_pair[pair]];
+      return {bodies, found.quality, found.has_points, found.measured};
+    }
+  }
+  measureBodies(measures, pair, world_from_link);
+  return betterOf(found, measures.nearest_bodies[0]);
 }
 
 /// Whether elements whose bodies are `bodies` apart may be nearer than `nearest`, or prove an
@@ -150,6 +188,10 @@ std::vector<std::uint32_t> linkPairsOf(const std::vector<ElementPair>& pairs) {
 
 }  // namespace
 
+bool haveOneElement(const LinkPairMeasures& measures, LinkPairIndex pair) noexcept {
+  return measures.first_element_pair[pair + 1] - measures.first_element_pair[pair] == 1;
+}
+
 LinkPairMeasures::LinkPairMeasures(const CycleSetup& cycle_setup)
     : setup(cycle_setup),
       balls(linkBalls(cycle_setup)),
@@ -206,6 +248,9 @@ PairDistance hullDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                           const std::vector<Pose>& world_from_link, double cutoff) noexcept {
   const ElementPairIndex first = measures.first_element_pair[pair];
   const ElementPairIndex last = measures.first_element_pair[pair + 1];
+  if (haveOneElement(measures, pair)) {
+    return measureOneElement(measures, pair, world_from_link, {cutoff, measureByHulls});
+  }
   measureBodies(measures, pair, world_from_link);
   PairDistance nearest = nothingNear();
   for (ElementPairIndex elements = first; elements < last; ++elements) {
@@ -223,18 +268,28 @@ PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                              const std::vector<Pose>& world_from_link, double cutoff) noexcept {
   const ElementPairIndex first = measures.first_element_pair[pair];
   const ElementPairIndex last = measures.first_element_pair[pair + 1];
+  const auto addToLeeway = [&](ElementPairIndex elements, const PairDistance& found) {
+    const double contact = contactOfElements(measures.setup, elements);
+    const bool is_overlap = found.quality == Quality::estimate;
+    measures.leeway =
+        std::min(measures.leeway, is_overlap ? -kInfinity : found.measured.distance - contact);
+  };
+  measures.leeway = measures.outside = kInfinity;
+  if (haveOneElement(measures, pair)) {
+    const PairDistance found =
+        measureOneElement(measures, pair, world_from_link, {cutoff, measureElements});
+    addToLeeway(first, found);
+    return found;
+  }
   measureBodies(measures, pair, world_from_link);
   PairDistance nearest = nothingNear();
-  measures.leeway = measures.outside = kInfinity;
   for (ElementPairIndex elements = first; elements < last; ++elements) {
     const PairDistance& bodies = measures.nearest_bodies[elements - first];
     const double contact = contactOfElements(measures.setup, elements);
     if (mayTellMore(bodies, nearest) || bodies.measured.distance - contact < measures.leeway) {
       const PairDistance found = measureElementPair(measures, elements, bodies, world_from_link,
                                                     {cutoff, measureElements});
-      const bool is_overlap = found.quality == Quality::estimate;
-      measures.leeway =
-          std::min(measures.leeway, is_overlap ? -kInfinity : found.measured.distance - contact);
+      addToLeeway(elements, found);
       addTo(nearest, found);
     }
   }

@@ -22,6 +22,21 @@ double ballsApart(const TrajectorySearch& search, LinkPairIndex pair, const Inst
          balls[index(links.a)].radius - balls[index(links.b)].radius;
 }
 
+/// A bound at a cutoff has no points that show it: gives it those of the enclosing shapes.
+PairDistance withPoints(TrajectorySearch& search, LinkPairIndex pair, const PairDistance& distance,
+                        const Instant& at) noexcept {
+  const SignedDistance& found = distance.measured;
+  const Eigen::Vector3d shown_gap = found.point_on_b - found.point_on_a;
+  constexpr double kRounding = 1e-9;
+  if ((shown_gap - found.distance * found.normal_a_to_b).norm() <= kRounding) {
+    return distance;
+  }
+  PairDistance shown = bodyDistance(search.measures, pair, at.world_from_link);
+  shown.measured.distance = found.distance;
+  shown.quality = distance.quality;
+  return shown;
+}
+
 /// Measures the elements of a pair if they may be nearer than its nearest measurement.
 void lookForNearer(TrajectorySearch& search, LinkPairIndex pair, double bound, Instant& at) {
   const double wanted = wantedOf(search, pair);
@@ -61,7 +76,7 @@ void keepNearest(TrajectorySearch& search, LinkPairIndex pair, const PairDistanc
   Found& last = search.found[pair];
   const bool is_nearer = distance.measured.distance < approach.nearest.measured.distance;
   if (found != last ? found > last : is_nearer) {
-    approach.nearest = distance;
+    approach.nearest = withPoints(search, pair, distance, at);
     approach.nearest.is_raised = found == Found::bounds;
     approach.time = timeOf(search, at);
     last = found;

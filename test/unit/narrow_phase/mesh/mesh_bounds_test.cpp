@@ -4,9 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <vector>
 
+#include "collision_monitor/geometry/ids.h"
+#include "narrow_phase/mesh/mesh_search.h"
 #include "support/instruction_sets.h"
 #include "support/query_meshes.h"
 
@@ -30,6 +35,10 @@ MeshTreeNode nodeOfCubes() {
 PlacedBound cubeAt(const Pose& pose) {
   const Bound cube{{0, 0, 0}, {1, 1, 1}, {0, 0, 1}, 0.0F, 1.0F};
   return place(makePlacement(pose, 20.0), cube);
+}
+
+PlacedTriangle trianglePlacedBy(const Pose& pose, const Triangle& triangle) {
+  return place(makePlacement(pose, 20.0), Eigen::Vector3d::Zero(), triangle);
 }
 
 class MeshBounds : public testing::TestWithParam<std::int64_t> {
@@ -74,16 +83,39 @@ TEST_P(MeshBounds, emptySlots_areFar) {
   EXPECT_GT(bounds.squared[7], 1e35F);
 }
 
+TEST_P(MeshBounds, childInTheBoxOfASlantedTriangle_isFarFromItsEdge) {
+  const Triangle triangle{{{10, 0, 0}, {0, 10, 0}, {10, 10, 0}}};
+  NodeBounds bounds;
+  boundNearer(nodeOfCubes(), trianglePlacedBy(Pose{}, triangle), 1.0F, bounds);
+  EXPECT_NEAR(bounds.squared[0], 32.0F, 1e-2F);  // from the edge x + y = 10 to the corner (1, 1)
+  EXPECT_LT(bounds.squared[0], 32.0F);
+  EXPECT_EQ(bounds.squared[1], 0.0F);
+}
+
+TEST_P(MeshBounds, triangleBesideACorner_gapFromItsCorner) {
+  NodeBounds bounds;
+  const Triangle triangle{{{4, -3, 3}, {9, -9, 1}, {9, -7, 9}}};
+  const std::uint32_t nearer =
+      boundNearer(nodeOfCubes(), trianglePlacedBy(Pose{}, triangle), 17.5F, bounds);
+  EXPECT_EQ(nearer, 1U);
+  EXPECT_NEAR(bounds.squared[0], 17.0F, 0.5F);  // along the line of the middle and the corner
+  EXPECT_LT(bounds.squared[0], 17.0F);
+}
+
 INSTANTIATE_TEST_SUITE_P(EveryInstructionSet, MeshBounds, testing::ValuesIn(instructionSets()),
                          [](const auto& target) { return hwy::TargetName(target.param); });
 
+/// Against a box, then against a triangle.
 std::vector<NodeBounds> boundsOfAllNodes(const MeshTree& tree, std::int64_t instruction_set) {
   const OnlyInstructionSet only(instruction_set);
   Random random(20260101);
   std::vector<NodeBounds> all;
   for (const MeshTreeNode& node : tree.nodes()) {
     const Pose pose = randomPose(random, 1.0);
-    boundNearer(node, place(makePlacement(pose, 3.0), boundOf(node, 0)), 0.1F, all.emplace_back());
+    const BoundPlacement placement = makePlacement(pose, 3.0);
+    const Triangle& triangle = tree.triangles()[random() % tree.triangles().size()];
+    boundNearer(node, place(placement, boundOf(node, 0)), 0.1F, all.emplace_back());
+    boundNearer(node, place(placement, tree.center(), triangle), 0.1F, all.emplace_back());
   }
   return all;
 }
@@ -96,6 +128,60 @@ TEST(MeshBoundsOfATree, everyInstructionSet_givesTheSameBits) {
     EXPECT_EQ(std::memcmp(found.data(), best.data(), best.size() * sizeof(NodeBounds)), 0)
         << hwy::TargetName(instruction_set);
   }
+}
+
+/// [m^2] The least squared distance of a triangle and all below a child.
+double squaredDistance(const MeshTree& tree, std::uint32_t child, const Triangle& triangle) {
+  if (isTriangle(child)) {
+    return nearestPoints(tree.triangles()[triangleAt(child)], triangle).squared_distance;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t below : tree.nodes()[child].child) {
+    least = below == kNone ? least : std::min(least, squaredDistance(tree, below, triangle));
+  }
+  return least;
+}
+
+/// Counts children, and those whose bound is more than half of their distance.
+struct Tightness {
+  int children{0};
+  int tight{0};
+};
+
+void expectBelowDistances(const MeshTree& tree, const Pose& tree_from_triangle,
+                          const Triangle& triangle, Tightness& tightness) {
+  const Pose from_center{Eigen::Matrix3d::Identity(), -tree.center()};
+  const PlacedTriangle other = place(makePlacement(from_center * tree_from_triangle, 5.0),
+                                     Eigen::Vector3d::Zero(), triangle);
+  const Triangle in_tree{tree_from_triangle * triangle[0], tree_from_triangle * triangle[1],
+                         tree_from_triangle * triangle[2]};
+  for (const MeshTreeNode& node : tree.nodes()) {
+    NodeBounds bounds;
+    boundNearer(node, other, 1.0F, bounds);
+    for (std::uint32_t slot = 0; slot < MeshTreeNode::kWidth; ++slot) {
+      if (node.child[slot] != kNone) {
+        const double squared = squaredDistance(tree, node.child[slot], in_tree);
+        ASSERT_LE(static_cast<double>(bounds.squared[slot]), squared);
+        ++tightness.children;
+        tightness.tight += static_cast<double>(bounds.squared[slot]) >= 0.25 * squared ? 1 : 0;
+      }
+    }
+  }
+}
+
+TEST(MeshBoundsOfATree, triangles_areNoNearerThanTheirBounds) {
+  Random random(20260101);
+  Tightness tightness;
+  for (const MeshTree& tree :
+       {MeshTree(bumpyMesh(1.0, 12)), MeshTree(triangleSoup(0.5, 200, random))}) {
+    for (int i = 0; i < 100; ++i) {
+      const double size = std::pow(10.0, uniform(random, -3.0, 0.0));
+      const Triangle triangle{randomPoint(random, size), randomPoint(random, size),
+                              randomPoint(random, size)};
+      expectBelowDistances(tree, randomPose(random, 1.0), triangle, tightness);
+    }
+  }
+  EXPECT_GT(tightness.tight, 9 * tightness.children / 10);
 }
 
 }  // namespace
