@@ -77,6 +77,16 @@ HWY_INLINE Number gapBetween(const Shadow& a, const Shadow& b) {
   return hn::Sub(hn::Abs(hn::Sub(a.middle, b.middle)), hn::Add(a.half, b.half));
 }
 
+// Keeps the bounds of some children. @return a bit for each that is below the limit.
+HWY_INLINE std::uint32_t keepBounds(Number squared, Number order, float limit, std::size_t first,
+                                    NodeBounds& bounds) {
+  hn::Store(squared, Some(), bounds.squared + first);
+  hn::Store(order, Some(), bounds.order + first);
+  std::uint8_t bits[8] = {};  // Highway may write eight bytes
+  hn::StoreMaskBits(Some(), hn::Lt(squared, number(limit)), bits);
+  return static_cast<std::uint32_t>(bits[0]) << first;
+}
+
 // NOLINTNEXTLINE(google-readability-namespace-comments)
 }  // namespace HWY_NAMESPACE
 }  // namespace collision_monitor

@@ -69,11 +69,7 @@ std::uint32_t boundNode(const MeshTreeNode& node, const PlacedBound& bound, floa
     const Number widest = hn::Max(hn::Max(along_children, along_other), along_centers);
     const Number gap = hn::Max(hn::Sub(widest, other.slack), hn::Zero(Some()));
     const Number squared = hn::Max(squaredGapOfBoxes(children, other), hn::Mul(gap, gap));
-    hn::Store(squared, Some(), bounds.squared + first);
-    hn::Store(along_centers, Some(), bounds.order + first);
-    std::uint8_t bits[8] = {};  // Highway may write eight bytes
-    hn::StoreMaskBits(Some(), hn::Lt(squared, number(limit)), bits);
-    nearer |= static_cast<std::uint32_t>(bits[0]) << first;
+    nearer |= keepBounds(squared, along_centers, limit, first, bounds);
   }
   return nearer;
 }

@@ -67,7 +67,7 @@ std::uint32_t boundNearer(const MeshTreeNode& node, const PlacedBound& other, fl
 
 /// A triangle in the frame of the node that it is compared with.
 struct PlacedTriangle {
-  Eigen::Vector3f corners[3];
+  std::array<Eigen::Vector3f, 3> corners;
   float slack;  ///< [m] as BoundPlacement::slack
 };
 

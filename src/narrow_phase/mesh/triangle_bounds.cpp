@@ -4,8 +4,6 @@
 #define HWY_TARGET_INCLUDE "narrow_phase/mesh/triangle_bounds.cpp"
 #include "hwy/foreach_target.h"
 // The order matters: Highway first includes this file once for each target.
-#include <algorithm>
-
 #include "narrow_phase/mesh/mesh_bounds-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -117,11 +115,7 @@ std::uint32_t boundNodeAtTriangle(const MeshTreeNode& node, const PlacedTriangle
     const Number widest = hn::Max(along_nearest, along_children);
     const Number gap = hn::Max(hn::Sub(widest, slack), hn::Zero(Some()));
     const Number squared = hn::Max(squaredGapOfBoxes(children, corners, slack), hn::Mul(gap, gap));
-    hn::Store(squared, Some(), bounds.squared + first);
-    hn::Store(along_nearest, Some(), bounds.order + first);
-    std::uint8_t bits[8] = {};  // Highway may write eight bytes
-    hn::StoreMaskBits(Some(), hn::Lt(squared, number(limit)), bits);
-    nearer |= static_cast<std::uint32_t>(bits[0]) << first;
+    nearer |= keepBounds(squared, along_nearest, limit, first, bounds);
   }
   return nearer;
 }

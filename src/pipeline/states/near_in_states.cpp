@@ -6,6 +6,7 @@
 #include "hwy/foreach_target.h"
 // The order matters: Highway first includes this file once for each target.
 #include "pipeline/states/state_bodies-inl.h"
+#include "pipeline/states/state_elements.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
@@ -15,6 +16,7 @@ namespace HWY_NAMESPACE {
 struct NearSearch {
   StateLanes states;
   Number asked;
+  bool asks_any;
   StatesWork& work;
 
   void place(std::uint32_t body) {
@@ -25,8 +27,9 @@ struct NearSearch {
     }
   }
 
+  /// @return in which states the bodies are near
   template <class CoreA, class CoreB>
-  void measure(std::uint32_t id, Truth counts) {
+  Truth measure(std::uint32_t id, Truth counts) {
     const StatePair& pair = states.work.pairs[id];
     place(pair.a);
     place(pair.b);
@@ -40,23 +43,25 @@ struct NearSearch {
       const Number far = number(std::numeric_limits<double>::infinity());
       hn::StoreU(hn::IfThenElse(counts, distance, far), Lanes(), found.distance.data());
     }
+    return counts;
   }
 
-  void visit(std::uint32_t id, Truth counts) {
+  Truth visit(std::uint32_t id, Truth counts) {
     const StatePair& pair = states.work.pairs[id];
     const CoreKind a = states.setup.cores[pair.a].kind;
     const CoreKind b = states.setup.cores[pair.b].kind;
     if (a == CoreKind::box) {
-      measure<BoxCore, BoxCore>(id, counts);
-    } else if (a == CoreKind::segment) {
-      b == CoreKind::box ? measure<SegmentCore, BoxCore>(id, counts)
-                         : measure<SegmentCore, SegmentCore>(id, counts);
-    } else if (b == CoreKind::box) {
-      measure<PointCore, BoxCore>(id, counts);
-    } else {
-      b == CoreKind::segment ? measure<PointCore, SegmentCore>(id, counts)
-                             : measure<PointCore, PointCore>(id, counts);
+      return measure<BoxCore, BoxCore>(id, counts);
     }
+    if (a == CoreKind::segment) {
+      return b == CoreKind::box ? measure<SegmentCore, BoxCore>(id, counts)
+                                : measure<SegmentCore, SegmentCore>(id, counts);
+    }
+    if (b == CoreKind::box) {
+      return measure<PointCore, BoxCore>(id, counts);
+    }
+    return b == CoreKind::segment ? measure<PointCore, SegmentCore>(id, counts)
+                                  : measure<PointCore, PointCore>(id, counts);
   }
 
   /// Whether the balls of two elements allow them to be within the activation distance.
@@ -81,7 +86,8 @@ struct NearSearch {
     return isNearBox(load(refinement.centers[pair.ball].of, states.lane), box, reach);
   }
 
-  void visit(const StateElementPair& pair) {
+  void visit(ElementPairIndex elements) {
+    const StateElementPair& pair = work.refinement.element_pairs[elements];
     Truth counts = ballsMeet(pair);
     if (hn::AllFalse(Lanes(), counts)) {
       return;
@@ -93,8 +99,10 @@ struct NearSearch {
       }
     }
     const std::vector<std::uint32_t>& bodies = states.work.refinement.body_pairs;
-    for (std::uint32_t i = pair.first; i < pair.last; ++i) {
-      visit(bodies[i], counts);
+    const bool is_one_enough = asks_any && isExact(states.setup, elements);
+    for (std::uint32_t i = pair.first; i < pair.last && !hn::AllFalse(Lanes(), counts); ++i) {
+      const Truth is_near = visit(bodies[i], counts);
+      counts = is_one_enough ? hn::AndNot(is_near, counts) : counts;
     }
   }
 };
@@ -103,11 +111,12 @@ std::size_t listNearInLanes(const CycleSetup& setup, const NearQuery& query, std
                             StatesWork& work) {
   StatesRefinement& refinement = work.refinement;
   refinement.near.clear();
-  NearSearch search{{setup, work, lane}, hn::LoadU(Lanes(), query.asked.of + lane), work};
+  NearSearch search{
+      {setup, work, lane}, hn::LoadU(Lanes(), query.asked.of + lane), query.asks_any, work};
   for (std::size_t i = query.first; i < query.last; ++i) {
     const StateElementPair& pair = refinement.element_pairs[refinement.order[i]];
     if (pair.are_convex || !query.is_convex_only) {
-      search.visit(pair);
+      search.visit(refinement.order[i]);
     }
   }
   return hn::Lanes(Lanes());

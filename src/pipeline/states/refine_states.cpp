@@ -96,8 +96,8 @@ void refineContacts(const CycleSetup& setup, const OpenStates& open, StatesWork&
   const std::size_t all = work.refinement.order.size();
   const std::size_t few = std::min<std::size_t>(6, all);
   for (std::size_t lane = 0; lane < kStateCount;) {
-    findContacts(setup, {asked, 0, few}, lane, asked, work, checks);
-    lane += findContacts(setup, {asked, few, all}, lane, asked, work, checks);
+    findContacts(setup, {asked, 0, few, false, true}, lane, asked, work, checks);
+    lane += findContacts(setup, {asked, few, all, false, true}, lane, asked, work, checks);
   }
 }
 

@@ -107,12 +107,8 @@ bool comesFirst(const ElementsInState& one, const ElementsInState& other) noexce
 
 /// Gives overlapping geometries no depth.
 StateCheck contactCheck(const StateSearch& state, const ElementsInState& pair) noexcept {
-  const ElementPair& elements = state.setup.element_pairs[pair.elements];
-  const Element& a = state.setup.elements[index(elements.a)];
-  const Element& b = state.setup.elements[index(elements.b)];
-  const double reach = contactOfElements(state.setup, pair.elements) + a.padding + b.padding;
   StateCheck check;
-  if (!areBodies(state.setup, pair.elements) && a.is_exact && b.is_exact && reach == 0.0) {
+  if (isExact(state.setup, pair.elements)) {
     check.has_pair = true;
     check.pair = idAt<PairId>(pair.bodies);
     check.quality = Quality::estimate;
@@ -167,6 +163,14 @@ void raiseBounds(const StateSearch& state, const StateCheck& best) noexcept {
 bool areBodies(const CycleSetup& setup, ElementPairIndex pair) noexcept {
   const ElementPair& elements = setup.element_pairs[pair];
   return setup.elements[index(elements.a)].is_body && setup.elements[index(elements.b)].is_body;
+}
+
+bool isExact(const CycleSetup& setup, ElementPairIndex pair) noexcept {
+  const ElementPair& elements = setup.element_pairs[pair];
+  const Element& a = setup.elements[index(elements.a)];
+  const Element& b = setup.elements[index(elements.b)];
+  const double reach = contactOfElements(setup, pair) + a.padding + b.padding;
+  return !areBodies(setup, pair) && a.is_exact && b.is_exact && reach == 0.0;
 }
 
 bool listElements(const StateSearch& state, std::size_t place) noexcept {

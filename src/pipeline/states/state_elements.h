@@ -19,6 +19,9 @@ struct StateSearch {
 /// Whether two elements are themselves bodies: nothing to refine.
 bool areBodies(const CycleSetup& setup, ElementPairIndex pair) noexcept;
 
+/// Whether two geometries that touch are elements in contact, whatever their bodies say.
+bool isExact(const CycleSetup& setup, ElementPairIndex pair) noexcept;
+
 /// Lists the pairs of elements of StatesRefinement::near, each with its nearest bodies.
 /// @param place of the state in its vector
 /// @return false if a pose is not finite.

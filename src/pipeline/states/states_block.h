@@ -59,6 +59,8 @@ struct NearQuery {
   std::size_t first;         ///< [first, last) of StatesRefinement::order
   std::size_t last;
   bool is_convex_only{false};  ///< only pairs of two convex elements
+  /// One near pair of bodies, not the nearest, is enough for two elements where isExact.
+  bool asks_any{false};
 };
 
 /// Places the balls of elements in the states of a new block.

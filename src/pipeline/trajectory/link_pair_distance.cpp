@@ -81,7 +81,7 @@ ElementDistance searchElements(LinkPairMeasures& measures, ElementPairIndex pair
   const Pose world_from_b = world_from_link[index(b.link)] * b.link_from_element;
   ElementSearch search{std::numeric_limits<std::uint32_t>::max(), measures.memory.of(pair),
                        *measures.scratch, question.cutoff};
-  const ElementDistance found = question.measure({a, world_from_a}, {b, world_from_b}, search);
+  ElementDistance found = question.measure({a, world_from_a}, {b, world_from_b}, search);
   measures.work += found.work;
   measures.outside = std::min(measures.outside, found.outside);
   return found;
@@ -276,7 +276,7 @@ PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
   };
   measures.leeway = measures.outside = kInfinity;
   if (haveOneElement(measures, pair)) {
-    const PairDistance found =
+    PairDistance found =
         measureOneElement(measures, pair, world_from_link, {cutoff, measureElements});
     addToLeeway(first, found);
     return found;
