@@ -83,7 +83,8 @@ install_missing() {
   install_packages "${packages[@]}"
 }
 
-# build_package [CMAKE OPTION...]: configures and builds all or BUILD_TARGET; repeats nothing.
+# build_package [CMAKE OPTION...]: configures and builds all or the targets in BUILD_TARGET; repeats
+# nothing.
 build_package() {
   say "building in $build_dir"
   local log="$build_dir/build.log"
@@ -91,7 +92,8 @@ build_package() {
   cmake -S "$package_dir" -B "$build_dir" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DPYTHON_EXECUTABLE=/usr/bin/python3 "$@" >"$log" 2>&1 ||
     { tail -n 40 "$log" >&2; fail "configuring failed; all of it is in $log"; }
-  cmake --build "$build_dir" ${BUILD_TARGET:+--target "$BUILD_TARGET"} || fail "the build failed"
+  # shellcheck disable=SC2086
+  cmake --build "$build_dir" ${BUILD_TARGET:+--target $BUILD_TARGET} || fail "the build failed"
 }
 
 # source_workspace: lets rosrun, roslaunch and rostest find the built package.
