@@ -122,11 +122,28 @@ Holding lookInside(MeshQueryMemory& memory, Sweep& sweep) noexcept {
   return held;
 }
 
+/// The normal of one of two triangles that touch: the one that parts them best, from A to B.
+Eigen::Vector3d normalOfTouch(const Triangle& a, const Triangle& b) noexcept {
+  Eigen::Vector3d best = Eigen::Vector3d::UnitX();
+  double widest = -std::numeric_limits<double>::infinity();
+  for (const Triangle* triangle : {&a, &b}) {
+    const Eigen::Vector3d normal = anyNormalOf(prepare(*triangle));
+    for (const Eigen::Vector3d& n : {normal, Eigen::Vector3d(-normal)}) {
+      const double gap = std::min({n.dot(b[0]), n.dot(b[1]), n.dot(b[2])}) -
+                         std::max({n.dot(a[0]), n.dot(a[1]), n.dot(a[2])});
+      best = gap > widest ? n : best;
+      widest = std::max(widest, gap);
+    }
+  }
+  return best;
+}
+
 SignedDistance contactOf(const Sweep& sweep, const Pose& world_from_a) noexcept {
   const double distance = std::sqrt(sweep.contact.squared_distance);
   const Eigen::Vector3d normal =
       distance > kTouching ? Eigen::Vector3d((sweep.contact.on_b - sweep.contact.on_a) / distance)
-                           : anyNormalOf(prepare(sweep.pair.a.triangles()[sweep.nearest.a]));
+                           : normalOfTouch(sweep.pair.a.triangles()[sweep.nearest.a],
+                                           triangleOfB(sweep.pair, sweep.nearest.b));
   return placed(world_from_a, {distance, sweep.contact.on_a, sweep.contact.on_b, normal});
 }
 
