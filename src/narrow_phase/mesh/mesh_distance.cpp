@@ -14,14 +14,15 @@ namespace {
 
 void measureTriangles(const MeshPair& pair, const TrianglePair& triangles,
                       const MeshQueryMemory::NodePair& bounds, NearestSearch& search) noexcept {
-  const Triangle& a = pair.a.triangles()[triangles.a];
-  const Triangle b = triangleOfB(pair, triangles.b);
   offer(
       triangles, bounds, search,
       [&](const PointPair& start, double squared_cutoff) {
-        return boundedDistance(a, b, start, squared_cutoff);
+        return boundedDistance(pair.a.triangles()[triangles.a], triangleOfB(pair, triangles.b),
+                               start, squared_cutoff);
       },
-      [&](const Eigen::Vector3d& direction) { return squaredGapAlong(direction, a, b); });
+      [&](const Eigen::Vector3d& direction) {
+        return squaredGapAlong(direction, pair, triangles);
+      });
 }
 
 void searchPairs(const MeshPair& pair, std::uint32_t visit_budget, NodePairQueue& pairs,
@@ -124,9 +125,7 @@ struct MeshQuery {
                           : Eigen::Matrix3d(-pair.a_from_b.rotation);
   }
   double squaredGapAlong(const Eigen::Vector3d& direction, Slot a, Slot b) const noexcept {
-    const TrianglePair triangles = trianglesAt(a, b);
-    return collision_monitor::squaredGapAlong(direction, pair.a.triangles()[triangles.a],
-                                              triangleOfB(pair, triangles.b));
+    return collision_monitor::squaredGapAlong(direction, pair, trianglesAt(a, b));
   }
 };
 

@@ -33,6 +33,17 @@ Triangle triangleOfB(const MeshPair& pair, std::uint32_t triangle) noexcept {
   return {pair.a_from_b * in_b[0], pair.a_from_b * in_b[1], pair.a_from_b * in_b[2]};
 }
 
+double squaredGapAlong(const Eigen::Vector3d& direction, const MeshPair& pair,
+                       const TrianglePair& triangles) noexcept {
+  const Triangle& a = pair.a.triangles()[triangles.a];
+  const Triangle& b = pair.b.triangles()[triangles.b];
+  const Eigen::Vector3d in_b = pair.a_from_b.rotation.transpose() * direction;
+  const double end_of_a = std::max({direction.dot(a[0]), direction.dot(a[1]), direction.dot(a[2])});
+  const double start_of_b = std::min({in_b.dot(b[0]), in_b.dot(b[1]), in_b.dot(b[2])});
+  const double gap = direction.dot(pair.a_from_b.translation) + start_of_b - end_of_a;
+  return gap > 0.0 ? gap * gap / direction.squaredNorm() : 0.0;
+}
+
 double NodePairQueue::leastBound(double start) const noexcept {
   for (std::size_t i = 0; i < size_; ++i) {
     start = std::min(start, static_cast<double>(memory_.node_pairs[i].squared_bound));

@@ -51,6 +51,11 @@ MeshPair makeMeshPair(const PlacedMesh& a, const PlacedMesh& b) noexcept;
 /// A triangle of B in the frame of A.
 Triangle triangleOfB(const MeshPair& pair, std::uint32_t triangle) noexcept;
 
+/// [m^2] The squared gap of two triangles along a direction of any length from A to B, in the frame
+/// of A; 0 if it does not separate them.
+double squaredGapAlong(const Eigen::Vector3d& direction, const MeshPair& pair,
+                       const TrianglePair& triangles) noexcept;
+
 /// A node pair of which one side is opened: its children beside the other side.
 struct OpenedPair {
   const MeshTreeNode* node;  ///< has the children

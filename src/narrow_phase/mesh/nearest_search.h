@@ -25,6 +25,7 @@ struct NearestSearch {
   MovingBounds moving;        ///< of the front
   /// The node pair of `nearest`.
   MeshQueryMemory::NodePair bounds{0.0F, kNone, kNone};
+  std::uint32_t towards{0};  ///< with a front: from A to B where they are nearest, as `packed`
 
   /// False if the budget ended the search before it was certain.
   bool isComplete() const noexcept { return squaredGoal() <= squared_open; }
@@ -60,12 +61,21 @@ struct NearestSearch {
   }
 };
 
-/// Measures two triangles by `measure(start, squared_cutoff)`. Keeps their points if nearer.
+/// Measures two triangles by `measure(start, squared_cutoff)`. Keeps their points if nearer. With a
+/// front, the direction of the nearest points so far is tried before.
 /// @param bounds the node pair of the triangles, if the search has a front.
 /// @param gapAlong [m^2] how far a direction separates the triangles, as squaredGapAlong.
 template <class Measure, class GapAlong>
 void offer(const TrianglePair& triangles, const MeshQueryMemory::NodePair& bounds,
            NearestSearch& search, const Measure& measure, const GapAlong& gapAlong) noexcept {
+  const bool is_nearest = bounds.a == search.bounds.a && bounds.b == search.bounds.b;
+  if (search.towards != 0 && !is_nearest) {
+    const double along = gapAlong(directionOf(search.towards));
+    if (along >= search.squaredGoal()) {
+      search.leave(bounds, along, search.towards);
+      return;
+    }
+  }
   PointPair start = search.best;
   start.squared_distance = search.squaredReach();
   const TriangleDistance found = measure(start, search.squaredGoal());
@@ -75,7 +85,8 @@ void offer(const TrianglePair& triangles, const MeshQueryMemory::NodePair& bound
     search.best = found.nearest;
     search.nearest = triangles;
     search.bounds = bounds;
-  } else if (bounds.a != search.bounds.a || bounds.b != search.bounds.b) {
+    search.towards = search.front == nullptr ? 0 : packed(found.nearest.on_b - found.nearest.on_a);
+  } else if (!is_nearest) {
     const std::uint32_t direction = search.front == nullptr ? 0 : packed(found.direction);
     const double along = direction == 0 ? 0.0 : gapAlong(directionOf(direction));
     const bool suffices = along >= search.squaredGoal();

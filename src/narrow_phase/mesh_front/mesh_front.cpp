@@ -181,9 +181,11 @@ bool ensureRoom(MeshFront& front) noexcept {
 }
 
 std::uint32_t packed(const Eigen::Vector3d& direction) noexcept {
-  const double length = direction.stableNorm();
-  return length > 0.0 && std::isfinite(length) ? numbersOf(direction / length * (kPackedMiddle - 1))
-                                               : 0;
+  constexpr double kShortest = 1e-100;  // squares of shorter ones lose digits
+  const double length = direction.norm();
+  return length > kShortest && std::isfinite(length)
+             ? numbersOf((kPackedMiddle - 1) / length * direction)
+             : 0;
 }
 
 Eigen::Vector3d directionOf(std::uint32_t packed) noexcept {

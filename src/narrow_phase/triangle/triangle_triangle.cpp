@@ -116,6 +116,15 @@ PlaneGap planeGapOf(const PreparedTriangle& a, const PreparedTriangle& b) noexce
                           : PlaneGap{over_b, of_a[0] > 0.0 ? Vector3d(-b.normal) : b.normal};
 }
 
+// [m^2] The squared gap along a direction of any length; 0 if it does not separate the triangles.
+double squaredGapAlong(const Vector3d& direction, const Triangle& a, const Triangle& b) noexcept {
+  const double end_of_a = std::max({direction.dot(a[0]), direction.dot(a[1]), direction.dot(a[2])});
+  const double start_of_b =
+      std::min({direction.dot(b[0]), direction.dot(b[1]), direction.dot(b[2])});
+  const double gap = start_of_b - end_of_a;
+  return gap > 0.0 ? gap * gap / direction.squaredNorm() : 0.0;
+}
+
 PointPair exchanged(const PointPair& pair) noexcept {
   return {pair.squared_distance, pair.on_b, pair.on_a};
 }
@@ -158,14 +167,6 @@ bool overlap(const Triangle& a, const Triangle& b) noexcept {
   const Interval of_a = stretchOf(a, heights_of_a, axis);
   const Interval of_b = stretchOf(b, heights_of_b, axis);
   return of_a.low <= of_b.high + rounding && of_b.low <= of_a.high + rounding;
-}
-
-double squaredGapAlong(const Vector3d& direction, const Triangle& a, const Triangle& b) noexcept {
-  const double end_of_a = std::max({direction.dot(a[0]), direction.dot(a[1]), direction.dot(a[2])});
-  const double start_of_b =
-      std::min({direction.dot(b[0]), direction.dot(b[1]), direction.dot(b[2])});
-  const double gap = start_of_b - end_of_a;
-  return gap > 0.0 ? gap * gap / direction.squaredNorm() : 0.0;
 }
 
 TriangleDistance boundedDistance(const Triangle& a, const Triangle& b, const PointPair& start,

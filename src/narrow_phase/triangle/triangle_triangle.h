@@ -56,9 +56,4 @@ struct TriangleDistance {
 TriangleDistance boundedDistance(const Triangle& a, const Triangle& b, const PointPair& start,
                                  double squared_cutoff) noexcept;
 
-/// [m^2] The squared gap of the triangles along a direction of any length from A to B; 0 if it does
-/// not separate them.
-double squaredGapAlong(const Eigen::Vector3d& direction, const Triangle& a,
-                       const Triangle& b) noexcept;
-
 }  // namespace collision_monitor
