@@ -177,7 +177,7 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
     reportContainment(pair, a.world_from_mesh, limits, memory, answer);
   }
   front.apart = answer.state == MeshState::overlapping ? 0.0 : answer.measured.distance;
-  front.outside = answer.outside;
+  front.outside = limits.asks_outside ? answer.outside : 0.0;
   return answer;
 }
 

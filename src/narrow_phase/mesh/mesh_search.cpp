@@ -26,6 +26,7 @@ void chooseSide(const MeshPair& pair, Slot a, Slot b, OpenedPair& opened) noexce
   opened.first = node << kSlotBits;
   opened.other = opened.is_of_a ? b : a;
   opened.node = &opened_tree.nodes()[node];
+  opened.triangle.reset();
   if (isTriangle(other)) {
     opened.triangle = place(opened.is_of_a ? pair.bounds_to_a : pair.bounds_to_b,
                             other_tree.center(), other_tree.triangles()[triangleAt(other)]);

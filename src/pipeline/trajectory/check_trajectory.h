@@ -20,7 +20,7 @@ struct PairApproach {
   ApproachState state{ApproachState::unknown};
   double time{0.0};  ///< [s] of `nearest`; undecided: until when it is clear
   /// The nearest measurement; in contact, the first contact. Its points are those at `time`. If
-  /// only contacts are searched for, it may be a raised bound without points.
+  /// only contacts are searched for, it may be a raised bound; its points are those of bodies.
   PairDistance nearest;
   double at_least{0.0};  ///< [m] proven lower bound of the distance, until the contact if any
 };

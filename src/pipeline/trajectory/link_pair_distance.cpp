@@ -113,8 +113,8 @@ PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pai
              : betterOf(searchElements(measures, pair, world_from_link, question), bodies);
 }
 
-/// The same of two links with one element each. Measures bodies only if the elements tell nothing.
-/// Else `pair` is any of theirs.
+/// The same of two links for which asksElementsFirst. Measures bodies only if the elements tell
+/// nothing. Else `pair` is any of theirs.
 PairDistance measureOneElement(LinkPairMeasures& measures, LinkPairIndex pair,
                                const std::vector<Pose>& world_from_link,
                                const Question& question) noexcept {
@@ -188,8 +188,14 @@ std::vector<std::uint32_t> linkPairsOf(const std::vector<ElementPair>& pairs) {
 
 }  // namespace
 
-bool haveOneElement(const LinkPairMeasures& measures, LinkPairIndex pair) noexcept {
-  return measures.first_element_pair[pair + 1] - measures.first_element_pair[pair] == 1;
+bool asksElementsFirst(const LinkPairMeasures& measures, LinkPairIndex pair) noexcept {
+  const std::vector<Element>& elements = measures.setup.elements;
+  const ElementPairIndex first = measures.first_element_pair[pair];
+  if (measures.first_element_pair[pair + 1] - first != 1) {
+    return false;
+  }
+  const ElementPair& only = measures.setup.element_pairs[first];
+  return elements[index(only.a)].is_exact && elements[index(only.b)].is_exact;
 }
 
 LinkPairMeasures::LinkPairMeasures(const CycleSetup& cycle_setup)
@@ -248,7 +254,7 @@ PairDistance hullDistance(LinkPairMeasures& measures, LinkPairIndex pair,
                           const std::vector<Pose>& world_from_link, double cutoff) noexcept {
   const ElementPairIndex first = measures.first_element_pair[pair];
   const ElementPairIndex last = measures.first_element_pair[pair + 1];
-  if (haveOneElement(measures, pair)) {
+  if (asksElementsFirst(measures, pair)) {
     return measureOneElement(measures, pair, world_from_link, {cutoff, measureByHulls});
   }
   measureBodies(measures, pair, world_from_link);
@@ -275,7 +281,7 @@ PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
         std::min(measures.leeway, is_overlap ? -kInfinity : found.measured.distance - contact);
   };
   measures.leeway = measures.outside = kInfinity;
-  if (haveOneElement(measures, pair)) {
+  if (asksElementsFirst(measures, pair)) {
     PairDistance found =
         measureOneElement(measures, pair, world_from_link, {cutoff, measureElements});
     addToLeeway(first, found);

@@ -34,9 +34,10 @@ struct LinkPairMeasures {
   std::uint64_t work{0};  ///< as in RefineLimits::budget; a pair of bodies counts one
 };
 
-/// Whether each link has one element. Their bodies, of which there may be many, take several times
-/// as long as hulls that are apart, and tell no more.
-bool haveOneElement(const LinkPairMeasures& measures, LinkPairIndex pair) noexcept;
+/// Whether elements are measured before bodies: each link has one, which is its geometry. Bodies,
+/// of which there may be many, take several times as long as hulls that are apart, and tell no
+/// more.
+bool asksElementsFirst(const LinkPairMeasures& measures, LinkPairIndex pair) noexcept;
 
 /// The distance of the enclosing shapes.
 PairDistance bodyDistance(LinkPairMeasures& measures, LinkPairIndex pair,

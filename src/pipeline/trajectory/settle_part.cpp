@@ -103,7 +103,7 @@ bool raiseOne(TrajectorySearch& search, LinkPairIndex pair, double travel, Insta
       // If bodies did not settle the other end, they mostly do not settle this one.
       const Level other = (at == &begin ? end : begin).samples[pair].level;
       const bool skips_bodies = other > Level::bodies || (search.measures.has_meshes[pair] != 0 &&
-                                                          haveOneElement(search.measures, pair));
+                                                          asksElementsFirst(search.measures, pair));
       skips_bodies ? raiseFromBodies(search, pair, travel, *at) : raiseToBodies(search, pair, *at);
       return true;
     }

@@ -162,5 +162,17 @@ TEST(HullDistance, hullsThatAreNearer_areABound) {
             found.measured.distance + 0.05);
 }
 
+TEST(ElementDistance, bodiesThatAreTighterThanAHull_areTheBound) {
+  SetupOptions options = optionsFor(RefineGeometry::hull);
+  options.default_limits.max_shapes = 4;
+  RefineScene scene({angleMesh(), Sphere{0.02}}, options);
+  scene.poses.world_from_link[1].translation = Eigen::Vector3d(0.25, 0.25, 0.0);
+  LinkPairMeasures measures(scene.setup);
+  const double of_bodies = bodyDistance(measures, 0, scene.poses.world_from_link).measured.distance;
+  const double of_hulls = 0.1 * std::sqrt(0.5) - 0.02;
+  ASSERT_GT(of_bodies, of_hulls + 0.01);
+  EXPECT_EQ(elementDistance(measures, 0, scene.poses.world_from_link).measured.distance, of_bodies);
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
