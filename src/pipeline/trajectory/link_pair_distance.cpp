@@ -64,10 +64,8 @@ struct Question {
                              ElementSearch& search) noexcept;
 };
 
-bool areBodies(const LinkPairMeasures& measures, ElementPairIndex pair) noexcept {
-  const CycleSetup& setup = measures.setup;
-  return setup.elements[index(setup.element_pairs[pair].a)].is_body &&
-         setup.elements[index(setup.element_pairs[pair].b)].is_body;
+bool areBodies(const CycleSetup& setup, const ElementPair& pair) noexcept {
+  return setup.elements[index(pair.a)].is_body && setup.elements[index(pair.b)].is_body;
 }
 
 /// @pre the elements are not their bodies.
@@ -108,7 +106,7 @@ PairDistance measureElementPair(LinkPairMeasures& measures, ElementPairIndex pai
                                 const PairDistance& bodies,
                                 const std::vector<Pose>& world_from_link,
                                 const Question& question) noexcept {
-  return areBodies(measures, pair)
+  return areBodies(measures.setup, measures.setup.element_pairs[pair])
              ? bodies
              : betterOf(searchElements(measures, pair, world_from_link, question), bodies);
 }
@@ -120,7 +118,7 @@ PairDistance measureOneElement(LinkPairMeasures& measures, LinkPairIndex pair,
                                const Question& question) noexcept {
   const ElementPairIndex elements = measures.first_element_pair[pair];
   ElementDistance found;
-  if (!areBodies(measures, elements)) {
+  if (!areBodies(measures.setup, measures.setup.element_pairs[elements])) {
     found = searchElements(measures, elements, world_from_link, question);
     const bool is_told =
         found.quality == Quality::lower_bound ? found.measured.distance > 0.0 : found.has_points;
@@ -170,9 +168,7 @@ std::vector<RefineKind> kindsOf(const CycleSetup& setup) {
   std::vector<RefineKind> kinds;
   kinds.reserve(setup.element_pairs.size());
   for (const ElementPair& pair : setup.element_pairs) {
-    const bool are_bodies =
-        setup.elements[index(pair.a)].is_body && setup.elements[index(pair.b)].is_body;
-    kinds.push_back(are_bodies ? RefineKind::never : RefineKind::plain);
+    kinds.push_back(areBodies(setup, pair) ? RefineKind::never : RefineKind::plain);
   }
   return kinds;
 }
@@ -275,10 +271,9 @@ PairDistance elementDistance(LinkPairMeasures& measures, LinkPairIndex pair,
   const ElementPairIndex first = measures.first_element_pair[pair];
   const ElementPairIndex last = measures.first_element_pair[pair + 1];
   const auto addToLeeway = [&](ElementPairIndex elements, const PairDistance& found) {
-    const double contact = contactOfElements(measures.setup, elements);
-    const bool is_overlap = found.quality == Quality::estimate;
+    const double apart = found.quality == Quality::estimate ? -kInfinity : found.measured.distance;
     measures.leeway =
-        std::min(measures.leeway, is_overlap ? -kInfinity : found.measured.distance - contact);
+        std::min(measures.leeway, apart - contactOfElements(measures.setup, elements));
   };
   measures.leeway = measures.outside = kInfinity;
   if (asksElementsFirst(measures, pair)) {
