@@ -18,12 +18,10 @@ struct CollectNear {
   double within;
   std::vector<NearestPair>& near;
 
+  HWY_INLINE double reach() const { return within; }
+
   template <class CoreOne, class CoreRow>
-  HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
-    std::uint32_t which = bitsOf(mayBeNearer(rows, part, within)) & part.is_pair;
-    if (which == 0) {
-      return true;
-    }
+  HWY_NOINLINE bool visit(const BodyRows& rows, BlockPart part, std::uint32_t which) const {
     const Number distance = measurePart<CoreOne, CoreRow>(rows, part, within, which);
     which &= bitsOf(hn::Le(distance, number(within)));
     forLanes(part, which, distance, [&](std::uint32_t pair, std::size_t, double value) HWY_ATTR {
@@ -38,12 +36,10 @@ struct FindNearest {
   const PassedPairs& passed;
   NearestPair& best;
 
+  HWY_INLINE double reach() const { return best.distance; }
+
   template <class CoreOne, class CoreRow>
-  HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
-    std::uint32_t which = bitsOf(mayBeNearer(rows, part, best.distance)) & part.is_pair;
-    if (which == 0) {
-      return true;
-    }
+  HWY_NOINLINE bool visit(const BodyRows& rows, BlockPart part, std::uint32_t which) const {
     const Number distance = measurePart<CoreOne, CoreRow>(rows, part, best.distance, which);
     which &= bitsOf(hn::Lt(distance, number(best.distance)));
     forLanes(part, which, distance, [&](std::uint32_t pair, std::size_t, double value) HWY_ATTR {
@@ -60,12 +56,10 @@ struct FindContact {
   const ContactDistances& limits;
   FoundContact& found;
 
+  HWY_INLINE double reach() const { return limits.largest; }
+
   template <class CoreOne, class CoreRow>
-  HWY_INLINE bool visit(const BodyRows& rows, const BlockPart& part) const {
-    std::uint32_t which = bitsOf(mayBeNearer(rows, part, limits.largest)) & part.is_pair;
-    if (which == 0) {
-      return true;
-    }
+  HWY_NOINLINE bool visit(const BodyRows& rows, BlockPart part, std::uint32_t which) const {
     const Number distance = measureInKernel<CoreOne, CoreRow>(rows, part, limits.largest, which);
     which &= bitsOf(hn::Not(hn::Gt(distance, number(limits.largest))));
     if (which == 0) {
@@ -90,14 +84,17 @@ struct FindContact {
   }
 };
 
-/// False if a visitor ended the search.
+/// Visits the pairs whose bounding spheres are within reach. Visits are no part of this loop: most
+/// parts have no such pair, and for them the loop stays short.
+/// @return false if the visitor ended the search.
 template <class CoreOne, class CoreRow, class Visitor>
 bool visitRange(const PairBlocks& blocks, const BlockRange& range, const BodyRows& rows,
                 const Visitor& visitor) {
   for (std::size_t i = range.first; i < range.last; ++i) {
     const PairBlock& block = blocks.blocks[i];
     const bool goes_on = forParts(block, [&](std::size_t, const BlockPart& part) HWY_ATTR {
-      return visitor.template visit<CoreOne, CoreRow>(rows, part);
+      const std::uint32_t near = bitsOf(mayBeNearer(rows, part, visitor.reach())) & part.is_pair;
+      return near == 0 || visitor.template visit<CoreOne, CoreRow>(rows, part, near);
     });
     if (!goes_on) {
       return false;

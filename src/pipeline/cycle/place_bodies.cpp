@@ -3,7 +3,6 @@
 #include "pipeline/cycle/place_bodies.h"
 
 #include <algorithm>
-#include <array>
 
 #include "collision_monitor/geometry/bounds.h"
 #include "pipeline/blocks/contact_of_pairs.h"
@@ -12,30 +11,24 @@
 namespace collision_monitor {
 namespace {
 
-/// rotation * v
-std::array<double, 3> turned(const Eigen::Matrix3d& rotation, const double* v) noexcept {
-  const double* r = rotation.data();
-  return {r[0] * v[0] + r[3] * v[1] + r[6] * v[2], r[1] * v[0] + r[4] * v[1] + r[7] * v[2],
-          r[2] * v[0] + r[5] * v[1] + r[8] * v[2]};
-}
-
-/// pose * point
-std::array<double, 3> moved(const Pose& pose, const double* point) noexcept {
-  const std::array<double, 3> there = turned(pose.rotation, point);
-  const double* t = pose.translation.data();
-  return {there[0] + t[0], there[1] + t[1], there[2] + t[2]};
-}
-
-/// world_from_link * link_from_part, computed number by number into its place: copying a pose just
-/// after it is written this way stalls the processor for longer than the product takes.
+/// Writes world_from_link * link_from_part. x and y go together: compilers that pair numbers across
+/// columns shuffle more than they compute.
 void place(const Pose& world_from_link, const Pose& link_from_part,
            Pose& world_from_part) noexcept {
-  for (std::size_t axis = 0; axis < 9; axis += 3) {
-    const auto column = turned(world_from_link.rotation, link_from_part.rotation.data() + axis);
-    std::copy(column.begin(), column.end(), world_from_part.rotation.data() + axis);
+  using Pair = Eigen::Vector2d;
+  const Eigen::Matrix3d& r = world_from_link.rotation;
+  const Pair xy[] = {r.col(0).head<2>(), r.col(1).head<2>(), r.col(2).head<2>()};
+  const double z[] = {r(2, 0), r(2, 1), r(2, 2)};
+  const auto turn = [&](const auto& v, auto&& turned) {
+    const Pair turned_xy = xy[0] * v[0] + xy[1] * v[1] + xy[2] * v[2];
+    turned[2] = z[0] * v[0] + z[1] * v[1] + z[2] * v[2];
+    turned.template head<2>() = turned_xy;
+  };
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    turn(link_from_part.rotation.col(i), world_from_part.rotation.col(i));
   }
-  const auto translation = moved(world_from_link, link_from_part.translation.data());
-  std::copy(translation.begin(), translation.end(), world_from_part.translation.data());
+  turn(link_from_part.translation, world_from_part.translation);
+  world_from_part.translation += world_from_link.translation;
 }
 
 /// Checked here as well as at the ROS edge: NaN must always read as unknown.
@@ -120,8 +113,7 @@ void placeBodies(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& bod
       return;
     }
     place(world_from_link, bodies[i].link_from_body, body_poses.world_from_body[i]);
-    const double* center = body_poses.world_from_body[i].translation.data();
-    std::copy(center, center + 3, body_poses.balls[i].center.data());
+    body_poses.balls[i].center = body_poses.world_from_body[i].translation;
     writeBody(setup.cores[i].kind, body_poses.world_from_body[i], slot, body_poses.rows);
   });
 }
