@@ -29,7 +29,7 @@ struct NearSearch {
 
   /// @return in which states the bodies are near
   template <class CoreA, class CoreB>
-  Truth measure(std::uint32_t id, Truth counts) {
+  HWY_NOINLINE Truth measure(std::uint32_t id, Truth counts) {
     const StatePair& pair = states.work.pairs[id];
     place(pair.a);
     place(pair.b);
@@ -46,7 +46,7 @@ struct NearSearch {
     return counts;
   }
 
-  Truth visit(std::uint32_t id, Truth counts) {
+  Truth measureBodies(std::uint32_t id, Truth counts) {
     const StatePair& pair = states.work.pairs[id];
     const CoreKind a = states.setup.cores[pair.a].kind;
     const CoreKind b = states.setup.cores[pair.b].kind;
@@ -86,12 +86,9 @@ struct NearSearch {
     return isNearBox(load(refinement.centers[pair.ball].of, states.lane), box, reach);
   }
 
-  void visit(ElementPairIndex elements) {
+  /// Not part of the loop over all pairs, which stays short so.
+  HWY_NOINLINE void measureElements(ElementPairIndex elements, Truth counts) {
     const StateElementPair& pair = work.refinement.element_pairs[elements];
-    Truth counts = ballsMeet(pair);
-    if (hn::AllFalse(Lanes(), counts)) {
-      return;
-    }
     if (pair.has_box) {
       counts = hn::And(counts, ballMeetsBox(pair));
       if (hn::AllFalse(Lanes(), counts)) {
@@ -101,7 +98,7 @@ struct NearSearch {
     const std::vector<std::uint32_t>& bodies = states.work.refinement.body_pairs;
     const bool is_one_enough = asks_any && isExact(states.setup, elements);
     for (std::uint32_t i = pair.first; i < pair.last && !hn::AllFalse(Lanes(), counts); ++i) {
-      const Truth is_near = visit(bodies[i], counts);
+      const Truth is_near = measureBodies(bodies[i], counts);
       counts = is_one_enough ? hn::AndNot(is_near, counts) : counts;
     }
   }
@@ -114,9 +111,13 @@ std::size_t listNearInLanes(const CycleSetup& setup, const NearQuery& query, std
   NearSearch search{
       {setup, work, lane}, hn::LoadU(Lanes(), query.asked.of + lane), query.asks_any, work};
   for (std::size_t i = query.first; i < query.last; ++i) {
-    const StateElementPair& pair = refinement.element_pairs[refinement.order[i]];
+    const ElementPairIndex elements = refinement.order[i];
+    const StateElementPair& pair = refinement.element_pairs[elements];
     if (pair.are_convex || !query.is_convex_only) {
-      search.visit(refinement.order[i]);
+      const Truth may_be_near = search.ballsMeet(pair);
+      if (!hn::AllFalse(Lanes(), may_be_near)) {
+        search.measureElements(elements, may_be_near);
+      }
     }
   }
   return hn::Lanes(Lanes());
