@@ -30,19 +30,13 @@ StatePair statePair(const CycleSetup& setup, std::size_t id) {
   return pair;
 }
 
-void fill(const Eigen::Vector3d& v, StateNumber (&numbers)[3]) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::fill(std::begin(numbers[k].of), std::end(numbers[k].of), v[static_cast<Eigen::Index>(k)]);
-  }
-}
-
 /// The same pose in every state, for a body that no joint moves.
 StatePose everywhere(const Pose& pose) {
   StatePose state_pose;
-  fill(pose.translation, state_pose.translation);
-  fill(pose.rotation.col(0), state_pose.axis_x);
-  fill(pose.rotation.col(1), state_pose.axis_y);
-  fill(pose.rotation.col(2), state_pose.axis_z);
+  fillAll(pose.translation, state_pose.translation);
+  fillAll(pose.rotation.col(0), state_pose.axis_x);
+  fillAll(pose.rotation.col(1), state_pose.axis_y);
+  fillAll(pose.rotation.col(2), state_pose.axis_z);
   return state_pose;
 }
 
@@ -226,6 +220,12 @@ StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing
   partPairs(setup, work);
   work.refinement = makeStatesRefinement(setup, work);
   return work;
+}
+
+void fillAll(const Eigen::Vector3d& v, StateNumber (&numbers)[3]) noexcept {
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::fill(std::begin(numbers[k].of), std::end(numbers[k].of), v[static_cast<Eigen::Index>(k)]);
+  }
 }
 
 void fillVariables(const JointPositions& positions, std::size_t first, StatesWork& work) noexcept {

@@ -149,14 +149,6 @@ void listBodies(const CycleSetup& setup, const StatesWork& work, StatesRefinemen
   }
 }
 
-StatePoint everywhere(const Eigen::Vector3d& point) {
-  StatePoint states;
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    std::fill(std::begin(states.of[k].of), std::end(states.of[k].of), point[k]);
-  }
-  return states;
-}
-
 void placeElements(const CycleSetup& setup, const KinematicsPlan& plan,
                    StatesRefinement& refinement) {
   for (const Element& element : setup.elements) {
@@ -166,8 +158,8 @@ void placeElements(const CycleSetup& setup, const KinematicsPlan& plan,
     refinement.balls.push_back(ballOf(element));
     refinement.balls.back().radius += element.padding;
     // Of those that no joint moves this stays; others are placed for each block.
-    refinement.centers.push_back(
-        everywhere(place.frame_from_link * refinement.balls.back().center));
+    fillAll(place.frame_from_link * refinement.balls.back().center,
+            refinement.centers.emplace_back().of);
   }
   refinement.world_from_element.resize(setup.elements.size());
   refinement.placed_in.resize(setup.elements.size(), 0);

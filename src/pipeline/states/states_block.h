@@ -18,6 +18,9 @@ struct StatesBlock {
   StateNumber is_unknown;  ///< a pose is not finite
 };
 
+/// Writes the same vector for every state.
+void fillAll(const Eigen::Vector3d& v, StateNumber (&numbers)[3]) noexcept;
+
 /// Reads a block of states from `first` on, from positions as in checkStates. Repeats the last
 /// state to fill the block.
 void fillVariables(const JointPositions& positions, std::size_t first, StatesWork& work) noexcept;
