@@ -59,7 +59,7 @@ void Automatic::findMeetings(const std::vector<SmallBox>& boxes,
 }
 
 bool Automatic::markPairs(const std::vector<SmallBox>& boxes, const PairTable& table,
-                          std::vector<std::uint64_t>& marks) noexcept {
+                          MarkedPairs& marks) noexcept {
   const bool are_few = boxes.size() <= kFewBodiesOfTable;
   if (are_few) {
     brute_force_.markPairs(boxes, table, marks);

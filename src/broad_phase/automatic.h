@@ -23,7 +23,7 @@ class Automatic {
   /// As BruteForce::markPairs, if there are so few bodies that nothing is faster.
   /// @return false when there are more.
   bool markPairs(const std::vector<SmallBox>& boxes, const PairTable& table,
-                 std::vector<std::uint64_t>& marks) noexcept;
+                 MarkedPairs& marks) noexcept;
 
  private:
   enum class Method : unsigned char { neighbour_list, brute_force, sweep_and_prune };

@@ -63,7 +63,7 @@ void markMeetings(BroadPhase& broad_phase, const PairTable& table) noexcept {
   for (const PairKey meeting : broad_phase.meetings) {
     PairId pair{};
     if (table.find(BodyId{lowerBody(meeting)}, BodyId{upperBody(meeting)}, pair)) {
-      markPair(pair, broad_phase.marks);
+      markPair(index(pair), broad_phase.marks);
     }
   }
 }
@@ -71,11 +71,10 @@ void markMeetings(BroadPhase& broad_phase, const PairTable& table) noexcept {
 }  // namespace
 
 BroadPhase makeBroadPhase(BroadPhaseKind kind, std::size_t body_count, std::size_t pair_count) {
-  BroadPhase broad_phase{makeMethod(kind, body_count), {}, {}, {}, {}};
+  BroadPhase broad_phase{makeMethod(kind, body_count), {}, {}, {}, MarkedPairs(pair_count)};
   broad_phase.boxes.resize(body_count, emptyBox());
   broad_phase.meetings.reserve(roomForPairs(body_count));
   broad_phase.scratch.reserve(roomForPairs(body_count));
-  broad_phase.marks.resize(pair_count / 64 + 1, 0);
   return broad_phase;
 }
 

@@ -34,7 +34,7 @@ struct BroadPhase {
   std::vector<SmallBox> boxes;
   std::vector<PairKey> meetings;
   std::vector<PairKey> scratch;
-  std::vector<std::uint64_t> marks;  ///< one bit per pair of a table
+  MarkedPairs marks;
 };
 
 /// @param pair_count the size of the table for findCandidates; 0 without calls of it.

@@ -2,36 +2,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "collision_monitor/geometry/ids.h"
 
-/// Pairs of a table as one bit each. Reading the marks from first to last sorts the pairs.
 namespace collision_monitor {
 
-inline void markPair(PairId pair, std::vector<std::uint64_t>& marks) noexcept {
-  marks[index(pair) / 64] |= std::uint64_t{1} << (index(pair) % 64);
+/// Pairs of a table as one bit each. Reading the marks from first to last sorts the pairs. A bit a
+/// word tells where marks are: of a million pairs with objects few are marked.
+struct MarkedPairs {
+  std::vector<std::uint64_t> words;     ///< bit i % 64 of word i / 64: pair i
+  std::vector<std::uint64_t> has_mark;  ///< likewise of words
+
+  /// No pair is marked.
+  explicit MarkedPairs(std::size_t pair_count = 0)
+      : words(pair_count / 64 + 1, 0), has_mark(words.size() / 64 + 1, 0) {}
+};
+
+inline void markPair(std::size_t pair, MarkedPairs& marks) noexcept {
+  const std::size_t word = pair / 64;
+  marks.words[word] |= std::uint64_t{1} << (pair % 64);
+  marks.has_mark[word / 64] |= std::uint64_t{1} << (word % 64);
+}
+
+/// Calls `take` with the index of each set bit, and clears them.
+template <class Take>
+void takeBits(std::uint64_t& bits, std::size_t first, const Take& take) noexcept {
+  for (; bits != 0; bits &= bits - 1) {
+    take(first + static_cast<std::size_t>(__builtin_ctzll(bits)));
+  }
 }
 
 /// Fills the list with the marked pairs, and clears the marks.
-inline void takeMarked(std::vector<std::uint64_t>& marks, std::vector<PairId>& pairs) noexcept {
-  constexpr std::size_t kTogether = 16;  // few of many words are marked: skips them together
+inline void takeMarked(MarkedPairs& marks, std::vector<PairId>& pairs) noexcept {
   pairs.clear();
-  for (std::size_t first = 0; first < marks.size(); first += kTogether) {
-    const std::size_t last = std::min(first + kTogether, marks.size());
-    std::uint64_t any = 0;
-    for (std::size_t word = first; word < last; ++word) {
-      any |= marks[word];
-    }
-    for (std::size_t word = first; any != 0 && word < last; ++word) {
-      for (std::uint64_t left = marks[word]; left != 0; left &= left - 1) {
-        const auto bit = static_cast<std::size_t>(__builtin_ctzll(left));
-        pairs.push_back(idAt<PairId>(64 * word + bit));
-      }
-      marks[word] = 0;
-    }
+  for (std::size_t i = 0; i < marks.has_mark.size(); ++i) {
+    takeBits(marks.has_mark[i], 64 * i, [&](std::size_t word) {
+      takeBits(marks.words[word], 64 * word,
+               [&](std::size_t pair) { pairs.push_back(idAt<PairId>(pair)); });
+    });
   }
 }
 

@@ -30,7 +30,7 @@ void BruteForce::findMeetings(const std::vector<SmallBox>& boxes,
 }
 
 void BruteForce::markPairs(const std::vector<SmallBox>& boxes, const PairTable& table,
-                           std::vector<std::uint64_t>& marks) noexcept {
+                           MarkedPairs& marks) noexcept {
   const std::size_t last = boxes.size();
   resizeRows(last + kRowPadding, rows_);
   for (std::size_t body = 0; body < last; ++body) {
@@ -41,7 +41,7 @@ void BruteForce::markPairs(const std::vector<SmallBox>& boxes, const PairTable& 
     const PairedRows paired = pairRowsOfTable(rows_, row, last, table.idsOfAll(), ids_);
     row = paired.next;
     for (std::size_t i = 0; i < paired.count; ++i) {
-      marks[ids_[i] / 64] |= std::uint64_t{1} << (ids_[i] % 64);
+      markPair(ids_[i], marks);
     }
   }
 }

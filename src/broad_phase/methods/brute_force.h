@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "broad_phase/marked_pairs.h"
 #include "broad_phase/pair_keys.h"
 #include "collision_monitor/broad_phase/box_rows.h"
 #include "collision_monitor/broad_phase/pair_table.h"
@@ -17,10 +18,10 @@ class BruteForce {
   /// Every pair of boxes that meet, sorted.
   void findMeetings(const std::vector<SmallBox>& boxes, std::vector<PairKey>& found) noexcept;
 
-  /// Marks the pairs of a table that meet: bit k of word n is the pair with id 64 n + k.
-  /// @pre table.idsOfAll() is not null; `marks` has a bit for every pair.
+  /// Marks the pairs of a table that meet.
+  /// @pre table.idsOfAll() is not null; `marks` has room for every pair.
   void markPairs(const std::vector<SmallBox>& boxes, const PairTable& table,
-                 std::vector<std::uint64_t>& marks) noexcept;
+                 MarkedPairs& marks) noexcept;
 
  private:
   BoxRows rows_;

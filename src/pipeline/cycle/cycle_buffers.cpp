@@ -42,6 +42,7 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.memory.lively.reserve(link_pairs);
   buffers.events.island_of_link.resize(links, 0);
   buffers.events.island_forest.resize(links, 0);
+  buffers.events.links_of_islands.reserve(links);
   buffers.memory.reported.resize(link_pairs, Verdict::clear);
   buffers.memory.contact_detail.resize(link_pairs, Detail::shapes);
   buffers.memory.refined = makeRefineMemory(setup);

@@ -3,7 +3,6 @@
 #include "islands.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace collision_monitor {
 namespace {
@@ -16,31 +15,51 @@ std::uint32_t rootOf(std::vector<std::uint32_t>& parents, std::uint32_t link) no
   return link;
 }
 
+/// Calls `take` with the links of each pair in contact, in order.
+template <class Take>
+void forContacts(const std::vector<CheckedLinkPair>& checked, const PairEvents& events,
+                 const Take& take) noexcept {
+  for (const LinkPairIndex i : events.active) {
+    if (events.verdicts[i] == Verdict::contact) {
+      take(static_cast<std::uint32_t>(index(checked[i].a)),
+           static_cast<std::uint32_t>(index(checked[i].b)));
+    }
+  }
+}
+
 }  // namespace
 
+// Touches links in contact alone: of ten thousand objects few are.
 void findIslands(const std::vector<CheckedLinkPair>& checked, PairEvents& events) noexcept {
-  std::vector<std::uint32_t>& parents = events.island_forest;
-  std::iota(parents.begin(), parents.end(), 0U);
-  for (const LinkPairIndex i : events.active) {
-    if (events.verdicts[i] == Verdict::contact) {
-      const std::uint32_t a = rootOf(parents, static_cast<std::uint32_t>(index(checked[i].a)));
-      const std::uint32_t b = rootOf(parents, static_cast<std::uint32_t>(index(checked[i].b)));
-      parents[std::max(a, b)] = std::min(a, b);
-    }
+  for (const std::uint32_t link : events.links_of_islands) {
+    events.island_of_link[link] = 0;
   }
-  std::fill(events.island_of_link.begin(), events.island_of_link.end(), 0U);
+  events.links_of_islands.clear();
   events.island_count = 0;
-  for (const LinkPairIndex i : events.active) {
-    if (events.verdicts[i] == Verdict::contact) {
-      const std::uint32_t root = rootOf(parents, static_cast<std::uint32_t>(index(checked[i].a)));
-      std::uint32_t& number = events.island_of_link[root];
-      if (number == 0) {
-        number = ++events.island_count;
-      }
-      events.island_of_link[index(checked[i].a)] = number;
-      events.island_of_link[index(checked[i].b)] = number;
+  std::vector<std::uint32_t>& parents = events.island_forest;
+  forContacts(checked, events, [&](std::uint32_t a, std::uint32_t b) {
+    parents[a] = a;
+    parents[b] = b;
+  });
+  forContacts(checked, events, [&](std::uint32_t a, std::uint32_t b) {
+    a = rootOf(parents, a);
+    b = rootOf(parents, b);
+    parents[std::max(a, b)] = std::min(a, b);
+  });
+  const auto join = [&](std::uint32_t link, std::uint32_t island) {
+    if (events.island_of_link[link] == 0) {
+      events.links_of_islands.push_back(link);
     }
-  }
+    events.island_of_link[link] = island;
+  };
+  forContacts(checked, events, [&](std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t root = rootOf(parents, a);
+    if (events.island_of_link[root] == 0) {
+      join(root, ++events.island_count);
+    }
+    join(a, events.island_of_link[root]);
+    join(b, events.island_of_link[root]);
+  });
 }
 
 }  // namespace collision_monitor

@@ -189,6 +189,7 @@ struct PairEvents {
   /// contact that becomes unknown is a change.
   std::vector<VerdictChange> changes;
   std::vector<std::uint32_t> island_of_link;  ///< by LinkId: 1, 2, ... in contact, 0 for the rest
+  std::vector<std::uint32_t> links_of_islands;  ///< those not 0
   std::uint32_t island_count{0};
   std::vector<std::uint32_t> island_forest;  ///< by LinkId: scratch of the grouping
   std::uint32_t closest_of_all{kNone};       ///< index into `pairs`

@@ -35,7 +35,7 @@ void findLoosePairs(const CycleSetup& setup, const LinkPoses& poses,
   }
   findCandidates(buffers.broad_phase, trees.bounds, trees.table, buffers.candidates);
   for (const PairId pair : buffers.candidates) {
-    markPair(trees.loose_pair[index(pair)], buffers.broad_phase.marks);
+    markPair(index(trees.loose_pair[index(pair)]), buffers.broad_phase.marks);
   }
 }
 
@@ -119,7 +119,7 @@ void findInTree(const CycleSetup& setup, const LinkPoses& poses, double reach, s
     for (const std::uint32_t object : tree.tree.findNear(box, buffers.trees.found)) {
       const PairId pair = pairOf(setup, objects, tree, seeker, object);
       if (pair != PairId{kNone}) {
-        markPair(pair, buffers.broad_phase.marks);
+        markPair(index(pair), buffers.broad_phase.marks);
       }
     }
   }

@@ -52,16 +52,16 @@ TEST_F(AutomaticTest, crowdInCoherentMotionThatScatters_pairsStayTrue) {
 
 TEST_F(AutomaticTest, fewBodies_areMarkedInTheTableItselfAndManyAreNot) {
   const PairTable table({{BodyId{0}, BodyId{1}}}, 201);
-  std::vector<std::uint64_t> marks(1, 0);
+  MarkedPairs marks(1);
   Automatic method(201);
   Boxes boxes(200, boxAlongX(0.0F, 1.0F));
   const PairTable table_of_few({{BodyId{0}, BodyId{1}}}, 200);
   EXPECT_TRUE(method.markPairs(boxes, table_of_few, marks));
-  EXPECT_EQ(marks[0], 1U);
+  EXPECT_EQ(marks.words[0], 1U);
   boxes.push_back(boxes[0]);
-  marks[0] = 0;
+  marks = MarkedPairs(1);
   EXPECT_FALSE(method.markPairs(boxes, table, marks));
-  EXPECT_EQ(marks[0], 0U);
+  EXPECT_EQ(marks.words[0], 0U);
 }
 
 }  // namespace

@@ -46,9 +46,9 @@ TEST(BruteForce, marks_areTheIdsOfPairsThatMeet) {
   const PairTable table({{BodyId{1}, BodyId{2}}, {BodyId{0}, BodyId{2}}, {BodyId{0}, BodyId{1}}},
                         3);
   BruteForce method(3);
-  std::vector<std::uint64_t> marks(1, 0);
+  MarkedPairs marks(3);
   method.markPairs({boxAlongX(0, 1), boxAlongX(0.5F, 2), boxAlongX(1.5F, 3)}, table, marks);
-  EXPECT_EQ(marks[0], 0b101U) << "(1, 2) and (0, 1)";
+  EXPECT_EQ(marks.words[0], 0b101U) << "(1, 2) and (0, 1)";
 }
 
 TEST(BruteForce, marks_goOnInTheNextWordAndLeaveOutWhatIsNotInTheTable) {
@@ -57,10 +57,10 @@ TEST(BruteForce, marks_goOnInTheNextWordAndLeaveOutWhatIsNotInTheTable) {
   pairs.pop_back();  // (11, 12)
   const PairTable table(pairs, 13);
   BruteForce method(13);
-  std::vector<std::uint64_t> marks(2, 0);
+  MarkedPairs marks(77);
   method.markPairs(Boxes(13, boxAlongX(0, 1)), table, marks);
-  EXPECT_EQ(marks[0], ~std::uint64_t{0});
-  EXPECT_EQ(marks[1], (std::uint64_t{1} << 13) - 1) << "77 pairs less 64";
+  EXPECT_EQ(marks.words[0], ~std::uint64_t{0});
+  EXPECT_EQ(marks.words[1], (std::uint64_t{1} << 13) - 1) << "77 pairs less 64";
 }
 
 }  // namespace

@@ -38,5 +38,21 @@ TEST(Islands, chainOfContacts_isOne) {
   EXPECT_EQ(buffers.events.island_of_link, (std::vector<std::uint32_t>{1, 1, 1}));
 }
 
+TEST(Islands, contactThatEnds_leavesNoIsland) {
+  const CycleSetup setup = handMadeSetup({{0, Sphere{1}}, {1, Sphere{1}}, {2, Sphere{1}}});
+  CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::brute_force);
+  LinkPoses poses = knownPoses(setup);
+  poses.world_from_link[2].translation.x() = 10.0;
+  runCycle(setup, poses, buffers);
+  EXPECT_EQ(buffers.events.island_of_link, (std::vector<std::uint32_t>{1, 1, 0}));
+  poses.world_from_link[0].translation.x() = 8.5;  // now touches 2 alone
+  runCycle(setup, poses, buffers);
+  EXPECT_EQ(buffers.events.island_of_link, (std::vector<std::uint32_t>{1, 0, 1}));
+  poses.world_from_link[0].translation.x() = 4.0;
+  runCycle(setup, poses, buffers);
+  EXPECT_EQ(buffers.events.island_of_link, (std::vector<std::uint32_t>{0, 0, 0}));
+  EXPECT_EQ(buffers.events.island_count, 0U);
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
