@@ -4,9 +4,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
+#include "collision_monitor/geometry/hull.h"
 #include "collision_monitor/geometry/triangle.h"
 #include "collision_monitor/geometry/triangle_bvh.h"
 #include "collision_monitor/geometry/triangle_mesh.h"
@@ -40,6 +42,11 @@ struct OpenSurface {
   /// Edges where the surface ends. None for a soup, whose surface ends nearly everywhere.
   std::optional<TriangleBvh> rim;
   double rim_length{0.0};  ///< [m] as SurfaceRim::length
+  /// The faces of its convex hull, if they are known. Nothing beyond one is inside, even if several
+  /// layers of the surface cover more than half of all directions there.
+  std::vector<ConvexHull::Face> hull;
+  /// [m] The radius of a ball about the tree's center within the hull; infinity: no hull is known.
+  double hull_ball{std::numeric_limits<double>::infinity()};
 };
 
 /// A static hierarchy over the triangles of a mesh for queries against other meshes and shapes.
@@ -84,6 +91,8 @@ class MeshTree {
   bool isClosed() const noexcept { return is_closed_; }
   /// None if the mesh is closed or has no inside.
   const std::optional<OpenSurface>& openSurface() const noexcept { return open_; }
+  /// Tells an open surface its convex hull, with volume.
+  void setHull(const std::vector<ConvexHull::Face>& hull);
   /// Whether points can be inside: of a solid, or of a surface with winding numbers.
   bool hasInside() const noexcept { return is_closed_ || open_; }
   /// One corner of each connected piece of the surface. A piece that crosses no other surface lies

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "geometry/bvh/bound_triangles.h"
@@ -219,6 +220,17 @@ MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed, std::optional<OpenS
   probes_ = probesOf(pieces_, triangles_);
   if (open_) {
     open_->moments = momentsOf(nodes_, triangles_);
+  }
+}
+
+void MeshTree::setHull(const std::vector<ConvexHull::Face>& hull) {
+  if (!open_) {
+    return;
+  }
+  open_->hull = hull;
+  open_->hull_ball = std::numeric_limits<double>::infinity();
+  for (const ConvexHull::Face& face : hull) {
+    open_->hull_ball = std::min(open_->hull_ball, face.offset - face.normal.dot(center_));
   }
 }
 

@@ -70,6 +70,20 @@ double outsideBounds(const MeshTree& tree, const Vector3d& point) noexcept {
                   std::abs(height) - static_cast<double>(bound.slab_half));
 }
 
+// [m] How far the point is beyond the hull of an open surface; at most 0 within.
+double beyondHull(const MeshTree& tree, const Vector3d& point) noexcept {
+  const OpenSurface& open = *tree.openSurface();
+  const double from_center = (point - tree.center()).norm();
+  if (from_center < open.hull_ball) {
+    return from_center - open.hull_ball;
+  }
+  double beyond = -kInfinity;
+  for (const ConvexHull::Face& face : open.hull) {
+    beyond = std::max(beyond, face.normal.dot(point) - face.offset);
+  }
+  return beyond;
+}
+
 // [m] How far the point may travel before its winding number can change by `change`.
 double holdFor(double change, const MeshTree& tree, const Vector3d& point,
                MeshQueryMemory& memory) noexcept {
@@ -105,9 +119,13 @@ PointInMesh lookInside(const MeshTree& tree, const Vector3d& point, MeshQueryMem
   const double beyond = std::abs(number.value) - 0.5;
   answer.is_inside = beyond > number.error;
   answer.visits = 1 + number.visits / kPartsPerVisit;
-  if (asks_hold) {
+  const double from_hull = answer.is_inside ? beyondHull(tree, point) : 0.0;
+  if (from_hull > 0.0) {
+    answer.is_inside = false;
+    answer.hold = from_hull;
+  } else if (asks_hold) {
     answer.hold = holdFor(std::abs(beyond) - number.error, tree, point, memory);
-    answer.hold = answer.is_inside ? std::min(answer.hold, -outside) : answer.hold;
+    answer.hold = answer.is_inside ? std::min({answer.hold, -outside, -from_hull}) : answer.hold;
   }
   return answer;
 }

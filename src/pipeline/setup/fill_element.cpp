@@ -71,7 +71,7 @@ struct FillElement {
     checkMesh(mesh, kMaxMeasured);
     const TriangleMesh whole = withStrayVertices(mesh);
     bool is_closed = false;
-    std::shared_ptr<const MeshTree> tree;
+    std::shared_ptr<MeshTree> tree;
     std::optional<ConvexHull> hull;
     const auto makeTree = [&] {
       is_closed = closedSurface(mesh).has_value();
@@ -85,6 +85,9 @@ struct FillElement {
         is_closed && whole.triangles.size() == mesh.triangles.size() && isSurfaceOf(mesh, *hull);
     if (tree == nullptr && is_convex) {
       tree = std::make_shared<MeshTree>(whole, true);
+    }
+    if (tree != nullptr && hull->hasVolume()) {
+      tree->setHull(hull->faces());
     }
     element.is_exact = tree != nullptr;
     element.mesh = tree != nullptr

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "support/robots/geometry_setup.h"
 
@@ -89,6 +90,41 @@ TEST(Solid, ballOverAMesh_isAtLeastSomewhatDeep) {
     const SolidDistance other = query.distance(ball, at(x, 0.05, 0.0), angle, Pose());
     EXPECT_NEAR(other.measured.distance, one.measured.distance, 1e-9);
   }
+}
+
+/// Four layers of a trough with edges along y at (0, 0) and (+-1, 1), open above, at their ends and
+/// across a slit 0.1 m wide at y = 0.
+TriangleMesh slitTrough() {
+  TriangleMesh mesh;
+  for (const double z : {0.0, 0.01, 0.02, 0.03}) {
+    for (const auto& [from, to] : {std::pair(-1.0, -0.05), std::pair(0.05, 1.0)}) {
+      const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+      for (const double y : {from, to}) {
+        mesh.vertices.insert(mesh.vertices.end(),
+                             {{-1.0, y, 1.0 + z}, {0.0, y, z}, {1.0, y, 1.0 + z}});
+      }
+      for (const std::uint32_t side : {first, first + 1}) {
+        mesh.triangles.push_back({side, side + 1, side + 4});
+        mesh.triangles.push_back({side, side + 4, side + 3});
+      }
+    }
+  }
+  return mesh;
+}
+
+TEST(Solid, pointBeyondTheHullOfAnOpenMesh_isNotInsideHoweverMuchTheMeshCovers) {
+  // Seen from below one side of the trough, the layers cover 0.83 of all directions.
+  SolidQuery query;
+  const Solid trough = Solid::mesh(slitTrough());
+  TriangleMesh tetrahedron;
+  tetrahedron.vertices = {{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}, {0, 0, -0.01}};
+  tetrahedron.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+  const Solid probe = Solid::mesh(tetrahedron);
+  const Pose below = at(0.5, 0.0, 0.3);
+  EXPECT_FALSE(query.collide(trough, Pose(), probe, below));
+  const SolidDistance found = query.distance(trough, Pose(), probe, below);
+  EXPECT_EQ(found.quality, Quality::exact);
+  EXPECT_NEAR(found.measured.distance, std::hypot(0.2 / std::sqrt(2.0), 0.04), 1e-9);
 }
 
 TEST(Solid, searchThatMayStop_givesABound) {
