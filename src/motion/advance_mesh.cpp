@@ -25,6 +25,7 @@ struct Sweep {
   TrianglePair nearest;
   PointPair contact;  ///< of `nearest`, when in contact
   bool is_contact{false};
+  Eigen::Vector3d normal{Eigen::Vector3d::Zero()};  ///< unit, from A to B: of the last measured
 };
 
 /// Surfaces are never nearer than touching.
@@ -42,28 +43,51 @@ Approach placedInA(const Approach& in_world, const Pose& world_from_a) noexcept 
   return in_a;
 }
 
-void measureTriangles(std::uint32_t a, std::uint32_t b, Sweep& sweep) noexcept {
+/// How long the gap of a triangle of B lasts at least, across a plane with a normal from A to B.
+double timeAcross(const Eigen::Vector3d& normal, double gap, const Triangle& of_b,
+                  const Approach& approach) noexcept {
+  // A linear field is fastest at a corner.
+  double rate = -std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& corner : of_b) {
+    rate = std::max(rate, -normal.dot(approach.velocityAt(corner)));
+  }
+  return timeToConsume(gap, {rate, approach.plane_growth});
+}
+
+/// Whether the last normal proves that two triangles meet no sooner than others. It mostly does
+/// where surfaces slide past each other.
+bool areLater(const Triangle& of_a, const Triangle& of_b, const Sweep& sweep) noexcept {
+  const Eigen::Vector3d& n = sweep.normal;
+  const double gap = std::min({n.dot(of_b[0]), n.dot(of_b[1]), n.dot(of_b[2])}) -
+                     std::max({n.dot(of_a[0]), n.dot(of_a[1]), n.dot(of_a[2])}) -
+                     nearestOf(sweep.limits);
+  return gap > sweep.limits.tolerance &&
+         !(timeAcross(n, gap, of_b, sweep.approach) < sweep.soonest);
+}
+
+/// @return the work.
+std::uint32_t measureTriangles(std::uint32_t a, std::uint32_t b, Sweep& sweep) noexcept {
+  const Triangle& of_a = sweep.pair.a.triangles()[a];
   const Triangle in_a = triangleOfB(sweep.pair, b);
-  const PointPair points = nearestPoints(sweep.pair.a.triangles()[a], in_a);
+  if (areLater(of_a, in_a, sweep)) {
+    return 1;
+  }
+  const PointPair points = nearestPoints(of_a, in_a);
   const double distance = std::sqrt(points.squared_distance);
   const double gap = distance - nearestOf(sweep.limits);
   if (gap <= sweep.limits.tolerance) {
     sweep.is_contact = true;
     sweep.nearest = {a, b};
     sweep.contact = points;
-    return;
+    return kVisitsToMeasure;
   }
-  const Eigen::Vector3d normal = (points.on_b - points.on_a) / distance;
-  // A linear field is fastest at a corner.
-  double rate = -std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& corner : in_a) {
-    rate = std::max(rate, -normal.dot(sweep.approach.velocityAt(corner)));
-  }
-  const double time = timeToConsume(gap, {rate, sweep.approach.plane_growth});
+  sweep.normal = (points.on_b - points.on_a) / distance;
+  const double time = timeAcross(sweep.normal, gap, in_a, sweep.approach);
   if (time < sweep.soonest) {
     sweep.soonest = time;
     sweep.nearest = {a, b};
   }
+  return kVisitsToMeasure;
 }
 
 /// The ball about the content of a slot of B, in the frame of A. A triangle has its node's ball.
@@ -98,8 +122,7 @@ std::uint32_t search(MeshQueryMemory& memory, std::uint32_t budget, Sweep& sweep
     const std::uint32_t child_a = childOf(sweep.pair.a, next.a);
     const std::uint32_t child_b = childOf(sweep.pair.b, next.b);
     if (isTriangle(child_a) && isTriangle(child_b)) {
-      work += kVisitsToMeasure - 1;
-      measureTriangles(triangleAt(child_a), triangleAt(child_b), sweep);
+      work += measureTriangles(triangleAt(child_a), triangleAt(child_b), sweep) - 1;
     } else {
       openLarger(sweep.pair, next, limit, queue);
     }
@@ -169,7 +192,10 @@ bool advanceOnce(const MovingMesh& a, const MovingMesh& b, const SweepLimits& li
   const MeshPair pair = makeMeshPair({a.tree, world_from_a}, {b.tree, world_from_b});
   const Approach approach = approachAt(a.motion, b.motion, ballOf(b.tree), found.time);
   const double rest = limits.until - found.time;
-  Sweep sweep{pair, placedInA(approach, world_from_a), limits, rest, {}, {}, false};
+  Sweep sweep{pair,   placedInA(approach, world_from_a),
+              limits, rest,
+              {},     {},
+              false,  Eigen::Vector3d::Zero()};
   if (progress.last.a != kNone) {
     measureTriangles(progress.last.a, progress.last.b, sweep);
   }

@@ -203,6 +203,36 @@ TEST(ConservativeAdvancement, meshLooksOnlyWhereItMayMeet) {
   EXPECT_LE(away.work, 1U);
 }
 
+/// A square of 1 m, across z, of many triangles.
+TriangleMesh plate(std::uint32_t squares) {
+  TriangleMesh mesh;
+  for (std::uint32_t y = 0; y <= squares; ++y) {
+    for (std::uint32_t x = 0; x <= squares; ++x) {
+      mesh.vertices.emplace_back(static_cast<double>(x) / squares, static_cast<double>(y) / squares,
+                                 0.0);
+    }
+  }
+  for (std::uint32_t y = 0; y < squares; ++y) {
+    for (std::uint32_t x = 0; x < squares; ++x) {
+      const std::uint32_t first = y * (squares + 1) + x;
+      const std::uint32_t above = first + squares + 1;
+      mesh.triangles.push_back({first, first + 1, above});
+      mesh.triangles.push_back({first + 1, above + 1, above});
+    }
+  }
+  return mesh;
+}
+
+TEST(ConservativeAdvancement, platesThatSlide_measureFewTriangles) {
+  const TriangleMesh mesh = plate(10);
+  SweepLimits limits;
+  limits.budget = 100'000;
+  const auto found =
+      meet(mesh, still(Pose()), mesh, straight(at(0, 0, 1e-3), {0.02, 0.01, 0}), limits);
+  EXPECT_EQ(found.state, SweepState::clear);
+  EXPECT_LT(found.work, 6000U);
+}
+
 TEST(ConservativeAdvancement, meshAndBall) {
   static const auto memory = std::make_unique<MeshQueryMemory>();
   const MeshTree box(boxMesh({0.5, 0.5, 0.5}), true);
