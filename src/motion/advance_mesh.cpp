@@ -28,32 +28,6 @@ struct Sweep {
   Eigen::Vector3d normal{Eigen::Vector3d::Zero()};  ///< unit, from A to B: of the last measured
 };
 
-/// Surfaces are never nearer than touching.
-double nearestOf(const SweepLimits& limits) noexcept {
-  return std::max(0.0, limits.contact_distance);
-}
-
-/// Converts to the frame of A.
-Approach placedInA(const Approach& in_world, const Pose& world_from_a) noexcept {
-  const Eigen::Matrix3d a_from_world = world_from_a.rotation.transpose();
-  Approach in_a = in_world;
-  in_a.center = a_from_world * (in_world.center - world_from_a.translation);
-  in_a.velocity = a_from_world * in_world.velocity;
-  in_a.turn = a_from_world * in_world.turn;
-  return in_a;
-}
-
-/// How long the gap of a triangle of B lasts at least, across a plane with a normal from A to B.
-double timeAcross(const Eigen::Vector3d& normal, double gap, const Triangle& of_b,
-                  const Approach& approach) noexcept {
-  // A linear field is fastest at a corner.
-  double rate = -std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& corner : of_b) {
-    rate = std::max(rate, -normal.dot(approach.velocityAt(corner)));
-  }
-  return timeToConsume(gap, {rate, approach.plane_growth});
-}
-
 /// Whether the last normal proves that two triangles meet no sooner than others. It mostly does
 /// where surfaces slide past each other.
 bool areLater(const Triangle& of_a, const Triangle& of_b, const Sweep& sweep) noexcept {
@@ -222,24 +196,6 @@ bool advanceOnce(const MovingMesh& a, const MovingMesh& b, const SweepLimits& li
   return work <= left;
 }
 
-Sighting sight(const MeshDistance& found, const SweepLimits& limits) noexcept {
-  Sighting seen;
-  seen.work = found.visits + 1;
-  seen.measured = found.measured;
-  seen.gap = found.measured.distance - nearestOf(limits);
-  const bool is_near = found.state == MeshState::overlapping || seen.gap <= limits.tolerance;
-  seen.gap = std::min(seen.gap, found.outside);
-  if (found.state == MeshState::unknown) {
-    seen.state = SweepState::unknown;
-  } else if (!is_near) {
-    seen.state = SweepState::clear;
-  } else {
-    seen.state =
-        found.state == MeshState::lower_bound ? SweepState::undecided : SweepState::contact;
-  }
-  return seen;
-}
-
 }  // namespace
 
 Ball ballOf(const MeshTree& tree) noexcept { return {tree.center(), tree.radius()}; }
@@ -263,30 +219,6 @@ SweptContact firstContact(const MovingMesh& a, const MovingMesh& b, const SweepL
          advanceOnce(a, b, limits, memory, progress)) {
   }
   return progress.found;
-}
-
-SweptContact firstContact(const MovingMesh& a, const MovingShape& b, const SweepLimits& limits,
-                          MeshQueryMemory& memory) noexcept {
-  const Ball ball_a = ballOf(a.tree);
-  const Ball ball_b = ballOf(b.shape);
-  const double nearest = nearestOf(limits);
-  TrianglePair start;
-  const auto look = [&](double time, std::uint32_t budget) noexcept {
-    const Approach approach = approachAt(a.motion, b.motion, ball_b, time);
-    MeshQueryLimits query;
-    query.visit_budget = budget;
-    // Bodies farther apart than this cannot come into contact in the rest of the interval.
-    query.stop_beyond =
-        nearest + 2.0 * limits.tolerance +
-        ofBall(approach, approach.center, approach.radius).within(limits.until - time);
-    const Pose world_from_a = poseAt(a.motion, time);
-    const Pose world_from_b = poseAt(b.motion, time);
-    const MeshDistance found = distanceBetween(
-        PlacedMesh{a.tree, world_from_a}, PlacedShape{b.shape, world_from_b}, memory, start, query);
-    start = found.nearest;
-    return sight(found, limits);
-  };
-  return advance({ball_a, a.motion}, {ball_b, b.motion}, limits, look);
 }
 
 }  // namespace collision_monitor
