@@ -95,7 +95,7 @@ template <class ReachesCutoff>
 WindingNumber search(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory,
                      const ReachesCutoff& reachesCutoff) noexcept {
   constexpr double kCoarsest = 0x1p-6;
-  constexpr double kStep = 0x1p-2;
+  constexpr double kStep = 0x1p-3;
   double most_of_part = kCoarsest;
   SumOfParts sum(tree, point, memory);
   sum.openRoot(most_of_part);
