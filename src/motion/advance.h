@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "motion/approach.h"
 
@@ -22,6 +23,7 @@ struct Sighting {
   double gap{0.0};        ///< [m] proven distance beyond the contact distance
   bool has_plane{false};  ///< the gap lies across a plane perpendicular to the normal
   std::uint32_t work{1};
+  double outside{std::numeric_limits<double>::infinity()};  ///< [m] as MeshDistance::outside
 };
 
 inline bool isFinite(const ScrewMotion& motion) noexcept {
@@ -44,10 +46,38 @@ inline double safeTime(const MovingBall& a, const MovingBall& b, double time,
   return std::max(any, timeToConsume(seen.gap, acrossPlane(approach, normal)));
 }
 
+/// Surfaces are never nearer than touching.
+inline double nearestOf(const SweepLimits& limits) noexcept {
+  return std::max(0.0, limits.contact_distance);
+}
+
+/// Converts an approach to the frame of A.
+inline Approach placedInA(const Approach& in_world, const Pose& world_from_a) noexcept {
+  const Eigen::Matrix3d a_from_world = world_from_a.rotation.transpose();
+  Approach in_a = in_world;
+  in_a.center = a_from_world * (in_world.center - world_from_a.translation);
+  in_a.velocity = a_from_world * in_world.velocity;
+  in_a.turn = a_from_world * in_world.turn;
+  return in_a;
+}
+
+/// How long the gap of a triangle of B lasts at least, across a plane with a normal from A to B.
+inline double timeAcross(const Eigen::Vector3d& normal, double gap, const Triangle& of_b,
+                         const Approach& approach) noexcept {
+  // A linear field is fastest at a corner.
+  double rate = -std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& corner : of_b) {
+    rate = std::max(rate, -normal.dot(approach.velocityAt(corner)));
+  }
+  return timeToConsume(gap, {rate, approach.plane_growth});
+}
+
 /// Conservative advancement. `look` measures the pair at a time, within the work that is left.
-template <class Look>
+/// `lasts(step, seen, found)` may tell a longer step than that which the measurement proves, and
+/// adds its work.
+template <class Look, class Lasts>
 SweptContact advance(const MovingBall& a, const MovingBall& b, const SweepLimits& limits,
-                     const Look& look) noexcept {
+                     const Look& look, const Lasts& lasts) noexcept {
   SweptContact found;
   if (!isFinite(a.motion) || !isFinite(b.motion)) {
     return found;
@@ -62,7 +92,8 @@ SweptContact advance(const MovingBall& a, const MovingBall& b, const SweepLimits
       found.state = seen.state;
       return found;
     }
-    found.time += safeTime(a, b, found.time, seen);
+    const double step = safeTime(a, b, found.time, seen);
+    found.time += found.time + step < limits.until ? lasts(step, seen, found) : step;
     if (!(found.time < limits.until)) {
       found.state = SweepState::clear;
       found.time = 1.0;
@@ -70,6 +101,14 @@ SweptContact advance(const MovingBall& a, const MovingBall& b, const SweepLimits
     }
   }
   return found;
+}
+
+/// The same with steps that the measurements prove.
+template <class Look>
+SweptContact advance(const MovingBall& a, const MovingBall& b, const SweepLimits& limits,
+                     const Look& look) noexcept {
+  return advance(a, b, limits, look,
+                 [](double step, const Sighting&, const SweptContact&) noexcept { return step; });
 }
 
 }  // namespace collision_monitor

@@ -25,45 +25,43 @@ struct Sweep {
   TrianglePair nearest;
   PointPair contact;  ///< of `nearest`, when in contact
   bool is_contact{false};
+  Eigen::Vector3d normal{Eigen::Vector3d::Zero()};  ///< unit, from A to B: of the last measured
 };
 
-/// Surfaces are never nearer than touching.
-double nearestOf(const SweepLimits& limits) noexcept {
-  return std::max(0.0, limits.contact_distance);
+/// Whether the last normal proves that two triangles meet no sooner than others. It mostly does
+/// where surfaces slide past each other.
+bool areLater(const Triangle& of_a, const Triangle& of_b, const Sweep& sweep) noexcept {
+  const Eigen::Vector3d& n = sweep.normal;
+  const double gap = std::min({n.dot(of_b[0]), n.dot(of_b[1]), n.dot(of_b[2])}) -
+                     std::max({n.dot(of_a[0]), n.dot(of_a[1]), n.dot(of_a[2])}) -
+                     nearestOf(sweep.limits);
+  return gap > sweep.limits.tolerance &&
+         !(timeAcross(n, gap, of_b, sweep.approach) < sweep.soonest);
 }
 
-/// Converts to the frame of A.
-Approach placedInA(const Approach& in_world, const Pose& world_from_a) noexcept {
-  const Eigen::Matrix3d a_from_world = world_from_a.rotation.transpose();
-  Approach in_a = in_world;
-  in_a.center = a_from_world * (in_world.center - world_from_a.translation);
-  in_a.velocity = a_from_world * in_world.velocity;
-  in_a.turn = a_from_world * in_world.turn;
-  return in_a;
-}
-
-void measureTriangles(std::uint32_t a, std::uint32_t b, Sweep& sweep) noexcept {
+/// @return the work.
+std::uint32_t measureTriangles(std::uint32_t a, std::uint32_t b, Sweep& sweep) noexcept {
+  const Triangle& of_a = sweep.pair.a.triangles()[a];
   const Triangle in_a = triangleOfB(sweep.pair, b);
-  const PointPair points = nearestPoints(sweep.pair.a.triangles()[a], in_a);
+  if (areLater(of_a, in_a, sweep)) {
+    return 1;
+  }
+  const PointPair points = nearestPoints(of_a, in_a);
   const double distance = std::sqrt(points.squared_distance);
   const double gap = distance - nearestOf(sweep.limits);
   if (gap <= sweep.limits.tolerance) {
     sweep.is_contact = true;
     sweep.nearest = {a, b};
     sweep.contact = points;
-    return;
+    return kVisitsToMeasure;
   }
-  const Eigen::Vector3d normal = (points.on_b - points.on_a) / distance;
-  // A linear field is fastest at a corner.
-  double rate = -std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& corner : in_a) {
-    rate = std::max(rate, -normal.dot(sweep.approach.velocityAt(corner)));
-  }
-  const double time = timeToConsume(gap, {rate, sweep.approach.plane_growth});
+  sweep.normal = (points.on_b - points.on_a) / distance;
+  const double time = timeAcross(sweep.normal, gap, in_a, sweep.approach);
   if (time < sweep.soonest) {
     sweep.soonest = time;
     sweep.nearest = {a, b};
   }
+  return kVisitsToMeasure;
 }
 
 /// The ball about the content of a slot of B, in the frame of A. A triangle has its node's ball.
@@ -98,8 +96,7 @@ std::uint32_t search(MeshQueryMemory& memory, std::uint32_t budget, Sweep& sweep
     const std::uint32_t child_a = childOf(sweep.pair.a, next.a);
     const std::uint32_t child_b = childOf(sweep.pair.b, next.b);
     if (isTriangle(child_a) && isTriangle(child_b)) {
-      work += kVisitsToMeasure - 1;
-      measureTriangles(triangleAt(child_a), triangleAt(child_b), sweep);
+      work += measureTriangles(triangleAt(child_a), triangleAt(child_b), sweep) - 1;
     } else {
       openLarger(sweep.pair, next, limit, queue);
     }
@@ -169,7 +166,10 @@ bool advanceOnce(const MovingMesh& a, const MovingMesh& b, const SweepLimits& li
   const MeshPair pair = makeMeshPair({a.tree, world_from_a}, {b.tree, world_from_b});
   const Approach approach = approachAt(a.motion, b.motion, ballOf(b.tree), found.time);
   const double rest = limits.until - found.time;
-  Sweep sweep{pair, placedInA(approach, world_from_a), limits, rest, {}, {}, false};
+  Sweep sweep{pair,   placedInA(approach, world_from_a),
+              limits, rest,
+              {},     {},
+              false,  Eigen::Vector3d::Zero()};
   if (progress.last.a != kNone) {
     measureTriangles(progress.last.a, progress.last.b, sweep);
   }
@@ -196,24 +196,6 @@ bool advanceOnce(const MovingMesh& a, const MovingMesh& b, const SweepLimits& li
   return work <= left;
 }
 
-Sighting sight(const MeshDistance& found, const SweepLimits& limits) noexcept {
-  Sighting seen;
-  seen.work = found.visits + 1;
-  seen.measured = found.measured;
-  seen.gap = found.measured.distance - nearestOf(limits);
-  const bool is_near = found.state == MeshState::overlapping || seen.gap <= limits.tolerance;
-  seen.gap = std::min(seen.gap, found.outside);
-  if (found.state == MeshState::unknown) {
-    seen.state = SweepState::unknown;
-  } else if (!is_near) {
-    seen.state = SweepState::clear;
-  } else {
-    seen.state =
-        found.state == MeshState::lower_bound ? SweepState::undecided : SweepState::contact;
-  }
-  return seen;
-}
-
 }  // namespace
 
 Ball ballOf(const MeshTree& tree) noexcept { return {tree.center(), tree.radius()}; }
@@ -237,30 +219,6 @@ SweptContact firstContact(const MovingMesh& a, const MovingMesh& b, const SweepL
          advanceOnce(a, b, limits, memory, progress)) {
   }
   return progress.found;
-}
-
-SweptContact firstContact(const MovingMesh& a, const MovingShape& b, const SweepLimits& limits,
-                          MeshQueryMemory& memory) noexcept {
-  const Ball ball_a = ballOf(a.tree);
-  const Ball ball_b = ballOf(b.shape);
-  const double nearest = nearestOf(limits);
-  TrianglePair start;
-  const auto look = [&](double time, std::uint32_t budget) noexcept {
-    const Approach approach = approachAt(a.motion, b.motion, ball_b, time);
-    MeshQueryLimits query;
-    query.visit_budget = budget;
-    // Bodies farther apart than this cannot come into contact in the rest of the interval.
-    query.stop_beyond =
-        nearest + 2.0 * limits.tolerance +
-        ofBall(approach, approach.center, approach.radius).within(limits.until - time);
-    const Pose world_from_a = poseAt(a.motion, time);
-    const Pose world_from_b = poseAt(b.motion, time);
-    const MeshDistance found = distanceBetween(
-        PlacedMesh{a.tree, world_from_a}, PlacedShape{b.shape, world_from_b}, memory, start, query);
-    start = found.nearest;
-    return sight(found, limits);
-  };
-  return advance({ball_a, a.motion}, {ball_b, b.motion}, limits, look);
 }
 
 }  // namespace collision_monitor

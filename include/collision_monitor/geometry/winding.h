@@ -29,8 +29,10 @@ class SolidAngles {
   double sum() const noexcept;  ///< [sr] the sum so far: 4 pi inside a closed surface, 0 outside
 
  private:
+  void rescale(double size) noexcept;
+
   Eigen::Vector3d point_;
-  double real_{1.0};       ///< of the product
+  double real_{1.0};       ///< of the product, up to a factor
   double imaginary_{0.0};  ///< never -0
   double turns_{0.0};      ///< whole turns that the argument of the product does not show
 };

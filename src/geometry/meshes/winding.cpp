@@ -13,6 +13,10 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Products of numbers from this size to its inverse keep all digits. Sizes of angles are cubes of
+// lengths.
+constexpr double kSmall = 1e-100;
+
 void addSpread(const Vector3d& delta, const Vector3d& normal, WindingMoments& moments) noexcept {
   for (std::size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
@@ -46,12 +50,11 @@ void SolidAngles::add(const Triangle& triangle) noexcept {
   const double lc = c.norm();
   const double y = a.dot(b.cross(c));
   const double x = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-  const double size = std::abs(x) + std::abs(y);
-  if (!(size > 0.0)) {
+  if (!(std::abs(x) + std::abs(y) > kSmall)) {
     return;
   }
-  const double real = (real_ * x - imaginary_ * y) / size;
-  const double imaginary = (real_ * y + imaginary_ * x) / size + 0.0;
+  const double real = real_ * x - imaginary_ * y;
+  const double imaginary = real_ * y + imaginary_ * x + 0.0;
   // The sum of two angles from 0 to pi, or of two below 0, may have passed half a turn.
   if (imaginary_ >= 0.0 && y >= 0.0) {
     const bool is_whole_turn = imaginary == 0.0 && real > 0.0 && real_ < 0.0;
@@ -60,10 +63,17 @@ void SolidAngles::add(const Triangle& triangle) noexcept {
     const bool is_half_turn = imaginary == 0.0 && (real < 0.0 || real_ < 0.0);
     turns_ -= imaginary > 0.0 || is_half_turn ? 1.0 : 0.0;
   }
-  constexpr double kSmall = 1e-100;
-  const double scale = std::abs(real) + std::abs(imaginary) < kSmall ? 1.0 / kSmall : 1.0;
-  real_ = scale * real;
-  imaginary_ = scale * imaginary;
+  real_ = real;
+  imaginary_ = imaginary;
+  const double size = std::abs(real) + std::abs(imaginary);
+  if (!(size > kSmall && size < 1.0 / kSmall)) {
+    rescale(size);
+  }
+}
+
+void SolidAngles::rescale(double size) noexcept {
+  real_ /= size;
+  imaginary_ /= size;
 }
 
 double SolidAngles::sum() const noexcept {

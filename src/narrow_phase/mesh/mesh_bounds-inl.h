@@ -59,6 +59,12 @@ HWY_INLINE Children childrenOf(const MeshTreeNode& node, std::size_t first) {
           load(node.slab_center + first), load(node.slab_half + first)};
 }
 
+// The same child in all lanes.
+HWY_INLINE Children everywhere(const Bound& child) {
+  return {vector(child.center.data()), vector(child.half.data()), vector(child.normal.data()),
+          number(child.slab_center), number(child.slab_half)};
+}
+
 // The interval that a bound covers along a direction.
 struct Shadow {
   Number middle, half;
@@ -71,6 +77,13 @@ HWY_INLINE Shadow shadowOf(const Children& children, const Vector& u, Number sha
   return {
       hn::Add(hn::Mul(shared, children.slab_center), dot(rest, children.center)),
       hn::Add(hn::Mul(hn::Abs(shared), children.slab_half), dot(absolute(rest), children.half))};
+}
+
+// The end of the interval that children cover along a direction, by the box alone or with the slab.
+HWY_INLINE Number endOf(const Children& children, const Vector& u) {
+  const Shadow with_slab = shadowOf(children, u, dot(u, children.normal));
+  const Number of_box = hn::Add(dot(u, children.center), dot(absolute(u), children.half));
+  return hn::Min(hn::Add(with_slab.middle, with_slab.half), of_box);
 }
 
 HWY_INLINE Number gapBetween(const Shadow& a, const Shadow& b) {

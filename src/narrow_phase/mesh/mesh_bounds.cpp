@@ -76,11 +76,11 @@ std::uint32_t boundNode(const MeshTreeNode& node, const PlacedBound& bound, floa
 
 // How far `other` lies beyond the children along a unit vector.
 HWY_INLINE Number gapAlong(const Children& children, const Other& other, const Vector& u) {
-  const Shadow of_children = shadowOf(children, u, dot(u, children.normal));
-  const Shadow of_other = shadowOf(other, u, dot(u, other.normal));
-  return hn::Sub(hn::Sub(hn::Sub(of_other.middle, of_children.middle),
-                         hn::Add(of_other.half, of_children.half)),
-                 other.slack);
+  const Shadow with_slab = shadowOf(other, u, dot(u, other.normal));
+  const Shadow of_box = shadowOf(other, u, hn::Zero(Some()));
+  const Number start =
+      hn::Max(hn::Sub(with_slab.middle, with_slab.half), hn::Sub(of_box.middle, of_box.half));
+  return hn::Sub(hn::Sub(start, endOf(children, u)), other.slack);
 }
 
 void gapsOfChildren(const MeshTreeNode& node, const PlacedBound& bound, const float* direction,
@@ -93,12 +93,9 @@ void gapsOfChildren(const MeshTreeNode& node, const PlacedBound& bound, const fl
 
 void gapsAlongMany(const Bound& child, const PlacedBound& bound, const Directions& directions,
                    float* gaps) {
-  const Children everywhere_child{vector(child.center.data()), vector(child.half.data()),
-                                  vector(child.normal.data()), number(child.slab_center),
-                                  number(child.slab_half)};
   for (std::size_t first = 0; first < kDirections; first += hn::Lanes(Some())) {
     const Vector u = load(directions.at, first);
-    hn::StoreU(gapAlong(everywhere_child, everywhere(bound), u), Some(), gaps + first);
+    hn::StoreU(gapAlong(everywhere(child), everywhere(bound), u), Some(), gaps + first);
   }
 }
 

@@ -85,6 +85,9 @@ std::uint32_t boundNearer(const MeshTreeNode& node, const PlacedTriangle& other,
 std::array<float, MeshTreeNode::kWidth> gapsAlong(const MeshTreeNode& node,
                                                   const PlacedBound& other,
                                                   const Eigen::Vector3f& direction) noexcept;
+std::array<float, MeshTreeNode::kWidth> gapsAlong(const MeshTreeNode& node,
+                                                  const PlacedTriangle& other,
+                                                  const Eigen::Vector3f& direction) noexcept;
 
 /// Number of unit vectors tried at once.
 constexpr std::size_t kDirections = MeshTreeNode::kWidth;
@@ -94,6 +97,8 @@ struct alignas(32) Directions {
 
 /// The same for one child along each direction.
 std::array<float, kDirections> gapsAlong(const Bound& child, const PlacedBound& other,
+                                         const Directions& directions) noexcept;
+std::array<float, kDirections> gapsAlong(const Bound& child, const PlacedTriangle& other,
                                          const Directions& directions) noexcept;
 
 }  // namespace collision_monitor

@@ -79,7 +79,9 @@ double NodePairQueue::leastBound(double start) const noexcept {
 
 void choose(const MeshPair& pair, Slot a, Slot b, OpenedPair& opened) noexcept {
   chooseSide(pair, a, b, opened);
-  placeBound(pair, opened);
+  if (!opened.triangle) {
+    placeBound(pair, opened);
+  }
 }
 
 void boundChildren(float limit, OpenedPair& opened) noexcept {
@@ -91,10 +93,7 @@ void boundChildren(float limit, OpenedPair& opened) noexcept {
 void openLarger(const MeshPair& pair, const MeshQueryMemory::NodePair& bounds, float limit,
                 NodePairQueue& queue) noexcept {
   OpenedPair opened;
-  chooseSide(pair, bounds.a, bounds.b, opened);
-  if (!opened.triangle) {
-    placeBound(pair, opened);
-  }
+  choose(pair, bounds.a, bounds.b, opened);
   boundChildren(limit, opened);
   queue.pushNearer(opened);
 }

@@ -59,8 +59,8 @@ double squaredGapAlong(const Eigen::Vector3d& direction, const MeshPair& pair,
 /// A node pair of which one side is opened: its children beside the other side.
 struct OpenedPair {
   const MeshTreeNode* node;                ///< has the children
-  PlacedBound placed;                      ///< the other side, in their frame
-  std::optional<PlacedTriangle> triangle;  ///< the same, if it is one
+  PlacedBound placed;                      ///< the other side, in their frame, if it is a bound
+  std::optional<PlacedTriangle> triangle;  ///< the same, if it is a triangle of a mesh
   Slot first;                              ///< first of the children
   Slot other;
   bool is_of_a;

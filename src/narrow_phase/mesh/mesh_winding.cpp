@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "narrow_phase/mesh/mesh_winding.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "collision_monitor/geometry/ids.h"
@@ -15,55 +14,97 @@ namespace {
 // Rounding of a sum of up to 1e7 solid angles.
 constexpr double kRounding = 1e-9;
 
-// Sums all parts. A part counts by its moments or, if their error exceeds `most_of_part`, by its
-// own parts. Stops with the sum so far once the error exceeds `most_of_all`.
-WindingNumber sum(const MeshTree& tree, const Eigen::Vector3d& point, double most_of_part,
-                  double most_of_all, MeshQueryMemory& memory) noexcept {
-  const std::vector<WindingMoments>& moments = tree.openSurface()->moments;
-  WindingNumber number{0.0, kRounding, 0};
-  SolidAngles angles(point);
-  NodePairQueue queue(memory);
-  queue.push({0.0F, 0, 0});
-  while (!queue.empty() && number.error <= most_of_all) {
-    const std::uint32_t node = queue.pop().a;
-    ++number.visits;
-    const BoundedNumber part = windingOf(moments[node], point);
-    if (part.error <= most_of_part) {
-      number.value += part.value;
-      number.error += part.error;
-      continue;
-    }
-    for (const std::uint32_t child : tree.nodes()[node].child) {
-      if (child == kNone) {
-        continue;
-      }
-      if (isTriangle(child)) {
-        angles.add(tree.triangles()[triangleAt(child)]);
-        ++number.visits;
-      } else {
-        queue.push({0.0F, child, 0});
+// A sum over all parts of a surface. A part counts by its moments or, if their error exceeds a
+// limit, by its own parts. Lower limits open the parts that are too coarse for them, not the rest.
+class SumOfParts {
+ public:
+  SumOfParts(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory) noexcept
+      : tree_(tree), point_(point), memory_(memory), angles_(point) {}
+
+  void openRoot(double most_of_part) noexcept { open(0, most_of_part); }
+
+  void openCoarse(double most_of_part) noexcept {
+    for (std::size_t i = held_; i-- > 0;) {
+      const Held part = memory_.node_pairs[i];
+      if (static_cast<double>(part.squared_bound) > most_of_part) {
+        // What takes its place is fine enough, or was looked at before.
+        memory_.node_pairs[i] = memory_.node_pairs[--held_];
+        const BoundedNumber coarse = momentsAt(part.a);
+        of_moments_.value -= coarse.value;
+        of_moments_.error -= coarse.error;
+        openChildren(part.a, most_of_part);
       }
     }
   }
-  number.value += angles.sum() / (4.0 * kPi);
-  return number;
+
+  WindingNumber number() const noexcept {
+    const double of_angles = angles_.sum() / (4.0 * kPi);
+    return held_ == 0 ? WindingNumber{of_angles, kRounding, visits_}
+                      : WindingNumber{of_angles + of_moments_.value, of_moments_.error + kRounding,
+                                      visits_};
+  }
+
+ private:
+  using Held = MeshQueryMemory::NodePair;  // its bound is the error, not squared
+  static constexpr std::size_t kMostHeld = MeshFront::kCapacity;  // the rest is the stack
+
+  BoundedNumber momentsAt(std::uint32_t node) const noexcept {
+    return windingOf(tree_.openSurface()->moments[node], point_);
+  }
+
+  void open(std::uint32_t node, double most_of_part) noexcept {
+    ++visits_;
+    const BoundedNumber part = momentsAt(node);
+    if (!(part.error <= most_of_part) || held_ == kMostHeld) {
+      openChildren(node, most_of_part);
+      return;
+    }
+    of_moments_.value += part.value;
+    of_moments_.error += part.error;
+    memory_.node_pairs[held_++] = {static_cast<float>(part.error), node, 0};
+  }
+
+  void openChildren(std::uint32_t node, double most_of_part) noexcept;
+
+  const MeshTree& tree_;
+  const Eigen::Vector3d& point_;
+  MeshQueryMemory& memory_;
+  SolidAngles angles_;
+  BoundedNumber of_moments_;
+  std::size_t held_{0};  // parts that count by their moments
+  std::uint32_t visits_{0};
+};
+
+// Recursion is as deep as the tree.
+void SumOfParts::openChildren(std::uint32_t node, double most_of_part) noexcept {
+  for (const std::uint32_t child : tree_.nodes()[node].child) {
+    if (child == kNone) {
+      continue;
+    }
+    if (isTriangle(child)) {
+      angles_.add(tree_.triangles()[triangleAt(child)]);
+      ++visits_;
+    } else {
+      open(child, most_of_part);
+    }
+  }
 }
 
-// Searches from coarse to fine. A number with an error above `most` never suffices.
+// Searches from coarse to fine.
 template <class ReachesCutoff>
-WindingNumber search(const MeshTree& tree, const Eigen::Vector3d& point, double most,
-                     MeshQueryMemory& memory, const ReachesCutoff& reachesCutoff) noexcept {
+WindingNumber search(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory,
+                     const ReachesCutoff& reachesCutoff) noexcept {
   constexpr double kCoarsest = 0x1p-6;
   constexpr double kStep = 0x1p-3;
-  std::uint32_t visits = 0;
   double most_of_part = kCoarsest;
-  WindingNumber number;
-  do {
-    number = sum(tree, point, most_of_part, most, memory);
-    visits += number.visits;
+  SumOfParts sum(tree, point, memory);
+  sum.openRoot(most_of_part);
+  WindingNumber number = sum.number();
+  while (number.error > kRounding && !reachesCutoff(number)) {
     most_of_part *= kStep;
-  } while (number.error > kRounding && !reachesCutoff(number));
-  number.visits = visits;
+    sum.openCoarse(most_of_part);
+    number = sum.number();
+  }
   return number;
 }
 
@@ -71,13 +112,13 @@ WindingNumber search(const MeshTree& tree, const Eigen::Vector3d& point, double 
 
 WindingNumber windingNumber(const MeshTree& tree, const Eigen::Vector3d& point, double error,
                             MeshQueryMemory& memory) noexcept {
-  return search(tree, point, std::max(error, kRounding), memory,
+  return search(tree, point, memory,
                 [&](const WindingNumber& number) { return number.error <= error; });
 }
 
 WindingNumber windingByHalf(const MeshTree& tree, const Eigen::Vector3d& point, double error,
                             MeshQueryMemory& memory) noexcept {
-  return search(tree, point, kInfinity, memory, [&](const WindingNumber& number) {
+  return search(tree, point, memory, [&](const WindingNumber& number) {
     return number.error <= error || std::abs(std::abs(number.value) - 0.5) > number.error;
   });
 }

@@ -120,6 +120,30 @@ std::uint32_t boundNodeAtTriangle(const MeshTreeNode& node, const PlacedTriangle
   return nearer;
 }
 
+// How far the triangle lies beyond the children along a unit vector.
+HWY_INLINE Number gapAlong(const Children& children, const PlacedTriangle& triangle,
+                           const Vector& u) {
+  const auto height = [&](std::size_t i) { return dot(u, vector(triangle.corners[i].data())); };
+  const Number start = hn::Min(hn::Min(height(0), height(1)), height(2));
+  return hn::Sub(hn::Sub(start, endOf(children, u)), number(2.0F * triangle.slack));
+}
+
+void gapsOfChildrenAtTriangle(const MeshTreeNode& node, const PlacedTriangle& triangle,
+                              const float* direction, float* gaps) {
+  for (std::size_t first = 0; first < MeshTreeNode::kWidth; first += hn::Lanes(Some())) {
+    hn::StoreU(gapAlong(childrenOf(node, first), triangle, vector(direction)), Some(),
+               gaps + first);
+  }
+}
+
+void gapsAlongManyAtTriangle(const Bound& child, const PlacedTriangle& triangle,
+                             const Directions& directions, float* gaps) {
+  for (std::size_t first = 0; first < kDirections; first += hn::Lanes(Some())) {
+    hn::StoreU(gapAlong(everywhere(child), triangle, load(directions.at, first)), Some(),
+               gaps + first);
+  }
+}
+
 // NOLINTNEXTLINE(google-readability-namespace-comments)
 }  // namespace HWY_NAMESPACE
 }  // namespace collision_monitor
@@ -130,6 +154,8 @@ namespace collision_monitor {
 namespace {
 
 HWY_EXPORT(boundNodeAtTriangle);
+HWY_EXPORT(gapsOfChildrenAtTriangle);
+HWY_EXPORT(gapsAlongManyAtTriangle);
 
 }  // namespace
 
@@ -147,6 +173,21 @@ PlacedTriangle place(const BoundPlacement& placement, const Eigen::Vector3d& cen
 std::uint32_t boundNearer(const MeshTreeNode& node, const PlacedTriangle& other, float limit,
                           NodeBounds& bounds) noexcept {
   return HWY_DYNAMIC_DISPATCH(boundNodeAtTriangle)(node, other, limit, bounds);
+}
+
+std::array<float, MeshTreeNode::kWidth> gapsAlong(const MeshTreeNode& node,
+                                                  const PlacedTriangle& other,
+                                                  const Eigen::Vector3f& direction) noexcept {
+  std::array<float, MeshTreeNode::kWidth> gaps;
+  HWY_DYNAMIC_DISPATCH(gapsOfChildrenAtTriangle)(node, other, direction.data(), gaps.data());
+  return gaps;
+}
+
+std::array<float, kDirections> gapsAlong(const Bound& child, const PlacedTriangle& other,
+                                         const Directions& directions) noexcept {
+  std::array<float, kDirections> gaps;
+  HWY_DYNAMIC_DISPATCH(gapsAlongManyAtTriangle)(child, other, directions, gaps.data());
+  return gaps;
 }
 
 }  // namespace collision_monitor

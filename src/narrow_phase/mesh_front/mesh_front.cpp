@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "geometry/ball_motion.h"
+#include "geometry/point_triangle.h"
 #include "narrow_phase/mesh_front/front_entries.h"
 #include "narrow_phase/mesh_front/front_lanes.h"
 
@@ -103,17 +105,37 @@ std::uint32_t nearestOf(const OpenedPair& opened, std::uint32_t children) noexce
   return nearest;
 }
 
-// Directions that separate the boxes, the centers or the normals of a child and the other bound,
-// and directions between these.
-Directions likelyDirections(const Bound& child, const PlacedBound& other) noexcept {
+// What the likely directions are made of, from a child to the other bound or triangle.
+struct Lying {
+  Eigen::Vector3f gap;      // of the boxes
+  Eigen::Vector3f between;  // from the child's center to the other, where it is near
+  Eigen::Vector3f normal;   // of the other
+};
+
+Lying lyingOf(const Bound& child, const PlacedBound& other) noexcept {
   const Eigen::Vector3f between = other.center - child.center;
   const Eigen::Vector3f gap = (between.cwiseAbs() - child.half - other.reach).cwiseMax(0.0F);
+  return {gap.cwiseProduct(between.cwiseSign()), between, other.normal};
+}
+
+Lying lyingOf(const Bound& child, const PlacedTriangle& other) noexcept {
+  const auto& [a, b, c] = other.corners;
+  const Eigen::Vector3f above = a.cwiseMin(b).cwiseMin(c) - (child.center + child.half);
+  const Eigen::Vector3f below = (child.center - child.half) - a.cwiseMax(b).cwiseMax(c);
+  const Eigen::Vector3d nearest = closestPointOnTriangle(
+      child.center.cast<double>(), a.cast<double>(), b.cast<double>(), c.cast<double>());
+  return {above.cwiseMax(0.0F) - below.cwiseMax(0.0F), nearest.cast<float>() - child.center,
+          unitOrNone((b - a).cross(c - a))};
+}
+
+// Directions that separate the boxes, the centers or the normals of a child and the other, and
+// directions between these.
+Directions likelyDirections(const Bound& child, const Lying& other) noexcept {
   const auto towards = [&](const Eigen::Vector3f& normal) {
-    return Eigen::Vector3f(normal.dot(between) < 0.0F ? -normal : normal);
+    return Eigen::Vector3f(normal.dot(other.between) < 0.0F ? -normal : normal);
   };
-  const std::array<Eigen::Vector3f, 4> single{unitOrNone(gap.cwiseProduct(between.cwiseSign())),
-                                              unitOrNone(between), towards(other.normal),
-                                              towards(child.normal)};
+  const std::array<Eigen::Vector3f, 4> single{unitOrNone(other.gap), unitOrNone(other.between),
+                                              towards(other.normal), towards(child.normal)};
   Directions directions;
   for (std::size_t i = 0; i < kDirections; ++i) {
     const Eigen::Vector3f unit =
@@ -247,8 +269,11 @@ double squaredReach(double squared_distance, const MeshFront& front) noexcept {
 std::uint32_t directionFor(const OpenedPair& opened, std::uint32_t children,
                            const Eigen::Matrix3d& resting_from_node) noexcept {
   const Bound child = boundOf(*opened.node, nearestOf(opened, children));
-  const Directions directions = likelyDirections(child, opened.placed);
-  const std::array<float, kDirections> gaps = gapsAlong(child, opened.placed, directions);
+  const Directions directions = likelyDirections(
+      child, opened.triangle ? lyingOf(child, *opened.triangle) : lyingOf(child, opened.placed));
+  const std::array<float, kDirections> gaps = opened.triangle
+                                                  ? gapsAlong(child, *opened.triangle, directions)
+                                                  : gapsAlong(child, opened.placed, directions);
   const auto best = std::max_element(gaps.begin(), gaps.end()) - gaps.begin();
   const Eigen::Vector3d chosen(directions.at[0][best], directions.at[1][best],
                                directions.at[2][best]);
@@ -259,7 +284,9 @@ std::array<float, MeshTreeNode::kWidth> gapsAlong(
     std::uint32_t direction, const OpenedPair& opened,
     const Eigen::Matrix3d& resting_from_node) noexcept {
   const Eigen::Vector3d in_node = resting_from_node.transpose() * directionOf(direction);
-  return gapsAlong(*opened.node, opened.placed, in_node.normalized().cast<float>());
+  const Eigen::Vector3f unit = in_node.normalized().cast<float>();
+  return opened.triangle ? gapsAlong(*opened.node, *opened.triangle, unit)
+                         : gapsAlong(*opened.node, opened.placed, unit);
 }
 
 void keep(const FrontEntry& entry, const MovingBounds& moving, MeshFront& front) noexcept {

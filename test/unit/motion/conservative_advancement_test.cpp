@@ -9,6 +9,7 @@
 
 #include "geometry/constants.h"
 #include "support/expect_distance.h"
+#include "support/random_poses.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor::test {
@@ -201,6 +202,75 @@ TEST(ConservativeAdvancement, meshLooksOnlyWhereItMayMeet) {
   const auto away = meet(sphere, still(Pose()), sphere, straight(at(2, 0, 0), {-0.02, 0, 0}));
   EXPECT_EQ(away.state, SweepState::clear);
   EXPECT_LE(away.work, 1U);
+}
+
+/// A square of 1 m, across z, of many triangles.
+TriangleMesh plate(std::uint32_t squares) {
+  TriangleMesh mesh;
+  for (std::uint32_t y = 0; y <= squares; ++y) {
+    for (std::uint32_t x = 0; x <= squares; ++x) {
+      mesh.vertices.emplace_back(static_cast<double>(x) / squares, static_cast<double>(y) / squares,
+                                 0.0);
+    }
+  }
+  for (std::uint32_t y = 0; y < squares; ++y) {
+    for (std::uint32_t x = 0; x < squares; ++x) {
+      const std::uint32_t first = y * (squares + 1) + x;
+      const std::uint32_t above = first + squares + 1;
+      mesh.triangles.push_back({first, first + 1, above});
+      mesh.triangles.push_back({first + 1, above + 1, above});
+    }
+  }
+  return mesh;
+}
+
+TEST(ConservativeAdvancement, platesThatSlide_measureFewTriangles) {
+  const TriangleMesh mesh = plate(10);
+  SweepLimits limits;
+  limits.budget = 100'000;
+  const auto found =
+      meet(mesh, still(Pose()), mesh, straight(at(0, 0, 1e-3), {0.02, 0.01, 0}), limits);
+  EXPECT_EQ(found.state, SweepState::clear);
+  EXPECT_LT(found.work, 6000U);
+}
+
+TEST(ConservativeAdvancement, boxThatSlidesOnAPlate_takesFewSteps) {
+  static const auto memory = std::make_unique<MeshQueryMemory>();
+  const MeshTree tree(plate(10));
+  const Shape box = Box{{0.1, 0.1, 0.1}};
+  SweepLimits limits;
+  limits.budget = 1'000'000;
+  const auto found = firstContact(MovingMesh{tree, still(Pose())},
+                                  MovingShape{box, straight(at(0.4, 0.5, 0.1001), {0.2, 0.1, 0})},
+                                  limits, *memory);
+  EXPECT_EQ(found.state, SweepState::clear);
+  EXPECT_LT(found.work, 1000U);
+}
+
+TEST(ConservativeAdvancement, turningMeshAndShape_asTwoMeshes) {
+  static const auto memory = std::make_unique<MeshQueryMemory>();
+  Random random(20260101);
+  const MeshTree tree(plate(4));
+  const MeshTree box_tree(boxMesh({0.1, 0.2, 0.3}));
+  const Shape box = Box{{0.1, 0.2, 0.3}};
+  SweepLimits limits;
+  limits.budget = 1'000'000;
+  int contacts = 0;
+  for (int i = 0; i < 300; ++i) {
+    const ScrewMotion of_plate = screwBetween(randomPose(random, 0.5), randomPose(random, 0.5));
+    const ScrewMotion of_box = screwBetween(randomPose(random, 1.0), randomPose(random, 1.0));
+    const auto with_shape =
+        firstContact(MovingMesh{tree, of_plate}, MovingShape{box, of_box}, limits, *memory);
+    const auto with_mesh =
+        firstContact(MovingMesh{tree, of_plate}, MovingMesh{box_tree, of_box}, limits, *memory);
+    ASSERT_NE(with_shape.state, SweepState::undecided);
+    if (with_shape.time > 0.0 && with_mesh.time > 0.0) {
+      EXPECT_EQ(with_shape.state, with_mesh.state);
+      EXPECT_NEAR(with_shape.time, with_mesh.time, 1e-4);
+      contacts += with_shape.state == SweepState::contact ? 1 : 0;
+    }
+  }
+  EXPECT_GT(contacts, 50);
 }
 
 TEST(ConservativeAdvancement, meshAndBall) {

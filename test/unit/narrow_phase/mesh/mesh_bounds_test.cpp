@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -102,6 +103,47 @@ TEST_P(MeshBounds, triangleBesideACorner_gapFromItsCorner) {
   EXPECT_LT(bounds.squared[0], 17.0F);
 }
 
+TEST_P(MeshBounds, slabAcrossTheDirection_gapOfTheBoxes) {
+  MeshTreeNode node = nodeOfCubes();
+  node.normal[0][0] = 0.6F;
+  node.normal[2][0] = 0.8F;
+  node.slab_half[0] = 1.4F;
+  const PlacedBound other = cubeAt({Eigen::Matrix3d::Identity(), {5, 0, 0}});
+  const auto gaps = gapsAlong(node, other, Eigen::Vector3f::UnitX());
+  EXPECT_NEAR(gaps[0], 3.0F, 1e-3F);
+  EXPECT_LE(gaps[0], 3.0F);
+}
+
+TEST_P(MeshBounds, slantedTriangle_gapToItsEdge) {
+  const Triangle triangle{{{10, 0, 0}, {0, 10, 0}, {10, 10, 0}}};
+  const Eigen::Vector3f diagonal = Eigen::Vector3f(1, 1, 0).normalized();
+  const auto gaps = gapsAlong(nodeOfCubes(), trianglePlacedBy(Pose{}, triangle), diagonal);
+  EXPECT_NEAR(gaps[0], std::sqrt(32.0F), 1e-3F);
+  EXPECT_LE(gaps[0], std::sqrt(32.0F));
+}
+
+TEST_P(MeshBounds, oneChildAlongManyDirections_asEachAlone) {
+  Random random(20260101);
+  const MeshTreeNode node = nodeOfCubes();
+  const PlacedTriangle triangle =
+      trianglePlacedBy(Pose{}, Triangle{{{4, -3, 3}, {9, -9, 1}, {9, -7, 9}}});
+  const PlacedBound cube = cubeAt({Eigen::Matrix3d::Identity(), {5, 35, 0}});
+  Directions directions;
+  std::array<Eigen::Vector3f, kDirections> units;
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    units[i] = randomPoint(random, 1.0).normalized().cast<float>();
+    for (int axis = 0; axis < 3; ++axis) {
+      directions.at[axis][i] = units[i][axis];
+    }
+  }
+  const auto at_triangle = gapsAlong(boundOf(node, 2), triangle, directions);
+  const auto at_cube = gapsAlong(boundOf(node, 2), cube, directions);
+  for (std::size_t i = 0; i < kDirections; ++i) {
+    EXPECT_EQ(at_triangle[i], gapsAlong(node, triangle, units[i])[2]);
+    EXPECT_EQ(at_cube[i], gapsAlong(node, cube, units[i])[2]);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(EveryInstructionSet, MeshBounds, testing::ValuesIn(instructionSets()),
                          [](const auto& target) { return hwy::TargetName(target.param); });
 
@@ -149,7 +191,8 @@ struct Tightness {
 };
 
 void expectBelowDistances(const MeshTree& tree, const Pose& tree_from_triangle,
-                          const Triangle& triangle, Tightness& tightness) {
+                          const Triangle& triangle, const Eigen::Vector3f& direction,
+                          Tightness& tightness) {
   const Pose from_center{Eigen::Matrix3d::Identity(), -tree.center()};
   const PlacedTriangle other = place(makePlacement(from_center * tree_from_triangle, 5.0),
                                      Eigen::Vector3d::Zero(), triangle);
@@ -158,9 +201,11 @@ void expectBelowDistances(const MeshTree& tree, const Pose& tree_from_triangle,
   for (const MeshTreeNode& node : tree.nodes()) {
     NodeBounds bounds;
     boundNearer(node, other, 1.0F, bounds);
+    const auto gaps = gapsAlong(node, other, direction);
     for (std::uint32_t slot = 0; slot < MeshTreeNode::kWidth; ++slot) {
       if (node.child[slot] != kNone) {
         const double squared = squaredDistance(tree, node.child[slot], in_tree);
+        ASSERT_LE(static_cast<double>(gaps[slot]), std::sqrt(squared));
         ASSERT_LE(static_cast<double>(bounds.squared[slot]), squared);
         ++tightness.children;
         tightness.tight += static_cast<double>(bounds.squared[slot]) >= 0.25 * squared ? 1 : 0;
@@ -178,7 +223,9 @@ TEST(MeshBoundsOfATree, triangles_areNoNearerThanTheirBounds) {
       const double size = std::pow(10.0, uniform(random, -3.0, 0.0));
       const Triangle triangle{randomPoint(random, size), randomPoint(random, size),
                               randomPoint(random, size)};
-      expectBelowDistances(tree, randomPose(random, 1.0), triangle, tightness);
+      const Pose pose = randomPose(random, 1.0);
+      const Eigen::Vector3f direction = (pose * triangle[0]).normalized().cast<float>();
+      expectBelowDistances(tree, pose, triangle, direction, tightness);
     }
   }
   EXPECT_GT(tightness.tight, 9 * tightness.children / 10);

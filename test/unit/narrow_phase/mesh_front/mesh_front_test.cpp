@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
 
 #include "narrow_phase/mesh/mesh_distance.h"
+#include "narrow_phase/mesh_front/front_entries.h"
 #include "support/expect_distance.h"
 #include "support/own_front.h"
 #include "support/query_meshes.h"
@@ -149,6 +151,22 @@ TEST_F(MeshFronts, nearestPointThatGoesIntoAnOpenMesh_isAsked) {
     EXPECT_EQ(found.state, truth.state) << x;
     EXPECT_NEAR(found.measured.distance, truth.measured.distance, kExact) << x;
   }
+}
+
+TEST(DirectionFor, boxInTheBoxOfASlantedTriangle_partedAcrossTheEdge) {
+  const BoundPlacement resting = makePlacement(Pose{}, 20.0);
+  const Triangle triangle{{{10, 0, 0}, {0, 10, 0}, {10, 10, 0}}};
+  const MeshTree around(TriangleMesh{{triangle[0], triangle[1], triangle[2]}, {{0, 1, 2}}});
+  const MeshTree box(boxMesh({1, 1, 1}));
+  OpenedPair opened;
+  opened.node = &box.nodes()[0];
+  opened.placed = place(makePlacement({Eigen::Matrix3d::Identity(), around.center()}, 20.0),
+                        boundAt(around, 0));
+  opened.triangle = place(resting, Eigen::Vector3d::Zero(), triangle);
+  boundChildren(1e30F, opened);
+  const std::uint32_t direction = directionFor(opened, 1U, Eigen::Matrix3d::Identity());
+  const auto gaps = gapsAlong(direction, opened, Eigen::Matrix3d::Identity());
+  EXPECT_GT(gaps[0], 0.99F * std::sqrt(opened.bounds.squared[0]));
 }
 
 }  // namespace
