@@ -182,7 +182,7 @@ void bindSolid(py::module_& module) {
       .def_static("hull", hullOf, py::arg("points"), "The convex hull of (k, 3) points.")
       .def_static("mesh", meshOf, py::arg("vertices"), py::arg("triangles"),
                   "vertices: (k, 3). triangles: (m, 3) whole numbers, counter-clockwise from "
-                  "outside where\nthe mesh is closed.")
+                  "outside where\nthe mesh is closed. Vertices that no triangle uses do not count.")
       .def_static("mesh_file", meshInFile, py::arg("file"), py::arg("scale") = 1.0,
                   "A mesh file: STL, DAE, OBJ, PLY. scale: one number, or three.")
       .def("__repr__", [](const NamedSolid& self) { return text("Solid: " + self.name); });
