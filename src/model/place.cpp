@@ -158,6 +158,10 @@ std::string legible(const std::string& text) {
          " bytes ...]" + visibleText(text.substr(tail));
 }
 
+std::string counted(std::size_t count, const std::string& one) {
+  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+}
+
 std::string someOf(const std::vector<std::string>& items) {
   constexpr std::size_t kShown = 12;
   if (items.size() <= kShown) {
