@@ -7,7 +7,9 @@ foreach(name mesh_loading/helper_main mesh_loading/message_channel mesh_files/bi
         mesh_files/triangulate number_text place problems xml_declaration xml_document visible_text)
   list(APPEND mesh_reading_sources ${PROJECT_SOURCE_DIR}/src/model/${name}.cpp)
 endforeach()
-list(APPEND mesh_reading_sources ${PROJECT_SOURCE_DIR}/src/geometry/meshes/weld_vertices.cpp)
+foreach(name flat_triangles weld_vertices)
+  list(APPEND mesh_reading_sources ${PROJECT_SOURCE_DIR}/src/geometry/meshes/${name}.cpp)
+endforeach()
 add_library(${PROJECT_NAME}_mesh_reading OBJECT ${mesh_reading_sources})
 set_target_properties(${PROJECT_NAME}_mesh_reading PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_include_directories(${PROJECT_NAME}_mesh_reading

@@ -41,7 +41,8 @@ class Solid {
   static Solid cone(double radius, double length);
   /// The convex hull of points [m].
   static Solid hull(const std::vector<Eigen::Vector3d>& points);
-  /// @param mesh triangles, and their inside if they have one
+  /// @param mesh triangles, and their inside if they have one. Vertices that no triangle uses do
+  /// not count; without triangles, the vertices are points.
   static Solid mesh(const TriangleMesh& mesh);
   /// A mesh file: STL, DAE, OBJ, PLY.
   /// @throws ArgumentError if it cannot be read

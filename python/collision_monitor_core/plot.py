@@ -132,5 +132,6 @@ def plot(robot: Robot, q: Any, within: float = 0.2, count: int = 10,
     for pair in known:
         _draw_pair(axes, pair)
     unknown = sum(pair.quality == Quality.unknown for pair in found)
-    axes.set_title(f"{robot.verdict(q).name}" + (f", {unknown} pairs unknown" if unknown else ""))
+    pairs = "pair" if unknown == 1 else "pairs"
+    axes.set_title(f"{robot.verdict(q).name}" + (f", {unknown} {pairs} unknown" if unknown else ""))
     return axes

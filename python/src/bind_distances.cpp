@@ -100,7 +100,8 @@ std::vector<std::size_t> byDistance(const std::vector<MeasuredPair>& pairs) {
 
 std::string distancesText(const DistancesAnswer& answer) {
   constexpr std::size_t kShown = 5;
-  std::string lines = "Distances of " + std::to_string(answer.pairs.size()) + " pairs";
+  std::string lines = "Distances of " + std::to_string(answer.pairs.size()) +
+                      (answer.pairs.size() == 1 ? " pair" : " pairs");
   const std::vector<std::size_t> order = byDistance(answer.pairs);
   for (std::size_t i = 0; i < std::min(kShown, order.size()); ++i) {
     lines += "\n  " + pairText(*answer.robot, answer.pairs[order[i]]);

@@ -28,7 +28,8 @@ std::string statesText(const StatesAnswer& answer) {
   for (const StateAnswer& state : answer.states) {
     ++counts[static_cast<std::size_t>(state.verdict)];
   }
-  std::string line = "StateAnswers of " + std::to_string(answer.states.size()) + " states";
+  std::string line = "StateAnswers of " + std::to_string(answer.states.size()) +
+                     (answer.states.size() == 1 ? " state" : " states");
   for (std::size_t i = 0; i < counts.size(); ++i) {
     line +=
         (i == 0 ? ": " : ", ") + std::to_string(counts[i]) + " " + nameOf(static_cast<Verdict>(i));

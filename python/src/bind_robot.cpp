@@ -7,6 +7,7 @@
 
 #include "enums.h"
 #include "failures.h"
+#include "given_number.h"
 #include "many_answers.h"
 #include "numbers.h"
 #include "python_progress.h"
@@ -17,12 +18,13 @@ namespace {
 
 namespace py = pybind11;
 
-DistancesAnswer distances(const SharedRobot& self, const py::object& q, double within,
+DistancesAnswer distances(const SharedRobot& self, const py::object& q, const GivenNumber& within,
                           bool gradients) {
   const std::vector<double> state = readState(self->monitor(), q);
+  const DistanceRequest request{numberOf(within, "within"), gradients};
   DistancesAnswer answer{self, {}, {}, gradients};
   self->ask([&](RobotQuery& query) {
-    const DistanceTable& table = query.distances(state, {within, gradients});
+    const DistanceTable& table = query.distances(state, request);
     answer.pairs = table.pairs;
     answer.gradients = table.gradients;
   });
@@ -80,10 +82,13 @@ Numbers numbersOf(const Array& array) {
 }
 
 StatesAnswer check(const SharedRobot& self, const py::object& states, const std::string& question,
-                   unsigned threads, const py::object& progress) {
+                   const GivenCount& threads, const py::object& progress) {
   const Array rows = readRows(self->monitor(), states, "states");
   PythonProgress told(progress);
-  StatesRequest request{questionOf(question), threads, [&](double done) { return told(done); }};
+  constexpr std::uint64_t kMostThreads = std::numeric_limits<unsigned>::max();
+  StatesRequest request{questionOf(question),
+                        static_cast<unsigned>(countOf(threads, "threads", kMostThreads)),
+                        [&](double done) { return told(done); }};
   StatesAnswer answer{self, {}};
   const auto count = static_cast<std::size_t>(rows.shape(0));
   if (count > 0) {
@@ -98,9 +103,9 @@ StatesAnswer check(const SharedRobot& self, const py::object& states, const std:
 }
 
 PathsAnswer checkPath(const SharedRobot& self, const py::object& positions, const py::object& times,
-                      const py::object& velocities, double margin, double resolution,
-                      double tolerance, std::optional<std::uint64_t> budget,
-                      const py::object& progress) {
+                      const py::object& velocities, const GivenNumber& margin,
+                      const GivenNumber& resolution, const GivenNumber& tolerance,
+                      const std::optional<GivenCount>& budget, const py::object& progress) {
   const Array rows = readRows(self->monitor(), positions, "positions");
   Array stamps;
   Array speeds;
@@ -112,11 +117,11 @@ PathsAnswer checkPath(const SharedRobot& self, const py::object& positions, cons
   }
   PythonProgress told(progress);
   TrajectoryOptions options;
-  options.margin = margin;
-  options.resolution = resolution;
-  options.tolerance = tolerance;
+  options.margin = numberOf(margin, "margin");
+  options.resolution = numberOf(resolution, "resolution");
+  options.tolerance = numberOf(tolerance, "tolerance");
   options.progress = [&](double done) { return told(done); };
-  options.budget = budget.value_or(options.budget);
+  options.budget = budget ? countOf(*budget, "budget", options.budget) : options.budget;
   const WayPoints path{numbersOf(rows), numbersOf(stamps), numbersOf(speeds)};
   PathsAnswer answer{self,
                      self->ask([&](RobotQuery& query) { return query.checkPath(path, options); })};

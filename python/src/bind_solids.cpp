@@ -9,6 +9,7 @@
 #include "columns.h"
 #include "enums.h"
 #include "failures.h"
+#include "given_number.h"
 #include "interruptible_work.h"
 #include "numbers.h"
 #include "pair_answers.h"
@@ -120,11 +121,12 @@ NamedSolid boxOf(const py::object& size) {
 }
 
 SolidDistance distance(const NamedSolid& a, const py::object& pose_a, const NamedSolid& b,
-                       const py::object& pose_b, double within) {
+                       const py::object& pose_b, const GivenNumber& within) {
   const Pose world_from_a = readPose(pose_a, "world_from_a");
   const Pose world_from_b = readPose(pose_b, "world_from_b");
+  const double reach = numberOf(within, "within");
   const py::gil_scoped_release no_gil;
-  return queryHere().distance(a.solid, world_from_a, b.solid, world_from_b, within);
+  return queryHere().distance(a.solid, world_from_a, b.solid, world_from_b, reach);
 }
 
 bool collide(const NamedSolid& a, const py::object& pose_a, const NamedSolid& b,
@@ -182,7 +184,7 @@ void bindSolid(py::module_& module) {
       .def_static("hull", hullOf, py::arg("points"), "The convex hull of (k, 3) points.")
       .def_static("mesh", meshOf, py::arg("vertices"), py::arg("triangles"),
                   "vertices: (k, 3). triangles: (m, 3) whole numbers, counter-clockwise from "
-                  "outside where\nthe mesh is closed.")
+                  "outside where\nthe mesh is closed. Vertices that no triangle uses do not count.")
       .def_static("mesh_file", meshInFile, py::arg("file"), py::arg("scale") = 1.0,
                   "A mesh file: STL, DAE, OBJ, PLY. scale: one number, or three.")
       .def("__repr__", [](const NamedSolid& self) { return text("Solid: " + self.name); });

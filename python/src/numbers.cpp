@@ -101,6 +101,34 @@ std::vector<double> readNamed(const RobotMonitor& monitor, const py::dict& given
   return state;
 }
 
+/// Refuses lists of rows of different lengths, which numpy makes no array of.
+void refuseRagged(const py::object& given, const std::string& name, std::size_t wanted,
+                  const std::string& accepted) {
+  if (!PyList_Check(given.ptr()) && !PyTuple_Check(given.ptr())) {
+    return;
+  }
+  const auto lengthOf = [](const py::handle& row) {
+    const bool is_row = PyList_Check(row.ptr()) || PyTuple_Check(row.ptr());
+    return is_row ? py::len(row) : static_cast<std::size_t>(-1);
+  };
+  const auto rows = py::reinterpret_borrow<py::sequence>(given);
+  std::size_t wrong = rows.size();
+  bool is_ragged = false;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t length = lengthOf(rows[i]);
+    if (length == static_cast<std::size_t>(-1)) {
+      return;
+    }
+    wrong = wrong == rows.size() && length != wanted ? i : wrong;
+    is_ragged = is_ragged || length != lengthOf(rows[0]);
+  }
+  if (is_ragged) {
+    const std::size_t length = lengthOf(rows[wrong]);
+    refuse(name + "[" + std::to_string(wrong) + "]",
+           "has " + std::to_string(length) + (length == 1 ? " number" : " numbers"), accepted);
+  }
+}
+
 Pose poseOf(const Array& matrix, const std::string& name) {
   Pose pose;
   for (py::ssize_t row = 0; row < 3; ++row) {
@@ -151,6 +179,7 @@ std::vector<double> readState(const RobotMonitor& monitor, const py::object& giv
 Array readRows(const RobotMonitor& monitor, const py::object& given, const char* name) {
   const auto n = static_cast<py::ssize_t>(monitor.model().variable_count);
   const std::string accepted = "rows of " + std::to_string(n) + " numbers";
+  refuseRagged(given, name, monitor.model().variable_count, accepted);
   Array array = readArray(given, name, accepted);
   if (array.ndim() != 2 || array.shape(1) != n) {
     refuse(name, "has the shape " + shapeText(array), accepted);

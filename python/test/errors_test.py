@@ -54,8 +54,35 @@ def test_requests_outOfRange(arm):
         arm.distances(arm.default_state, within=np.nan)
     with pytest.raises(cm.ArgumentError, match="'nearest', 'contact'"):
         arm.check([arm.default_state], "far")
-    with pytest.raises(TypeError):
-        arm.check([arm.default_state], threads=-1)
+
+
+@pytest.mark.parametrize("argument, value, sentence", [
+    ("threads", -1, "`threads` is -1; accepted: a whole number from 0"),
+    ("threads", 1.5, "`threads` is 1.5;"), ("threads", np.zeros(3), "type 'numpy.ndarray'"),
+    ("budget", -1, "`budget` is -1; accepted: a whole number"), ("budget", 2**64, "is 1844674"),
+    ("margin", None, "`margin` is None; accepted: a number"), ("resolution", "1", "is '1';"),
+    ("tolerance", [1], "type 'list'"), ("within", "far", "`within` is 'far'; accepted: a number")])
+def test_numbersOfWrongKind_areToldInALine(arm, argument, value, sentence):
+    call = {"threads": arm.check, "within": arm.distances}.get(argument, arm.check_path)
+    states = arm.default_state if argument == "within" else np.zeros((2, 7))
+    with pytest.raises(cm.ArgumentError, match=re.escape(sentence)) as caught:
+        call(states, **{argument: value})
+    assert len(str(caught.value).splitlines()) == 1
+    if argument == "within":
+        with pytest.raises(cm.ArgumentError, match=re.escape(sentence)):
+            cm.distance(cm.Solid.sphere(1), None, cm.Solid.sphere(1), None, within=value)
+
+
+def test_rowsOfDifferentLengths_nameTheRow(arm):
+    rows = [[0.0] * 7, [0.0], [0.0] * 2]
+    with pytest.raises(cm.ArgumentError, match=re.escape("`states[1]` has 1 number; accepted")):
+        arm.check(rows)
+    with pytest.raises(cm.ArgumentError, match=re.escape("`velocities[1]` has 1 number;")):
+        arm.check_path(np.zeros((3, 7)), velocities=rows)
+
+
+def test_countsOfOne_areSingular(arm):
+    assert repr(arm.check([arm.default_state])).startswith("StateAnswers of 1 state:")
 
 
 def test_robotWithManyFaults_tellsAllOfThem(tmp_path):

@@ -49,7 +49,10 @@ std::vector<std::string> variableNames(const MonitorParts& parts) {
 std::string noVariable(const MonitorParts& parts, const std::string& name) {
   const auto id = parts.setup.model.findJoint(name);
   if (!id) {
-    return "there is no joint " + quoted(name) + suggestion(name, variableNames(parts));
+    const std::vector<std::string> names = variableNames(parts);
+    const std::string similar = suggestion(name, names);
+    return "there is no joint " + quoted(name) +
+           (similar.empty() ? "; accepted: " + someOf(names) : similar);
   }
   const Joint& joint = parts.setup.model.joint(*id);
   return "joint '" + name +

@@ -21,7 +21,7 @@ OddityText textOf(Oddity oddity) {
     case Oddity::zero_size:
       return {"a size of 0", "they are taken as the points, lines or faces that they are"};
     case Oddity::mesh_without_area:
-      return {"meshes without area", "only their corners count"};
+      return {"meshes without area", "they are taken as the lines and points that they are"};
     case Oddity::mimic_on_fixed_joint:
       return {"<mimic> on a fixed joint", "it is ignored"};
     case Oddity::mimic_of_immovable_joint:
@@ -156,6 +156,10 @@ std::string legible(const std::string& text) {
   }
   return visibleText(text.substr(0, head)) + "[... of " + std::to_string(text.size()) +
          " bytes ...]" + visibleText(text.substr(tail));
+}
+
+std::string counted(std::size_t count, const std::string& one) {
+  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
 }
 
 std::string someOf(const std::vector<std::string>& items) {

@@ -80,6 +80,9 @@ std::string quoted(const std::string& text);
 /// "a, b and c"
 std::string joined(const std::vector<std::string>& items);
 
+/// "1 pair", "2 pairs". @param one what is counted, as one of it
+std::string counted(std::size_t count, const std::string& one);
+
 /// "a, b, c and 17 more": the first items of a list that may have a million.
 std::string someOf(const std::vector<std::string>& items);
 

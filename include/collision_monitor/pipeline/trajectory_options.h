@@ -20,8 +20,8 @@ struct TrajectoryOptions {
   double tolerance{1e-6};       ///< [m] contact is up to contact_distance + tolerance
   /// Work as in RefineLimits::budget; each placed link and each pair visited in a part count one.
   std::uint64_t budget{std::numeric_limits<std::uint64_t>::max()};
-  /// Receives the growing share that is done, after each way-point and in long segments. Returns
-  /// false to end the search. May be empty.
+  /// Receives the growing share that is done, after each way-point and after some milliseconds of
+  /// work, then perhaps the same again. Returns false to end the search. May be empty.
   std::function<bool(double done)> progress;
 };
 

@@ -2,27 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "model/mesh_files/mesh_builder.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
+#include "geometry/meshes/flat_triangles.h"
+
 namespace collision_monitor {
-namespace {
-
-/// A triangle whose height is below this part of its longest edge is a line within the precision of
-/// its numbers (float, 6e-8). Its normal is noise.
-constexpr double kFlatness = 1e-12;
-
-bool hasArea(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-  const double longest_squared =
-      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  return (b - a).cross(c - a).norm() > kFlatness * longest_squared;
-}
-
-}  // namespace
-
 MeshBuilder::MeshBuilder(std::size_t likely_triangles) {
   // Euler: a closed surface has half as many vertices as triangles.
   const std::size_t likely_vertices = likely_triangles / 2 + 2;
@@ -50,9 +36,13 @@ std::uint32_t MeshBuilder::addVertex(const Eigen::Vector3d& vertex) {
 
 void MeshBuilder::addTriangle(const std::array<std::uint32_t, 3>& corners) {
   const auto& vertices = mesh_.vertices;
-  if (hasArea(vertices[corners[0]], vertices[corners[1]], vertices[corners[2]])) {
-    mesh_.triangles.push_back(corners);
-  }
+  const bool is_flat = hasNoArea(vertices[corners[0]], vertices[corners[1]], vertices[corners[2]]);
+  (is_flat ? flat_ : mesh_.triangles).push_back(corners);
+}
+
+TriangleMesh MeshBuilder::takeMesh() {
+  addFlatTriangles(std::move(flat_), mesh_);
+  return std::move(mesh_);
 }
 
 }  // namespace collision_monitor

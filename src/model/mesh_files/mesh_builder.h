@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <vector>
 
 #include "collision_monitor/geometry/triangle_mesh.h"
 #include "geometry/meshes/weld_vertices.h"
@@ -23,16 +23,16 @@ class MeshBuilder {
   /// @throws std::runtime_error if the vertex is not finite.
   std::uint32_t addVertex(const Eigen::Vector3d& vertex);
 
-  /// Skips triangles without area, because their plane is undefined. Their corners are in the mesh
-  /// already, so it still encloses them.
+  /// Triangles without area come last in the mesh, as addFlatTriangles adds them.
   void addTriangle(const std::array<std::uint32_t, 3>& corners);
 
   /// Returns the mesh. The builder cannot be used afterwards.
-  TriangleMesh takeMesh() { return std::move(mesh_); }
+  TriangleMesh takeMesh();
 
  private:
   TriangleMesh mesh_;
   VertexTable table_;
+  std::vector<std::array<std::uint32_t, 3>> flat_;  ///< triangles without area
 };
 
 }  // namespace collision_monitor

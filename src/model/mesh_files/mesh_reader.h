@@ -14,13 +14,11 @@ namespace collision_monitor {
 /// Units: DAE's unit is applied; coordinates of other formats are taken as metres.
 /// Frames: the axes of the file. The up axis of a DAE is ignored, as in rviz and MoveIt, so that
 /// the checked mesh is the displayed one (docs/decisions/mesh-up-axis.md).
-/// Shape: polygons become triangles, and equal vertices are merged. Triangles without area are left
-/// out of `triangles`, but their corners stay in `vertices`: a shape that encloses the vertices
-/// encloses everything the file draws. Vertices without a polygon, points and lines have no surface
-/// and are left out.
+/// Shape: polygons become triangles, and equal vertices are merged. Triangles without area are the
+/// segments and points that they cover, unless edges of others hold these: addFlatTriangles.
+/// Vertices without a polygon, points and lines have no surface and are left out.
 /// Error: coordinates have the rounding of float, 6e-8 of their size.
-/// Limits: a mesh whose triangles all lack area has only vertices. A polygon that crosses itself is
-/// covered by a fan, which never misses a part of it.
+/// Limits: a polygon that crosses itself is covered by a fan, which never misses a part of it.
 ///
 /// @param file_name its extension gives the format; errors name the file
 /// @throws std::runtime_error with a sentence: an unsupported format, a file that is empty,

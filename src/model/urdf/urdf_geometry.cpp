@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "geometry/constants.h"
+#include "geometry/meshes/flat_triangles.h"
 #include "model/urdf/urdf_elements.h"
 #include "model/xml_document.h"
 
@@ -119,7 +120,7 @@ std::optional<Geometry> readMeshElement(const XMLElement& element, const MeshSou
                      "vertices whose coordinates are within 1e9 m of 0");
       return std::nullopt;
     }
-    if (result.triangles.empty()) {
+    if (areAllFlat(result)) {
       place.note(Oddity::mesh_without_area);
     }
     return result;

@@ -43,6 +43,8 @@ void readDocument(const YAML::Node& document, const WorldSource& source, const P
     if (world.IsSequence()) {
       readObjectList(world, source, place, objects);
     }
+  } else if (world.IsDefined()) {
+    place.addError(lineOf(world), "world " + describe(world), kAccepted);
   } else if (!document.IsNull()) {
     place.addError(lineOf(document), describe(document), kAccepted);
   }

@@ -13,29 +13,12 @@
 #include "geometry/all_cores.h"
 #include "geometry/hulls/convex_hull.h"
 #include "geometry/meshes/check_mesh.h"
+#include "geometry/meshes/used_vertices.h"
 #include "pipeline/fits/open_meshes.h"
 #include "pipeline/setup/convex_mesh.h"
 
 namespace collision_monitor {
 namespace {
-
-/// Adds stray vertices as triangles of one point, so that what encloses the mesh encloses them.
-TriangleMesh withStrayVertices(const TriangleMesh& mesh) {
-  TriangleMesh all = mesh;
-  std::vector<bool> is_used(mesh.vertices.size(), false);
-  for (const auto& triangle : mesh.triangles) {
-    for (const std::uint32_t corner : triangle) {
-      is_used[corner] = true;
-    }
-  }
-  for (std::size_t i = 0; i < is_used.size(); ++i) {
-    if (!is_used[i]) {
-      const auto vertex = static_cast<std::uint32_t>(i);
-      all.triangles.push_back({vertex, vertex, vertex});
-    }
-  }
-  return all;
-}
 
 /// From so many triangles on, a second thread saves more time than it costs.
 constexpr std::size_t kManyTriangles = 5000;
@@ -67,24 +50,24 @@ struct FillElement {
     element.is_exact = true;
   }
 
-  void operator()(const TriangleMesh& mesh) const {
-    checkMesh(mesh, kMaxMeasured);
-    const TriangleMesh whole = withStrayVertices(mesh);
+  void operator()(const TriangleMesh& given) const {
+    checkMesh(given, kMaxMeasured);
+    const std::optional<TriangleMesh> used = withoutUnusedVertices(given);
+    const TriangleMesh& mesh = used ? *used : given;
     bool is_closed = false;
     std::shared_ptr<MeshTree> tree;
     std::optional<ConvexHull> hull;
     const auto makeTree = [&] {
       is_closed = closedSurface(mesh).has_value();
       if (refine != RefineGeometry::hull) {
-        tree = std::make_shared<MeshTree>(is_closed ? MeshTree(whole, true) : treeOfOpen(whole));
+        tree = std::make_shared<MeshTree>(is_closed ? MeshTree(mesh, true) : treeOfOpen(mesh));
       }
     };
     const auto makeHull = [&] { hull.emplace(mesh.vertices); };
     doBoth(mesh.triangles.size() >= kManyTriangles, makeTree, makeHull);
-    const bool is_convex =
-        is_closed && whole.triangles.size() == mesh.triangles.size() && isSurfaceOf(mesh, *hull);
+    const bool is_convex = is_closed && isSurfaceOf(mesh, *hull);
     if (tree == nullptr && is_convex) {
-      tree = std::make_shared<MeshTree>(whole, true);
+      tree = std::make_shared<MeshTree>(mesh, true);
     }
     if (tree != nullptr && hull->hasVolume()) {
       tree->setHull(hull->faces());

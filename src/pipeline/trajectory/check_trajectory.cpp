@@ -30,14 +30,14 @@ Halving& halvingAt(const TrajectorySearch& search, std::size_t depth,
   return halvings[depth];
 }
 
-/// Reports progress; false if the search must end.
-bool goesOn(TrajectorySearch& search, std::size_t segment, double share) {
-  const auto segments = static_cast<double>(search.path.times.size() - 1);
-  const double done = (static_cast<double>(segment) + share) / segments;
-  if (search.options.progress && !search.is_ended) {
-    search.is_ended = !search.options.progress(done) && done < 1.0;
+/// Marks clear pairs as undecided: the search has ended.
+void giveUpAll(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs,
+               const Instant& at) {
+  for (const LinkPairIndex pair : pairs) {
+    if (search.report.pairs[pair].state == ApproachState::clear) {
+      giveUp(search, pair, at);
+    }
   }
-  return !search.is_ended;
 }
 
 /// Settles pairs between two instants of one segment, the earlier half first.
@@ -50,7 +50,7 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
   search.measures.work += pairs.size();
   halving.open.clear();
   for (const LinkPairIndex pair : pairs) {
-    if (!settle(search, pair, begin, end, halving.travels)) {
+    if (!goesOnWorking(search, begin) || !settle(search, pair, begin, end, halving.travels)) {
       halving.open.push_back(pair);
     }
   }
@@ -58,9 +58,7 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
     return;
   }
   if (search.is_ended || search.measures.work >= search.options.budget || depth == kMostHalvings) {
-    for (const LinkPairIndex pair : halving.open) {
-      giveUp(search, pair, begin);
-    }
+    giveUpAll(search, halving.open, begin);
     return;
   }
   Instant& middle = halving.middle;
@@ -79,16 +77,11 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
 
 /// Settles pairs that the path does not move; all pairs if there is only one way-point.
 void checkStanding(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs, Instant& at) {
+  const std::vector<double> travels(search.path.joints.size(), 0.0);
   for (const LinkPairIndex pair : pairs) {
-    settle(search, pair, at, at, std::vector<double>(search.path.joints.size(), 0.0));
-  }
-}
-
-/// Marks clear pairs as undecided: the search has ended.
-void giveUpAll(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs,
-               const Instant& at) {
-  for (const LinkPairIndex pair : pairs) {
-    if (search.report.pairs[pair].state == ApproachState::clear) {
+    if (goesOnWorking(search, at)) {
+      settle(search, pair, at, at, travels);
+    } else if (search.report.pairs[pair].state == ApproachState::clear) {
       giveUp(search, pair, at);
     }
   }
@@ -209,6 +202,10 @@ std::vector<FarPair> listFarPairs(const TrajectorySearch& search) {
 void measureFarPairs(TrajectorySearch& search) {
   Instant at;
   for (const FarPair& far : listFarPairs(search)) {
+    if (!goesOnAtEnd(search)) {
+      giveUp(search, far.pair, search.stops[0]);
+      continue;
+    }
     if (at.world_from_link.empty() || at.segment != far.at.segment || at.share != far.at.share) {
       at.segment = far.at.segment;
       at.share = far.at.share;
@@ -246,7 +243,8 @@ TrajectorySearch searchAlong(const CycleSetup& setup, const JointPath& path, con
                           0,
                           {},
                           false,
-                          {}};
+                          {},
+                          0};
   search.report.pairs.resize(count);
   return search;
 }

@@ -9,6 +9,9 @@
 namespace collision_monitor {
 namespace {
 
+/// Progress is reported after so much work.
+constexpr std::uint64_t kToldWork = 2000;
+
 void keepNearer(double bound, const Instant& at, NearPlace& nearest) noexcept {
   if (bound < nearest.bound) {
     nearest = {bound, at.segment, at.share};
@@ -117,6 +120,9 @@ std::size_t lookAhead(TrajectorySearch& search, const std::vector<LinkPairIndex>
   search.measures.work += work;
   Instant at;
   for (const LinkPairIndex pair : work > 0 ? pairs : std::vector<LinkPairIndex>()) {
+    if (!goesOnWorking(search, search.stops[0])) {
+      break;
+    }
     NearPlace nearest;
     for (std::size_t i = waypoint; i < distances.last; ++i) {
       at.segment = i > 0 ? i - 1 : 0;
@@ -147,6 +153,30 @@ void sampleWaypoint(TrajectorySearch& search, const std::vector<LinkPairIndex>& 
       at.samples[pair] = sampleBy(search, pair, bound, at.samples[pair].level);
     }
   }
+}
+
+bool goesOn(TrajectorySearch& search, std::size_t segment, double share) {
+  const std::size_t segments = std::max<std::size_t>(2, search.path.times.size()) - 1;
+  const double done = (static_cast<double>(segment) + share) / static_cast<double>(segments);
+  search.told_work = search.measures.work;
+  if (search.options.progress && !search.is_ended) {
+    search.is_ended = !search.options.progress(done) && done < 1.0;
+  }
+  return !search.is_ended;
+}
+
+bool goesOnWorking(TrajectorySearch& search, const Instant& at) {
+  return search.measures.work - search.told_work < kToldWork ? !search.is_ended
+                                                             : goesOn(search, at.segment, at.share);
+}
+
+bool goesOnAtEnd(TrajectorySearch& search) {
+  if (search.options.progress && search.measures.work - search.told_work >= kToldWork &&
+      !search.is_ended) {
+    search.told_work = search.measures.work;
+    search.is_ended = !search.options.progress(1.0);
+  }
+  return !search.is_ended;
 }
 
 void giveUp(TrajectorySearch& search, LinkPairIndex pair, const Instant& at) noexcept {

@@ -73,6 +73,7 @@ struct TrajectorySearch {
   TrajectoryReport report;
   bool is_ended{false};                        ///< options.progress ended the search
   std::optional<WaypointDistances> waypoints;  ///< if there are enough way-points
+  std::uint64_t told_work{0};                  ///< work when progress was last reported
 };
 
 /// [m] Distances above this need not be known.
@@ -117,6 +118,15 @@ bool settleFar(TrajectorySearch& search, LinkPairIndex pair, const Instant& begi
 /// samples at both ends as far as that helps. @return whether the pair is settled.
 bool settle(TrajectorySearch& search, LinkPairIndex pair, Instant& begin, Instant& end,
             const std::vector<double>& travels);
+
+/// Reports progress; false if the search must end.
+bool goesOn(TrajectorySearch& search, std::size_t segment, double share);
+
+/// As goesOn, if there was much work since the last time: some milliseconds.
+bool goesOnWorking(TrajectorySearch& search, const Instant& at);
+
+/// As goesOnWorking when the path is searched: only then may the share 1 end the search.
+bool goesOnAtEnd(TrajectorySearch& search);
 
 /// Marks a pair as clear up to an instant and undecided from there on.
 void giveUp(TrajectorySearch& search, LinkPairIndex pair, const Instant& at) noexcept;

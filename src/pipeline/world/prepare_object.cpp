@@ -3,6 +3,7 @@
 #include "pipeline/world/prepare_object.h"
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "collision_monitor/geometry/bounds.h"
@@ -10,6 +11,7 @@
 #include "geometry/hulls/cone_corners.h"
 #include "geometry/hulls/convex_hull.h"
 #include "geometry/interruption.h"
+#include "geometry/meshes/used_vertices.h"
 #include "pipeline/setup/fill_element.h"
 
 namespace collision_monitor {
@@ -101,7 +103,8 @@ struct Fill {
   Enclosure operator()(const SharedMesh& mesh) {
     kind = "mesh";
     fillElement(*mesh, refine == RefineGeometry::none ? RefineGeometry::hull : refine, element);
-    return boxAround(mesh->vertices);
+    const std::optional<TriangleMesh> used = withoutUnusedVertices(*mesh);
+    return boxAround(used ? used->vertices : mesh->vertices);
   }
   Enclosure operator()(const Plane& plane) {
     kind = "plane";

@@ -32,7 +32,9 @@ std::string unknownJoint(const RobotModel& model, const std::string& name) {
   for (const Joint& joint : model.joints) {
     known.push_back(joint.name);
   }
-  return "there is no joint " + quoted(name) + suggestion(name, known);
+  const std::string similar = suggestion(name, known);
+  return "there is no joint " + quoted(name) +
+         (similar.empty() ? "; accepted: " + someOf(known) : similar);
 }
 
 /// Number of occurrences of each name in a request.
@@ -122,8 +124,8 @@ std::string numberFault(double number) {
 std::vector<std::string> jointFaults(const RobotModel& model,
                                      const sensor_msgs::JointState& joints) {
   if (joints.name.size() != joints.position.size()) {
-    return {"joints has " + std::to_string(joints.name.size()) + " names and " +
-            std::to_string(joints.position.size()) + " positions; give one position for each name"};
+    return {"joints has " + counted(joints.name.size(), "name") + " and " +
+            counted(joints.position.size(), "position") + "; give one position for each name"};
   }
   const NameCounts counts = countNames(joints.name);
   std::unordered_set<std::string_view> unknown;

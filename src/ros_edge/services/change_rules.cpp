@@ -178,10 +178,10 @@ LimitChanges readChanges(const SetLimits::Request& request, SetupReport& report)
     known.emplace_back(field.name);
   }
   if (request.names.empty() || request.names.size() != request.values.size()) {
-    report.errors.push_back({"names",
-                             std::to_string(request.names.size()) + " names and " +
-                                 std::to_string(request.values.size()) + " values",
-                             "one value for each name, and one name at least"});
+    report.errors.push_back(
+        {"names",
+         counted(request.names.size(), "name") + " and " + counted(request.values.size(), "value"),
+         "one value for each name, and one name at least"});
     return changes;
   }
   for (std::size_t i = 0; i < request.names.size(); ++i) {

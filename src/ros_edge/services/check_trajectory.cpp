@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "collision_monitor/geometry/ids.h"
+#include "model/place.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/sentences.h"
 #include "ros_edge/poses/floating_parts.h"
@@ -89,10 +90,9 @@ void fill(const MonitorSetup& current, const LinkPoses& start, const CheckedLink
 
 std::string summaryText(const CycleSetup& setup, const TrajectoryReport& report,
                         const CheckTrajectory::Response& response) {
-  const std::string unknown =
-      response.pairs_unknown == 0
-          ? ""
-          : "; " + std::to_string(response.pairs_unknown) + " pairs unknown";
+  const std::string unknown = response.pairs_unknown == 0
+                                  ? ""
+                                  : "; " + counted(response.pairs_unknown, "pair") + " unknown";
   if (report.first_contact != kNone) {
     PairApproach first = report.pairs[report.first_contact];
     double& distance = first.nearest.measured.distance;

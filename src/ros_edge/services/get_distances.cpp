@@ -197,7 +197,7 @@ std::string floatingTextOf(const CycleSetup& setup, const Selection& selection,
 std::string summaryText(const Distances& distances, const std::string& floating,
                         const std::string& ignored) {
   const std::uint32_t measured = distances.pairs_checked - distances.pairs_unknown;
-  return std::to_string(measured) + " pairs measured, " + std::to_string(distances.pairs_unknown) +
+  return counted(measured, "pair") + " measured, " + std::to_string(distances.pairs_unknown) +
          " unknown" + (floating.empty() ? "" : "; " + floating) +
          (ignored.empty() ? "" : "; " + ignored);
 }

@@ -51,7 +51,7 @@ void check(const TriangleMesh& mesh, const std::string& name, Counts& counts) {
   for (const auto& fit : {*inner.sphere, *inner.capsule}) {
     const Pose body_from_geometry = inverse(fit.geometry_from_body);
     for (const auto& vertex : mesh.vertices) {
-      // Vertices of triangles without area have no surface.
+      // Vertices of edges that others hold may have no triangle.
       EXPECT_GT(signedDistanceTo(fit.shape, body_from_geometry * vertex), -1e-12) << name;
     }
   }

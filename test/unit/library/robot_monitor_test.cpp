@@ -88,7 +88,10 @@ TEST(RobotMonitor, stateOfWithFaults_namesThemAll) {
   } catch (const ArgumentError& fault) {
     EXPECT_EQ(fault.faults(),
               (std::vector<std::string>{
-                  "joint '" + first + "' stands twice", "there is no joint 'nonsense'",
+                  "joint '" + first + "' stands twice",
+                  "there is no joint 'nonsense'; accepted: " + first +
+                      ", shoulder_lift_joint, elbow_joint, wrist_1_joint, wrist_2_joint, "
+                      "wrist_3_joint and left_finger_joint",
                   "joint 'right_finger_joint' follows 'left_finger_joint'; name that",
                   "there is no joint '" + first + "x', did you mean '" + first + "'?"}));
   }

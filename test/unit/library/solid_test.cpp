@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -69,6 +71,43 @@ TEST(Solid, hookedMeshes_areMeasuredByTheirTriangles) {
   EXPECT_EQ(overlap.quality, Quality::estimate);
   EXPECT_LT(overlap.measured.distance, 0.0);
   EXPECT_TRUE(query.collide(angle, Pose(), angle, at(0.05, 0.05, 0.0)));
+}
+
+TriangleMesh twoTetrahedra() {
+  TriangleMesh mesh;
+  for (const double x : {0.0, 3.0}) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const Eigen::Vector3d& corner :
+         {Eigen::Vector3d(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+      mesh.vertices.emplace_back(corner + Eigen::Vector3d(x, 0, 0));
+    }
+    for (const std::array<std::uint32_t, 3>& t :
+         {std::array<std::uint32_t, 3>{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
+      mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+  }
+  return mesh;
+}
+
+TEST(Solid, verticesThatNoTriangleUses_areNoSurface) {
+  SolidQuery query;
+  TriangleMesh mesh = twoTetrahedra();
+  mesh.vertices.insert(mesh.vertices.begin(), Eigen::Vector3d(2, 0, 5));
+  for (auto& triangle : mesh.triangles) {
+    for (std::uint32_t& corner : triangle) {
+      ++corner;
+    }
+  }
+  const Solid ball = Solid::sphere(0.1);
+  const SolidDistance without =
+      query.distance(Solid::mesh(twoTetrahedra()), Pose(), ball, at(2, 0, 5));
+  const SolidDistance with = query.distance(Solid::mesh(mesh), Pose(), ball, at(2, 0, 5));
+  EXPECT_EQ(with.measured.distance, without.measured.distance);
+  EXPECT_EQ(with.quality, Quality::exact);
+  EXPECT_GT(with.measured.distance, 3.9);
+  mesh.triangles.clear();  // nothing but points
+  EXPECT_NEAR(query.distance(Solid::mesh(mesh), Pose(), ball, at(2, 0, 5)).measured.distance, -0.1,
+              1e-9);
 }
 
 TEST(Solid, ballInsideAMesh_collides) {

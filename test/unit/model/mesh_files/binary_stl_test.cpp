@@ -68,11 +68,35 @@ TEST(BinaryStl, trianglesOfManyVerticesAreAllThere) {
   }
 }
 
-TEST(BinaryStl, triangleWithoutArea_leavesItsCorners) {
+using VertexNumbers = std::array<std::uint32_t, 3>;
+
+TEST(BinaryStl, triangleWithoutArea_isItsLongestSide) {
   const TriangleMesh mesh =
-      readBinaryStl(binaryStl({{Eigen::Vector3f(0, 0, 0), {1, 0, 0}, {2, 0, 0}}, kTheTriangle}));
-  EXPECT_EQ(mesh.vertices.size(), 4u);
-  EXPECT_EQ(mesh.triangles.size(), 1u);
+      readBinaryStl(binaryStl({{Eigen::Vector3f(0, 0, 0), {2, 0, 0}, {1, 0, 0}},
+                               {Eigen::Vector3f(0, 0, 7), {0, 0, 7}, {0, 0, 7}},
+                               {Eigen::Vector3f(1, 0, 0), {0, 0, 0}, {1, 0, 0}},
+                               kTheTriangle}));
+  ASSERT_EQ(mesh.triangles.size(), 3u);
+  EXPECT_EQ(mesh.triangles[1], (VertexNumbers{0, 1, 1}));
+  EXPECT_EQ(mesh.triangles[2], (VertexNumbers{3, 3, 3}));
+}
+
+TEST(BinaryStl, triangleWithoutArea_heldByEdgesOfOthers_isLeftOut) {
+  const Eigen::Vector3f low(0, 0, 0);
+  const Eigen::Vector3f middle(1, 0, 0);
+  const Eigen::Vector3f high(2, 0, 0);
+  const Eigen::Vector3f highest(3, 0, 0);
+  const Eigen::Vector3f side(0, 1, 0);
+  const std::vector<Corners> fan = {{low, middle, side}, {middle, high, side}};
+  const auto countWith = [&](std::vector<Corners> flat) {
+    flat.insert(flat.end(), fan.begin(), fan.end());
+    return readBinaryStl(binaryStl(flat)).triangles.size();
+  };
+  EXPECT_EQ(countWith({{low, high, middle}}), 2u);
+  EXPECT_EQ(countWith({{low, middle, middle}, {side, side, side}}), 2u);
+  EXPECT_EQ(countWith({{high, low, low}}), 3u);  // its corners alone do not hold it
+  EXPECT_EQ(countWith({{high, low, low}, {low, high, middle}}), 2u);
+  EXPECT_EQ(countWith({{low, highest, middle}, {low, middle, highest}}), 3u);
 }
 
 TEST(BinaryStl, faultsAreTold) {

@@ -133,14 +133,15 @@ TEST(MeshReader, plyCutShort_isAnError) {
             "a.ply: the PLY header announces more elements than the file can hold");
 }
 
-TEST(MeshReader, degenerateTriangles_keepTheirVerticesOnly) {
+TEST(MeshReader, degenerateTriangles_areSegmentsAndPoints) {
   // A triangle, one whose corners lie on a line far out, and one with equal corners.
   const TriangleMesh mesh = readMesh(
       "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 5 5 5\nv 6 6 6\nv 7 7 7\nv 9 9 9\n"
       "f 1 2 3\nf 4 5 6\nf 7 7 7\n",
       "a.obj");
-  EXPECT_EQ(mesh.triangles.size(), 1u);
   EXPECT_EQ(mesh.vertices.size(), 7u);
+  using Numbers = std::array<std::uint32_t, 3>;
+  EXPECT_EQ(mesh.triangles, (std::vector<Numbers>{{0, 1, 2}, {3, 5, 5}, {6, 6, 6}}));
 }
 
 TEST(MeshReader, verticesOfNoFaceAndLines_areLeftOut) {

@@ -135,9 +135,11 @@ TEST(UrdfGeometry, meshWithoutArea_isAWarning) {
   const ReadText read = readText(robotXml(linkXml("a", "<mesh filename='/line.obj'/>")),
                                  {{"/line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"}});
   EXPECT_EQ(std::get<TriangleMesh>(only(read).geometry).vertices.size(), 3u);
-  EXPECT_EQ(read.warnings(),
-            std::vector<std::string>{
-                "test.urdf: meshes without area: link 'a', collision 1; only their corners count"});
+  EXPECT_EQ(
+      read.warnings(),
+      std::vector<std::string>{
+          "test.urdf: meshes without area: link 'a', collision 1; they are taken as the lines and "
+          "points that they are"});
 }
 
 TEST(UrdfGeometry, collisionNames_areUniqueWithinTheLink) {

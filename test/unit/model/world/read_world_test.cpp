@@ -116,6 +116,9 @@ TEST(ReadWorld, textThatIsNoList_isOneFault) {
   EXPECT_EQ(readAs("a.yaml", "[").errors.size(), 1U);
   EXPECT_EQ(readAs("a.yaml", "").errors, Texts());
   EXPECT_EQ(readAs("a.yaml", "world: []").errors, Texts());
+  EXPECT_EQ(readAs("a.yaml", "world: 5").errors,
+            Texts{"a.yaml line 1: world '5'; accepted: YAML with a list of objects, alone or under "
+                  "'world', or a planning scene of MoveIt"});
 }
 
 TEST(ReadWorld, aPlanningScene_givesObjectsAndAttachedOnes) {

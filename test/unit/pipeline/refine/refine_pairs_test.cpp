@@ -167,13 +167,19 @@ TEST(RefinePairs, padding_isTakenOffAndMakesALowerBound) {
   EXPECT_NEAR(scene.closest().measured.distance, 0.012, 1e-12);
 }
 
-TEST(RefinePairs, strayVertex_isPartOfTheMesh) {
+TEST(RefinePairs, triangleOfOnePoint_isPartOfTheMesh_unusedVertexIsNot) {
   TriangleMesh mesh = test::angleMesh();
+  const auto distanceTo = [](const TriangleMesh& to) {
+    Scene scene({to, Sphere{0.01}});
+    scene.poses.world_from_link[1].translation = Eigen::Vector3d(0.33, 0.3, 0.0);
+    scene.run();
+    return scene.closest().measured.distance;
+  };
+  const auto point = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.emplace_back(0.3, 0.3, 0.0);
-  Scene scene({mesh, Sphere{0.01}});
-  scene.poses.world_from_link[1].translation = Eigen::Vector3d(0.33, 0.3, 0.0);
-  scene.run();
-  EXPECT_NEAR(scene.closest().measured.distance, 0.02, 1e-9);
+  EXPECT_GT(distanceTo(mesh), 0.1);
+  mesh.triangles.push_back({point, point, point});
+  EXPECT_NEAR(distanceTo(mesh), 0.02, 1e-9);
 }
 
 TEST(RefinePairs, nanPose_pairStaysUnknown) {

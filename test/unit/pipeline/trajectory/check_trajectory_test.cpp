@@ -254,6 +254,26 @@ TEST_F(CheckTrajectoryTest, budgetSpentOnWhatIsFar_undecided) {
   EXPECT_LT(report.work, 110000U);
 }
 
+TEST_F(CheckTrajectoryTest, longSearchInOneSegment_looksForProgressAllTheTime) {
+  go({{0.0, 0.0}, {1e5, 0.0}});
+  options_.budget = 1000000;
+  std::vector<double> told;
+  options_.progress = [&](double done) {
+    told.push_back(done);
+    return true;
+  };
+  const TrajectoryReport report = check();
+  EXPECT_GT(report.work, 500000U);
+  EXPECT_GT(told.size(), report.work / 4000);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  std::size_t calls = 0;
+  options_.progress = [&](double /*done*/) { return ++calls < 10; };
+  const TrajectoryReport ended = check();
+  EXPECT_EQ(of(ended, "hand", "post").state, ApproachState::undecided);
+  EXPECT_LT(ended.work, 50000U);
+  EXPECT_EQ(calls, 10U) << "and none after the end";
+}
+
 TEST_F(CheckTrajectoryTest, cancelledBetweenTwoWaypoints_undecidedFromThereOn) {
   go({{-0.25 * kPi, 0.5 * kPi}, {0.25 * kPi, 0.5 * kPi}});
   options_.progress = [](double) { return false; };

@@ -160,9 +160,16 @@ TEST(AddWorld, everyKindOfObject_hasTheDistanceOfItsGeometry) {
   auto wedge = std::make_shared<TriangleMesh>();
   wedge->vertices = {{-1, -1, -0.2}, {1, -1, -0.2}, {0, 1, -0.2}, {0, 0, -0.1}};
   wedge->triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  auto with_unused_vertex = std::make_shared<TriangleMesh>(*wedge);
+  with_unused_vertex->vertices.emplace_back(0, 0, 0.2);
   const std::vector<std::pair<ObjectGeometry, double>> cases = {
-      {Sphere{0.1}, 0.15},           {Capsule{0.1, 0.1}, 0.05}, {Box{{0.3, 0.2, 0.1}}, 0.15},
-      {Cylinder{0.1, 0.4}, 0.15},    {Cone{0.1, 0.2}, 0.15},    {SharedMesh(wedge), 0.35},
+      {SharedMesh(with_unused_vertex), 0.35},
+      {Sphere{0.1}, 0.15},
+      {Capsule{0.1, 0.1}, 0.05},
+      {Box{{0.3, 0.2, 0.1}}, 0.15},
+      {Cylinder{0.1, 0.4}, 0.15},
+      {Cone{0.1, 0.2}, 0.15},
+      {SharedMesh(wedge), 0.35},
       {Plane{{0, 0, 2}, -0.2}, 0.35}};
   for (const auto& [geometry, gap] : cases) {
     SCOPED_TRACE(geometry.index());

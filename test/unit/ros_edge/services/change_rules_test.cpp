@@ -159,7 +159,7 @@ TEST_F(ChangeRules, faultyLimits_areAllNamedAndChangeNothing) {
     EXPECT_EQ(current_, before);
   };
   expectRefused(setLimits({}, {}), {"0 names and 0 values"});
-  expectRefused(setLimits({"hysteresis"}, {}), {"1 names and 0 values"});
+  expectRefused(setLimits({"hysteresis"}, {}), {"1 name and 0 values"});
   expectRefused(setLimits({"hysteresis", "hysteresis", "warnign_distance", "contact_time"},
                           {0.1, 0.1, 0.1, std::numeric_limits<double>::infinity()}),
                 {"a second time", "did you mean 'warning_distance'?", "contact_time: inf s"});

@@ -161,10 +161,10 @@ TEST_F(GetDistancesTest, partThatFloats_itsOwnPairsAreMeasured) {
   EXPECT_EQ(response.distances.pairs_unknown, 2U);
   EXPECT_TRUE(std::isnan(distanceOf(response, "base", "tool")));
   EXPECT_EQ(response.message,
-            "1 pairs measured, 2 unknown; the part of robot 'r' from link 'slider' on floats: "
+            "1 pair measured, 2 unknown; the part of robot 'r' from link 'slider' on floats: "
             "it is not known where it stands");
   request_.links_a = request_.links_b = {"tool", "finger"};
-  EXPECT_EQ(ask().message, "1 pairs measured, 0 unknown");
+  EXPECT_EQ(ask().message, "1 pair measured, 0 unknown");
 }
 
 TEST_F(GetDistancesTest, jointThatJoinsTwoParts_measuresAllPairs) {
