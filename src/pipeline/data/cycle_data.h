@@ -188,7 +188,7 @@ struct PairEvents {
   /// unknown is no change: its unknown links are reported once for all their pairs. A warning or
   /// contact that becomes unknown is a change.
   std::vector<VerdictChange> changes;
-  std::vector<std::uint32_t> island_of_link;  ///< by LinkId: 1, 2, ... in contact, 0 for the rest
+  std::vector<std::uint32_t> island_of_link;    ///< by LinkId: 1, 2, ... in contact, 0 for the rest
   std::vector<std::uint32_t> links_of_islands;  ///< those not 0
   std::uint32_t island_count{0};
   std::vector<std::uint32_t> island_forest;  ///< by LinkId: scratch of the grouping

@@ -4,32 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "collision_monitor/geometry/ids.h"
 #include "geometry/constants.h"
-#include "pipeline/data/motion_bound.h"
-#include "support/robots/urdf_text.h"
+#include "support/robots/two_link_arm.h"
 
 namespace collision_monitor::test {
 namespace {
-
-/// An arm of two links in the plane: balls of 0.1 m at the shoulder (base, at the origin), and 1 m
-/// out from the elbow (hand), which is 1 m from the shoulder; and a post, a ball of 0.1 m at (1,
-/// 1). Pairs: base and hand (not adjacent), hand and post; the upper arm has no geometry.
-CycleSetup armSetup() {
-  const std::string ball = "<sphere radius='0.1'/>";
-  const std::string about_z =
-      "<axis xyz='0 0 1'/><limit lower='-4' upper='4' velocity='1' effort='1'/>";
-  const std::string xml =
-      linkXml("base", ball) + linkXml("upper", "<sphere radius='0.05'/>") +
-      linkXml("hand", ball, "<origin xyz='1 0 0'/>") + linkXml("post", ball) +
-      jointXml("shoulder", "revolute", "base", "upper", about_z) +
-      jointXml("elbow", "revolute", "upper", "hand", "<origin xyz='1 0 0'/>" + about_z) +
-      jointXml("stand", "fixed", "base", "post", "<origin xyz='1 1 0'/>");
-  return buildSetup({describeText(robotXml(xml))}, textLoader({}), SetupOptions());
-}
 
 class CheckTrajectoryTest : public testing::Test {
  protected:
@@ -281,28 +265,6 @@ TEST_F(CheckTrajectoryTest, cancelledBetweenTwoWaypoints_undecidedFromThereOn) {
   EXPECT_EQ(of(report, "hand", "post").state, ApproachState::undecided);
   EXPECT_GT(of(report, "hand", "post").time, 0.0);
   EXPECT_LT(of(report, "hand", "post").time, 1.0);
-}
-
-TEST(BoundMotion, turnsAndSlides_byTheirLeverArms) {
-  const CycleSetup setup = armSetup();
-  JointPath path;
-  path.joints = {*setup.model.findJoint("shoulder"), *setup.model.findJoint("elbow")};
-  const LinkId base = *setup.model.findLink("base");
-  const LinkId hand = *setup.model.findLink("hand");
-  const LinkChain chain = chainBetween(setup.model, path, base, hand);
-  ASSERT_EQ(chain.joints.size(), 2U);
-  std::vector<Pose> poses;
-  placeLinks(setup.model, {0.0, 0.0}, {Pose()}, poses);
-  const std::vector<Ball> balls = linkBalls(setup);
-  EXPECT_NEAR(balls[index(hand)].center.x(), 1.0, 1e-12);
-  EXPECT_NEAR(balls[index(hand)].radius, 0.1, 1e-12);
-  // The elbow moves the hand by 1.1 * 0.1; the shoulder turns the base, whose ball it passes
-  // through, rather than the hand 2 m away.
-  EXPECT_NEAR(boundMotion(chain, balls, poses, {0.2, 0.1}), 0.11 + 0.02, 1e-12);
-  // Either side may be taken; both joints on the hand's side would be 0.11 + 0.2 * 2.21.
-  EXPECT_NEAR(boundMotion(chain, balls, poses, {0.2, 0.0}), 0.02, 1e-12);
-  const LinkId post = *setup.model.findLink("post");
-  EXPECT_TRUE(chainBetween(setup.model, path, base, post).joints.empty());
 }
 
 }  // namespace
