@@ -127,7 +127,8 @@ LinkPairIndex measureOne(PairId pair, QueryParts& parts) {
   }
   parts.links.candidates.assign(1, pair);
   measureWithin(parts.setup, std::numeric_limits<double>::infinity(), Asked::within, parts.links);
-  return closestOf(parts.links, kAnyPair);
+  const LinkPairIndex links = parts.setup.link_pair_of[index(pair)];
+  return parts.links.nearest[links] != kNone ? links : LinkPairIndex{kNone};
 }
 
 /// Some pair that is near: the one that was nearest in the last state, or that of the nearest

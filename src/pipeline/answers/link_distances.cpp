@@ -28,9 +28,12 @@ void findNearest(const CycleSetup& setup, LinkDistances& links) noexcept {
       improve(i, links.estimated[link_pair]);
     }
   }
-  for (std::size_t i = 0; i < links.nearest.size(); ++i) {
-    if (links.estimated[i] != kNone && measured[links.nearest[i]].quality == Quality::lower_bound) {
-      links.nearest[i] = links.estimated[i];
+  for (const PairDistance& one : measured) {
+    const std::uint32_t link_pair = setup.link_pair_of[index(one.pair)];
+    const std::uint32_t estimated = links.estimated[link_pair];
+    std::uint32_t& nearest = links.nearest[link_pair];
+    if (estimated != kNone && measured[nearest].quality == Quality::lower_bound) {
+      nearest = estimated;
     }
   }
 }
