@@ -134,7 +134,7 @@ std::string clearSentence(const Watch& watch) {
 }
 
 std::string verdictSentence(const Watch& watch, const CycleFacts& facts) {
-  const std::string blind = blindReason(watch, facts);
+  std::string blind = blindReason(watch, facts);
   if (!blind.empty()) {
     return blind;
   }
