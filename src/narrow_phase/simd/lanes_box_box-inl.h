@@ -26,10 +26,7 @@ struct CornerLanes {
 };
 
 HWY_INLINE void considerCorner(const Vector3& corner, const Vector3& half, CornerLanes& nearest) {
-  const Vector3 beyond = absolute(corner) - half;
-  const Vector3 outside{hn::Max(beyond.x, zero()), hn::Max(beyond.y, zero()),
-                        hn::Max(beyond.z, zero())};
-  const Number distance_squared = dot(outside, outside);
+  const Number distance_squared = outsideSquared(absolute(corner) - half);
   const Truth is_nearer = hn::Lt(distance_squared, nearest.distance_squared);
   nearest.distance_squared = hn::IfThenElse(is_nearer, distance_squared, nearest.distance_squared);
   nearest.corner = select(is_nearer, corner, nearest.corner);

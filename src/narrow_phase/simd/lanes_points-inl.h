@@ -117,6 +117,19 @@ HWY_INLINE Number separationWithin(const SegmentCore& a, const SegmentCore& b, N
   return coreDistance(a, b, counts).distance;
 }
 
+/// Squared length of the positive gaps along three perpendicular axes, those of one of two boxes:
+/// a bound of their squared distance.
+HWY_INLINE Number outsideSquared(const Vector3& gaps) {
+  const Vector3 outside{hn::Max(gaps.x, zero()), hn::Max(gaps.y, zero()), hn::Max(gaps.z, zero())};
+  return dot(outside, outside);
+}
+
+/// Whether such gaps part the boxes by more than `reach`. False for NaN.
+HWY_INLINE Truth isBeyond(const Vector3& gaps, Number reach) {
+  const Number allowed = hn::Max(reach, zero());
+  return hn::Gt(outsideSquared(gaps), hn::Mul(allowed, allowed));
+}
+
 /// The largest of three numbers, and where it is; the first of equal ones.
 struct LargestOfThree {
   Number value;

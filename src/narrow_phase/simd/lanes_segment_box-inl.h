@@ -126,6 +126,18 @@ HWY_INLINE CoreAnswer coreDistance(const SegmentCore& a, const BoxCore& b) {
   return {sureWhere(is_sure, distance), b.center + out(b.axes, on_segment), out(b.axes, normal)};
 }
 
+/// The extents of the segment along the axes of the box part most pairs.
+HWY_INLINE Number separationWithin(const SegmentCore& a, const BoxCore& b, Number reach,
+                                   Truth& counts) {
+  const Vector3 center = into(b.axes, a.center - b.center);
+  const Vector3 beside = absolute(into(b.axes, a.direction));
+  const Vector3 gaps = absolute(center) - along(b.half_extents, a.half_length, beside);
+  const Vector3 half_segment{zero(), zero(), a.half_length};
+  const Number tolerance = toleranceInLanes(b.half_extents, half_segment, center);
+  counts = hn::AndNot(isBeyond(gaps, hn::Add(reach, tolerance)), counts);
+  return hn::AllFalse(Lanes(), counts) ? zero() : coreDistance(a, b).distance;
+}
+
 // NOLINTNEXTLINE(google-readability-namespace-comments)
 }  // namespace HWY_NAMESPACE
 }  // namespace collision_monitor

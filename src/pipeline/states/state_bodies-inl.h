@@ -90,11 +90,8 @@ HWY_INLINE Truth spheresMeet(const StateLanes& states, const StatePair& pair, Nu
 /// Whether a point is within `reach` of a box. Near a long or flat box this is far less than near
 /// its bounding sphere.
 HWY_INLINE Truth isNearBox(const Vector3& point, const BoxCore& box, Number reach) {
-  const Vector3 beyond = absolute(into(box.axes, point - box.center)) - box.half_extents;
-  const Vector3 outside{hn::Max(beyond.x, zero()), hn::Max(beyond.y, zero()),
-                        hn::Max(beyond.z, zero())};
-  const Number allowed = hn::Add(reach, box.radius);
-  return hn::Not(hn::Gt(dot(outside, outside), hn::Mul(allowed, allowed)));
+  const Vector3 gaps = absolute(into(box.axes, point - box.center)) - box.half_extents;
+  return hn::Not(isBeyond(gaps, hn::Add(reach, box.radius)));
 }
 
 /// Measures the lanes whose distance is NaN by the plain twin.
