@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "narrow_phase/simd/plain_twin.h"
 #include "pipeline/blocks/contact_of_pairs.h"
@@ -48,32 +49,9 @@ Pose bodyPose(CoreKind kind, const StatePose& pose, std::size_t lane) noexcept {
                                      : Pose{Eigen::Matrix3d::Identity(), one.translation};
 }
 
-std::size_t countStates(const JointPositions& positions, const StatesWork& work) noexcept {
-  const std::size_t variables = work.plan.variable_count;
-  return variables == 0 ? 1 : positions.size() / variables;
-}
-
 bool isFiniteState(const StatesWork& work, std::size_t lane) noexcept {
   return std::all_of(work.variables.begin(), work.variables.end(),
                      [&](const StateNumber& variable) { return std::isfinite(variable.of[lane]); });
-}
-
-StateCheck checkOf(const CycleSetup& setup, const StatesBlock& block, std::size_t lane) noexcept {
-  StateCheck check;
-  check.distance = block.distance.of[lane];
-  check.has_pair = check.distance < std::numeric_limits<double>::infinity();
-  check.pair = idAt<PairId>(static_cast<std::size_t>(block.pair.of[lane]));
-  if (check.has_pair) {
-    const BodyPair& pair = setup.table[check.pair];
-    check.quality = setup.bodies[index(pair.a)].is_exact && setup.bodies[index(pair.b)].is_exact
-                        ? Quality::exact
-                        : Quality::lower_bound;
-  }
-  check.verdict = block.is_contact.of[lane] > 0.0   ? Verdict::contact
-                  : block.is_unknown.of[lane] > 0.0 ? Verdict::unknown
-                  : block.is_warning.of[lane] > 0.0 ? Verdict::warning
-                                                    : Verdict::clear;
-  return check;
 }
 
 /// Finds a contact in state 0 alone, faster than in all states of the block.
@@ -103,28 +81,9 @@ void partPairs(const CycleSetup& setup, StatesWork& work) {
   }
 }
 
-void addUnknown(const StatesWork& work, std::vector<StateCheck>& checks) noexcept {
-  for (StateCheck& check : checks) {
-    check.verdict = work.is_split ? std::max(check.verdict, Verdict::unknown) : check.verdict;
-  }
-}
-
-/// Whether geometries must decide. The nearest bodies may not be the ones in contact, nor those
-/// that are a warning by limits of their own.
-bool isOpen(const CycleSetup& setup, const StateCheck& check) noexcept {
-  const bool is_contact = check.verdict == Verdict::contact;
-  const bool is_near = is_contact || check.verdict == Verdict::warning;
-  if (!is_near || check.quality != Quality::exact) {
-    return is_near;
-  }
-  const std::uint32_t link_pair = setup.link_pair_of[index(check.pair)];
-  return check.distance > (is_contact ? contactOfBodies(setup, check.pair)
-                                      : limitsOf(setup, link_pair).warning_distance);
-}
-
-/// Judges by enclosing shapes. @param count states in the block
+/// Judges a block of states.
 void judgeShapes(const CycleSetup& setup, StateQuestion question, std::size_t count,
-                 StatesWork& work, BlockChecks& checks) noexcept {
+                 StatesWork& work, StateCheck* checks) noexcept {
   StatesBlock block;
   if (question == StateQuestion::contact && count == 1) {
     judgeAlone(setup, work, block);
@@ -134,67 +93,6 @@ void judgeShapes(const CycleSetup& setup, StateQuestion question, std::size_t co
   for (std::size_t lane = 0; lane < count; ++lane) {
     checks[lane] = isFiniteState(work, lane) ? checkOf(setup, block, lane) : StateCheck{};
   }
-}
-
-bool hasOpen(const OpenStates& open) noexcept {
-  return std::any_of(open.begin(), open.end(), [](bool is_open) { return is_open; });
-}
-
-/// Judges open states by enclosing shapes. Those whose answer needs geometries stay open.
-void judgeApart(const CycleSetup& setup, std::size_t count, StatesWork& work, OpenStates& open,
-                BlockChecks& checks) noexcept {
-  BlockChecks by_shapes;
-  placeBodies(setup, work);
-  judgeShapes(setup, StateQuestion::nearest, count, work, by_shapes);
-  for (std::size_t lane = 0; lane < count; ++lane) {
-    if (open[lane]) {
-      checks[lane] = by_shapes[lane];
-      open[lane] = isOpen(setup, checks[lane]);
-    }
-  }
-}
-
-/// Judges by geometries. For the nearest pair it searches contacts first, which settle most states
-/// that have some; then it refines states that enclosing shapes leave open.
-/// @pre frames are placed.
-void judgeGeometries(const CycleSetup& setup, StateQuestion question, std::size_t count,
-                     StatesWork& work, BlockChecks& checks) noexcept {
-  OpenStates open{};
-  for (std::size_t lane = 0; lane < count; ++lane) {
-    checks[lane] = StateCheck();
-    open[lane] = isFiniteState(work, lane);
-  }
-  placeCenters(work);
-  if (question == StateQuestion::nearest) {
-    if (work.refinement.has_geometries) {
-      settleContacts(setup, work, open, checks);
-    }
-    if (hasOpen(open)) {
-      judgeApart(setup, count, work, open, checks);
-    }
-  }
-  if (hasOpen(open)) {
-    refineStates(setup, question, open, work, checks);
-  }
-}
-
-/// @param is_exact geometries decide
-void judgeStates(const CycleSetup& setup, const JointPositions& positions, StateQuestion question,
-                 bool is_exact, StatesWork& work, std::vector<StateCheck>& checks) {
-  const std::size_t total = countStates(positions, work);
-  checks.resize(total);
-  BlockChecks of_block;
-  for (std::size_t first = 0; first < total; first += kStateCount) {
-    const std::size_t count = std::min(kStateCount, total - first);
-    fillVariables(positions, first, work);
-    placeFrames(work.plan, work.variables, work.frames);
-    if (!is_exact) {
-      placeBodies(setup, work);
-    }
-    (is_exact ? judgeGeometries : judgeShapes)(setup, question, count, work, of_block);
-    std::copy_n(of_block.begin(), count, checks.begin() + static_cast<std::ptrdiff_t>(first));
-  }
-  addUnknown(work, checks);
 }
 
 }  // namespace
@@ -216,6 +114,8 @@ StatesWork makeStatesWork(const CycleSetup& setup, const StandingPoses& standing
   work.contact_distances = contactDistancesOf(setup);
   work.rows = makeBodyPoses(setup).rows;
   work.variables.resize(work.plan.variable_count);
+  work.placed.reserve(kStateCount);
+  work.open.reserve(kOpenStates);
   work.frames.resize(work.plan.frames.size());
   partPairs(setup, work);
   work.refinement = makeStatesRefinement(setup, work);
@@ -229,12 +129,18 @@ void fillAll(const Eigen::Vector3d& v, StateNumber (&numbers)[3]) noexcept {
 }
 
 void fillVariables(const JointPositions& positions, std::size_t first, StatesWork& work) noexcept {
+  const std::size_t count = std::min(kStateCount, countStates(positions, work) - first);
+  work.placed.resize(count);
+  std::iota(work.placed.begin(), work.placed.end(), static_cast<std::uint32_t>(first));
+  fillPlaced(positions, work);
+}
+
+void fillPlaced(const JointPositions& positions, StatesWork& work) noexcept {
   const std::size_t variables = work.plan.variable_count;
-  const std::size_t last = countStates(positions, work) - 1;
   for (std::size_t lane = 0; lane < kStateCount; ++lane) {
-    const double* state = positions.data() + std::min(first + lane, last) * variables;
+    const std::size_t state = work.placed[std::min(lane, work.placed.size() - 1)];
     for (std::size_t i = 0; i < variables; ++i) {
-      work.variables[i].of[lane] = state[i];
+      work.variables[i].of[lane] = positions[state * variables + i];
     }
   }
 }
@@ -258,14 +164,45 @@ double plainStateDistance(const CycleSetup& setup, const StatesWork& work, const
       .distance;
 }
 
-void checkStates(const CycleSetup& setup, const JointPositions& positions, StateQuestion question,
-                 StatesWork& work, std::vector<StateCheck>& checks) {
-  judgeStates(setup, positions, question, false, work, checks);
+std::size_t countStates(const JointPositions& positions, const StatesWork& work) noexcept {
+  const std::size_t variables = work.plan.variable_count;
+  return variables == 0 ? 1 : positions.size() / variables;
 }
 
-void checkStatesExactly(const CycleSetup& setup, const JointPositions& positions,
-                        StateQuestion question, StatesWork& work, std::vector<StateCheck>& checks) {
-  judgeStates(setup, positions, question, true, work, checks);
+StateCheck checkOf(const CycleSetup& setup, const StatesBlock& block, std::size_t lane) noexcept {
+  StateCheck check;
+  check.distance = block.distance.of[lane];
+  check.has_pair = check.distance < std::numeric_limits<double>::infinity();
+  check.pair = idAt<PairId>(static_cast<std::size_t>(block.pair.of[lane]));
+  if (check.has_pair) {
+    const BodyPair& pair = setup.table[check.pair];
+    check.quality = setup.bodies[index(pair.a)].is_exact && setup.bodies[index(pair.b)].is_exact
+                        ? Quality::exact
+                        : Quality::lower_bound;
+  }
+  check.verdict = block.is_contact.of[lane] > 0.0   ? Verdict::contact
+                  : block.is_unknown.of[lane] > 0.0 ? Verdict::unknown
+                  : block.is_warning.of[lane] > 0.0 ? Verdict::warning
+                                                    : Verdict::clear;
+  return check;
+}
+
+void addUnknown(const StatesWork& work, std::vector<StateCheck>& checks) noexcept {
+  for (StateCheck& check : checks) {
+    check.verdict = work.is_split ? std::max(check.verdict, Verdict::unknown) : check.verdict;
+  }
+}
+
+void checkStates(const CycleSetup& setup, const JointPositions& positions, StateQuestion question,
+                 StatesWork& work, std::vector<StateCheck>& checks) {
+  const std::size_t total = countStates(positions, work);
+  checks.resize(total);
+  for (std::size_t first = 0; first < total; first += kStateCount) {
+    fillVariables(positions, first, work);
+    placeStates(setup, work);
+    judgeShapes(setup, question, std::min(kStateCount, total - first), work, &checks[first]);
+  }
+  addUnknown(work, checks);
 }
 
 }  // namespace collision_monitor

@@ -43,16 +43,19 @@ struct NearInStates {
 struct ElementsInState {
   ElementPairIndex elements{0};
   std::uint32_t bodies{0};   ///< PairId of the nearest bodies
-  double bound{0.0};         ///< [m] the distance of these bodies
+  double bound{0.0};         ///< [m] of the distance; first that of these bodies
   std::uint64_t touched{0};  ///< as in StatesRefinement::touched
+  bool is_raised{false};     ///< `bound` is that of hulls, if it is larger
 };
 
 /// Two elements and their pairs of bodies.
 struct StateElementPair {
   std::uint32_t a{0};  ///< ElementIds
   std::uint32_t b{0};
-  double radii{0.0};             ///< [m] sum of the radii of their balls
+  double radii{0.0};       ///< [m] sum of the radii of their balls
+  double body_radii{0.0};  ///< [m] the same of balls that hold their bodies, with these centers
   double contact_distance{0.0};  ///< [m] the largest of their bodies
+  double warning_distance{0.0};  ///< [m] of their links
   std::uint32_t first{0};        ///< into StatesRefinement::body_pairs
   std::uint32_t last{0};
   bool are_convex{false};
@@ -92,6 +95,10 @@ struct StatesRefinement {
   std::vector<std::uint64_t> searched_in;  ///< by ElementPairIndex: the state of its memory
 };
 
+/// How many states checkStatesExactly searches together. Those that a cheap search leaves open fill
+/// new blocks for the next.
+constexpr std::size_t kOpenStates = 256;
+
 /// What checkStates needs; made once for a set-up and the standing poses of its robots.
 struct StatesWork {
   KinematicsPlan plan;
@@ -104,7 +111,9 @@ struct StatesWork {
   BodyRows rows;                  ///< of a state that is judged alone
   LinkPoses poses;  ///< which links are known, and in which part; the same in all states
   StatesRefinement refinement;
-  bool is_split{false};  ///< a pair has an unknown relative pose: no state is clear
+  std::vector<std::uint32_t> open;    ///< states that checkStatesExactly has not answered yet
+  std::vector<std::uint32_t> placed;  ///< the states of its last block
+  bool is_split{false};               ///< a pair has an unknown relative pose: no state is clear
 };
 
 /// Roots, fixed joints, and joints whose first variable does not move, keep their pose in `poses`.

@@ -79,10 +79,6 @@ void placeInLanes(const CycleSetup& setup, StatesWork& work) {
   }
 }
 
-HWY_INLINE void storeTruth(Truth truth, std::size_t lane, StateNumber& to) {
-  hn::Store(hn::IfThenElseZero(truth, number(1.0)), Lanes(), to.of + lane);
-}
-
 void judgeLanes(const CycleSetup& setup, StateQuestion question, const StatesWork& work,
                 StatesBlock& block) {
   for (std::size_t lane = 0; lane < kStateCount; lane += hn::Lanes(Lanes())) {

@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "pipeline/states/near_in_states.cpp"
 #include "hwy/foreach_target.h"
 // The order matters: Highway first includes this file once for each target.
-#include "pipeline/states/state_bodies-inl.h"
+#include "pipeline/states/element_bodies-inl.h"
 #include "pipeline/states/state_elements.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -14,31 +14,23 @@ namespace HWY_NAMESPACE {
 
 /// Lists pairs of bodies that are near in some states.
 struct NearSearch {
-  StateLanes states;
+  ElementBodies bodies;
   Number asked;
   bool asks_any;
-  StatesWork& work;
 
-  void place(std::uint32_t body) {
-    std::uint64_t& placed_in = work.refinement.body_placed_in[body];
-    if (placed_in != work.refinement.block) {
-      placed_in = work.refinement.block;
-      placeBody(states.setup, body, work);
-    }
-  }
+  StatesRefinement& refinement() const { return bodies.work.refinement; }
+
+  Number reachOf(double contact_distance) const { return hn::Max(asked, number(contact_distance)); }
 
   /// @return in which states the bodies are near
-  template <class CoreA, class CoreB>
-  HWY_NOINLINE Truth measure(std::uint32_t id, Truth counts) {
-    const StatePair& pair = states.work.pairs[id];
-    place(pair.a);
-    place(pair.b);
-    const Number reach = hn::Max(asked, number(pair.contact_distance));
-    const Number distance = stateDistanceWithin<CoreA, CoreB>(states, pair, reach, counts);
+  Truth measureBodies(std::uint32_t id, Truth counts) {
+    const StatePair& pair = bodies.work.pairs[id];
+    const Number reach = reachOf(pair.contact_distance);
+    const Number distance = bodies.measure(pair, reach, counts);
     // NaN counts as near.
     counts = hn::AndNot(hn::Gt(distance, reach), counts);
     if (!hn::AllFalse(Lanes(), counts)) {
-      NearInStates& found = work.refinement.near.emplace_back();
+      NearInStates& found = refinement().near.emplace_back();
       found.pair = id;
       const Number far = number(std::numeric_limits<double>::infinity());
       hn::StoreU(hn::IfThenElse(counts, distance, far), Lanes(), found.distance.data());
@@ -46,59 +38,35 @@ struct NearSearch {
     return counts;
   }
 
-  Truth measureBodies(std::uint32_t id, Truth counts) {
-    const StatePair& pair = states.work.pairs[id];
-    const CoreKind a = states.setup.cores[pair.a].kind;
-    const CoreKind b = states.setup.cores[pair.b].kind;
-    if (a == CoreKind::box) {
-      return measure<BoxCore, BoxCore>(id, counts);
-    }
-    if (a == CoreKind::segment) {
-      return b == CoreKind::box ? measure<SegmentCore, BoxCore>(id, counts)
-                                : measure<SegmentCore, SegmentCore>(id, counts);
-    }
-    if (b == CoreKind::box) {
-      return measure<PointCore, BoxCore>(id, counts);
-    }
-    return b == CoreKind::segment ? measure<PointCore, SegmentCore>(id, counts)
-                                  : measure<PointCore, PointCore>(id, counts);
-  }
-
   /// Whether the balls of two elements allow them to be within the activation distance.
   HWY_INLINE Truth ballsMeet(const StateElementPair& pair) const {
-    const auto& centers = states.work.refinement.centers;
-    const Vector3 between =
-        load(centers[pair.b].of, states.lane) - load(centers[pair.a].of, states.lane);
-    const Number allowed =
-        hn::Add(number(pair.radii), hn::Max(asked, number(pair.contact_distance)));
     return hn::And(hn::Gt(asked, number(kNotAsked)),
-                   hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed))));
+                   bodies.ballsMeet(pair, pair.radii, reachOf(pair.contact_distance)));
   }
 
   /// The same of the ball of one element and the box around the other.
   HWY_INLINE Truth ballMeetsBox(const StateElementPair& pair) {
-    const StatesRefinement& refinement = states.work.refinement;
-    place(pair.box);
+    bodies.place(pair.box);
+    const StateLanes& states = bodies.states;
     const BoxCore box(
         BodyInStates{states.work.bodies[pair.box], states.setup.cores[pair.box], states.lane});
-    const Number reach = hn::Add(number(refinement.balls[pair.ball].radius),
-                                 hn::Max(asked, number(pair.contact_distance)));
-    return isNearBox(load(refinement.centers[pair.ball].of, states.lane), box, reach);
+    const Number reach =
+        hn::Add(number(refinement().balls[pair.ball].radius), reachOf(pair.contact_distance));
+    return isNearBox(load(refinement().centers[pair.ball].of, states.lane), box, reach);
   }
 
-  /// Not part of the loop over all pairs, which stays short so.
+  /// Not inlined: the loop over all pairs stays short.
   HWY_NOINLINE void measureElements(ElementPairIndex elements, Truth counts) {
-    const StateElementPair& pair = work.refinement.element_pairs[elements];
+    const StateElementPair& pair = refinement().element_pairs[elements];
     if (pair.has_box) {
       counts = hn::And(counts, ballMeetsBox(pair));
       if (hn::AllFalse(Lanes(), counts)) {
         return;
       }
     }
-    const std::vector<std::uint32_t>& bodies = states.work.refinement.body_pairs;
-    const bool is_one_enough = asks_any && isExact(states.setup, elements);
+    const bool is_one_enough = asks_any && isExact(bodies.states.setup, elements);
     for (std::uint32_t i = pair.first; i < pair.last && !hn::AllFalse(Lanes(), counts); ++i) {
-      const Truth is_near = measureBodies(bodies[i], counts);
+      const Truth is_near = measureBodies(refinement().body_pairs[i], counts);
       counts = is_one_enough ? hn::AndNot(is_near, counts) : counts;
     }
   }
@@ -109,7 +77,7 @@ std::size_t listNearInLanes(const CycleSetup& setup, const NearQuery& query, std
   StatesRefinement& refinement = work.refinement;
   refinement.near.clear();
   NearSearch search{
-      {setup, work, lane}, hn::LoadU(Lanes(), query.asked.of + lane), query.asks_any, work};
+      {{setup, work, lane}, work}, hn::LoadU(Lanes(), query.asked.of + lane), query.asks_any};
   for (std::size_t i = query.first; i < query.last; ++i) {
     const ElementPairIndex elements = refinement.order[i];
     const StateElementPair& pair = refinement.element_pairs[elements];

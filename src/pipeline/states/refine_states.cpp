@@ -51,22 +51,6 @@ void findNearestOf(const CycleSetup& setup, StateNumber& asked, StatesWork& work
   });
 }
 
-/// A pair within the warning distance is mostly the nearest. If not, queries up to its distance.
-void refineNearest(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
-                   BlockChecks& checks) noexcept {
-  const double farthest =
-      largestOfLimits(setup, [](const Limits& limits) { return limits.warning_distance; });
-  StateNumber asked;
-  for (std::size_t lane = 0; lane < kStateCount; ++lane) {
-    asked.of[lane] = open[lane] ? farthest : kNotAsked;
-  }
-  findNearestOf(setup, asked, work, checks);
-  if (std::any_of(std::begin(asked.of), std::end(asked.of),
-                  [](double distance) { return distance != kNotAsked; })) {
-    findNearestOf(setup, asked, work, checks);
-  }
-}
-
 /// Searches the queried states of one vector for a contact of some pairs; closes states with a
 /// contact. @return how many states the vector holds
 std::size_t findContacts(const CycleSetup& setup, const NearQuery& query, std::size_t first,
@@ -82,25 +66,6 @@ std::size_t findContacts(const CycleSetup& setup, const NearQuery& query, std::s
                      });
 }
 
-/// Tries the pairs last in contact alone first: mostly one of them is in contact again.
-void refineContacts(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
-                    BlockChecks& checks) noexcept {
-  StateNumber asked;
-  for (std::size_t lane = 0; lane < kStateCount; ++lane) {
-    asked.of[lane] = open[lane] ? kContactsAsked : kNotAsked;
-    if (open[lane]) {
-      checks[lane] = StateCheck();
-      checks[lane].verdict = Verdict::clear;
-    }
-  }
-  const std::size_t all = work.refinement.order.size();
-  const std::size_t few = std::min<std::size_t>(6, all);
-  for (std::size_t lane = 0; lane < kStateCount;) {
-    findContacts(setup, {asked, 0, few, false, true}, lane, asked, work, checks);
-    lane += findContacts(setup, {asked, few, all, false, true}, lane, asked, work, checks);
-  }
-}
-
 /// By ElementId: the body that alone encloses it, if that is a box; else kNone.
 std::vector<std::uint32_t> boxesAround(const CycleSetup& setup) {
   std::vector<std::uint32_t> boxes(setup.elements.size(), kNone);
@@ -112,6 +77,24 @@ std::vector<std::uint32_t> boxesAround(const CycleSetup& setup) {
     has_body[element] = true;
   }
   return boxes;
+}
+
+/// [m] By ElementId: the radius of a ball around its bodies, with the center of its own ball. A
+/// little more, so that rounding passes over no pair.
+std::vector<double> radiiOfBodies(const CycleSetup& setup, const std::vector<Ball>& balls) {
+  constexpr double kRounding = 1e-9;
+  std::vector<double> radii(setup.elements.size(), 0.0);
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+    const Body& body = setup.bodies[i];
+    const std::size_t element = index(body.element);
+    const Eigen::Vector3d center =
+        inverse(body.link_from_body) *
+        (setup.elements[element].link_from_element * balls[element].center);
+    const Core& core = setup.cores[i];
+    const double farthest = (center.cwiseAbs() + core.half_extents).norm() + core.radius;
+    radii[element] = std::max(radii[element], farthest + kRounding);
+  }
+  return radii;
 }
 
 /// The ball of the smaller element is tested against the box around the larger one, which its ball
@@ -128,6 +111,7 @@ void chooseBox(const std::vector<std::uint32_t>& boxes, const std::vector<Ball>&
 void listBodies(const CycleSetup& setup, const StatesWork& work, StatesRefinement& refinement) {
   refinement.element_pairs.resize(setup.element_pairs.size());
   const std::vector<std::uint32_t> boxes = boxesAround(setup);
+  const std::vector<double> radii = radiiOfBodies(setup, refinement.balls);
   std::vector<std::vector<std::uint32_t>> bodies(setup.element_pairs.size());
   for (std::uint32_t id = 0; id < setup.table.size(); ++id) {
     if (!work.pairs[id].is_apart) {
@@ -139,9 +123,11 @@ void listBodies(const CycleSetup& setup, const StatesWork& work, StatesRefinemen
     pair.a = static_cast<std::uint32_t>(index(setup.element_pairs[i].a));
     pair.b = static_cast<std::uint32_t>(index(setup.element_pairs[i].b));
     pair.radii = refinement.balls[pair.a].radius + refinement.balls[pair.b].radius;
+    pair.body_radii = radii[pair.a] + radii[pair.b];
     chooseBox(boxes, refinement.balls, pair);
     const Limits& limits = limitsOf(setup, setup.element_pairs[i].link_pair);
     pair.contact_distance = std::max(0.0, limits.contact_distance);
+    pair.warning_distance = limits.warning_distance;
     pair.are_convex = setup.elements[pair.a].convex && setup.elements[pair.b].convex;
     pair.first = static_cast<std::uint32_t>(refinement.body_pairs.size());
     refinement.body_pairs.insert(refinement.body_pairs.end(), bodies[i].begin(), bodies[i].end());
@@ -189,6 +175,42 @@ StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork&
   return refinement;
 }
 
+void refineContacts(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
+                    BlockChecks& checks) noexcept {
+  StateNumber asked;
+  for (std::size_t lane = 0; lane < kStateCount; ++lane) {
+    asked.of[lane] = open[lane] ? kContactsAsked : kNotAsked;
+    if (open[lane]) {
+      checks[lane] = StateCheck();
+      checks[lane].verdict = Verdict::clear;
+    }
+  }
+  // Mostly one of the pairs last in contact is in contact again.
+  const std::size_t all = work.refinement.order.size();
+  const std::size_t few = std::min<std::size_t>(6, all);
+  for (std::size_t lane = 0; lane < kStateCount;) {
+    findContacts(setup, {asked, 0, few, false, true}, lane, asked, work, checks);
+    lane += findContacts(setup, {asked, few, all, false, true}, lane, asked, work, checks);
+  }
+}
+
+void refineNearest(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
+                   BlockChecks& checks) noexcept {
+  // A pair within the warning distance is mostly the nearest. If not, its distance limits a second
+  // query.
+  const double farthest =
+      largestOfLimits(setup, [](const Limits& limits) { return limits.warning_distance; });
+  StateNumber asked;
+  for (std::size_t lane = 0; lane < kStateCount; ++lane) {
+    asked.of[lane] = open[lane] ? farthest : kNotAsked;
+  }
+  findNearestOf(setup, asked, work, checks);
+  if (std::any_of(std::begin(asked.of), std::end(asked.of),
+                  [](double distance) { return distance != kNotAsked; })) {
+    findNearestOf(setup, asked, work, checks);
+  }
+}
+
 void settleContacts(const CycleSetup& setup, StatesWork& work, OpenStates& open,
                     BlockChecks& checks) noexcept {
   refineContacts(setup, open, work, checks);
@@ -204,11 +226,6 @@ void settleContacts(const CycleSetup& setup, StatesWork& work, OpenStates& open,
   visitAll(
       setup, {touching, 0, work.refinement.order.size(), is_convex_only}, work,
       [&](const StateSearch& state, bool) noexcept { findNearest(state, checks[state.lane]); });
-}
-
-void refineStates(const CycleSetup& setup, StateQuestion question, const OpenStates& open,
-                  StatesWork& work, BlockChecks& checks) noexcept {
-  (question == StateQuestion::contact ? refineContacts : refineNearest)(setup, open, work, checks);
 }
 
 }  // namespace collision_monitor

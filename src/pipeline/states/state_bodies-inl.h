@@ -26,6 +26,10 @@ struct StateLanes {
   std::size_t lane;
 };
 
+HWY_INLINE void storeTruth(Truth truth, std::size_t lane, StateNumber& to) {
+  hn::Store(hn::IfThenElseZero(truth, number(1.0)), Lanes(), to.of + lane);
+}
+
 /// A body in several states, in the form that the cores of shape_lanes-inl.h read.
 struct BodyInStates {
   const StatePose& pose;

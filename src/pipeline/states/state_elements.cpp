@@ -146,16 +146,30 @@ bool matters(const StateSearch& state, const ElementsInState& pair,
   return mayBeNearer(state, pair, best) || pair.bound <= worseWithin(state, pair, best);
 }
 
-/// Raises bounds by the hulls of the geometries.
-void raiseBounds(const StateSearch& state, const StateCheck& best) noexcept {
-  for (ElementsInState& pair : state.refinement().pairs) {
-    if (matters(state, pair, best) && !areConvex(state.setup, pair.elements)) {
-      const ElementPair& elements = state.setup.element_pairs[pair.elements];
-      ElementSearch search = searchFor(state, pair.elements, best.distance);
-      pair.bound = std::max(
-          pair.bound, boundByHulls(placed(state, elements.a), placed(state, elements.b), search));
-    }
+/// Raises the bound of a pair to that of the hulls of its geometries.
+void raiseBound(const StateSearch& state, double cutoff, ElementsInState& pair) noexcept {
+  pair.is_raised = true;
+  if (!areConvex(state.setup, pair.elements)) {
+    const ElementPair& elements = state.setup.element_pairs[pair.elements];
+    ElementSearch search = searchFor(state, pair.elements, cutoff);
+    pair.bound = std::max(
+        pair.bound, boundByHulls(placed(state, elements.a), placed(state, elements.b), search));
   }
+}
+
+/// Measures a pair that matters, and takes what is nearer or worse.
+void takeNearer(const StateSearch& state, const ElementsInState& pair, StateCheck& best) noexcept {
+  constexpr double kNotTouching = 1e-3;
+  const double beyond = std::nextafter(worseWithin(state, pair, best), kInfinity);
+  StateCheck found = measure(state, pair, std::max({best.distance, kNotTouching, beyond}));
+  found.verdict = std::max(best.verdict, verdictOf(state, pair, found));
+  best.verdict = found.verdict;
+  best = found.distance < best.distance ? found : best;
+}
+
+/// For heaps, whose first is the largest.
+bool isFarther(const ElementsInState& one, const ElementsInState& other) noexcept {
+  return std::tie(other.bound, other.elements) < std::tie(one.bound, one.elements);
 }
 
 }  // namespace
@@ -223,21 +237,22 @@ bool findContact(const StateSearch& state, StateCheck& check) noexcept {
 }
 
 void findNearest(const StateSearch& state, StateCheck& best) noexcept {
+  // The pair of the least bound comes first. Hulls raise a bound only when its turn comes, and
+  // triangles are searched only if it comes again.
   std::vector<ElementsInState>& pairs = state.refinement().pairs;
-  raiseBounds(state, best);
-  std::sort(pairs.begin(), pairs.end(),
-            [](const ElementsInState& one, const ElementsInState& other) {
-              return std::tie(one.bound, one.elements) < std::tie(other.bound, other.elements);
-            });
-  for (const ElementsInState& pair : pairs) {
-    if (matters(state, pair, best)) {
-      constexpr double kNotTouching = 1e-3;
-      const double beyond = std::nextafter(worseWithin(state, pair, best), kInfinity);
-      StateCheck found = measure(state, pair, std::max({best.distance, kNotTouching, beyond}));
-      found.verdict = std::max(best.verdict, verdictOf(state, pair, found));
-      best.verdict = found.verdict;
-      best = found.distance < best.distance ? found : best;
+  std::make_heap(pairs.begin(), pairs.end(), isFarther);
+  for (auto end = pairs.end(); end != pairs.begin();) {
+    std::pop_heap(pairs.begin(), end, isFarther);
+    ElementsInState& pair = *(end - 1);
+    if (matters(state, pair, best) && !pair.is_raised) {
+      raiseBound(state, best.distance, pair);
+      std::push_heap(pairs.begin(), end, isFarther);
+      continue;
     }
+    if (matters(state, pair, best)) {
+      takeNearer(state, pair, best);
+    }
+    --end;
   }
 }
 

@@ -25,6 +25,18 @@ void fillAll(const Eigen::Vector3d& v, StateNumber (&numbers)[3]) noexcept;
 /// state to fill the block.
 void fillVariables(const JointPositions& positions, std::size_t first, StatesWork& work) noexcept;
 
+/// The same of the states in `work.placed`: at least one, at most kStateCount.
+void fillPlaced(const JointPositions& positions, StatesWork& work) noexcept;
+
+/// How many states the positions hold.
+std::size_t countStates(const JointPositions& positions, const StatesWork& work) noexcept;
+
+/// The answer by enclosing shapes in one state of a judged block.
+StateCheck checkOf(const CycleSetup& setup, const StatesBlock& block, std::size_t lane) noexcept;
+
+/// Turns answers into unknown, unless they are in contact, if a pair has an unknown relative pose.
+void addUnknown(const StatesWork& work, std::vector<StateCheck>& checks) noexcept;
+
 /// Places frames and bodies for the variables in `work`.
 void placeStates(const CycleSetup& setup, StatesWork& work) noexcept;
 
@@ -77,6 +89,13 @@ void placeCenters(StatesWork& work) noexcept;
 std::size_t listNear(const CycleSetup& setup, const NearQuery& query, std::size_t lane,
                      StatesWork& work) noexcept;
 
+/// Judges asked states by enclosing shapes, for StateQuestion::nearest. The answer is that of
+/// judgeBlock; balls spare most of the measuring.
+/// @param asked kNotAsked, or any other number
+/// @pre balls are placed. Bodies are placed here when they are first needed.
+void judgeNearest(const CycleSetup& setup, const StateNumber& asked, StatesWork& work,
+                  StatesBlock& block) noexcept;
+
 /// Makes what checkStatesExactly needs beyond enclosing shapes.
 StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork& work);
 
@@ -86,13 +105,16 @@ StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork&
 void settleContacts(const CycleSetup& setup, StatesWork& work, OpenStates& open,
                     BlockChecks& checks) noexcept;
 
-/// Judges open states of the block by geometries. For StateQuestion::nearest, states in contact are
-/// settled before.
+/// Finds by geometries which open states of the block are in contact.
 /// @pre balls are placed.
-/// @param open by state
-/// @param checks by state; in: by enclosing shapes; out: by geometries
-void refineStates(const CycleSetup& setup, StateQuestion question, const OpenStates& open,
-                  StatesWork& work, BlockChecks& checks) noexcept;
+void refineContacts(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
+                    BlockChecks& checks) noexcept;
+
+/// Finds by geometries the nearest pairs of open states of the block. States in contact are settled
+/// before.
+/// @pre balls are placed.
+void refineNearest(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
+                   BlockChecks& checks) noexcept;
 
 /// The distance of a pair of bodies in state `lane` by the plain twin, where the kernel is not
 /// sure.

@@ -172,6 +172,34 @@ TEST(ExactStatesLaws, aStateIsJudgedAlikeWhateverCameBefore) {
   }
 }
 
+/// Blocks are filled anew after each search: no answer may go to another state.
+TEST(ExactStatesLaws, manyStatesAreJudgedAsEachAlone) {
+  Random random(kSeed);
+  Scene scene(0.0, random);
+  const std::size_t n = scene.setup.model.variable_count;
+  JointPositions many;
+  for (std::size_t i = 0; i < (kOpenStates + 21) * n; ++i) {
+    many.push_back(uniform(random, -1.5, 1.5));
+  }
+  many[5 * n] = std::numeric_limits<double>::quiet_NaN();
+  for (const StateQuestion question : {StateQuestion::nearest, StateQuestion::contact}) {
+    std::vector<StateCheck> together;
+    checkStatesExactly(scene.setup, many, question, scene.work, together);
+    ASSERT_EQ(together.size(), kOpenStates + 21);
+    EXPECT_EQ(together[5].verdict, Verdict::unknown);
+    for (std::size_t i = 0; i < together.size(); ++i) {
+      const auto first = many.begin() + static_cast<std::ptrdiff_t>(i * n);
+      const JointPositions one(first, first + static_cast<std::ptrdiff_t>(n));
+      std::vector<StateCheck> alone;
+      checkStatesExactly(scene.setup, one, question, scene.work, alone);
+      ASSERT_EQ(alone[0].verdict, together[i].verdict) << "state " << i;
+      if (together[i].verdict == Verdict::clear || together[i].verdict == Verdict::warning) {
+        ASSERT_NEAR(alone[0].distance, together[i].distance, 1e-9);
+      }
+    }
+  }
+}
+
 TEST(ExactStatesLaws, checkingAllocatesNothing) {
   Random random(kSeed);
   Scene scene(0.0, random);

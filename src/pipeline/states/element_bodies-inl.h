@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Measures the bodies of pairs of elements in several states at once.
+#if defined(COLLISION_MONITOR_ELEMENT_BODIES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef COLLISION_MONITOR_ELEMENT_BODIES_INL_H
+#undef COLLISION_MONITOR_ELEMENT_BODIES_INL_H
+#else
+#define COLLISION_MONITOR_ELEMENT_BODIES_INL_H
+#endif
+
+#include "pipeline/states/state_bodies-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace collision_monitor {
+namespace HWY_NAMESPACE {
+
+/// The bodies of a block of states. Each is placed when it is first needed.
+/// @pre balls are placed.
+struct ElementBodies {
+  StateLanes states;
+  StatesWork& work;
+
+  void place(std::uint32_t body) {
+    std::uint64_t& placed_in = work.refinement.body_placed_in[body];
+    if (placed_in != work.refinement.block) {
+      placed_in = work.refinement.block;
+      placeBody(states.setup, body, work);
+    }
+  }
+
+  template <class CoreA, class CoreB>
+  HWY_NOINLINE Number measureKinds(const StatePair& pair, Number reach, Truth& counts) {
+    place(pair.a);
+    place(pair.b);
+    return stateDistanceWithin<CoreA, CoreB>(states, pair, reach, counts);
+  }
+
+  /// As stateDistanceWithin, of a pair of any kind.
+  Number measure(const StatePair& pair, Number reach, Truth& counts) {
+    const CoreKind a = states.setup.cores[pair.a].kind;
+    const CoreKind b = states.setup.cores[pair.b].kind;
+    if (a == CoreKind::box) {
+      return measureKinds<BoxCore, BoxCore>(pair, reach, counts);
+    }
+    if (a == CoreKind::segment) {
+      return b == CoreKind::box ? measureKinds<SegmentCore, BoxCore>(pair, reach, counts)
+                                : measureKinds<SegmentCore, SegmentCore>(pair, reach, counts);
+    }
+    if (b == CoreKind::box) {
+      return measureKinds<PointCore, BoxCore>(pair, reach, counts);
+    }
+    return b == CoreKind::segment ? measureKinds<PointCore, SegmentCore>(pair, reach, counts)
+                                  : measureKinds<PointCore, PointCore>(pair, reach, counts);
+  }
+
+  /// Whether balls around the centers of two elements allow them to be within `reach`.
+  /// @param radii [m] sum of both
+  HWY_INLINE Truth ballsMeet(const StateElementPair& pair, double radii, Number reach) const {
+    const auto& centers = work.refinement.centers;
+    const Vector3 between =
+        load(centers[pair.b].of, states.lane) - load(centers[pair.a].of, states.lane);
+    const Number allowed = hn::Add(number(radii), reach);
+    return hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed)));
+  }
+};
+
+// NOLINTNEXTLINE(google-readability-namespace-comments)
+}  // namespace HWY_NAMESPACE
+}  // namespace collision_monitor
+HWY_AFTER_NAMESPACE();
+
+#endif
