@@ -35,22 +35,22 @@ std::string valueText(const py::object& given) {
 }  // namespace
 
 double numberOf(const GivenNumber& number, const char* name) {
-  const double value = PyFloat_AsDouble(number.given.ptr());
+  const double value = PyFloat_AsDouble(number.value.ptr());
   if (PyErr_Occurred() != nullptr) {
-    refuse(name, number.given, "a number");
+    refuse(name, number.value, "a number");
   }
   return value;
 }
 
 std::uint64_t countOf(const GivenCount& count, const char* name, std::uint64_t most) {
   const std::string accepted = "a whole number from 0 to " + std::to_string(most);
-  const auto whole = py::reinterpret_steal<py::object>(PyNumber_Index(count.given.ptr()));
+  const auto whole = py::reinterpret_steal<py::object>(PyNumber_Index(count.value.ptr()));
   if (!whole) {
-    refuse(name, count.given, accepted);
+    refuse(name, count.value, accepted);
   }
   const std::uint64_t value = PyLong_AsUnsignedLongLong(whole.ptr());
   if (PyErr_Occurred() != nullptr || value > most) {
-    refuse(name, count.given, accepted);
+    refuse(name, count.value, accepted);
   }
   return value;
 }

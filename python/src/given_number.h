@@ -11,15 +11,13 @@
 /// signatures; these name the argument.
 namespace collision_monitor::python {
 
-/// Anything; a signature calls it float.
-struct GivenNumber {
-  pybind11::object given;
+/// Anything, which a signature calls by the name of this Python type.
+template <class Type>
+struct Given {
+  pybind11::object value;
 };
-
-/// Anything; a signature calls it int.
-struct GivenCount {
-  pybind11::object given;
-};
+using GivenNumber = Given<pybind11::float_>;
+using GivenCount = Given<pybind11::int_>;
 
 /// @param name of the argument, for messages
 /// @throws ArgumentError if it is no number
@@ -33,20 +31,11 @@ std::uint64_t countOf(const GivenCount& count, const char* name, std::uint64_t m
 
 namespace pybind11::detail {
 
-template <>
-struct type_caster<collision_monitor::python::GivenNumber> {
-  PYBIND11_TYPE_CASTER(collision_monitor::python::GivenNumber, const_name("float"));
+template <class Type>
+struct type_caster<collision_monitor::python::Given<Type>> {
+  PYBIND11_TYPE_CASTER(collision_monitor::python::Given<Type>, handle_type_name<Type>::name);
   bool load(handle source, bool /*converts*/) {
-    value.given = reinterpret_borrow<object>(source);
-    return true;
-  }
-};
-
-template <>
-struct type_caster<collision_monitor::python::GivenCount> {
-  PYBIND11_TYPE_CASTER(collision_monitor::python::GivenCount, const_name("int"));
-  bool load(handle source, bool /*converts*/) {
-    value.given = reinterpret_borrow<object>(source);
+    value.value = reinterpret_borrow<object>(source);
     return true;
   }
 };
