@@ -30,9 +30,10 @@ PYBIND11_MODULE(_core, module) {
   namespace binding = collision_monitor::python;
   binding::translateFailures();
   binding::findMembers();
-  binding::bindRobot(module);
+  // Answers come before the calls that return them: signatures then show their Python names.
   binding::bindDistances(module);
   binding::bindMany(module);
+  binding::bindRobot(module);
   binding::bindLoading(module);
   binding::bindSolids(module);
   refuseEmptyInstances(module);

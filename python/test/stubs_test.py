@@ -33,6 +33,7 @@ def test_stubs_nameAllOfAClass(name):
         lines = (getattr(there, member).__doc__ or "").strip().splitlines()
         is_method = not isinstance(vars(there)[member], property)
         assert len(lines) > (1 if is_method else 0), member
+        assert "::" not in lines[0], member  # a name of C++
     assert there.__doc__
 
 
