@@ -11,17 +11,11 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-/// What is known of the states in the lanes.
-struct JudgedLanes {
-  Number distance, pair;
-  Truth is_contact, is_warning, is_unknown;
-  Truth is_open;  ///< the search goes on
-};
-
 struct BlockSearch {
   StateLanes states;
   StateQuestion question;
-  JudgedLanes& judged;
+  JudgedLanes judged;
+  Truth is_open;  ///< the search goes on in these states
 
   template <class CoreA, class CoreB>
   void visit(const PairRange& range);
@@ -34,23 +28,18 @@ HWY_INLINE Number reachOfPair(const BlockSearch& search, const StatePair& pair) 
              : hn::Max(search.judged.distance, number(pair.warning_distance));
 }
 
-HWY_INLINE void judge(const BlockSearch& search, std::size_t id, Truth counts, Number distance) {
+HWY_INLINE void judge(std::size_t id, Truth counts, Number distance, BlockSearch& search) {
   const StatePair& pair = search.states.work.pairs[id];
   JudgedLanes& judged = search.judged;
+  if (search.question == StateQuestion::nearest) {
+    judged.takeNearer(pair, id, distance, counts);
+    return;
+  }
   const Truth is_contact = hn::And(counts, hn::Le(distance, number(pair.contact_distance)));
-  const Truth is_taken = search.question == StateQuestion::contact
-                             ? is_contact
-                             : hn::And(counts, hn::Lt(distance, judged.distance));
-  judged.distance = hn::IfThenElse(is_taken, distance, judged.distance);
-  judged.pair = hn::IfThenElse(is_taken, number(static_cast<double>(id)), judged.pair);
+  judged.takeWhere(is_contact, id, distance);
   judged.is_contact = hn::Or(judged.is_contact, is_contact);
   judged.is_unknown = hn::Or(judged.is_unknown, hn::AndNot(hn::Eq(distance, distance), counts));
-  if (search.question == StateQuestion::nearest) {
-    judged.is_warning =
-        hn::Or(judged.is_warning, hn::And(counts, hn::Le(distance, number(pair.warning_distance))));
-  } else {
-    judged.is_open = hn::AndNot(is_contact, judged.is_open);
-  }
+  search.is_open = hn::AndNot(is_contact, search.is_open);
 }
 
 template <class CoreA, class CoreB>
@@ -60,14 +49,14 @@ void BlockSearch::visit(const PairRange& range) {
     if (pair.is_apart) {
       continue;
     }
-    Truth counts = judged.is_open;
+    Truth counts = is_open;
     const Number distance =
         stateDistanceWithin<CoreA, CoreB>(states, pair, reachOfPair(*this, pair), counts);
     if (hn::AllFalse(Lanes(), counts)) {
       continue;
     }
-    judge(*this, id, counts, distance);
-    if (hn::AllFalse(Lanes(), judged.is_open)) {
+    judge(id, counts, distance, *this);
+    if (hn::AllFalse(Lanes(), is_open)) {
       return;
     }
   }
@@ -82,21 +71,14 @@ void placeInLanes(const CycleSetup& setup, StatesWork& work) {
 void judgeLanes(const CycleSetup& setup, StateQuestion question, const StatesWork& work,
                 StatesBlock& block) {
   for (std::size_t lane = 0; lane < kStateCount; lane += hn::Lanes(Lanes())) {
-    const Truth none = hn::Ne(zero(), zero());
-    JudgedLanes judged{
-        number(std::numeric_limits<double>::infinity()), zero(), none, none, none, hn::Not(none)};
-    BlockSearch search{{setup, work, lane}, question, judged};
+    BlockSearch search{{setup, work, lane}, question, {}, hn::Eq(zero(), zero())};
     for (const PairRange& range : setup.ranges) {
       visitKinds(range, search);
-      if (hn::AllFalse(Lanes(), judged.is_open)) {
+      if (hn::AllFalse(Lanes(), search.is_open)) {
         break;
       }
     }
-    hn::Store(judged.distance, Lanes(), block.distance.of + lane);
-    hn::Store(judged.pair, Lanes(), block.pair.of + lane);
-    storeTruth(judged.is_contact, lane, block.is_contact);
-    storeTruth(judged.is_warning, lane, block.is_warning);
-    storeTruth(judged.is_unknown, lane, block.is_unknown);
+    search.judged.store(lane, block);
   }
 }
 

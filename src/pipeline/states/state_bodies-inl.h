@@ -30,6 +30,43 @@ HWY_INLINE void storeTruth(Truth truth, std::size_t lane, StateNumber& to) {
   hn::Store(hn::IfThenElseZero(truth, number(1.0)), Lanes(), to.of + lane);
 }
 
+/// What is known of the states in the lanes: a StatesBlock.
+struct JudgedLanes {
+  Number distance{number(std::numeric_limits<double>::infinity())};
+  Number pair{zero()};
+  Truth is_contact{none()};
+  Truth is_warning{none()};
+  Truth is_unknown{none()};
+
+  static HWY_INLINE Truth none() { return hn::Ne(zero(), zero()); }
+
+  HWY_INLINE void takeWhere(Truth is_taken, std::size_t id, Number measured) {
+    distance = hn::IfThenElse(is_taken, measured, distance);
+    pair = hn::IfThenElse(is_taken, number(static_cast<double>(id)), pair);
+  }
+
+  /// Of equal distances the first pair of the table wins.
+  HWY_INLINE void takeNearer(const StatePair& limits, std::size_t id, Number measured,
+                             Truth counts) {
+    const Truth is_first =
+        hn::And(hn::Eq(measured, distance), hn::Lt(number(static_cast<double>(id)), pair));
+    takeWhere(hn::And(counts, hn::Or(hn::Lt(measured, distance), is_first)), id, measured);
+    const auto isWithin = [&](double limit)
+                              HWY_ATTR { return hn::And(counts, hn::Le(measured, number(limit))); };
+    is_contact = hn::Or(is_contact, isWithin(limits.contact_distance));
+    is_warning = hn::Or(is_warning, isWithin(limits.warning_distance));
+    is_unknown = hn::Or(is_unknown, hn::AndNot(hn::Eq(measured, measured), counts));
+  }
+
+  void store(std::size_t lane, StatesBlock& block) const {
+    hn::Store(distance, Lanes(), block.distance.of + lane);
+    hn::Store(pair, Lanes(), block.pair.of + lane);
+    storeTruth(is_contact, lane, block.is_contact);
+    storeTruth(is_warning, lane, block.is_warning);
+    storeTruth(is_unknown, lane, block.is_unknown);
+  }
+};
+
 /// A body in several states, in the form that the cores of shape_lanes-inl.h read.
 struct BodyInStates {
   const StatePose& pose;
