@@ -93,11 +93,11 @@ bool Watch::read(const ros::Time& now, const ClockState& clock_now) {
 }
 
 void Watch::cycle() noexcept {
-  const auto known = std::count(poses.status.begin(), poses.status.end(), LinkStatus::known);
-  if (known > links_known) {
+  const std::size_t joined = countJoined(poses);
+  if (joined > links_joined) {
     learnPairs(setup(), poses, buffers);
   }
-  links_known = known;
+  links_joined = joined;
   for (const ListedRobot& robot : fixed->listed) {
     if (robot.id && robot.may_be_absent) {
       buffers.robots.is_excused[index(*robot.id)] =
@@ -110,7 +110,7 @@ void Watch::cycle() noexcept {
 
 void Watch::forget() {
   forgetPoses(buffers);
-  links_known = 0;
+  links_joined = 0;
   resetTracker(tracker);
 }
 
@@ -122,13 +122,13 @@ void Watch::resumeReporting() {
   buffers.memory.speed.scale = 0.0;  // the value sent while switched off
   std::fill(buffers.robots.scales.begin(), buffers.robots.scales.end(), 0.0);
   forgetPoses(buffers);
-  links_known = 0;
+  links_joined = 0;
 }
 
 void Watch::prepare(const ros::Time& now, const ClockState& clock_now,
                     std::shared_ptr<const MonitorSetup> former) {
   read(now, clock_now);
-  links_known = std::count(poses.status.begin(), poses.status.end(), LinkStatus::known);
+  links_joined = countJoined(poses);
   learnPairs(setup(), poses, buffers);
   keepPoses(poses, buffers.body_poses, buffers.memory.last);
   carried = planCarryOver(former->setup, setup());

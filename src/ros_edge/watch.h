@@ -30,7 +30,7 @@ struct Watch {
   bool read(const ros::Time& now, const ClockState& clock_now);
   /// Forgets the poses, after time jumped.
   void forget();
-  /// Runs one cycle. If links have become known, first learns their pairs.
+  /// Runs one cycle. If links have come to be known beside others, first learns their pairs.
   void cycle() noexcept;
   /// Switches reporting off: listeners keep the verdicts that they last got.
   void pauseReporting();
@@ -65,7 +65,7 @@ struct Watch {
   /// By robot, and by robot that a checked pair joins it to; the last of each is for links that no
   /// robot moves.
   std::vector<std::vector<bool>> is_checked_between;
-  std::ptrdiff_t links_known{0};                     ///< in the last cycle
+  std::size_t links_joined{0};                       ///< countJoined in the last cycle
   std::shared_ptr<const MonitorSetup> planned_from;  ///< `carried` is about this set-up
   CarryPlan carried;
   mutable Unknowns last_unknown;  ///< for unknown()

@@ -8,34 +8,22 @@
 
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
-#include "support/robots/geometry_setup.h"
+#include "support/robots/balls_in_a_hollow.h"
 #include "support/robots/hand_made_setup.h"
 
 namespace collision_monitor::test {
 namespace {
 
-/// Balls in the hollow of an angle, whose one shape they all overlap: more than a cycle of this
-/// budget looks at.
+/// Balls in a hollow, and what cycles need.
 struct BallsInAHollow {
+  explicit BallsInAHollow(std::uint32_t budget)
+      : setup(ballsInAHollow(budget)),
+        buffers(makeBuffers(setup, BroadPhaseKind::automatic)),
+        poses(posesInAHollow(setup)) {}
+
   CycleSetup setup;
   CycleBuffers buffers;
   LinkPoses poses;
-
-  explicit BallsInAHollow(std::uint32_t budget) {
-    constexpr int kBalls = 12;
-    SetupOptions options;
-    options.default_limits.max_shapes = 1;
-    options.refine.limits.budget = budget;
-    std::vector<Geometry> geometries{angleMesh()};
-    geometries.insert(geometries.end(), kBalls, Sphere{0.02});
-    setup = geometrySetup(geometries, options);
-    buffers = makeBuffers(setup, BroadPhaseKind::automatic);
-    poses = knownPoses(setup);
-    for (int i = 1; i <= kBalls; ++i) {
-      poses.world_from_link[static_cast<std::size_t>(i)].translation = {0.14 + 0.05 * (i % 4),
-                                                                        0.14 + 0.05 * (i / 4), 0.0};
-    }
-  }
 };
 
 TEST(FirstVerdicts, moreThanOneCycleMeasures_theFirstVerdictIsOfTheGeometries) {

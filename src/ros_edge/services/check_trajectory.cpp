@@ -49,6 +49,9 @@ std::vector<std::string> findFaults(const CheckTrajectory::Request& request) {
   if (!std::isfinite(request.resolution)) {
     faults.emplace_back("resolution is not finite; give metres, or 0 for 0.001");
   }
+  if (std::isnan(request.max_distance)) {
+    faults.emplace_back("max_distance is not a number; give metres, or 0 for no limit");
+  }
   return faults;
 }
 
@@ -67,6 +70,12 @@ std::vector<LinkPairIndex> orderOf(const TrajectoryReport& report) {
   std::sort(order.begin(), order.end(),
             [&](LinkPairIndex one, LinkPairIndex other) { return rank(one) < rank(other); });
   return order;
+}
+
+/// Whether a pair is told even if others are nearer.
+bool isAsked(const CheckTrajectory::Request& request, const PairApproach& pair) noexcept {
+  return pair.state != ApproachState::clear || !(request.max_distance > 0.0) ||
+         pair.at_least <= request.max_distance;
 }
 
 /// @param start where the trajectory begins; its parts are valid for the whole motion
@@ -151,6 +160,9 @@ void answerCheckTrajectory(const MonitorSetup& current, const NewestState& newes
   options.progress = progress;
   const TrajectoryReport report = checkTrajectory(setup, path, start, options);
   for (const LinkPairIndex pair : orderOf(report)) {
+    if (!response.pairs.empty() && !isAsked(request, report.pairs[pair])) {
+      continue;
+    }
     response.pairs.emplace_back();
     fill(current, start, setup.checked[pair], report.pairs[pair], response.pairs.back());
   }

@@ -53,6 +53,23 @@ TEST_F(CheckTrajectoryTest, nearMiss_isAWarningWithItsNearestApproach) {
   EXPECT_EQ(ask().level, State::OK);
 }
 
+TEST_F(CheckTrajectoryTest, maxDistance_pairsThatStayFartherApartAreLeftOut) {
+  request_.trajectory.joint_names = {"slide"};
+  addPoint(0.0, 0.0);
+  addPoint(1.0, -0.3);  // base to tool 0.55 - 0.3; the others stay 0.5 m apart and more
+  request_.max_distance = 0.3;
+  auto response = ask();
+  ASSERT_EQ(response.pairs.size(), 1U);
+  EXPECT_EQ(response.pairs[0].nearest.link_b, "tool");
+  EXPECT_EQ(response.pairs_checked, 3U);
+  request_.max_distance = 0.1;
+  EXPECT_EQ(ask().pairs.size(), 1U) << "the nearest is always told";
+  newest_.poses.status[index(linkNamed(setup_->setup.model, "tool"))] = LinkStatus::stale;
+  response = ask();
+  EXPECT_EQ(response.pairs_unknown, 2U);
+  EXPECT_EQ(response.pairs.size(), 3U) << "what is unknown is told";
+}
+
 TEST_F(CheckTrajectoryTest, mimicJointsFollow) {
   // The finger goes by 2 slide + 0.1 beside the slider, so it is at x = 3 slide + 0.1: the base
   // stays 1 m aside of it whatever it does, and nothing of it touches.
