@@ -54,7 +54,7 @@ install_packages() {
     is_installed "$package" || missing+=("$package")
   done
   [[ ${#missing[@]} -eq 0 ]] && return 0
-  say "installing ${#missing[@]} packages: ${missing[*]}"
+  say "installing packages: ${missing[*]}"
   local as_root=()
   if [[ $EUID -ne 0 ]]; then
     command -v sudo >/dev/null || fail "run as root or install sudo: ${missing[*]} are missing"

@@ -75,7 +75,7 @@ def check_way_point(point, place, joints, floating, problems):
     if not is_number(point.get("time")) or point["time"] < 0:
         problems.append(f"{place}, time: found {point.get('time')!r}; accepted: seconds, 0 or more")
     check_numbers(point.get("positions"), len(joints), f"{place}, positions",
-                  f"{len(joints)} numbers, one for each of joints", problems)
+                  "one number for each joint", problems)
     frames = point.get("frames", {})
     if not isinstance(frames, dict) or set(frames) != set(floating):
         found = sorted(map(str, frames)) if isinstance(frames, dict) else repr(frames)

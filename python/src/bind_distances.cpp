@@ -7,6 +7,7 @@
 #include "columns.h"
 #include "enums.h"
 #include "failures.h"
+#include "numbers.h"
 #include "pair_answers.h"
 
 namespace collision_monitor::python {
@@ -82,7 +83,7 @@ void bindContact(py::module_& module) {
                              "k = 0 if the pair is unknown.")
       .def("__repr__", [](const ContactAnswer& self) {
         return text("Contact " + pairText(*self.robot, self.pair) + " in " +
-                    std::to_string(self.points.size()) + " points");
+                    countText(self.points.size(), "point"));
       });
 }
 
@@ -100,8 +101,7 @@ std::vector<std::size_t> byDistance(const std::vector<MeasuredPair>& pairs) {
 
 std::string distancesText(const DistancesAnswer& answer) {
   constexpr std::size_t kShown = 5;
-  std::string lines = "Distances of " + std::to_string(answer.pairs.size()) +
-                      (answer.pairs.size() == 1 ? " pair" : " pairs");
+  std::string lines = "Distances of " + countText(answer.pairs.size(), "pair");
   const std::vector<std::size_t> order = byDistance(answer.pairs);
   for (std::size_t i = 0; i < std::min(kShown, order.size()); ++i) {
     lines += "\n  " + pairText(*answer.robot, answer.pairs[order[i]]);

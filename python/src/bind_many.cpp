@@ -6,6 +6,7 @@
 #include "enums.h"
 #include "failures.h"
 #include "many_answers.h"
+#include "numbers.h"
 
 namespace collision_monitor::python {
 namespace {
@@ -28,8 +29,7 @@ std::string statesText(const StatesAnswer& answer) {
   for (const StateAnswer& state : answer.states) {
     ++counts[static_cast<std::size_t>(state.verdict)];
   }
-  std::string line = "StateAnswers of " + std::to_string(answer.states.size()) +
-                     (answer.states.size() == 1 ? " state" : " states");
+  std::string line = "StateAnswers of " + countText(answer.states.size(), "state");
   for (std::size_t i = 0; i < counts.size(); ++i) {
     line +=
         (i == 0 ? ": " : ", ") + std::to_string(counts[i]) + " " + nameOf(static_cast<Verdict>(i));

@@ -66,14 +66,14 @@ NamedSolid meshOf(const py::object& vertices, const py::object& triangles) {
           vertexOf(corners[i][static_cast<Eigen::Index>(k)], i, mesh.vertices.size());
     }
   }
-  const std::string name = "mesh of " + std::to_string(corners.size()) + " triangles";
+  const std::string name = "mesh of " + countText(corners.size(), "triangle");
   return {runInterruptibly([&] { return Solid::mesh(mesh); }), name};
 }
 
 NamedSolid hullOf(const py::object& points) {
   const std::vector<Eigen::Vector3d> corners = readPoints(points, "points");
   const py::gil_scoped_release no_gil;
-  return {Solid::hull(corners), "hull of " + std::to_string(corners.size()) + " points"};
+  return {Solid::hull(corners), "hull of " + countText(corners.size(), "point")};
 }
 
 Eigen::Vector3d threeOf(const py::object& given, const char* name, bool may_be_one) {

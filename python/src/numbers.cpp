@@ -124,8 +124,8 @@ void refuseRagged(const py::object& given, const std::string& name, std::size_t 
   }
   if (is_ragged) {
     const std::size_t length = lengthOf(rows[wrong]);
-    refuse(name + "[" + std::to_string(wrong) + "]",
-           "has " + std::to_string(length) + (length == 1 ? " number" : " numbers"), accepted);
+    refuse(name + "[" + std::to_string(wrong) + "]", "has " + countText(length, "number"),
+           accepted);
   }
 }
 
@@ -157,6 +157,10 @@ std::string shapeText(const py::array& array) {
     text += (i == 0 ? "" : ", ") + std::to_string(array.shape(i));
   }
   return text + (array.ndim() == 1 ? ",)" : ")");
+}
+
+std::string countText(std::size_t count, const char* one) {
+  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
 }
 
 std::vector<double> readState(const RobotMonitor& monitor, const py::object& given) {

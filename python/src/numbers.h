@@ -26,6 +26,9 @@ Array readArray(const pybind11::object& given, const std::string& name,
 /// The shape of an array, as Python writes it.
 std::string shapeText(const pybind11::array& array);
 
+/// "1 pair", "2 pairs"
+std::string countText(std::size_t count, const char* one);
+
 /// One state: n numbers in a row, or a dict of joint names; joints that it leaves out are as in
 /// the default state. Always a copy: the caller's array may change while the GIL is free.
 /// @throws ArgumentError with all faults

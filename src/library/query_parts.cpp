@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/place.h"
 #include "pipeline/blocks/contact_of_pairs.h"
 
 namespace collision_monitor {
@@ -39,8 +40,8 @@ QueryParts::QueryParts(const RobotMonitor& its_monitor)
 void checkStateSize(const RobotMonitor& monitor, Numbers state) {
   const std::size_t wanted = monitor.model().variable_count;
   if (state.size() != wanted) {
-    throw ArgumentError({"the state has " + std::to_string(state.size()) +
-                         " numbers; this monitor has " + std::to_string(wanted) + " variables"});
+    throw ArgumentError({"the state has " + counted(state.size(), "number") +
+                         "; this monitor has " + counted(wanted, "variable")});
   }
 }
 

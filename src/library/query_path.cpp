@@ -6,6 +6,7 @@
 #include "library/query_parts.h"
 #include "model/few_texts.h"
 #include "model/number_text.h"
+#include "model/place.h"
 #include "pipeline/trajectory/check_trajectory.h"
 
 namespace collision_monitor {
@@ -15,7 +16,7 @@ namespace {
 bool moves(const Joint& joint) { return !joint.mimic && freedomOf(joint) == 1; }
 
 std::string numbersText(const char* name, std::size_t size) {
-  return "`" + std::string(name) + "` has " + std::to_string(size) + " numbers";
+  return "`" + std::string(name) + "` has " + counted(size, "number");
 }
 
 /// Adds faults of sizes. @return the number of way-points, 0 after a fault
@@ -30,8 +31,8 @@ std::size_t checkSizes(const WayPoints& path, std::size_t n, FewTexts& faults) {
   }
   if (path.times.size() != 0 && path.times.size() != count) {
     faults.add([&] {
-      return numbersText("times", path.times.size()) + " for " + std::to_string(count) +
-             " way-points; accepted: one for each, or none";
+      return numbersText("times", path.times.size()) + " for " + counted(count, "way-point") +
+             "; accepted: one for each, or none";
     });
   }
   if (path.velocities.size() != 0 && path.velocities.size() != path.positions.size()) {

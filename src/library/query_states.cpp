@@ -6,6 +6,7 @@
 
 #include "geometry/all_cores.h"
 #include "library/query_parts.h"
+#include "model/place.h"
 
 namespace collision_monitor {
 namespace {
@@ -88,9 +89,9 @@ class ManyStates {
 std::size_t countStates(const QueryParts& parts, Numbers states) {
   const std::size_t n = parts.setup.model.variable_count;
   if (n == 0 ? states.size() != 0 : states.size() % n != 0) {
-    throw ArgumentError({"the states have " + std::to_string(states.size()) +
-                         " numbers together; this monitor has " + std::to_string(n) +
-                         " variables for each state"});
+    throw ArgumentError({"the states have " + counted(states.size(), "number") +
+                         " together; this monitor has " + counted(n, "variable") +
+                         " for each state"});
   }
   return n == 0 ? 1 : states.size() / n;
 }

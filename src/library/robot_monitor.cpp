@@ -97,9 +97,9 @@ const JointPositions& RobotMonitor::defaultState() const noexcept { return parts
 JointPositions RobotMonitor::stateOf(const std::vector<std::string>& joints,
                                      Numbers positions) const {
   if (joints.size() != positions.size()) {
-    throw ArgumentError({std::to_string(joints.size()) + " joints and " +
-                         std::to_string(positions.size()) +
-                         " positions; give one position for each joint"});
+    throw ArgumentError({counted(joints.size(), "joint") + " and " +
+                         counted(positions.size(), "position") +
+                         "; give one position for each joint"});
   }
   const std::vector<std::string> names = variableNames(*parts_);
   JointPositions state = parts_->default_state;

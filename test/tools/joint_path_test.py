@@ -96,7 +96,7 @@ class BadFiles(unittest.TestCase):
     def test_each_problem_names_way_point_value_and_what_is_accepted(self):
         cases = {
             "joints: [a]\nway_points: [{time: 0, positions: [1, 2]}]":
-                "p.yaml, way-point 1, positions: found 2 values; accepted: 1 numbers, one for each of joints",
+                "p.yaml, way-point 1, positions: found 2 values; accepted: one number for each joint",
             "joints: [a]\nway_points: [{time: 0, positions: [up]}]":
                 "p.yaml, way-point 1, positions, value 1: found 'up'; accepted: a finite number",
             "joints: [a]\nway_points: [{time: 0, positions: [.nan]}]":

@@ -10,6 +10,7 @@
 #include "geometry/rpy.h"
 #include "merge_srdf.h"
 #include "model/frame_names.h"
+#include "model/number_text.h"
 #include "output_files.h"
 #include "pairs_options.h"
 #include "pipeline/fits/fit_cache_folder.h"
@@ -117,7 +118,8 @@ std::vector<PairFound> search(const CycleSetup& setup, const Options& options,
   PairSearchOptions search = options.search;
   search.world_from_root = rootsOf(options.robots);
   search.state_progress = showTenths(progress, "drawing", " states");
-  search.proof_progress = showTenths(progress, "proving", " pairs");
+  search.proof_progress =
+      showTenths(progress, "proving", " pairs for at most " + shortText(search.time_limit) + " s");
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   std::vector<PairFound> pairs = searchPairs(setup, search);
@@ -167,7 +169,7 @@ std::size_t makeSrdf(const Options& options, const RobotModel& model, const Pair
 void printLeftOut(std::size_t left_out) {
   if (left_out > 0) {
     std::printf(
-        "left out %zu pairs that touched in no state drawn, or in all, and are not proven to; "
+        "left out %zu pairs that are Never or Always in the states drawn, but not proven; "
         "--trust-samples writes them\n",
         left_out);
   }

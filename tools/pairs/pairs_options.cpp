@@ -79,7 +79,7 @@ void addOutputs(CLI::App& app, Options& options) {
       ->type_name("FILE")
       ->group(group);
   app.add_flag("--trust-samples", options.trusts_samples,
-               "write pairs, too, that touched in no state drawn or in all and are not proven to")
+               "write pairs, too, that are Never or Always in the states drawn, but not proven")
       ->group(group);
   app.add_flag("--force", options.may_replace,
                "make the SRDF anew, and replace the YAML file; all that is in them is lost")

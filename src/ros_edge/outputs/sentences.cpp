@@ -78,7 +78,7 @@ std::string motionText(const PairDistance& distance) {
   if (closing < 0.0) {
     return concatenate({", moving apart at ", speed, " m/s"});
   }
-  if (distance.measured.distance < 0.0) {
+  if (distance.measured.distance <= 0.0) {
     return concatenate({", going deeper at ", speed, " m/s"});
   }
   const double time = distance.time_to_contact;

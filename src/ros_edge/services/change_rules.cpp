@@ -150,11 +150,6 @@ void checkRequest(const SetPairs::Request& request, SetupReport& report) {
   }
 }
 
-/// "1 rule", "2 rules"
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 std::string changedText(const MonitorSetup& changed, double duration) {
   const PairCounts counts = countPairs(changed.setup.link_pairs);
   return counted(changed.setup.pair_rules.size(), "rule") +

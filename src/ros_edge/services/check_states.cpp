@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/place.h"
 #include "pipeline/states/check_states.h"
 #include "ros_edge/poses/apply_joints.h"
 #include "ros_edge/poses/floating_parts.h"
@@ -40,8 +41,8 @@ std::size_t countStates(const RobotModel& model, const CheckStates::Request& req
     return 0;
   }
   if (request.positions.empty() || request.positions.size() % joints != 0) {
-    faults.push_back("positions has " + std::to_string(request.positions.size()) + " values for " +
-                     std::to_string(joints) + " joints; give one for each joint of each state");
+    faults.push_back("positions has " + counted(request.positions.size(), "value") + " for " +
+                     counted(joints, "joint") + "; give one for each joint of each state");
   }
   if (request.positions.size() / joints > kMostStates) {
     faults.push_back("positions has " + std::to_string(request.positions.size() / joints) +
@@ -99,8 +100,8 @@ std::string summaryText(const CheckStates::Response& response) {
   const auto count = [&](std::uint8_t level) {
     return std::to_string(std::count(response.levels.begin(), response.levels.end(), level));
   };
-  return std::to_string(response.levels.size()) + " states: " + count(State::CONTACT) +
-         " in contact, " + count(State::UNKNOWN) + " unknown";
+  return counted(response.levels.size(), "state") + ": " + count(State::CONTACT) + " in contact, " +
+         count(State::UNKNOWN) + " unknown";
 }
 
 }  // namespace

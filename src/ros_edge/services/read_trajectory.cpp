@@ -29,8 +29,8 @@ void checkNumbers(const JointTrajectory& trajectory, std::size_t point,
   const std::string where = pointText(point) + "." + field;
   if (numbers.size() != trajectory.joint_names.size()) {
     faults.add([&] {
-      return where + " has " + std::to_string(numbers.size()) + " numbers for " +
-             std::to_string(trajectory.joint_names.size()) + " joints; give one for each joint";
+      return where + " has " + counted(numbers.size(), "number") + " for " +
+             counted(trajectory.joint_names.size(), "joint") + "; give one for each joint";
     });
     return;
   }

@@ -139,7 +139,7 @@ class ObjectReader {
                "1 (box), 2 (sphere), 3 (cylinder), 4 (cone) or 100 (capsule)");
         return std::nullopt;
     }
-    refuse(where, std::to_string(sizes.size()) + " dimensions",
+    refuse(where, counted(sizes.size(), "dimension"),
            "3 of a box, 1 of a sphere, 2 of a cylinder, cone or capsule");
     return std::nullopt;
   }

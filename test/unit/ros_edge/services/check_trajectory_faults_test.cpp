@@ -39,7 +39,7 @@ TEST_F(CheckTrajectoryFaults, everyFaultIsNamed) {
   for (const char* text :
        {"margin is not finite", "did you mean 'reach'", "points[1].velocities is not empty",
         "points[1].time_from_start is 0 s; accepted: later than the 0 s",
-        "points[2].positions has 2 numbers for 1 joints"}) {
+        "points[2].positions has 2 numbers for 1 joint;"}) {
     EXPECT_NE(response.message.find(text), std::string::npos) << text << " in " << response.message;
   }
 }
