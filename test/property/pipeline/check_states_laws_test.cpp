@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <limits>
 
 #include "collision_monitor/model/kinematics.h"
@@ -154,6 +156,34 @@ TEST(CheckStatesLaws, linkPairsAreAsFarApartAsTheirNearestBodies) {
     }
   }
   EXPECT_GT(within, 100U);
+}
+
+/// Balls around elements spare most pairs, and change no answer.
+TEST(CheckStatesLaws, nearestBodiesAreThoseOfAllPairs) {
+  constexpr std::size_t kLeftOut = 3;
+  for (unsigned round = 0; round < 40; ++round) {
+    Scene scene(kSeed + round);
+    auto& [setup, roots, positions, work] = scene;
+    fillVariables(positions, 0, work);
+    placeStates(setup, work);
+    StatesBlock all;
+    judgeBlock(setup, StateQuestion::nearest, work, all);
+    placeCenters(work);
+    StateNumber asked;
+    std::fill(std::begin(asked.of), std::end(asked.of), kContactsAsked);
+    asked.of[kLeftOut] = kNotAsked;
+    StatesBlock found;
+    judgeNearest(setup, asked, work, found);
+    EXPECT_EQ(found.distance.of[kLeftOut], std::numeric_limits<double>::infinity());
+    for (std::size_t lane = 0; lane < kStateCount; ++lane) {
+      if (lane != kLeftOut) {
+        ASSERT_EQ(found.distance.of[lane], all.distance.of[lane]);
+        ASSERT_EQ(found.pair.of[lane], all.pair.of[lane]);
+        ASSERT_EQ(found.is_contact.of[lane], all.is_contact.of[lane]);
+        ASSERT_EQ(found.is_warning.of[lane], all.is_warning.of[lane]);
+      }
+    }
+  }
 }
 
 TEST(CheckStatesLaws, checkingAllocatesNothing) {
