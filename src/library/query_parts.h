@@ -29,6 +29,7 @@ struct QueryParts {
   std::vector<Verdict> verdicts;           ///< by LinkPairIndex, of what was measured
   std::vector<unsigned char> none_passed;  ///< by ElementPairIndex: 0
   std::optional<PairId> last_nearest;      ///< in the last state that nearest() was asked for
+  double last_distance{0.0};               ///< [m] of that pair in that state
   GradientRows rows;
   DistanceTable table;
   MeasuredPair nearest;

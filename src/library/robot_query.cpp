@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "collision_monitor/pipeline/pair_blocks.h"
 #include "library/query_parts.h"
+#include "narrow_phase/distance.h"
 #include "pipeline/answers/contact_manifold.h"
 
 namespace collision_monitor {
@@ -117,48 +119,76 @@ TouchingPair touchingPair(const QueryParts& parts, LinkPairIndex pair) {
 
 constexpr auto kAnyPair = [](LinkPairIndex) { return true; };
 
-/// Measures the elements of one pair of bodies.
+/// Measures the elements of one pair of bodies; beyond `within` [m] only a bound.
 /// @return kNone if their distance is unknown
-LinkPairIndex measureOne(PairId pair, QueryParts& parts) {
+LinkPairIndex measureOne(PairId pair, double within, QueryParts& parts) {
   const BodyPair& bodies = parts.setup.table[pair];
   const auto linkOf = [&](BodyId body) { return parts.setup.bodies[index(body)].link; };
   if (!isJoined(parts.links.body_poses, linkOf(bodies.a), linkOf(bodies.b))) {
     return kNone;
   }
   parts.links.candidates.assign(1, pair);
-  measureWithin(parts.setup, std::numeric_limits<double>::infinity(), Asked::within, parts.links);
+  measureWithin(parts.setup, std::max(within, 0.0), Asked::within, parts.links);
   const LinkPairIndex links = parts.setup.link_pair_of[index(pair)];
   return parts.links.nearest[links] != kNone ? links : LinkPairIndex{kNone};
 }
 
-/// Some pair that is near: the one that was nearest in the last state, or that of the nearest
-/// bodies.
-LinkPairIndex measureLikely(QueryParts& parts) {
-  const LinkPairIndex last =
-      parts.last_nearest ? measureOne(*parts.last_nearest, parts) : LinkPairIndex{kNone};
-  if (last != kNone) {
-    return last;
+/// A pair that is near, and the distance of its elements.
+struct Likely {
+  PairId pair{};
+  double distance{std::numeric_limits<double>::infinity()};  ///< [m]; infinite: there is none
+};
+
+void improve(PairId pair, QueryParts& parts, Likely& likely) {
+  const LinkPairIndex links = measureOne(pair, likely.distance, parts);
+  if (links != kNone && parts.links.of(links).measured.distance < likely.distance) {
+    likely = {pair, parts.links.of(links).measured.distance};
   }
-  NearestPair bodies;
-  searchBlocks(parts.setup.blocks, parts.links.body_poses.rows,
-               {parts.setup.element_pair_of, parts.none_passed}, bodies);
-  return bodies.distance < std::numeric_limits<double>::infinity() ? measureOne(bodies.pair, parts)
-                                                                   : LinkPairIndex{kNone};
+}
+
+/// [m] NaN if a body is not known.
+double bodyDistance(PairId pair, const QueryParts& parts) {
+  const CycleSetup& setup = parts.setup;
+  const std::vector<Pose>& poses = parts.links.body_poses.world_from_body;
+  const std::size_t a = index(setup.table[pair].a);
+  const std::size_t b = index(setup.table[pair].b);
+  return distanceBetween(setup.bodies[a].shape, poses[a], setup.bodies[b].shape, poses[b]).distance;
+}
+
+/// Takes the pair that was nearest in the last state, unless the joints have jumped so that it is
+/// far now: then the pair of the nearest bodies.
+Likely findLikely(QueryParts& parts) {
+  constexpr double kJump = 0.01;  // [m]
+  const double most = parts.last_distance + kJump;
+  Likely likely;
+  if (parts.last_nearest && bodyDistance(*parts.last_nearest, parts) <= most) {
+    improve(*parts.last_nearest, parts, likely);
+  }
+  if (likely.distance > most) {
+    NearestPair bodies{likely.pair, likely.distance};
+    searchBlocks(parts.setup.blocks, parts.links.body_poses.rows,
+                 {parts.setup.element_pair_of, parts.none_passed}, bodies);
+    if (bodies.distance < likely.distance) {
+      improve(bodies.pair, parts, likely);
+    }
+  }
+  return likely;
 }
 
 /// The nearest of all pairs; kNone if none is known. A first pair limits the search for others.
 LinkPairIndex measureNearest(QueryParts& parts) {
   constexpr double kRounding = 1e-9;  // bodies are measured by two routines
-  const LinkPairIndex likely = measureLikely(parts);
-  if (likely == kNone) {
+  const Likely likely = findLikely(parts);
+  if (!(likely.distance < std::numeric_limits<double>::infinity())) {
     return kNone;
   }
-  measureNear(parts.links.of(likely).measured.distance + kRounding, Asked::nearest, parts);
+  measureNear(likely.distance + kRounding, Asked::nearest, parts);
   const LinkPairIndex closest = closestOf(parts.links, kAnyPair);
   if (closest == kNone) {
-    return measureLikely(parts);  // very far away, rounding is larger
+    return measureOne(likely.pair, likely.distance, parts);  // very far away, rounding is larger
   }
   parts.last_nearest = parts.links.of(closest).pair;
+  parts.last_distance = parts.links.of(closest).measured.distance;
   return closest;
 }
 
