@@ -13,8 +13,8 @@ constexpr double kListMargin = 0.025;
 /// bodies are looked at only to list the pairs that can be near soon. Until two bodies can have
 /// used up the margin, by travel or by faster motion ahead, the list serves again. It does not
 /// where motions are unknown or there are many objects.
-/// Source: Verlet, "Computer Experiments on Classical Fluids" (1967), for the list. Departure: it
-/// leaves out pairs by cached distances, not by boxes alone.
+/// Source: Verlet, "Computer 'experiments' on classical fluids I" (1967). Departure: the list also
+/// leaves out pairs by cached distances and motion ahead.
 /// @pre travel is accumulated. @param have_links_changed since the last cycle
 void listNear(const CycleSetup& setup, const LinkPoses& poses, bool have_links_changed,
               CycleBuffers& buffers) noexcept;
