@@ -29,9 +29,13 @@ bool isListGood(const BodyPoses& body_poses, const DistanceCache& cache) noexcep
   return true;
 }
 
-bool areMotionsKnown(const BodyPoses& body_poses, const DistanceCache& cache) noexcept {
+/// Whether motions are known, and so slow that a list serves for some cycles.
+bool isWorthListing(const BodyPoses& body_poses, const DistanceCache& cache) noexcept {
+  constexpr double kFewCycles = 4.0;
   for (std::size_t i = 0; i < cache.travels.size(); ++i) {
-    if (body_poses.known[i] != 0 && std::isnan(cache.travels[i].ahead)) {
+    const BodyTravel& travel = cache.travels[i];
+    const bool is_slow = kFewCycles * travel.of_link < 0.5 * kListMargin;
+    if (body_poses.known[i] != 0 && (std::isnan(travel.ahead) || !is_slow)) {
       return false;
     }
   }
@@ -91,11 +95,12 @@ void keepListed(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
 void listNear(const CycleSetup& setup, const LinkPoses& poses, bool have_links_changed,
               CycleBuffers& buffers) noexcept {
   DistanceCache& cache = buffers.memory.distance_cache;
-  const bool may_list = buffers.trees.trees.empty() && areMotionsKnown(buffers.body_poses, cache);
-  if (!may_list || have_links_changed || !isListGood(buffers.body_poses, cache)) {
+  if (have_links_changed || !isListGood(buffers.body_poses, cache)) {
     const double reach = farthestActivationDistanceOf(setup);
-    findCandidates(setup, poses, may_list ? reach + kListMargin : reach, buffers);
-    cache.is_listed = may_list && !have_links_changed;  // few distances are known after a change
+    // After a change few distances are known.
+    cache.is_listed = !have_links_changed && buffers.trees.trees.empty() &&
+                      isWorthListing(buffers.body_poses, cache);
+    findCandidates(setup, poses, cache.is_listed ? reach + kListMargin : reach, buffers);
     if (!cache.is_listed) {
       return;
     }

@@ -11,8 +11,8 @@ constexpr double kListMargin = 0.025;
 
 /// Fills `candidates` with all pairs that may be near enough to matter, and others. Bounds of all
 /// bodies are looked at only to list the pairs that can be near soon. Until two bodies can have
-/// used up the margin, by travel or by faster motion ahead, the list serves again. It does not
-/// where motions are unknown or there are many objects.
+/// used up the margin, by travel or by faster motion ahead, the list serves again. There is none
+/// where motions are fast or unknown, or where there are many objects.
 /// Source: Verlet, "Computer 'experiments' on classical fluids I" (1967). Departure: the list also
 /// leaves out pairs by cached distances and motion ahead.
 /// @pre travel is accumulated. @param have_links_changed since the last cycle

@@ -89,8 +89,16 @@ TEST_F(ListNear, whereMotionIsUnknown_boundsAreLookedAtInEachCycle) {
   EXPECT_GT(buffers_.bounds.boxes[1].min.norm(), 0.0);
 }
 
+TEST_F(ListNear, whereMotionIsFast_thereIsNoList) {
+  move(kListMargin);
+  EXPECT_FALSE(buffers_.memory.distance_cache.is_listed) << "it would serve for no cycle";
+  run();
+  EXPECT_TRUE(buffers_.memory.distance_cache.is_listed);
+}
+
 TEST_F(ListNear, linkThatIsLost_leavesTheList) {
   move(-0.15);
+  run();
   ASSERT_TRUE(isListed());
   poses_.status[1] = LinkStatus::stale;
   run();
