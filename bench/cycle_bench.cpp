@@ -23,6 +23,7 @@
 #include "pipeline/cycle/find_closings.h"
 #include "pipeline/cycle/judge_pairs.h"
 #include "pipeline/cycle/keep_near.h"
+#include "pipeline/cycle/list_near.h"
 #include "pipeline/cycle/measure_pairs.h"
 #include "pipeline/cycle/place_bodies.h"
 #include "pipeline/cycle/run_cycle.h"
@@ -59,7 +60,7 @@ class Stages {
   void run(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) {
     const double reach = activationDistanceOf(setup.limits);
     last_ = Clock::now();
-    find(setup, poses, reach, buffers);
+    find(setup, poses, buffers);
     measure(setup, poses, reach, buffers);
     judge(setup, poses, buffers);
   }
@@ -71,26 +72,21 @@ class Stages {
   }
 
  private:
-  void find(const CycleSetup& setup, const LinkPoses& poses, double reach, CycleBuffers& buffers) {
+  void find(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) {
     placeBodies(setup, poses, buffers.body_poses);
     placeElements(setup, poses, buffers.body_poses);
     end("1 placeBodies");
-    boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
-    end("2 boundBodies");
+    const bool have_links_changed = buffers.memory.last.known != buffers.body_poses.link_known;
     findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
-    end("3 findMotions");
-    if (setup.is_continuous) {
-      sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
-      end("4 sweepBounds");
-    }
-    growBounds(setup, poses, buffers.body_poses, setup.ahead.horizon, buffers.bounds);
-    end("5 growBounds");
-    findPairs(setup, poses, reach, buffers);
-    end("6 findPairs");
+    end("2 findMotions");
+    lookAhead(setup, poses, buffers.body_poses, setup.ahead.horizon, buffers.bounds);
     findActivationDistances(setup, poses, buffers.sweep, buffers.activation);
     accumulateTravel(setup, poses, buffers);
+    end("3 lookAhead, findActivationDistances, accumulateTravel");
+    listNear(setup, poses, have_links_changed, buffers);
+    end("4 listNear");
     cullCandidates(setup, buffers);
-    end("6b findActivationDistances to cullCandidates");
+    end("5 cullCandidates");
   }
 
   void measure(const CycleSetup& setup, const LinkPoses& poses, double reach,

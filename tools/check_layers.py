@@ -30,7 +30,7 @@ MESHES = {"mesh", "mesh_front", "mesh_depth", "triangle"}
 MAY_INCLUDE_WITHIN = {
     "geometry": {
         "lanes": {"lanes"},
-        "meshes": {"meshes"},
+        "meshes": {"meshes", "lanes"},
         "bvh": {"bvh", "meshes"},
         "hulls": {"hulls", "bvh"},
     },

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 
 #include "collision_monitor/geometry/triangle.h"
 #include "collision_monitor/geometry/triangle_mesh.h"
@@ -16,25 +17,40 @@ namespace collision_monitor {
 /// behind it. Seen from its front, a triangle's corners turn left.
 ///
 /// Half the angle of a triangle is the argument of a complex number. A sum of angles is the
-/// argument of a product, so one arc tangent serves all triangles. Units: [sr].
+/// argument of a product, so one arc tangent serves all triangles. Triangles wait until there are
+/// enough for all lanes of a vector. Units: [sr].
 /// Error: a few times 1e-15 for each triangle of the size of 1 m; 1e-13 over the distance [m] from
 /// its edges where that is small. Limits: points in a triangle's plane get either sign.
 /// Source: van Oosterom, Strackee, "The Solid Angle of a Plane Triangle" (1983).
 class SolidAngles {
  public:
   /// @param point [m] from where the triangles are seen
-  explicit SolidAngles(const Eigen::Vector3d& point) noexcept : point_(point) {}
+  explicit SolidAngles(const Eigen::Vector3d& point) noexcept;
 
   void add(const Triangle& triangle) noexcept;  ///< adds a triangle's angle
-  double sum() const noexcept;  ///< [sr] the sum so far: 4 pi inside a closed surface, 0 outside
+  double sum() noexcept;  ///< [sr] the sum so far: 4 pi inside a closed surface, 0 outside
+
+  static constexpr std::size_t kLanes = 8;  ///< products, with every instruction set
+
+  /// Products of complex numbers, one per lane. The same bytes with every instruction set.
+  struct Products {
+    alignas(64) std::array<double, kLanes> real;       ///< up to a factor
+    alignas(64) std::array<double, kLanes> imaginary;  ///< never -0
+    alignas(64) std::array<double, kLanes> turns;      ///< whole turns that arguments do not show
+  };
+  /// Triangles that wait, in columns: coordinates of the corners, seen from the point.
+  struct Waiting {
+    static constexpr std::size_t kMost = 4 * kLanes;
+    alignas(64) std::array<std::array<double, kMost>, 9> columns;
+    std::size_t count{0};
+  };
 
  private:
-  void rescale(double size) noexcept;
+  void multiplyWaiting() noexcept;
 
   Eigen::Vector3d point_;
-  double real_{1.0};       ///< of the product, up to a factor
-  double imaginary_{0.0};  ///< never -0
-  double turns_{0.0};      ///< whole turns that the argument of the product does not show
+  Products products_;
+  Waiting waiting_;
 };
 
 /// Moments of a part of a surface, for its winding number at points far away.

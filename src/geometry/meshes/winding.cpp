@@ -13,10 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Products of numbers from this size to its inverse keep all digits. Sizes of angles are cubes of
-// lengths.
-constexpr double kSmall = 1e-100;
-
 void addSpread(const Vector3d& delta, const Vector3d& normal, WindingMoments& moments) noexcept {
   for (std::size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<Eigen::Index>(i);
@@ -40,45 +36,6 @@ void add(const WindingMoments& part, WindingMoments& whole) noexcept {
 }
 
 }  // namespace
-
-void SolidAngles::add(const Triangle& triangle) noexcept {
-  const Vector3d a = triangle[0] - point_;
-  const Vector3d b = triangle[1] - point_;
-  const Vector3d c = triangle[2] - point_;
-  const double la = a.norm();
-  const double lb = b.norm();
-  const double lc = c.norm();
-  const double y = a.dot(b.cross(c));
-  const double x = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-  if (!(std::abs(x) + std::abs(y) > kSmall)) {
-    return;
-  }
-  const double real = real_ * x - imaginary_ * y;
-  const double imaginary = real_ * y + imaginary_ * x + 0.0;
-  // The sum of two angles from 0 to pi, or of two below 0, may have passed half a turn.
-  if (imaginary_ >= 0.0 && y >= 0.0) {
-    const bool is_whole_turn = imaginary == 0.0 && real > 0.0 && real_ < 0.0;
-    turns_ += imaginary < 0.0 || is_whole_turn ? 1.0 : 0.0;
-  } else if (imaginary_ < 0.0 && y < 0.0) {
-    const bool is_half_turn = imaginary == 0.0 && (real < 0.0 || real_ < 0.0);
-    turns_ -= imaginary > 0.0 || is_half_turn ? 1.0 : 0.0;
-  }
-  real_ = real;
-  imaginary_ = imaginary;
-  const double size = std::abs(real) + std::abs(imaginary);
-  if (!(size > kSmall && size < 1.0 / kSmall)) {
-    rescale(size);
-  }
-}
-
-void SolidAngles::rescale(double size) noexcept {
-  real_ /= size;
-  imaginary_ /= size;
-}
-
-double SolidAngles::sum() const noexcept {
-  return 2.0 * std::atan2(imaginary_, real_) + 4.0 * kPi * turns_;
-}
 
 WindingMoments momentsOf(const Triangle& triangle) noexcept {
   WindingMoments moments;

@@ -37,7 +37,7 @@ class SumOfParts {
     }
   }
 
-  WindingNumber number() const noexcept {
+  WindingNumber number() noexcept {
     const double of_angles = angles_.sum() / (4.0 * kPi);
     return held_ == 0 ? WindingNumber{of_angles, kRounding, visits_}
                       : WindingNumber{of_angles + of_moments_.value, of_moments_.error + kRounding,

@@ -19,6 +19,9 @@ namespace HWY_NAMESPACE {
 /// [m] Half of the error that the distance may have; the point may have the rest.
 constexpr double kProofAllowance = 5e-13;
 
+/// [m] A corner is the only nearest point if it is farther than the best gap by this.
+constexpr double kAlone = 1e-9;
+
 /// Of eight corners, the one nearest to a box at the origin.
 struct CornerLanes {
   Number distance_squared;
@@ -97,18 +100,39 @@ HWY_INLINE Truth isSkew(const BoxPairLanes& pair) {
   return hn::And(hn::And(isSkew(pair.b_axes.x), isSkew(pair.b_axes.y)), isSkew(pair.b_axes.z));
 }
 
+/// True if an axis of B is parallel to one of A that is perpendicular to a direction: then the
+/// nearest point is one of many.
+HWY_INLINE Truth hasEdgeAcross(const BoxPairLanes& pair, const Vector3& direction) {
+  const auto isSmall = [](Number x) HWY_ATTR { return hn::Le(hn::Abs(x), number(kParallel)); };
+  Truth has_edge = hn::Not(everywhere());
+  for (const Vector3& axis : {pair.b_axes.x, pair.b_axes.y, pair.b_axes.z}) {
+    const Truth x = isSmall(axis.x);
+    const Truth y = isSmall(axis.y);
+    const Truth z = isSmall(axis.z);
+    has_edge = hn::Or(has_edge, hn::And(hn::And(y, z), isSmall(direction.x)));
+    has_edge = hn::Or(has_edge, hn::And(hn::And(z, x), isSmall(direction.y)));
+    has_edge = hn::Or(has_edge, hn::And(hn::And(x, y), isSmall(direction.z)));
+  }
+  return has_edge;
+}
+
 /// In A's frame.
 HWY_INLINE CoreAnswer answerAlong(const BoxPairLanes& pair, const BestAxis& best) {
   const AxisContact contact = contactAlong(pair, best);
   CoreAnswer cores{contact.gap, contact.point_on_a, contact.normal};
   const Truth by_corner = hn::AndNot(contact.holds, hn::Gt(contact.gap, number(kTouching)));
+  Truth is_unique = isSkew(pair);
   if (!hn::AllFalse(Lanes(), by_corner)) {
     const CoreAnswer corner = cornerDistance(pair);
+    // No face or edge reaches as far as a corner that is farther than the best gap.
+    const Truth is_alone = hn::Gt(corner.distance, hn::Add(contact.gap, number(kAlone)));
+    is_unique = hn::Or(
+        is_unique, hn::AndNot(hasEdgeAcross(pair, corner.normal), hn::And(by_corner, is_alone)));
     cores = {hn::IfThenElse(by_corner, corner.distance, cores.distance),
              select(by_corner, corner.point_on_a, cores.point_on_a),
              select(by_corner, corner.normal, cores.normal)};
   }
-  const Truth is_sure = hn::And(isSkew(pair), hn::Or(contact.holds, by_corner));
+  const Truth is_sure = hn::And(is_unique, hn::Or(contact.holds, by_corner));
   cores.distance = sureWhere(is_sure, cores.distance);
   return cores;
 }

@@ -77,13 +77,14 @@ PosedCore readCore(CoreKind kind, const double* first, std::size_t stride) noexc
   read.pose.translation = vectorAt(column::center);
   if (kind != CoreKind::point) {
     read.core.half_extents.z() = first[column::half_z * stride];
-    read.pose = poseAlong(vectorAt(column::axis_z), read.pose.translation);
   }
-  if (kind == CoreKind::box) {
+  if (kind == CoreKind::segment) {
+    read.pose = poseAlong(vectorAt(column::axis_z), read.pose.translation);
+  } else if (kind == CoreKind::box) {
     read.core.half_extents.x() = first[column::half_x * stride];
     read.core.half_extents.y() = first[column::half_y * stride];
-    read.pose.rotation.col(0) = vectorAt(column::axis_x);
-    read.pose.rotation.col(1) = vectorAt(column::axis_y);
+    read.pose.rotation << vectorAt(column::axis_x), vectorAt(column::axis_y),
+        vectorAt(column::axis_z);
   }
   return read;
 }

@@ -59,14 +59,19 @@ double travelAhead(const CycleSetup& setup, const LinkPoses& poses, const Body& 
   return std::isfinite(speed) ? speed * duration : kUnknown;
 }
 
-void growBounds(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
-                double duration, BodyBounds& bounds) noexcept {
+void lookAhead(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
+               double duration, BodyBounds& bounds) noexcept {
   // Many objects at rest keep their bounds, so these are seen from the world.
   const Twist shared = setup.carried.empty() ? sharedTwist(setup, poses.velocities) : Twist();
   forIndices(body_poses.moved.bodies, [&](std::size_t i) noexcept {
-    bounds.ahead[i] = bounds.known[i] == 0
+    bounds.ahead[i] = body_poses.known[i] == 0
                           ? kUnknown
                           : travelAhead(setup, poses, setup.bodies[i], shared, duration);
+  });
+}
+
+void growBounds(const BodyPoses& body_poses, BodyBounds& bounds) noexcept {
+  forIndices(body_poses.moved.bodies, [&](std::size_t i) noexcept {
     if (std::isfinite(bounds.ahead[i])) {
       bounds.boxes[i].min.array() -= bounds.ahead[i];
       bounds.boxes[i].max.array() += bounds.ahead[i];

@@ -26,11 +26,14 @@ Twist sharedTwist(const CycleSetup& setup, const LinkVelocities& velocities) noe
 double travelAhead(const CycleSetup& setup, const LinkPoses& poses, const Body& body,
                    const Twist& shared, double duration) noexcept;
 
-/// Grows the boxes by how far their bodies can travel in `duration` [s], so that bodies that may be
-/// within `reach` by then have boxes that meet. Velocities are relative to the first robot's root,
-/// since shared motion changes no distance. Parts without this root use their own frame; where
-/// CycleSetup::carried has objects, all do, so that bounds of objects at rest stay the same.
-void growBounds(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
-                double duration, BodyBounds& bounds) noexcept;
+/// Finds how far bodies can travel in `duration` [s]. Velocities are relative to the first robot's
+/// root, since shared motion changes no distance. Parts without this root use their own frame;
+/// where CycleSetup::carried has objects, all do, so that bounds of objects at rest stay the same.
+void lookAhead(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,
+               double duration, BodyBounds& bounds) noexcept;
+
+/// Grows the boxes by how far their bodies can travel, so that bodies that may be within `reach` by
+/// then have boxes that meet.
+void growBounds(const BodyPoses& body_poses, BodyBounds& bounds) noexcept;
 
 }  // namespace collision_monitor

@@ -96,7 +96,7 @@ void cullByBoxes(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
 
 void cullCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   CycleCounters& counters = buffers.counters;
-  std::size_t left = buffers.candidates.size();
+  std::size_t left = counters.candidates;
   const auto countCulled = [&] {
     const std::size_t before = std::exchange(left, buffers.candidates.size());
     return before - left;

@@ -22,6 +22,7 @@ bool hasNewLink(const BodyPoses& body_poses, const LastPoses& last) noexcept {
 
 void forget(DistanceCache& cache) noexcept {
   std::fill(cache.distances.begin(), cache.distances.end(), -kInfinity);
+  cache.is_listed = false;
   forgetNearest(cache);
 }
 
@@ -54,6 +55,7 @@ void beginAnew(const PairTable& table, DistanceCache& cache) noexcept {
   for (BodyTravel& travel : cache.travels) {
     travel.all = 0.0;
   }
+  cache.is_listed = false;
 }
 
 /// For the bodies of one link, from `first` on. @return one after the last of them.
@@ -97,6 +99,7 @@ DistanceCache makeDistanceCache(const CycleSetup& setup) {
   cache.travels.resize(setup.bodies.size());
   cache.nearest.resize(setup.element_pairs.size(), kInfinity);
   cache.measured_pairs.reserve(setup.element_pairs.size());
+  cache.listed.reserve(setup.table.size());
   return cache;
 }
 

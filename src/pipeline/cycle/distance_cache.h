@@ -15,7 +15,8 @@ void forgetNearest(DistanceCache& cache) noexcept;
 
 /// Adds up the travel of bodies, so that cached distances stay lower bounds. Forgets the cache if a
 /// link is known that was not known in the last cycle, or was in another part then.
-/// @pre bodies are placed and bounded; motions are found; memory.last is that of the last cycle.
+/// @pre bodies are placed and looked ahead for; motions are found; memory.last is that of the last
+/// cycle.
 void accumulateTravel(const CycleSetup& setup, const LinkPoses& poses,
                       CycleBuffers& buffers) noexcept;
 

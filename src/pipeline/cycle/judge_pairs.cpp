@@ -271,7 +271,7 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
 }
 
 void keepLively(const CycleSetup& setup, const PairEvents& events, PairMemory& memory) noexcept {
-  constexpr std::size_t kFewPairs = 1024;  // looking at all of these takes a microsecond
+  constexpr std::size_t kFewPairs = 64;
   // A distance that is not a number makes a pair unknown for this cycle only.
   memory.judges_all = setup.checked.size() <= kFewPairs || events.unknown > events.unjoined;
   memory.lively.clear();

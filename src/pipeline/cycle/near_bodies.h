@@ -29,6 +29,13 @@ struct NearBodies {
     return std::min(reaches.nearOf(link_pair), std::max(reach.stop + ahead, reach.near));
   }
 
+  /// [m] limitOf is not above this for bodies with these travels, whatever pair they are. NaN if a
+  /// motion ahead is unknown.
+  double highestLimitOf(const BodyTravel& a, const BodyTravel& b) const noexcept {
+    const PairReach& farthest = reaches.farthest;
+    return std::max(farthest.stop + (a.ahead + b.ahead), std::max(farthest.all, farthest.near));
+  }
+
   /// [m] Above this distance bodies do not matter, since nearer ones of their elements do.
   double limitOf(PairId id, double nearest) const noexcept {
     const double all = reachOf(setup.link_pair_of[index(id)]).all;

@@ -12,6 +12,7 @@
 #include "pipeline/cycle/find_closings.h"
 #include "pipeline/cycle/judge_pairs.h"
 #include "pipeline/cycle/keep_near.h"
+#include "pipeline/cycle/list_near.h"
 #include "pipeline/cycle/measure_pairs.h"
 #include "pipeline/cycle/place_bodies.h"
 #include "pipeline/cycle/scale_speed.h"
@@ -52,21 +53,6 @@ bool haveLinksChanged(const BodyPoses& body_poses, const LastPoses& last) noexce
   return have_changed;
 }
 
-/// Removes pairs of two parts: relative poses of these mean nothing.
-void dropUnjoined(const CycleSetup& setup, const BodyPoses& body_poses,
-                  std::vector<PairId>& candidates) noexcept {
-  if (!body_poses.is_split) {
-    return;
-  }
-  const auto is_apart = [&](PairId id) {
-    const BodyPair& pair = setup.table[id];
-    return !isJoined(body_poses, setup.bodies[index(pair.a)].link,
-                     setup.bodies[index(pair.b)].link);
-  };
-  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_apart),
-                   candidates.end());
-}
-
 void place(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_poses) noexcept {
   placeBodies(setup, poses, body_poses);
   placeElements(setup, poses, body_poses);
@@ -74,17 +60,10 @@ void place(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_pose
 
 /// Measures distances of near pairs, within the budget.
 void measureNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
-  const double reach = farthestActivationDistanceOf(setup);
-  boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
-  if (setup.is_continuous) {
-    sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
-  }
-  growBounds(setup, poses, buffers.body_poses, setup.ahead.horizon, buffers.bounds);
-  findPairs(setup, poses, reach, buffers);
-  dropUnjoined(setup, buffers.body_poses, buffers.candidates);
-  buffers.counters.candidates = buffers.candidates.size();
+  lookAhead(setup, poses, buffers.body_poses, setup.ahead.horizon, buffers.bounds);
   findActivationDistances(setup, poses, buffers.sweep, buffers.activation);
   accumulateTravel(setup, poses, buffers);
+  listNear(setup, poses, haveLinksChanged(buffers.body_poses, buffers.memory.last), buffers);
   cullCandidates(setup, buffers);
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   keepNear(setup, buffers);

@@ -211,7 +211,7 @@ struct PairEvents {
 
 struct CycleCounters {
   std::size_t pairs{0};              ///< pairs of bodies in the table
-  std::size_t candidates{0};         ///< pairs whose bounds meet
+  std::size_t candidates{0};         ///< pairs whose bounds met when pairs were last listed
   std::size_t culled_by_cache{0};    ///< of the candidates: too far apart by the distance cache
   std::size_t culled_by_spheres{0};  ///< of the rest: too far apart by bounding spheres
   std::size_t culled_by_boxes{0};    ///< of the rest: apart by oriented boxes; combination only
@@ -253,6 +253,8 @@ struct BodyTravel {
   double of_link{0.0};  ///< [m] upper bound for all bodies of its link, since the last cycle
   double ahead{0.0};  ///< [m] upper bound within the horizon; in a continuous set-up also since the
                       ///< last cycle; NaN: not known
+  double all_when_listed{0.0};    ///< [m] `all` when DistanceCache::listed was filled
+  double ahead_when_listed{0.0};  ///< [m] within the horizon then
 };
 
 /// Earlier distances, kept as lower bounds while bodies move.
@@ -266,6 +268,8 @@ struct DistanceCache {
   /// was measured.
   std::vector<double> nearest;
   std::vector<ElementPairIndex> measured_pairs;  ///< pairs with a finite `nearest`
+  std::vector<PairId> listed;  ///< the pairs that can be near before bodies use up kListMargin
+  bool is_listed{false};       ///< false: no list is known
 };
 
 /// The speed scale and its state.

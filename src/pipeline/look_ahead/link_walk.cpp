@@ -93,6 +93,17 @@ PairReach reachFor(const CycleSetup& setup, const Limits& limits) {
   return reach;
 }
 
+PairReach farthestOf(const std::vector<PairReach>& of_limits) {
+  PairReach farthest = of_limits.front();
+  for (const PairReach& reach : of_limits) {
+    farthest.all = std::max(farthest.all, reach.all);
+    farthest.near = std::max(farthest.near, reach.near);
+    farthest.stop = std::max(farthest.stop, reach.stop);
+    farthest.contact = std::max(farthest.contact, reach.contact);
+  }
+  return farthest;
+}
+
 void writeTwist(const Twist& twist, std::size_t c, std::size_t slot, BodyRows& rows) noexcept {
   writeVector(twist.linear, c, slot, rows);
   writeVector(twist.angular, c + 3, slot, rows);
@@ -184,6 +195,7 @@ ActivationDistances makeActivationDistances(const CycleSetup& setup) {
   for (const OwnLimits& own : setup.own_limits) {
     reaches.of_limits.push_back(reachFor(setup, own.limits));
   }
+  reaches.farthest = farthestOf(reaches.of_limits);
   reaches.blocks = makeLinkBlocks(setup, reaches.links, reaches.thickness);
   reaches.of_blocks = makeLaneReaches(setup, reaches);
   reaches.rows.stride = (groupCountOf(reaches.links.size()) + 1) * kBlockLanes;

@@ -69,6 +69,7 @@ struct ActivationDistances {
   std::vector<ObjectRange> ranges;
   std::vector<double> thickness;     ///< [m] by LinkPairIndex: as thicknessOfPairs
   std::vector<PairReach> of_limits;  ///< by CheckedLinkPair::limits
+  PairReach farthest;                ///< the largest of each
   bool is_split{false};              ///< links are in several parts
 
   BodyRows rows;  ///< of the links

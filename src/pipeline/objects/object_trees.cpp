@@ -88,14 +88,6 @@ PairId pairOf(const CycleSetup& setup, const CarriedObjects& objects, const Obje
   return PairId{tree.pair_of[seeker.row * (objects.last_body - objects.first_body) + place]};
 }
 
-double farthestStopOf(const ActivationDistances& reaches) noexcept {
-  double stop = 0.0;
-  for (const PairReach& reach : reaches.of_limits) {
-    stop = std::max(stop, reach.stop);
-  }
-  return stop;
-}
-
 /// Marks the pairs with objects of a tree that are near.
 void findInTree(const CycleSetup& setup, const LinkPoses& poses, double reach, std::size_t place,
                 CycleBuffers& buffers) noexcept {
@@ -106,7 +98,7 @@ void findInTree(const CycleSetup& setup, const LinkPoses& poses, double reach, s
   }
   const ObjectTree& tree = buffers.trees.trees[place];
   const Pose tree_from_world = inverse(poses.world_from_link[objects.first_link]);
-  const SeekReach seek{reach, farthestStopOf(buffers.activation), tree};
+  const SeekReach seek{reach, buffers.activation.farthest.stop, tree};
   for (const TreeSeeker& seeker : tree.seekers) {
     const std::size_t body = index(seeker.body);
     if (bounds.known[body] == 0) {

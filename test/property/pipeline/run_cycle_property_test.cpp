@@ -53,7 +53,6 @@ bool sameBytes(const PairDistance& one, const PairDistance& other) {
 }
 
 void expectSameBytes(const CycleBuffers& one, const CycleBuffers& other) {
-  ASSERT_EQ(one.counters.candidates, other.counters.candidates);
   ASSERT_EQ(one.distances.pairs.size(), other.distances.pairs.size());
   for (std::size_t i = 0; i < one.distances.pairs.size(); ++i) {
     ASSERT_TRUE(sameBytes(one.distances.pairs[i], other.distances.pairs[i]));
@@ -122,6 +121,7 @@ TEST(RunCycleProperty, tenThousandCyclesAllocateNothingAndEveryBroadPhaseGivesTh
     }
     for (const CycleBuffers& other : others) {
       expectSameBytes(brute_force, other);
+      ASSERT_EQ(brute_force.counters.candidates, other.counters.candidates);
     }
     culled += others.back().counters.culled_by_boxes;
     events.add(brute_force);

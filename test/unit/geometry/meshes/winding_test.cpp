@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/constants.h"
+#include "support/instruction_sets.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor::test::winding {
@@ -59,6 +60,16 @@ TEST(SolidAngle, surfacesThatGoAroundManyTimes_areCounted) {
     std::swap(triangle[1], triangle[2]);
   }
   EXPECT_NEAR(windingOfAll(often, Vector3d(0.1, 0.2, 0.3)), -500.0, 1e-10);
+}
+
+TEST(SolidAngle, everyInstructionSet_givesTheSameBytes) {
+  const TriangleMesh mesh = withoutOneSide(boxMesh({1, 2, 3}));
+  const Vector3d point(0.1, 0.2, 0.3);
+  const double expected = windingOfAll(mesh, point);
+  for (const std::int64_t target : instructionSets()) {
+    const OnlyInstructionSet only(target);
+    EXPECT_EQ(windingOfAll(mesh, point), expected) << hwy::TargetName(target);
+  }
 }
 
 TEST(SolidAngle, trianglesWithoutArea_coverNothing) {

@@ -159,6 +159,18 @@ TEST_P(PairRowsTest, cornerAgainstCorner) {
   expectDistance(found, std::sqrt(12.0), Vector3d::Ones().normalized(), Vector3d::Ones());
 }
 
+TEST_P(PairRowsTest, boxesWithTheSameAxes_cornerAgainstCorner) {
+  const auto found = measureOne(Box{{1, 1, 1}}, Pose{}, Box{{1, 1, 1}}, at(4, 5, 3.5));
+  const Vector3d between(2, 3, 1.5);
+  expectDistance(found, between.norm(), between.normalized(), Vector3d::Ones());
+}
+
+TEST_P(PairRowsTest, parallelEdges_pointsInTheMiddleOfWhatTheyShare) {
+  const auto found = measureOne(Box{{1, 1, 1}}, Pose{}, Box{{1, 1, 1}}, at(4, 5, 0.5));
+  const Vector3d between(2, 3, 0);
+  expectDistance(found, between.norm(), between.normalized(), {1, 1, 0.25});
+}
+
 TEST_P(PairRowsTest, cubeOnTable_isLeftToThePlainTwin) {
   const auto found = measureOne(Box{{3, 3, 1}}, Pose{}, Box{{1, 1, 1}}, at(0.5, 0, 2.5));
   expectDistance(found, 0.5, {0, 0, 1}, {0.5, 0, 1});

@@ -33,7 +33,8 @@ class BoundBodies : public testing::Test {
   }
   void grow(double duration) {
     bound();
-    growBounds(setup_, poses_, buffers_.body_poses, duration, buffers_.bounds);
+    lookAhead(setup_, poses_, buffers_.body_poses, duration, buffers_.bounds);
+    growBounds(buffers_.body_poses, buffers_.bounds);
   }
   /// Boxes are some ulps larger than they need to be.
   void expectBox(std::size_t body, const Vector3d& center, const Vector3d& half) const {

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/cycle/list_near.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/cycle/bound_bodies.h"
+#include "pipeline/cycle/near_bodies.h"
+#include "pipeline/data/activation_distance.h"
+
+namespace collision_monitor {
+namespace {
+
+/// Whether each body has used less than half of the margin. Unknown motion uses up all.
+bool isListGood(const BodyPoses& body_poses, const DistanceCache& cache) noexcept {
+  if (!cache.is_listed) {
+    return false;
+  }
+  for (std::size_t i = 0; i < cache.travels.size(); ++i) {
+    const BodyTravel& travel = cache.travels[i];
+    // A NaN stays one by the order of arguments.
+    const double used = travel.all - travel.all_when_listed +
+                        std::max(travel.ahead - travel.ahead_when_listed, 0.0);
+    if (body_poses.known[i] != 0 && !(used < 0.5 * kListMargin)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether motions are known, and so slow that a list serves for some cycles.
+bool isWorthListing(const BodyPoses& body_poses, const DistanceCache& cache) noexcept {
+  constexpr double kFewCycles = 4.0;
+  for (std::size_t i = 0; i < cache.travels.size(); ++i) {
+    const BodyTravel& travel = cache.travels[i];
+    const bool is_slow = kFewCycles * travel.of_link < 0.5 * kListMargin;
+    if (body_poses.known[i] != 0 && (std::isnan(travel.ahead) || !is_slow)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Removes pairs of two parts: relative poses of these mean nothing.
+void dropUnjoined(const CycleSetup& setup, const BodyPoses& body_poses,
+                  std::vector<PairId>& candidates) noexcept {
+  if (!body_poses.is_split) {
+    return;
+  }
+  const auto is_apart = [&](PairId id) {
+    const BodyPair& pair = setup.table[id];
+    return !isJoined(body_poses, setup.bodies[index(pair.a)].link,
+                     setup.bodies[index(pair.b)].link);
+  };
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_apart),
+                   candidates.end());
+}
+
+/// Finds the pairs whose bounds meet.
+void findCandidates(const CycleSetup& setup, const LinkPoses& poses, double reach,
+                    CycleBuffers& buffers) noexcept {
+  boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
+  if (setup.is_continuous) {
+    sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
+  }
+  growBounds(buffers.body_poses, buffers.bounds);
+  findPairs(setup, poses, reach, buffers);
+  dropUnjoined(setup, buffers.body_poses, buffers.candidates);
+  buffers.counters.candidates = buffers.candidates.size();
+}
+
+/// Keeps the candidates that the cache does not prove to be far for as long as the list serves.
+void keepListed(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  constexpr double kRounding = 1e-9;  // of the cached distance
+  DistanceCache& cache = buffers.memory.distance_cache;
+  const NearBodies near = nearBodies(setup, buffers);
+  cache.listed.clear();
+  for (const PairId id : buffers.candidates) {
+    const BodyTravel& a = cache.travels[index(setup.table[id].a)];
+    const BodyTravel& b = cache.travels[index(setup.table[id].b)];
+    const double gap = cache.distances[index(id)] - (a.all + b.all) - kRounding;
+    if (!(gap > near.highestLimitOf(a, b) + kListMargin)) {
+      cache.listed.push_back(id);
+    }
+  }
+  for (std::size_t i = 0; i < cache.travels.size(); ++i) {
+    cache.travels[i].all_when_listed = cache.travels[i].all;
+    cache.travels[i].ahead_when_listed = buffers.bounds.ahead[i];  // by this, boxes were grown
+  }
+}
+
+}  // namespace
+
+void listNear(const CycleSetup& setup, const LinkPoses& poses, bool have_links_changed,
+              CycleBuffers& buffers) noexcept {
+  DistanceCache& cache = buffers.memory.distance_cache;
+  if (have_links_changed || !isListGood(buffers.body_poses, cache)) {
+    const double reach = farthestActivationDistanceOf(setup);
+    // After a change few distances are known.
+    cache.is_listed = !have_links_changed && buffers.trees.trees.empty() &&
+                      isWorthListing(buffers.body_poses, cache);
+    findCandidates(setup, poses, cache.is_listed ? reach + kListMargin : reach, buffers);
+    if (!cache.is_listed) {
+      return;
+    }
+    keepListed(setup, buffers);
+  }
+  buffers.candidates.assign(cache.listed.begin(), cache.listed.end());
+}
+
+}  // namespace collision_monitor
