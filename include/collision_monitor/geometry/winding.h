@@ -38,19 +38,19 @@ class SolidAngles {
     alignas(64) std::array<double, kLanes> imaginary;  ///< never -0
     alignas(64) std::array<double, kLanes> turns;      ///< whole turns that arguments do not show
   };
-  /// Triangles that wait, in columns: coordinates of the corners, seen from the point.
-  struct Waiting {
+  /// Triangles not yet multiplied, in columns: coordinates of the corners, seen from the point.
+  struct Batch {
     static constexpr std::size_t kMost = 4 * kLanes;
     alignas(64) std::array<std::array<double, kMost>, 9> columns;
     std::size_t count{0};
   };
 
  private:
-  void multiplyWaiting() noexcept;
+  void multiplyBatch() noexcept;
 
   Eigen::Vector3d point_;
   Products products_;
-  Waiting waiting_;
+  Batch batch_;
 };
 
 /// Moments of a part of a surface, for its winding number at points far away.

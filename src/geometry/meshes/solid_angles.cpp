@@ -87,14 +87,14 @@ void joinProducts(SolidAngles::Products& products) {
   }
 }
 
-void multiplyTriangles(const SolidAngles::Waiting& waiting, SolidAngles::Products& products) {
+void multiplyTriangles(const SolidAngles::Batch& batch, SolidAngles::Products& products) {
   for (std::size_t lane = 0; lane < SolidAngles::kLanes; lane += hn::Lanes(Lanes())) {
     ProductLanes product = productAt(lane, products);
-    for (std::size_t row = lane; row < waiting.count; row += SolidAngles::kLanes) {
+    for (std::size_t row = lane; row < batch.count; row += SolidAngles::kLanes) {
       const auto cornerAt = [&](std::size_t column) HWY_ATTR {
-        return Vector3{hn::Load(Lanes(), &waiting.columns[column][row]),
-                       hn::Load(Lanes(), &waiting.columns[column + 1][row]),
-                       hn::Load(Lanes(), &waiting.columns[column + 2][row])};
+        return Vector3{hn::Load(Lanes(), &batch.columns[column][row]),
+                       hn::Load(Lanes(), &batch.columns[column + 1][row]),
+                       hn::Load(Lanes(), &batch.columns[column + 2][row])};
       };
       const Vector3 a = cornerAt(0);
       const Vector3 b = cornerAt(3);
@@ -135,28 +135,28 @@ void SolidAngles::add(const Triangle& triangle) noexcept {
   std::size_t column = 0;
   for (const Eigen::Vector3d& corner : triangle) {
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      waiting_.columns[column++][waiting_.count] = corner[axis] - point_[axis];
+      batch_.columns[column++][batch_.count] = corner[axis] - point_[axis];
     }
   }
-  if (++waiting_.count == Waiting::kMost) {
-    multiplyWaiting();
+  if (++batch_.count == Batch::kMost) {
+    multiplyBatch();
   }
 }
 
 /// Triangles of size 0 fill the last lanes. They count for nothing.
-void SolidAngles::multiplyWaiting() noexcept {
-  while (waiting_.count % kLanes != 0) {
-    for (auto& column : waiting_.columns) {
-      column[waiting_.count] = 0.0;
+void SolidAngles::multiplyBatch() noexcept {
+  while (batch_.count % kLanes != 0) {
+    for (auto& column : batch_.columns) {
+      column[batch_.count] = 0.0;
     }
-    ++waiting_.count;
+    ++batch_.count;
   }
-  HWY_DYNAMIC_DISPATCH(multiplyTriangles)(waiting_, products_);
-  waiting_.count = 0;
+  HWY_DYNAMIC_DISPATCH(multiplyTriangles)(batch_, products_);
+  batch_.count = 0;
 }
 
 double SolidAngles::sum() noexcept {
-  multiplyWaiting();
+  multiplyBatch();
   Products joined = products_;
   HWY_DYNAMIC_DISPATCH(joinProducts)(joined);
   const double turns = std::accumulate(joined.turns.begin(), joined.turns.end(), 0.0);

@@ -27,7 +27,7 @@ class SumOfParts {
     for (std::size_t i = held_; i-- > 0;) {
       const Held part = memory_.node_pairs[i];
       if (static_cast<double>(part.squared_bound) > most_of_part) {
-        // What takes its place is fine enough, or was looked at before.
+        // The last part moves here. It was looked at before, or is new and fine enough.
         memory_.node_pairs[i] = memory_.node_pairs[--held_];
         const BoundedNumber coarse = momentsAt(part.a);
         of_moments_.value -= coarse.value;
