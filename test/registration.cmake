@@ -41,7 +41,7 @@ function(add_python_tests)
   add_test(NAME configure
     COMMAND ${PYTHON_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/configure/configure_test.py)
   set_tests_properties(configure PROPERTIES
-    ENVIRONMENT "COLLISION_MONITOR_CMAKE=${CMAKE_COMMAND}")
+    ENVIRONMENT "COLLISION_MONITOR_CMAKE=${CMAKE_COMMAND};COLLISION_MONITOR_HAS_ROS=$<BOOL:${has_ros}>")
   add_test(NAME install
     COMMAND ${PYTHON_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/install/install_test.py)
   set(install_environment COLLISION_MONITOR_BUILD=${PROJECT_BINARY_DIR} COLLISION_MONITOR_SPACE=${core_space}

@@ -4,7 +4,7 @@
 """The package is configured without ROS, and without packages that only some programs and tests need: they
 are named, and what needs them is left out.
 
-COLLISION_MONITOR_CMAKE is the program; ctest sets it.
+COLLISION_MONITOR_CMAKE is the program, COLLISION_MONITOR_HAS_ROS 1 or 0; ctest sets them.
 """
 import os
 import pathlib
@@ -16,6 +16,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CMAKE = os.environ.get("COLLISION_MONITOR_CMAKE", "cmake")
+needs_ros = unittest.skipUnless(os.environ.get("COLLISION_MONITOR_HAS_ROS") == "1", "built without ROS")
 # ROS's CMake files call python3: it must be the one that has their modules.
 ENVIRONMENT = dict(os.environ, PATH=os.path.dirname(sys.executable) + ":" + os.environ["PATH"])
 OPTIONAL = ("GTest", "rapidcheck", "nlohmann_json", "fcl", "rostest", "CLI11", "EXPAT", "PNG", "pybind11",
@@ -48,18 +49,21 @@ class Configure(unittest.TestCase):
         listed = subprocess.run(["ctest", "-N"], cwd=self.folder, capture_output=True, text=True, check=True)
         return re.findall(r"Test +#\d+: (\w+)", listed.stdout)
 
+    @needs_ros
     def test_without_rapidcheck_all_else_is_there(self):
         left = self.names_of_tests_without(["rapidcheck"])
         self.assertIn("tools", left)
         self.assertIn("ros_edge_verdicts", left)
         self.assertNotIn("unit_model", left)
 
+    @needs_ros
     def test_without_fcl_png_or_expat_what_needs_them_is_left_out(self):
         left = self.names_of_tests_without(["fcl", "PNG", "EXPAT"])
         self.assertIn("unit_model", left)
         for name in ("oracle", "unit_fit_tool", "unit_pairs_tool"):
             self.assertNotIn(name, left)
 
+    @needs_ros
     def test_without_any(self):
         # Without CLI11 nobody asks for the others of the programs.
         hidden = set(OPTIONAL) - {"EXPAT", "PNG"}
@@ -83,6 +87,7 @@ class Configure(unittest.TestCase):
             self.assertNotEqual(result.returncode, 0)
             self.assertIn(named, result.stderr)
 
+    @needs_ros
     def test_benchmarks_that_are_asked_for_are_not_left_out(self):
         result = self.configure(["rapidcheck"], "-DCOLLISION_MONITOR_BENCH=ON")
         self.assertNotEqual(result.returncode, 0)
