@@ -61,6 +61,16 @@ PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store
           reads_joints ? &joints : nullptr};
 }
 
+std::size_t countJoined(const RobotModel& model, const LinkPoses& poses) noexcept {
+  std::size_t count = 0;
+  for (const Robot& robot : model.robots) {
+    forOwnLinks(model, robot, [&](std::size_t link) {
+      count += poses.status[link] == LinkStatus::known && poses.part[link] != link ? 1U : 0U;
+    });
+  }
+  return count;
+}
+
 bool growStale(LinkPoses& poses) noexcept {
   bool has_changed = false;
   for (LinkStatus& status : poses.status) {
@@ -93,7 +103,7 @@ bool Watch::read(const ros::Time& now, const ClockState& clock_now) {
 }
 
 void Watch::cycle() noexcept {
-  const std::size_t joined = countJoined(poses);
+  const std::size_t joined = countJoined(setup().model, poses);
   if (joined > links_joined) {
     learnPairs(setup(), poses, buffers);
   }
@@ -128,7 +138,7 @@ void Watch::resumeReporting() {
 void Watch::prepare(const ros::Time& now, const ClockState& clock_now,
                     std::shared_ptr<const MonitorSetup> former) {
   read(now, clock_now);
-  links_joined = countJoined(poses);
+  links_joined = countJoined(setup().model, poses);
   learnPairs(setup(), poses, buffers);
   keepPoses(poses, buffers.body_poses, buffers.memory.last);
   carried = planCarryOver(former->setup, setup());

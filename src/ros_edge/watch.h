@@ -82,6 +82,11 @@ struct Watch {
 PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
                           JointReader& joints);
 
+/// How many links are known beside others: all that are known, but for the tops of parts that
+/// float. Grows where links come to be known and where parts come together. Objects follow what
+/// carries them and are not counted.
+std::size_t countJoined(const RobotModel& model, const LinkPoses& poses) noexcept;
+
 /// Makes all known links stale and their velocities unknown, because time stands still.
 /// @return true when the status of a link changed.
 bool growStale(LinkPoses& poses) noexcept;

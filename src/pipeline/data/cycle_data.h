@@ -61,16 +61,6 @@ struct LinkPoses {
   LinkVelocities velocities;  ///< relative to the frame of the part
 };
 
-/// How many links are known beside others: all that are known, but for the tops of parts that
-/// float. Grows where links come to be known and where parts come together.
-inline std::size_t countJoined(const LinkPoses& poses) noexcept {
-  std::size_t count = 0;
-  for (std::size_t link = 0; link < poses.status.size(); ++link) {
-    count += poses.status[link] == LinkStatus::known && poses.part[link] != link ? 1U : 0U;
-  }
-  return count;
-}
-
 /// Whether the relative pose of two links is known.
 inline bool isJoined(const LinkPoses& poses, LinkId a, LinkId b) noexcept {
   return poses.status[index(a)] == LinkStatus::known &&

@@ -59,11 +59,11 @@ TEST_F(WatchTest, partsAreJoinedFarFromTheWorld_theFirstVerdictIsOfTheGeometries
 }
 
 TEST_F(WatchTest, aPartBeginsToFloat_nothingIsJoined) {
-  const std::size_t joined = countJoined(watch_->poses);
+  const std::size_t joined = countJoined(watch_->setup().model, watch_->poses);
   watch_->poses.part[3] = watch_->poses.part[5] = 3;
-  EXPECT_EQ(countJoined(watch_->poses), joined - 1);
+  EXPECT_EQ(countJoined(watch_->setup().model, watch_->poses), joined - 1);
   watch_->poses.status[5] = LinkStatus::stale;
-  EXPECT_EQ(countJoined(watch_->poses), joined - 2);
+  EXPECT_EQ(countJoined(watch_->setup().model, watch_->poses), joined - 2);
 }
 
 }  // namespace
