@@ -3,6 +3,7 @@
 #include "ros_edge/watch.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "collision_monitor/geometry/ids.h"
@@ -50,7 +51,10 @@ Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformSto
           countOf(PairReason::muted, countPairs(fixed->setup.link_pairs)))),
       last_mute(lastMuteOf(*fixed)),
       nearest(fixed->setup),
-      is_checked_between(findChecked(setup(), buffers.robots)) {}
+      is_checked_between(findChecked(setup(), buffers.robots)),
+      joined_to(poses.part.size()) {
+  forgetJoined();
+}
 
 PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
                           JointReader& joints) {
@@ -59,16 +63,6 @@ PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store
           store,
           {setup.world_frame, setup.parameters.max_age},
           reads_joints ? &joints : nullptr};
-}
-
-std::size_t countJoined(const RobotModel& model, const LinkPoses& poses) noexcept {
-  std::size_t count = 0;
-  for (const Robot& robot : model.robots) {
-    forOwnLinks(model, robot, [&](std::size_t link) {
-      count += poses.status[link] == LinkStatus::known && poses.part[link] != link ? 1U : 0U;
-    });
-  }
-  return count;
 }
 
 bool growStale(LinkPoses& poses) noexcept {
@@ -102,12 +96,25 @@ bool Watch::read(const ros::Time& now, const ClockState& clock_now) {
   return is_new;
 }
 
+bool Watch::noteJoined() noexcept {
+  bool have_joined = false;
+  for (const Robot& robot : setup().model.robots) {
+    forOwnLinks(setup().model, robot, [&](std::size_t link) {
+      const auto own = static_cast<PartId>(link);
+      const PartId part = poses.status[link] == LinkStatus::known ? poses.part[link] : own;
+      have_joined = have_joined || (part != own && part != joined_to[link]);
+      joined_to[link] = part;
+    });
+  }
+  return have_joined;
+}
+
+void Watch::forgetJoined() noexcept { std::iota(joined_to.begin(), joined_to.end(), PartId{0}); }
+
 void Watch::cycle() noexcept {
-  const std::size_t joined = countJoined(setup().model, poses);
-  if (joined > links_joined) {
+  if (noteJoined()) {
     learnPairs(setup(), poses, buffers);
   }
-  links_joined = joined;
   for (const ListedRobot& robot : fixed->listed) {
     if (robot.id && robot.may_be_absent) {
       buffers.robots.is_excused[index(*robot.id)] =
@@ -120,7 +127,7 @@ void Watch::cycle() noexcept {
 
 void Watch::forget() {
   forgetPoses(buffers);
-  links_joined = 0;
+  forgetJoined();
   resetTracker(tracker);
 }
 
@@ -132,13 +139,13 @@ void Watch::resumeReporting() {
   buffers.memory.speed.scale = 0.0;  // the value sent while switched off
   std::fill(buffers.robots.scales.begin(), buffers.robots.scales.end(), 0.0);
   forgetPoses(buffers);
-  links_joined = 0;
+  forgetJoined();
 }
 
 void Watch::prepare(const ros::Time& now, const ClockState& clock_now,
                     std::shared_ptr<const MonitorSetup> former) {
   read(now, clock_now);
-  links_joined = countJoined(setup().model, poses);
+  noteJoined();
   learnPairs(setup(), poses, buffers);
   keepPoses(poses, buffers.body_poses, buffers.memory.last);
   carried = planCarryOver(former->setup, setup());

@@ -65,7 +65,8 @@ struct Watch {
   /// By robot, and by robot that a checked pair joins it to; the last of each is for links that no
   /// robot moves.
   std::vector<std::vector<bool>> is_checked_between;
-  std::size_t links_joined{0};                       ///< countJoined in the last cycle
+  /// By LinkId, in the last cycle: the part of a link that is known beside others; else the link.
+  std::vector<PartId> joined_to;
   std::shared_ptr<const MonitorSetup> planned_from;  ///< `carried` is about this set-up
   CarryPlan carried;
   mutable Unknowns last_unknown;  ///< for unknown()
@@ -73,6 +74,10 @@ struct Watch {
   const CycleSetup& setup() const noexcept { return fixed->setup; }
 
  private:
+  /// Notes which links are joined to which parts. Objects follow what carries them.
+  /// @return whether some have come to be known beside others since the last cycle
+  bool noteJoined() noexcept;
+  void forgetJoined() noexcept;
   void takeOverScales(const Watch& former);
 };
 
@@ -81,11 +86,6 @@ struct Watch {
 /// @pre the arguments outlive the reader
 PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
                           JointReader& joints);
-
-/// How many links are known beside others: all that are known, but for the tops of parts that
-/// float. Grows where links come to be known and where parts come together. Objects follow what
-/// carries them and are not counted.
-std::size_t countJoined(const RobotModel& model, const LinkPoses& poses) noexcept;
 
 /// Makes all known links stale and their velocities unknown, because time stands still.
 /// @return true when the status of a link changed.

@@ -40,9 +40,9 @@ class SolidAngles {
   };
   /// Triangles not yet multiplied, in columns: coordinates of the corners, seen from the point.
   struct Batch {
-    static constexpr std::size_t kMost = 4 * kLanes;
-    alignas(64) std::array<std::array<double, kMost>, 9> columns;
-    std::size_t count{0};
+    static constexpr std::size_t kMost = 4 * kLanes;               ///< how many triangles it holds
+    alignas(64) std::array<std::array<double, kMost>, 9> columns;  ///< [m] by number and triangle
+    std::size_t count{0};                                          ///< how many it has
   };
 
  private:

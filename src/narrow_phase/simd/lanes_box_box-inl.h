@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 /// [m] Half of the error that the distance may have; the point may have the rest.
 constexpr double kProofAllowance = 5e-13;
 
-/// [m] A corner is the only nearest point if it is farther than the best gap by this.
+/// [m] If a corner is farther away than the best gap and this together, no other point is as near.
 constexpr double kAlone = 1e-9;
 
 /// Of eight corners, the one nearest to a box at the origin.

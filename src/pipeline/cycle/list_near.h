@@ -9,12 +9,12 @@ namespace collision_monitor {
 /// [m] Pairs that are farther than matters by more than this are left out of the list.
 constexpr double kListMargin = 0.025;
 
-/// Fills `candidates` with all pairs that may be near enough to matter, and others. Bounds of all
-/// bodies are looked at only to list the pairs that can be near soon. Until two bodies can have
-/// used up the margin, by travel or by faster motion ahead, the list serves again. There is none
-/// where motions are fast or unknown, or where there are many objects.
-/// Source: Verlet, "Computer 'experiments' on classical fluids I" (1967). Departure: the list also
-/// leaves out pairs by cached distances and motion ahead.
+/// Fills `candidates`: no pair that is near enough to matter is missing. Bounds of all bodies are
+/// looked at only to make a list of the pairs that can be near soon. The list serves in the next
+/// cycles, until two bodies may have used up the margin by travel or by faster motion ahead. No
+/// list is made where motions are fast or unknown, or where there are many objects. Source: Verlet,
+/// "Computer 'experiments' on classical fluids I" (1967). Departure: the list also leaves out pairs
+/// by cached distances and motion ahead.
 /// @pre travel is accumulated. @param have_links_changed since the last cycle
 void listNear(const CycleSetup& setup, const LinkPoses& poses, bool have_links_changed,
               CycleBuffers& buffers) noexcept;

@@ -200,9 +200,10 @@ struct PairEvents {
 };
 
 struct CycleCounters {
-  std::size_t pairs{0};              ///< pairs of bodies in the table
-  std::size_t candidates{0};         ///< pairs whose bounds met when pairs were last listed
-  std::size_t culled_by_cache{0};    ///< of the candidates: too far apart by the distance cache
+  std::size_t pairs{0};       ///< pairs of bodies in the table
+  std::size_t candidates{0};  ///< pairs whose bounds met when pairs were last listed
+  /// Of the candidates: too far apart by the distance cache, or left out of the list.
+  std::size_t culled_by_cache{0};
   std::size_t culled_by_spheres{0};  ///< of the rest: too far apart by bounding spheres
   std::size_t culled_by_boxes{0};    ///< of the rest: apart by oriented boxes; combination only
   std::size_t measured{0};           ///< the rest; without the search for the closest pair

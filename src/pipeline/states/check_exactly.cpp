@@ -114,8 +114,9 @@ void checkStatesExactly(const CycleSetup& setup, const JointPositions& positions
       run(decideContacts);
       continue;
     }
-    // Contacts settle most states that have some. What is left goes to ever dearer searches.
-    if (work.refinement.has_geometries) {
+    // Contacts settle most states that have some. What is left goes to ever dearer searches. With
+    // one limit for all, the nearest of bodies that are their elements tells of contacts, too.
+    if (work.refinement.has_geometries || !setup.own_limits.empty()) {
       run(settleContacts);
     }
     run(settleApart);

@@ -43,9 +43,9 @@ struct NearInStates {
 struct ElementsInState {
   ElementPairIndex elements{0};
   std::uint32_t bodies{0};   ///< PairId of the nearest bodies
-  double bound{0.0};         ///< [m] of the distance; first that of these bodies
+  double bound{0.0};         ///< [m] a lower bound of their distance
   std::uint64_t touched{0};  ///< as in StatesRefinement::touched
-  bool is_raised{false};     ///< `bound` is that of hulls, if it is larger
+  bool is_raised{false};     ///< the hulls have been asked for a larger bound
 };
 
 /// Two elements and their pairs of bodies.

@@ -49,9 +49,6 @@ std::vector<std::string> findFaults(const CheckTrajectory::Request& request) {
   if (!std::isfinite(request.resolution)) {
     faults.emplace_back("resolution is not finite; give metres, or 0 for 0.001");
   }
-  if (std::isnan(request.max_distance)) {
-    faults.emplace_back("max_distance is not a number; give metres, or 0 for no limit");
-  }
   return faults;
 }
 
@@ -70,12 +67,6 @@ std::vector<LinkPairIndex> orderOf(const TrajectoryReport& report) {
   std::sort(order.begin(), order.end(),
             [&](LinkPairIndex one, LinkPairIndex other) { return rank(one) < rank(other); });
   return order;
-}
-
-/// Whether a pair is told even if others are nearer.
-bool isAsked(const CheckTrajectory::Request& request, const PairApproach& pair) noexcept {
-  return pair.state != ApproachState::clear || !(request.max_distance > 0.0) ||
-         pair.at_least <= request.max_distance;
 }
 
 /// @param start where the trajectory begins; its parts are valid for the whole motion
@@ -137,6 +128,13 @@ std::string unknownStartText(const std::vector<std::string>& joints) {
 
 }  // namespace
 
+bool isTold(const TrajectoryReport& report, double margin, LinkPairIndex pair) noexcept {
+  constexpr std::size_t kMostPairs = 10'000;
+  const PairApproach& approach = report.pairs[pair];
+  return report.pairs.size() <= kMostPairs || approach.state != ApproachState::clear ||
+         approach.at_least <= margin;
+}
+
 void answerCheckTrajectory(const MonitorSetup& current, const NewestState& newest,
                            const std::function<bool(double)>& progress,
                            const CheckTrajectory::Request& request,
@@ -160,7 +158,7 @@ void answerCheckTrajectory(const MonitorSetup& current, const NewestState& newes
   options.progress = progress;
   const TrajectoryReport report = checkTrajectory(setup, path, start, options);
   for (const LinkPairIndex pair : orderOf(report)) {
-    if (!response.pairs.empty() && !isAsked(request, report.pairs[pair])) {
+    if (!response.pairs.empty() && !isTold(report, options.margin, pair)) {
       continue;
     }
     response.pairs.emplace_back();

@@ -18,4 +18,8 @@ void answerCheckTrajectory(const MonitorSetup& current, const NewestState& newes
                            const CheckTrajectory::Request& request,
                            CheckTrajectory::Response& response);
 
+/// Whether a pair that is not the nearest is told: long answers leave out what stays far.
+/// @param margin [m] of the search
+bool isTold(const TrajectoryReport& report, double margin, LinkPairIndex pair) noexcept;
+
 }  // namespace collision_monitor

@@ -53,21 +53,22 @@ TEST_F(CheckTrajectoryTest, nearMiss_isAWarningWithItsNearestApproach) {
   EXPECT_EQ(ask().level, State::OK);
 }
 
-TEST_F(CheckTrajectoryTest, maxDistance_pairsThatStayFartherApartAreLeftOut) {
-  request_.trajectory.joint_names = {"slide"};
-  addPoint(0.0, 0.0);
-  addPoint(1.0, -0.3);  // base to tool 0.55 - 0.3; the others stay 0.5 m apart and more
-  request_.max_distance = 0.3;
-  auto response = ask();
-  ASSERT_EQ(response.pairs.size(), 1U);
-  EXPECT_EQ(response.pairs[0].nearest.link_b, "tool");
-  EXPECT_EQ(response.pairs_checked, 3U);
-  request_.max_distance = 0.1;
-  EXPECT_EQ(ask().pairs.size(), 1U) << "the nearest is always told";
-  newest_.poses.status[index(linkNamed(setup_->setup.model, "tool"))] = LinkStatus::stale;
-  response = ask();
-  EXPECT_EQ(response.pairs_unknown, 2U);
-  EXPECT_EQ(response.pairs.size(), 3U) << "what is unknown is told";
+TEST_F(CheckTrajectoryTest, longAnswers_leaveOutWhatStaysFar) {
+  TrajectoryReport report;
+  report.pairs.resize(10'000);
+  for (PairApproach& pair : report.pairs) {
+    pair.state = ApproachState::clear;
+    pair.at_least = 0.3;
+  }
+  EXPECT_TRUE(isTold(report, 0.05, 0));
+  report.pairs.push_back(report.pairs.front());
+  EXPECT_FALSE(isTold(report, 0.05, 0));
+  EXPECT_TRUE(isTold(report, 0.3, 0));
+  for (const ApproachState state :
+       {ApproachState::contact, ApproachState::undecided, ApproachState::unknown}) {
+    report.pairs[0].state = state;
+    EXPECT_TRUE(isTold(report, 0.05, 0));
+  }
 }
 
 TEST_F(CheckTrajectoryTest, mimicJointsFollow) {
