@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "collision_monitor/geometry/ids.h"
-#include "islands.h"
+#include "pipeline/answers/islands.h"
 
 namespace collision_monitor {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "islands.h"
+#include "pipeline/answers/islands.h"
 
 #include <algorithm>
 
