@@ -33,26 +33,25 @@ class LongCallsTest(unittest.TestCase):
         answers = []
 
         def check():
-            begin = time.monotonic()
             answer = rospy.ServiceProxy(NODE + "/check_states", CheckStates)(
                 JOINTS, positions, False, False)
-            answers.append((time.monotonic() - begin, answer))
+            answers.append((time.monotonic(), answer))
 
         callers = [threading.Thread(target=check) for _ in range(3)]
         for caller in callers:
             caller.start()
         ask = rospy.ServiceProxy(NODE + "/get_distances", GetDistances)
-        waits = []
+        times = []
         while any(caller.is_alive() for caller in callers):
-            begin = time.monotonic()
             ask(max_distance=0.01)
-            waits.append(time.monotonic() - begin)
+            times.append(time.monotonic())
         for _, answer in answers:
             self.assertTrue(answer.success, answer.message)
             self.assertIn("contact, 0 unknown", answer.message)
         self.assertEqual(len(answers), len(callers))
-        # Of the same run: when they shared threads, the call waited for all of the shortest.
-        self.assertLess(max(waits), 0.5 * min(duration for duration, _ in answers))
+        # When they shared threads, the first of these calls waited for the first of those.
+        first = min(done for done, _ in answers)
+        self.assertGreater(sum(done < first for done in times), 2)
 
 
 if __name__ == "__main__":

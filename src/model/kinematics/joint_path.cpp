@@ -18,6 +18,13 @@ struct Cubic {
   double at(double share) const noexcept {
     return start + share * (first + share * (second + share * third));
   }
+
+  /// The largest distance from the chord of any piece of this length within two shares.
+  double bendWithin(double from, double to, double length) const noexcept {
+    const double most = std::max(std::abs(2.0 * second + 6.0 * third * from),
+                                 std::abs(2.0 * second + 6.0 * third * to));
+    return 0.125 * length * length * most;
+  }
 };
 
 Cubic cubicOf(const JointPath& path, std::size_t segment, std::size_t joint) noexcept {
@@ -99,6 +106,31 @@ double travelOf(const JointPath& path, const PathPart& part, std::size_t joint) 
   const double c = cubic.at(turns.second);
   const double d = cubic.at(part.to);
   return std::abs(b - a) + std::abs(c - b) + std::abs(d - c);
+}
+
+JointStep stepOf(const JointPath& path, const PathPart& part, std::size_t joint) noexcept {
+  const Cubic cubic = cubicOf(path, part.segment, joint);
+  const double begin = cubic.at(part.from);
+  const double middle = cubic.at(0.5 * (part.from + part.to));
+  const double end = cubic.at(part.to);
+  const double half = 0.5 * (end - begin);
+  const double share = 0.5 * (part.to - part.from);
+  return {half, std::abs(middle - begin - half) + cubic.bendWithin(part.from, part.to, share)};
+}
+
+JointStep stepOf(const JointPath& path, std::size_t first, std::size_t middle, std::size_t last,
+                 std::size_t joint) noexcept {
+  const double slope = (path.positionAt(last, joint) - path.positionAt(first, joint)) /
+                       static_cast<double>(last - first);
+  const double center = path.positionAt(middle, joint);
+  double off = 0.0;
+  double bend = 0.0;
+  for (std::size_t i = first; i <= last; ++i) {
+    const double after = static_cast<double>(i) - static_cast<double>(middle);
+    off = std::max(off, std::abs(path.positionAt(i, joint) - center - after * slope));
+    bend = std::max(bend, i == last ? 0.0 : cubicOf(path, i, joint).bendWithin(0.0, 1.0, 1.0));
+  }
+  return {slope * static_cast<double>(std::max(middle - first, last - middle)), off + bend};
 }
 
 }  // namespace collision_monitor

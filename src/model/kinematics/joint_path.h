@@ -43,4 +43,17 @@ void setPositions(const RobotModel& model, const JointPath& path, std::size_t se
 /// The travel of a joint in this part, back and forth added up: [rad] or [m], exact.
 double travelOf(const JointPath& path, const PathPart& part, std::size_t joint) noexcept;
 
+/// How a joint moves about the middle of a part: at the share s of its half, from -1 to 1, it is
+/// within `bend` of its position in the middle plus s * half. [rad] or [m]
+struct JointStep {
+  double half{0.0};
+  double bend{0.0};
+};
+
+JointStep stepOf(const JointPath& path, const PathPart& part, std::size_t joint) noexcept;
+
+/// The same for the segments from way-point `first` to `last`, about way-point `middle`.
+JointStep stepOf(const JointPath& path, std::size_t first, std::size_t middle, std::size_t last,
+                 std::size_t joint) noexcept;
+
 }  // namespace collision_monitor

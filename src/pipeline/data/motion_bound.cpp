@@ -26,7 +26,7 @@ std::optional<ChainJoint> movedJoint(const RobotModel& model, const JointPath& p
   }
   return ChainJoint{link, joint.axis, joint.type == JointType::prismatic,
                     static_cast<std::size_t>(place - path.joints.begin()),
-                    joint.mimic ? std::abs(joint.mimic->multiplier) : 1.0};
+                    joint.mimic ? joint.mimic->multiplier : 1.0};
 }
 
 /// A ball that joints move, world frame.
@@ -73,10 +73,15 @@ LinkChain chainBetween(const RobotModel& model, const JointPath& path, LinkId a,
     up.pop_back();
     down.pop_back();
   }
-  up.insert(up.end(), down.rbegin(), down.rend());
   LinkChain chain{a, b, {}};
   for (const LinkId link : up) {
-    if (const auto joint = movedJoint(model, path, link)) {
+    if (auto joint = movedJoint(model, path, link)) {
+      joint->factor = -joint->factor;
+      chain.joints.push_back(*joint);
+    }
+  }
+  for (auto link = down.rbegin(); link != down.rend(); ++link) {
+    if (const auto joint = movedJoint(model, path, *link)) {
       chain.joints.push_back(*joint);
     }
   }
@@ -109,7 +114,7 @@ double boundMotion(const LinkChain& chain, const std::vector<Ball>& balls,
   // The chain is split after one of its first joints, at most this many.
   constexpr std::size_t kMostSplits = 32;
   const auto move_by = [&](const ChainJoint& joint, Load& load) {
-    moveBy(joint, world_from_link, joint.factor * travels[joint.path_joint], load);
+    moveBy(joint, world_from_link, std::abs(joint.factor) * travels[joint.path_joint], load);
   };
   std::array<double, kMostSplits + 1> moved_b;
   Load b = loadOf(balls[index(chain.b)], world_from_link[index(chain.b)]);
@@ -125,6 +130,51 @@ double boundMotion(const LinkChain& chain, const std::vector<Ball>& balls,
     least = std::min(least, a.moved + moved_b[split]);
   }
   return least;
+}
+
+LinkChain reversed(const LinkChain& chain) {
+  LinkChain other{chain.b, chain.a, {chain.joints.rbegin(), chain.joints.rend()}};
+  for (ChainJoint& joint : other.joints) {
+    joint.factor = -joint.factor;
+  }
+  return other;
+}
+
+RelativeMotion relativeMotion(const LinkChain& chain, const std::vector<Ball>& balls,
+                              const std::vector<Pose>& world_from_link,
+                              const std::vector<JointStep>& steps) noexcept {
+  double turned = 0.0;  // by the joints nearer to A than the current one
+  for (const ChainJoint& joint : chain.joints) {
+    const JointStep& step = steps[joint.path_joint];
+    turned += joint.is_prismatic ? 0.0 : std::abs(joint.factor) * (std::abs(step.half) + step.bend);
+  }
+  const Load b = loadOf(balls[index(chain.b)], world_from_link[index(chain.b)]);
+  RelativeMotion motion;
+  motion.center = b.center;
+  double moved = 0.0;  // by the joints nearer to B
+  for (auto joint = chain.joints.rbegin(); joint != chain.joints.rend(); ++joint) {
+    const JointStep& step = steps[joint->path_joint];
+    const double half = joint->factor * step.half;
+    const double bend = std::abs(joint->factor) * step.bend;
+    const double most = std::abs(half) + bend;
+    const Pose& frame = world_from_link[index(joint->child)];
+    const Eigen::Vector3d axis = frame.rotation * joint->axis;
+    double lever = 1.0;
+    double turns = 0.0;
+    if (joint->is_prismatic) {
+      motion.velocity += half * axis;
+    } else {
+      const Eigen::Vector3d across = axis.cross(b.center - frame.translation);
+      lever = across.norm() + b.radius + moved;
+      turns = most;
+      motion.velocity += half * across;
+      motion.turn += half * axis;
+    }
+    turned -= turns;
+    motion.deviation += lever * (bend + most * (0.5 * turns + std::max(0.0, turned)));
+    moved += most * lever;
+  }
+  return motion;
 }
 
 }  // namespace collision_monitor

@@ -7,6 +7,7 @@
 #include "collision_monitor/pipeline/setup.h"
 #include "model/kinematics/joint_path.h"
 #include "motion/conservative_advancement.h"
+#include "motion/relative_motion.h"
 
 namespace collision_monitor {
 
@@ -16,7 +17,7 @@ struct ChainJoint {
   Eigen::Vector3d axis;  ///< unit, in the frame of `child`
   bool is_prismatic{false};
   std::size_t path_joint{0};  ///< index into JointPath::joints of the joint that moves it
-  double factor{1.0};         ///< of a mimic joint: its travel per travel of that joint
+  double factor{1.0};  ///< how B moves beyond the joint, seen from A, per motion of that joint
 };
 
 /// The link and its ancestors, up to the root.
@@ -49,5 +50,14 @@ std::vector<Ball> linkBalls(const CycleSetup& setup);
 double boundMotion(const LinkChain& chain, const std::vector<Ball>& balls,
                    const std::vector<Pose>& world_from_link,
                    const std::vector<double>& travels) noexcept;
+
+/// How B moves, seen from A, in a part of a path. World frame.
+/// @param world_from_link in the middle of the part; `steps` by path joint.
+RelativeMotion relativeMotion(const LinkChain& chain, const std::vector<Ball>& balls,
+                              const std::vector<Pose>& world_from_link,
+                              const std::vector<JointStep>& steps) noexcept;
+
+/// The same chain from B to A.
+LinkChain reversed(const LinkChain& chain);
 
 }  // namespace collision_monitor

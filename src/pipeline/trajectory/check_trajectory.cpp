@@ -26,6 +26,7 @@ Halving& halvingAt(const TrajectorySearch& search, std::size_t depth,
   while (halvings.size() <= depth) {
     halvings.emplace_back();
     halvings.back().travels.resize(search.path.joints.size());
+    halvings.back().steps.resize(search.path.joints.size());
   }
   return halvings[depth];
 }
@@ -49,8 +50,9 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
   }
   search.measures.work += pairs.size();
   halving.open.clear();
+  halving.is_placed = false;
   for (const LinkPairIndex pair : pairs) {
-    if (!goesOnWorking(search, begin) || !settle(search, pair, begin, end, halving.travels)) {
+    if (!goesOnWorking(search, begin) || !settle(search, pair, begin, end, halving)) {
       halving.open.push_back(pair);
     }
   }
@@ -62,10 +64,7 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
     return;
   }
   Instant& middle = halving.middle;
-  middle.segment = begin.segment;
-  middle.share = 0.5 * (begin.share + end.share);
-  place(search, middle);
-  search.measures.work += middle.world_from_link.size();
+  placeMiddle(search, begin, end, halving);
   noteBalls(search, halving.open, middle);
   sampleBalls(search, halving.open, middle);
   explore(search, begin, middle, halving.open, depth + 1);
@@ -77,10 +76,11 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
 
 /// Settles pairs that the path does not move; all pairs if there is only one way-point.
 void checkStanding(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs, Instant& at) {
-  const std::vector<double> travels(search.path.joints.size(), 0.0);
+  Halving halving;
+  halving.travels.resize(search.path.joints.size(), 0.0);
   for (const LinkPairIndex pair : pairs) {
     if (goesOnWorking(search, at)) {
-      settle(search, pair, at, at, travels);
+      settle(search, pair, at, at, halving);
     } else if (search.report.pairs[pair].state == ApproachState::clear) {
       giveUp(search, pair, at);
     }
@@ -121,6 +121,7 @@ void exploreStops(TrajectorySearch& search, std::size_t first, std::size_t last,
   listOpen(search, first, last, pairs, range);
   const std::size_t middle = first + (last - first) / 2;
   Instant& at_middle = search.stops[middle];
+  settleClose(search, first, middle, last, range);
   sampleWaypoint(search, range.open, search.first_stop + middle, at_middle);
   exploreStops(search, first, middle, range.open, depth + 1);
   if (!goesOn(search, at_middle.segment, at_middle.share)) {
@@ -236,6 +237,7 @@ TrajectorySearch searchAlong(const CycleSetup& setup, const JointPath& path, con
                           std::vector<Found>(count, Found::bodies),
                           std::vector<NearPlace>(count),
                           std::vector<NearPlace>(count),
+                          std::vector<unsigned char>(count, 0),
                           {},
                           {},
                           {},

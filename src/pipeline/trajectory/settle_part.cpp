@@ -17,9 +17,7 @@ bool reachesCutoff(const TrajectorySearch& search, LinkPairIndex pair, double bo
 
 /// [m] If elements are farther apart than this at one end, their part is settled.
 double cutoffFor(const TrajectorySearch& search, LinkPairIndex pair, double travel) noexcept {
-  const double contact = std::max(0.0, limitsOf(search.setup, pair).contact_distance);
-  return std::max(wantedOf(search, pair), contact + search.options.tolerance) +
-         search.options.tolerance + travel;
+  return cutoffOf(search, pair) + travel;
 }
 
 /// [m] How far the links may travel before they can be in contact.
@@ -94,31 +92,53 @@ void raiseFromBodies(TrajectorySearch& search, LinkPairIndex pair, double travel
   (has_hulls ? raiseToHulls : raiseToElements)(search, pair, cutoffFor(search, pair, travel), at);
 }
 
-/// Raises the level of one sample that helps to settle the part, cheaper levels first.
-/// @return false if none helps.
-bool raiseOne(TrajectorySearch& search, LinkPairIndex pair, double travel, Instant& begin,
-              Instant& end) noexcept {
-  for (Instant* at : {&begin, &end}) {
-    if (at->samples[pair].level == Level::balls) {
-      // If bodies did not settle the other end, they mostly do not settle this one.
-      const Level other = (at == &begin ? end : begin).samples[pair].level;
-      const bool skips_bodies = other > Level::bodies || (search.measures.has_meshes[pair] != 0 &&
-                                                          asksElementsFirst(search.measures, pair));
-      skips_bodies ? raiseFromBodies(search, pair, travel, *at) : raiseToBodies(search, pair, *at);
-      return true;
+/// The sample to raise next, and whether that measures elements.
+struct NextRaise {
+  Instant* at{nullptr};
+  Instant* other{nullptr};
+  bool is_last{false};
+};
+
+/// Chooses the sample whose raising may help to settle the part, cheaper levels first.
+NextRaise nextRaise(const TrajectorySearch& search, LinkPairIndex pair, Instant& begin,
+                    Instant& end) noexcept {
+  const NextRaise ends[] = {{&begin, &end}, {&end, &begin}};
+  for (const NextRaise& next : ends) {
+    if (next.at->samples[pair].level == Level::balls) {
+      return next;
     }
   }
   for (const Level level : {Level::bodies, Level::hulls}) {
-    for (Instant* at : {&begin, &end}) {
+    for (const NextRaise& next : ends) {
       // A sample whose bound suffices alone is not at fault: the travel is too long.
-      const Sample& sample = at->samples[pair];
+      const Sample& sample = next.at->samples[pair];
       if (sample.level == level && !reachesCutoff(search, pair, sample.bound, sample.leeway)) {
-        raiseFromBodies(search, pair, travel, *at);
-        return true;
+        return {next.at, next.other, level == Level::hulls};
       }
     }
   }
-  return false;
+  return {};
+}
+
+void raise(TrajectorySearch& search, LinkPairIndex pair, double travel,
+           const NextRaise& next) noexcept {
+  // If bodies did not settle the other end, they mostly do not settle this one.
+  const bool skips_bodies =
+      next.other->samples[pair].level > Level::bodies ||
+      (search.measures.has_meshes[pair] != 0 && asksElementsFirst(search.measures, pair));
+  if (next.at->samples[pair].level == Level::balls && !skips_bodies) {
+    raiseToBodies(search, pair, *next.at);
+  } else {
+    raiseFromBodies(search, pair, travel, *next.at);
+  }
+}
+
+/// Whether meshes may stay apart although both ends do not prove it: no end is known to be near.
+bool mayStayApart(const TrajectorySearch& search, LinkPairIndex pair,
+                  const NextRaise& next) noexcept {
+  const Sample& other = next.other->samples[pair];
+  return haveMeshes(search, pair) &&
+         (other.level != Level::elements || reachesCutoff(search, pair, other.bound, other.leeway));
 }
 
 /// Raises a sample by the bound of another sample minus the travel between these.
@@ -134,7 +154,46 @@ double between(double begin, double end, double travel) noexcept {
   return 0.5 * (std::max(begin, end - travel) + std::max(end, begin - travel) - travel);
 }
 
+/// Settles a pair whose samples show a contact at the beginning, or whose bounds suffice.
+bool settleBySamples(TrajectorySearch& search, LinkPairIndex pair, double travel, Instant& begin,
+                     Instant& end) {
+  if (isContact(search, pair, begin)) {
+    keepContact(search, pair, begin);
+    return true;
+  }
+  Sample& at_begin = begin.samples[pair];
+  Sample& at_end = end.samples[pair];
+  carryOver(at_begin, travel, at_end);
+  carryOver(at_end, travel, at_begin);
+  const double bound = 0.5 * (at_begin.bound + at_end.bound - travel);
+  if (!reachesCutoff(search, pair, bound, 0.5 * (travelOf(at_begin) + travelOf(at_end) - travel))) {
+    return false;
+  }
+  PairApproach& approach = search.report.pairs[pair];
+  approach.at_least = std::min(approach.at_least, bound);
+  return true;
+}
+
+/// Settles a pair that hardly moves and is measured.
+/// @param travel [m] at most the tolerance
+bool settleStanding(TrajectorySearch& search, LinkPairIndex pair, double travel,
+                    const Instant& at) {
+  if (isContact(search, pair, at)) {
+    keepContact(search, pair, at);
+  } else {
+    PairApproach& approach = search.report.pairs[pair];
+    approach.at_least = std::min(approach.at_least, at.samples[pair].bound - travel);
+  }
+  return true;
+}
+
 }  // namespace
+
+double cutoffOf(const TrajectorySearch& search, LinkPairIndex pair) noexcept {
+  const double contact = std::max(0.0, limitsOf(search.setup, pair).contact_distance);
+  return std::max(wantedOf(search, pair), contact + search.options.tolerance) +
+         search.options.tolerance;
+}
 
 bool settleFar(TrajectorySearch& search, LinkPairIndex pair, const Instant& begin,
                const Instant& end, const std::vector<double>& travels) noexcept {
@@ -160,37 +219,28 @@ bool settleFar(TrajectorySearch& search, LinkPairIndex pair, const Instant& begi
 }
 
 bool settle(TrajectorySearch& search, LinkPairIndex pair, Instant& begin, Instant& end,
-            const std::vector<double>& travels) {
-  PairApproach& approach = search.report.pairs[pair];
-  if (approach.state != ApproachState::clear) {
+            Halving& halving) {
+  if (search.report.pairs[pair].state != ApproachState::clear) {
     return true;
   }
-  const double travel =
-      boundMotion(search.chains[pair], search.measures.balls, begin.world_from_link, travels);
-  Sample& at_begin = begin.samples[pair];
-  Sample& at_end = end.samples[pair];
-  double bound = 0.0;
-  do {
-    if (isContact(search, pair, begin)) {
-      keepContact(search, pair, begin);
-      return true;
+  const double travel = boundMotion(search.chains[pair], search.measures.balls,
+                                    begin.world_from_link, halving.travels);
+  const bool is_moving = travel > search.options.tolerance;
+  bool asks_meshes = is_moving;
+  while (!settleBySamples(search, pair, travel, begin, end)) {
+    const NextRaise next = nextRaise(search, pair, begin, end);
+    if (next.at == nullptr) {
+      return !is_moving && settleStanding(search, pair, travel, end);
     }
-    carryOver(at_begin, travel, at_end);
-    carryOver(at_end, travel, at_begin);
-    bound = 0.5 * (at_begin.bound + at_end.bound - travel);
-    if (reachesCutoff(search, pair, bound,
-                      0.5 * (travelOf(at_begin) + travelOf(at_end) - travel))) {
-      approach.at_least = std::min(approach.at_least, bound);
-      return true;
+    if (next.is_last && asks_meshes && mayStayApart(search, pair, next)) {
+      asks_meshes = false;
+      search.is_close[pair] = 1;
+      placeMiddle(search, begin, end, halving);
+      if (settleMoving(search, pair, halving.middle, halving.steps)) {
+        return true;
+      }
     }
-  } while (raiseOne(search, pair, travel, begin, end));
-  if (travel > search.options.tolerance) {
-    return false;
-  }
-  if (isContact(search, pair, end)) {
-    keepContact(search, pair, end);
-  } else {
-    approach.at_least = std::min(approach.at_least, bound);
+    raise(search, pair, travel, next);
   }
   return true;
 }

@@ -38,11 +38,13 @@ struct Instant {
   std::vector<Sample> samples;           ///< by LinkPairIndex, for pairs in the search
 };
 
-/// Scratch of one halving.
+/// Scratch of one part that may be halved.
 struct Halving {
   Instant middle;
+  bool is_placed{false};  ///< links are placed in the middle
   std::vector<LinkPairIndex> open;
-  std::vector<double> travels;  ///< by path joint
+  std::vector<double> travels;   ///< by path joint
+  std::vector<JointStep> steps;  ///< by path joint; known if links are placed
 };
 
 /// What `nearest` of a pair was measured between.
@@ -65,8 +67,10 @@ struct TrajectorySearch {
   std::vector<Found> found;             ///< by LinkPairIndex: level of `nearest`
   std::vector<NearPlace> by_balls;      ///< by LinkPairIndex
   std::vector<NearPlace> by_waypoints;  ///< by LinkPairIndex
-  std::vector<LinkPairIndex> moving;    ///< pairs that the path moves and that are not in contact
-  std::deque<Halving> halvings;         ///< by depth; a deque keeps references valid
+  /// By LinkPairIndex: elements were so close that settleMoving was asked.
+  std::vector<unsigned char> is_close;
+  std::vector<LinkPairIndex> moving;  ///< pairs that the path moves and that are not in contact
+  std::deque<Halving> halvings;       ///< by depth; a deque keeps references valid
   std::deque<Halving> ranges;  ///< by depth, for parts of several segments; `middle` is unused
   std::vector<Instant> stops;  ///< the current way-points, from `first_stop` on
   std::size_t first_stop{0};
@@ -114,10 +118,30 @@ void sampleWaypoint(TrajectorySearch& search, const std::vector<LinkPairIndex>& 
 bool settleFar(TrajectorySearch& search, LinkPairIndex pair, const Instant& begin,
                const Instant& end, const std::vector<double>& travels) noexcept;
 
+/// [m] A pair whose elements stay farther apart than this in a part is settled.
+double cutoffOf(const TrajectorySearch& search, LinkPairIndex pair) noexcept;
+
+/// Whether settleMoving can be asked: each element of the pair has a mesh.
+bool haveMeshes(const TrajectorySearch& search, LinkPairIndex pair) noexcept;
+
+/// Settles a pair in a part, before which it was apart, if its meshes provably stay apart.
+/// @param steps of the part, by path joint, about its middle
+bool settleMoving(TrajectorySearch& search, LinkPairIndex pair, const Instant& middle,
+                  const std::vector<JointStep>& steps);
+
+/// Settles those of `range.open` that were close and provably stay apart between two stops, of
+/// which a third is in the middle. Takes them out.
+void settleClose(TrajectorySearch& search, std::size_t first, std::size_t middle, std::size_t last,
+                 Halving& range);
+
+/// Places links in the middle of a part of one segment, unless they are.
+void placeMiddle(TrajectorySearch& search, const Instant& begin, const Instant& end,
+                 Halving& halving);
+
 /// Settles a pair in a part, before which it was apart, if possible. Raises the levels of the
 /// samples at both ends as far as that helps. @return whether the pair is settled.
 bool settle(TrajectorySearch& search, LinkPairIndex pair, Instant& begin, Instant& end,
-            const std::vector<double>& travels);
+            Halving& halving);
 
 /// Reports progress; false if the search must end.
 bool goesOn(TrajectorySearch& search, std::size_t segment, double share);

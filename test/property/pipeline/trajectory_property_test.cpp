@@ -99,6 +99,54 @@ RC_GTEST_PROP(TrajectoryLaws, distancesChangeByNoMoreThanTheBound, ()) {
   }
 }
 
+/// Points on the sphere about a link, in the frame of another.
+std::vector<Eigen::Vector3d> seenFrom(LinkId from, LinkId link, const Ball& ball,
+                                      const std::vector<Pose>& world_from_link) {
+  std::vector<Eigen::Vector3d> points;
+  const Pose seen = inverse(world_from_link[index(from)]) * world_from_link[index(link)];
+  for (int axis = 0; axis < 3; ++axis) {
+    points.push_back(seen * (ball.center + ball.radius * Eigen::Vector3d::Unit(axis)));
+    points.push_back(seen * (ball.center - ball.radius * Eigen::Vector3d::Unit(axis)));
+  }
+  return points;
+}
+
+/// Seen from one link, points of another move in a line, up to the deviation.
+RC_GTEST_PROP(TrajectoryLaws, pointsDeviateByNoMoreThanTheBound, ()) {
+  const CycleSetup& setup = setupOf(
+      *rc::gen::elementOf(std::vector<std::string>(std::begin(kRobots), std::end(kRobots))));
+  const JointPath path = anyPath(setup.model);
+  const LinkPoses start = poseAtZero(setup.model);
+  PathPoses poses(setup.model, path, start);
+  const std::vector<Ball> balls = linkBalls(setup);
+  const double from = within(0.0, 1.0);
+  const double to = from + (1.0 - from) * within(0.0, 1.0);
+  std::vector<JointStep> steps;
+  for (std::size_t i = 0; i < path.joints.size(); ++i) {
+    steps.push_back(stepOf(path, {0, from, to}, i));
+  }
+  const double time = within(-1.0, 1.0);
+  std::vector<Pose> middle;
+  std::vector<Pose> then;
+  poses.place(0, 0.5 * (from + to), middle);
+  poses.place(0, 0.5 * (from + to) + 0.5 * time * (to - from), then);
+  for (const CheckedLinkPair& links : setup.checked) {
+    const LinkChain chain = chainBetween(setup.model, path, links.a, links.b);
+    for (const LinkChain& seen : {chain, reversed(chain)}) {
+      const RelativeMotion motion = relativeMotion(seen, balls, middle, steps);
+      const Ball& ball = balls[index(seen.b)];
+      const auto before = seenFrom(seen.a, seen.b, ball, middle);
+      const auto after = seenFrom(seen.a, seen.b, ball, then);
+      const Pose& world_from_a = middle[index(seen.a)];
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        const Eigen::Vector3d moved = world_from_a.rotation * (after[i] - before[i]);
+        const Eigen::Vector3d line = time * motion.velocityAt(world_from_a * before[i]);
+        RC_ASSERT((moved - line).norm() <= motion.deviation + 1e-9);
+      }
+    }
+  }
+}
+
 RC_GTEST_PROP(TrajectoryLaws, samplesShowNothingThatWasNotTold, ()) {
   const CycleSetup& setup = setupOf(
       *rc::gen::elementOf(std::vector<std::string>(std::begin(kRobots), std::end(kRobots))));

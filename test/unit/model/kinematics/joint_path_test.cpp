@@ -70,6 +70,42 @@ TEST_F(JointPathTest, cubicWithTwoTurns_allThreeWays) {
   EXPECT_NEAR(travelOf(path_, {0, 0.0, 1.0}, 0), 4.0 / std::sqrt(12.0), 1e-12);
 }
 
+TEST_F(JointPathTest, aLinearPart_isItsStep) {
+  const JointStep step = stepOf(path_, {1, 0.25, 0.75}, 0);
+  EXPECT_NEAR(step.half, -1.0, 1e-15);
+  EXPECT_NEAR(step.bend, 0.0, 1e-15);
+}
+
+TEST_F(JointPathTest, severalSegments_bendByTheirCorners) {
+  // From 1 by 3 to -1, about 3: a line through 3 that falls by 1 each passes 4 and 2.
+  const JointStep step = stepOf(path_, 0, 1, 2, 0);
+  EXPECT_NEAR(step.half, -1.0, 1e-15);
+  EXPECT_NEAR(step.bend, 3.0, 1e-15);
+}
+
+/// The true path is sampled: it leaves its step by the bend at most, and by not much less.
+TEST_F(JointPathTest, cubics_leaveTheirStepByTheBend) {
+  path_.velocities = {2.0, -1.0, 3.0};
+  const auto most_off = [&](double from, double to) {
+    const JointStep step = stepOf(path_, {0, from, to}, 0);
+    double most = 0.0;
+    for (double s = -1.0; s <= 1.0; s += 0.125) {
+      const double share = 0.5 * (from + to) + 0.5 * s * (to - from);
+      const double middle = positionAt(0, 0.5 * (from + to));
+      most = std::max(most, std::abs(positionAt(0, share) - middle - s * step.half));
+    }
+    EXPECT_LE(most, step.bend + 1e-12);
+    return most / step.bend;
+  };
+  EXPECT_GT(most_off(0.0, 1.0), 0.5);
+  EXPECT_GT(most_off(0.25, 0.5), 0.5);
+  const JointStep both = stepOf(path_, 0, 1, 2, 0);
+  for (double share = 0.0; share <= 1.0; share += 0.125) {
+    EXPECT_LE(std::abs(positionAt(0, share) - 3.0 - (share - 1.0) * both.half), both.bend);
+    EXPECT_LE(std::abs(positionAt(1, share) - 3.0 - share * both.half), both.bend);
+  }
+}
+
 TEST_F(JointPathTest, whatIsNotSound) {
   EXPECT_TRUE(isSound(path_));
   JointPath path = path_;
