@@ -30,6 +30,18 @@ struct Direction {
     return std::abs(rate + gradient.dot(of_b.center)) + gradient.cwiseAbs().dot(of_b.half) +
            rounding;
   }
+
+  /// The same for all children of a node of B.
+  Eigen::Array<float, MeshTreeNode::kWidth, 1> travelsOf(const MeshTreeNode& of_b) const noexcept {
+    using Children = Eigen::Array<float, MeshTreeNode::kWidth, 1>;
+    Children along = Children::Constant(rate);
+    Children reach = Children::Constant(rounding);
+    for (int axis = 0; axis < 3; ++axis) {
+      along += gradient[axis] * Eigen::Map<const Children>(of_b.center[axis]);
+      reach += std::abs(gradient[axis]) * Eigen::Map<const Children>(of_b.half[axis]);
+    }
+    return along.abs() + reach;
+  }
 };
 
 /// Frame of A.
@@ -144,20 +156,20 @@ std::uint32_t notParted(const Direction& direction, const OpenedPair& opened,
       opened.is_of_a ? direction.in_a : Eigen::Vector3f(-direction.in_b);
   const auto gaps = opened.triangle ? gapsAlong(*opened.node, *opened.triangle, outwards)
                                     : gapsAlong(*opened.node, opened.placed, outwards);
+  using Children = Eigen::Array<float, MeshTreeNode::kWidth, 1>;
+  const Children rest =
+      Eigen::Map<const Children>(gaps.data()) -
+      (opened.is_of_a ? Children::Constant(direction.travelOf(boundAt(search.pair.b, opened.other)))
+                      : direction.travelsOf(*opened.node));
   const auto beyond = static_cast<float>(search.distance * (1.0 + 1e-6));
   std::uint32_t near = 0;
+  auto least = static_cast<float>(search.least);
   for (std::uint32_t slot = 0; slot < MeshTreeNode::kWidth; ++slot) {
-    float rest = gaps[slot];
-    if (rest > beyond) {
-      rest -= direction.travelOf(opened.is_of_a ? boundAt(search.pair.b, opened.other)
-                                                : boundOf(*opened.node, slot));
-    }
-    if (rest > beyond) {
-      search.least = std::min(search.least, static_cast<double>(rest));
-    } else {
-      near |= 1U << slot;
-    }
+    const bool is_near = !(rest[slot] > beyond);
+    near |= is_near ? 1U << slot : 0U;
+    least = is_near ? least : std::min(least, rest[slot]);
   }
+  search.least = std::min(search.least, static_cast<double>(least));
   return near;
 }
 

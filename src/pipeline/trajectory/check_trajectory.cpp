@@ -50,7 +50,9 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
   }
   search.measures.work += pairs.size();
   halving.open.clear();
+  halving.pairs = &pairs;
   halving.is_placed = false;
+  halving.depth = depth;
   for (const LinkPairIndex pair : pairs) {
     if (!goesOnWorking(search, begin) || !settle(search, pair, begin, end, halving)) {
       halving.open.push_back(pair);
@@ -237,7 +239,7 @@ TrajectorySearch searchAlong(const CycleSetup& setup, const JointPath& path, con
                           std::vector<Found>(count, Found::bodies),
                           std::vector<NearPlace>(count),
                           std::vector<NearPlace>(count),
-                          std::vector<unsigned char>(count, 0),
+                          std::vector<Level>(count, Level::balls),
                           {},
                           {},
                           {},
@@ -245,6 +247,7 @@ TrajectorySearch searchAlong(const CycleSetup& setup, const JointPath& path, con
                           0,
                           {},
                           false,
+                          {},
                           {},
                           0};
   search.report.pairs.resize(count);

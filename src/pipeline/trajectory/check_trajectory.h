@@ -37,11 +37,12 @@ struct TrajectoryReport {
 /// The distances of two links at both ends of a part of the path, and how much nearer they can come
 /// between these (boundMotion), bound their distance in the whole part. A part that this does not
 /// settle is halved. Measures balls, enclosing shapes, hulls and geometries, in this order, and
-/// stops when the part is settled. Before geometries are measured, meshes are asked whether they
-/// stay apart in the whole part (stayApart). Between way-points, links with one mesh each skip
-/// enclosing shapes. These are measured at several way-points at once if there are many. Geometries
-/// of possible near misses are first measured where the shapes are nearest, so that fewer are
-/// measured later. Far pairs, and meshes that were close before, are settled over several segments.
+/// stops when the part is settled. Before meshes are measured, and before the part is halved, it is
+/// tried to prove that the geometries stay apart in all of it (settleMoving). Between way-points,
+/// links with one mesh each skip enclosing shapes. These are measured at several way-points at once
+/// if there are many. Geometries of possible near misses are first measured where the shapes are
+/// nearest, so that fewer are measured later. Far pairs, and pairs that were close before, are
+/// settled over several segments.
 ///
 /// Error: at the `time` of a contact the distance is within `tolerance` of contact_distance, and it
 /// was not nearer before. `at_least` is a lower bound up to rounding.

@@ -28,19 +28,46 @@ PathPoses::PathPoses(const RobotModel& model, const JointPath& path, const LinkP
   }
 }
 
+void PathPoses::placeLink(std::size_t link, std::vector<Pose>& world_from_link) const noexcept {
+  const LinkPlace& place = places_[link];
+  if (place.parent == link) {
+    world_from_link[link] = start_.world_from_link[link];
+  } else {
+    world_from_link[link] = world_from_link[place.parent] *
+                            (place.joint != nullptr ? parentFromChild(*place.joint, positions_)
+                                                    : place.parent_from_child);
+  }
+}
+
 void PathPoses::place(std::size_t segment, double share, std::vector<Pose>& world_from_link) {
   setPositions(model_, path_, segment, share, positions_);
   world_from_link.resize(places_.size());
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    const LinkPlace& place = places_[i];
-    if (place.parent == i) {
-      world_from_link[i] = start_.world_from_link[i];
-    } else {
-      world_from_link[i] = world_from_link[place.parent] *
-                           (place.joint != nullptr ? parentFromChild(*place.joint, positions_)
-                                                   : place.parent_from_child);
+    placeLink(i, world_from_link);
+  }
+}
+
+void PathPoses::mark(LinkId a, LinkId b, std::vector<unsigned char>& is_wanted) const noexcept {
+  for (const LinkId end : {a, b}) {
+    for (std::size_t i = index(end); is_wanted[i] == 0; i = places_[i].parent) {
+      is_wanted[i] = 1;
     }
   }
+}
+
+std::size_t PathPoses::place(std::size_t segment, double share,
+                             const std::vector<unsigned char>& is_wanted,
+                             std::vector<Pose>& world_from_link) {
+  setPositions(model_, path_, segment, share, positions_);
+  world_from_link.resize(places_.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (is_wanted[i] != 0) {
+      placeLink(i, world_from_link);
+      ++count;
+    }
+  }
+  return count;
 }
 
 }  // namespace collision_monitor

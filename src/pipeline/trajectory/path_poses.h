@@ -19,7 +19,15 @@ class PathPoses {
   /// Places the links. Links that are unknown at the start get meaningless poses.
   void place(std::size_t segment, double share, std::vector<Pose>& world_from_link);
 
+  /// Marks two links and those that carry them.
+  void mark(LinkId a, LinkId b, std::vector<unsigned char>& is_wanted) const noexcept;
+  /// Places marked links; leaves others alone. @return how many.
+  std::size_t place(std::size_t segment, double share, const std::vector<unsigned char>& is_wanted,
+                    std::vector<Pose>& world_from_link);
+
  private:
+  void placeLink(std::size_t link, std::vector<Pose>& world_from_link) const noexcept;
+
   struct LinkPlace {
     std::size_t parent;
     const Joint* joint;  ///< the joint, if the path moves it; else nullptr

@@ -1,43 +1,95 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <utility>
+#include <variant>
 
 #include "geometry/constants.h"
+#include "motion/convex_clearance.h"
 #include "motion/mesh_clearance.h"
 #include "pipeline/trajectory/trajectory_search.h"
 
 namespace collision_monitor {
 namespace {
 
-/// How two links move, seen from the one from which the motion is straighter.
+/// How two links move, each seen from the other.
 struct LinkMotion {
-  bool is_swapped;  ///< seen from the second
-  RelativeMotion motion;
+  RelativeMotion of_b;
+  RelativeMotion of_a;
 };
 
 LinkMotion motionOf(const TrajectorySearch& search, LinkPairIndex pair, const Instant& middle,
                     const std::vector<JointStep>& steps) {
   const LinkChain& chain = search.chains[pair];
   const std::vector<Ball>& balls = search.measures.balls;
-  RelativeMotion of_b = relativeMotion(chain, balls, middle.world_from_link, steps);
-  RelativeMotion of_a = relativeMotion(reversed(chain), balls, middle.world_from_link, steps);
-  of_b.deviation_of_a = of_a.deviation;
-  of_a.deviation_of_a = of_b.deviation;
-  return of_a.deviation < of_b.deviation ? LinkMotion{true, of_a} : LinkMotion{false, of_b};
+  LinkMotion links{relativeMotion(chain, balls, middle.world_from_link, steps),
+                   relativeMotion(reversed(chain), balls, middle.world_from_link, steps)};
+  links.of_b.deviation_of_a = links.of_a.deviation;
+  links.of_a.deviation_of_a = links.of_b.deviation;
+  return links;
+}
+
+/// Two elements in the middle of a part.
+struct PlacedPair {
+  const Element& a;
+  const Element& b;
+  Pose world_from_a;
+  Pose world_from_b;
+};
+
+PlacedPair placedAt(const CycleSetup& setup, ElementPairIndex pair, const Instant& at) noexcept {
+  const Element& a = setup.elements[index(setup.element_pairs[pair].a)];
+  const Element& b = setup.elements[index(setup.element_pairs[pair].b)];
+  return {a, b, at.world_from_link[index(a.link)] * a.link_from_element,
+          at.world_from_link[index(b.link)] * b.link_from_element};
+}
+
+PlacedConvex hullOf(const Element& element, const Pose& world_from_element) noexcept {
+  return {element.convex ? *element.convex : *element.hull, world_from_element};
+}
+
+/// [m] How far the hulls stay apart, as clearanceOf. A half space is what motions are seen from.
+double clearanceOfHulls(const PlacedPair& pair, const LinkMotion& links,
+                        ConvexSearch& search) noexcept {
+  const PlacedConvex a = hullOf(pair.a, pair.world_from_a);
+  const PlacedConvex b = hullOf(pair.b, pair.world_from_b);
+  if (std::holds_alternative<HalfSpace>(b.geometry)) {
+    ConvexWarmStart swapped;
+    ConvexSearch anew{search.workspace, swapped};
+    return clearanceOf(b, a, links.of_a, anew);
+  }
+  return clearanceOf(a, b, links.of_b, search);
+}
+
+/// Asks meshes, seen from the one from which the motion is straighter.
+MeshClearance askMeshes(const PlacedPair& pair, const LinkMotion& links, double distance,
+                        MeshQueryMemory& memory) noexcept {
+  const PlacedMesh a{*pair.a.mesh, pair.world_from_a};
+  const PlacedMesh b{*pair.b.mesh, pair.world_from_b};
+  return links.of_a.deviation < links.of_b.deviation
+             ? stayApart(b, a, links.of_a, distance, memory)
+             : stayApart(a, b, links.of_b, distance, memory);
+}
+
+/// [m] How far two elements stay apart, if more than `distance`.
+double clearanceBeyond(double distance, const PlacedPair& pair, const LinkMotion& links,
+                       Level level, RefineMemory& kept, LinkPairMeasures& measures) noexcept {
+  const double paddings = pair.a.padding + pair.b.padding;
+  const bool have_meshes = !(pair.a.convex && pair.b.convex) && pair.a.mesh && pair.b.mesh;
+  double clearance = -kInfinity;
+  if (!have_meshes || level < Level::elements) {
+    ConvexSearch convex{measures.scratch->convex, kept.warm};
+    ++measures.work;
+    clearance = clearanceOfHulls(pair, links, convex) - paddings;
+  }
+  if (have_meshes && !(clearance > distance)) {
+    const MeshClearance found = askMeshes(pair, links, distance + paddings, measures.scratch->mesh);
+    measures.work += found.visits;
+    clearance = found.is_proven ? found.at_least - paddings : -kInfinity;
+  }
+  return clearance;
 }
 
 }  // namespace
-
-bool haveMeshes(const TrajectorySearch& search, LinkPairIndex pair) noexcept {
-  const std::vector<Element>& elements = search.setup.elements;
-  const ElementPair* pairs = search.setup.element_pairs.data();
-  return std::all_of(pairs + search.measures.first_element_pair[pair],
-                     pairs + search.measures.first_element_pair[pair + 1],
-                     [&](const ElementPair& both) {
-                       return elements[index(both.a)].mesh && elements[index(both.b)].mesh;
-                     });
-}
 
 void placeMiddle(TrajectorySearch& search, const Instant& begin, const Instant& end,
                  Halving& halving) {
@@ -47,39 +99,25 @@ void placeMiddle(TrajectorySearch& search, const Instant& begin, const Instant& 
   halving.is_placed = true;
   halving.middle.segment = begin.segment;
   halving.middle.share = 0.5 * (begin.share + end.share);
-  place(search, halving.middle);
-  search.measures.work += halving.middle.world_from_link.size();
+  place(search, *halving.pairs, halving.middle);
   for (std::size_t i = 0; i < halving.steps.size(); ++i) {
     halving.steps[i] = stepOf(search.path, {begin.segment, begin.share, end.share}, i);
   }
 }
 
-bool settleMoving(TrajectorySearch& search, LinkPairIndex pair, const Instant& middle,
+bool settleMoving(TrajectorySearch& search, LinkPairIndex pair, Level level, const Instant& middle,
                   const std::vector<JointStep>& steps) {
   LinkPairMeasures& measures = search.measures;
   const LinkMotion links = motionOf(search, pair, middle, steps);
   const double distance = cutoffOf(search, pair);
   double at_least = kInfinity;
-  const auto stay_apart = [&](const ElementPair& elements) {
-    const Element* a = &search.setup.elements[index(elements.a)];
-    const Element* b = &search.setup.elements[index(elements.b)];
-    if (links.is_swapped) {
-      std::swap(a, b);
+  for (ElementPairIndex i = measures.first_element_pair[pair];
+       i < measures.first_element_pair[pair + 1]; ++i) {
+    at_least = std::min(at_least, clearanceBeyond(distance, placedAt(search.setup, i, middle),
+                                                  links, level, measures.memory.of(i), measures));
+    if (!(at_least > distance)) {
+      return false;
     }
-    const Pose world_from_a = middle.world_from_link[index(a->link)] * a->link_from_element;
-    const Pose world_from_b = middle.world_from_link[index(b->link)] * b->link_from_element;
-    const double paddings = a->padding + b->padding;
-    const MeshClearance found =
-        stayApart({*a->mesh, world_from_a}, {*b->mesh, world_from_b}, links.motion,
-                  distance + paddings, measures.scratch->mesh);
-    measures.work += found.visits;
-    at_least = std::min(at_least, found.at_least - paddings);
-    return found.is_proven;
-  };
-  const ElementPair* elements = search.setup.element_pairs.data();
-  if (!std::all_of(elements + measures.first_element_pair[pair],
-                   elements + measures.first_element_pair[pair + 1], stay_apart)) {
-    return false;
   }
   PairApproach& approach = search.report.pairs[pair];
   approach.at_least = std::min(approach.at_least, at_least);
@@ -95,7 +133,8 @@ bool settleMoving(TrajectorySearch& search, LinkPairIndex pair, const Instant& m
 void settleClose(TrajectorySearch& search, std::size_t first, std::size_t middle, std::size_t last,
                  Halving& range) {
   const auto may_be_settled = [&](LinkPairIndex pair) {
-    return search.is_close[pair] != 0 && search.report.pairs[pair].state == ApproachState::clear;
+    return search.proven_by[pair] != Level::balls &&
+           search.report.pairs[pair].state == ApproachState::clear;
   };
   if (std::none_of(range.open.begin(), range.open.end(), may_be_settled)) {
     return;
@@ -107,7 +146,7 @@ void settleClose(TrajectorySearch& search, std::size_t first, std::size_t middle
   const Instant& at = search.stops[middle];
   const auto is_settled = [&](LinkPairIndex pair) {
     return may_be_settled(pair) && goesOnWorking(search, at) &&
-           settleMoving(search, pair, at, range.steps);
+           settleMoving(search, pair, search.proven_by[pair], at, range.steps);
   };
   range.open.erase(std::remove_if(range.open.begin(), range.open.end(), is_settled),
                    range.open.end());

@@ -17,7 +17,7 @@ bool reachesCutoff(const TrajectorySearch& search, LinkPairIndex pair, double bo
 
 /// [m] If elements are farther apart than this at one end, their part is settled.
 double cutoffFor(const TrajectorySearch& search, LinkPairIndex pair, double travel) noexcept {
-  return cutoffOf(search, pair) + travel;
+  return cutoffOf(search, pair) + search.options.tolerance + travel;
 }
 
 /// [m] How far the links may travel before they can be in contact.
@@ -80,7 +80,7 @@ void keepContact(TrajectorySearch& search, LinkPairIndex pair, const Instant& at
   const LinkPairIndex first = search.report.first_contact;
   if (first == kNone || approach.time < search.report.pairs[first].time) {
     search.report.first_contact = pair;
-    search.report.world_from_link = at.world_from_link;
+    search.poses.place(at.segment, at.share, search.report.world_from_link);
   }
 }
 
@@ -92,7 +92,7 @@ void raiseFromBodies(TrajectorySearch& search, LinkPairIndex pair, double travel
   (has_hulls ? raiseToHulls : raiseToElements)(search, pair, cutoffFor(search, pair, travel), at);
 }
 
-/// The sample to raise next, and whether that measures elements.
+/// The sample to raise next, and whether that measures meshes.
 struct NextRaise {
   Instant* at{nullptr};
   Instant* other{nullptr};
@@ -133,12 +133,17 @@ void raise(TrajectorySearch& search, LinkPairIndex pair, double travel,
   }
 }
 
-/// Whether meshes may stay apart although both ends do not prove it: no end is known to be near.
-bool mayStayApart(const TrajectorySearch& search, LinkPairIndex pair,
-                  const NextRaise& next) noexcept {
-  const Sample& other = next.other->samples[pair];
-  return haveMeshes(search, pair) &&
-         (other.level != Level::elements || reachesCutoff(search, pair, other.bound, other.leeway));
+/// Whether to try to prove that elements stay apart: before meshes are measured, and before a part
+/// is halved again, if no end is known to be near.
+bool asksElements(const TrajectorySearch& search, LinkPairIndex pair, const NextRaise& next,
+                  const Instant& begin, const Instant& end, std::size_t depth) noexcept {
+  const auto may_be_far = [&](const Instant& at) {
+    const Sample& sample = at.samples[pair];
+    return sample.level != Level::elements ||
+           reachesCutoff(search, pair, sample.bound, sample.leeway);
+  };
+  return ((next.at == nullptr && depth > 0) || next.is_last) && may_be_far(begin) &&
+         may_be_far(end);
 }
 
 /// Raises a sample by the bound of another sample minus the travel between these.
@@ -191,8 +196,7 @@ bool settleStanding(TrajectorySearch& search, LinkPairIndex pair, double travel,
 
 double cutoffOf(const TrajectorySearch& search, LinkPairIndex pair) noexcept {
   const double contact = std::max(0.0, limitsOf(search.setup, pair).contact_distance);
-  return std::max(wantedOf(search, pair), contact + search.options.tolerance) +
-         search.options.tolerance;
+  return std::max(wantedOf(search, pair), contact + search.options.tolerance);
 }
 
 bool settleFar(TrajectorySearch& search, LinkPairIndex pair, const Instant& begin,
@@ -226,19 +230,21 @@ bool settle(TrajectorySearch& search, LinkPairIndex pair, Instant& begin, Instan
   const double travel = boundMotion(search.chains[pair], search.measures.balls,
                                     begin.world_from_link, halving.travels);
   const bool is_moving = travel > search.options.tolerance;
-  bool asks_meshes = is_moving;
+  bool asks = is_moving;
   while (!settleBySamples(search, pair, travel, begin, end)) {
     const NextRaise next = nextRaise(search, pair, begin, end);
-    if (next.at == nullptr) {
-      return !is_moving && settleStanding(search, pair, travel, end);
-    }
-    if (next.is_last && asks_meshes && mayStayApart(search, pair, next)) {
-      asks_meshes = false;
-      search.is_close[pair] = 1;
+    if (asks && asksElements(search, pair, next, begin, end, halving.depth)) {
+      asks = false;
+      const Level level = next.is_last ? Level::elements : Level::hulls;
       placeMiddle(search, begin, end, halving);
-      if (settleMoving(search, pair, halving.middle, halving.steps)) {
+      if (settleMoving(search, pair, level, halving.middle, halving.steps)) {
+        search.proven_by[pair] = level;
         return true;
       }
+      search.proven_by[pair] = Level::balls;
+    }
+    if (next.at == nullptr) {
+      return !is_moving && settleStanding(search, pair, travel, end);
     }
     raise(search, pair, travel, next);
   }

@@ -46,7 +46,7 @@ void lookForNearer(TrajectorySearch& search, LinkPairIndex pair, double bound, I
   if (!(wanted > 0.0) || bound > wanted) {
     return;
   }
-  place(search, at);
+  place(search, {pair}, at);
   const PairDistance found = elementDistance(search.measures, pair, at.world_from_link, wanted);
   if (found.measured.distance < wanted) {
     keepNearest(search, pair, found, at, Found::elements);
@@ -91,6 +91,21 @@ void place(TrajectorySearch& search, Instant& at) {
   at.centers.resize(at.world_from_link.size());
   for (std::size_t i = 0; i < at.centers.size(); ++i) {
     at.centers[i] = at.world_from_link[i] * search.measures.balls[i].center;
+  }
+}
+
+void place(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs, Instant& at) {
+  search.is_wanted.assign(search.setup.model.links.size(), 0);
+  for (const LinkPairIndex pair : pairs) {
+    search.poses.mark(search.setup.checked[pair].a, search.setup.checked[pair].b, search.is_wanted);
+  }
+  search.measures.work +=
+      search.poses.place(at.segment, at.share, search.is_wanted, at.world_from_link);
+  at.centers.resize(at.world_from_link.size());
+  for (std::size_t i = 0; i < at.centers.size(); ++i) {
+    if (search.is_wanted[i] != 0) {
+      at.centers[i] = at.world_from_link[i] * search.measures.balls[i].center;
+    }
   }
 }
 

@@ -33,7 +33,7 @@ struct Sample {
 struct Instant {
   std::size_t segment{0};
   double share{0.0};
-  std::vector<Pose> world_from_link;
+  std::vector<Pose> world_from_link;     ///< by LinkId, of the links that are placed
   std::vector<Eigen::Vector3d> centers;  ///< by LinkId: centers of balls, world frame
   std::vector<Sample> samples;           ///< by LinkPairIndex, for pairs in the search
 };
@@ -41,10 +41,12 @@ struct Instant {
 /// Scratch of one part that may be halved.
 struct Halving {
   Instant middle;
-  bool is_placed{false};  ///< links are placed in the middle
-  std::vector<LinkPairIndex> open;
-  std::vector<double> travels;   ///< by path joint
-  std::vector<JointStep> steps;  ///< by path joint; known if links are placed
+  std::size_t depth{0};                              ///< how often a segment was halved
+  bool is_placed{false};                             ///< links are placed in the middle
+  const std::vector<LinkPairIndex>* pairs{nullptr};  ///< those that the part is searched for
+  std::vector<LinkPairIndex> open;                   ///< those of them that are not settled
+  std::vector<double> travels;                       ///< by path joint
+  std::vector<JointStep> steps;                      ///< by path joint; known if links are placed
 };
 
 /// What `nearest` of a pair was measured between.
@@ -67,8 +69,8 @@ struct TrajectorySearch {
   std::vector<Found> found;             ///< by LinkPairIndex: level of `nearest`
   std::vector<NearPlace> by_balls;      ///< by LinkPairIndex
   std::vector<NearPlace> by_waypoints;  ///< by LinkPairIndex
-  /// By LinkPairIndex: elements were so close that settleMoving was asked.
-  std::vector<unsigned char> is_close;
+  /// By LinkPairIndex: the level of the last settleMoving in a segment; balls if it failed.
+  std::vector<Level> proven_by;
   std::vector<LinkPairIndex> moving;  ///< pairs that the path moves and that are not in contact
   std::deque<Halving> halvings;       ///< by depth; a deque keeps references valid
   std::deque<Halving> ranges;  ///< by depth, for parts of several segments; `middle` is unused
@@ -77,6 +79,7 @@ struct TrajectorySearch {
   TrajectoryReport report;
   bool is_ended{false};                        ///< options.progress ended the search
   std::optional<WaypointDistances> waypoints;  ///< if there are enough way-points
+  std::vector<unsigned char> is_wanted{};      ///< scratch of place()
   std::uint64_t told_work{0};                  ///< work when progress was last reported
 };
 
@@ -90,9 +93,12 @@ Sample sampleBy(const TrajectorySearch& search, LinkPairIndex pair, double dista
 
 double timeOf(const TrajectorySearch& search, const Instant& at) noexcept;
 
-/// Places the links at an instant.
+/// Places all links at an instant.
 /// @pre segment and share are set.
 void place(TrajectorySearch& search, Instant& at);
+
+/// Places only the links of some pairs, and those that carry them.
+void place(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs, Instant& at);
 
 /// Remembers where the balls of pairs are nearest.
 void noteBalls(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs,
@@ -121,12 +127,10 @@ bool settleFar(TrajectorySearch& search, LinkPairIndex pair, const Instant& begi
 /// [m] A pair whose elements stay farther apart than this in a part is settled.
 double cutoffOf(const TrajectorySearch& search, LinkPairIndex pair) noexcept;
 
-/// Whether settleMoving can be asked: each element of the pair has a mesh.
-bool haveMeshes(const TrajectorySearch& search, LinkPairIndex pair) noexcept;
-
-/// Settles a pair in a part, before which it was apart, if its meshes provably stay apart.
+/// Settles a pair in a part, before which it was apart, if its elements provably stay apart.
+/// @param level hulls: by hulls, then by meshes; elements: hulls would not do
 /// @param steps of the part, by path joint, about its middle
-bool settleMoving(TrajectorySearch& search, LinkPairIndex pair, const Instant& middle,
+bool settleMoving(TrajectorySearch& search, LinkPairIndex pair, Level level, const Instant& middle,
                   const std::vector<JointStep>& steps);
 
 /// Settles those of `range.open` that were close and provably stay apart between two stops, of
@@ -134,7 +138,7 @@ bool settleMoving(TrajectorySearch& search, LinkPairIndex pair, const Instant& m
 void settleClose(TrajectorySearch& search, std::size_t first, std::size_t middle, std::size_t last,
                  Halving& range);
 
-/// Places links in the middle of a part of one segment, unless they are.
+/// Places the links of pairs in the middle of a part of one segment, unless they are.
 void placeMiddle(TrajectorySearch& search, const Instant& begin, const Instant& end,
                  Halving& halving);
 

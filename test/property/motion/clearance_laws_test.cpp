@@ -4,10 +4,12 @@
 
 #include <memory>
 
+#include "motion/convex_clearance.h"
 #include "motion/mesh_clearance.h"
 #include "support/case_count.h"
 #include "support/fixed_seed.h"
 #include "support/query_meshes.h"
+#include "support/robots/random_motions.h"
 #include "support/sample_meshes.h"
 
 namespace collision_monitor::test {
@@ -55,7 +57,7 @@ bool isProvenAndTrue(const MeshTree& a, const MeshTree& b, const Pose& world_fro
   return found.is_proven;
 }
 
-TEST(MeshClearanceLaws, whatIsProven_everyTimeShows) {
+TEST(ClearanceLaws, whatIsProven_everyTimeShows) {
   Random random(kSeed);
   int proven = 0;
   const int count = caseCount(400);
@@ -96,7 +98,7 @@ TriangleMesh hillyField(double height, Random& random) {
 }
 
 /// One direction parts nearly all triangles of fields that slide over each other, except hills.
-TEST(MeshClearanceLaws, fieldsThatSlide_passOnlyWhereHillsDo) {
+TEST(ClearanceLaws, fieldsThatSlide_passOnlyWhereHillsDo) {
   Random random(kSeed + 1);
   int proven = 0;
   const int count = caseCount(400);
@@ -122,7 +124,7 @@ TEST(MeshClearanceLaws, fieldsThatSlide_passOnlyWhereHillsDo) {
 
 /// A field of 0.4 m slides 1 cm over another and turns about one of its edges. Nodes near the edge
 /// keep their height, those at the other end do not.
-TEST(MeshClearanceLaws, aFieldThatTilts_isAsNearAsItsFarEnd) {
+TEST(ClearanceLaws, aFieldThatTilts_isAsNearAsItsFarEnd) {
   Random random(kSeed);
   const MeshTree flat(hillyField(0.0, random));
   for (const double side : {-1.0, 1.0}) {
@@ -136,6 +138,77 @@ TEST(MeshClearanceLaws, aFieldThatTilts_isAsNearAsItsFarEnd) {
     EXPECT_TRUE(is_proven(0.023)) << "0.4 m * 0.023, and it deviates by up to 0.3 mm";
     EXPECT_FALSE(is_proven(0.026));
   }
+}
+
+/// Convex geometries are as far apart as told at all times, and it tells no much smaller distance.
+TEST(ClearanceLaws, convexGeometries_stayAsFarApartAsTold) {
+  Random random(kSeed + 2);
+  const auto workspace = std::make_unique<ConvexWorkspace>();
+  int told = 0;
+  double share = 0.0;
+  const int count = caseCount(2000);
+  for (int i = 0; i < count; ++i) {
+    SCOPED_TRACE(testing::Message() << "seed " << kSeed + 2 << ", case " << i);
+    const ConvexGeometry a = randomGeometry(random);
+    const ConvexGeometry b = randomGeometry(random);
+    const Pose world_from_a;
+    const Pose world_from_b = randomPose(random, 0.6);
+    const double size = uniform(random, 0.0, 0.3);
+    const Motion motion{world_from_b.translation, size * randomPoint(random, 1.0),
+                        size * randomPoint(random, 1.0)};
+    const auto distance_at = [&](double time) {
+      ConvexWarmStart warm;
+      ConvexSearch search{*workspace, warm};
+      return signedDistanceBetween(a, world_from_a, b, motion.at(time, world_from_b), search)
+          .measured.distance;
+    };
+    ConvexWarmStart warm;
+    ConvexSearch search{*workspace, warm};
+    const double clearance =
+        clearanceOf({a, world_from_a}, {b, world_from_b}, motion.linear(0.6), search);
+    double least = distance_at(-1.0);
+    for (int k = -9; k <= 10; ++k) {
+      least = std::min(least, distance_at(0.1 * k));
+    }
+    if (clearance > 0.0) {
+      ASSERT_GE(least, clearance - 1e-9);
+      ++told;
+      share += clearance / least;
+    }
+  }
+  EXPECT_GT(told, count / 4);
+  EXPECT_GT(share / told, 0.7) << "of the least distance, in the mean";
+}
+
+/// A door beside its post: the gap at the hinge stays, though the far end of the door moves.
+TEST(ClearanceLaws, aHingedBox_staysApartAtItsHinge) {
+  const auto workspace = std::make_unique<ConvexWorkspace>();
+  ConvexWarmStart warm;
+  ConvexSearch search{*workspace, warm};
+  const Pose post;
+  const Pose door{Eigen::Matrix3d::Identity(), Eigen::Vector3d(0.511, 0.0, 0.0)};
+  const Motion motion{Eigen::Vector3d(0.011, 0.0, 0.0), Eigen::Vector3d::Zero(),
+                      Eigen::Vector3d(0.0, 0.0, 0.02)};
+  const double clearance = clearanceOf({Box{{0.01, 0.01, 1.0}}, post},
+                                       {Box{{0.5, 0.01, 1.0}}, door}, motion.linear(0.0), search);
+  EXPECT_NEAR(clearance, 0.001 - 0.02 * 0.01, 1e-12) << "the far end moves by 2 cm";
+}
+
+TEST(ClearanceLaws, aBoxOverAFloor_isSeenFromTheFloor) {
+  const auto workspace = std::make_unique<ConvexWorkspace>();
+  ConvexWarmStart warm;
+  ConvexSearch search{*workspace, warm};
+  const Pose floor{Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()).toRotationMatrix(),
+                   Eigen::Vector3d(0.4, -2.0, 7.0)};
+  const Pose box = floor * Pose{Eigen::Matrix3d::Identity(), Eigen::Vector3d(3.0, 4.0, 0.3)};
+  const Motion motion{box.translation, floor.rotation * Eigen::Vector3d(9.0, 9.0, 0.04),
+                      floor.rotation * Eigen::Vector3d(0.0, 0.02, 0.0)};
+  const ConvexGeometry geometry = Box{{0.5, 0.1, 0.2}};
+  const PlacedConvex over{geometry, box};
+  EXPECT_NEAR(clearanceOf({HalfSpace(), floor}, over, motion.linear(0.0), search),
+              0.1 - 0.04 - 0.02 * 0.5, 1e-12);
+  EXPECT_EQ(clearanceOf(over, {HalfSpace(), floor}, motion.linear(0.0), search),
+            -std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
