@@ -7,6 +7,7 @@
 
 #include "collision_monitor/fitting/overshoot.h"
 #include "fitting/proofs/distance_grid.h"
+#include "fitting/proofs/near_cores.h"
 #include "fitting/search/core_descent.h"
 #include "fitting/search/pattern_lanes.h"
 
@@ -32,17 +33,19 @@ PatternFrame patternInGrid(const TurnedCore& core, const DistanceGrid& grid) noe
 /// takes microseconds where measureOvershoot takes milliseconds.
 /// Frames: core and grid in the geometry's frame. Error: that of the grid. Spikes narrower than a
 /// sixth of the core may be missed.
-/// @param counts whether a point of the surface counts.
+/// @param skip marks points of the surface that do not count: skip(points, is_skipped).
 /// @param reaches_cutoff called after each patch with a lower bound of the final sum. If it returns
 /// true, that bound is the result.
-template <class Counts, class ReachesCutoff>
-OvershootSum roughOvershoot(const TurnedCore& core, const DistanceGrid& grid, const Counts& counts,
-                            const ReachesCutoff& reaches_cutoff) noexcept {
+template <class Skip, class ReachesCutoff>
+OvershootSum roughOvershoot(const TurnedCore& core, const DistanceGrid& grid, const Skip& skip,
+                            const ReachesCutoff& reaches_cutoff) {
   const SurfacePattern& pattern = surfacePattern();
   const auto areas = patchAreas(core);
   const PatternFrame frame = patternInGrid(core, grid);
   const GridRows rows = grid.rows();
   PatternPlaces places;
+  PointRows points;
+  std::array<unsigned char, PointRows::kMost> is_skipped;
   constexpr double kCopies[] = {2.0, 2.0, 2.0, 4.0, 4.0, 4.0, 8.0};
   double rest = 0.0;
   for (std::size_t patch = 0; patch < pattern.size(); ++patch) {
@@ -56,12 +59,20 @@ OvershootSum roughOvershoot(const TurnedCore& core, const DistanceGrid& grid, co
     }
     rest -= kCopies[patch] * areas[patch];
     placePattern(pattern[patch].rows, frame, rows, places);
-    for (std::size_t i = 0; i < pattern[patch].rows.count; ++i) {
-      // Most points are inside or near, where it matters little whether they count.
+    const std::size_t count = pattern[patch].rows.count;
+    // Most points are inside or near, where it matters little whether they count.
+    points.count = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (places.distance[i] > 0.0F) {
+        points.add(
+            grid.outOfGrid({places.place[0][i], places.place[1][i], places.place[2][i], 0.0F}));
+      }
+    }
+    skip(points, is_skipped);
+    std::size_t outside = 0;
+    for (std::size_t i = 0; i < count; ++i) {
       const float distance = places.distance[i];
-      const DistanceGrid::Place place(places.place[0][i], places.place[1][i], places.place[2][i],
-                                      0.0f);
-      if (!(distance > 0.0f) || counts(grid.outOfGrid(place))) {
+      if (!(distance > 0.0F) || is_skipped[outside++] == 0) {
         sum.add(grid.spacing() * static_cast<double>(distance),
                 areas[patch] * pattern[patch].share[i]);
       }

@@ -110,18 +110,23 @@ TurnedCore boxAround(const Matrix3d& frame, const Points& points) {
   return core;
 }
 
-OvershootSum RoughGoal::overshootOf(const TurnedCore& core, double bound) const noexcept {
+OvershootSum RoughGoal::overshootOf(const TurnedCore& core, double bound) const {
   constexpr double kNear = 0.05;  // of the size: a shape's own face at the plane
   const double near = plane ? kNear * (core.half_extents.norm() + core.radius) : 0.0;
   const NearCores near_others(others, core, grid.spacing());
-  const auto counts = [&](const Vector3d& point) {
-    return !(plane && std::abs(plane->heightOf(point)) < near) && !near_others.hold(point);
+  const auto skip = [&](const PointRows& points,
+                        std::array<unsigned char, PointRows::kMost>& is_skipped) {
+    near_others.mark(points, is_skipped);
+    for (std::size_t i = 0; plane && i < points.count; ++i) {
+      const Vector3d point(points.at[0][i], points.at[1][i], points.at[2][i]);
+      is_skipped[i] = is_skipped[i] != 0 || std::abs(plane->heightOf(point)) < near;
+    }
   };
-  return roughOvershoot(core, grid, counts,
+  return roughOvershoot(core, grid, skip,
                         [&](const OvershootSum& least) { return roughCost(least) >= bound; });
 }
 
-double RoughGoal::costOf(const TurnedCore& core, double bound) const noexcept {
+double RoughGoal::costOf(const TurnedCore& core, double bound) const {
   return roughCost(overshootOf(core, bound));
 }
 

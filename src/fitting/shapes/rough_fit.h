@@ -24,11 +24,11 @@ struct RoughGoal {
   std::optional<CutPlane> plane;   ///< points near it do not count
 
   /// @param bound see costOf.
-  OvershootSum overshootOf(const TurnedCore& core, double bound = kNoBound) const noexcept;
+  OvershootSum overshootOf(const TurnedCore& core, double bound = kNoBound) const;
   /// Between the mean and the maximum. Units: metres.
   /// @param bound if the cost is not below it, the result may be any value not below it. A part of
   /// the work often shows that.
-  double costOf(const TurnedCore& core, double bound = kNoBound) const noexcept;
+  double costOf(const TurnedCore& core, double bound = kNoBound) const;
 };
 
 /// A shape found by search on a grid.
