@@ -237,7 +237,7 @@ bool staysOutside(const Vector3d& in_a, Holder& holder, MeshQueryMemory& memory,
                   std::uint32_t& visits) noexcept {
   const Vector3d point = holder.solid_from_a * in_a;
   if (holder.solid.isClosed()) {
-    return !lookInside(holder.solid, point, memory).is_inside;
+    return staysOutside(holder.solid, point, 0.0, memory, visits);
   }
   const Vector3d velocity = holder.solid_from_a.rotation * holder.motion.velocityAt(in_a);
   const auto stays_beyond = [&](const ConvexHull::Face& face) {
@@ -253,10 +253,7 @@ bool staysOutside(const Vector3d& in_a, Holder& holder, MeshQueryMemory& memory,
     holder.last = &*face;
     return true;
   }
-  const PointInMesh lies = lookInside(holder.solid, point, memory);
-  visits += lies.visits;
-  return !lies.is_inside &&
-         std::max(lies.hold, leastHold(holder.solid)) > velocity.norm() + holder.deviation;
+  return staysOutside(holder.solid, point, velocity.norm() + holder.deviation, memory, visits);
 }
 
 /// Whether all of a mesh stays outside, if it does not cross the surface.

@@ -17,6 +17,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Winding numbers are not asked for more closely.
+constexpr double kLeastError = 0.01;
+
 // Parts of an open surface that take the time of one node.
 constexpr std::uint32_t kPartsPerVisit = 8;
 
@@ -84,27 +87,44 @@ double beyondHull(const MeshTree& tree, const Vector3d& point) noexcept {
   return beyond;
 }
 
+// [m] From the rim of an open surface. The rim is part of the surface.
+double distanceToRim(const MeshTree& tree, const Vector3d& point,
+                     MeshQueryMemory& memory) noexcept {
+  const std::optional<TriangleBvh>& rim = tree.openSurface()->rim;
+  return rim ? rim->nearestTo(point).distance
+             : nearestOnMesh(tree, point, kNone, {}, memory).distance;
+}
+
 // [m] How far the point may travel before its winding number can change by `change`.
 double holdFor(double change, const MeshTree& tree, const Vector3d& point,
                MeshQueryMemory& memory) noexcept {
-  const OpenSurface& open = *tree.openSurface();
-  if (!(open.rim_length > 0.0)) {
+  const double rim_length = tree.openSurface()->rim_length;
+  if (!(rim_length > 0.0)) {
     return kInfinity;
   }
-  // The rim is part of the surface.
-  const double distance = open.rim ? open.rim->nearestTo(point).distance
-                                   : nearestOnMesh(tree, point, kNone, {}, memory).distance;
+  const double distance = distanceToRim(tree, point, memory);
   if (!(change > 0.0) || !(distance > 0.0)) {
     return 0.0;
   }
-  return distance - 1.0 / (1.0 / distance + 4.0 * kPi * change / open.rim_length);
+  return distance - 1.0 / (1.0 / distance + 4.0 * kPi * change / rim_length);
+}
+
+// By how much the winding number may change while the point travels: holdFor, solved for `change`.
+double changeWithin(double travel, const MeshTree& tree, const Vector3d& point,
+                    MeshQueryMemory& memory) noexcept {
+  const double rim_length = tree.openSurface()->rim_length;
+  if (!(rim_length > 0.0) || travel < leastHold(tree)) {
+    return 0.0;
+  }
+  const double distance = distanceToRim(tree, point, memory);
+  return travel < distance ? rim_length / (4.0 * kPi) * (1.0 / (distance - travel) - 1.0 / distance)
+                           : kInfinity;
 }
 
 }  // namespace
 
 PointInMesh lookInside(const MeshTree& tree, const Vector3d& point, MeshQueryMemory& memory,
                        bool asks_hold) noexcept {
-  constexpr double kLeastError = 0.01;
   PointInMesh answer;
   if (tree.isClosed()) {
     answer.is_inside = isInside(tree, point, memory);
@@ -115,7 +135,7 @@ PointInMesh lookInside(const MeshTree& tree, const Vector3d& point, MeshQueryMem
     answer.hold = outside;
     return answer;
   }
-  const WindingNumber number = windingByHalf(tree, point, kLeastError, memory);
+  const WindingNumber number = windingByLimit(tree, point, 0.5, kLeastError, memory);
   const double beyond = std::abs(number.value) - 0.5;
   answer.is_inside = beyond > number.error;
   answer.visits = 1 + number.visits / kPartsPerVisit;
@@ -128,6 +148,23 @@ PointInMesh lookInside(const MeshTree& tree, const Vector3d& point, MeshQueryMem
     answer.hold = answer.is_inside ? std::min({answer.hold, -outside, -from_hull}) : answer.hold;
   }
   return answer;
+}
+
+bool staysOutside(const MeshTree& tree, const Vector3d& point, double travel,
+                  MeshQueryMemory& memory, std::uint32_t& visits) noexcept {
+  if (tree.isClosed()) {
+    return !isInside(tree, point, memory);
+  }
+  if (outsideBounds(tree, point) > travel) {
+    return true;
+  }
+  const double limit = 0.5 - changeWithin(travel, tree, point, memory);
+  if (!(limit > 0.0)) {
+    return false;
+  }
+  const WindingNumber number = windingByLimit(tree, point, limit, kLeastError, memory);
+  visits += 1 + number.visits / kPartsPerVisit;
+  return std::abs(number.value) + number.error < limit;
 }
 
 bool isInside(const MeshTree& tree, const Vector3d& point, MeshQueryMemory& memory) noexcept {

@@ -43,4 +43,11 @@ struct PointInMesh {
 PointInMesh lookInside(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory,
                        bool asks_hold = true) noexcept;
 
+/// Whether a point is outside and stays so while it travels by at most `travel` [m] without
+/// crossing the surface: a proof, as by PointInMesh::hold, which looks no closer than it must.
+/// @param visits receives the work
+/// @pre the mesh has an inside.
+bool staysOutside(const MeshTree& tree, const Eigen::Vector3d& point, double travel,
+                  MeshQueryMemory& memory, std::uint32_t& visits) noexcept;
+
 }  // namespace collision_monitor

@@ -116,10 +116,10 @@ WindingNumber windingNumber(const MeshTree& tree, const Eigen::Vector3d& point, 
                 [&](const WindingNumber& number) { return number.error <= error; });
 }
 
-WindingNumber windingByHalf(const MeshTree& tree, const Eigen::Vector3d& point, double error,
-                            MeshQueryMemory& memory) noexcept {
+WindingNumber windingByLimit(const MeshTree& tree, const Eigen::Vector3d& point, double limit,
+                             double error, MeshQueryMemory& memory) noexcept {
   return search(tree, point, memory, [&](const WindingNumber& number) {
-    return number.error <= error || std::abs(std::abs(number.value) - 0.5) > number.error;
+    return number.error <= error || std::abs(std::abs(number.value) - limit) > number.error;
   });
 }
 

@@ -23,9 +23,9 @@ struct WindingNumber {
 WindingNumber windingNumber(const MeshTree& tree, const Eigen::Vector3d& point, double error,
                             MeshQueryMemory& memory) noexcept;
 
-/// The same, but stops once it is certain whether the number exceeds 1/2 in size: a tenth of the
-/// time for most points.
-WindingNumber windingByHalf(const MeshTree& tree, const Eigen::Vector3d& point, double error,
-                            MeshQueryMemory& memory) noexcept;
+/// The same, but stops once it is certain whether the number exceeds `limit` in size: a tenth of
+/// the time for most points.
+WindingNumber windingByLimit(const MeshTree& tree, const Eigen::Vector3d& point, double limit,
+                             double error, MeshQueryMemory& memory) noexcept;
 
 }  // namespace collision_monitor

@@ -96,8 +96,11 @@ RC_GTEST_PROP(MeshWindingLaws, hierarchy_isOffTheSumOfAllTrianglesByNoMoreThanIs
     const WindingNumber number = windingNumber(tree, point, error, memory());
     RC_ASSERT(number.error <= error);
     RC_ASSERT(std::abs(number.value - exact) <= number.error);
-    const WindingNumber by_half = windingByHalf(tree, point, error, memory());
-    RC_ASSERT(std::abs(by_half.value - exact) <= by_half.error);
+    const double limit = *rc::gen::inRange(1, 100) / 100.0;
+    const WindingNumber by_limit = windingByLimit(tree, point, limit, error, memory());
+    RC_ASSERT(std::abs(by_limit.value - exact) <= by_limit.error);
+    RC_ASSERT(by_limit.error <= error ||
+              std::abs(std::abs(by_limit.value) - limit) > by_limit.error);
   }
 }
 
@@ -158,6 +161,21 @@ RC_GTEST_PROP(MeshWindingLaws, waysShorterThanTheHold_changeNothing, ()) {
   const double beyond = std::abs(sumOfAll(tree, there)) - 0.5;
   const bool stays = lies.is_inside ? beyond > -1e-9 : !then.is_inside;
   RC_ASSERT(stays);
+}
+
+RC_GTEST_PROP(MeshWindingLaws, whatStaysOutside_isOutsideAfterShorterWays, ()) {
+  const MeshTree tree = test::openTree(anyOpen());
+  const Vector3d point = pointOff(tree);
+  const PointInMesh lies = lookInside(tree, point, memory());
+  const double travel = *rc::gen::inRange(1, 300) / 1000.0 * distanceTo(tree, point);
+  std::uint32_t visits = 0;
+  const bool stays = staysOutside(tree, point, travel, memory(), visits);
+  RC_ASSERT(!(stays && lies.is_inside));
+  RC_ASSERT(stays || lies.is_inside || !(std::max(lies.hold, leastHold(tree)) > travel));
+  RC_PRE(stays && travel > leastHold(tree));
+  const Vector3d side = anyPoint(1000) + Vector3d(1e-4, 0, 0);
+  const Vector3d there = point + 0.999 * travel * side.normalized();
+  RC_ASSERT(!lookInside(tree, there, memory()).is_inside);
 }
 
 RC_GTEST_PROP(MeshWindingLaws, queries_doNotAllocate, ()) {

@@ -80,6 +80,27 @@ TEST_F(MeshWinding, openBox_endsAtItsHole) {
   EXPECT_FALSE(holds(tree, {1.001, 0, 0}));
 }
 
+/// The box is tilted, so its hole is inside its bounds. A point above the hole stays outside for a
+/// part of the way there, and no longer.
+TEST_F(MeshWinding, aPointBeforeAHole_staysOutsideUntilItEnters) {
+  const Vector3d tilt(0.6, 0.3, 0.0);
+  const MeshTree tree = test::openTree(moved(openBox(), tilt, Vector3d::Zero()));
+  const Vector3d up = Eigen::AngleAxisd(tilt.norm(), tilt.normalized()) * Vector3d::UnitZ();
+  std::uint32_t visits = 0;
+  for (const double away : {0.02, 0.1, 0.3}) {
+    const auto stays = [&](double travel) {
+      return staysOutside(tree, (1.0 + away) * up, travel, *memory_, visits);
+    };
+    EXPECT_TRUE(stays(0.3 * away)) << away;
+    EXPECT_FALSE(stays(1.01 * away)) << away;
+    EXPECT_FALSE(staysOutside(tree, (1.0 - away) * up, 0.0, *memory_, visits)) << away;
+  }
+  EXPECT_GT(visits, 0U);
+  const MeshTree closed(boxMesh({1, 1, 1}), true);
+  EXPECT_TRUE(staysOutside(closed, {0, 0, 1.1}, 9.0, *memory_, visits)) << "none but by crossing";
+  EXPECT_FALSE(staysOutside(closed, {0, 0, 0.9}, 0.0, *memory_, visits));
+}
+
 TEST_F(MeshWinding, bowlAndSheet_holdNothingOutside) {
   const TriangleMesh round = bowl();
   const TriangleMesh flat = sheet();
