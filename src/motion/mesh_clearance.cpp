@@ -244,13 +244,7 @@ bool staysOutside(const Vector3d& in_a, Holder& holder, MeshQueryMemory& memory,
     return face.normal.dot(point) - face.offset >
            std::abs(face.normal.dot(velocity)) + holder.deviation;
   };
-  if (holder.last != nullptr && stays_beyond(*holder.last)) {
-    return true;
-  }
-  const std::vector<ConvexHull::Face>& hull = holder.solid.openSurface()->hull;
-  const auto face = std::find_if(hull.begin(), hull.end(), stays_beyond);
-  if (face != hull.end()) {
-    holder.last = &*face;
+  if (isAnyFace(*holder.solid.openSurface(), holder.last, stays_beyond)) {
     return true;
   }
   return staysOutside(holder.solid, point, velocity.norm() + holder.deviation, memory, visits);

@@ -67,8 +67,16 @@ const Eigen::Vector3d* findHeld(const MeshTree& solid, const MeshTree& other,
   if (!solid.hasInside()) {
     return nullptr;
   }
+  const ConvexHull::Face* last = nullptr;  // a probe was beyond it
   for (const Eigen::Vector3d& probe : solid.isClosed() ? other.pieces() : other.probes()) {
-    const PointInMesh lies = lookInside(solid, solid_from_other * probe, memory, asks_outside);
+    const Eigen::Vector3d point = solid_from_other * probe;
+    const auto is_beyond = [&](const ConvexHull::Face& face) {
+      return face.normal.dot(point) > face.offset;
+    };
+    if (!asks_outside && !solid.isClosed() && isAnyFace(*solid.openSurface(), last, is_beyond)) {
+      continue;
+    }
+    const PointInMesh lies = lookInside(solid, point, memory, asks_outside);
     holding.visits += lies.visits;
     if (lies.is_inside) {
       return &probe;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -42,6 +43,19 @@ struct PointInMesh {
 /// @pre the mesh has an inside.
 PointInMesh lookInside(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory,
                        bool asks_hold = true) noexcept;
+
+/// Whether `is_beyond` holds for a face of an open surface's hull: nothing beyond one is inside.
+/// @param last the face that was found for another point, or nullptr; is tried first and replaced
+template <class IsBeyond>
+bool isAnyFace(const OpenSurface& open, const ConvexHull::Face*& last,
+               const IsBeyond& is_beyond) noexcept {
+  if (last != nullptr && is_beyond(*last)) {
+    return true;
+  }
+  const auto found = std::find_if(open.hull.begin(), open.hull.end(), is_beyond);
+  last = found == open.hull.end() ? last : &*found;
+  return found != open.hull.end();
+}
 
 /// Whether a point is outside and stays so while it travels by at most `travel` [m] without
 /// crossing the surface: a proof, as by PointInMesh::hold, which looks no closer than it must.
