@@ -127,11 +127,12 @@ bool settleMoving(TrajectorySearch& search, LinkPairIndex pair, Level level, con
   double at_least = kInfinity;
   for (ElementPairIndex i = measures.first_element_pair[pair];
        i < measures.first_element_pair[pair + 1]; ++i) {
-    at_least = std::min(at_least, clearanceBeyond(distance, placedAt(search.setup, i, middle),
-                                                  links, level, measures.memory.of(i), measures));
-    if (!(at_least > distance)) {
+    const double clearance = clearanceBeyond(distance, placedAt(search.setup, i, middle), links,
+                                             level, measures.memory.of(i), measures);
+    if (!(clearance > distance)) {  // also if it is no number
       return false;
     }
+    at_least = std::min(at_least, clearance);
   }
   PairApproach& approach = search.report.pairs[pair];
   approach.at_least = std::min(approach.at_least, at_least);
