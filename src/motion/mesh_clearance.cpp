@@ -55,6 +55,12 @@ struct Search {
   std::size_t count{0};                   ///< of directions
 };
 
+/// Far turns of many joints in a row overflow: no comparison with such a number proves anything.
+bool isFinite(const RelativeMotion& motion) noexcept {
+  return std::isfinite(motion.deviation + motion.deviation_of_a + motion.velocity.norm() +
+                       motion.turn.norm() + motion.center.norm());
+}
+
 RelativeMotion placedIn(const RelativeMotion& in_world, const Pose& world_from_a) noexcept {
   const Eigen::Matrix3d a_from_world = world_from_a.rotation.transpose();
   RelativeMotion motion = in_world;
@@ -266,10 +272,13 @@ bool stayOutside(const MeshTree& other, const Pose& a_from_other, Holder holder,
 
 MeshClearance stayApart(const PlacedMesh& a, const PlacedMesh& b, const RelativeMotion& motion,
                         double distance, MeshQueryMemory& memory) noexcept {
+  MeshClearance found;
+  if (!isFinite(motion)) {
+    return found;
+  }
   const MeshPair pair = makeMeshPair(a, b);
   Search search{pair, placedIn(motion, a.world_from_mesh), motion.turn.norm(),
                 distance + motion.deviation};
-  MeshClearance found;
   found.is_proven =
       doSurfacesStayApart(search, memory, found.visits) &&
       stayOutside(b.tree, pair.a_from_b, {a.tree, Pose(), search.motion, motion.deviation}, memory,

@@ -70,11 +70,25 @@ MeshClearance askMeshes(const PlacedPair& pair, const LinkMotion& links, double 
              : stayApart(a, b, links.of_b, distance, memory);
 }
 
+/// Whether a mesh tells where an element is inside an open mesh, as measureElements finds it. Of a
+/// simple solid any point may be inside, such as the middle of a bar that sticks out at both ends
+/// of a channel. A mesh around it has only its corners to tell.
+bool tellsWhatIsInside(const Element& element, const Element& other) noexcept {
+  const bool is_simple = element.convex && !std::holds_alternative<ConvexHull>(*element.convex);
+  return !is_simple || !other.mesh->openSurface();
+}
+
+/// Whether the meshes of two elements prove that they stay apart.
+bool haveMeshes(const Element& a, const Element& b) noexcept {
+  return !(a.convex && b.convex) && a.mesh && b.mesh && tellsWhatIsInside(a, b) &&
+         tellsWhatIsInside(b, a);
+}
+
 /// [m] How far two elements stay apart, if more than `distance`.
 double clearanceBeyond(double distance, const PlacedPair& pair, const LinkMotion& links,
                        Level level, RefineMemory& kept, LinkPairMeasures& measures) noexcept {
   const double paddings = pair.a.padding + pair.b.padding;
-  const bool have_meshes = !(pair.a.convex && pair.b.convex) && pair.a.mesh && pair.b.mesh;
+  const bool have_meshes = haveMeshes(pair.a, pair.b);
   double clearance = -kInfinity;
   if (!have_meshes || level < Level::elements) {
     ConvexSearch convex{measures.scratch->convex, kept.warm};
@@ -113,11 +127,12 @@ bool settleMoving(TrajectorySearch& search, LinkPairIndex pair, Level level, con
   double at_least = kInfinity;
   for (ElementPairIndex i = measures.first_element_pair[pair];
        i < measures.first_element_pair[pair + 1]; ++i) {
-    at_least = std::min(at_least, clearanceBeyond(distance, placedAt(search.setup, i, middle),
-                                                  links, level, measures.memory.of(i), measures));
-    if (!(at_least > distance)) {
+    const double clearance = clearanceBeyond(distance, placedAt(search.setup, i, middle), links,
+                                             level, measures.memory.of(i), measures);
+    if (!(clearance > distance)) {  // also if it is no number
       return false;
     }
+    at_least = std::min(at_least, clearance);
   }
   PairApproach& approach = search.report.pairs[pair];
   approach.at_least = std::min(approach.at_least, at_least);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include "support/query_meshes.h"
@@ -61,6 +63,15 @@ TEST_F(MeshClearanceTest, whatPathsDeviate_isTakenFromTheGap) {
   EXPECT_TRUE(check(plate_, plate_, above_, motion, 0.005).is_proven);
   motion.deviation = 0.006;
   EXPECT_FALSE(check(plate_, plate_, above_, motion, 0.005).is_proven);
+}
+
+TEST_F(MeshClearanceTest, motionThatIsNotFinite_provesNothing) {
+  for (const double number : {std::numeric_limits<double>::infinity(), std::nan("")}) {
+    RelativeMotion motion;
+    motion.deviation = number;
+    EXPECT_FALSE(check(plate_, plate_, above_, motion, 0.0).is_proven) << "deviation " << number;
+    EXPECT_FALSE(check(plate_, plate_, above_, sliding({0.0, 0.0, number}), 0.0).is_proven);
+  }
 }
 
 TEST_F(MeshClearanceTest, aTiltLowersTheFarEnd) {

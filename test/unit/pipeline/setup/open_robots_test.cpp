@@ -125,6 +125,36 @@ TEST_P(OpenMeshesOfRobots, trajectoryThatDipsIntoAHole_isInContact) {
   EXPECT_EQ(along(robot(wide, swing("5.1")), {-0.31, 0.29}).state, ApproachState::clear);
 }
 
+/// A channel along x, 2 m long and 0.2 m wide, open above and at both ends.
+TriangleMesh channel() {
+  TriangleMesh mesh;
+  for (const double x : {-1.0, 1.0}) {
+    for (const auto& [y, z] : {std::pair(-0.1, 0.1), {-0.1, -0.1}, {0.1, -0.1}, {0.1, 0.1}}) {
+      mesh.vertices.emplace_back(x, y, z);
+    }
+  }
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    mesh.triangles.push_back({i, i + 1, i + 5});
+    mesh.triangles.push_back({i, i + 5, i + 4});
+  }
+  return mesh;
+}
+
+/// Its corners are outside all the way, and it stays 0.08 m from the sides.
+TEST(OpenMeshes, barLongerThanAChannel_isInContactInside) {
+  for (const char* bar : {"<box size='3 0.04 0.04'/>", "<capsule radius='0.02' length='3'/>",
+                          "<cylinder radius='0.02' length='3'/>"}) {
+    const bool is_along_x = bar[1] == 'b';
+    const std::string arm =
+        linkXml("arm", bar,
+                is_along_x ? "<origin xyz='0 0 0'/>" : "<origin rpy='0 1.5707963267948966 0'/>") +
+        slider("arm", "0 0 1", "-2", "2");
+    const CycleSetup setup = robot(channel(), arm);
+    EXPECT_EQ(along(setup, {0.4, 0.0}).state, ApproachState::contact) << bar;
+    EXPECT_EQ(along(setup, {0.4, 0.2}).state, ApproachState::clear) << bar;
+  }
+}
+
 TEST_P(OpenMeshesOfRobots, pairs_touchAlwaysSometimesAndNever) {
   PairSearchOptions options;
   options.states = 100;

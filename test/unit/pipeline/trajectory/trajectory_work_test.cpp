@@ -10,6 +10,7 @@
 
 #include "pipeline/trajectory/check_trajectory.h"
 #include "pipeline/trajectory/link_pair_distance.h"
+#include "support/robots/geometry_setup.h"
 #include "support/robots/urdf_text.h"
 #include "support/sample_meshes.h"
 #include "unit/pipeline/refine/refine_scene.h"
@@ -133,6 +134,46 @@ TEST(TrajectoryWork, contact_isFoundThoughNothingIsMeasuredBefore) {
   const TrajectoryReport report = OverEachOther(kDumbBell, -0.05).check(0.0);
   EXPECT_EQ(nearestOf(report).state, ApproachState::contact);
   EXPECT_EQ(nearestOf(report).time, 0.0);
+}
+
+/// Links of 1 cm in a row, with an angle at both ends.
+CycleSetup chainOf(int count) {
+  const char* const angle = "<mesh filename='package://p/angle.obj'/>";
+  std::string xml = linkXml("l0", angle);
+  for (int i = 1; i <= count; ++i) {
+    const std::string link = "l" + std::to_string(i);
+    xml += i == count       ? linkXml(link, angle)
+           : i == count / 2 ? linkXml(link, "<sphere radius='0.01'/>", "<origin xyz='0 0 9'/>")
+                            : "<link name='" + link + "'/>";
+    xml += jointXml("j" + std::to_string(i), "continuous", "l" + std::to_string(i - 1), link,
+                    "<origin xyz='0 0 0.01'/><axis xyz='" +
+                        std::string(i % 2 == 0 ? "1 0 0" : "0 1 0") + "'/>");
+  }
+  SetupOptions options = optionsFor(RefineGeometry::mesh);
+  options.ignore_default_overlap = false;
+  return buildSetup({describeText(robotXml(xml))},
+                    textLoader({{"package://p/angle.obj", objOf(angleMesh())}}), options);
+}
+
+/// The joint at the root stands still, and the others make more way than a number holds.
+TEST(TrajectoryWork, turnsThatOverflow_proveNothing) {
+  constexpr std::size_t kLinks = 40;
+  const CycleSetup setup = chainOf(kLinks);
+  ASSERT_EQ(setup.checked.size(), 1U);
+  JointPath path;
+  path.times = {0.0, 1.0};
+  for (std::size_t i = 1; i <= kLinks; ++i) {
+    path.joints.push_back(*setup.model.findJoint("j" + std::to_string(i)));
+  }
+  path.positions.assign(kLinks + 1, 0.0);
+  path.positions.resize(2 * kLinks, 1e9);
+  LinkPoses start = makeLinkPoses(setup.model);
+  placeLinks(setup.model, defaultPositions(setup.model), {Pose()}, start.world_from_link);
+  std::fill(start.status.begin(), start.status.end(), LinkStatus::known);
+  TrajectoryOptions options;
+  options.budget = 100'000;
+  const TrajectoryReport report = checkTrajectory(setup, path, start, options);
+  EXPECT_NE(report.pairs[0].state, ApproachState::clear);
 }
 
 TEST(HullDistance, hullsThatAreNearestOnTheGeometries_tellTheirDistance) {
