@@ -29,8 +29,9 @@ struct PreparedObject {
 /// point that may come near: poses from outside end at kFarthest.
 constexpr double kPlaneReach = 4.0 * kFarthest;
 
-/// [m] How far that box sticks out, so that rounding at its size never makes a distance too large.
-constexpr double kPlaneWidening = 2e-5;
+/// [m] How far that box sticks out, so that rounding at its size never makes a distance too large:
+/// the rotation of a long chain may be off by 2e-14.
+constexpr double kPlaneWidening = 2e-4;
 
 /// Makes bodies and elements: primitives are their own shapes, and a cylinder, cone, mesh or plane
 /// has a box or another shape around it. The element of a cone is a hull that sticks out by at most
