@@ -22,8 +22,9 @@ TEST(PlaneOfTurnedFrame, boxThatStandsForIt_isNotFarther) {
   for (const double error : {0.0, 2e-14, -2e-14}) {
     Pose world_from_floor;
     world_from_floor.rotation *= 1.0 + error;
-    const SignedDistance found = distanceBetween(body.shape, world_from_floor * body.link_from_body,
-                                                 Shape(Sphere{0.1}), at(3.0, -2.0, 0.5));
+    const SignedDistance found =
+        distanceBetween(body.shape, world_from_floor * body.link_from_body, Shape(Sphere{0.1}),
+                        {Eigen::Matrix3d::Identity(), Eigen::Vector3d(3.0, -2.0, 0.5)});
     EXPECT_LE(found.distance, 0.4) << error;
     EXPECT_GE(found.distance, 0.4 - 4e-4) << error;
   }

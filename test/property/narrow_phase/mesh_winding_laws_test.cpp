@@ -12,6 +12,7 @@
 #include "collision_monitor/geometry/ids.h"
 #include "geometry/constants.h"
 #include "narrow_phase/mesh/mesh_inside.h"
+#include "narrow_phase/mesh/mesh_search.h"
 #include "narrow_phase/mesh/mesh_winding.h"
 #include "narrow_phase/mesh_depth/point_on_mesh.h"
 #include "support/allocation_guard.h"
