@@ -13,9 +13,9 @@ namespace collision_monitor {
 /// How far two convex geometries provably stay apart during a motion: [m], a lower bound up to
 /// rounding; minus infinity if nothing is proven.
 ///
-/// The plane across their nearest points in the middle parts them. What both ends of the interval
-/// leave of the gap along its fixed normal is found by support functions: along a line of motion
-/// the gap is concave in time, so it is least at an end.
+/// The plane across their nearest points in the middle parts them. Its normal is fixed to A. Where
+/// points move evenly, the gap along the normal is concave in time, so it is least at an end of the
+/// interval. Support functions find it at both ends.
 ///
 /// Frames: world, in the middle of the interval.
 /// Limits: nothing is proven of a half space that is B and turns.

@@ -250,7 +250,7 @@ bool staysOutside(const Vector3d& in_a, Holder& holder, MeshQueryMemory& memory,
     return face.normal.dot(point) - face.offset >
            std::abs(face.normal.dot(velocity)) + holder.deviation;
   };
-  if (isAnyFace(*holder.solid.openSurface(), holder.last, stays_beyond)) {
+  if (isBeyondAnyFace(*holder.solid.openSurface(), holder.last, stays_beyond)) {
     return true;
   }
   return staysOutside(holder.solid, point, velocity.norm() + holder.deviation, memory, visits);

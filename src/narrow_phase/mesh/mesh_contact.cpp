@@ -73,7 +73,8 @@ const Eigen::Vector3d* findHeld(const MeshTree& solid, const MeshTree& other,
     const auto is_beyond = [&](const ConvexHull::Face& face) {
       return face.normal.dot(point) > face.offset;
     };
-    if (!asks_outside && !solid.isClosed() && isAnyFace(*solid.openSurface(), last, is_beyond)) {
+    if (!asks_outside && !solid.isClosed() &&
+        isBeyondAnyFace(*solid.openSurface(), last, is_beyond)) {
       continue;
     }
     const PointInMesh lies = lookInside(solid, point, memory, asks_outside);

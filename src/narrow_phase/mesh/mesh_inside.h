@@ -47,8 +47,8 @@ PointInMesh lookInside(const MeshTree& tree, const Eigen::Vector3d& point, MeshQ
 /// Whether `is_beyond` holds for a face of an open surface's hull: nothing beyond one is inside.
 /// @param last the face that was found for another point, or nullptr; is tried first and replaced
 template <class IsBeyond>
-bool isAnyFace(const OpenSurface& open, const ConvexHull::Face*& last,
-               const IsBeyond& is_beyond) noexcept {
+bool isBeyondAnyFace(const OpenSurface& open, const ConvexHull::Face*& last,
+                     const IsBeyond& is_beyond) noexcept {
   if (last != nullptr && is_beyond(*last)) {
     return true;
   }
@@ -57,8 +57,8 @@ bool isAnyFace(const OpenSurface& open, const ConvexHull::Face*& last,
   return found != open.hull.end();
 }
 
-/// Whether a point is outside and stays so while it travels by at most `travel` [m] without
-/// crossing the surface: a proof, as by PointInMesh::hold, which looks no closer than it must.
+/// Proves that a point is outside, and stays outside while it travels by at most `travel` [m] and
+/// does not cross the surface. Tells no more than PointInMesh::hold, in less time.
 /// @param visits receives the work
 /// @pre the mesh has an inside.
 bool staysOutside(const MeshTree& tree, const Eigen::Vector3d& point, double travel,

@@ -29,14 +29,15 @@ LinkMotion motionOf(const TrajectorySearch& search, LinkPairIndex pair, const In
 }
 
 /// Two elements in the middle of a part.
-struct PlacedPair {
+struct PlacedElements {
   const Element& a;
   const Element& b;
   Pose world_from_a;
   Pose world_from_b;
 };
 
-PlacedPair placedAt(const CycleSetup& setup, ElementPairIndex pair, const Instant& at) noexcept {
+PlacedElements placedAt(const CycleSetup& setup, ElementPairIndex pair,
+                        const Instant& at) noexcept {
   const Element& a = setup.elements[index(setup.element_pairs[pair].a)];
   const Element& b = setup.elements[index(setup.element_pairs[pair].b)];
   return {a, b, at.world_from_link[index(a.link)] * a.link_from_element,
@@ -48,7 +49,7 @@ PlacedConvex hullOf(const Element& element, const Pose& world_from_element) noex
 }
 
 /// [m] How far the hulls stay apart, as clearanceOf. A half space is what motions are seen from.
-double clearanceOfHulls(const PlacedPair& pair, const LinkMotion& links,
+double clearanceOfHulls(const PlacedElements& pair, const LinkMotion& links,
                         ConvexSearch& search) noexcept {
   const PlacedConvex a = hullOf(pair.a, pair.world_from_a);
   const PlacedConvex b = hullOf(pair.b, pair.world_from_b);
@@ -61,7 +62,7 @@ double clearanceOfHulls(const PlacedPair& pair, const LinkMotion& links,
 }
 
 /// Asks meshes, seen from the one from which the motion is straighter.
-MeshClearance askMeshes(const PlacedPair& pair, const LinkMotion& links, double distance,
+MeshClearance askMeshes(const PlacedElements& pair, const LinkMotion& links, double distance,
                         MeshQueryMemory& memory) noexcept {
   const PlacedMesh a{*pair.a.mesh, pair.world_from_a};
   const PlacedMesh b{*pair.b.mesh, pair.world_from_b};
@@ -85,7 +86,7 @@ bool haveMeshes(const Element& a, const Element& b) noexcept {
 }
 
 /// [m] How far two elements stay apart, if more than `distance`.
-double clearanceBeyond(double distance, const PlacedPair& pair, const LinkMotion& links,
+double clearanceBeyond(double distance, const PlacedElements& pair, const LinkMotion& links,
                        Level level, RefineMemory& kept, LinkPairMeasures& measures) noexcept {
   const double paddings = pair.a.padding + pair.b.padding;
   const bool have_meshes = haveMeshes(pair.a, pair.b);

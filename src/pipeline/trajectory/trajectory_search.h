@@ -133,8 +133,8 @@ double cutoffOf(const TrajectorySearch& search, LinkPairIndex pair) noexcept;
 bool settleMoving(TrajectorySearch& search, LinkPairIndex pair, Level level, const Instant& middle,
                   const std::vector<JointStep>& steps);
 
-/// Settles those of `range.open` that were close and provably stay apart between two stops, of
-/// which a third is in the middle. Takes them out.
+/// Settles pairs that the last proof settled, if they provably stay apart between the stops `first`
+/// and `last`. Takes them out of `range.open`. The motion is seen about the stop `middle`.
 void settleClose(TrajectorySearch& search, std::size_t first, std::size_t middle, std::size_t last,
                  Halving& range);
 
