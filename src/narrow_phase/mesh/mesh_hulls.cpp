@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "collision_monitor/geometry/ids.h"
@@ -66,30 +67,49 @@ CoreGap gapBetween(const PlacedCore& a, const PlacedCore& b, double cutoff,
   return confirmed ? CoreGap{MeshState::exact, confirmed->cores} : searchGap(a, b, cutoff, warm);
 }
 
-// True if the surface has this point of the solid. Tries the triangle of the last point first.
-bool holds(const HeldSurface& surface, const Vector3d& point, MeshQueryMemory& memory,
-           std::uint32_t& last, std::uint32_t& visits) noexcept {
+// [m] How far a point of the solid is off the surface; infinity if that is more than `allowed`.
+// Tries the triangle of the last point first.
+double offSurface(const HeldSurface& surface, const Vector3d& point, double allowed,
+                  MeshQueryMemory& memory, std::uint32_t& last, std::uint32_t& visits) noexcept {
   if (surface.mesh == nullptr) {
-    return true;
+    return 0.0;
   }
   const MeshTree& mesh = *surface.mesh;
   const Vector3d in_mesh = inverse(surface.world_from_body) * point;
-  const double tolerance = kOnSurface * (mesh.radius() + mesh.center().norm() +
-                                         surface.world_from_body.translation.norm());
+  const double on_surface = kOnSurface * (mesh.radius() + mesh.center().norm() +
+                                          surface.world_from_body.translation.norm());
   const PointOnMesh found =
-      nearestOnMesh(mesh, in_mesh, last, {0.5 * tolerance, tolerance}, memory);
+      nearestOnMesh(mesh, in_mesh, last, {0.5 * on_surface, std::max(on_surface, allowed)}, memory);
   visits += 1 + found.visits;
   if (found.triangle == kNone) {
-    return false;
+    return std::numeric_limits<double>::infinity();
   }
   last = found.triangle;
-  return true;
+  return found.distance < on_surface ? 0.0 : found.distance;
+}
+
+// Accepts the nearest points of the solids if the surfaces are within the tolerance of them.
+void takePoints(const HeldSurface& a, const HeldSurface& b, double tolerance,
+                MeshQueryMemory& memory, TrianglePair& nearest, MeshDistance& answer) noexcept {
+  const double off_a =
+      offSurface(a, answer.measured.point_on_a, tolerance, memory, nearest.a, answer.visits);
+  if (!(off_a < std::numeric_limits<double>::infinity())) {
+    return;
+  }
+  const double off_b = offSurface(b, answer.measured.point_on_b, tolerance - off_a, memory,
+                                  nearest.b, answer.visits);
+  if (off_b < std::numeric_limits<double>::infinity()) {
+    answer.state = MeshState::exact;
+    answer.shortfall = off_a + off_b;
+    answer.nearest = nearest;
+  }
 }
 
 }  // namespace
 
 MeshDistance distanceByHulls(const HeldSurface& a, const HeldSurface& b, double stop_beyond,
-                             MeshQueryMemory& memory, const HullMemory& last) noexcept {
+                             MeshQueryMemory& memory, const HullMemory& last,
+                             double tolerance) noexcept {
   const std::optional<InflatedCore> core_a = coreOf(a.around);
   const std::optional<InflatedCore> core_b = coreOf(b.around);
   MeshDistance answer;
@@ -105,11 +125,8 @@ MeshDistance distanceByHulls(const HeldSurface& a, const HeldSurface& b, double 
   }
   answer.state = MeshState::lower_bound;
   answer.measured = inflated(gap.cores, core_a->radius, core_b->radius);
-  if (gap.state == MeshState::exact && answer.measured.distance < stop_beyond &&
-      holds(a, answer.measured.point_on_a, memory, last.nearest.a, answer.visits) &&
-      holds(b, answer.measured.point_on_b, memory, last.nearest.b, answer.visits)) {
-    answer.state = MeshState::exact;
-    answer.nearest = last.nearest;
+  if (gap.state == MeshState::exact && answer.measured.distance < stop_beyond) {
+    takePoints(a, b, tolerance, memory, last.nearest, answer);
   }
   return answer;
 }

@@ -31,8 +31,10 @@ struct HullMemory {
 /// Limits: `visits` counts nodes opened and triangles looked at. Half spaces are `unknown`.
 /// Source: Ehmann, Lin, "Accurate and Fast Proximity Queries Between Polyhedra Using Convex Surface
 /// Decomposition" (2001), for convex pieces as bounds. Departure: one piece holds each mesh.
-/// @param stop_beyond as in MeshQueryLimits.
+/// @param stop_beyond, tolerance as in MeshQueryLimits. Within the tolerance the nearest points are
+/// those of the solids, and `shortfall` is how far the surfaces are from both together.
 MeshDistance distanceByHulls(const HeldSurface& a, const HeldSurface& b, double stop_beyond,
-                             MeshQueryMemory& memory, const HullMemory& last) noexcept;
+                             MeshQueryMemory& memory, const HullMemory& last,
+                             double tolerance = 0.0) noexcept;
 
 }  // namespace collision_monitor

@@ -113,12 +113,13 @@ bool measureHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch&
                   MeshDistance& found, ElementDistance& answer) noexcept {
   const double stop_beyond = stopBeyond(a, b, search);
   found = distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stop_beyond, search.scratch.mesh,
-                          {search.memory.warm, search.memory.nearest});
+                          {search.memory.warm, search.memory.nearest}, search.tolerance);
   answer.work += kApartWork + found.visits;
   if (found.state != MeshState::exact && !(found.measured.distance >= stop_beyond)) {
     return false;
   }
   answer.measured = found.measured;
+  answer.shortfall = found.shortfall;
   answer.has_points = found.state == MeshState::exact;
   answer.is_complete = true;
   answer.quality = answer.has_points && areExact(a, b) ? Quality::exact : Quality::lower_bound;
