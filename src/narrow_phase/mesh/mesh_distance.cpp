@@ -82,7 +82,7 @@ void reportBound(const NearestSearch& search, double stop_beyond, MeshDistance& 
 void reportContainment(const MeshPair& pair, const Pose& world_from_a,
                        const MeshQueryLimits& limits, MeshQueryMemory& memory,
                        MeshDistance& answer) noexcept {
-  if (answer.state == MeshState::overlapping || (limits.are_hulls_apart && !limits.asks_outside)) {
+  if (answer.state == MeshState::overlapping || (limits.at_least > 0.0 && !limits.asks_outside)) {
     return;
   }
   const Holding held = pointHeld(pair, memory, limits.asks_outside);
@@ -105,6 +105,24 @@ MeshDistance answerOf(const MeshPair& pair, const NearestSearch& search, const P
   } else {
     reportBound(search, stop_beyond, answer);
   }
+  return answer;
+}
+
+NearestSearch searchWithin(const MeshQueryLimits& limits) noexcept {
+  NearestSearch search;
+  search.best.squared_distance = limits.stop_beyond * limits.stop_beyond;
+  search.tolerance = limits.tolerance;
+  search.at_least = limits.at_least;
+  return search;
+}
+
+// The answer of triangles within the tolerance of what is known before: nothing else is nearer.
+MeshDistance settledAnswer(const MeshPair& pair, NearestSearch& search,
+                           const Pose& world_from_a) noexcept {
+  MeshDistance answer;
+  answer.visits = search.visits;
+  search.squared_left = search.at_least * search.at_least;
+  report(pair, search, world_from_a, answer);
   return answer;
 }
 
@@ -141,9 +159,7 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
     return {};
   }
   const MeshPair pair = makeMeshPair(a, b);
-  NearestSearch search;
-  search.best.squared_distance = limits.stop_beyond * limits.stop_beyond;
-  search.tolerance = limits.tolerance;
+  NearestSearch search = searchWithin(limits);
   if (isPairOf(pair, start)) {
     measureTriangles(pair, start, search.bounds, search);
   }
@@ -161,15 +177,18 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
     return {};
   }
   const MeshPair pair = makeMeshPair(a, b);
+  const MeshQuery query{pair};
+  NearestSearch search = searchWithin(limits);
+  search.front = &front;
+  search.moving = movingBounds(pair.b, false);
+  measureLast(query, search);
+  if (search.isSettled()) {
+    return settledAnswer(pair, search, a.world_from_mesh);
+  }
   const double step =
       follow({pair.a_from_b, pair.b, pair.a.center(), pair.a.radius(), 1.0, pair.rounding}, front);
-  NearestSearch search;
-  search.best.squared_distance = limits.stop_beyond * limits.stop_beyond;
-  search.tolerance = limits.tolerance;
-  search.front = &front;
   NodePairQueue queue(memory);
-  search.moving = movingBounds(pair.b, false);
-  searchFromFront(MeshQuery{pair}, step, pair.rounding, limits.visit_budget, queue, search);
+  searchFromFront(query, step, pair.rounding, limits.visit_budget, queue, search);
   MeshDistance answer = answerOf(pair, search, a.world_from_mesh, limits.stop_beyond);
   if (step < std::min(front.apart, front.outside)) {
     answer.outside = front.outside - step;

@@ -62,8 +62,9 @@ struct MeshQueryLimits {
   /// then a proven lower bound that is short by no more, and the point on B is moved to fit.
   double tolerance{0.0};
   bool asks_outside{true};  ///< MeshDistance::outside is wanted, too
-  /// What is known before: neither mesh holds a point of the other.
-  bool are_hulls_apart{false};
+  /// [m] What is known before: the surfaces are no nearer. Above 0, neither mesh holds a point of
+  /// the other.
+  double at_least{0.0};
 };
 
 /// Scratch of a query; one per thread. Its content means nothing between queries. It is large: keep

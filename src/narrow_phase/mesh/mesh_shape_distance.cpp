@@ -124,10 +124,9 @@ CoreInMesh lookInside(const MeshAndCore& pair, const NearestSearch& search, doub
   return lies;
 }
 
+// @return [m] by how much the core traveled since the last query
 double searchCore(const MeshAndCore& pair, const CoreStart& start, std::uint32_t visit_budget,
                   MeshQueryMemory& memory, NearestSearch& search) noexcept {
-  search.front = start.front;
-  search.moving = movingBounds(pair.mesh, true);
   if (start.front != nullptr) {
     const double step = follow({pair.core_from_mesh, pair.mesh, pair.box.center(),
                                 0.5 * pair.box.diagonal().norm(), -1.0, pair.rounding},
@@ -151,6 +150,17 @@ void keepLies(const NearestSearch& search, const CoreInMesh& lies) noexcept {
   }
 }
 
+// The answer of a triangle within the tolerance of what is known before: nothing else is nearer.
+MeshDistance settledAnswer(const MeshAndCore& pair, NearestSearch& search,
+                           const Pose& world_from_core) noexcept {
+  MeshDistance answer;
+  answer.visits = search.visits;
+  search.squared_left = search.at_least * search.at_least;
+  report(pair, search, CoreInMesh(), answer);
+  answer.measured = placed(world_from_core, answer.measured);
+  return answer;
+}
+
 MeshDistance measureCore(const PlacedMesh& a, const InflatedCore& b, const Pose& world_from_b,
                          MeshQueryMemory& memory, const CoreStart& start,
                          const MeshQueryLimits& limits) noexcept {
@@ -161,7 +171,16 @@ MeshDistance measureCore(const PlacedMesh& a, const InflatedCore& b, const Pose&
   search.best.squared_distance = core_limit * core_limit;
   search.tolerance = limits.tolerance;
   search.radius = b.radius;
+  search.at_least = limits.at_least > 0.0 ? limits.at_least + b.radius : 0.0;
   search.best.on_b = anyPointOf(b.core);
+  if (start.front != nullptr) {
+    search.front = start.front;
+    search.moving = movingBounds(pair.mesh, true);
+    measureLast(CoreQuery{pair}, search);
+  }
+  if (search.isSettled()) {
+    return settledAnswer(pair, search, world_from_b);
+  }
   const double step = searchCore(pair, start, limits.visit_budget, memory, search);
   const CoreInMesh lies = lookInside(pair, search, step, memory);
   keepLies(search, lies);

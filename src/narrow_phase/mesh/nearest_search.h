@@ -18,6 +18,7 @@ struct NearestSearch {
   TrianglePair nearest;
   double tolerance{0.0};  ///< [m] what is nearer than the best by less than this is skipped
   double radius{0.0};     ///< [m] subtracted from distances; at most half of the rest is skipped
+  double at_least{0.0};   ///< [m] what is known of the distance before
   std::uint32_t visits{0};
   double squared_open{std::numeric_limits<double>::infinity()};  ///< least bound left unopened
   double squared_left{std::numeric_limits<double>::infinity()};  ///< least of all skipped
@@ -30,19 +31,29 @@ struct NearestSearch {
   /// False if the budget ended the search before it was certain.
   bool isComplete() const noexcept { return squaredGoal() <= squared_open; }
 
+  /// Whether the nearest points so far are within the tolerance of what is known before.
+  bool isSettled() const noexcept {
+    return tolerance > 0.0 && nearest.a != kNone &&
+           std::sqrt(best.squared_distance) <= at_least + tolerance;
+  }
+
   /// [m^2] Node pairs this far or farther are skipped.
   double squaredGoal() const noexcept {
     if (tolerance <= 0.0 || nearest.a == kNone) {
       return best.squared_distance;
     }
     const double distance = std::sqrt(best.squared_distance);
+    if (distance <= at_least + tolerance) {
+      return 0.0;
+    }
     const double goal = distance - std::min(tolerance, 0.5 * std::max(0.0, distance - radius));
     return goal * goal;
   }
 
   /// [m^2] A lower bound of the distance.
   double squaredBound() const noexcept {
-    return std::min(best.squared_distance, std::max(squaredGoal(), squared_left));
+    return std::min(best.squared_distance,
+                    std::max({squaredGoal(), squared_left, at_least * at_least}));
   }
 
   /// [m^2] Triangles farther than this are not measured.

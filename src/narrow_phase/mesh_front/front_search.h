@@ -216,7 +216,17 @@ void lookAt(const Query& query, const MeshQueryMemory::NodePair& next, NodePairQ
   }
 }
 
+/// Measures the nearest triangles of the last query.
+template <class Query>
+void measureLast(const Query& query, NearestSearch& search) noexcept {
+  const MeshFront::Kept& last = search.front->nearest;
+  if (last.a != kNone) {
+    query.measure({0.0F, last.a, last.b}, search);
+  }
+}
+
 /// Searches from the pairs that the last query kept, or from the roots if others may be nearer.
+/// @pre measureLast
 /// @param step from `follow`. @param cutoff [m] the search ends once something is this near.
 template <class Query>
 void searchFromFront(const Query& query, double step, double cutoff, std::uint32_t visit_budget,
@@ -224,9 +234,6 @@ void searchFromFront(const Query& query, double step, double cutoff, std::uint32
   constexpr std::uint32_t kPairsPerVisit = 128;  // pairs loosened in the time of a visit
   MeshFront& front = *search.front;
   search.visits += step > 0.0 ? front.size / kPairsPerVisit : 0;
-  if (front.nearest.a != kNone) {
-    query.measure({0.0F, front.nearest.a, front.nearest.b}, search);
-  }
   setMargin(step, search.best.squared_distance, front);
   if (search.best.squared_distance > cutoff * cutoff) {
     const bool is_near =

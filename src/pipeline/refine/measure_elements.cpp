@@ -56,9 +56,9 @@ double stopBeyond(const PlacedElement& a, const PlacedElement& b,
 
 template <class Start>
 MeshDistance searchFrom(Start& start, const PlacedElement& a, const PlacedElement& b,
-                        bool are_hulls_apart, ElementSearch& search) noexcept {
+                        double at_least, ElementSearch& search) noexcept {
   const MeshQueryLimits limits{stopBeyond(a, b, search), search.budget, search.tolerance,
-                               search.asks_outside, are_hulls_apart};
+                               search.asks_outside, at_least};
   if (isSimple(b)) {
     return distanceBetween(meshOf(a), convexOf(b), search.scratch.mesh, start, limits);
   }
@@ -97,12 +97,13 @@ std::uint32_t startAtHulls(const PlacedElement& a, const PlacedElement& b,
 MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b, const MeshDistance& hulls,
                           ElementSearch& search) noexcept {
   const bool are_hulls_apart = hulls.state == MeshState::lower_bound;
+  const double at_least = are_hulls_apart ? hulls.measured.distance : 0.0;
   if (search.memory.front != nullptr) {
-    return searchFrom(*search.memory.front, a, b, are_hulls_apart, search);
+    return searchFrom(*search.memory.front, a, b, at_least, search);
   }
   const std::uint32_t visits = are_hulls_apart ? startAtHulls(a, b, hulls.measured, search) : 0;
   TrianglePair& nearest = search.memory.nearest;
-  MeshDistance found = searchFrom(nearest, a, b, are_hulls_apart, search);
+  MeshDistance found = searchFrom(nearest, a, b, at_least, search);
   found.visits += visits;
   nearest = found.nearest.a == kNone ? nearest : found.nearest;
   return found;
