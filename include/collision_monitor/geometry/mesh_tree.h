@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "collision_monitor/geometry/hull.h"
+#include "collision_monitor/geometry/part_corners.h"
 #include "collision_monitor/geometry/triangle.h"
 #include "collision_monitor/geometry/triangle_bvh.h"
 #include "collision_monitor/geometry/triangle_mesh.h"
@@ -83,6 +84,8 @@ class MeshTree {
   const std::vector<Triangle>& triangles() const noexcept { return triangles_; }
   /// By position in triangles(): the number of the triangle (or vertex) in the mesh.
   const std::vector<std::uint32_t>& sourceTriangles() const noexcept { return source_triangles_; }
+  /// The corners of what nodes hold.
+  const PartCorners& partCorners() const noexcept { return part_corners_; }
   /// [m] The origin of the nodes' frame, in the frame of the mesh.
   const Eigen::Vector3d& center() const noexcept { return center_; }
   /// [m] The radius of a ball about center() that holds all triangles.
@@ -108,6 +111,7 @@ class MeshTree {
   std::vector<MeshTreeNode> nodes_;
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> source_triangles_;
+  PartCorners part_corners_;
   std::vector<Eigen::Vector3d> pieces_;
   std::vector<Eigen::Vector3d> probes_;
   std::optional<OpenSurface> open_;

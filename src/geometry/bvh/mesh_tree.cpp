@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "geometry/bvh/bound_triangles.h"
+#include "geometry/bvh/part_corners.h"
 #include "geometry/bvh/split_triangles.h"
 #include "geometry/interruption.h"
 #include "geometry/meshes/check_mesh.h"
@@ -216,6 +217,7 @@ MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed, std::optional<OpenS
     source_triangles_.push_back(item.triangle);
   }
   boundBySlabs(builder.extents(), triangles_, center_, nodes_);
+  part_corners_ = cornersOfParts(mesh, nodes_, source_triangles_, center_);
   pieces_ = piecesOf(mesh);
   probes_ = probesOf(pieces_, triangles_);
   if (open_) {

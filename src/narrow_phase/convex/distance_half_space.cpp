@@ -48,7 +48,8 @@ Eigen::Vector3d middleOfFarthest(const ConvexCore& core,
     case ConvexCore::Kind::hull:
       return middleOfFarthest(*core.hull, direction);
     case ConvexCore::Kind::triangle:
-      break;  // a piece of a mesh, which is measured as a whole
+    case ConvexCore::Kind::part:
+      break;  // pieces of a mesh, which is measured as a whole
   }
   return Eigen::Vector3d::Zero();
 }

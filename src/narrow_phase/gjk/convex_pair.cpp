@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/mesh/part_support.h"
 
 namespace collision_monitor {
 namespace {
@@ -47,6 +48,8 @@ Eigen::Vector3d supportPoint(const ConvexCore& core, const Eigen::Vector3d& dire
       return core.hull->vertices()[vertex];
     case ConvexCore::Kind::triangle:
       return cornerOf(*core.triangle, direction);
+    case ConvexCore::Kind::part:
+      return farthestOfPart(*core.mesh, core.node, direction);
   }
   return Eigen::Vector3d::Zero();
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "collision_monitor/geometry/hull.h"
+#include "collision_monitor/geometry/mesh_tree.h"
 #include "collision_monitor/geometry/pose.h"
 #include "collision_monitor/geometry/triangle.h"
 #include "collision_monitor/narrow_phase/convex_workspace.h"
@@ -17,12 +18,14 @@ namespace collision_monitor {
 
 /// A convex core. Points and segments are boxes without width.
 struct ConvexCore {
-  enum class Kind : unsigned char { box, cylinder, hull, triangle };
+  enum class Kind : unsigned char { box, cylinder, hull, triangle, part };
 
   Kind kind{Kind::box};
   Eigen::Vector3d half_extents{Eigen::Vector3d::Zero()};  ///< of a cylinder: (r, r, half length)
   const ConvexHull* hull{nullptr};                        ///< of a hull
   const Triangle* triangle{nullptr};                      ///< of a triangle
+  const MeshTree* mesh{nullptr};                          ///< of a part of a mesh
+  std::uint32_t node{0};                                  ///< that holds the part
 };
 
 /// True for a cylinder. It has no corners for a search to end on.
@@ -48,6 +51,8 @@ inline double reachOf(const ConvexCore& core) noexcept {
       return std::sqrt(
           std::max({(*core.triangle)[0].squaredNorm(), (*core.triangle)[1].squaredNorm(),
                     (*core.triangle)[2].squaredNorm()}));
+    case ConvexCore::Kind::part:
+      return core.mesh->center().norm() + core.mesh->radius();
   }
   return 0.0;
 }

@@ -29,6 +29,7 @@ ContactPatch patchOf(const PlacedCore& placed, const Vector3d& direction) noexce
     case ConvexCore::Kind::hull:
       return patchAt(placed.vertex, *core.hull, pose, direction, kLevelSine);
     case ConvexCore::Kind::triangle:
+    case ConvexCore::Kind::part:
       return {};
   }
   return {};

@@ -61,7 +61,7 @@ bool hasMet(const ConvexPair& pair, const GjkResult& result) noexcept {
   return result.simplex.distance - result.lower <= toleranceOf(pair);
 }
 
-GjkResult::State walk(ConvexPair& pair, double cutoff, GjkResult& result) noexcept {
+GjkResult::State walk(ConvexPair& pair, const GjkLimits& limits, GjkResult& result) noexcept {
   using State = GjkResult::State;
   const double touching = touchingDistance(pair);
   Simplex& simplex = result.simplex;
@@ -74,8 +74,11 @@ GjkResult::State walk(ConvexPair& pair, double cutoff, GjkResult& result) noexce
     if (hasMet(pair, result)) {
       return State::settled;
     }
-    if (result.lower >= cutoff) {
+    if (result.lower >= limits.cutoff) {
       return State::stopped;
+    }
+    if (simplex.distance < limits.near) {
+      return State::near;
     }
     bool is_nearer = insert(next, simplex);
     if (simplex.contains_origin && result.lower > touching) {
@@ -99,7 +102,15 @@ GjkResult runGjk(ConvexPair& pair, const ConvexWarmStart& warm, double cutoff) n
   pair.vertex_of_a = warm.vertex_of_a;
   pair.vertex_of_b = warm.vertex_of_b;
   seed(pair, warm, result.simplex);
-  result.state = walk(pair, cutoff, result);
+  result.state = walk(pair, {cutoff}, result);
+  return result;
+}
+
+GjkResult runGjk(ConvexPair& pair, const Eigen::Vector3d& direction,
+                 const GjkLimits& limits) noexcept {
+  GjkResult result;
+  insert(leastAlong(direction, pair), result.simplex);
+  result.state = walk(pair, limits, result);
   return result;
 }
 

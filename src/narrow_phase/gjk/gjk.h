@@ -14,6 +14,7 @@ struct GjkResult {
   enum class State : unsigned char {
     settled,     ///< both bounds have met
     stopped,     ///< proven to be farther apart than the cutoff
+    near,        ///< shown to be nearer than asked
     stalled,     ///< rounding or the step limit keeps the bounds apart
     overlapping  ///< the simplex holds the origin, or touches it
   };
@@ -32,6 +33,16 @@ struct GjkResult {
 /// Source: Gilbert, Johnson, Keerthi (1988); van den Bergen (2003), section 4.3, for the bound
 /// that the support plane proves; Cameron, "Enhancing GJK" (1997), for the warm start.
 GjkResult runGjk(ConvexPair& pair, const ConvexWarmStart& warm, double cutoff) noexcept;
+
+/// Limits at which GJK may stop early. The defaults have no effect.
+struct GjkLimits {
+  double cutoff{std::numeric_limits<double>::infinity()};  ///< [m] stops at a greater lower bound
+  double near{0.0};  ///< [m] stops once the distance is known to be less
+};
+
+/// Runs GJK from the points that are nearest along a direction, from A to B in A's frame.
+GjkResult runGjk(ConvexPair& pair, const Eigen::Vector3d& direction,
+                 const GjkLimits& limits) noexcept;
 
 /// Keeps some points of the difference, from which the next search of the pair may start.
 void keepWarm(const SupportVertex* vertices, int count, const ConvexPair& pair,

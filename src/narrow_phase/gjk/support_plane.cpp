@@ -69,6 +69,7 @@ LevelFeature levelOf(const PlacedCore& placed, const Vector3d& direction) noexce
     case ConvexCore::Kind::hull:
       return levelOfHull(*placed.core.hull, placed.vertex, direction);
     case ConvexCore::Kind::triangle:
+    case ConvexCore::Kind::part:
       return {};
   }
   return {};
@@ -95,6 +96,7 @@ ExtremeFeature extremeOfPrimitive(const ConvexCore& core, const Vector3d& direct
     }
     case ConvexCore::Kind::hull:
     case ConvexCore::Kind::triangle:
+    case ConvexCore::Kind::part:
       break;
   }
   std::uint32_t none = 0;

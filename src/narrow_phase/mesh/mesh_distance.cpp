@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/mesh/part_gap.h"
 #include "narrow_phase/mesh_front/front_search.h"
 #include "narrow_phase/triangle/triangle_edges.h"
 
@@ -148,6 +149,13 @@ struct MeshQuery {
   }
   double squaredGapAlong(const Eigen::Vector3d& direction, Slot a, Slot b) const noexcept {
     return collision_monitor::squaredGapAlong(direction, pair, trianglesAt(a, b));
+  }
+  bool areParts(Slot a, Slot b) const noexcept { return collision_monitor::areParts(pair, a, b); }
+  double gapOfParts(Slot a, Slot b, const Eigen::Vector3d& direction) const noexcept {
+    return collision_monitor::gapOfParts(pair, a, b, direction);
+  }
+  PartGap searchGapOfParts(Slot a, Slot b, double goal) const noexcept {
+    return collision_monitor::searchGapOfParts(pair, a, b, goal);
   }
 };
 

@@ -79,6 +79,9 @@ void reportLimit(const NearestSearch& search, double stop_beyond, MeshDistance& 
 struct CoreQuery {
   const MeshAndCore& pair;
 
+  static bool areParts(Slot, Slot) noexcept { return false; }
+  static double gapOfParts(Slot, Slot, const Vector3d&) noexcept { return 0.0; }
+  static PartGap searchGapOfParts(Slot, Slot, double) noexcept { return {}; }
   bool areTriangles(Slot a, Slot) const noexcept { return isTriangle(childOf(pair.mesh, a)); }
   std::uint32_t triangleIn(Slot slot) const noexcept {
     return triangleAt(childOf(pair.mesh, slot));

@@ -8,6 +8,7 @@
 
 #include "collision_monitor/geometry/ids.h"
 #include "narrow_phase/mesh/nearest_search.h"
+#include "narrow_phase/mesh/part_gap.h"
 #include "narrow_phase/mesh_front/front_lanes.h"
 
 /// Branch and bound from what the last search left. A query has:
@@ -122,11 +123,40 @@ void keepParted(const Query& query, const OpenedPair& opened, double goal, Front
   }
 }
 
+/// Looks for a direction that separates two parts by more than a goal [m], first along that of the
+/// entry. @return true if there is one; then the entry has it.
+template <class Query>
+bool separateParts(const Query& query, double goal, FrontEntry& entry,
+                   NearestSearch& search) noexcept {
+  const auto& [a, b] = entry.pair;
+  if (entry.direction != 0) {
+    entry.bound = query.gapOfParts(a, b, directionOf(entry.direction));
+    if (entry.bound > goal) {
+      return true;
+    }
+  }
+  const PartGap found = query.searchGapOfParts(a, b, goal);
+  search.visits += found.visits;
+  if (!(found.gap > goal)) {
+    return false;
+  }
+  const std::uint32_t rounded = packed(found.direction);
+  const double gap = query.gapOfParts(a, b, directionOf(rounded));
+  const bool suffices = gap > goal;
+  entry.direction = suffices ? rounded : 0;
+  entry.bound = suffices ? gap : found.gap;
+  return true;
+}
+
 /// Takes the children nearer than the limit, unless the direction that separated all still does.
 template <class Query>
-bool boundChildren(const Query& query, float limit, FrontEntry& entry, const NearestSearch& search,
+bool boundChildren(const Query& query, float limit, FrontEntry& entry, NearestSearch& search,
                    TakenPairs& taken) noexcept {
   const double goal = std::sqrt(static_cast<double>(limit));
+  if (entry.children == 0 && query.areParts(entry.pair.a, entry.pair.b) &&
+      separateParts(query, goal, entry, search)) {
+    return true;
+  }
   const std::uint32_t meant = entry.children == 0 ? kAllChildren : entry.children;
   OpenedPair opened;
   query.choose(entry.pair.a, entry.pair.b, opened);
@@ -152,7 +182,7 @@ bool boundChildren(const Query& query, float limit, FrontEntry& entry, const Nea
 /// Bounds again a kept pair that may have come nearer than the limit.
 /// @return true if some of it is still kept in its place.
 template <class Query>
-bool boundAnew(const Query& query, std::uint32_t at, float limit, const NearestSearch& search,
+bool boundAnew(const Query& query, std::uint32_t at, float limit, NearestSearch& search,
                TakenPairs& taken) noexcept {
   MeshFront& front = *search.front;
   FrontEntry entry = entryAt(at, front);
@@ -205,6 +235,12 @@ void lookAt(const Query& query, const MeshQueryMemory::NodePair& next, NodePairQ
     query.measure(next, search);
     return;
   }
+  FrontEntry entry{{next.a, next.b}, 0.0, 0, 0};
+  if (query.areParts(next.a, next.b) &&
+      separateParts(query, std::sqrt(search.squaredGoal()), entry, search)) {
+    search.leave(next, entry.bound * entry.bound, entry.direction);
+    return;
+  }
   OpenedPair opened;
   query.choose(next.a, next.b, opened);
   boundChildren(asLimit(search.squaredGoal()), opened);
@@ -213,6 +249,38 @@ void lookAt(const Query& query, const MeshQueryMemory::NodePair& next, NodePairQ
   const float least = leastBound(opened, rest);
   if (least < kNoChild) {
     search.leave(next, static_cast<double>(least), 0, rest);
+  }
+}
+
+template <class Query>
+void searchQueued(const Query& query, double cutoff, std::uint32_t visit_budget,
+                  NodePairQueue& queue, NearestSearch& search) noexcept {
+  branchAndBound(cutoff, visit_budget, queue, search,
+                 [&](const MeshQueryMemory::NodePair& next, float, NodePairQueue& pairs) {
+                   lookAt(query, next, pairs, search);
+                 });
+}
+
+template <class Query>
+void searchFromRoots(const Query& query, double cutoff, std::uint32_t visit_budget,
+                     NodePairQueue& queue, NearestSearch& search) noexcept {
+  restart(*search.front);
+  queue.clear();
+  queue.push({0.0F, 0, 0});
+  searchQueued(query, cutoff, visit_budget, queue, search);
+}
+
+/// Searches from the roots once more: as the nearest triangles are known now, the front that is
+/// left is much smaller. The answer stays.
+template <class Query>
+void shrinkFront(const Query& query, double cutoff, std::uint32_t visit_budget,
+                 NodePairQueue& queue, NearestSearch& search) noexcept {
+  const double squared_left = search.squared_left;
+  search.squared_left = std::numeric_limits<double>::infinity();
+  searchFromRoots(query, cutoff, visit_budget, queue, search);
+  if (!search.isComplete()) {
+    search.squared_open = std::numeric_limits<double>::infinity();
+    search.squared_left = squared_left;
   }
 }
 
@@ -236,17 +304,15 @@ void searchFromFront(const Query& query, double step, double cutoff, std::uint32
   search.visits += step > 0.0 ? front.size / kPairsPerVisit : 0;
   setMargin(step, search.best.squared_distance, front);
   if (search.best.squared_distance > cutoff * cutoff) {
-    const bool is_near =
-        covers(search.squaredGoal(), front) && takeNearer(query, visit_budget, queue, search);
-    if (!is_near) {
-      restart(front);
-      queue.clear();
-      queue.push({0.0F, 0, 0});
+    if (covers(search.squaredGoal(), front) && takeNearer(query, visit_budget, queue, search)) {
+      searchQueued(query, cutoff, visit_budget, queue, search);
+    } else {
+      const bool is_first = front.nearest.a == kNone;
+      searchFromRoots(query, cutoff, visit_budget, queue, search);
+      if (is_first && search.isComplete() && search.nearest.a != kNone) {
+        shrinkFront(query, cutoff, visit_budget, queue, search);
+      }
     }
-    branchAndBound(cutoff, visit_budget, queue, search,
-                   [&](const MeshQueryMemory::NodePair& next, float, NodePairQueue& pairs) {
-                     lookAt(query, next, pairs, search);
-                   });
     front.from_roots += front.is_whole ? 0 : search.visits;
     front.is_whole = front.is_whole || search.isComplete();
   }
