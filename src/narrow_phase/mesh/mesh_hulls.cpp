@@ -88,16 +88,18 @@ double offSurface(const HeldSurface& surface, const Vector3d& point, double allo
   return found.distance < on_surface ? 0.0 : found.distance;
 }
 
-// Accepts the nearest points of the solids if the surfaces are within the tolerance of them.
+// Accepts the nearest points of the solids if the surfaces are within the tolerance of them, and
+// the distance is no less than half of that of the surfaces.
 void takePoints(const HeldSurface& a, const HeldSurface& b, double tolerance,
                 MeshQueryMemory& memory, TrianglePair& nearest, MeshDistance& answer) noexcept {
+  const double allowed = std::min(tolerance, answer.measured.distance);
   const double off_a =
-      offSurface(a, answer.measured.point_on_a, tolerance, memory, nearest.a, answer.visits);
+      offSurface(a, answer.measured.point_on_a, allowed, memory, nearest.a, answer.visits);
   if (!(off_a < std::numeric_limits<double>::infinity())) {
     return;
   }
-  const double off_b = offSurface(b, answer.measured.point_on_b, tolerance - off_a, memory,
-                                  nearest.b, answer.visits);
+  const double off_b =
+      offSurface(b, answer.measured.point_on_b, allowed - off_a, memory, nearest.b, answer.visits);
   if (off_b < std::numeric_limits<double>::infinity()) {
     answer.state = MeshState::exact;
     answer.shortfall = off_a + off_b;

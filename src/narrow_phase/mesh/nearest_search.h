@@ -31,10 +31,16 @@ struct NearestSearch {
   /// False if the budget ended the search before it was certain.
   bool isComplete() const noexcept { return squaredGoal() <= squared_open; }
 
-  /// Whether the nearest points so far are within the tolerance of what is known before.
+  /// [m] What is this near below the best is skipped.
+  double skipped() const noexcept {
+    const double distance = std::sqrt(best.squared_distance);
+    return std::min(tolerance, 0.5 * std::max(0.0, distance - radius));
+  }
+
+  /// Whether nothing is left to find: what is known before is within the tolerance of the best.
   bool isSettled() const noexcept {
-    return tolerance > 0.0 && nearest.a != kNone &&
-           std::sqrt(best.squared_distance) <= at_least + tolerance;
+    return tolerance > 0.0 && at_least > 0.0 && nearest.a != kNone &&
+           std::sqrt(best.squared_distance) - skipped() <= at_least;
   }
 
   /// [m^2] Node pairs this far or farther are skipped.
@@ -42,12 +48,8 @@ struct NearestSearch {
     if (tolerance <= 0.0 || nearest.a == kNone) {
       return best.squared_distance;
     }
-    const double distance = std::sqrt(best.squared_distance);
-    if (distance <= at_least + tolerance) {
-      return 0.0;
-    }
-    const double goal = distance - std::min(tolerance, 0.5 * std::max(0.0, distance - radius));
-    return goal * goal;
+    const double goal = std::sqrt(best.squared_distance) - skipped();
+    return at_least > 0.0 && goal <= at_least ? 0.0 : goal * goal;
   }
 
   /// [m^2] A lower bound of the distance.

@@ -207,16 +207,14 @@ bool takeNearer(const Query& query, std::uint32_t visit_budget, NodePairQueue& q
   const float goal = roundedUp(std::sqrt(search.squaredGoal()));
   const float limit = asLimit(search.squaredGoal());
   TakenPairs taken(queue);
-  std::uint32_t bounded = 0;
   const std::uint32_t left = visit_budget - std::min(visit_budget, search.visits);
-  const std::uint32_t most = left / 2;  // the other half opens pairs
+  const std::uint32_t last = search.visits + left / 2;  // the other half opens pairs
   std::uint32_t at = nextBelow(goal, 0, front);
-  while (at < front.size && bounded < most && taken.hasRoom()) {
-    ++bounded;
+  while (at < front.size && search.visits < last && taken.hasRoom()) {
+    ++search.visits;
     const bool is_kept = boundAnew(query, at, limit, search, taken);
     at = nextBelow(goal, is_kept ? at + 1 : at, front);  // else another one has taken its place
   }
-  search.visits += bounded;
   if (at < front.size && !taken.hasRoom()) {
     return false;
   }
