@@ -119,7 +119,9 @@ MeshContact contactOf(const PlacedMesh& a, const PlacedMesh& b, const MeshContac
     }
   }
   searchContact(pair, query, memory, found);
-  if (found.state == MeshContact::State::apart) {
+  if (found.state == MeshContact::State::apart && query.outside > 0.0) {
+    found.outside = query.outside;
+  } else if (found.state == MeshContact::State::apart) {
     const Holding held = pointHeld(pair, memory, query.asks_outside);
     found.visits += held.visits;
     found.outside = held.outside;

@@ -116,6 +116,9 @@ struct MeshContact {
 struct MeshContactQuery {
   double distance{0.0};      ///< [m] surfaces this near are in contact; 0 or more, finite
   bool asks_outside{false};  ///< MeshContact::outside is wanted too
+  /// [m] Above 0: neither holds a point of the other, which is known before, and
+  /// MeshContact::outside is this.
+  double outside{0.0};
   std::uint32_t visit_budget{std::numeric_limits<std::uint32_t>::max()};  ///< as MeshQueryLimits
 };
 

@@ -31,6 +31,9 @@ MeshContact touchCore(const PlacedMesh& a, const InflatedCore& b, const Pose& wo
   if (search.nearest.a != kNone) {
     found.state = MeshContact::State::contact;
     found.triangles = search.nearest;
+  } else if (search.isComplete() && query.outside > 0.0) {
+    found.outside = query.outside;
+    found.state = MeshContact::State::apart;
   } else if (search.isComplete()) {
     const CoreInMesh lies = lookInside(pair, search, memory, query.asks_outside);
     found.visits += lies.visits;

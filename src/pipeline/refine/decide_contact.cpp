@@ -22,26 +22,41 @@ void keepApart(const Refinement& all, const RefineTask& task, double apart,
            all.memory.refined.of(task.pair));
 }
 
+bool isBound(const ElementDistance& known) noexcept {
+  return known.quality == Quality::lower_bound;
+}
+
 /// @return whether nothing is left to decide: the elements are proven to be beyond the cutoff
 /// (which is kept), are measured, or the budget is spent.
 bool tryDecide(const Refinement& all, RefineTask& task, const ElementDistance& recalled,
                const Goal& goal) noexcept {
   constexpr std::uint32_t kMostHard = 8;  // a pair that is hard to decide leaves budget to others
-  const bool is_apart =
-      recalled.quality == Quality::lower_bound && recalled.measured.distance >= goal.cutoff;
+  const bool is_apart = isBound(recalled) && recalled.measured.distance >= goal.cutoff;
   if (is_apart || reachesCutoff(recalled, goal.cutoff) || !(all.work.work_done < goal.budget)) {
     return true;
   }
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   ElementSearch search = searchFor(all, task, goal);
   search.budget = std::min(search.budget, budgetOf(all) / kMostHard);
+  const bool is_still_outside = isBound(recalled) && recalled.measured.distance > 0.0;
   const ElementContact contact =
-      touchElements(placed(all, pair.a), placed(all, pair.b), {goal.cutoff, true}, search);
+      touchElements(placed(all, pair.a), placed(all, pair.b),
+                    {goal.cutoff, true, is_still_outside ? recalled.outside : 0.0}, search);
   spend(all, task, contact.work);
   if (contact.state == ElementContact::State::apart) {
     keepApart(all, task, goal.cutoff, contact);
   }
   return contact.state == ElementContact::State::apart;
+}
+
+/// Whether the last bound still excludes a contact, and half of it is left. A contact that is
+/// reported ends at the whole cutoff only.
+bool isDecided(const Refinement& all, const RefineTask& task, const ElementDistance& recalled,
+               double cutoff) noexcept {
+  const double contact = std::max(0.0, limitsOf(all, task).contact_distance);
+  const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
+  return all.memory.reported[link_pair] != Verdict::contact && isBound(recalled) &&
+         recalled.measured.distance > 0.5 * (contact + cutoff);
 }
 
 /// Whether measured elements have moved so little since that following them takes less work than
@@ -63,7 +78,7 @@ void decideContact(const Refinement& all, RefineTask& task) noexcept {
   const ElementDistance& last = all.memory.refined.lastOf(task.pair).found;
   const ElementDistance recalled = recallTask(all, task);
   const bool has_overlapped = last.quality == Quality::estimate;
-  if (isFollowed(last, recalled, clear.cutoff) ||
+  if (isDecided(all, task, recalled, clear.cutoff) || isFollowed(last, recalled, clear.cutoff) ||
       (!has_overlapped && tryDecide(all, task, recalled, clear))) {
     return;
   }

@@ -24,6 +24,7 @@ struct ContactGoal {
   /// [m] If < 0, depths of convex elements are measured; other elements overlap or do not.
   double distance{0.0};
   bool asks_outside{false};  ///< ElementContact::outside is needed, too
+  double outside{0.0};       ///< [m] as MeshContactQuery::outside
 };
 
 /// Decides whether two padded elements are within a distance of each other, by the cheapest test
