@@ -124,6 +124,40 @@ TEST_F(MeshContactLaws, distanceWithinATolerance_isALowerBoundThatIsShortByNoMor
   EXPECT_LT(visits, 0.7 * visits_exact);
 }
 
+/// What is known before ends searches, and never changes more than the tolerance allows.
+TEST_F(MeshContactLaws, knownBounds_endSearchesWithinTheTolerance) {
+  int ended = 0;
+  for (int walk = 0; walk < 40; ++walk) {
+    const MeshTree a = anyMesh();
+    const MeshTree b = anyMesh();
+    const auto front = std::make_unique<OwnFront>();
+    Pose at_b = anyPose();
+    for (int step = 0; step < 30; ++step) {
+      at_b.translation += 1e-3 * randomPoint(random_, 0.5);
+      const MeshDistance truth = distanceBetween({a, Pose()}, {b, at_b}, *memory_);
+      if (truth.state != MeshState::exact) {
+        continue;
+      }
+      MeshQueryLimits limits;
+      limits.tolerance = std::pow(10.0, uniform(random_, -4.0, -2.0));
+      limits.at_least =
+          std::max(0.0, truth.measured.distance - uniform(random_, 0.0, 2.0 * limits.tolerance));
+      const MeshDistance found = distanceBetween({a, Pose()}, {b, at_b}, *memory_, *front, limits);
+      const MeshDistance from_roots = distanceBetween({a, Pose()}, {b, at_b}, *memory_, {}, limits);
+      for (const MeshDistance& one : {found, from_roots}) {
+        ASSERT_EQ(one.state, MeshState::exact);
+        ASSERT_LE(one.measured.distance, truth.measured.distance + 1e-12);
+        ASSERT_GE(one.measured.distance, truth.measured.distance - limits.tolerance - 1e-12);
+        ASSERT_GE(one.measured.distance, limits.at_least - 1e-12);
+        ASSERT_GE(one.measured.distance + one.shortfall, truth.measured.distance - 1e-12);
+        expectConsistent(one.measured);
+      }
+      ended += found.visits <= 1 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(ended, 50);
+}
+
 TEST_F(MeshContactLaws, queries_allocateNothing) {
   const MeshTree a = anyMesh();
   const MeshTree b = anyMesh();

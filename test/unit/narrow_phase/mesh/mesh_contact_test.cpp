@@ -27,6 +27,12 @@ class MeshContactTest : public testing::Test {
     return pose;
   }
 
+  static TriangleMesh withoutATriangle() {
+    TriangleMesh open = boxMesh({0.1, 0.1, 0.1});
+    open.triangles.pop_back();
+    return open;
+  }
+
   MeshTree box_{boxMesh({0.1, 0.1, 0.1}), true};
   MeshTree small_{boxMesh({0.02, 0.02, 0.02}), true};
   std::unique_ptr<MeshQueryMemory> memory_ = std::make_unique<MeshQueryMemory>();
@@ -71,9 +77,7 @@ TEST_F(MeshContactTest, poseNotFinite_isOpen) {
 }
 
 TEST_F(MeshContactTest, holeInTheOuterMesh_outsideIsToldWhereAsked) {
-  TriangleMesh open = boxMesh({0.1, 0.1, 0.1});
-  open.triangles.pop_back();
-  const MeshTree outer = test::openTree(open);
+  const MeshTree outer = test::openTree(withoutATriangle());
   EXPECT_EQ(contactOf({outer, Pose()}, {small_, at(0.0)}, {}, *memory_).state, State::contact);
   MeshContactQuery query;
   query.asks_outside = true;
@@ -81,6 +85,24 @@ TEST_F(MeshContactTest, holeInTheOuterMesh_outsideIsToldWhereAsked) {
   EXPECT_EQ(beside.state, State::apart);
   EXPECT_LT(beside.outside, 0.5) << "how far it may go until it can be inside";
   EXPECT_GT(beside.outside, 0.0);
+}
+
+TEST_F(MeshContactTest, knownToBeOutside_isNotLookedForInside) {
+  MeshContactQuery query;
+  query.asks_outside = true;
+  query.outside = 0.02;
+  for (const TriangleMesh& mesh : {boxMesh({0.1, 0.1, 0.1}), withoutATriangle()}) {
+    const MeshTree outer = test::openTree(mesh);
+    const MeshContact told = contactOf({outer, Pose()}, {small_, at(0.0)}, query, *memory_);
+    EXPECT_EQ(told.state, State::apart) << "as the caller says";
+    EXPECT_EQ(told.outside, 0.02);
+    const ConvexGeometry ball = Sphere{0.01};
+    const MeshContact of_ball =
+        contactOf({outer, Pose()}, PlacedConvex{ball, at(0.0)}, query, *memory_);
+    EXPECT_EQ(of_ball.state, State::apart);
+    EXPECT_EQ(of_ball.outside, 0.02);
+  }
+  EXPECT_EQ(touch(0.15, query).state, State::contact) << "surfaces that cross are in contact";
 }
 
 }  // namespace

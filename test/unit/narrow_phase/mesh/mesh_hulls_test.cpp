@@ -4,8 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "collision_monitor/geometry/ids.h"
 #include "support/expect_distance.h"
@@ -109,6 +113,60 @@ TEST_F(MeshHulls, farFromTheOrigin_pointsAreStillOnTheMesh) {
   const MeshDistance found = measure(cube_.at(far), cube_.at(beside));
   EXPECT_EQ(found.state, MeshState::exact);
   EXPECT_NEAR(found.measured.distance, 1.0, 1e-9);
+}
+
+/// The hull of the angle runs over its hollow; there the surface is up to 0.14 m below it.
+TEST_F(MeshHulls, nearestPointsOffTheSurface_countWithinTheTolerance) {
+  const Pose pose = at(0.29, 0.29, 0.0);
+  const HeldSurface b = small_.at(pose);
+  const auto within = [&](double tolerance) {
+    return distanceByHulls(angle_.at(origin_), b, 10.0, *memory_, {warm_, nearest_}, tolerance);
+  };
+  const MeshDistance bound = within(0.0);
+  EXPECT_EQ(bound.state, MeshState::lower_bound);
+  EXPECT_EQ(within(0.001).state, MeshState::lower_bound);
+  const double truth =
+      distanceBetween({angle_.tree, origin_}, {small_.tree, pose}, *memory_).measured.distance;
+  const MeshDistance found = within(1.0);
+  ASSERT_EQ(found.state, MeshState::exact);
+  EXPECT_NEAR(found.measured.distance, bound.measured.distance, kExact);
+  EXPECT_LE(truth, found.measured.distance + found.shortfall);
+  EXPECT_GE(found.measured.distance, 0.5 * truth);
+}
+
+/// A flat dent in the top of a plate is below its hull.
+TEST_F(MeshHulls, overADent_theShortfallIsItsDepth) {
+  constexpr double kDent = 1e-3;
+  TriangleMesh plate = boxMesh({0.1, 0.1, 0.01});
+  const auto top = static_cast<std::uint32_t>(plate.vertices.size());
+  plate.vertices.emplace_back(0.0, 0.0, 0.01 - kDent);
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (const auto& triangle : plate.triangles) {
+    const bool is_top = std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t corner) {
+      return plate.vertices[corner].z() > 0.0;
+    });
+    if (is_top) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        triangles.push_back({triangle[i], triangle[(i + 1) % 3], top});
+      }
+    } else {
+      triangles.push_back(triangle);
+    }
+  }
+  plate.triangles = triangles;
+  const Hulled dented(plate);
+  const Pose pose = at(0.0, 0.0, 0.12);
+  const auto within = [&](double tolerance) {
+    return distanceByHulls(dented.at(origin_), small_.at(pose), 10.0, *memory_, {warm_, nearest_},
+                           tolerance);
+  };
+  EXPECT_EQ(within(0.0).state, MeshState::lower_bound);
+  EXPECT_EQ(within(1e-5).state, MeshState::lower_bound);
+  const MeshDistance found = within(2.0 * kDent);
+  EXPECT_EQ(found.state, MeshState::exact);
+  EXPECT_NEAR(found.measured.distance, 0.1, kExact);
+  EXPECT_GT(found.shortfall, 0.0);
+  EXPECT_LE(found.shortfall, kDent + kExact);
 }
 
 }  // namespace
