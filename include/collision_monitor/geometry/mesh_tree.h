@@ -11,7 +11,6 @@
 #include "collision_monitor/geometry/hull.h"
 #include "collision_monitor/geometry/part_corners.h"
 #include "collision_monitor/geometry/triangle.h"
-#include "collision_monitor/geometry/triangle_bvh.h"
 #include "collision_monitor/geometry/triangle_mesh.h"
 #include "collision_monitor/geometry/winding.h"
 
@@ -40,9 +39,10 @@ struct alignas(64) MeshTreeNode {
 /// What winding numbers need to tell the inside of a surface that is not closed.
 struct OpenSurface {
   std::vector<WindingMoments> moments;  ///< by node: the moments of all triangles below it
-  /// Edges where the surface ends. None for a soup, whose surface ends nearly everywhere.
-  std::optional<TriangleBvh> rim;
-  double rim_length{0.0};  ///< [m] as SurfaceRim::length
+  /// By triangle, in the order of the tree: the sides at which the surface ends, see rimSidesOf.
+  std::vector<std::uint8_t> rim_sides;
+  /// [m] By node: the length of all such sides below it, rounded up.
+  std::vector<float> rim_lengths;
   /// The faces of its convex hull, if they are known. Nothing beyond one is inside, even if several
   /// layers of the surface cover more than half of all directions there.
   std::vector<ConvexHull::Face> hull;
@@ -106,7 +106,7 @@ class MeshTree {
   const std::vector<Eigen::Vector3d>& probes() const noexcept { return probes_; }
 
  private:
-  MeshTree(const TriangleMesh& mesh, bool is_closed, std::optional<OpenSurface> open);
+  MeshTree(const TriangleMesh& mesh, bool is_closed, bool is_open);
 
   std::vector<MeshTreeNode> nodes_;
   std::vector<Triangle> triangles_;

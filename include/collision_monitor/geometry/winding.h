@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "collision_monitor/geometry/triangle.h"
 #include "collision_monitor/geometry/triangle_mesh.h"
@@ -91,13 +93,9 @@ BoundedNumber windingOf(const WindingMoments& part, const Eigen::Vector3d& point
 /// change. Neighbours are two triangles that alone share an edge; equal vertices count as one.
 TriangleMesh orientedSurface(const TriangleMesh& mesh);
 
-/// The edges where a surface ends.
-struct SurfaceRim {
-  TriangleMesh edges;  ///< each a triangle (from, to, to)
-  double length{0.0};  ///< [m] counts each edge once for each triangle that ends there
-};
-
-/// The edges along which triangles do not run equally often both ways. Equal vertices count as one.
-SurfaceRim rimOf(const TriangleMesh& mesh);
+/// By triangle: a bit for each side, from one corner to the next, at which the surface ends. Along
+/// an edge where triangles do not run equally often both ways, as many sides as run too often one
+/// way. Equal vertices count as one.
+std::vector<std::uint8_t> rimSidesOf(const TriangleMesh& mesh);
 
 }  // namespace collision_monitor

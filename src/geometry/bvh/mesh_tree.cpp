@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <utility>
 
 #include "geometry/bvh/bound_triangles.h"
 #include "geometry/bvh/part_corners.h"
@@ -189,14 +188,12 @@ void boundBySlabs(const std::vector<Builder::Extents>& extents,
 
 MeshTree MeshTree::ofOriented(const TriangleMesh& oriented) {
   checkMesh(oriented, kMaxMeasured);
-  return MeshTree(oriented, false, openSurfaceOf(oriented));
+  return MeshTree(oriented, false, true);
 }
 
-MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed)
-    : MeshTree(mesh, is_closed, std::nullopt) {}
+MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed) : MeshTree(mesh, is_closed, false) {}
 
-MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed, std::optional<OpenSurface> open)
-    : open_(std::move(open)), is_closed_(is_closed) {
+MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed, bool is_open) : is_closed_(is_closed) {
   checkMesh(mesh, kMaxMeasured);
   Vector3d low = mesh.vertices.front();
   Vector3d high = low;
@@ -220,8 +217,8 @@ MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed, std::optional<OpenS
   part_corners_ = cornersOfParts(mesh, nodes_, source_triangles_, center_);
   pieces_ = piecesOf(mesh);
   probes_ = probesOf(pieces_, triangles_);
-  if (open_) {
-    open_->moments = momentsOf(nodes_, triangles_);
+  if (is_open) {
+    open_ = openSurfaceOf(mesh, *this);
   }
 }
 

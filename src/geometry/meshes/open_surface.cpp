@@ -36,10 +36,8 @@ double radiusAbout(const Vector3d& center, const std::vector<Triangle>& triangle
   return std::sqrt(squared) * (1.0 + 1e-15);
 }
 
-}  // namespace
-
-std::vector<WindingMoments> momentsOf(const std::vector<MeshTreeNode>& nodes,
-                                      const std::vector<Triangle>& triangles) {
+std::vector<WindingMoments> momentsOfNodes(const std::vector<MeshTreeNode>& nodes,
+                                           const std::vector<Triangle>& triangles) {
   std::vector<WindingMoments> moments(nodes.size());
   std::vector<Range> ranges(nodes.size());
   // Children stand behind their parents.
@@ -60,17 +58,44 @@ std::vector<WindingMoments> momentsOf(const std::vector<MeshTreeNode>& nodes,
   return moments;
 }
 
-OpenSurface openSurfaceOf(const TriangleMesh& oriented) {
-  // A rim with more edges than this share of the triangles costs more memory than it is worth.
-  constexpr std::size_t kTrianglesAnEdge = 4;
-  constexpr std::size_t kFewEdges = 100;
-  const SurfaceRim rim = rimOf(oriented);
-  OpenSurface open;
-  open.rim_length = rim.length;
-  const std::size_t edges = rim.edges.triangles.size();
-  if (edges > 0 && (edges <= kFewEdges || kTrianglesAnEdge * edges <= oriented.triangles.size())) {
-    open.rim.emplace(rim.edges);
+double lengthOf(const Triangle& triangle, std::uint8_t sides) {
+  double length = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    length += (sides >> i & 1U) != 0 ? (triangle[(i + 1) % 3] - triangle[i]).norm() : 0.0;
   }
+  return length;
+}
+
+std::vector<float> rimLengthsOf(const MeshTree& tree, const std::vector<std::uint8_t>& rim_sides) {
+  constexpr double kUp = 1.0 + 1e-6;  // more than the roundings of all levels
+  std::vector<double> lengths(tree.nodes().size(), 0.0);
+  for (std::size_t node = lengths.size(); node-- > 0;) {
+    for (const Index child : tree.nodes()[node].child) {
+      if (child != kNone) {
+        const Index at = child & ~MeshTreeNode::kTriangle;
+        lengths[node] += (child & MeshTreeNode::kTriangle) != 0
+                             ? lengthOf(tree.triangles()[at], rim_sides[at])
+                             : lengths[at];
+      }
+    }
+  }
+  std::vector<float> rounded;
+  for (const double length : lengths) {
+    rounded.push_back(static_cast<float>(kUp * length));
+  }
+  return rounded;
+}
+
+}  // namespace
+
+OpenSurface openSurfaceOf(const TriangleMesh& oriented, const MeshTree& tree) {
+  const std::vector<std::uint8_t> by_source = rimSidesOf(oriented);
+  OpenSurface open;
+  open.moments = momentsOfNodes(tree.nodes(), tree.triangles());
+  for (const Index source : tree.sourceTriangles()) {
+    open.rim_sides.push_back(source < by_source.size() ? by_source[source] : std::uint8_t{0});
+  }
+  open.rim_lengths = rimLengthsOf(tree, open.rim_sides);
   return open;
 }
 

@@ -8,12 +8,8 @@
 
 namespace collision_monitor {
 
-/// OpenSurface::moments for the nodes and triangles of a tree.
-std::vector<WindingMoments> momentsOf(const std::vector<MeshTreeNode>& nodes,
-                                      const std::vector<Triangle>& triangles);
-
-/// The open surface without its moments.
-OpenSurface openSurfaceOf(const TriangleMesh& oriented);
+/// What an open surface needs, but for its hull. @param tree of the surface
+OpenSurface openSurfaceOf(const TriangleMesh& oriented, const MeshTree& tree);
 
 /// See MeshTree::probes.
 std::vector<Eigen::Vector3d> probesOf(const std::vector<Eigen::Vector3d>& pieces,

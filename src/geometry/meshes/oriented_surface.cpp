@@ -135,18 +135,26 @@ TriangleMesh orientedSurface(const TriangleMesh& mesh) {
   return {mesh.vertices, std::move(triangles)};
 }
 
-SurfaceRim rimOf(const TriangleMesh& mesh) {
-  SurfaceRim rim;
-  rim.edges.vertices = mesh.vertices;
-  forEdges(sidesOf(weldedTriangles(mesh), mesh.vertices.size()), [&](auto first, auto last) {
+std::vector<std::uint8_t> rimSidesOf(const TriangleMesh& mesh) {
+  const std::vector<Corners> triangles = weldedTriangles(mesh);
+  std::vector<std::uint8_t> rim(triangles.size(), 0);
+  const auto mark = [&](const TriangleSide& side) {
+    const Corners& corners = triangles[side.triangle];
+    const std::uint32_t from = side.is_forward ? side.low : side.high;
+    const auto place = std::find(corners.begin(), corners.end(), from) - corners.begin();
+    rim[side.triangle] = static_cast<std::uint8_t>(rim[side.triangle] | 1U << place);
+  };
+  forEdges(sidesOf(triangles, mesh.vertices.size()), [&](auto first, auto last) {
     int ends = 0;
     for (auto side = first; side != last; ++side) {
       ends += side->is_forward ? 1 : -1;
     }
-    if (ends != 0) {
-      rim.edges.triangles.push_back({first->low, first->high, first->high});
-      rim.length +=
-          std::abs(ends) * (mesh.vertices[first->high] - mesh.vertices[first->low]).norm();
+    const bool is_forward = ends > 0;
+    for (auto side = first; side != last && ends != 0; ++side) {
+      if (side->is_forward == is_forward) {
+        mark(*side);
+        ends += is_forward ? -1 : 1;
+      }
     }
   });
   return rim;

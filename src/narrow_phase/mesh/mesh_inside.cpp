@@ -8,9 +8,9 @@
 
 #include "collision_monitor/geometry/ids.h"
 #include "geometry/constants.h"
+#include "geometry/point_triangle.h"
 #include "narrow_phase/mesh/mesh_search.h"
 #include "narrow_phase/mesh/mesh_winding.h"
-#include "narrow_phase/mesh_depth/point_on_mesh.h"
 
 namespace collision_monitor {
 namespace {
@@ -87,38 +87,84 @@ double beyondHull(const MeshTree& tree, const Vector3d& point) noexcept {
   return beyond;
 }
 
-// [m] From the rim of an open surface. The rim is part of the surface.
-double distanceToRim(const MeshTree& tree, const Vector3d& point,
-                     MeshQueryMemory& memory) noexcept {
-  const std::optional<TriangleBvh>& rim = tree.openSurface()->rim;
-  return rim ? rim->nearestTo(point).distance
-             : nearestOnMesh(tree, point, kNone, {}, memory).distance;
+// What the rim of an open surface does to winding numbers near a point. Their gradient is the sum
+// of dl / (4 pi r^2) over the rim, by Biot and Savart.
+struct RimAtPoint {
+  double gradient{0.0};       // [1/m] an upper bound at the point
+  double nearest{kInfinity};  // [m] a lower bound of the distance of the rim
+  std::uint32_t visits{0};
+
+  void add(double length, double distance) noexcept {
+    gradient += length / (4.0 * kPi * distance * distance);
+    nearest = std::min(nearest, distance);
+  }
+};
+
+void addSides(const Triangle& triangle, std::uint8_t sides, const Vector3d& point,
+              RimAtPoint& rim) noexcept {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if ((sides >> i & 1U) != 0) {
+      const Vector3d& from = triangle[i];
+      const Vector3d& to = triangle[(i + 1) % 3];
+      rim.add((to - from).norm(), (closestPointOnSegment(point, from, to) - point).norm());
+    }
+  }
 }
 
-// [m] How far the point may travel before its winding number can change by `change`.
-double holdFor(double change, const MeshTree& tree, const Vector3d& point,
-               MeshQueryMemory& memory) noexcept {
-  const double rim_length = tree.openSurface()->rim_length;
-  if (!(rim_length > 0.0)) {
+// Recursion is as deep as the tree. Far nodes count as if all of their rim were at their ball.
+void addRim(const MeshTree& tree, std::uint32_t node, const Vector3d& point,
+            RimAtPoint& rim) noexcept {
+  constexpr double kFar = 2.0;  // radii
+  const OpenSurface& open = *tree.openSurface();
+  const auto length = static_cast<double>(open.rim_lengths[node]);
+  if (!(length > 0.0)) {
+    return;
+  }
+  ++rim.visits;
+  const WindingMoments& ball = open.moments[node];
+  const double distance = (point - ball.center).norm() - ball.radius;
+  if (distance > kFar * ball.radius) {
+    rim.add(length, distance);
+    return;
+  }
+  for (const std::uint32_t child : tree.nodes()[node].child) {
+    if (child == kNone) {
+      continue;
+    }
+    if (isTriangle(child)) {
+      addSides(tree.triangles()[triangleAt(child)], open.rim_sides[triangleAt(child)], point, rim);
+    } else {
+      addRim(tree, child, point, rim);
+    }
+  }
+}
+
+RimAtPoint rimAt(const MeshTree& tree, const Vector3d& point) noexcept {
+  RimAtPoint rim;
+  addRim(tree, 0, point, rim);
+  return rim;
+}
+
+// [m] How far a point may travel before its winding number can change by `change`. On the way each
+// piece of the rim comes nearer by at most the travel t: over all pieces L_i at r_i the change is
+// at most sum L_i t / (4 pi r_i (r_i - t)), which is at most gradient * t / (1 - t / nearest).
+double holdFor(double change, const RimAtPoint& rim) noexcept {
+  if (!(rim.gradient > 0.0)) {
     return kInfinity;
   }
-  const double distance = distanceToRim(tree, point, memory);
-  if (!(change > 0.0) || !(distance > 0.0)) {
-    return 0.0;
-  }
-  return distance - 1.0 / (1.0 / distance + 4.0 * kPi * change / rim_length);
+  return change > 0.0 && rim.nearest > 0.0 ? change / (rim.gradient + change / rim.nearest) : 0.0;
 }
 
 // By how much the winding number may change while the point travels: holdFor, solved for `change`.
-double changeWithin(double travel, const MeshTree& tree, const Vector3d& point,
-                    MeshQueryMemory& memory) noexcept {
-  const double rim_length = tree.openSurface()->rim_length;
-  if (!(rim_length > 0.0) || travel < leastHold(tree)) {
+double changeWithin(double travel, const MeshTree& tree, const Vector3d& point) noexcept {
+  if (travel < leastHold(tree)) {
     return 0.0;
   }
-  const double distance = distanceToRim(tree, point, memory);
-  return travel < distance ? rim_length / (4.0 * kPi) * (1.0 / (distance - travel) - 1.0 / distance)
-                           : kInfinity;
+  const RimAtPoint rim = rimAt(tree, point);
+  if (!(rim.gradient > 0.0)) {
+    return 0.0;
+  }
+  return travel < rim.nearest ? rim.gradient * travel / (1.0 - travel / rim.nearest) : kInfinity;
 }
 
 }  // namespace
@@ -144,7 +190,9 @@ PointInMesh lookInside(const MeshTree& tree, const Vector3d& point, MeshQueryMem
     answer.is_inside = false;
     answer.hold = from_hull;
   } else if (asks_hold) {
-    answer.hold = holdFor(std::abs(beyond) - number.error, tree, point, memory);
+    const RimAtPoint rim = rimAt(tree, point);
+    answer.visits += rim.visits / kPartsPerVisit;
+    answer.hold = holdFor(std::abs(beyond) - number.error, rim);
     answer.hold = answer.is_inside ? std::min({answer.hold, -outside, -from_hull}) : answer.hold;
   }
   return answer;
@@ -158,7 +206,7 @@ bool staysOutside(const MeshTree& tree, const Vector3d& point, double travel,
   if (outsideBounds(tree, point) > travel) {
     return true;
   }
-  const double limit = 0.5 - changeWithin(travel, tree, point, memory);
+  const double limit = 0.5 - changeWithin(travel, tree, point);
   if (!(limit > 0.0)) {
     return false;
   }
