@@ -117,9 +117,10 @@ WindingNumber windingNumber(const MeshTree& tree, const Eigen::Vector3d& point, 
 }
 
 WindingNumber windingByLimit(const MeshTree& tree, const Eigen::Vector3d& point, double limit,
-                             double error, MeshQueryMemory& memory) noexcept {
+                             double error, MeshQueryMemory& memory, double share) noexcept {
   return search(tree, point, memory, [&](const WindingNumber& number) {
-    return number.error <= error || std::abs(std::abs(number.value) - limit) > number.error;
+    const double below = limit - std::abs(number.value);
+    return number.error <= error || (below > 0.0 ? share * below : -below) > number.error;
   });
 }
 

@@ -24,8 +24,9 @@ WindingNumber windingNumber(const MeshTree& tree, const Eigen::Vector3d& point, 
                             MeshQueryMemory& memory) noexcept;
 
 /// The same, but stops once it is certain whether the number exceeds `limit` in size: a tenth of
-/// the time for most points.
+/// the time for most points. @param share of a number below the limit the error is at most this
+/// share of what is left to the limit, or `error`
 WindingNumber windingByLimit(const MeshTree& tree, const Eigen::Vector3d& point, double limit,
-                             double error, MeshQueryMemory& memory) noexcept;
+                             double error, MeshQueryMemory& memory, double share = 1.0) noexcept;
 
 }  // namespace collision_monitor

@@ -3,6 +3,7 @@
 #include "pipeline/refine/decide_contact.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "pipeline/refine/touch_elements.h"
 
@@ -54,8 +55,9 @@ bool tryDecide(const Refinement& all, RefineTask& task, const ElementDistance& r
 bool isDecided(const Refinement& all, const RefineTask& task, const ElementDistance& recalled,
                double cutoff) noexcept {
   const double contact = std::max(0.0, limitsOf(all, task).contact_distance);
+  const std::vector<Verdict>& reported = all.memory.reported;  // none where nothing is reported
   const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
-  return all.memory.reported[link_pair] != Verdict::contact && isBound(recalled) &&
+  return !reported.empty() && reported[link_pair] != Verdict::contact && isBound(recalled) &&
          recalled.measured.distance > 0.5 * (contact + cutoff);
 }
 
