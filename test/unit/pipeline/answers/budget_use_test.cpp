@@ -121,7 +121,7 @@ TEST(BudgetUse, wayThatTheBudgetDoesNotSufficeFor_counts) {
   scene.moveTo(0, -0.085);
   scene.run();
   BudgetTally tally = makeBudgetTally(scene.setup);
-  scene.buffers.refine.limits.budget = 3500;
+  scene.buffers.refine.limits.budget = 7000;
   scene.poses.stamp_ns += 1'000'000;
   scene.moveTo(0, 0.085);  // farther than both gaps
   scene.run();
