@@ -73,6 +73,7 @@ bool isFollowed(const ElementDistance& last, const ElementDistance& recalled,
 
 void decideContact(const Refinement& all, RefineTask& task) noexcept {
   constexpr double kPastThreshold = 1e-6;
+  constexpr double kPart = 0.25;
   const Goal clear{clearBeyond(all, task), budgetOf(all) / 4 * 3};
   if (task.bound > clear.cutoff) {
     return;
@@ -85,6 +86,11 @@ void decideContact(const Refinement& all, RefineTask& task) noexcept {
     return;
   }
   const double contact = std::max(0.0, limitsOf(all, task).contact_distance);
+  // A bound that lasts for some cycles spares them the search for points inside.
+  if (!has_overlapped &&
+      tryDecide(all, task, recalled, {contact + kPart * (clear.cutoff - contact), clear.budget})) {
+    return;
+  }
   tryDecide(all, task, recalled, {contact + kPastThreshold, clear.budget});
 }
 
