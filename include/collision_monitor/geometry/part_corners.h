@@ -25,8 +25,8 @@ class PartCorners {
 
   /// Corners [first, last).
   struct Range {
-    std::uint32_t first{0};
-    std::uint32_t last{0};
+    std::uint32_t first{0};  ///< a multiple of kStep
+    std::uint32_t last{0};   ///< beyond the last one; likewise
 
     bool empty() const noexcept { return first == last; }  ///< true if a node is no part
   };

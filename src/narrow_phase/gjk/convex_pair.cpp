@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/bvh/part_support.h"
 #include "narrow_phase/closed_form/core_distance.h"
-#include "narrow_phase/mesh/part_support.h"
 
 namespace collision_monitor {
 namespace {

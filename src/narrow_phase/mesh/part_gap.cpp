@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "narrow_phase/mesh/part_gap.h"
 
+#include "geometry/bvh/part_support.h"
 #include "narrow_phase/gjk/gjk.h"
-#include "narrow_phase/mesh/part_support.h"
 
 namespace collision_monitor {
 namespace {

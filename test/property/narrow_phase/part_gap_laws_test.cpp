@@ -10,8 +10,8 @@
 
 #include "collision_monitor/geometry/ids.h"
 #include "collision_monitor/narrow_phase/convex_distance.h"
+#include "geometry/bvh/part_support.h"
 #include "narrow_phase/mesh/part_gap.h"
-#include "narrow_phase/mesh/part_support.h"
 #include "support/allocation_guard.h"
 #include "support/fixed_seed.h"
 #include "support/query_meshes.h"

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "narrow_phase/mesh/part_support.cpp"
+#define HWY_TARGET_INCLUDE "geometry/bvh/part_support.cpp"
 #include "hwy/foreach_target.h"
 // The order matters: Highway first includes this file once for each target.
 #include <array>
 #include <limits>
 
+#include "geometry/bvh/part_support.h"
 #include "hwy/highway.h"
-#include "narrow_phase/mesh/part_support.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
