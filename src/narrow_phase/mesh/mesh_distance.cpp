@@ -123,6 +123,8 @@ MeshDistance settledAnswer(const MeshPair& pair, NearestSearch& search,
   MeshDistance answer;
   answer.visits = search.visits;
   search.squared_left = search.at_least * search.at_least;
+  const bool is_open = pair.a.openSurface() || pair.b.openSurface();
+  answer.outside = is_open ? search.at_least : answer.outside;
   report(pair, search, world_from_a, answer);
   return answer;
 }

@@ -62,8 +62,8 @@ struct MeshQueryLimits {
   /// then a proven lower bound that is short by no more, and the point on B is moved to fit.
   double tolerance{0.0};
   bool asks_outside{true};  ///< MeshDistance::outside is wanted, too
-  /// [m] What is known before: the surfaces are no nearer. Above 0, neither mesh holds a point of
-  /// the other.
+  /// [m] What is known before: the convex hulls of both are this far apart. So the surfaces are no
+  /// nearer, and neither mesh holds a point of the other. 0: nothing is known.
   double at_least{0.0};
 };
 

@@ -67,6 +67,10 @@ CoreGap gapBetween(const PlacedCore& a, const PlacedCore& b, double cutoff,
   return confirmed ? CoreGap{MeshState::exact, confirmed->cores} : searchGap(a, b, cutoff, warm);
 }
 
+bool isOpen(const HeldSurface& surface) noexcept {
+  return surface.mesh != nullptr && surface.mesh->openSurface();
+}
+
 // [m] How far a point of the solid is off the surface; infinity if that is more than `allowed`.
 // Tries the triangle of the last point first.
 double offSurface(const HeldSurface& surface, const Vector3d& point, double allowed,
@@ -127,6 +131,8 @@ MeshDistance distanceByHulls(const HeldSurface& a, const HeldSurface& b, double 
   }
   answer.state = MeshState::lower_bound;
   answer.measured = inflated(gap.cores, core_a->radius, core_b->radius);
+  // What must come through the other's hull first cannot be inside before.
+  answer.outside = isOpen(a) || isOpen(b) ? answer.measured.distance : answer.outside;
   if (gap.state == MeshState::exact && answer.measured.distance < stop_beyond) {
     takePoints(a, b, tolerance, memory, last.nearest, answer);
   }

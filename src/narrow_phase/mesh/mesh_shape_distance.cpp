@@ -159,6 +159,7 @@ MeshDistance settledAnswer(const MeshAndCore& pair, NearestSearch& search,
   MeshDistance answer;
   answer.visits = search.visits;
   search.squared_left = search.at_least * search.at_least;
+  answer.outside = pair.mesh.openSurface() ? search.at_least - pair.radius : kInfinity;
   report(pair, search, CoreInMesh(), answer);
   answer.measured = placed(world_from_core, answer.measured);
   return answer;

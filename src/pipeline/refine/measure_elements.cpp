@@ -121,6 +121,7 @@ bool measureHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch&
   }
   answer.measured = found.measured;
   answer.shortfall = found.shortfall;
+  answer.outside = found.outside;
   answer.has_points = found.state == MeshState::exact;
   answer.is_complete = true;
   answer.quality = answer.has_points && areExact(a, b) ? Quality::exact : Quality::lower_bound;

@@ -52,14 +52,16 @@ ElementContact measureContact(const PlacedElement& a, const PlacedElement& b, do
 
 enum class HullAnswer : unsigned char { apart, contact, open };
 
-/// Asks what holds the geometries. Gives a contact only if it is shown on the surfaces themselves.
+/// Asks what holds the geometries; `told` gets its work, and ElementContact::outside. Gives a
+/// contact only if it is shown on the surfaces themselves.
 HullAnswer askHulls(const PlacedElement& a, const PlacedElement& b, double reach,
-                    ElementSearch& search, std::uint32_t& work) noexcept {
+                    ElementSearch& search, ElementContact& told) noexcept {
   const double beyond = std::nextafter(reach, std::numeric_limits<double>::infinity());
   const MeshDistance found =
       distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), beyond, search.scratch.mesh,
                       {search.memory.warm, search.memory.nearest});
-  work += kHullWork + found.visits;
+  told.work += kHullWork + found.visits;
+  told.outside = found.outside;
   const bool is_told = found.state == MeshState::exact || found.state == MeshState::lower_bound;
   if (is_told && found.measured.distance > reach) {
     return HullAnswer::apart;
@@ -75,9 +77,9 @@ ElementContact touchConvex(const PlacedElement& a, const PlacedElement& b, doubl
   if (!isFinite(a.world_from_element) || !isFinite(b.world_from_element)) {
     return settled(State::unknown, 0);
   }
-  std::uint32_t work = 0;
-  const bool is_apart = askHulls(a, b, reach, search, work) == HullAnswer::apart;
-  return settled(is_apart ? State::apart : State::contact, work);
+  ElementContact told;
+  const bool is_apart = askHulls(a, b, reach, search, told) == HullAnswer::apart;
+  return settled(is_apart ? State::apart : State::contact, told.work);
 }
 
 bool overlapInside(const PlacedElement& a, const PlacedElement& b, double reach) noexcept {
@@ -117,12 +119,15 @@ ElementContact touchElements(const PlacedElement& a, const PlacedElement& b,
     return touchConvex(a, b, goal.distance + paddings, search);
   }
   const double reach = std::max(goal.distance, 0.0) + paddings;
-  std::uint32_t work = kStartWork;
-  const HullAnswer hulls = askHulls(a, b, reach, search, work);
+  ElementContact told;
+  told.work = kStartWork;
+  const HullAnswer hulls = askHulls(a, b, reach, search, told);
   if (hulls != HullAnswer::open) {
-    return settled(hulls == HullAnswer::apart ? State::apart : State::contact, work);
+    told.state = hulls == HullAnswer::apart ? State::apart : State::contact;
+    told.is_complete = true;
+    return told;
   }
-  work += kInnerWork;
+  const std::uint32_t work = told.work + kInnerWork;
   if (overlapInside(a, b, reach)) {
     return settled(State::contact, work);
   }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "../setup/open_torso.h"
 #include "refine_scene.h"
 
 namespace collision_monitor::test {
@@ -49,6 +50,28 @@ TEST_F(DecideContact, boundOfWhichHalfIsLeft_isNotProvenAgain) {
 TEST_F(DecideContact, reportedContact_endsAtTheWholeCutoff) {
   scene_.buffers.memory.reported[0] = Verdict::contact;
   EXPECT_GT(workAfter(0.1 * kCutoff), 0U);
+}
+
+/// A forearm goes down into a bin that is open above. Far above, their hulls are apart.
+TEST(DecideContactOfOpenMeshes, throughTheHole_isNotTakenForApart) {
+  RefineScene scene({open_meshes::bin(), open_meshes::forearm()});
+  scene.moveTo(1, 1.0);
+  scene.run();
+  CycleBuffers& buffers = scene.buffers;
+  const Refinement all{scene.setup, buffers.body_poses, buffers.memory, buffers.refine,
+                       buffers.distances};
+  Pose& forearm = buffers.body_poses.world_from_element[1];
+  for (int step = 0; step <= 600; ++step) {
+    forearm.translation = {0.03, 0.02, 0.3 - 0.0005 * step};
+    buffers.refine.work_done = 0;
+    RefineTask task{0};
+    task.bound = -0.01;
+    decideContact(all, task);
+  }
+  const LastMeasurement& last = buffers.memory.refined.lastOf(0);
+  const bool is_recent = last.world_from_b.translation == forearm.translation;
+  EXPECT_FALSE(is_recent && last.found.quality == Quality::lower_bound) << "it is inside";
+  EXPECT_LE(last.found.outside, 0.3) << "a bin has a hole";
 }
 
 }  // namespace
