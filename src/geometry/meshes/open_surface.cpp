@@ -80,6 +80,7 @@ std::vector<float> rimLengthsOf(const MeshTree& tree, const std::vector<std::uin
     }
   }
   std::vector<float> rounded;
+  rounded.reserve(lengths.size());
   for (const double length : lengths) {
     rounded.push_back(static_cast<float>(kUp * length));
   }
@@ -92,6 +93,7 @@ OpenSurface openSurfaceOf(const TriangleMesh& oriented, const MeshTree& tree) {
   const std::vector<std::uint8_t> by_source = rimSidesOf(oriented);
   OpenSurface open;
   open.moments = momentsOfNodes(tree.nodes(), tree.triangles());
+  open.rim_sides.reserve(tree.sourceTriangles().size());
   for (const Index source : tree.sourceTriangles()) {
     open.rim_sides.push_back(source < by_source.size() ? by_source[source] : std::uint8_t{0});
   }
