@@ -188,13 +188,14 @@ MeshDistance distanceBetween(const PlacedMesh& a, const PlacedMesh& b, MeshQuery
   }
   const MeshPair pair = makeMeshPair(a, b);
   const MeshQuery query{pair};
+  NearestSearch before = searchWithin(limits);
+  measureLast(query, front, before);
+  if (before.isSettled()) {
+    return settledAnswer(pair, before, a.world_from_mesh);
+  }
   NearestSearch search = searchWithin(limits);
   search.front = &front;
   search.moving = movingBounds(pair.b, false);
-  measureLast(query, search);
-  if (search.isSettled()) {
-    return settledAnswer(pair, search, a.world_from_mesh);
-  }
   const double step =
       follow({pair.a_from_b, pair.b, pair.a.center(), pair.a.radius(), 1.0, pair.rounding}, front);
   NodePairQueue queue(memory);

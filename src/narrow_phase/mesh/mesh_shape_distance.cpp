@@ -178,12 +178,13 @@ MeshDistance measureCore(const PlacedMesh& a, const InflatedCore& b, const Pose&
   search.at_least = limits.at_least > 0.0 ? limits.at_least + b.radius : 0.0;
   search.best.on_b = anyPointOf(b.core);
   if (start.front != nullptr) {
+    NearestSearch before = search;
+    measureLast(CoreQuery{pair}, *start.front, before);
+    if (before.isSettled()) {
+      return settledAnswer(pair, before, world_from_b);
+    }
     search.front = start.front;
     search.moving = movingBounds(pair.mesh, true);
-    measureLast(CoreQuery{pair}, search);
-  }
-  if (search.isSettled()) {
-    return settledAnswer(pair, search, world_from_b);
   }
   const double step = searchCore(pair, start, limits.visit_budget, memory, search);
   const CoreInMesh lies = lookInside(pair, search, step, memory);

@@ -98,17 +98,16 @@ void shrinkFront(const Query& query, double cutoff, std::uint32_t visit_budget,
   }
 }
 
-/// Measures the nearest triangles of the last query.
+/// Measures the nearest triangles of the last query. A search that has the front may put them into
+/// it, so it must follow before; a search without a front may come first.
 template <class Query>
-void measureLast(const Query& query, NearestSearch& search) noexcept {
-  const MeshFront::Kept& last = search.front->nearest;
-  if (last.a != kNone) {
-    query.measure({0.0F, last.a, last.b}, search);
+void measureLast(const Query& query, const MeshFront& front, NearestSearch& search) noexcept {
+  if (front.nearest.a != kNone) {
+    query.measure({0.0F, front.nearest.a, front.nearest.b}, search);
   }
 }
 
 /// Searches from the pairs that the last query kept, or from the roots if others may be nearer.
-/// @pre measureLast
 /// @param step from `follow`. @param cutoff [m] the search ends once something is this near.
 template <class Query>
 void searchFromFront(const Query& query, double step, double cutoff, std::uint32_t visit_budget,
@@ -116,6 +115,7 @@ void searchFromFront(const Query& query, double step, double cutoff, std::uint32
   constexpr std::uint32_t kPairsPerVisit = 128;  // pairs loosened in the time of a visit
   MeshFront& front = *search.front;
   search.visits += step > 0.0 ? front.size / kPairsPerVisit : 0;
+  measureLast(query, front, search);
   setMargin(step, search.best.squared_distance, front);
   if (search.best.squared_distance > cutoff * cutoff) {
     if (covers(search.squaredGoal(), front) && takeNearer(query, visit_budget, queue, search)) {
