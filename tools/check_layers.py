@@ -26,7 +26,7 @@ MAY_INCLUDE = {
 # The same for folders within a room. Files directly in a room may include any folder, and the
 # reverse. Folders of rooms that are not listed may include each other.
 CONVEX = {"closed_form", "contact", "gjk"}
-MESHES = {"mesh", "mesh_front", "mesh_depth", "triangle"}
+MESHES = {"mesh", "mesh_inside", "mesh_front", "mesh_depth", "triangle"}
 MAY_INCLUDE_WITHIN = {
     "geometry": {
         "lanes": {"lanes"},
@@ -66,6 +66,7 @@ MAY_INCLUDE_WITHIN = {
         "mesh": CONVEX | MESHES | {"warm_start"},
         "mesh_front": CONVEX | MESHES,
         "mesh_depth": CONVEX | MESHES,
+        "mesh_inside": MESHES,
     },
 }
 # Headers that only the named rooms may include; all other third-party headers are free.

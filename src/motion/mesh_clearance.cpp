@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "geometry/constants.h"
-#include "narrow_phase/mesh/mesh_inside.h"
 #include "narrow_phase/mesh/mesh_search.h"
+#include "narrow_phase/mesh_inside/mesh_inside.h"
 #include "narrow_phase/triangle/triangle_edges.h"
 
 namespace collision_monitor {

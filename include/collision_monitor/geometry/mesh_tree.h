@@ -10,6 +10,7 @@
 
 #include "collision_monitor/geometry/hull.h"
 #include "collision_monitor/geometry/part_corners.h"
+#include "collision_monitor/geometry/surface_rim.h"
 #include "collision_monitor/geometry/triangle.h"
 #include "collision_monitor/geometry/triangle_mesh.h"
 #include "collision_monitor/geometry/winding.h"
@@ -38,6 +39,8 @@ struct alignas(64) MeshTreeNode {
 
 /// What winding numbers need to tell the inside of a surface that is not closed.
 struct OpenSurface {
+  /// Where the surface ends. Empty if that is long: then the next three are there instead.
+  SurfaceRim rim;
   std::vector<WindingMoments> moments;  ///< by node: the moments of all triangles below it
   /// By triangle, in the order of the tree: the sides at which the surface ends, see rimSidesOf.
   std::vector<std::uint8_t> rim_sides;
@@ -73,7 +76,7 @@ class MeshTree {
   explicit MeshTree(const TriangleMesh& mesh, bool is_closed = false);
 
   /// A tree of a surface that need not be closed: winding numbers tell its inside. Takes about a
-  /// quarter more memory.
+  /// quarter more memory if its rim is long.
   /// @param oriented the result of orientedSurface.
   /// @throws std::invalid_argument as the constructor.
   static MeshTree ofOriented(const TriangleMesh& oriented);

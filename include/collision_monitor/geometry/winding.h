@@ -36,9 +36,11 @@ class SolidAngles {
 
   /// Products of complex numbers, one per lane. The same bytes with every instruction set.
   struct Products {
-    alignas(64) std::array<double, kLanes> real;       ///< up to a factor
-    alignas(64) std::array<double, kLanes> imaginary;  ///< never -0
-    alignas(64) std::array<double, kLanes> turns;      ///< whole turns that arguments do not show
+    alignas(64) std::array<double, kLanes> real{1, 1, 1, 1, 1, 1, 1, 1};  ///< up to a factor
+    alignas(64) std::array<double, kLanes> imaginary{};                   ///< never -0
+    alignas(64) std::array<double, kLanes> turns{};  ///< whole turns that arguments do not show
+
+    double angle() const noexcept;  ///< [sr] twice the argument of the product of all
   };
   /// Triangles not yet multiplied, in columns: coordinates of the corners, seen from the point.
   struct Batch {
@@ -93,9 +95,9 @@ BoundedNumber windingOf(const WindingMoments& part, const Eigen::Vector3d& point
 /// change. Neighbours are two triangles that alone share an edge; equal vertices count as one.
 TriangleMesh orientedSurface(const TriangleMesh& mesh);
 
-/// By triangle: a bit for each side, from one corner to the next, at which the surface ends. Along
-/// an edge where triangles do not run equally often both ways, as many sides as run too often one
-/// way. Equal vertices count as one.
+/// By triangle: a bit for each side, from one corner to the next, at which the surface ends. An
+/// edge may have more sides of one direction than of the other: those that are too many count.
+/// Equal vertices count as one.
 std::vector<std::uint8_t> rimSidesOf(const TriangleMesh& mesh);
 
 }  // namespace collision_monitor

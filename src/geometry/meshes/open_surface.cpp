@@ -58,6 +58,18 @@ std::vector<WindingMoments> momentsOfNodes(const std::vector<MeshTreeNode>& node
   return moments;
 }
 
+SurfaceRim rimOf(const std::vector<Triangle>& triangles, const std::vector<std::uint8_t>& sides) {
+  SurfaceRim rim;
+  for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if ((sides[triangle] >> i & 1U) != 0) {
+        rim.add(triangles[triangle][i], triangles[triangle][(i + 1) % 3]);
+      }
+    }
+  }
+  return rim;
+}
+
 double lengthOf(const Triangle& triangle, std::uint8_t sides) {
   double length = 0.0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -90,13 +102,21 @@ std::vector<float> rimLengthsOf(const MeshTree& tree, const std::vector<std::uin
 }  // namespace
 
 OpenSurface openSurfaceOf(const TriangleMesh& oriented, const MeshTree& tree) {
+  // Up to here the sides take less time than moments.
+  constexpr std::size_t kMostSides = 4096;
   const std::vector<std::uint8_t> by_source = rimSidesOf(oriented);
   OpenSurface open;
-  open.moments = momentsOfNodes(tree.nodes(), tree.triangles());
   open.rim_sides.reserve(tree.sourceTriangles().size());
   for (const Index source : tree.sourceTriangles()) {
     open.rim_sides.push_back(source < by_source.size() ? by_source[source] : std::uint8_t{0});
   }
+  open.rim = rimOf(tree.triangles(), open.rim_sides);
+  if (open.rim.size() <= kMostSides) {
+    open.rim_sides = {};
+    return open;
+  }
+  open.rim = {};
+  open.moments = momentsOfNodes(tree.nodes(), tree.triangles());
   open.rim_lengths = rimLengthsOf(tree, open.rim_sides);
   return open;
 }

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "collision_monitor/geometry/ids.h"
-#include "narrow_phase/mesh/mesh_inside.h"
 #include "narrow_phase/mesh_depth/mesh_support.h"
+#include "narrow_phase/mesh_inside/mesh_inside.h"
 #include "narrow_phase/triangle/triangle_core.h"
 #include "narrow_phase/triangle/triangle_edges.h"
 

@@ -11,8 +11,8 @@
 #include "narrow_phase/closed_form/core_distance.h"
 #include "narrow_phase/gjk/convex_core.h"
 #include "narrow_phase/mesh/mesh_and_core.h"
-#include "narrow_phase/mesh/mesh_inside.h"
 #include "narrow_phase/mesh_front/front_search.h"
+#include "narrow_phase/mesh_inside/mesh_inside.h"
 #include "narrow_phase/triangle/triangle_core.h"
 #include "narrow_phase/triangle/triangle_edges.h"
 

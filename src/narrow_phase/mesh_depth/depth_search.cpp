@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "collision_monitor/geometry/ids.h"
-#include "narrow_phase/mesh/mesh_inside.h"
 #include "narrow_phase/mesh/mesh_search.h"
 #include "narrow_phase/mesh_depth/depth_front.h"
 #include "narrow_phase/mesh_depth/point_on_mesh.h"
+#include "narrow_phase/mesh_inside/mesh_inside.h"
 
 namespace collision_monitor {
 namespace {

@@ -11,8 +11,8 @@
 #include "collision_monitor/geometry/triangle_bvh.h"
 #include "fitting/proofs/closed_surface.h"
 #include "narrow_phase/distance.h"
-#include "narrow_phase/mesh/mesh_inside.h"
-#include "narrow_phase/mesh/mesh_openness.h"
+#include "narrow_phase/mesh_inside/mesh_inside.h"
+#include "narrow_phase/mesh_inside/mesh_openness.h"
 #include "pipeline/fits/open_meshes.h"
 
 namespace collision_monitor {

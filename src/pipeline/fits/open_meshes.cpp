@@ -7,7 +7,7 @@
 
 #include "collision_monitor/geometry/winding.h"
 #include "fitting/proofs/closed_surface.h"
-#include "narrow_phase/mesh/mesh_openness.h"
+#include "narrow_phase/mesh_inside/mesh_openness.h"
 
 namespace collision_monitor {
 

@@ -10,7 +10,7 @@
 #include "collision_monitor/geometry/ids.h"
 #include "fitting/proofs/check_geometry.h"
 #include "fitting/proofs/segment_clearance.h"
-#include "narrow_phase/mesh/mesh_inside.h"
+#include "narrow_phase/mesh_inside/mesh_inside.h"
 
 namespace collision_monitor {
 namespace {

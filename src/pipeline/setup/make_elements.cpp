@@ -5,7 +5,7 @@
 
 #include "geometry/all_cores.h"
 #include "geometry/interruption.h"
-#include "narrow_phase/mesh/mesh_openness.h"
+#include "narrow_phase/mesh_inside/mesh_openness.h"
 #include "pipeline/fits/open_meshes.h"
 #include "pipeline/fits/prove_inner.h"
 #include "pipeline/setup/fill_element.h"

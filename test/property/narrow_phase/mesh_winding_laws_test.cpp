@@ -11,10 +11,10 @@
 
 #include "collision_monitor/geometry/ids.h"
 #include "geometry/constants.h"
-#include "narrow_phase/mesh/mesh_inside.h"
 #include "narrow_phase/mesh/mesh_search.h"
-#include "narrow_phase/mesh/mesh_winding.h"
 #include "narrow_phase/mesh_depth/point_on_mesh.h"
+#include "narrow_phase/mesh_inside/mesh_inside.h"
+#include "narrow_phase/mesh_inside/mesh_winding.h"
 #include "support/allocation_guard.h"
 #include "support/query_meshes.h"
 #include "support/sample_meshes.h"
@@ -49,8 +49,29 @@ TriangleMesh anyClosed() {
   }
 }
 
-/// A closed mesh that lost some triangles, and some were turned.
+/// No two triangles share an edge, so the rim is too long to be summed by side.
+TriangleMesh allApart() {
+  const TriangleMesh whole = sphereMesh(0.5, 30);
+  const double share = 1e-3 * *rc::gen::inRange(900, 1000);
+  TriangleMesh mesh;
+  for (const auto& triangle : whole.triangles) {
+    const Vector3d center =
+        (whole.vertices[triangle[0]] + whole.vertices[triangle[1]] + whole.vertices[triangle[2]]) /
+        3.0;
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    for (const std::uint32_t corner : triangle) {
+      mesh.vertices.push_back(center + share * (whole.vertices[corner] - center));
+    }
+  }
+  return mesh;
+}
+
+/// A closed mesh that lost some triangles, and some were turned; or one with a long rim.
 TriangleMesh anyOpen() {
+  if (*rc::gen::inRange(0, 6) == 0) {
+    return allApart();
+  }
   TriangleMesh mesh = anyClosed();
   const int holes = *rc::gen::inRange(1, 20);
   for (int i = 0; i < holes && mesh.triangles.size() > 1; ++i) {
@@ -103,6 +124,20 @@ RC_GTEST_PROP(MeshWindingLaws, hierarchy_isOffTheSumOfAllTrianglesByNoMoreThanIs
     RC_ASSERT(by_limit.error <= error ||
               std::abs(std::abs(by_limit.value) - limit) > by_limit.error);
   }
+}
+
+/// Points in the walls that a line of sight adds, and straight below corners.
+RC_GTEST_PROP(MeshWindingLaws, pointsInLineWithTheRim_haveTheSumOfAllTriangles, ()) {
+  const MeshTree tree = test::openTree(anyOpen());
+  const auto& triangle =
+      tree.triangles()[*rc::gen::inRange<std::size_t>(0, tree.triangles().size())];
+  const Vector3d on_side = triangle[0] + millimetres(0, 1000) * (triangle[1] - triangle[0]);
+  const Vector3d sight = *rc::gen::element(Vector3d(0.271828, 0.141421, 1.0), Vector3d(0, 0, 1));
+  const Vector3d point = on_side + millimetres(-500, 500) * sight;
+  RC_PRE(distanceTo(tree, point) > 1e-4);
+  const WindingNumber number = windingNumber(tree, point, 1e-9, memory());
+  RC_ASSERT(number.error <= 1e-9);
+  RC_ASSERT(std::abs(number.value - sumOfAll(tree, point)) <= 1e-9);
 }
 
 RC_GTEST_PROP(MeshWindingLaws, closedMeshes_haveTheInsideOfTheExactTest, ()) {

@@ -13,11 +13,7 @@ namespace collision_monitor {
 
 /// True if the closed surface goes around the point, at least once and in either direction.
 ///
-/// Looks up along z and sums the triangles above the point, each with the sign of its turn. Edges
-/// decide whether a triangle covers the point. Two triangles get the same answer from an edge that
-/// they share, so a line of sight through an edge or a corner is counted right.
-/// Frames: the mesh's. Error: points on the surface, within rounding, may get either answer.
-/// Source: Sunday, "Inclusion of a Point in a Polygon" (2001), for the signed crossings.
+/// Frames: the mesh's. Error: as crossingsAbove, which looks along z.
 /// @pre the mesh is closed.
 bool isInside(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory) noexcept;
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "narrow_phase/mesh/mesh_winding.h"
+#include "narrow_phase/mesh_inside/mesh_winding.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <memory>
 #include <utility>
 
-#include "narrow_phase/mesh/mesh_inside.h"
-#include "narrow_phase/mesh/mesh_openness.h"
 #include "narrow_phase/mesh_depth/mesh_depth.h"
+#include "narrow_phase/mesh_inside/mesh_inside.h"
+#include "narrow_phase/mesh_inside/mesh_openness.h"
 #include "support/mesh_overlap.h"
 #include "support/query_meshes.h"
 #include "support/sample_meshes.h"
@@ -67,6 +67,16 @@ TEST_F(MeshWinding, cubeWithoutOneSide_fiveSixthsInTheMiddle) {
   EXPECT_NEAR(number.value, 5.0 / 6.0, 2e-9);
   EXPECT_LE(number.error, 1e-9);
   EXPECT_TRUE(holds(tree, Vector3d::Zero()));
+}
+
+TEST_F(MeshWinding, pointOnTheRim_hasNoNumberAndIsOutside) {
+  const MeshTree tree = test::openTree(openBox());
+  for (const Vector3d& point : {Vector3d(1, 1, 1), Vector3d(0.25, 1, 1)}) {
+    EXPECT_TRUE(std::isinf(windingNumber(tree, point, 1e-9, *memory_).error));
+    EXPECT_FALSE(holds(tree, point));
+    std::uint32_t visits = 0;
+    EXPECT_FALSE(staysOutside(tree, point, 0.0, *memory_, visits)) << "not proven";
+  }
 }
 
 TEST_F(MeshWinding, openBox_endsAtItsHole) {

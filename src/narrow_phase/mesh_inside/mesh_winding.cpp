@@ -1,18 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "narrow_phase/mesh/mesh_winding.h"
+#include "narrow_phase/mesh_inside/mesh_winding.h"
 
+#include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 
 #include "collision_monitor/geometry/ids.h"
 #include "geometry/constants.h"
 #include "narrow_phase/mesh/mesh_search.h"
+#include "narrow_phase/mesh_inside/mesh_crossings.h"
 
 namespace collision_monitor {
 namespace {
 
 // Rounding of a sum of up to 1e7 solid angles.
 constexpr double kRounding = 1e-9;
+
+// Work of what a line of sight looks at.
+constexpr std::uint32_t kPartsPerCrossing = 2;
 
 // A sum over all parts of a surface. A part counts by its moments or, if their error exceeds a
 // limit, by its own parts. Lower limits open the parts that are too coarse for them, not the rest.
@@ -39,9 +45,9 @@ class SumOfParts {
 
   WindingNumber number() noexcept {
     const double of_angles = angles_.sum() / (4.0 * kPi);
-    return held_ == 0 ? WindingNumber{of_angles, kRounding, visits_}
+    return held_ == 0 ? WindingNumber{of_angles, kRounding, parts_}
                       : WindingNumber{of_angles + of_moments_.value, of_moments_.error + kRounding,
-                                      visits_};
+                                      parts_};
   }
 
  private:
@@ -53,7 +59,7 @@ class SumOfParts {
   }
 
   void open(std::uint32_t node, double most_of_part) noexcept {
-    ++visits_;
+    ++parts_;
     const BoundedNumber part = momentsAt(node);
     if (!(part.error <= most_of_part) || held_ == kMostHeld) {
       openChildren(node, most_of_part);
@@ -72,7 +78,7 @@ class SumOfParts {
   SolidAngles angles_;
   BoundedNumber of_moments_;
   std::size_t held_{0};  // parts that count by their moments
-  std::uint32_t visits_{0};
+  std::uint32_t parts_{0};
 };
 
 // Recursion is as deep as the tree.
@@ -83,17 +89,47 @@ void SumOfParts::openChildren(std::uint32_t node, double most_of_part) noexcept 
     }
     if (isTriangle(child)) {
       angles_.add(tree_.triangles()[triangleAt(child)]);
-      ++visits_;
+      ++parts_;
     } else {
       open(child, most_of_part);
     }
   }
 }
 
+// Directions of sight that no edge of a model is likely to have: x and y for 1 of z.
+const std::array<Eigen::Vector2d, 3> kSlopes = {Eigen::Vector2d(0.271828, 0.141421),
+                                                Eigen::Vector2d(-0.173205, 0.223607),
+                                                Eigen::Vector2d(0.316228, -0.264575)};
+
+// Walls from the rim, away from the line of sight, close the surface, and the line meets none of
+// them. So the crossings of the surface are the winding number of both together. Where a point is
+// in a wall, another direction is taken. Points on the rim have no winding number.
+WindingNumber windingByRim(const MeshTree& tree, const Eigen::Vector3d& point,
+                           MeshQueryMemory& memory) noexcept {
+  const SurfaceRim& rim = tree.openSurface()->rim;
+  WindingNumber number{0.0, kInfinity, 0};
+  for (const Eigen::Vector2d& slope : kSlopes) {
+    const Eigen::Vector3d sight = slope.homogeneous().normalized();
+    const RimWalls walls = wallsSeenFrom(point, -sight, rim);
+    number.parts += static_cast<std::uint32_t>(kPartsPerBlock * rim.blocks().size());
+    if (walls.is_certain) {
+      const Crossings above = crossingsAbove(tree, point, slope, memory);
+      number.parts += kPartsPerCrossing * above.visits;
+      number.value = above.turns + walls.angle / (4.0 * kPi);
+      number.error = kRounding;
+      return number;
+    }
+  }
+  return number;
+}
+
 // Searches from coarse to fine.
 template <class ReachesCutoff>
 WindingNumber search(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory,
                      const ReachesCutoff& reachesCutoff) noexcept {
+  if (tree.openSurface()->moments.empty()) {
+    return windingByRim(tree, point, memory);
+  }
   constexpr double kCoarsest = 0x1p-6;
   constexpr double kStep = 0x1p-3;
   double most_of_part = kCoarsest;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "narrow_phase/mesh/mesh_inside.h"
+#include "narrow_phase/mesh_inside/mesh_inside.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,7 +10,8 @@
 #include "geometry/constants.h"
 #include "geometry/point_triangle.h"
 #include "narrow_phase/mesh/mesh_search.h"
-#include "narrow_phase/mesh/mesh_winding.h"
+#include "narrow_phase/mesh_inside/mesh_crossings.h"
+#include "narrow_phase/mesh_inside/mesh_winding.h"
 
 namespace collision_monitor {
 namespace {
@@ -30,45 +31,6 @@ constexpr double kBeside = 0.01;
 
 // Parts of an open surface that take the time of one node.
 constexpr std::uint32_t kPartsPerVisit = 8;
-
-// > 0 if the point is left of the edge seen from above. Both directions of an edge give the
-// same number with opposite signs, to the last bit.
-double sideOf(const Vector3d& from, const Vector3d& to, const Vector3d& point) noexcept {
-  const bool in_order = from.x() < to.x() || (from.x() == to.x() && from.y() < to.y());
-  const Vector3d& first = in_order ? from : to;
-  const Vector3d& last = in_order ? to : from;
-  const double side = (last.x() - first.x()) * (point.y() - first.y()) -
-                      (point.x() - first.x()) * (last.y() - first.y());
-  return in_order ? side : -side;
-}
-
-// +1 if the triangle covers the point and turns left seen from above, -1 if it turns right.
-int coverOf(const Triangle& triangle, const Vector3d& point) noexcept {
-  int cover = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vector3d& from = triangle[i];
-    const Vector3d& to = triangle[(i + 1) % 3];
-    if (from.y() <= point.y() && point.y() < to.y()) {
-      cover += sideOf(from, to, point) > 0.0 ? 1 : 0;
-    } else if (to.y() <= point.y() && point.y() < from.y()) {
-      cover -= sideOf(from, to, point) >= 0.0 ? 0 : 1;
-    }
-  }
-  return cover;
-}
-
-bool isAbove(const Triangle& triangle, const Vector3d& point) noexcept {
-  const Vector3d normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
-  return normal.dot(triangle[0] - point) * normal.z() > 0.0;
-}
-
-// True if a line up from the point may meet the child. `slack` covers the point's rounding.
-bool mayMeet(const MeshTreeNode& node, std::uint32_t slot, const Eigen::Vector3f& point,
-             float slack) noexcept {
-  return std::abs(node.center[0][slot] - point.x()) <= node.half[0][slot] + slack &&
-         std::abs(node.center[1][slot] - point.y()) <= node.half[1][slot] + slack &&
-         node.center[2][slot] + node.half[2][slot] + slack >= point.z();
-}
 
 // [m] How far the point is outside the box or the slab about the mesh; < 0 inside both.
 double outsideBounds(const MeshTree& tree, const Vector3d& point) noexcept {
@@ -95,19 +57,6 @@ double beyondHull(const MeshTree& tree, const Vector3d& point) noexcept {
   return beyond;
 }
 
-// What the rim of an open surface does to winding numbers near a point. Their gradient is the sum
-// of dl / (4 pi r^2) over the rim, by Biot and Savart.
-struct RimAtPoint {
-  double gradient{0.0};       // [1/m] an upper bound at the point
-  double nearest{kInfinity};  // [m] a lower bound of the distance of the rim
-  std::uint32_t visits{0};
-
-  void add(double length, double distance) noexcept {
-    gradient += length / (4.0 * kPi * distance * distance);
-    nearest = std::min(nearest, distance);
-  }
-};
-
 void addSides(const Triangle& triangle, std::uint8_t sides, const Vector3d& point,
               RimAtPoint& rim) noexcept {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -120,15 +69,15 @@ void addSides(const Triangle& triangle, std::uint8_t sides, const Vector3d& poin
 }
 
 // Recursion is as deep as the tree. Far nodes count as if all of their rim were at their ball.
-void addRim(const MeshTree& tree, std::uint32_t node, const Vector3d& point,
-            RimAtPoint& rim) noexcept {
+void addRim(const MeshTree& tree, std::uint32_t node, const Vector3d& point, RimAtPoint& rim,
+            std::uint32_t& parts) noexcept {
   constexpr double kFar = 2.0;  // radii
   const OpenSurface& open = *tree.openSurface();
   const auto length = static_cast<double>(open.rim_lengths[node]);
   if (!(length > 0.0)) {
     return;
   }
-  ++rim.visits;
+  ++parts;
   const WindingMoments& ball = open.moments[node];
   const double distance = (point - ball.center).norm() - ball.radius;
   if (distance > kFar * ball.radius) {
@@ -142,14 +91,19 @@ void addRim(const MeshTree& tree, std::uint32_t node, const Vector3d& point,
     if (isTriangle(child)) {
       addSides(tree.triangles()[triangleAt(child)], open.rim_sides[triangleAt(child)], point, rim);
     } else {
-      addRim(tree, child, point, rim);
+      addRim(tree, child, point, rim, parts);
     }
   }
 }
 
-RimAtPoint rimAt(const MeshTree& tree, const Vector3d& point) noexcept {
+RimAtPoint rimAt(const MeshTree& tree, const Vector3d& point, std::uint32_t& parts) noexcept {
+  const OpenSurface& open = *tree.openSurface();
+  if (open.moments.empty()) {
+    parts += static_cast<std::uint32_t>(kPartsPerBlock * open.rim.blocks().size());
+    return rimAt(point, open.rim);
+  }
   RimAtPoint rim;
-  addRim(tree, 0, point, rim);
+  addRim(tree, 0, point, rim, parts);
   return rim;
 }
 
@@ -164,11 +118,12 @@ double holdFor(double change, const RimAtPoint& rim) noexcept {
 }
 
 // By how much the winding number may change while the point travels: holdFor, solved for `change`.
-double changeWithin(double travel, const MeshTree& tree, const Vector3d& point) noexcept {
+double changeWithin(double travel, const MeshTree& tree, const Vector3d& point,
+                    std::uint32_t& parts) noexcept {
   if (travel < leastHold(tree)) {
     return 0.0;
   }
-  const RimAtPoint rim = rimAt(tree, point);
+  const RimAtPoint rim = rimAt(tree, point, parts);
   if (!(rim.gradient > 0.0)) {
     return 0.0;
   }
@@ -193,7 +148,8 @@ PointInMesh lookInside(const MeshTree& tree, const Vector3d& point, MeshQueryMem
       windingByLimit(tree, point, 0.5, kLeastError, memory, asks_hold ? kShareForHold : 1.0);
   const double beyond = std::abs(number.value) - 0.5;
   const bool is_above = beyond > number.error;
-  answer.visits = 1 + number.visits / kPartsPerVisit;
+  std::uint32_t parts = number.parts;
+  answer.visits = 1 + parts / kPartsPerVisit;
   const double from_hull = is_above ? std::max(outside, beyondHull(tree, point)) : 0.0;
   answer.is_inside = is_above && from_hull < 0.0;
   if (!asks_hold) {
@@ -203,8 +159,8 @@ PointInMesh lookInside(const MeshTree& tree, const Vector3d& point, MeshQueryMem
     answer.hold = from_hull;
     return answer;
   }
-  const RimAtPoint rim = rimAt(tree, point);
-  answer.visits += rim.visits / kPartsPerVisit;
+  const RimAtPoint rim = rimAt(tree, point, parts);
+  answer.visits = 1 + parts / kPartsPerVisit;
   answer.hold = holdFor(std::abs(beyond) - number.error, rim);
   answer.hold =
       answer.is_inside ? std::min(answer.hold, -from_hull) : std::max(answer.hold, outside);
@@ -219,12 +175,14 @@ bool staysOutside(const MeshTree& tree, const Vector3d& point, double travel,
   if (outsideBounds(tree, point) > travel) {
     return true;
   }
-  const double limit = 0.5 - changeWithin(travel, tree, point);
+  std::uint32_t parts = 0;
+  const double limit = 0.5 - changeWithin(travel, tree, point, parts);
+  visits += 1 + parts / kPartsPerVisit;
   if (!(limit > 0.0)) {
     return false;
   }
   const WindingNumber number = windingByLimit(tree, point, limit, kLeastError, memory);
-  visits += 1 + number.visits / kPartsPerVisit;
+  visits += number.parts / kPartsPerVisit;
   return std::abs(number.value) + number.error < limit;
 }
 
@@ -233,27 +191,7 @@ bool isInside(const MeshTree& tree, const Vector3d& point, MeshQueryMemory& memo
   if (!(centered.norm() <= tree.radius())) {
     return false;
   }
-  const Eigen::Vector3f rough = centered.cast<float>();
-  const auto slack = static_cast<float>(1e-6 * tree.radius());
-  NodePairQueue queue(memory);
-  queue.push({0.0F, 0, 0});
-  int turns = 0;
-  while (!queue.empty()) {
-    const std::uint32_t child = childOf(tree, queue.pop().a);
-    if (isTriangle(child)) {
-      const Triangle& triangle = tree.triangles()[triangleAt(child)];
-      const int cover = coverOf(triangle, point);
-      turns += cover != 0 && isAbove(triangle, point) ? cover : 0;
-      continue;
-    }
-    const MeshTreeNode& node = tree.nodes()[child];
-    for (std::uint32_t slot = 0; slot < MeshTreeNode::kWidth; ++slot) {
-      if (mayMeet(node, slot, rough, slack)) {
-        queue.push({0.0F, (child << kSlotBits) + slot, 0});
-      }
-    }
-  }
-  return turns != 0;
+  return crossingsAbove(tree, point, Eigen::Vector2d::Zero(), memory).turns != 0;
 }
 
 }  // namespace collision_monitor

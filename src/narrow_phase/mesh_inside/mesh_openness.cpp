@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "narrow_phase/mesh/mesh_openness.h"
+#include "narrow_phase/mesh_inside/mesh_openness.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <memory>
 
-#include "narrow_phase/mesh/mesh_winding.h"
+#include "narrow_phase/mesh_inside/mesh_winding.h"
 
 namespace collision_monitor {
 
@@ -17,7 +17,10 @@ double opennessOf(const MeshTree& tree) {
   if (!tree.openSurface()) {
     return 0.0;
   }
-  const double area = tree.openSurface()->moments.front().area;
+  double area = 0.0;
+  for (const Triangle& triangle : tree.triangles()) {
+    area += momentsOf(triangle).area;
+  }
   const auto memory = std::make_unique<MeshQueryMemory>();
   double passed = 0.0;
   double sum = 0.0;
