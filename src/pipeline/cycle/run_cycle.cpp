@@ -68,6 +68,7 @@ void measureNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   keepNear(setup, buffers);
   buffers.refine.elapsed = buffers.sweep.elapsed;
+  buffers.refine.near_bodies = buffers.counters.candidates;
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
 }
 

@@ -47,10 +47,11 @@ struct RefineWork {
   std::size_t refined{0};  ///< these three as in CycleCounters
   std::size_t left{0};
   std::size_t work_done{0};
+  std::size_t near_bodies{0};  ///< pairs of bodies whose boxes meet
 };
 
-/// The work that a cycle may do. It grows where poses come seldom: there is more time, and more
-/// motion to follow.
+/// The work that a cycle may do on elements. It grows where poses come seldom: there is more time,
+/// and more motion to follow. Pairs of bodies whose boxes meet count, up to half of it.
 std::uint32_t budgetOf(const RefineWork& work) noexcept;
 
 RefineWork makeRefineWork(const CycleSetup& setup);

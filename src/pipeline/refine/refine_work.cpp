@@ -40,7 +40,9 @@ std::uint32_t budgetOf(const RefineWork& work) noexcept {
   constexpr double kAny = std::numeric_limits<std::uint32_t>::max();
   const double time = std::min(work.elapsed, work.limits.period);
   const double times = std::max(1.0, std::min(kMost, time / kUsual));
-  return static_cast<std::uint32_t>(std::min(kAny, times * work.limits.budget));
+  const auto budget = static_cast<std::uint32_t>(std::min(kAny, times * work.limits.budget));
+  // Two bodies are found, measured and judged in about the time of a node pair.
+  return budget - static_cast<std::uint32_t>(std::min<std::size_t>(budget / 2, work.near_bodies));
 }
 
 RefineWork makeRefineWork(const CycleSetup& setup) {
