@@ -39,15 +39,15 @@ class SurfaceRim {
   std::size_t size_{0};
 };
 
-/// The walls below a rim, seen from a point.
+/// The walls that go on from a rim, seen from a point.
 struct RimWalls {
   double angle{0.0};  ///< [sr] the sum of their solid angles
   /// The point is not in a wall. Else `angle` may lack whole turns of 4 pi.
   bool is_certain{false};
 };
 
-/// From each side a wall goes on without end. The walls close the surface: seen from a point, the
-/// solid angles of the surface and of the walls, with its sign turned, differ by whole turns.
+/// From each side a wall goes on without end. The walls close the surface: seen from a point, its
+/// solid angle less that of the walls is a whole number of turns of 4 pi.
 ///
 /// Frames: those of the rim. Error: about 1e-9 sr.
 /// Source: SolidAngles, with the third corner at infinity.
