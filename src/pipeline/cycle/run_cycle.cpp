@@ -58,8 +58,9 @@ void place(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_pose
   placeElements(setup, poses, body_poses);
 }
 
-/// Measures distances of near pairs, within the budget.
-void measureNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+/// Measures distances of near pairs, within the budget. @param counts_bodies they take their part
+void measureNear(const CycleSetup& setup, const LinkPoses& poses, bool counts_bodies,
+                 CycleBuffers& buffers) noexcept {
   lookAhead(setup, poses, buffers.body_poses, setup.ahead.horizon, buffers.bounds);
   findActivationDistances(setup, poses, buffers.sweep, buffers.activation);
   accumulateTravel(setup, poses, buffers);
@@ -68,7 +69,7 @@ void measureNear(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   keepNear(setup, buffers);
   buffers.refine.elapsed = buffers.sweep.elapsed;
-  buffers.refine.near_bodies = buffers.counters.candidates;
+  buffers.refine.near_bodies = counts_bodies ? buffers.counters.candidates : 0;
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
 }
 
@@ -79,7 +80,7 @@ void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& b
   moveAll(setup, buffers.body_poses.moved);
   place(setup, poses, buffers.body_poses);
   for (int i = 0; i < kMost; ++i) {
-    measureNear(setup, poses, buffers);
+    measureNear(setup, poses, false, buffers);
     if (buffers.refine.left == 0) {
       return;
     }
@@ -93,7 +94,7 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   buffers.memory.judges_all =
       buffers.memory.judges_all || haveLinksChanged(buffers.body_poses, buffers.memory.last);
   findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
-  measureNear(setup, poses, buffers);
+  measureNear(setup, poses, true, buffers);
   measureDeferred(setup, buffers);
   measureClosest(setup, poses, reach, buffers);
   if (setup.is_continuous) {

@@ -47,7 +47,7 @@ struct RefineWork {
   std::size_t refined{0};  ///< these three as in CycleCounters
   std::size_t left{0};
   std::size_t work_done{0};
-  std::size_t near_bodies{0};  ///< pairs of bodies whose boxes meet
+  std::size_t near_bodies{0};  ///< pairs of bodies that count; 0 while learning
 };
 
 /// The work that a cycle may do on elements. It grows where poses come seldom: there is more time,
