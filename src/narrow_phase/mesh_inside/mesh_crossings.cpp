@@ -98,9 +98,10 @@ Sight sightFrom(const MeshTree& tree, const Vector3d& point, const Vector2d& slo
           static_cast<float>(slack)};
 }
 
-int turnsOf(const Triangle& triangle, const Vector3d& point, const Vector2d& slope) noexcept {
-  const Triangle seen = {sheared(triangle[0], slope), sheared(triangle[1], slope),
-                         sheared(triangle[2], slope)};
+int turnsOf(const Triangle& triangle, const Vector3d& center, const Vector3d& point,
+            const Vector2d& slope) noexcept {
+  const Triangle seen = {sheared(triangle[0] - center, slope), sheared(triangle[1] - center, slope),
+                         sheared(triangle[2] - center, slope)};
   const int cover = coverOf(seen, point);
   return cover != 0 && isAbove(seen, point) ? cover : 0;
 }
@@ -110,7 +111,7 @@ int turnsOf(const Triangle& triangle, const Vector3d& point, const Vector2d& slo
 Crossings crossingsAbove(const MeshTree& tree, const Vector3d& point, const Vector2d& slope,
                          MeshQueryMemory& memory) noexcept {
   const Sight sight = sightFrom(tree, point, slope);
-  const Vector3d from = sheared(point, slope);
+  const Vector3d from = sheared(point - tree.center(), slope);
   Crossings crossings;
   NodePairQueue queue(memory);
   queue.push({0.0F, 0, 0});
@@ -118,7 +119,7 @@ Crossings crossingsAbove(const MeshTree& tree, const Vector3d& point, const Vect
     ++crossings.visits;
     const std::uint32_t child = childOf(tree, queue.pop().a);
     if (isTriangle(child)) {
-      crossings.turns += turnsOf(tree.triangles()[triangleAt(child)], from, slope);
+      crossings.turns += turnsOf(tree.triangles()[triangleAt(child)], tree.center(), from, slope);
       continue;
     }
     const Slots may = mayMeet(tree.nodes()[child], sight);

@@ -141,7 +141,7 @@ PointInMesh lookInside(const MeshTree& tree, const Vector3d& point, MeshQueryMem
   }
   const double outside = outsideBounds(tree, point);
   if (!(outside < (asks_hold ? kBeside * tree.radius() : 0.0))) {
-    answer.hold = outside;
+    answer.hold = std::max(0.0, outside);
     return answer;
   }
   const WindingNumber number =

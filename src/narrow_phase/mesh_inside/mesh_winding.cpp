@@ -96,30 +96,41 @@ void SumOfParts::openChildren(std::uint32_t node, double most_of_part) noexcept 
   }
 }
 
-// Directions of sight that no edge of a model is likely to have: x and y for 1 of z.
-const std::array<Eigen::Vector2d, 3> kSlopes = {Eigen::Vector2d(0.271828, 0.141421),
-                                                Eigen::Vector2d(-0.173205, 0.223607),
-                                                Eigen::Vector2d(0.316228, -0.264575)};
+// Directions of sight that no edge of a model is likely to have: x and y for 1 of z. A round rim
+// brings points into the walls of three directions at once, but not of five.
+const std::array<Eigen::Vector2d, 5> kSlopes = {
+    Eigen::Vector2d(0.271828, 0.141421), Eigen::Vector2d(-0.173205, 0.223607),
+    Eigen::Vector2d(0.316228, -0.264575), Eigen::Vector2d(-0.618034, -0.414214),
+    Eigen::Vector2d(0.057721, 0.693147)};
+
+WindingNumber sumOfTriangles(const MeshTree& tree, const Eigen::Vector3d& point) noexcept {
+  SolidAngles angles(point);
+  for (const Triangle& triangle : tree.triangles()) {
+    angles.add(triangle);
+  }
+  return {angles.sum() / (4.0 * kPi), kRounding,
+          static_cast<std::uint32_t>(tree.triangles().size())};
+}
 
 // Walls from the rim, away from the line of sight, close the surface, and the line meets none of
 // them. So the crossings of the surface are the winding number of both together. Where a point is
-// in a wall, another direction is taken. Points on the rim have no winding number.
+// in a wall, another direction is taken, and at last the sum of all triangles.
 WindingNumber windingByRim(const MeshTree& tree, const Eigen::Vector3d& point,
                            MeshQueryMemory& memory) noexcept {
   const SurfaceRim& rim = tree.openSurface()->rim;
-  WindingNumber number{0.0, kInfinity, 0};
+  std::uint32_t parts = 0;
   for (const Eigen::Vector2d& slope : kSlopes) {
     const Eigen::Vector3d sight = slope.homogeneous().normalized();
     const RimWalls walls = wallsSeenFrom(point, -sight, rim);
-    number.parts += static_cast<std::uint32_t>(kPartsPerBlock * rim.blocks().size());
+    parts += static_cast<std::uint32_t>(kPartsPerBlock * rim.blocks().size());
     if (walls.is_certain) {
       const Crossings above = crossingsAbove(tree, point, slope, memory);
-      number.parts += kPartsPerCrossing * above.visits;
-      number.value = above.turns + walls.angle / (4.0 * kPi);
-      number.error = kRounding;
-      return number;
+      return {above.turns + walls.angle / (4.0 * kPi), kRounding,
+              parts + kPartsPerCrossing * above.visits};
     }
   }
+  WindingNumber number = sumOfTriangles(tree, point);
+  number.parts += parts;
   return number;
 }
 

@@ -20,7 +20,6 @@ constexpr std::uint32_t kPartsPerBlock = 3;
 /// Counts the crossings of a line of sight and adds the solid angle of the rim, which is exact: off
 /// the rim `error` is 1e-9. Where the rim is long, sums moments of far parts and solid angles of
 /// near ones, and splits parts until the error is at most `error`; 1e-9 can always be reached.
-/// A point on a short rim has no winding number; its error is infinite.
 ///
 /// Frames: the mesh's. Time: of the order of the tree's depth.
 /// Source: as windingOf. Departure: fixes the error in place of a ratio of distance and size.
