@@ -51,7 +51,7 @@ struct RefineWork {
 };
 
 /// The work that a cycle may do on elements. It grows where poses come seldom: there is more time,
-/// and more motion to follow. Pairs of bodies whose boxes meet count, up to half of it.
+/// and more motion to follow. Where the boxes of many bodies meet, they take up to half of it.
 std::uint32_t budgetOf(const RefineWork& work) noexcept;
 
 RefineWork makeRefineWork(const CycleSetup& setup);

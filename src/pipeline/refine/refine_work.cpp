@@ -35,14 +35,16 @@ RefineKind refineKindOf(const ElementTraits& a, const ElementTraits& b) noexcept
 }  // namespace
 
 std::uint32_t budgetOf(const RefineWork& work) noexcept {
-  constexpr double kUsual = 0.004;  // [s] up to this time the budget is not raised
+  constexpr double kUsual = 0.004;            // [s] up to this time the budget is not raised
+  constexpr std::size_t kBodiesBeside = 400;  // a period has time for these beside the budget
   constexpr double kMost = 4.0;
   constexpr double kAny = std::numeric_limits<std::uint32_t>::max();
   const double time = std::min(work.elapsed, work.limits.period);
   const double times = std::max(1.0, std::min(kMost, time / kUsual));
   const auto budget = static_cast<std::uint32_t>(std::min(kAny, times * work.limits.budget));
   // Two bodies are found, measured and judged in about the time of a node pair.
-  return budget - static_cast<std::uint32_t>(std::min<std::size_t>(budget / 2, work.near_bodies));
+  const std::size_t counted = work.near_bodies - std::min(work.near_bodies, kBodiesBeside);
+  return budget - static_cast<std::uint32_t>(std::min<std::size_t>(budget / 2, counted));
 }
 
 RefineWork makeRefineWork(const CycleSetup& setup) {

@@ -119,7 +119,7 @@ TEST(RefineProperty, bodiesThatWaitChangeNoByte) {
       {"ball", {Eigen::Matrix3d::Identity(), {0.0, 0.15, 0.0}}, test::bumpyMesh(0.05, 12)}};
   CycleSetup setup = test::linkSetup({3, comb_and_ball}, options);
   setup.is_continuous = true;
-  setup.refine.budget = 40;  // half of it goes to bodies
+  setup.refine.budget = 20;
   CycleBuffers forgetful = makeBuffers(setup, BroadPhaseKind::brute_force);
   CycleBuffers remembering = makeBuffers(setup, BroadPhaseKind::brute_force);
   LinkPoses poses = test::randomLinkPoses(setup, 0.2, kSeed);
