@@ -95,9 +95,9 @@ BoundedNumber windingOf(const WindingMoments& part, const Eigen::Vector3d& point
 /// change. Neighbours are two triangles that alone share an edge; equal vertices count as one.
 TriangleMesh orientedSurface(const TriangleMesh& mesh);
 
-/// By triangle: a bit for each side, from one corner to the next, at which the surface ends. An
-/// edge may have more sides of one direction than of the other: those that are too many count.
-/// Equal vertices count as one.
+/// By triangle: a bit for each side, from one corner to the next, at which the surface ends. Two
+/// sides of an edge that run against each other cancel; the surface ends at those left over. Equal
+/// vertices count as one.
 std::vector<std::uint8_t> rimSidesOf(const TriangleMesh& mesh);
 
 }  // namespace collision_monitor

@@ -17,6 +17,9 @@ namespace {
 // Rounding of a sum of up to 1e7 solid angles.
 constexpr double kRounding = 1e-9;
 
+// What a float of an error is off by, and more.
+constexpr double kUp = 1.0 + 1e-6;
+
 // Work of what a line of sight looks at.
 constexpr std::uint32_t kPartsPerCrossing = 2;
 
@@ -35,19 +38,18 @@ class SumOfParts {
       if (static_cast<double>(part.squared_bound) > most_of_part) {
         // The last part moves here. It was looked at before, or is new and fine enough.
         memory_.node_pairs[i] = memory_.node_pairs[--held_];
-        const BoundedNumber coarse = momentsAt(part.a);
-        of_moments_.value -= coarse.value;
-        of_moments_.error -= coarse.error;
+        of_moments_ -= momentsAt(part.a).value;
         openChildren(part.a, most_of_part);
       }
     }
   }
 
   WindingNumber number() noexcept {
-    const double of_angles = angles_.sum() / (4.0 * kPi);
-    return held_ == 0 ? WindingNumber{of_angles, kRounding, parts_}
-                      : WindingNumber{of_angles + of_moments_.value, of_moments_.error + kRounding,
-                                      parts_};
+    double error = kRounding;
+    for (std::size_t i = 0; i < held_; ++i) {
+      error += static_cast<double>(memory_.node_pairs[i].squared_bound);
+    }
+    return {angles_.sum() / (4.0 * kPi) + of_moments_, error, parts_};
   }
 
  private:
@@ -65,9 +67,8 @@ class SumOfParts {
       openChildren(node, most_of_part);
       return;
     }
-    of_moments_.value += part.value;
-    of_moments_.error += part.error;
-    memory_.node_pairs[held_++] = {static_cast<float>(part.error), node, 0};
+    of_moments_ += part.value;
+    memory_.node_pairs[held_++] = {static_cast<float>(kUp * part.error), node, 0};
   }
 
   void openChildren(std::uint32_t node, double most_of_part) noexcept;
@@ -76,7 +77,7 @@ class SumOfParts {
   const Eigen::Vector3d& point_;
   MeshQueryMemory& memory_;
   SolidAngles angles_;
-  BoundedNumber of_moments_;
+  double of_moments_{0.0};
   std::size_t held_{0};  // parts that count by their moments
   std::uint32_t parts_{0};
 };

@@ -49,9 +49,10 @@ TriangleMesh anyClosed() {
   }
 }
 
-/// No two triangles share an edge, so the rim is too long to be summed by side.
+/// No two triangles share an edge, so the rim is too long to be summed by side and the surface
+/// has moments.
 TriangleMesh allApart() {
-  const TriangleMesh whole = sphereMesh(0.5, 30);
+  const TriangleMesh whole = sphereMesh(0.5, 40);
   const double share = 1e-3 * *rc::gen::inRange(900, 1000);
   TriangleMesh mesh;
   for (const auto& triangle : whole.triangles) {
@@ -108,6 +109,10 @@ Vector3d pointOff(const MeshTree& tree) {
   const Vector3d point = anyPoint(700);
   RC_PRE(distanceTo(tree, point) > 1e-6);
   return point;
+}
+
+RC_GTEST_PROP(MeshWindingLaws, trianglesThatAreAllApart_haveMoments, ()) {
+  RC_ASSERT(!test::openTree(allApart()).openSurface()->moments.empty());
 }
 
 RC_GTEST_PROP(MeshWindingLaws, hierarchy_isOffTheSumOfAllTrianglesByNoMoreThanIsTold, ()) {
