@@ -31,6 +31,7 @@
 #include "pipeline/data/activation_distance.h"
 #include "pipeline/look_ahead/find_motions.h"
 #include "pipeline/look_ahead/link_walk.h"
+#include "pipeline/objects/find_resting.h"
 #include "support/robots/robot_moves.h"
 
 namespace collision_monitor::test {
@@ -58,7 +59,7 @@ class Stages {
  public:
   /// As runCycle, without its counters.
   void run(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) {
-    const double reach = activationDistanceOf(setup.limits);
+    const double reach = leastActivationDistanceOf(setup);
     last_ = Clock::now();
     find(setup, poses, buffers);
     measure(setup, poses, reach, buffers);
@@ -73,10 +74,12 @@ class Stages {
 
  private:
   void find(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) {
+    findResting(setup, poses, buffers.memory.last, buffers.body_poses);
     placeBodies(setup, poses, buffers.body_poses);
     placeElements(setup, poses, buffers.body_poses);
-    end("1 placeBodies");
+    end("1 findResting, placeBodies");
     const bool have_links_changed = buffers.memory.last.known != buffers.body_poses.link_known;
+    buffers.memory.judges_all = buffers.memory.judges_all || have_links_changed;
     findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
     end("2 findMotions");
     lookAhead(setup, poses, buffers.body_poses, setup.ahead.horizon, buffers.bounds);
@@ -86,6 +89,8 @@ class Stages {
     listNear(setup, poses, have_links_changed, buffers);
     end("4 listNear");
     cullCandidates(setup, buffers);
+    buffers.refine.elapsed = buffers.sweep.elapsed;
+    buffers.refine.near_bodies = buffers.counters.candidates;
     end("5 cullCandidates");
   }
 
@@ -112,6 +117,7 @@ class Stages {
                buffers.events);
     scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed,
                buffers.robots);
+    keepLively(setup, buffers.events, buffers.memory);
     end("b keepPoses, findClosings, judgePairs, scaleSpeed");
   }
 
