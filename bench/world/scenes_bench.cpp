@@ -102,7 +102,7 @@ void print(const char* name, std::size_t number) { print(name, static_cast<doubl
 /// check_states' question whether a state is in contact. @return [us] a state
 double timeStates(const CycleSetup& setup, const JointPositions& positions,
                   std::vector<StateCheck>& checks) {
-  constexpr int kCalls = 5;
+  constexpr int kCalls = 50;  // together about as long as FCL's
   StatesWork work =
       makeStatesWork(setup, standingAt(setup.model, std::vector<Pose>(setup.model.robots.size())));
   const auto check = [&] {

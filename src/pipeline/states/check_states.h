@@ -55,6 +55,7 @@ struct StateElementPair {
   double radii{0.0};       ///< [m] sum of the radii of their balls
   double body_radii{0.0};  ///< [m] the same of balls that hold their bodies, with these centers
   double contact_distance{0.0};  ///< [m] the largest of their bodies
+  double squared_contact{0.0};   ///< [m^2] of `radii` and `contact_distance` together
   double warning_distance{0.0};  ///< [m] of their links
   std::uint32_t first{0};        ///< into StatesRefinement::body_pairs
   std::uint32_t last{0};

@@ -54,14 +54,19 @@ struct ElementBodies {
                                   : measureKinds<PointCore, PointCore>(pair, reach, counts);
   }
 
-  /// Whether balls around the centers of two elements allow them to be within `reach`.
-  /// @param radii [m] sum of both
-  HWY_INLINE Truth ballsMeet(const StateElementPair& pair, double radii, Number reach) const {
+  /// Of the centers of two elements. @return [m^2]
+  HWY_INLINE Number squaredDistance(const StateElementPair& pair) const {
     const auto& centers = work.refinement.centers;
     const Vector3 between =
         load(centers[pair.b].of, states.lane) - load(centers[pair.a].of, states.lane);
+    return dot(between, between);
+  }
+
+  /// Whether balls around the centers of two elements allow them to be within `reach`.
+  /// @param radii [m] sum of both
+  HWY_INLINE Truth ballsMeet(const StateElementPair& pair, double radii, Number reach) const {
     const Number allowed = hn::Add(number(radii), reach);
-    return hn::Not(hn::Gt(dot(between, between), hn::Mul(allowed, allowed)));
+    return hn::Not(hn::Gt(squaredDistance(pair), hn::Mul(allowed, allowed)));
   }
 };
 

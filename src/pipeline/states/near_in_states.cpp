@@ -39,9 +39,28 @@ struct NearSearch {
   }
 
   /// Whether the balls of two elements allow them to be within the activation distance.
+  template <bool kContactsOnly>
   HWY_INLINE Truth ballsMeet(const StateElementPair& pair) const {
-    return hn::And(hn::Gt(asked, number(kNotAsked)),
-                   bodies.ballsMeet(pair, pair.radii, reachOf(pair.contact_distance)));
+    const Truth is_asked = hn::Gt(asked, number(kNotAsked));
+    if constexpr (kContactsOnly) {
+      return hn::And(is_asked,
+                     hn::Not(hn::Gt(bodies.squaredDistance(pair), number(pair.squared_contact))));
+    }
+    return hn::And(is_asked, bodies.ballsMeet(pair, pair.radii, reachOf(pair.contact_distance)));
+  }
+
+  template <bool kContactsOnly>
+  HWY_INLINE void run(const NearQuery& query) {
+    for (std::size_t i = query.first; i < query.last; ++i) {
+      const ElementPairIndex elements = refinement().order[i];
+      const StateElementPair& pair = refinement().element_pairs[elements];
+      if (pair.are_convex || !query.is_convex_only) {
+        const Truth may_be_near = ballsMeet<kContactsOnly>(pair);
+        if (!hn::AllFalse(Lanes(), may_be_near)) {
+          measureElements(elements, may_be_near);
+        }
+      }
+    }
   }
 
   /// The same of the ball of one element and the box around the other.
@@ -78,15 +97,10 @@ std::size_t listNearInLanes(const CycleSetup& setup, const NearQuery& query, std
   refinement.near.clear();
   NearSearch search{
       {{setup, work, lane}, work}, hn::LoadU(Lanes(), query.asked.of + lane), query.asks_any};
-  for (std::size_t i = query.first; i < query.last; ++i) {
-    const ElementPairIndex elements = refinement.order[i];
-    const StateElementPair& pair = refinement.element_pairs[elements];
-    if (pair.are_convex || !query.is_convex_only) {
-      const Truth may_be_near = search.ballsMeet(pair);
-      if (!hn::AllFalse(Lanes(), may_be_near)) {
-        search.measureElements(elements, may_be_near);
-      }
-    }
+  if (hn::AllTrue(Lanes(), hn::Le(search.asked, number(kContactsAsked)))) {
+    search.run<true>(query);
+  } else {
+    search.run<false>(query);
   }
   return hn::Lanes(Lanes());
 }

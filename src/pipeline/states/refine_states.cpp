@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "collision_monitor/geometry/ids.h"
@@ -127,6 +128,7 @@ void listBodies(const CycleSetup& setup, const StatesWork& work, StatesRefinemen
     chooseBox(boxes, refinement.balls, pair);
     const Limits& limits = limitsOf(setup, setup.element_pairs[i].link_pair);
     pair.contact_distance = std::max(0.0, limits.contact_distance);
+    pair.squared_contact = std::pow(pair.radii + pair.contact_distance, 2);
     pair.warning_distance = limits.warning_distance;
     pair.are_convex = setup.elements[pair.a].convex && setup.elements[pair.b].convex;
     pair.first = static_cast<std::uint32_t>(refinement.body_pairs.size());
