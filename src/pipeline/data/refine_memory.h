@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -38,14 +39,34 @@ struct LastMeasurement {
   Pose world_from_b;
 };
 
+/// Foretells the answer of a contact test from the last ones.
+///
+/// Source: a saturating counter, as it predicts branches of programs (Smith 1981).
+class ContactForecast {
+ public:
+  bool isLikely() const noexcept { return score_ >= kLikely; }
+  void add(bool is_contact) noexcept {
+    score_ = is_contact ? std::min(score_ + 1, kMost) : std::max(score_ - kLoss, 0);
+  }
+
+ private:
+  // With these, contact is likely where it is seen more than twice as often as not.
+  static constexpr std::int32_t kLikely = 6;
+  static constexpr std::int32_t kMost = 8;
+  static constexpr std::int32_t kLoss = 2;
+
+  std::int32_t score_{0};
+};
+
 /// What is kept of the last measurements of a pair of elements, as a warm start of the next one and
 /// as a bound where there is none. Takes some thousand bytes, with meshes over ten thousand.
 struct RefineMemory {
   ConvexWarmStart warm;
   TrianglePair nearest;
   LastMeasurement last;
-  LastMeasurement before;     ///< the one before `last`, at other poses
-  MeshFront* front{nullptr};  ///< where a mesh is searched; null: starts at the roots
+  LastMeasurement before;          ///< the one before `last`, at other poses
+  MeshFront* front{nullptr};       ///< where a mesh is searched; null: starts at the roots
+  ContactForecast triangles_meet;  ///< that it takes triangles to find a contact, and they do
   KeptDepth* depth{nullptr};  ///< of two elements with meshes, one or both not convex; keptDepth
   FixedRoom<KeptDepth>* depths{nullptr};  ///< room for `depth`, where there is none yet
 };

@@ -110,6 +110,42 @@ ElementContact touchTriangles(const PlacedElement& a, const PlacedElement& b,
   return answer;
 }
 
+/// What decides without triangles, the cheapest first. `told` gets the work so far.
+bool decideWithoutTriangles(const PlacedElement& a, const PlacedElement& b, double reach,
+                            ElementSearch& search, ElementContact& told) noexcept {
+  const HullAnswer hulls = askHulls(a, b, reach, search, told);
+  const bool is_decided = hulls != HullAnswer::open || overlapInside(a, b, reach);
+  told.work += hulls != HullAnswer::open ? 0 : kInnerWork;
+  told.state = hulls == HullAnswer::apart ? State::apart : State::contact;
+  told.is_complete = is_decided;
+  return is_decided;
+}
+
+ElementContact touchConcave(const PlacedElement& a, const PlacedElement& b, const ContactGoal& goal,
+                            double reach, ElementSearch& search) noexcept {
+  constexpr std::uint32_t kFew = 64;  // less than the hulls take if two triangles meet soon
+  ElementContact told;
+  told.work = kStartWork;
+  ContactForecast& forecast = search.memory.triangles_meet;
+  if (forecast.isLikely()) {
+    ElementSearch brief = search;
+    brief.budget = std::min(search.budget, kFew);
+    const ElementContact found = touchTriangles(a, b, goal, reach, told.work, brief);
+    if (found.is_complete) {
+      forecast.add(found.state == State::contact);
+      return found;
+    }
+    told.work = found.work;
+  }
+  if (decideWithoutTriangles(a, b, reach, search, told)) {
+    forecast.add(false);
+    return told;
+  }
+  const ElementContact found = touchTriangles(a, b, goal, reach, told.work, search);
+  forecast.add(found.state == State::contact && found.work - told.work <= kFew);
+  return found;
+}
+
 }  // namespace
 
 ElementContact touchElements(const PlacedElement& a, const PlacedElement& b,
@@ -118,20 +154,7 @@ ElementContact touchElements(const PlacedElement& a, const PlacedElement& b,
   if (a.element.convex && b.element.convex) {
     return touchConvex(a, b, goal.distance + paddings, search);
   }
-  const double reach = std::max(goal.distance, 0.0) + paddings;
-  ElementContact told;
-  told.work = kStartWork;
-  const HullAnswer hulls = askHulls(a, b, reach, search, told);
-  if (hulls != HullAnswer::open) {
-    told.state = hulls == HullAnswer::apart ? State::apart : State::contact;
-    told.is_complete = true;
-    return told;
-  }
-  const std::uint32_t work = told.work + kInnerWork;
-  if (overlapInside(a, b, reach)) {
-    return settled(State::contact, work);
-  }
-  return touchTriangles(a, b, goal, reach, work, search);
+  return touchConcave(a, b, goal, std::max(goal.distance, 0.0) + paddings, search);
 }
 
 }  // namespace collision_monitor

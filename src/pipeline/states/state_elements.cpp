@@ -40,6 +40,7 @@ ElementSearch searchFor(const StateSearch& state, ElementPairIndex pair, double 
   if (refinement.is_independent && refinement.searched_in[pair] != refinement.state) {
     forget(memory.warm);
     memory.nearest = TrianglePair();
+    memory.triangles_meet = ContactForecast();
     refinement.searched_in[pair] = refinement.state;
   }
   ElementSearch search{std::numeric_limits<std::uint32_t>::max(), memory, *refinement.scratch,

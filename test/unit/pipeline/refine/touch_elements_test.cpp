@@ -126,5 +126,41 @@ TEST_F(TouchElements, theSameAgain_costsLessThanTheFirstTime) {
   EXPECT_LE(again.work, first.work);
 }
 
+TEST_F(TouchElements, afterManyContactsOfTriangles_theseAreAskedFirst) {
+  set(angleMesh(), angleMesh());
+  at_b_ = hookedPose();
+  const double hooked = at_b_.translation.x();
+  const ElementContact second = (touch(hooked, 0.021), touch(hooked, 0.021));
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_EQ(touch(hooked, 0.021).state, State::contact);
+  }
+  EXPECT_TRUE(memory_.triangles_meet.isLikely());
+  EXPECT_LT(touch(hooked, 0.021).work, second.work) << "no hulls";
+  EXPECT_EQ(touch(hooked, 0.019).state, State::apart);
+  EXPECT_EQ(touch(10.0).state, State::apart);
+  EXPECT_EQ(touch(std::numeric_limits<double>::quiet_NaN()).state, State::unknown);
+  EXPECT_FALSE(memory_.triangles_meet.isLikely());
+}
+
+TEST_F(TouchElements, contactsThatInnerShapesTell_doNotCallForTriangles) {
+  set(angleMesh(), angleMesh());
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(touch(0.05).state, State::contact);
+  }
+  EXPECT_FALSE(memory_.triangles_meet.isLikely());
+}
+
+TEST(ContactForecast, contactsThatComeLessThanTwiceAsOftenAsGaps_areNotLikely) {
+  ContactForecast forecast;
+  for (int i = 0; i < 30; ++i) {
+    forecast.add(i % 3 != 0);
+    EXPECT_FALSE(forecast.isLikely());
+  }
+  for (int i = 0; i < 30; ++i) {
+    forecast.add(true);
+  }
+  EXPECT_TRUE(forecast.isLikely());
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
