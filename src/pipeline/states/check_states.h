@@ -85,6 +85,7 @@ struct StatesRefinement {
   RefineStore memory;
   std::unique_ptr<RefineScratch> scratch;
   std::vector<NearInStates> near;
+  std::uint8_t have_near{0};  ///< a bit for each state of the vector: it has some of `near`
   std::vector<std::uint32_t> place_of;  ///< by ElementPairIndex: index into `pairs`, or kNone
   std::vector<ElementsInState> pairs;   ///< in the current state
   std::vector<std::uint64_t> touched;   ///< by ElementPairIndex: the last state with a contact

@@ -17,6 +17,7 @@ struct NearSearch {
   ElementBodies bodies;
   Number asked;
   bool asks_any;
+  Truth have_near{JudgedLanes::none()};
 
   StatesRefinement& refinement() const { return bodies.work.refinement; }
 
@@ -34,6 +35,7 @@ struct NearSearch {
       found.pair = id;
       const Number far = number(std::numeric_limits<double>::infinity());
       hn::StoreU(hn::IfThenElse(counts, distance, far), Lanes(), found.distance.data());
+      have_near = hn::Or(have_near, counts);
     }
     return counts;
   }
@@ -102,6 +104,7 @@ std::size_t listNearInLanes(const CycleSetup& setup, const NearQuery& query, std
   } else {
     search.run<false>(query);
   }
+  hn::StoreMaskBits(Lanes(), search.have_near, &refinement.have_near);
   return hn::Lanes(Lanes());
 }
 

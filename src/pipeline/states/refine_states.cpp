@@ -13,14 +13,16 @@
 namespace collision_monitor {
 namespace {
 
-/// Lists near pairs in the queried states of one vector, and visits each state. @param visit takes
-/// the state and whether all poses are finite. @return how many states the vector holds
+/// Lists near pairs in the queried states of one vector, and visits each state. A query for any
+/// contact passes over states without near pairs. @param visit takes the state and whether all
+/// poses are finite. @return how many states the vector holds
 template <class Visit>
 std::size_t visitVector(const CycleSetup& setup, const NearQuery& query, std::size_t first,
                         StatesWork& work, const Visit& visit) noexcept {
   const std::size_t count = listNear(setup, query, first, work);
+  const unsigned visited = query.asks_any ? work.refinement.have_near : ~0U;
   for (std::size_t place = 0; place < count; ++place) {
-    if (query.asked.of[first + place] != kNotAsked) {
+    if ((visited >> place & 1U) != 0 && query.asked.of[first + place] != kNotAsked) {
       ++work.refinement.state;
       const StateSearch state{setup, work, first + place};
       visit(state, listElements(state, place));
