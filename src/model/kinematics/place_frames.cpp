@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
 namespace HWY_NAMESPACE {
 
-void turnAboutZ(Number angle, PoseLanes& pose) {
+HWY_INLINE void turnAboutZ(Number angle, PoseLanes& pose) {
   const SineCosine turn = sineCosine(angle);
   const Vector3 x = along(scaled(turn.cosine, pose.axes.x), turn.sine, pose.axes.y);
   pose.axes.y = scaled(turn.cosine, pose.axes.y) - scaled(turn.sine, pose.axes.x);
@@ -34,7 +34,7 @@ Axes axesOfQuaternion(Number x, Number y, Number z, Number w) {
           {hn::Add(xz, wy), hn::Sub(yz, wx), hn::Sub(one, hn::Add(xx, yy))}};
 }
 
-void moveFrame(const MovingFrame& frame, const StateNumber* variables, std::size_t lane,
+HWY_INLINE void moveFrame(const MovingFrame& frame, const StateNumber* variables, std::size_t lane,
                PoseLanes& pose) {
   const auto variable = [&](std::size_t i) HWY_ATTR { return load(variables[i], lane); };
   const auto position = [&]() HWY_ATTR {
