@@ -126,7 +126,8 @@ int run(const std::string& name, std::size_t count) {
   if (!file) {
     return 1;
   }
-  const CycleSetup robots = buildSetup({describe(*file)}, fileLoader(file->package_root), {});
+  CycleSetup robots = buildSetup({describe(*file)}, fileLoader(file->package_root), {});
+  robots.refine.tolerance = kMonitorTolerance;
   const auto withBoxes = [&](double nearest, double farthest) {
     const World world = boxesAround(count, nearest, farthest, robots);
     return addWorld(robots, world, prepareObjects(world, RefineGeometry::mesh, {}), "map");
