@@ -100,6 +100,7 @@ DistanceCache makeDistanceCache(const CycleSetup& setup) {
   cache.nearest.resize(setup.element_pairs.size(), kInfinity);
   cache.measured_pairs.reserve(setup.element_pairs.size());
   cache.listed.reserve(setup.table.size());
+  cache.listed_moved.reserve(setup.carried.size() + 1);
   return cache;
 }
 

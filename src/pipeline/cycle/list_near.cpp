@@ -8,38 +8,39 @@
 #include "pipeline/cycle/bound_bodies.h"
 #include "pipeline/cycle/near_bodies.h"
 #include "pipeline/data/activation_distance.h"
+#include "pipeline/objects/object_trees.h"
 
 namespace collision_monitor {
 namespace {
 
-/// Whether each body has used less than half of the margin. Unknown motion uses up all.
+/// Whether the same bodies move or rest as when the list was made, and each has used less than half
+/// of the margin. Unknown motion uses up all.
 bool isListGood(const BodyPoses& body_poses, const DistanceCache& cache) noexcept {
-  if (!cache.is_listed) {
-    return false;
-  }
-  for (std::size_t i = 0; i < cache.travels.size(); ++i) {
+  bool is_good = cache.is_listed && cache.listed_moved == body_poses.moved.bodies;
+  forIndices(body_poses.moved.bodies, [&](std::size_t i) noexcept {
     const BodyTravel& travel = cache.travels[i];
     // A NaN stays one by the order of arguments.
     const double used = travel.all - travel.all_when_listed +
                         std::max(travel.ahead - travel.ahead_when_listed, 0.0);
-    if (body_poses.known[i] != 0 && !(used < 0.5 * kListMargin)) {
-      return false;
-    }
-  }
-  return true;
+    is_good &= body_poses.known[i] == 0 || used < 0.5 * kListMargin;
+  });
+  return is_good;
 }
 
 /// Whether motions are known, and so slow that a list serves for some cycles.
-bool isWorthListing(const BodyPoses& body_poses, const DistanceCache& cache) noexcept {
+bool isWorthListing(const CycleBuffers& buffers) noexcept {
   constexpr double kFewCycles = 4.0;
-  for (std::size_t i = 0; i < cache.travels.size(); ++i) {
+  const BodyPoses& body_poses = buffers.body_poses;
+  const DistanceCache& cache = buffers.memory.distance_cache;
+  const std::vector<ObjectTree>& trees = buffers.trees.trees;
+  bool is_worth = std::all_of(trees.begin(), trees.end(),
+                              [](const ObjectTree& tree) { return tree.are_known; });
+  forIndices(body_poses.moved.bodies, [&](std::size_t i) noexcept {
     const BodyTravel& travel = cache.travels[i];
     const bool is_slow = kFewCycles * travel.of_link < 0.5 * kListMargin;
-    if (body_poses.known[i] != 0 && (std::isnan(travel.ahead) || !is_slow)) {
-      return false;
-    }
-  }
-  return true;
+    is_worth &= body_poses.known[i] == 0 || (!std::isnan(travel.ahead) && is_slow);
+  });
+  return is_worth;
 }
 
 /// Removes pairs of two parts: relative poses of these mean nothing.
@@ -57,15 +58,16 @@ void dropUnjoined(const CycleSetup& setup, const BodyPoses& body_poses,
                    candidates.end());
 }
 
-/// Finds the pairs whose bounds meet.
-void findCandidates(const CycleSetup& setup, const LinkPoses& poses, double reach,
+/// Finds the pairs whose bounds meet. @param margin [m] how much farther than matters they may be
+void findCandidates(const CycleSetup& setup, const LinkPoses& poses, double margin,
                     CycleBuffers& buffers) noexcept {
+  const double reach = farthestActivationDistanceOf(setup) + margin;
   boundBodies(setup, buffers.body_poses, reach, buffers.bounds);
   if (setup.is_continuous) {
     sweepBounds(setup, buffers.body_poses, buffers.sweep, reach, buffers.bounds);
   }
   growBounds(buffers.body_poses, buffers.bounds);
-  findPairs(setup, poses, reach, buffers);
+  findPairs(setup, poses, reach, margin, buffers);
   dropUnjoined(setup, buffers.body_poses, buffers.candidates);
   buffers.counters.candidates = buffers.candidates.size();
 }
@@ -84,10 +86,12 @@ void keepListed(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
       cache.listed.push_back(id);
     }
   }
-  for (std::size_t i = 0; i < cache.travels.size(); ++i) {
+  const std::vector<IndexRange>& moved = buffers.body_poses.moved.bodies;
+  cache.listed_moved.assign(moved.begin(), moved.end());
+  forIndices(moved, [&](std::size_t i) noexcept {
     cache.travels[i].all_when_listed = cache.travels[i].all;
     cache.travels[i].ahead_when_listed = buffers.bounds.ahead[i];  // by this, boxes were grown
-  }
+  });
 }
 
 }  // namespace
@@ -95,12 +99,11 @@ void keepListed(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
 void listNear(const CycleSetup& setup, const LinkPoses& poses, bool have_links_changed,
               CycleBuffers& buffers) noexcept {
   DistanceCache& cache = buffers.memory.distance_cache;
+  growTrees(setup, buffers);
   if (have_links_changed || !isListGood(buffers.body_poses, cache)) {
-    const double reach = farthestActivationDistanceOf(setup);
     // After a change few distances are known.
-    cache.is_listed = !have_links_changed && buffers.trees.trees.empty() &&
-                      isWorthListing(buffers.body_poses, cache);
-    findCandidates(setup, poses, cache.is_listed ? reach + kListMargin : reach, buffers);
+    cache.is_listed = !have_links_changed && isWorthListing(buffers);
+    findCandidates(setup, poses, cache.is_listed ? kListMargin : 0.0, buffers);
     if (!cache.is_listed) {
       return;
     }

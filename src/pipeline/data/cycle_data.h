@@ -261,6 +261,7 @@ struct DistanceCache {
   std::vector<ElementPairIndex> measured_pairs;  ///< pairs with a finite `nearest`
   std::vector<PairId> listed;  ///< the pairs that can be near before bodies use up kListMargin
   bool is_listed{false};       ///< false: no list is known
+  std::vector<IndexRange> listed_moved;  ///< MovedParts::bodies when `listed` was filled
 };
 
 /// The speed scale and its state.

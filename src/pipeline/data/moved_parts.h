@@ -11,6 +11,10 @@ namespace collision_monitor {
 struct IndexRange {
   std::size_t first{0};
   std::size_t last{0};
+
+  friend bool operator==(const IndexRange& one, const IndexRange& other) noexcept {
+    return one.first == other.first && one.last == other.last;
+  }
 };
 
 /// What a cycle places and bounds: everything but objects that rest, see findResting.

@@ -42,39 +42,15 @@ void findLoosePairs(const CycleSetup& setup, const LinkPoses& poses,
 /// [m] How near a body and objects of a tree must be to matter, whatever their limits: at least
 /// NearBodies::limitOf where motions are known, else at least what boundBodies grows boxes by.
 struct SeekReach {
-  double at_rest;
-  double stop;
-  const ObjectTree& tree;
+  double at_rest;  ///< that of boundBodies
+  double stop;     ///< PairReach::stop of any pair, and the margin of a list
 
-  double of(double ahead, double travel) const noexcept {
+  double of(const ObjectTree& tree, double ahead, double travel) const noexcept {
     const double moves = (ahead > travel ? ahead : travel) + tree.moves;  // `ahead` may be NaN
     const bool are_known = tree.are_known && std::isfinite(ahead);
     return are_known ? std::max(at_rest, stop + moves) : at_rest + moves;
   }
 };
-
-/// Objects that rest keep how far they moved or may move.
-void growTrees(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
-  const auto is_of = [](const IndexRange& moved, const CarriedObjects& objects) {
-    return moved.first <= objects.first_body && objects.last_body <= moved.last;
-  };
-  for (std::size_t tree = 0; tree < setup.carried.size(); ++tree) {
-    const CarriedObjects& objects = setup.carried[tree];
-    const auto& moved = buffers.body_poses.moved.bodies;
-    if (std::none_of(moved.begin(), moved.end(),
-                     [&](const IndexRange& range) { return is_of(range, objects); })) {
-      continue;
-    }
-    ObjectTree& grown = buffers.trees.trees[tree];
-    grown.moves = 0.0;
-    grown.are_known = true;
-    for (std::size_t i = objects.first_body; i < objects.last_body; ++i) {
-      const double ahead = buffers.bounds.ahead[i];
-      grown.are_known &= std::isfinite(ahead);
-      grown.moves = std::max({grown.moves, buffers.sweep.body_travel[i], ahead});  // not a NaN
-    }
-  }
-}
 
 /// The pair of a seeker with an object; kNone if there is none.
 /// @param place of the object in its tree
@@ -89,8 +65,8 @@ PairId pairOf(const CycleSetup& setup, const CarriedObjects& objects, const Obje
 }
 
 /// Marks the pairs with objects of a tree that are near.
-void findInTree(const CycleSetup& setup, const LinkPoses& poses, double reach, std::size_t place,
-                CycleBuffers& buffers) noexcept {
+void findInTree(const CycleSetup& setup, const LinkPoses& poses, const SeekReach& reach,
+                std::size_t place, CycleBuffers& buffers) noexcept {
   const CarriedObjects& objects = setup.carried[place];
   const BodyBounds& bounds = buffers.bounds;
   if (bounds.known[objects.first_body] == 0) {
@@ -98,14 +74,13 @@ void findInTree(const CycleSetup& setup, const LinkPoses& poses, double reach, s
   }
   const ObjectTree& tree = buffers.trees.trees[place];
   const Pose tree_from_world = inverse(poses.world_from_link[objects.first_link]);
-  const SeekReach seek{reach, buffers.activation.farthest.stop, tree};
   for (const TreeSeeker& seeker : tree.seekers) {
     const std::size_t body = index(seeker.body);
     if (bounds.known[body] == 0) {
       continue;
     }
     const Core& core = setup.cores[body];
-    const double near = seek.of(bounds.ahead[body], buffers.sweep.body_travel[body]);
+    const double near = reach.of(tree, bounds.ahead[body], buffers.sweep.body_travel[body]);
     const NearBox box = nearBoxOf(tree_from_world * buffers.body_poses.world_from_body[body],
                                   core.half_extents, core.radius + near);
     for (const std::uint32_t object : tree.tree.findNear(box, buffers.trees.found)) {
@@ -145,16 +120,38 @@ struct TreeSearch {
 
 }  // namespace
 
-void findPairs(const CycleSetup& setup, const LinkPoses& poses, double reach,
+void growTrees(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  const auto is_of = [](const IndexRange& moved, const CarriedObjects& objects) {
+    return moved.first <= objects.first_body && objects.last_body <= moved.last;
+  };
+  for (std::size_t tree = 0; tree < setup.carried.size(); ++tree) {
+    const CarriedObjects& objects = setup.carried[tree];
+    const auto& moved = buffers.body_poses.moved.bodies;
+    if (std::none_of(moved.begin(), moved.end(),
+                     [&](const IndexRange& range) { return is_of(range, objects); })) {
+      continue;
+    }
+    ObjectTree& grown = buffers.trees.trees[tree];
+    grown.moves = 0.0;
+    grown.are_known = true;
+    for (std::size_t i = objects.first_body; i < objects.last_body; ++i) {
+      const double ahead = buffers.bounds.ahead[i];
+      grown.are_known &= std::isfinite(ahead);
+      grown.moves = std::max({grown.moves, buffers.sweep.body_travel[i], ahead});  // not a NaN
+    }
+  }
+}
+
+void findPairs(const CycleSetup& setup, const LinkPoses& poses, double reach, double margin,
                CycleBuffers& buffers) noexcept {
   if (buffers.trees.trees.empty()) {
     findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
     return;
   }
   findLoosePairs(setup, poses, buffers);
-  growTrees(setup, buffers);
+  const SeekReach seek{reach, buffers.activation.farthest.stop + margin};
   for (std::size_t tree = 0; tree < setup.carried.size(); ++tree) {
-    findInTree(setup, poses, reach, tree, buffers);
+    findInTree(setup, poses, seek, tree, buffers);
   }
   takeMarked(buffers.broad_phase.marks, buffers.candidates);
 }

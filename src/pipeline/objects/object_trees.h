@@ -49,9 +49,14 @@ ObjectTrees makeObjectTrees(const CycleSetup& setup, BroadPhaseKind kind);
 /// Fills the candidates: pairs of the table whose bounds meet, sorted by id. Those of a body and an
 /// object in a tree are an oriented box about the body and a box along the axes of the carrier, and
 /// they meet within how near both must be to matter.
-/// @param reach [m] as for boundBodies
-void findPairs(const CycleSetup& setup, const LinkPoses& poses, double reach,
+/// @param reach [m] as for boundBodies, `margin` included
+/// @param margin [m] how much farther than matters pairs may be
+/// @pre growTrees was called in this cycle
+void findPairs(const CycleSetup& setup, const LinkPoses& poses, double reach, double margin,
                CycleBuffers& buffers) noexcept;
+
+/// Takes how far the objects of trees moved or may move. Objects that rest keep it.
+void growTrees(const CycleSetup& setup, CycleBuffers& buffers) noexcept;
 
 /// Finds the nearest pair with an object in a tree that is not passed, if it is nearer than `best`.
 void searchTrees(const CycleSetup& setup, const LinkPoses& poses, const BodyPoses& body_poses,

@@ -80,11 +80,12 @@ struct Monitor {
   std::size_t allocations{0};
 };
 
-/// Moves links and frames now and then, and loses some.
+/// Moves links and frames now and then, and loses some. Slow motion is such that lists of near
+/// pairs serve for some cycles.
 class Motion {
  public:
-  Motion(const RobotModel& model, unsigned seed)
-      : model_(model), random_(seed), poses_(makeLinkPoses(model)) {
+  Motion(const RobotModel& model, unsigned seed, bool is_slow)
+      : model_(model), is_slow_(is_slow), random_(seed), poses_(makeLinkPoses(model)) {
     std::fill(poses_.status.begin(), poses_.status.end(), LinkStatus::known);
     for (std::size_t i = 0; i < kLinks; ++i) {
       poses_.world_from_link[i] = test::randomPose(random_, 0.7);
@@ -93,7 +94,7 @@ class Motion {
 
   const LinkPoses& next() {
     // A leap at the same stamp gives no velocity.
-    leaps_ = !is_cart_moving_ && random_() % 6 == 0;
+    leaps_ = !is_cart_moving_ && random_() % (is_slow_ ? 40 : 6) == 0;
     poses_.stamp_ns += leaps_ || random_() % 8 == 0 ? 0 : 10'000'000;
     std::fill(poses_.robot_stamp_ns.begin(), poses_.robot_stamp_ns.end(), poses_.stamp_ns);
     is_cart_moving_ = random_() % 12 == 0 ? !is_cart_moving_ : is_cart_moving_;
@@ -112,12 +113,13 @@ class Motion {
       poses_.world_from_link[link].translation += test::randomPoint(random_, 0.2);
     }
     if (moves && random_() % 4 > 0) {
-      const Eigen::AngleAxisd turn(0.03, test::randomPoint(random_, 1.0).normalized());
+      const double pace = is_slow_ ? 0.05 : 1.0;
+      const Eigen::AngleAxisd turn(0.03 * pace, test::randomPoint(random_, 1.0).normalized());
       poses_.world_from_link[link] =
           poses_.world_from_link[link] *
-          Pose{turn.toRotationMatrix(), test::randomPoint(random_, 0.01)};
+          Pose{turn.toRotationMatrix(), test::randomPoint(random_, 0.01 * pace)};
     }
-    const std::uint64_t fate = random_() % 120;
+    const std::uint64_t fate = random_() % (is_slow_ ? 2400 : 120);
     if (fate < 2) {
       poses_.status[link] = fate == 0 ? LinkStatus::known : LinkStatus::stale;
     } else if (fate < 12) {
@@ -126,6 +128,7 @@ class Motion {
   }
 
   const RobotModel& model_;
+  bool is_slow_;
   Random random_;
   LinkPoses poses_;
   bool is_cart_moving_{false};
@@ -179,6 +182,7 @@ std::size_t movedBodies(const CycleBuffers& buffers) {
 
 TEST(RestingObjectsLaws, aCycleTellsWhatACycleTellsThatLooksAtEverything) {
   std::size_t rested = 0;
+  std::size_t listed = 0;
   for (unsigned seed = 1; seed <= test::caseCount(10U); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     CycleSetup robots = test::randomSetup(kLinks, seed);
@@ -191,15 +195,16 @@ TEST(RestingObjectsLaws, aCycleTellsWhatACycleTellsThatLooksAtEverything) {
     ASSERT_FALSE(setup.carried.empty());
     Monitor sparse(setup, false);
     Monitor complete(setup, true);
-    Motion motion(setup.model, seed);
+    Motion motion(setup.model, seed, seed % 4 > 1);
     for (int cycle = 0; cycle < kCycles && !HasFailure(); ++cycle) {
       SCOPED_TRACE(testing::Message() << "cycle " << cycle);
       const LinkPoses& poses = motion.next();
       sparse.cycle(poses);
       complete.cycle(poses);
       expectSame(sparse, complete);
+      listed += sparse.buffers.memory.distance_cache.is_listed ? 1 : 0;
       rested += movedBodies(sparse.buffers) < setup.bodies.size() ? 1 : 0;
-      if (random() % 20 == 0) {
+      if (random() % 30 == 0) {
         forgetPoses(sparse.buffers);
         forgetPoses(complete.buffers);
       }
@@ -207,6 +212,7 @@ TEST(RestingObjectsLaws, aCycleTellsWhatACycleTellsThatLooksAtEverything) {
   }
   EXPECT_GT(rested, test::caseCount(std::size_t{20}))
       << "objects must rest in some cycles, or nothing is tested";
+  EXPECT_GT(listed, test::caseCount(std::size_t{20})) << "the same of lists";
 }
 
 }  // namespace
