@@ -22,7 +22,8 @@ namespace collision_monitor {
 /// argument of a product, so one arc tangent serves all triangles. Triangles wait until there are
 /// enough for all lanes of a vector. Units: [sr].
 /// Error: a few times 1e-15 for each triangle of the size of 1 m; 1e-13 over the distance [m] from
-/// its edges where that is small. Limits: points in a triangle's plane get either sign.
+/// its edges where that is small. Of slivers, whose corners are in line but for the share h, it
+/// grows by 1 / h^2. Limits: points in a triangle's plane get either sign.
 /// Source: van Oosterom, Strackee, "The Solid Angle of a Plane Triangle" (1983).
 class SolidAngles {
  public:

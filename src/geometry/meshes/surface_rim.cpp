@@ -43,8 +43,11 @@ bool multiplyWalls(const SurfaceRim& rim, const Eigen::Vector3d& point,
   for (std::size_t lane = 0; lane < SolidAngles::kLanes; lane += hn::Lanes(Lanes())) {
     ProductLanes product = productAt(lane, products);
     for (const SurfaceRim::Block& block : rim.blocks()) {
-      const Vector3 a = endAt(block, 0, lane) - from_point;
-      const Vector3 b = endAt(block, 3, lane) - from_point;
+      const Vector3 start = endAt(block, 0, lane);
+      const Vector3 end = endAt(block, 3, lane);
+      const Truth is_missing = areEqual(start, end);
+      const Vector3 a = start - from_point;
+      const Vector3 b = end - from_point;
       const Number la = norm(a);
       const Number lb = norm(b);
       const Number both = hn::Mul(la, lb);
@@ -54,8 +57,8 @@ bool multiplyWalls(const SurfaceRim& rim, const Eigen::Vector3d& point,
       // In the wall y is 0 and x is not above 0.
       const Number doubt = hn::Mul(number(kDoubt), both);
       const Truth is_clear = hn::Or(hn::Gt(hn::Abs(y), doubt), hn::Gt(x, doubt));
-      is_certain = is_certain && hn::AllTrue(Lanes(), hn::Or(is_clear, areEqual(a, b)));
-      multiply(x, y, product);
+      is_certain = is_certain && hn::AllTrue(Lanes(), hn::Or(is_clear, is_missing));
+      multiply(hn::IfThenElse(is_missing, number(1.0), x), y, product);
     }
     store(product, lane, products);
   }

@@ -139,6 +139,10 @@ PointInMesh lookInside(const MeshTree& tree, const Vector3d& point, MeshQueryMem
     answer.is_inside = isInside(tree, point, memory);
     return answer;
   }
+  if (!point.allFinite()) {
+    answer.hold = 0.0;
+    return answer;
+  }
   const double outside = outsideBounds(tree, point);
   if (!(outside < (asks_hold ? kBeside * tree.radius() : 0.0))) {
     answer.hold = std::max(0.0, outside);
@@ -169,6 +173,9 @@ PointInMesh lookInside(const MeshTree& tree, const Vector3d& point, MeshQueryMem
 
 bool staysOutside(const MeshTree& tree, const Vector3d& point, double travel,
                   MeshQueryMemory& memory, std::uint32_t& visits) noexcept {
+  if (!point.allFinite() || std::isnan(travel)) {
+    return false;
+  }
   if (tree.isClosed()) {
     return !isInside(tree, point, memory);
   }

@@ -26,8 +26,9 @@ struct PointInMesh {
   std::uint32_t visits{0};  ///< of an open surface, converted to nodes
 };
 
-/// The same for any mesh. The inside of an open mesh is the part of its box with a winding number
-/// above 1/2 in size. Near a hole it ends where half of all directions lead out.
+/// The same for any mesh. The inside of an open mesh is the part of its hull, or of the box and the
+/// slabs around it, with a winding number above 1/2 in size. Near a hole it ends where half of all
+/// directions lead out. A point that is not finite is outside and stays so for no way.
 ///
 /// Frames: the mesh's. Error: points with a number above 1/2 by at most 0.02 may count as outside;
 /// points with another number never count as inside.
@@ -54,7 +55,8 @@ bool isBeyondAnyFace(const OpenSurface& open, const ConvexHull::Face*& last,
 }
 
 /// Proves that a point is outside, and stays outside while it travels by at most `travel` [m] and
-/// does not cross the surface. Tells no more than PointInMesh::hold, in less time.
+/// does not cross the surface. Tells no more than PointInMesh::hold, in less time; ways shorter
+/// than leastHold count as none.
 /// @param visits receives the work
 /// @pre the mesh has an inside.
 bool staysOutside(const MeshTree& tree, const Eigen::Vector3d& point, double travel,

@@ -139,6 +139,9 @@ WindingNumber windingByRim(const MeshTree& tree, const Eigen::Vector3d& point,
 template <class ReachesCutoff>
 WindingNumber search(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory,
                      const ReachesCutoff& reachesCutoff) noexcept {
+  if (!point.allFinite()) {
+    return {0.0, kInfinity, 1};
+  }
   if (tree.openSurface()->moments.empty()) {
     return windingByRim(tree, point, memory);
   }

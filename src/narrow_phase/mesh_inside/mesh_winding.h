@@ -10,7 +10,7 @@ namespace collision_monitor {
 /// How many times a surface goes around a point.
 struct WindingNumber {
   double value{0.0};
-  double error{0.0};       ///< a proven bound
+  double error{0.0};       ///< a bound; infinite for a point that is not finite
   std::uint32_t parts{0};  ///< of the surface: work, of about 10 ns each
 };
 
@@ -21,8 +21,11 @@ constexpr std::uint32_t kPartsPerBlock = 3;
 /// the rim `error` is 1e-9. Where the rim is long, sums moments of far parts and solid angles of
 /// near ones, and splits parts until the error is at most `error`; 1e-9 can always be reached.
 ///
-/// Frames: the mesh's. Time: of the order of the tree's depth.
-/// Source: as windingOf. Departure: fixes the error in place of a ratio of distance and size.
+/// Frames: the mesh's. Time: that of one line of sight and of the rim's sides; of all triangles at
+/// the few points where every line of sight is in doubt.
+/// Error: the sum of triangles is off by more than 1e-9 beside slivers: by up to 1e-5 at 1e-6 of
+/// the mesh's size from the surface, by less than 1e-9 from 1e-3 on. Source: as windingOf.
+/// Departure: fixes the error in place of a ratio of distance and size.
 /// @pre the mesh has an OpenSurface.
 WindingNumber windingNumber(const MeshTree& tree, const Eigen::Vector3d& point, double error,
                             MeshQueryMemory& memory) noexcept;

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -252,6 +254,38 @@ TEST_F(MeshWinding, openness) {
     torso.triangles.erase(torso.triangles.begin() + static_cast<std::ptrdiff_t>(hole));
   }
   EXPECT_LT(opennessOf(test::openTree(torso)), 0.5 * kTooOpen) << "twelve edges are open";
+}
+
+TriangleMesh loose(const Vector3d& corner, double size) {
+  return {{corner, corner + Vector3d(size, 0, 0), corner + Vector3d(0, size, 0)}, {{0, 1, 2}}};
+}
+
+TEST_F(MeshWinding, rimThatVanishesSeenFromAPoint_countsNoTurns) {
+  // The point lies in line with the speck: seen from there both ends of its sides are equal.
+  TriangleMesh box = boxMesh({0.5, 0.5, 0.5});
+  for (auto& triangle : box.triangles) {
+    std::swap(triangle[0], triangle[1]);
+  }
+  const MeshTree tree =
+      test::openTree(joined(joined(box, loose({0, 0, 0.2}, 1e-18)), loose({0.3, -0.3, 0.4}, 0.01)));
+  const Vector3d point(-0.070083060711922954, -0.036461352505778852, -0.057821345527035273);
+  EXPECT_NEAR(windingNumber(tree, point, 1e-9, *memory_).value, -1.0, 1e-4);
+  EXPECT_TRUE(holds(tree, point));
+}
+
+TEST_F(MeshWinding, pointThatIsNotFinite_hasNoNumberAndProvesNothing) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const MeshTree& tree : {test::openTree(openBox()), MeshTree(boxMesh({1, 1, 1}), true)}) {
+    for (const Vector3d& point : {Vector3d(nan, 0, 0), Vector3d(0, 0, nan)}) {
+      std::uint32_t visits = 0;
+      EXPECT_FALSE(staysOutside(tree, point, 0.1, *memory_, visits));
+      EXPECT_FALSE(holds(tree, point));
+      if (!tree.isClosed()) {
+        EXPECT_TRUE(std::isinf(windingNumber(tree, point, 1e-9, *memory_).error));
+        EXPECT_EQ(lookInside(tree, point, *memory_).hold, 0.0);
+      }
+    }
+  }
 }
 
 }  // namespace
