@@ -35,7 +35,7 @@ Axes axesOfQuaternion(Number x, Number y, Number z, Number w) {
 }
 
 HWY_INLINE void moveFrame(const MovingFrame& frame, const StateNumber* variables, std::size_t lane,
-               PoseLanes& pose) {
+                          PoseLanes& pose) {
   const auto variable = [&](std::size_t i) HWY_ATTR { return load(variables[i], lane); };
   const auto position = [&]() HWY_ATTR {
     return hn::Add(hn::Mul(number(frame.multiplier), variable(0)), number(frame.offset));
