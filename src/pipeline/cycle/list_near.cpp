@@ -27,13 +27,15 @@ bool isListGood(const BodyPoses& body_poses, const DistanceCache& cache) noexcep
   return is_good;
 }
 
-/// Whether motions are known, and so slow that a list serves for some cycles.
-bool isWorthListing(const CycleBuffers& buffers) noexcept {
+/// Whether motions are known, and so slow that a list serves for some cycles. Objects without trees
+/// keep the boxes of their last motion, so these may not be older than that.
+bool isWorthListing(const CycleSetup& setup, const CycleBuffers& buffers) noexcept {
   constexpr double kFewCycles = 4.0;
   const BodyPoses& body_poses = buffers.body_poses;
   const DistanceCache& cache = buffers.memory.distance_cache;
   const std::vector<ObjectTree>& trees = buffers.trees.trees;
-  bool is_worth = std::all_of(trees.begin(), trees.end(),
+  bool is_worth = trees.size() == setup.carried.size() &&
+                  std::all_of(trees.begin(), trees.end(),
                               [](const ObjectTree& tree) { return tree.are_known; });
   forIndices(body_poses.moved.bodies, [&](std::size_t i) noexcept {
     const BodyTravel& travel = cache.travels[i];
@@ -102,7 +104,7 @@ void listNear(const CycleSetup& setup, const LinkPoses& poses, bool have_links_c
   growTrees(setup, buffers);
   if (have_links_changed || !isListGood(buffers.body_poses, cache)) {
     // After a change few distances are known.
-    cache.is_listed = !have_links_changed && isWorthListing(buffers);
+    cache.is_listed = !have_links_changed && isWorthListing(setup, buffers);
     findCandidates(setup, poses, cache.is_listed ? kListMargin : 0.0, buffers);
     if (!cache.is_listed) {
       return;

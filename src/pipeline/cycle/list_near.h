@@ -13,9 +13,10 @@ constexpr double kListMargin = 0.025;
 /// looked at only to make a list of the pairs that can be near soon. The list serves in the next
 /// cycles, until two bodies may have used up the margin by travel or by faster motion ahead, or
 /// until many objects start to move or come to rest. No list is made where motions are fast or
-/// unknown. Source: Verlet,
-/// "Computer 'experiments' on classical fluids I" (1967). Departure: the list also leaves out pairs
-/// by cached distances and motion ahead.
+/// unknown, or where many objects have no trees.
+///
+/// Source: Verlet, "Computer 'experiments' on classical fluids I" (1967). Departure: the list also
+/// leaves out pairs by cached distances and motion ahead.
 /// @pre travel is accumulated. @param have_links_changed since the last cycle
 void listNear(const CycleSetup& setup, const LinkPoses& poses, bool have_links_changed,
               CycleBuffers& buffers) noexcept;

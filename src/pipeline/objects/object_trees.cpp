@@ -124,7 +124,7 @@ void growTrees(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   const auto is_of = [](const IndexRange& moved, const CarriedObjects& objects) {
     return moved.first <= objects.first_body && objects.last_body <= moved.last;
   };
-  for (std::size_t tree = 0; tree < setup.carried.size(); ++tree) {
+  for (std::size_t tree = 0; tree < buffers.trees.trees.size(); ++tree) {
     const CarriedObjects& objects = setup.carried[tree];
     const auto& moved = buffers.body_poses.moved.bodies;
     if (std::none_of(moved.begin(), moved.end(),

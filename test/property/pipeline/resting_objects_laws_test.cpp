@@ -55,7 +55,8 @@ World crowdedWorld(std::size_t count, Random& random) {
 
 /// One monitor. The complete one places everything and judges every pair in each cycle.
 struct Monitor {
-  Monitor(CycleSetup made, bool looks_at_all, bool all_seem_to_rest)
+  Monitor(CycleSetup made, bool looks_at_all, bool all_seem_to_rest,
+          BroadPhaseKind kind = BroadPhaseKind::automatic)
       : setup(std::move(made)),
         is_complete(looks_at_all),
         seem_to_rest(all_seem_to_rest),
@@ -63,7 +64,7 @@ struct Monitor {
     if (is_complete) {
       setup.carried.clear();
     }
-    buffers = makeBuffers(setup, BroadPhaseKind::automatic);
+    buffers = makeBuffers(setup, kind);
     tracker = makeVelocityTracker(setup.model);
   }
 
@@ -215,18 +216,22 @@ TEST(RestingObjectsLaws, aCycleTellsWhatACycleTellsThatLooksAtEverything) {
         addWorld(robots, world, prepareObjects(world, RefineGeometry::mesh, {}), "map");
     ASSERT_FALSE(setup.carried.empty());
     Monitor sparse(setup, false, seem_to_rest);
+    Monitor without_trees(setup, false, seem_to_rest, BroadPhaseKind::brute_force);
     Monitor complete(setup, true, seem_to_rest);
     Motion motion(setup.model, seed, is_slow);
     for (int cycle = 0; cycle < kCycles && !HasFailure(); ++cycle) {
       SCOPED_TRACE(testing::Message() << "cycle " << cycle);
       const LinkPoses& poses = motion.next();
       sparse.cycle(poses);
+      without_trees.cycle(poses);
       complete.cycle(poses);
       expectSame(sparse, complete);
+      expectSame(without_trees, complete);
       listed += sparse.buffers.memory.distance_cache.is_listed ? 1 : 0;
       rested += movedBodies(sparse.buffers) < setup.bodies.size() ? 1 : 0;
       if (random() % 30 == 0) {
         forgetPoses(sparse.buffers);
+        forgetPoses(without_trees.buffers);
         forgetPoses(complete.buffers);
       }
     }
