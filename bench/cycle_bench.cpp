@@ -45,12 +45,9 @@ double microsecondsSince(Clock::time_point start) {
 }
 
 std::vector<Move> makeMoves(const RobotModel& model, double rate, double speed) {
-  constexpr std::size_t kMoves = 20;
   Mover mover(model, rate, speed);
-  std::vector<Move> moves;
-  while (moves.size() < kMoves) {
-    moves.push_back(mover.next());
-  }
+  std::vector<Move> moves(20);
+  std::generate(moves.begin(), moves.end(), [&] { return mover.next(); });
   return moves;
 }
 
