@@ -33,11 +33,11 @@ std::vector<double> travelsOf(const JointPath& path, const PathPart& part) {
 }
 
 /// How far along a segment a distance lasts, from a given share: halved until it does.
-double lastingShare(const FclPath& all, LinkPairIndex pair, const PathPart& rest,
+double lastingShare(FclPath& all, LinkPairIndex pair, const PathPart& rest,
                     const std::vector<Pose>& world_from_link, double distance) {
   PathPart part = rest;
-  while (boundMotion(all.chains[pair], all.balls, world_from_link, travelsOf(all.path, part)) >
-         distance) {
+  all.levers.moveTo(world_from_link);
+  while (boundMotion(all.chains[pair], travelsOf(all.path, part), all.levers) > distance) {
     part.to = 0.5 * (part.from + part.to);
   }
   return part.to;
@@ -95,7 +95,7 @@ FclPath::FclPath(const CycleSetup& cycle_setup, const JointPath& joint_path, con
       path(joint_path),
       poses(setup.model, path, start),
       robot(setup.model),
-      balls(linkBalls(setup)) {
+      levers(linkBalls(setup)) {
   for (const CheckedLinkPair& pair : setup.checked) {
     chains.push_back(chainBetween(setup.model, path, pair.a, pair.b));
   }
@@ -108,8 +108,9 @@ std::vector<std::uint64_t> countSamples(FclPath& all, double step) {
     all.poses.place(segment, 0.0, world_from_link);
     const std::vector<double> travels = travelsOf(all.path, {segment, 0.0, 1.0});
     double farthest = 0.0;
+    all.levers.moveTo(world_from_link);
     for (const LinkChain& chain : all.chains) {
-      farthest = std::max(farthest, boundMotion(chain, all.balls, world_from_link, travels));
+      farthest = std::max(farthest, boundMotion(chain, travels, all.levers));
     }
     counts.push_back(
         std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(farthest / step))));

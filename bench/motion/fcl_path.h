@@ -35,7 +35,7 @@ struct FclPath {
   const JointPath& path;
   PathPoses poses;
   FclRobot robot;
-  std::vector<Ball> balls;        ///< by LinkId
+  JointLevers levers;
   std::vector<LinkChain> chains;  ///< by LinkPairIndex
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "geometry/constants.h"
 
@@ -29,31 +30,14 @@ std::optional<ChainJoint> movedJoint(const RobotModel& model, const JointPath& p
                     joint.mimic ? joint.mimic->multiplier : 1.0};
 }
 
-/// A ball that joints move, world frame.
-struct Load {
-  Eigen::Vector3d center;
-  double radius;
-  double moved{0.0};  ///< [m] upper bound for any of its points, by the joints so far
-};
-
-void moveBy(const ChainJoint& joint, const std::vector<Pose>& world_from_link, double travel,
-            Load& load) noexcept {
-  if (travel == 0.0) {
-    return;
+/// [m] Adds what a joint moves points of a link's ball to what joints nearer to it move them.
+double movedBy(const ChainJoint& joint, LinkId link, const std::vector<double>& travels,
+               double moved, JointLevers& levers) noexcept {
+  const double travel = std::abs(joint.factor) * travels[joint.path_joint];
+  if (travel == 0.0 || joint.is_prismatic) {
+    return moved + travel;
   }
-  if (joint.is_prismatic) {
-    load.moved += travel;
-    return;
-  }
-  const Pose& frame = world_from_link[index(joint.child)];
-  const Eigen::Vector3d axis = frame.rotation * joint.axis;
-  const double lever =
-      axis.cross(load.center - frame.translation).norm() + load.radius + load.moved;
-  load.moved += travel * lever;
-}
-
-Load loadOf(const Ball& ball, const Pose& world_from_link) noexcept {
-  return {world_from_link * ball.center, ball.radius};
+  return moved + travel * (levers.of(joint, link) + levers.radius(link) + moved);
 }
 
 }  // namespace
@@ -108,26 +92,35 @@ std::vector<Ball> linkBalls(const CycleSetup& setup) {
   return balls;
 }
 
-double boundMotion(const LinkChain& chain, const std::vector<Ball>& balls,
-                   const std::vector<Pose>& world_from_link,
-                   const std::vector<double>& travels) noexcept {
+JointLevers::JointLevers(std::vector<Ball> balls)
+    : balls_(std::move(balls)), levers_(balls_.size() * balls_.size()) {}
+
+void JointLevers::moveTo(const std::vector<Pose>& world_from_link) noexcept {
+  world_from_link_ = &world_from_link;
+  ++time_;
+}
+
+double JointLevers::measure(const ChainJoint& joint, LinkId link) const noexcept {
+  const Pose& frame = (*world_from_link_)[index(joint.child)];
+  const Eigen::Vector3d center = (*world_from_link_)[index(link)] * balls_[index(link)].center;
+  return (frame.rotation * joint.axis).cross(center - frame.translation).norm();
+}
+
+double boundMotion(const LinkChain& chain, const std::vector<double>& travels,
+                   JointLevers& levers) noexcept {
   // The chain is split after one of its first joints, at most this many.
   constexpr std::size_t kMostSplits = 32;
-  const auto move_by = [&](const ChainJoint& joint, Load& load) {
-    moveBy(joint, world_from_link, std::abs(joint.factor) * travels[joint.path_joint], load);
-  };
   std::array<double, kMostSplits + 1> moved_b;
-  Load b = loadOf(balls[index(chain.b)], world_from_link[index(chain.b)]);
+  double of_b = 0.0;
   for (std::size_t split = chain.joints.size(); split > 0; --split) {
-    moved_b[std::min(split, kMostSplits)] = b.moved;
-    move_by(chain.joints[split - 1], b);
+    moved_b[std::min(split, kMostSplits)] = of_b;
+    of_b = movedBy(chain.joints[split - 1], chain.b, travels, of_b, levers);
   }
-  moved_b[0] = b.moved;
-  double least = b.moved;
-  Load a = loadOf(balls[index(chain.a)], world_from_link[index(chain.a)]);
+  double least = of_b;
+  double of_a = 0.0;
   for (std::size_t split = 1; split <= std::min(chain.joints.size(), kMostSplits); ++split) {
-    move_by(chain.joints[split - 1], a);
-    least = std::min(least, a.moved + moved_b[split]);
+    of_a = movedBy(chain.joints[split - 1], chain.a, travels, of_a, levers);
+    least = std::min(least, of_a + moved_b[split]);
   }
   return least;
 }
@@ -148,9 +141,9 @@ RelativeMotion relativeMotion(const LinkChain& chain, const std::vector<Ball>& b
     const JointStep& step = steps[joint.path_joint];
     turned += joint.is_prismatic ? 0.0 : std::abs(joint.factor) * (std::abs(step.half) + step.bend);
   }
-  const Load b = loadOf(balls[index(chain.b)], world_from_link[index(chain.b)]);
+  const Ball& b = balls[index(chain.b)];
   RelativeMotion motion;
-  motion.center = b.center;
+  motion.center = world_from_link[index(chain.b)] * b.center;
   double moved = 0.0;  // by the joints nearer to B
   for (auto joint = chain.joints.rbegin(); joint != chain.joints.rend(); ++joint) {
     const JointStep& step = steps[joint->path_joint];
@@ -164,7 +157,7 @@ RelativeMotion relativeMotion(const LinkChain& chain, const std::vector<Ball>& b
     if (joint->is_prismatic) {
       motion.velocity += half * axis;
     } else {
-      const Eigen::Vector3d across = axis.cross(b.center - frame.translation);
+      const Eigen::Vector3d across = axis.cross(motion.center - frame.translation);
       lever = across.norm() + b.radius + moved;
       turns = most;
       motion.velocity += half * across;

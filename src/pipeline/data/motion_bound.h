@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "collision_monitor/pipeline/setup.h"
@@ -35,6 +36,39 @@ LinkChain chainBetween(const RobotModel& model, const JointPath& path, LinkId a,
 /// By LinkId: a ball that holds all bodies of a link, in the link frame.
 std::vector<Ball> linkBalls(const CycleSetup& setup);
 
+/// How far links' balls are from the axes of joints at one time. Measures each when it is first
+/// asked for: pairs share most of them.
+class JointLevers {
+ public:
+  /// @param balls by LinkId, see linkBalls
+  explicit JointLevers(std::vector<Ball> balls);
+
+  /// Begins another time. @param world_from_link must stay until the next one
+  void moveTo(const std::vector<Pose>& world_from_link) noexcept;
+
+  /// [m] From the axis of a revolute joint to the center of a ball.
+  double of(const ChainJoint& joint, LinkId link) noexcept {
+    Lever& lever = levers_[index(link) * balls_.size() + index(joint.child)];
+    if (lever.time != time_) {
+      lever = {measure(joint, link), time_};
+    }
+    return lever.length;
+  }
+  double radius(LinkId link) const noexcept { return balls_[index(link)].radius; }
+
+ private:
+  struct Lever {
+    double length{0.0};
+    std::uint64_t time{0};
+  };
+  double measure(const ChainJoint& joint, LinkId link) const noexcept;
+
+  std::vector<Ball> balls_;
+  const std::vector<Pose>* world_from_link_{nullptr};
+  std::vector<Lever> levers_;  ///< by link, then by the joint's child
+  std::uint64_t time_{0};      ///< counts them
+};
+
 /// [m] An upper bound of how much nearer two links come. `travels` holds the travel of each path
 /// joint.
 ///
@@ -43,13 +77,12 @@ std::vector<Ball> linkBalls(const CycleSetup& setup);
 /// increase r by the motion that they cause. Each joint may be seen as moving either side, so the
 /// chain may be split in two anywhere: the split of the least bound is taken.
 ///
-/// @param world_from_link at any one time of the motion.
+/// @param levers at any one time of the motion.
 /// Source: Schwarzer, Saha, Latombe, "Adaptive Dynamic Collision Checking for Single and Multiple
 /// Articulated Robots in Complex Environments" (2005), section IV. Departs from it: lever arms are
 /// those of the present pose, not of the worst one, and the chain is split.
-double boundMotion(const LinkChain& chain, const std::vector<Ball>& balls,
-                   const std::vector<Pose>& world_from_link,
-                   const std::vector<double>& travels) noexcept;
+double boundMotion(const LinkChain& chain, const std::vector<double>& travels,
+                   JointLevers& levers) noexcept;
 
 /// How B moves, seen from A, in a part of a path. World frame.
 /// @param world_from_link in the middle of the part; `steps` by path joint.

@@ -53,6 +53,7 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
   halving.pairs = &pairs;
   halving.is_placed = false;
   halving.depth = depth;
+  search.levers.moveTo(begin.world_from_link);
   for (const LinkPairIndex pair : pairs) {
     if (!goesOnWorking(search, begin) || !settle(search, pair, begin, end, halving)) {
       halving.open.push_back(pair);
@@ -80,6 +81,7 @@ void explore(TrajectorySearch& search, Instant& begin, Instant& end,
 void checkStanding(TrajectorySearch& search, const std::vector<LinkPairIndex>& pairs, Instant& at) {
   Halving halving;
   halving.travels.resize(search.path.joints.size(), 0.0);
+  search.levers.moveTo(at.world_from_link);
   for (const LinkPairIndex pair : pairs) {
     if (goesOnWorking(search, at)) {
       settle(search, pair, at, at, halving);
@@ -100,6 +102,7 @@ void listOpen(TrajectorySearch& search, std::size_t first, std::size_t last,
   }
   search.measures.work += pairs.size();
   range.open.clear();
+  search.levers.moveTo(search.stops[first].world_from_link);
   for (const LinkPairIndex pair : pairs) {
     if (!settleFar(search, pair, search.stops[first], search.stops[last], range.travels)) {
       range.open.push_back(pair);
@@ -235,6 +238,7 @@ TrajectorySearch searchAlong(const CycleSetup& setup, const JointPath& path, con
                           options,
                           PathPoses(setup.model, path, start),
                           LinkPairMeasures(setup),
+                          JointLevers(linkBalls(setup)),
                           std::vector<LinkChain>(count),
                           std::vector<Found>(count, Found::bodies),
                           std::vector<NearPlace>(count),

@@ -212,8 +212,7 @@ bool settleFar(TrajectorySearch& search, LinkPairIndex pair, const Instant& begi
                      std::max(travelOf(at_begin), travelOf(at_end)))) {
     return false;
   }
-  const double travel =
-      boundMotion(search.chains[pair], search.measures.balls, begin.world_from_link, travels);
+  const double travel = boundMotion(search.chains[pair], travels, search.levers);
   const double bound = between(at_begin.bound, at_end.bound, travel);
   if (!reachesCutoff(search, pair, bound, between(travelOf(at_begin), travelOf(at_end), travel))) {
     return false;
@@ -227,8 +226,7 @@ bool settle(TrajectorySearch& search, LinkPairIndex pair, Instant& begin, Instan
   if (search.report.pairs[pair].state != ApproachState::clear) {
     return true;
   }
-  const double travel = boundMotion(search.chains[pair], search.measures.balls,
-                                    begin.world_from_link, halving.travels);
+  const double travel = boundMotion(search.chains[pair], halving.travels, search.levers);
   const bool is_moving = travel > search.options.tolerance;
   bool asks = is_moving;
   while (!settleBySamples(search, pair, travel, begin, end)) {

@@ -65,6 +65,7 @@ struct TrajectorySearch {
   const TrajectoryOptions& options;
   PathPoses poses;
   LinkPairMeasures measures;
+  JointLevers levers;                   ///< at the beginning of the part that is settled
   std::vector<LinkChain> chains;        ///< by LinkPairIndex
   std::vector<Found> found;             ///< by LinkPairIndex: level of `nearest`
   std::vector<NearPlace> by_balls;      ///< by LinkPairIndex
@@ -121,6 +122,7 @@ void sampleWaypoint(TrajectorySearch& search, const std::vector<LinkPairIndex>& 
 
 /// Whether the samples at both ends settle a pair in a part, before which it was apart. Measures
 /// nothing.
+/// @pre levers are at `begin`
 bool settleFar(TrajectorySearch& search, LinkPairIndex pair, const Instant& begin,
                const Instant& end, const std::vector<double>& travels) noexcept;
 
@@ -144,6 +146,7 @@ void placeMiddle(TrajectorySearch& search, const Instant& begin, const Instant& 
 
 /// Settles a pair in a part, before which it was apart, if possible. Raises the levels of the
 /// samples at both ends as far as that helps. @return whether the pair is settled.
+/// @pre levers are at `begin`
 bool settle(TrajectorySearch& search, LinkPairIndex pair, Instant& begin, Instant& end,
             Halving& halving);
 

@@ -89,10 +89,12 @@ RC_GTEST_PROP(TrajectoryLaws, distancesChangeByNoMoreThanTheBound, ()) {
   for (std::size_t i = 0; i < path.joints.size(); ++i) {
     travels.push_back(travelOf(path, {0, from, to}, i));
   }
+  JointLevers levers(measures.balls);
+  levers.moveTo(at_start);
   for (LinkPairIndex pair = 0; pair < setup.checked.size(); ++pair) {
     const CheckedLinkPair& links = setup.checked[pair];
     const LinkChain chain = chainBetween(setup.model, path, links.a, links.b);
-    const double bound = boundMotion(chain, measures.balls, at_start, travels);
+    const double bound = boundMotion(chain, travels, levers);
     const double change = bodyDistance(measures, pair, at_end).measured.distance -
                           bodyDistance(measures, pair, at_start).measured.distance;
     RC_ASSERT(std::abs(change) <= bound + 1e-9);
