@@ -27,8 +27,8 @@ bool isListGood(const BodyPoses& body_poses, const DistanceCache& cache) noexcep
   return is_good;
 }
 
-/// Whether motions are known, and so slow that a list serves for some cycles. Objects without trees
-/// keep the boxes of their last motion, so these may not be older than that.
+/// Whether motions are known, and so slow that a list serves for some cycles. It needs boxes grown
+/// by its margin: objects without trees keep those of the cycle in which they last moved.
 bool isWorthListing(const CycleSetup& setup, const CycleBuffers& buffers) noexcept {
   constexpr double kFewCycles = 4.0;
   const BodyPoses& body_poses = buffers.body_poses;

@@ -66,7 +66,7 @@ struct RefineMemory {
   LastMeasurement last;
   LastMeasurement before;          ///< the one before `last`, at other poses
   MeshFront* front{nullptr};       ///< where a mesh is searched; null: starts at the roots
-  ContactForecast triangles_meet;  ///< that it takes triangles to find a contact, and they do
+  ContactForecast triangles_meet;  ///< that a test of few triangles finds a contact
   KeptDepth* depth{nullptr};  ///< of two elements with meshes, one or both not convex; keptDepth
   FixedRoom<KeptDepth>* depths{nullptr};  ///< room for `depth`, where there is none yet
 };
