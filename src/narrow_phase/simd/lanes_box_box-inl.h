@@ -143,6 +143,14 @@ HWY_INLINE CoreAnswer coreDistance(const BoxCore& a, const BoxCore& b) {
   return {cores.distance, a.center + out(a.axes, cores.point_on_a), out(a.axes, cores.normal)};
 }
 
+/// False if an axis across a face parts the shapes by more than `reach`.
+HWY_INLINE Truth mayBeWithin(const BoxCore& a, const BoxCore& b, Number reach) {
+  const BoxPairLanes pair = boxPairInLanes(a, b);
+  const Number of_cores = hn::Add(hn::Add(reach, a.radius), b.radius);
+  const Number apart = hn::Max(hn::Add(of_cores, pair.tolerance), zero());
+  return hn::Not(hn::Gt(bestOfFaces<false>(pair).numerator, apart));
+}
+
 /// If boxes overlap, the best axis gives the depth, and no point needs to prove it.
 HWY_INLINE Number separationWithin(const BoxCore& a, const BoxCore& b, Number reach,
                                    Truth& counts) {

@@ -31,16 +31,6 @@ StatePair statePair(const CycleSetup& setup, std::size_t id) {
   return pair;
 }
 
-/// The same pose in every state, for a body that no joint moves.
-StatePose everywhere(const Pose& pose) {
-  StatePose state_pose;
-  fillAll(pose.translation, state_pose.translation);
-  fillAll(pose.rotation.col(0), state_pose.axis_x);
-  fillAll(pose.rotation.col(1), state_pose.axis_y);
-  fillAll(pose.rotation.col(2), state_pose.axis_z);
-  return state_pose;
-}
-
 /// A body's pose; of points and segments only what their kind needs is placed.
 Pose bodyPose(CoreKind kind, const StatePose& pose, std::size_t lane) noexcept {
   const Pose one = poseOf(pose, lane);
@@ -126,6 +116,15 @@ void fillAll(const Eigen::Vector3d& v, StateNumber (&numbers)[3]) noexcept {
   for (std::size_t k = 0; k < 3; ++k) {
     std::fill(std::begin(numbers[k].of), std::end(numbers[k].of), v[static_cast<Eigen::Index>(k)]);
   }
+}
+
+StatePose everywhere(const Pose& pose) noexcept {
+  StatePose state_pose;
+  fillAll(pose.translation, state_pose.translation);
+  fillAll(pose.rotation.col(0), state_pose.axis_x);
+  fillAll(pose.rotation.col(1), state_pose.axis_y);
+  fillAll(pose.rotation.col(2), state_pose.axis_z);
+  return state_pose;
 }
 
 void fillVariables(const JointPositions& positions, std::size_t first, StatesWork& work) noexcept {

@@ -60,9 +60,18 @@ struct StateElementPair {
   std::uint32_t first{0};        ///< into StatesRefinement::body_pairs
   std::uint32_t last{0};
   bool are_convex{false};
-  std::uint32_t box{0};   ///< BodyId of the box that alone encloses one element, if has_box
-  std::uint32_t ball{0};  ///< ElementId of the other element, if has_box
-  bool has_box{false};
+  std::uint32_t ball{0};      ///< ElementId of the one with the smaller ball
+  std::uint32_t box{0};       ///< around the other one: a box as in StatesRefinement::box_of
+  std::uint32_t ball_box{0};  ///< the same around that of `ball`
+  bool has_many{false};       ///< pairs of bodies, and both boxes
+};
+
+/// A box around all bodies of an element.
+struct OuterBox {
+  Core core;
+  LinkPlace place;             ///< frame_from_link is frame_from_box here
+  StatePose pose{};            ///< in the states of a block
+  std::uint64_t placed_in{0};  ///< the last block that placed it
 };
 
 /// A point in each state.
@@ -79,9 +88,13 @@ struct StatesRefinement {
   std::vector<StatePoint> centers;              ///< by ElementId: centers of the balls
   std::uint64_t block{0};                       ///< counter of blocks
   std::vector<std::uint64_t> body_placed_in;    ///< by BodyId: the last block that placed it
-  std::vector<Pose> world_from_element;         ///< by ElementId, in the current state
-  std::vector<std::uint64_t> placed_in;         ///< by ElementId: the state of that pose
-  std::uint64_t state{0};                       ///< counter of states
+  /// By ElementId: the BodyId of the box that alone encloses it; the number of bodies plus an index
+  /// into `outer_boxes` if it has several bodies; else kNone.
+  std::vector<std::uint32_t> box_of;
+  std::vector<OuterBox> outer_boxes;
+  std::vector<Pose> world_from_element;  ///< by ElementId, in the current state
+  std::vector<std::uint64_t> placed_in;  ///< by ElementId: the state of that pose
+  std::uint64_t state{0};                ///< counter of states
   RefineStore memory;
   std::unique_ptr<RefineScratch> scratch;
   std::vector<NearInStates> near;

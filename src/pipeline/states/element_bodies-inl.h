@@ -29,6 +29,38 @@ struct ElementBodies {
     }
   }
 
+  /// A box of StatesRefinement::box_of.
+  HWY_INLINE BoxCore placedBox(std::uint32_t id) {
+    if (id < work.bodies.size()) {
+      place(id);
+      return BoxCore(BodyInStates{work.bodies[id], states.setup.cores[id], states.lane});
+    }
+    OuterBox& box = work.refinement.outer_boxes[id - work.bodies.size()];
+    if (box.placed_in != work.refinement.block) {
+      box.placed_in = work.refinement.block;
+      placeCore(box.place, box.core, work, box.pose);
+    }
+    return BoxCore(BodyInStates{box.pose, box.core, states.lane});
+  }
+
+  /// Whether the box around one element and the ball of the other allow them to be within `reach`;
+  /// of elements with several bodies, whether the boxes around both do. A ball fills a long or flat
+  /// element badly.
+  HWY_INLINE Truth boxesMeet(const StateElementPair& pair, Number reach, Truth counts) {
+    if (pair.box == kNone) {
+      return counts;
+    }
+    const StatesRefinement& refinement = work.refinement;
+    const BoxCore box = placedBox(pair.box);
+    const Number radius = number(refinement.balls[pair.ball].radius);
+    const Vector3 center = load(refinement.centers[pair.ball].of, states.lane);
+    counts = hn::And(counts, isNearBox(center, box, hn::Add(radius, reach)));
+    if (pair.has_many && !hn::AllFalse(Lanes(), counts)) {
+      counts = hn::And(counts, mayBeWithin(box, placedBox(pair.ball_box), reach));
+    }
+    return counts;
+  }
+
   template <class CoreA, class CoreB>
   HWY_NOINLINE Number measureKinds(const StatePair& pair, Number reach, Truth& counts) {
     place(pair.a);

@@ -40,50 +40,37 @@ struct NearSearch {
     return counts;
   }
 
-  /// Whether the balls of two elements allow them to be within the activation distance.
+  /// Whether the balls of two elements do not allow them to be within the activation distance.
   template <bool kContactsOnly>
-  HWY_INLINE Truth ballsMeet(const StateElementPair& pair) const {
-    const Truth is_asked = hn::Gt(asked, number(kNotAsked));
+  HWY_INLINE Truth ballsPart(const StateElementPair& pair) const {
     if constexpr (kContactsOnly) {
-      return hn::And(is_asked,
-                     hn::Not(hn::Gt(bodies.squaredDistance(pair), number(pair.squared_contact))));
+      return hn::Gt(bodies.squaredDistance(pair), number(pair.squared_contact));
     }
-    return hn::And(is_asked, bodies.ballsMeet(pair, pair.radii, reachOf(pair.contact_distance)));
+    return hn::Not(bodies.ballsMeet(pair, pair.radii, reachOf(pair.contact_distance)));
   }
 
   template <bool kContactsOnly>
   HWY_INLINE void run(const NearQuery& query) {
+    const Truth is_asked = hn::Gt(asked, number(kNotAsked));
+    const ElementPairIndex* const order = refinement().order.data();
+    const StateElementPair* const pairs = refinement().element_pairs.data();
     for (std::size_t i = query.first; i < query.last; ++i) {
-      const ElementPairIndex elements = refinement().order[i];
-      const StateElementPair& pair = refinement().element_pairs[elements];
+      const StateElementPair& pair = pairs[order[i]];
       if (pair.are_convex || !query.is_convex_only) {
-        const Truth may_be_near = ballsMeet<kContactsOnly>(pair);
+        const Truth may_be_near = hn::AndNot(ballsPart<kContactsOnly>(pair), is_asked);
         if (!hn::AllFalse(Lanes(), may_be_near)) {
-          measureElements(elements, may_be_near);
+          measureElements(order[i], may_be_near);
         }
       }
     }
   }
 
-  /// The same of the ball of one element and the box around the other.
-  HWY_INLINE Truth ballMeetsBox(const StateElementPair& pair) {
-    bodies.place(pair.box);
-    const StateLanes& states = bodies.states;
-    const BoxCore box(
-        BodyInStates{states.work.bodies[pair.box], states.setup.cores[pair.box], states.lane});
-    const Number reach =
-        hn::Add(number(refinement().balls[pair.ball].radius), reachOf(pair.contact_distance));
-    return isNearBox(load(refinement().centers[pair.ball].of, states.lane), box, reach);
-  }
-
   /// Not inlined: the loop over all pairs stays short.
   HWY_NOINLINE void measureElements(ElementPairIndex elements, Truth counts) {
     const StateElementPair& pair = refinement().element_pairs[elements];
-    if (pair.has_box) {
-      counts = hn::And(counts, ballMeetsBox(pair));
-      if (hn::AllFalse(Lanes(), counts)) {
-        return;
-      }
+    counts = bodies.boxesMeet(pair, reachOf(pair.contact_distance), counts);
+    if (hn::AllFalse(Lanes(), counts)) {
+      return;
     }
     const bool is_one_enough = asks_any && isExact(bodies.states.setup, elements);
     for (std::uint32_t i = pair.first; i < pair.last && !hn::AllFalse(Lanes(), counts); ++i) {

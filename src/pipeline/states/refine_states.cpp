@@ -40,6 +40,19 @@ void visitAll(const CycleSetup& setup, const NearQuery& query, StatesWork& work,
   }
 }
 
+/// [m] How far the next query reaches; kNotAsked if none is needed. Bodies within reach may have
+/// geometries beyond it: if no pair was found, the next query reaches farther.
+double nextReach(double reach, const StateCheck& check) noexcept {
+  constexpr double kLeast = 0.01;
+  constexpr double kMost = 1e4;
+  constexpr double kRounding = 1e-12;  // of a distance measured twice
+  if (!check.has_pair) {
+    const bool is_open = check.verdict != Verdict::unknown && reach < kMost;
+    return is_open ? std::max(kLeast, 2.0 * reach) : kNotAsked;
+  }
+  return check.distance > reach * (1.0 + kRounding) ? check.distance : kNotAsked;
+}
+
 /// @param asked [m] by state; then the distance of the next query, if one is needed
 void findNearestOf(const CycleSetup& setup, StateNumber& asked, StatesWork& work,
                    BlockChecks& checks) noexcept {
@@ -49,8 +62,7 @@ void findNearestOf(const CycleSetup& setup, StateNumber& asked, StatesWork& work
     check.verdict = is_known ? Verdict::clear : Verdict::unknown;
     check.distance = kInfinity;
     findNearest(state, check);
-    double& reach = asked.of[state.lane];
-    reach = check.distance > reach && check.distance < kInfinity ? check.distance : kNotAsked;
+    asked.of[state.lane] = nextReach(asked.of[state.lane], check);
   });
 }
 
@@ -67,19 +79,6 @@ std::size_t findContacts(const CycleSetup& setup, const NearQuery& query, std::s
                          asked.of[state.lane] = kNotAsked;
                        }
                      });
-}
-
-/// By ElementId: the body that alone encloses it, if that is a box; else kNone.
-std::vector<std::uint32_t> boxesAround(const CycleSetup& setup) {
-  std::vector<std::uint32_t> boxes(setup.elements.size(), kNone);
-  std::vector<bool> has_body(setup.elements.size());
-  for (std::uint32_t i = 0; i < setup.bodies.size(); ++i) {
-    const std::size_t element = index(setup.bodies[i].element);
-    const bool is_box = setup.cores[i].kind == CoreKind::box;
-    boxes[element] = is_box && !has_body[element] ? i : kNone;
-    has_body[element] = true;
-  }
-  return boxes;
 }
 
 /// [m] By ElementId: the radius of a ball around its bodies, with the center of its own ball. A
@@ -100,20 +99,9 @@ std::vector<double> radiiOfBodies(const CycleSetup& setup, const std::vector<Bal
   return radii;
 }
 
-/// The ball of the smaller element is tested against the box around the larger one, which its ball
-/// fills badly if it is long or flat.
-void chooseBox(const std::vector<std::uint32_t>& boxes, const std::vector<Ball>& balls,
-               StateElementPair& pair) {
-  const bool is_a_larger = balls[pair.a].radius > balls[pair.b].radius;
-  pair.ball = is_a_larger ? pair.b : pair.a;
-  pair.box = boxes[is_a_larger ? pair.a : pair.b];
-  pair.has_box = pair.box != kNone;
-}
-
 /// Lists the pairs of bodies of each pair of elements, without those of unknown relative pose.
 void listBodies(const CycleSetup& setup, const StatesWork& work, StatesRefinement& refinement) {
   refinement.element_pairs.resize(setup.element_pairs.size());
-  const std::vector<std::uint32_t> boxes = boxesAround(setup);
   const std::vector<double> radii = radiiOfBodies(setup, refinement.balls);
   std::vector<std::vector<std::uint32_t>> bodies(setup.element_pairs.size());
   for (std::uint32_t id = 0; id < setup.table.size(); ++id) {
@@ -127,7 +115,11 @@ void listBodies(const CycleSetup& setup, const StatesWork& work, StatesRefinemen
     pair.b = static_cast<std::uint32_t>(index(setup.element_pairs[i].b));
     pair.radii = refinement.balls[pair.a].radius + refinement.balls[pair.b].radius;
     pair.body_radii = radii[pair.a] + radii[pair.b];
-    chooseBox(boxes, refinement.balls, pair);
+    const bool is_a_larger = refinement.balls[pair.a].radius > refinement.balls[pair.b].radius;
+    pair.ball = is_a_larger ? pair.b : pair.a;
+    pair.box = refinement.box_of[is_a_larger ? pair.a : pair.b];
+    pair.ball_box = refinement.box_of[pair.ball];
+    pair.has_many = bodies[i].size() > 1 && pair.box != kNone && pair.ball_box != kNone;
     const Limits& limits = limitsOf(setup, setup.element_pairs[i].link_pair);
     pair.contact_distance = std::max(0.0, limits.contact_distance);
     pair.squared_contact = std::pow(pair.radii + pair.contact_distance, 2);
@@ -161,6 +153,7 @@ void placeElements(const CycleSetup& setup, const KinematicsPlan& plan,
 StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork& work) {
   StatesRefinement refinement;
   placeElements(setup, work.plan, refinement);
+  addBoxes(setup, work, refinement);
   listBodies(setup, work, refinement);
   std::vector<RefineKind> kinds;
   for (ElementPairIndex pair = 0; pair < setup.element_pairs.size(); ++pair) {
@@ -200,7 +193,7 @@ void refineContacts(const CycleSetup& setup, const OpenStates& open, StatesWork&
 
 void refineNearest(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
                    BlockChecks& checks) noexcept {
-  // A pair within the warning distance is mostly the nearest. If not, its distance limits a second
+  // A pair within the warning distance is mostly the nearest. If not, its distance limits the next
   // query.
   const double farthest =
       largestOfLimits(setup, [](const Limits& limits) { return limits.warning_distance; });
@@ -208,11 +201,10 @@ void refineNearest(const CycleSetup& setup, const OpenStates& open, StatesWork& 
   for (std::size_t lane = 0; lane < kStateCount; ++lane) {
     asked.of[lane] = open[lane] ? farthest : kNotAsked;
   }
-  findNearestOf(setup, asked, work, checks);
-  if (std::any_of(std::begin(asked.of), std::end(asked.of),
-                  [](double distance) { return distance != kNotAsked; })) {
+  do {
     findNearestOf(setup, asked, work, checks);
-  }
+  } while (std::any_of(std::begin(asked.of), std::end(asked.of),
+                       [](double distance) { return distance != kNotAsked; }));
 }
 
 void settleContacts(const CycleSetup& setup, StatesWork& work, OpenStates& open,

@@ -108,16 +108,20 @@ HWY_INLINE void placeInVector(const LinkPlace& place, const Core& core, std::siz
   }
 }
 
-/// Places a body in all states of the block. Bodies that no joint moves stand where they are.
+/// Places a core in all states of the block. What no joint moves stands where it is.
 /// @pre frames are placed.
-inline void placeBody(const CycleSetup& setup, std::size_t body, StatesWork& work) {
-  const LinkPlace& place = work.body_places[body];
+inline void placeCore(const LinkPlace& place, const Core& core, const StatesWork& work,
+                      StatePose& pose) {
   if (place.frame == MovingFrame::kWorld) {
     return;
   }
   for (std::size_t lane = 0; lane < kStateCount; lane += hn::Lanes(Lanes())) {
-    placeInVector(place, setup.cores[body], lane, work.frames[place.frame], work.bodies[body]);
+    placeInVector(place, core, lane, work.frames[place.frame], pose);
   }
+}
+
+inline void placeBody(const CycleSetup& setup, std::size_t body, StatesWork& work) {
+  placeCore(work.body_places[body], setup.cores[body], work, work.bodies[body]);
 }
 
 /// Whether bounding spheres allow a pair to be within `reach`.

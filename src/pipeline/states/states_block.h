@@ -21,6 +21,9 @@ struct StatesBlock {
 /// Writes the same vector for every state.
 void fillAll(const Eigen::Vector3d& v, StateNumber (&numbers)[3]) noexcept;
 
+/// The same pose in every state, for what no joint moves.
+StatePose everywhere(const Pose& pose) noexcept;
+
 /// Reads a block of states from `first` on, from positions as in checkStates. Repeats the last
 /// state to fill the block.
 void fillVariables(const JointPositions& positions, std::size_t first, StatesWork& work) noexcept;
@@ -95,6 +98,9 @@ std::size_t listNear(const CycleSetup& setup, const NearQuery& query, std::size_
 /// @pre balls are placed. Bodies are placed here when they are first needed.
 void judgeNearest(const CycleSetup& setup, const StateNumber& asked, StatesWork& work,
                   StatesBlock& block) noexcept;
+
+/// Makes the boxes around elements: `box_of` and `outer_boxes`.
+void addBoxes(const CycleSetup& setup, const StatesWork& work, StatesRefinement& refinement);
 
 /// Makes what checkStatesExactly needs beyond enclosing shapes.
 StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork& work);

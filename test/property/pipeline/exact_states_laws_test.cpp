@@ -143,6 +143,7 @@ TEST(ExactStatesLaws, verdictsAreThoseOfCyclesWithoutABudget) {
       ASSERT_EQ(nearest[i].verdict, verdict);
       ASSERT_EQ(contact[i].verdict == Verdict::contact, verdict == Verdict::contact);
       ASSERT_EQ(contact[i].has_pair, verdict == Verdict::contact);
+      ASSERT_TRUE(nearest[i].has_pair) << "also if nothing is within the warning distance";
       ++(verdict == Verdict::contact ? contacts : clear);
       if (verdict == Verdict::warning && closest != nullptr && closest->quality == Quality::exact) {
         ASSERT_NEAR(nearest[i].distance, closest->measured.distance, 1e-9);

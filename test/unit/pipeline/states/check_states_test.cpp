@@ -221,5 +221,28 @@ TEST(CheckStatesExactly, geometriesDecideWhereEnclosingShapesAreNear) {
   EXPECT_TRUE(exact[1].has_pair);
 }
 
+/// The corners of a box around a disc stick out of the ball around it.
+TEST(CheckStatesExactly, geometriesBeyondTheWarningDistance_tellTheirNearestPair) {
+  const std::string disc = "<cylinder radius='0.06' length='0.01'/>";
+  const CycleSetup setup =
+      buildSetup({describeText(robotXml(rail() + linkXml("a", disc) + linkXml("b", disc) +
+                                        slider("hold", "a", "0 0 0", "1 1 0") +
+                                        slider("lift", "b", "0.3 0.3 0", "1 1 0")))},
+                 textLoader({}), {});
+  ASSERT_FALSE(setup.table.pairs().empty());
+  StatesWork work = makeStatesWork(setup, standingAt(setup.model, {Pose{}}));
+  JointPositions positions;
+  for (int i = 0; i < 200; ++i) {
+    positions.insert(positions.end(), {0.0, 0.001 * i - 0.3});
+  }
+  std::vector<StateCheck> checks;
+  checkStatesExactly(setup, positions, StateQuestion::nearest, work, checks);
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    const double gap = 0.3 * std::sqrt(2.0) + positions[2 * i + 1] - 0.12;
+    ASSERT_TRUE(checks[i].has_pair) << gap;
+    ASSERT_LE(checks[i].distance, gap + 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
