@@ -10,13 +10,12 @@
 #include "collision_monitor/geometry/pose.h"
 #include "collision_monitor/geometry/shapes.h"
 #include "collision_monitor/narrow_phase/signed_distance.h"
+#include "support/pose_at.h"
 
 namespace collision_monitor::test {
 
 /// The accuracy that narrow_phase/distance.h promises for lengths up to 10 m.
 constexpr double kExact = 1e-12;
-
-inline Pose at(double x, double y, double z) { return {Eigen::Matrix3d::Identity(), {x, y, z}}; }
 
 /// The rotation with the given columns x and y; exact for entries 0, 1 and -1.
 inline Eigen::Matrix3d axes(const Eigen::Vector3d& x, const Eigen::Vector3d& y) {

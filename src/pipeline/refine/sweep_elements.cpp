@@ -11,14 +11,28 @@ namespace {
 /// Work of one distance of convex geometries, in opened node pairs.
 constexpr std::uint32_t kConvexWork = 8;
 
+bool isPlane(const Element& element) noexcept {
+  return element.convex && std::holds_alternative<HalfSpace>(*element.convex);
+}
+
+/// A mesh meets a plane where its hull does.
+bool areConvex(const Element& a, const Element& b) noexcept {
+  return (a.convex && b.convex) || isPlane(a) || isPlane(b);
+}
+
+const ConvexGeometry& hullOf(const Element& element) noexcept {
+  return element.convex ? *element.convex : *element.hull;
+}
+
+/// @pre areConvex
 SweptContact sweepConvex(const MovingElement& a, const MovingElement& b, SweepLimits limits,
                          RefineScratch& scratch) noexcept {
   ConvexWarmStart warm;
   ConvexSearch search{scratch.convex, warm};
   limits.budget = limits.budget / kConvexWork + (limits.budget % kConvexWork == 0 ? 0 : 1);
   SweptContact found =
-      firstContact(MovingConvex{*a.element.convex, a.ball, a.motion},
-                   MovingConvex{*b.element.convex, b.ball, b.motion}, limits, search);
+      firstContact(MovingConvex{hullOf(a.element), a.ball, a.motion},
+                   MovingConvex{hullOf(b.element), b.ball, b.motion}, limits, search);
   found.work *= kConvexWork;
   return found;
 }
@@ -48,7 +62,7 @@ SweptContact sweepElements(const MovingElement& a, const MovingElement& b,
                            const SweepLimits& limits, RefineScratch& scratch) noexcept {
   SweepLimits unpadded = limits;
   unpadded.contact_distance += a.element.padding + b.element.padding;
-  const bool are_convex = a.element.convex && b.element.convex;
+  const bool are_convex = areConvex(a.element, b.element);
   SweptContact found =
       are_convex ? sweepConvex(a, b, unpadded, scratch) : sweepMeshes(a, b, unpadded, scratch);
   const double excess = are_convex ? 0.0 : a.element.mesh_excess + b.element.mesh_excess;

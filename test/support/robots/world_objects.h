@@ -6,14 +6,9 @@
 #include <vector>
 
 #include "collision_monitor/model/world.h"
+#include "support/pose_at.h"
 
 namespace collision_monitor::test {
-
-inline Pose at(double x, double y, double z) {
-  Pose pose;
-  pose.translation = {x, y, z};
-  return pose;
-}
 
 /// An object of one shape, in the world frame.
 inline WorldObject objectOf(const std::string& name, const ObjectGeometry& geometry,
