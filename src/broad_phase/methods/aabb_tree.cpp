@@ -30,7 +30,9 @@ double areaOf(const SmallBox& box) noexcept {
 AabbTree::AabbTree(std::size_t body_count) : in_tree_(body_count, 0) {
   const std::size_t nodes = 2 * body_count;
   nodes_.resize(nodes);
-  free_.reserve(body_count);
+  for (std::size_t node = nodes; node-- > body_count;) {
+    free_.push_back(static_cast<std::uint32_t>(node));
+  }
   leaves_.reserve(body_count);
   order_.reserve(nodes);
   spans_.reserve(nodes);

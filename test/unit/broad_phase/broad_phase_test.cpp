@@ -114,6 +114,20 @@ TEST_P(EachBroadPhase, pairsFollowBodiesThatMoveAppearAndGo) {
   EXPECT_TRUE(meetingsOf(broad_phase, bounds).empty());
 }
 
+TEST_P(EachBroadPhase, bodiesThatBecomeKnownOneAfterTheOther_meetTheirNeighbours) {
+  for (const std::size_t count : {40U, 400U}) {
+    BroadPhase broad_phase = makeBroadPhase(GetParam(), count);
+    BodyBounds bounds = known(std::vector<Aabb>(count));
+    bounds.known.assign(count, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto start = static_cast<double>(i);
+      bounds.boxes[i] = boxFrom(start, start + 1.0);
+      bounds.known[i] = 1;
+      ASSERT_EQ(meetingsOf(broad_phase, bounds).size(), i) << "of " << count;
+    }
+  }
+}
+
 TEST_P(EachBroadPhase, noBodiesGiveNoCandidates) {
   EXPECT_TRUE(candidatesOf(BodyBounds{}, PairTable()).empty());
 }
