@@ -16,8 +16,9 @@ namespace collision_monitor {
 namespace {
 
 /// Marks the pairs of loose bodies. Their bounds are seen from the first robot's root, so that a
-/// base that moves does not make the pairs of its robot candidates.
-void findLoosePairs(const CycleSetup& setup, const LinkPoses& poses,
+/// base that moves does not make the pairs of its robot candidates. For a list they are seen from
+/// the world: it ends by the motions that bodies have there.
+void findLoosePairs(const CycleSetup& setup, const LinkPoses& poses, bool is_for_list,
                     CycleBuffers& buffers) noexcept {
   ObjectTrees& trees = buffers.trees;
   const Twist shared = sharedTwist(setup, poses.velocities);
@@ -28,7 +29,7 @@ void findLoosePairs(const CycleSetup& setup, const LinkPoses& poses,
     trees.bounds.known[i] = buffers.bounds.known[body];
     const double more = travelAhead(setup, poses, setup.bodies[body], shared, setup.ahead.horizon) -
                         buffers.bounds.ahead[body];
-    if (std::isfinite(more)) {
+    if (!is_for_list && std::isfinite(more)) {
       box.min.array() -= more;
       box.max.array() += more;
     }
@@ -148,7 +149,7 @@ void findPairs(const CycleSetup& setup, const LinkPoses& poses, double reach, do
     findCandidates(buffers.broad_phase, buffers.bounds, setup.table, buffers.candidates);
     return;
   }
-  findLoosePairs(setup, poses, buffers);
+  findLoosePairs(setup, poses, margin > 0.0, buffers);
   const SeekReach seek{reach, buffers.activation.farthest.stop + margin};
   for (std::size_t tree = 0; tree < setup.carried.size(); ++tree) {
     findInTree(setup, poses, seek, tree, buffers);

@@ -50,7 +50,7 @@ ObjectTrees makeObjectTrees(const CycleSetup& setup, BroadPhaseKind kind);
 /// object in a tree are an oriented box about the body and a box along the axes of the carrier, and
 /// they meet within how near both must be to matter.
 /// @param reach [m] as for boundBodies, `margin` included
-/// @param margin [m] how much farther than matters pairs may be
+/// @param margin [m] how much farther than matters pairs may be; 0 unless they are listed
 /// @pre growTrees was called in this cycle
 void findPairs(const CycleSetup& setup, const LinkPoses& poses, double reach, double margin,
                CycleBuffers& buffers) noexcept;
