@@ -88,16 +88,19 @@ StateCheck measure(const StateSearch& state, const ElementsInState& pair, double
   return check;
 }
 
+/// [m] At or below this distance the pair is in contact.
+double contactDistanceOf(const StateSearch& state, const ElementsInState& pair) noexcept {
+  return areBodies(state.setup, pair.elements)
+             ? state.work.pairs[pair.bodies].contact_distance
+             : limitsOf(state.setup, state.setup.link_pair_of[pair.bodies]).contact_distance;
+}
+
 Verdict verdictOf(const StateSearch& state, const ElementsInState& pair,
                   const StateCheck& check) noexcept {
-  const StatePair& bodies = state.work.pairs[pair.bodies];
-  const double contact =
-      areBodies(state.setup, pair.elements)
-          ? bodies.contact_distance
-          : limitsOf(state.setup, state.setup.link_pair_of[pair.bodies]).contact_distance;
-  return check.quality == Quality::estimate || check.distance <= contact ? Verdict::contact
-         : check.distance <= bodies.warning_distance                     ? Verdict::warning
-                                                                         : Verdict::clear;
+  return check.quality == Quality::estimate || check.distance <= contactDistanceOf(state, pair)
+             ? Verdict::contact
+         : check.distance <= state.work.pairs[pair.bodies].warning_distance ? Verdict::warning
+                                                                            : Verdict::clear;
 }
 
 /// Pairs last in contact come first, then pairs of deepest bodies.
@@ -161,7 +164,9 @@ void raiseBound(const StateSearch& state, double cutoff, ElementsInState& pair) 
 /// Measures a pair that matters, and takes what is nearer or worse.
 void takeNearer(const StateSearch& state, const ElementsInState& pair, StateCheck& best) noexcept {
   constexpr double kNotTouching = 1e-3;
-  const double beyond = std::nextafter(worseWithin(state, pair, best), kInfinity);
+  // A bound that ends the search is judged like a distance.
+  const double judged = std::max(worseWithin(state, pair, best), contactDistanceOf(state, pair));
+  const double beyond = std::nextafter(judged, kInfinity);
   StateCheck found = measure(state, pair, std::max({best.distance, kNotTouching, beyond}));
   found.verdict = std::max(best.verdict, verdictOf(state, pair, found));
   best.verdict = found.verdict;
