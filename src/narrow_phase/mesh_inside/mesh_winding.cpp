@@ -139,7 +139,8 @@ WindingNumber windingByRim(const MeshTree& tree, const Eigen::Vector3d& point,
 template <class ReachesCutoff>
 WindingNumber search(const MeshTree& tree, const Eigen::Vector3d& point, MeshQueryMemory& memory,
                      const ReachesCutoff& reachesCutoff) noexcept {
-  if (!point.allFinite()) {
+  constexpr double kFarthest = 1e100;  // [m] beyond it products of lengths overflow
+  if (!(point.cwiseAbs().array() <= kFarthest).all()) {
     return {0.0, kInfinity, 1};
   }
   if (tree.openSurface()->moments.empty()) {

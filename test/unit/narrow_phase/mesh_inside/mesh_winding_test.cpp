@@ -288,5 +288,12 @@ TEST_F(MeshWinding, pointThatIsNotFinite_hasNoNumberAndProvesNothing) {
   }
 }
 
+TEST_F(MeshWinding, pointSoFarThatProductsOverflow_hasNoNumber) {
+  const MeshTree tree = test::openTree(openBox());
+  for (const double far : {1e150, 2.7e234, 1e308}) {
+    EXPECT_TRUE(std::isinf(windingNumber(tree, {far, far, far}, 1e-9, *memory_).error)) << far;
+  }
+}
+
 }  // namespace
 }  // namespace collision_monitor::test::mesh_winding
