@@ -16,7 +16,7 @@ from std_srvs.srv import Trigger
 
 from collision_monitor.msg import LinkDistance, SceneChange, SceneObject, SceneObjects, State
 from collision_monitor.srv import (ApplyObjects, ExplainPair, GetDistances, GetDistancesRequest,
-                                   GetObjects)
+                                   GetObjects, SetPairs, SetPairsRequest)
 from monitor_probe import DEADLINE, NODE, TwoBoxes, transform
 
 
@@ -161,6 +161,22 @@ class World(TwoBoxes):
             GetDistancesRequest(links_a=["trolley"], include_ignored=True))
         self.assertTrue(answer.success, answer.message)
         self.assertEqual(len(answer.reasons), len(answer.distances.pairs))
+
+    def test_twoObjectsThatARuleAsksFor_areWatched(self):
+        transforms = tf2_ros.StaticTransformBroadcaster()
+        transforms.sendTransform(transform("rail", "cart", rospy.Time.now(), 5.0))
+        self.change(SceneChange.ADD, cube("box", 0.0, "cart"), cube("shelf", 5.3))
+        rules = self.service("set_pairs", SetPairs)
+        try:
+            answer = rules(SetPairsRequest(rules="- {a: box, b: shelf, check: true}"))
+            self.assertTrue(answer.success, answer.message)
+            answer = self.service("explain_pair", ExplainPair)(link_a="box", link_b="shelf")
+            self.assertTrue(answer.checked, answer.message)
+            self.assertAlmostEqual(answer.now.distance, 0.2, places=6)
+            answer = self.apply(SceneChange(kind=SceneChange.REMOVE, objects=[cube("shelf", 0.0)]))
+            self.assertIn("rule 1 selects no pair any more", answer.message)
+        finally:
+            rules(SetPairsRequest(rules="[]"))
 
     def test_aNameThatCouldWriteTheLog_isRefused(self):
         answer = self.apply(SceneChange(kind=SceneChange.ADD, objects=[cube("a\nFATAL", 1.0)]))

@@ -29,6 +29,7 @@ enum class PairReason : unsigned char {
   ignored_by_rule,   ///< ignored: a rule for pairs says so
   muted,             ///< ignored until a rule for pairs ends by itself
   touch_link,        ///< ignored: an object and a link that may touch it
+  two_objects,       ///< ignored unless a rule asks: two objects, none of them attached
 };
 
 /// In messages: "ignored: a line of the SRDF", ...

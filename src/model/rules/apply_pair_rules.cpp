@@ -100,7 +100,8 @@ void reportIdleRules(const std::vector<PairRule>& rules, const std::vector<LinkP
       const std::string found = "a rule that selects no pair";
       const std::string accepted =
           "two different links with shapes, one of 'a' and one of 'b'; of two objects, one that is "
-          "attached";
+          "attached, or both alone on their sides of a rule that says check: true, and on "
+          "different frames";
       idle == IdleRule::is_error
           ? report.errors.push_back({rule.where, found, accepted})
           : report.warnings.push_back({rule.where, found, "", "it needs " + accepted});

@@ -161,6 +161,8 @@ const char* reasonText(PairReason reason) noexcept {
       return "muted: a rule for pairs that ends by itself";
     case PairReason::touch_link:
       return "ignored: an object and a link that may touch it";
+    case PairReason::two_objects:
+      return "ignored: two objects of which neither is attached";
   }
   return "unknown reason";
 }

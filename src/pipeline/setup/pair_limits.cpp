@@ -67,7 +67,7 @@ void decideByRules(IdleRule idle, CycleSetup& setup, SetupReport& report) {
 void checkPairRules(const CycleSetup& setup, const Limits& limits,
                     const std::vector<PairRule>& rules, SetupReport& report) {
   const double tolerance = setup.refine.tolerance;
-  std::vector<LinkPair> pairs = setup.link_pairs;
+  std::vector<LinkPair> pairs = withAskedPairs(setup, rules, report);
   checkLimits(limits, "", report);
   checkTolerance(limits.warning_distance, tolerance, "", report);
   reportIdleRules(rules, pairs, IdleRule::is_warning, report);
@@ -82,6 +82,7 @@ CycleSetup withPairRules(const CycleSetup& setup, const Limits& limits,
   changed.limits = limits;
   changed.pair_rules = rules;
   SetupReport known;
+  changed.link_pairs = withAskedPairs(setup, rules, known);
   decideByRules(IdleRule::is_warning, changed, known);
   checkMemory(countPairs(changed), changed.memory_limit, report);
   throwIfErrors(report);

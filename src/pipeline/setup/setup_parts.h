@@ -40,6 +40,13 @@ struct ElementSettings {
 void makeElements(const std::vector<LinkFit>& fits, const ElementSettings& settings,
                   CycleSetup& setup, SetupReport& report);
 
+/// The link pairs with those of two objects that rules ask for, and without those that former rules
+/// asked for. A rule asks for pairs if it says `check: true` and both of its sides select objects
+/// alone. Reports rules that ask for too many.
+/// @pre link pairs are sorted
+std::vector<LinkPair> withAskedPairs(const CycleSetup& setup, const std::vector<PairRule>& rules,
+                                     SetupReport& report);
+
 /// Gives link pairs their rules, reasons and limits by setup.pair_rules, and raises the horizon to
 /// what thresholds of time need. Reports limits that break a precondition.
 void decideByRules(IdleRule idle, CycleSetup& setup, SetupReport& report);

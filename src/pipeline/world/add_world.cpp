@@ -202,7 +202,7 @@ void applyRulesText(const DocumentText& text, IdleRule idle, CycleSetup& setup) 
   SetupReport report;
   const std::vector<PairRule> rules = readPairRules(text, setup.model, setup.srdfs, idle, report);
   if (idle == IdleRule::is_error) {
-    reportIdleRules(rules, setup.link_pairs, idle, report);
+    reportIdleRules(rules, withAskedPairs(setup, rules, report), idle, report);
   }
   throwIfErrors(report);
   if (!rules.empty()) {

@@ -17,7 +17,7 @@ struct ObjectLink {
 };
 
 /// The pairs of objects, as addWorld says. Pairs of two objects are left out if neither is attached
-/// or both move together: they are never checked and may be a hundred million.
+/// or both move together: they may be a hundred million. See withAskedPairs.
 /// @pre bodies and elements of `setup` are made, its link_pairs are those of the robots, and the
 /// links of objects follow all others, in order of id.
 class ObjectPairs {

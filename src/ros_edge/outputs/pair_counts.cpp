@@ -7,7 +7,7 @@
 
 namespace collision_monitor {
 
-static_assert(static_cast<std::size_t>(PairReason::touch_link) + 1 ==
+static_assert(static_cast<std::size_t>(PairReason::two_objects) + 1 ==
               std::tuple_size_v<PairCounts>);
 
 PairCounts countPairs(const std::vector<LinkPair>& pairs) {
@@ -40,6 +40,8 @@ const char* whyNotText(PairReason reason) noexcept {
       return "muted";
     case PairReason::touch_link:
       return "of objects and links that may touch them";
+    case PairReason::two_objects:
+      return "of two objects";
     case PairReason::checked:
     case PairReason::checked_by_rule:
     case PairReason::enabled_by_srdf:

@@ -11,20 +11,21 @@
 namespace collision_monitor {
 
 /// Number of link pairs by PairReason.
-using PairCounts = std::array<std::size_t, 11>;
+using PairCounts = std::array<std::size_t, 12>;
 
 PairCounts countPairs(const std::vector<LinkPair>& pairs);
 std::size_t countOf(PairReason reason, const PairCounts& counts);
 
 /// The reasons that exclude pairs from checks.
-constexpr std::array<PairReason, 8> kReasonsNotToCheck{PairReason::same_rigid_group,
+constexpr std::array<PairReason, 9> kReasonsNotToCheck{PairReason::same_rigid_group,
                                                        PairReason::adjacent,
                                                        PairReason::disabled_by_srdf,
                                                        PairReason::default_overlap,
                                                        PairReason::ignored_by_user,
                                                        PairReason::ignored_by_rule,
                                                        PairReason::muted,
-                                                       PairReason::touch_link};
+                                                       PairReason::touch_link,
+                                                       PairReason::two_objects};
 
 /// Text to follow a number of pairs: "that meet at a joint".
 const char* whyNotText(PairReason reason) noexcept;

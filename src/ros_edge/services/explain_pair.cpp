@@ -94,14 +94,15 @@ std::string fillNearest(const CycleSetup& setup, const PairView& view, double fa
          lengthText(distance) + (joints.empty() ? "" : " at " + joints);
 }
 
-/// Why two objects have no pair: neither is attached, or both move together.
+/// Why two objects have no pair: they move together, or no rule asks for two that are free.
 std::string reasonOfObjects(const World& world, const std::string& a, const std::string& b) {
   const auto isAttached = [&](const std::string& name) {
     const auto object = world.objects.find(name);
     return object != world.objects.end() && object->second->is_attached;
   };
   return isAttached(a) || isAttached(b) ? "ignored: two objects that move together"
-                                        : "ignored: two objects of which neither is attached";
+                                        : "ignored: two objects of which neither is attached, and "
+                                          "for which no rule asks";
 }
 
 }  // namespace

@@ -180,9 +180,11 @@ std::string nearestText(const CycleSetup& setup, const LinkDistances& links, con
 std::string nothingCheckedText(const CycleSetup& setup, const Selection& selection) {
   const std::string ignored = ignoredText(setup, selection);
   return "no pair of these links is checked; " +
-         (ignored.empty() ? "a link is not checked with itself, and no other link with collision "
-                            "geometry is asked for"
-                          : ignored);
+         (ignored.empty()
+              ? "a link is not checked with itself, two objects only if one is attached "
+                "or a rule asks for them, and no other link with collision geometry is "
+                "asked for"
+              : ignored);
 }
 
 /// The text about floating parts among the requested pairs.

@@ -4,7 +4,9 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <exception>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,6 +31,23 @@ SceneObjects listOf(const MonitorSetup& setup) {
 
 std::string countText(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " object" : " objects");
+}
+
+bool isIdle(const PairRule& rule, const CycleSetup& setup) {
+  return std::none_of(setup.link_pairs.begin(), setup.link_pairs.end(),
+                      [&](const LinkPair& pair) { return selects(rule, pair.a, pair.b); });
+}
+
+/// "; rules.yaml line 3, rule 1 selects no pair any more", of each rule that lost its last pair.
+/// @pre both have the same rules
+std::string idleRulesText(const CycleSetup& before, const CycleSetup& now) {
+  std::string text;
+  for (std::size_t i = 0; i < now.pair_rules.size(); ++i) {
+    if (isIdle(now.pair_rules[i], now) && !isIdle(before.pair_rules[i], before)) {
+      text += "; " + now.pair_rules[i].where + " selects no pair any more";
+    }
+  }
+  return text;
 }
 
 }  // namespace
@@ -62,9 +81,11 @@ bool ObjectServices::apply(ApplyObjects::Request& request, ApplyObjects::Respons
                                      placesNow(*before, inputs_, kPatience), report);
     throwIfErrors(report);
     const std::lock_guard<std::mutex> swap(locks_.swap);  // only now: waiting for frames takes long
-    hooks_.replace_world(changeWorld(*hooks_.current_setup(), world, std::move(held_back)));
+    const std::shared_ptr<const MonitorSetup> former = hooks_.current_setup();
+    hooks_.replace_world(changeWorld(*former, world, std::move(held_back)));
     publish();
-    response.message = "watching " + countText(world.objects.size());
+    response.message = "watching " + countText(world.objects.size()) +
+                       idleRulesText(former->setup, hooks_.current_setup()->setup);
     response.success = 1;
   } catch (const std::exception& fault) {
     response.message = "nothing was changed: " + failureText(fault);

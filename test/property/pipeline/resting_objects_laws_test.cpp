@@ -212,8 +212,12 @@ TEST(RestingObjectsLaws, aCycleTellsWhatACycleTellsThatLooksAtEverything) {
     robots.limits.report_distance = seem_to_rest ? 0.2 : seed % 3 == 0 ? 0.0 : 0.05;
     Random random(seed);
     const World world = crowdedWorld(350, random);
-    const CycleSetup setup =
+    CycleSetup setup =
         addWorld(robots, world, prepareObjects(world, RefineGeometry::mesh, {}), "map");
+    if (seed % 3 == 1) {
+      applyRulesText({"rules", "- {a: 'object_1*', b: 'object_2*', check: true}"},
+                     IdleRule::is_error, setup);
+    }
     ASSERT_FALSE(setup.carried.empty());
     Monitor sparse(setup, false, seem_to_rest);
     Monitor without_trees(setup, false, seem_to_rest, BroadPhaseKind::brute_force);

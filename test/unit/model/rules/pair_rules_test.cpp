@@ -212,7 +212,7 @@ TEST(PairRules, pairs_areSortedAndComplete) {
 
 TEST(PairRules, reasonTexts_sayWhetherThePairIsChecked) {
   std::set<std::string> texts;
-  for (int i = 0; i <= static_cast<int>(PairReason::touch_link); ++i) {
+  for (int i = 0; i <= static_cast<int>(PairReason::two_objects); ++i) {
     const auto reason = static_cast<PairReason>(i);
     const std::string text = reasonText(reason);
     const char* const word = isChecked(reason)             ? "checked: "
