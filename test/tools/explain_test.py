@@ -59,10 +59,16 @@ class Explain(unittest.TestCase):
             self.assertIn(text, result.stderr)
         self.assertEqual(explain("box_a").returncode, 2)
         self.assertEqual(explain("box_a", "box_a").returncode, 1)
-        rules = self.file("rules.yaml", "- {a: box_a, b: box_a, check: false}\n")
+
+    def test_rulesThatSelectNothingHere_areNamedAndOthersStillCount(self):
+        rules = self.file("rules.yaml", "- {a: box_a, b: box_a, check: false}\n"
+                          "- {a: table, b: {group: shelves}, check: false}\n"
+                          "- {a: box_a, b: '*', hysteresis: 0.02}\n")
         result = explain("box_a", "box_b", "--pair-rules", rules)
-        self.assertEqual(result.returncode, 1)
-        self.assertIn("a rule that selects no pair", result.stderr)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for text in ("a rule that selects no pair", "'table'", "'shelves'"):
+            self.assertIn(text, result.stderr)
+        self.assertRegex(result.stdout, r"hysteresis +0\.02 m  \(.*line 3, rule 3\)")
 
 
 if __name__ == "__main__":

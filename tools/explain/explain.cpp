@@ -31,8 +31,18 @@ CycleSetup makeSetup(const Options& options) {
                        fit_tool::readInput("option --shape-rules", options.shape_rules, report)};
   setup.pair_rules = {options.pair_rules,
                       fit_tool::readInput("option --pair-rules", options.pair_rules, report)};
+  setup.idle_rules = IdleRule::is_warning;  // they may name objects and other robots
   throwIfErrors(report);
   return buildSetup({description}, fit_tool::makeLoader(options.source), setup);
+}
+
+/// Tells of rules that select nothing here.
+void warnOfRules(const CycleSetup& setup, const std::string& rules) {
+  for (const Problem& warning : setup.report.warnings) {
+    if (!rules.empty() && warning.where.find(rules) != std::string::npos) {
+      std::fprintf(stderr, "warning: %s\n", toString(warning).c_str());
+    }
+  }
 }
 
 std::optional<LinkId> findLink(const RobotModel& model, const std::string& name,
@@ -117,6 +127,7 @@ void printLimits(const CycleSetup& setup, const LinkPair& pair) {
 
 int run(const Options& options) {
   const CycleSetup setup = makeSetup(options);
+  warnOfRules(setup, options.pair_rules);
   SetupReport report;
   const auto a = findLink(setup.model, options.link_a, report);
   const auto b = findLink(setup.model, options.link_b, report);

@@ -23,7 +23,8 @@ const char* const kFooter =
 void addFiles(CLI::App& app, Options& options) {
   const char* const group = "Input";
   app.add_option("--srdf", options.srdf, "of the robot")->type_name("FILE")->group(group);
-  app.add_option("--pair-rules", options.pair_rules, "as the monitor's parameter pair_rules")
+  app.add_option("--pair-rules", options.pair_rules,
+                 "as the monitor's parameter pair_rules; names of objects match nothing here")
       ->type_name("FILE")
       ->group(group);
   app.add_option("--shape-rules", options.shape_rules, "as the monitor's parameter shape_rules")
