@@ -75,6 +75,7 @@ struct World {
 
 /// What is accepted.
 constexpr std::size_t kMostObjects = 20000;           ///< how many objects a world may hold
+constexpr std::size_t kMostWorldBytes = 48U << 20U;   ///< of a text with objects
 constexpr std::size_t kMostObjectTriangles = 500000;  ///< of one mesh
 constexpr double kFarthestObject = 1e6;               ///< [m] coordinates and lengths
 constexpr double kMostObjectPadding = 1e3;            ///< [m] as of links

@@ -84,6 +84,11 @@ std::vector<WorldObject> readWorld(const DocumentText& text, const ResourceLoade
   MeshStore meshes(load_resource, reading);
   const WorldSource source{text, meshes};
   std::vector<WorldObject> objects;
+  if (text.text.size() > kMostWorldBytes) {
+    place.addError(0, std::to_string(text.text.size() >> 20) + " MB of text",
+                   "at most " + std::to_string(kMostWorldBytes >> 20) + " MB");
+    return objects;
+  }
   if (isSceneText(text)) {
     readSceneText(source, place, objects);
     return objects;

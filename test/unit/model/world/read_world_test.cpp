@@ -121,6 +121,12 @@ TEST(ReadWorld, textThatIsNoList_isOneFault) {
                   "'world', or a planning scene of MoveIt"});
 }
 
+TEST(ReadWorld, textOfAMillionObjects_isRefusedUnread) {
+  const Read read = readAs("cell.yaml", std::string(kMostWorldBytes + (1U << 20U), '#'));
+  EXPECT_EQ(read.errors, Texts{"cell.yaml: 49 MB of text; accepted: at most 48 MB"});
+  EXPECT_TRUE(read.objects.empty());
+}
+
 TEST(ReadWorld, aPlanningScene_givesObjectsAndAttachedOnes) {
   const Read read =
       readAs("scene.yaml",
