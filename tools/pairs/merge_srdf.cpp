@@ -82,7 +82,7 @@ std::string robotNameOf(const std::string& urdf_xml) {
 }
 
 void checkMergeable(const std::string& path, const std::string& srdf_xml,
-                    const std::string& robot_name, SetupReport& report) {
+                    const std::string& robot_name, const std::string& option, SetupReport& report) {
   const std::size_t errors_before = report.errors.size();
   RobotDescription description;
   description.source = path;
@@ -92,9 +92,10 @@ void checkMergeable(const std::string& path, const std::string& srdf_xml,
     return;
   }
   const auto refuse = [&](const std::string& found) {
-    report.errors.push_back({"option --write-srdf, '" + path + "'", found,
-                             "an SRDF of robot '" + robot_name +
-                                 "', a new file, or --force to replace the file as a whole"});
+    const char* const other =
+        option == "--check" ? "'" : "', a new file, or --force to replace the file as a whole";
+    report.errors.push_back({"option " + option + ", '" + path + "'", found,
+                             "an SRDF of robot '" + robot_name + other});
   };
   try {
     const SrdfPlaces places = findPlaces(srdf_xml);

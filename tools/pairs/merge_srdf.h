@@ -16,8 +16,9 @@ std::string robotNameOf(const std::string& urdf_xml);
 /// Adds an error if the text is no SRDF of that robot, or cannot be merged into.
 /// @param path its name in messages
 /// @param robot_name empty: any
+/// @param option that names the file
 void checkMergeable(const std::string& path, const std::string& srdf_xml,
-                    const std::string& robot_name, SetupReport& report);
+                    const std::string& robot_name, const std::string& option, SetupReport& report);
 
 /// An updated SRDF.
 struct SrdfMerge {

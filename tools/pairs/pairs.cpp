@@ -30,7 +30,7 @@ std::string readSrdfText(const Options& options, const std::string& robot_name,
                          SetupReport& report) {
   std::string text = fit_tool::readInput("option --write-srdf", options.write_srdf, report);
   if (report.errors.empty()) {
-    checkMergeable(options.write_srdf, text, robot_name, report);
+    checkMergeable(options.write_srdf, text, robot_name, "--write-srdf", report);
   }
   return text;
 }
@@ -195,7 +195,7 @@ void writeFiles(const Options& options, bool merges, const RobotModel& model,
 std::string readCheck(const Options& options, const std::string& robot_name, SetupReport& report) {
   std::string text = fit_tool::readInput("option --check", options.check, report);
   if (!options.check.empty() && report.errors.empty()) {
-    checkMergeable(options.check, text, robot_name, report);
+    checkMergeable(options.check, text, robot_name, "--check", report);
   }
   return text;
 }

@@ -89,7 +89,7 @@ TEST(MergeSrdf, anEncodingThatNamesDoNotFit_isRefused) {
 /// @return what is wrong, empty if it can be merged into.
 std::string faultOf(const std::string& srdf, const std::string& robot = "r") {
   SetupReport report;
-  checkMergeable("file.srdf", srdf, robot, report);
+  checkMergeable("file.srdf", srdf, robot, "--write-srdf", report);
   EXPECT_LE(report.errors.size(), 1U);
   return report.errors.empty() ? "" : toString(report.errors.front());
 }
