@@ -176,15 +176,17 @@ std::string nearestText(const CycleSetup& setup, const LinkDistances& links, con
                    ", the nearest: " + distanceSentence(setup, closest);
 }
 
-/// Why none of these pairs is checked. A pair that is not even ignored is a link with itself.
+/// Why none of these pairs is checked. A pair that is not even ignored is a link with itself, or
+/// two free objects.
 std::string nothingCheckedText(const CycleSetup& setup, const Selection& selection) {
   const std::string ignored = ignoredText(setup, selection);
+  const std::string objects = hasObjects(setup.model)
+                                  ? "two objects only if one is attached or a rule asks for them, "
+                                  : "";
   return "no pair of these links is checked; " +
-         (ignored.empty()
-              ? "a link is not checked with itself, two objects only if one is attached "
-                "or a rule asks for them, and no other link with collision geometry is "
-                "asked for"
-              : ignored);
+         (ignored.empty() ? "a link is not checked with itself, " + objects +
+                                "and no other link with collision geometry is asked for"
+                          : ignored);
 }
 
 /// The text about floating parts among the requested pairs.

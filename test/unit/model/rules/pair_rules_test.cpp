@@ -221,7 +221,7 @@ TEST(PairRules, reasonTexts_sayWhetherThePairIsChecked) {
     EXPECT_EQ(text.rfind(word, 0), 0u) << text;
     texts.insert(text);
   }
-  EXPECT_EQ(texts.size(), 11u);
+  EXPECT_EQ(texts.size(), 12u);
 }
 
 }  // namespace

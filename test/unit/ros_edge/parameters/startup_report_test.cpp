@@ -31,7 +31,7 @@ TEST(StartupReport, summary_countsPairsByReason) {
   EXPECT_EQ(notCheckedText(counts),
             "; not checked: 2 joined by fixed joints only, 2 that meet at a joint, 2 disabled by "
             "the SRDF, 2 that overlap in the default pose, 2 hidden by ignore_pairs, 2 ignored "
-            "by pair_rules, 2 muted, 2 of objects and links that may touch them");
+            "by pair_rules, 2 muted, 2 of objects and links that may touch them, 2 of two objects");
   EXPECT_EQ(notCheckedText(PairCounts{}), "");
 }
 
