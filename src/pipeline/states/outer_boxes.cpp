@@ -43,7 +43,7 @@ OuterBox boxAround(const CycleSetup& setup, const StatesWork& work, const BodyId
     const Pose& link_from_body = setup.bodies[i].link_from_body;
     const Aabb bounds = boundsIn(setup, bodies, link_from_body);
     const Eigen::Vector3d size = bounds.max - bounds.min;
-    if (size.prod() < least) {
+    if (i == bodies.front() || size.prod() < least) {
       least = size.prod();
       box.core.half_extents = 0.5 * size;
       box.place = work.plan.links[index(setup.bodies[i].link)];

@@ -45,12 +45,13 @@ void visitAll(const CycleSetup& setup, const NearQuery& query, StatesWork& work,
 double nextReach(double reach, const StateCheck& check) noexcept {
   constexpr double kLeast = 0.01;
   constexpr double kMost = 1e4;
-  constexpr double kRounding = 1e-12;  // of a distance measured twice
+  constexpr double kRounding = 1e-12;  // [m] of a distance measured twice
   if (!check.has_pair) {
     const bool is_open = check.verdict != Verdict::unknown && reach < kMost;
     return is_open ? std::max(kLeast, 2.0 * reach) : kNotAsked;
   }
-  return check.distance > reach * (1.0 + kRounding) ? check.distance : kNotAsked;
+  const double rounding = kRounding * std::max(1.0, std::abs(reach));
+  return check.distance > reach + rounding ? check.distance : kNotAsked;
 }
 
 /// @param asked [m] by state; then the distance of the next query, if one is needed
@@ -201,10 +202,11 @@ void refineNearest(const CycleSetup& setup, const OpenStates& open, StatesWork& 
   for (std::size_t lane = 0; lane < kStateCount; ++lane) {
     asked.of[lane] = open[lane] ? farthest : kNotAsked;
   }
-  do {
+  constexpr int kMostQueries = 40;  // more than it takes to reach the farthest pair
+  const auto isAsked = [](double distance) { return distance != kNotAsked; };
+  for (int i = 0; i < kMostQueries && std::any_of(asked.of, asked.of + kStateCount, isAsked); ++i) {
     findNearestOf(setup, asked, work, checks);
-  } while (std::any_of(std::begin(asked.of), std::end(asked.of),
-                       [](double distance) { return distance != kNotAsked; }));
+  }
 }
 
 void settleContacts(const CycleSetup& setup, StatesWork& work, OpenStates& open,

@@ -221,6 +221,29 @@ TEST(CheckStatesExactly, geometriesDecideWhereEnclosingShapesAreNear) {
   EXPECT_TRUE(exact[1].has_pair);
 }
 
+TEST(CheckStatesExactly, limitsBelowZero_areAnswered) {
+  const std::string can = "<cylinder radius='0.1' length='0.4'/>";
+  SetupOptions options;
+  options.limits.contact_distance = -0.02;
+  options.limits.warning_distance = -0.01;
+  const CycleSetup setup =
+      buildSetup({describeText(robotXml(rail() + linkXml("a", can) + linkXml("b", can) +
+                                        slider("hold", "a", "0 0 0", "1 0 0") +
+                                        slider("lift", "b", "0.5 0 0", "1 0 0")))},
+                 textLoader({}), options);
+  StatesWork work = makeStatesWork(setup, standingAt(setup.model, {Pose{}}));
+  JointPositions positions;
+  for (int i = 0; i < 100; ++i) {
+    positions.insert(positions.end(), {0.0, 0.001 * i - 0.35});
+  }
+  std::vector<StateCheck> checks;
+  checkStatesExactly(setup, positions, StateQuestion::nearest, work, checks);
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    EXPECT_TRUE(checks[i].has_pair) << i;
+    EXPECT_LE(checks[i].distance, 0.001 * static_cast<double>(i) - 0.05 + 1e-7) << i;
+  }
+}
+
 /// The corners of a box around a disc stick out of the ball around it.
 TEST(CheckStatesExactly, geometriesBeyondTheWarningDistance_tellTheirNearestPair) {
   const std::string disc = "<cylinder radius='0.06' length='0.01'/>";
