@@ -66,7 +66,7 @@ class JointLevers {
   std::vector<Ball> balls_;
   const std::vector<Pose>* world_from_link_{nullptr};
   std::vector<Lever> levers_;  ///< by link, then by the joint's child
-  std::uint64_t time_{0};      ///< counts them
+  std::uint64_t time_{0};      ///< how often moveTo was called
 };
 
 /// [m] An upper bound of how much nearer two links come. `travels` holds the travel of each path

@@ -22,6 +22,11 @@ inline PlacedConvex convexOf(const PlacedElement& placed) noexcept {
   return {*placed.element.convex, placed.world_from_element};
 }
 
+/// The convex solid, or the hull around the mesh.
+inline const ConvexGeometry& hullOf(const Element& element) noexcept {
+  return element.convex ? *element.convex : *element.hull;
+}
+
 /// The convex solid, or the mesh with the hull that holds it.
 inline HeldSurface heldSurfaceOf(const PlacedElement& placed) noexcept {
   const Element& element = placed.element;

@@ -3,7 +3,7 @@
 #include "pipeline/refine/sweep_elements.h"
 
 #include "narrow_phase/closed_form/core_distance.h"
-#include "pipeline/refine/measure_elements.h"
+#include "pipeline/refine/element_parts.h"
 
 namespace collision_monitor {
 namespace {
@@ -18,10 +18,6 @@ bool isPlane(const Element& element) noexcept {
 /// A mesh meets a plane where its hull does.
 bool areConvex(const Element& a, const Element& b) noexcept {
   return (a.convex && b.convex) || isPlane(a) || isPlane(b);
-}
-
-const ConvexGeometry& hullOf(const Element& element) noexcept {
-  return element.convex ? *element.convex : *element.hull;
 }
 
 /// @pre areConvex

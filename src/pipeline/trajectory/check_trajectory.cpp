@@ -233,12 +233,14 @@ bool isKnown(const LinkPoses& start, const CheckedLinkPair& links) noexcept {
 TrajectorySearch searchAlong(const CycleSetup& setup, const JointPath& path, const LinkPoses& start,
                              const TrajectoryOptions& options) {
   const std::size_t count = setup.checked.size();
+  LinkPairMeasures measures(setup);
+  JointLevers levers(measures.balls);
   TrajectorySearch search{setup,
                           path,
                           options,
                           PathPoses(setup.model, path, start),
-                          LinkPairMeasures(setup),
-                          JointLevers(linkBalls(setup)),
+                          std::move(measures),
+                          std::move(levers),
                           std::vector<LinkChain>(count),
                           std::vector<Found>(count, Found::bodies),
                           std::vector<NearPlace>(count),

@@ -6,6 +6,7 @@
 #include "geometry/constants.h"
 #include "motion/convex_clearance.h"
 #include "motion/mesh_clearance.h"
+#include "pipeline/refine/element_parts.h"
 #include "pipeline/trajectory/trajectory_search.h"
 
 namespace collision_monitor {
@@ -44,15 +45,11 @@ PlacedElements placedAt(const CycleSetup& setup, ElementPairIndex pair,
           at.world_from_link[index(b.link)] * b.link_from_element};
 }
 
-PlacedConvex hullOf(const Element& element, const Pose& world_from_element) noexcept {
-  return {element.convex ? *element.convex : *element.hull, world_from_element};
-}
-
 /// [m] How far the hulls stay apart, as clearanceOf. A half space is what motions are seen from.
 double clearanceOfHulls(const PlacedElements& pair, const LinkMotion& links,
                         ConvexSearch& search) noexcept {
-  const PlacedConvex a = hullOf(pair.a, pair.world_from_a);
-  const PlacedConvex b = hullOf(pair.b, pair.world_from_b);
+  const PlacedConvex a{hullOf(pair.a), pair.world_from_a};
+  const PlacedConvex b{hullOf(pair.b), pair.world_from_b};
   if (std::holds_alternative<HalfSpace>(b.geometry)) {
     ConvexWarmStart swapped;
     ConvexSearch anew{search.workspace, swapped};

@@ -221,49 +221,47 @@ TEST(CheckStatesExactly, geometriesDecideWhereEnclosingShapesAreNear) {
   EXPECT_TRUE(exact[1].has_pair);
 }
 
+/// Answers of a geometry that leaves another of its kind along a diagonal in steps of 1 mm. Their
+/// frames are 0.424 m apart at position 0.
+struct Leaving {
+  Leaving(const std::string& geometry, double first, std::size_t count,
+          const SetupOptions& options = {}) {
+    const CycleSetup setup =
+        buildSetup({describeText(robotXml(rail() + linkXml("a", geometry) + linkXml("b", geometry) +
+                                          slider("hold", "a", "0 0 0", "1 1 0") +
+                                          slider("lift", "b", "0.3 0.3 0", "1 1 0")))},
+                   textLoader({}), options);
+    StatesWork work = makeStatesWork(setup, standingAt(setup.model, {Pose{}}));
+    JointPositions positions;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double position = first + 0.001 * static_cast<double>(i);
+      positions.insert(positions.end(), {0.0, position});
+      apart.push_back(0.3 * std::sqrt(2.0) + position);
+    }
+    checkStatesExactly(setup, positions, StateQuestion::nearest, work, checks);
+  }
+
+  std::vector<StateCheck> checks;
+  std::vector<double> apart;  ///< [m] their frames
+};
+
 TEST(CheckStatesExactly, limitsBelowZero_areAnswered) {
-  const std::string can = "<cylinder radius='0.1' length='0.4'/>";
   SetupOptions options;
   options.limits.contact_distance = -0.02;
   options.limits.warning_distance = -0.01;
-  const CycleSetup setup =
-      buildSetup({describeText(robotXml(rail() + linkXml("a", can) + linkXml("b", can) +
-                                        slider("hold", "a", "0 0 0", "1 0 0") +
-                                        slider("lift", "b", "0.5 0 0", "1 0 0")))},
-                 textLoader({}), options);
-  StatesWork work = makeStatesWork(setup, standingAt(setup.model, {Pose{}}));
-  JointPositions positions;
-  for (int i = 0; i < 100; ++i) {
-    positions.insert(positions.end(), {0.0, 0.001 * i - 0.35});
-  }
-  std::vector<StateCheck> checks;
-  checkStatesExactly(setup, positions, StateQuestion::nearest, work, checks);
-  for (std::size_t i = 0; i < checks.size(); ++i) {
-    EXPECT_TRUE(checks[i].has_pair) << i;
-    EXPECT_LE(checks[i].distance, 0.001 * static_cast<double>(i) - 0.05 + 1e-7) << i;
+  const Leaving cans("<cylinder radius='0.1' length='0.4'/>", -0.3, 150, options);
+  for (std::size_t i = 0; i < cans.checks.size(); ++i) {
+    EXPECT_TRUE(cans.checks[i].has_pair) << cans.apart[i];
+    EXPECT_LE(cans.checks[i].distance, cans.apart[i] - 0.2 + 1e-7);
   }
 }
 
 /// The corners of a box around a disc stick out of the ball around it.
 TEST(CheckStatesExactly, geometriesBeyondTheWarningDistance_tellTheirNearestPair) {
-  const std::string disc = "<cylinder radius='0.06' length='0.01'/>";
-  const CycleSetup setup =
-      buildSetup({describeText(robotXml(rail() + linkXml("a", disc) + linkXml("b", disc) +
-                                        slider("hold", "a", "0 0 0", "1 1 0") +
-                                        slider("lift", "b", "0.3 0.3 0", "1 1 0")))},
-                 textLoader({}), {});
-  ASSERT_FALSE(setup.table.pairs().empty());
-  StatesWork work = makeStatesWork(setup, standingAt(setup.model, {Pose{}}));
-  JointPositions positions;
-  for (int i = 0; i < 200; ++i) {
-    positions.insert(positions.end(), {0.0, 0.001 * i - 0.3});
-  }
-  std::vector<StateCheck> checks;
-  checkStatesExactly(setup, positions, StateQuestion::nearest, work, checks);
-  for (std::size_t i = 0; i < checks.size(); ++i) {
-    const double gap = 0.3 * std::sqrt(2.0) + positions[2 * i + 1] - 0.12;
-    ASSERT_TRUE(checks[i].has_pair) << gap;
-    ASSERT_LE(checks[i].distance, gap + 1e-9);
+  const Leaving discs("<cylinder radius='0.06' length='0.01'/>", -0.3, 200);
+  for (std::size_t i = 0; i < discs.checks.size(); ++i) {
+    ASSERT_TRUE(discs.checks[i].has_pair) << discs.apart[i];
+    ASSERT_LE(discs.checks[i].distance, discs.apart[i] - 0.12 + 1e-9);
   }
 }
 
