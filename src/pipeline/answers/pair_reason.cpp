@@ -23,7 +23,7 @@ std::string lineOf(const std::string& source, const std::vector<SrdfPairs::Entry
 std::string srdfPlace(const CycleSetup& setup, const LinkPair& pair) {
   const bool is_enabled = pair.reason == PairReason::enabled_by_srdf;
   for (const SrdfPairs& srdf : setup.srdfs) {
-    const std::string line = lineOf(srdf.source, is_enabled ? srdf.enabled : srdf.disabled, pair);
+    std::string line = lineOf(srdf.source, is_enabled ? srdf.enabled : srdf.disabled, pair);
     if (!line.empty()) {
       return line;
     }
