@@ -108,7 +108,7 @@ class LateRobots(unittest.TestCase):
                             "speed scale of " + name)
             self.assertTrue(self.valid[name].value.data)
 
-    def test_5_robotThatGoes_stopsTheOthersByDefault(self):
+    def test_5_robotThatGoesAndMustNotBeAbsent_stopsTheOthers(self):
         self.right.is_on = False
         state = self.wait_for_robots(lambda left, right: right.level == State.UNKNOWN, "unknown right robot")
         self.assertEqual(state.level, State.UNKNOWN)
@@ -117,9 +117,9 @@ class LateRobots(unittest.TestCase):
         self.assertEqual([robot.speed_scale for robot in state.robots], [0.0, 0.0])
         self.probe.wait(lambda: not self.valid["left"].value.data, "state_is_valid of the left")
 
-    def test_6_robotThatMayBeAbsent_doesNotStopTheOthers(self):
+    def test_6_byDefault_robotThatIsAbsentDoesNotStopTheOthers(self):
         robots = rospy.get_param("/collision_monitor/robots")
-        robots[1]["may_be_absent"] = True
+        del robots[1]["may_be_absent"]
         rospy.set_param("/collision_monitor/robots", robots)
         rospy.wait_for_service("/collision_monitor/reload", timeout=20.0)
         answer = rospy.ServiceProxy("/collision_monitor/reload", Trigger)()

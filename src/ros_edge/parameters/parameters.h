@@ -24,7 +24,7 @@ struct RobotSource {
   std::string semantic_file;  ///< SRDF file or package:// URI; replaces `semantic`
   std::string tf_prefix;      ///< as in RobotDescription
   std::string joint_states;   ///< topic of its joint states; "": that for all robots
-  bool may_be_absent{false};  ///< as in ListedRobot
+  bool may_be_absent{true};   ///< as in ListedRobot
 };
 
 /// A robot as the user lists it, whether it is there or not.
