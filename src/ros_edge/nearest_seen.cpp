@@ -46,7 +46,7 @@ void NearestSeen::add(const CycleSetup& setup, const LinkPoses& poses, const Joi
       return;
     }
     const std::uint32_t record = recordOf(pair);
-    records_[record] = {measured.measured.distance, poses.stamp_ns};
+    records_[record] = {measured.measured.distance, poses.stamp_ns, measured.quality};
     if (!has_positions) {
       readPositions(setup, poses, joints);
       has_positions = true;

@@ -18,6 +18,7 @@ class NearestSeen {
   struct Record {
     double distance{std::numeric_limits<double>::infinity()};  ///< [m] infinity: never measured
     std::int64_t stamp_ns{0};
+    Quality quality{Quality::unknown};
   };
 
   explicit NearestSeen(const CycleSetup& setup);

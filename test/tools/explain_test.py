@@ -36,6 +36,43 @@ class Explain(unittest.TestCase):
         self.assertIn("box_a and box_b are checked: no rule says otherwise", result.stdout)
         self.assertRegex(result.stdout, r"distance  (0\.3|0\.30000\d*|0\.29999\d*) m, exact; between ")
         self.assertRegex(result.stdout, r"warning_distance +0\.05 m\n")
+        self.assertIn("verdict   OK: more than warning_distance, 0.05 m", result.stdout)
+        self.assertEqual(result.stderr, "")
+
+    def test_verdict_followsLimits(self):
+        result = explain("box_b", "box_a", "--limit", "warning_distance=0.15", "--limit", "hysteresis=0.1")
+        self.assertIn("verdict   WARNING: at most warning_distance, 0.15 m", result.stdout)
+        self.assertRegex(result.stdout, r"hysteresis +0\.1 m\n")
+        result = explain("box_b", "box_a", "--joint", "slide=-0.12")
+        self.assertIn("verdict   CONTACT: at most contact_distance, 0 m", result.stdout)
+        result = explain("box_b", "box_a", "--limit", "warnin_distance=1", "--limit", "hysteresis")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("'warnin_distance=1', did you mean 'warning_distance'?", result.stderr)
+        self.assertIn("'hysteresis'", result.stderr)
+
+    def test_positionBeyondTheLimitsOfItsJoint_isTold(self):
+        result = explain("box_b", "box_a", "--joint", "slide=0.6")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("joint 'slide' does not reach 0.6, but -0.2 to 0.5", result.stderr)
+
+    def test_objectsOfAWorld_haveTheirReasonsAndDistances(self):
+        world = self.file("cell.yaml", "world:\n"
+                          "- {name: table, kind: box, size: [1, 1, 0.1], xyz: [0, 0, -0.2]}\n"
+                          "- {name: part, kind: sphere, radius: 0.02, attach: box_b, xyz: [0, 0, 0.5]}\n")
+        rules = self.file("rules.yaml", "- {a: table, b: box_a, warning_distance: 0.06}\n")
+        result = explain("box_a", "table", "--world", world, "--pair-rules", rules)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stderr, "")
+        self.assertIn("box_a and object table are checked: no rule says otherwise", result.stdout)
+        self.assertRegex(result.stdout, r"distance  0\.0(5|4999\d*|5000\d*) m, exact")
+        self.assertIn("verdict   WARNING: at most warning_distance, 0.06 m", result.stdout)
+        result = explain("box_b", "part", "--world", world)
+        self.assertIn("are ignored: ", result.stdout)
+        self.assertIn("verdict   none, since they are ignored", result.stdout)
+        result = explain("box_b", "part", "--world", self.file("c.yaml", "- {name: t, kind: box, size: [1, 1, 1], "
+                                                               "frame: map}\n"))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("frame 'map', which is unknown", result.stderr)
 
     def test_rule_isNamedWithItsPlace(self):
         rules = self.file("rules.yaml", "pair_rules:\n- {a: box_a, b: '*', check: false, hysteresis: 0.01}\n")

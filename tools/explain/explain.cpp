@@ -5,13 +5,13 @@
 
 #include "collision_monitor/model/kinematics.h"
 #include "explain_options.h"
+#include "explain_setup.h"
 #include "model/nearest_name.h"
 #include "model/number_text.h"
+#include "model/object_links.h"
 #include "model/place.h"
 #include "pipeline/answers/link_distances.h"
 #include "pipeline/answers/pair_reason.h"
-#include "pipeline/fits/fit_cache_folder.h"
-#include "read_robot.h"
 
 /// Explains a pair of links: `explain --help`.
 namespace collision_monitor::explain_tool {
@@ -19,31 +19,6 @@ namespace {
 
 constexpr int kDone = 0;
 constexpr int kInputFault = 1;
-
-CycleSetup makeSetup(const Options& options) {
-  SetupReport report;
-  RobotDescription description = fit_tool::readDescription(options.source, report);
-  description.srdf_xml = fit_tool::readInput("option --srdf", options.srdf, report);
-  description.srdf_source = options.srdf;
-  SetupOptions setup;
-  setup.fit_cache = fitCacheFolder(options.cache);
-  setup.shape_rules = {options.shape_rules,
-                       fit_tool::readInput("option --shape-rules", options.shape_rules, report)};
-  setup.pair_rules = {options.pair_rules,
-                      fit_tool::readInput("option --pair-rules", options.pair_rules, report)};
-  setup.idle_rules = IdleRule::is_warning;  // they may name objects and other robots
-  throwIfErrors(report);
-  return buildSetup({description}, fit_tool::makeLoader(options.source), setup);
-}
-
-/// Tells of rules that select nothing here.
-void warnOfRules(const CycleSetup& setup, const std::string& rules) {
-  for (const Problem& warning : setup.report.warnings) {
-    if (!rules.empty() && warning.where.find(rules) != std::string::npos) {
-      std::fprintf(stderr, "warning: %s\n", toString(warning).c_str());
-    }
-  }
-}
 
 std::optional<LinkId> findLink(const RobotModel& model, const std::string& name,
                                SetupReport& report) {
@@ -54,12 +29,21 @@ std::optional<LinkId> findLink(const RobotModel& model, const std::string& name,
       known.push_back(one.name);
     }
     report.errors.push_back({"link " + quoted(name), "unknown" + suggestion(name, known),
-                             "links of the robot: " + someOf(known)});
+                             "links and objects: " + someOf(known)});
   } else if (!hasShapes(model.link(*link))) {
     report.errors.push_back(
         {"link " + quoted(name), "without collision geometry", "links with geometry"});
   }
   return link;
+}
+
+/// Tells of positions that the joint does not reach. @pre the joint exists
+void warnOfLimits(const Joint& joint, double position) {
+  if (position < joint.lower || position > joint.upper) {
+    std::fprintf(stderr, "warning: joint '%s' does not reach %s, but %s to %s\n",
+                 joint.name.c_str(), shortText(position).c_str(), shortText(joint.lower).c_str(),
+                 shortText(joint.upper).c_str());
+  }
 }
 
 /// Moves the joints that the user names.
@@ -83,10 +67,29 @@ void readJoints(const RobotModel& model, const std::vector<std::string>& joints,
       continue;
     }
     positions[model.joint(*joint).first_variable] = position[0];
+    warnOfLimits(model.joint(*joint), position[0]);
   }
 }
 
-/// The pair alone, measured.
+/// What a monitor would say of links at rest.
+void printVerdict(const CycleSetup& setup, const LinkPair& pair, const PairDistance& nearest) {
+  if (!isChecked(pair.reason)) {
+    std::printf("verdict   none, since they are ignored\n");
+    return;
+  }
+  const Limits& limits = limitsOf(setup, pair);
+  const bool is_contact = isTouching(nearest, limits.contact_distance);
+  const bool is_warning = nearest.measured.distance <= limits.warning_distance;
+  std::printf("verdict   %s: %s %s, %s m\n",
+              is_contact   ? "CONTACT"
+              : is_warning ? "WARNING"
+                           : "OK",
+              is_contact || is_warning ? "at most" : "more than",
+              is_contact ? "contact_distance" : "warning_distance",
+              shortText(is_contact ? limits.contact_distance : limits.warning_distance).c_str());
+}
+
+/// Measures the pair alone.
 void printDistance(const CycleSetup& setup, std::size_t place, const JointPositions& positions) {
   std::vector<bool> is_wanted(setup.link_pairs.size(), false);
   is_wanted[place] = true;
@@ -113,6 +116,7 @@ void printDistance(const CycleSetup& setup, std::size_t place, const JointPositi
   std::printf("distance  %s m, %s; between %s and %s\n",
               shortText(nearest.measured.distance).c_str(), quality, shape(bodies.a).c_str(),
               shape(bodies.b).c_str());
+  printVerdict(setup, setup.link_pairs[place], nearest);
 }
 
 void printLimits(const CycleSetup& setup, const LinkPair& pair) {
@@ -127,7 +131,6 @@ void printLimits(const CycleSetup& setup, const LinkPair& pair) {
 
 int run(const Options& options) {
   const CycleSetup setup = makeSetup(options);
-  warnOfRules(setup, options.pair_rules);
   SetupReport report;
   const auto a = findLink(setup.model, options.link_a, report);
   const auto b = findLink(setup.model, options.link_b, report);
@@ -136,12 +139,13 @@ int run(const Options& options) {
   throwIfErrors(report);
   const std::size_t place = findLinkPair(setup, *a, *b);
   if (place == setup.link_pairs.size()) {
-    report.errors.push_back({"link " + quoted(options.link_a), "twice", "two different links"});
+    report.errors.push_back({"links " + quoted(options.link_a) + " and " + quoted(options.link_b),
+                             "no pair", "two links, or two objects for which a rule asks"});
     throwIfErrors(report);
   }
   const LinkPair& pair = setup.link_pairs[place];
-  std::printf("%s and %s are %s\n", setup.model.link(pair.a).name.c_str(),
-              setup.model.link(pair.b).name.c_str(), reasonOf(setup, pair).c_str());
+  std::printf("%s and %s are %s\n", nameInText(setup.model, pair.a).c_str(),
+              nameInText(setup.model, pair.b).c_str(), reasonOf(setup, pair).c_str());
   printDistance(setup, place, positions);
   std::printf("limits\n");
   printLimits(setup, pair);

@@ -8,8 +8,9 @@ namespace collision_monitor::explain_tool {
 namespace {
 
 const char* const kAbout =
-    "Says whether two links of a robot are checked, which rule says so and where it stands, by\n"
-    "which limits they are judged, and how far apart they are in the default pose or in another.\n"
+    "Says whether two links or objects are checked, which rule says so and where it stands, how\n"
+    "far apart they are in the default pose or in another, what a monitor would say of that at\n"
+    "rest, and by which limits.\n"
     "Of a monitor that runs, its service explain_pair says the same, and how near they have "
     "been.\n";
 
@@ -18,17 +19,32 @@ const char* const kFooter =
     "command line is at fault.\n\n"
     "Examples:\n"
     "  explain robot.urdf hand base_link --srdf robot.srdf\n"
-    "  explain robot.urdf hand camera --pair-rules pair_rules.yaml --joint elbow=1.2";
+    "  explain robot.urdf hand camera --pair-rules pair_rules.yaml --joint elbow=1.2\n"
+    "  explain robot.urdf hand table --world cell.yaml --limit warning_distance=0.1";
 
 void addFiles(CLI::App& app, Options& options) {
   const char* const group = "Input";
   app.add_option("--srdf", options.srdf, "of the robot")->type_name("FILE")->group(group);
-  app.add_option("--pair-rules", options.pair_rules,
-                 "as the monitor's parameter pair_rules; names of objects match nothing here")
+  app.add_option("--pair-rules", options.pair_rules, "as the monitor's parameter pair_rules")
       ->type_name("FILE")
       ->group(group);
   app.add_option("--shape-rules", options.shape_rules, "as the monitor's parameter shape_rules")
       ->type_name("FILE")
+      ->group(group);
+  app.add_option(
+         "--world", options.world,
+         "objects, as the monitor's parameter world_file. Frames are those of links or the\n"
+         "world frame")
+      ->type_name("FILE")
+      ->group(group);
+  app.add_option("--world-frame", options.world_frame,
+                 "where the root of the robot stands; without it that is its own frame")
+      ->type_name("FRAME")
+      ->group(group);
+  app.add_option("--limit", options.limits,
+                 "as in the monitor's parameter limits; may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE")
       ->group(group);
   app.add_option("--joint", options.joints,
                  "its position, [rad] or [m]; may be given several times. Others are at 0, or at\n"

@@ -17,6 +17,9 @@ struct Options {
   std::string srdf;
   std::string shape_rules;
   std::string pair_rules;
+  std::string world;                ///< file with objects
+  std::string world_frame;          ///< empty: the root of the robot
+  std::vector<std::string> limits;  ///< "warning_distance=0.1"
   std::vector<std::string> joints;  ///< "elbow=1.2"
   std::string cache;                ///< as the parameter fit_cache
 };

@@ -8,51 +8,73 @@
 
 #include "model/number_text.h"
 #include "model/object_links.h"
+#include "pipeline/answers/pair_reason.h"
 #include "ros_edge/outputs/sentences.h"
 
 namespace collision_monitor {
 namespace {
 
-std::string metres(double length) { return shortText(length) + " m"; }
+/// Names limits of a pair with the rules that set them.
+class LimitNames {
+ public:
+  LimitNames(const CycleSetup& setup, LinkPairIndex link_pair)
+      : limits_(limitsOf(setup, link_pair)) {
+    const CheckedLinkPair& pair = setup.checked[link_pair];
+    places_ = limitPlaces(setup, setup.link_pairs[findLinkPair(setup, pair.a, pair.b)]);
+  }
+
+  /// "warning_distance, 0.05 m (rules.yaml line 3, rule 2)"
+  std::string operator()(double Limits::*limit) const {
+    std::size_t i = 0;
+    while (kLimitFields[i].value != limit) {
+      ++i;
+    }
+    return std::string(kLimitFields[i].name) + ", " + shortText(limits_.*limit) +
+           kLimitFields[i].unit + (places_[i].empty() ? "" : " (" + places_[i] + ")");
+  }
+
+ private:
+  const Limits& limits_;
+  std::vector<std::string> places_;
+};
 
 /// Which threshold holds a verdict up: the one of a new verdict, or with hysteresis of an old one.
-std::string distanceReason(double distance, double threshold, double hysteresis,
-                           const std::string& name) {
-  if (distance <= threshold) {
-    return "the distance is at most " + name + ", " + metres(threshold);
+std::string distanceReason(double distance, const Limits& limits, double Limits::*threshold,
+                           const LimitNames& names) {
+  if (distance <= limits.*threshold) {
+    return "the distance is at most " + names(threshold);
   }
-  if (distance <= threshold + hysteresis) {
-    return "it was within " + name + ", " + metres(threshold) +
-           ", and is not yet beyond it by hysteresis, " + metres(hysteresis);
+  if (distance <= limits.*threshold + limits.hysteresis) {
+    return "it was within " + names(threshold) + ", and is not yet beyond it by " +
+           names(&Limits::hysteresis);
   }
   return "";
 }
 
-std::string timeReason(double time, double threshold, double hysteresis, const std::string& name) {
-  if (!(threshold > 0.0) || std::isnan(time) || time > threshold + hysteresis) {
+std::string timeReason(double time, const Limits& limits, double Limits::*threshold,
+                       const LimitNames& names) {
+  if (!(limits.*threshold > 0.0) || std::isnan(time) ||
+      time > limits.*threshold + limits.time_hysteresis) {
     return "";
   }
-  return "the time to contact, " + secondsText(time) + ", is at most " + name + ", " +
-         shortText(threshold) + " s" + (time > threshold ? ", with time_hysteresis" : "");
+  return "the time to contact, " + secondsText(time) + ", is at most " + names(threshold) +
+         (time > limits.*threshold ? ", with " + names(&Limits::time_hysteresis) : "");
 }
 
 /// Of a pair that was measured near enough.
 std::string nearReason(const Watch& watch, LinkPairIndex link_pair, Verdict verdict) {
   const Limits& limits = limitsOf(watch.setup(), link_pair);
+  const LimitNames names(watch.setup(), link_pair);
   const PairEvents& events = watch.buffers.events;
   const auto& pairs = watch.buffers.distances.pairs;
   const double distance = pairs[events.closest[link_pair]].measured.distance;
   const std::uint32_t soonest = events.soonest[link_pair];
   const double time = soonest == kNone ? kUnknown : pairs[soonest].time_to_contact;
   const bool is_contact = verdict == Verdict::contact;
-  const std::string by_distance =
-      is_contact
-          ? distanceReason(distance, limits.contact_distance, limits.hysteresis, "contact_distance")
-          : distanceReason(distance, limits.warning_distance, limits.hysteresis,
-                           "warning_distance");
+  const std::string by_distance = distanceReason(
+      distance, limits, is_contact ? &Limits::contact_distance : &Limits::warning_distance, names);
   const std::string by_time =
-      is_contact ? timeReason(time, limits.contact_time, limits.time_hysteresis, "contact_time")
-                 : timeReason(time, limits.warning_time, limits.time_hysteresis, "warning_time");
+      timeReason(time, limits, is_contact ? &Limits::contact_time : &Limits::warning_time, names);
   return by_distance + (by_distance.empty() || by_time.empty() ? "" : "; ") + by_time;
 }
 
@@ -69,11 +91,11 @@ std::string unknownReason(const Watch& watch, const CheckedLinkPair& pair) {
 }
 
 std::string clearReason(const Watch& watch, LinkPairIndex link_pair) {
-  const Limits& limits = limitsOf(watch.setup(), link_pair);
   const std::uint32_t closest = watch.buffers.events.closest[link_pair];
   return closest == kNone ? "they are farther apart than every threshold"
-                          : "the distance is more than warning_distance, " +
-                                metres(limits.warning_distance) + ", and contact is not near";
+                          : "the distance is more than " +
+                                LimitNames(watch.setup(), link_pair)(&Limits::warning_distance) +
+                                ", and contact is not near";
 }
 
 }  // namespace

@@ -76,6 +76,7 @@ std::string fillNearest(const CycleSetup& setup, const PairView& view, double fa
     return "since start no cycle has found them nearer than " + lengthText(farthest);
   }
   response.nearest = view.nearest.distance;
+  response.nearest_quality = static_cast<std::uint8_t>(view.nearest.quality);
   response.nearest_stamp.fromNSec(static_cast<std::uint64_t>(view.nearest.stamp_ns));
   std::string joints;
   for (const Joint& joint : setup.model.joints) {
@@ -90,7 +91,8 @@ std::string fillNearest(const CycleSetup& setup, const PairView& view, double fa
     }
   }
   const double distance = view.nearest.distance;
-  return "nearest since start: " + std::string(distance < 0.0 ? "overlapping by " : "") +
+  const char* const at_least = view.nearest.quality == Quality::exact ? "" : "at least ";
+  return "nearest since start: " + std::string(distance < 0.0 ? "overlapping by " : "") + at_least +
          lengthText(distance) + (joints.empty() ? "" : " at " + joints);
 }
 

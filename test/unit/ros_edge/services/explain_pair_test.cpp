@@ -45,6 +45,35 @@ TEST_F(ExplainPairTest, warning_saysWhichThresholdItIs) {
   EXPECT_EQ(response.limit_places.front(), "limits");
 }
 
+TEST_F(ExplainPairTest, thresholdOfARule_isNamedWithIt) {
+  SetupReport report;
+  auto made = std::make_shared<MonitorSetup>(*setup_);
+  const CycleSetup& setup = setup_->setup;
+  made->setup =
+      withPairRules(setup, setup.limits,
+                    readPairRules({"rules.yaml", "- {a: base, b: tool, warning_distance: 0.06}"},
+                                  setup.model, {}, IdleRule::is_error, report),
+                    report);
+  setup_ = made;
+  const auto watch = watchAt(-0.25);  // 0.05 m apart
+  expectIn(explain("tool", "base", *watch).level_reason,
+           "the distance is at most warning_distance, 0.06 m (rules.yaml line 1, rule 1)");
+}
+
+TEST_F(ExplainPairTest, nearestThatIsABound_isSaidToBeOne) {
+  const auto watch = watchAt(-0.2);
+  watch->cycle();
+  EXPECT_EQ(explain("base", "tool", *watch).nearest_quality, LinkDistance::EXACT);
+  for (PairDistance& distance : watch->buffers.distances.pairs) {
+    distance.measured.distance -= 0.02;
+    distance.quality = Quality::lower_bound;
+  }
+  watch->nearest.add(watch->setup(), watch->poses, watch->joints, watch->buffers);
+  const ExplainPair::Response response = explain("base", "tool", *watch);
+  EXPECT_EQ(response.nearest_quality, LinkDistance::LOWER_BOUND);
+  expectIn(response.message, "nearest since start: at least 80 mm");
+}
+
 TEST_F(ExplainPairTest, adjacentLinks_areMeasuredAndSaidToBeIgnored) {
   const auto watch = watchAt(0.0);
   const ExplainPair::Response response = explain("slider", "base", *watch);
