@@ -140,6 +140,27 @@ class BadSetup(unittest.TestCase):
                      "/bad_parameters/padding", "'much'"):
             self.assertIn(text, output)
 
+    def test_faultsOfAllStages_areNamedAtOnce_eachInOneLine(self):
+        sphere = {"kind": "sphere", "radius": 0.1}
+        world = [{"name": "table", "kind": "box", "size": [1.0, "x", 1.0]},
+                 {"name": "table", "attach": "elbow", **sphere},
+                 {"name": "lamp", "kind": "spear"},
+                 {"name": "part", "touch_links": ["knee"], **sphere}]
+        rules = [{"a": "lamp", "b": "*", "check": "maybe"},
+                 {"a": "part", "b": "shin", "check": False},
+                 {"a": "table", "b": "base", "chek": True}]
+        faults = ["limits/warning_distance: -1 m", "link 'ankle', which matches none", "check 'maybe'", "'chek'",
+                  "size [1, x, 1]", "object 'table': this name twice", "link 'elbow', which is unknown",
+                  "kind 'spear'", "touch link 'knee', which is unknown", "link 'shin', which matches none"]
+        parameters = {"world": world, "pair_rules": rules, "ignore_pairs": [["ankle", "base"]]}
+        code, output = run_node("all_stages", GOOD, limits={"warning_distance": -1.0}, **parameters)
+        self.assertEqual(code, 1, output)
+        for fault in faults:
+            self.assertIn(fault, output)
+        self.assertIn("%d problems in the set-up" % len(faults), output)
+        code, output = run_node("most_stages", GOOD, limits={}, **parameters)
+        self.assertIn("%d problems in the set-up" % (len(faults) - 1), output)
+
     def test_semanticThatIsNoText_isRefused(self):
         rospy.set_param("/no_text/robot_description_semantic", 7)
         code, output = run_node("no_text", GOOD)

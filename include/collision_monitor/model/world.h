@@ -66,6 +66,7 @@ struct WorldObject {
   /// Links that may touch it, beside those that an attached object is rigidly joined to.
   std::vector<std::string> touch_links;
   std::string where;  ///< where the user wrote it, for messages: "cell.yaml line 12"; may be empty
+  bool lacks_shapes{false};  ///< some could not be read, which is reported already
 };
 
 /// All objects, in order of name, so that the same objects make the same set-up, however they came.

@@ -109,8 +109,8 @@ class PairRuleReader {
       rule.limits[i] = fields.readNumber(field.name, field.least, field.greatest);
       sets_any = sets_any || fields.find(field.name);
     }
-    fields.refuseOthers();
-    if (!sets_any) {
+    const bool may_be_misspelt = fields.refuseOthers();
+    if (!sets_any && !may_be_misspelt) {
       place.addError(lineOf(node), "a rule that sets nothing", settingNames());
     }
     return rule;

@@ -30,12 +30,12 @@ class RuleReader {
     }
     std::vector<LinkId> links = readLinks(fields, place, lineOf(node));
     LinkRules rule = readSettings(fields, place);
-    fields.refuseOthers();
+    const bool may_be_misspelt = fields.refuseOthers();
     if (rule.given) {
       rule.given->where = source + " line " + std::to_string(lineOf(node));
     }
-    if (!hasAny(fields, {"kinds", "max_shapes", "target_overshoot", "padding", "refine", "shapes",
-                         "unproven"})) {
+    if (!may_be_misspelt && !hasAny(fields, {"kinds", "max_shapes", "target_overshoot", "padding",
+                                             "refine", "shapes", "unproven"})) {
       place.addError(lineOf(node), "a rule that sets nothing",
                      "kinds, max_shapes, target_overshoot, padding, refine or shapes");
     }

@@ -180,7 +180,8 @@ void YamlFields::refuse(const std::string& key, const std::string& accepted) {
   place_.addError(lineOf(value), key + " " + describe(value), accepted);
 }
 
-void YamlFields::refuseOthers() {
+bool YamlFields::refuseOthers() {
+  bool has_refused = false;
   std::set<std::string> seen;
   const std::set<std::string> known(asked_for_.begin(), asked_for_.end());
   for (const auto& field : node_) {
@@ -190,8 +191,12 @@ void YamlFields::refuseOthers() {
                       joined({known.begin(), known.end()}));
     } else if (!seen.insert(key).second) {
       place_.addError(lineOf(field.first), key + " a second time", "each key once");
+    } else {
+      continue;
     }
+    has_refused = true;
   }
+  return has_refused;
 }
 
 }  // namespace collision_monitor

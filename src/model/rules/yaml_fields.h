@@ -48,7 +48,7 @@ class YamlFields {
   /// The lengths that a `kind` of shape needs; ones after a fault.
   Eigen::VectorXd readLengths(const std::string& key, int count, double least, double greatest);
   void refuse(const std::string& key, const std::string& accepted);
-  void refuseOthers();
+  bool refuseOthers();  ///< @return whether there were others
 
  private:
   YAML::Node node_;

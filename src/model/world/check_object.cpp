@@ -95,7 +95,7 @@ bool checkPlacing(const Pose& pose, const std::string& where, SetupReport& repor
 bool checkObject(const WorldObject& object, const std::string& where, SetupReport& report) {
   const std::size_t before = report.errors.size();
   checkPlacing(object.frame_from_object, where, report);
-  if (!object.shapes || object.shapes->empty()) {
+  if (!object.lacks_shapes && (!object.shapes || object.shapes->empty())) {
     report.errors.push_back({where, "no shapes", "at least one shape"});
   }
   for (std::size_t i = 0; object.shapes && i < object.shapes->size(); ++i) {

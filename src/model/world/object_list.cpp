@@ -175,10 +175,10 @@ std::optional<WorldObject> readObject(const YAML::Node& node, const WorldSource&
     }
   }
   ObjectShapes shapes = readShapes(rest, source, named, line);
-  if (shapes.empty()) {
-    return std::nullopt;  // reported already
+  object.lacks_shapes = shapes.empty();
+  if (!object.lacks_shapes) {  // else the fields are those of a shape that is not known
+    rest.refuseOthers();
   }
-  rest.refuseOthers();
   object.shapes = std::make_shared<const ObjectShapes>(std::move(shapes));
   return object;
 }

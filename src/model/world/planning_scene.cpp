@@ -87,14 +87,16 @@ class SceneReader {
     }
     ObjectShapes shapes;
     for (const char* kind : {"primitive", "mesh", "plane"}) {
-      readShapes(node, kind, place, shapes);
+      object.lacks_shapes = readShapes(node, kind, place, shapes) || object.lacks_shapes;
     }
     object.shapes = std::make_shared<const ObjectShapes>(std::move(shapes));
     return object;
   }
 
-  void readShapes(const YAML::Node& node, const std::string& kind, const Place& place,
+  /// @return whether one could not be read
+  bool readShapes(const YAML::Node& node, const std::string& kind, const Place& place,
                   ObjectShapes& shapes) {
+    bool is_any_missing = false;
     const YAML::Node list = childOf(node, kind + (kind == "mesh" ? "es" : "s"));
     const YAML::Node poses = childOf(node, kind + "_poses");
     for (std::size_t i = 0; list.IsDefined() && list.IsSequence() && i < list.size(); ++i) {
@@ -111,7 +113,9 @@ class SceneReader {
         shape.geometry = *geometry;
         shapes.push_back(std::move(shape));
       }
+      is_any_missing = is_any_missing || !geometry;
     }
+    return is_any_missing;
   }
 
   static Pose readPose(const YAML::Node& node, const Place& place) {

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "collision_monitor/geometry/bounds.h"
 #include "collision_monitor/model/kinematics.h"
 #include "default_overlap.h"
 #include "memory_need.h"
 #include "model/number_text.h"
+#include "setup_input.h"
 #include "setup_parts.h"
 
 namespace collision_monitor {
@@ -61,17 +63,6 @@ LookAhead lookAheadFor(const SetupOptions& options) {
   LookAhead ahead = options.ahead;
   ahead.horizon = std::max(ahead.horizon, ahead.stop.stop_time);
   return ahead;
-}
-
-std::vector<SrdfPairs> readSrdfs(const std::vector<RobotDescription>& robots,
-                                 const RobotModel& model, SetupReport& report) {
-  std::vector<SrdfPairs> srdfs;
-  for (std::size_t i = 0; i < robots.size(); ++i) {
-    if (!robots[i].srdf_xml.empty()) {
-      srdfs.push_back(readSrdf(robots[i], idAt<RobotId>(i), model, report));
-    }
-  }
-  return srdfs;
 }
 
 void warnIfNothingChecked(const CycleSetup& setup, SetupReport& report) {
@@ -143,29 +134,21 @@ CycleSetup buildSetup(const std::vector<RobotDescription>& robots,
   setup.limits = options.limits;
   setup.is_continuous = options.is_continuous;
   setup.refine = options.refine.limits;
-  setup.model = readRobots(robots, load_resource, report, options.meshes);
+  SetupInput input = readInput(robots, load_resource, options, report);
   throwIfErrors(report);
+  setup.model = std::move(input.model);
+  setup.srdfs = std::move(input.srdfs);
+  setup.pair_rules = std::move(input.pair_rules);
 
-  setup.srdfs = readSrdfs(robots, setup.model, report);
-  const std::vector<SrdfPairs>& srdfs = setup.srdfs;
-  std::vector<LinkRules> rules = readShapeRules(options.shape_rules, setup.model, srdfs, report);
-  padLinks(options.link_paddings, options.where + "link_padding", setup.model, rules, report);
-  if (options.uses_srdf_spheres) {
-    giveSpheres(srdfs, rules);
-  }
-  const FitSettings settings{options.default_limits, options.padding, rules, options.fit_cache};
-  const std::vector<LinkIdPair> ignored =
-      findNamedPairs(options.ignored_pairs, options.where + "ignore_pairs", setup.model, report);
-  setup.pair_rules =
-      readPairRules(options.pair_rules, setup.model, srdfs, options.idle_rules, report);
-  throwIfErrors(report);
+  const FitSettings settings{options.default_limits, options.padding, input.link_rules,
+                             options.fit_cache};
   const std::vector<LinkFit> fits = fitLinks(setup.model, settings, options.fit_progress, report);
   makeBodies(fits, setup);
   throwIfErrors(report);
   makeElements(fits, {options.refine.geometry, settings.rules}, setup, report);
 
-  decidePairs(ignored, options, setup, report);
-  ruleDefaultOverlaps(srdfs, fits, options.ignore_default_overlap, setup, report);
+  decidePairs(input.ignored, options, setup, report);
+  ruleDefaultOverlaps(setup.srdfs, fits, options.ignore_default_overlap, setup, report);
   listPairs(setup);
   setup.velocity_names = velocityNames(setup.model);
   warnIfNothingChecked(setup, report);

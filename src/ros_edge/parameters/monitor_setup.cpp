@@ -3,41 +3,23 @@
 #include "ros_edge/parameters/monitor_setup.h"
 
 #include <malloc.h>
-#include <ros/console.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "collision_monitor/geometry/ids.h"
 #include "model/object_links.h"
 #include "pipeline/world/add_world.h"
 #include "ros_edge/parameters/fit_options.h"
+#include "ros_edge/parameters/other_faults.h"
 #include "ros_edge/parameters/resource_loader.h"
 #include "ros_edge/parameters/robot_descriptions.h"
+#include "ros_edge/parameters/startup_report.h"
 #include "ros_edge/poses/transform_store.h"
 #include "ros_edge/world/world_parameters.h"
 #include "ros_edge/world/world_places.h"
 
 namespace collision_monitor {
-namespace {
-
-/// Logs the progress of fitting if it takes long, as at a first start with large meshes.
-FitProgress logLongFitting() {
-  using Clock = std::chrono::steady_clock;
-  static constexpr std::chrono::seconds kBetween(3);
-  return [next = Clock::now() + kBetween](const std::string& link, std::size_t done,
-                                          std::size_t total) mutable {
-    if (done < total && Clock::now() >= next) {
-      next = Clock::now() + kBetween;
-      ROS_INFO_STREAM("fitting shapes to link '" << link << "' (" << done + 1 << " of " << total
-                                                 << ")");
-    }
-  };
-}
-
-}  // namespace
-
 std::shared_ptr<MonitorSetup> partsOf(const MonitorSetup& former) {
   auto made = std::make_shared<MonitorSetup>();
   made->parameters = former.parameters;
@@ -188,14 +170,14 @@ SetupOptions buildRobots(LoadedRobots loaded, const ResourceLoader& load_resourc
 /// Builds everything of `made` but its parameters, from these robots.
 /// @param former gives objects; may be null
 /// @param report has the faults of loading the robots
-void build(LoadedRobots loaded, const ResourceLoader& load_resource, const MonitorSetup* former,
-           SetupReport& report, MonitorSetup& made) {
+void build(const LoadedRobots& loaded, const ResourceLoader& load_resource,
+           const MonitorSetup* former, SetupReport& report, MonitorSetup& made) {
   const bool has_objects =
       !made.parameters.world.empty() || !made.parameters.world_file.empty() ||
       (former != nullptr && (!former->world.objects.empty() || !former->held_back.empty()));
   const SetupOptions options =
-      buildRobots(std::move(loaded), load_resource,
-                  has_objects ? IdleRule::is_accepted : IdleRule::is_error, report, made);
+      buildRobots(loaded, load_resource, has_objects ? IdleRule::is_accepted : IdleRule::is_error,
+                  report, made);
   const RobotModel& model = made.robots->model;
   if (made.parameters.robots.empty()) {
     made.listed.front().name = model.robots.front().name;
@@ -288,13 +270,19 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   private_node.getParam(where, values);
   auto made = std::make_shared<MonitorSetup>();
   made->parameters = readParameters(values, where, report);
-  // Faulty parameters may not even tell which robots to wait for.
-  throwIfErrors(report);
   const ResourceLoader load_resource = makeResourceLoader(made->parameters.loading);
-  LoadedRobots loaded = loadDescriptions(private_node, made->parameters, load_resource,
-                                         made->parameters.wait_for_description, report);
-  build(std::move(loaded), load_resource, former, report, *made);
-  return made;
+  const LoadedRobots loaded =
+      loadDescriptions(private_node, made->parameters, load_resource, report);
+  if (report.errors.empty()) {
+    try {
+      build(loaded, load_resource, former, report, *made);
+      return made;
+    } catch (const SetupError& error) {
+      report.errors = error.problems();
+    }
+  }
+  addOtherFaults({made->parameters, loaded, load_resource, former != nullptr}, report);
+  throw SetupError(report.errors);
 }
 
 }  // namespace collision_monitor

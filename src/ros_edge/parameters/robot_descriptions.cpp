@@ -4,6 +4,7 @@
 
 #include <ros/names.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -126,6 +127,7 @@ std::vector<RobotSource> sourcesOf(const Parameters& parameters) {
   }
   RobotSource robot;
   robot.name = "robot_description";
+  robot.may_be_absent = false;  // there are no others
   robot.description = "robot_description";
   robot.semantic = "robot_description_semantic";
   return {robot};
@@ -160,11 +162,8 @@ void loadRobot(const Loading& from, const RobotSource& robot, const ros::WallTim
   loaded.listed.push_back(std::move(listed));
 }
 
-}  // namespace
-
-LoadedRobots loadDescriptions(const ros::NodeHandle& private_node, const Parameters& parameters,
-                              const ResourceLoader& load_resource, double patience,
-                              SetupReport& report) {
+LoadedRobots loadListed(const ros::NodeHandle& private_node, const Parameters& parameters,
+                        const ResourceLoader& load_resource, double patience, SetupReport& report) {
   const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(patience);
   LoadedRobots loaded;
   for (const RobotSource& robot : sourcesOf(parameters)) {
@@ -177,6 +176,27 @@ LoadedRobots loadDescriptions(const ros::NodeHandle& private_node, const Paramet
     }
   }
   return loaded;
+}
+
+}  // namespace
+
+LoadedRobots loadDescriptions(const ros::NodeHandle& private_node, const Parameters& parameters,
+                              const ResourceLoader& load_resource, SetupReport& report) {
+  const bool are_good = report.errors.empty();
+  const std::string list = parameters.setup.where + "robots";
+  if (std::any_of(report.errors.begin(), report.errors.end(), [&](const Problem& fault) {
+        return fault.where.compare(0, list.size(), list) == 0;
+      })) {
+    return {};
+  }
+  SetupReport of_robots;
+  LoadedRobots loaded = loadListed(private_node, parameters, load_resource,
+                                   are_good ? parameters.wait_for_description : 0.0, of_robots);
+  if (!are_good && loaded.descriptions.empty()) {
+    return {};  // nobody has waited for them
+  }
+  report.errors.insert(report.errors.end(), of_robots.errors.begin(), of_robots.errors.end());
+  return of_robots.errors.empty() ? loaded : LoadedRobots();
 }
 
 LoadedRobots loadLate(const ros::NodeHandle& private_node, const Parameters& parameters,

@@ -20,14 +20,15 @@ struct LoadedRobots {
 };
 
 /// Gets each robot's URDF, and its SRDF if there is one, from the parameter server or from files.
-/// Launch files start nodes in any order, so this waits up to `patience` [s] for URDF parameters.
+/// Launch files start nodes in any order, so this waits up to `wait_for_description` for URDF
+/// parameters; not at all if the parameters have faults.
 ///
 /// A robot of the parameter `robots` whose URDF parameter is missing then is listed as missing, if
 /// another robot is there. All else that is missing or unreadable is added to `report` with the
-/// name that was looked up.
+/// name that was looked up. After a fault of the robots there are none.
+/// @param report has the faults of the parameters
 LoadedRobots loadDescriptions(const ros::NodeHandle& private_node, const Parameters& parameters,
-                              const ResourceLoader& load_resource, double patience,
-                              SetupReport& report);
+                              const ResourceLoader& load_resource, SetupReport& report);
 
 /// The same robots with those whose URDF parameters have come since. Robots that were there stay as
 /// they are, also if their parameters or files have gone.

@@ -4,6 +4,7 @@
 
 #include <ros/console.h>
 
+#include <chrono>
 #include <sstream>
 
 #include "model/object_links.h"
@@ -29,6 +30,19 @@ std::string summaryOf(const MonitorSetup& setup) {
        << notCheckedText(countPairs(setup.setup.link_pairs)) << "; " << warnings
        << (warnings == 1 ? " warning" : " warnings");
   return text.str();
+}
+
+FitProgress logLongFitting() {
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::seconds kBetween(3);
+  return [next = Clock::now() + kBetween](const std::string& link, std::size_t done,
+                                          std::size_t total) mutable {
+    if (done < total && Clock::now() >= next) {
+      next = Clock::now() + kBetween;
+      ROS_INFO_STREAM("fitting shapes to link '" << link << "' (" << done + 1 << " of " << total
+                                                 << ")");
+    }
+  };
 }
 
 void logSetup(const MonitorSetup& setup) {

@@ -19,4 +19,7 @@ void logSetup(const MonitorSetup& setup);
 /// Logs every problem of a failed set-up, one line each.
 void logFailure(const std::exception& error);
 
+/// Logs the progress of fitting if it takes long, as at a first start with large meshes.
+FitProgress logLongFitting();
+
 }  // namespace collision_monitor

@@ -41,7 +41,9 @@ class ObjectReader {
     if (colour.r != 0.0F || colour.g != 0.0F || colour.b != 0.0F || colour.a != 0.0F) {
       object.colour = {colour.r, colour.g, colour.b, colour.a};
     }
+    const std::size_t before = report_.errors.size();
     readShapes();
+    object.lacks_shapes = report_.errors.size() > before;
     object.shapes = std::make_shared<const ObjectShapes>(std::move(shapes_));
     return object;
   }

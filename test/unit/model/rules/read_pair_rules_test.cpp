@@ -69,6 +69,7 @@ TEST(ReadPairRules, faults_areNamedWithTheirLine) {
   expectError("- {a: base, b: hand, check: maybe}", "check 'maybe'");
   expectError("- {a: base, b: hand, warnign_distance: 0.1, check: true}",
               "an unknown key, 'warnign_distance'");
+  expectError("- {a: base, b: hand, warnign_distance: 0.1}", "an unknown key");
   expectError("- {a: base, b: hand, hysteresis: -0.1}", "hysteresis '-0.1'");
   expectError("- {a: base, b: hand, warning_distance: .nan}", "warning_distance '.nan'");
   expectError("-\n  a: base\n  b: hnad\n  check: false\n",

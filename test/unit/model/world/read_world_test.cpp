@@ -187,6 +187,10 @@ TEST(ReadWorld, faultsOfAPlanningScene_areNamedWithTheirLines) {
                    "dimensions [1]; accepted: box with 3 dimensions, sphere with 1, cylinder or "
                    "cone with 2",
                    "scene.yaml line 10, object 4: '3'; accepted: an object with its fields"}));
+  SetupReport report;
+  applyChanges(World(), {{ChangeKind::add, {read.objects[0], read.objects[2]}, true}}, armPlaces(),
+               report);
+  EXPECT_EQ(textsOf(report.errors), Texts()) << "shapes that could not be read are told already";
 }
 
 TEST(ReadWorld, sceneTextOfBothFormats_isRead) {

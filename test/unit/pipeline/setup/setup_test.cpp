@@ -55,6 +55,23 @@ TEST(BuildSetup, wrongNumbers_areAllNamedWithWhatIsAccepted) {
   EXPECT_EQ(faultsOf(options), expected);
 }
 
+TEST(BuildSetup, faultsOfARobotAndOfTheTextOfRules_areNamedTogether_unknownNamesAreNot) {
+  SetupOptions options;
+  options.shape_rules = {"shapes.yaml", "shapes: [{link: nobody, max_shapes: 0}]"};
+  options.pair_rules = {"pairs.yaml", "- {a: nobody, b: base, check: maybe}"};
+  std::vector<std::string> faults;
+  try {
+    buildSetup({test::describeText("<robot")}, test::textLoader({}), options);
+  } catch (const SetupError& error) {
+    for (const Problem& problem : error.problems()) {
+      faults.push_back(problem.where + ": " + problem.found);
+    }
+  }
+  ASSERT_EQ(faults.size(), 3U);
+  EXPECT_EQ(faults[1], "shapes.yaml line 1, rule 1: max_shapes '0'");
+  EXPECT_EQ(faults[2], "pairs.yaml line 1, rule 1: check 'maybe'");
+}
+
 TEST(CheckLimits, everyFaultIsNamed) {
   SetupReport report;
   checkLimits({0.1, 0.05, -1.0, kNaN}, "limits/", report);

@@ -233,7 +233,8 @@ TEST(Parameters, faultsThatTheRobotShows_haveTheFullPath) {
   options.padding = -1.0;
   options.ahead.stop.creep_scale = -1.0;
   EXPECT_EQ(setupFaults(options),
-            (std::set<std::string>{"parameter /m/padding", "parameter /m/look_ahead/creep_scale"}));
+            (std::set<std::string>{"parameter /m/ignore_pairs[0]", "parameter /m/padding",
+                                   "parameter /m/look_ahead/creep_scale"}));
 }
 
 TEST(Parameters, robotsNeedExactlyOneSource_andUniqueNames) {
@@ -272,13 +273,13 @@ TEST(Parameters, namesOfRobots_areNamesOfTopics) {
 TEST(Parameters, robotsThatMayBeAbsent_areRead) {
   XmlRpcValue values;
   values["robots"][0]["file"] = "robot.urdf";
-  values["robots"][0]["may_be_absent"] = true;
+  values["robots"][0]["may_be_absent"] = false;
   values["robots"][1]["file"] = "robot.urdf";
   SetupReport report;
   const Parameters parameters = readParameters(values, "/m", report);
   EXPECT_TRUE(report.errors.empty());
-  EXPECT_TRUE(parameters.robots.at(0).may_be_absent);
-  EXPECT_FALSE(parameters.robots.at(1).may_be_absent);
+  EXPECT_FALSE(parameters.robots.at(0).may_be_absent);
+  EXPECT_TRUE(parameters.robots.at(1).may_be_absent);
   values["robots"][0]["may_be_absent"] = "often";
   EXPECT_EQ(faults(values), std::set<std::string>{"parameter /m/robots[0]/may_be_absent"});
 }
