@@ -37,9 +37,8 @@ SetupInput readInput(const std::vector<RobotDescription>& robots,
                      const ResourceLoader& load_resource, const SetupOptions& options,
                      SetupReport& report) {
   SetupInput input;
-  const std::size_t before = report.errors.size();
   input.model = readRobots(robots, load_resource, report, options.meshes);
-  if (report.errors.size() > before) {
+  if (input.model.robots.empty()) {
     readRulesAlone(options, report);
     return SetupInput();
   }

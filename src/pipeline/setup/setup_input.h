@@ -17,11 +17,19 @@ struct SetupInput {
   std::vector<PairRule> pair_rules;
 };
 
-/// Reads all texts and finds the links that they name. After a fault of a robot there are no links,
-/// and the rules are read for faults that need none.
+/// Checks the numbers of the options.
+void checkOptions(const SetupOptions& options, SetupReport& report);
+
+/// Reads all texts and finds the links that they name. Without
+/// robots, and after a fault of one, there are no links: rules are then read for faults that need
+/// none.
 /// @param report gets every fault; names that it awaits are none
 SetupInput readInput(const std::vector<RobotDescription>& robots,
                      const ResourceLoader& load_resource, const SetupOptions& options,
                      SetupReport& report);
+
+/// As buildSetup, from what was read.
+/// @param report has the warnings of reading, and no errors
+CycleSetup buildFrom(SetupInput input, const SetupOptions& options, SetupReport report);
 
 }  // namespace collision_monitor

@@ -11,10 +11,10 @@
 #include "model/object_links.h"
 #include "pipeline/world/add_world.h"
 #include "ros_edge/parameters/fit_options.h"
-#include "ros_edge/parameters/other_faults.h"
 #include "ros_edge/parameters/resource_loader.h"
 #include "ros_edge/parameters/robot_descriptions.h"
 #include "ros_edge/parameters/startup_report.h"
+#include "ros_edge/parameters/unknown_names.h"
 #include "ros_edge/poses/transform_store.h"
 #include "ros_edge/world/world_parameters.h"
 #include "ros_edge/world/world_places.h"
@@ -62,13 +62,16 @@ std::vector<WorldObject> objectsFor(const MonitorSetup& made, const MonitorSetup
   return objects;
 }
 
-World makeWorld(const MonitorSetup* former, const ResourceLoader& load_resource,
-                MonitorSetup& made) {
-  SetupReport report;
-  const RobotModel& model = made.robots->model;
+/// @param model the robots; without links any place is accepted
+/// @return no objects after a fault, which is added to `report`
+World makeWorld(std::vector<WorldObject> objects, const RobotModel& model, MonitorSetup& made,
+                SetupReport& report) {
+  if (!made.listed.empty()) {
+    checkFrames(objects, made.listed.front(), made.parameters.world_frame, report);
+  }
+  const KnownPlaces places =
+      model.links.empty() ? anyPlaces(objects) : placesOf(model, made.world_frame);
   ObjectChange change{ChangeKind::replace_all, {}, true};
-  std::vector<WorldObject> objects = objectsFor(made, former, load_resource, report);
-  checkFrames(objects, made.listed.front(), made.parameters.world_frame, report);
   for (WorldObject& object : objects) {
     if (object.where.empty()) {
       object.where = "world";  // a service brought it
@@ -76,9 +79,7 @@ World makeWorld(const MonitorSetup* former, const ResourceLoader& load_resource,
     const bool waits = isAnyMissing(made) && !hasItsLinks(object, model);
     (waits ? made.held_back : change.objects).push_back(std::move(object));
   }
-  World world = applyChanges(World(), {change}, placesOf(model, made.world_frame), report);
-  throwIfErrors(report);
-  return world;
+  return applyChanges(World(), {change}, places, report);
 }
 
 /// @param former has objects that may be prepared already; may be null
@@ -90,25 +91,6 @@ void addObjects(World world, const MonitorSetup* former, MonitorSetup& made) {
       prepareObjects(made.world, refine, is_prepared ? former->prepared : PreparedObjects());
   made.drawn = drawMeshes(made.world, former == nullptr ? DrawnMeshes() : former->drawn);
   made.setup = addWorld(*made.robots, made.world, made.prepared, made.world_frame);
-}
-
-/// The warnings about names in rules that match nothing.
-std::vector<Problem> warningsOfNames(const CycleSetup& setup) {
-  std::vector<Problem> warnings;
-  for (const PairRule& rule : setup.pair_rules) {
-    std::string list = "- " + rule.yaml;
-    for (std::size_t end = list.find('\n'); end != std::string::npos;
-         end = list.find('\n', end + 1)) {
-      list.insert(end + 1, "  ");
-    }
-    SetupReport report;
-    readPairRules({rule.where, list}, setup.model, setup.srdfs, IdleRule::is_warning, report);
-    for (Problem& warning : report.warnings) {
-      warning.where = rule.where;
-      warnings.push_back(std::move(warning));
-    }
-  }
-  return warnings;
 }
 
 /// Rules and limits that have changed since start.
@@ -150,42 +132,59 @@ void warnOfMissing(MonitorSetup& made) {
   }
 }
 
-/// Builds the robots of `made`, whose parameters are there.
-/// @param report has the faults of loading them
-/// @return the options that they were built with
-SetupOptions buildRobots(LoadedRobots loaded, const ResourceLoader& load_resource, IdleRule idle,
-                         SetupReport& report, MonitorSetup& made) {
+/// @param idle of rules, once all robots are there
+SetupOptions optionsFor(const MonitorSetup& made, const ResourceLoader& load_resource,
+                        IdleRule idle, SetupReport& report) {
   SetupOptions options = loadSetupOptions(made.parameters, load_resource, report);
   options.fit_progress = logLongFitting();
-  throwIfErrors(report);
-  made.descriptions = std::move(loaded.descriptions);
-  made.listed = std::move(loaded.listed);
-  options.awaits_names = isAnyMissing(made);
+  options.awaits_names = made.descriptions.empty() || isAnyMissing(made);
   options.idle_rules = options.awaits_names ? IdleRule::is_accepted : idle;
-  made.robots = std::make_shared<CycleSetup>(
-      withoutPairs(buildSetup(made.descriptions, load_resource, options)));
+  report.awaits_names = options.awaits_names;
   return options;
 }
 
-/// Builds everything of `made` but its parameters, from these robots.
-/// @param former gives objects; may be null
-/// @param report has the faults of loading the robots
-void build(const LoadedRobots& loaded, const ResourceLoader& load_resource,
-           const MonitorSetup* former, SetupReport& report, MonitorSetup& made) {
-  const bool has_objects =
-      !made.parameters.world.empty() || !made.parameters.world_file.empty() ||
-      (former != nullptr && (!former->world.objects.empty() || !former->held_back.empty()));
-  const SetupOptions options =
-      buildRobots(loaded, load_resource, has_objects ? IdleRule::is_accepted : IdleRule::is_error,
-                  report, made);
-  const RobotModel& model = made.robots->model;
+std::shared_ptr<const CycleSetup> buildRobots(SetupInput input, const SetupOptions& options,
+                                              SetupReport report) {
+  checkOptions(options, report);
+  throwIfErrors(report);
+  return std::make_shared<CycleSetup>(
+      withoutPairs(buildFrom(std::move(input), options, std::move(report))));
+}
+
+/// Names the world's frame, and a robot without a list by its URDF.
+void nameByRobots(const RobotModel& model, MonitorSetup& made) {
   if (made.parameters.robots.empty()) {
     made.listed.front().name = model.robots.front().name;
   }
   made.world_frame = stripLeadingSlash(made.parameters.world_frame.empty()
                                            ? model.link(model.robots.front().root).frame
                                            : made.parameters.world_frame);
-  addObjects(makeWorld(former, load_resource, made), former, made);
+}
+
+/// Builds everything of `made` but its parameters and robots' descriptions. Reads all of it before
+/// shapes are fitted, so that all faults are told at once.
+/// @param former gives objects; may be null
+/// @param report has the faults of parameters and descriptions
+void build(const ResourceLoader& load_resource, const MonitorSetup* former, SetupReport& report,
+           MonitorSetup& made) {
+  const bool has_objects =
+      !made.parameters.world.empty() || !made.parameters.world_file.empty() ||
+      (former != nullptr && (!former->world.objects.empty() || !former->held_back.empty()));
+  const SetupOptions options = optionsFor(
+      made, load_resource, has_objects ? IdleRule::is_accepted : IdleRule::is_error, report);
+  SetupInput input = readInput(made.descriptions, load_resource, options, report);
+  if (!input.model.robots.empty()) {
+    nameByRobots(input.model, made);
+  }
+  const std::vector<WorldObject> objects = objectsFor(made, former, load_resource, report);
+  World world = makeWorld(objects, input.model, made, report);
+  if (!report.errors.empty() && has_objects && former == nullptr && !options.awaits_names &&
+      !input.model.robots.empty()) {
+    checkRuleNames(options.pair_rules, input, objects, report);
+  }
+  throwIfErrors(report);
+  made.robots = buildRobots(std::move(input), options, report);
+  addObjects(std::move(world), former, made);
   if (has_objects) {
     const IdleRule at_reload = former == nullptr ? IdleRule::is_error : IdleRule::is_warning;
     applyRulesText(options.pair_rules, options.awaits_names ? IdleRule::is_accepted : at_reload,
@@ -217,8 +216,13 @@ std::shared_ptr<const MonitorSetup> buildLate(LoadedRobots come, const MonitorSe
                                               SetupReport& report) {
   auto late = std::make_shared<MonitorSetup>();
   late->parameters = former.parameters;
-  buildRobots(std::move(come), makeResourceLoader(former.parameters.loading), IdleRule::is_accepted,
-              report, *late);
+  late->descriptions = std::move(come.descriptions);
+  late->listed = std::move(come.listed);
+  const ResourceLoader load_resource = makeResourceLoader(former.parameters.loading);
+  const SetupOptions options = optionsFor(*late, load_resource, IdleRule::is_accepted, report);
+  throwIfErrors(report);
+  SetupInput input = readInput(late->descriptions, load_resource, options, report);
+  late->robots = buildRobots(std::move(input), options, report);
   return late;
 }
 
@@ -229,8 +233,12 @@ std::shared_ptr<const MonitorSetup> takeIn(const MonitorSetup& late, const Monit
   made->robots = late.robots;
   made->listed = late.listed;
   made->descriptions = late.descriptions;
-  addObjects(makeWorld(&former, makeResourceLoader(former.parameters.loading), *made), &former,
-             *made);
+  SetupReport report;
+  const ResourceLoader load_resource = makeResourceLoader(former.parameters.loading);
+  World world = makeWorld(objectsFor(*made, &former, load_resource, report), made->robots->model,
+                          *made, report);
+  throwIfErrors(report);
+  addObjects(std::move(world), &former, *made);
   std::vector<Problem> idle = keepRules(former, *made);
   if (!isAnyMissing(*made)) {
     std::vector<Problem>& warnings = made->setup.report.warnings;
@@ -271,18 +279,11 @@ std::shared_ptr<const MonitorSetup> makeMonitorSetup(const ros::NodeHandle& priv
   auto made = std::make_shared<MonitorSetup>();
   made->parameters = readParameters(values, where, report);
   const ResourceLoader load_resource = makeResourceLoader(made->parameters.loading);
-  const LoadedRobots loaded =
-      loadDescriptions(private_node, made->parameters, load_resource, report);
-  if (report.errors.empty()) {
-    try {
-      build(loaded, load_resource, former, report, *made);
-      return made;
-    } catch (const SetupError& error) {
-      report.errors = error.problems();
-    }
-  }
-  addOtherFaults({made->parameters, loaded, load_resource, former != nullptr}, report);
-  throw SetupError(report.errors);
+  LoadedRobots loaded = loadDescriptions(private_node, made->parameters, load_resource, report);
+  made->descriptions = std::move(loaded.descriptions);
+  made->listed = std::move(loaded.listed);
+  build(load_resource, former, report, *made);
+  return made;
 }
 
 }  // namespace collision_monitor
