@@ -43,29 +43,30 @@ void keepUnless(const IsFar& is_far, std::vector<PairId>& candidates) noexcept {
   candidates.resize(kept);
 }
 
-/// Culls by the distance cache. Of elements refined in the last cycle, which are most likely
-/// refined again, it defers all bodies but the nearest.
+/// Takes from the list what the distance cache does not prove to be far. Of elements refined in the
+/// last cycle, which are most likely refined again, it defers all bodies but the nearest. Has no
+/// branch, as keepUnless.
 void cullByCache(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   constexpr double kRounding = 1e-9;  // of the cached distance and of a new one
   const DistanceCache& cache = buffers.memory.distance_cache;
   const NearBodies near = nearBodies(setup, buffers);
-  buffers.deferred.clear();
-  const auto isFar = [&](PairId id) {
-    const BodyTravel& a = cache.travels[index(setup.table[id].a)];
-    const BodyTravel& b = cache.travels[index(setup.table[id].b)];
-    const ElementPairIndex elements = setup.element_pair_of[index(id)];
-    const double gap = cache.distances[index(id)] - (a.all + b.all) - kRounding;
-    const double nearest = cache.nearest[elements] + (a.of_link + b.of_link);
-    if (gap > near.limitOf(id, nearest)) {
-      return true;
-    }
-    const bool waits = gap > nearest && buffers.refine.is_measured[elements] != 0;
-    if (waits) {
-      buffers.deferred.push_back(id);
-    }
-    return waits;
-  };
-  keepUnless(isFar, buffers.candidates);
+  buffers.candidates.resize(cache.listed.size());
+  buffers.deferred.resize(cache.listed.size());
+  std::size_t kept = 0;
+  std::size_t deferred = 0;
+  for (const ListedPair& pair : cache.listed) {
+    const BodyTravel& a = cache.travels[index(pair.a)];
+    const BodyTravel& b = cache.travels[index(pair.b)];
+    const double gap = cache.distances[index(pair.pair)] - (a.all + b.all) - kRounding;
+    const double nearest = cache.nearest[pair.elements] + (a.of_link + b.of_link);
+    const bool is_near = !(gap > near.limitOf(pair, nearest));
+    const bool waits = is_near & (gap > nearest) & (buffers.refine.is_measured[pair.elements] != 0);
+    buffers.candidates[kept] = buffers.deferred[deferred] = pair.pair;
+    kept += (is_near & !waits) ? 1 : 0;
+    deferred += waits ? 1 : 0;
+  }
+  buffers.candidates.resize(kept);
+  buffers.deferred.resize(deferred);
 }
 
 void cullBySpheres(const CycleSetup& setup, CycleBuffers& buffers) noexcept {

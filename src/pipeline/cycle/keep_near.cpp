@@ -30,8 +30,8 @@ void keepNearFrom(const CycleSetup& setup, std::size_t first, CycleBuffers& buff
   });
   const NearBodies near = nearBodies(setup, buffers);
   const auto is_far = [&](const PairDistance& distance) {
-    const ElementPairIndex pair = setup.element_pair_of[index(distance.pair)];
-    return distance.measured.distance > near.limitOf(distance.pair, cache.nearest[pair]);
+    const ListedPair pair = near.entryOf(distance.pair);
+    return distance.measured.distance > near.limitOf(pair, cache.nearest[pair.elements]);
   };
   measured.erase(std::remove_if(begin, measured.end(), is_far), measured.end());
 }

@@ -74,20 +74,28 @@ void findCandidates(const CycleSetup& setup, const LinkPoses& poses, double marg
   buffers.counters.candidates = buffers.candidates.size();
 }
 
+void listCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  const NearBodies near = nearBodies(setup, buffers);
+  std::vector<ListedPair>& listed = buffers.memory.distance_cache.listed;
+  listed.clear();
+  for (const PairId id : buffers.candidates) {
+    listed.push_back(near.entryOf(id));
+  }
+}
+
 /// Keeps the candidates that the cache does not prove to be far for as long as the list serves.
 void keepListed(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   constexpr double kRounding = 1e-9;  // of the cached distance
   DistanceCache& cache = buffers.memory.distance_cache;
   const NearBodies near = nearBodies(setup, buffers);
-  cache.listed.clear();
-  for (const PairId id : buffers.candidates) {
-    const BodyTravel& a = cache.travels[index(setup.table[id].a)];
-    const BodyTravel& b = cache.travels[index(setup.table[id].b)];
-    const double gap = cache.distances[index(id)] - (a.all + b.all) - kRounding;
-    if (!(gap > near.highestLimitOf(a, b) + kListMargin)) {
-      cache.listed.push_back(id);
-    }
-  }
+  const auto is_far = [&](const ListedPair& pair) {
+    const BodyTravel& a = cache.travels[index(pair.a)];
+    const BodyTravel& b = cache.travels[index(pair.b)];
+    const double gap = cache.distances[index(pair.pair)] - (a.all + b.all) - kRounding;
+    return gap > near.highestLimitOf(a, b) + kListMargin;
+  };
+  cache.listed.erase(std::remove_if(cache.listed.begin(), cache.listed.end(), is_far),
+                     cache.listed.end());
   const std::vector<IndexRange>& moved = buffers.body_poses.moved.bodies;
   cache.listed_moved.assign(moved.begin(), moved.end());
   forIndices(moved, [&](std::size_t i) noexcept {
@@ -106,12 +114,11 @@ void listNear(const CycleSetup& setup, const LinkPoses& poses, bool have_links_c
     // After a change few distances are known.
     cache.is_listed = !have_links_changed && isWorthListing(setup, buffers);
     findCandidates(setup, poses, cache.is_listed ? kListMargin : 0.0, buffers);
-    if (!cache.is_listed) {
-      return;
+    listCandidates(setup, buffers);
+    if (cache.is_listed) {
+      keepListed(setup, buffers);
     }
-    keepListed(setup, buffers);
   }
-  buffers.candidates.assign(cache.listed.begin(), cache.listed.end());
 }
 
 }  // namespace collision_monitor

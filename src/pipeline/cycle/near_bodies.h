@@ -14,19 +14,23 @@ struct NearBodies {
   const ActivationDistances& reaches;
   const DistanceCache& cache;
 
-  const PairReach& reachOf(std::uint32_t link_pair) const noexcept {
-    return reaches.of_limits[setup.own_limits.empty() ? 0 : setup.checked[link_pair].limits];
+  ListedPair entryOf(PairId id) const noexcept {
+    const std::uint32_t link_pair = setup.link_pair_of[index(id)];
+    return {id,
+            setup.table[id].a,
+            setup.table[id].b,
+            setup.element_pair_of[index(id)],
+            reaches.place_of[link_pair],
+            setup.own_limits.empty() ? 0 : setup.checked[link_pair].limits};
   }
 
   /// [m] At or below this distance bodies matter whatever other bodies of their elements do. It is
   /// the lesser of two bounds: by the motion of both links, and by the motion of both bodies.
-  double nearOf(PairId id) const noexcept {
-    const BodyPair& pair = setup.table[id];
+  double nearOf(const ListedPair& pair) const noexcept {
     const double ahead = cache.travels[index(pair.a)].ahead + cache.travels[index(pair.b)].ahead;
-    const std::uint32_t link_pair = setup.link_pair_of[index(id)];
-    const PairReach& reach = reachOf(link_pair);
+    const PairReach& reach = reaches.of_limits[pair.limits];
     // `ahead` may be NaN: by the order of arguments the result is then the other bound.
-    return std::min(reaches.nearOf(link_pair), std::max(reach.stop + ahead, reach.near));
+    return std::min(reaches.near[pair.near_place], std::max(reach.stop + ahead, reach.near));
   }
 
   /// [m] limitOf is not above this for bodies with these travels, whatever pair they are. NaN if a
@@ -37,9 +41,8 @@ struct NearBodies {
   }
 
   /// [m] Above this distance bodies do not matter, since nearer ones of their elements do.
-  double limitOf(PairId id, double nearest) const noexcept {
-    const double all = reachOf(setup.link_pair_of[index(id)]).all;
-    return std::max(nearOf(id), std::min(all, nearest));
+  double limitOf(const ListedPair& pair, double nearest) const noexcept {
+    return std::max(nearOf(pair), std::min(reaches.of_limits[pair.limits].all, nearest));
   }
 };
 

@@ -248,6 +248,16 @@ struct BodyTravel {
   double ahead_when_listed{0.0};  ///< [m] within the horizon then
 };
 
+/// What decides whether a pair of bodies is near, side by side in memory.
+struct ListedPair {
+  PairId pair{};
+  BodyId a{};
+  BodyId b{};
+  ElementPairIndex elements{};
+  std::uint32_t near_place{0};  ///< ActivationDistances::place_of its link pair
+  std::uint32_t limits{0};      ///< as CheckedLinkPair
+};
+
 /// Earlier distances, kept as lower bounds while bodies move.
 struct DistanceCache {
   /// By PairId: [m] the last measured distance plus the travel of both bodies at that time. This
@@ -259,8 +269,9 @@ struct DistanceCache {
   /// was measured.
   std::vector<double> nearest;
   std::vector<ElementPairIndex> measured_pairs;  ///< pairs with a finite `nearest`
-  std::vector<PairId> listed;  ///< the pairs that can be near before bodies use up kListMargin
-  bool is_listed{false};       ///< false: no list is known
+  /// The pairs that can be near before bodies use up kListMargin; without a list, in this cycle.
+  std::vector<ListedPair> listed;
+  bool is_listed{false};                 ///< false: no list is known
   std::vector<IndexRange> listed_moved;  ///< MovedParts::bodies when `listed` was filled
 };
 

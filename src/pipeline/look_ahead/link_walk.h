@@ -81,7 +81,6 @@ struct ActivationDistances {
   std::vector<double> near;
 
   double of(LinkPairIndex pair) const noexcept { return all[place_of[pair]]; }
-  double nearOf(LinkPairIndex pair) const noexcept { return near[place_of[pair]]; }
 };
 
 ActivationDistances makeActivationDistances(const CycleSetup& setup);

@@ -34,7 +34,8 @@ class ListNear : public testing::Test {
   /// Of the first two balls.
   bool isListed() const {
     const auto& listed = buffers_.memory.distance_cache.listed;
-    return std::count(listed.begin(), listed.end(), pair()) == 1;
+    return std::count_if(listed.begin(), listed.end(),
+                         [&](const ListedPair& one) { return one.pair == pair(); }) == 1;
   }
   bool isTold() const {
     const auto& told = buffers_.distances.pairs;
