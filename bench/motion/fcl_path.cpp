@@ -95,7 +95,7 @@ FclPath::FclPath(const CycleSetup& cycle_setup, const JointPath& joint_path, con
       path(joint_path),
       poses(setup.model, path, start),
       robot(setup.model),
-      levers(linkBalls(setup)) {
+      levers(linkBalls(setup), setup.model, path) {
   for (const CheckedLinkPair& pair : setup.checked) {
     chains.push_back(chainBetween(setup.model, path, pair.a, pair.b));
   }

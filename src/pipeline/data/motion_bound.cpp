@@ -92,8 +92,15 @@ std::vector<Ball> linkBalls(const CycleSetup& setup) {
   return balls;
 }
 
-JointLevers::JointLevers(std::vector<Ball> balls)
-    : balls_(std::move(balls)), levers_(balls_.size() * balls_.size()) {}
+JointLevers::JointLevers(std::vector<Ball> balls, const RobotModel& model, const JointPath& path)
+    : balls_(std::move(balls)), axis_of_(model.links.size(), kNone) {
+  for (std::size_t link = 0; link < model.links.size(); ++link) {
+    if (movedJoint(model, path, idAt<LinkId>(link))) {
+      axis_of_[link] = static_cast<std::uint32_t>(axes_++);
+    }
+  }
+  levers_.resize(balls_.size() * axes_);
+}
 
 void JointLevers::moveTo(const std::vector<Pose>& world_from_link) noexcept {
   world_from_link_ = &world_from_link;

@@ -41,14 +41,14 @@ std::vector<Ball> linkBalls(const CycleSetup& setup);
 class JointLevers {
  public:
   /// @param balls by LinkId, see linkBalls
-  explicit JointLevers(std::vector<Ball> balls);
+  JointLevers(std::vector<Ball> balls, const RobotModel& model, const JointPath& path);
 
   /// Begins another time. @param world_from_link must stay until the next one
   void moveTo(const std::vector<Pose>& world_from_link) noexcept;
 
   /// [m] From the axis of a revolute joint to the center of a ball.
   double of(const ChainJoint& joint, LinkId link) noexcept {
-    Lever& lever = levers_[index(link) * balls_.size() + index(joint.child)];
+    Lever& lever = levers_[index(link) * axes_ + axis_of_[index(joint.child)]];
     if (lever.time != time_) {
       lever = {measure(joint, link), time_};
     }
@@ -65,7 +65,9 @@ class JointLevers {
 
   std::vector<Ball> balls_;
   const std::vector<Pose>* world_from_link_{nullptr};
-  std::vector<Lever> levers_;  ///< by link, then by the joint's child
+  std::size_t axes_{0};                 ///< of joints that the path moves
+  std::vector<std::uint32_t> axis_of_;  ///< by LinkId: of the joint that moves it
+  std::vector<Lever> levers_;           ///< by link, then by axis
   std::uint64_t time_{0};      ///< how often moveTo was called
 };
 

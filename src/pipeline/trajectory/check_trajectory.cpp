@@ -234,7 +234,7 @@ TrajectorySearch searchAlong(const CycleSetup& setup, const JointPath& path, con
                              const TrajectoryOptions& options) {
   const std::size_t count = setup.checked.size();
   LinkPairMeasures measures(setup);
-  JointLevers levers(measures.balls);
+  JointLevers levers(measures.balls, setup.model, path);
   TrajectorySearch search{setup,
                           path,
                           options,

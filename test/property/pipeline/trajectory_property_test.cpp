@@ -89,7 +89,7 @@ RC_GTEST_PROP(TrajectoryLaws, distancesChangeByNoMoreThanTheBound, ()) {
   for (std::size_t i = 0; i < path.joints.size(); ++i) {
     travels.push_back(travelOf(path, {0, from, to}, i));
   }
-  JointLevers levers(measures.balls);
+  JointLevers levers(measures.balls, setup.model, path);
   levers.moveTo(at_start);
   for (LinkPairIndex pair = 0; pair < setup.checked.size(); ++pair) {
     const CheckedLinkPair& links = setup.checked[pair];

@@ -24,7 +24,7 @@ TEST(BoundMotion, turnsAndSlides_byTheirLeverArms) {
   const std::vector<Ball> balls = linkBalls(setup);
   EXPECT_NEAR(balls[index(hand)].center.x(), 1.0, 1e-12);
   EXPECT_NEAR(balls[index(hand)].radius, 0.1, 1e-12);
-  JointLevers levers(balls);
+  JointLevers levers(balls, setup.model, path);
   levers.moveTo(poses);
   // The elbow moves the hand by 1.1 * 0.1; the shoulder turns the base, whose ball it passes
   // through, rather than the hand 2 m away.
