@@ -112,8 +112,8 @@ class Stages {
     findClosings(setup, poses, buffers.distances);
     judgePairs(setup, buffers.body_poses, poses.velocities, buffers.distances, buffers.memory,
                buffers.events);
-    scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed,
-               buffers.robots);
+    scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.reported,
+               buffers.memory.speed, buffers.robots);
     keepLively(setup, buffers.events, buffers.memory);
     end("b keepPoses, findClosings, judgePairs, scaleSpeed");
   }

@@ -25,7 +25,7 @@ void Unknowns::find(const CycleSetup& setup, const LinkPoses& poses, const Cycle
   between_.assign((robots_ + 1) * (robots_ + 1), UnknownPairs());
   main_.emplace(poses, setup.checked);
   if (events.unknown > 0) {
-    addPairs(setup, events, buffers.robots);
+    addPairs(setup, events, buffers.memory.reported, buffers.robots);
     addParts(setup, poses);
   }
 }
@@ -37,7 +37,7 @@ bool Unknowns::isUpToDate(const LinkPoses& poses, const PairEvents& events) cons
 }
 
 void Unknowns::addPairs(const CycleSetup& setup, const PairEvents& events,
-                        const RobotSpeeds& robots) {
+                        const std::vector<Verdict>& reported, const RobotSpeeds& robots) {
   std::vector<bool> is_unknown(setup.model.links.size());
   const auto robot_of = [&](LinkId link) { return std::size_t{robots.robot_of_link[index(link)]}; };
   for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
@@ -46,6 +46,9 @@ void Unknowns::addPairs(const CycleSetup& setup, const PairEvents& events,
       is_unknown[index(pair.a)] = is_unknown[index(pair.b)] = true;
       UnknownPairs& of_robots = between_[robot_of(pair.a) * (robots_ + 1) + robot_of(pair.b)];
       of_robots.first = std::min(of_robots.first, i);
+      if (reported[i] == Verdict::unknown) {
+        of_robots.first_lost = std::min(of_robots.first_lost, i);
+      }
       ++of_robots.count;
     }
   }

@@ -15,6 +15,7 @@ namespace collision_monitor {
 struct UnknownPairs {
   std::size_t count{0};
   LinkPairIndex first{kNone};
+  LinkPairIndex first_lost{kNone};  ///< of those that were in contact or a warning before
 };
 
 /// What is unknown, for messages and sentences. It is found anew only when it changes, because that
@@ -39,7 +40,8 @@ class Unknowns {
 
  private:
   bool isUpToDate(const LinkPoses& poses, const PairEvents& events) const;
-  void addPairs(const CycleSetup& setup, const PairEvents& events, const RobotSpeeds& robots);
+  void addPairs(const CycleSetup& setup, const PairEvents& events,
+                const std::vector<Verdict>& reported, const RobotSpeeds& robots);
   void addParts(const CycleSetup& setup, const LinkPoses& poses);
 
   std::vector<LinkId> links_;

@@ -111,6 +111,7 @@ struct KnownPlaces {
   std::string world_frame;               ///< tf frame in which distances are measured
   /// Whether a frame that is neither a link's nor the world's exists; empty: any may come to exist.
   std::function<bool(const std::string& frame)> has_frame;
+  bool awaits_links{false};  ///< a touch link that is unknown may be one of a robot to come
   std::string other_frames;  ///< in messages, beside links' frames; "": those of tf and the world's
   /// The newest pose of `child` (a frame, or a link by its name) in `parent`; nothing if it is not
   /// known. Empty: no pose is known.

@@ -151,7 +151,9 @@ class ChangeMaker {
 
   void checkTouchLinks(const WorldObject& object) {
     for (const std::string& link : object.touch_links) {
-      checkLink(link, "touch link");
+      if (!places_.awaits_links) {
+        checkLink(link, "touch link");
+      }
     }
   }
 

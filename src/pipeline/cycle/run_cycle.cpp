@@ -104,8 +104,8 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   findClosings(setup, poses, buffers.distances);
   judgePairs(setup, buffers.body_poses, poses.velocities, buffers.distances, buffers.memory,
              buffers.events);
-  scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.speed,
-             buffers.robots);
+  scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.reported,
+             buffers.memory.speed, buffers.robots);
   buffers.counters.measured = buffers.candidates.size() + buffers.deferred.size();
   buffers.counters.refined = buffers.refine.refined;
   buffers.counters.left = buffers.refine.left;

@@ -64,11 +64,11 @@ class Demands {
     }
   }
 
-  /// Pairs between these robots are unknown.
-  void addUnknown(std::uint32_t a, std::uint32_t b) noexcept {
+  /// Pairs between these robots are unknown. @param are_lost some were near before
+  void addUnknown(std::uint32_t a, std::uint32_t b, bool are_lost) noexcept {
     ask(0.0, all_);
     for (const auto& [robot, other] : {std::pair(a, b), std::pair(b, a)}) {
-      if (countsFor(robots_, robot, other)) {
+      if (are_lost || countsFor(robots_, robot, other)) {
         ask(0.0, robots_.demands[robot]);
       }
     }
@@ -96,7 +96,8 @@ class Demands {
 
 /// Notes between which robots pairs are unknown. Which are changes only where all are judged, or
 /// where a distance is not a number.
-void noteUnknown(const CycleSetup& setup, const PairEvents& events, RobotSpeeds& robots) noexcept {
+void noteUnknown(const CycleSetup& setup, const PairEvents& events,
+                 const std::vector<Verdict>& reported, RobotSpeeds& robots) noexcept {
   if (robots.noted != events.complete_judgements) {
     robots.noted = events.complete_judgements;
     std::fill(robots.has_unknown.begin(), robots.has_unknown.end(), 0);
@@ -104,22 +105,27 @@ void noteUnknown(const CycleSetup& setup, const PairEvents& events, RobotSpeeds&
   for (const LinkPairIndex i : events.active) {
     if (events.verdicts[i] == Verdict::unknown) {
       const CheckedLinkPair& pair = setup.checked[i];
-      robots.has_unknown[robots.robot_of_link[index(pair.a)] * robots.scales.size() +
-                         robots.robot_of_link[index(pair.b)]] = 1;
+      unsigned char& bits =
+          robots.has_unknown[robots.robot_of_link[index(pair.a)] * robots.scales.size() +
+                             robots.robot_of_link[index(pair.b)]];
+      const bool is_lost = reported[i] == Verdict::unknown;
+      bits = is_lost ? kHasUnknown | kHasLost : bits | kHasUnknown;
     }
   }
 }
 
-void addUnknown(const CycleSetup& setup, const PairEvents& events, RobotSpeeds& robots,
+void addUnknown(const CycleSetup& setup, const PairEvents& events,
+                const std::vector<Verdict>& reported, RobotSpeeds& robots,
                 Demands& demands) noexcept {
   if (events.unknown == 0) {
     return;
   }
-  noteUnknown(setup, events, robots);
+  noteUnknown(setup, events, reported, robots);
   for (std::uint32_t a = 0; a < robots.scales.size(); ++a) {
     for (std::uint32_t b = 0; b < robots.scales.size(); ++b) {
-      if (robots.has_unknown[a * robots.scales.size() + b] != 0) {
-        demands.addUnknown(a, b);
+      const unsigned char bits = robots.has_unknown[a * robots.scales.size() + b];
+      if (bits != 0) {
+        demands.addUnknown(a, b, (bits & kHasLost) != 0);
       }
     }
   }
@@ -138,7 +144,8 @@ RobotSpeeds makeRobotSpeeds(const RobotModel& model) {
 }
 
 void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistances& distances,
-                const PairEvents& events, SpeedScale& speed, RobotSpeeds& robots) noexcept {
+                const PairEvents& events, const std::vector<Verdict>& reported, SpeedScale& speed,
+                RobotSpeeds& robots) noexcept {
   const StopRule& rule = setup.ahead.stop;
   Demands demands(setup, robots);
   for (const PairDistance& distance : distances.pairs) {
@@ -147,7 +154,7 @@ void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistan
     askForMeasured(rule, limitsOf(setup, link_pair), distance, demand, speed.stopped[link_pair]);
     demands.addPair(link_pair, demand);
   }
-  addUnknown(setup, events, robots, demands);
+  addUnknown(setup, events, reported, robots, demands);
   for (const LinkPairIndex i : events.active) {
     const unsigned char seen = speed.stopped[i];
     const std::uint32_t closest = events.closest[i];

@@ -17,6 +17,7 @@ inline bool countsFor(const RobotSpeeds& robots, std::size_t robot, std::size_t 
 /// where links met since the last cycle. That of a robot follows from the pairs of links that it
 /// moves.
 void scaleSpeed(const CycleSetup& setup, std::int64_t stamp_ns, const PairDistances& distances,
-                const PairEvents& events, SpeedScale& speed, RobotSpeeds& robots) noexcept;
+                const PairEvents& events, const std::vector<Verdict>& reported, SpeedScale& speed,
+                RobotSpeeds& robots) noexcept;
 
 }  // namespace collision_monitor

@@ -15,15 +15,20 @@ struct SpeedDemand {
   bool is_free{true};  ///< nothing closes, nothing near rests, and nothing is unknown
 };
 
+/// Bits of RobotSpeeds::has_unknown.
+constexpr unsigned char kHasUnknown = 1;
+constexpr unsigned char kHasLost = 2;  ///< of these, pairs that were in contact or a warning before
+
 /// The speed scale of each robot. By RobotId, without the robots that objects form; one more stands
 /// for what no robot moves, as a table.
 struct RobotSpeeds {
   std::vector<double> scales;  ///< 0 stop .. 1 full speed, of the pairs of links that it moves
-  /// The robot's unknown pairs ask nothing of other robots. Set before a cycle.
+  /// The robot's unknown pairs ask nothing of other robots, but for those that were in contact or a
+  /// warning before. Set before a cycle.
   std::vector<unsigned char> is_excused;
   std::vector<std::uint32_t> robot_of_link;  ///< by LinkId: findMovers
   std::vector<SpeedDemand> demands;          ///< scratch
-  /// By robot * number of scales + robot: pairs between them are unknown.
+  /// By robot * number of scales + robot: kHasUnknown, kHasLost, of pairs between them.
   std::vector<unsigned char> has_unknown;
   std::uint64_t noted{0};  ///< PairEvents::complete_judgements that `has_unknown` follows
 };

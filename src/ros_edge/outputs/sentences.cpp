@@ -126,11 +126,11 @@ std::string unknownLinksSentence(const Watch& watch) {
   return join(texts);
 }
 
-std::string clearSentence(const Watch& watch) {
+/// Of the closest pair; empty if nothing was measured.
+std::string closestSentence(const Watch& watch) {
   const std::uint32_t closest = watch.buffers.events.closest_of_all;
-  return closest == kNone
-             ? "clear"
-             : "clear; " + distanceSentence(watch.setup(), watch.buffers.distances.pairs[closest]);
+  return closest == kNone ? ""
+                          : distanceSentence(watch.setup(), watch.buffers.distances.pairs[closest]);
 }
 
 std::string verdictSentence(const Watch& watch, const CycleFacts& facts) {
@@ -147,10 +147,14 @@ std::string verdictSentence(const Watch& watch, const CycleFacts& facts) {
     case Verdict::clear:
       break;
   }
-  return clearSentence(watch);
+  return clearText(closestSentence(watch));
 }
 
 }  // namespace
+
+std::string clearText(const std::string& closest) {
+  return closest.empty() ? "clear" : "clear; " + closest;
+}
 
 std::string andMore(std::size_t count, const char* what) {
   return count < 2 ? ""
@@ -246,10 +250,13 @@ std::string changeSentence(const Watch& watch, const VerdictChange& change) {
 std::string stateSentence(const Watch& watch, const CycleFacts& facts) {
   const std::string missing = missingSentence(*watch.fixed);
   const bool is_contact = levelOf(watch, facts) == State::CONTACT;
-  const std::string verdict = verdictSentence(watch, facts);
+  const bool is_clear =
+      blindReason(watch, facts).empty() && watch.buffers.events.overall == Verdict::clear;
+  const std::string verdict =
+      is_clear && !missing.empty() ? closestSentence(watch) : verdictSentence(watch, facts);
   const std::string judged = missing.empty() ? verdict
                              : is_contact    ? verdict + "; " + missing
-                                             : missing + "; " + verdict;
+                                             : missing + (verdict.empty() ? "" : "; ") + verdict;
   return offText(facts) + judged + muteText(watch.pairs_muted, facts.muted_for);
 }
 

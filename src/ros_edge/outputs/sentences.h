@@ -49,6 +49,9 @@ struct Speaker {
 /// pairSentence of the speaker, and how many more there are.
 std::string pairsSentence(const Watch& watch, const Speaker& speaker);
 
+/// "clear", and the sentence about the closest pair if there is one.
+std::string clearText(const std::string& closest);
+
 /// " (and 2 more pairs)"; empty if there is only one.
 std::string andMore(std::size_t count, const char* what);
 

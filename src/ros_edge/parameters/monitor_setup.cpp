@@ -37,13 +37,6 @@ std::shared_ptr<MonitorSetup> partsOf(const MonitorSetup& former) {
 
 namespace {
 
-/// Whether all links that an object names are there.
-bool hasItsLinks(const WorldObject& object, const RobotModel& model) {
-  return (!object.is_attached || model.findLink(object.frame)) &&
-         std::all_of(object.touch_links.begin(), object.touch_links.end(),
-                     [&](const std::string& link) { return model.findLink(link).has_value(); });
-}
-
 /// The objects at start, or those of the set-up before a reload, and what that held back.
 std::vector<WorldObject> objectsFor(const MonitorSetup& made, const MonitorSetup* former,
                                     const ResourceLoader& load_resource, SetupReport& report) {
@@ -69,14 +62,14 @@ World makeWorld(std::vector<WorldObject> objects, const RobotModel& model, Monit
   if (!made.listed.empty()) {
     checkFrames(objects, made.listed.front(), made.parameters.world_frame, report);
   }
-  const KnownPlaces places =
-      model.links.empty() ? anyPlaces(objects) : placesOf(model, made.world_frame);
+  KnownPlaces places = model.links.empty() ? anyPlaces(objects) : placesOf(model, made.world_frame);
+  places.awaits_links = isAnyMissing(made);
   ObjectChange change{ChangeKind::replace_all, {}, true};
   for (WorldObject& object : objects) {
     if (object.where.empty()) {
       object.where = "world";  // a service brought it
     }
-    const bool waits = isAnyMissing(made) && !hasItsLinks(object, model);
+    const bool waits = isAnyMissing(made) && object.is_attached && !model.findLink(object.frame);
     (waits ? made.held_back : change.objects).push_back(std::move(object));
   }
   return applyChanges(World(), {change}, places, report);

@@ -48,7 +48,7 @@ struct MonitorSetup {
   std::shared_ptr<const CycleSetup> robots;  ///< without objects, as withoutPairs
   std::vector<ListedRobot> listed;           ///< in the order of the parameter `robots`
   World world;
-  /// Objects of the parameters that are attached to links of missing robots, or touch these.
+  /// Objects of the parameters that are attached to links of missing robots.
   std::vector<WorldObject> held_back;
   PreparedObjects prepared;  ///< of `world`
   DrawnMeshes drawn;         ///< of `world`, for markers

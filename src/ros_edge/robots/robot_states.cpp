@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "collision_monitor/geometry/ids.h"
+#include "model/place.h"
 #include "pipeline/cycle/scale_speed.h"
 #include "ros_edge/outputs/sentences.h"
 
@@ -96,15 +97,21 @@ class RobotViews {
     if (pairs.count == 0) {
       return;
     }
-    if (countsFor(speeds_, a, b)) {
-      addUnknown(pairs, views_[a]);
-    }
-    if (a != b && countsFor(speeds_, b, a)) {
-      addUnknown(pairs, views_[b]);
+    const UnknownPairs lost{pairs.first_lost == kNone ? 0U : 1U, pairs.first_lost,
+                            pairs.first_lost};
+    const auto add = [&](std::size_t robot, std::size_t other) {
+      addUnknown(countsFor(speeds_, robot, other) ? pairs : lost, views_[robot]);
+    };
+    add(a, b);
+    if (a != b) {
+      add(b, a);
     }
   }
 
   static void addUnknown(const UnknownPairs& pairs, RobotView& view) {
+    if (pairs.count == 0) {
+      return;
+    }
     view.worst = std::max(view.worst, Verdict::unknown);
     view.unknown = std::min(view.unknown, pairs.first);
     view.unknowns += pairs.count;
@@ -143,6 +150,31 @@ std::string unknownPairSentence(const Watch& watch, LinkPairIndex pair) {
   return unknownSentence(watch, watch.unknown().unknownOf(watch.setup().checked[pair]));
 }
 
+/// Others stop for a robot whose URDF has not come.
+bool isAwaited(const ListedRobot& robot) {
+  return !robot.id && (robot.has_come || !robot.may_be_absent);
+}
+
+/// Of the closest pair; empty if nothing was measured.
+std::string closestSentence(const Watch& watch, const RobotView& view) {
+  return view.closest == kNone
+             ? ""
+             : distanceSentence(watch.setup(), watch.buffers.distances.pairs[view.closest]);
+}
+
+/// "; absent, and not counted: robot 'right'", of robots other than this one.
+std::string absentText(const Watch& watch, const ListedRobot& than) {
+  std::vector<std::string> names;
+  for (const ListedRobot& robot : watch.fixed->listed) {
+    const bool is_absent =
+        robot.id ? watch.buffers.robots.is_excused[index(*robot.id)] != 0 : !isAwaited(robot);
+    if (&robot != &than && is_absent) {
+      names.push_back("robot '" + robot.name + "'");
+    }
+  }
+  return names.empty() ? "" : "; absent, and not counted: " + joined(names);
+}
+
 std::string sentenceOf(const Watch& watch, const RobotView& view) {
   switch (view.worst) {
     case Verdict::contact:
@@ -153,10 +185,7 @@ std::string sentenceOf(const Watch& watch, const RobotView& view) {
     case Verdict::clear:
       break;
   }
-  return view.closest == kNone
-             ? "clear"
-             : "clear; " +
-                   distanceSentence(watch.setup(), watch.buffers.distances.pairs[view.closest]);
+  return clearText(closestSentence(watch, view));
 }
 
 double ageOf(const Watch& watch, RobotId robot) {
@@ -172,9 +201,12 @@ void raiseTo(Verdict verdict, RobotState& state) {
   state.level = std::max(state.level, static_cast<std::uint8_t>(verdict));
 }
 
-void fillJudged(const Watch& watch, RobotId robot, const RobotView& view, RobotState& state) {
+void fillJudged(const Watch& watch, const ListedRobot& listed, const RobotView& view,
+                RobotState& state) {
+  const RobotId robot = *listed.id;
   state.level = static_cast<std::uint8_t>(view.worst);
   state.sentence = sentenceOf(watch, view);
+  state.sentence += view.worst == Verdict::unknown ? "" : absentText(watch, listed);
   state.speed_scale = watch.buffers.robots.scales[index(robot)];
   state.age = ageOf(watch, robot);
   if (view.closest != kNone) {
@@ -185,17 +217,15 @@ void fillJudged(const Watch& watch, RobotId robot, const RobotView& view, RobotS
 }
 
 /// Others wait for a robot, which may be about to touch this one.
-void fillAwaiting(const MonitorSetup& setup, RobotState& state) {
+void fillAwaiting(const Watch& watch, const RobotView& view, RobotState& state) {
+  const std::string judged =
+      view.worst == Verdict::clear ? closestSentence(watch, view) : state.sentence;
   raiseTo(Verdict::unknown, state);
   state.speed_scale = 0.0;
-  state.sentence = awaitedSentence(setup) + "; " + state.sentence;
+  state.sentence = awaitedSentence(*watch.fixed) + (judged.empty() ? "" : "; ") + judged;
   if (std::isinf(state.time_to_contact)) {
     state.time_to_contact = kUnknown;
   }
-}
-
-bool isAwaited(const ListedRobot& robot) {
-  return !robot.id && (robot.has_come || !robot.may_be_absent);
 }
 
 template <class IsTold>
@@ -253,9 +283,10 @@ void fillRobotStates(const Watch& watch, const CycleFacts& facts, const std::str
     } else if (!isChecked(watch, *listed[i].id)) {
       state.sentence = "no pair of its links is checked, so nothing can be said";
     } else {
-      fillJudged(watch, *listed[i].id, views->of(*listed[i].id), state);
+      const RobotView& view = views->of(*listed[i].id);
+      fillJudged(watch, listed[i], view, state);
       if (is_any_awaited) {
-        fillAwaiting(*watch.fixed, state);
+        fillAwaiting(watch, view, state);
       }
     }
     if (!facts.is_enabled) {

@@ -13,6 +13,7 @@
 #include "pipeline/states/check_states.h"
 #include "ros_edge/poses/apply_joints.h"
 #include "ros_edge/poses/floating_parts.h"
+#include "ros_edge/robots/robot_states.h"
 
 namespace collision_monitor {
 namespace {
@@ -142,9 +143,14 @@ void answerCheckStates(const MonitorSetup& current, const NewestState& newest,
       return;
     }
   }
+  const std::string missing = missingSentence(current);
+  for (std::uint8_t& level : response.levels) {
+    level = missing.empty() ? level : std::max<std::uint8_t>(level, State::UNKNOWN);
+  }
   const std::string floating =
       floatingPartsText(setup.model, work.poses, setup.checked, newest.reasons);
-  response.message = summaryText(response) + (floating.empty() ? "" : "; " + floating);
+  response.message = summaryText(response) + (missing.empty() ? "" : "; " + missing) +
+                     (floating.empty() ? "" : "; " + floating);
 }
 
 }  // namespace collision_monitor

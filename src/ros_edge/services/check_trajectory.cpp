@@ -13,6 +13,7 @@
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/sentences.h"
 #include "ros_edge/poses/floating_parts.h"
+#include "ros_edge/robots/robot_states.h"
 #include "ros_edge/services/read_trajectory.h"
 
 namespace collision_monitor {
@@ -172,8 +173,13 @@ void answerCheckTrajectory(const MonitorSetup& current, const NewestState& newes
   if (report.first_contact != kNone) {
     response.contact_time = report.pairs[report.first_contact].time;
   }
+  const std::string missing = missingSentence(current);
+  if (!missing.empty()) {
+    response.level = std::max<std::uint8_t>(response.level, State::UNKNOWN);
+  }
   const std::string floating = floatingPartsText(setup.model, start, setup.checked, newest.reasons);
   response.message = summaryText(setup, report, response) +
+                     (missing.empty() ? "" : "; " + missing) +
                      (floating.empty() ? "" : "; " + floating) + unknownStartText(unknown);
 }
 

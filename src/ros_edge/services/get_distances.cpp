@@ -21,6 +21,7 @@
 #include "ros_edge/outputs/sentences.h"
 #include "ros_edge/poses/apply_joints.h"
 #include "ros_edge/poses/floating_parts.h"
+#include "ros_edge/robots/robot_states.h"
 
 namespace collision_monitor {
 namespace {
@@ -242,12 +243,13 @@ void answerChecked(const MonitorSetup& current, const NewestState& newest,
     response.message = nothingCheckedText(setup, selection);
     return;
   }
+  const std::string missing = missingSentence(current);
   // With all links, many pairs are ignored; that is not worth a message.
   const bool is_explicit = !request.links_a.empty() && !request.links_b.empty();
   response.message =
       summaryText(response.distances, floatingTextOf(setup, selection, scene.poses, newest.reasons),
                   is_explicit ? ignoredText(setup, selection) : "") +
-      nearestText(setup, links, reach);
+      nearestText(setup, links, reach) + (missing.empty() ? "" : "; " + missing);
 }
 
 /// A set-up that checks every pair of the links that the request names.

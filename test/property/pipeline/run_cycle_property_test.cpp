@@ -169,7 +169,7 @@ TEST(RunCycleProperty, whatIsCulledMattersToNoVerdictTimeOrScale) {
     measurePairs(setup, buffers.body_poses, knownPairs(setup, buffers.body_poses), all);
     findClosings(setup, poses, all);
     judgePairs(setup, buffers.body_poses, poses.velocities, all, memory, events);
-    scaleSpeed(setup, poses.stamp_ns, all, events, memory.speed, robots);
+    scaleSpeed(setup, poses.stamp_ns, all, events, memory.reported, memory.speed, robots);
     ASSERT_EQ(buffers.events.verdicts, events.verdicts);
     ASSERT_EQ(buffers.memory.speed.scale, memory.speed.scale);
     ASSERT_EQ(buffers.robots.scales, robots.scales);

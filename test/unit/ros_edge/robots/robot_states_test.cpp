@@ -69,6 +69,26 @@ TEST_F(RobotStates, ofARobotThatMayBeAbsentAndIs_doNotCountForTheOther) {
   EXPECT_EQ(stateNow().robots[0].level, State::WARNING);
 }
 
+TEST_F(RobotStates, ofARobotThatFallsSilentWhileItIsNear_countForTheOther) {
+  setup_->listed[1].may_be_absent = true;
+  for (const double x : {1.1, 1.23, 1.5}) {  // a contact, a warning, and clear
+    place("right/hand", {x, 0.0, 0.0});
+    const auto before = watchNow();
+    const LinkPoses known = poses_;
+    lose("right/hand");
+    const auto after = watchNow(before.get());
+    poses_ = known;
+    const State state = stateOf(*after);
+    const bool was_near = x < 1.4;
+    EXPECT_EQ(state.robots[0].level, was_near ? State::UNKNOWN : State::OK) << x;
+    EXPECT_EQ(state.robots[0].speed_scale, was_near ? 0.0 : 1.0) << x;
+    const std::string& sentence = state.robots[0].sentence;
+    EXPECT_EQ(sentence.find("absent, and not counted: robot 'right'") == std::string::npos,
+              was_near)
+        << sentence;
+  }
+}
+
 TEST_F(RobotStates, whileARobotIsMissing_areUnknownUnlessItMayBeAbsent) {
   addThird(false);
   State state = stateNow();
@@ -142,7 +162,7 @@ TEST_F(RobotStates, sentenceNamesOnlyMissingRobotsThatStopIt) {
   addThird(false);
   const State state = stateNow();
   EXPECT_EQ(state.robots[0].sentence,
-            "robot 'third' is missing: no URDF in parameter /third; clear; " +
+            "robot 'third' is missing: no URDF in parameter /third; " +
                 stateOf(*watchNow()).sentence.substr(stateOf(*watchNow()).sentence.find("left/")));
   EXPECT_NE(state.sentence.find("robot 'tug' is missing"), std::string::npos);
 }

@@ -33,6 +33,20 @@ TEST_F(CheckTrajectoryTest, contact_firstPairTimeAndPoints) {
   EXPECT_EQ(find(response, "base", "finger")->state, LinkApproach::CLEAR);
 }
 
+TEST_F(CheckTrajectoryTest, whileARobotIsMissing_noPathIsClear) {
+  auto made = std::make_shared<MonitorSetup>(*setup_);
+  made->listed.push_back({"late", std::nullopt, "no URDF in parameter /late", true});
+  setup_ = made;
+  request_.trajectory.joint_names = {"reach"};
+  addPoint(0.0, 0.25);
+  addPoint(1.0, 0.2);
+  const auto response = ask();
+  EXPECT_EQ(response.level, State::UNKNOWN);
+  EXPECT_NE(response.message.find("robot 'late' is missing: no URDF in parameter /late"),
+            std::string::npos)
+      << response.message;
+}
+
 TEST_F(CheckTrajectoryTest, nearMiss_isAWarningWithItsNearestApproach) {
   request_.trajectory.joint_names = {"slide"};
   request_.margin = 0.3;
