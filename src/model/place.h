@@ -52,6 +52,8 @@ class Place {
   void addError(int line, const std::string& found, const std::string& accepted) const;
   /// @param advice as in Problem
   void addWarning(int line, const std::string& found, const std::string& advice) const;
+  /// Something could not be read that may have names.
+  void awaitNames() const noexcept { report_->awaits_names = true; }
   bool awaitsNames() const noexcept { return report_->awaits_names; }
   /// Notes that this element has the oddity.
   void note(Oddity oddity) const;

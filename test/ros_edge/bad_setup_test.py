@@ -161,6 +161,21 @@ class BadSetup(unittest.TestCase):
         code, output = run_node("most_stages", GOOD, limits={}, **parameters)
         self.assertIn("%d problems in the set-up" % (len(faults) - 1), output)
 
+    def test_noFaultOnlyFollowsFromAnother(self):
+        rules = [{"a": "table", "b": "base", "check": False}, {"a": {"group": "cart"}, "b": "base", "check": False}]
+        rospy.set_param("/follows_2/robot_description_semantic", "<robot")
+        mesh = GOOD.replace('<sphere radius="0.1"/>', '<mesh filename="file:///nowhere.stl"/>')
+        cases = [(1, GOOD, {"world_file": "/nowhere.yaml", "pair_rules": rules}),
+                 (1, GOOD, {"world": [{"name": "lamp", "kind": "spear"}], "pair_rules": [dict(rules[0], a="lamp")]}),
+                 (1, GOOD, {"pair_rules": rules[1:]}),  # the SRDF cannot be read
+                 (1, GOOD, {"limits": {"contact_distance": 0.1, "warning_distance": "foo"}}),
+                 (1, GOOD, {"ignore_pairs": [["base"]]}),
+                 (2, mesh, {"ignore_pairs": [["base", "elbow"]]})]
+        for i, (count, urdf, parameters) in enumerate(cases):
+            code, output = run_node("follows_%d" % i, urdf, **parameters)
+            self.assertEqual(code, 1, output)
+            self.assertIn("%d problem%s in the set-up" % (count, "" if count == 1 else "s"), output)
+
     def test_semanticThatIsNoText_isRefused(self):
         rospy.set_param("/no_text/robot_description_semantic", 7)
         code, output = run_node("no_text", GOOD)

@@ -26,7 +26,8 @@ std::string toString(const Problem& problem);
 struct SetupReport {
   std::vector<Problem> errors;    ///< the set-up cannot be used
   std::vector<Problem> warnings;  ///< the set-up can be used, but the user should know
-  /// A name in a rule that matches nothing is no fault: a robot that comes later may have it.
+  /// A name in a rule that matches nothing is no fault: a robot that comes later may have it, or
+  /// something that could not be read.
   bool awaits_names{false};
 };
 

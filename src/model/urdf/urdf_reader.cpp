@@ -20,9 +20,9 @@ struct ReadRobot {
   std::vector<std::optional<ResolvedMimic>> mimics;
 };
 
+/// @return nothing if its links are not known; after other faults what could be read
 std::optional<ReadRobot> readRobot(const RobotDescription& description, MeshStore& store,
                                    SetupReport& report) {
-  const std::size_t errors_before = report.errors.size();
   Oddities oddities;
   const Place place(description.source, report, oddities);
   tinyxml2::XMLDocument document;
@@ -35,7 +35,7 @@ std::optional<ReadRobot> readRobot(const RobotDescription& description, MeshStor
   std::optional<LinkTree> tree = sortLinks(read.robot, place);
   read.mimics = resolveMimics(read.robot, place);
   reportOddities(description.source, oddities, report);
-  if (!tree || report.errors.size() != errors_before) {
+  if (!tree) {
     return std::nullopt;
   }
   read.tree = std::move(*tree);
@@ -176,20 +176,30 @@ void checkNamesDiffer(const std::vector<RobotDescription>& descriptions, const R
 
 }  // namespace
 
-RobotModel readRobots(const std::vector<RobotDescription>& descriptions,
-                      const ResourceLoader& load_resource, SetupReport& report,
-                      const MeshReading& reading) {
+RobotModel readLinks(const std::vector<RobotDescription>& descriptions,
+                     const ResourceLoader& load_resource, SetupReport& report,
+                     const MeshReading& reading) {
   const std::size_t errors_before = report.errors.size();
   MeshStore store(load_resource, reading);
   RobotModel model;
   for (const RobotDescription& description : descriptions) {
     if (auto read = readRobot(description, store, report)) {
       appendRobot(std::move(*read), description.tf_prefix, model);
+    } else {
+      report.awaits_names = true;
     }
   }
   if (report.errors.size() == errors_before) {
     checkNamesDiffer(descriptions, model, report);
   }
+  return model;
+}
+
+RobotModel readRobots(const std::vector<RobotDescription>& descriptions,
+                      const ResourceLoader& load_resource, SetupReport& report,
+                      const MeshReading& reading) {
+  const std::size_t errors_before = report.errors.size();
+  RobotModel model = readLinks(descriptions, load_resource, report, reading);
   // Part of a model must not pass for the whole: missing robots collide with nothing.
   return report.errors.size() == errors_before ? model : RobotModel{};
 }

@@ -189,6 +189,9 @@ void readObjectList(const YAML::Node& list, const WorldSource& source, const Pla
                     std::vector<WorldObject>& objects) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     auto object = readObject(list[i], source, place.within("object " + std::to_string(i + 1)));
+    if (!object || object->name.empty()) {
+      place.awaitNames();
+    }
     if (object) {
       objects.push_back(std::move(*object));
     }

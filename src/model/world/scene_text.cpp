@@ -41,6 +41,7 @@ class SceneText {
     }
   } catch (const SceneFault& fault) {
     place_.addError(fault.line, fault.found, fault.accepted);
+    place_.awaitNames();
   }
 
  private:

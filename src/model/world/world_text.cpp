@@ -45,8 +45,10 @@ void readDocument(const YAML::Node& document, const WorldSource& source, const P
     }
   } else if (world.IsDefined()) {
     place.addError(lineOf(world), "world " + describe(world), kAccepted);
+    place.awaitNames();
   } else if (!document.IsNull()) {
     place.addError(lineOf(document), describe(document), kAccepted);
+    place.awaitNames();
   }
 }
 
@@ -87,6 +89,7 @@ std::vector<WorldObject> readWorld(const DocumentText& text, const ResourceLoade
   if (text.text.size() > kMostWorldBytes) {
     place.addError(0, std::to_string(text.text.size() >> 20) + " MB of text",
                    "at most " + std::to_string(kMostWorldBytes >> 20) + " MB");
+    place.awaitNames();
     return objects;
   }
   if (isSceneText(text)) {
@@ -97,6 +100,7 @@ std::vector<WorldObject> readWorld(const DocumentText& text, const ResourceLoade
     readDocument(loadYaml(text.text), source, place, objects);
   } catch (const YAML::Exception& fault) {
     place.addError(fault.mark.line + 1, "text that is no YAML: " + fault.msg, kAccepted);
+    place.awaitNames();
   }
   return objects;
 }

@@ -46,7 +46,9 @@ void checkOwnLimits(const std::vector<OwnLimits>& own_limits, const std::vector<
     const std::string where = whereOf(own, rules);
     SetupReport of_these;
     checkLimits(own.limits, where, of_these);
-    checkTolerance(own.limits.warning_distance, tolerance, where, of_these);
+    if (of_these.errors.empty()) {
+      checkTolerance(own.limits.warning_distance, tolerance, where, of_these);
+    }
     for (const Problem& problem : of_these.errors) {
       addOnce(problem, report.errors);
     }

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "model/urdf/read_links.h"
 #include "pipeline/setup/setup_parts.h"
 
 namespace collision_monitor {
@@ -14,21 +15,12 @@ std::vector<SrdfPairs> readSrdfs(const std::vector<RobotDescription>& robots,
   std::vector<SrdfPairs> srdfs;
   for (std::size_t i = 0; i < robots.size(); ++i) {
     if (!robots[i].srdf_xml.empty()) {
+      const std::size_t before = report.errors.size();
       srdfs.push_back(readSrdf(robots[i], idAt<RobotId>(i), model, report));
+      report.awaits_names = report.awaits_names || report.errors.size() > before;  // its groups
     }
   }
   return srdfs;
-}
-
-/// Finds faults of the rules' text that need no links.
-void readRulesAlone(const SetupOptions& options, SetupReport& report) {
-  SetupReport without_names;
-  without_names.awaits_names = true;
-  const RobotModel none;
-  readShapeRules(options.shape_rules, none, {}, without_names);
-  readPairRules(options.pair_rules, none, {}, IdleRule::is_accepted, without_names);
-  report.errors.insert(report.errors.end(), without_names.errors.begin(),
-                       without_names.errors.end());
 }
 
 }  // namespace
@@ -37,12 +29,11 @@ SetupInput readInput(const std::vector<RobotDescription>& robots,
                      const ResourceLoader& load_resource, const SetupOptions& options,
                      SetupReport& report) {
   SetupInput input;
-  input.model = readRobots(robots, load_resource, report, options.meshes);
-  if (input.model.robots.empty()) {
-    readRulesAlone(options, report);
-    return SetupInput();
+  input.model = readLinks(robots, load_resource, report, options.meshes);
+  report.awaits_names = report.awaits_names || robots.empty();
+  if (input.model.robots.size() == robots.size()) {
+    input.srdfs = readSrdfs(robots, input.model, report);
   }
-  input.srdfs = readSrdfs(robots, input.model, report);
   input.link_rules = readShapeRules(options.shape_rules, input.model, input.srdfs, report);
   padLinks(options.link_paddings, options.where + "link_padding", input.model, input.link_rules,
            report);
@@ -52,7 +43,8 @@ SetupInput readInput(const std::vector<RobotDescription>& robots,
   input.ignored =
       findNamedPairs(options.ignored_pairs, options.where + "ignore_pairs", input.model, report);
   input.pair_rules =
-      readPairRules(options.pair_rules, input.model, input.srdfs, options.idle_rules, report);
+      readPairRules(options.pair_rules, input.model, input.srdfs,
+                    report.awaits_names ? IdleRule::is_accepted : options.idle_rules, report);
   return input;
 }
 

@@ -20,9 +20,8 @@ struct SetupInput {
 /// Checks the numbers of the options.
 void checkOptions(const SetupOptions& options, SetupReport& report);
 
-/// Reads all texts and finds the links that they name. Without
-/// robots, and after a fault of one, there are no links: rules are then read for faults that need
-/// none.
+/// Reads all texts and finds the links that they name. After a fault the model is what could be
+/// read, for further checks of names alone; report.awaits_names if names are missing then.
 /// @param report gets every fault; names that it awaits are none
 SetupInput readInput(const std::vector<RobotDescription>& robots,
                      const ResourceLoader& load_resource, const SetupOptions& options,

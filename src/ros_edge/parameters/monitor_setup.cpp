@@ -166,13 +166,14 @@ void build(const ResourceLoader& load_resource, const MonitorSetup* former, Setu
   const SetupOptions options = optionsFor(
       made, load_resource, has_objects ? IdleRule::is_accepted : IdleRule::is_error, report);
   SetupInput input = readInput(made.descriptions, load_resource, options, report);
-  if (!input.model.robots.empty()) {
+  const bool are_links_known =
+      !made.descriptions.empty() && input.model.robots.size() == made.descriptions.size();
+  if (are_links_known) {
     nameByRobots(input.model, made);
   }
   const std::vector<WorldObject> objects = objectsFor(made, former, load_resource, report);
-  World world = makeWorld(objects, input.model, made, report);
-  if (!report.errors.empty() && has_objects && former == nullptr && !options.awaits_names &&
-      !input.model.robots.empty()) {
+  World world = makeWorld(objects, are_links_known ? input.model : RobotModel(), made, report);
+  if (!report.errors.empty() && has_objects && former == nullptr && !report.awaits_names) {
     checkRuleNames(options.pair_rules, input, objects, report);
   }
   throwIfErrors(report);

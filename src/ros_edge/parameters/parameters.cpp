@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "model/place.h"
@@ -25,12 +26,15 @@ constexpr NumberRange kDuration{0.0, 1e3};
 
 void readLimits(const XmlRpcValue& values, const std::string& where, Limits& limits,
                 SetupReport& report) {
+  const std::size_t before = report.errors.size();
   ParameterStruct fields(values, where, report);
   for (const LimitField& field : kLimitFields) {
     fields.read(field.name, {field.least, field.greatest}, limits.*field.value);
   }
+  if (report.errors.size() == before) {  // else a default may not fit to the others
+    checkLimits(limits, "parameter " + where + "/", report);
+  }
   fields.refuseOthers();
-  checkLimits(limits, "parameter " + where + "/", report);
 }
 
 void readLookAhead(const XmlRpcValue& values, const std::string& where, LookAhead& ahead,
@@ -80,12 +84,15 @@ void readRuleList(const XmlRpcValue& value, const std::string& where, Parameters
   }
 }
 
-NamedPair readPair(const XmlRpcValue& value, const std::string& where, SetupReport& report) {
+/// Nothing, after a fault, if it is no pair.
+std::optional<NamedPair> readPair(const XmlRpcValue& value, const std::string& where,
+                                  SetupReport& report) {
   if (value.getType() != XmlRpcValue::TypeArray || value.size() != 2) {
     report.errors.push_back(
         {"parameter " + where, toText(value), "a list of two names of links or patterns"});
-    return {};
+    return std::nullopt;
   }
+  const std::size_t before = report.errors.size();
   std::array<std::string, 2> names;
   for (int i = 0; i < 2; ++i) {
     if (value[i].getType() == XmlRpcValue::TypeString) {
@@ -95,7 +102,8 @@ NamedPair readPair(const XmlRpcValue& value, const std::string& where, SetupRepo
                                toText(value[i]), "a name of a link or a pattern, in quotes"});
     }
   }
-  return {names[0], names[1]};
+  return report.errors.size() > before ? std::nullopt
+                                       : std::optional<NamedPair>({names[0], names[1]});
 }
 
 std::vector<NamedPair> readPairs(const XmlRpcValue& values, const std::string& where,
@@ -106,7 +114,9 @@ std::vector<NamedPair> readPairs(const XmlRpcValue& values, const std::string& w
     return pairs;
   }
   for (int i = 0; i < values.size(); ++i) {
-    pairs.push_back(readPair(values[i], where + "[" + std::to_string(i) + "]", report));
+    if (auto pair = readPair(values[i], where + "[" + std::to_string(i) + "]", report)) {
+      pairs.push_back(std::move(*pair));
+    }
   }
   return pairs;
 }

@@ -192,7 +192,9 @@ LoadedRobots loadDescriptions(const ros::NodeHandle& private_node, const Paramet
   SetupReport of_robots;
   LoadedRobots loaded = loadListed(private_node, parameters, load_resource,
                                    are_good ? parameters.wait_for_description : 0.0, of_robots);
-  if (!are_good && loaded.descriptions.empty()) {
+  const bool are_there = std::all_of(loaded.listed.begin(), loaded.listed.end(),
+                                     [](const ListedRobot& robot) { return robot.id.has_value(); });
+  if (!are_good && !are_there) {
     return {};  // nobody has waited for them
   }
   report.errors.insert(report.errors.end(), of_robots.errors.begin(), of_robots.errors.end());

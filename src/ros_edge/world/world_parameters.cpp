@@ -87,6 +87,7 @@ std::vector<WorldObject> loadObjects(const Parameters& parameters,
   } catch (const std::exception& fault) {
     report.errors.push_back({parameters.setup.where + "world_file '" + file + "'", fault.what(),
                              "a readable file or package:// URI"});
+    report.awaits_names = true;
   }
   return objects;
 }
