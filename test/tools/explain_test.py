@@ -50,6 +50,42 @@ class Explain(unittest.TestCase):
         self.assertIn("'warnin_distance=1', did you mean 'warning_distance'?", result.stderr)
         self.assertIn("'hysteresis'", result.stderr)
 
+    def test_faultsOfAllInput_areNamedAtOnce(self):
+        world = self.file("cell.yaml", "- {name: table, kind: box, size: [1, 1, -1]}\n")
+        rules = self.file("rules.yaml", "- {a: box_a, b: box_b, check: maybe}\n")
+        result = explain("box_a", "lamp", "--world", world, "--pair-rules", rules, "--limit", "hysteresis=nan",
+                         "--joint", "nothing=1")
+        self.assertEqual(result.returncode, 1)
+        for text in ("check 'maybe'", "'lamp'", "box size along z -1 m", "'hysteresis=nan'; accepted: a number from 0",
+                     "nothing=1", "5 problems"):
+            self.assertIn(text, result.stderr)
+
+    def test_objectsThatFormNoPair_areExplained(self):
+        world = self.file("cell.yaml", "- {name: table, kind: box, size: [1, 1, 0.1]}\n"
+                          "- {name: lamp, kind: sphere, radius: 0.1, frame: /map}\n"
+                          "- {name: part, kind: sphere, radius: 0.1, frame: box_a}\n")
+        result = explain("lamp", "table", "--world", world, "--world-frame", "/map")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("object lamp and object table are ignored: two objects that move together", result.stdout)
+        result = explain("part", "table", "--world", world, "--world-frame", "map")
+        self.assertIn("two objects of which neither is attached, and for which no rule asks", result.stdout)
+
+    def test_meshesOfAWorld_areFoundBesideIt(self):
+        world = self.file("cell.yaml", "- {name: angle, kind: mesh, file: angle.stl, xyz: [0, 0, 9]}\n")
+        (world.parent / "angle.stl").write_bytes((ROOT / "test/data/angle.stl").read_bytes())
+        environment = dict(os.environ, ROS_MASTER_URI="http://127.0.0.1:1")
+        result = subprocess.run([PROGRAM, ROOT / "urdf/two_boxes.urdf", "box_a", "angle", "--world", "cell.yaml",
+                                 "--no-cache"], capture_output=True, text=True, timeout=300, check=False,
+                                env=environment, cwd=world.parent)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("OK: more than warning_distance", result.stdout)
+
+    def test_srdfOfAnotherRobot_isWarnedOf(self):
+        srdf = self.file("other.srdf", "<robot name='other'><disable_collisions link1='x' link2='y'/></robot>\n")
+        result = explain("box_a", "box_b", "--srdf", srdf)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("other.srdf", result.stderr)
+
     def test_positionBeyondTheLimitsOfItsJoint_isTold(self):
         result = explain("box_b", "box_a", "--joint", "slide=0.6")
         self.assertEqual(result.returncode, 0, result.stderr)

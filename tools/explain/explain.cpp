@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 
 #include "collision_monitor/model/kinematics.h"
 #include "explain_options.h"
 #include "explain_setup.h"
-#include "model/nearest_name.h"
 #include "model/number_text.h"
 #include "model/object_links.h"
-#include "model/place.h"
 #include "pipeline/answers/link_distances.h"
 #include "pipeline/answers/pair_reason.h"
 
@@ -20,57 +19,6 @@ namespace {
 constexpr int kDone = 0;
 constexpr int kInputFault = 1;
 
-std::optional<LinkId> findLink(const RobotModel& model, const std::string& name,
-                               SetupReport& report) {
-  const std::optional<LinkId> link = model.findLink(name);
-  if (!link) {
-    std::vector<std::string> known;
-    for (const Link& one : model.links) {
-      known.push_back(one.name);
-    }
-    report.errors.push_back({"link " + quoted(name), "unknown" + suggestion(name, known),
-                             "links and objects: " + someOf(known)});
-  } else if (!hasShapes(model.link(*link))) {
-    report.errors.push_back(
-        {"link " + quoted(name), "without collision geometry", "links with geometry"});
-  }
-  return link;
-}
-
-/// Tells of positions that the joint does not reach. @pre the joint exists
-void warnOfLimits(const Joint& joint, double position) {
-  if (position < joint.lower || position > joint.upper) {
-    std::fprintf(stderr, "warning: joint '%s' does not reach %s, but %s to %s\n",
-                 joint.name.c_str(), shortText(position).c_str(), shortText(joint.lower).c_str(),
-                 shortText(joint.upper).c_str());
-  }
-}
-
-/// Moves the joints that the user names.
-void readJoints(const RobotModel& model, const std::vector<std::string>& joints,
-                JointPositions& positions, SetupReport& report) {
-  for (const std::string& text : joints) {
-    const std::size_t sign = text.rfind('=');
-    const std::string name = text.substr(0, sign);
-    const std::optional<JointId> joint = model.findJoint(name);
-    Eigen::VectorXd position(1);
-    const bool is_number =
-        sign != std::string::npos && !parseNumbers(text.substr(sign + 1), position);
-    const bool moves = joint && !model.joint(*joint).mimic &&
-                       (model.joint(*joint).type == JointType::revolute ||
-                        model.joint(*joint).type == JointType::continuous ||
-                        model.joint(*joint).type == JointType::prismatic);
-    if (!is_number || !moves) {
-      report.errors.push_back(
-          {"option --joint", quoted(text),
-           "NAME=POSITION of a joint that turns or slides and mimics no other"});
-      continue;
-    }
-    positions[model.joint(*joint).first_variable] = position[0];
-    warnOfLimits(model.joint(*joint), position[0]);
-  }
-}
-
 /// What a monitor would say of links at rest.
 void printVerdict(const CycleSetup& setup, const LinkPair& pair, const PairDistance& nearest) {
   if (!isChecked(pair.reason)) {
@@ -80,6 +28,10 @@ void printVerdict(const CycleSetup& setup, const LinkPair& pair, const PairDista
   const Limits& limits = limitsOf(setup, pair);
   const bool is_contact = isTouching(nearest, limits.contact_distance);
   const bool is_warning = nearest.measured.distance <= limits.warning_distance;
+  if (nearest.quality == Quality::estimate) {
+    std::printf("verdict   CONTACT: their geometries overlap\n");
+    return;
+  }
   std::printf("verdict   %s: %s %s, %s m\n",
               is_contact   ? "CONTACT"
               : is_warning ? "WARNING"
@@ -130,25 +82,21 @@ void printLimits(const CycleSetup& setup, const LinkPair& pair) {
 }
 
 int run(const Options& options) {
-  const CycleSetup setup = makeSetup(options);
-  SetupReport report;
-  const auto a = findLink(setup.model, options.link_a, report);
-  const auto b = findLink(setup.model, options.link_b, report);
-  JointPositions positions = defaultPositions(setup.model);
-  readJoints(setup.model, options.joints, positions, report);
-  throwIfErrors(report);
-  const std::size_t place = findLinkPair(setup, *a, *b);
-  if (place == setup.link_pairs.size()) {
-    report.errors.push_back({"links " + quoted(options.link_a) + " and " + quoted(options.link_b),
-                             "no pair", "two links, or two objects for which a rule asks"});
-    throwIfErrors(report);
+  const Explained explained = makeSetup(options);
+  const CycleSetup& setup = explained.setup;
+  const LinkId a = *setup.model.findLink(options.link_a);
+  const LinkId b = *setup.model.findLink(options.link_b);
+  const std::size_t place = findLinkPair(setup, a, b);
+  const bool is_pair = place < setup.link_pairs.size();
+  std::printf("%s and %s are %s\n", nameInText(setup.model, std::min(a, b)).c_str(),
+              nameInText(setup.model, std::max(a, b)).c_str(),
+              is_pair ? reasonOf(setup, setup.link_pairs[place]).c_str()
+                      : reasonOfObjects(setup, a, b).c_str());
+  if (is_pair) {
+    printDistance(setup, place, explained.positions);
+    std::printf("limits\n");
+    printLimits(setup, setup.link_pairs[place]);
   }
-  const LinkPair& pair = setup.link_pairs[place];
-  std::printf("%s and %s are %s\n", nameInText(setup.model, pair.a).c_str(),
-              nameInText(setup.model, pair.b).c_str(), reasonOf(setup, pair).c_str());
-  printDistance(setup, place, positions);
-  std::printf("limits\n");
-  printLimits(setup, pair);
   return kDone;
 }
 

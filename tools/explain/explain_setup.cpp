@@ -4,47 +4,29 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <utility>
 
 #include "model/nearest_name.h"
-#include "model/number_text.h"
 #include "model/place.h"
 #include "model/world/world_text.h"
 #include "pipeline/fits/fit_cache_folder.h"
+#include "pipeline/setup/setup_input.h"
 #include "pipeline/world/add_world.h"
+#include "read_numbers.h"
 #include "read_robot.h"
 
 namespace collision_monitor::explain_tool {
 namespace {
 
-Limits readLimits(const std::vector<std::string>& texts, SetupReport& report) {
-  std::vector<std::string> names;
-  names.reserve(kLimitFields.size());
-  for (const LimitField& field : kLimitFields) {
-    names.emplace_back(field.name);
-  }
-  Limits limits;
-  for (const std::string& text : texts) {
-    const std::size_t sign = text.rfind('=');
-    const std::string name = text.substr(0, sign);
-    Eigen::VectorXd value(1);
-    const auto field = std::find_if(kLimitFields.begin(), kLimitFields.end(),
-                                    [&](const LimitField& one) { return one.name == name; });
-    if (field == kLimitFields.end() || sign == std::string::npos ||
-        parseNumbers(text.substr(sign + 1), value)) {
-      report.errors.push_back({"option --limit", quoted(text) + suggestion(name, names),
-                               "NAME=VALUE, with a name of " + joined(names)});
-      continue;
-    }
-    limits.*field->value = value[0];
-  }
-  return limits;
-}
-
 SetupOptions readOptions(const Options& options, SetupReport& report) {
   SetupOptions setup;
   setup.where = "option --limit, ";
+  const std::size_t before = report.errors.size();
   setup.limits = readLimits(options.limits, report);
+  if (report.errors.size() == before) {
+    checkOptions(setup, report);
+  }
   setup.fit_cache = fitCacheFolder(options.cache);
   setup.shape_rules = {options.shape_rules,
                        fit_tool::readInput("option --shape-rules", options.shape_rules, report)};
@@ -55,53 +37,116 @@ SetupOptions readOptions(const Options& options, SetupReport& report) {
   return setup;
 }
 
-/// The objects of a file, beside this robot.
-World readObjects(const Options& options, const std::string& world_frame,
-                  const ResourceLoader& load_resource, const RobotModel& model) {
-  SetupReport report;
+/// The robot; nothing, after a fault, if a file cannot be read.
+std::vector<RobotDescription> readRobot(const Options& options, SetupReport& report) {
+  const std::size_t before = report.errors.size();
+  RobotDescription description = fit_tool::readDescription(options.source, report);
+  description.srdf_xml = fit_tool::readInput("option --srdf", options.srdf, report);
+  description.srdf_source = options.srdf;
+  return report.errors.size() > before ? std::vector<RobotDescription>()
+                                       : std::vector<RobotDescription>{std::move(description)};
+}
+
+std::vector<WorldObject> readObjects(const Options& options, const ResourceLoader& load_resource,
+                                     SetupReport& report) {
+  if (options.world.empty()) {
+    return {};
+  }
+  const std::size_t before = report.errors.size();
   const std::string text = fit_tool::readInput("option --world", options.world, report);
-  const std::size_t slash = options.world.rfind('/');
-  const std::string folder = slash == std::string::npos ? "" : options.world.substr(0, slash);
-  std::vector<WorldObject> objects =
-      readWorld({options.world, text, folder}, load_resource, MeshReading(), report);
+  if (report.errors.size() > before) {
+    report.awaits_names = true;
+    return {};
+  }
+  const std::string folder = std::filesystem::absolute(options.world).parent_path().string();
+  return readWorld({options.world, text, folder}, load_resource, MeshReading(), report);
+}
+
+/// Checks the objects of a file beside this robot.
+World makeWorld(std::vector<WorldObject> objects, const std::string& world_frame,
+                const RobotModel& model, SetupReport& report) {
   KnownPlaces places = placesOf(model, world_frame);
   places.has_frame = [](const std::string& /*frame*/) { return false; };
   places.other_frames = "the world frame, see option --world-frame";
-  World world =
-      applyChanges(World(), {{ChangeKind::replace_all, std::move(objects), true}}, places, report);
-  throwIfErrors(report);
-  return world;
+  return applyChanges(World(), {{ChangeKind::replace_all, std::move(objects), true}}, places,
+                      report);
 }
 
-void warnOfRules(const CycleSetup& setup, const std::string& rules) {
+/// Checks that there are two links or objects of these names.
+void checkLinks(const Options& options, const SetupInput& robot,
+                const std::vector<WorldObject>& objects, SetupReport& report) {
+  const RobotModel& model = robot.model;
+  std::vector<std::string> known;
+  for (const Link& link : model.links) {
+    known.push_back(link.name);
+  }
+  for (const WorldObject& object : objects) {
+    known.push_back(object.name);
+  }
+  for (const std::string& name : {options.link_a, options.link_b}) {
+    const std::optional<LinkId> link = model.findLink(name);
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      report.errors.push_back({"link " + quoted(name), "unknown" + suggestion(name, known),
+                               "links and objects: " + someOf(known)});
+    } else if (link && model.link(*link).collisions.empty() &&
+               !robot.link_rules[index(*link)].given) {
+      report.errors.push_back(
+          {"link " + quoted(name), "without collision geometry", "links with geometry"});
+    }
+  }
+  if (options.link_a == options.link_b) {
+    report.errors.push_back({"link " + quoted(options.link_a), "twice", "two different links"});
+  }
+}
+
+/// Tells of warnings about these files.
+void warnOf(const std::vector<std::string>& files, const CycleSetup& setup) {
   for (const Problem& warning : setup.report.warnings) {
-    if (!rules.empty() && warning.where.find(rules) != std::string::npos) {
+    if (std::any_of(files.begin(), files.end(), [&](const std::string& file) {
+          return !file.empty() && warning.where.find(file) != std::string::npos;
+        })) {
       std::fprintf(stderr, "warning: %s\n", toString(warning).c_str());
     }
   }
 }
 
+/// The frame in which the root of the robot stands.
+std::string worldFrameOf(const Options& options, const RobotModel& model) {
+  const std::string& told = options.world_frame;
+  return told.empty() ? model.link(model.robots.front().root).frame
+                      : told.substr(told.front() == '/' ? 1 : 0);
+}
+
 }  // namespace
 
-CycleSetup makeSetup(const Options& options) {
+Explained makeSetup(const Options& options) {
   SetupReport report;
-  RobotDescription description = fit_tool::readDescription(options.source, report);
-  description.srdf_xml = fit_tool::readInput("option --srdf", options.srdf, report);
-  description.srdf_source = options.srdf;
+  const std::vector<RobotDescription> robots = readRobot(options, report);
   const SetupOptions of_setup = readOptions(options, report);
-  throwIfErrors(report);
   const ResourceLoader load_resource = fit_tool::makeLoader(options.source);
-  CycleSetup setup = buildSetup({description}, load_resource, of_setup);
-  if (!options.world.empty()) {
-    const std::string frame = options.world_frame.empty()
-                                  ? setup.model.link(setup.model.robots.front().root).frame
-                                  : options.world_frame;
-    const World world = readObjects(options, frame, load_resource, setup.model);
-    setup = addWorld(setup, world, prepareObjects(world, of_setup.refine.geometry, {}), frame);
-    applyRulesText(of_setup.pair_rules, IdleRule::is_warning, setup);
+  SetupInput input = readInput(robots, load_resource, of_setup, report);
+  const std::vector<WorldObject> objects = readObjects(options, load_resource, report);
+  Explained explained;
+  World world;
+  std::string frame;
+  if (!input.model.robots.empty()) {
+    frame = worldFrameOf(options, input.model);
+    world = makeWorld(objects, frame, input.model, report);
+    explained.positions = defaultPositions(input.model);
+    readJoints(input.model, options.joints, explained.positions, report);
+    if (!report.awaits_names) {
+      checkLinks(options, input, objects, report);
+    }
   }
-  warnOfRules(setup, options.pair_rules);
-  return setup;
+  throwIfErrors(report);
+  explained.setup = buildFrom(std::move(input), of_setup, std::move(report));
+  if (!options.world.empty()) {
+    explained.setup = addWorld(explained.setup, world,
+                               prepareObjects(world, of_setup.refine.geometry, {}), frame);
+    applyRulesText(of_setup.pair_rules, IdleRule::is_warning, explained.setup);
+  }
+  warnOf({options.srdf, options.pair_rules, options.shape_rules}, explained.setup);
+  return explained;
 }
 
 }  // namespace collision_monitor::explain_tool

@@ -99,9 +99,10 @@ void reportIdleRules(const std::vector<PairRule>& rules, const std::vector<LinkP
     if (is_idle) {
       const std::string found = "a rule that selects no pair";
       const std::string accepted =
-          "two different links with shapes, one of 'a' and one of 'b'; of two objects, one that is "
-          "attached, or both alone on their sides of a rule that says check: true, and on "
-          "different frames";
+          "two links with shapes, one of 'a' and one of 'b', or a link and an object; or two "
+          "objects "
+          "if one is attached, or if the rule says check: true, names no links, and their frames "
+          "differ";
       idle == IdleRule::is_error
           ? report.errors.push_back({rule.where, found, accepted})
           : report.warnings.push_back({rule.where, found, "", "it needs " + accepted});

@@ -73,7 +73,7 @@ std::string groupNames(const std::vector<SrdfPairs>& srdfs) {
       names.push_back(quoted(group.name));
     }
   }
-  return names.empty() ? "none: no SRDF has groups" : someOf(names);
+  return names.empty() ? "none: no SRDF or object has groups" : someOf(names);
 }
 
 std::string linkNames(const RobotModel& model) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "model/rules/rigid_groups.h"
+
 namespace collision_monitor {
 namespace {
 
@@ -61,6 +63,13 @@ std::string reasonOf(const CycleSetup& setup, const LinkPair& pair) {
     return reason + srdfPlace(setup, pair);
   }
   return reason;
+}
+
+std::string reasonOfObjects(const CycleSetup& setup, LinkId a, LinkId b) {
+  const std::vector<LinkId> groups = findRigidGroups(setup.model);
+  return groups[index(a)] == groups[index(b)]
+             ? "ignored: two objects that move together"
+             : "ignored: two objects of which neither is attached, and for which no rule asks";
 }
 
 std::vector<std::string> limitPlaces(const CycleSetup& setup, const LinkPair& pair) {

@@ -16,6 +16,9 @@ std::size_t findLinkPair(const CycleSetup& setup, LinkId a, LinkId b) noexcept;
 /// "ignored: a rule for pairs (rules.yaml line 3, rule 2)"; names lines of SRDFs too.
 std::string reasonOf(const CycleSetup& setup, const LinkPair& pair);
 
+/// Why two objects form no pair.
+std::string reasonOfObjects(const CycleSetup& setup, LinkId a, LinkId b);
+
 /// Where the rule stands that sets each limit of a pair, by kLimitFields; empty: a common limit.
 std::vector<std::string> limitPlaces(const CycleSetup& setup, const LinkPair& pair);
 

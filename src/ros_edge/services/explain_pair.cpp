@@ -23,7 +23,9 @@ std::optional<LinkId> findLink(const RobotModel& model, const char* field, const
   if (!link) {
     std::vector<std::string> known;
     for (const Link& one : model.links) {
-      known.push_back(one.name);
+      if (hasShapes(one)) {
+        known.push_back(one.name);
+      }
     }
     faults.push_back(std::string(field) + ": there is no link " + quoted(name) +
                      suggestion(name, known));
@@ -91,20 +93,12 @@ std::string fillNearest(const CycleSetup& setup, const PairView& view, double fa
     }
   }
   const double distance = view.nearest.distance;
-  const char* const at_least = view.nearest.quality == Quality::exact ? "" : "at least ";
-  return "nearest since start: " + std::string(distance < 0.0 ? "overlapping by " : "") + at_least +
+  const bool is_bound = view.nearest.quality == Quality::lower_bound;
+  const std::string at = view.nearest.quality == Quality::exact ? ""
+                         : is_bound && distance < 0.0           ? "at most "
+                                                                : "at least ";
+  return "nearest since start: " + std::string(distance < 0.0 ? "overlapping by " : "") + at +
          lengthText(distance) + (joints.empty() ? "" : " at " + joints);
-}
-
-/// Why two objects have no pair: they move together, or no rule asks for two that are free.
-std::string reasonOfObjects(const World& world, const std::string& a, const std::string& b) {
-  const auto isAttached = [&](const std::string& name) {
-    const auto object = world.objects.find(name);
-    return object != world.objects.end() && object->second->is_attached;
-  };
-  return isAttached(a) || isAttached(b) ? "ignored: two objects that move together"
-                                        : "ignored: two objects of which neither is attached, and "
-                                          "for which no rule asks";
 }
 
 }  // namespace
@@ -121,6 +115,7 @@ void answerExplainPair(const MonitorSetup& current, const NewestState& newest,
   }
   response.success = 0;
   response.nearest = kUnknown;
+  response.nearest_quality = LinkDistance::UNKNOWN;
   toUnknownMessage(response.now);
   if (!faults.empty()) {
     response.message = join(faults);
@@ -129,9 +124,9 @@ void answerExplainPair(const MonitorSetup& current, const NewestState& newest,
   const std::size_t place = findLinkPair(setup, *a, *b);
   response.success = 1;
   if (place == setup.link_pairs.size()) {
-    response.reason =
-        reasonOfObjects(current.world, setup.model.link(*a).name, setup.model.link(*b).name);
-    response.message = request.link_a + " and " + request.link_b + " are " + response.reason;
+    response.reason = reasonOfObjects(setup, *a, *b);
+    response.message = nameInText(setup.model, *a) + " and " + nameInText(setup.model, *b) +
+                       " are " + response.reason;
     return;
   }
   const LinkPair& pair = setup.link_pairs[place];
