@@ -100,9 +100,8 @@ void reportIdleRules(const std::vector<PairRule>& rules, const std::vector<LinkP
       const std::string found = "a rule that selects no pair";
       const std::string accepted =
           "two links with shapes, one of 'a' and one of 'b', or a link and an object; or two "
-          "objects "
-          "if one is attached, or if the rule says check: true, names no links, and their frames "
-          "differ";
+          "objects if one is attached, or if the rule says check: true, names no links, and their "
+          "frames differ";
       idle == IdleRule::is_error
           ? report.errors.push_back({rule.where, found, accepted})
           : report.warnings.push_back({rule.where, found, "", "it needs " + accepted});

@@ -14,6 +14,7 @@ struct NearBodies {
   const ActivationDistances& reaches;
   const DistanceCache& cache;
 
+  /// What is looked up of a pair, gathered.
   ListedPair entryOf(PairId id) const noexcept {
     const std::uint32_t link_pair = setup.link_pair_of[index(id)];
     return {id,
