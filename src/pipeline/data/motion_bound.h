@@ -68,7 +68,7 @@ class JointLevers {
   std::size_t axes_{0};                 ///< of joints that the path moves
   std::vector<std::uint32_t> axis_of_;  ///< by LinkId: of the joint that moves it
   std::vector<Lever> levers_;           ///< by link, then by axis
-  std::uint64_t time_{0};      ///< how often moveTo was called
+  std::uint64_t time_{0};               ///< how often moveTo was called
 };
 
 /// [m] An upper bound of how much nearer two links come. `travels` holds the travel of each path
