@@ -15,7 +15,7 @@
 #include "ros_edge/outputs/pair_counts.h"
 #include "ros_edge/poses/floating_parts.h"
 #include "ros_edge/robots/absence.h"
-#include "ros_edge/robots/robot_states.h"
+#include "ros_edge/robots/missing.h"
 
 namespace collision_monitor {
 
@@ -52,7 +52,8 @@ Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformSto
       last_mute(lastMuteOf(*fixed)),
       nearest(fixed->setup),
       is_checked_between(findChecked(setup(), buffers.robots)),
-      joined_to(poses.part.size()) {
+      joined_to(poses.part.size()),
+      was_there(robotCount(setup().model), 0) {
   forgetJoined();
 }
 
@@ -116,9 +117,10 @@ void Watch::cycle() noexcept {
     learnPairs(setup(), poses, buffers);
   }
   for (const ListedRobot& robot : fixed->listed) {
-    if (robot.id && robot.may_be_absent) {
-      buffers.robots.is_excused[index(*robot.id)] =
-          isAbsent(setup().model, *robot.id, poses) ? 1 : 0;
+    if (robot.id) {
+      const bool is_absent = isAbsent(setup().model, *robot.id, poses);
+      buffers.robots.is_excused[index(*robot.id)] = is_absent && robot.may_be_absent ? 1 : 0;
+      was_there[index(*robot.id)] |= is_absent ? 0 : 1;
     }
   }
   runCycle(setup(), poses, buffers);
@@ -162,12 +164,40 @@ std::vector<LinkPairIndex> Watch::takeOver(const Watch& former) {
               buffers.memory, tracker);
   std::vector<LinkPairIndex> dropped = carryOver(carried, former.buffers.memory, buffers.memory);
   takeOverScales(former);
+  holdNewPairs(former);
   if (former.fixed->robots == fixed->robots) {  // not reloaded
     nearest.inherit(former.nearest, carried.pair_of);
   }
   carried = CarryPlan();
   planned_from.reset();
   return dropped;
+}
+
+/// Pairs that were not checked may have been near when one of their robots fell silent, as after a
+/// mute. Nobody knows, so they are held as pairs that were.
+void Watch::holdNewPairs(const Watch& former) {
+  for (std::size_t i = 0; i < was_there.size(); ++i) {
+    was_there[i] = carried.robot_of[i] == kNone ? 0 : former.was_there[carried.robot_of[i]];
+  }
+  const auto is_silent = [&](std::size_t robot) {
+    return robot < was_there.size() && was_there[robot] != 0 &&
+           former.buffers.robots.is_excused[carried.robot_of[robot]] != 0;
+  };
+  bool is_any_silent = false;
+  for (std::size_t i = 0; i < was_there.size(); ++i) {
+    is_any_silent = is_any_silent || is_silent(i);
+  }
+  const auto fell_silent = [&](LinkId link) {
+    return is_silent(buffers.robots.robot_of_link[index(link)]);
+  };
+  for (LinkPairIndex i = 0; is_any_silent && i < carried.pair_of.size(); ++i) {
+    const CheckedLinkPair& pair = setup().checked[i];
+    const bool were_there =
+        carried.link_of[index(pair.a)] != kNone && carried.link_of[index(pair.b)] != kNone;
+    if (carried.pair_of[i] == kNone && were_there && (fell_silent(pair.a) || fell_silent(pair.b))) {
+      buffers.memory.reported[i] = Verdict::unknown;
+    }
+  }
 }
 
 /// Whatever was published as 0 grows from 0 on.

@@ -67,6 +67,8 @@ struct Watch {
   std::vector<std::vector<bool>> is_checked_between;
   /// By LinkId, in the last cycle: the part of a link that is known beside others; else the link.
   std::vector<PartId> joined_to;
+  /// By RobotId: it was there, at least in part, since it was taken in.
+  std::vector<unsigned char> was_there;
   std::shared_ptr<const MonitorSetup> planned_from;  ///< `carried` is about this set-up
   CarryPlan carried;
   mutable Unknowns last_unknown;  ///< for unknown()
@@ -79,6 +81,7 @@ struct Watch {
   bool noteJoined() noexcept;
   void forgetJoined() noexcept;
   void takeOverScales(const Watch& former);
+  void holdNewPairs(const Watch& former);
 };
 
 /// Reads poses from the sources that the parameters name: tf, or joint states where they can place

@@ -10,11 +10,12 @@ import unittest
 
 import rospy
 import rostest
+from shape_msgs.msg import SolidPrimitive
 from std_msgs.msg import Bool, Float64
 from std_srvs.srv import Trigger
 
-from collision_monitor.msg import SceneObjects, State
-from collision_monitor.srv import (GetDistances, GetDistancesRequest, SetLimits, SetPairs,
+from collision_monitor.msg import SceneChange, SceneObject, SceneObjects, State
+from collision_monitor.srv import (ApplyObjects, GetDistances, GetDistancesRequest, SetLimits, SetPairs,
                                    SetPairsRequest)
 from monitor_probe import JointSource, Probe
 
@@ -77,6 +78,17 @@ class LateRobots(unittest.TestCase):
         self.assertEqual([robot.level for robot in state.robots], [State.UNKNOWN, State.UNKNOWN])
         self.assertEqual([robot.speed_scale for robot in state.robots], [0.0, 0.0])
         self.assertIn("'right' is missing", state.robots[0].sentence)
+
+    def test_2b_objectsMayTouchLinksOfAMissingRobot(self):
+        apply_objects = rospy.ServiceProxy("/collision_monitor/apply_objects", ApplyObjects)
+        sphere = SolidPrimitive(type=SolidPrimitive.SPHERE, dimensions=[0.01])
+        pad = SceneObject(name="pad", primitives=[sphere], touch_links=["right/box_b"])
+        pad.pose.position.z = 7.0
+        pad.pose.orientation.w = 1.0
+        answer = apply_objects([SceneChange(kind=SceneChange.ADD, objects=[pad])])
+        self.assertTrue(answer.success, answer.message)
+        answer = apply_objects([SceneChange(kind=SceneChange.REMOVE, objects=[SceneObject(name="pad")])])
+        self.assertTrue(answer.success, answer.message)
 
     def test_3_brokenDescription_changesNothing(self):
         rospy.set_param(URDF, "<robot name='right'><link/></robot>")

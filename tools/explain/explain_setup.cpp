@@ -88,7 +88,7 @@ void checkLinks(const Options& options, const SetupInput& robot,
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       report.errors.push_back({"link " + quoted(name), "unknown" + suggestion(name, known),
                                "links and objects: " + someOf(known)});
-    } else if (link && model.link(*link).collisions.empty() &&
+    } else if (report.errors.empty() && link && model.link(*link).collisions.empty() &&
                !robot.link_rules[index(*link)].given) {
       report.errors.push_back(
           {"link " + quoted(name), "without collision geometry", "links with geometry"});

@@ -14,7 +14,7 @@
 #include "pipeline/data/activation_distance.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/pair_counts.h"
-#include "ros_edge/robots/robot_states.h"
+#include "ros_edge/robots/missing.h"
 
 namespace collision_monitor {
 namespace {

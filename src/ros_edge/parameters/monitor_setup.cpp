@@ -56,14 +56,15 @@ std::vector<WorldObject> objectsFor(const MonitorSetup& made, const MonitorSetup
 }
 
 /// @param model the robots; without links any place is accepted
+/// @param awaits_links as in KnownPlaces
 /// @return no objects after a fault, which is added to `report`
-World makeWorld(std::vector<WorldObject> objects, const RobotModel& model, MonitorSetup& made,
-                SetupReport& report) {
+World makeWorld(std::vector<WorldObject> objects, const RobotModel& model, bool awaits_links,
+                MonitorSetup& made, SetupReport& report) {
   if (!made.listed.empty()) {
     checkFrames(objects, made.listed.front(), made.parameters.world_frame, report);
   }
   KnownPlaces places = model.links.empty() ? anyPlaces(objects) : placesOf(model, made.world_frame);
-  places.awaits_links = isAnyMissing(made);
+  places.awaits_links = awaits_links;
   ObjectChange change{ChangeKind::replace_all, {}, true};
   for (WorldObject& object : objects) {
     if (object.where.empty()) {
@@ -104,7 +105,7 @@ std::vector<Problem> keepRules(const MonitorSetup& former, MonitorSetup& made) {
   return idle.warnings;
 }
 
-/// The warnings about robots that have not come yet.
+/// The warnings about robots that have not come yet, and about what names their links.
 void warnOfMissing(MonitorSetup& made) {
   std::vector<Problem>& warnings = made.setup.report.warnings;
   for (std::size_t i = 0; i < made.listed.size(); ++i) {
@@ -116,6 +117,17 @@ void warnOfMissing(MonitorSetup& made) {
                               std::string(is_frame ? ". The world frame is '" + made.world_frame +
                                                          "' meanwhile and then; set world_frame"
                                                    : "")});
+    }
+  }
+  const RobotModel& model = made.robots->model;
+  for (const auto& [name, object] : made.world.objects) {
+    for (const std::string& link : object->touch_links) {
+      if (!model.findLink(link)) {
+        warnings.push_back(
+            {object->where.empty() ? "world" : object->where,
+             "touch link '" + link + "' of object '" + name + "', which is not there", "",
+             "it counts once a robot with it has come"});
+      }
     }
   }
   for (const WorldObject& object : made.held_back) {
@@ -172,7 +184,8 @@ void build(const ResourceLoader& load_resource, const MonitorSetup* former, Setu
     nameByRobots(input.model, made);
   }
   const std::vector<WorldObject> objects = objectsFor(made, former, load_resource, report);
-  World world = makeWorld(objects, are_links_known ? input.model : RobotModel(), made, report);
+  World world = makeWorld(objects, are_links_known ? input.model : RobotModel(), isAnyMissing(made),
+                          made, report);
   if (!report.errors.empty() && has_objects && former == nullptr && !report.awaits_names) {
     checkRuleNames(options.pair_rules, input, objects, report);
   }
@@ -230,7 +243,7 @@ std::shared_ptr<const MonitorSetup> takeIn(const MonitorSetup& late, const Monit
   SetupReport report;
   const ResourceLoader load_resource = makeResourceLoader(former.parameters.loading);
   World world = makeWorld(objectsFor(*made, &former, load_resource, report), made->robots->model,
-                          *made, report);
+                          true, *made, report);
   throwIfErrors(report);
   addObjects(std::move(world), &former, *made);
   std::vector<Problem> idle = keepRules(former, *made);

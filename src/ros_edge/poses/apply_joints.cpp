@@ -30,7 +30,9 @@ bool hasOneVariable(const Joint& joint) {
 std::string unknownJoint(const RobotModel& model, const std::string& name) {
   std::vector<std::string> known;
   for (const Joint& joint : model.joints) {
-    known.push_back(joint.name);
+    if (joint.type != JointType::fixed) {
+      known.push_back(joint.name);
+    }
   }
   const std::string similar = suggestion(name, known);
   return "there is no joint " + quoted(name) +

@@ -10,6 +10,7 @@
 #include "model/place.h"
 #include "pipeline/cycle/scale_speed.h"
 #include "ros_edge/outputs/sentences.h"
+#include "ros_edge/robots/missing.h"
 
 namespace collision_monitor {
 namespace {
@@ -150,11 +151,6 @@ std::string unknownPairSentence(const Watch& watch, LinkPairIndex pair) {
   return unknownSentence(watch, watch.unknown().unknownOf(watch.setup().checked[pair]));
 }
 
-/// Others stop for a robot whose URDF has not come.
-bool isAwaited(const ListedRobot& robot) {
-  return !robot.id && (robot.has_come || !robot.may_be_absent);
-}
-
 /// Of the closest pair; empty if nothing was measured.
 std::string closestSentence(const Watch& watch, const RobotView& view) {
   return view.closest == kNone
@@ -162,13 +158,17 @@ std::string closestSentence(const Watch& watch, const RobotView& view) {
              : distanceSentence(watch.setup(), watch.buffers.distances.pairs[view.closest]);
 }
 
-/// "; absent, and not counted: robot 'right'", of robots other than this one.
-std::string absentText(const Watch& watch, const ListedRobot& than) {
+/// "; absent, and not counted: robot 'right'", of robots that do not count for this one.
+std::string absentText(const Watch& watch, const ListedRobot& listed) {
   std::vector<std::string> names;
+  const std::size_t own = index(*listed.id);
+  const auto counts = [&](std::size_t other) {
+    return watch.buffers.robots.is_excused[other] == 0 ||
+           watch.unknown().between(own, other).first_lost != kNone ||
+           watch.unknown().between(other, own).first_lost != kNone;
+  };
   for (const ListedRobot& robot : watch.fixed->listed) {
-    const bool is_absent =
-        robot.id ? watch.buffers.robots.is_excused[index(*robot.id)] != 0 : !isAwaited(robot);
-    if (&robot != &than && is_absent) {
+    if (&robot != &listed && !(robot.id ? counts(index(*robot.id)) : isAwaited(robot))) {
       names.push_back("robot '" + robot.name + "'");
     }
   }
@@ -205,8 +205,7 @@ void fillJudged(const Watch& watch, const ListedRobot& listed, const RobotView& 
                 RobotState& state) {
   const RobotId robot = *listed.id;
   state.level = static_cast<std::uint8_t>(view.worst);
-  state.sentence = sentenceOf(watch, view);
-  state.sentence += view.worst == Verdict::unknown ? "" : absentText(watch, listed);
+  state.sentence = sentenceOf(watch, view) + absentText(watch, listed);
   state.speed_scale = watch.buffers.robots.scales[index(robot)];
   state.age = ageOf(watch, robot);
   if (view.closest != kNone) {
@@ -228,37 +227,12 @@ void fillAwaiting(const Watch& watch, const RobotView& view, RobotState& state) 
   }
 }
 
-template <class IsTold>
-std::string sentenceOfMissing(const MonitorSetup& setup, const IsTold& is_told) {
-  std::string text;
-  std::size_t count = 0;
-  for (const ListedRobot& robot : setup.listed) {
-    if (!robot.id && is_told(robot)) {
-      text = count == 0 ? "robot '" + robot.name + "' is missing: " + robot.missing : text;
-      ++count;
-    }
-  }
-  return text + andMore(count, "robot");
-}
-
 bool isChecked(const Watch& watch, RobotId robot) {
   const std::vector<bool>& others = watch.is_checked_between[index(robot)];
   return std::find(others.begin(), others.end(), true) != others.end();
 }
 
 }  // namespace
-
-bool isAnyAwaited(const MonitorSetup& setup) {
-  return std::any_of(setup.listed.begin(), setup.listed.end(), isAwaited);
-}
-
-std::string missingSentence(const MonitorSetup& setup) {
-  return sentenceOfMissing(setup, [](const ListedRobot&) { return true; });
-}
-
-std::string awaitedSentence(const MonitorSetup& setup) {
-  return sentenceOfMissing(setup, isAwaited);
-}
 
 void fillRobotStates(const Watch& watch, const CycleFacts& facts, const std::string& blind_reason,
                      std::vector<RobotState>& states) {

@@ -12,16 +12,6 @@
 /// What State says of each robot.
 namespace collision_monitor {
 
-/// Listed robots whose URDF has not come and that may not be absent: others stop for them.
-bool isAnyAwaited(const MonitorSetup& setup);
-
-/// "robot 'left' is missing: no URDF in parameter /left/robot_description (and 1 more robot)";
-/// empty if none is.
-std::string missingSentence(const MonitorSetup& setup);
-
-/// The same of those that stop others.
-std::string awaitedSentence(const MonitorSetup& setup);
-
 /// Fills the states of all listed robots, in their order.
 ///
 /// A robot's level is that of the worst pair of its links. A pair that is unknown counts for both

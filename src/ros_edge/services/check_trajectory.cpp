@@ -13,7 +13,7 @@
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/sentences.h"
 #include "ros_edge/poses/floating_parts.h"
-#include "ros_edge/robots/robot_states.h"
+#include "ros_edge/robots/missing.h"
 #include "ros_edge/services/read_trajectory.h"
 
 namespace collision_monitor {

@@ -21,7 +21,7 @@
 #include "ros_edge/outputs/sentences.h"
 #include "ros_edge/poses/apply_joints.h"
 #include "ros_edge/poses/floating_parts.h"
-#include "ros_edge/robots/robot_states.h"
+#include "ros_edge/robots/missing.h"
 
 namespace collision_monitor {
 namespace {

@@ -129,6 +129,7 @@ class PosePair {
 
 KnownPlaces placesNow(const MonitorSetup& setup, const Inputs& inputs, double patience) {
   KnownPlaces places = placesOf(setup.robots->model, setup.world_frame);
+  places.awaits_links = isAnyMissing(setup);
   const auto search = std::make_shared<FrameSearch>(inputs.transforms, patience);
   places.has_frame = [search](const std::string& frame) { return search->has(frame); };
   places.find_pose = [&setup, inputs](const std::string& parent, const std::string& child) {

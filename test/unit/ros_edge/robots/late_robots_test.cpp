@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "collision_monitor/model/problems.h"
-#include "ros_edge/robots/robot_states.h"
+#include "ros_edge/robots/missing.h"
 #include "two_arms.h"
 #include "unit/ros_edge/world_scene.h"
 

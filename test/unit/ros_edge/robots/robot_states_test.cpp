@@ -89,6 +89,38 @@ TEST_F(RobotStates, ofARobotThatFallsSilentWhileItIsNear_countForTheOther) {
   }
 }
 
+TEST_F(RobotStates, ofARobotThatFallsSilentDuringAMute_countForTheOtherAfterIt) {
+  setup_->listed[1].may_be_absent = true;
+  place("right/hand", {1.1, 0.0, 0.0});
+  const auto before = watchNow();
+  const auto unmuted = setup_;
+  setup_ = std::make_shared<MonitorSetup>(*unmuted);
+  const CycleSetup& setup = unmuted->setup;
+  SetupReport report;
+  const DocumentText rules{"mute", "- {a: 'left/*', b: 'right/*', check: false}"};
+  setup_->setup =
+      withPairRules(setup, setup.limits,
+                    readPairRules(rules, setup.model, {}, IdleRule::is_error, report), report);
+  lose("right/hand");
+  lose("right/base");
+  const auto muted = watchNow(before.get());
+  setup_ = unmuted;
+  const auto after = watchNow(muted.get());
+  EXPECT_EQ(stateOf(*after).robots[0].level, State::UNKNOWN);
+  EXPECT_EQ(stateOf(*after).robots[0].speed_scale, 0.0);
+}
+
+TEST_F(RobotStates, sentenceOfAContact_namesNoRobotThatCounts) {
+  setup_->listed[1].may_be_absent = true;
+  place("right/hand", {1.1, 0.0, 0.0});
+  const auto before = watchNow();
+  lose("right/hand");
+  place("right/base", {0.1, 0.0, 0.0});  // in contact with the left one, and known
+  const auto after = watchNow(before.get());
+  const std::string& sentence = stateOf(*after).robots[0].sentence;
+  EXPECT_EQ(sentence.find("absent"), std::string::npos) << sentence;
+}
+
 TEST_F(RobotStates, whileARobotIsMissing_areUnknownUnlessItMayBeAbsent) {
   addThird(false);
   State state = stateNow();
