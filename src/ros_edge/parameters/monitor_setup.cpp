@@ -121,12 +121,12 @@ void warnOfMissing(MonitorSetup& made) {
   }
   const RobotModel& model = made.robots->model;
   for (const auto& [name, object] : made.world.objects) {
+    const std::string place =
+        (object->where.empty() ? "world" : object->where) + ", object '" + name + "'";
     for (const std::string& link : object->touch_links) {
       if (!model.findLink(link)) {
-        warnings.push_back(
-            {object->where.empty() ? "world" : object->where,
-             "touch link '" + link + "' of object '" + name + "', which is not there", "",
-             "it counts once a robot with it has come"});
+        warnings.push_back({place, "touch link '" + link + "', which is not there", "",
+                            "it counts once a robot with it has come"});
       }
     }
   }
