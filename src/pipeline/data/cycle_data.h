@@ -17,6 +17,7 @@
 #include "collision_monitor/pipeline/pair_blocks.h"
 #include "collision_monitor/pipeline/verdict.h"
 #include "motion/conservative_advancement.h"
+#include "pipeline/data/distances_kept.h"
 #include "pipeline/data/moved_parts.h"
 #include "pipeline/data/refine_memory.h"
 
@@ -236,44 +237,6 @@ struct LastPoses {
 inline bool hasStayed(const LastPoses& last, const BodyPoses& now, std::size_t link) noexcept {
   return last.known[link] != 0 && now.link_known[link] != 0 && last.part[link] == now.part[link];
 }
-
-/// How far a body has moved.
-struct BodyTravel {
-  Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< of the body in the last cycle
-  double all{0.0};      ///< [m] upper bound for any point of the body, since reset to 0
-  double of_link{0.0};  ///< [m] upper bound for all bodies of its link, since the last cycle
-  double ahead{0.0};  ///< [m] upper bound within the horizon; in a continuous set-up also since the
-                      ///< last cycle; NaN: not known
-  double all_when_listed{0.0};    ///< [m] `all` when DistanceCache::listed was filled
-  double ahead_when_listed{0.0};  ///< [m] within the horizon then
-};
-
-/// What decides whether a pair of bodies is near, side by side in memory.
-struct ListedPair {
-  PairId pair{};
-  BodyId a{};
-  BodyId b{};
-  ElementPairIndex elements{};
-  std::uint32_t near_place{0};  ///< ActivationDistances::place_of its link pair
-  std::uint32_t limits{0};      ///< as CheckedLinkPair
-};
-
-/// Earlier distances, kept as lower bounds while bodies move.
-struct DistanceCache {
-  /// By PairId: [m] the last measured distance plus the travel of both bodies at that time. This
-  /// value minus their travel now is a lower bound of the distance. -infinity: none.
-  std::vector<double> distances;
-  std::vector<BodyTravel> travels;  ///< by BodyId
-  double longest{0.0};              ///< [m] of bodies that moved
-  /// By ElementPairIndex: [m] the least distance of its bodies in the last cycle; infinity if none
-  /// was measured.
-  std::vector<double> nearest;
-  std::vector<ElementPairIndex> measured_pairs;  ///< pairs with a finite `nearest`
-  /// The pairs that can be near before bodies use up kListMargin; without a list, in this cycle.
-  std::vector<ListedPair> listed;
-  bool is_listed{false};                 ///< false: no list is known
-  std::vector<IndexRange> listed_moved;  ///< MovedParts::bodies when `listed` was filled
-};
 
 /// The speed scale and its state.
 struct SpeedScale {

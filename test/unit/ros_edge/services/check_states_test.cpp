@@ -56,14 +56,10 @@ TEST_F(CheckStatesServiceTest, whileARobotIsMissing_noStateIsClear) {
   made->listed.push_back({"late", std::nullopt, "no URDF in parameter /late", true});
   setup_ = made;
   request_.joint_names = {"reach"};
-  request_.positions = {0.0, -0.28, -0.4};
+  request_.positions = {0.0, -0.4};
   const auto response = ask();
-  EXPECT_EQ(response.levels,
-            (std::vector<std::uint8_t>{State::UNKNOWN, State::UNKNOWN, State::CONTACT}));
-  EXPECT_NEAR(response.distances[0], 0.3, 1e-12);
-  EXPECT_EQ(
-      response.message,
-      "3 states: 1 in contact, 2 unknown; robot 'late' is missing: no URDF in parameter /late");
+  EXPECT_EQ(response.levels, (std::vector<std::uint8_t>{State::UNKNOWN, State::CONTACT}));
+  EXPECT_NE(response.message.find("1 unknown; robot 'late' is missing: "), std::string::npos);
 }
 
 TEST_F(CheckStatesServiceTest, manyStates_areAllJudgedInOrder) {

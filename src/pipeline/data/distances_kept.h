@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "collision_monitor/geometry/ids.h"
+#include "collision_monitor/pipeline/element.h"
+#include "pipeline/data/moved_parts.h"
+
+/// What the cycle keeps of distances, and of how far bodies have moved since.
+namespace collision_monitor {
+
+/// How far a body has moved.
+struct BodyTravel {
+  Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< of the body in the last cycle
+  double all{0.0};      ///< [m] upper bound for any point of the body, since reset to 0
+  double of_link{0.0};  ///< [m] upper bound for all bodies of its link, since the last cycle
+  double ahead{0.0};  ///< [m] upper bound within the horizon; in a continuous set-up also since the
+                      ///< last cycle; NaN: not known
+  double all_when_listed{0.0};    ///< [m] `all` when DistanceCache::listed was filled
+  double ahead_when_listed{0.0};  ///< [m] within the horizon then
+};
+
+/// What decides whether a pair of bodies is near, side by side in memory.
+struct ListedPair {
+  PairId pair{};
+  BodyId a{};
+  BodyId b{};
+  ElementPairIndex elements{};
+  std::uint32_t near_place{0};  ///< ActivationDistances::place_of its link pair
+  std::uint32_t limits{0};      ///< as CheckedLinkPair
+};
+
+/// Earlier distances, kept as lower bounds while bodies move.
+struct DistanceCache {
+  /// By PairId: [m] the last measured distance plus the travel of both bodies at that time. This
+  /// value minus their travel now is a lower bound of the distance. -infinity: none.
+  std::vector<double> distances;
+  std::vector<BodyTravel> travels;  ///< by BodyId
+  double longest{0.0};              ///< [m] of bodies that moved
+  /// By ElementPairIndex: [m] the least distance of its bodies in the last cycle; infinity if none
+  /// was measured.
+  std::vector<double> nearest;
+  std::vector<ElementPairIndex> measured_pairs;  ///< pairs with a finite `nearest`
+  /// The pairs that can be near before bodies use up kListMargin; without a list, in this cycle.
+  std::vector<ListedPair> listed;
+  bool is_listed{false};                 ///< false: no list is known
+  std::vector<IndexRange> listed_moved;  ///< MovedParts::bodies when `listed` was filled
+};
+
+}  // namespace collision_monitor
