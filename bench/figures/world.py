@@ -11,6 +11,8 @@ import re
 import subprocess
 import time
 
+import late_cycles
+import running
 from figure import Figures, first_line, package_path, shared_robots
 
 # The least share of pairs that are proven, and within how many seconds.
@@ -106,6 +108,10 @@ def main():
     for robot in DENSE:
         add_objects(figures, robot, arguments.times)
         add_crowd(figures, robot)
+    with running.master():
+        for robot in shared_robots():
+            if robot[0] in DENSE:
+                late_cycles.add_robot(figures, robot)
     for robot in shared_robots():
         if robot[0] in arguments.robots or "all" in arguments.robots:
             add_robot(figures, robot, arguments.states)

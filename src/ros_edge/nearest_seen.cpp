@@ -33,6 +33,7 @@ NearestSeen::NearestSeen(const CycleSetup& setup)
       now_(variables_, kUnknown) {
   // Touches no memory, which takes long.
   records_.reserve(setup.checked.size());
+  pairs_.reserve(setup.checked.size());
   positions_.reserve(placesFor(setup) * variables_);
 }
 
@@ -89,6 +90,7 @@ std::uint32_t NearestSeen::recordOf(LinkPairIndex pair) noexcept {
   if (record_of_[pair] == kNone) {
     record_of_[pair] = static_cast<std::uint32_t>(records_.size());
     records_.emplace_back();
+    pairs_.push_back(pair);
     if (positions_.size() + variables_ <= positions_.capacity()) {
       positions_.resize(positions_.size() + variables_);
     }
@@ -109,17 +111,19 @@ void NearestSeen::keepPositions(std::uint32_t record, const double* positions) n
 void NearestSeen::touchRoomFor(std::size_t pairs) {
   records_.resize(std::min(pairs, records_.capacity()));
   records_.clear();
+  pairs_.resize(std::min(pairs, pairs_.capacity()));
+  pairs_.clear();
   positions_.resize(std::min(pairs * variables_, positions_.capacity()));
   positions_.clear();
 }
 
 void NearestSeen::inherit(const NearestSeen& former,
-                          const std::vector<LinkPairIndex>& pair_of) noexcept {
+                          const std::vector<LinkPairIndex>& pair_to) noexcept {
   std::fill(now_.begin(), now_.end(), kUnknown);
-  for (LinkPairIndex i = 0; i < pair_of.size(); ++i) {
-    const std::uint32_t before = pair_of[i] == kNone ? kNone : former.record_of_[pair_of[i]];
-    if (before != kNone) {
-      const std::uint32_t record = recordOf(i);
+  for (std::uint32_t before = 0; before < former.records_.size(); ++before) {
+    const LinkPairIndex pair = pair_to[former.pairs_[before]];
+    if (pair != kNone) {
+      const std::uint32_t record = recordOf(pair);
       records_[record] = former.records_[before];
       const bool has_positions = variables_ == former.variables_ && former.hasPositions(before);
       keepPositions(record, has_positions ? former.positionsAt(before) : now_.data());

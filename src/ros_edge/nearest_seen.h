@@ -33,8 +33,8 @@ class NearestSeen {
   void touchRoomFor(std::size_t pairs);
 
   /// Takes over what another one has of pairs that both check.
-  /// @param pair_of as in CarryPlan
-  void inherit(const NearestSeen& former, const std::vector<LinkPairIndex>& pair_of) noexcept;
+  /// @param pair_to as in CarryPlan
+  void inherit(const NearestSeen& former, const std::vector<LinkPairIndex>& pair_to) noexcept;
 
   Record of(LinkPairIndex pair) const noexcept {
     return record_of_[pair] == kNone ? Record() : records_[record_of_[pair]];
@@ -56,6 +56,7 @@ class NearestSeen {
 
   std::vector<std::uint32_t> record_of_;  ///< by LinkPairIndex, or kNone
   std::vector<Record> records_;           ///< of pairs that were measured, with room for all
+  std::vector<LinkPairIndex> pairs_;      ///< by record
   JointPositions positions_;              ///< by record, then by variable; of the first records
   std::size_t variables_;
   NewestState newest_;  ///< scratch: the poses of a cycle, and no joint states

@@ -112,10 +112,7 @@ bool Watch::noteJoined() noexcept {
 
 void Watch::forgetJoined() noexcept { std::iota(joined_to.begin(), joined_to.end(), PartId{0}); }
 
-void Watch::cycle() noexcept {
-  if (noteJoined()) {
-    learnPairs(setup(), poses, buffers);
-  }
+void Watch::noteAbsent() noexcept {
   for (const ListedRobot& robot : fixed->listed) {
     if (robot.id) {
       const bool is_absent = isAbsent(setup().model, *robot.id, poses);
@@ -123,6 +120,13 @@ void Watch::cycle() noexcept {
       was_there[index(*robot.id)] |= is_absent ? 0 : 1;
     }
   }
+}
+
+void Watch::cycle() noexcept {
+  if (noteJoined()) {
+    learnPairs(setup(), poses, buffers);
+  }
+  noteAbsent();
   runCycle(setup(), poses, buffers);
   nearest.add(setup(), poses, joints, buffers);
 }
@@ -148,8 +152,8 @@ void Watch::prepare(const ros::Time& now, const ClockState& clock_now,
                     std::shared_ptr<const MonitorSetup> former) {
   read(now, clock_now);
   noteJoined();
-  learnPairs(setup(), poses, buffers);
-  keepPoses(poses, buffers.body_poses, buffers.memory.last);
+  noteAbsent();
+  prepareFirstCycle(setup(), poses, buffers);
   carried = planCarryOver(former->setup, setup());
   const auto added = std::count(carried.pair_of.begin(), carried.pair_of.end(), kNone);
   nearest.touchRoomFor(carried.pair_of.size() - static_cast<std::size_t>(added));
@@ -166,7 +170,7 @@ std::vector<LinkPairIndex> Watch::takeOver(const Watch& former) {
   takeOverScales(former);
   holdNewPairs(former);
   if (former.fixed->robots == fixed->robots) {  // not reloaded
-    nearest.inherit(former.nearest, carried.pair_of);
+    nearest.inherit(former.nearest, carried.pair_to);
   }
   carried = CarryPlan();
   planned_from.reset();
@@ -187,6 +191,7 @@ void Watch::holdNewPairs(const Watch& former) {
   for (std::size_t i = 0; i < was_there.size(); ++i) {
     is_any_silent = is_any_silent || is_silent(i);
   }
+  buffers.memory.judges_all |= is_any_silent;
   const auto fell_silent = [&](LinkId link) {
     return is_silent(buffers.robots.robot_of_link[index(link)]);
   };

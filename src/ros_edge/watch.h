@@ -37,7 +37,8 @@ struct Watch {
   /// Switches reporting on: every difference from what listeners last got is a change.
   void resumeReporting();
   /// Does before a swap what would make the first cycle long: reads the poses, learns the pairs,
-  /// and finds out what can be taken over from the watch of `former`. For any thread.
+  /// judges them all, and finds out what can be taken over from the watch of `former`. For any
+  /// thread.
   void prepare(const ros::Time& now, const ClockState& clock_now,
                std::shared_ptr<const MonitorSetup> former);
   /// Continues what another watch has reported, and its motion.
@@ -80,6 +81,8 @@ struct Watch {
   /// @return whether some have come to be known beside others since the last cycle
   bool noteJoined() noexcept;
   void forgetJoined() noexcept;
+  /// Notes which robots are absent, and whether that is excused.
+  void noteAbsent() noexcept;
   void takeOverScales(const Watch& former);
   void holdNewPairs(const Watch& former);
 };

@@ -168,41 +168,39 @@ CarryPlan planCarryOver(const CycleSetup& from, const CycleSetup& to) {
   CarryPlan plan;
   plan.link_of = planLinks(from.model, to.model);
   plan.robot_of = planRobots(from.model, to.model, plan.link_of);
-  std::vector<bool> is_kept(from.checked.size(), false);
+  plan.pair_to.resize(from.checked.size(), kNone);
   plan.pair_of.reserve(to.checked.size());
   for (const CheckedLinkPair& pair : to.checked) {
     const LinkPairIndex former =
         findPair(from.checked, plan.link_of[index(pair.a)], plan.link_of[index(pair.b)]);
-    plan.pair_of.push_back(former);
     if (former != kNone) {
-      is_kept[former] = true;
+      plan.pair_to[former] = static_cast<LinkPairIndex>(plan.pair_of.size());
     }
-  }
-  for (LinkPairIndex i = 0; i < from.checked.size(); ++i) {
-    if (!is_kept[i]) {
-      plan.dropped.push_back(i);
-    }
+    plan.pair_of.push_back(former);
   }
   return plan;
 }
 
 std::vector<LinkPairIndex> carryOver(const CarryPlan& plan, const PairMemory& reported,
                                      PairMemory& memory) {
-  for (LinkPairIndex i = 0; i < plan.pair_of.size(); ++i) {
-    const LinkPairIndex former = plan.pair_of[i];
-    if (former != kNone) {
-      memory.reported[i] = reported.reported[former];
-      memory.contact_detail[i] = reported.contact_detail[former];
-      memory.speed.stopped[i] = reported.speed.stopped[former];
-    }
-  }
   std::vector<LinkPairIndex> dropped;
-  for (const LinkPairIndex pair : plan.dropped) {
-    if (reported.reported[pair] != Verdict::clear) {
-      dropped.push_back(pair);
+  const auto carry = [&](LinkPairIndex former) {
+    const LinkPairIndex pair = plan.pair_to[former];
+    if (pair != kNone && isLively(reported, former)) {
+      memory.reported[pair] = reported.reported[former];
+      memory.contact_detail[pair] = reported.contact_detail[former];
+      memory.speed.stopped[pair] = reported.speed.stopped[former];
+      memory.lively.push_back(pair);
+    } else if (pair == kNone && reported.reported[former] != Verdict::clear) {
+      dropped.push_back(former);
     }
+  };
+  if (!reported.judges_all) {
+    std::for_each(reported.lively.begin(), reported.lively.end(), carry);
   }
-  memory.judges_all = true;
+  for (LinkPairIndex i = 0; reported.judges_all && i < plan.pair_to.size(); ++i) {
+    carry(i);
+  }
   memory.speed.scale = reported.speed.scale;
   memory.speed.stamp_ns = reported.speed.stamp_ns;
   return dropped;
@@ -221,8 +219,11 @@ void carryMotion(const CarryPlan& plan, const CycleSetup& to, const FormerMotion
         last.known[i] == 0
             ? 0.0
             : (motion.world_from_link.rotation - last.world_from_link[i].rotation).norm());
+    const unsigned char is_known = motion.is_known && hasShapes(model.links[i]) ? 1 : 0;
+    memory.judges_all |=
+        is_known != last.known[i] || (is_known != 0 && motion.part != last.part[i]);
     last.world_from_link[i] = motion.world_from_link;
-    last.known[i] = motion.is_known && hasShapes(model.links[i]) ? 1 : 0;
+    last.known[i] = is_known;
     last.part[i] = motion.part;
     tracker.world_from_link[i] = motion.tracked;
     tracker.was_known[i] = motion.was_tracked ? 1 : 0;

@@ -16,12 +16,13 @@ struct CarryPlan {
   std::vector<std::uint32_t> link_of;   ///< by new LinkId: the former LinkId, or kNone
   std::vector<std::uint32_t> robot_of;  ///< by new RobotId: the former RobotId, or kNone
   std::vector<LinkPairIndex> pair_of;   ///< by new LinkPairIndex: the former one, or kNone
-  std::vector<LinkPairIndex> dropped;   ///< pairs that only the former set-up checks
+  std::vector<LinkPairIndex> pair_to;   ///< by former LinkPairIndex: the new one, or kNone
 };
 
 CarryPlan planCarryOver(const CycleSetup& from, const CycleSetup& to);
 
-/// Copies the speed scale, and the reported verdicts of link pairs that both set-ups check.
+/// Copies the speed scale, and the reported verdicts of link pairs that both set-ups check. Takes no
+/// longer for pairs that are clear.
 /// @return pairs that only the former set-up checks and whose reported verdict is not clear.
 std::vector<LinkPairIndex> carryOver(const CarryPlan& plan, const PairMemory& reported,
                                      PairMemory& memory);
@@ -38,7 +39,8 @@ struct FormerMotion {
 /// carrier had it then, if it had been joined to it as now: a move by a user is no motion. A new
 /// frame counts as at rest if only static transforms place it.
 ///
-/// Distances that `memory` has cached stay lower bounds.
+/// Distances that `memory` has cached stay lower bounds. If other links were known, the first cycle
+/// judges all pairs.
 /// @param poses those that memory was learnt with, see keepPoses
 void carryMotion(const CarryPlan& plan, const CycleSetup& to, const FormerMotion& former,
                  const LinkPoses& poses, PairMemory& memory, VelocityTracker& tracker);

@@ -74,16 +74,20 @@ void forgetPoses(CycleBuffers& buffers) noexcept {
   std::fill(buffers.sweep.had_motion.begin(), buffers.sweep.had_motion.end(), 0);
 }
 
-void resetMemory(CycleBuffers& buffers) noexcept {
-  forgetPoses(buffers);
+void forgetReported(CycleBuffers& buffers) noexcept {
   std::fill(buffers.memory.reported.begin(), buffers.memory.reported.end(), Verdict::clear);
   std::fill(buffers.memory.contact_detail.begin(), buffers.memory.contact_detail.end(),
             Detail::shapes);
-  buffers.memory.judges_all = true;
   SpeedScale& speed = buffers.memory.speed;
   std::fill(speed.stopped.begin(), speed.stopped.end(), 0);
   speed.scale = 1.0;
   std::fill(buffers.robots.scales.begin(), buffers.robots.scales.end(), 1.0);
+}
+
+void resetMemory(CycleBuffers& buffers) noexcept {
+  forgetPoses(buffers);
+  forgetReported(buffers);
+  buffers.memory.judges_all = true;
 }
 
 }  // namespace collision_monitor

@@ -39,6 +39,9 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind);
 /// scale stay until new poses change them.
 void forgetPoses(CycleBuffers& buffers) noexcept;
 
+/// Forgets the verdicts that were reported and the speed scales, as if nobody had heard of them.
+void forgetReported(CycleBuffers& buffers) noexcept;
+
 /// Forgets everything that earlier cycles left.
 void resetMemory(CycleBuffers& buffers) noexcept;
 

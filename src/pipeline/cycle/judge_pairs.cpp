@@ -279,10 +279,7 @@ void keepLively(const CycleSetup& setup, const PairEvents& events, PairMemory& m
     return;
   }
   for (const LinkPairIndex pair : events.active) {
-    const Verdict verdict = events.verdicts[pair];
-    const bool is_quiet = verdict == Verdict::unknown ||
-                          (verdict == Verdict::clear && memory.reported[pair] == Verdict::clear);
-    if (!is_quiet || memory.speed.stopped[pair] != 0) {
+    if (isLively(memory, pair)) {
       memory.lively.push_back(pair);
     }
   }

@@ -87,6 +87,13 @@ void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& b
   }
 }
 
+void prepareFirstCycle(const CycleSetup& setup, const LinkPoses& poses,
+                       CycleBuffers& buffers) noexcept {
+  learnPairs(setup, poses, buffers);
+  runCycle(setup, poses, buffers);
+  forgetReported(buffers);
+}
+
 void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   const double reach = leastActivationDistanceOf(setup);
   findResting(setup, poses, buffers.memory.last, buffers.body_poses);

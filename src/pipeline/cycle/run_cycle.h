@@ -12,6 +12,11 @@ namespace collision_monitor {
 /// shapes. Takes the time of as many cycles as needed, at most 50. @pre as runCycle
 void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept;
 
+/// Does before the first cycle what takes long in it: learns all pairs and judges them. Nothing
+/// counts as reported, and nothing is known of velocities. @pre as runCycle; new buffers
+void prepareFirstCycle(const CycleSetup& setup, const LinkPoses& poses,
+                       CycleBuffers& buffers) noexcept;
+
 /// Runs one cycle. The same input and memory give the same bytes, whichever broad phase is used.
 /// Neither allocates, locks nor throws.
 /// @pre buffers were made for this set-up; poses are sized for its model.

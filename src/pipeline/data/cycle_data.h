@@ -254,8 +254,9 @@ struct PairMemory {
   /// The next cycle looks at every pair: links became known or unknown, or what follows was changed
   /// from outside of a cycle.
   bool judges_all{true};
-  std::vector<LinkPairIndex>
-      lively;                     ///< pairs that the next cycle looks at whatever their distance
+  /// Pairs that the next cycle looks at whatever their distance: those of isLively, each once or
+  /// more often. Means nothing if it looks at every pair.
+  std::vector<LinkPairIndex> lively;
   std::vector<Verdict> reported;  ///< by LinkPairIndex: the verdict last reported
   std::vector<Detail> contact_detail;  ///< by LinkPairIndex: the finest detail that showed the
                                        ///< reported contact
@@ -266,5 +267,10 @@ struct PairMemory {
   DistanceCache distance_cache;
   LastPoses last;
 };
+
+/// Whether anything but `clear` is remembered of a pair's verdict or speed.
+inline bool isLively(const PairMemory& memory, LinkPairIndex pair) noexcept {
+  return memory.reported[pair] != Verdict::clear || memory.speed.stopped[pair] != 0;
+}
 
 }  // namespace collision_monitor

@@ -108,6 +108,7 @@ void CycleRunner::setEnabled(bool is_enabled) {
 void CycleRunner::run() {
   pace_.planned_start = SteadyClock::now();
   while (is_running_) {
+    woken_ = SteadyClock::now();
     takeOverSetup();
     runOnce();
     answerViews();
@@ -132,6 +133,7 @@ void CycleRunner::takeOverSetup() {
   }
   watch_.swap(next);
   publishers_.startWatch(std::move(topics));
+  real_time_.set(watch_->fixed->parameters.real_time_priority);
   statistics_.startWork(watch_->budget);
   pace_.last_state = SteadyClock::time_point();
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -187,9 +189,10 @@ void CycleRunner::runOnce() {
   facts_.cycle_time = toSeconds(SteadyClock::now() - start);
   publish(is_new);
   const bool is_overrun =
-      toSeconds(SteadyClock::now() - start) > periodOf(watch_->fixed->parameters);
+      toSeconds(SteadyClock::now() - woken_) > periodOf(watch_->fixed->parameters);
+  real_time_.add(is_overrun);
   facts_.overruns += is_overrun ? 1 : 0;
-  statistics_.addCycle(facts_.cycle_time, is_overrun);
+  statistics_.addCycle(facts_.cycle_time, is_overrun, real_time_.state());
   statistics_.addWork(watch_->buffers, facts_.cycle_time, watch_->budget);
 }
 

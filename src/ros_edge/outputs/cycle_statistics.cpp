@@ -9,13 +9,14 @@
 
 namespace collision_monitor {
 
-void CycleStatistics::addCycle(double cycle_time, bool is_overrun) {
+void CycleStatistics::addCycle(double cycle_time, bool is_overrun, RealTimeState real_time) {
   const SteadyClock::time_point now = SteadyClock::now();
   const std::lock_guard<std::mutex> lock(mutex_);
   times_[counts_.cycles % kMemory] = cycle_time;
   ++counts_.cycles;
   counts_.overruns += is_overrun ? 1 : 0;
   counts_.newest_end = now;
+  counts_.real_time = real_time;
 }
 
 void CycleStatistics::setSummary(CycleSummary summary) {

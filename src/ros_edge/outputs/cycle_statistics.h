@@ -12,6 +12,7 @@
 
 #include "pipeline/answers/budget_use.h"
 #include "pipeline/cycle/cycle_buffers.h"
+#include "ros_edge/real_time.h"
 #include "ros_edge/pace.h"
 #include "ros_edge/watch.h"
 
@@ -45,8 +46,9 @@ struct CycleSummary {
 /// Cycles since start.
 struct CycleCounts {
   std::uint64_t cycles{0};
-  std::uint64_t overruns{0};           ///< cycles among them that took longer than the period
+  std::uint64_t overruns{0};           ///< cycles among them that were late, as in State
   SteadyClock::time_point newest_end;  ///< end of the newest cycle; the start if there is none yet
+  RealTimeState real_time{RealTimeState::off};  ///< of the cycle's thread now
 };
 
 /// Counts and times of cycles, and a summary of the last published one. The cycle's thread writes
@@ -54,7 +56,7 @@ struct CycleCounts {
 class CycleStatistics {
  public:
   /// Units: seconds.
-  void addCycle(double cycle_time, bool is_overrun);
+  void addCycle(double cycle_time, bool is_overrun, RealTimeState real_time);
   void setSummary(CycleSummary summary);
   /// Starts a new set-up, whose work is added to `tally`; forgets budget use that was not taken.
   void startWork(const BudgetTally& tally);

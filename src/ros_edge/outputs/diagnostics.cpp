@@ -82,6 +82,20 @@ void summarizeCycles(const CycleReport& report, DiagnosticStatusWrapper& status)
   }
 }
 
+std::string realTimeText(RealTimeState state, int priority) {
+  switch (state) {
+    case RealTimeState::off:
+      return "none";
+    case RealTimeState::on:
+      return std::to_string(priority);
+    case RealTimeState::refused:
+      return "not permitted";
+    case RealTimeState::given_up:
+      return "given up: too many late cycles";
+  }
+  return "";
+}
+
 void Diagnostics::reportCycle(DiagnosticStatusWrapper& status) {
   const CycleSummary summary = statistics_.summary();
   const CycleStatistics::Times times = statistics_.times();
@@ -101,6 +115,8 @@ void Diagnostics::reportCycle(DiagnosticStatusWrapper& status) {
              1e6 * times.worst);
   status.add("cycles", counts.cycles);
   status.add("overruns", counts.overruns);
+  status.add("real-time priority",
+             realTimeText(counts.real_time, current_setup_()->parameters.real_time_priority));
   status.add("pairs of shapes", summary.pairs);
   status.add("candidates", summary.candidates);
   status.add("measured", summary.measured);

@@ -123,6 +123,9 @@ std::vector<NamedPair> readPairs(const XmlRpcValue& values, const std::string& w
 
 void readTiming(ParameterStruct& fields, Parameters& parameters) {
   fields.read("rate", {0.0, 10000.0, true}, parameters.rate);
+  double priority = parameters.real_time_priority;
+  fields.readWhole("real_time_priority", {0.0, 99.0}, priority);
+  parameters.real_time_priority = static_cast<int>(priority);
   std::size_t trigger = 0;
   fields.read("trigger", {"timer", "pose"}, trigger);
   parameters.trigger = trigger == 0 ? Trigger::timer : Trigger::pose;

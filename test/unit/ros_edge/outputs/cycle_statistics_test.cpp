@@ -19,7 +19,7 @@ TEST(CycleStatistics, nothingYet_isZero) {
 TEST(CycleStatistics, medianAndWorst) {
   CycleStatistics statistics;
   for (const double time : {5.0, 1.0, 4.0, 2.0, 3.0}) {
-    statistics.addCycle(time, false);
+    statistics.addCycle(time, false, RealTimeState::off);
   }
   EXPECT_EQ(statistics.times().median, 3.0);
   EXPECT_EQ(statistics.times().worst, 5.0);
@@ -28,9 +28,9 @@ TEST(CycleStatistics, medianAndWorst) {
 
 TEST(CycleStatistics, oldTimesAreForgotten) {
   CycleStatistics statistics;
-  statistics.addCycle(100.0, false);
+  statistics.addCycle(100.0, false, RealTimeState::off);
   for (int i = 0; i < 1024; ++i) {
-    statistics.addCycle(1.0, false);
+    statistics.addCycle(1.0, false, RealTimeState::off);
   }
   EXPECT_EQ(statistics.times().worst, 1.0);
 }
@@ -40,7 +40,7 @@ TEST(CycleStatistics, everyCycleCounts) {
   const CycleCounts before = statistics.counts();
   EXPECT_EQ(before.cycles, 0U);
   for (int i = 0; i < 2000; ++i) {
-    statistics.addCycle(1.0, i % 100 == 0);
+    statistics.addCycle(1.0, i % 100 == 0, RealTimeState::off);
   }
   EXPECT_EQ(statistics.counts().cycles, 2000U);
   EXPECT_EQ(statistics.counts().overruns, 20U);

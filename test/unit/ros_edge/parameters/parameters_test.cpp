@@ -284,6 +284,15 @@ TEST(Parameters, robotsThatMayBeAbsent_areRead) {
   EXPECT_EQ(faults(values), std::set<std::string>{"parameter /m/robots[0]/may_be_absent"});
 }
 
+TEST(Parameters, realTimePriority_isAWholeNumberUpTo99) {
+  XmlRpcValue values;
+  values["real_time_priority"] = 40;
+  SetupReport report;
+  EXPECT_EQ(readParameters(values, "/m", report).real_time_priority, 40);
+  values["real_time_priority"] = 100;
+  EXPECT_EQ(faults(values), std::set<std::string>{"parameter /m/real_time_priority"});
+}
+
 TEST(Parameters, labelsOfMarkers_areCounted) {
   XmlRpcValue values;
   values["marker_labels"] = 3;

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace collision_monitor {
+
+enum class RealTimeState : unsigned char {
+  off,       ///< not asked for
+  on,        ///< only threads of higher priority delay this one
+  refused,   ///< the system does not permit it
+  given_up,  ///< too many cycles in a row were late
+};
+
+/// The real-time priority of one thread, on Linux by SCHED_FIFO. All calls come from this thread.
+class RealTime {
+ public:
+  /// Starts to count late cycles anew. @param priority 1 to 99; 0: none
+  void set(int priority) noexcept;
+  /// Counts a cycle. Too many late ones in a row end the priority: they would leave no time to
+  /// other threads.
+  void add(bool is_late) noexcept;
+  RealTimeState state() const noexcept { return state_; }
+
+ private:
+  RealTimeState state_{RealTimeState::off};
+  int priority_{0};
+  int late_in_a_row_{0};
+};
+
+}  // namespace collision_monitor
