@@ -56,10 +56,7 @@ void sortMarked(std::vector<unsigned char>& marks, std::vector<LinkPairIndex>& p
 /// Fills the pairs to look at, and forgets what the last cycle told of pairs.
 void listActive(const CycleSetup& setup, const PairDistances& distances, const PairMemory& memory,
                 PairEvents& events) noexcept {
-  for (const LinkPairIndex pair : events.active) {
-    events.closest[pair] = events.soonest[pair] = kNone;
-    events.estimated[pair] = events.passed[pair] = kNone;
-  }
+  forgetTold(events);
   std::vector<LinkPairIndex>& active = events.active;
   if (memory.judges_all) {
     active.resize(setup.checked.size());
@@ -67,7 +64,6 @@ void listActive(const CycleSetup& setup, const PairDistances& distances, const P
     ++events.complete_judgements;
     return;
   }
-  active.clear();
   const auto add = [&](LinkPairIndex pair) {
     if (events.is_active[pair] == 0) {
       events.is_active[pair] = 1;
@@ -231,6 +227,14 @@ void report(LinkPairIndex pair, Verdict verdict, PairMemory& memory, PairEvents&
 }
 
 }  // namespace
+
+void forgetTold(PairEvents& events) noexcept {
+  for (const LinkPairIndex pair : events.active) {
+    events.closest[pair] = events.soonest[pair] = kNone;
+    events.estimated[pair] = events.passed[pair] = kNone;
+  }
+  events.active.clear();
+}
 
 void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                 const LinkVelocities& velocities, const PairDistances& distances,

@@ -12,6 +12,9 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                 const LinkVelocities& velocities, const PairDistances& distances,
                 PairMemory& memory, PairEvents& events) noexcept;
 
+/// Forgets which pairs were looked at, and what was told of them besides their verdicts.
+void forgetTold(PairEvents& events) noexcept;
+
 /// Keeps which pairs the next cycle judges even if they have no distance: those that are not clear,
 /// that listeners do not know to be clear, or that the speed scale remembers. Where pairs are few,
 /// it judges all.

@@ -92,6 +92,7 @@ void prepareFirstCycle(const CycleSetup& setup, const LinkPoses& poses,
   learnPairs(setup, poses, buffers);
   runCycle(setup, poses, buffers);
   forgetReported(buffers);
+  forgetTold(buffers.events);
 }
 
 void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {

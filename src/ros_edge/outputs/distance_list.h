@@ -18,8 +18,10 @@ class DistanceList {
  public:
   /// Link pairs within their report_distance, those that passed contact since the last cycle, and
   /// the closest of all. Valid until the next call.
-  /// @pre all calls are for one set-up
+  /// @pre all calls since the last forgetNames() are for one set-up
   const Distances& fill(const Watch& watch);
+  /// For another set-up, whose pairs have other names.
+  void forgetNames() { named_.clear(); }
 
  private:
   /// The pair whose names an entry holds.

@@ -39,7 +39,7 @@ void Publishers::startWatch(std::shared_ptr<RobotTopics> robot_topics) {
   robot_topics_ = std::move(robot_topics);
   robot_topics_->askWhoListens();
   markers_.reset();
-  distances_ = DistanceList();
+  distances_.forgetNames();
   log_.reset();
 }
 
