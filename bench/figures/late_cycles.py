@@ -20,7 +20,7 @@ import running
 
 RATE = 1000
 SECONDS = 10.0
-ROUNDS = 3
+ROUNDS = 1
 BOXES = 1000
 WARM_UP = 90.0  # [s] at most
 

@@ -8,9 +8,11 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "geometry/ball_motion.h"
 #include "geometry/constants.h"
 #include "model/object_links.h"
 #include "pipeline/cycle/distance_cache.h"
+#include "pipeline/objects/find_resting.h"
 
 namespace collision_monitor {
 namespace {
@@ -162,6 +164,17 @@ void addTurn(const CycleSetup& to, const std::vector<double>& turns, DistanceCac
   }
 }
 
+/// Objects count as settled if they stand where they stood when `last` was learnt.
+Rest restOf(std::size_t first_link, const LinkPoses& poses, const LastPoses& last,
+            const VelocityTracker& tracker) {
+  const bool rests =
+      poses.status[first_link] == LinkStatus::known && last.known[first_link] != 0 &&
+      poses.part[first_link] == kWorldPart && last.part[first_link] == kWorldPart &&
+      isSame(poses.world_from_link[first_link], last.world_from_link[first_link]) &&
+      tracker.filtered.known[first_link] != 0 && isFaded(tracker.filtered.of_link[first_link]);
+  return rests ? settledRest(tracker.filtered.of_link[first_link]) : Rest();
+}
+
 }  // namespace
 
 CarryPlan planCarryOver(const CycleSetup& from, const CycleSetup& to) {
@@ -231,7 +244,9 @@ void carryMotion(const CarryPlan& plan, const CycleSetup& to, const FormerMotion
     tracker.filtered.of_link[i] = motion.twist;
     tracker.filtered.known[i] = motion.is_twist_known ? 1 : 0;
   }
-  std::fill(last.rests.begin(), last.rests.end(), Rest());
+  for (std::size_t i = 0; i < to.carried.size(); ++i) {
+    last.rests[i] = restOf(to.carried[i].first_link, poses, last, tracker);
+  }
   last.stamp_ns = former.last.stamp_ns;
   for (std::size_t i = 0; i < model.robots.size(); ++i) {
     tracker.stamp_ns[i] = plan.robot_of[i] == kNone ? former.poses.stamp_ns

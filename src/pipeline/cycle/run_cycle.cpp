@@ -20,6 +20,7 @@
 #include "pipeline/look_ahead/find_motions.h"
 #include "pipeline/look_ahead/link_walk.h"
 #include "pipeline/objects/find_resting.h"
+#include "pipeline/objects/settle_objects.h"
 
 namespace collision_monitor {
 namespace {
@@ -91,6 +92,7 @@ void prepareFirstCycle(const CycleSetup& setup, const LinkPoses& poses,
                        CycleBuffers& buffers) noexcept {
   learnPairs(setup, poses, buffers);
   runCycle(setup, poses, buffers);
+  settleObjects(setup, poses, buffers);
   forgetReported(buffers);
   forgetTold(buffers.events);
 }

@@ -14,12 +14,8 @@ constexpr std::uint32_t kSettled = 3;
 
 /// Velocities that fade away after a motion count as equal: bounds keep the greater one.
 bool isEqual(const Twist& one, const Twist& other) noexcept {
-  constexpr double kFaded = 1e-9;  // [m/s], [rad/s]
-  const auto is_faded = [](const Twist& twist) {
-    return twist.linear.norm() <= kFaded && twist.angular.norm() <= kFaded;
-  };
   return (one.linear == other.linear && one.angular == other.angular) ||
-         (is_faded(one) && is_faded(other));
+         (isFaded(one) && isFaded(other));
 }
 
 /// Whether a link is as it was in the last cycle.
@@ -63,6 +59,13 @@ CarriedObjects endOf(const CycleSetup& setup) noexcept {
 }
 
 }  // namespace
+
+Rest settledRest(const Twist& twist) noexcept { return {kSettled, true, twist}; }
+
+bool isFaded(const Twist& twist) noexcept {
+  constexpr double kFaded = 1e-9;  // [m/s], [rad/s]
+  return twist.linear.norm() <= kFaded && twist.angular.norm() <= kFaded;
+}
 
 void moveAll(const CycleSetup& setup, MovedParts& moved) {
   for (std::vector<IndexRange>* ranges : {&moved.links, &moved.bodies, &moved.elements}) {

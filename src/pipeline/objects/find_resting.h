@@ -17,4 +17,10 @@ void moveAll(const CycleSetup& setup, MovedParts& moved);
 void findResting(const CycleSetup& setup, const LinkPoses& poses, LastPoses& last,
                  BodyPoses& body_poses) noexcept;
 
+/// What findResting knows of objects that have rested for long with this twist.
+Rest settledRest(const Twist& twist) noexcept;
+
+/// Whether the twist is none but for what a filter leaves of a motion.
+bool isFaded(const Twist& twist) noexcept;
+
 }  // namespace collision_monitor

@@ -36,6 +36,17 @@ Crossing crossing() {
   return scene;
 }
 
+/// Many small objects far away, so that a cycle neither judges all pairs nor places all objects,
+/// and some more.
+World farObjectsAnd(const std::vector<WorldObject>& more) {
+  std::vector<WorldObject> objects = more;
+  for (int i = 0; i < 70; ++i) {
+    objects.push_back(
+        test::objectOf("far_" + std::to_string(i), Sphere{0.1}, test::at(50.0 + i, 50, 50)));
+  }
+  return test::worldOf(objects, places());
+}
+
 TEST(WorldChangeLaws, aContactOnTheWay_isFoundAcrossAChange) {
   const Crossing scene = crossing();
   const WorldObject plate = test::objectOf("plate", Box{{1, 1, 0.001}});
@@ -50,14 +61,21 @@ TEST(WorldChangeLaws, aContactOnTheWay_isFoundAcrossAChange) {
   EXPECT_EQ(next.buffers.distances.passed.size(), 1U);
 }
 
-/// Many small objects far away, so that a cycle does not judge all pairs, and some more.
-World farObjectsAnd(const std::vector<WorldObject>& more) {
-  std::vector<WorldObject> objects = more;
-  for (int i = 0; i < 20; ++i) {
-    objects.push_back(
-        test::objectOf("far_" + std::to_string(i), Sphere{0.1}, test::at(50.0 + i, 50, 50)));
+TEST(WorldChangeLaws, aContactOnTheWayWithAnObjectThatRests_isFoundAcrossAChange) {
+  const Crossing scene = crossing();
+  const World world = farObjectsAnd({test::objectOf("plate", Box{{1, 1, 0.001}})});
+  Watched former(withWorld(scene.robots, world));
+  LinkPoses before = scene.before;
+  for (int i = 0; i < 3; ++i) {
+    before.stamp_ns += 1'000'000;
+    former.cycle(before);
   }
-  return test::worldOf(objects, places());
+  Watched next(withWorld(scene.robots, world));
+  next.prepare(before);
+  next.takeOver(former);
+  next.cycle(scene.after);
+  EXPECT_LT(next.buffers.body_poses.moved.links.back().last, next.setup.model.links.size());
+  EXPECT_EQ(next.buffers.distances.passed.size(), 1U);
 }
 
 TEST(WorldChangeLaws, aContactThatBeginsWhileAChangeIsPreparedAndEndsAfterIt_isTakenBack) {

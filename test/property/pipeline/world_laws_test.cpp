@@ -142,6 +142,46 @@ TEST(WorldLaws, theFirstCycleAfterAChange_equalsThatOfAMonitorStartedWithTheWorl
   }
 }
 
+/// So many objects at rest in the world that cycles leave them out.
+World crowd(Random& random) {
+  std::vector<WorldObject> objects;
+  for (int i = 0; i < 80; ++i) {
+    objects.push_back(test::objectOf("box_" + std::to_string(i), Box{{0.02, 0.03, 0.04}},
+                                     test::randomPose(random, 2.0 * kReach)));
+  }
+  return test::worldOf(objects, places());
+}
+
+TEST(WorldLaws, objectsThatStand_areLeftOutFromTheFirstCycleOnAndNothingDiffers) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const CycleSetup robots = robotsWithoutHysteresis(seed);
+    LinkPoses poses = test::randomLinkPoses(robots, kReach, seed);
+    poses.stamp_ns = 1'000'000'000;
+    Watched former(withWorld(robots, World()));
+    for (int i = 0; i < 3; ++i) {
+      moveOn(random, poses);
+      former.cycle(poses);
+    }
+    const World world = crowd(random);
+    Watched next(withWorld(robots, world));
+    next.prepare(poses);
+    next.takeOver(former);
+    Watched fresh(withWorld(robots, world));
+    fresh.prepare(poses);
+    for (int i = 0; i < 5; ++i) {
+      moveOn(random, poses);
+      next.cycle(poses);
+      fresh.cycle(poses);
+      ASSERT_EQ(next.setup.carried.size(), 1U);
+      const std::vector<IndexRange>& moved = next.buffers.body_poses.moved.links;
+      EXPECT_EQ(moved.back().last, next.setup.carried[0].first_link);
+      expectAlike(next, fresh);
+    }
+  }
+}
+
 TEST(WorldLaws, equalWorlds_giveEqualSetUpsHoweverTheyCame) {
   Random random(7);
   const CycleSetup robots = robotsWithoutHysteresis(7);
