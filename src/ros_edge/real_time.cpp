@@ -5,6 +5,8 @@
 #include <pthread.h>
 #include <sched.h>
 
+#include <algorithm>
+
 namespace collision_monitor {
 namespace {
 
@@ -18,24 +20,30 @@ bool setPolicy(int policy, int priority) noexcept {
 }  // namespace
 
 void RealTime::set(int priority) noexcept {
-  late_in_a_row_ = 0;
-  const bool is_wanted = priority > 0;
-  if (is_wanted && !(state_ == RealTimeState::on && priority == priority_)) {
-    state_ = setPolicy(SCHED_FIFO, priority) ? RealTimeState::on : RealTimeState::refused;
-  } else if (!is_wanted && state_ == RealTimeState::on) {
-    setPolicy(SCHED_OTHER, 0);
+  const bool is_same = priority == priority_;
+  if (is_same && (state_ == RealTimeState::on || late_in_a_row_ > 0)) {
+    return;
   }
-  state_ = is_wanted ? state_ : RealTimeState::off;
   priority_ = priority;
+  end(priority > 0 ? RealTimeState::refused : RealTimeState::off);
+  if (priority > 0 && setPolicy(SCHED_FIFO, priority)) {
+    state_ = RealTimeState::on;
+  }
 }
 
 void RealTime::add(bool is_late) noexcept {
   constexpr int kTooMany = 100;
-  late_in_a_row_ = is_late ? late_in_a_row_ + 1 : 0;
-  if (late_in_a_row_ >= kTooMany && state_ == RealTimeState::on) {
-    setPolicy(SCHED_OTHER, 0);
-    state_ = RealTimeState::given_up;
+  late_in_a_row_ = is_late ? std::min(late_in_a_row_ + 1, kTooMany) : 0;
+  if (late_in_a_row_ == kTooMany && state_ == RealTimeState::on) {
+    end(RealTimeState::given_up);
   }
+}
+
+void RealTime::end(RealTimeState state) noexcept {
+  if (state_ == RealTimeState::on) {
+    setPolicy(SCHED_OTHER, 0);
+  }
+  state_ = state;
 }
 
 }  // namespace collision_monitor

@@ -14,7 +14,8 @@ enum class RealTimeState : unsigned char {
 /// The real-time priority of one thread, on Linux by SCHED_FIFO. All calls come from this thread.
 class RealTime {
  public:
-  /// Starts to count late cycles anew. @param priority 1 to 99; 0: none
+  /// Asks again if the last answer was no or the priority was given up, unless the last cycle was
+  /// late. @param priority 1 to 99; 0: none
   void set(int priority) noexcept;
   /// Counts a cycle. Too many late ones in a row end the priority: they would leave no time to
   /// other threads.
@@ -22,6 +23,8 @@ class RealTime {
   RealTimeState state() const noexcept { return state_; }
 
  private:
+  void end(RealTimeState state) noexcept;
+
   RealTimeState state_{RealTimeState::off};
   int priority_{0};
   int late_in_a_row_{0};

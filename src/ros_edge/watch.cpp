@@ -127,6 +127,11 @@ void Watch::cycle() noexcept {
     learnPairs(setup(), poses, buffers);
   }
   noteAbsent();
+  if (is_new_) {
+    holdNewPairs();
+    carried = CarryPlan();
+    is_new_ = false;
+  }
   runCycle(setup(), poses, buffers);
   nearest.add(setup(), poses, joints, buffers);
 }
@@ -168,24 +173,23 @@ std::vector<LinkPairIndex> Watch::takeOver(const Watch& former) {
               buffers.memory, tracker);
   std::vector<LinkPairIndex> dropped = carryOver(carried, former.buffers.memory, buffers.memory);
   takeOverScales(former);
-  holdNewPairs(former);
+  for (std::size_t i = 0; i < was_there.size(); ++i) {
+    was_there[i] = carried.robot_of[i] == kNone ? 0 : former.was_there[carried.robot_of[i]];
+  }
   if (former.fixed->robots == fixed->robots) {  // not reloaded
     nearest.inherit(former.nearest, carried.pair_to);
   }
-  carried = CarryPlan();
   planned_from.reset();
+  is_new_ = true;
   return dropped;
 }
 
 /// Pairs that were not checked may have been near when one of their robots fell silent, as after a
 /// mute. Nobody knows, so they are held as pairs that were.
-void Watch::holdNewPairs(const Watch& former) {
-  for (std::size_t i = 0; i < was_there.size(); ++i) {
-    was_there[i] = carried.robot_of[i] == kNone ? 0 : former.was_there[carried.robot_of[i]];
-  }
+void Watch::holdNewPairs() noexcept {
   const auto is_silent = [&](std::size_t robot) {
     return robot < was_there.size() && was_there[robot] != 0 &&
-           former.buffers.robots.is_excused[carried.robot_of[robot]] != 0;
+           buffers.robots.is_excused[robot] != 0;
   };
   bool is_any_silent = false;
   for (std::size_t i = 0; i < was_there.size(); ++i) {

@@ -71,7 +71,7 @@ struct Watch {
   /// By RobotId: it was there, at least in part, since it was taken in.
   std::vector<unsigned char> was_there;
   std::shared_ptr<const MonitorSetup> planned_from;  ///< `carried` is about this set-up
-  CarryPlan carried;
+  CarryPlan carried;  ///< until the first cycle
   mutable Unknowns last_unknown;  ///< for unknown()
 
   const CycleSetup& setup() const noexcept { return fixed->setup; }
@@ -84,7 +84,9 @@ struct Watch {
   /// Notes which robots are absent, and whether that is excused.
   void noteAbsent() noexcept;
   void takeOverScales(const Watch& former);
-  void holdNewPairs(const Watch& former);
+  void holdNewPairs() noexcept;
+
+  bool is_new_{false};  ///< took over from another watch, and has run no cycle since
 };
 
 /// Reads poses from the sources that the parameters name: tf, or joint states where they can place

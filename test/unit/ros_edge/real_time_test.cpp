@@ -53,6 +53,31 @@ TEST(RealTime, askedFor_onOrRefusedAndThreadsAreAsTheStateSays) {
   });
 }
 
+TEST(RealTime, setAgainAndAgain_lateCyclesCountOn) {
+  if (!isPermitted()) {
+    GTEST_SKIP() << "the system does not permit real-time priority";
+  }
+  onThread([](RealTime& real_time) {
+    for (int i = 0; i < 100; ++i) {
+      real_time.set(1);
+      real_time.add(true);
+    }
+    EXPECT_EQ(real_time.state(), RealTimeState::given_up);
+  });
+}
+
+TEST(RealTime, aPriorityThatIsRefused_leavesNone) {
+  if (!isPermitted()) {
+    GTEST_SKIP() << "the system does not permit real-time priority";
+  }
+  onThread([](RealTime& real_time) {
+    real_time.set(1);
+    real_time.set(1000);
+    EXPECT_EQ(real_time.state(), RealTimeState::refused);
+    EXPECT_EQ(scheduling(), kNormal);
+  });
+}
+
 TEST(RealTime, manyLateCyclesInARow_giveItUpUntilItIsSetAgain) {
   if (!isPermitted()) {
     GTEST_SKIP() << "the system does not permit real-time priority";
@@ -68,6 +93,9 @@ TEST(RealTime, manyLateCyclesInARow_giveItUpUntilItIsSetAgain) {
     }
     EXPECT_EQ(real_time.state(), RealTimeState::given_up);
     EXPECT_EQ(scheduling(), kNormal);
+    real_time.set(1);
+    EXPECT_EQ(real_time.state(), RealTimeState::given_up) << "cycles are late still";
+    real_time.add(false);
     real_time.set(1);
     EXPECT_EQ(real_time.state(), RealTimeState::on);
     EXPECT_EQ(scheduling(), std::pair(SCHED_FIFO, 1));

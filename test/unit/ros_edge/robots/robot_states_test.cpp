@@ -89,7 +89,11 @@ TEST_F(RobotStates, ofARobotThatFallsSilentWhileItIsNear_countForTheOther) {
   }
 }
 
-TEST_F(RobotStates, ofARobotThatFallsSilentDuringAMute_countForTheOtherAfterIt) {
+/// Whether the robot falls silent while the pairs are muted, or in the first cycle after.
+class RobotStatesAfterAMute : public RobotStates, public testing::WithParamInterface<bool> {};
+INSTANTIATE_TEST_SUITE_P(During, RobotStatesAfterAMute, testing::Bool());
+
+TEST_P(RobotStatesAfterAMute, ofARobotThatFallsSilent_countForTheOther) {
   setup_->listed[1].may_be_absent = true;
   place("right/hand", {1.1, 0.0, 0.0});
   const auto before = watchNow();
@@ -101,10 +105,16 @@ TEST_F(RobotStates, ofARobotThatFallsSilentDuringAMute_countForTheOtherAfterIt) 
   setup_->setup =
       withPairRules(setup, setup.limits,
                     readPairRules(rules, setup.model, {}, IdleRule::is_error, report), report);
-  lose("right/hand");
-  lose("right/base");
+  const auto fall_silent = [&] {
+    lose("right/hand");
+    lose("right/base");
+  };
+  if (GetParam()) {
+    fall_silent();
+  }
   const auto muted = watchNow(before.get());
   setup_ = unmuted;
+  fall_silent();
   const auto after = watchNow(muted.get());
   EXPECT_EQ(stateOf(*after).robots[0].level, State::UNKNOWN);
   EXPECT_EQ(stateOf(*after).robots[0].speed_scale, 0.0);
