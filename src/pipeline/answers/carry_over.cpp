@@ -167,11 +167,11 @@ void addTurn(const CycleSetup& to, const std::vector<double>& turns, DistanceCac
 /// Objects count as settled if they stand where they stood when `last` was learnt.
 Rest restOf(std::size_t first_link, const LinkPoses& poses, const LastPoses& last,
             const VelocityTracker& tracker) {
-  const bool rests =
-      poses.status[first_link] == LinkStatus::known && last.known[first_link] != 0 &&
-      poses.part[first_link] == kWorldPart && last.part[first_link] == kWorldPart &&
-      isSame(poses.world_from_link[first_link], last.world_from_link[first_link]) &&
-      tracker.filtered.known[first_link] != 0 && isFaded(tracker.filtered.of_link[first_link]);
+  const bool rests = poses.status[first_link] == LinkStatus::known && last.known[first_link] != 0 &&
+                     poses.part[first_link] == kWorldPart && last.part[first_link] == kWorldPart &&
+                     isSame(poses.world_from_link[first_link], last.world_from_link[first_link]) &&
+                     tracker.filtered.known[first_link] != 0 &&
+                     isFaded(tracker.filtered.of_link[first_link]);
   return rests ? settledRest(tracker.filtered.of_link[first_link]) : Rest();
 }
 

@@ -27,8 +27,8 @@ TEST(Parameters, nothingSet_defaultsAreLegal) {
 TEST(Parameters, valuesAreRead_integersAreNumbers) {
   XmlRpcValue values;
   values["rate"] = 250;
+  values["real_time_priority"] = 40;
   values["trigger"] = "pose";
-  values["max_age"] = 0.2;
   values["limits"]["warning_distance"] = 0.1;
   values["broad_phase"] = "combination";
   values["ignore_default_overlap"] = false;
@@ -36,8 +36,8 @@ TEST(Parameters, valuesAreRead_integersAreNumbers) {
   const Parameters parameters = readParameters(values, "/m", report);
   EXPECT_TRUE(report.errors.empty());
   EXPECT_EQ(parameters.rate, 250.0);
+  EXPECT_EQ(parameters.real_time_priority, 40);
   EXPECT_EQ(parameters.trigger, Trigger::pose);
-  EXPECT_EQ(parameters.max_age, 0.2);
   EXPECT_EQ(parameters.setup.limits.warning_distance, 0.1);
   EXPECT_EQ(parameters.broad_phase, BroadPhaseKind::combination);
   EXPECT_FALSE(parameters.setup.ignore_default_overlap);
@@ -282,15 +282,6 @@ TEST(Parameters, robotsThatMayBeAbsent_areRead) {
   EXPECT_TRUE(parameters.robots.at(1).may_be_absent);
   values["robots"][0]["may_be_absent"] = "often";
   EXPECT_EQ(faults(values), std::set<std::string>{"parameter /m/robots[0]/may_be_absent"});
-}
-
-TEST(Parameters, realTimePriority_isAWholeNumberUpTo99) {
-  XmlRpcValue values;
-  values["real_time_priority"] = 40;
-  SetupReport report;
-  EXPECT_EQ(readParameters(values, "/m", report).real_time_priority, 40);
-  values["real_time_priority"] = 100;
-  EXPECT_EQ(faults(values), std::set<std::string>{"parameter /m/real_time_priority"});
 }
 
 TEST(Parameters, labelsOfMarkers_areCounted) {
