@@ -71,8 +71,8 @@ struct Watch {
   /// By RobotId: it was there, at least in part, since it was taken in.
   std::vector<unsigned char> was_there;
   std::shared_ptr<const MonitorSetup> planned_from;  ///< `carried` is about this set-up
-  CarryPlan carried;  ///< until the first cycle
-  mutable Unknowns last_unknown;  ///< for unknown()
+  CarryPlan carried;                                 ///< until the first cycle
+  mutable Unknowns last_unknown;                     ///< for unknown()
 
   const CycleSetup& setup() const noexcept { return fixed->setup; }
 

@@ -21,8 +21,8 @@ struct CarryPlan {
 
 CarryPlan planCarryOver(const CycleSetup& from, const CycleSetup& to);
 
-/// Copies the speed scale, and the reported verdicts of link pairs that both set-ups check. Takes no
-/// longer for pairs that are clear.
+/// Copies the speed scale, and the reported verdicts of link pairs that both set-ups check. Takes
+/// no longer for pairs that are clear.
 /// @return pairs that only the former set-up checks and whose reported verdict is not clear.
 std::vector<LinkPairIndex> carryOver(const CarryPlan& plan, const PairMemory& reported,
                                      PairMemory& memory);

@@ -257,7 +257,7 @@ struct PairMemory {
   /// Pairs that the next cycle looks at whatever their distance: those of isLively, each once or
   /// more often. Means nothing if it looks at every pair.
   std::vector<LinkPairIndex> lively;
-  std::vector<Verdict> reported;  ///< by LinkPairIndex: the verdict last reported
+  std::vector<Verdict> reported;       ///< by LinkPairIndex: the verdict last reported
   std::vector<Detail> contact_detail;  ///< by LinkPairIndex: the finest detail that showed the
                                        ///< reported contact
   SpeedScale speed;

@@ -13,11 +13,11 @@
 
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/inputs/time_jumps.h"
-#include "ros_edge/real_time.h"
 #include "ros_edge/outputs/cycle_statistics.h"
 #include "ros_edge/outputs/pair_view.h"
 #include "ros_edge/outputs/publishers.h"
 #include "ros_edge/pace.h"
+#include "ros_edge/real_time.h"
 #include "ros_edge/services/enabling.h"
 
 namespace collision_monitor {

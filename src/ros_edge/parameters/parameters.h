@@ -52,10 +52,10 @@ struct Parameters {
   std::vector<RobotSource> robots;  ///< empty: one robot, from robot_description
   std::string mesh_directory;       ///< base of relative mesh names, for URDFs that are not files
   LoadRules loading;  ///< of robots, meshes and rules; `setup` has the limits of reading meshes
-  bool obey_up_axis{false};  ///< as RobotDescription::obeys_up_axis
-  bool is_strict{false};     ///< as in RobotDescription
-  std::string world_frame;   ///< empty: the root link of the first robot
-  double rate{100.0};        ///< [Hz]
+  bool obey_up_axis{false};   ///< as RobotDescription::obeys_up_axis
+  bool is_strict{false};      ///< as in RobotDescription
+  std::string world_frame;    ///< empty: the root link of the first robot
+  double rate{100.0};         ///< [Hz]
   int real_time_priority{1};  ///< of the cycle's thread, 0: none
   Trigger trigger{Trigger::timer};
   PoseSource pose_source{PoseSource::tf};
