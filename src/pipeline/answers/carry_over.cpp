@@ -164,7 +164,7 @@ void addTurn(const CycleSetup& to, const std::vector<double>& turns, DistanceCac
   }
 }
 
-/// Objects count as settled if they stand where they stood when `last` was learnt.
+/// Objects count as settled if they stood in the last cycle where the new set-up was prepared.
 Rest restOf(std::size_t first_link, const LinkPoses& poses, const LastPoses& last,
             const VelocityTracker& tracker) {
   const bool rests = poses.status[first_link] == LinkStatus::known && last.known[first_link] != 0 &&
