@@ -17,7 +17,7 @@ from figure import Figures, first_line, package_path, shared_robots
 
 # The least share of pairs that are proven, and within how many seconds.
 GOALS = {"panda_moveit": (0.9, 60.0), "atlas": (0.5, None)}
-# Others reach into the nearer objects, and take longer for what they touch; some are late without objects.
+# Others reach into the nearer objects, and take longer for what they touch.
 CROWDED = "atlas"
 DENSE = ["atlas", "tiago_dual", "icub", "stretch"]
 # [ms] until objects are watched.
@@ -110,8 +110,8 @@ def main():
         add_crowd(figures, robot)
     with running.master():
         for robot in shared_robots():
-            if robot[0] in DENSE:
-                late_cycles.add_robot(figures, robot, robot[0] == CROWDED)
+            if robot[0] in (*DENSE, *GOALS):
+                late_cycles.add_robot(figures, robot)
     for robot in shared_robots():
         if robot[0] in arguments.robots or "all" in arguments.robots:
             add_robot(figures, robot, arguments.states)

@@ -22,6 +22,20 @@ namespace {
 
 constexpr double kReportPeriod = 1.0;  // [s]
 
+std::string realTimeText(RealTimeState state, int priority) {
+  switch (state) {
+    case RealTimeState::off:
+      return "none";
+    case RealTimeState::on:
+      return std::to_string(priority);
+    case RealTimeState::refused:
+      return "not permitted";
+    case RealTimeState::given_up:
+      return "given up: too many late cycles";
+  }
+  return "";
+}
+
 }  // namespace
 
 Diagnostics::Diagnostics(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
@@ -80,20 +94,6 @@ void summarizeCycles(const CycleReport& report, DiagnosticStatusWrapper& status)
   } else {
     status.summary(DiagnosticStatus::OK, "cycles keep their period");
   }
-}
-
-std::string realTimeText(RealTimeState state, int priority) {
-  switch (state) {
-    case RealTimeState::off:
-      return "none";
-    case RealTimeState::on:
-      return std::to_string(priority);
-    case RealTimeState::refused:
-      return "not permitted";
-    case RealTimeState::given_up:
-      return "given up: too many late cycles";
-  }
-  return "";
 }
 
 void Diagnostics::reportCycle(DiagnosticStatusWrapper& status) {

@@ -40,6 +40,16 @@ bool isPermitted() {
   return state == RealTimeState::on;
 }
 
+/// Containers and users without the right cannot try these.
+class PermittedRealTime : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!isPermitted()) {
+      GTEST_SKIP() << "the system does not permit real-time priority";
+    }
+  }
+};
+
 TEST(RealTime, askedFor_onOrRefusedAndThreadsAreAsTheStateSays) {
   onThread([](RealTime& real_time) {
     EXPECT_EQ(real_time.state(), RealTimeState::off);
@@ -53,10 +63,7 @@ TEST(RealTime, askedFor_onOrRefusedAndThreadsAreAsTheStateSays) {
   });
 }
 
-TEST(RealTime, setAgainAndAgain_lateCyclesCountOn) {
-  if (!isPermitted()) {
-    GTEST_SKIP() << "the system does not permit real-time priority";
-  }
+TEST_F(PermittedRealTime, setAgainAndAgain_lateCyclesCountOn) {
   onThread([](RealTime& real_time) {
     for (int i = 0; i < 100; ++i) {
       real_time.set(1);
@@ -66,10 +73,7 @@ TEST(RealTime, setAgainAndAgain_lateCyclesCountOn) {
   });
 }
 
-TEST(RealTime, aPriorityThatIsRefused_leavesNone) {
-  if (!isPermitted()) {
-    GTEST_SKIP() << "the system does not permit real-time priority";
-  }
+TEST_F(PermittedRealTime, aPriorityThatIsRefused_leavesNone) {
   onThread([](RealTime& real_time) {
     real_time.set(1);
     real_time.set(1000);
@@ -78,10 +82,7 @@ TEST(RealTime, aPriorityThatIsRefused_leavesNone) {
   });
 }
 
-TEST(RealTime, manyLateCyclesInARow_giveItUpUntilItIsSetAgain) {
-  if (!isPermitted()) {
-    GTEST_SKIP() << "the system does not permit real-time priority";
-  }
+TEST_F(PermittedRealTime, manyLateCyclesInARow_giveItUpUntilItIsSetAgain) {
   onThread([](RealTime& real_time) {
     real_time.set(1);
     for (int i = 0; i < 1000; ++i) {
