@@ -101,8 +101,11 @@ ChangeTimes WatchedRobot::change(const std::vector<SceneChange>& changes) {
   transforms_.keepOnly(frameNames(*next));
   auto watch = std::make_unique<Watch>(next, transforms_, joints_);
   times.buffered = clock.next();
-  const ros::Time now = ros::Time::now();
-  watch->prepare(now, lookAtClock(inputs, now), setup_);
+  watch->planTakeOver(setup_);
+  for (int i = 0; i < 2; ++i) {  // as the node does
+    const ros::Time now = ros::Time::now();
+    watch->prepare(now, lookAtClock(inputs, now));
+  }
   times.prepared = clock.next();
   watch->takeOver(*watch_);
   watch_.swap(watch);

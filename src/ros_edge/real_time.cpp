@@ -8,16 +8,13 @@
 #include <algorithm>
 
 namespace collision_monitor {
-namespace {
 
-/// @return false if the system does not permit it; then nothing has changed.
-bool setPolicy(int policy, int priority) noexcept {
+bool setRealTimePriority(int priority) noexcept {
   sched_param parameters{};
   parameters.sched_priority = priority;
-  return pthread_setschedparam(pthread_self(), policy, &parameters) == 0;
+  return pthread_setschedparam(pthread_self(), priority > 0 ? SCHED_FIFO : SCHED_OTHER,
+                               &parameters) == 0;
 }
-
-}  // namespace
 
 void RealTime::set(int priority) noexcept {
   const bool is_same = priority == priority_;
@@ -26,7 +23,7 @@ void RealTime::set(int priority) noexcept {
   }
   priority_ = priority;
   end(priority > 0 ? RealTimeState::refused : RealTimeState::off);
-  if (priority > 0 && setPolicy(SCHED_FIFO, priority)) {
+  if (priority > 0 && setRealTimePriority(priority)) {
     state_ = RealTimeState::on;
   }
 }
@@ -41,7 +38,7 @@ void RealTime::add(bool is_late) noexcept {
 
 void RealTime::end(RealTimeState state) noexcept {
   if (state_ == RealTimeState::on) {
-    setPolicy(SCHED_OTHER, 0);
+    setRealTimePriority(0);
   }
   state_ = state;
 }

@@ -11,7 +11,12 @@ enum class RealTimeState : unsigned char {
   given_up,  ///< too many cycles in a row were late
 };
 
-/// The real-time priority of one thread, on Linux by SCHED_FIFO. All calls come from this thread.
+/// Sets the priority of the calling thread, on Linux by SCHED_FIFO.
+/// @param priority 1 to 99; 0: none
+/// @return false if the system does not permit it; then nothing has changed
+bool setRealTimePriority(int priority) noexcept;
+
+/// The real-time priority of one thread. All calls come from this thread.
 class RealTime {
  public:
   /// Asks again if the last answer was no or the priority was given up, unless the last cycle was
@@ -21,6 +26,8 @@ class RealTime {
   /// other threads.
   void add(bool is_late) noexcept;
   RealTimeState state() const noexcept { return state_; }
+  /// 0 unless it is on.
+  int priority() const noexcept { return state_ == RealTimeState::on ? priority_ : 0; }
 
  private:
   void end(RealTimeState state) noexcept;

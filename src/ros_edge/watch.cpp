@@ -129,7 +129,6 @@ void Watch::cycle() noexcept {
   noteAbsent();
   if (is_new_) {
     holdNewPairs();
-    carried = CarryPlan();
     is_new_ = false;
   }
   runCycle(setup(), poses, buffers);
@@ -153,16 +152,18 @@ void Watch::resumeReporting() {
   forgetJoined();
 }
 
-void Watch::prepare(const ros::Time& now, const ClockState& clock_now,
-                    std::shared_ptr<const MonitorSetup> former) {
-  read(now, clock_now);
-  noteJoined();
-  noteAbsent();
-  prepareFirstCycle(setup(), poses, buffers);
+void Watch::planTakeOver(std::shared_ptr<const MonitorSetup> former) {
   carried = planCarryOver(former->setup, setup());
   const auto added = std::count(carried.pair_of.begin(), carried.pair_of.end(), kNone);
   nearest.touchRoomFor(carried.pair_of.size() - static_cast<std::size_t>(added));
   planned_from = std::move(former);
+}
+
+void Watch::prepare(const ros::Time& now, const ClockState& clock_now) {
+  read(now, clock_now);
+  noteJoined();
+  noteAbsent();
+  prepareFirstCycle(setup(), poses, buffers);
 }
 
 std::vector<LinkPairIndex> Watch::takeOver(const Watch& former) {

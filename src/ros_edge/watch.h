@@ -36,11 +36,11 @@ struct Watch {
   void pauseReporting();
   /// Switches reporting on: every difference from what listeners last got is a change.
   void resumeReporting();
-  /// Does before a swap what would make the first cycle long: reads the poses, learns the pairs,
-  /// judges them all, and finds out what can be taken over from the watch of `former`. For any
-  /// thread.
-  void prepare(const ros::Time& now, const ClockState& clock_now,
-               std::shared_ptr<const MonitorSetup> former);
+  /// Finds out what can be taken over from the watch of `former`. For any thread.
+  void planTakeOver(std::shared_ptr<const MonitorSetup> former);
+  /// Does before a swap what would make the first cycle long: reads the poses, learns the pairs and
+  /// judges them all. For any thread. The less the poses move until then, the shorter the cycle.
+  void prepare(const ros::Time& now, const ClockState& clock_now);
   /// Continues what another watch has reported, and its motion.
   /// @return pairs that the other checked and this one does not, and that were not clear
   std::vector<LinkPairIndex> takeOver(const Watch& former);
@@ -71,7 +71,7 @@ struct Watch {
   /// By RobotId: it was there, at least in part, since it was taken in.
   std::vector<unsigned char> was_there;
   std::shared_ptr<const MonitorSetup> planned_from;  ///< `carried` is about this set-up
-  CarryPlan carried;                                 ///< until the first cycle
+  CarryPlan carried;                                 ///< of use until the first cycle ends
   mutable Unknowns last_unknown;                     ///< for unknown()
 
   const CycleSetup& setup() const noexcept { return fixed->setup; }

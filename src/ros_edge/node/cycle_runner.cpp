@@ -38,8 +38,12 @@ CycleRunner::~CycleRunner() {
 std::unique_ptr<Watch> CycleRunner::makeWatch(std::shared_ptr<const MonitorSetup> setup) const {
   auto watch = std::make_unique<Watch>(std::move(setup), store_, joints_);
   if (std::shared_ptr<const MonitorSetup> former = currentSetup()) {
-    const ros::Time now = ros::Time::now();
-    watch->prepare(now, lookAtClock({store_, joints_, clock_}, now), std::move(former));
+    watch->planTakeOver(std::move(former));
+    constexpr int kTimes = 2;  // the first takes long, and poses go on meanwhile
+    for (int i = 0; i < kTimes; ++i) {
+      const ros::Time now = ros::Time::now();
+      watch->prepare(now, lookAtClock({store_, joints_, clock_}, now));
+    }
   }
   return watch;
 }
@@ -191,6 +195,7 @@ void CycleRunner::runOnce() {
   const bool is_overrun =
       toSeconds(SteadyClock::now() - woken_) > periodOf(watch_->fixed->parameters);
   real_time_.add(is_overrun);
+  network_priority_.set(std::max(0, real_time_.priority() - 1));  // cycles come first
   facts_.overruns += is_overrun ? 1 : 0;
   statistics_.addCycle(facts_.cycle_time, is_overrun, real_time_.state());
   statistics_.addWork(watch_->buffers, facts_.cycle_time, watch_->budget);

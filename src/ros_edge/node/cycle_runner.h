@@ -13,6 +13,7 @@
 
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/inputs/time_jumps.h"
+#include "ros_edge/network_priority.h"
 #include "ros_edge/outputs/cycle_statistics.h"
 #include "ros_edge/outputs/pair_view.h"
 #include "ros_edge/outputs/publishers.h"
@@ -86,6 +87,7 @@ class CycleRunner {
   CycleFacts facts_;
   CyclePace pace_;
   RealTime real_time_;
+  NetworkPriority network_priority_;
   SteadyClock::time_point woken_;  ///< for the current cycle, before a new set-up is taken over
   SteadyClock::time_point last_summary_;
   std::uint64_t seen_data_{0};

@@ -56,7 +56,7 @@ struct Parameters {
   bool is_strict{false};      ///< as in RobotDescription
   std::string world_frame;    ///< empty: the root link of the first robot
   double rate{100.0};         ///< [Hz]
-  int real_time_priority{1};  ///< of the cycle's thread, 0: none
+  int real_time_priority{2};  ///< of the cycle's thread, 0: none
   Trigger trigger{Trigger::timer};
   PoseSource pose_source{PoseSource::tf};
   double max_age{0.5};                       ///< [s]

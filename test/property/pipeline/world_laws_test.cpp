@@ -125,10 +125,12 @@ TEST(WorldLaws, theFirstCycleAfterAChange_equalsThatOfAMonitorStartedWithTheWorl
     for (int change = 0; change < 10; ++change) {
       world = changed(world, random);
       auto next = std::make_unique<Watched>(withWorld(robots, world));
-      next->prepare(poses);
-      for (int i = 0; i < 3; ++i) {  // while the change is prepared
-        moveOn(random, poses);
-        watched->cycle(poses);
+      for (int times = 0; times < 2; ++times) {
+        next->prepare(poses);
+        for (int i = 0; i < 3; ++i) {  // meanwhile
+          moveOn(random, poses);
+          watched->cycle(poses);
+        }
       }
       next->takeOver(*watched);
       watched = std::move(next);

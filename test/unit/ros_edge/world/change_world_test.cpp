@@ -42,7 +42,8 @@ class ChangeWorld : public testing::Test {
     throwIfErrors(report);
     const std::shared_ptr<const MonitorSetup> next = changeWorld(*setup_, world, {});
     auto watch = std::make_unique<Watch>(next, store_, joints_);
-    watch->prepare(ros::Time(12.5), ClockState(), setup_);
+    watch->planTakeOver(setup_);
+    watch->prepare(ros::Time(12.5), ClockState());
     watch->takeOver(*watch_);
     watch_ = std::move(watch);
     setup_ = next;

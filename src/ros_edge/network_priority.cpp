@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/network_priority.h"
+
+#include <ros/init.h>
+
+#include <chrono>
+#include <thread>
+
+#include "ros_edge/real_time.h"
+
+namespace collision_monitor {
+
+NetworkPriority::NetworkPriority()
+    : listener_(ros::PollManager::instance()->addPollThreadListener([this] { apply(); })) {}
+
+NetworkPriority::~NetworkPriority() {
+  wanted_ = 0;
+  while (given_ != 0 && !ros::isShuttingDown()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ros::PollManager::instance()->removePollThreadListener(listener_);
+}
+
+void NetworkPriority::apply() noexcept {
+  const int wanted = wanted_;
+  if (wanted != given_) {
+    setRealTimePriority(wanted);
+    given_ = wanted;
+  }
+}
+
+}  // namespace collision_monitor
