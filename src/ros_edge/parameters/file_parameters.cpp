@@ -48,7 +48,7 @@ void readFileParameters(const XmlRpcValue& values, const std::string& where, Loa
   constexpr NumberRange kTime{0.0, 1e6, true};
   ParameterStruct fields(values, where, report);
   auto size = static_cast<double>(loading.max_size);
-  fields.readWhole("max_size", {1.0, 1e12}, size);
+  fields.read("max_size", wholeNumbers(1.0, 1e12), size);
   loading.max_size = static_cast<std::uintmax_t>(size);
   if (const XmlRpcValue* schemes = fields.find("schemes")) {
     loading.schemes = readSchemes(*schemes, fields.pathOf("schemes"), report);

@@ -21,7 +21,8 @@ T valueAs(const XmlRpcValue& value) {
 }
 
 std::string describe(const NumberRange& range) {
-  std::string text = std::string("a number ") + (range.is_least_open ? "> " : ">= ");
+  std::string text = range.is_whole ? "a whole number " : "a number ";
+  text += range.is_least_open ? "> " : ">= ";
   text += shortText(range.least);
   if (std::isfinite(range.greatest)) {
     text += " and <= " + shortText(range.greatest);
@@ -37,6 +38,7 @@ bool isNumberAsText(const XmlRpcValue& value) {
 
 bool isIn(double value, const NumberRange& range) {
   return std::isfinite(value) && value <= range.greatest &&
+         (!range.is_whole || value == std::floor(value)) &&
          (range.is_least_open ? value > range.least : value >= range.least);
 }
 
@@ -145,16 +147,6 @@ void ParameterStruct::read(const std::string& name, const NumberRange& range, do
     refuse(
         name, toText(*found) + (is_text ? ", a text to YAML" : ""),
         describe(range) + (is_text ? ", without quotes, and without exponent or as 1.0e+3" : ""));
-    return;
-  }
-  value = read_value;
-}
-
-void ParameterStruct::readWhole(const std::string& name, const NumberRange& range, double& value) {
-  double read_value = value;
-  read(name, range, read_value);
-  if (read_value != std::floor(read_value)) {
-    refuse(name, shortText(read_value), "a whole number");
     return;
   }
   value = read_value;

@@ -16,7 +16,12 @@ struct NumberRange {
   double least;
   double greatest;
   bool is_least_open{false};
+  bool is_whole{false};  ///< only whole numbers
 };
+
+constexpr NumberRange wholeNumbers(double least, double greatest) {
+  return {least, greatest, false, true};
+}
 
 /// Reads one struct of parameters field by field. Notes which names were read, so that the others
 /// can be refused. A missing or faulty field leaves the value unchanged; a faulty one also adds a
@@ -26,8 +31,6 @@ class ParameterStruct {
   ParameterStruct(const XmlRpc::XmlRpcValue& values, std::string where, SetupReport& report);
 
   void read(const std::string& name, const NumberRange& range, double& value);
-  /// A whole number.
-  void readWhole(const std::string& name, const NumberRange& range, double& value);
   void read(const std::string& name, bool& value);
   void read(const std::string& name, std::string& value);
   /// One of `words`; `position` is its index.

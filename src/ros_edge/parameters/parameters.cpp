@@ -124,7 +124,7 @@ std::vector<NamedPair> readPairs(const XmlRpcValue& values, const std::string& w
 void readTiming(ParameterStruct& fields, Parameters& parameters) {
   fields.read("rate", {0.0, 10000.0, true}, parameters.rate);
   double priority = parameters.real_time_priority;
-  fields.readWhole("real_time_priority", {0.0, 99.0}, priority);
+  fields.read("real_time_priority", wholeNumbers(0.0, 99.0), priority);
   parameters.real_time_priority = static_cast<int>(priority);
   std::size_t trigger = 0;
   fields.read("trigger", {"timer", "pose"}, trigger);
@@ -138,7 +138,7 @@ void readTiming(ParameterStruct& fields, Parameters& parameters) {
   fields.read("heartbeat_rate", {1.0, 1000.0}, parameters.heartbeat_rate);
   fields.read("marker_rate", {0.0, 1000.0, true}, parameters.marker_rate);
   auto labels = static_cast<double>(parameters.marker_labels);
-  fields.readWhole("marker_labels", {0.0, 50.0}, labels);  // more cannot be read
+  fields.read("marker_labels", wholeNumbers(0.0, 50.0), labels);  // more cannot be read
   parameters.marker_labels = static_cast<std::size_t>(labels);
   fields.read("disable_timeout", kTime, parameters.disable_timeout);
   fields.read("wait_for_description", {0.0, 1e6}, parameters.wait_for_description);
@@ -156,7 +156,7 @@ void readBroadPhase(ParameterStruct& fields, Parameters& parameters) {
 void readMemoryLimit(ParameterStruct& fields, SetupOptions& options) {
   constexpr double kMegabyte = 1e6;
   double megabytes = 0.0;
-  fields.readWhole("memory_limit", {0.0, 1e9}, megabytes);
+  fields.read("memory_limit", wholeNumbers(0.0, 1e9), megabytes);
   options.memory_limit = static_cast<std::uint64_t>(megabytes * kMegabyte);
 }
 
@@ -164,7 +164,7 @@ void readMemoryLimit(ParameterStruct& fields, SetupOptions& options) {
 void readFitting(ParameterStruct& fields, Parameters& parameters) {
   fields.read("shape_rules", parameters.shape_rules);
   double max_shapes = parameters.setup.default_limits.max_shapes;
-  fields.readWhole("max_shapes_per_link", {1.0, 1000.0}, max_shapes);
+  fields.read("max_shapes_per_link", wholeNumbers(1.0, 1000.0), max_shapes);
   parameters.setup.default_limits.max_shapes = static_cast<std::uint32_t>(max_shapes);
   fields.read("target_overshoot", kLength, parameters.setup.default_limits.target_overshoot);
   fields.read("fit_cache", parameters.fit_cache);
@@ -182,7 +182,7 @@ void readRefining(ParameterStruct& fields, double most, RefineOptions& refine) {
   refine.geometry = kGeometries[geometry];
   fields.read("refine_distance", kLength, refine.limits.distance);
   double budget = refine.limits.budget;
-  fields.readWhole("refine_budget", {0.0, 4e9}, budget);
+  fields.read("refine_budget", wholeNumbers(0.0, 4e9), budget);
   refine.limits.budget = static_cast<std::uint32_t>(budget);
   constexpr double kTolerance = 1e-4;
   refine.limits.tolerance = std::min(kTolerance, most);
