@@ -67,7 +67,8 @@ void placeOpen(const JointPositions& positions, std::size_t first, StatesWork& w
 
 using Stage = void (*)(const CycleSetup&, StatesWork&, OpenStates&, BlockChecks&) noexcept;
 
-/// Lets a stage answer the open states, block by block. What it leaves open fills new blocks.
+/// Lets a stage answer the open states, block by block. What it leaves open fills new blocks, with
+/// what is known so far.
 void runStage(const CycleSetup& setup, const JointPositions& positions, Stage stage,
               StatesWork& work, std::vector<StateCheck>& checks) noexcept {
   std::size_t left = 0;
@@ -75,13 +76,15 @@ void runStage(const CycleSetup& setup, const JointPositions& positions, Stage st
     placeOpen(positions, first, work);
     OpenStates open{};
     BlockChecks of_block;
-    std::fill_n(open.begin(), work.placed.size(), true);
+    for (std::size_t lane = 0; lane < work.placed.size(); ++lane) {
+      open[lane] = true;
+      of_block[lane] = checks[work.placed[lane]];
+    }
     stage(setup, work, open, of_block);
     for (std::size_t lane = 0; lane < work.placed.size(); ++lane) {
+      checks[work.placed[lane]] = of_block[lane];
       if (open[lane]) {
         work.open[left++] = work.placed[lane];
-      } else {
-        checks[work.placed[lane]] = of_block[lane];
       }
     }
   }

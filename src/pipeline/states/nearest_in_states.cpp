@@ -15,11 +15,14 @@ namespace HWY_NAMESPACE {
 struct NearestSearch {
   ElementBodies bodies;
   Truth is_asked;
-  JudgedLanes judged;
+
+  bool does_nearest_decide;  ///< the verdict, as with one threshold for all pairs
+  JudgedLanes judged{};
 
   /// [m] A pair that is farther apart changes nothing.
   Number reachOf(double warning_distance) const {
-    return hn::Max(judged.distance, number(warning_distance));
+    return does_nearest_decide ? judged.distance
+                               : hn::Max(judged.distance, number(warning_distance));
   }
 
   Truth ballsMeet(const StateElementPair& elements) const {
@@ -43,9 +46,11 @@ struct NearestSearch {
 
 void judgeNearestInLanes(const CycleSetup& setup, const StateNumber& asked, StatesWork& work,
                          StatesBlock& block) {
+  const bool does_nearest_decide =
+      setup.own_limits.empty() && !(setup.limits.contact_distance < 0.0);  // see contactOfBodies
   for (std::size_t lane = 0; lane < kStateCount; lane += hn::Lanes(Lanes())) {
     const Truth is_asked = hn::Gt(hn::Load(Lanes(), asked.of + lane), number(kNotAsked));
-    NearestSearch search{{{setup, work, lane}, work}, is_asked, {}};
+    NearestSearch search{{{setup, work, lane}, work}, is_asked, does_nearest_decide};
     for (const ElementPairIndex i : work.refinement.order) {
       const StateElementPair& elements = work.refinement.element_pairs[i];
       const Truth may_be_near = search.ballsMeet(elements);

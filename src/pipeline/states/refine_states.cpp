@@ -194,13 +194,16 @@ void refineContacts(const CycleSetup& setup, const OpenStates& open, StatesWork&
 
 void refineNearest(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
                    BlockChecks& checks) noexcept {
-  // A pair within the warning distance is mostly the nearest. If not, its distance limits the next
-  // query.
+  // Geometries are mostly not much farther apart than the shapes that enclose them. If they are,
+  // their distance limits the next query. Limits of their own may make a farther pair a warning.
+  constexpr double kOvershoots = 0.02;  // [m] of two shapes
   const double farthest =
       largestOfLimits(setup, [](const Limits& limits) { return limits.warning_distance; });
   StateNumber asked;
   for (std::size_t lane = 0; lane < kStateCount; ++lane) {
-    asked.of[lane] = open[lane] ? farthest : kNotAsked;
+    const double near = std::max(checks[lane].distance, 0.0) + kOvershoots;
+    const double reach = setup.own_limits.empty() ? std::min(near, farthest) : farthest;
+    asked.of[lane] = open[lane] ? reach : kNotAsked;
   }
   constexpr int kMostQueries = 40;  // more than it takes to reach the farthest pair
   const auto isAsked = [](double distance) { return distance != kNotAsked; };

@@ -250,6 +250,9 @@ void findNearest(const StateSearch& state, StateCheck& best) noexcept {
   for (auto end = pairs.end(); end != pairs.begin();) {
     std::pop_heap(pairs.begin(), end, isFarther);
     ElementsInState& pair = *(end - 1);
+    if (state.setup.own_limits.empty() && !(pair.bound < best.distance)) {
+      return;  // as little do all that are left
+    }
     if (matters(state, pair, best) && !pair.is_raised) {
       raiseBound(state, best.distance, pair);
       std::push_heap(pairs.begin(), end, isFarther);

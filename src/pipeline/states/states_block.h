@@ -119,6 +119,7 @@ void refineContacts(const CycleSetup& setup, const OpenStates& open, StatesWork&
 /// Finds by geometries the nearest pairs of open states of the block. States in contact are settled
 /// before.
 /// @pre balls are placed.
+/// @param checks in: the answers by enclosing shapes
 void refineNearest(const CycleSetup& setup, const OpenStates& open, StatesWork& work,
                    BlockChecks& checks) noexcept;
 
