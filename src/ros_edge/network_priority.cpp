@@ -23,9 +23,12 @@ NetworkPriority::~NetworkPriority() {
 }
 
 void NetworkPriority::apply() noexcept {
+  static int resets = 0;  // another monitor of this nodelet manager may have ended
   const int wanted = wanted_;
-  if (wanted != given_) {
+  if (wanted != given_ || (wanted != 0 && seen_resets_ != resets)) {
     setRealTimePriority(wanted);
+    resets += wanted == 0 ? 1 : 0;
+    seen_resets_ = resets;
     given_ = wanted;
   }
 }

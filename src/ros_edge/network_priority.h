@@ -27,6 +27,7 @@ class NetworkPriority {
 
   std::atomic<int> wanted_{0};
   std::atomic<int> given_{0};  ///< what the thread has asked for
+  int seen_resets_{0};         ///< by any monitor of this process; used by the thread only
   boost::signals2::connection listener_;
 };
 

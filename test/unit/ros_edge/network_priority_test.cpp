@@ -60,5 +60,15 @@ TEST_F(NetworkThread, takesThePriority_andHasNoneAfterTheEnd) {
   EXPECT_TRUE(takes(0));
 }
 
+TEST_F(NetworkThread, keepsThePriorityForOneMonitorWhenAnotherEnds) {
+  NetworkPriority other;
+  priority_->set(2);
+  other.set(2);
+  EXPECT_TRUE(takes(2));
+  priority_.reset();
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_TRUE(takes(2));
+}
+
 }  // namespace
 }  // namespace collision_monitor
