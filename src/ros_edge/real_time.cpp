@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/real_time.h"
 
-#include <pthread.h>
 #include <sched.h>
 
 #include <algorithm>
@@ -12,8 +11,9 @@ namespace collision_monitor {
 bool setRealTimePriority(int priority) noexcept {
   sched_param parameters{};
   parameters.sched_priority = priority;
-  return pthread_setschedparam(pthread_self(), priority > 0 ? SCHED_FIFO : SCHED_OTHER,
-                               &parameters) == 0;
+  // Of the calling thread. Others that it starts are normal.
+  const int policy = (priority > 0 ? SCHED_FIFO : SCHED_OTHER) | SCHED_RESET_ON_FORK;
+  return sched_setscheduler(0, policy, &parameters) == 0;
 }
 
 void RealTime::set(int priority) noexcept {

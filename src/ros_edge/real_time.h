@@ -11,7 +11,8 @@ enum class RealTimeState : unsigned char {
   given_up,  ///< too many cycles in a row were late
 };
 
-/// Sets the priority of the calling thread, on Linux by SCHED_FIFO.
+/// Sets the priority of the calling thread, on Linux by SCHED_FIFO. Threads that it starts do not
+/// inherit it.
 /// @param priority 1 to 99; 0: none
 /// @return false if the system does not permit it; then nothing has changed
 bool setRealTimePriority(int priority) noexcept;

@@ -3,7 +3,6 @@
 #include "ros_edge/network_priority.h"
 
 #include <gtest/gtest.h>
-#include <pthread.h>
 #include <sched.h>
 
 #include <atomic>
@@ -30,9 +29,8 @@ class NetworkThread : public testing::Test {
     // After the listener of `priority_`, in the same pass.
     reporter_ = network_->addPollThreadListener([this] {
       sched_param parameters{};
-      int policy = 0;
-      pthread_getschedparam(pthread_self(), &policy, &parameters);
-      reported_ = policy == SCHED_FIFO ? parameters.sched_priority : 0;
+      sched_getparam(0, &parameters);
+      reported_ = parameters.sched_priority;
     });
   }
 

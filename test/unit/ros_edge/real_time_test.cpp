@@ -3,7 +3,6 @@
 #include "ros_edge/real_time.h"
 
 #include <gtest/gtest.h>
-#include <pthread.h>
 #include <sched.h>
 
 #include <functional>
@@ -15,10 +14,9 @@ namespace {
 
 /// (policy, priority) of the calling thread.
 std::pair<int, int> scheduling() {
-  int policy = -1;
   sched_param parameters{};
-  pthread_getschedparam(pthread_self(), &policy, &parameters);
-  return {policy, parameters.sched_priority};
+  sched_getparam(0, &parameters);
+  return {sched_getscheduler(0) & ~SCHED_RESET_ON_FORK, parameters.sched_priority};
 }
 
 const std::pair<int, int> kNormal{SCHED_OTHER, 0};
@@ -70,6 +68,13 @@ TEST_F(PermittedRealTime, setAgainAndAgain_lateCyclesCountOn) {
       real_time.add(true);
     }
     EXPECT_EQ(real_time.state(), RealTimeState::given_up);
+  });
+}
+
+TEST_F(PermittedRealTime, threadsThatItsThreadStarts_doNotInheritIt) {
+  onThread([](RealTime& real_time) {
+    real_time.set(1);
+    std::thread([] { EXPECT_EQ(scheduling(), kNormal); }).join();
   });
 }
 
