@@ -103,7 +103,9 @@ struct StatesRefinement {
   std::vector<ElementsInState> pairs;   ///< in the current state
   std::vector<std::uint64_t> touched;   ///< by ElementPairIndex: the last state with a contact
   std::vector<ElementPairIndex> order;  ///< pairs last in contact come first
-  bool has_geometries{false};           ///< some enclosing shapes are not their geometry
+  std::vector<ElementPairIndex>
+      nearest_order;           ///< pairs whose bodies were last the nearest come first
+  bool has_geometries{false};  ///< some enclosing shapes are not their geometry
   /// Each state is searched as if it were the first: answers then depend on no other state, to the
   /// last bit. `order` stays as it is.
   bool is_independent{false};

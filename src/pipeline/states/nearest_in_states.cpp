@@ -5,7 +5,9 @@
 #define HWY_TARGET_INCLUDE "pipeline/states/nearest_in_states.cpp"
 #include "hwy/foreach_target.h"
 // The order matters: Highway first includes this file once for each target.
+#include "geometry/constants.h"
 #include "pipeline/states/element_bodies-inl.h"
+#include "pipeline/states/state_elements.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace collision_monitor {
@@ -51,7 +53,7 @@ void judgeNearestInLanes(const CycleSetup& setup, const StateNumber& asked, Stat
   for (std::size_t lane = 0; lane < kStateCount; lane += hn::Lanes(Lanes())) {
     const Truth is_asked = hn::Gt(hn::Load(Lanes(), asked.of + lane), number(kNotAsked));
     NearestSearch search{{{setup, work, lane}, work}, is_asked, does_nearest_decide};
-    for (const ElementPairIndex i : work.refinement.order) {
+    for (const ElementPairIndex i : work.refinement.nearest_order) {
       const StateElementPair& elements = work.refinement.element_pairs[i];
       const Truth may_be_near = search.ballsMeet(elements);
       if (!hn::AllFalse(Lanes(), may_be_near)) {
@@ -76,6 +78,13 @@ HWY_EXPORT(judgeNearestInLanes);
 void judgeNearest(const CycleSetup& setup, const StateNumber& asked, StatesWork& work,
                   StatesBlock& block) noexcept {
   HWY_DYNAMIC_DISPATCH(judgeNearestInLanes)(setup, asked, work, block);
+  // Mostly one of these is the nearest again. The sooner it is measured, the fewer are.
+  for (std::size_t lane = 0; lane < kStateCount; ++lane) {
+    if (asked.of[lane] != kNotAsked && block.distance.of[lane] < kInfinity) {
+      const auto pair = static_cast<std::size_t>(block.pair.of[lane]);
+      putFirst(setup.element_pair_of[pair], work.refinement.nearest_order);
+    }
+  }
 }
 
 }  // namespace collision_monitor

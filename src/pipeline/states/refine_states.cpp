@@ -161,6 +161,7 @@ StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork&
     kinds.push_back(areBodies(setup, pair) ? RefineKind::never : RefineKind::plain);
     refinement.order.push_back(pair);
   }
+  refinement.nearest_order = refinement.order;
   refinement.has_geometries = std::any_of(
       kinds.begin(), kinds.end(), [](RefineKind kind) { return kind != RefineKind::never; });
   refinement.memory = RefineStore(std::move(kinds));

@@ -123,11 +123,6 @@ StateCheck contactCheck(const StateSearch& state, const ElementsInState& pair) n
   return check;
 }
 
-void putFirst(ElementPairIndex pair, std::vector<ElementPairIndex>& order) noexcept {
-  const auto place = std::find(order.begin(), order.end(), pair);
-  std::rotate(order.begin(), place, place + 1);
-}
-
 /// Whether the depth or distance of a pair may be less than the best.
 bool mayBeNearer(const StateSearch& state, const ElementsInState& pair,
                  const StateCheck& best) noexcept {
@@ -179,6 +174,11 @@ bool isFarther(const ElementsInState& one, const ElementsInState& other) noexcep
 }
 
 }  // namespace
+
+void putFirst(ElementPairIndex pair, std::vector<ElementPairIndex>& order) noexcept {
+  const auto place = std::find(order.begin(), order.end(), pair);
+  std::rotate(order.begin(), place, place + 1);
+}
 
 bool areBodies(const CycleSetup& setup, ElementPairIndex pair) noexcept {
   const ElementPair& elements = setup.element_pairs[pair];

@@ -16,6 +16,9 @@ struct StateSearch {
   StatesRefinement& refinement() const noexcept { return work.refinement; }
 };
 
+/// Moves a pair to the front. @pre `order` has it
+void putFirst(ElementPairIndex pair, std::vector<ElementPairIndex>& order) noexcept;
+
 /// Whether two elements are themselves bodies: nothing to refine.
 bool areBodies(const CycleSetup& setup, ElementPairIndex pair) noexcept;
 
