@@ -15,8 +15,9 @@ NetworkPriority::NetworkPriority()
     : listener_(ros::PollManager::instance()->addPollThreadListener([this] { apply(); })) {}
 
 NetworkPriority::~NetworkPriority() {
+  constexpr int kMost = 1000;  // the thread may be stuck
   wanted_ = 0;
-  while (given_ != 0 && !ros::isShuttingDown()) {
+  for (int i = 0; i < kMost && given_ != 0 && !ros::isShuttingDown(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   ros::PollManager::instance()->removePollThreadListener(listener_);

@@ -13,7 +13,7 @@ namespace collision_monitor {
 class NetworkPriority {
  public:
   NetworkPriority();
-  /// Waits until the thread has its former priority, unless ROS has shut down.
+  /// Waits until the thread has its former priority, at most a second; not if ROS has shut down.
   ~NetworkPriority();
   NetworkPriority(const NetworkPriority&) = delete;
   NetworkPriority& operator=(const NetworkPriority&) = delete;

@@ -17,7 +17,6 @@ namespace HWY_NAMESPACE {
 struct NearestSearch {
   ElementBodies bodies;
   Truth is_asked;
-
   bool does_nearest_decide;  ///< the verdict, as with one threshold for all pairs
   JudgedLanes judged{};
 
