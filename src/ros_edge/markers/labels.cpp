@@ -34,12 +34,11 @@ std::tuple<int, double, double> urgencyOf(const Watch& watch, LinkPairIndex link
 }
 
 /// A lower bound may be less than the distance, an estimate more.
-std::string distanceText(const PairDistance& distance) {
-  const char* relation = distance.quality == Quality::lower_bound ? ">= "
-                         : distance.quality == Quality::estimate  ? "<= "
-                                                                  : "";
-  const double value = distance.measured.distance;
-  return relation + std::string(value < 0.0 ? "-" : "") + lengthText(value);
+std::string distanceText(const Snapshot::Label& label) {
+  const char* relation = label.quality == Quality::lower_bound ? ">= "
+                         : label.quality == Quality::estimate  ? "<= "
+                                                               : "";
+  return relation + std::string(label.distance < 0.0 ? "-" : "") + lengthText(label.distance);
 }
 
 }  // namespace
@@ -67,11 +66,10 @@ std::vector<LinkPairIndex> chooseLabelled(const Watch& watch, std::size_t most) 
   return chosen;
 }
 
-std::string labelText(const Watch& watch, LinkPairIndex link_pair) {
-  const CheckedLinkPair& links = watch.setup().checked[link_pair];
-  const RobotModel& model = watch.setup().model;
-  return distanceText(closestOf(watch, link_pair)) + "\n" + nameInText(model, links.a) + " - " +
-         nameInText(model, links.b);
+std::string labelText(const CycleSetup& setup, const Snapshot::Label& label) {
+  const CheckedLinkPair& links = setup.checked[label.link_pair];
+  return distanceText(label) + "\n" + nameInText(setup.model, links.a) + " - " +
+         nameInText(setup.model, links.b);
 }
 
 const LabelPlaces::Taken* LabelPlaces::inTheWayOf(const Taken& text) const {

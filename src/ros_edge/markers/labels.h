@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ros_edge/watch.h"
+#include "ros_edge/markers/snapshot.h"
 
 /// The texts beside distance lines: which pairs get one, what it says and where it stands.
 namespace collision_monitor {
@@ -19,7 +19,7 @@ constexpr double kTextHeight = 0.03;  ///< [m] of a capital letter
 std::vector<LinkPairIndex> chooseLabelled(const Watch& watch, std::size_t most);
 
 /// Two lines: "35 mm" and "hand - object table". Format: docs/interfaces.md.
-std::string labelText(const Watch& watch, LinkPairIndex link_pair);
+std::string labelText(const CycleSetup& setup, const Snapshot::Label& label);
 
 /// Places texts so that they do not lie on each other.
 class LabelPlaces {

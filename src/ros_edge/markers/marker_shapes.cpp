@@ -146,18 +146,4 @@ std::vector<ShownShape> showShapes(const MonitorSetup& watched) {
   return shapes;
 }
 
-void findWorstVerdicts(const CycleSetup& setup, const PairEvents& events,
-                       std::vector<Verdict>& verdicts) {
-  verdicts.assign(setup.model.links.size(), Verdict::clear);
-  for (const LinkPairIndex i : events.active) {
-    // An unknown pair says nothing about this link: its partner may be the cause.
-    if (events.verdicts[i] != Verdict::unknown) {
-      Verdict& a = verdicts[index(setup.checked[i].a)];
-      Verdict& b = verdicts[index(setup.checked[i].b)];
-      a = std::max(a, events.verdicts[i]);
-      b = std::max(b, events.verdicts[i]);
-    }
-  }
-}
-
 }  // namespace collision_monitor

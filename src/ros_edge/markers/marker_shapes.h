@@ -22,10 +22,6 @@ visualization_msgs::Marker makeShapeMarker(const Shape& shape);
 /// Source: docs/references.md.
 std_msgs::ColorRGBA colourOf(Verdict verdict, float alpha);
 
-/// The worst verdict of the pairs of each link, by LinkId; clear for links without pairs.
-void findWorstVerdicts(const CycleSetup& setup, const PairEvents& events,
-                       std::vector<Verdict>& verdicts);
-
 /// What is drawn of a body: the enclosing shape of a link, the geometry of an object. A plane,
 /// which has no end, is a flat box of 10 m. Padding is drawn, but not of cones and meshes. Meshes
 /// are drawn as drawMeshes says, those without triangles there as the box around them.

@@ -39,8 +39,8 @@ std_msgs::ColorRGBA white() {
 
 }  // namespace
 
-Markers::Markers(const Watch& watch) {
-  for (ShownShape& shape : showShapes(*watch.fixed)) {
+Markers::Markers(const MonitorSetup& setup) {
+  for (ShownShape& shape : showShapes(setup)) {
     unseen_.push_back(std::move(shape.marker));
     link_from_marker_.push_back(shape.link_from_marker);
     colours_.push_back(shape.own_colour);
@@ -49,21 +49,22 @@ Markers::Markers(const Watch& watch) {
 
 /// For a floating part, rviz must use tf's newest transform: tf may have none for the stamp of the
 /// data.
-std_msgs::Header Markers::headerOf(const Watch& watch, LinkId link) const {
-  return watch.poses.part[index(link)] == kWorldPart
-             ? header_
-             : makeHeader(0, frameOf(*watch.fixed, watch.poses, link));
+std_msgs::Header Markers::headerOf(const Snapshot& snapshot, LinkId link) const {
+  const PartId part = snapshot.links[index(link)].part;
+  return part == kWorldPart ? header_ : makeHeader(0, frameOf(*snapshot.fixed, part));
 }
 
-const visualization_msgs::MarkerArray& Markers::draw(const Watch& watch) {
-  header_ = makeHeader(watch.poses.stamp_ns, watch.fixed->world_frame);
+const visualization_msgs::MarkerArray& Markers::draw(const Snapshot& snapshot) {
+  header_ = makeHeader(snapshot.stamp_ns, snapshot.fixed->world_frame);
   drawn_.clear();
   keepShapes();
-  addShapes(watch.buffers.body_poses);
-  placeShapes(watch);
-  addContacts(watch);
-  addDistances(watch);
-  addLabels(watch);
+  addShapes(snapshot);
+  placeShapes(snapshot);
+  for (const Snapshot::Contact& contact : snapshot.contacts) {
+    addContact(snapshot, contact);
+  }
+  addDistances(snapshot);
+  addLabels(snapshot);
   addDeletions();
   if (is_first_) {
     Marker others;
@@ -84,28 +85,27 @@ void Markers::keepShapes() {
 }
 
 /// A link that was never seen has no place.
-void Markers::addShapes(const BodyPoses& poses) {
-  const auto first_seen = std::stable_partition(
-      unseen_.begin(), unseen_.end(),
-      [&](const Marker& shape) { return poses.known[static_cast<std::size_t>(shape.id)] == 0; });
+void Markers::addShapes(const Snapshot& snapshot) {
+  const std::vector<Body>& bodies = snapshot.fixed->setup.bodies;
+  const auto first_seen =
+      std::stable_partition(unseen_.begin(), unseen_.end(), [&](const Marker& shape) {
+        return !snapshot.links[index(bodies[static_cast<std::size_t>(shape.id)].link)].is_known;
+      });
   std::move(first_seen, unseen_.end(), std::back_inserter(array_.markers));
   unseen_.erase(first_seen, unseen_.end());
   shapes_ = array_.markers.size();
 }
 
-void Markers::placeShapes(const Watch& watch) {
-  std::vector<Verdict> verdicts;
-  findWorstVerdicts(watch.setup(), watch.buffers.events, verdicts);
-  const BodyPoses& poses = watch.buffers.body_poses;
+void Markers::placeShapes(const Snapshot& snapshot) {
   for (Marker& shape : array_.markers) {
     const auto body = static_cast<std::size_t>(shape.id);
-    const bool is_known = poses.known[body] != 0;
-    const LinkId link = watch.setup().bodies[body].link;
-    if (is_known) {
-      toMessage(watch.poses.world_from_link[index(link)] * link_from_marker_[body], shape.pose);
-      shape.header = headerOf(watch, link);
+    const LinkId link = snapshot.fixed->setup.bodies[body].link;
+    const Snapshot::Link& place = snapshot.links[index(link)];
+    if (place.is_known) {
+      toMessage(place.world_from_link * link_from_marker_[body], shape.pose);
+      shape.header = headerOf(snapshot, link);
     }
-    const Verdict verdict = is_known ? verdicts[index(link)] : Verdict::unknown;
+    const Verdict verdict = place.is_known ? place.worst : Verdict::unknown;
     const bool has_own = colours_[body] && verdict <= Verdict::warning;
     shape.color =
         has_own ? *colours_[body] : colourOf(verdict, colours_[body] ? kObjectAlpha : kShapeAlpha);
@@ -125,38 +125,26 @@ Marker& Markers::add(const char* name_space, int id, int type, const std_msgs::H
   return marker;
 }
 
-void Markers::addContacts(const Watch& watch) {
-  for (const PairDistance& distance : watch.buffers.distances.pairs) {
-    if (isInContact(watch, distance)) {
-      addContact(watch, distance, contactPointsOf(watch, distance));
-    }
-  }
-  for (const PassedContact& passed : watch.buffers.distances.passed) {
-    addContact(watch, passed.distance, onePointOf(passed.distance.measured));
-  }
-}
-
-void Markers::addContact(const Watch& watch, const PairDistance& distance,
-                         const ContactPoints& points) {
-  const CycleSetup& setup = watch.setup();
+void Markers::addContact(const Snapshot& snapshot, const Snapshot::Contact& contact) {
+  const CycleSetup& setup = snapshot.fixed->setup;
   const std_msgs::Header header =
-      headerOf(watch, setup.checked[setup.link_pair_of[index(distance.pair)]].a);
+      headerOf(snapshot, setup.checked[setup.link_pair_of[index(contact.pair)]].a);
   Marker dots;
   toMessage(Eigen::Vector3d::Constant(kPointSize), dots.scale);
   dots.color = colourOf(Verdict::contact, 1.0F);
-  for (std::size_t i = 0; i < points.size; ++i) {
-    const Eigen::Vector3d& point = points.points[i];
+  for (std::size_t i = 0; i < contact.points.size; ++i) {
+    const Eigen::Vector3d& point = contact.points.points[i];
     dots.points.emplace_back();
     toMessage(point, dots.points.back());
-    Marker& normal = add("contacts", idOfContact(distance.pair, 1 + i), Marker::ARROW, header);
+    Marker& normal = add("contacts", idOfContact(contact.pair, 1 + i), Marker::ARROW, header);
     normal.points.resize(2);
     toMessage(point, normal.points[0]);
-    const Eigen::Vector3d end = point + kNormalLength * distance.measured.normal_a_to_b;
+    const Eigen::Vector3d end = point + kNormalLength * contact.normal_a_to_b;
     toMessage(end, normal.points[1]);
     toMessage(Eigen::Vector3d(kNormalWidth, 3.0 * kNormalWidth, 5.0 * kNormalWidth), normal.scale);
     normal.color = white();
   }
-  Marker& added = add("contacts", idOfContact(distance.pair, 0), Marker::SPHERE_LIST, header);
+  Marker& added = add("contacts", idOfContact(contact.pair, 0), Marker::SPHERE_LIST, header);
   added.points = std::move(dots.points);
   added.scale = dots.scale;
   added.color = dots.color;
@@ -172,40 +160,31 @@ Marker& Markers::addLine(const char* name_space, LinkPairIndex link_pair,
   return line;
 }
 
-void Markers::addDistances(const Watch& watch) {
-  const CycleSetup& setup = watch.setup();
-  const PairEvents& events = watch.buffers.events;
-  for (const LinkPairIndex i : events.active) {
-    const std::uint32_t place = events.closest[i];
-    if (place == kNone) {
-      continue;
-    }
-    const SignedDistance& measured = watch.buffers.distances.pairs[place].measured;
-    if (place != events.closest_of_all && measured.distance > limitsOf(setup, i).report_distance) {
-      continue;
-    }
-    Marker& line = addLine("distances", i, measured.point_on_a, measured.point_on_b,
-                           headerOf(watch, setup.checked[i].a));
+void Markers::addDistances(const Snapshot& snapshot) {
+  for (const Snapshot::Line& shown : snapshot.lines) {
+    const LinkId link = snapshot.fixed->setup.checked[shown.link_pair].a;
+    Marker& line = addLine("distances", shown.link_pair, shown.point_on_a, shown.point_on_b,
+                           headerOf(snapshot, link));
     line.scale.x = kLineWidth;
-    line.color = colourOf(events.verdicts[i], 1.0F);
+    line.color = colourOf(shown.verdict, 1.0F);
   }
 }
 
-void Markers::addLabels(const Watch& watch) {
+void Markers::addLabels(const Snapshot& snapshot) {
   label_places_.clear();
-  for (const LinkPairIndex i : chooseLabelled(watch, watch.fixed->parameters.marker_labels)) {
-    const std_msgs::Header header = headerOf(watch, watch.setup().checked[i].a);
-    const SignedDistance& measured =
-        watch.buffers.distances.pairs[watch.buffers.events.closest[i]].measured;
-    const Eigen::Vector3d middle = 0.5 * (measured.point_on_a + measured.point_on_b);
-    const std::string text = labelText(watch, i);
-    const Eigen::Vector3d place = label_places_.take(middle + Eigen::Vector3d(0, 0, kLift), text);
-    Marker& label = add("labels", static_cast<int>(i), Marker::TEXT_VIEW_FACING, header);
+  for (const Snapshot::Label& shown : snapshot.labels) {
+    const CycleSetup& setup = snapshot.fixed->setup;
+    const std_msgs::Header header = headerOf(snapshot, setup.checked[shown.link_pair].a);
+    const std::string text = labelText(setup, shown);
+    const Eigen::Vector3d place =
+        label_places_.take(shown.middle + Eigen::Vector3d(0, 0, kLift), text);
+    Marker& label =
+        add("labels", static_cast<int>(shown.link_pair), Marker::TEXT_VIEW_FACING, header);
     toMessage(place, label.pose.position);
     label.scale.z = kTextHeight;
     label.color = white();
     label.text = text;
-    Marker& line = addLine("leaders", i, middle, place, header);
+    Marker& line = addLine("leaders", shown.link_pair, shown.middle, place, header);
     line.scale.x = 0.25 * kLineWidth;
     line.color = white();
   }

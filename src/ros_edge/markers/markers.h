@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "ros_edge/markers/labels.h"
-#include "ros_edge/outputs/conversions.h"
-#include "ros_edge/watch.h"
+#include "ros_edge/markers/snapshot.h"
 
 namespace collision_monitor {
 
@@ -29,28 +28,28 @@ namespace collision_monitor {
 class Markers {
  public:
   /// The first array deletes markers of an earlier set-up.
-  explicit Markers(const Watch& watch);
+  explicit Markers(const MonitorSetup& setup);
 
   /// The array to publish now; valid until the next call.
-  const visualization_msgs::MarkerArray& draw(const Watch& watch);
+  /// @pre the snapshot is of the same set-up
+  const visualization_msgs::MarkerArray& draw(const Snapshot& snapshot);
 
  private:
   using Key = std::pair<std::string, int>;
 
   void keepShapes();
-  void addShapes(const BodyPoses& poses);
-  void placeShapes(const Watch& watch);
-  void addContacts(const Watch& watch);
-  void addContact(const Watch& watch, const PairDistance& distance, const ContactPoints& points);
-  void addDistances(const Watch& watch);
-  void addLabels(const Watch& watch);
+  void addShapes(const Snapshot& snapshot);
+  void placeShapes(const Snapshot& snapshot);
+  void addContact(const Snapshot& snapshot, const Snapshot::Contact& contact);
+  void addDistances(const Snapshot& snapshot);
+  void addLabels(const Snapshot& snapshot);
   void addDeletions();
   visualization_msgs::Marker& add(const char* name_space, int id, int type,
                                   const std_msgs::Header& header);
   visualization_msgs::Marker& addLine(const char* name_space, LinkPairIndex link_pair,
                                       const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                       const std_msgs::Header& header);
-  std_msgs::Header headerOf(const Watch& watch, LinkId link) const;
+  std_msgs::Header headerOf(const Snapshot& snapshot, LinkId link) const;
 
   std::vector<Pose> link_from_marker_;                       ///< by BodyId
   std::vector<std::optional<std_msgs::ColorRGBA>> colours_;  ///< by BodyId: of objects

@@ -127,7 +127,10 @@ void fillNumbers(const GradientRow& row, LinkDistance& message) {
 }
 
 std::string frameOf(const MonitorSetup& setup, const LinkPoses& poses, LinkId link) {
-  const PartId part = poses.part[index(link)];
+  return frameOf(setup, poses.part[index(link)]);
+}
+
+std::string frameOf(const MonitorSetup& setup, PartId part) {
   return part == kWorldPart ? setup.world_frame
                             : stripLeadingSlash(setup.setup.model.links[part].frame);
 }

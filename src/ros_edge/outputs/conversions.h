@@ -36,6 +36,7 @@ double passedAt(const Watch& watch, LinkPairIndex link_pair);
 
 /// The frame for results about a link: the world's, or the top link's in a floating part.
 std::string frameOf(const MonitorSetup& setup, const LinkPoses& poses, LinkId link);
+std::string frameOf(const MonitorSetup& setup, PartId part);
 
 /// Converts a measured pair; does not change the gradient row.
 void toMessage(const MonitorSetup& setup, const LinkPoses& poses, const PairDistance& distance,

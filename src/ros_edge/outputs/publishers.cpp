@@ -32,13 +32,12 @@ Publishers::Publishers(ros::NodeHandle private_node)
       distances_publisher_(private_node.advertise<Distances>("distances", kQueueSize)),
       warnings_publisher_(private_node.advertise<PairWarning>("warnings", kWarningQueueSize)),
       markers_publisher_(
-          private_node.advertise<visualization_msgs::MarkerArray>("markers", kQueueSize)) {}
+          private_node.advertise<visualization_msgs::MarkerArray>("markers", kQueueSize)),
+      markers_(markers_publisher_) {}
 
-/// Markers are made when somebody first looks: with many objects they take longer than a cycle.
 void Publishers::startWatch(std::shared_ptr<RobotTopics> robot_topics) {
   robot_topics_ = std::move(robot_topics);
   robot_topics_->askWhoListens();
-  markers_.reset();
   distances_.forgetNames();
   log_.reset();
 }
@@ -104,11 +103,9 @@ void Publishers::publishMarkers(const Watch& watch) {
   if (!listeners_.to_markers || (now - last_markers_).toSec() < period) {
     return;
   }
-  last_markers_ = now;
-  if (!markers_) {
-    markers_ = std::make_unique<Markers>(watch);
+  if (markers_.draw(watch)) {
+    last_markers_ = now;
   }
-  markers_publisher_.publish(markers_->draw(watch));
 }
 
 }  // namespace collision_monitor

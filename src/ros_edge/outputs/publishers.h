@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "ros_edge/markers/markers.h"
+#include "ros_edge/markers/marker_thread.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/distance_list.h"
 #include "ros_edge/outputs/warning_log.h"
@@ -31,7 +31,7 @@ class Publishers {
   void publishDropped(const Watch& former, LinkPairIndex pair);
   /// state, state_is_valid and speed_scale, also of each robot; contacts and distances.
   const State& publishCycle(const Watch& watch, const CycleFacts& facts);
-  /// markers, at most `marker_rate` times a wall second.
+  /// Has markers drawn, at most `marker_rate` times a wall second.
   void publishMarkers(const Watch& watch);
 
  private:
@@ -56,7 +56,7 @@ class Publishers {
   Listeners listeners_;
   ros::SteadyTime asked_;  ///< when listeners were last asked for
   std::shared_ptr<RobotTopics> robot_topics_;
-  std::unique_ptr<Markers> markers_;
+  MarkerThread markers_;
   ros::SteadyTime last_markers_;
   std::optional<bool> is_valid_;       ///< as last sent
   std::optional<double> speed_scale_;  ///< as last sent

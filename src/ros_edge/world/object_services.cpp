@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "ros_edge/parameters/resource_loader.h"
+#include "ros_edge/prepared_message.h"
 #include "ros_edge/world/convert_objects.h"
 #include "ros_edge/world/held_back.h"
 #include "ros_edge/world/world_places.h"
@@ -61,7 +62,7 @@ ObjectServices::ObjectServices(const ros::NodeHandle& private_node, const Inputs
   get_objects_ = private_node_.advertiseService("get_objects", &ObjectServices::list, this);
 }
 
-void ObjectServices::publish() { objects_.publish(listOf(*hooks_.current_setup())); }
+void ObjectServices::publish() { publishPrepared(objects_, listOf(*hooks_.current_setup())); }
 
 bool ObjectServices::apply(ApplyObjects::Request& request, ApplyObjects::Response& response) {
   response.success = 0;

@@ -73,9 +73,10 @@ TEST(LabelText, namesAnObjectAsOne) {
   const auto setup =
       slidingSetupWith({objectOf("table", Box{{0.1, 0.1, 0.1}}, at(0.0, 0.0, 0.23))});
   const auto watch = judged(setup, store, slidingPoses(setup->setup.model, 0.0, 0.5));
-  const std::vector<LinkPairIndex> chosen = chooseLabelled(*watch, 6);
-  ASSERT_EQ(chosen.size(), 1U);
-  EXPECT_EQ(labelText(*watch, chosen[0]), "30 mm\nbase - object table");
+  Snapshot snapshot;
+  takeSnapshot(*watch, snapshot);
+  ASSERT_EQ(snapshot.labels.size(), 1U);
+  EXPECT_EQ(labelText(watch->setup(), snapshot.labels[0]), "30 mm\nbase - object table");
 }
 
 TEST(LabelPlaces, textsAtOnePlace_areSpread) {

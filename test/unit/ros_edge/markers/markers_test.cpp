@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "pipeline/cycle/run_cycle.h"
+#include "unit/ros_edge/draw_markers.h"
 #include "unit/ros_edge/edge_scene.h"
 
 namespace collision_monitor::test {
@@ -34,8 +35,8 @@ std::size_t count(const visualization_msgs::MarkerArray& array, const std::strin
 TEST_F(MarkersTest, ofAContact_areDeletedWhenItEnds) {
   using visualization_msgs::Marker;
   const auto touching = watch(posesAt(-0.34));
-  Markers markers(*touching);
-  const auto first = markers.draw(*touching);
+  Markers markers(*touching->fixed);
+  const auto first = draw(markers, *touching);
   EXPECT_EQ(first.markers.front().action, Marker::DELETEALL);
   EXPECT_EQ(count(first, "shapes", Marker::ADD), 4U);
   EXPECT_EQ(count(first, "contacts", Marker::ADD), 5U) << "points, and a normal at each corner";
@@ -45,16 +46,16 @@ TEST_F(MarkersTest, ofAContact_areDeletedWhenItEnds) {
     EXPECT_EQ(marker.header.stamp, ros::Time(12.5));
     EXPECT_EQ(marker.header.frame_id, "base");
   }
-  const auto second = markers.draw(*watch(posesAt(0.25)));
+  const auto second = draw(markers, *watch(posesAt(0.25)));
   EXPECT_EQ(count(second, "contacts", Marker::DELETE), 5U);
   EXPECT_EQ(count(second, "contacts", Marker::ADD), 0U);
-  const auto third = markers.draw(*watch(posesAt(0.25)));
+  const auto third = draw(markers, *watch(posesAt(0.25)));
   EXPECT_EQ(count(third, "contacts", Marker::DELETE), 0U) << "once is enough";
 }
 
 TEST_F(MarkersTest, ofAnEstimateOfADepthThatIsAllowed_areThoseOfAContact) {
   const auto watch = estimatedDepth(store_);
-  EXPECT_EQ(count(Markers(*watch).draw(*watch), "contacts", visualization_msgs::Marker::ADD), 5U);
+  EXPECT_EQ(count(drawFirst(*watch), "contacts", visualization_msgs::Marker::ADD), 5U);
 }
 
 TEST_F(MarkersTest, ofAContact_areItsPointsAndNormals) {
@@ -64,9 +65,9 @@ TEST_F(MarkersTest, ofAContact_areItsPointsAndNormals) {
   toMessage(*touching, contacts);
   ASSERT_EQ(contacts.contacts.size(), 1U);
   ASSERT_EQ(contacts.contacts[0].points.size(), 4U) << "two faces";
-  Markers markers(*touching);
+  Markers markers(*touching->fixed);
   std::vector<int> ids;
-  for (const Marker& marker : markers.draw(*touching).markers) {
+  for (const Marker& marker : draw(markers, *touching).markers) {
     if (marker.ns != "contacts") {
       continue;
     }
@@ -92,7 +93,7 @@ TEST_F(MarkersTest, ofAPairThatHysteresisKeepsInContact_areThoseOfAContact) {
   Contacts contacts;
   toMessage(*watch, contacts);
   ASSERT_EQ(contacts.contacts.size(), 1U);
-  EXPECT_EQ(count(Markers(*watch).draw(*watch), "contacts", visualization_msgs::Marker::ADD), 5U);
+  EXPECT_EQ(count(drawFirst(*watch), "contacts", visualization_msgs::Marker::ADD), 5U);
 }
 
 TEST_F(MarkersTest, ofAContactBetweenTwoCycles_areWhereItWas) {
@@ -103,8 +104,8 @@ TEST_F(MarkersTest, ofAContactBetweenTwoCycles_areWhereItWas) {
   Contacts contacts;
   toMessage(*watch, contacts);
   ASSERT_EQ(contacts.contacts.size(), 1U);
-  Markers markers(*watch);
-  const auto array = markers.draw(*watch);
+  Markers markers(*watch->fixed);
+  const auto array = draw(markers, *watch);
   ASSERT_EQ(count(array, "contacts", visualization_msgs::Marker::ADD), 2U);
   const auto point = std::find_if(array.markers.begin(), array.markers.end(),
                                   [](const auto& marker) { return marker.ns == "contacts"; });
@@ -113,12 +114,12 @@ TEST_F(MarkersTest, ofAContactBetweenTwoCycles_areWhereItWas) {
 
 TEST_F(MarkersTest, ofAnUnknownLink_areGreyWhereItWasSeen) {
   const auto known = watch(posesAt(0.25));
-  Markers markers(*known);
-  markers.draw(*known);
+  Markers markers(*known->fixed);
+  draw(markers, *known);
   LinkPoses poses = posesAt(0.25);
   poses.status[index(linkNamed(setup_->setup.model, "tool"))] = LinkStatus::missing;
   poses.world_from_link[index(linkNamed(setup_->setup.model, "tool"))].translation.x() = 9.0;
-  const auto array = markers.draw(*watch(poses));
+  const auto array = draw(markers, *watch(poses));
   const std::size_t tool = 2;  // base, slider, tool, finger
   std::size_t seen = 0;
   for (const auto& marker : array.markers) {
@@ -137,9 +138,9 @@ TEST_F(MarkersTest, ofAShape_beginWhenItIsSeenFirst) {
   const std::size_t tool = index(linkNamed(setup_->setup.model, "tool"));
   poses.status[tool] = LinkStatus::missing;
   const auto hidden = watch(poses);
-  Markers markers(*hidden);
-  EXPECT_EQ(count(markers.draw(*hidden), "shapes", visualization_msgs::Marker::ADD), 3U);
-  const auto array = markers.draw(*watch(posesAt(0.25)));
+  Markers markers(*hidden->fixed);
+  EXPECT_EQ(count(draw(markers, *hidden), "shapes", visualization_msgs::Marker::ADD), 3U);
+  const auto array = draw(markers, *watch(posesAt(0.25)));
   EXPECT_EQ(count(array, "", visualization_msgs::Marker::DELETEALL), 0U) << "once is enough";
   EXPECT_EQ(count(array, "shapes", visualization_msgs::Marker::ADD), 4U);
   for (const auto& marker : array.markers) {
@@ -156,9 +157,9 @@ TEST_F(MarkersTest, ofPairsSideBySide_haveLabelsAboveEachOther) {
   options.limits.report_distance = options.limits.warning_distance = 1.0;
   setup_ = slidingSetup(options);
   const auto near = watch(posesAt(-0.34));
-  Markers markers(*near);
+  Markers markers(*near->fixed);
   std::vector<visualization_msgs::Marker> labels;
-  for (const auto& marker : markers.draw(*near).markers) {
+  for (const auto& marker : draw(markers, *near).markers) {
     if (marker.ns == "labels") {
       labels.push_back(marker);
     }
@@ -169,7 +170,7 @@ TEST_F(MarkersTest, ofPairsSideBySide_haveLabelsAboveEachOther) {
   EXPECT_EQ(labels[2].text, "800 mm\ntool - finger");
   EXPECT_GE(std::abs(labels[1].pose.position.z - labels[2].pose.position.z),
             2.0 * labels[1].scale.z);
-  EXPECT_EQ(count(markers.draw(*near), "leaders", visualization_msgs::Marker::ADD), 3U)
+  EXPECT_EQ(count(draw(markers, *near), "leaders", visualization_msgs::Marker::ADD), 3U)
       << "from each pair to its label";
 }
 
@@ -178,7 +179,7 @@ TEST_F(MarkersTest, ofClearPairs_haveNoLabelButTheClosest) {
   options.limits.report_distance = 1.0;
   setup_ = slidingSetup(options);
   const auto near = watch(posesAt(-0.34));
-  const auto array = Markers(*near).draw(*near);
+  const auto array = drawFirst(*near);
   EXPECT_EQ(count(array, "distances", visualization_msgs::Marker::ADD), 3U);
   EXPECT_EQ(count(array, "labels", visualization_msgs::Marker::ADD), 1U);
 }
@@ -187,8 +188,8 @@ TEST_F(MarkersTest, ofABound_sayThatItIsOne) {
   const auto near = watch(posesAt(-0.25));
   const auto labelText = [&](Quality quality) {
     near->buffers.distances.pairs.front().quality = quality;
-    Markers markers(*near);
-    for (const auto& marker : markers.draw(*near).markers) {
+    Markers markers(*near->fixed);
+    for (const auto& marker : draw(markers, *near).markers) {
       if (marker.ns == "labels") {
         return marker.text;
       }

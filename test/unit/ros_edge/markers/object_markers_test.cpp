@@ -8,6 +8,7 @@
 #include "ros_edge/markers/marker_shapes.h"
 #include "ros_edge/markers/markers.h"
 #include "ros_edge/markers/object_mesh.h"
+#include "unit/ros_edge/draw_markers.h"
 #include "unit/ros_edge/world_scene.h"
 
 namespace collision_monitor::test {
@@ -43,8 +44,7 @@ class ObjectMarkers : public testing::Test {
     const auto setup = slidingSetupWith(objects);
     watch_ = judged(setup, store_, slidingPoses(setup->setup.model, 0.0, reach));
     std::vector<Marker> shown;
-    Markers markers(*watch_);
-    for (const Marker& marker : markers.draw(*watch_).markers) {
+    for (const Marker& marker : drawFirst(*watch_).markers) {
       if (marker.ns == "objects") {
         shown.push_back(marker);
       }

@@ -11,6 +11,7 @@
 #include "ros_edge/outputs/distance_list.h"
 #include "ros_edge/outputs/sentences.h"
 #include "transform_along_x.h"
+#include "unit/ros_edge/draw_markers.h"
 #include "unit/ros_edge/edge_scene.h"
 
 namespace collision_monitor::test {
@@ -167,9 +168,9 @@ TEST_F(FloatingPartsTest, markers_standInTheFrameOfTheirPart) {
   const auto watch = judged(setup_, store_, slidingPoses(setup_->setup.model, 0.0, 0.0));
   floatSlider(setup_->setup.model, watch->poses);
   runCycle(watch->setup(), watch->poses, watch->buffers);
-  Markers markers(*watch);
+  Markers markers(*watch->fixed);
   std::size_t floating = 0;
-  for (const auto& marker : markers.draw(*watch).markers) {
+  for (const auto& marker : draw(markers, *watch).markers) {
     // The base is drawn where it was seen, the rest as seen from the slider, whenever that was.
     const bool floats = marker.ns != "shapes" || marker.id != 0;
     if (marker.action == visualization_msgs::Marker::ADD && floats) {
