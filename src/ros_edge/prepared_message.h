@@ -8,11 +8,17 @@
 
 namespace collision_monitor {
 
-/// A message that is serialized. roscpp serializes others while it holds a lock that every
-/// publisher needs: a message of megabytes on one thread would delay the cycle on another.
+/// A message that is serialized already, for a topic of its type. roscpp serializes others while it
+/// holds a lock that all publishers need; with a message of megabytes that takes longer than a
+/// cycle.
 struct PreparedMessage {
   ros::SerializedMessage bytes;
 };
+
+template <class Message>
+PreparedMessage prepare(const Message& message) {
+  return {ros::serialization::serializeMessage(message)};
+}
 
 }  // namespace collision_monitor
 
@@ -26,7 +32,7 @@ inline SerializedMessage serializeMessage(const collision_monitor::PreparedMessa
 }  // namespace serialization
 
 namespace message_traits {
-/// "*": a message of any type.
+/// "*": any type.
 template <>
 struct MD5Sum<collision_monitor::PreparedMessage> {
   static const char* value(const collision_monitor::PreparedMessage& /*message*/) { return "*"; }
@@ -38,14 +44,3 @@ struct DataType<collision_monitor::PreparedMessage> {
 }  // namespace message_traits
 
 }  // namespace ros
-
-namespace collision_monitor {
-
-/// Publishes without a long lock. For threads other than the cycle's.
-/// @pre Message is the type of the topic
-template <class Message>
-void publishPrepared(const ros::Publisher& publisher, const Message& message) {
-  publisher.publish(PreparedMessage{ros::serialization::serializeMessage(message)});
-}
-
-}  // namespace collision_monitor

@@ -14,6 +14,7 @@
 #include "ros_edge/nearest_seen.h"
 #include "ros_edge/parameters/monitor_setup.h"
 #include "ros_edge/poses/pose_reader.h"
+#include "ros_edge/prepared_message.h"
 #include "ros_edge/unknowns.h"
 
 namespace collision_monitor {
@@ -62,6 +63,7 @@ struct Watch {
   std::uint32_t pairs_ignored;    ///< as in State
   std::uint32_t pairs_muted;      ///< as in State
   std::optional<RuleEnd> last_mute;
+  std::optional<PreparedMessage> new_objects;  ///< for the topic `objects`, if they have changed
   NearestSeen nearest;
   /// By robot, and by robot that a checked pair joins it to; the last of each is for links that no
   /// robot moves.

@@ -2,14 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/markers/marker_thread.h"
 
-#include <utility>
-
-#include "ros_edge/prepared_message.h"
-
 namespace collision_monitor {
 
-MarkerThread::MarkerThread(ros::Publisher publisher)
-    : publisher_(std::move(publisher)), thread_([this] { run(); }) {}
+MarkerThread::MarkerThread() : thread_([this] { run(); }) {}
 
 MarkerThread::~MarkerThread() {
   is_ending_ = true;
@@ -18,28 +13,36 @@ MarkerThread::~MarkerThread() {
 }
 
 bool MarkerThread::draw(const Watch& watch) {
-  if (is_taken_) {
+  if (step_ != Step::idle) {
     return false;
   }
   takeSnapshot(watch, snapshot_);
-  is_taken_ = true;
+  step_ = Step::drawing;
   woken_.post();
   return true;
+}
+
+const PreparedMessage* MarkerThread::fetch() noexcept {
+  if (step_ != Step::drawn) {
+    return nullptr;
+  }
+  step_ = Step::idle;
+  return &drawn_;
 }
 
 void MarkerThread::run() {
   for (woken_.wait(); !is_ending_; woken_.wait()) {
     drawSnapshot();
-    is_taken_ = false;
+    step_ = Step::drawn;
   }
 }
 
 void MarkerThread::drawSnapshot() {
-  if (drawn_.lock() != snapshot_.fixed) {
+  if (setup_.lock() != snapshot_.fixed) {
     markers_ = std::make_unique<Markers>(*snapshot_.fixed);
-    drawn_ = snapshot_.fixed;
+    setup_ = snapshot_.fixed;
   }
-  publishPrepared(publisher_, markers_->draw(snapshot_));
+  drawn_ = prepare(markers_->draw(snapshot_));
   snapshot_.fixed.reset();  // here, so that the cycle's thread never frees a set-up
 }
 

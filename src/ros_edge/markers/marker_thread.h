@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <ros/publisher.h>
-
 #include <atomic>
 #include <boost/interprocess/sync/interprocess_semaphore.hpp>
 #include <memory>
@@ -11,34 +9,40 @@
 
 #include "ros_edge/markers/markers.h"
 #include "ros_edge/markers/snapshot.h"
+#include "ros_edge/prepared_message.h"
 
 namespace collision_monitor {
 
-/// Draws and publishes markers on a thread of its own: with many objects that takes longer than a
-/// cycle. The cycle's thread hands snapshots over, and never waits.
+/// Draws markers on a thread of its own: with many objects that takes longer than a cycle. The
+/// other functions are for the cycle's thread, which never waits.
 class MarkerThread {
  public:
-  explicit MarkerThread(ros::Publisher publisher);
+  MarkerThread();
   /// Waits for the current drawing.
   ~MarkerThread();
   MarkerThread(const MarkerThread&) = delete;
   MarkerThread& operator=(const MarkerThread&) = delete;
 
-  /// Takes and draws a snapshot of this cycle. For the cycle's thread.
-  /// @return false if the last one is not drawn yet
+  /// Takes a snapshot of this cycle, to draw it.
+  /// @return false if the last drawing was not fetched yet
   bool draw(const Watch& watch);
+  /// A new MarkerArray, once for each drawing; null if there is none. Valid until draw().
+  const PreparedMessage* fetch() noexcept;
 
  private:
+  enum class Step : unsigned char { idle, drawing, drawn };
+
   void run();
   void drawSnapshot();
 
-  ros::Publisher publisher_;
-  Snapshot snapshot_;                  ///< of the cycle's thread until is_taken_, then of the other
-  std::atomic<bool> is_taken_{false};  ///< and not drawn yet
+  std::atomic<Step> step_{Step::idle};
   std::atomic<bool> is_ending_{false};
   boost::interprocess::interprocess_semaphore woken_{0};  ///< posting it takes no lock
+  // While drawing, the next four are the drawing thread's, else the cycle's.
+  Snapshot snapshot_;
+  PreparedMessage drawn_;
   std::unique_ptr<Markers> markers_;
-  std::weak_ptr<const MonitorSetup> drawn_;  ///< what markers_ are for
+  std::weak_ptr<const MonitorSetup> setup_;  ///< of markers_
   std::thread thread_;
 };
 

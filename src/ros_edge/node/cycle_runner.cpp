@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ros_edge/outputs/sentences.h"
+#include "ros_edge/world/convert_objects.h"
 
 namespace collision_monitor {
 namespace {
@@ -37,8 +38,13 @@ CycleRunner::~CycleRunner() {
 
 std::unique_ptr<Watch> CycleRunner::makeWatch(std::shared_ptr<const MonitorSetup> setup) const {
   auto watch = std::make_unique<Watch>(std::move(setup), store_, joints_);
-  if (std::shared_ptr<const MonitorSetup> former = currentSetup()) {
-    watch->planTakeOver(std::move(former));
+  const std::shared_ptr<const MonitorSetup> former = currentSetup();
+  if (!former || former->world.objects != watch->fixed->world.objects ||
+      former->world_frame != watch->fixed->world_frame) {
+    watch->new_objects = prepare(listOf(*watch->fixed));
+  }
+  if (former) {
+    watch->planTakeOver(former);
     constexpr int kTimes = 2;  // the first takes long, and poses go on meanwhile
     for (int i = 0; i < kTimes; ++i) {
       const ros::Time now = ros::Time::now();
@@ -136,7 +142,7 @@ void CycleRunner::takeOverSetup() {
     handOver(*watch_, *next);
   }
   watch_.swap(next);
-  publishers_.startWatch(std::move(topics));
+  publishers_.startWatch(*watch_, std::move(topics));
   real_time_.set(watch_->fixed->parameters.real_time_priority);
   statistics_.startWork(watch_->budget);
   pace_.last_state = SteadyClock::time_point();
@@ -219,6 +225,7 @@ bool CycleRunner::readPoses(const ros::Time& now) {
 
 void CycleRunner::publish(bool is_new) {
   const Watch& watch = *watch_;
+  publishers_.publishMarkers();
   if (facts_.is_enabled) {
     publishers_.publishChanges(watch);
   }
@@ -231,7 +238,7 @@ void CycleRunner::publish(bool is_new) {
   last_level_ = level;
   pace_.last_state = now;
   const State& state = publishers_.publishCycle(watch, facts_);
-  publishers_.publishMarkers(watch);
+  publishers_.drawMarkers(watch);
   constexpr double kSummaryPeriod = 0.2;
   if (toSeconds(now - last_summary_) >= kSummaryPeriod) {
     last_summary_ = now;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/outputs/publishers.h"
 
+#include <collision_monitor/SceneObjects.h>
 #include <std_msgs/Bool.h>
 #include <std_msgs/Float64.h>
 
@@ -33,9 +34,12 @@ Publishers::Publishers(ros::NodeHandle private_node)
       warnings_publisher_(private_node.advertise<PairWarning>("warnings", kWarningQueueSize)),
       markers_publisher_(
           private_node.advertise<visualization_msgs::MarkerArray>("markers", kQueueSize)),
-      markers_(markers_publisher_) {}
+      objects_publisher_(private_node.advertise<SceneObjects>("objects", 1, true)) {}
 
-void Publishers::startWatch(std::shared_ptr<RobotTopics> robot_topics) {
+void Publishers::startWatch(const Watch& watch, std::shared_ptr<RobotTopics> robot_topics) {
+  if (watch.new_objects) {
+    objects_publisher_.publish(*watch.new_objects);
+  }
   robot_topics_ = std::move(robot_topics);
   robot_topics_->askWhoListens();
   distances_.forgetNames();
@@ -97,7 +101,7 @@ const State& Publishers::publishCycle(const Watch& watch, const CycleFacts& fact
   return state_;
 }
 
-void Publishers::publishMarkers(const Watch& watch) {
+void Publishers::drawMarkers(const Watch& watch) {
   const ros::SteadyTime now = ros::SteadyTime::now();
   const double period = 1.0 / watch.fixed->parameters.marker_rate;
   if (!listeners_.to_markers || (now - last_markers_).toSec() < period) {
@@ -105,6 +109,12 @@ void Publishers::publishMarkers(const Watch& watch) {
   }
   if (markers_.draw(watch)) {
     last_markers_ = now;
+  }
+}
+
+void Publishers::publishMarkers() {
+  if (const PreparedMessage* drawn = markers_.fetch()) {
+    markers_publisher_.publish(*drawn);
   }
 }
 

@@ -23,7 +23,7 @@ class Publishers {
   explicit Publishers(ros::NodeHandle private_node);
 
   /// Starts another set-up.
-  void startWatch(std::shared_ptr<RobotTopics> robot_topics);
+  void startWatch(const Watch& watch, std::shared_ptr<RobotTopics> robot_topics);
 
   /// Publishes and logs changes of verdict.
   void publishChanges(const Watch& watch);
@@ -32,7 +32,9 @@ class Publishers {
   /// state, state_is_valid and speed_scale, also of each robot; contacts and distances.
   const State& publishCycle(const Watch& watch, const CycleFacts& facts);
   /// Has markers drawn, at most `marker_rate` times a wall second.
-  void publishMarkers(const Watch& watch);
+  void drawMarkers(const Watch& watch);
+  /// Publishes markers that have been drawn since the last call.
+  void publishMarkers();
 
  private:
   /// Which topics have listeners. Asking takes a lock and a search for the topic.
@@ -53,6 +55,7 @@ class Publishers {
   ros::Publisher distances_publisher_;
   ros::Publisher warnings_publisher_;
   ros::Publisher markers_publisher_;
+  ros::Publisher objects_publisher_;
   Listeners listeners_;
   ros::SteadyTime asked_;  ///< when listeners were last asked for
   std::shared_ptr<RobotTopics> robot_topics_;

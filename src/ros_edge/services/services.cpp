@@ -187,7 +187,6 @@ void Services::takeInLate(const MonitorSetup& late, const MonitorSetup& former) 
   }
   const std::shared_ptr<const MonitorSetup> made = takeIn(late, *current);
   hooks_.replace_setup(made);
-  objects_.publish();
   rule_clock_.wake();
   for (std::size_t i = 0; i < made->listed.size(); ++i) {
     if (made->listed[i].id && !former.listed[i].id) {
@@ -233,7 +232,6 @@ bool Services::reload(std_srvs::Trigger::Request& /*request*/,
         private_node_, [this] { return goesOn(); }, former.get());
     const std::lock_guard<std::mutex> swap(locks_.swap);  // only now: meanwhile mutes end
     hooks_.replace_setup(made);
-    objects_.publish();
     rule_clock_.wake();
     logSetup(*made);
     response.message = summaryOf(*made);

@@ -84,13 +84,16 @@ void toMessage(const WorldObject& object, SceneObject& message) {
   message.touch_links = object.touch_links;
 }
 
-void toMessage(const World& world, SceneObjects& message) {
-  message.objects.clear();
-  message.objects.reserve(world.objects.size());
-  for (const auto& [name, object] : world.objects) {
+SceneObjects listOf(const MonitorSetup& setup) {
+  SceneObjects message;
+  message.header = makeHeader(0, setup.world_frame);
+  message.header.stamp = ros::Time::now();
+  message.objects.reserve(setup.world.objects.size());
+  for (const auto& [name, object] : setup.world.objects) {
     message.objects.emplace_back();
     toMessage(*object, message.objects.back());
   }
+  return message;
 }
 
 }  // namespace collision_monitor

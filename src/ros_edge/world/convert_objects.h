@@ -9,6 +9,7 @@
 
 #include "collision_monitor/model/urdf_reader.h"
 #include "collision_monitor/model/world.h"
+#include "ros_edge/parameters/monitor_setup.h"
 
 /// Objects in messages.
 namespace collision_monitor {
@@ -27,6 +28,6 @@ std::vector<ObjectChange> fromMessages(const std::vector<SceneChange>& messages,
 
 /// Meshes of files are listed with their triangles.
 void toMessage(const WorldObject& object, SceneObject& message);
-void toMessage(const World& world, SceneObjects& message);
+SceneObjects listOf(const MonitorSetup& setup);
 
 }  // namespace collision_monitor

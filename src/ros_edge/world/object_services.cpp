@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "ros_edge/parameters/resource_loader.h"
-#include "ros_edge/prepared_message.h"
 #include "ros_edge/world/convert_objects.h"
 #include "ros_edge/world/held_back.h"
 #include "ros_edge/world/world_places.h"
@@ -21,14 +20,6 @@ namespace {
 
 /// [s] The longest wait for frames that tf was not asked for before.
 constexpr double kPatience = 1.0;
-
-SceneObjects listOf(const MonitorSetup& setup) {
-  SceneObjects objects;
-  objects.header.stamp = ros::Time::now();
-  objects.header.frame_id = setup.world_frame;
-  toMessage(setup.world, objects);
-  return objects;
-}
 
 std::string countText(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " object" : " objects");
@@ -56,13 +47,9 @@ std::string idleRulesText(const CycleSetup& before, const CycleSetup& now) {
 ObjectServices::ObjectServices(const ros::NodeHandle& private_node, const Inputs& inputs,
                                ObjectHooks hooks, ChangeLocks& locks)
     : private_node_(private_node), inputs_(inputs), hooks_(std::move(hooks)), locks_(locks) {
-  objects_ = private_node_.advertise<SceneObjects>("objects", 1, true);
-  publish();
   apply_objects_ = private_node_.advertiseService("apply_objects", &ObjectServices::apply, this);
   get_objects_ = private_node_.advertiseService("get_objects", &ObjectServices::list, this);
 }
-
-void ObjectServices::publish() { publishPrepared(objects_, listOf(*hooks_.current_setup())); }
 
 bool ObjectServices::apply(ApplyObjects::Request& request, ApplyObjects::Response& response) {
   response.success = 0;
@@ -84,7 +71,6 @@ bool ObjectServices::apply(ApplyObjects::Request& request, ApplyObjects::Respons
     const std::lock_guard<std::mutex> swap(locks_.swap);  // only now: waiting for frames takes long
     const std::shared_ptr<const MonitorSetup> former = hooks_.current_setup();
     hooks_.replace_world(changeWorld(*former, world, std::move(held_back)));
-    publish();
     response.message = "watching " + countText(world.objects.size()) +
                        idleRulesText(former->setup, hooks_.current_setup()->setup);
     response.success = 1;

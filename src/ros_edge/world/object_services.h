@@ -6,7 +6,6 @@
 #include <collision_monitor/GetObjects.h>
 #include <collision_monitor/SceneChange.h>
 #include <ros/node_handle.h>
-#include <ros/publisher.h>
 #include <ros/service_server.h>
 
 #include <functional>
@@ -27,16 +26,13 @@ struct ObjectHooks {
   GoesOn goes_on;
 };
 
-/// apply_objects and get_objects, and the latched topic `objects`. A change is prepared on the
+/// apply_objects and get_objects. A change is prepared on the
 /// thread of the call, and the cycle only swaps it in.
 class ObjectServices {
  public:
   /// @pre the inputs and the locks outlive the services.
   ObjectServices(const ros::NodeHandle& private_node, const Inputs& inputs, ObjectHooks hooks,
                  ChangeLocks& locks);
-
-  /// Publishes the objects, after a reload.
-  void publish();
 
  private:
   std::vector<ObjectChange> read(const std::vector<SceneChange>& messages,
@@ -48,7 +44,6 @@ class ObjectServices {
   Inputs inputs_;
   ObjectHooks hooks_;
   ChangeLocks& locks_;
-  ros::Publisher objects_;
   ros::ServiceServer apply_objects_;
   ros::ServiceServer get_objects_;
 };
