@@ -5,8 +5,8 @@
 #include <ros/time.h>
 
 #include <cstdint>
-#include <mutex>
 
+#include "ros_edge/inheriting_mutex.h"
 #include "ros_edge/pace.h"
 
 namespace collision_monitor {
@@ -41,7 +41,7 @@ class ClockWatch {
 
  private:
   const bool is_simulated_;
-  mutable std::mutex mutex_;
+  mutable InheritingMutex mutex_;
   SteadyClock::duration timeout_;
   ros::Time time_;
   std::uint64_t later_data_{0};

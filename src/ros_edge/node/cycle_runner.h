@@ -5,12 +5,12 @@
 #include <atomic>
 #include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "ros_edge/inheriting_mutex.h"
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/inputs/time_jumps.h"
 #include "ros_edge/network_priority.h"
@@ -72,7 +72,7 @@ class CycleRunner {
     std::optional<PairView> view;
   };
 
-  mutable std::mutex mutex_;  ///< guards the next eight
+  mutable InheritingMutex mutex_;  ///< guards the next eight
   std::vector<std::shared_ptr<ViewRequest>> view_requests_;
   std::condition_variable viewed_;
   std::condition_variable taken_over_;

@@ -6,12 +6,12 @@
 
 #include <array>
 #include <cstdint>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "pipeline/answers/budget_use.h"
 #include "pipeline/cycle/cycle_buffers.h"
+#include "ros_edge/inheriting_mutex.h"
 #include "ros_edge/pace.h"
 #include "ros_edge/real_time.h"
 #include "ros_edge/watch.h"
@@ -80,7 +80,7 @@ class CycleStatistics {
  private:
   static constexpr std::size_t kMemory = 1024;
 
-  mutable std::mutex mutex_;
+  mutable InheritingMutex mutex_;
   std::array<double, kMemory> times_{};
   CycleCounts counts_{0, 0, SteadyClock::now()};
   CycleSummary summary_;

@@ -10,13 +10,13 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
+#include "ros_edge/inheriting_mutex.h"
 #include "ros_edge/publisher_names.h"
 #include "ros_edge/refusal.h"
 
@@ -109,7 +109,7 @@ class JointStore {
   void keepSample(const JointSample& sample, PublisherId publisher, History& history) const;
 
   TimeSource time_source_;
-  mutable std::mutex mutex_;
+  mutable InheritingMutex mutex_;
   std::map<std::string, Topic> topics_;
   bool wants_all_{true};
   std::size_t most_joints_;  ///< limit per message

@@ -10,12 +10,12 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <mutex>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "collision_monitor/geometry/pose.h"
+#include "ros_edge/inheriting_mutex.h"
 #include "ros_edge/poses/frame_filter.h"
 #include "ros_edge/publisher_names.h"
 #include "ros_edge/refusal.h"
@@ -132,7 +132,7 @@ class TransformStore {
 
   TimeSource time_source_;
   std::int64_t history_ns_;
-  mutable std::mutex mutex_;
+  mutable InheritingMutex mutex_;
   mutable std::condition_variable news_;
   mutable tf2::BufferCore buffer_;
   mutable std::vector<std::deque<Sample>> unbuffered_;  ///< not in tf2's buffer yet; by record

@@ -4,7 +4,7 @@
 
 #include <ros/time.h>
 
-#include <mutex>
+#include "ros_edge/inheriting_mutex.h"
 
 namespace collision_monitor {
 
@@ -20,7 +20,7 @@ class Enabling {
   double secondsUntilOn(const ros::SteadyTime& now) const;
 
  private:
-  mutable std::mutex mutex_;
+  mutable InheritingMutex mutex_;
   ros::SteadyTime off_until_;
 };
 
