@@ -109,9 +109,9 @@ def main():
         add_objects(figures, robot, arguments.times)
         add_crowd(figures, robot)
     with running.master():
-        for robot in shared_robots():
-            if robot[0] in (*DENSE, *GOALS):
-                late_cycles.add_robot(figures, robot)
+        late_cycles.add_robots(figures, [robot for robot in shared_robots()
+                                         if robot[0] in (*DENSE, *arguments.robots)
+                                         or "all" in arguments.robots and ":" not in robot[0]])  # first URDFs
     for robot in shared_robots():
         if robot[0] in arguments.robots or "all" in arguments.robots:
             add_robot(figures, robot, arguments.states)

@@ -190,10 +190,15 @@ class World(TwoBoxes):
         self.assertTrue(answer.success, answer.message)
         self.assertIn("2 objects", answer.message)
         self.probe.wait_for_distance(0.1)
-        listed = rospy.wait_for_message(NODE + "/objects", SceneObjects, timeout=DEADLINE)
-        self.assertEqual([each.name for each in listed.objects], ["floor", "table"])
+        self.assertEqual(self.listed(), ["floor", "table"])
         self.change(SceneChange.CLEAR)
+        self.assertEqual(self.listed(), [], "the topic has them before the service answers")
         self.assertEqual(self.names(), [])
+
+    def listed(self):
+        """The names in the topic `objects`."""
+        message = rospy.wait_for_message(NODE + "/objects", SceneObjects, timeout=DEADLINE)
+        return [each.name for each in message.objects]
 
 
 if __name__ == "__main__":
