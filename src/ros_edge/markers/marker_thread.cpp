@@ -4,13 +4,7 @@
 
 namespace collision_monitor {
 
-MarkerThread::MarkerThread() : thread_([this] { run(); }) {}
-
-MarkerThread::~MarkerThread() {
-  is_ending_ = true;
-  woken_.post();
-  thread_.join();
-}
+MarkerThread::MarkerThread() : thread_([this] { drawSnapshot(); }) {}
 
 bool MarkerThread::draw(const Watch& watch) {
   if (step_ != Step::idle) {
@@ -18,7 +12,7 @@ bool MarkerThread::draw(const Watch& watch) {
   }
   takeSnapshot(watch, snapshot_);
   step_ = Step::drawing;
-  woken_.post();
+  thread_.wake();
   return true;
 }
 
@@ -30,20 +24,17 @@ const PreparedMessage* MarkerThread::fetch() noexcept {
   return &drawn_;
 }
 
-void MarkerThread::run() {
-  for (woken_.wait(); !is_ending_; woken_.wait()) {
-    drawSnapshot();
-    step_ = Step::drawn;
-  }
-}
-
 void MarkerThread::drawSnapshot() {
+  if (step_ != Step::drawing) {
+    return;
+  }
   if (setup_.lock() != snapshot_.fixed) {
     markers_ = std::make_unique<Markers>(*snapshot_.fixed);
     setup_ = snapshot_.fixed;
   }
   drawn_ = prepare(markers_->draw(snapshot_));
   snapshot_.fixed.reset();  // here, so that the cycle's thread never frees a set-up
+  step_ = Step::drawn;
 }
 
 }  // namespace collision_monitor

@@ -3,25 +3,20 @@
 #pragma once
 
 #include <atomic>
-#include <boost/interprocess/sync/interprocess_semaphore.hpp>
 #include <memory>
-#include <thread>
 
 #include "ros_edge/markers/markers.h"
 #include "ros_edge/markers/snapshot.h"
 #include "ros_edge/prepared_message.h"
+#include "ros_edge/woken_thread.h"
 
 namespace collision_monitor {
 
-/// Draws markers on a thread of its own: with many objects that takes longer than a cycle. The
-/// other functions are for the cycle's thread, which never waits.
+/// Draws markers on a thread of its own: with many objects that takes longer than a cycle. All
+/// functions are for the cycle's thread, which never waits.
 class MarkerThread {
  public:
   MarkerThread();
-  /// Waits for the current drawing.
-  ~MarkerThread();
-  MarkerThread(const MarkerThread&) = delete;
-  MarkerThread& operator=(const MarkerThread&) = delete;
 
   /// Takes a snapshot of this cycle, to draw it.
   /// @return false if the last drawing was not fetched yet
@@ -32,18 +27,15 @@ class MarkerThread {
  private:
   enum class Step : unsigned char { idle, drawing, drawn };
 
-  void run();
   void drawSnapshot();
 
   std::atomic<Step> step_{Step::idle};
-  std::atomic<bool> is_ending_{false};
-  boost::interprocess::interprocess_semaphore woken_{0};  ///< posting it takes no lock
   // While drawing, the next four are the drawing thread's, else the cycle's.
   Snapshot snapshot_;
   PreparedMessage drawn_;
   std::unique_ptr<Markers> markers_;
   std::weak_ptr<const MonitorSetup> setup_;  ///< of markers_
-  std::thread thread_;
+  WokenThread thread_;                       ///< last: it uses the others
 };
 
 }  // namespace collision_monitor

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/node/cycle_runner.h"
 
-#include <ros/console.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -25,7 +23,7 @@ CycleRunner::CycleRunner(const ros::NodeHandle& private_node, Inputs inputs,
       store_(inputs.transforms),
       joints_(inputs.joints),
       clock_(inputs.clock),
-      publishers_(private_node) {
+      publishers_(private_node, log_) {
   replaceWatch(makeWatch(std::move(setup)));
   thread_ = std::thread([this] { run(); });
 }
@@ -185,7 +183,7 @@ void CycleRunner::runOnce() {
   facts_.muted_for = watch_->mutedFor(start);
   bool is_new = readPoses(facts_.now);
   if (facts_.is_enabled != was_enabled) {
-    ROS_WARN_STREAM("the monitor is switched " << (facts_.is_enabled ? "on" : "off"));
+    log_.warn(std::string("the monitor is switched ") + (facts_.is_enabled ? "on" : "off"));
     if (facts_.is_enabled) {
       watch_->resumeReporting();
     } else {
@@ -217,7 +215,7 @@ bool CycleRunner::readPoses(const ros::Time& now) {
     watch_->forget();
     const std::string sentence = jumps_.tell(SteadyClock::now());
     if (!sentence.empty()) {
-      ROS_WARN_STREAM(sentence);
+      log_.warn(sentence);
     }
   }
   return watch_->read(now, lookAtClock({store_, joints_, clock_}, now));

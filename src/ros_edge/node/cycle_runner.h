@@ -15,6 +15,7 @@
 #include "ros_edge/inputs/time_jumps.h"
 #include "ros_edge/network_priority.h"
 #include "ros_edge/outputs/cycle_statistics.h"
+#include "ros_edge/outputs/log_thread.h"
 #include "ros_edge/outputs/pair_view.h"
 #include "ros_edge/outputs/publishers.h"
 #include "ros_edge/pace.h"
@@ -61,6 +62,7 @@ class CycleRunner {
   TransformStore& store_;
   JointStore& joints_;
   ClockWatch& clock_;
+  LogThread log_;
   Publishers publishers_;
   CycleStatistics statistics_;
   Enabling enabling_;

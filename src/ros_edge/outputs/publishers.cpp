@@ -23,7 +23,7 @@ constexpr double kAskPeriod = 0.01;
 
 }  // namespace
 
-Publishers::Publishers(ros::NodeHandle private_node)
+Publishers::Publishers(ros::NodeHandle private_node, LogThread& log)
     : state_publisher_(private_node.advertise<State>("state", kQueueSize, true)),
       is_valid_publisher_(
           private_node.advertise<std_msgs::Bool>("state_is_valid", kQueueSize, true)),
@@ -34,7 +34,8 @@ Publishers::Publishers(ros::NodeHandle private_node)
       warnings_publisher_(private_node.advertise<PairWarning>("warnings", kWarningQueueSize)),
       markers_publisher_(
           private_node.advertise<visualization_msgs::MarkerArray>("markers", kQueueSize)),
-      objects_publisher_(private_node.advertise<SceneObjects>("objects", 1, true)) {}
+      objects_publisher_(private_node.advertise<SceneObjects>("objects", 1, true)),
+      log_(log) {}
 
 void Publishers::startWatch(const Watch& watch, std::shared_ptr<RobotTopics> robot_topics) {
   if (watch.new_objects) {
@@ -43,7 +44,7 @@ void Publishers::startWatch(const Watch& watch, std::shared_ptr<RobotTopics> rob
   robot_topics_ = std::move(robot_topics);
   robot_topics_->askWhoListens();
   distances_.forgetNames();
-  log_.reset();
+  log_.startWatch(watch.carried.pair_to);
 }
 
 void Publishers::publishChanges(const Watch& watch) {

@@ -20,7 +20,8 @@ namespace collision_monitor {
 /// computed, except the state, which late listeners get.
 class Publishers {
  public:
-  explicit Publishers(ros::NodeHandle private_node);
+  /// @pre the log outlives them
+  Publishers(ros::NodeHandle private_node, LogThread& log);
 
   /// Starts another set-up.
   void startWatch(const Watch& watch, std::shared_ptr<RobotTopics> robot_topics);

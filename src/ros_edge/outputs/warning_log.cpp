@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/outputs/warning_log.h"
 
-#include <ros/console.h>
-
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -17,6 +15,8 @@ namespace {
 
 /// [s] Wall time between two lines with one cause.
 constexpr double kPeriod = 1.0;
+
+constexpr std::uint64_t kVerdicts = 4;  // how many there are
 
 bool isTooSoon(const ros::SteadyTime& last, const ros::SteadyTime& now, double period = kPeriod) {
   return !last.isZero() && (now - last).toSec() < period;
@@ -36,7 +36,6 @@ void WarningLog::forgetOld(const ros::SteadyTime& now) {
 }
 
 void WarningLog::logChange(const VerdictChange& change, const std::string& sentence) {
-  constexpr std::uint64_t kVerdicts = 4;
   const ros::SteadyTime now = ros::SteadyTime::now();
   forgetOld(now);
   ros::SteadyTime& last = last_of_change_[kVerdicts * std::uint64_t{change.link_pair} +
@@ -47,16 +46,16 @@ void WarningLog::logChange(const VerdictChange& change, const std::string& sente
   last = now;
   switch (change.after) {
     case Verdict::contact:
-      ROS_WARN_STREAM("contact: " << sentence);
+      log_.warn("contact: " + sentence);
       break;
     case Verdict::warning:
-      ROS_WARN_STREAM("near: " << sentence);
+      log_.warn("near: " + sentence);
       break;
     case Verdict::unknown:
-      ROS_WARN_STREAM("unknown: " << sentence);
+      log_.warn("unknown: " + sentence);
       break;
     case Verdict::clear:
-      ROS_INFO_STREAM("clear: " << sentence);
+      log_.info("clear: " + sentence);
       break;
   }
 }
@@ -73,11 +72,11 @@ void WarningLog::logUnknownLinks(const Watch& watch) {
   last_unknown_ = now;
   told_unknown_ = unknown;
   if (unknown.empty()) {
-    ROS_INFO("every checked pair of links is known");
+    log_.info("every checked pair of links is known");
     return;
   }
   for (const FloatingPart& part : watch.unknown().parts()) {
-    ROS_WARN_STREAM("unknown: " << floatingSentence(watch, part));
+    log_.warn("unknown: " + floatingSentence(watch, part));
   }
   // One line per cause: a silent joint makes every link behind it unknown.
   std::map<std::string, std::vector<std::string>> links_of_cause;
@@ -85,7 +84,7 @@ void WarningLog::logUnknownLinks(const Watch& watch) {
     links_of_cause[reasonSentence(watch, link)].push_back(nameInText(watch.setup().model, link));
   }
   for (const auto& [cause, links] : links_of_cause) {
-    ROS_WARN_STREAM("unknown: " << someOf(links) << ": " << cause);
+    log_.warn("unknown: " + someOf(links) + ": " + cause);
   }
 }
 
@@ -96,18 +95,24 @@ void WarningLog::logStep(const Watch& watch) {
   if (step.on_way.is_exceeded) {
     if (!isTooSoon(last_step_, now, kStepPeriod)) {
       last_step_ = now;
-      ROS_WARN_STREAM(stepSentence(watch));
+      log_.warn(stepSentence(watch));
     }
   } else if (step.at_poses.is_exceeded && !has_told_cap_) {
     has_told_cap_ = true;
-    ROS_INFO_STREAM(stepSentence(watch) << " (said once; /diagnostics goes on)");
+    log_.info(stepSentence(watch) + " (said once; /diagnostics goes on)");
   }
 }
 
-void WarningLog::reset() {
-  last_of_change_.clear();
+void WarningLog::startWatch(const std::vector<LinkPairIndex>& pair_to) {
+  std::unordered_map<std::uint64_t, ros::SteadyTime> carried;
+  for (const auto& [change, time] : last_of_change_) {
+    const std::uint64_t pair = change / kVerdicts;
+    if (pair < pair_to.size() && pair_to[pair] != kNone) {
+      carried[kVerdicts * std::uint64_t{pair_to[pair]} + change % kVerdicts] = time;
+    }
+  }
+  last_of_change_.swap(carried);
   told_unknown_.clear();
-  has_told_cap_ = false;
 }
 
 }  // namespace collision_monitor

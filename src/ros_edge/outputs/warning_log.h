@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "ros_edge/outputs/log_thread.h"
 #include "ros_edge/watch.h"
 
 namespace collision_monitor {
@@ -16,6 +17,8 @@ namespace collision_monitor {
 /// set of unknown links. By wall time, because a simulated clock may stand still.
 class WarningLog {
  public:
+  /// @pre the argument outlives the log
+  explicit WarningLog(LogThread& log) : log_(log) {}
   void logChange(const VerdictChange& change, const std::string& sentence);
   /// Links that became unknown or known again since the last line. The first line comes after a
   /// second.
@@ -23,14 +26,16 @@ class WarningLog {
   /// Poses that are too rare for the speed of the links: at most every ten seconds; only once if
   /// continuous checks cover it.
   void logStep(const Watch& watch);
-  /// Starts another set-up: earlier lines do not count.
-  void reset();
+  /// Starts another set-up. Earlier lines count for pairs that it checks, too.
+  /// @param pair_to by former LinkPairIndex: the new one, or kNone
+  void startWatch(const std::vector<LinkPairIndex>& pair_to);
 
  private:
   static constexpr std::size_t kFewKept = 1000;
 
   void forgetOld(const ros::SteadyTime& now);
 
+  LogThread& log_;
   std::unordered_map<std::uint64_t, ros::SteadyTime> last_of_change_;  ///< by pair and verdict
   std::size_t most_kept_{kFewKept};
   std::vector<LinkId> told_unknown_;
