@@ -7,7 +7,7 @@
 #include <sensor_msgs/JointState.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include "ros_edge/direct_queue.h"
+#include "ros_edge/threads/direct_queue.h"
 
 // Measures roscpp's share of node_bench, without the monitor. Hears joint states and tf, and
 // answers each tf message at once, on the thread that delivers it, with state, contacts and

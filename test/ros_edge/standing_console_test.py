@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The collision_monitor authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A console that nobody reads, as a terminal that was stopped by ctrl-S, holds up no cycle."""
+"""A console that nobody reads, as a terminal that was stopped by ctrl-S, holds up no cycle and no change."""
 import fcntl
 import os
 import subprocess
@@ -12,6 +12,7 @@ import rospy
 import rostest
 from std_srvs.srv import SetBool
 
+from collision_monitor.srv import SetPairs
 from monitor_probe import DEADLINE, Probe
 
 NAME = "/unread"
@@ -31,7 +32,7 @@ class StandingConsole(unittest.TestCase):
         self.addCleanup(self.process.wait)
         self.addCleanup(self.process.kill)
 
-    def test_linesOfTheCycle_whenNobodyReadsThem_cyclesGoOn(self):
+    def test_linesOfTheCycle_whenNobodyReadsThem_cyclesAndChangesGoOn(self):
         probe = Probe(NAME)
         rospy.wait_for_service(NAME + "/set_enabled", timeout=DEADLINE)
         set_enabled = rospy.ServiceProxy(NAME + "/set_enabled", SetBool)
@@ -40,6 +41,11 @@ class StandingConsole(unittest.TestCase):
             set_enabled(is_enabled)
             probe.wait(lambda: probe.state is not None and bool(probe.state.enabled) == is_enabled,
                        "the monitor to be switched for the %d. time" % (i + 1))
+        for rules, duration in (("[]", 0.0), ("[{a: '*', b: '*', check: false}]", 0.2)):
+            answer = rospy.ServiceProxy(NAME + "/set_pairs", SetPairs)(rules, 0, duration)
+            self.assertTrue(answer.success, answer.message)
+        probe.wait(lambda: probe.state.pairs_muted > 0, "the mute")
+        probe.wait(lambda: probe.state.pairs_muted == 0, "the mute to end")
 
 
 if __name__ == "__main__":

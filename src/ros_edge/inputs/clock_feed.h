@@ -5,8 +5,8 @@
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
 
-#include "ros_edge/direct_queue.h"
 #include "ros_edge/inputs/clock_watch.h"
+#include "ros_edge/threads/direct_queue.h"
 
 namespace collision_monitor {
 

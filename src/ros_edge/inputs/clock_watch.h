@@ -6,8 +6,8 @@
 
 #include <cstdint>
 
-#include "ros_edge/inheriting_mutex.h"
 #include "ros_edge/pace.h"
+#include "ros_edge/threads/inheriting_mutex.h"
 
 namespace collision_monitor {
 

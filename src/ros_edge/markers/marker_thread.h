@@ -8,7 +8,7 @@
 #include "ros_edge/markers/markers.h"
 #include "ros_edge/markers/snapshot.h"
 #include "ros_edge/prepared_message.h"
-#include "ros_edge/woken_thread.h"
+#include "ros_edge/threads/woken_thread.h"
 
 namespace collision_monitor {
 

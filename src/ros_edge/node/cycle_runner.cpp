@@ -18,12 +18,13 @@ double toSeconds(SteadyClock::duration duration) {
 }  // namespace
 
 CycleRunner::CycleRunner(const ros::NodeHandle& private_node, Inputs inputs,
-                         std::shared_ptr<const MonitorSetup> setup)
+                         std::shared_ptr<const MonitorSetup> setup, LogThread& log)
     : private_node_(private_node),
       store_(inputs.transforms),
       joints_(inputs.joints),
       clock_(inputs.clock),
-      publishers_(private_node, log_) {
+      log_(log),
+      publishers_(private_node, log) {
   replaceWatch(makeWatch(std::move(setup)));
   thread_ = std::thread([this] { run(); });
 }

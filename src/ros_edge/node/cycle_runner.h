@@ -10,17 +10,17 @@
 #include <thread>
 #include <vector>
 
-#include "ros_edge/inheriting_mutex.h"
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/inputs/time_jumps.h"
-#include "ros_edge/network_priority.h"
 #include "ros_edge/outputs/cycle_statistics.h"
-#include "ros_edge/outputs/log_thread.h"
 #include "ros_edge/outputs/pair_view.h"
 #include "ros_edge/outputs/publishers.h"
 #include "ros_edge/pace.h"
-#include "ros_edge/real_time.h"
 #include "ros_edge/services/enabling.h"
+#include "ros_edge/threads/inheriting_mutex.h"
+#include "ros_edge/threads/log_thread.h"
+#include "ros_edge/threads/network_priority.h"
+#include "ros_edge/threads/real_time.h"
 
 namespace collision_monitor {
 
@@ -28,9 +28,9 @@ namespace collision_monitor {
 /// time, so it still publishes while a simulated clock stands still.
 class CycleRunner {
  public:
-  /// @pre the inputs outlive the runner.
+  /// @pre the inputs and the log outlive the runner.
   CycleRunner(const ros::NodeHandle& private_node, Inputs inputs,
-              std::shared_ptr<const MonitorSetup> setup);
+              std::shared_ptr<const MonitorSetup> setup, LogThread& log);
   ~CycleRunner();
   CycleRunner(const CycleRunner&) = delete;
   CycleRunner& operator=(const CycleRunner&) = delete;
@@ -62,7 +62,7 @@ class CycleRunner {
   TransformStore& store_;
   JointStore& joints_;
   ClockWatch& clock_;
-  LogThread log_;
+  LogThread& log_;
   Publishers publishers_;
   CycleStatistics statistics_;
   Enabling enabling_;

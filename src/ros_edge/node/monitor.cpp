@@ -23,7 +23,8 @@ class Monitor::Parts {
  public:
   Parts(const ros::NodeHandle& private_node, const std::string& node_name, const GoesOn& goes_on)
       : clock_feed_(private_node, clock_),
-        runner_(private_node, {store_, joints_, clock_}, makeLoggedSetup(private_node, goes_on)),
+        runner_(private_node, {store_, joints_, clock_}, makeLoggedSetup(private_node, goes_on),
+                log_),
         joint_feed_(private_node, joints_, [this] { wakeForJoints(); }),
         diagnostics_(ros::NodeHandle(), private_node, node_name, runner_.statistics(),
                      [this] { return runner_.currentSetup(); }) {
@@ -31,14 +32,14 @@ class Monitor::Parts {
     feed_.emplace(private_node, store_);
     joint_feed_.listenTo(jointTopics(*runner_.currentSetup()));
     second_opinion_.askFor(runner_.currentSetup());
-    services_.emplace(private_node, Inputs{store_, joints_, clock_}, makeHooks(goes_on));
+    services_.emplace(private_node, Inputs{store_, joints_, clock_}, makeHooks(goes_on), log_);
   }
 
  private:
-  static std::shared_ptr<const MonitorSetup> makeLoggedSetup(const ros::NodeHandle& private_node,
-                                                             const GoesOn& goes_on) {
+  std::shared_ptr<const MonitorSetup> makeLoggedSetup(const ros::NodeHandle& private_node,
+                                                      const GoesOn& goes_on) {
     std::shared_ptr<const MonitorSetup> setup = makeMonitorSetup(private_node, goes_on, nullptr);
-    logSetup(*setup);
+    logSetup(*setup, log_);
     return setup;
   }
 
@@ -87,6 +88,7 @@ class Monitor::Parts {
     return hooks;
   }
 
+  LogThread log_;
   TransformStore store_;
   JointStore joints_;
   ClockWatch clock_{ros::Time::isSimTime(), SteadyClock::now()};

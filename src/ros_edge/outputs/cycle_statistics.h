@@ -11,9 +11,9 @@
 
 #include "pipeline/answers/budget_use.h"
 #include "pipeline/cycle/cycle_buffers.h"
-#include "ros_edge/inheriting_mutex.h"
 #include "ros_edge/pace.h"
-#include "ros_edge/real_time.h"
+#include "ros_edge/threads/inheriting_mutex.h"
+#include "ros_edge/threads/real_time.h"
 #include "ros_edge/watch.h"
 
 namespace collision_monitor {

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "ros_edge/outputs/log_thread.h"
+#include "ros_edge/threads/log_thread.h"
 #include "ros_edge/watch.h"
 
 namespace collision_monitor {

@@ -45,11 +45,11 @@ FitProgress logLongFitting() {
   };
 }
 
-void logSetup(const MonitorSetup& setup) {
+void logSetup(const MonitorSetup& setup, LogThread& log) {
   for (const Problem& warning : setup.setup.report.warnings) {
-    ROS_WARN_STREAM(toString(warning));
+    log.warn(toString(warning));
   }
-  ROS_INFO_STREAM(summaryOf(setup));
+  log.info(summaryOf(setup));
 }
 
 void logFailure(const std::exception& error) {

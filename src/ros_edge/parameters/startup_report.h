@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ros_edge/parameters/monitor_setup.h"
+#include "ros_edge/threads/log_thread.h"
 
 namespace collision_monitor {
 
@@ -14,7 +15,7 @@ namespace collision_monitor {
 std::string summaryOf(const MonitorSetup& setup);
 
 /// Logs the summary and every warning of the set-up.
-void logSetup(const MonitorSetup& setup);
+void logSetup(const MonitorSetup& setup, LogThread& log);
 
 /// Logs every problem of a failed set-up, one line each.
 void logFailure(const std::exception& error);

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "ros_edge/direct_queue.h"
 #include "ros_edge/poses/joint_store.h"
+#include "ros_edge/threads/direct_queue.h"
 
 namespace collision_monitor {
 

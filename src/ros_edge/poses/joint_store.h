@@ -16,9 +16,9 @@
 #include <unordered_set>
 #include <vector>
 
-#include "ros_edge/inheriting_mutex.h"
 #include "ros_edge/publisher_names.h"
 #include "ros_edge/refusal.h"
+#include "ros_edge/threads/inheriting_mutex.h"
 
 namespace collision_monitor {
 

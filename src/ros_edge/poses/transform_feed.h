@@ -6,8 +6,8 @@
 #include <ros/subscriber.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include "ros_edge/direct_queue.h"
 #include "ros_edge/poses/transform_store.h"
+#include "ros_edge/threads/direct_queue.h"
 
 namespace collision_monitor {
 

@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "collision_monitor/geometry/pose.h"
-#include "ros_edge/inheriting_mutex.h"
 #include "ros_edge/poses/frame_filter.h"
 #include "ros_edge/publisher_names.h"
 #include "ros_edge/refusal.h"
+#include "ros_edge/threads/inheriting_mutex.h"
 
 namespace collision_monitor {
 

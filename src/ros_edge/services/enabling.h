@@ -4,7 +4,7 @@
 
 #include <ros/time.h>
 
-#include "ros_edge/inheriting_mutex.h"
+#include "ros_edge/threads/inheriting_mutex.h"
 
 namespace collision_monitor {
 

@@ -21,10 +21,12 @@
 
 namespace collision_monitor {
 
-Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, ServiceHooks hooks)
+Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, ServiceHooks hooks,
+                   LogThread& log)
     : private_node_(private_node),
       inputs_(inputs),
       hooks_(std::move(hooks)),
+      log_(log),
       objects_(private_node, inputs,
                {hooks_.current_setup, hooks_.change_setup, [this] { return goesOn(); }}, locks_),
       rule_clock_([this] { return nextEndOf(*hooks_.current_setup()); }, [this] { endRules(); }),
@@ -122,7 +124,7 @@ bool Services::setPairs(SetPairs::Request& request, SetPairs::Response& response
   if (next) {
     hooks_.change_setup(next);
     rule_clock_.wake();
-    ROS_INFO_STREAM("set_pairs: " << response.message);
+    log_.info("set_pairs: " + response.message);
   }
   return true;
 }
@@ -136,7 +138,7 @@ bool Services::setLimits(SetLimits::Request& request, SetLimits::Response& respo
   const std::lock_guard<std::mutex> swap(locks_.swap);
   if (const NextSetup next = answerSetLimits(*hooks_.current_setup(), request, response)) {
     hooks_.change_setup(next);
-    ROS_INFO_STREAM("set_limits: " << response.message);
+    log_.info("set_limits: " + response.message);
   }
   return true;
 }
@@ -150,9 +152,9 @@ void Services::endRules() {
     next->later_warnings->add(dropped_limits);
     hooks_.change_setup(next);
     for (const Problem& warning : dropped_limits) {
-      ROS_WARN_STREAM(toString(warning));
+      log_.warn(toString(warning));
     }
-    ROS_INFO_STREAM("rules for pairs have ended; left: " << next->setup.pair_rules.size());
+    log_.info("rules for pairs have ended; left: " + std::to_string(next->setup.pair_rules.size()));
   }
 }
 
@@ -190,11 +192,10 @@ void Services::takeInLate(const MonitorSetup& late, const MonitorSetup& former) 
   rule_clock_.wake();
   for (std::size_t i = 0; i < made->listed.size(); ++i) {
     if (made->listed[i].id && !former.listed[i].id) {
-      ROS_INFO_STREAM("robot '" << made->listed[i].name
-                                << "' has come late and is watched from now on");
+      log_.info("robot '" + made->listed[i].name + "' has come late and is watched from now on");
     }
   }
-  logSetup(*made);
+  logSetup(*made, log_);
 }
 
 void Services::tellMissing(const MonitorSetup& former, const std::vector<ListedRobot>& listed) {
@@ -233,7 +234,7 @@ bool Services::reload(std_srvs::Trigger::Request& /*request*/,
     const std::lock_guard<std::mutex> swap(locks_.swap);  // only now: meanwhile mutes end
     hooks_.replace_setup(made);
     rule_clock_.wake();
-    logSetup(*made);
+    logSetup(*made, log_);
     response.message = summaryOf(*made);
     response.success = 1;
   } catch (const std::exception& error) {

@@ -16,15 +16,16 @@
 #include <functional>
 #include <memory>
 
-#include "ros_edge/change_locks.h"
 #include "ros_edge/inputs/background_queue.h"
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/parameters/monitor_setup.h"
 #include "ros_edge/poses/newest_state.h"
-#include "ros_edge/repeater.h"
 #include "ros_edge/robots/late_robots.h"
 #include "ros_edge/services/explain_pair.h"
 #include "ros_edge/services/rule_clock.h"
+#include "ros_edge/threads/change_locks.h"
+#include "ros_edge/threads/log_thread.h"
+#include "ros_edge/threads/repeater.h"
 #include "ros_edge/world/object_services.h"
 
 namespace collision_monitor {
@@ -45,8 +46,9 @@ struct ServiceHooks {
 /// background; the others run on the node handle's callback queue.
 class Services {
  public:
-  /// @pre the inputs outlive the services.
-  Services(const ros::NodeHandle& private_node, const Inputs& inputs, ServiceHooks hooks);
+  /// @pre the inputs and the log outlive the services.
+  Services(const ros::NodeHandle& private_node, const Inputs& inputs, ServiceHooks hooks,
+           LogThread& log);
   ~Services();
   Services(const Services&) = delete;
   Services& operator=(const Services&) = delete;
@@ -70,6 +72,7 @@ class Services {
   ros::NodeHandle private_node_;
   Inputs inputs_;
   ServiceHooks hooks_;
+  LogThread& log_;  ///< for what is told under a lock: a console may stand still
   ChangeLocks locks_;
   std::size_t requests_{0};     ///< of set_pairs
   BackgroundQueue background_;  ///< outlives its services

@@ -12,9 +12,9 @@
 #include <memory>
 #include <vector>
 
-#include "ros_edge/change_locks.h"
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/parameters/monitor_setup.h"
+#include "ros_edge/threads/change_locks.h"
 
 namespace collision_monitor {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros_edge/woken_thread.h"
+#include "ros_edge/threads/woken_thread.h"
 
 #include <utility>
 

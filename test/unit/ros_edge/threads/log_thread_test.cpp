@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros_edge/outputs/log_thread.h"
+#include "ros_edge/threads/log_thread.h"
 
 #include <gtest/gtest.h>
 #include <ros/console.h>

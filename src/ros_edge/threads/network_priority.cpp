@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros_edge/network_priority.h"
+#include "ros_edge/threads/network_priority.h"
 
 #include <ros/init.h>
 
 #include <chrono>
 #include <thread>
 
-#include "ros_edge/real_time.h"
+#include "ros_edge/threads/real_time.h"
 
 namespace collision_monitor {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ros_edge/direct_queue.h"
+#include "ros_edge/threads/direct_queue.h"
 
 #include <gtest/gtest.h>
 

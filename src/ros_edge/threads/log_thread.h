@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <utility>
+
+#include "ros_edge/threads/inheriting_mutex.h"
+#include "ros_edge/threads/woken_thread.h"
+
+namespace collision_monitor {
+
+/// Logs lines on a thread of its own: a console is slow, and stands still while its user reads. Any
+/// thread may add lines. Beyond 1000 that wait, they are left out, and counted in a line.
+class LogThread {
+ public:
+  LogThread();
+  void info(std::string text) { add({std::move(text), false}); }
+  void warn(std::string text) { add({std::move(text), true}); }
+
+ private:
+  struct Line {
+    std::string text;
+    bool is_warning{false};
+  };
+
+  void add(Line line);
+  void write();
+
+  InheritingMutex mutex_;  ///< guards the next two
+  std::deque<Line> waiting_;
+  std::uint64_t left_out_{0};
+  WokenThread thread_;  ///< last: it uses the others
+};
+
+}  // namespace collision_monitor
