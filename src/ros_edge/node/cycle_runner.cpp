@@ -232,12 +232,13 @@ void CycleRunner::publish(bool is_new) {
   const std::uint8_t level = levelOf(watch, facts_);
   const bool is_due = isStateDue(watch.fixed->parameters, pace_, now);
   if (!is_new && !is_due && level == last_level_) {
+    publishers_.drawMarkers(watch, false);
     return;
   }
   last_level_ = level;
   pace_.last_state = now;
   const State& state = publishers_.publishCycle(watch, facts_);
-  publishers_.drawMarkers(watch);
+  publishers_.drawMarkers(watch, true);
   constexpr double kSummaryPeriod = 0.2;
   if (toSeconds(now - last_summary_) >= kSummaryPeriod) {
     last_summary_ = now;

@@ -93,7 +93,7 @@ class Monitor::Parts {
   JointStore joints_;
   ClockWatch clock_{ros::Time::isSimTime(), SteadyClock::now()};
   ClockFeed clock_feed_;
-  SecondOpinion second_opinion_;
+  SecondOpinion second_opinion_{log_};
   CycleRunner runner_;
   std::optional<TransformFeed> feed_;  ///< made once the wanted frames are known
   JointFeed joint_feed_;

@@ -44,7 +44,7 @@ void Publishers::startWatch(const Watch& watch, std::shared_ptr<RobotTopics> rob
   robot_topics_ = std::move(robot_topics);
   robot_topics_->askWhoListens();
   distances_.forgetNames();
-  log_.startWatch(watch.carried.pair_to);
+  log_.startWatch();
 }
 
 void Publishers::publishChanges(const Watch& watch) {
@@ -52,7 +52,7 @@ void Publishers::publishChanges(const Watch& watch) {
     PairWarning warning;
     toMessage(watch, change, warning);
     warnings_publisher_.publish(warning);
-    log_.logChange(change, warning.sentence);
+    log_.logChange(warning);
   }
   log_.logUnknownLinks(watch);
   log_.logStep(watch);
@@ -62,7 +62,7 @@ void Publishers::publishDropped(const Watch& former, LinkPairIndex pair) {
   PairWarning warning;
   toDroppedMessage(former, pair, warning);
   warnings_publisher_.publish(warning);
-  log_.logChange({pair, former.buffers.memory.reported[pair], Verdict::clear}, warning.sentence);
+  log_.logChange(warning);
 }
 
 void Publishers::askWhoListens(ros::SteadyTime now) {
@@ -102,14 +102,16 @@ const State& Publishers::publishCycle(const Watch& watch, const CycleFacts& fact
   return state_;
 }
 
-void Publishers::drawMarkers(const Watch& watch) {
+void Publishers::drawMarkers(const Watch& watch, bool is_new) {
+  owes_markers_ = owes_markers_ || is_new;
   const ros::SteadyTime now = ros::SteadyTime::now();
   const double period = 1.0 / watch.fixed->parameters.marker_rate;
-  if (!listeners_.to_markers || (now - last_markers_).toSec() < period) {
+  if (!owes_markers_ || !listeners_.to_markers || (now - last_markers_).toSec() < period) {
     return;
   }
   if (markers_.draw(watch)) {
     last_markers_ = now;
+    owes_markers_ = false;
   }
 }
 

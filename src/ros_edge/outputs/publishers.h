@@ -33,7 +33,8 @@ class Publishers {
   /// state, state_is_valid and speed_scale, also of each robot; contacts and distances.
   const State& publishCycle(const Watch& watch, const CycleFacts& facts);
   /// Has markers drawn, at most `marker_rate` times a wall second.
-  void drawMarkers(const Watch& watch);
+  /// @param is_new else only what could not be drawn before
+  void drawMarkers(const Watch& watch, bool is_new);
   /// Publishes markers that have been drawn since the last call.
   void publishMarkers();
 
@@ -62,6 +63,7 @@ class Publishers {
   std::shared_ptr<RobotTopics> robot_topics_;
   MarkerThread markers_;
   ros::SteadyTime last_markers_;
+  bool owes_markers_{false};           ///< of a cycle that came too soon after the last picture
   std::optional<bool> is_valid_;       ///< as last sent
   std::optional<double> speed_scale_;  ///< as last sent
   WarningLog log_;

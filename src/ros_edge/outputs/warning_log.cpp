@@ -16,8 +16,6 @@ namespace {
 /// [s] Wall time between two lines with one cause.
 constexpr double kPeriod = 1.0;
 
-constexpr std::uint64_t kVerdicts = 4;  // how many there are
-
 bool isTooSoon(const ros::SteadyTime& last, const ros::SteadyTime& now, double period = kPeriod) {
   return !last.isZero() && (now - last).toSec() < period;
 }
@@ -35,27 +33,28 @@ void WarningLog::forgetOld(const ros::SteadyTime& now) {
   most_kept_ = std::max(kFewKept, 2 * last_of_change_.size());
 }
 
-void WarningLog::logChange(const VerdictChange& change, const std::string& sentence) {
+void WarningLog::logChange(const PairWarning& warning) {
   const ros::SteadyTime now = ros::SteadyTime::now();
   forgetOld(now);
-  ros::SteadyTime& last = last_of_change_[kVerdicts * std::uint64_t{change.link_pair} +
-                                          static_cast<std::uint64_t>(change.after)];
+  const LinkDistance& pair = warning.pair;
+  ros::SteadyTime& last =
+      last_of_change_[pair.link_a + '\n' + pair.link_b + '\n' + std::to_string(warning.after)];
   if (isTooSoon(last, now)) {
     return;
   }
   last = now;
-  switch (change.after) {
-    case Verdict::contact:
-      log_.warn("contact: " + sentence);
+  switch (warning.after) {
+    case PairWarning::CONTACT:
+      log_.warn("contact: " + warning.sentence);
       break;
-    case Verdict::warning:
-      log_.warn("near: " + sentence);
+    case PairWarning::WARNING:
+      log_.warn("near: " + warning.sentence);
       break;
-    case Verdict::unknown:
-      log_.warn("unknown: " + sentence);
+    case PairWarning::UNKNOWN:
+      log_.warn("unknown: " + warning.sentence);
       break;
-    case Verdict::clear:
-      log_.info("clear: " + sentence);
+    default:
+      log_.info("clear: " + warning.sentence);
       break;
   }
 }
@@ -101,18 +100,6 @@ void WarningLog::logStep(const Watch& watch) {
     has_told_cap_ = true;
     log_.info(stepSentence(watch) + " (said once; /diagnostics goes on)");
   }
-}
-
-void WarningLog::startWatch(const std::vector<LinkPairIndex>& pair_to) {
-  std::unordered_map<std::uint64_t, ros::SteadyTime> carried;
-  for (const auto& [change, time] : last_of_change_) {
-    const std::uint64_t pair = change / kVerdicts;
-    if (pair < pair_to.size() && pair_to[pair] != kNone) {
-      carried[kVerdicts * std::uint64_t{pair_to[pair]} + change % kVerdicts] = time;
-    }
-  }
-  last_of_change_.swap(carried);
-  told_unknown_.clear();
 }
 
 }  // namespace collision_monitor

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <collision_monitor/PairWarning.h>
 #include <ros/time.h>
 
 #include <string>
@@ -19,16 +20,15 @@ class WarningLog {
  public:
   /// @pre the argument outlives the log
   explicit WarningLog(LogThread& log) : log_(log) {}
-  void logChange(const VerdictChange& change, const std::string& sentence);
+  void logChange(const PairWarning& warning);
   /// Links that became unknown or known again since the last line. The first line comes after a
   /// second.
   void logUnknownLinks(const Watch& watch);
   /// Poses that are too rare for the speed of the links: at most every ten seconds; only once if
   /// continuous checks cover it.
   void logStep(const Watch& watch);
-  /// Starts another set-up. Earlier lines count for pairs that it checks, too.
-  /// @param pair_to by former LinkPairIndex: the new one, or kNone
-  void startWatch(const std::vector<LinkPairIndex>& pair_to);
+  /// Starts another set-up: links have other ids.
+  void startWatch() { told_unknown_.clear(); }
 
  private:
   static constexpr std::size_t kFewKept = 1000;
@@ -36,7 +36,7 @@ class WarningLog {
   void forgetOld(const ros::SteadyTime& now);
 
   LogThread& log_;
-  std::unordered_map<std::uint64_t, ros::SteadyTime> last_of_change_;  ///< by pair and verdict
+  std::unordered_map<std::string, ros::SteadyTime> last_of_change_;  ///< by links and verdict
   std::size_t most_kept_{kFewKept};
   std::vector<LinkId> told_unknown_;
   ros::SteadyTime last_unknown_;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/parameters/second_opinion.h"
 
-#include <ros/console.h>
-
 #include <utility>
 
 #include "model/second_reader/second_reader.h"
@@ -11,15 +9,15 @@
 namespace collision_monitor {
 namespace {
 
-void compareReaders(const MonitorSetup& setup) noexcept {
+void compareReaders(const MonitorSetup& setup, LogThread& log) noexcept {
   try {
     const std::vector<Problem> differences = askSecondReader(setup.descriptions, setup.setup.model);
     setup.later_warnings->add(differences);
     for (const Problem& difference : differences) {
-      ROS_WARN_STREAM(toString(difference));
+      log.warn(toString(difference));
     }
   } catch (const std::exception& fault) {
-    ROS_WARN_STREAM("no second opinion on the robots: " << failureText(fault));
+    log.warn("no second opinion on the robots: " + failureText(fault));
   }
 }
 
@@ -33,9 +31,9 @@ void SecondOpinion::askFor(std::shared_ptr<const MonitorSetup> setup) noexcept {
     if (thread_.joinable()) {
       thread_.join();
     }
-    thread_ = std::thread([setup = std::move(setup)] { compareReaders(*setup); });
+    thread_ = std::thread([setup = std::move(setup), &log = log_] { compareReaders(*setup, log); });
   } catch (const std::exception& fault) {
-    ROS_WARN_STREAM("no second opinion on the robots: " << failureText(fault));
+    log_.warn("no second opinion on the robots: " + failureText(fault));
   }
 }
 

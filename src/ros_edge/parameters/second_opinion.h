@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "ros_edge/parameters/monitor_setup.h"
+#include "ros_edge/threads/log_thread.h"
 
 namespace collision_monitor {
 
@@ -14,7 +15,8 @@ namespace collision_monitor {
 /// into the log and to the set-up's later warnings.
 class SecondOpinion {
  public:
-  SecondOpinion() = default;
+  /// @pre the log outlives it
+  explicit SecondOpinion(LogThread& log) : log_(log) {}
   ~SecondOpinion();
   SecondOpinion(const SecondOpinion&) = delete;
   SecondOpinion& operator=(const SecondOpinion&) = delete;
@@ -26,6 +28,7 @@ class SecondOpinion {
   void wait();
 
  private:
+  LogThread& log_;
   std::mutex mutex_;
   std::thread thread_;
 };

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/robots/late_robots.h"
 
-#include <ros/console.h>
-
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -121,8 +119,8 @@ void LateRobots::noteFault(const std::exception& fault) {
   const std::string text = failureText(fault);
   if (text != logged_) {
     logged_ = text;
-    ROS_ERROR_STREAM(
-        "a robot that has come cannot be taken in; the others are watched as before: " << text);
+    hooks_.log_error(
+        "a robot that has come cannot be taken in; the others are watched as before: " + text);
   }
 }
 

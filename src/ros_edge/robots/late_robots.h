@@ -30,6 +30,7 @@ struct LateHooks {
   /// withMissing
   std::function<void(const MonitorSetup& former, const std::vector<ListedRobot>& listed)>
       tell_missing;
+  std::function<void(const std::string&)> log_error;
   GoesOn goes_on;
 };
 

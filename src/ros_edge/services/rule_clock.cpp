@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/services/rule_clock.h"
 
-#include <ros/console.h>
-
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -12,8 +10,9 @@
 
 namespace collision_monitor {
 
-RuleClock::RuleClock(std::function<RuleEnd()> next_end, std::function<void()> end_rules)
-    : next_end_(std::move(next_end)), end_rules_(std::move(end_rules)) {
+RuleClock::RuleClock(std::function<RuleEnd()> next_end, std::function<void()> end_rules,
+                     LogThread& log)
+    : next_end_(std::move(next_end)), end_rules_(std::move(end_rules)), log_(log) {
   thread_ = std::thread([this] { run(); });
 }
 
@@ -61,8 +60,8 @@ bool RuleClock::endDue() {
     }
     return true;
   } catch (const std::exception& error) {
-    ROS_ERROR_STREAM(
-        "rules for pairs that have ended stay in force for another second: " << failureText(error));
+    log_.error("rules for pairs that have ended stay in force for another second: " +
+               failureText(error));
   }
   return false;
 }

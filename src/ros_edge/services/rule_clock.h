@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "ros_edge/parameters/monitor_setup.h"
+#include "ros_edge/threads/log_thread.h"
 
 namespace collision_monitor {
 
@@ -17,7 +18,8 @@ class RuleClock {
  public:
   /// @param next_end when to call `end_rules`; asked after each call and each `wake`
   /// @param end_rules may throw: it is then called again a second later
-  RuleClock(std::function<RuleEnd()> next_end, std::function<void()> end_rules);
+  /// @pre the log outlives the clock
+  RuleClock(std::function<RuleEnd()> next_end, std::function<void()> end_rules, LogThread& log);
   ~RuleClock();
   RuleClock(const RuleClock&) = delete;
   RuleClock& operator=(const RuleClock&) = delete;
@@ -31,6 +33,7 @@ class RuleClock {
 
   std::function<RuleEnd()> next_end_;
   std::function<void()> end_rules_;
+  LogThread& log_;
   std::mutex mutex_;  ///< guards the next three
   std::condition_variable woken_;
   bool is_woken_{false};

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/services/services.h"
 
-#include <ros/console.h>
-
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -29,7 +28,8 @@ Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, Se
       log_(log),
       objects_(private_node, inputs,
                {hooks_.current_setup, hooks_.change_setup, [this] { return goesOn(); }}, locks_),
-      rule_clock_([this] { return nextEndOf(*hooks_.current_setup()); }, [this] { endRules(); }),
+      rule_clock_([this] { return nextEndOf(*hooks_.current_setup()); }, [this] { endRules(); },
+                  log),
       late_robots_(lateHooks()),
       late_look_(std::chrono::milliseconds(500), [this] { late_robots_.look(); }) {
   get_distances_ = private_node_.advertiseService("get_distances", &Services::getDistances, this);
@@ -83,25 +83,30 @@ bool Services::getDistances(GetDistances::Request& request, GetDistances::Respon
   return true;
 }
 
+std::function<bool(double)> Services::tellProgress(const char* call) const {
+  static constexpr std::chrono::seconds kBetween(2);
+  return [this, call, last = std::chrono::steady_clock::now()](double done) mutable {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last >= kBetween) {
+      last = now;
+      log_.info(std::string(call) + ": " + std::to_string(std::lround(100.0 * done)) +
+                " % checked");
+    }
+    return goesOn();
+  };
+}
+
 bool Services::checkTrajectory(CheckTrajectory::Request& request,
                                CheckTrajectory::Response& response) {
   const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
-  const auto tell = [this](double done) {
-    ROS_INFO_STREAM_DELAYED_THROTTLE(
-        2.0, "check_trajectory: " << std::lround(100.0 * done) << " % checked");
-    return goesOn();
-  };
+  const auto tell = tellProgress("check_trajectory");
   answerCheckTrajectory(*current, newestState(*current), tell, request, response);
   return true;
 }
 
 bool Services::checkStates(CheckStates::Request& request, CheckStates::Response& response) {
   const std::shared_ptr<const MonitorSetup> current = hooks_.current_setup();
-  const auto tell = [this](double done) {
-    ROS_INFO_STREAM_DELAYED_THROTTLE(2.0,
-                                     "check_states: " << std::lround(100.0 * done) << " % checked");
-    return goesOn();
-  };
+  const auto tell = tellProgress("check_states");
   answerCheckStates(*current, newestState(*current), tell, request, response);
   return true;
 }
@@ -174,6 +179,7 @@ LateHooks Services::lateHooks() {
   hooks.tell_missing = [this](const MonitorSetup& former, const auto& listed) {
     tellMissing(former, listed);
   };
+  hooks.log_error = [this](const std::string& text) { log_.error(text); };
   hooks.goes_on = [this] { return goesOn(); };
   return hooks;
 }

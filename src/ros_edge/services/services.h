@@ -55,6 +55,8 @@ class Services {
 
  private:
   bool goesOn() const;
+  /// Logs how much of a call is done, every two seconds. @return true while the call may continue
+  std::function<bool(double)> tellProgress(const char* call) const;
   NewestState newestState(const MonitorSetup& current) const;
   bool getDistances(GetDistances::Request& request, GetDistances::Response& response);
   bool checkTrajectory(CheckTrajectory::Request& request, CheckTrajectory::Response& response);

@@ -13,20 +13,23 @@
 namespace collision_monitor {
 
 /// Logs lines on a thread of its own: a console is slow, and stands still while its user reads. Any
-/// thread may add lines. Beyond 1000 that wait, they are left out, and counted in a line.
+/// thread may add lines. Beyond 20,000 that wait, they are left out, and counted in a line.
 class LogThread {
  public:
   LogThread();
-  void info(std::string text) { add({std::move(text), false}); }
-  void warn(std::string text) { add({std::move(text), true}); }
+  void info(std::string text) { add({std::move(text), Level::info}); }
+  void warn(std::string text) { add({std::move(text), Level::warning}); }
+  void error(std::string text) { add({std::move(text), Level::error}); }
 
  private:
+  enum class Level : unsigned char { info, warning, error };
   struct Line {
     std::string text;
-    bool is_warning{false};
+    Level level{Level::info};
   };
 
   void add(Line line);
+  static void log(const Line& line);
   void write();
 
   InheritingMutex mutex_;  ///< guards the next two

@@ -27,7 +27,8 @@ TEST(SecondOpinion, differentReading_isALaterWarningOfItsSetup) {
   const auto alike = setupOf(turning("0 0 1"), turning("0 0 1"));
   const auto differing = setupOf(turning("0 0 1"), turning("0 1 0"));
   const std::size_t built_with = differing->setup.report.warnings.size();
-  SecondOpinion opinion;
+  LogThread log;
+  SecondOpinion opinion(log);
   opinion.askFor(differing);
   opinion.askFor(alike);
   opinion.wait();

@@ -45,6 +45,7 @@ class LateRobotsTest : public TwoArms {
       ++told_;
       current_ = withMissing(former, listed);
     };
+    hooks.log_error = [](const std::string&) {};
     return hooks;
   }
 

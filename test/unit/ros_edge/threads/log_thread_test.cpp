@@ -3,59 +3,18 @@
 #include "ros_edge/threads/log_thread.h"
 
 #include <gtest/gtest.h>
-#include <ros/console.h>
 
-#include <chrono>
-#include <condition_variable>
-#include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
-namespace collision_monitor {
+#include "unit/ros_edge/console.h"
+
+namespace collision_monitor::test {
 namespace {
 
-/// A console that stands still until it is released.
-class StandingConsole : public ros::console::LogAppender {
- public:
-  StandingConsole() { ros::console::register_appender(this); }
-  ~StandingConsole() override { ros::console::deregister_appender(this); }
-  StandingConsole(const StandingConsole&) = delete;
-  StandingConsole& operator=(const StandingConsole&) = delete;
-
-  void log(ros::console::Level /*level*/, const char* text, const char* /*file*/,
-           const char* /*function*/, int /*line*/) override {
-    std::unique_lock<std::mutex> lock(mutex_);
-    lines_.emplace_back(text);
-    changed_.notify_all();
-    changed_.wait(lock, [this] { return is_released_; });
-  }
-
-  void waitForFirst() {
-    std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait_for(lock, std::chrono::seconds(10), [this] { return !lines_.empty(); });
-  }
-
-  void release() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    is_released_ = true;
-    changed_.notify_all();
-  }
-
-  /// @pre nothing logs any more
-  const std::vector<std::string>& lines() const { return lines_; }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::vector<std::string> lines_;
-  bool is_released_{false};
-};
-
 TEST(LogThread, whileTheConsoleStands_nobodyWaitsAndTheFirstLinesAreKept) {
-  constexpr std::size_t kMany = 3000;
-  StandingConsole console;
+  constexpr std::size_t kMany = 30000;
+  Console console(true);
   {
     LogThread log;
     log.warn("first");
@@ -73,8 +32,9 @@ TEST(LogThread, whileTheConsoleStands_nobodyWaitsAndTheFirstLinesAreKept) {
     EXPECT_EQ(lines[1 + i], "line " + std::to_string(i));
   }
   EXPECT_LT(kept, kMany);
-  EXPECT_EQ(lines.back(), "the log is too slow: lines left out: " + std::to_string(kMany - kept));
+  EXPECT_EQ(lines.back(),
+            "too much to log at once; lines left out: " + std::to_string(kMany - kept));
 }
 
 }  // namespace
-}  // namespace collision_monitor
+}  // namespace collision_monitor::test

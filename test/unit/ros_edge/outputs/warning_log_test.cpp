@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros_edge/outputs/warning_log.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "unit/ros_edge/console.h"
+
+namespace collision_monitor::test {
+namespace {
+
+PairWarning warningOf(const std::string& link_a, std::uint8_t after) {
+  PairWarning warning;
+  warning.pair.link_a = link_a;
+  warning.pair.link_b = "torso";
+  warning.after = after;
+  warning.sentence = link_a + " and torso";
+  return warning;
+}
+
+/// As when an object comes and goes: its pairs are others each time.
+TEST(WarningLog, aVerdictOfAPair_isLoggedOnceASecondAcrossSetups) {
+  Console console;
+  {
+    LogThread thread;
+    WarningLog log(thread);
+    for (int i = 0; i < 3; ++i) {
+      log.startWatch();
+      log.logChange(warningOf("hand", PairWarning::CONTACT));
+      log.logChange(warningOf("hand", PairWarning::CLEAR));
+      log.logChange(warningOf("elbow", PairWarning::CONTACT));
+    }
+  }  // waits for all lines
+  EXPECT_EQ(console.lines(),
+            (std::vector<std::string>{"contact: hand and torso", "clear: hand and torso",
+                                      "contact: elbow and torso"}));
+}
+
+}  // namespace
+}  // namespace collision_monitor::test
