@@ -4,6 +4,7 @@
 """A console that nobody reads, as a terminal that was stopped by ctrl-S, holds up no cycle and no change."""
 import fcntl
 import os
+import signal
 import subprocess
 import sys
 import unittest
@@ -46,6 +47,8 @@ class StandingConsole(unittest.TestCase):
             self.assertTrue(answer.success, answer.message)
         probe.wait(lambda: probe.state.pairs_muted > 0, "the mute")
         probe.wait(lambda: probe.state.pairs_muted == 0, "the mute to end")
+        self.process.send_signal(signal.SIGINT)
+        self.assertEqual(self.process.wait(DEADLINE), 0)
 
 
 if __name__ == "__main__":

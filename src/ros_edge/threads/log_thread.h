@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <string>
@@ -17,6 +18,11 @@ namespace collision_monitor {
 class LogThread {
  public:
   LogThread();
+  /// Logs what waits, unless the console stands still.
+  ~LogThread();
+  LogThread(const LogThread&) = delete;
+  LogThread& operator=(const LogThread&) = delete;
+
   void info(std::string text) { add({std::move(text), Level::info}); }
   void warn(std::string text) { add({std::move(text), Level::warning}); }
   void error(std::string text) { add({std::move(text), Level::error}); }
@@ -30,11 +36,13 @@ class LogThread {
 
   void add(Line line);
   static void log(const Line& line);
+  bool waitForConsole() const;
   void write();
 
   InheritingMutex mutex_;  ///< guards the next two
   std::deque<Line> waiting_;
   std::uint64_t left_out_{0};
+  std::atomic<bool> is_ending_{false};
   WokenThread thread_;  ///< last: it uses the others
 };
 
