@@ -67,6 +67,7 @@ void CycleRunner::replaceWatch(std::unique_ptr<Watch> watch) {
   current_ = watch->fixed;
   next_ = std::move(watch);
   if (thread_.joinable()) {
+    has_next_.notify_one();
     store_.wake();
     taken_over_.wait(lock, [this] { return !next_ && !is_taking_over_; });
   }
@@ -171,7 +172,13 @@ void CycleRunner::waitForNext() {
     // Waits for news first: if they come no faster than `rate`, no sleep is left.
     store_.waitForNews(seen_data_, endOfWait(parameters, pace_, now));
   }
-  std::this_thread::sleep_until(pace_.planned_start);
+  // A set-up that comes meanwhile is taken over now: that is no work of the next cycle.
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (has_next_.wait_until(lock, pace_.planned_start, [this] { return next_ != nullptr; })) {
+    lock.unlock();
+    takeOverSetup();
+    lock.lock();
+  }
 }
 
 void CycleRunner::runOnce() {

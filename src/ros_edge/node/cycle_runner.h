@@ -37,9 +37,9 @@ class CycleRunner {
 
   /// Allocates everything needed to watch a set-up, and prepares what the first cycle needs.
   std::unique_ptr<Watch> makeWatch(std::shared_ptr<const MonitorSetup> setup) const;
-  /// Watches the new set-up from the next cycle on, and waits for that cycle. The former watch is
-  /// destroyed in this call, not on the cycle's thread, because freeing its memory takes longer
-  /// than a cycle. Does not throw.
+  /// Watches the new set-up from the next cycle on, and waits until it is taken over, between two
+  /// cycles. The former watch is destroyed in this call, not on the cycle's thread, because freeing
+  /// its memory takes longer than a cycle. Does not throw.
   void replaceWatch(std::unique_ptr<Watch> watch);
   std::shared_ptr<const MonitorSetup> currentSetup() const;
   /// What the next cycle knows of two links; nothing if no cycle ends within two seconds.
@@ -74,9 +74,10 @@ class CycleRunner {
     std::optional<PairView> view;
   };
 
-  mutable InheritingMutex mutex_;  ///< guards the next eight
+  mutable InheritingMutex mutex_;  ///< guards the next nine
   std::vector<std::shared_ptr<ViewRequest>> view_requests_;
   std::condition_variable viewed_;
+  std::condition_variable has_next_;
   std::condition_variable taken_over_;
   std::shared_ptr<const MonitorSetup> current_;
   std::unique_ptr<Watch> next_;
