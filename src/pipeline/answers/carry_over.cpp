@@ -152,15 +152,23 @@ class LinkMotions {
 };
 
 /// Lengthens the travel of bodies of a link by its turn between the poses that their distances were
-/// cached for and those of the last cycle. Their centers tell the rest.
+/// cached for and those of the last cycle, and so what nearest bodies may be apart. Their centers
+/// tell the rest.
 void addTurn(const CycleSetup& to, const std::vector<double>& turns, DistanceCache& cache) {
   constexpr double kNotRigid = 1.0 + 10.0 * kRigid;  // as for the travel of a cycle
   constexpr double kRounding = 1e-12;
+  std::vector<double> farthest(turns.size(), 0.0);  // by LinkId
   for (std::size_t i = 0; i < to.bodies.size(); ++i) {
-    const double turn = turns[index(to.bodies[i].link)];
-    if (turn > 0.0) {
-      cache.travels[i].all += kNotRigid * turn * to.bodies[i].bounding_radius + kRounding;
+    const std::size_t link = index(to.bodies[i].link);
+    if (turns[link] > 0.0) {
+      const double travel = kNotRigid * turns[link] * to.bodies[i].bounding_radius + kRounding;
+      cache.travels[i].all += travel;
+      farthest[link] = std::max(farthest[link], travel);
     }
+  }
+  for (const ElementPairIndex i : cache.measured_pairs) {
+    const CheckedLinkPair& pair = to.checked[to.element_pairs[i].link_pair];
+    cache.nearest[i] += farthest[index(pair.a)] + farthest[index(pair.b)];
   }
 }
 
@@ -224,6 +232,7 @@ void carryMotion(const CarryPlan& plan, const CycleSetup& to, const FormerMotion
   const RobotModel& model = to.model;
   LinkMotions motions(plan, model, former, poses);
   LastPoses& last = memory.last;
+  bool has_changed = false;
   std::vector<double> turns;
   turns.reserve(model.links.size());
   for (std::size_t i = 0; i < model.links.size(); ++i) {
@@ -233,8 +242,7 @@ void carryMotion(const CarryPlan& plan, const CycleSetup& to, const FormerMotion
             ? 0.0
             : (motion.world_from_link.rotation - last.world_from_link[i].rotation).norm());
     const unsigned char is_known = motion.is_known && hasShapes(model.links[i]) ? 1 : 0;
-    memory.judges_all |=
-        is_known != last.known[i] || (is_known != 0 && motion.part != last.part[i]);
+    has_changed |= is_known != last.known[i] || (is_known != 0 && motion.part != last.part[i]);
     last.world_from_link[i] = motion.world_from_link;
     last.known[i] = is_known;
     last.part[i] = motion.part;
@@ -253,7 +261,10 @@ void carryMotion(const CarryPlan& plan, const CycleSetup& to, const FormerMotion
                                                     : former.tracker.stamp_ns[plan.robot_of[i]];
   }
   addTurn(to, turns, memory.distance_cache);
-  forgetNearest(memory.distance_cache);
+  if (has_changed) {
+    memory.judges_all = true;
+    forgetDistances(memory.distance_cache);
+  }
 }
 
 }  // namespace collision_monitor

@@ -20,12 +20,6 @@ bool hasNewLink(const BodyPoses& body_poses, const LastPoses& last) noexcept {
   return has_new;
 }
 
-void forget(DistanceCache& cache) noexcept {
-  std::fill(cache.distances.begin(), cache.distances.end(), -kInfinity);
-  cache.is_listed = false;
-  forgetNearest(cache);
-}
-
 /// The Frobenius norm of the change of a link's rotation since the last cycle; < 0 if the link was
 /// not known then, is not known now, or is in another part.
 double turnOf(const LinkPoses& poses, const BodyPoses& body_poses, const LastPoses& last,
@@ -93,6 +87,12 @@ void forgetNearest(DistanceCache& cache) noexcept {
   cache.measured_pairs.clear();
 }
 
+void forgetDistances(DistanceCache& cache) noexcept {
+  std::fill(cache.distances.begin(), cache.distances.end(), -kInfinity);
+  cache.is_listed = false;
+  forgetNearest(cache);
+}
+
 DistanceCache makeDistanceCache(const CycleSetup& setup) {
   DistanceCache cache;
   cache.distances.resize(setup.table.size(), -kInfinity);
@@ -110,7 +110,7 @@ void accumulateTravel(const CycleSetup& setup, const LinkPoses& poses,
   const BodyPoses& body_poses = buffers.body_poses;
   DistanceCache& cache = buffers.memory.distance_cache;
   if (hasNewLink(body_poses, buffers.memory.last)) {
-    forget(cache);
+    forgetDistances(cache);
   }
   cache.longest = 0.0;
   for (const IndexRange& bodies : body_poses.moved.bodies) {

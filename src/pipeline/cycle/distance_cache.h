@@ -13,6 +13,9 @@ DistanceCache makeDistanceCache(const CycleSetup& setup);
 /// Resets `nearest` for the distances of this cycle.
 void forgetNearest(DistanceCache& cache) noexcept;
 
+/// Forgets all distances; travel stays.
+void forgetDistances(DistanceCache& cache) noexcept;
+
 /// Adds up the travel of bodies, so that cached distances stay lower bounds. Forgets the cache if a
 /// link is known that was not known in the last cycle, or was in another part then.
 /// @pre bodies are placed and looked ahead for; motions are found; memory.last is that of the last

@@ -18,9 +18,9 @@ struct Crossing {
   LinkPoses after;
 };
 
-Crossing crossing() {
-  std::vector<test::ShapeOnLink> shapes;
-  for (std::size_t i = 0; i < kLinks; ++i) {
+Crossing crossing(const Shape& first = Sphere{0.02}) {
+  std::vector<test::ShapeOnLink> shapes{{0, first}};
+  for (std::size_t i = 1; i < kLinks; ++i) {
     shapes.push_back({i, Sphere{0.02}});
   }
   Crossing scene{test::handMadeSetup(shapes), {}, {}};
@@ -119,6 +119,35 @@ TEST(WorldChangeLaws, anObjectMovedByTheUser_isNoContactOnTheWay) {
   next.cycle(later);
   EXPECT_TRUE(next.buffers.distances.passed.empty());
   EXPECT_EQ(next.buffers.events.overall, Verdict::clear);
+}
+
+TEST(WorldChangeLaws, aTurnWhileAChangeIsPrepared_isNotForgotten) {
+  Crossing scene = crossing(Box{{0.01, 0.01, 1}});
+  scene.robots.is_continuous = false;
+  scene.robots.ahead.horizon = 0.0;
+  scene.robots.limits.warning_time = 0.0;
+  const auto leaningTo = [](double x) {
+    return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), Eigen::Vector3d(x, 0, 1))
+        .toRotationMatrix();
+  };
+  scene.before.world_from_link[0].rotation = leaningTo(1.0);
+  scene.before.world_from_link[1] = test::at(-0.5, 0, 1);
+  scene.before.world_from_link[2] = test::at(0, 30, 0.65);  // near link 3: the closest pair
+  LinkPoses turned = scene.before;
+  turned.world_from_link[0].rotation = leaningTo(-1.0);
+  for (const LinkStatus meanwhile : {LinkStatus::known, LinkStatus::stale}) {
+    Watched former(withWorld(scene.robots, farObjectsAnd({})));
+    former.cycle(turned);
+    Watched next(withWorld(scene.robots, farObjectsAnd({})));
+    next.prepare(scene.before);
+    LinkPoses second = meanwhile == LinkStatus::known ? scene.before : turned;
+    second.status[0] = meanwhile;
+    next.prepare(second);
+    next.takeOver(former);
+    turned.stamp_ns += 10'000'000;
+    next.cycle(turned);
+    EXPECT_EQ(next.buffers.events.overall, Verdict::contact);
+  }
 }
 
 TEST(WorldChangeLaws, attachingAndDetaching_changesNoOtherVerdict) {
