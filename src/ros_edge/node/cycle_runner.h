@@ -45,6 +45,8 @@ class CycleRunner {
   /// What the next cycle knows of two links; nothing if no cycle ends within two seconds.
   std::optional<PairView> viewPair(const std::string& link_a, const std::string& link_b);
   void setEnabled(bool is_enabled);
+  /// Of roscpp's network thread, as asked for. Any thread may call it.
+  int networkPriority() const noexcept { return network_priority_.wanted(); }
   CycleStatistics& statistics() noexcept { return statistics_; }
 
  private:

@@ -84,6 +84,7 @@ class Monitor::Parts {
     hooks.view_pair = [this](const std::string& link_a, const std::string& link_b) {
       return runner_.viewPair(link_a, link_b);
     };
+    hooks.network_priority = [this] { return runner_.networkPriority(); };
     hooks.set_enabled = [this](bool is_enabled) { runner_.setEnabled(is_enabled); };
     return hooks;
   }

@@ -12,9 +12,8 @@
 namespace collision_monitor {
 
 /// The whole monitor. Reads its parameters and the robots, follows tf on roscpp's network thread,
-/// and runs cycles on its own thread. Answers quick services on the node handle's callback queue,
-/// and slow ones on a background thread. Topics, services and parameters: README.md and
-/// config/monitor.yaml.
+/// and runs cycles and answers services on threads of its own. Topics, services and parameters:
+/// README.md and config/monitor.yaml.
 class Monitor {
  public:
   /// Returns once the set-up is built and the cycle runs; may wait for robot descriptions.

@@ -44,9 +44,7 @@ int main(int argc, char** argv) {
   const ros::NodeHandle private_node("~");
   try {
     const Monitor monitor(private_node, ros::this_node::getName());
-    // Two threads, so that a long reload does not delay diagnostics.
-    ros::MultiThreadedSpinner spinner(2);
-    spinner.spin();
+    ros::spin();
   } catch (const std::exception& error) {
     logFailure(error);
     return kFault;

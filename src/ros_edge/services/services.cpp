@@ -26,23 +26,26 @@ Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, Se
       inputs_(inputs),
       hooks_(std::move(hooks)),
       log_(log),
+      quick_(2, 0, hooks_.network_priority),
+      background_(1, 10, hooks_.network_priority),
       objects_(private_node, inputs,
-               {hooks_.current_setup, hooks_.change_setup, [this] { return goesOn(); }}, locks_),
+               {hooks_.current_setup, hooks_.change_setup, [this] { return goesOn(); }}, locks_,
+               quick_),
       rule_clock_([this] { return nextEndOf(*hooks_.current_setup()); }, [this] { endRules(); },
                   log),
       late_robots_(lateHooks()),
       late_look_(std::chrono::milliseconds(500), [this] { late_robots_.look(); }) {
-  get_distances_ = private_node_.advertiseService("get_distances", &Services::getDistances, this);
-  ros::NodeHandle background_node(private_node_);
-  background_node.setCallbackQueue(&background_.queue());
-  check_trajectory_ =
-      background_node.advertiseService("check_trajectory", &Services::checkTrajectory, this);
-  check_states_ = background_node.advertiseService("check_states", &Services::checkStates, this);
-  explain_pair_ = private_node_.advertiseService("explain_pair", &Services::explainPair, this);
-  set_pairs_ = private_node_.advertiseService("set_pairs", &Services::setPairs, this);
-  set_limits_ = private_node_.advertiseService("set_limits", &Services::setLimits, this);
-  set_enabled_ = private_node_.advertiseService("set_enabled", &Services::setEnabled, this);
-  reload_ = private_node_.advertiseService("reload", &Services::reload, this);
+  const auto serve = [&](ServiceQueue& queue, const char* name, auto answer) {
+    servers_.push_back(queue.serve(private_node_, name, answer, this));
+  };
+  serve(background_, "check_trajectory", &Services::checkTrajectory);
+  serve(background_, "check_states", &Services::checkStates);
+  serve(quick_, "get_distances", &Services::getDistances);
+  serve(quick_, "explain_pair", &Services::explainPair);
+  serve(quick_, "set_pairs", &Services::setPairs);
+  serve(quick_, "set_limits", &Services::setLimits);
+  serve(quick_, "set_enabled", &Services::setEnabled);
+  serve(quick_, "reload", &Services::reload);
 }
 
 /// Servers wait for their current call when they end.

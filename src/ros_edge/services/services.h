@@ -15,8 +15,8 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
-#include "ros_edge/inputs/background_queue.h"
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/parameters/monitor_setup.h"
 #include "ros_edge/poses/newest_state.h"
@@ -26,6 +26,7 @@
 #include "ros_edge/threads/change_locks.h"
 #include "ros_edge/threads/log_thread.h"
 #include "ros_edge/threads/repeater.h"
+#include "ros_edge/threads/service_queue.h"
 #include "ros_edge/world/object_services.h"
 
 namespace collision_monitor {
@@ -38,12 +39,14 @@ struct ServiceHooks {
   std::function<void(std::shared_ptr<const MonitorSetup>)> change_setup;
   PairViewer view_pair;
   std::function<void(bool)> set_enabled;
-  GoesOn goes_on;  ///< whether long calls may continue
+  std::function<int()> network_priority;  ///< as for ServiceQueue
+  GoesOn goes_on;                         ///< whether long calls may continue
 };
 
 /// All services. They do not touch the cycle's data. Rules that end by themselves end on a thread
-/// of their own, however long other calls take. The two checks may take seconds and run in the
-/// background; the others run on the node handle's callback queue.
+/// of their own, however long other calls take. The two checks may take seconds: they run one after
+/// the other, and yield the processor to threads of normal priority. Two others may run beside
+/// them.
 class Services {
  public:
   /// @pre the inputs and the log outlive the services.
@@ -76,16 +79,10 @@ class Services {
   ServiceHooks hooks_;
   LogThread& log_;  ///< for what is told under a lock: a console may stand still
   ChangeLocks locks_;
-  std::size_t requests_{0};     ///< of set_pairs
-  BackgroundQueue background_;  ///< outlives its services
-  ros::ServiceServer get_distances_;
-  ros::ServiceServer check_trajectory_;
-  ros::ServiceServer check_states_;
-  ros::ServiceServer explain_pair_;
-  ros::ServiceServer set_pairs_;
-  ros::ServiceServer set_limits_;
-  ros::ServiceServer set_enabled_;
-  ros::ServiceServer reload_;
+  std::size_t requests_{0};  ///< of set_pairs
+  ServiceQueue quick_;       ///< outlives its services
+  ServiceQueue background_;  ///< the same
+  std::vector<ros::ServiceServer> servers_;
   ObjectServices objects_;
   // The last, since their threads use the others.
   RuleClock rule_clock_;

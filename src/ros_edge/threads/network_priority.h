@@ -21,6 +21,8 @@ class NetworkPriority {
   /// The thread takes it with the next message, or within 0.1 s. Any thread may call it.
   /// @param priority 1 to 99 for SCHED_FIFO; 0: none
   void set(int priority) noexcept { wanted_ = priority; }
+  /// What was set last. Any thread may call it.
+  int wanted() const noexcept { return wanted_; }
 
  private:
   void apply() noexcept;

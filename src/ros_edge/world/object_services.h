@@ -15,6 +15,7 @@
 #include "ros_edge/inputs/inputs.h"
 #include "ros_edge/parameters/monitor_setup.h"
 #include "ros_edge/threads/change_locks.h"
+#include "ros_edge/threads/service_queue.h"
 
 namespace collision_monitor {
 
@@ -30,9 +31,9 @@ struct ObjectHooks {
 /// thread of the call, and the cycle only swaps it in.
 class ObjectServices {
  public:
-  /// @pre the inputs and the locks outlive the services.
+  /// @pre the inputs, the locks and the queue outlive the services.
   ObjectServices(const ros::NodeHandle& private_node, const Inputs& inputs, ObjectHooks hooks,
-                 ChangeLocks& locks);
+                 ChangeLocks& locks, ServiceQueue& queue);
 
  private:
   std::vector<ObjectChange> read(const std::vector<SceneChange>& messages,
