@@ -117,9 +117,9 @@ void CycleRunner::setEnabled(bool is_enabled) {
 
 void CycleRunner::run() {
   pace_.planned_start = SteadyClock::now();
+  takeOverSetup();
   while (is_running_) {
     woken_ = SteadyClock::now();
-    takeOverSetup();
     runOnce();
     answerViews();
     waitForNext();
@@ -164,7 +164,10 @@ void CycleRunner::handOver(Watch& former, Watch& next) {
   }
 }
 
+/// A set-up is taken over only while there is time for it before the next cycle.
 void CycleRunner::waitForNext() {
+  constexpr std::chrono::microseconds kTakeOver(400);
+  takeOverSetup();  // has come in the cycle or shortly before it
   const Parameters& parameters = watch_->fixed->parameters;
   const SteadyClock::time_point now = SteadyClock::now();
   pace_.planned_start = nextStart(parameters, pace_, now);
@@ -172,13 +175,16 @@ void CycleRunner::waitForNext() {
     // Waits for news first: if they come no faster than `rate`, no sleep is left.
     store_.waitForNews(seen_data_, endOfWait(parameters, pace_, now));
   }
-  // A set-up that comes meanwhile is taken over now: that is no work of the next cycle.
   std::unique_lock<std::mutex> lock(mutex_);
-  while (has_next_.wait_until(lock, pace_.planned_start, [this] { return next_ != nullptr; })) {
+  while (SteadyClock::now() < pace_.planned_start - kTakeOver &&
+         has_next_.wait_until(lock, pace_.planned_start - kTakeOver,
+                              [this] { return next_ != nullptr; })) {
     lock.unlock();
     takeOverSetup();
     lock.lock();
   }
+  lock.unlock();
+  std::this_thread::sleep_until(pace_.planned_start);
 }
 
 void CycleRunner::runOnce() {

@@ -93,7 +93,7 @@ class CycleRunner {
   CyclePace pace_;
   RealTime real_time_;
   NetworkPriority network_priority_;
-  SteadyClock::time_point woken_;  ///< for the current cycle, before a new set-up is taken over
+  SteadyClock::time_point woken_;  ///< for the current cycle
   SteadyClock::time_point last_summary_;
   std::uint64_t seen_data_{0};
   std::uint64_t seen_jumps_{0};
