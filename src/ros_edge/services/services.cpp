@@ -27,10 +27,11 @@ Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, Se
       hooks_(std::move(hooks)),
       log_(log),
       quick_(2, 0, hooks_.network_priority),
+      changes_(2, 0, hooks_.network_priority),
       background_(1, 10, hooks_.network_priority),
       objects_(private_node, inputs,
                {hooks_.current_setup, hooks_.change_setup, [this] { return goesOn(); }}, locks_,
-               quick_),
+               quick_, changes_),
       rule_clock_([this] { return nextEndOf(*hooks_.current_setup()); }, [this] { endRules(); },
                   log),
       late_robots_(lateHooks()),
@@ -42,10 +43,10 @@ Services::Services(const ros::NodeHandle& private_node, const Inputs& inputs, Se
   serve(background_, "check_states", &Services::checkStates);
   serve(quick_, "get_distances", &Services::getDistances);
   serve(quick_, "explain_pair", &Services::explainPair);
-  serve(quick_, "set_pairs", &Services::setPairs);
-  serve(quick_, "set_limits", &Services::setLimits);
+  serve(changes_, "set_pairs", &Services::setPairs);
+  serve(changes_, "set_limits", &Services::setLimits);
   serve(quick_, "set_enabled", &Services::setEnabled);
-  serve(quick_, "reload", &Services::reload);
+  serve(changes_, "reload", &Services::reload);
 }
 
 /// Servers wait for their current call when they end.

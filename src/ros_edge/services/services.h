@@ -45,8 +45,8 @@ struct ServiceHooks {
 
 /// All services. They do not touch the cycle's data. Rules that end by themselves end on a thread
 /// of their own, however long other calls take. The two checks may take seconds: they run one after
-/// the other, and yield the processor to threads of normal priority. Two others may run beside
-/// them.
+/// the other, and yield the processor to threads of normal priority. Changes may take seconds, too,
+/// so questions do not wait for them.
 class Services {
  public:
   /// @pre the inputs and the log outlive the services.
@@ -80,8 +80,10 @@ class Services {
   LogThread& log_;  ///< for what is told under a lock: a console may stand still
   ChangeLocks locks_;
   std::size_t requests_{0};  ///< of set_pairs
-  ServiceQueue quick_;       ///< outlives its services
-  ServiceQueue background_;  ///< the same
+  // The queues outlive their services.
+  ServiceQueue quick_;
+  ServiceQueue changes_;
+  ServiceQueue background_;
   std::vector<ros::ServiceServer> servers_;
   ObjectServices objects_;
   // The last, since their threads use the others.

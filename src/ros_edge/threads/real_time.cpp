@@ -30,9 +30,14 @@ void RealTime::set(int priority) noexcept {
 
 void RealTime::add(bool is_late) noexcept {
   constexpr int kTooMany = 100;
+  constexpr int kEnough = 1000;
   late_in_a_row_ = is_late ? std::min(late_in_a_row_ + 1, kTooMany) : 0;
+  in_time_in_a_row_ = is_late ? 0 : std::min(in_time_in_a_row_ + 1, kEnough);
   if (late_in_a_row_ == kTooMany && state_ == RealTimeState::on) {
     end(RealTimeState::given_up);
+  }
+  if (in_time_in_a_row_ == kEnough && state_ == RealTimeState::given_up) {
+    set(priority_);
   }
 }
 

@@ -24,7 +24,7 @@ class RealTime {
   /// late. @param priority 1 to 99; 0: none
   void set(int priority) noexcept;
   /// Counts a cycle. Too many late ones in a row end the priority: they would leave no time to
-  /// other threads.
+  /// other threads. Many in time bring it back.
   void add(bool is_late) noexcept;
   RealTimeState state() const noexcept { return state_; }
   /// 0 unless it is on.
@@ -36,6 +36,7 @@ class RealTime {
   RealTimeState state_{RealTimeState::off};
   int priority_{0};
   int late_in_a_row_{0};
+  int in_time_in_a_row_{0};
 };
 
 }  // namespace collision_monitor

@@ -45,10 +45,11 @@ std::string idleRulesText(const CycleSetup& before, const CycleSetup& now) {
 }  // namespace
 
 ObjectServices::ObjectServices(const ros::NodeHandle& private_node, const Inputs& inputs,
-                               ObjectHooks hooks, ChangeLocks& locks, ServiceQueue& queue)
+                               ObjectHooks hooks, ChangeLocks& locks, ServiceQueue& quick,
+                               ServiceQueue& changes)
     : private_node_(private_node), inputs_(inputs), hooks_(std::move(hooks)), locks_(locks) {
-  apply_objects_ = queue.serve(private_node_, "apply_objects", &ObjectServices::apply, this);
-  get_objects_ = queue.serve(private_node_, "get_objects", &ObjectServices::list, this);
+  apply_objects_ = changes.serve(private_node_, "apply_objects", &ObjectServices::apply, this);
+  get_objects_ = quick.serve(private_node_, "get_objects", &ObjectServices::list, this);
 }
 
 bool ObjectServices::apply(ApplyObjects::Request& request, ApplyObjects::Response& response) {

@@ -31,9 +31,9 @@ struct ObjectHooks {
 /// thread of the call, and the cycle only swaps it in.
 class ObjectServices {
  public:
-  /// @pre the inputs, the locks and the queue outlive the services.
+  /// @pre the inputs, the locks and the queues outlive the services.
   ObjectServices(const ros::NodeHandle& private_node, const Inputs& inputs, ObjectHooks hooks,
-                 ChangeLocks& locks, ServiceQueue& queue);
+                 ChangeLocks& locks, ServiceQueue& quick, ServiceQueue& changes);
 
  private:
   std::vector<ObjectChange> read(const std::vector<SceneChange>& messages,

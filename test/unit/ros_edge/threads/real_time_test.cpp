@@ -108,5 +108,21 @@ TEST_F(PermittedRealTime, manyLateCyclesInARow_giveItUpUntilItIsSetAgain) {
   });
 }
 
+TEST_F(PermittedRealTime, manyCyclesInTime_bringItBack) {
+  onThread([](RealTime& real_time) {
+    real_time.set(1);
+    for (int i = 0; i < 100; ++i) {
+      real_time.add(true);
+    }
+    for (int i = 0; i < 999; ++i) {
+      real_time.add(false);
+    }
+    EXPECT_EQ(real_time.state(), RealTimeState::given_up);
+    real_time.add(false);
+    EXPECT_EQ(real_time.state(), RealTimeState::on);
+    EXPECT_EQ(scheduling(), std::pair(SCHED_FIFO, 1));
+  });
+}
+
 }  // namespace
 }  // namespace collision_monitor
