@@ -44,6 +44,11 @@ SteadyClock::time_point nextStart(const Parameters& parameters, const CyclePace&
   return std::max(pace.planned_start + interval, now - interval);
 }
 
+SteadyClock::time_point endOfCycle(const Parameters& parameters, const CyclePace& pace) {
+  return (parameters.trigger == Trigger::timer ? pace.planned_start : pace.woken) +
+         seconds(periodOf(parameters));
+}
+
 SteadyClock::time_point nextHeartbeat(const Parameters& parameters, const CyclePace& pace) {
   return pace.last_state + seconds(1.0 / parameters.heartbeat_rate);
 }

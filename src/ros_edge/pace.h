@@ -14,6 +14,7 @@ using SteadyClock = std::chrono::steady_clock;
 struct CyclePace {
   SteadyClock::time_point planned_start;  ///< of the current cycle
   SteadyClock::time_point last_state;     ///< when the last state was published
+  SteadyClock::time_point woken;          ///< when the current cycle started indeed
 };
 
 /// [s] Interval of cycles, as the parameters ask. A timer is never slower than the heartbeat, which
@@ -27,6 +28,10 @@ double longestPeriodOf(const Parameters& parameters);
 /// interval ahead.
 SteadyClock::time_point nextStart(const Parameters& parameters, const CyclePace& pace,
                                   SteadyClock::time_point now);
+
+/// When the current cycle must have ended. One that a timer starts has a period from its planned
+/// start on; one that poses start, from when they woke the thread.
+SteadyClock::time_point endOfCycle(const Parameters& parameters, const CyclePace& pace);
 
 /// When the heartbeat is due.
 SteadyClock::time_point nextHeartbeat(const Parameters& parameters, const CyclePace& pace);

@@ -119,9 +119,10 @@ void CycleRunner::run() {
   pace_.planned_start = SteadyClock::now();
   takeOverSetup();
   while (is_running_) {
-    woken_ = SteadyClock::now();
+    pace_.woken = SteadyClock::now();
     runOnce();
     answerViews();
+    endCycle();
     waitForNext();
   }
 }
@@ -169,11 +170,9 @@ void CycleRunner::waitForNext() {
   constexpr std::chrono::microseconds kTakeOver(400);
   takeOverSetup();  // has come in the cycle or shortly before it
   const Parameters& parameters = watch_->fixed->parameters;
-  const SteadyClock::time_point now = SteadyClock::now();
-  pace_.planned_start = nextStart(parameters, pace_, now);
   if (parameters.trigger == Trigger::pose) {
     // Waits for news first: if they come no faster than `rate`, no sleep is left.
-    store_.waitForNews(seen_data_, endOfWait(parameters, pace_, now));
+    store_.waitForNews(seen_data_, endOfWait(parameters, pace_, SteadyClock::now()));
   }
   std::unique_lock<std::mutex> lock(mutex_);
   while (SteadyClock::now() < pace_.planned_start - kTakeOver &&
@@ -210,8 +209,14 @@ void CycleRunner::runOnce() {
   countStep(watch_->buffers.sweep, facts_.steps);
   facts_.cycle_time = toSeconds(SteadyClock::now() - start);
   publish(is_new);
-  const bool is_overrun =
-      toSeconds(SteadyClock::now() - woken_) > periodOf(watch_->fixed->parameters);
+}
+
+/// Counts the cycle if it is late, and plans the next one. Whatever follows makes that one late.
+void CycleRunner::endCycle() {
+  const Parameters& parameters = watch_->fixed->parameters;
+  const SteadyClock::time_point now = SteadyClock::now();
+  const bool is_overrun = now > endOfCycle(parameters, pace_);
+  pace_.planned_start = nextStart(parameters, pace_, now);
   real_time_.add(is_overrun);
   network_priority_.set(std::max(0, real_time_.priority() - 1));  // cycles come first
   facts_.overruns += is_overrun ? 1 : 0;

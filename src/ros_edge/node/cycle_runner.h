@@ -55,6 +55,7 @@ class CycleRunner {
   void handOver(Watch& former, Watch& next);
   void waitForNext();
   void runOnce();
+  void endCycle();
   bool readPoses(const ros::Time& now);
   void publish(bool is_new);
   void summarize(const State& state);
@@ -93,7 +94,6 @@ class CycleRunner {
   CyclePace pace_;
   RealTime real_time_;
   NetworkPriority network_priority_;
-  SteadyClock::time_point woken_;  ///< for the current cycle
   SteadyClock::time_point last_summary_;
   std::uint64_t seen_data_{0};
   std::uint64_t seen_jumps_{0};

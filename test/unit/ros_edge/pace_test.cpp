@@ -38,7 +38,7 @@ Gaps gapsOf(const Parameters& parameters, double news = 1e6) {
   const auto at = [&](double time) {
     return begin + std::chrono::duration_cast<SteadyClock::duration>(Seconds(time));
   };
-  CyclePace pace{begin, begin};
+  CyclePace pace{begin, begin, begin};
   SteadyClock::time_point now = begin;
   Gaps gaps;
   for (std::size_t cycle = 0; now < at(60.0); ++cycle) {
@@ -88,6 +88,15 @@ TEST(Pace, waitForPoses_endsWhenAStateIsDue) {
   }
   parameters = parametersOf(1.0, 1.0, Trigger::pose);
   EXPECT_LT(gapsOf(parameters, 0.03).most, 1.0 + 2.0 * kLatest);
+}
+
+TEST(Pace, cycleThatStartsLate_hasNoMoreTimeUnlessPosesStartIt) {
+  const SteadyClock::time_point plan(std::chrono::seconds(1000));
+  const SteadyClock::time_point woken = plan + std::chrono::milliseconds(3);
+  const CyclePace pace{plan, plan, woken};
+  const std::chrono::milliseconds period(10);
+  EXPECT_EQ(endOfCycle(parametersOf(100.0, 1.0), pace), plan + period);
+  EXPECT_EQ(endOfCycle(parametersOf(100.0, 1.0, Trigger::pose), pace), woken + period);
 }
 
 TEST(Pace, longestPeriod_isThatWithoutPoses) {
