@@ -88,11 +88,12 @@ CycleSetup withObjectPairs(const CycleSetup& setup) {
   const auto is_object = [&](LinkId link) {
     return setup.model.robots[index(setup.model.link(link).robot)].is_world;
   };
-  std::vector<bool> is_wanted;
-  for (const LinkPair& pair : setup.link_pairs) {
-    is_wanted.push_back(isChecked(pair.reason) && is_object(pair.a) != is_object(pair.b));
-  }
-  return withPairs(setup, is_wanted);
+  std::vector<LinkPair> wanted;
+  std::copy_if(setup.link_pairs.begin(), setup.link_pairs.end(), std::back_inserter(wanted),
+               [&](const LinkPair& pair) {
+                 return isChecked(pair.reason) && is_object(pair.a) != is_object(pair.b);
+               });
+  return withPairs(setup, std::move(wanted));
 }
 
 void print(const char* name, double number) { std::printf(" %s %.9g", name, number); }

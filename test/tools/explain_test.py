@@ -62,11 +62,13 @@ class Explain(unittest.TestCase):
 
     def test_objectsThatFormNoPair_areExplained(self):
         world = self.file("cell.yaml", "- {name: table, kind: box, size: [1, 1, 0.1]}\n"
-                          "- {name: lamp, kind: sphere, radius: 0.1, frame: /map}\n"
+                          "- {name: lamp, kind: sphere, radius: 0.1, frame: /map, xyz: [0, 0, 1]}\n"
                           "- {name: part, kind: sphere, radius: 0.1, frame: box_a}\n")
         result = explain("lamp", "table", "--world", world, "--world-frame", "/map")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("object lamp and object table are ignored: two objects that move together", result.stdout)
+        self.assertIn("distance  0.85 m, exact; between sphere/sphere and box/box", result.stdout)
+        self.assertIn("verdict   none, since they are ignored", result.stdout)
         result = explain("part", "table", "--world", world, "--world-frame", "map")
         self.assertIn("two objects of which neither is attached, and for which no rule asks", result.stdout)
 

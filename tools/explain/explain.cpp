@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <tuple>
 
 #include "collision_monitor/model/kinematics.h"
 #include "explain_options.h"
 #include "explain_setup.h"
 #include "model/number_text.h"
 #include "model/object_links.h"
+#include "model/rules/rigid_groups.h"
 #include "pipeline/answers/link_distances.h"
 #include "pipeline/answers/pair_reason.h"
 
@@ -42,10 +44,8 @@ void printVerdict(const CycleSetup& setup, const LinkPair& pair, const PairDista
 }
 
 /// Measures the pair alone.
-void printDistance(const CycleSetup& setup, std::size_t place, const JointPositions& positions) {
-  std::vector<bool> is_wanted(setup.link_pairs.size(), false);
-  is_wanted[place] = true;
-  const CycleSetup alone = withPairs(setup, is_wanted);
+void printDistance(const CycleSetup& setup, const LinkPair& pair, const JointPositions& positions) {
+  const CycleSetup alone = withPairs(setup, {pair});
   LinkPoses poses = makeLinkPoses(alone.model);
   std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
   placeLinks(alone.model, positions, std::vector<Pose>(alone.model.robots.size()),
@@ -68,7 +68,7 @@ void printDistance(const CycleSetup& setup, std::size_t place, const JointPositi
   std::printf("distance  %s m, %s; between %s and %s\n",
               shortText(nearest.measured.distance).c_str(), quality, shape(bodies.a).c_str(),
               shape(bodies.b).c_str());
-  printVerdict(setup, setup.link_pairs[place], nearest);
+  printVerdict(setup, pair, nearest);
 }
 
 void printLimits(const CycleSetup& setup, const LinkPair& pair) {
@@ -88,14 +88,18 @@ int run(const Options& options) {
   const LinkId b = *setup.model.findLink(options.link_b);
   const std::size_t place = findLinkPair(setup, a, b);
   const bool is_pair = place < setup.link_pairs.size();
-  std::printf("%s and %s are %s\n", nameInText(setup.model, std::min(a, b)).c_str(),
-              nameInText(setup.model, std::max(a, b)).c_str(),
-              is_pair ? reasonOf(setup, setup.link_pairs[place]).c_str()
-                      : reasonOfObjects(setup, a, b).c_str());
+  LinkPair pair;
+  std::tie(pair.a, pair.b) = std::minmax(a, b);
+  pair.reason = PairReason::two_objects;
+  pair = is_pair ? setup.link_pairs[place] : pair;
+  std::printf("%s and %s are %s\n", nameInText(setup.model, pair.a).c_str(),
+              nameInText(setup.model, pair.b).c_str(),
+              is_pair ? reasonOf(setup, pair).c_str()
+                      : reasonOfObjects(findRigidGroups(setup.model), a, b).c_str());
+  printDistance(setup, pair, explained.positions);
   if (is_pair) {
-    printDistance(setup, place, explained.positions);
     std::printf("limits\n");
-    printLimits(setup, setup.link_pairs[place]);
+    printLimits(setup, pair);
   }
   return kDone;
 }

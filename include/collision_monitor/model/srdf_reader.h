@@ -33,19 +33,24 @@ struct SrdfPairs {
     std::string reason;  ///< the attribute as written; may be empty
     int line{0};         ///< of the SRDF
   };
+  /// `<disable_default_collisions>`.
+  struct Default {
+    LinkId link{};  ///< of which all pairs are disabled
+    int line{0};    ///< of the SRDF
+  };
   /// `<link_sphere_approximation>`, in the frame of the link.
   struct Spheres {
     LinkId link{};                    ///< the link that they stand for
     std::vector<PosedShape> spheres;  ///< in the order of the file
     int line{0};                      ///< of the SRDF
   };
-  std::string source{};                     ///< the name of the SRDF in messages
-  RobotId robot{};                          ///< whose SRDF it is
-  std::vector<Entry> disabled;              ///< `<disable_collisions>`
-  std::vector<Entry> enabled;               ///< `<enable_collisions>`
-  std::vector<LinkId> disabled_by_default;  ///< `<disable_default_collisions>`
-  std::vector<LinkGroup> groups;            ///< `<group>`, in the order of the file
-  std::vector<Spheres> spheres;             ///< of links that have some
+  std::string source{};                      ///< the name of the SRDF in messages
+  RobotId robot{};                           ///< whose SRDF it is
+  std::vector<Entry> disabled;               ///< `<disable_collisions>`
+  std::vector<Entry> enabled;                ///< `<enable_collisions>`
+  std::vector<Default> disabled_by_default;  ///< in the order of the file
+  std::vector<LinkGroup> groups;             ///< `<group>`, in the order of the file
+  std::vector<Spheres> spheres;              ///< of links that have some
 };
 
 /// Reads the SRDF of one robot of the model, `description.srdf_xml`. Names in an SRDF are those of

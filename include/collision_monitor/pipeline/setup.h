@@ -182,9 +182,9 @@ void checkPairRules(const CycleSetup& setup, const Limits& limits,
                     const std::vector<PairRule>& rules, SetupReport& report);
 
 /// The same set-up that checks only these pairs, whatever rules say.
-/// @param is_wanted by index into setup.link_pairs
+/// @param wanted each pair once, in any order; with the limits of setup.own_limits that they name
 /// @throws Interrupted
-CycleSetup withPairs(const CycleSetup& setup, const std::vector<bool>& is_wanted);
+CycleSetup withPairs(const CycleSetup& setup, std::vector<LinkPair> wanted);
 
 /// Adds a problem for each limit that breaks a precondition of Limits.
 /// @param where stands before the names of limits in messages

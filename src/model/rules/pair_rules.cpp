@@ -74,8 +74,8 @@ Rules gatherRules(const RobotModel& model, const std::vector<SrdfPairs>& srdfs,
     for (const SrdfPairs::Entry& entry : srdf.disabled) {
       rules.disabled.insert(ordered(entry.a, entry.b));
     }
-    for (const LinkId link : srdf.disabled_by_default) {
-      rules.is_disabled_by_default[index(link)] = true;
+    for (const SrdfPairs::Default& entry : srdf.disabled_by_default) {
+      rules.is_disabled_by_default[index(entry.link)] = true;
     }
   }
   return rules;

@@ -102,7 +102,7 @@ void readRule(const XMLElement& element, const Place& place, LinkLookup& links, 
   } else if (std::strcmp(element.Name(), "disable_default_collisions") == 0) {
     if (isComplete(element, {"link"}, incomplete)) {
       if (const auto link = links.find(*readName(element, "link", place), element)) {
-        pairs.disabled_by_default.push_back(*link);
+        pairs.disabled_by_default.push_back({*link, element.GetLineNum()});
       }
     }
   }

@@ -29,10 +29,10 @@ std::string srdfPlace(const CycleSetup& setup, const LinkPair& pair) {
     if (!line.empty()) {
       return line;
     }
-    for (const LinkId link : srdf.disabled_by_default) {
-      if (!is_enabled && (link == pair.a || link == pair.b)) {
-        return " (" + srdf.source + ", disable_default_collisions of " +
-               setup.model.link(link).name + ")";
+    for (const SrdfPairs::Default& entry : srdf.disabled_by_default) {
+      if (!is_enabled && (entry.link == pair.a || entry.link == pair.b)) {
+        return " (" + srdf.source + " line " + std::to_string(entry.line) +
+               ", disable_default_collisions of " + setup.model.link(entry.link).name + ")";
       }
     }
   }
@@ -65,8 +65,7 @@ std::string reasonOf(const CycleSetup& setup, const LinkPair& pair) {
   return reason;
 }
 
-std::string reasonOfObjects(const CycleSetup& setup, LinkId a, LinkId b) {
-  const std::vector<LinkId> groups = findRigidGroups(setup.model);
+std::string reasonOfObjects(const std::vector<LinkId>& groups, LinkId a, LinkId b) {
   return groups[index(a)] == groups[index(b)]
              ? "ignored: two objects that move together"
              : "ignored: two objects of which neither is attached, and for which no rule asks";

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "memory_need.h"
 #include "model/number_text.h"
@@ -92,11 +94,15 @@ CycleSetup withPairRules(const CycleSetup& setup, const Limits& limits,
   return changed;
 }
 
-CycleSetup withPairs(const CycleSetup& setup, const std::vector<bool>& is_wanted) {
+CycleSetup withPairs(const CycleSetup& setup, std::vector<LinkPair> wanted) {
   CycleSetup changed = withoutTables(setup, setup.model);
-  for (std::size_t i = 0; i < is_wanted.size(); ++i) {
-    changed.link_pairs[i].reason = is_wanted[i] ? PairReason::checked : PairReason::ignored_by_user;
+  for (LinkPair& pair : wanted) {
+    pair.reason = PairReason::checked;
   }
+  std::sort(wanted.begin(), wanted.end(), [](const LinkPair& one, const LinkPair& other) {
+    return std::tie(one.a, one.b) < std::tie(other.a, other.b);
+  });
+  changed.link_pairs = std::move(wanted);
   listPairs(changed);
   return changed;
 }

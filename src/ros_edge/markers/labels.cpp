@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kLetterWidth = 0.55 * kTextHeight;
 constexpr double kLineHeight = 1.3 * kTextHeight;
-constexpr double kSlope = 0.6;  ///< of a view from 30 degrees above: depth becomes height
+constexpr double kMostRise = 1.0;  ///< [m] above what is higher, as rooms are, a text is not seen
+constexpr double kSlope = 0.6;     ///< of a view from 30 degrees above: what is nearer hides less
 
 const PairDistance& closestOf(const Watch& watch, LinkPairIndex link_pair) {
   return watch.buffers.distances.pairs[watch.buffers.events.closest[link_pair]];
@@ -83,7 +84,20 @@ const LabelPlaces::Taken* LabelPlaces::inTheWayOf(const Taken& text) const {
   return found == taken_.end() ? nullptr : &*found;
 }
 
-Eigen::Vector3d LabelPlaces::take(const Eigen::Vector3d& wanted, const std::string& text) {
+void LabelPlaces::raise(const std::vector<Aabb>& solids, double most, Taken& text) {
+  const Eigen::Vector2d place = text.place.head<2>();
+  for (const Aabb& box : solids) {
+    const Eigen::Vector2d nearest = place.cwiseMax(box.min.head<2>()).cwiseMin(box.max.head<2>());
+    const double beside = std::max(0.0, (nearest - place).norm() - 0.5 * text.width);
+    const double least = box.max.z() - kSlope * beside + 0.5 * text.height;
+    if (least > text.place.z() && least <= most) {
+      text.place.z() = least;
+    }
+  }
+}
+
+Eigen::Vector3d LabelPlaces::take(const Eigen::Vector3d& wanted, const std::string& text,
+                                  const std::vector<Aabb>& solids) {
   std::size_t longest = 0;
   std::size_t lines = 1;
   std::size_t begin = 0;
@@ -95,12 +109,14 @@ Eigen::Vector3d LabelPlaces::take(const Eigen::Vector3d& wanted, const std::stri
   longest = std::max(longest, text.size() - begin);
   Taken place{wanted, kLetterWidth * static_cast<double>(longest),
               kLineHeight * static_cast<double>(lines)};
+  const double most = wanted.z() + kMostRise;
+  raise(solids, most, place);
   if (const Taken* other = inTheWayOf(place)) {
     place.place.head<2>() = other->place.head<2>();
+    raise(solids, most, place);
   }
-  for (int step = 1; inTheWayOf(place) != nullptr; ++step) {
-    const int halves = step % 2 == 1 ? (step + 1) / 2 : -step / 2;
-    place.place.z() = wanted.z() + 0.5 * halves * place.height;
+  while (inTheWayOf(place) != nullptr) {
+    place.place.z() += 0.25 * place.height;
   }
   taken_.push_back(place);
   return place.place;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_monitor/geometry/bounds.h"
 #include "ros_edge/markers/snapshot.h"
 
 /// The texts beside distance lines: which pairs get one, what it says and where it stands.
@@ -21,12 +22,15 @@ std::vector<LinkPairIndex> chooseLabelled(const Watch& watch, std::size_t most);
 /// Two lines: "35 mm" and "hand - object table". Format: docs/interfaces.md.
 std::string labelText(const CycleSetup& setup, const Snapshot::Label& label);
 
-/// Places texts so that they do not lie on each other.
+/// Places texts so that nothing hides them from a viewer who stands on any side and looks down by
+/// 30 degrees or more. Frame: that of the texts. Units: m.
 class LabelPlaces {
  public:
-  /// Takes a free place for a text: `wanted`, or one above or below the text that is in the way, so
-  /// that they do not cover each other in a view from above either.
-  Eigen::Vector3d take(const Eigen::Vector3d& wanted, const std::string& text);
+  /// Takes a free place for a text: `wanted`, or one above what would hide it, other texts too.
+  /// @param solids boxes around whatever is not a text; those that end more than 1 m above `wanted`
+  /// do not count, since walls and rooms would carry all texts away
+  Eigen::Vector3d take(const Eigen::Vector3d& wanted, const std::string& text,
+                       const std::vector<Aabb>& solids);
   void clear() { taken_.clear(); }
 
  private:
@@ -35,6 +39,7 @@ class LabelPlaces {
     double width{0.0};
     double height{0.0};
   };
+  static void raise(const std::vector<Aabb>& solids, double most, Taken& text);
   /// Null: none is.
   const Taken* inTheWayOf(const Taken& text) const;
 

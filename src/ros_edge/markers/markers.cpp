@@ -150,6 +150,21 @@ void Markers::addContact(const Snapshot& snapshot, const Snapshot::Contact& cont
   added.color = dots.color;
 }
 
+/// Around all bodies of a part, in its frame.
+const std::vector<Aabb>& Markers::boxesOf(const Snapshot& snapshot, PartId part) {
+  if (boxes_.empty() || boxes_part_ != part) {
+    boxes_.clear();
+    boxes_part_ = part;
+    for (const Body& body : snapshot.fixed->setup.bodies) {
+      const Snapshot::Link& link = snapshot.links[index(body.link)];
+      if (link.is_known && link.part == part) {
+        boxes_.push_back(aabbOf(body.shape, link.world_from_link * body.link_from_body, 0.0));
+      }
+    }
+  }
+  return boxes_;
+}
+
 Marker& Markers::addLine(const char* name_space, LinkPairIndex link_pair,
                          const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                          const std_msgs::Header& header) {
@@ -172,19 +187,22 @@ void Markers::addDistances(const Snapshot& snapshot) {
 
 void Markers::addLabels(const Snapshot& snapshot) {
   label_places_.clear();
+  boxes_.clear();
   for (const Snapshot::Label& shown : snapshot.labels) {
     const CycleSetup& setup = snapshot.fixed->setup;
     const std_msgs::Header header = headerOf(snapshot, setup.checked[shown.link_pair].a);
     const std::string text = labelText(setup, shown);
-    const Eigen::Vector3d place =
-        label_places_.take(shown.middle + Eigen::Vector3d(0, 0, kLift), text);
+    const PartId part = snapshot.links[index(setup.checked[shown.link_pair].a)].part;
+    const Eigen::Vector3d place = label_places_.take(shown.middle + Eigen::Vector3d(0, 0, kLift),
+                                                     text, boxesOf(snapshot, part));
     Marker& label =
         add("labels", static_cast<int>(shown.link_pair), Marker::TEXT_VIEW_FACING, header);
     toMessage(place, label.pose.position);
     label.scale.z = kTextHeight;
     label.color = white();
     label.text = text;
-    Marker& line = addLine("leaders", shown.link_pair, shown.middle, place, header);
+    const Eigen::Vector3d foot = place - Eigen::Vector3d(0, 0, 1.5 * kTextHeight);  // of two lines
+    Marker& line = addLine("leaders", shown.link_pair, shown.middle, foot, header);
     line.scale.x = 0.25 * kLineWidth;
     line.color = white();
   }

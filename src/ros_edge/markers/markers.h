@@ -49,6 +49,7 @@ class Markers {
   visualization_msgs::Marker& addLine(const char* name_space, LinkPairIndex link_pair,
                                       const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                       const std_msgs::Header& header);
+  const std::vector<Aabb>& boxesOf(const Snapshot& snapshot, PartId part);
   std_msgs::Header headerOf(const Snapshot& snapshot, LinkId link) const;
 
   std::vector<Pose> link_from_marker_;                       ///< by BodyId
@@ -59,6 +60,8 @@ class Markers {
   std::size_t shapes_{0};  ///< number of shapes among the array's markers
   std_msgs::Header header_;
   LabelPlaces label_places_;  ///< in this array
+  std::vector<Aabb> boxes_;   ///< of boxesOf, for boxes_part_; empty: not made yet
+  PartId boxes_part_{kWorldPart};
   std::set<Key> shown_;
   std::set<Key> drawn_;
   bool is_first_{true};

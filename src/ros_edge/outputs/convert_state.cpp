@@ -54,7 +54,8 @@ void fillLinks(const Watch& watch, State& message) {
   }
   for (const ListedRobot& robot : watch.fixed->listed) {
     if (!robot.id) {
-      message.unknown_links.push_back("robot " + robot.name + " (no description)");
+      message.unknown_links.push_back(
+          "robot " + robot.name + (robot.has_come ? " (faulty description)" : " (no description)"));
     }
   }
 }

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/services/explain_pair.h"
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "model/nearest_name.h"
 #include "model/number_text.h"
 #include "model/object_links.h"
 #include "model/place.h"
+#include "model/rules/rigid_groups.h"
 #include "pipeline/answers/link_distances.h"
 #include "pipeline/answers/pair_reason.h"
 #include "ros_edge/outputs/conversions.h"
@@ -47,12 +50,10 @@ void fillLimits(const CycleSetup& setup, const LinkPair& pair, ExplainPair::Resp
 }
 
 /// Measures this pair alone. @return a sentence
-std::string fillNow(const MonitorSetup& current, const NewestState& newest, std::size_t place,
+std::string fillNow(const MonitorSetup& current, const NewestState& newest, const LinkPair& asked,
                     LinkDistance& message) {
-  std::vector<bool> is_wanted(current.setup.link_pairs.size(), false);
-  is_wanted[place] = true;
   MonitorSetup alone;
-  alone.setup = withPairs(current.setup, is_wanted);
+  alone.setup = withPairs(current.setup, {asked});
   alone.world_frame = current.world_frame;
   const CycleSetup& setup = alone.setup;
   const CheckedLinkPair& pair = setup.checked.front();
@@ -124,9 +125,13 @@ void answerExplainPair(const MonitorSetup& current, const NewestState& newest,
   const std::size_t place = findLinkPair(setup, *a, *b);
   response.success = 1;
   if (place == setup.link_pairs.size()) {
-    response.reason = reasonOfObjects(setup, *a, *b);
-    response.message = nameInText(setup.model, *a) + " and " + nameInText(setup.model, *b) +
-                       " are " + response.reason;
+    LinkPair objects;
+    std::tie(objects.a, objects.b) = std::minmax(*a, *b);
+    objects.reason = PairReason::two_objects;
+    response.reason = reasonOfObjects(findRigidGroups(setup.model), *a, *b);
+    response.message = join({nameInText(setup.model, objects.a) + " and " +
+                                 nameInText(setup.model, objects.b) + " are " + response.reason,
+                             fillNow(current, newest, objects, response.now)});
     return;
   }
   const LinkPair& pair = setup.link_pairs[place];
@@ -136,7 +141,7 @@ void answerExplainPair(const MonitorSetup& current, const NewestState& newest,
   std::vector<std::string> sentences{nameInText(setup.model, pair.a) + " and " +
                                          nameInText(setup.model, pair.b) + " are " +
                                          response.reason,
-                                     fillNow(current, newest, place, response.now)};
+                                     fillNow(current, newest, pair, response.now)};
   const std::optional<PairView> seen = view(request.link_a, request.link_b);
   if (!seen) {
     sentences.emplace_back("the cycle did not answer, so its verdict is not known");

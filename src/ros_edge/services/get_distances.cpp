@@ -7,8 +7,8 @@
 #include <iterator>
 #include <limits>
 #include <string_view>
-#include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "collision_monitor/geometry/ids.h"
 #include "model/few_texts.h"
@@ -16,12 +16,12 @@
 #include "model/object_links.h"
 #include "model/place.h"
 #include "pipeline/answers/link_distances.h"
-#include "pipeline/answers/pair_reason.h"
 #include "ros_edge/outputs/conversions.h"
 #include "ros_edge/outputs/sentences.h"
 #include "ros_edge/poses/apply_joints.h"
 #include "ros_edge/poses/floating_parts.h"
 #include "ros_edge/robots/missing.h"
+#include "ros_edge/services/ignored_pairs.h"
 
 namespace collision_monitor {
 namespace {
@@ -34,8 +34,6 @@ std::string noSuchLink(const char* field, const std::string& name,
 std::string nothingToMeasure(const char* field, const std::string& name) {
   return std::string(field) + ": link '" + name + "' has no collision geometry; leave it out";
 }
-
-using LinkSet = std::vector<unsigned char>;  ///< by LinkId
 
 LinkSet findLinks(const CycleSetup& setup, const std::vector<std::string>& names, const char* field,
                   std::vector<std::string>& faults) {
@@ -64,30 +62,10 @@ LinkSet findLinks(const CycleSetup& setup, const std::vector<std::string>& names
   return links;
 }
 
-/// The link pairs that the request asks for.
-struct Selection {
-  LinkSet a;
-  LinkSet b;
-
-  bool has(LinkId one, LinkId other) const {
-    return (a[index(one)] != 0 && b[index(other)] != 0) ||
-           (a[index(other)] != 0 && b[index(one)] != 0);
-  }
-};
-
-/// Why requested pairs are ignored.
-std::string ignoredText(const CycleSetup& setup, const Selection& selection) {
-  FewTexts found;
-  for (const LinkPair& pair : setup.link_pairs) {
-    if (!isChecked(pair.reason) && selection.has(pair.a, pair.b)) {
-      found.add([&] {
-        return nameInText(setup.model, pair.a) + " and " + nameInText(setup.model, pair.b) + " (" +
-               reasonText(pair.reason) + ")";
-      });
-    }
-  }
-  const std::vector<std::string> ignored = found.all();
-  return ignored.empty() ? "" : "not checked: " + join(ignored);
+Selection selectionOf(const CycleSetup& setup, const GetDistances::Request& request,
+                      std::vector<std::string>& faults) {
+  return {findLinks(setup, request.links_a, "links_a", faults),
+          findLinks(setup, request.links_b, "links_b", faults)};
 }
 
 /// Selects the body pairs to measure: requested, and with a known relative pose.
@@ -212,8 +190,7 @@ void answerChecked(const MonitorSetup& current, const NewestState& newest,
                    const GetDistances::Request& request, GetDistances::Response& response) {
   const CycleSetup& setup = current.setup;
   std::vector<std::string> faults;
-  const Selection selection{findLinks(setup, request.links_a, "links_a", faults),
-                            findLinks(setup, request.links_b, "links_b", faults)};
+  const Selection selection = selectionOf(setup, request, faults);
   if (std::isnan(request.max_distance)) {
     faults.emplace_back("max_distance is not a number; give metres, or 0 for no limit");
   }
@@ -252,18 +229,6 @@ void answerChecked(const MonitorSetup& current, const NewestState& newest,
       nearestText(setup, links, reach) + (missing.empty() ? "" : "; " + missing);
 }
 
-/// A set-up that checks every pair of the links that the request names.
-CycleSetup withAsked(const CycleSetup& setup, const GetDistances::Request& request) {
-  std::vector<std::string> faults;  // are told later
-  const Selection selection{findLinks(setup, request.links_a, "links_a", faults),
-                            findLinks(setup, request.links_b, "links_b", faults)};
-  std::vector<bool> is_wanted;
-  for (const LinkPair& pair : setup.link_pairs) {
-    is_wanted.push_back(selection.has(pair.a, pair.b));
-  }
-  return withPairs(setup, is_wanted);
-}
-
 }  // namespace
 
 void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
@@ -272,23 +237,21 @@ void answerGetDistances(const MonitorSetup& current, const NewestState& newest,
     answerChecked(current, newest, request, response);
     return;
   }
+  std::vector<std::string> faults;  // are told later
+  const Selection selection = selectionOf(current.setup, request, faults);
+  std::string fault;
+  std::vector<LinkPair> asked = pairsOf(current.setup, selection, fault);
+  if (!fault.empty()) {
+    response.success = 0;
+    response.distances.closest = -1;
+    response.message = fault;
+    return;
+  }
   MonitorSetup all;
-  all.setup = withAsked(current.setup, request);
+  all.setup = withPairs(current.setup, std::move(asked));
   all.world_frame = current.world_frame;
   answerChecked(all, newest, request, response);
-  const std::vector<Link>& links = current.setup.model.links;
-  std::unordered_map<std::string_view, LinkId> ids;
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    if (hasShapes(links[i])) {  // a frame that carries objects may have the name of one
-      ids.emplace(links[i].name, idAt<LinkId>(i));
-    }
-  }
-  for (const LinkDistance& pair : response.distances.pairs) {
-    const std::size_t place = findLinkPair(current.setup, ids.at(pair.link_a), ids.at(pair.link_b));
-    response.reasons.push_back(place < current.setup.link_pairs.size()
-                                   ? reasonOf(current.setup, current.setup.link_pairs[place])
-                                   : "");
-  }
+  response.reasons = reasonsOf(current.setup, response.distances.pairs);
 }
 
 }  // namespace collision_monitor

@@ -110,7 +110,7 @@ TEST(PairRules, disableLine_ignoresInEitherOrder) {
 
 TEST(PairRules, disableDefault_ignoresAllPairsOfTheLink) {
   WithSrdf robot;
-  robot.srdf.disabled_by_default = {robot.model.findLink("a").value()};
+  robot.srdf.disabled_by_default = {{robot.model.findLink("a").value(), 1}};
   EXPECT_EQ(robot.reasons().at("a b"), PairReason::disabled_by_srdf);
   EXPECT_EQ(robot.reasons().at("a c"), PairReason::disabled_by_srdf);
   EXPECT_EQ(robot.reasons().at("b d"), PairReason::checked);
@@ -118,7 +118,7 @@ TEST(PairRules, disableDefault_ignoresAllPairsOfTheLink) {
 
 TEST(PairRules, enableLine_winsOverAdjacencyDefaultAndDisableLine) {
   WithSrdf robot;
-  robot.srdf.disabled_by_default = {robot.model.findLink("a").value()};
+  robot.srdf.disabled_by_default = {{robot.model.findLink("a").value(), 1}};
   robot.srdf.disabled = {robot.pair("a", "d")};
   robot.srdf.enabled = {robot.pair("a", "b"), robot.pair("a", "c"), robot.pair("d", "a")};
   EXPECT_EQ(robot.reasons().at("a b"), PairReason::enabled_by_srdf);
@@ -140,7 +140,7 @@ TEST(PairRules, linksOfDifferentRobots_areChecked) {
   SetupReport report;
   const RobotModel model = readRobots({left, right}, test::textLoader({}), report);
   SrdfPairs srdf;
-  srdf.disabled_by_default = {LinkId{0}};
+  srdf.disabled_by_default = {{LinkId{0}, 1}};
   EXPECT_EQ(reasonsOf(model, {srdf}), (Reasons{{"left/a right/a", PairReason::checked}}));
 }
 

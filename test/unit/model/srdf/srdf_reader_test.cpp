@@ -61,7 +61,7 @@ TEST(SrdfReader, allThreeKindsOfLines_areRead) {
     ASSERT_EQ(srdf.pairs.enabled.size(), 1u);
     EXPECT_EQ(pairText(srdf, srdf.pairs.enabled[0]), front + "c " + front + "a ");
     ASSERT_EQ(srdf.pairs.disabled_by_default.size(), 1u);
-    EXPECT_EQ(srdf.model.link(srdf.pairs.disabled_by_default[0]).name, front + "b");
+    EXPECT_EQ(srdf.model.link(srdf.pairs.disabled_by_default[0].link).name, front + "b");
   }
 }
 

@@ -56,7 +56,7 @@ TEST(CarryOver, clearPairThatIsNotCheckedAnyMore_isNoLoss) {
 
 TEST(CarryOver, pairsThatRulesDropAndTakeBack_keepVerdictsOfTheOthers) {
   const CycleSetup all = handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}, {2, Sphere{0.1}}});
-  const CycleSetup few = withPairs(all, {true, false, true});
+  const CycleSetup few = withPairs(all, {all.link_pairs[0], all.link_pairs[2]});
   PairMemory reported = makeBuffers(all, BroadPhaseKind::brute_force).memory;
   reported.reported = {Verdict::contact, Verdict::warning, Verdict::unknown};
   reported.contact_detail[0] = Detail::geometries;

@@ -66,6 +66,17 @@ TEST(PairLimitsOfSetup, lineOfTheSrdf_isNamed) {
             "ignored: a line of the SRDF (test.srdf line 3, Never)");
 }
 
+TEST(PairLimitsOfSetup, defaultOfTheSrdf_isNamedWithItsLine) {
+  RobotDescription description = threeBalls();
+  description.srdf_xml =
+      "<robot name='r'>\n\n<disable_default_collisions link='c'/>\n"
+      "<enable_collisions link1='b' link2='c'/></robot>";
+  const CycleSetup setup = buildSetup({description}, textLoader({}), SetupOptions());
+  EXPECT_EQ(reasonOf(setup, pairOf(setup, "a", "c")),
+            "ignored: a line of the SRDF (test.srdf line 3, disable_default_collisions of c)");
+  EXPECT_EQ(reasonOf(setup, pairOf(setup, "b", "c")).find("disable"), std::string::npos);
+}
+
 TEST(PairLimitsOfSetup, horizon_isThatOfTheLongestWarningTime) {
   const CycleSetup setup = setupOf(ruled("- {a: a, b: c, warning_time: 2.0}"));
   EXPECT_DOUBLE_EQ(setup.ahead.horizon, 2.0 + Limits().time_hysteresis);

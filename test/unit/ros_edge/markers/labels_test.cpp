@@ -84,12 +84,11 @@ TEST(LabelPlaces, textsAtOnePlace_areSpread) {
   const std::string text = "12 mm\nhand - table";
   std::vector<double> heights;
   for (int i = 0; i < 9; ++i) {
-    const Eigen::Vector3d place = places.take({1.0, 2.0, 3.0}, text);
+    const Eigen::Vector3d place = places.take({1.0, 2.0, 3.0}, text, {});
     EXPECT_EQ(place.head<2>(), Eigen::Vector2d(1.0, 2.0));
     heights.push_back(place.z());
   }
   EXPECT_EQ(heights[0], 3.0) << "the most urgent stands where it belongs";
-  std::sort(heights.begin(), heights.end());
   for (std::size_t i = 1; i < heights.size(); ++i) {
     EXPECT_GE(heights[i] - heights[i - 1], 2.0 * kTextHeight) << "two lines";
   }
@@ -101,7 +100,7 @@ TEST(LabelPlaces, textsNearEachOther_areApartInViewsFromAbove) {
   const std::string text = "12 mm\nhand - table";
   std::vector<Eigen::Vector3d> taken;
   for (int i = 0; i < 9; ++i) {
-    taken.push_back(places.take({0.03 * i, 0.05 * (i % 3), 0.02 * (i % 4)}, text));
+    taken.push_back(places.take({0.03 * i, 0.05 * (i % 3), 0.02 * (i % 4)}, text, {}));
   }
   const double width = 0.5 * 12 * kTextHeight;
   const Eigen::Vector3d up(0.0, -std::sin(kHalfPi / 3.0), std::cos(kHalfPi / 3.0));
@@ -116,9 +115,25 @@ TEST(LabelPlaces, textsNearEachOther_areApartInViewsFromAbove) {
 
 TEST(LabelPlaces, textsBesideEachOther_stayWhereTheyBelong) {
   LabelPlaces places;
-  places.take({0.0, 0.0, 0.0}, "12 mm\na - b");
-  EXPECT_EQ(places.take({1.0, 0.0, 0.0}, "12 mm\na - c").z(), 0.0);
-  EXPECT_NE(places.take({1.2, 0.0, 0.0}, "12 mm\na_link_of_a_long_name - c").z(), 0.0);
+  places.take({0.0, 0.0, 0.0}, "12 mm\na - b", {});
+  EXPECT_EQ(places.take({1.0, 0.0, 0.0}, "12 mm\na - c", {}).z(), 0.0);
+  EXPECT_NE(places.take({1.2, 0.0, 0.0}, "12 mm\na_link_of_a_long_name - c", {}).z(), 0.0);
+}
+
+TEST(LabelPlaces, solids_hideNoTextFromAViewerAbove) {
+  const Eigen::Vector3d wanted(0.0, 0.0, 0.2);
+  const std::string text = "12 mm\nhand - table";
+  const double width = 0.55 * 12 * kTextHeight;
+  const Aabb beside{{0.3, -0.1, 0.0}, {0.5, 0.1, 0.7}};
+  const double height = LabelPlaces().take(wanted, text, {beside}).z();
+  EXPECT_GT(height - kTextHeight, 0.7 - std::tan(kHalfPi / 3.0) * (0.3 - 0.5 * width) - 0.02)
+      << "seen over its edge";
+  EXPECT_LT(height, 0.7) << "and not higher than that";
+  const Aabb above{{-0.1, -0.1, 0.3}, {0.1, 0.1, 0.9}};
+  EXPECT_GT(LabelPlaces().take(wanted, text, {beside, above}).z(), 0.9);
+  const Aabb far{{5.0, -0.1, 0.0}, {6.0, 0.1, 1.0}};
+  const Aabb room{{-4.0, -4.0, 0.0}, {4.0, 4.0, 3.0}};
+  EXPECT_EQ(LabelPlaces().take(wanted, text, {far, room}), wanted);
 }
 
 }  // namespace

@@ -150,6 +150,10 @@ TEST_F(RobotStates, whileARobotIsMissing_areUnknownUnlessItMayBeAbsent) {
   EXPECT_EQ(state.level, State::UNKNOWN);
   EXPECT_EQ(state.robots[0].level, State::OK);
   EXPECT_EQ(state.robots[0].speed_scale, 1.0);
+  setup_->listed[2].has_come = true;
+  state = stateNow();
+  EXPECT_EQ(state.robots[0].level, State::UNKNOWN) << "it is there, and nobody watches it";
+  EXPECT_EQ(state.unknown_links, std::vector<std::string>{"robot third (faulty description)"});
 }
 
 TEST_F(RobotStates, whileARobotIsMissing_aContactIsStillTheWorst) {
@@ -269,8 +273,7 @@ TEST_F(RobotStates, whileSwitchedOff_orWithoutTime_vouchForNothing) {
 }
 
 TEST_F(RobotStates, ofAPairOfOthers_doNotCountForTheThird) {
-  setup_->setup =
-      withPairs(setup_->setup, std::vector<bool>(setup_->setup.link_pairs.size(), false));
+  setup_->setup = withPairs(setup_->setup, {});
   const State state = stateNow();
   EXPECT_EQ(state.robots[0].level, State::UNKNOWN) << "nothing of it is checked";
   EXPECT_EQ(state.robots[0].speed_scale, 0.0);

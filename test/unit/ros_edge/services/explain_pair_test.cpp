@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "unit/ros_edge/edge_scene.h"
+#include "unit/ros_edge/world_scene.h"
 
 namespace collision_monitor::test::explain_pair {
 namespace {
@@ -82,6 +82,18 @@ TEST_F(ExplainPairTest, adjacentLinks_areMeasuredAndSaidToBeIgnored) {
   EXPECT_EQ(response.reason, "ignored: the links meet at a joint");
   EXPECT_NEAR(response.now.distance, 4.8, 1e-9);
   EXPECT_TRUE(std::isnan(response.nearest));
+}
+
+TEST_F(ExplainPairTest, twoObjectsThatFormNoPair_areMeasuredAndSaidToBeIgnored) {
+  setup_ = slidingSetupWith({objectOf("crate", Box{{0.1, 0.1, 0.1}}, at(0.0, 0.0, 2.0)),
+                             objectOf("ball", Sphere{0.1}, at(0.0, 0.0, 2.5))});
+  const auto watch = watchAt(0.0);
+  const ExplainPair::Response response = explain("crate", "ball", *watch);
+  ASSERT_TRUE(response.success) << response.message;
+  EXPECT_FALSE(response.checked);
+  EXPECT_EQ(response.reason, "ignored: two objects that move together");
+  EXPECT_NEAR(response.now.distance, 0.3, 1e-9);
+  expectIn(response.message, "now object ball is 300 mm from object crate");
 }
 
 TEST_F(ExplainPairTest, nearest_isKeptWithItsJointValues) {

@@ -69,6 +69,26 @@ TEST_F(GetDistancesFaults, ignoredPairs_areNamedWithTheirReason) {
   EXPECT_TRUE(ask().success);
 }
 
+TEST_F(GetDistancesFaults, tooManyPairsOfObjects_areRefusedUnlessLinksAreNamed) {
+  std::vector<WorldObject> objects;
+  for (int i = 0; i < 400; ++i) {
+    objects.push_back(objectOf("ball_" + std::to_string(i), Sphere{0.01}, at(0.0, 9.0, 0.1 * i)));
+  }
+  setup_ = slidingSetupWith(objects);
+  poses_ = slidingPoses(setup_->setup.model, 0.0, 0.25);
+  request_.include_ignored = 1;
+  const GetDistances::Response all = ask();
+  EXPECT_FALSE(all.success);
+  EXPECT_EQ(all.message,
+            "include_ignored asks for 400 x 400 pairs of two objects; accepted: at most 100000, so "
+            "name links in links_a or links_b");
+  request_.links_a = {"ball_7"};
+  const GetDistances::Response one = ask();
+  EXPECT_TRUE(one.success) << one.message;
+  EXPECT_GE(one.distances.pairs.size(), 399U);
+  EXPECT_EQ(one.reasons.size(), one.distances.pairs.size());
+}
+
 TEST_F(GetDistancesFaults, linkAndItself_theReasonIsNamed) {
   request_.links_a = {"tool"};
   request_.links_b = {"tool"};

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "ros_edge/services/get_distances.h"
-#include "unit/ros_edge/edge_scene.h"
+#include "unit/ros_edge/world_scene.h"
 
 namespace collision_monitor::test {
 

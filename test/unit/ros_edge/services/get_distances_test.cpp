@@ -85,6 +85,26 @@ TEST_F(GetDistancesTest, nothingWithinMaxDistance_theClosestIsThatOfGeometries) 
   EXPECT_EQ(none.distances.pairs[0].quality, LinkDistance::EXACT);
 }
 
+TEST_F(GetDistancesTest, ignoredPairsOfTwoObjects_areMeasuredOnceAndNamedWithTheirReason) {
+  setup_ = slidingSetupWith({objectOf("crate", Box{{0.1, 0.1, 0.1}}, at(0.0, 0.0, 2.0)),
+                             objectOf("ball", Sphere{0.1}, at(0.0, 0.0, 2.5))});
+  poses_ = slidingPoses(setup_->setup.model, 0.0, 0.25);
+  request_.links_a = {"crate", "ball", "base"};
+  request_.links_b = {"ball", "crate"};
+  EXPECT_TRUE(std::isnan(distanceOf(ask(), "crate", "ball")));
+  request_.include_ignored = 1;
+  const GetDistances::Response response = ask();
+  ASSERT_EQ(response.distances.pairs.size(), 3U) << response.message;
+  ASSERT_EQ(response.reasons.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const LinkDistance& pair = response.distances.pairs[i];
+    if (pair.link_a != "base" && pair.link_b != "base") {
+      EXPECT_NEAR(pair.distance, 0.3, 1e-9);
+      EXPECT_EQ(response.reasons[i], "ignored: two objects that move together");
+    }
+  }
+}
+
 TEST_F(GetDistancesTest, namedJointMoves_othersStay) {
   move("reach", -0.1);
   EXPECT_NEAR(distanceOf(ask(), "base", "tool"), 0.2, 1e-12);
