@@ -62,6 +62,14 @@ inline std::string nameInText(const RobotModel& model, LinkId link) {
   return isObject(model, link) ? "object " + name : isOfWorld(model, link) ? "frame " + name : name;
 }
 
+/// The first link that is of the world; the number of links if none is.
+/// @pre robots stand before those that objects form
+inline LinkId firstOfWorld(const RobotModel& model) {
+  const auto first = std::find_if(model.robots.begin(), model.robots.end(),
+                                  [](const Robot& robot) { return robot.is_world; });
+  return idAt<LinkId>(first == model.robots.end() ? model.links.size() : first->first_link);
+}
+
 /// The number of robots, without those that objects form.
 inline std::size_t robotCount(const RobotModel& model) {
   return static_cast<std::size_t>(

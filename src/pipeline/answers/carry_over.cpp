@@ -49,19 +49,25 @@ std::vector<std::uint32_t> planRobots(const RobotModel& from, const RobotModel& 
 }
 
 /// The former pair of two former links; kNone if it is not checked.
+/// @param likely mostly its place
 LinkPairIndex findPair(const std::vector<CheckedLinkPair>& pairs, std::uint32_t one,
-                       std::uint32_t other) {
+                       std::uint32_t other, LinkPairIndex likely) {
   if (one == kNone || other == kNone) {
     return kNone;
   }
   const auto wanted =
       std::make_tuple(idAt<LinkId>(std::min(one, other)), idAt<LinkId>(std::max(one, other)));
+  const auto is_at = [&](auto place) {
+    return place != pairs.end() && std::make_tuple(place->a, place->b) == wanted;
+  };
+  if (likely < pairs.size() && is_at(pairs.begin() + likely)) {
+    return likely;
+  }
   const auto place = std::lower_bound(pairs.begin(), pairs.end(), wanted,
                                       [](const CheckedLinkPair& pair, const auto& key) {
                                         return std::make_tuple(pair.a, pair.b) < key;
                                       });
-  const bool is_found = place != pairs.end() && std::make_tuple(place->a, place->b) == wanted;
-  return is_found ? static_cast<LinkPairIndex>(place - pairs.begin()) : kNone;
+  return is_at(place) ? static_cast<LinkPairIndex>(place - pairs.begin()) : kNone;
 }
 
 /// Where a link was in the last cycle, and how it moves.
@@ -191,10 +197,12 @@ CarryPlan planCarryOver(const CycleSetup& from, const CycleSetup& to) {
   plan.robot_of = planRobots(from.model, to.model, plan.link_of);
   plan.pair_to.resize(from.checked.size(), kNone);
   plan.pair_of.reserve(to.checked.size());
+  LinkPairIndex next = 0;
   for (const CheckedLinkPair& pair : to.checked) {
     const LinkPairIndex former =
-        findPair(from.checked, plan.link_of[index(pair.a)], plan.link_of[index(pair.b)]);
+        findPair(from.checked, plan.link_of[index(pair.a)], plan.link_of[index(pair.b)], next);
     if (former != kNone) {
+      next = former + 1;
       plan.pair_to[former] = static_cast<LinkPairIndex>(plan.pair_of.size());
     }
     plan.pair_of.push_back(former);

@@ -3,6 +3,8 @@
 #include "pipeline/cycle/run_cycle.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 
 #include "collision_monitor/geometry/ids.h"
 #include "pipeline/cycle/bound_bodies.h"
@@ -77,15 +79,14 @@ void measureNear(const CycleSetup& setup, const LinkPoses& poses, bool counts_bo
 }  // namespace
 
 void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
-  constexpr int kMost = 50;
+  constexpr std::uint32_t kCycles = 50;
+  constexpr std::uint32_t kAny = std::numeric_limits<std::uint32_t>::max();
+  const std::uint32_t usual = buffers.refine.limits.budget;
+  buffers.refine.limits.budget = kCycles * std::min(usual, kAny / kCycles);
   moveAll(setup, buffers.body_poses.moved);
   place(setup, poses, buffers.body_poses);
-  for (int i = 0; i < kMost; ++i) {
-    measureNear(setup, poses, false, buffers);
-    if (buffers.refine.left == 0) {
-      return;
-    }
-  }
+  measureNear(setup, poses, false, buffers);
+  buffers.refine.limits.budget = usual;
 }
 
 void prepareFirstCycle(const CycleSetup& setup, const LinkPoses& poses,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/constants.h"
+#include "model/object_links.h"
 #include "pipeline/data/activation_distance.h"
 #include "pipeline/data/motion_bound.h"
 #include "pipeline/look_ahead/object_ranges.h"
@@ -20,11 +21,12 @@ double thicknessOf(const Shape& shape) noexcept {
 
 /// The links that need columns, in order of id.
 std::vector<LinkId> linksInPairs(const CycleSetup& setup) {
+  const LinkId first_of_world = firstOfWorld(setup.model);
   const std::vector<LinkId> first_of = firstCarried(setup.model);
   std::vector<bool> is_in_pair(setup.model.links.size(), false);
   for (const CheckedLinkPair& pair : setup.checked) {
     is_in_pair[index(pair.a)] = true;
-    is_in_pair[index(isInRange(setup.model, pair) ? first_of[index(pair.b)] : pair.b)] = true;
+    is_in_pair[index(isInRange(first_of_world, pair) ? first_of[index(pair.b)] : pair.b)] = true;
   }
   std::vector<LinkId> links;
   for (std::size_t link = 0; link < is_in_pair.size(); ++link) {
@@ -41,10 +43,11 @@ std::vector<LinkBlock> makeLinkBlocks(const CycleSetup& setup, const std::vector
     const auto place = std::lower_bound(links.begin(), links.end(), link);
     return static_cast<std::uint32_t>(place - links.begin());
   };
+  const LinkId first_of_world = firstOfWorld(setup.model);
   std::vector<LinkBlock> blocks;
   for (std::uint32_t i = 0; i < setup.checked.size(); ++i) {
     const CheckedLinkPair& pair = setup.checked[i];
-    if (isInRange(setup.model, pair)) {
+    if (isInRange(first_of_world, pair)) {
       continue;
     }
     const std::uint32_t a = slotOf(pair.a);

@@ -53,10 +53,6 @@ void findFarther(const ActivationDistances& reaches, const ObjectRange& range, s
 
 }  // namespace
 
-bool isInRange(const RobotModel& model, const CheckedLinkPair& pair) {
-  return isOfWorld(model, pair.b) && !isOfWorld(model, pair.a);
-}
-
 std::vector<LinkId> firstCarried(const RobotModel& model) {
   std::vector<LinkId> first;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
@@ -96,11 +92,12 @@ void growBalls(const CycleSetup& setup, const std::vector<LinkId>& first_of,
 
 void makeObjectRanges(const CycleSetup& setup, ActivationDistances& reaches) {
   const RobotModel& model = setup.model;
+  const LinkId first_of_world = firstOfWorld(model);
   const std::vector<LinkId> first_of = firstCarried(model);
   reaches.place_of.resize(setup.checked.size());
   for (LinkPairIndex i = 0; i < setup.checked.size(); ++i) {
     const CheckedLinkPair& pair = setup.checked[i];
-    if (!isInRange(model, pair)) {
+    if (!isInRange(first_of_world, pair)) {
       reaches.place_of[i] = i;
       continue;
     }

@@ -8,8 +8,10 @@
 /// bound holds for all of them.
 namespace collision_monitor {
 
-/// Whether a pair is of a robot's link and an object.
-bool isInRange(const RobotModel& model, const CheckedLinkPair& pair);
+/// Whether a pair is of a robot's link and an object. @param first_of_world see firstOfWorld
+inline bool isInRange(LinkId first_of_world, const CheckedLinkPair& pair) noexcept {
+  return pair.a < first_of_world && pair.b >= first_of_world;
+}
 
 /// By LinkId: of an object, the first that its carrier carries; of others, the link itself.
 std::vector<LinkId> firstCarried(const RobotModel& model);
