@@ -83,4 +83,13 @@ void forEachOnAllCores(std::size_t count, const std::function<void(std::size_t)>
   jobs.throwFault();
 }
 
+void doBoth(bool at_once, const std::function<void()>& one, const std::function<void()>& other) {
+  if (at_once) {
+    forEachOnAllCores(2, [&](std::size_t i) { i == 0 ? one() : other(); });
+  } else {
+    one();
+    other();
+  }
+}
+
 }  // namespace collision_monitor

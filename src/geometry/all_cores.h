@@ -17,4 +17,10 @@ namespace collision_monitor {
 /// further job begins.
 void forEachOnAllCores(std::size_t count, const std::function<void(std::size_t)>& work);
 
+/// From so many triangles on, threads save more time than they cost.
+constexpr std::size_t kManyTriangles = 5000;
+
+/// Does two independent things, at the same time if wanted.
+void doBoth(bool at_once, const std::function<void()>& one, const std::function<void()>& other);
+
 }  // namespace collision_monitor

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
+#include "geometry/all_cores.h"
 #include "geometry/bvh/bound_triangles.h"
+#include "geometry/bvh/build_mesh_nodes.h"
 #include "geometry/bvh/part_corners.h"
 #include "geometry/bvh/split_triangles.h"
-#include "geometry/interruption.h"
 #include "geometry/meshes/check_mesh.h"
 #include "geometry/meshes/mesh_pieces.h"
 #include "geometry/meshes/open_surface.h"
@@ -48,140 +50,48 @@ std::vector<SplitItem> itemsOf(const TriangleMesh& mesh, const Vector3d& origin)
   return items;
 }
 
-using Parts = std::array<SplitRange, kWidth>;
-
-// Builds nodes depth-first and reorders the items. Bounds follow once the order is final.
-class Builder {
- public:
-  // The triangles of a slot, in the order of the tree.
-  struct Extent {
-    Index first{0};
-    Index count{0};  // 0: the slot is empty
-  };
-  using Extents = std::array<Extent, kWidth>;
-
-  // @param size bounds every coordinate.
-  Builder(double size, std::vector<SplitItem>& items, std::vector<MeshTreeNode>& nodes)
-      : size_(size), items_(items), nodes_(nodes) {
-    const std::size_t likely_count = items.size() / 3 + 2;
-    nodes_.reserve(likely_count);
-    extents_.reserve(likely_count);
-  }
-
-  void addAll() {
-    const SplitRange all = makeRange(items_.data(), 0, static_cast<Index>(items_.size()));
-    addNode({all}, 1, 0);
-  }
-
-  const std::vector<Extents>& extents() const { return extents_; }
-
- private:
-  Index addNode(const Parts& parts, Index count, Index level) {
-    const auto node = static_cast<Index>(nodes_.size());
-    nodes_.emplace_back();
-    extents_.emplace_back();
-    for (Index slot = 0; slot < kWidth; ++slot) {
-      boundNothing(slot, nodes_[node]);
-    }
-    for (Index slot = 0; slot < count; ++slot) {
-      extents_[node][slot] = {parts[slot].first, parts[slot].count};
-      boundByBox(parts[slot].box.low.head<3>(), parts[slot].box.high.head<3>(), size_, slot,
-                 nodes_[node]);
-      const Index child = addChild(parts[slot], level);
-      nodes_[node].child[slot] = child;
-    }
-    return node;
-  }
-
-  Index addChild(const SplitRange& range, Index level) {
-    throwIfInterrupted();
-    if (range.count == 1) {
-      return MeshTreeNode::kTriangle + range.first;
-    }
-    Parts parts;
-    const Index count =
-        range.count <= kWidth ? separate(range, parts) : divide(range, level, parts);
-    return addNode(parts, count, level + 1);
-  }
-
-  SplitRange single(Index item) const { return {item, 1, items_[item].box, {}}; }
-
-  Index separate(const SplitRange& range, Parts& parts) const {
-    for (Index i = 0; i < range.count; ++i) {
-      parts[i] = single(range.first + i);
-    }
-    return range.count;
-  }
-
-  // Divides the largest part until the parts fill a node's slots, or each would fit a node of its
-  // own. In the latter case the smallest parts move into this node, which saves their nodes.
-  Index divide(const SplitRange& range, Index level, Parts& parts) {
-    parts[0] = range;
-    Index count = 1;
-    while (count < kWidth) {
-      Index largest = kWidth;
-      float largest_area = -1.0F;
-      for (Index i = 0; i < count; ++i) {
-        const float area = parts[i].count > kWidth ? parts[i].box.area() : -1.0F;
-        if (area > largest_area) {
-          largest = i;
-          largest_area = area;
-        }
-      }
-      if (largest == kWidth) {
-        return moveIn(count, parts);
-      }
-      const SplitRange whole = parts[largest];
-      splitRange(items_.data(), whole, level >= MeshTree::kSplitByCount, parts[largest],
-                 parts[count++]);
-    }
-    return count;
-  }
-
-  Index moveIn(Index count, Parts& parts) const {
-    std::sort(parts.begin(), parts.begin() + count,
-              [](const SplitRange& a, const SplitRange& b) { return a.count > b.count; });
-    Index used = count;
-    for (Index i = count; i-- > 0;) {
-      const SplitRange part = parts[i];
-      if (used - 1 + part.count > kWidth) {
-        break;
-      }
-      for (Index j = 0; j < part.count; ++j) {
-        parts[j == 0 ? i : used - 1 + j] = single(part.first + j);
-      }
-      used += part.count - 1;
-    }
-    return used;
-  }
-
-  double size_;
-  std::vector<SplitItem>& items_;
-  std::vector<MeshTreeNode>& nodes_;
-  std::vector<Extents> extents_;
-};
-
 Vector3d normalOf(const Triangle& triangle) {
   return (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
 }
 
-// Children stand behind their parents. So a backward loop can sum the normals of a node's children.
-void boundBySlabs(const std::vector<Builder::Extents>& extents,
-                  const std::vector<Triangle>& triangles, const Vector3d& origin,
-                  std::vector<MeshTreeNode>& nodes) {
-  std::vector<Vector3d> normals(nodes.size(), Vector3d::Zero());
-  for (std::size_t node = nodes.size(); node-- > 0;) {
+// By node and slot: the sum of the triangles' normals. Children stand behind their parents.
+std::vector<std::array<Vector3d, kWidth>> sumNormals(const MeshNodes& built,
+                                                     const std::vector<Triangle>& triangles) {
+  std::vector<std::array<Vector3d, kWidth>> of_slots(built.nodes.size());
+  std::vector<Vector3d> of_nodes(built.nodes.size(), Vector3d::Zero());
+  for (std::size_t node = built.nodes.size(); node-- > 0;) {
     for (Index slot = 0; slot < kWidth; ++slot) {
-      const Builder::Extent& extent = extents[node][slot];
+      const SlotExtent& extent = built.extents[node][slot];
       if (extent.count > 0) {
-        const Triangle* first = triangles.data() + extent.first;
-        const Vector3d normal =
-            extent.count == 1 ? normalOf(*first) : normals[nodes[node].child[slot]];
-        boundBySlab({first, first + extent.count}, normal, origin, slot, nodes[node]);
-        normals[node] += normal;
+        of_slots[node][slot] = extent.count == 1 ? normalOf(triangles[extent.first])
+                                                 : of_nodes[built.nodes[node].child[slot]];
+        of_nodes[node] += of_slots[node][slot];
       }
     }
   }
+  return of_slots;
+}
+
+void boundBySlabs(const std::vector<Triangle>& triangles, const Vector3d& origin,
+                  MeshNodes& built) {
+  constexpr std::size_t kNodesOfJob = 1024;
+  const std::vector<std::array<Vector3d, kWidth>> normals = sumNormals(built, triangles);
+  const auto bound = [&](std::size_t node) {
+    for (Index slot = 0; slot < kWidth; ++slot) {
+      const SlotExtent& extent = built.extents[node][slot];
+      if (extent.count > 0) {
+        const Triangle* first = triangles.data() + extent.first;
+        boundBySlab({first, first + extent.count}, normals[node][slot], origin, slot,
+                    built.nodes[node]);
+      }
+    }
+  };
+  forEachOnAllCores(built.nodes.size() / kNodesOfJob + 1, [&](std::size_t job) {
+    const std::size_t last = std::min(built.nodes.size(), (job + 1) * kNodesOfJob);
+    for (std::size_t node = job * kNodesOfJob; node < last; ++node) {
+      bound(node);
+    }
+  });
 }
 
 }  // namespace
@@ -205,21 +115,26 @@ MeshTree::MeshTree(const TriangleMesh& mesh, bool is_closed, bool is_open) : is_
   radius_ = (high - center_).norm() * (1.0 + 1e-15);
   std::vector<SplitItem> items = itemsOf(mesh, center_);
   const double size = low.cwiseAbs().maxCoeff() + high.cwiseAbs().maxCoeff();
-  Builder builder(size, items, nodes_);
-  builder.addAll();
+  MeshNodes built = buildMeshNodes(size, items);
   triangles_.reserve(items.size());
   source_triangles_.reserve(items.size());
   for (const SplitItem& item : items) {
     triangles_.push_back(triangleOf(mesh, item.triangle));
     source_triangles_.push_back(item.triangle);
   }
-  boundBySlabs(builder.extents(), triangles_, center_, nodes_);
-  part_corners_ = cornersOfParts(mesh, nodes_, source_triangles_, center_);
-  pieces_ = piecesOf(mesh);
-  probes_ = probesOf(pieces_, triangles_);
-  if (is_open) {
-    open_ = openSurfaceOf(mesh, *this);
-  }
+  boundBySlabs(triangles_, center_, built);
+  nodes_ = std::move(built.nodes);
+  const auto gather = [&] {
+    part_corners_ = cornersOfParts(mesh, nodes_, source_triangles_, center_);
+    pieces_ = piecesOf(mesh);
+    probes_ = probesOf(pieces_, triangles_);
+  };
+  const auto findRim = [&] {
+    if (is_open) {
+      open_ = openSurfaceOf(mesh, *this);
+    }
+  };
+  doBoth(items.size() >= kManyTriangles, gather, findRim);
 }
 
 void MeshTree::setHull(const std::vector<ConvexHull::Face>& hull) {

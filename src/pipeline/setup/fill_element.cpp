@@ -3,7 +3,6 @@
 #include "pipeline/setup/fill_element.h"
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -19,19 +18,6 @@
 
 namespace collision_monitor {
 namespace {
-
-/// From so many triangles on, a second thread saves more time than it costs.
-constexpr std::size_t kManyTriangles = 5000;
-
-/// Does two independent things, at the same time if wanted.
-void doBoth(bool at_once, const std::function<void()>& one, const std::function<void()>& other) {
-  if (at_once) {
-    forEachOnAllCores(2, [&](std::size_t i) { i == 0 ? one() : other(); });
-  } else {
-    one();
-    other();
-  }
-}
 
 /// Fills an element from a geometry of the URDF.
 struct FillElement {

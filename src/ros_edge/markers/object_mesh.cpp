@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
-#include <tuple>
+#include <cstdint>
+#include <optional>
+#include <unordered_set>
 #include <utility>
 #include <variant>
 
+#include "collision_monitor/geometry/bounds.h"
+#include "collision_monitor/geometry/ids.h"
 #include "geometry/all_cores.h"
 #include "geometry/constants.h"
 #include "geometry/interruption.h"
@@ -18,31 +20,52 @@
 namespace collision_monitor {
 namespace {
 
-using Cell = std::tuple<int, int, int>;
+constexpr std::size_t kMostCells = 64;  ///< along each axis
 
-/// One vertex for each cell that has any, and the triangles that do not collapse.
-TriangleMesh clustered(const TriangleMesh& mesh, double cell) {
+/// The cell of a vertex in a grid of cubes from `least` on.
+std::size_t cellOf(const Eigen::Vector3d& vertex, const Eigen::Vector3d& least, double cell,
+                   std::size_t cells) {
+  std::size_t place = 0;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const auto along = static_cast<std::size_t>((vertex[axis] - least[axis]) / cell);
+    place = place * cells + std::min(along, cells - 1);
+  }
+  return place;
+}
+
+/// A key of a triangle, whichever corner comes first and however it turns.
+std::uint64_t keyOf(std::array<std::uint32_t, 3> corners) {
+  static_assert(kMostCells * kMostCells * kMostCells < (1U << 21U));
+  std::sort(corners.begin(), corners.end());
+  return (std::uint64_t{corners[0]} << 42U) | (std::uint64_t{corners[1]} << 21U) | corners[2];
+}
+
+/// One vertex for each cell that has any, and the triangles that do not collapse; none if these are
+/// more than `most`.
+std::optional<TriangleMesh> clustered(const TriangleMesh& mesh, const Aabb& box, std::size_t cells,
+                                      std::size_t most) {
+  const double cell = (box.max - box.min).maxCoeff() / static_cast<double>(cells);
   TriangleMesh coarse;
-  std::map<Cell, std::uint32_t> vertex_of;
+  std::vector<std::uint32_t> vertex_of(cells * cells * cells, kNone);
   std::vector<std::uint32_t> new_of;
   new_of.reserve(mesh.vertices.size());
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
-    const Eigen::Vector3i place = (vertex / cell).array().floor().cast<int>();
-    const auto [known, is_new] = vertex_of.emplace(
-        Cell(place.x(), place.y(), place.z()), static_cast<std::uint32_t>(coarse.vertices.size()));
-    if (is_new) {
+    std::uint32_t& known = vertex_of[cellOf(vertex, box.min, cell, cells)];
+    if (known == kNone) {
+      known = static_cast<std::uint32_t>(coarse.vertices.size());
       coarse.vertices.push_back(vertex);
     }
-    new_of.push_back(known->second);
+    new_of.push_back(known);
   }
-  std::set<std::array<std::uint32_t, 3>> seen;
-  for (const auto& triangle : mesh.triangles) {
-    const std::array<std::uint32_t, 3> corners{new_of[triangle[0]], new_of[triangle[1]],
-                                               new_of[triangle[2]]};
-    std::array<std::uint32_t, 3> sorted = corners;
-    std::sort(sorted.begin(), sorted.end());
-    const bool is_flat = sorted[0] == sorted[1] || sorted[1] == sorted[2];
-    if (!is_flat && seen.insert(sorted).second) {
+  std::unordered_set<std::uint64_t> seen;
+  for (const auto& t : mesh.triangles) {
+    const std::array<std::uint32_t, 3> corners{new_of[t[0]], new_of[t[1]], new_of[t[2]]};
+    const bool is_flat =
+        corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
+    if (!is_flat && seen.insert(keyOf(corners)).second) {
+      if (coarse.triangles.size() == most) {
+        return std::nullopt;
+      }
       coarse.triangles.push_back(corners);
     }
   }
@@ -104,17 +127,15 @@ TriangleMesh coarseMesh(const TriangleMesh& mesh, std::size_t most) {
   if (mesh.triangles.size() <= most) {
     return mesh;
   }
-  Eigen::Vector3d least = mesh.vertices.front();
-  Eigen::Vector3d largest = mesh.vertices.front();
+  Aabb box{mesh.vertices.front(), mesh.vertices.front()};
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
-    least = least.cwiseMin(vertex);
-    largest = largest.cwiseMax(vertex);
+    box.min = box.min.cwiseMin(vertex);
+    box.max = box.max.cwiseMax(vertex);
   }
-  const double size = (largest - least).maxCoeff();
-  for (double cells = 64.0; cells >= 1.0; cells *= 0.7) {
-    TriangleMesh coarse = clustered(mesh, size / cells);
-    if (coarse.triangles.size() <= most) {
-      return coarse;
+  const bool has_size = (box.max - box.min).maxCoeff() > 0.0;
+  for (std::size_t cells = has_size ? kMostCells : 0; cells > 0; cells = cells * 7 / 10) {
+    if (std::optional<TriangleMesh> coarse = clustered(mesh, box, cells, most)) {
+      return *std::move(coarse);
     }
   }
   return {};

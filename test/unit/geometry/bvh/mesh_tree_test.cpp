@@ -11,6 +11,7 @@
 #include <string>
 
 #include "collision_monitor/geometry/ids.h"
+#include "geometry/all_cores.h"
 #include "support/query_meshes.h"
 #include "support/sample_meshes.h"
 
@@ -82,6 +83,12 @@ TEST(MeshTree, everyTriangleHangsOnceBelowBoundsThatHoldIt) {
   EXPECT_LT(tree.nodes().size(), mesh.triangles.size() / 5);
 }
 
+TEST(MeshTree, ofManyTriangles_isSoundWhenAllCoresBuildIt) {
+  const TriangleMesh mesh = bumpyMesh(1.0, 120);
+  ASSERT_GT(mesh.triangles.size(), kManyTriangles);
+  expectSound(MeshTree(mesh), mesh.triangles.size());
+}
+
 TEST(MeshTree, meshesOfFewTriangles) {
   Random random(20260101);
   for (int count = 1; count <= 70; ++count) {
@@ -100,8 +107,10 @@ TEST(MeshTree, farFromTheOriginAndTiny_boundsStillHold) {
 TEST(MeshTree, equalTriangles_areHalvedByCount) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  mesh.triangles.assign(1000, {0, 1, 2});
-  expectSound(MeshTree(mesh), 1000);
+  for (const std::size_t count : {1000, 10000}) {  // on one core, and on all
+    mesh.triangles.assign(count, {0, 1, 2});
+    expectSound(MeshTree(mesh), count);
+  }
 }
 
 TEST(MeshTree, trianglesThatShrinkGeometrically_stayWithinTheLevels) {

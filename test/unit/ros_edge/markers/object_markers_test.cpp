@@ -130,6 +130,20 @@ TEST(CoarseMesh, ofManyTriangles_hasFewAndTheSameSize) {
   EXPECT_GT(highest, 0.9);
 }
 
+TEST(CoarseMesh, tinyAndFarFromTheOrigin_keepsItsShape) {
+  TriangleMesh fine = roundMesh(1000);
+  for (Eigen::Vector3d& vertex : fine.vertices) {
+    vertex = 1e-4 * vertex + Eigen::Vector3d(9e5, -9e5, 9e5);
+  }
+  EXPECT_GT(coarseMesh(fine, 2000).triangles.size(), 200U);
+}
+
+TEST(CoarseMesh, ofManyTrianglesInOnePoint_isEmpty) {
+  TriangleMesh mesh = roundMesh(1000);
+  mesh.vertices.assign(mesh.vertices.size(), {1.0, 2.0, 3.0});
+  EXPECT_TRUE(coarseMesh(mesh, 2000).triangles.empty());
+}
+
 TEST(CoarseMesh, ofFewTriangles_isTheMesh) {
   EXPECT_EQ(coarseMesh(roundMesh(5), 200).triangles, roundMesh(5).triangles);
 }
