@@ -67,7 +67,8 @@ class Jobs {
 
 void forEachOnAllCores(std::size_t count, const std::function<void(std::size_t)>& work) {
   Jobs jobs(count, work);
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  // Asking for the number of cores takes as long as a small job.
+  const std::size_t cores = count < 2 ? 1 : std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::thread> others;
   try {
     while (others.size() + 1 < std::min(cores, count)) {

@@ -8,6 +8,7 @@
 
 #include "collision_monitor/geometry/ids.h"
 #include "model/object_links.h"
+#include "pipeline/answers/carry_measurements.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "pipeline/look_ahead/find_motions.h"
@@ -112,6 +113,16 @@ bool Watch::noteJoined() noexcept {
 
 void Watch::forgetJoined() noexcept { std::iota(joined_to.begin(), joined_to.end(), PartId{0}); }
 
+/// The first cycle learns what the former watch has not: pairs of links that joined others since.
+void Watch::unlearnJoined(const Watch& former) noexcept {
+  for (const Robot& robot : fixed->robots->model.robots) {
+    forOwnLinks(setup().model, robot, [&](std::size_t link) {
+      const auto own = static_cast<PartId>(link);
+      joined_to[link] = former.joined_to[link] == own ? own : joined_to[link];
+    });
+  }
+}
+
 void Watch::noteAbsent() noexcept {
   for (const ListedRobot& robot : fixed->listed) {
     if (robot.id) {
@@ -154,6 +165,10 @@ void Watch::resumeReporting() {
 
 void Watch::planTakeOver(std::shared_ptr<const MonitorSetup> former) {
   carried = planCarryOver(former->setup, setup());
+  if (former->robots == fixed->robots) {  // not reloaded
+    new_element_pair_of = planMeasurements(former->setup, setup(), carried);
+    buffers.refine.skips_robots = !new_element_pair_of.empty();
+  }
   const auto added = std::count(carried.pair_of.begin(), carried.pair_of.end(), kNone);
   nearest.touchRoomFor(carried.pair_of.size() - static_cast<std::size_t>(added));
   planned_from = std::move(former);
@@ -166,13 +181,21 @@ void Watch::prepare(const ros::Time& now, const ClockState& clock_now) {
   prepareFirstCycle(setup(), poses, buffers);
 }
 
-std::vector<LinkPairIndex> Watch::takeOver(const Watch& former) {
+std::vector<LinkPairIndex> Watch::takeOver(Watch& former) {
   if (planned_from != former.fixed) {
     carried = planCarryOver(former.setup(), setup());
+    new_element_pair_of.clear();
+    if (std::exchange(buffers.refine.skips_robots, false)) {
+      learnPairs(setup(), poses, buffers);
+    }
   }
   carryMotion(carried, setup(), {former.poses, former.buffers.memory.last, former.tracker}, poses,
               buffers.memory, tracker);
   std::vector<LinkPairIndex> dropped = carryOver(carried, former.buffers.memory, buffers.memory);
+  if (!new_element_pair_of.empty()) {
+    carryMeasurements(new_element_pair_of, former.buffers, buffers);
+    unlearnJoined(former);
+  }
   takeOverScales(former);
   for (std::size_t i = 0; i < was_there.size(); ++i) {
     was_there[i] = carried.robot_of[i] == kNone ? 0 : former.was_there[carried.robot_of[i]];

@@ -42,9 +42,10 @@ struct Watch {
   /// Does before a swap what would make the first cycle long: reads the poses, learns the pairs and
   /// judges them all. For any thread. The less the poses move until then, the shorter the cycle.
   void prepare(const ros::Time& now, const ClockState& clock_now);
-  /// Continues what another watch has reported, and its motion.
+  /// Continues what another watch has reported, its motion, and its measurements between robots,
+  /// which it keeps no longer.
   /// @return pairs that the other checked and this one does not, and that were not clear
-  std::vector<LinkPairIndex> takeOver(const Watch& former);
+  std::vector<LinkPairIndex> takeOver(Watch& former);
   /// [s] Until the last muted pair is checked again; 0: none is muted.
   double mutedFor(RuleEnd now) const;
   /// What is unknown. @pre poses are judged
@@ -74,7 +75,9 @@ struct Watch {
   std::vector<unsigned char> was_there;
   std::shared_ptr<const MonitorSetup> planned_from;  ///< `carried` is about this set-up
   CarryPlan carried;                                 ///< of use until the first cycle ends
-  mutable Unknowns last_unknown;                     ///< for unknown()
+  /// planMeasurements; empty: all pairs are measured anew
+  std::vector<ElementPairIndex> new_element_pair_of;
+  mutable Unknowns last_unknown;  ///< for unknown()
 
   const CycleSetup& setup() const noexcept { return fixed->setup; }
 
@@ -83,6 +86,7 @@ struct Watch {
   /// @return whether some have come to be known beside others since the last cycle
   bool noteJoined() noexcept;
   void forgetJoined() noexcept;
+  void unlearnJoined(const Watch& former) noexcept;
   /// Notes which robots are absent, and whether that is excused.
   void noteAbsent() noexcept;
   void takeOverScales(const Watch& former);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "geometry/all_cores.h"
 #include "pipeline/cycle/distance_cache.h"
 #include "pipeline/cycle/place_bodies.h"
 #include "pipeline/look_ahead/link_walk.h"
@@ -20,7 +21,6 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.bounds.boxes.resize(bodies);
   buffers.bounds.known.resize(bodies, 0);
   buffers.bounds.ahead.resize(bodies, 0.0);
-  buffers.activation = makeActivationDistances(setup);
   buffers.candidates.reserve(pairs);
   buffers.deferred.reserve(pairs);
   buffers.distances.pairs.reserve(pairs);
@@ -55,7 +55,10 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.memory.speed.stopped.resize(link_pairs, 0);
   buffers.robots = makeRobotSpeeds(setup.model);
   buffers.counters.pairs = pairs;
-  buffers.trees = makeObjectTrees(setup, kind);
+  constexpr std::size_t kManyPairs = 50'000;
+  doBoth(
+      pairs >= kManyPairs, [&] { buffers.activation = makeActivationDistances(setup); },
+      [&] { buffers.trees = makeObjectTrees(setup, kind); });
   buffers.broad_phase = buffers.trees.trees.empty()
                             ? makeBroadPhase(kind, bodies, pairs)
                             : makeBroadPhase(kind, buffers.trees.loose.size(), pairs);

@@ -19,7 +19,7 @@
 #include "motion/conservative_advancement.h"
 #include "pipeline/data/distances_kept.h"
 #include "pipeline/data/moved_parts.h"
-#include "pipeline/data/refine_memory.h"
+#include "pipeline/data/refine_store.h"
 
 /// The data between the stages of a cycle: plain arrays sized at set-up. World frame, metres,
 /// seconds. Data carry ids; names appear only at the ROS edge.

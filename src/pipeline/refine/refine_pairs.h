@@ -36,6 +36,7 @@ struct RefineWork {
   /// none.
   double cutoff{std::numeric_limits<double>::infinity()};
   bool finds_nearest{false};  ///< the cutoff falls to each distance that is measured
+  bool skips_robots{false};   ///< pairs of robots wait for what another set-up knows of them
   double elapsed{0.0};        ///< [s] between the stamps of the last poses and these; 0: unknown
   std::vector<RefineTask> tasks;
   std::vector<std::uint32_t> task_of;      ///< by ElementPairIndex: index into tasks, or kNone

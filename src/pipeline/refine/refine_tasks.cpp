@@ -12,7 +12,11 @@ namespace collision_monitor {
 namespace {
 
 /// False for two bodies that are their elements: their distance is already that of the elements.
-bool isRefinable(const CycleSetup& setup, ElementPairIndex pair) noexcept {
+bool isRefinable(const CycleSetup& setup, const PairMemory& memory, const RefineWork& work,
+                 ElementPairIndex pair) noexcept {
+  if (work.skips_robots && !memory.refined.isOfObject(pair)) {
+    return false;
+  }
   const ElementPair& elements = setup.element_pairs[pair];
   return !setup.elements[index(elements.a)].is_body || !setup.elements[index(elements.b)].is_body;
 }
@@ -80,7 +84,8 @@ void listTasks(const CycleSetup& setup, const PairMemory& memory, const PairDist
     const ElementPairIndex pair = setup.element_pair_of[index(distance.pair)];
     const std::uint32_t limits =
         setup.own_limits.empty() ? 0 : setup.checked[setup.element_pairs[pair].link_pair].limits;
-    if (!(distance.measured.distance <= work.distances[limits]) || !isRefinable(setup, pair)) {
+    if (!(distance.measured.distance <= work.distances[limits]) ||
+        !isRefinable(setup, memory, work, pair)) {
       continue;
     }
     if (work.task_of[pair] == kNone) {

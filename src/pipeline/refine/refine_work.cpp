@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "collision_monitor/geometry/ids.h"
+#include "model/object_links.h"
 #include "pipeline/data/activation_distance.h"
 #include "pipeline/refine/recall_elements.h"
 #include "pipeline/refine/refine_pairs.h"
@@ -73,12 +74,18 @@ RefineStore makeRefineMemory(const CycleSetup& setup) {
   for (const Element& element : setup.elements) {
     traits.push_back({element.mesh != nullptr, element.convex.has_value(), element.is_body});
   }
+  const LinkId first_of_world = firstOfWorld(setup.model);
   std::vector<RefineKind> kinds;
   kinds.reserve(setup.element_pairs.size());
+  std::vector<unsigned char> is_of_object(hasObjects(setup.model) ? setup.element_pairs.size() : 0,
+                                          0);
   for (const ElementPair& pair : setup.element_pairs) {
+    if (setup.checked[pair.link_pair].b >= first_of_world) {
+      is_of_object[kinds.size()] = 1;
+    }
     kinds.push_back(refineKindOf(traits[index(pair.a)], traits[index(pair.b)]));
   }
-  return RefineStore(std::move(kinds));
+  return RefineStore(std::move(kinds), std::move(is_of_object));
 }
 
 }  // namespace collision_monitor

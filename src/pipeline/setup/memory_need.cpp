@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "model/object_links.h"
 #include "pipeline/cycle/cycle_buffers.h"
 
 namespace collision_monitor {
@@ -25,7 +26,7 @@ constexpr std::uint64_t kOfBodyPair =
 
 /// For refinement, sweeps and the distance cache.
 constexpr std::uint64_t kOfElementPair =
-    sizeof(ElementPair) + 2 * kId + 1 + sizeof(double) + (kId + 1) + kId;
+    sizeof(ElementPair) + 2 * kId + 1 + sizeof(double) + (kId + 2) + kId;
 
 /// Lists of near pairs have room for all pairs, so that no cycle allocates. What they never fill
 /// takes no memory: few of very many pairs are near at a time.
@@ -42,12 +43,16 @@ constexpr std::uint64_t kOfNearElementPair = sizeof(RefineTask) + sizeof(SweepTa
 /// The lists of a broad phase that have room for all pairs of bodies.
 constexpr std::uint64_t kBroadPhaseLists = 8;
 
-std::uint64_t storedMemories(std::uint64_t element_pairs) noexcept {
-  return std::min<std::uint64_t>(element_pairs, RefineStore::kMostPlain) * sizeof(RefineMemory) +
-         std::min<std::uint64_t>(element_pairs, RefineStore::kMostMeshes) *
+/// For a RefineRoom.
+std::uint64_t roomForMemories(std::uint64_t element_pairs) noexcept {
+  if (element_pairs == 0) {
+    return 0;
+  }
+  return std::min<std::uint64_t>(element_pairs, RefineRoom::kMostPlain) * sizeof(RefineMemory) +
+         std::min<std::uint64_t>(element_pairs, RefineRoom::kMostMeshes) *
              (sizeof(MeshFront) + sizeof(KeptDepth) +
-              RefineStore::kBlocksOfPair * sizeof(MeshFront::Block)) +
-         RefineStore::kBlocksOfAll * sizeof(MeshFront::Block);
+              RefineRoom::kBlocksOfPair * sizeof(MeshFront::Block)) +
+         RefineRoom::kBlocksOfAll * sizeof(MeshFront::Block);
 }
 
 std::string bytesText(std::uint64_t bytes) {
@@ -68,11 +73,14 @@ PairCounts countPairs(const CycleSetup& setup) {
   counts.link_pairs = !setup.link_pairs.empty() ? setup.link_pairs.size()
                       : counts.links < 2        ? 0
                                                 : counts.links * (counts.links - 1) / 2;
+  const LinkId first_of_world = firstOfWorld(setup.model);
   for (const LinkPair& pair : setup.link_pairs) {
     if (isChecked(pair.reason)) {
       ++counts.checked;
       counts.body_pairs += bodies[index(pair.a)] * bodies[index(pair.b)];
-      counts.element_pairs += elements[index(pair.a)] * elements[index(pair.b)];
+      const std::uint64_t of_elements = elements[index(pair.a)] * elements[index(pair.b)];
+      counts.element_pairs += of_elements;
+      counts.object_element_pairs += pair.b < first_of_world ? 0 : of_elements;
     }
   }
   return counts;
@@ -84,7 +92,8 @@ std::uint64_t memoryNeedOf(const PairCounts& counts) noexcept {
          roomForNear(counts.checked) * kOfNearLinkPair +
          roomForNear(counts.body_pairs) * kOfNearBodyPair +
          roomForNear(counts.element_pairs) * kOfNearElementPair +
-         storedMemories(counts.element_pairs) +
+         roomForMemories(counts.element_pairs - counts.object_element_pairs) +
+         roomForMemories(counts.object_element_pairs) +
          kBroadPhaseLists * sizeof(PairKey) * roomForPairs(counts.bodies);
 }
 

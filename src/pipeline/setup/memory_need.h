@@ -14,10 +14,11 @@ namespace collision_monitor {
 struct PairCounts {
   std::uint64_t links{0};  ///< links with shapes
   std::uint64_t bodies{0};
-  std::uint64_t link_pairs{0};     ///< checked or not
-  std::uint64_t checked{0};        ///< link pairs
-  std::uint64_t body_pairs{0};     ///< of checked link pairs
-  std::uint64_t element_pairs{0};  ///< of checked link pairs
+  std::uint64_t link_pairs{0};            ///< checked or not
+  std::uint64_t checked{0};               ///< link pairs
+  std::uint64_t body_pairs{0};            ///< of checked link pairs
+  std::uint64_t element_pairs{0};         ///< of checked link pairs
+  std::uint64_t object_element_pairs{0};  ///< those of them that are of an object
 };
 
 /// By LinkId: the number of bodies or elements.

@@ -107,6 +107,7 @@ PairCounts ObjectPairs::count() const {
       ++counts.checked;
       counts.body_pairs += bodies[index(a)] * bodies[index(b)];
       counts.element_pairs += elements[index(a)] * elements[index(b)];
+      counts.object_element_pairs += elements[index(a)] * elements[index(b)];
     }
   };
   for (std::size_t i = 0; i < index(objects_.front().link); ++i) {

@@ -116,8 +116,8 @@ void CycleRunner::setEnabled(bool is_enabled) {
 }
 
 void CycleRunner::run() {
-  pace_.planned_start = SteadyClock::now();
   takeOverSetup();
+  pace_.planned_start = SteadyClock::now();
   while (is_running_) {
     pace_.woken = SteadyClock::now();
     runOnce();

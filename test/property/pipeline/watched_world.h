@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "pipeline/answers/carry_over.h"
+#include "pipeline/answers/carry_measurements.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "pipeline/world/add_world.h"
@@ -50,11 +50,21 @@ struct Watched {
     prepareFirstCycle(setup, poses, buffers);
   }
 
-  void takeOver(const Watched& former) {
+  /// Without measurements of robots, which come from the former set-up. @pre the same robots
+  void prepare(const LinkPoses& robots, const Watched& former) {
+    new_element_pair_of = planMeasurements(former.setup, setup, planCarryOver(former.setup, setup));
+    buffers.refine.skips_robots = !new_element_pair_of.empty();
+    prepare(robots);
+  }
+
+  void takeOver(Watched& former) {
     const CarryPlan plan = planCarryOver(former.setup, setup);
     carryMotion(plan, setup, {former.poses, former.buffers.memory.last, former.tracker}, poses,
                 buffers.memory, tracker);
     carryOver(plan, former.buffers.memory, buffers.memory);
+    if (!new_element_pair_of.empty()) {
+      carryMeasurements(new_element_pair_of, former.buffers, buffers);
+    }
   }
 
   void cycle(const LinkPoses& robots) {
@@ -66,6 +76,7 @@ struct Watched {
   CycleBuffers buffers;
   LinkPoses poses;
   VelocityTracker tracker;
+  std::vector<ElementPairIndex> new_element_pair_of;
 };
 
 inline KnownPlaces places() {

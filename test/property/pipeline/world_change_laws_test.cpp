@@ -55,7 +55,7 @@ TEST(WorldChangeLaws, aContactOnTheWay_isFoundAcrossAChange) {
   Watched next(withWorld(
       scene.robots,
       test::worldOf({plate, test::objectOf("other", Sphere{0.1}, test::at(5, 5, 5))}, places())));
-  next.prepare(scene.before);
+  next.prepare(scene.before, former);
   next.takeOver(former);
   next.cycle(scene.after);
   EXPECT_EQ(next.buffers.distances.passed.size(), 1U);
@@ -71,7 +71,7 @@ TEST(WorldChangeLaws, aContactOnTheWayWithAnObjectThatRests_isFoundAcrossAChange
     former.cycle(before);
   }
   Watched next(withWorld(scene.robots, world));
-  next.prepare(before);
+  next.prepare(before, former);
   next.takeOver(former);
   next.cycle(scene.after);
   EXPECT_LT(next.buffers.body_poses.moved.links.back().last, next.setup.model.links.size());
@@ -89,7 +89,7 @@ TEST(WorldChangeLaws, aContactThatBeginsWhileAChangeIsPreparedAndEndsAfterIt_isT
   former.cycle(scene.before);
   const WorldObject other = test::objectOf("other", Sphere{0.1}, test::at(5, 5, 5));
   Watched next(withWorld(scene.robots, farObjectsAnd({ball, closest, other})));
-  next.prepare(scene.before);
+  next.prepare(scene.before, former);
   former.cycle(scene.after);
   ASSERT_EQ(former.buffers.events.changes.size(), 1U);
   ASSERT_FALSE(former.buffers.memory.judges_all);
@@ -112,7 +112,7 @@ TEST(WorldChangeLaws, anObjectMovedByTheUser_isNoContactOnTheWay) {
   former.cycle(scene.before);
   Watched next(withWorld(
       scene.robots, test::worldOf({test::objectOf("plate", plate, test::at(0, 0, 1))}, places())));
-  next.prepare(scene.before);
+  next.prepare(scene.before, former);
   next.takeOver(former);
   LinkPoses later = scene.before;
   later.stamp_ns += 10'000'000;
@@ -139,10 +139,10 @@ TEST(WorldChangeLaws, aTurnWhileAChangeIsPrepared_isNotForgotten) {
     Watched former(withWorld(scene.robots, farObjectsAnd({})));
     former.cycle(turned);
     Watched next(withWorld(scene.robots, farObjectsAnd({})));
-    next.prepare(scene.before);
+    next.prepare(scene.before, former);
     LinkPoses second = meanwhile == LinkStatus::known ? scene.before : turned;
     second.status[0] = meanwhile;
-    next.prepare(second);
+    next.prepare(second, former);
     next.takeOver(former);
     turned.stamp_ns += 10'000'000;
     next.cycle(turned);
@@ -161,7 +161,7 @@ TEST(WorldChangeLaws, attachingAndDetaching_changesNoOtherVerdict) {
   for (int i = 0; i < 100; ++i) {
     const World world = test::worldOf({i % 2 == 0 ? held : part}, places());
     auto next = std::make_unique<Watched>(withWorld(scene.robots, world));
-    next->prepare(poses);
+    next->prepare(poses, *watched);
     next->takeOver(*watched);
     watched = std::move(next);
     poses.stamp_ns += 10'000'000;

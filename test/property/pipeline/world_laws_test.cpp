@@ -8,6 +8,7 @@
 
 #include "property/pipeline/watched_world.h"
 #include "support/random_poses.h"
+#include "support/robots/geometry_setup.h"
 
 namespace collision_monitor::world_laws {
 namespace {
@@ -60,14 +61,17 @@ World changed(const World& world, Random& random) {
   return test::worldOf(objects, places());
 }
 
-CycleSetup robotsWithoutHysteresis(unsigned seed) {
-  CycleSetup robots = test::randomSetup(kLinks, seed);
+CycleSetup withoutHysteresis(CycleSetup robots) {
   robots.limits.hysteresis = 0.0;
   robots.limits.time_hysteresis = 0.0;
   robots.limits.warning_time = 0.0;
   robots.is_continuous = true;
   robots.refine.budget = 100'000'000;
   return robots;
+}
+
+CycleSetup robotsWithoutHysteresis(unsigned seed) {
+  return withoutHysteresis(test::randomSetup(kLinks, seed));
 }
 
 /// 10 ms later, up to 2 cm away. Links may fall silent, and come back.
@@ -108,39 +112,57 @@ void expectAlike(const Watched& after, const Watched& fresh) {
       const PairDistance& one = after.buffers.distances.pairs[closest];
       const PairDistance& other = fresh.buffers.distances.pairs[of_fresh];
       EXPECT_EQ(one.quality, other.quality);
-      EXPECT_NEAR(one.measured.distance, other.measured.distance, 1e-6);
+      if (one.quality != Quality::estimate) {  // depths are followed from cycle to cycle
+        EXPECT_NEAR(one.measured.distance, other.measured.distance, 1e-6);
+      }
     }
+  }
+}
+
+/// Robots of these links, whose objects change while they move.
+void expectChangesAlike(const CycleSetup& robots, unsigned seed) {
+  Random random(seed);
+  LinkPoses poses = test::randomLinkPoses(robots, kReach, seed);
+  poses.stamp_ns = 1'000'000'000;
+  World world = manyObjects(random);
+  auto watched = std::make_unique<Watched>(withWorld(robots, world));
+  for (int change = 0; change < 10; ++change) {
+    world = changed(world, random);
+    auto next = std::make_unique<Watched>(withWorld(robots, world));
+    for (int times = 0; times < 2; ++times) {
+      next->prepare(poses, *watched);
+      for (int i = 0; i < 3; ++i) {  // meanwhile
+        moveOn(random, poses);
+        watched->cycle(poses);
+      }
+    }
+    next->takeOver(*watched);
+    watched = std::move(next);
+    moveOn(random, poses);
+    watched->cycle(poses);
+    Watched fresh(withWorld(robots, world));
+    fresh.prepare(poses);
+    fresh.cycle(poses);
+    expectAlike(*watched, fresh);
   }
 }
 
 TEST(WorldLaws, theFirstCycleAfterAChange_equalsThatOfAMonitorStartedWithTheWorld) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(seed);
-    Random random(seed);
-    const CycleSetup robots = robotsWithoutHysteresis(seed);
-    LinkPoses poses = test::randomLinkPoses(robots, kReach, seed);
-    poses.stamp_ns = 1'000'000'000;
-    World world = manyObjects(random);
-    auto watched = std::make_unique<Watched>(withWorld(robots, world));
-    for (int change = 0; change < 10; ++change) {
-      world = changed(world, random);
-      auto next = std::make_unique<Watched>(withWorld(robots, world));
-      for (int times = 0; times < 2; ++times) {
-        next->prepare(poses);
-        for (int i = 0; i < 3; ++i) {  // meanwhile
-          moveOn(random, poses);
-          watched->cycle(poses);
-        }
-      }
-      next->takeOver(*watched);
-      watched = std::move(next);
-      moveOn(random, poses);
-      watched->cycle(poses);
-      Watched fresh(withWorld(robots, world));
-      fresh.prepare(poses);
-      fresh.cycle(poses);
-      expectAlike(*watched, fresh);
-    }
+    expectChangesAlike(robotsWithoutHysteresis(seed), seed);
+  }
+}
+
+TEST(WorldLaws, theFirstCycleAfterAChange_withMeshes_equalsThatOfAMonitorStartedWithTheWorld) {
+  SetupOptions options;
+  options.default_limits.max_shapes = 1;
+  std::vector<Geometry> geometries(5, test::angleMesh());
+  geometries.resize(kLinks, Cylinder{0.1, 0.05});
+  const CycleSetup robots = withoutHysteresis(test::geometrySetup(geometries, options));
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(seed);
+    expectChangesAlike(robots, seed);
   }
 }
 
@@ -168,7 +190,7 @@ TEST(WorldLaws, objectsThatStand_areLeftOutFromTheFirstCycleOnAndNothingDiffers)
     }
     const World world = crowd(random);
     Watched next(withWorld(robots, world));
-    next.prepare(poses);
+    next.prepare(poses, former);
     next.takeOver(former);
     Watched fresh(withWorld(robots, world));
     fresh.prepare(poses);

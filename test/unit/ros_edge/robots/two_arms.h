@@ -49,7 +49,7 @@ class TwoArms : public testing::Test {
   void lose(const std::string& name) { floatFrom(link(name), LinkStatus::stale, poses_); }
 
   /// A watch that has run one cycle.
-  std::unique_ptr<Watch> watchNow(const Watch* former = nullptr) {
+  std::unique_ptr<Watch> watchNow(Watch* former = nullptr) {
     static const JointStore no_joint_states;
     auto watch = std::make_unique<Watch>(setup_, store_, no_joint_states);
     LinkPoses unused = makeLinkPoses(setup_->setup.model);

@@ -110,6 +110,29 @@ TEST_F(ChangeWorld, attachingAndDetachingManyTimes_takesNoMemoryAndChangesNoOthe
   EXPECT_LT(allocatedBytes(), before + 100'000);
 }
 
+TEST_F(ChangeWorld, planForAnotherSetup_isMadeAnew) {
+  const auto before = setup_;
+  auto late = std::make_unique<Watch>(changeWorld(*before, World(), {}), store_, joints_);
+  late->planTakeOver(before);
+  EXPECT_TRUE(late->buffers.refine.skips_robots);
+  late->prepare(ros::Time(12.5), ClockState());
+  change(ChangeKind::add, objectOf("part", Sphere{0.05}, at(0.5, 0, 0.2)));
+  late->takeOver(*watch_);
+  EXPECT_FALSE(late->buffers.refine.skips_robots);
+  EXPECT_EQ(late->carried.pair_to.size(), watch_->setup().checked.size());
+}
+
+TEST_F(ChangeWorld, linksThatTheFormerWatchKnewNot_areLearntInTheFirstCycle) {
+  auto next = std::make_unique<Watch>(changeWorld(*setup_, World(), {}), store_, joints_);
+  next->planTakeOver(setup_);
+  next->joined_to.assign(next->joined_to.size(), kWorldPart);
+  ASSERT_EQ(watch_->joined_to[0], kWorldPart);
+  watch_->joined_to[1] = 1;  // not joined
+  next->takeOver(*watch_);
+  EXPECT_EQ(next->joined_to[0], kWorldPart);
+  EXPECT_EQ(next->joined_to[1], 1U);
+}
+
 TEST(ReadObjects, moreThanAreAccepted_areRefusedUnread) {
   SceneChange change;
   change.objects.resize(kMostObjects + 1);

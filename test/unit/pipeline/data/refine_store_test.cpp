@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/data/refine_memory.h"
+#include "pipeline/data/refine_store.h"
 
 #include <gtest/gtest.h>
 
 namespace collision_monitor {
 namespace {
 
-constexpr auto kMost = static_cast<ElementPairIndex>(RefineStore::kMostPlain);
+constexpr auto kMost = static_cast<ElementPairIndex>(RefineRoom::kMostPlain);
 
 std::vector<RefineKind> plainPairs(std::size_t count) {
   return std::vector<RefineKind>(count, RefineKind::plain);
@@ -70,6 +70,26 @@ TEST(RefineStore, forgetAll_leavesAllAsNew) {
   store.forgetAll();
   EXPECT_EQ(store.lastOf(0).found.work, 0U);
   EXPECT_EQ(store.lastOf(1).found.work, 0U);
+}
+
+TEST(RefineStore, pairsOfRobots_goToAnotherStoreUnderNewNumbers) {
+  // The second pair is of an object; in the next store, the first is.
+  RefineStore former({RefineKind::front, RefineKind::plain, RefineKind::plain}, {0, 1, 0});
+  RefineStore next({RefineKind::plain, RefineKind::front, RefineKind::plain}, {1, 0, 0});
+  for (ElementPairIndex pair = 0; pair < 3; ++pair) {
+    mark(former, pair);
+    mark(next, pair);
+  }
+  const MeshFront* const front = former.of(0).front;
+  next.takeRobots(former, {1, kNone, 2});
+  EXPECT_EQ(next.lastOf(1).found.work, 1U);
+  EXPECT_EQ(next.lastOf(2).found.work, 3U);
+  EXPECT_EQ(next.lastOf(0).found.work, 1U) << "its own";
+  EXPECT_EQ(next.of(1).front, front);
+  EXPECT_EQ(former.lastOf(0).found.work, 0U);
+  EXPECT_EQ(former.lastOf(1).found.work, 2U) << "of an object";
+  mark(former, 0);  // may go on
+  EXPECT_EQ(former.lastOf(0).found.work, 1U);
 }
 
 }  // namespace
