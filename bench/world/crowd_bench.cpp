@@ -101,7 +101,8 @@ struct Costs {
   }
 };
 
-/// Both monitors see the same poses in turn.
+/// Both monitors see the same poses, one after the other: taking turns in each cycle, they would
+/// drive each other's data out of the caches.
 void compare(const std::string& what, const CycleSetup& robots, CycleSetup with_objects) {
   Monitor alone(robots);
   Monitor crowded(std::move(with_objects));
@@ -109,8 +110,11 @@ void compare(const std::string& what, const CycleSetup& robots, CycleSetup with_
   Costs of_alone;
   Costs of_crowded;
   for (int move = 0; move < kMoves; ++move) {
-    for (const LinkPoses& poses : mover.next()) {
+    const auto& all = mover.next();
+    for (const LinkPoses& poses : all) {
       of_alone.add(alone.cycle(poses), alone.buffers());
+    }
+    for (const LinkPoses& poses : all) {
       of_crowded.add(crowded.cycle(poses), crowded.buffers());
     }
   }

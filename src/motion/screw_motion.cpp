@@ -87,6 +87,9 @@ ScrewMotion screwBetween(const Pose& start, const Pose& end) noexcept {
 }
 
 Pose poseAt(const ScrewMotion& motion, double time) noexcept {
+  if (motion.turn == Eigen::Vector3d::Zero() && motion.travel == Eigen::Vector3d::Zero()) {
+    return motion.start;  // what follows takes long, and much is at rest
+  }
   const Eigen::Vector3d turn = time * motion.turn;
   return {rotationBy(turn) * motion.start.rotation,
           motion.start.translation + shiftOf(turn, time * motion.travel)};
