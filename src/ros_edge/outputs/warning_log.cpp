@@ -22,6 +22,28 @@ bool isTooSoon(const ros::SteadyTime& last, const ros::SteadyTime& now, double p
 
 }  // namespace
 
+/// Whether another line about a pair may follow those of the last second. Counts those that may
+/// not. Contacts always may.
+bool WarningLog::hasRoomFor(const PairWarning& warning, const ros::SteadyTime& now) {
+  constexpr std::size_t kMost = 20;
+  if (!isTooSoon(burst_, now)) {
+    tellLeftOut(now);
+    burst_ = now;
+    lines_ = 0;
+  }
+  const bool has_room = lines_ < kMost || warning.after == PairWarning::CONTACT;
+  ++(has_room ? lines_ : left_out_);
+  return has_room;
+}
+
+void WarningLog::tellLeftOut(const ros::SteadyTime& now) {
+  if (left_out_ > 0 && !isTooSoon(burst_, now)) {
+    log_.warn("and " + std::to_string(left_out_) +
+              " more changes of pairs within a second, which the topic `warnings` has");
+    left_out_ = 0;
+  }
+}
+
 /// Keeps only recent changes.
 void WarningLog::forgetOld(const ros::SteadyTime& now) {
   if (last_of_change_.size() < most_kept_) {
@@ -43,6 +65,9 @@ void WarningLog::logChange(const PairWarning& warning) {
     return;
   }
   last = now;
+  if (!hasRoomFor(warning, now)) {
+    return;
+  }
   switch (warning.after) {
     case PairWarning::CONTACT:
       log_.warn("contact: " + warning.sentence);
@@ -62,6 +87,7 @@ void WarningLog::logChange(const PairWarning& warning) {
 void WarningLog::logUnknownLinks(const Watch& watch) {
   const std::vector<LinkId>& unknown = watch.unknown().links();
   const ros::SteadyTime now = ros::SteadyTime::now();
+  tellLeftOut(now);
   if (last_unknown_.isZero()) {
     last_unknown_ = now;  // at the start the first poses are still on their way
   }

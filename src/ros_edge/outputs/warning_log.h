@@ -15,7 +15,8 @@
 namespace collision_monitor {
 
 /// Logs what the topics say, at most once a second for each cause: a verdict of a link pair, or the
-/// set of unknown links. By wall time, because a simulated clock may stand still.
+/// set of unknown links. Of many verdicts within a second some are logged, with all contacts; the
+/// others are counted. By wall time, because a simulated clock may stand still.
 class WarningLog {
  public:
   /// @pre the argument outlives the log
@@ -33,11 +34,17 @@ class WarningLog {
  private:
   static constexpr std::size_t kFewKept = 1000;
 
+  bool hasRoomFor(const PairWarning& warning, const ros::SteadyTime& now);
+  /// Says a second later how many changes have no line.
+  void tellLeftOut(const ros::SteadyTime& now);
   void forgetOld(const ros::SteadyTime& now);
 
   LogThread& log_;
   std::unordered_map<std::string, ros::SteadyTime> last_of_change_;  ///< by links and verdict
   std::size_t most_kept_{kFewKept};
+  ros::SteadyTime burst_;    ///< when the second began that `lines_` counts
+  std::size_t lines_{0};     ///< about pairs
+  std::size_t left_out_{0};  ///< pairs without a line
   std::vector<LinkId> told_unknown_;
   ros::SteadyTime last_unknown_;
   ros::SteadyTime last_step_;

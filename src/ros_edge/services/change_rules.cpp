@@ -120,6 +120,13 @@ std::string refusalOf(const std::vector<Problem>& problems) {
   return "nothing was changed: " + textOf(problems);
 }
 
+/// When the rules of a request end. @param duration [s] checked; 0: they last
+RuleEnd endOf(RuleEnd now, double duration) {
+  return duration > 0.0 ? now + std::chrono::duration_cast<RuleEnd::duration>(
+                                    std::chrono::duration<double>(duration))
+                        : kLasts;
+}
+
 /// The rules of a request after those that stay.
 /// @param duration [s] checked
 TimedRules mergeRules(const MonitorSetup& current, RuleEnd now, std::size_t number,
@@ -129,9 +136,7 @@ TimedRules mergeRules(const MonitorSetup& current, RuleEnd now, std::size_t numb
   TimedRules merged = keepRules(
       current, [&](RuleEnd end) { return end > now && (!replaces || (ends && end == kLasts)); });
   const DocumentText text{"set_pairs request " + std::to_string(number), request.rules};
-  const RuleEnd end = ends ? now + std::chrono::duration_cast<RuleEnd::duration>(
-                                       std::chrono::duration<double>(request.duration))
-                           : kLasts;
+  const RuleEnd end = endOf(now, request.duration);
   for (const PairRule& rule : readPairRules(text, current.setup.model, current.setup.srdfs,
                                             IdleRule::is_warning, report)) {
     merged.add(rule, end);
@@ -150,12 +155,20 @@ void checkRequest(const SetPairs::Request& request, SetupReport& report) {
   }
 }
 
-std::string changedText(const MonitorSetup& changed, double duration) {
+/// "; 2 of them end in 12.500 s"; nothing if none of the new rules ends.
+std::string endText(const std::vector<RuleEnd>& ends, RuleEnd now, double duration) {
+  const auto count = std::count(ends.begin(), ends.end(), endOf(now, duration));
+  return duration == 0.0 || count == 0
+             ? ""
+             : "; " + std::to_string(count) + " of them end" + (count == 1 ? "s" : "") + " in " +
+                   secondsText(duration);
+}
+
+std::string changedText(const MonitorSetup& changed) {
   const PairCounts counts = countPairs(changed.setup.link_pairs);
   return counted(changed.setup.pair_rules.size(), "rule") +
          "; checked: " + counted(changed.setup.checked.size(), "pair") + " of links" +
-         notCheckedText(counts) +
-         (duration > 0.0 ? "; these rules end in " + shortText(duration) + " s" : "");
+         notCheckedText(counts);
 }
 
 /// The place of a limit in kLimitFields; its end if there is none.
@@ -214,7 +227,7 @@ NextSetup answerSetPairs(const MonitorSetup& current, RuleEnd now, std::size_t n
     std::shared_ptr<MonitorSetup> changed =
         makeChanged(current, current.setup.limits, merged, report);
     response.success = 1;
-    response.message = changedText(*changed, request.duration) +
+    response.message = changedText(*changed) + endText(merged.ends, now, request.duration) +
                        (report.warnings.empty() ? "" : "; " + textOf(report.warnings));
     response.pairs_checked = static_cast<std::uint32_t>(changed->setup.checked.size());
     response.pairs_muted = static_cast<std::uint32_t>(

@@ -39,5 +39,27 @@ TEST(WarningLog, aVerdictOfAPair_isLoggedOnceASecondAcrossSetups) {
                                       "contact: elbow and torso"}));
 }
 
+/// As when the joint states of a robot with hundreds of pairs stop.
+TEST(WarningLog, manyVerdictsAtOnce_areCountedButForContacts) {
+  Console console;
+  {
+    LogThread thread;
+    WarningLog log(thread);
+    for (int i = 0; i < 30; ++i) {
+      log.logChange(warningOf("link_" + std::to_string(i), PairWarning::UNKNOWN));
+    }
+    log.logChange(warningOf("hand", PairWarning::CONTACT));
+    ros::WallDuration(1.1).sleep();
+    log.logChange(warningOf("elbow", PairWarning::CLEAR));
+  }
+  const std::vector<std::string> lines = console.lines();
+  ASSERT_EQ(lines.size(), 23U);
+  EXPECT_EQ(lines[19], "unknown: link_19 and torso");
+  EXPECT_EQ(lines[20], "contact: hand and torso");
+  EXPECT_EQ(lines[21],
+            "and 10 more changes of pairs within a second, which the topic `warnings` has");
+  EXPECT_EQ(lines[22], "clear: elbow and torso");
+}
+
 }  // namespace
 }  // namespace collision_monitor::test

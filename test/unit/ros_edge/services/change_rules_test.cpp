@@ -71,12 +71,21 @@ TEST_F(ChangeRules, replacingRules_endThoseBefore) {
   EXPECT_TRUE(current_->setup.own_limits.empty());
 }
 
+TEST_F(ChangeRules, rulesThatLast_areNotSaidToEnd) {
+  setPairs("- {a: base, b: finger, check: false}");
+  const SetPairs::Response response = setPairs("", 1.0);
+  ASSERT_TRUE(response.success) << response.message;
+  EXPECT_EQ(response.message.find("1 rule; "), 0U) << response.message;
+  EXPECT_EQ(response.message.find(" in 1"), std::string::npos) << response.message;
+}
+
 TEST_F(ChangeRules, mute_endsByItself) {
   const SetPairs::Response response = setPairs("- {a: base, b: '*', check: false}", 12.5);
   ASSERT_TRUE(response.success) << response.message;
   EXPECT_EQ(response.pairs_muted, 2U);
   EXPECT_EQ(response.pairs_checked, 1U);
-  EXPECT_NE(response.message.find("these rules end in 12.5 s"), std::string::npos);
+  EXPECT_NE(response.message.find("; 1 of them ends in 12.500 s"), std::string::npos)
+      << response.message;
   const RuleEnd end = now_ + std::chrono::milliseconds(12500);
   EXPECT_EQ(nextEndOf(*current_), end);
   EXPECT_EQ(lastMuteOf(*current_), end);
