@@ -27,7 +27,7 @@ void fillCounters(const CycleCounters& counters, const CycleFacts& facts, State&
   message.pairs_culled = static_cast<std::uint32_t>(counters.candidates - counters.measured);
   message.pairs_measured = static_cast<std::uint32_t>(counters.measured);
   message.pairs_refined = static_cast<std::uint32_t>(counters.refined);
-  message.pairs_left = static_cast<std::uint32_t>(counters.left);
+  message.pairs_left = static_cast<std::uint32_t>(counters.left + counters.swept_left);
   message.pairs_unknown = static_cast<std::uint32_t>(counters.unknown_pairs);
   message.pairs_swept = static_cast<std::uint32_t>(counters.swept);
   message.cycle_time = facts.cycle_time;
