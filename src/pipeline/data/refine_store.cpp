@@ -113,10 +113,6 @@ RefineMemory& RefineStore::of(ElementPairIndex pair) noexcept {
   return room.slots()[slot].memory;
 }
 
-std::size_t RefineStore::size() const noexcept {
-  return rooms_[0].slots().most() + rooms_[1].slots().most();
-}
-
 void RefineStore::forgetAll() noexcept {
   for (RefineRoom& room : rooms_) {
     for (RefineRoom::Slot& slot : room.slots()) {

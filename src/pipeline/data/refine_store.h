@@ -97,9 +97,6 @@ class RefineStore {
     return !is_of_object_.empty() && is_of_object_[pair] != 0;
   }
 
-  /// The most memories there can be.
-  std::size_t size() const noexcept;
-
   /// Makes all memories as new.
   void forgetAll() noexcept;
 
