@@ -52,7 +52,7 @@ void Publishers::publishChanges(const Watch& watch) {
     PairWarning warning;
     toMessage(watch, change, warning);
     warnings_publisher_.publish(warning);
-    log_.logChange(warning);
+    log_.logChange(warning, ros::SteadyTime::now());
   }
   log_.logUnknownLinks(watch);
   log_.logStep(watch);
@@ -62,7 +62,7 @@ void Publishers::publishDropped(const Watch& former, LinkPairIndex pair) {
   PairWarning warning;
   toDroppedMessage(former, pair, warning);
   warnings_publisher_.publish(warning);
-  log_.logChange(warning);
+  log_.logChange(warning, ros::SteadyTime::now());
 }
 
 void Publishers::askWhoListens(ros::SteadyTime now) {

@@ -55,8 +55,7 @@ void WarningLog::forgetOld(const ros::SteadyTime& now) {
   most_kept_ = std::max(kFewKept, 2 * last_of_change_.size());
 }
 
-void WarningLog::logChange(const PairWarning& warning) {
-  const ros::SteadyTime now = ros::SteadyTime::now();
+void WarningLog::logChange(const PairWarning& warning, const ros::SteadyTime& now) {
   forgetOld(now);
   const LinkDistance& pair = warning.pair;
   ros::SteadyTime& last =

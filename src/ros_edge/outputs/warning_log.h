@@ -21,7 +21,7 @@ class WarningLog {
  public:
   /// @pre the argument outlives the log
   explicit WarningLog(LogThread& log) : log_(log) {}
-  void logChange(const PairWarning& warning);
+  void logChange(const PairWarning& warning, const ros::SteadyTime& now);
   /// Links that became unknown or known again since the last line. The first line comes after a
   /// second.
   void logUnknownLinks(const Watch& watch);

@@ -190,13 +190,6 @@ TEST_F(ConversionsTest, contacts_holdAnEstimateOfADepthThatIsAllowed) {
   EXPECT_NEAR(message.contacts[0].depth, 0.04, 1e-12);
 }
 
-TEST_F(ConversionsTest, pairsLeft_areThoseStarvedAndThoseWhoseMotionIsOpen) {
-  const auto watch = watchAt(0.25);
-  watch->buffers.counters.left = 2;
-  watch->buffers.counters.swept_left = 3;
-  EXPECT_EQ(stateOf(*watch, facts()).pairs_left, 5U);
-}
-
 TEST_F(ConversionsTest, contactBetweenCycles_isToldWithItsTimeAndPoses) {
   // The tool goes from x = 0.75 to -0.75 in 30 ms, through the base; they touch at 0.2.
   const auto watch = watchAt(0.25);

@@ -12,6 +12,8 @@
 namespace collision_monitor::test {
 namespace {
 
+const ros::SteadyTime kNow(100.0);
+
 PairWarning warningOf(const std::string& link_a, std::uint8_t after) {
   PairWarning warning;
   warning.pair.link_a = link_a;
@@ -29,9 +31,9 @@ TEST(WarningLog, aVerdictOfAPair_isLoggedOnceASecondAcrossSetups) {
     WarningLog log(thread);
     for (int i = 0; i < 3; ++i) {
       log.startWatch();
-      log.logChange(warningOf("hand", PairWarning::CONTACT));
-      log.logChange(warningOf("hand", PairWarning::CLEAR));
-      log.logChange(warningOf("elbow", PairWarning::CONTACT));
+      log.logChange(warningOf("hand", PairWarning::CONTACT), kNow);
+      log.logChange(warningOf("hand", PairWarning::CLEAR), kNow);
+      log.logChange(warningOf("elbow", PairWarning::CONTACT), kNow);
     }
   }  // waits for all lines
   EXPECT_EQ(console.lines(),
@@ -46,11 +48,10 @@ TEST(WarningLog, manyVerdictsAtOnce_areCountedButForContacts) {
     LogThread thread;
     WarningLog log(thread);
     for (int i = 0; i < 30; ++i) {
-      log.logChange(warningOf("link_" + std::to_string(i), PairWarning::UNKNOWN));
+      log.logChange(warningOf("link_" + std::to_string(i), PairWarning::UNKNOWN), kNow);
     }
-    log.logChange(warningOf("hand", PairWarning::CONTACT));
-    ros::WallDuration(1.1).sleep();
-    log.logChange(warningOf("elbow", PairWarning::CLEAR));
+    log.logChange(warningOf("hand", PairWarning::CONTACT), kNow);
+    log.logChange(warningOf("elbow", PairWarning::CLEAR), kNow + ros::WallDuration(1.1));
   }
   const std::vector<std::string> lines = console.lines();
   ASSERT_EQ(lines.size(), 23U);

@@ -65,5 +65,12 @@ TEST_F(StepsTest, stepsAreCountedOnce) {
   EXPECT_EQ(count.too_long, 0U);
 }
 
+TEST_F(StepsTest, pairsLeft_areThoseStarvedAndThoseWhoseMotionIsOpen) {
+  const auto watch = watchAt(0.25);
+  watch->buffers.counters.left = 2;
+  watch->buffers.counters.swept_left = 3;
+  EXPECT_EQ(stateOf(*watch, facts()).pairs_left, 5U);
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
