@@ -71,11 +71,15 @@ Polygon cut(const Polygon& polygon, Eigen::Index axis, double side, double limit
   return kept;
 }
 
-// The mean of the corners of the part of the triangle inside the box.
+// A corner of the triangle inside the box, or the mean of the corners of the part inside.
 bool sharedPoint(const Triangle& triangle, const Vector3d& half_extents,
                  Vector3d& shared) noexcept {
   Polygon polygon;
   for (const Vector3d& corner : triangle) {
+    if ((corner.cwiseAbs().array() <= half_extents.array()).all()) {
+      shared = corner;
+      return true;
+    }
     polygon.add(corner);
   }
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
@@ -207,6 +211,27 @@ Vector3d wayToBox(const Triangle& triangle, const ConvexCore& core) noexcept {
   return (-core.half_extents - most).cwiseMax(0.0) - (least - core.half_extents).cwiseMax(0.0);
 }
 
+// A direction from the triangle to the box, normal to an edge of each, that separates them by the
+// cutoff; zero if there is none.
+Vector3d acrossEdges(const Triangle& triangle, const Vector3d& half_extents,
+                     double squared_cutoff) noexcept {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3d edge = triangle[(k + 1) % 3] - triangle[k];
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const Vector3d across = Vector3d::Unit(axis).cross(edge);
+      const double on_edge = across.dot(triangle[k]);
+      const double opposite = across.dot(triangle[(k + 2) % 3]);
+      const double middle = 0.5 * (on_edge + opposite);
+      const double gap = std::abs(middle) - 0.5 * std::abs(on_edge - opposite) -
+                         half_extents.dot(across.cwiseAbs());
+      if (gap > 0.0 && gap * gap >= squared_cutoff * across.squaredNorm()) {
+        return middle < 0.0 ? across : Vector3d(-across);
+      }
+    }
+  }
+  return Vector3d::Zero();
+}
+
 // Runs GJK. Whatever the bounds say, its points are points of both.
 PointPair nearestBySearch(const Triangle& triangle, const ConvexCore& core,
                           const PointPair& start) noexcept {
@@ -261,6 +286,12 @@ TriangleDistance boundedDistance(const Triangle& triangle, const ConvexCore& cor
   }
   const bool is_box = core.kind == ConvexCore::Kind::box && core.half_extents.x() > 0.0;
   const bool is_segment = core.kind == ConvexCore::Kind::box && !is_box;
+  if (is_box) {
+    const Vector3d across = acrossEdges(triangle, core.half_extents, squared_cutoff);
+    if (!across.isZero(0.0)) {
+      return {start, squaredGapAlong(across, triangle, core), across};
+    }
+  }
   const PointPair best = nearestPoints(triangle, core, start);
   const bool is_nearer = best.squared_distance < start.squared_distance;
   return {best, best.squared_distance,

@@ -55,7 +55,6 @@ struct StateElementPair {
   double radii{0.0};       ///< [m] sum of the radii of their balls
   double body_radii{0.0};  ///< [m] the same of balls that hold their bodies, with these centers
   double contact_distance{0.0};  ///< [m] the largest of their bodies
-  double squared_contact{0.0};   ///< [m^2] of `radii` and `contact_distance` together
   double warning_distance{0.0};  ///< [m] of their links
   std::uint32_t first{0};        ///< into StatesRefinement::body_pairs
   std::uint32_t last{0};
@@ -64,6 +63,14 @@ struct StateElementPair {
   std::uint32_t box{0};       ///< around the other one: a box as in StatesRefinement::box_of
   std::uint32_t ball_box{0};  ///< the same around that of `ball`
   bool has_many{false};       ///< pairs of bodies, and both boxes
+};
+
+/// Two elements in the order of a search, with what mostly parts them.
+struct OrderedPair {
+  ElementPairIndex elements{0};
+  std::uint32_t a{0};  ///< ElementIds
+  std::uint32_t b{0};
+  double squared_contact{0.0};  ///< [m^2] of the sums of their radii and `contact_distance`
 };
 
 /// A box around all bodies of an element.
@@ -99,13 +106,12 @@ struct StatesRefinement {
   std::unique_ptr<RefineScratch> scratch;
   std::vector<NearInStates> near;
   std::uint8_t have_near{0};  ///< a bit for each state of the vector: it has some of `near`
-  std::vector<std::uint32_t> place_of;  ///< by ElementPairIndex: index into `pairs`, or kNone
-  std::vector<ElementsInState> pairs;   ///< in the current state
-  std::vector<std::uint64_t> touched;   ///< by ElementPairIndex: the last state with a contact
-  std::vector<ElementPairIndex> order;  ///< pairs last in contact come first
-  std::vector<ElementPairIndex>
-      nearest_order;           ///< pairs whose bodies were last the nearest come first
-  bool has_geometries{false};  ///< some enclosing shapes are not their geometry
+  std::vector<std::uint32_t> place_of;     ///< by ElementPairIndex: index into `pairs`, or kNone
+  std::vector<ElementsInState> pairs;      ///< in the current state
+  std::vector<std::uint64_t> touched;      ///< by ElementPairIndex: the last state with a contact
+  std::vector<OrderedPair> order;          ///< pairs last in contact come first
+  std::vector<OrderedPair> nearest_order;  ///< pairs whose bodies were last the nearest come first
+  bool has_geometries{false};              ///< some enclosing shapes are not their geometry
   /// Each state is searched as if it were the first: answers then depend on no other state, to the
   /// last bit. `order` stays as it is.
   bool is_independent{false};

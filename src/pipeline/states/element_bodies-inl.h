@@ -87,10 +87,9 @@ struct ElementBodies {
   }
 
   /// Of the centers of two elements. @return [m^2]
-  HWY_INLINE Number squaredDistance(const StateElementPair& pair) const {
-    const auto& centers = work.refinement.centers;
-    const Vector3 between =
-        load(centers[pair.b].of, states.lane) - load(centers[pair.a].of, states.lane);
+  HWY_INLINE Number squaredDistance(std::uint32_t a, std::uint32_t b) const {
+    const StatePoint* const centers = work.refinement.centers.data();
+    const Vector3 between = load(centers[b].of, states.lane) - load(centers[a].of, states.lane);
     return dot(between, between);
   }
 
@@ -98,7 +97,7 @@ struct ElementBodies {
   /// @param radii [m] sum of both
   HWY_INLINE Truth ballsMeet(const StateElementPair& pair, double radii, Number reach) const {
     const Number allowed = hn::Add(number(radii), reach);
-    return hn::Not(hn::Gt(squaredDistance(pair), hn::Mul(allowed, allowed)));
+    return hn::Not(hn::Gt(squaredDistance(pair.a, pair.b), hn::Mul(allowed, allowed)));
   }
 };
 

@@ -15,8 +15,8 @@ namespace HWY_NAMESPACE {
 /// Lists pairs of bodies that are near in some states.
 struct NearSearch {
   ElementBodies bodies;
+  const NearQuery& query;
   Number asked;
-  bool asks_any;
   Truth have_near{JudgedLanes::none()};
 
   StatesRefinement& refinement() const { return bodies.work.refinement; }
@@ -42,25 +42,22 @@ struct NearSearch {
 
   /// Whether the balls of two elements do not allow them to be within the activation distance.
   template <bool kContactsOnly>
-  HWY_INLINE Truth ballsPart(const StateElementPair& pair) const {
+  HWY_INLINE Truth ballsPart(const OrderedPair& ordered) const {
     if constexpr (kContactsOnly) {
-      return hn::Gt(bodies.squaredDistance(pair), number(pair.squared_contact));
+      return hn::Gt(bodies.squaredDistance(ordered.a, ordered.b), number(ordered.squared_contact));
     }
+    const StateElementPair& pair = refinement().element_pairs[ordered.elements];
     return hn::Not(bodies.ballsMeet(pair, pair.radii, reachOf(pair.contact_distance)));
   }
 
   template <bool kContactsOnly>
-  HWY_INLINE void run(const NearQuery& query) {
+  HWY_INLINE void run() {
     const Truth is_asked = hn::Gt(asked, number(kNotAsked));
-    const ElementPairIndex* const order = refinement().order.data();
-    const StateElementPair* const pairs = refinement().element_pairs.data();
+    const OrderedPair* const order = refinement().order.data();
     for (std::size_t i = query.first; i < query.last; ++i) {
-      const StateElementPair& pair = pairs[order[i]];
-      if (pair.are_convex || !query.is_convex_only) {
-        const Truth may_be_near = hn::AndNot(ballsPart<kContactsOnly>(pair), is_asked);
-        if (!hn::AllFalse(Lanes(), may_be_near)) {
-          measureElements(order[i], may_be_near);
-        }
+      const Truth may_be_near = hn::AndNot(ballsPart<kContactsOnly>(order[i]), is_asked);
+      if (!hn::AllFalse(Lanes(), may_be_near)) {
+        measureElements(order[i].elements, may_be_near);
       }
     }
   }
@@ -68,11 +65,14 @@ struct NearSearch {
   /// Not inlined: the loop over all pairs stays short.
   HWY_NOINLINE void measureElements(ElementPairIndex elements, Truth counts) {
     const StateElementPair& pair = refinement().element_pairs[elements];
+    if (query.is_convex_only && !pair.are_convex) {
+      return;
+    }
     counts = bodies.boxesMeet(pair, reachOf(pair.contact_distance), counts);
     if (hn::AllFalse(Lanes(), counts)) {
       return;
     }
-    const bool is_one_enough = asks_any && isExact(bodies.states.setup, elements);
+    const bool is_one_enough = query.asks_any && isExact(bodies.states.setup, elements);
     for (std::uint32_t i = pair.first; i < pair.last && !hn::AllFalse(Lanes(), counts); ++i) {
       const Truth is_near = measureBodies(refinement().body_pairs[i], counts);
       counts = is_one_enough ? hn::AndNot(is_near, counts) : counts;
@@ -84,12 +84,11 @@ std::size_t listNearInLanes(const CycleSetup& setup, const NearQuery& query, std
                             StatesWork& work) {
   StatesRefinement& refinement = work.refinement;
   refinement.near.clear();
-  NearSearch search{
-      {{setup, work, lane}, work}, hn::LoadU(Lanes(), query.asked.of + lane), query.asks_any};
+  NearSearch search{{{setup, work, lane}, work}, query, hn::LoadU(Lanes(), query.asked.of + lane)};
   if (hn::AllTrue(Lanes(), hn::Le(search.asked, number(kContactsAsked)))) {
-    search.run<true>(query);
+    search.run<true>();
   } else {
-    search.run<false>(query);
+    search.run<false>();
   }
   hn::StoreMaskBits(Lanes(), search.have_near, &refinement.have_near);
   return hn::Lanes(Lanes());

@@ -52,8 +52,8 @@ void judgeNearestInLanes(const CycleSetup& setup, const StateNumber& asked, Stat
   for (std::size_t lane = 0; lane < kStateCount; lane += hn::Lanes(Lanes())) {
     const Truth is_asked = hn::Gt(hn::Load(Lanes(), asked.of + lane), number(kNotAsked));
     NearestSearch search{{{setup, work, lane}, work}, is_asked, does_nearest_decide};
-    for (const ElementPairIndex i : work.refinement.nearest_order) {
-      const StateElementPair& elements = work.refinement.element_pairs[i];
+    for (const OrderedPair& pair : work.refinement.nearest_order) {
+      const StateElementPair& elements = work.refinement.element_pairs[pair.elements];
       const Truth may_be_near = search.ballsMeet(elements);
       if (!hn::AllFalse(Lanes(), may_be_near)) {
         search.measureElements(elements, may_be_near);

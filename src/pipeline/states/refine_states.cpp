@@ -123,7 +123,6 @@ void listBodies(const CycleSetup& setup, const StatesWork& work, StatesRefinemen
     pair.has_many = bodies[i].size() > 1 && pair.box != kNone && pair.ball_box != kNone;
     const Limits& limits = limitsOf(setup, setup.element_pairs[i].link_pair);
     pair.contact_distance = std::max(0.0, limits.contact_distance);
-    pair.squared_contact = std::pow(pair.radii + pair.contact_distance, 2);
     pair.warning_distance = limits.warning_distance;
     pair.are_convex = setup.elements[pair.a].convex && setup.elements[pair.b].convex;
     pair.first = static_cast<std::uint32_t>(refinement.body_pairs.size());
@@ -159,7 +158,9 @@ StatesRefinement makeStatesRefinement(const CycleSetup& setup, const StatesWork&
   std::vector<RefineKind> kinds;
   for (ElementPairIndex pair = 0; pair < setup.element_pairs.size(); ++pair) {
     kinds.push_back(areBodies(setup, pair) ? RefineKind::never : RefineKind::plain);
-    refinement.order.push_back(pair);
+    const StateElementPair& elements = refinement.element_pairs[pair];
+    refinement.order.push_back(
+        {pair, elements.a, elements.b, std::pow(elements.radii + elements.contact_distance, 2)});
   }
   refinement.nearest_order = refinement.order;
   refinement.has_geometries = std::any_of(

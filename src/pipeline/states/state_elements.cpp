@@ -175,8 +175,9 @@ bool isFarther(const ElementsInState& one, const ElementsInState& other) noexcep
 
 }  // namespace
 
-void putFirst(ElementPairIndex pair, std::vector<ElementPairIndex>& order) noexcept {
-  const auto place = std::find(order.begin(), order.end(), pair);
+void putFirst(ElementPairIndex pair, std::vector<OrderedPair>& order) noexcept {
+  const auto place = std::find_if(order.begin(), order.end(),
+                                  [&](const OrderedPair& one) { return one.elements == pair; });
   std::rotate(order.begin(), place, place + 1);
 }
 

@@ -17,7 +17,7 @@ struct StateSearch {
 };
 
 /// Moves a pair to the front. @pre `order` has it
-void putFirst(ElementPairIndex pair, std::vector<ElementPairIndex>& order) noexcept;
+void putFirst(ElementPairIndex pair, std::vector<OrderedPair>& order) noexcept;
 
 /// Whether two elements are themselves bodies: nothing to refine.
 bool areBodies(const CycleSetup& setup, ElementPairIndex pair) noexcept;
