@@ -13,12 +13,14 @@ namespace {
 double motionSince(const LastMeasurement& last, const PlacedElement& a, const PlacedElement& b,
                    const std::array<Ball, 2>& balls) noexcept {
   constexpr double kRounding = 1e-12;  // of coordinates of some metres
-  const Pose a_from_b = inverse(last.world_from_a) * last.world_from_b;
-  const Pose a_from_b_now = inverse(a.world_from_element) * b.world_from_element;
+  const Pose before = inverse(last.world_from_a) * last.world_from_b;  // A from B
+  const Pose now = inverse(a.world_from_element) * b.world_from_element;
+  const double turn = turnBetween(before, now);  // of A seen from B, too
+  const Eigen::Vector3d of_b = now * balls[1].center - before * balls[1].center;
+  const Eigen::Vector3d of_a = now.rotation.transpose() * (balls[0].center - now.translation) -
+                               before.rotation.transpose() * (balls[0].center - before.translation);
   return kRounding +
-         std::min(motionOfBall(balls[1].center, balls[1].radius, a_from_b, a_from_b_now),
-                  motionOfBall(balls[0].center, balls[0].radius, inverse(a_from_b),
-                               inverse(a_from_b_now)));
+         std::min(of_b.norm() + turn * balls[1].radius, of_a.norm() + turn * balls[0].radius);
 }
 
 }  // namespace

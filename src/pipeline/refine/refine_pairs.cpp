@@ -160,6 +160,25 @@ void refine(const Refinement& all, RefineTask& task) noexcept {
   report(all, task, found);
 }
 
+void refineTasks(const Refinement& all) noexcept {
+  constexpr std::size_t kAhead = 3;
+  constexpr std::size_t kLine = 64;
+  std::vector<RefineTask>& tasks = all.work.tasks;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    // Memories are far apart: that of a later task is on its way while this one is refined.
+    const RefineTask& later = tasks[std::min(i + kAhead, tasks.size() - 1)];
+    const LastMeasurement& last = all.memory.refined.lastOf(later.pair);
+    for (std::size_t byte = 0; byte < sizeof(last); byte += kLine) {
+      __builtin_prefetch(reinterpret_cast<const char*>(&last) + byte);
+    }
+    if (isSettled(all, tasks[i])) {
+      all.memory.starved_cycles[tasks[i].pair] = 0;
+    } else {
+      refine(all, tasks[i]);
+    }
+  }
+}
+
 bool isOverlap(const Refinement& all, const RefineTask& task) noexcept {
   return all.work.is_measured[task.pair] != 0 &&
          all.distances.pairs[task.place].quality == Quality::estimate;
@@ -209,13 +228,7 @@ void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemor
   for (RefineTask& task : work.tasks) {
     decideContact(all, task);
   }
-  for (RefineTask& task : work.tasks) {
-    if (isSettled(all, task)) {
-      memory.starved_cycles[task.pair] = 0;
-    } else {
-      refine(all, task);
-    }
-  }
+  refineTasks(all);
   deepenOverlaps(all);
   dropFarther(all);
 }
