@@ -61,9 +61,9 @@ CoreGap searchGap(const PlacedCore& a, const PlacedCore& b, double cutoff,
                                  point_on_a + simplex.distance * simplex.normal, simplex.normal})};
 }
 
-CoreGap gapBetween(const PlacedCore& a, const PlacedCore& b, double cutoff,
+CoreGap gapBetween(const PlacedCore& a, const PlacedCore& b, double cutoff, bool asks_nearest,
                    ConvexWarmStart& warm) noexcept {
-  const auto confirmed = distanceFromWarmStart(a, b, warm);
+  const auto confirmed = asks_nearest ? distanceFromWarmStart(a, b, warm) : std::nullopt;
   return confirmed ? CoreGap{MeshState::exact, confirmed->cores} : searchGap(a, b, cutoff, warm);
 }
 
@@ -113,9 +113,8 @@ void takePoints(const HeldSurface& a, const HeldSurface& b, double tolerance,
 
 }  // namespace
 
-MeshDistance distanceByHulls(const HeldSurface& a, const HeldSurface& b, double stop_beyond,
-                             MeshQueryMemory& memory, const HullMemory& last,
-                             double tolerance) noexcept {
+MeshDistance distanceByHulls(const HeldSurface& a, const HeldSurface& b, const HullGoal& goal,
+                             MeshQueryMemory& memory, const HullMemory& last) noexcept {
   const std::optional<InflatedCore> core_a = coreOf(a.around);
   const std::optional<InflatedCore> core_b = coreOf(b.around);
   MeshDistance answer;
@@ -125,7 +124,7 @@ MeshDistance distanceByHulls(const HeldSurface& a, const HeldSurface& b, double 
   const double radii = core_a->radius + core_b->radius;
   const CoreGap gap = gapBetween({core_a->core, a.world_from_body, last.warm.vertex_of_a},
                                  {core_b->core, b.world_from_body, last.warm.vertex_of_b},
-                                 stop_beyond + radii, last.warm);
+                                 goal.stop_beyond + radii, goal.asks_nearest, last.warm);
   if (gap.state == MeshState::unknown || !(gap.cores.distance > radii)) {
     return answer;
   }
@@ -133,8 +132,8 @@ MeshDistance distanceByHulls(const HeldSurface& a, const HeldSurface& b, double 
   answer.measured = inflated(gap.cores, core_a->radius, core_b->radius);
   // What must come through the other's hull first cannot be inside before.
   answer.outside = isOpen(a) || isOpen(b) ? answer.measured.distance : answer.outside;
-  if (gap.state == MeshState::exact && answer.measured.distance < stop_beyond) {
-    takePoints(a, b, tolerance, memory, last.nearest, answer);
+  if (gap.state == MeshState::exact && answer.measured.distance < goal.stop_beyond) {
+    takePoints(a, b, goal.tolerance, memory, last.nearest, answer);
   }
   return answer;
 }

@@ -19,6 +19,16 @@ struct HullMemory {
   TrianglePair& nearest;  ///< the last two triangles at which the solids were nearest
 };
 
+/// How far a query goes.
+struct HullGoal {
+  double stop_beyond;     ///< [m] as in MeshQueryLimits
+  double tolerance{0.0};  ///< [m] as in MeshQueryLimits
+  /// False: it only matters whether they are farther apart than `stop_beyond`. The search ends at
+  /// the first plane that shows this, and does not try first whether the last nearest points still
+  /// are.
+  bool asks_nearest{true};
+};
+
 /// Finds what the solids around two surfaces say about the distance of the surfaces.
 ///
 /// A surface is never nearer than the solid around it. If the nearest points of the solids lie on
@@ -31,10 +41,9 @@ struct HullMemory {
 /// Limits: `visits` counts nodes opened and triangles looked at. Half spaces are `unknown`.
 /// Source: Ehmann, Lin, "Accurate and Fast Proximity Queries Between Polyhedra Using Convex Surface
 /// Decomposition" (2001), for convex pieces as bounds. Departure: one piece holds each mesh.
-/// @param stop_beyond, tolerance as in MeshQueryLimits. Within the tolerance the nearest points are
-/// those of the solids, and `shortfall` is how far the surfaces are from both together.
-MeshDistance distanceByHulls(const HeldSurface& a, const HeldSurface& b, double stop_beyond,
-                             MeshQueryMemory& memory, const HullMemory& last,
-                             double tolerance = 0.0) noexcept;
+/// Within the tolerance the nearest points are those of the solids, and `shortfall` is how far the
+/// surfaces are from both together.
+MeshDistance distanceByHulls(const HeldSurface& a, const HeldSurface& b, const HullGoal& goal,
+                             MeshQueryMemory& memory, const HullMemory& last) noexcept;
 
 }  // namespace collision_monitor

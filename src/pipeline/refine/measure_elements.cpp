@@ -113,8 +113,8 @@ MeshDistance searchMeshes(const PlacedElement& a, const PlacedElement& b, const 
 bool measureHulls(const PlacedElement& a, const PlacedElement& b, ElementSearch& search,
                   MeshDistance& found, ElementDistance& answer) noexcept {
   const double stop_beyond = stopBeyond(a, b, search);
-  found = distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stop_beyond, search.scratch.mesh,
-                          {search.memory.warm, search.memory.nearest}, search.tolerance);
+  found = distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), {stop_beyond, search.tolerance},
+                          search.scratch.mesh, {search.memory.warm, search.memory.nearest});
   answer.work += kApartWork + found.visits;
   if (found.state != MeshState::exact && !(found.measured.distance >= stop_beyond)) {
     return false;
@@ -243,7 +243,7 @@ ElementDistance measureElements(const PlacedElement& a, const PlacedElement& b,
 ElementDistance measureByHulls(const PlacedElement& a, const PlacedElement& b,
                                ElementSearch& search) noexcept {
   const MeshDistance found =
-      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stopBeyond(a, b, search),
+      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), {stopBeyond(a, b, search)},
                       search.scratch.mesh, {search.memory.warm, search.memory.nearest});
   ElementDistance answer;
   answer.work = kApartWork + found.visits;
@@ -258,7 +258,7 @@ ElementDistance measureByHulls(const PlacedElement& a, const PlacedElement& b,
 double boundByHulls(const PlacedElement& a, const PlacedElement& b,
                     ElementSearch& search) noexcept {
   const MeshDistance found =
-      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), stopBeyond(a, b, search),
+      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), {stopBeyond(a, b, search)},
                       search.scratch.mesh, {search.memory.warm, search.memory.nearest});
   return found.state == MeshState::unknown
              ? -std::numeric_limits<double>::infinity()

@@ -55,11 +55,11 @@ enum class HullAnswer : unsigned char { apart, contact, open };
 /// Asks what holds the geometries; `told` gets its work, and ElementContact::outside. Gives a
 /// contact only if it is shown on the surfaces themselves.
 HullAnswer askHulls(const PlacedElement& a, const PlacedElement& b, double reach,
-                    ElementSearch& search, ElementContact& told) noexcept {
+                    bool is_measured_next, ElementSearch& search, ElementContact& told) noexcept {
   const double beyond = std::nextafter(reach, std::numeric_limits<double>::infinity());
   const MeshDistance found =
-      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), beyond, search.scratch.mesh,
-                      {search.memory.warm, search.memory.nearest});
+      distanceByHulls(heldSurfaceOf(a), heldSurfaceOf(b), {beyond, 0.0, is_measured_next},
+                      search.scratch.mesh, {search.memory.warm, search.memory.nearest});
   told.work += kHullWork + found.visits;
   told.outside = found.outside;
   const bool is_told = found.state == MeshState::exact || found.state == MeshState::lower_bound;
@@ -70,7 +70,7 @@ HullAnswer askHulls(const PlacedElement& a, const PlacedElement& b, double reach
 }
 
 ElementContact touchConvex(const PlacedElement& a, const PlacedElement& b, double reach,
-                           ElementSearch& search) noexcept {
+                           bool is_measured_next, ElementSearch& search) noexcept {
   if (reach < 0.0 || haveClosedForm(a, b)) {
     return measureContact(a, b, reach, search);
   }
@@ -78,7 +78,7 @@ ElementContact touchConvex(const PlacedElement& a, const PlacedElement& b, doubl
     return settled(State::unknown, 0);
   }
   ElementContact told;
-  const bool is_apart = askHulls(a, b, reach, search, told) == HullAnswer::apart;
+  const bool is_apart = askHulls(a, b, reach, is_measured_next, search, told) == HullAnswer::apart;
   return settled(is_apart ? State::apart : State::contact, told.work);
 }
 
@@ -112,8 +112,9 @@ ElementContact touchTriangles(const PlacedElement& a, const PlacedElement& b,
 
 /// What decides without triangles, the cheapest first. `told` gets the work so far.
 bool decideWithoutTriangles(const PlacedElement& a, const PlacedElement& b, double reach,
-                            ElementSearch& search, ElementContact& told) noexcept {
-  const HullAnswer hulls = askHulls(a, b, reach, search, told);
+                            bool is_measured_next, ElementSearch& search,
+                            ElementContact& told) noexcept {
+  const HullAnswer hulls = askHulls(a, b, reach, is_measured_next, search, told);
   const bool is_decided = hulls != HullAnswer::open || overlapInside(a, b, reach);
   told.work += hulls != HullAnswer::open ? 0 : kInnerWork;
   told.state = hulls == HullAnswer::apart ? State::apart : State::contact;
@@ -137,7 +138,7 @@ ElementContact touchConcave(const PlacedElement& a, const PlacedElement& b, cons
     }
     told.work = found.work;
   }
-  if (decideWithoutTriangles(a, b, reach, search, told)) {
+  if (decideWithoutTriangles(a, b, reach, goal.is_measured_next, search, told)) {
     forecast.add(false);
     return told;
   }
@@ -152,7 +153,7 @@ ElementContact touchElements(const PlacedElement& a, const PlacedElement& b,
                              const ContactGoal& goal, ElementSearch& search) noexcept {
   const double paddings = a.element.padding + b.element.padding;
   if (a.element.convex && b.element.convex) {
-    return touchConvex(a, b, goal.distance + paddings, search);
+    return touchConvex(a, b, goal.distance + paddings, goal.is_measured_next, search);
   }
   return touchConcave(a, b, goal, std::max(goal.distance, 0.0) + paddings, search);
 }

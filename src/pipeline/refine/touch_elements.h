@@ -23,8 +23,9 @@ struct ElementContact {
 struct ContactGoal {
   /// [m] If < 0, depths of convex elements are measured; other elements overlap or do not.
   double distance{0.0};
-  bool asks_outside{false};  ///< ElementContact::outside is needed, too
-  double outside{0.0};       ///< [m] as MeshContactQuery::outside
+  bool asks_outside{false};     ///< ElementContact::outside is needed, too
+  double outside{0.0};          ///< [m] as MeshContactQuery::outside
+  bool is_measured_next{true};  ///< as HullGoal::asks_nearest: what hulls find serves the measuring
 };
 
 /// Decides whether two padded elements are within a distance of each other, by the cheapest test

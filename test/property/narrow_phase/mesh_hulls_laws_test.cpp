@@ -78,9 +78,10 @@ TEST_F(MeshHullsLaws, whatHullsTell_isTrueOfTheTriangles) {
       const MeshDistance truth =
           distanceBetween({a.tree, world_from_a}, {b.tree, world_from_b}, *memory_);
       const double stop_beyond = random_() % 4 == 0 ? 0.2 : 10.0;
+      const bool asks_nearest = random_() % 4 != 0;
       const MeshDistance found =
           distanceByHulls({a.around, &a.tree, world_from_a}, {b.around, &b.tree, world_from_b},
-                          stop_beyond, *memory_, {warm, nearest});
+                          {stop_beyond, 0.0, asks_nearest}, *memory_, {warm, nearest});
       if (found.state == MeshState::exact) {
         ++exact;
         ASSERT_EQ(truth.state, MeshState::exact);
@@ -108,7 +109,7 @@ TEST_F(MeshHullsLaws, queries_allocateNothing) {
   const AllocationGuard guard;
   for (int i = 0; i < 100; ++i) {
     const Pose pose = randomPose(random_, 1.0);
-    distanceByHulls({a.around, &a.tree, origin}, {b.around, &b.tree, pose}, 10.0, *memory_,
+    distanceByHulls({a.around, &a.tree, origin}, {b.around, &b.tree, pose}, {10.0}, *memory_,
                     {warm, nearest});
   }
   EXPECT_EQ(guard.count(), 0U);

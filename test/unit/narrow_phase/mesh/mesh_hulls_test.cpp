@@ -33,7 +33,7 @@ class MeshHulls : public testing::Test {
  protected:
   MeshDistance measure(const HeldSurface& a, const HeldSurface& b,
                        double stop_beyond = std::numeric_limits<double>::infinity()) {
-    return distanceByHulls(a, b, stop_beyond, *memory_, {warm_, nearest_});
+    return distanceByHulls(a, b, {stop_beyond}, *memory_, {warm_, nearest_});
   }
 
   std::unique_ptr<MeshQueryMemory> memory_ = std::make_unique<MeshQueryMemory>();
@@ -120,7 +120,7 @@ TEST_F(MeshHulls, nearestPointsOffTheSurface_countWithinTheTolerance) {
   const Pose pose = at(0.29, 0.29, 0.0);
   const HeldSurface b = small_.at(pose);
   const auto within = [&](double tolerance) {
-    return distanceByHulls(angle_.at(origin_), b, 10.0, *memory_, {warm_, nearest_}, tolerance);
+    return distanceByHulls(angle_.at(origin_), b, {10.0, tolerance}, *memory_, {warm_, nearest_});
   };
   const MeshDistance bound = within(0.0);
   EXPECT_EQ(bound.state, MeshState::lower_bound);
@@ -157,8 +157,8 @@ TEST_F(MeshHulls, overADent_theShortfallIsItsDepth) {
   const Hulled dented(plate);
   const Pose pose = at(0.0, 0.0, 0.12);
   const auto within = [&](double tolerance) {
-    return distanceByHulls(dented.at(origin_), small_.at(pose), 10.0, *memory_, {warm_, nearest_},
-                           tolerance);
+    return distanceByHulls(dented.at(origin_), small_.at(pose), {10.0, tolerance}, *memory_,
+                           {warm_, nearest_});
   };
   EXPECT_EQ(within(0.0).state, MeshState::lower_bound);
   EXPECT_EQ(within(1e-5).state, MeshState::lower_bound);
