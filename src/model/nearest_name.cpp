@@ -31,7 +31,7 @@ std::string nearestName(const std::string& name, const std::vector<std::string>&
   for (const std::string& candidate : known) {
     // At least this many letters must change; a name may be a million times as long.
     const std::size_t longer = std::max(name.size(), candidate.size());
-    if (longer - std::min(name.size(), candidate.size()) >= least) {
+    if (candidate == name || longer - std::min(name.size(), candidate.size()) >= least) {
       continue;
     }
     const std::size_t edits = editDistance(name, candidate);

@@ -82,9 +82,12 @@ class LateRobots(unittest.TestCase):
     def test_2b_objectsMayTouchLinksOfAMissingRobot(self):
         apply_objects = rospy.ServiceProxy("/collision_monitor/apply_objects", ApplyObjects)
         sphere = SolidPrimitive(type=SolidPrimitive.SPHERE, dimensions=[0.01])
-        pad = SceneObject(name="pad", primitives=[sphere], touch_links=["right/box_b"])
+        pad = SceneObject(name="pad", primitives=[sphere], touch_links=["right/box_b", "left/box_z"])
         pad.pose.position.z = 7.0
         pad.pose.orientation.w = 1.0
+        answer = apply_objects([SceneChange(kind=SceneChange.ADD, objects=[pad])])
+        self.assertIn("touch link 'left/box_z', which is unknown", answer.message)
+        pad.touch_links.pop()
         answer = apply_objects([SceneChange(kind=SceneChange.ADD, objects=[pad])])
         self.assertTrue(answer.success, answer.message)
         answer = apply_objects([SceneChange(kind=SceneChange.REMOVE, objects=[SceneObject(name="pad")])])
@@ -160,6 +163,12 @@ class LateRobots(unittest.TestCase):
         self.assertEqual(state.level, State.UNKNOWN)
         self.assertEqual(state.robots[0].level, State.OK)
         self.probe.wait(lambda: self.object_names() == ["shelf", "wall"], "the object attached to it to be gone")
+        self.assertEqual(self.objects.value.waiting, ["tool"])
+        another = SceneObject(name="tool", primitives=[SolidPrimitive(SolidPrimitive.SPHERE, [0.01])])
+        another.pose.orientation.w = 1.0
+        answer = rospy.ServiceProxy("/collision_monitor/apply_objects", ApplyObjects)(
+            [SceneChange(kind=SceneChange.ADD, objects=[another])])
+        self.assertIn("'tool': the name of an object that waits for a robot", answer.message)
 
     def test_8b_reloadThatWaits_keepsNoMuteFromEndingAndNoServiceWaiting(self):
         """The right robot is missing, and a reload waits for it."""

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -111,11 +112,16 @@ struct KnownPlaces {
   std::string world_frame;               ///< tf frame in which distances are measured
   /// Whether a frame that is neither a link's nor the world's exists; empty: any may come to exist.
   std::function<bool(const std::string& frame)> has_frame;
-  bool awaits_links{false};  ///< a touch link that is unknown may be one of a robot to come
+  bool awaits_links{false};       ///< robots are still to come
+  std::set<std::string> waiting;  ///< objects of the world before that wait for links of these
   std::string other_frames;  ///< in messages, beside links' frames; "": those of tf and the world's
   /// The newest pose of `child` (a frame, or a link by its name) in `parent`; nothing if it is not
   /// known. Empty: no pose is known.
   std::function<std::optional<Pose>(const std::string& parent, const std::string& child)> find_pose;
+
+  /// Whether a link that is unknown may be one of a robot to come: what stands before its last
+  /// slash is the prefix of no link that is known.
+  bool mayCome(const std::string& link) const;
 };
 
 /// The links of the robots and the world frame. Any other frame may come to exist.

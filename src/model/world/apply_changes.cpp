@@ -120,6 +120,8 @@ class ChangeMaker {
       refuse("a name with control characters", "names without");
     } else if (world_.objects.count(name) != 0) {
       refuse("this name twice", "names that no other object has; move and remove change objects");
+    } else if (places_.waiting.count(name) != 0) {
+      refuse("the name of an object that waits for a robot", "other names; remove ends its wait");
     } else if (links_.count(name) != 0 || frames_.count(name) != 0) {
       refuse("the name of a link", "a name that no link has");
     } else if (name == places_.world_frame) {
@@ -151,7 +153,7 @@ class ChangeMaker {
 
   void checkTouchLinks(const WorldObject& object) {
     for (const std::string& link : object.touch_links) {
-      if (!places_.awaits_links) {
+      if (!places_.mayCome(link)) {
         checkLink(link, "touch link");
       }
     }
@@ -161,6 +163,10 @@ class ChangeMaker {
     const auto place = world_.objects.find(name);
     if (place != world_.objects.end()) {
       return place->second.get();
+    }
+    if (places_.waiting.count(name) != 0) {
+      refuse("an object that waits for a robot", "one that is watched; remove ends the wait");
+      return nullptr;
     }
     std::vector<std::string> names;
     for (const auto& [known, object] : world_.objects) {

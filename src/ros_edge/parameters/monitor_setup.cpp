@@ -47,11 +47,7 @@ std::vector<WorldObject> objectsFor(const MonitorSetup& made, const MonitorSetup
   for (const auto& [name, object] : former->world.objects) {
     objects.push_back(*object);
   }
-  for (const WorldObject& object : former->held_back) {
-    if (former->world.objects.count(object.name) == 0) {  // else it was added meanwhile
-      objects.push_back(object);
-    }
-  }
+  objects.insert(objects.end(), former->held_back.begin(), former->held_back.end());
   return objects;
 }
 
@@ -70,7 +66,8 @@ World makeWorld(std::vector<WorldObject> objects, const RobotModel& model, bool 
     if (object.where.empty()) {
       object.where = "world";  // a service brought it
     }
-    const bool waits = isAnyMissing(made) && object.is_attached && !model.findLink(object.frame);
+    const bool waits = awaits_links && object.is_attached && !model.findLink(object.frame) &&
+                       (model.links.empty() || places.mayCome(object.frame));
     (waits ? made.held_back : change.objects).push_back(std::move(object));
   }
   return applyChanges(World(), {change}, places, report);
@@ -125,8 +122,10 @@ void warnOfMissing(MonitorSetup& made) {
         (object->where.empty() ? "world" : object->where) + ", object '" + name + "'";
     for (const std::string& link : object->touch_links) {
       if (!model.findLink(link)) {
+        const bool may_come = isAnyMissing(made);
         warnings.push_back({place, "touch link '" + link + "', which is not there", "",
-                            "it counts once a robot with it has come"});
+                            may_come ? "it counts once a robot with it has come"
+                                     : "no robot has it, so it counts for nothing"});
       }
     }
   }

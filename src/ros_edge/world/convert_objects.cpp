@@ -93,6 +93,9 @@ SceneObjects listOf(const MonitorSetup& setup) {
     message.objects.emplace_back();
     toMessage(*object, message.objects.back());
   }
+  for (const WorldObject& object : setup.held_back) {
+    message.waiting.push_back(object.name);
+  }
   return message;
 }
 

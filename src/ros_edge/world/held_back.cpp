@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <set>
 #include <string>
 
 namespace collision_monitor {
@@ -12,26 +11,19 @@ namespace collision_monitor {
 World worldBefore(const std::vector<ObjectChange>& changes, const MonitorSetup& current,
                   std::vector<WorldObject>& held_back) {
   World world = current.world;
-  std::set<std::string> added;
   held_back = current.held_back;
   for (const ObjectChange& change : changes) {
     if (change.kind == ChangeKind::clear || change.kind == ChangeKind::replace_all) {
       held_back.clear();
     }
     for (const WorldObject& object : change.objects) {
-      if (change.kind == ChangeKind::add) {
-        added.insert(object.name);
-      }
       const auto held =
           std::find_if(held_back.begin(), held_back.end(),
                        [&](const WorldObject& one) { return one.name == object.name; });
-      if (change.kind != ChangeKind::remove || held == held_back.end()) {
-        continue;
-      }
-      if (added.count(object.name) == 0) {  // else that one is removed, too
+      if (change.kind == ChangeKind::remove && held != held_back.end()) {
         world.objects.emplace(object.name, std::make_shared<const WorldObject>(*held));
+        held_back.erase(held);
       }
-      held_back.erase(held);
     }
   }
   return world;

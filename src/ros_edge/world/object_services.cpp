@@ -66,8 +66,12 @@ bool ObjectServices::apply(ApplyObjects::Request& request, ApplyObjects::Respons
     }
     const std::shared_ptr<const MonitorSetup> before = hooks_.current_setup();
     std::vector<WorldObject> held_back;
-    const World world = applyChanges(worldBefore(changes, *before, held_back), changes,
-                                     placesNow(*before, inputs_, kPatience), report);
+    const World start = worldBefore(changes, *before, held_back);
+    KnownPlaces places = placesNow(*before, inputs_, kPatience);
+    for (const WorldObject& object : held_back) {
+      places.waiting.insert(object.name);
+    }
+    const World world = applyChanges(start, changes, places, report);
     throwIfErrors(report);
     const std::lock_guard<std::mutex> swap(locks_.swap);  // only now: waiting for frames takes long
     const std::shared_ptr<const MonitorSetup> former = hooks_.current_setup();

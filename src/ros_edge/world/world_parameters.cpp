@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/world/world_parameters.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iterator>
 
 #include "model/number_text.h"
 #include "model/world/world_text.h"
@@ -81,9 +83,11 @@ std::vector<WorldObject> loadObjects(const Parameters& parameters,
   }
   try {
     const DocumentText text{file, load_resource(file), directoryOf(file)};
-    for (WorldObject& object : readWorld(text, load_resource, reading, report)) {
-      objects.push_back(std::move(object));
+    std::vector<WorldObject> of_file = readWorld(text, load_resource, reading, report);
+    if (of_file.empty() && report.errors.empty()) {
+      report.warnings.push_back({file, "no object", "", "nothing is watched beside the robots"});
     }
+    std::move(of_file.begin(), of_file.end(), std::back_inserter(objects));
   } catch (const std::exception& fault) {
     report.errors.push_back({parameters.setup.where + "world_file '" + file + "'", fault.what(),
                              "a readable file or package:// URI"});

@@ -21,6 +21,7 @@ TEST(NearestName, nothingNear_isEmpty) {
 
 TEST(NearestName, suggestionIsASentence) {
   EXPECT_EQ(suggestion("elbo", {"elbow"}), ", did you mean 'elbow'?");
+  EXPECT_EQ(suggestion("elbow", {"elbow"}), "");  // known as something else, as a frame is
 }
 
 }  // namespace

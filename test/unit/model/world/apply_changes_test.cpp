@@ -192,5 +192,17 @@ TEST(ApplyChanges, manyFaults_areListedUpToAHundred) {
             "changes: more faults than are listed here; accepted: changes without a fault");
 }
 
+TEST(KnownPlaces, linkOfARobotThatIsThere_doesNotCome) {
+  KnownPlaces places;
+  places.links = {"left/base", "cell/right/base", "lone_base"};
+  EXPECT_FALSE(places.mayCome("up/base"));  // no robot is to come
+  places.awaits_links = true;
+  EXPECT_TRUE(places.mayCome("up/base"));
+  EXPECT_TRUE(places.mayCome("right/base"));
+  EXPECT_TRUE(places.mayCome("other_base"));
+  EXPECT_FALSE(places.mayCome("left/bsae"));
+  EXPECT_FALSE(places.mayCome("cell/right/bsae"));
+}
+
 }  // namespace
 }  // namespace collision_monitor::test

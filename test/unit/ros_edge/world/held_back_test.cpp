@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ros_edge/world/held_back.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "unit/ros_edge/world_scene.h"
@@ -24,8 +25,9 @@ class HeldBack : public testing::Test {
   std::vector<std::string> apply(const std::vector<ObjectChange>& changes) {
     SetupReport report;
     const World before = worldBefore(changes, *setup_, held_back_);
-    world_ =
-        applyChanges(before, changes, placesOf(setup_->robots->model, setup_->world_frame), report);
+    KnownPlaces places = placesOf(setup_->robots->model, setup_->world_frame);
+    places.waiting = {"rack"};
+    world_ = applyChanges(before, changes, places, report);
     return textsOf(report.errors);
   }
   std::vector<std::string> heldBack() const {
@@ -47,13 +49,20 @@ TEST_F(HeldBack, objectThatIsRemoved_doesNotComeBack) {
   EXPECT_EQ(world_.objects.size(), 1U);
 }
 
-TEST_F(HeldBack, objectThatIsAddedMeanwhileAndRemoved_doesNotComeBack) {
+TEST_F(HeldBack, nameOfAWaitingObject_isTakenUntilItIsRemoved) {
+  const WorldObject rack = objectOf("rack", Sphere{0.2}, at(0, 0, 8));
+  EXPECT_THAT(apply({{ChangeKind::add, {rack}, true}}),
+              testing::ElementsAre(testing::HasSubstr(
+                  "'rack': the name of an object that waits for a robot; accepted: other names; "
+                  "remove ends its wait")));
+  EXPECT_THAT(apply({{ChangeKind::move, {named("rack")}, true}}),
+              testing::ElementsAre(testing::HasSubstr("'rack': an object that waits for a robot")));
   const WorldObject gripper = objectOf("gripper", Sphere{0.2}, at(0, 0, 8));
   EXPECT_EQ(
-      apply({{ChangeKind::add, {gripper}, true}, {ChangeKind::remove, {named("gripper")}, true}}),
+      apply({{ChangeKind::remove, {named("gripper")}, true}, {ChangeKind::add, {gripper}, true}}),
       std::vector<std::string>());
   EXPECT_EQ(heldBack(), std::vector<std::string>{"rack"});
-  EXPECT_EQ(world_.objects.size(), 1U);
+  EXPECT_EQ(world_.objects.size(), 2U);
 }
 
 TEST_F(HeldBack, otherChanges_leaveThem) {

@@ -30,5 +30,23 @@ TEST(ObjectsWithoutFrame, whileTheFirstRobotIsMissing_areRefused) {
   EXPECT_TRUE(faultsOf({"left", RobotId{0}, "", false}, "").empty());
 }
 
+TEST(WorldFile, withoutObjects_isWarnedOf) {
+  Parameters parameters;
+  parameters.world_file = "cell.yaml";
+  const auto warningsOf = [&](const std::string& text) {
+    SetupReport report;
+    EXPECT_TRUE(loadObjects(
+                    parameters, [&](const std::string&) { return text; }, report)
+                    .empty());
+    EXPECT_TRUE(report.errors.empty());
+    return textsOf(report.warnings);
+  };
+  const std::vector<std::string> warning{
+      "cell.yaml: no object; nothing is watched beside the robots"};
+  for (const char* text : {"", "# nothing yet\n", "world: []\n"}) {
+    EXPECT_EQ(warningsOf(text), warning) << text;
+  }
+}
+
 }  // namespace
 }  // namespace collision_monitor::test
