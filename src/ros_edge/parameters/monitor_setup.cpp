@@ -68,6 +68,9 @@ World makeWorld(std::vector<WorldObject> objects, const RobotModel& model, bool 
     }
     const bool waits = awaits_links && object.is_attached && !model.findLink(object.frame) &&
                        (model.links.empty() || places.mayCome(object.frame));
+    if (waits) {
+      places.waiting.insert(object.name);
+    }
     (waits ? made.held_back : change.objects).push_back(std::move(object));
   }
   return applyChanges(World(), {change}, places, report);

@@ -168,6 +168,19 @@ TEST_F(LateRobotsTest, robotThatAnObjectKeepsOut_comesInWithoutBeingBuiltAgain) 
   EXPECT_TRUE(current_->listed[1].id);
 }
 
+TEST_F(LateRobotsTest, nameTwice_ofAnObjectThatWaits_isAFault) {
+  listThird();
+  addObject("tool");
+  const auto twice = std::make_shared<MonitorSetup>(*current_);
+  twice->held_back = {attached(objectOf("tool", Sphere{0.1}), "third/hand")};
+  current_ = twice;
+  right_ = descriptions_[1];
+  look(2);
+  EXPECT_FALSE(current_->listed[1].id);
+  EXPECT_NE(current_->listed[1].missing.find("the name of an object that waits"), std::string::npos)
+      << current_->listed[1].missing;
+}
+
 TEST_F(LateRobotsTest, faultOfOneRobot_keepsNoOtherAway) {
   listThird();
   breakRight();
