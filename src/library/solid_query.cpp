@@ -107,7 +107,7 @@ bool SolidQuery::collide(const Solid& a, const Pose& world_from_a, const Solid& 
   ElementSearch search = work_->searchFor(a, b);
   // Without a budget every search ends. Should one not, the solids count as touching.
   return touchElements({a.parts_->element, world_from_a}, {b.parts_->element, world_from_b},
-                       {0.0, false, 0.0, false}, search)
+                       contactAlone(0.0), search)
              .state != ElementContact::State::apart;
 }
 

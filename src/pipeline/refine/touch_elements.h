@@ -28,6 +28,9 @@ struct ContactGoal {
   bool is_measured_next{true};  ///< as HullGoal::asks_nearest: what hulls find serves the measuring
 };
 
+/// Contact within a distance, and nothing beside it.
+inline ContactGoal contactAlone(double distance) noexcept { return {distance, false, 0.0, false}; }
+
 /// Decides whether two padded elements are within a distance of each other, by the cheapest test
 /// that decides it: hulls, then inner shapes, then hierarchies of triangles. Where few triangles
 /// found the last contacts, some are asked first. Measures nothing.

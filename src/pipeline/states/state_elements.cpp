@@ -54,7 +54,7 @@ bool isTouching(const StateSearch& state, const ElementsInState& pair) noexcept 
   ElementSearch search = searchFor(state, pair.elements, kInfinity);
   const ElementContact found =
       touchElements(placed(state, elements.a), placed(state, elements.b),
-                    {contactOfElements(state.setup, pair.elements), false, 0.0, false}, search);
+                    contactAlone(contactOfElements(state.setup, pair.elements)), search);
   // If contact is unknown, the enclosing shapes decide, which touch.
   return found.state != ElementContact::State::apart;
 }
