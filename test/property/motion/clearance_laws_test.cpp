@@ -6,11 +6,11 @@
 
 #include "motion/convex_clearance.h"
 #include "motion/mesh_clearance.h"
-#include "support/case_count.h"
 #include "support/fixed_seed.h"
 #include "support/query_meshes.h"
 #include "support/robots/random_motions.h"
 #include "support/sample_meshes.h"
+#include "support/sanitizer.h"
 
 namespace collision_monitor::test {
 namespace {

@@ -11,7 +11,6 @@
 #include "pipeline/cycle/run_cycle.h"
 #include "pipeline/states/check_states.h"
 #include "support/allocation_guard.h"
-#include "support/case_count.h"
 #include "support/fixed_seed.h"
 #include "support/query_meshes.h"
 #include "support/reference/convex_measure.h"
@@ -20,6 +19,7 @@
 #include "support/robots/random_model.h"
 #include "support/robots/ruled_setup.h"
 #include "support/sample_meshes.h"
+#include "support/sanitizer.h"
 
 // States of robots of meshes, held to cycles without a budget.
 namespace collision_monitor::test::exact_states {
@@ -131,7 +131,7 @@ TEST(ExactStatesLaws, verdictsAreThoseOfCyclesWithoutABudget) {
   Random random(kSeed);
   std::size_t contacts = 0;
   std::size_t clear = 0;
-  constexpr int kRounds = test::caseCount(60);
+  const int kRounds = test::caseCount(60);
   for (int round = 0; round < kRounds; ++round) {
     Scene scene(round % 3 == 0 ? 0.004 : 0.0, random, 3 * round >= 2 * kRounds);
     const std::vector<StateCheck> contact = scene.check(StateQuestion::contact);

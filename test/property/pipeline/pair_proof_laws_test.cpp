@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/pair_search/descend.h"
-#include "support/case_count.h"
 #include "support/fixed_seed.h"
 #include "support/robots/urdf_text.h"
+#include "support/sanitizer.h"
 
 // Proofs and bounds about pairs of links, held to states that try to break them. Robots are small
 // and random: chains of two arms with all kinds of joints and shapes.

@@ -16,10 +16,10 @@
 #include "pipeline/objects/carry_objects.h"
 #include "pipeline/world/add_world.h"
 #include "support/allocation_guard.h"
-#include "support/case_count.h"
 #include "support/random_poses.h"
 #include "support/robots/hand_made_setup.h"
 #include "support/robots/world_objects.h"
+#include "support/sanitizer.h"
 
 /// A cycle leaves out objects that rest and pairs that are quiet. It must tell what a cycle tells
 /// that looks at everything.

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include "mesh_file.h"
-#include "support/assimp_leaks.h"
 
 namespace collision_monitor::test {
 namespace {

@@ -11,7 +11,6 @@
 #include <cstring>
 
 #include "mesh_file.h"
-#include "support/assimp_leaks.h"
 #include "support/scratch_folder.h"
 
 namespace collision_monitor::test {

@@ -10,7 +10,6 @@
 #include "collision_monitor/model/kinematics.h"
 #include "collision_monitor/model/pair_rules.h"
 #include "model/mesh_files/mesh_reader.h"
-#include "support/assimp_leaks.h"
 #include "support/robots/file_loader.h"
 
 namespace collision_monitor {

@@ -12,6 +12,7 @@
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "support/robots/urdf_text.h"
+#include "support/sanitizer.h"
 
 namespace collision_monitor {
 namespace {
@@ -49,8 +50,6 @@ std::size_t allocatedBytes() {
   return info.uordblks + info.hblkhd;
 }
 
-bool hasPlainMalloc() { return allocatedBytes() > 0; }
-
 LinkPoses firstPoses(const RobotModel& model) {
   LinkPoses poses = makeLinkPoses(model);
   std::fill(poses.status.begin(), poses.status.end(), LinkStatus::known);
@@ -61,7 +60,7 @@ LinkPoses firstPoses(const RobotModel& model) {
 // 278 MB once, of which 1.8 kB for each pair of elements that may be refined. Nothing is known of
 // the links' velocities, so every pair is measured.
 TEST(MemoryNeed, fiveHundredLinks_takeTensOfMegabytes) {
-  if (!hasPlainMalloc()) {
+  if (test::isSanitized()) {
     GTEST_SKIP() << "a sanitizer's memory";
   }
   const std::size_t before = residentBytes();
@@ -74,7 +73,7 @@ TEST(MemoryNeed, fiveHundredLinks_takeTensOfMegabytes) {
 }
 
 TEST(MemoryNeed, foretold_isAllThatIsTaken) {
-  if (!hasPlainMalloc()) {
+  if (test::isSanitized()) {
     GTEST_SKIP() << "a sanitizer's memory";
   }
   for (const std::size_t links : {200U, 600U}) {
