@@ -3,8 +3,8 @@
 //
 // Times of whole cycles of moving robots, and of each stage. The joints move from one random
 // configuration towards the next, the fastest at SPEED rad/s, and poses come at a rate. Each of 20
-// such moves lasts half a second. The set-up is a monitor's default, then the same without checking
-// the motion between two cycles.
+// such moves lasts half a second. The set-up is a monitor's default: first nobody listens to
+// distances, then somebody does, then the motion between two cycles is not checked, either.
 //   cycle_bench RATE_HZ SPEED [ROBOT...]    robots by a part of their names; panda_moveit and atlas
 #include <algorithm>
 #include <chrono>
@@ -25,6 +25,7 @@
 #include "pipeline/cycle/keep_near.h"
 #include "pipeline/cycle/list_near.h"
 #include "pipeline/cycle/measure_pairs.h"
+#include "pipeline/cycle/measure_told.h"
 #include "pipeline/cycle/place_bodies.h"
 #include "pipeline/cycle/run_cycle.h"
 #include "pipeline/cycle/scale_speed.h"
@@ -101,6 +102,9 @@ class Stages {
     end("8 refinePairs, measureDeferred");
     measureClosest(setup, poses, reach, buffers);
     end("9 measureClosest");
+    findClosings(setup, poses, buffers.distances);
+    measureTold(setup, poses, buffers);
+    end("9 findClosings, measureTold");
     if (setup.is_continuous) {
       sweepPairs(setup, buffers.memory.refined, buffers.refine, buffers.sweep, buffers.distances);
       end("a sweepPairs");
@@ -109,13 +113,12 @@ class Stages {
 
   void judge(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) {
     keepPoses(poses, buffers.body_poses, buffers.memory.last);
-    findClosings(setup, poses, buffers.distances);
     judgePairs(setup, buffers.body_poses, poses.velocities, buffers.distances, buffers.memory,
                buffers.events);
     scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.reported,
                buffers.memory.speed, buffers.robots);
     keepLively(setup, buffers.events, buffers.memory);
-    end("b keepPoses, findClosings, judgePairs, scaleSpeed");
+    end("b keepPoses, judgePairs, scaleSpeed");
   }
 
   void end(const std::string& stage) {
@@ -226,9 +229,11 @@ void printCycles(const std::string& what, std::vector<double> times, const Count
       counts.swept / cycles, 100.0 * counts.exceeded / cycles, 100.0 * counts.over_cap / cycles);
 }
 
-void timeCycles(const std::string& what, const CycleSetup& setup, const std::vector<Move>& moves) {
+void timeCycles(const std::string& what, const CycleSetup& setup, bool tells_all,
+                const std::vector<Move>& moves) {
   CycleBuffers buffers = makeBuffers(setup, BroadPhaseKind::automatic);
   CycleBuffers staged = makeBuffers(setup, BroadPhaseKind::automatic);
+  buffers.refine.tells_all = staged.refine.tells_all = tells_all;
   Stages stages;
   std::vector<double> times;
   CycleTimes split;
@@ -266,9 +271,10 @@ void timeRobot(const RobotFile& robot, double rate, double speed) {
   std::printf("%s at %.0f Hz, %g rad/s: %zu shapes, %zu pairs of %zu pairs of links\n",
               robot.name.c_str(), rate, speed, setup.bodies.size(), setup.table.size(),
               setup.checked.size());
-  timeCycles("by default", setup, moves);
+  timeCycles("nobody listens to distances", setup, false, moves);
+  timeCycles("somebody listens to distances", setup, true, moves);
   setup.is_continuous = false;
-  timeCycles("not continuous", setup, moves);
+  timeCycles("not continuous, either", setup, true, moves);
 }
 
 int runBench(double rate, double speed, const std::vector<std::string>& names) {

@@ -38,7 +38,7 @@ NearestSeen::NearestSeen(const CycleSetup& setup)
 }
 
 void NearestSeen::add(const CycleSetup& setup, const LinkPoses& poses, const JointReader& joints,
-                      const CycleBuffers& buffers) noexcept {
+                      CycleBuffers& buffers) noexcept {
   bool has_positions = false;
   const auto look = [&](const PairDistance& measured) {
     const LinkPairIndex pair = setup.link_pair_of[index(measured.pair)];
@@ -48,6 +48,7 @@ void NearestSeen::add(const CycleSetup& setup, const LinkPoses& poses, const Joi
     }
     const std::uint32_t record = recordOf(pair);
     records_[record] = {measured.measured.distance, poses.stamp_ns, measured.quality};
+    buffers.refine.told_below[pair] = measured.measured.distance;
     if (!has_positions) {
       readPositions(setup, poses, joints);
       has_positions = true;
@@ -117,14 +118,15 @@ void NearestSeen::touchRoomFor(std::size_t pairs) {
   positions_.clear();
 }
 
-void NearestSeen::inherit(const NearestSeen& former,
-                          const std::vector<LinkPairIndex>& pair_to) noexcept {
+void NearestSeen::inherit(const NearestSeen& former, const std::vector<LinkPairIndex>& pair_to,
+                          RefineWork& refine) noexcept {
   std::fill(now_.begin(), now_.end(), kUnknown);
   for (std::uint32_t before = 0; before < former.records_.size(); ++before) {
     const LinkPairIndex pair = pair_to[former.pairs_[before]];
     if (pair != kNone) {
       const std::uint32_t record = recordOf(pair);
       records_[record] = former.records_[before];
+      refine.told_below[pair] = records_[record].distance;
       const bool has_positions = variables_ == former.variables_ && former.hasPositions(before);
       keepPositions(record, has_positions ? former.positionsAt(before) : now_.data());
     }

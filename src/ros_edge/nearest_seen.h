@@ -25,8 +25,9 @@ class NearestSeen {
 
   /// Keeps the distances of a cycle that are the least so far, and the positions of joints then.
   /// Positions follow from the poses; joint states tell whole turns.
+  /// Asks the next cycles to tell distances below these.
   void add(const CycleSetup& setup, const LinkPoses& poses, const JointReader& joints,
-           const CycleBuffers& buffers) noexcept;
+           CycleBuffers& buffers) noexcept;
 
   /// Touches the memory that records of some pairs will take: a first touch takes long.
   /// @pre nothing was added
@@ -34,7 +35,8 @@ class NearestSeen {
 
   /// Takes over what another one has of pairs that both check.
   /// @param pair_to as in CarryPlan
-  void inherit(const NearestSeen& former, const std::vector<LinkPairIndex>& pair_to) noexcept;
+  void inherit(const NearestSeen& former, const std::vector<LinkPairIndex>& pair_to,
+               RefineWork& refine) noexcept;
 
   Record of(LinkPairIndex pair) const noexcept {
     return record_of_[pair] == kNone ? Record() : records_[record_of_[pair]];

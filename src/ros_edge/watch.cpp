@@ -56,6 +56,8 @@ Watch::Watch(std::shared_ptr<const MonitorSetup> fixed_parts, const TransformSto
       joined_to(poses.part.size()),
       was_there(robotCount(setup().model), 0) {
   forgetJoined();
+  std::fill(buffers.refine.told_below.begin(), buffers.refine.told_below.end(),
+            NearestSeen::Record().distance);
 }
 
 PoseReader makePoseReader(const MonitorSetup& setup, const TransformStore& store,
@@ -201,7 +203,7 @@ std::vector<LinkPairIndex> Watch::takeOver(Watch& former) {
     was_there[i] = carried.robot_of[i] == kNone ? 0 : former.was_there[carried.robot_of[i]];
   }
   if (former.fixed->robots == fixed->robots) {  // not reloaded
-    nearest.inherit(former.nearest, carried.pair_to);
+    nearest.inherit(former.nearest, carried.pair_to, buffers.refine);
   }
   planned_from.reset();
   is_new_ = true;

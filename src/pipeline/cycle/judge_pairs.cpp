@@ -20,22 +20,6 @@ bool isSoon(double time, double threshold, double hysteresis) noexcept {
   return threshold > 0.0 && time <= threshold + hysteresis;
 }
 
-/// A verdict is raised at its threshold and left only `hysteresis` beyond it.
-Verdict verdictFor(double distance, double time, const Limits& limits, Verdict before) noexcept {
-  const bool was_touching = before == Verdict::contact;
-  if (distance <= limits.contact_distance + (was_touching ? limits.hysteresis : 0.0) ||
-      isSoon(time, limits.contact_time, was_touching ? limits.time_hysteresis : 0.0)) {
-    return Verdict::contact;
-  }
-  const bool was_near = was_touching || before == Verdict::warning;
-  if (distance <= limits.warning_distance + (was_near ? limits.hysteresis : 0.0) ||
-      isSoon(time, limits.warning_time, was_near ? limits.time_hysteresis : 0.0)) {
-    return Verdict::warning;
-  }
-  // A NaN distance would be our bug; it must not read as clear.
-  return distance > limits.warning_distance ? Verdict::clear : Verdict::unknown;
-}
-
 /// Sorts pairs, which are marked. Of many pairs the marks are read in order: that is faster.
 void sortMarked(std::vector<unsigned char>& marks, std::vector<LinkPairIndex>& pairs) noexcept {
   constexpr std::size_t kSparse = 64;
@@ -227,6 +211,21 @@ void report(LinkPairIndex pair, Verdict verdict, PairMemory& memory, PairEvents&
 }
 
 }  // namespace
+
+Verdict verdictFor(double distance, double time, const Limits& limits, Verdict before) noexcept {
+  const bool was_touching = before == Verdict::contact;
+  if (distance <= limits.contact_distance + (was_touching ? limits.hysteresis : 0.0) ||
+      isSoon(time, limits.contact_time, was_touching ? limits.time_hysteresis : 0.0)) {
+    return Verdict::contact;
+  }
+  const bool was_near = was_touching || before == Verdict::warning;
+  if (distance <= limits.warning_distance + (was_near ? limits.hysteresis : 0.0) ||
+      isSoon(time, limits.warning_time, was_near ? limits.time_hysteresis : 0.0)) {
+    return Verdict::warning;
+  }
+  // A NaN distance would be our bug; it must not read as clear.
+  return distance > limits.warning_distance ? Verdict::clear : Verdict::unknown;
+}
 
 void forgetTold(PairEvents& events) noexcept {
   for (const LinkPairIndex pair : events.active) {

@@ -7,6 +7,10 @@
 
 namespace collision_monitor {
 
+/// The verdict of a pair by its distance [m] and time to contact [s]. It is raised at its threshold
+/// and left only `hysteresis` beyond it.
+Verdict verdictFor(double distance, double time, const Limits& limits, Verdict before) noexcept;
+
 /// Judges the pairs that have a distance or are lively, or all if `memory.judges_all`.
 void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
                 const LinkVelocities& velocities, const PairDistances& distances,

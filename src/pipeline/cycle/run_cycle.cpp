@@ -16,6 +16,7 @@
 #include "pipeline/cycle/keep_near.h"
 #include "pipeline/cycle/list_near.h"
 #include "pipeline/cycle/measure_pairs.h"
+#include "pipeline/cycle/measure_told.h"
 #include "pipeline/cycle/place_bodies.h"
 #include "pipeline/cycle/scale_speed.h"
 #include "pipeline/data/activation_distance.h"
@@ -72,7 +73,9 @@ void measureNear(const CycleSetup& setup, const LinkPoses& poses, bool counts_bo
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   keepNear(setup, buffers);
   buffers.refine.elapsed = buffers.sweep.elapsed;
-  buffers.refine.near_bodies = counts_bodies ? buffers.counters.candidates : 0;
+  constexpr std::size_t kCulled = 8;  // candidates are passed over in the time of one measurement
+  buffers.refine.near_bodies =
+      counts_bodies ? buffers.candidates.size() + buffers.counters.candidates / kCulled : 0;
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
 }
 
@@ -108,11 +111,12 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   measureNear(setup, poses, true, buffers);
   measureDeferred(setup, buffers);
   measureClosest(setup, poses, reach, buffers);
+  findClosings(setup, poses, buffers.distances);
+  measureTold(setup, poses, buffers);
   if (setup.is_continuous) {
     sweepPairs(setup, buffers.memory.refined, buffers.refine, buffers.sweep, buffers.distances);
   }
   keepPoses(poses, buffers.body_poses, buffers.memory.last);
-  findClosings(setup, poses, buffers.distances);
   judgePairs(setup, buffers.body_poses, poses.velocities, buffers.distances, buffers.memory,
              buffers.events);
   scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.reported,

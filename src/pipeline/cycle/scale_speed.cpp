@@ -138,6 +138,7 @@ RobotSpeeds makeRobotSpeeds(const RobotModel& model) {
   robots.scales.resize(robotCount(model) + 1, 1.0);
   robots.is_excused.resize(robots.scales.size(), 0);
   robots.demands.resize(robots.scales.size());
+  robots.least.resize(robots.scales.size());
   robots.has_unknown.resize(robots.scales.size() * robots.scales.size(), 0);
   robots.robot_of_link = findMovers(model);
   return robots;

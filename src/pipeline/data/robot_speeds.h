@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "collision_monitor/model/robot_model.h"
@@ -13,6 +14,13 @@ namespace collision_monitor {
 struct SpeedDemand {
   double scale{1.0};
   bool is_free{true};  ///< nothing closes, nothing near rests, and nothing is unknown
+};
+
+/// The least that pairs say, at most.
+struct LeastOfPairs {
+  double distance{std::numeric_limits<double>::infinity()};  ///< [m]
+  double time{std::numeric_limits<double>::infinity()};      ///< [s] to contact
+  double scale{1.0};                                         ///< of the speed
 };
 
 /// Bits of RobotSpeeds::has_unknown.
@@ -28,6 +36,7 @@ struct RobotSpeeds {
   std::vector<unsigned char> is_excused;
   std::vector<std::uint32_t> robot_of_link;  ///< by LinkId: findMovers
   std::vector<SpeedDemand> demands;          ///< scratch
+  std::vector<LeastOfPairs> least;           ///< scratch of measureTold
   /// By robot * number of scales + robot: kHasUnknown, kHasLost, of pairs between them.
   std::vector<unsigned char> has_unknown;
   std::uint64_t noted{0};  ///< PairEvents::complete_judgements that `has_unknown` follows

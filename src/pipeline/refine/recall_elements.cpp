@@ -50,8 +50,8 @@ ElementDistance recallElements(const LastMeasurement& last, const PlacedElement&
   return recalled;
 }
 
-std::optional<ElementDistance> recallWithin(double tolerance, const LastMeasurement& last,
-                                            const PlacedElement& a, const PlacedElement& b,
+std::optional<ElementDistance> recallPoints(const LastMeasurement& last, const PlacedElement& a,
+                                            const PlacedElement& b,
                                             const ElementDistance& recalled) noexcept {
   const double bound = recalled.measured.distance;
   if (!last.found.has_points || !last.found.is_complete || !(bound > 0.0) ||
@@ -67,10 +67,11 @@ std::optional<ElementDistance> recallWithin(double tolerance, const LastMeasurem
   const Eigen::Vector3d travel =
       carried(measured.point_on_b, last.world_from_b, b.world_from_element) - on_a;
   const double length = travel.norm();
-  if (!(length + last.found.shortfall - bound <= tolerance)) {
+  if (!(length > 0.0)) {
     return std::nullopt;
   }
   ElementDistance found = recalled;
+  found.shortfall = length + last.found.shortfall - bound;
   found.quality = last.found.quality;
   found.has_points = found.is_complete = true;
   const Eigen::Vector3d normal = travel / length;

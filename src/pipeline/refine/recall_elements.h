@@ -19,12 +19,13 @@ Ball ballOf(const Element& element);
 ElementDistance recallElements(const LastMeasurement& last, const PlacedElement& a,
                                const PlacedElement& b, const std::array<Ball, 2>& balls) noexcept;
 
-/// The last distance, if it is still within a tolerance: the recalled lower bound, between the last
-/// witness points carried to the poses now. Their distance is an upper bound of that of the
-/// elements.
-/// @param recalled from recallElements. @param tolerance [m] as in RefineLimits.
-std::optional<ElementDistance> recallWithin(double tolerance, const LastMeasurement& last,
-                                            const PlacedElement& a, const PlacedElement& b,
+/// The recalled lower bound between the last witness points, carried to the poses now. Their
+/// distance is an upper bound of that of the elements: `shortfall` says how much larger it is.
+/// Nothing where there were no points, where nothing is left of the bound, or for two convex
+/// elements, which are measured as fast.
+/// @param recalled from recallElements
+std::optional<ElementDistance> recallPoints(const LastMeasurement& last, const PlacedElement& a,
+                                            const PlacedElement& b,
                                             const ElementDistance& recalled) noexcept;
 
 }  // namespace collision_monitor

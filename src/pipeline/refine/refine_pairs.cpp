@@ -119,25 +119,35 @@ void report(const Refinement& all, RefineTask& task, const ElementDistance& foun
   task.outside = found.outside;
   PairDistance& distance = all.distances.pairs[task.place];
   takeOver(found, contactOfElements(all.setup, task.pair), distance);
+  const bool is_short = found.shortfall > work.limits.tolerance;
+  distance.shortfall =
+      is_short ? found.measured.distance + found.shortfall - distance.measured.distance : 0.0;
   work.is_measured[task.pair] = 1;
   ++(found.is_complete ? work.refined : work.left);
   if (found.is_complete) {
     double& nearest = work.nearest[all.setup.element_pairs[task.pair].link_pair];
-    nearest = std::min(nearest, distance.measured.distance);
+    nearest = std::min(nearest, distance.measured.distance + distance.shortfall);
     if (work.finds_nearest && !distance.is_raised) {
       work.cutoff = std::min(work.cutoff, distance.measured.distance);
     }
   }
 }
 
-/// The recalled measurement; within the tolerance where no verdict depends on it.
+/// The recalled measurement; with its points where they suffice.
 ElementDistance recallToCutoff(const Refinement& all, const RefineTask& task) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   const ElementDistance recalled = recallTask(all, task);
-  const std::optional<ElementDistance> within =
-      recallWithin(all.work.limits.tolerance, all.memory.refined.lastOf(task.pair),
-                   placed(all, pair.a), placed(all, pair.b), recalled);
-  return within && !isAtThreshold(all, task, *within) ? *within : recalled;
+  std::optional<ElementDistance> points = recallPoints(
+      all.memory.refined.lastOf(task.pair), placed(all, pair.a), placed(all, pair.b), recalled);
+  if (!points) {
+    return recalled;
+  }
+  if (points->shortfall <= all.work.limits.tolerance) {
+    return isAtThreshold(all, task, *points) ? recalled : *points;
+  }
+  const bool may_wait = !all.work.tells_all && task.starved_cycles == 0;
+  points->quality = Quality::lower_bound;
+  return may_wait ? *points : recalled;
 }
 
 void refine(const Refinement& all, RefineTask& task) noexcept {
@@ -231,6 +241,21 @@ void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemor
   refineTasks(all);
   deepenOverlaps(all);
   dropFarther(all);
+}
+
+void measureFully(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
+                  std::uint32_t place, RefineWork& work, PairDistances& distances) noexcept {
+  const Refinement all{setup, body_poses, memory, work, distances};
+  RefineTask& task =
+      work.tasks[work.task_of[setup.element_pair_of[index(distances.pairs[place].pair)]]];
+  const Goal goal{cutoffFor(all, task), budgetOf(all)};
+  if (work.work_done < goal.budget) {
+    task.place = place;
+    --work.refined;  // it is counted again
+    report(all, task, measureTask(all, task, goal, recallTask(all, task)));
+  } else {
+    ++memory.starved_cycles[task.pair];
+  }
 }
 
 }  // namespace collision_monitor

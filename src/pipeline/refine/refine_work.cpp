@@ -61,6 +61,7 @@ RefineWork makeRefineWork(const CycleSetup& setup) {
   work.is_measured.resize(pairs, 0);
   work.is_passed.resize(pairs, 0);
   work.nearest.resize(setup.checked.size(), std::numeric_limits<double>::infinity());
+  work.told_below.resize(setup.checked.size(), -std::numeric_limits<double>::infinity());
   for (const Element& element : setup.elements) {
     work.balls.push_back(ballOf(element));
   }

@@ -93,11 +93,20 @@ std::optional<PairView> CycleRunner::viewPair(const std::string& link_a,
   return request->view;
 }
 
+/// @return whether there are requests. This cycle answers them.
+bool CycleRunner::awaitViews() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const std::shared_ptr<ViewRequest>& request : view_requests_) {
+    request->is_awaited = true;
+  }
+  return !view_requests_.empty();
+}
+
 /// Verdicts are those of the cycle that has just ended.
 void CycleRunner::answerViews() {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const std::shared_ptr<ViewRequest>& request : view_requests_) {
-    if (!request->view) {
+    if (request->is_awaited && !request->view) {
       request->view = viewOf(*watch_, request->link_a, request->link_b);
     }
   }
@@ -204,6 +213,9 @@ void CycleRunner::runOnce() {
     }
     is_new = true;
   }
+  publishers_.askWhoListens(steady_now);
+  const bool are_views_awaited = awaitViews();
+  watch_->buffers.refine.tells_all = are_views_awaited || publishers_.tellsAll();
   watch_->cycle();
   ++facts_.cycles;
   countStep(watch_->buffers.sweep, facts_.steps);

@@ -59,6 +59,7 @@ class CycleRunner {
   bool readPoses(const ros::Time& now);
   void publish(bool is_new);
   void summarize(const State& state);
+  bool awaitViews();
   void answerViews();
 
   ros::NodeHandle private_node_;
@@ -74,6 +75,7 @@ class CycleRunner {
   struct ViewRequest {
     std::string link_a;
     std::string link_b;
+    bool is_awaited{false};  ///< a cycle has begun that tells all distances
     std::optional<PairView> view;
   };
 

@@ -81,7 +81,6 @@ void Publishers::askWhoListens(ros::SteadyTime now) {
 /// Computes everything first, then sends it: each message wakes roscpp's network thread unless the
 /// previous one has just done so.
 const State& Publishers::publishCycle(const Watch& watch, const CycleFacts& facts) {
-  askWhoListens(ros::SteadyTime::now());
   toMessage(watch, facts, state_);
   if (listeners_.to_contacts) {
     toMessage(watch, contacts_);

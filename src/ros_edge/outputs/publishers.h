@@ -38,6 +38,14 @@ class Publishers {
   /// Publishes markers that have been drawn since the last call.
   void publishMarkers();
 
+  /// Notes which topics have listeners, at most every 10 ms.
+  void askWhoListens(ros::SteadyTime now);
+
+  /// Whether somebody listens to the distances of all near pairs.
+  bool tellsAll() const noexcept {
+    return listeners_.to_contacts || listeners_.to_distances || listeners_.to_markers;
+  }
+
  private:
   /// Which topics have listeners. Asking takes a lock and a search for the topic.
   struct Listeners {
@@ -47,8 +55,6 @@ class Publishers {
     bool to_distances{false};
     bool to_markers{false};
   };
-
-  void askWhoListens(ros::SteadyTime now);
 
   ros::Publisher state_publisher_;
   ros::Publisher is_valid_publisher_;

@@ -71,21 +71,21 @@ TEST_F(RecallElements, overlapThatMoved_saysNothing) {
 }
 
 /// The first ball has a mesh in its place.
-class RecallWithin : public RecallElements {
+class RecallPoints : public RecallElements {
  protected:
-  RecallWithin() { last_.found.measured = {0.3, {0.1, 0, 0}, {0.4, 0, 0}, {1, 0, 0}}; }
+  RecallPoints() { last_.found.measured = {0.3, {0.1, 0, 0}, {0.4, 0, 0}, {1, 0, 0}}; }
 
-  std::optional<ElementDistance> within(double tolerance, const Pose& world_from_b) const {
+  std::optional<ElementDistance> pointsFor(const Pose& world_from_b) const {
     const Pose origin;
-    return recallWithin(tolerance, last_, {mesh_, origin}, {ball_, world_from_b},
+    return recallPoints(last_, {mesh_, origin}, {ball_, world_from_b},
                         recall(origin, world_from_b));
   }
 
   Element mesh_;
 };
 
-TEST_F(RecallWithin, movedAHalfOfTheTolerance_isTheBoundBetweenThePoints) {
-  const auto found = within(0.011, at(0.505, 0, 0));
+TEST_F(RecallPoints, areThoseOfTheBound_andSayHowShortItIs) {
+  const auto found = pointsFor(at(0.505, 0, 0));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->quality, Quality::exact);
   EXPECT_TRUE(found->has_points && found->is_complete);
@@ -93,22 +93,20 @@ TEST_F(RecallWithin, movedAHalfOfTheTolerance_isTheBoundBetweenThePoints) {
   EXPECT_NEAR(found->measured.point_on_a.x(), 0.1, 1e-9);
   EXPECT_NEAR(found->measured.point_on_b.x(), 0.395, 1e-9);
   EXPECT_NEAR(found->measured.normal_a_to_b.x(), 1.0, 1e-9);
+  EXPECT_NEAR(found->shortfall, 0.01, 1e-9);
 }
 
-TEST_F(RecallWithin, movedMore_isNotWithin) { EXPECT_FALSE(within(0.009, at(0.505, 0, 0))); }
-
-TEST_F(RecallWithin, measuredWithATolerance_hasThatLessLeft) {
+TEST_F(RecallPoints, measuredWithATolerance_areShorterByThat) {
   last_.found.shortfall = 0.002;
-  EXPECT_FALSE(within(0.011, at(0.505, 0, 0)));
-  EXPECT_TRUE(within(0.0121, at(0.505, 0, 0)));
+  EXPECT_NEAR(pointsFor(at(0.505, 0, 0))->shortfall, 0.012, 1e-9);
 }
 
-TEST_F(RecallWithin, boundOrOverlap_isNotWithin) {
+TEST_F(RecallPoints, ofABoundOrAnOverlap_areNone) {
   last_.found.has_points = false;
-  EXPECT_FALSE(within(1.0, at(0.505, 0, 0)));
+  EXPECT_FALSE(pointsFor(at(0.505, 0, 0)));
   last_.found.has_points = true;
   last_.found.quality = Quality::estimate;
-  EXPECT_FALSE(within(1.0, at(0.505, 0, 0)));
+  EXPECT_FALSE(pointsFor(at(0.505, 0, 0)));
 }
 
 }  // namespace

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/cycle/measure_told.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision_monitor/geometry/ids.h"
+#include "collision_monitor/motion/speed_scale.h"
+#include "geometry/constants.h"
+#include "motion/closing.h"
+#include "pipeline/cycle/find_closings.h"
+#include "pipeline/cycle/judge_pairs.h"
+
+namespace collision_monitor {
+namespace {
+
+/// What a pair says, this far apart and closing this fast.
+LeastOfPairs whatIsSaid(const CycleSetup& setup, const Limits& limits, double distance,
+                        double closing_speed) noexcept {
+  const StopRule& rule = setup.ahead.stop;
+  const double scale = std::isnan(closing_speed)
+                           ? scaleForUnknownSpeed(distance, limits.warning_distance, rule)
+                           : scaleForPair(distance, closing_speed, rule);
+  return {distance,
+          timeToContact(distance - limits.contact_distance, closing_speed, setup.ahead.horizon),
+          scale};
+}
+
+void lower(const LeastOfPairs& said, LeastOfPairs& least) noexcept {
+  least.distance = std::min(least.distance, said.distance);
+  least.time = std::min(least.time, said.time);  // not a number: stays
+  least.scale = std::min(least.scale, said.scale);
+}
+
+bool isBelow(const LeastOfPairs& said, const LeastOfPairs& least) noexcept {
+  return said.distance < least.distance || !(said.time >= least.time) || said.scale < least.scale;
+}
+
+bool isBetween(double threshold, double least, double most) noexcept {
+  return least <= threshold && threshold < most;
+}
+
+/// Decides whose distance is told. Of a pair with a shortfall the nearest points may be others than
+/// the last, so it may close as fast as the links move.
+class ToldPairs {
+ public:
+  ToldPairs(const CycleSetup& setup, CycleBuffers& buffers) noexcept
+      : setup_(setup), buffers_(buffers), least_(buffers.robots.least) {
+    std::fill(least_.begin(), least_.end(), LeastOfPairs());
+  }
+
+  /// Notes what a pair surely says.
+  void add(const PairDistance& pair) noexcept {
+    const LinkPairIndex links = linksOf(pair);
+    LeastOfPairs said;
+    said.distance = farthest(pair);
+    if (!(pair.shortfall > 0.0)) {
+      said = whatIsSaid(setup_, limitsOf(setup_, links), said.distance, pair.closing_speed);
+    }
+    lower(said, leastOf(setup_.checked[links].a));
+    lower(said, leastOf(setup_.checked[links].b));
+  }
+
+  bool isTold(const PairDistance& pair) const noexcept {
+    const LinkPairIndex links = linksOf(pair);
+    const Limits& limits = limitsOf(setup_, links);
+    const LeastOfPairs said = whatIsSaid(setup_, limits, pair.measured.distance, fastestOf(links));
+    return said.distance < buffers_.refine.told_below[links] ||
+           isBelow(said, leastOf(setup_.checked[links].a)) ||
+           isBelow(said, leastOf(setup_.checked[links].b)) ||
+           mayChange(links, said, farthest(pair)) || mayStop(links, limits, pair);
+  }
+
+ private:
+  static double farthest(const PairDistance& pair) noexcept {
+    return pair.measured.distance + pair.shortfall;
+  }
+  LinkPairIndex linksOf(const PairDistance& pair) const noexcept {
+    return setup_.link_pair_of[index(pair.pair)];
+  }
+  LeastOfPairs& leastOf(LinkId link) const noexcept {
+    return least_[buffers_.robots.robot_of_link[index(link)]];
+  }
+
+  /// [m/s] A bound of the closing speed.
+  double fastestOf(LinkPairIndex links) const noexcept {
+    const ActivationDistances& reaches = buffers_.activation;
+    const double ahead = reaches.near[reaches.place_of[links]] -
+                         reaches.of_limits[setup_.checked[links].limits].stop;
+    return ahead / setup_.ahead.horizon;
+  }
+
+  /// Whether the verdict may differ from the one reported.
+  bool mayChange(LinkPairIndex links, const LeastOfPairs& said, double farthest) const noexcept {
+    const Limits& limits = limitsOf(setup_, links);
+    const Verdict reported = buffers_.memory.reported[links];
+    return verdictFor(said.distance, said.time, limits, reported) != reported ||
+           verdictFor(farthest, kInfinity, limits, reported) != reported;
+  }
+
+  /// Whether it matters to the speed scale on which side of the stop distance the pair is.
+  bool mayStop(LinkPairIndex links, const Limits& limits, const PairDistance& pair) const noexcept {
+    const double stop = setup_.ahead.stop.stop_distance;
+    return isBetween(stop, pair.measured.distance, farthest(pair)) ||
+           (buffers_.memory.speed.stopped[links] != 0 &&
+            isBetween(stop + limits.hysteresis, pair.measured.distance, farthest(pair)));
+  }
+
+  const CycleSetup& setup_;
+  const CycleBuffers& buffers_;
+  std::vector<LeastOfPairs>& least_;
+};
+
+}  // namespace
+
+void measureTold(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+  if (buffers.refine.tells_all) {
+    return;
+  }
+  std::vector<PairDistance>& pairs = buffers.distances.pairs;
+  ToldPairs told(setup, buffers);
+  for (const PairDistance& pair : pairs) {
+    told.add(pair);
+  }
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+    if (pairs[i].shortfall > 0.0 && told.isTold(pairs[i])) {
+      measureFully(setup, buffers.body_poses, buffers.memory, i, buffers.refine, buffers.distances);
+      findClosing(setup, poses, pairs[i]);
+      told.add(pairs[i]);
+    }
+  }
+}
+
+}  // namespace collision_monitor

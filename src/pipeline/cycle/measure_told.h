@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "pipeline/cycle/cycle_buffers.h"
+
+namespace collision_monitor {
+
+/// Measures pairs that refinePairs left with a shortfall, where somebody is told their distance:
+/// those that may be the nearest, the soonest to touch or the slowest of a robot, that change their
+/// verdict, or are nearer than RefineWork::told_below.
+/// What others say is farther, later and faster, so it does not matter.
+/// @pre closing speeds are those of these distances; they still are afterwards
+void measureTold(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept;
+
+}  // namespace collision_monitor

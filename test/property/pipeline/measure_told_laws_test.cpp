@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The collision_monitor authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "collision_monitor/geometry/ids.h"
+#include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/cycle/measure_told.h"
+#include "pipeline/cycle/run_cycle.h"
+#include "support/fixed_seed.h"
+#include "support/query_meshes.h"
+#include "support/random_poses.h"
+#include "support/robots/geometry_setup.h"
+#include "support/robots/hand_made_setup.h"
+#include "support/sample_meshes.h"
+
+// What a cycle says does not depend on who listens.
+namespace collision_monitor::test::measure_told_laws {
+namespace {
+
+constexpr std::uint32_t kAmple = 10000000;
+constexpr std::int64_t kPeriod = 1000000;  // [ns]
+
+CycleSetup bodiesSetup() {
+  SetupOptions options;
+  options.default_limits.max_shapes = 2;
+  CycleSetup setup = geometrySetup({bumpyMesh(0.2, 16), angleMesh(), Cylinder{0.1, 0.05},
+                                    Box{{0.1, 0.04, 0.03}}, bumpyMesh(0.1, 12)},
+                                   options);
+  setup.refine.budget = kAmple;
+  setup.ahead.stop.release_time = 1e-9;  // no scale depends on earlier ones
+  return setup;
+}
+
+/// Moves each link evenly for a while, then throws it somewhere else.
+class Drift {
+ public:
+  explicit Drift(const CycleSetup& setup)
+      : poses_(randomLinkPoses(setup, 0.25, kSeed)), random_(kSeed) {
+    poses_.stamp_ns = kPeriod;
+    for (std::size_t link = 0; link < poses_.status.size(); ++link) {
+      turn(link);
+    }
+  }
+
+  const LinkPoses& next() {
+    poses_.stamp_ns += kPeriod;
+    for (std::size_t link = 0; link < poses_.status.size(); ++link) {
+      if (random_() % 500 == 0) {
+        poses_.world_from_link[link] = randomPose(random_, 0.25);
+        turn(link);
+      }
+      move(poses_.velocities.of_link[link], poses_.world_from_link[link]);
+    }
+    return poses_;
+  }
+
+ private:
+  static void move(const Twist& twist, Pose& pose) {
+    constexpr double kSeconds = 1e-9 * static_cast<double>(kPeriod);
+    const double angle = kSeconds * twist.angular.norm();
+    const Eigen::Matrix3d turned =
+        Eigen::AngleAxisd(angle, twist.angular.normalized()).toRotationMatrix();
+    pose.rotation = turned * pose.rotation;
+    pose.translation = turned * pose.translation + kSeconds * twist.linear;
+  }
+  void turn(std::size_t link) {
+    poses_.velocities.of_link[link] = {randomPoint(random_, 0.2), randomPoint(random_, 1.0)};
+    poses_.velocities.known[link] = 1;
+  }
+
+  LinkPoses poses_;
+  Random random_;
+};
+
+struct Watches {
+  explicit Watches(const CycleSetup& setup)
+      : told(makeBuffers(setup, BroadPhaseKind::brute_force)),
+        untold(makeBuffers(setup, BroadPhaseKind::brute_force)) {
+    told.refine.limits.tolerance = untold.refine.limits.tolerance = 0.0;
+    untold.refine.tells_all = false;
+  }
+  void run(const CycleSetup& setup, const LinkPoses& poses) {
+    runCycle(setup, poses, told);
+    runCycle(setup, poses, untold);
+  }
+
+  CycleBuffers told;
+  CycleBuffers untold;
+};
+
+void expectSame(double one, double other, double error, int cycle) {
+  ASSERT_EQ(std::isnan(one), std::isnan(other)) << cycle;
+  if (std::isfinite(one) || std::isfinite(other)) {
+    ASSERT_NEAR(one, other, error) << cycle;
+  }
+}
+
+const PairDistance* closestOf(const CycleBuffers& buffers, std::uint32_t place) {
+  return place == kNone ? nullptr : &buffers.distances.pairs[place];
+}
+
+bool isAnyEstimate(const PairDistances& distances) {
+  return std::any_of(distances.pairs.begin(), distances.pairs.end(),
+                     [](const PairDistance& pair) { return pair.quality == Quality::estimate; });
+}
+
+TEST(MeasureToldLaws, verdicts_nearest_timeAndScaleAreTheSame) {
+  const CycleSetup setup = bodiesSetup();
+  Watches watches(setup);
+  Drift drift(setup);
+  int compared = 0;
+  for (int cycle = 0; cycle < 20000; ++cycle) {
+    watches.run(setup, drift.next());
+    const PairEvents& told = watches.told.events;
+    const PairEvents& untold = watches.untold.events;
+    ASSERT_EQ(told.verdicts, untold.verdicts) << cycle;
+    ASSERT_EQ(told.changes.size(), untold.changes.size()) << cycle;
+    const PairDistance* truth = closestOf(watches.told, told.closest_of_all);
+    const PairDistance* found = closestOf(watches.untold, untold.closest_of_all);
+    ASSERT_EQ(truth == nullptr, found == nullptr) << cycle;
+    // Which way leads out of an overlap depends on where it was first met.
+    if (truth == nullptr || isAnyEstimate(watches.told.distances)) {
+      continue;
+    }
+    ASSERT_EQ(truth->quality, found->quality) << cycle;
+    ASSERT_NEAR(truth->measured.distance, found->measured.distance, 1e-9) << cycle;
+    expectSame(told.time_to_contact, untold.time_to_contact, 1e-5, cycle);
+    expectSame(watches.told.memory.speed.scale, watches.untold.memory.speed.scale, 1e-5, cycle);
+    ++compared;
+  }
+  EXPECT_GT(compared, 5000);
+}
+
+/// Distances that nobody is told are bounds, from below and from above.
+TEST(MeasureToldLaws, whatIsNotMeasured_isBounded) {
+  const CycleSetup setup = bodiesSetup();
+  Watches watches(setup);
+  Drift drift(setup);
+  int spared = 0;
+  int all = 0;
+  for (int cycle = 0; cycle < 20000; ++cycle) {
+    watches.run(setup, drift.next());
+    for (std::size_t pair = 0; pair < setup.checked.size(); ++pair) {
+      const PairDistance* truth = closestOf(watches.told, watches.told.events.closest[pair]);
+      const PairDistance* found = closestOf(watches.untold, watches.untold.events.closest[pair]);
+      if (truth == nullptr || found == nullptr || truth->quality != Quality::exact) {
+        continue;
+      }
+      ++all;
+      ASSERT_GE(truth->measured.distance, found->measured.distance - 1e-9) << cycle;
+      if (found->shortfall > 0.0) {
+        ++spared;
+        ASSERT_EQ(found->quality, Quality::lower_bound) << cycle;
+        ASSERT_LE(truth->measured.distance, found->measured.distance + found->shortfall + 1e-9)
+            << cycle;
+      }
+    }
+  }
+  EXPECT_GT(spared, all / 6) << "pairs are measured, though nobody asks";
+}
+
+/// A pair nearer than that is measured each time.
+TEST(MeasureToldLaws, distancesBelowALimit_areTold) {
+  const CycleSetup setup = bodiesSetup();
+  Watches watches(setup);
+  constexpr double kBelow = 0.04;
+  std::fill(watches.untold.refine.told_below.begin(), watches.untold.refine.told_below.end(),
+            kBelow);
+  Drift drift(setup);
+  int beyond = 0;
+  for (int cycle = 0; cycle < 5000; ++cycle) {
+    watches.run(setup, drift.next());
+    for (const PairDistance& found : watches.untold.distances.pairs) {
+      ASSERT_TRUE(found.shortfall == 0.0 || found.measured.distance >= kBelow) << cycle;
+      beyond += found.shortfall > 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(beyond, 100);
+}
+
+}  // namespace
+}  // namespace collision_monitor::test::measure_told_laws
