@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Times of whole cycles of moving robots, and of each stage. The joints move from one random
-// configuration towards the next, the fastest at SPEED rad/s, and poses come at a rate. Each of 20
-// such moves lasts half a second. The set-up is a monitor's default: first nobody listens to
-// distances, then somebody does, then the motion between two cycles is not checked, either.
+// Times of whole cycles of moving robots, and of each stage. The joints make 20 moves of half a
+// second between random configurations, the fastest at SPEED rad/s. The set-up is a monitor's:
+// nobody listens to distances, then somebody does, then the motion between cycles is not checked,
+// either.
 //   cycle_bench RATE_HZ SPEED [ROBOT...]    robots by a part of their names; panda_moveit and atlas
 #include <algorithm>
 #include <chrono>
@@ -75,20 +75,17 @@ class Stages {
     findResting(setup, poses, buffers.memory.last, buffers.body_poses);
     placeBodies(setup, poses, buffers.body_poses);
     placeElements(setup, poses, buffers.body_poses);
-    end("1 findResting, placeBodies");
     const bool have_links_changed = buffers.memory.last.known != buffers.body_poses.link_known;
     buffers.memory.judges_all = buffers.memory.judges_all || have_links_changed;
     findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
-    end("2 findMotions");
+    end("1 findResting, placeBodies, findMotions");
     lookAhead(setup, poses, buffers.body_poses, setup.ahead.horizon, buffers.bounds);
     findActivationDistances(setup, poses, buffers.sweep, buffers.activation);
     accumulateTravel(setup, poses, buffers);
-    end("3 lookAhead, findActivationDistances, accumulateTravel");
     listNear(setup, poses, have_links_changed, buffers);
-    end("4 listNear");
+    end("3 lookAhead, findActivationDistances, accumulateTravel, listNear");
     cullCandidates(setup, buffers);
     buffers.refine.elapsed = buffers.sweep.elapsed;
-    buffers.refine.near_bodies = buffers.counters.candidates;
     end("5 cullCandidates");
   }
 
@@ -101,10 +98,9 @@ class Stages {
     measureDeferred(setup, buffers);
     end("8 refinePairs, measureDeferred");
     measureClosest(setup, poses, reach, buffers);
-    end("9 measureClosest");
     findClosings(setup, poses, buffers.distances);
     measureTold(setup, poses, buffers);
-    end("9 findClosings, measureTold");
+    end("9 measureClosest, findClosings, measureTold");
     if (setup.is_continuous) {
       sweepPairs(setup, buffers.memory.refined, buffers.refine, buffers.sweep, buffers.distances);
       end("a sweepPairs");

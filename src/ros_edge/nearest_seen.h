@@ -25,7 +25,7 @@ class NearestSeen {
 
   /// Keeps the distances of a cycle that are the least so far, and the positions of joints then.
   /// Positions follow from the poses; joint states tell whole turns.
-  /// Asks the next cycles to tell distances below these.
+  /// The next cycles measure whatever comes nearer still.
   void add(const CycleSetup& setup, const LinkPoses& poses, const JointReader& joints,
            CycleBuffers& buffers) noexcept;
 

@@ -9,6 +9,7 @@ namespace collision_monitor {
 /// Removes candidates that are too far apart to matter: by the distance cache, then by bounding
 /// spheres, in a combined run also by separating axes of the oriented boxes. Counts each kind. Of
 /// two elements refined in the last cycle it also defers the bodies that cannot be the nearest.
+/// Fills RefineWork::near_bodies.
 void cullCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept;
 
 }  // namespace collision_monitor

@@ -41,8 +41,8 @@ bool isBetween(double threshold, double least, double most) noexcept {
   return least <= threshold && threshold < most;
 }
 
-/// Decides whose distance is told. Of a pair with a shortfall the nearest points may be others than
-/// the last, so it may close as fast as the links move.
+/// Decides whose distance is told. The nearest points of a pair with a shortfall are not known. So
+/// it is taken to close as fast as its links can approach each other.
 class ToldPairs {
  public:
   ToldPairs(const CycleSetup& setup, CycleBuffers& buffers) noexcept
@@ -50,7 +50,7 @@ class ToldPairs {
     std::fill(least_.begin(), least_.end(), LeastOfPairs());
   }
 
-  /// Notes what a pair surely says.
+  /// Notes the distance, time and scale that a pair is proven not to exceed.
   void add(const PairDistance& pair) noexcept {
     const LinkPairIndex links = linksOf(pair);
     LeastOfPairs said;
@@ -83,7 +83,8 @@ class ToldPairs {
     return least_[buffers_.robots.robot_of_link[index(link)]];
   }
 
-  /// [m/s] A bound of the closing speed.
+  /// [m/s] A bound of the closing speed: `near` is at least what links can close within the
+  /// horizon, beyond `stop`.
   double fastestOf(LinkPairIndex links) const noexcept {
     const ActivationDistances& reaches = buffers_.activation;
     const double ahead = reaches.near[reaches.place_of[links]] -
@@ -99,7 +100,7 @@ class ToldPairs {
            verdictFor(farthest, kInfinity, limits, reported) != reported;
   }
 
-  /// Whether it matters to the speed scale on which side of the stop distance the pair is.
+  /// Whether the pair may be on either side of a distance at which the speed scale stops it.
   bool mayStop(LinkPairIndex links, const Limits& limits, const PairDistance& pair) const noexcept {
     const double stop = setup_.ahead.stop.stop_distance;
     return isBetween(stop, pair.measured.distance, farthest(pair)) ||

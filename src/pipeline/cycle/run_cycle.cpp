@@ -73,9 +73,7 @@ void measureNear(const CycleSetup& setup, const LinkPoses& poses, bool counts_bo
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   keepNear(setup, buffers);
   buffers.refine.elapsed = buffers.sweep.elapsed;
-  constexpr std::size_t kCulled = 8;  // candidates are passed over in the time of one measurement
-  buffers.refine.near_bodies =
-      counts_bodies ? buffers.candidates.size() + buffers.counters.candidates / kCulled : 0;
+  buffers.refine.near_bodies = counts_bodies ? buffers.refine.near_bodies : 0;
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
 }
 

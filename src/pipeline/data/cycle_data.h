@@ -124,8 +124,8 @@ struct PairDistance {
   double closing_speed{kUnknown};    ///< [m/s] at the witness points; > 0: the distance shrinks
   double time_to_contact{kUnknown};  ///< [s] as timeToContact, until contact_distance
   bool is_raised{false};  ///< not refined, but a search proved this lower bound for the elements
-  /// [m] The geometries are at most this much farther apart, if nobody is told their distance and
-  /// so it was not measured in this cycle; else 0.
+  /// [m] > 0: the geometries were not measured in this cycle, and are at most this much farther
+  /// apart than `measured` says.
   double shortfall{0.0};
 };
 

@@ -50,6 +50,12 @@ double farthestAsked(const Refinement& all, const RefineTask& task) noexcept {
   return std::min(all.work.nearest[link_pair], all.work.cutoff);
 }
 
+/// The work for refinePairs; a quarter less if measureFully follows.
+std::uint32_t shareOf(const Refinement& all) noexcept {
+  const std::uint32_t budget = budgetOf(all);
+  return all.work.tells_all ? budget : budget - budget / 4;
+}
+
 /// Whether the distance of the pair is not asked for and the pair is in no contact.
 bool isSettled(const Refinement& all, const RefineTask& task) noexcept {
   const Limits& limits = limitsOf(all, task);
@@ -133,7 +139,8 @@ void report(const Refinement& all, RefineTask& task, const ElementDistance& foun
   }
 }
 
-/// The recalled measurement; with its points where they suffice.
+/// The recalled measurement. It has points where they are within the tolerance, or where the
+/// distance need not be measured.
 ElementDistance recallToCutoff(const Refinement& all, const RefineTask& task) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   const ElementDistance recalled = recallTask(all, task);
@@ -152,7 +159,7 @@ ElementDistance recallToCutoff(const Refinement& all, const RefineTask& task) no
 
 void refine(const Refinement& all, RefineTask& task) noexcept {
   std::uint32_t& starved_cycles = all.memory.starved_cycles[task.pair];
-  const Goal goal{cutoffFor(all, task), budgetOf(all)};
+  const Goal goal{cutoffFor(all, task), shareOf(all)};
   ElementDistance found = recallToCutoff(all, task);
   if (reachesCutoff(found, goal.cutoff)) {
     starved_cycles = 0;
@@ -205,9 +212,9 @@ void deepenOverlaps(const Refinement& all) noexcept {
       std::count_if(work.tasks.begin(), work.tasks.end(),
                     [&](const RefineTask& task) { return isOverlap(all, task); }));
   for (RefineTask& task : work.tasks) {
-    if (isOverlap(all, task) && work.work_done < budgetOf(all)) {
+    if (isOverlap(all, task) && work.work_done < shareOf(all)) {
       const ElementPair& pair = all.setup.element_pairs[task.pair];
-      ElementSearch search = searchFor(all, task, {0.0, budgetOf(all)});
+      ElementSearch search = searchFor(all, task, {0.0, shareOf(all)});
       spend(all, task,
             deepenElements(placed(all, pair.a), placed(all, pair.b),
                            std::max(kFewestPoints, kMostPoints / overlaps), search,
@@ -245,13 +252,17 @@ void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemor
 
 void measureFully(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
                   std::uint32_t place, RefineWork& work, PairDistances& distances) noexcept {
+  constexpr double kPastBound = 1e-6;
   const Refinement all{setup, body_poses, memory, work, distances};
   RefineTask& task =
       work.tasks[work.task_of[setup.element_pair_of[index(distances.pairs[place].pair)]]];
-  const Goal goal{cutoffFor(all, task), budgetOf(all)};
+  // Beyond its own upper bound, at which its points may still be the nearest.
+  const PairDistance& bounds = distances.pairs[place];
+  const double beyond = bounds.measured.distance + bounds.shortfall + kPastBound;
+  const Goal goal{std::max(cutoffFor(all, task), beyond), budgetOf(all)};
   if (work.work_done < goal.budget) {
     task.place = place;
-    --work.refined;  // it is counted again
+    --work.refined;  // `report` counts the pair once more
     report(all, task, measureTask(all, task, goal, recallTask(all, task)));
   } else {
     ++memory.starved_cycles[task.pair];

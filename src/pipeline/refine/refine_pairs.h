@@ -37,8 +37,8 @@ struct RefineWork {
   double cutoff{std::numeric_limits<double>::infinity()};
   bool finds_nearest{false};  ///< the cutoff falls to each distance that is measured
   bool skips_robots{false};   ///< pairs of robots wait for what another set-up knows of them
-  bool tells_all{true};       ///< listeners are told the distance of every near pair
-  /// [m] By LinkPairIndex: a distance below it is told even if not all are.
+  bool tells_all{true};       ///< somebody listens to the distances of all near pairs
+  /// [m] By LinkPairIndex: if not all distances are told, one below this still is.
   std::vector<double> told_below;
   double elapsed{0.0};  ///< [s] between the stamps of the last poses and these; 0: unknown
   std::vector<RefineTask> tasks;
@@ -75,16 +75,17 @@ RefineStore makeRefineMemory(const CycleSetup& setup);
 /// A measured pair of elements keeps one entry in `distances`. Of two proven lower bounds the
 /// larger stays. Pairs that are farther than a refined pair of their links and in no contact are
 /// skipped.
-/// Unless `work.tells_all`, a pair that has moved since its last measurement is not measured while
-/// bounds of its distance prove on which side of every threshold it is; see
-/// PairDistance::shortfall.
-/// Error: as signedDistanceBetween and distanceBetween of meshes. Depths of meshes are estimates
-/// (Quality::estimate), except of convex ones, which are measured by their hulls.
-/// Limits: the last measurement may exceed the budget by the work of two convex geometries.
+/// Unless `work.tells_all`, a pair with a mesh keeps bounds from its last measurement in place of a
+/// new one, as long as the lower is above 0; see PairDistance::shortfall. measureFully then
+/// measures those that matter. Error: as signedDistanceBetween and distanceBetween of meshes.
+/// Depths of meshes are estimates (Quality::estimate), except of convex ones, which are measured by
+/// their hulls. Limits: the last measurement may exceed the budget by the work of two convex
+/// geometries.
 void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
                  RefineWork& work, PairDistances& distances) noexcept;
 
-/// Measures elements that refinePairs left with a shortfall, if some of the budget is left.
+/// Measures elements that refinePairs left with a shortfall, if some of the budget is left. If none
+/// is, they come first in the next cycle.
 /// @param place index of their entry in `distances`
 void measureFully(const CycleSetup& setup, const BodyPoses& body_poses, PairMemory& memory,
                   std::uint32_t place, RefineWork& work, PairDistances& distances) noexcept;

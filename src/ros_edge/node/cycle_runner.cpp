@@ -9,14 +9,6 @@
 #include "ros_edge/world/convert_objects.h"
 
 namespace collision_monitor {
-namespace {
-
-double toSeconds(SteadyClock::duration duration) {
-  return std::chrono::duration<double>(duration).count();
-}
-
-}  // namespace
-
 CycleRunner::CycleRunner(const ros::NodeHandle& private_node, Inputs inputs,
                          std::shared_ptr<const MonitorSetup> setup, LogThread& log)
     : private_node_(private_node),
@@ -93,7 +85,7 @@ std::optional<PairView> CycleRunner::viewPair(const std::string& link_a,
   return request->view;
 }
 
-/// @return whether there are requests. This cycle answers them.
+/// Marks all requests: this cycle answers them. @return whether there are any
 bool CycleRunner::awaitViews() {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const std::shared_ptr<ViewRequest>& request : view_requests_) {
@@ -214,12 +206,11 @@ void CycleRunner::runOnce() {
     is_new = true;
   }
   publishers_.askWhoListens(steady_now);
-  const bool are_views_awaited = awaitViews();
-  watch_->buffers.refine.tells_all = are_views_awaited || publishers_.tellsAll();
+  watch_->buffers.refine.tells_all = awaitViews() || publishers_.tellsAll();
   watch_->cycle();
   ++facts_.cycles;
   countStep(watch_->buffers.sweep, facts_.steps);
-  facts_.cycle_time = toSeconds(SteadyClock::now() - start);
+  facts_.cycle_time = std::chrono::duration<double>(SteadyClock::now() - start).count();
   publish(is_new);
 }
 
@@ -269,8 +260,8 @@ void CycleRunner::publish(bool is_new) {
   pace_.last_state = now;
   const State& state = publishers_.publishCycle(watch, facts_);
   publishers_.drawMarkers(watch, true);
-  constexpr double kSummaryPeriod = 0.2;
-  if (toSeconds(now - last_summary_) >= kSummaryPeriod) {
+  constexpr std::chrono::milliseconds kSummaryPeriod(200);
+  if (now - last_summary_ >= kSummaryPeriod) {
     last_summary_ = now;
     summarize(state);
   }

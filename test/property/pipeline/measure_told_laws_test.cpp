@@ -77,10 +77,10 @@ class Drift {
 };
 
 struct Watches {
-  explicit Watches(const CycleSetup& setup)
+  explicit Watches(const CycleSetup& setup, double tolerance = 0.0)
       : told(makeBuffers(setup, BroadPhaseKind::brute_force)),
         untold(makeBuffers(setup, BroadPhaseKind::brute_force)) {
-    told.refine.limits.tolerance = untold.refine.limits.tolerance = 0.0;
+    told.refine.limits.tolerance = untold.refine.limits.tolerance = tolerance;
     untold.refine.tells_all = false;
   }
   void run(const CycleSetup& setup, const LinkPoses& poses) {
@@ -131,6 +131,27 @@ TEST(MeasureToldLaws, verdicts_nearest_timeAndScaleAreTheSame) {
     expectSame(told.time_to_contact, untold.time_to_contact, 1e-5, cycle);
     expectSame(watches.told.memory.speed.scale, watches.untold.memory.speed.scale, 1e-5, cycle);
     ++compared;
+  }
+  EXPECT_GT(compared, 5000);
+}
+
+/// What is told has the same quality, and is the same up to the tolerance.
+TEST(MeasureToldLaws, nearestWithATolerance_isAsExact) {
+  constexpr double kTolerance = 1e-4;
+  const CycleSetup setup = bodiesSetup();
+  Watches watches(setup, kTolerance);
+  Drift drift(setup);
+  int compared = 0;
+  for (int cycle = 0; cycle < 20000; ++cycle) {
+    watches.run(setup, drift.next());
+    ASSERT_EQ(watches.told.events.verdicts, watches.untold.events.verdicts) << cycle;
+    const PairDistance* truth = closestOf(watches.told, watches.told.events.closest_of_all);
+    const PairDistance* found = closestOf(watches.untold, watches.untold.events.closest_of_all);
+    if (truth != nullptr && truth->quality == Quality::exact) {
+      ASSERT_EQ(found->quality, Quality::exact) << cycle;
+      ASSERT_NEAR(truth->measured.distance, found->measured.distance, kTolerance + 1e-9) << cycle;
+      ++compared;
+    }
   }
   EXPECT_GT(compared, 5000);
 }
