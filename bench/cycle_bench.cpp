@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Times of whole cycles of moving robots, and of each stage. The joints make 20 moves of half a
-// second between random configurations, the fastest at SPEED rad/s. The set-up is a monitor's:
-// nobody listens to distances, then somebody does, then the motion between cycles is not checked,
-// either.
+// second between random configurations, the fastest at SPEED rad/s. First nobody listens to
+// distances, then somebody does, then the motion between cycles is not checked, either.
 //   cycle_bench RATE_HZ SPEED [ROBOT...]    robots by a part of their names; panda_moveit and atlas
 #include <algorithm>
 #include <chrono>

@@ -143,7 +143,7 @@ void report(const Refinement& all, RefineTask& task, const ElementDistance& foun
 /// distance need not be measured.
 ElementDistance recallToCutoff(const Refinement& all, const RefineTask& task) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
-  const ElementDistance recalled = recallTask(all, task);
+  ElementDistance recalled = recallTask(all, task);
   std::optional<ElementDistance> points = recallPoints(
       all.memory.refined.lastOf(task.pair), placed(all, pair.a), placed(all, pair.b), recalled);
   if (!points) {
