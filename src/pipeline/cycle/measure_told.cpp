@@ -9,8 +9,8 @@
 #include "collision_monitor/motion/speed_scale.h"
 #include "geometry/constants.h"
 #include "motion/closing.h"
-#include "pipeline/cycle/find_closings.h"
 #include "pipeline/cycle/judge_pairs.h"
+#include "pipeline/look_ahead/find_closings.h"
 
 namespace collision_monitor {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/cycle/find_closings.h"
+#include "pipeline/look_ahead/find_closings.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "geometry/constants.h"
-#include "two_balls.h"
+#include "unit/pipeline/cycle/two_balls.h"
 
 namespace collision_monitor::test {
 namespace {
