@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/constants.h"
 #include "narrow_phase/sat/separating_axes.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/near_bodies.h"
+#include "pipeline/cycle/settled_pairs.h"
 
 namespace collision_monitor {
 namespace {
@@ -43,13 +45,14 @@ void keepUnless(const IsFar& is_far, std::vector<PairId>& candidates) noexcept {
   candidates.resize(kept);
 }
 
-/// Takes from the list what the distance cache does not prove to be far. Of elements refined in the
-/// last cycle, which are most likely refined again, it defers all bodies but the nearest. Has no
-/// branch, as keepUnless.
+/// Takes from the list what the distance cache does not prove to be far, and what is not settled. Of
+/// elements refined in the last cycle, which are most likely refined again, it defers all bodies but
+/// the nearest. Has no branch of its own, as keepUnless.
 void cullByCache(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   constexpr double kRounding = 1e-9;  // of the cached distance and of a new one
   const DistanceCache& cache = buffers.memory.distance_cache;
   const NearBodies near = nearBodies(setup, buffers);
+  SettledPairs settled(setup, near, buffers);
   buffers.candidates.resize(cache.listed.size());
   buffers.deferred.resize(cache.listed.size());
   std::size_t kept = 0;
@@ -59,7 +62,7 @@ void cullByCache(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
     const BodyTravel& b = cache.travels[index(pair.b)];
     const double gap = cache.distances[index(pair.pair)] - (a.all + b.all) - kRounding;
     const double nearest = cache.nearest[pair.elements] + (a.of_link + b.of_link);
-    const bool is_near = !(gap > near.limitOf(pair, nearest));
+    const bool is_near = !(gap > near.limitOf(pair, nearest)) && !settled.passOver(pair);
     const bool waits = is_near & (gap > nearest) & (buffers.refine.is_measured[pair.elements] != 0);
     buffers.candidates[kept] = buffers.deferred[deferred] = pair.pair;
     kept += (is_near & !waits) ? 1 : 0;
@@ -71,11 +74,12 @@ void cullByCache(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
 
 void cullBySpheres(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   const std::vector<Ball>& balls = buffers.body_poses.balls;
+  const NearBodies near = nearBodies(setup, buffers);
   const auto isFar = [&](PairId id) {
     const BodyPair& pair = setup.table[id];
     const Ball& a = balls[index(pair.a)];
     const Ball& b = balls[index(pair.b)];
-    if (!ballsPart(a, b, buffers.activation.of(setup.link_pair_of[index(id)]))) {
+    if (!ballsPart(a, b, near.limitOf(near.entryOf(id), kInfinity))) {
       return false;
     }
     const double gap = (b.center - a.center).norm() - a.radius - b.radius;
@@ -86,9 +90,10 @@ void cullBySpheres(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
 }
 
 void cullByBoxes(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  const NearBodies near = nearBodies(setup, buffers);
   const auto isFar = [&](PairId id) {
     return orientedBoxesPart(setup, buffers.body_poses, setup.table[id],
-                             buffers.activation.of(setup.link_pair_of[index(id)]));
+                             near.limitOf(near.entryOf(id), kInfinity));
   };
   keepUnless(isFar, buffers.candidates);
 }

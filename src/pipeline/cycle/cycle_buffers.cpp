@@ -35,6 +35,8 @@ CycleBuffers makeBuffers(const CycleSetup& setup, BroadPhaseKind kind) {
   buffers.events.changes.reserve(link_pairs);
   buffers.events.active.reserve(link_pairs);
   buffers.events.is_active.resize(link_pairs, 0);
+  buffers.events.settled.reserve(link_pairs);
+  buffers.events.is_settled.resize(link_pairs, 0);
   buffers.events.is_checked.resize(links, 0);
   for (const CheckedLinkPair& pair : setup.checked) {
     buffers.events.is_checked[index(pair.a)] = buffers.events.is_checked[index(pair.b)] = 1;

@@ -20,6 +20,7 @@ struct CycleBuffers {
   ActivationDistances activation;
   std::vector<PairId> candidates;
   std::vector<PairId> deferred;  ///< for measureDeferred
+  std::size_t passed_over{0};    ///< pairs that SettledPairs left out
   PairDistances distances;
   RefineWork refine;
   SweepWork sweep;

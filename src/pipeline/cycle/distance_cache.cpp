@@ -47,8 +47,10 @@ void beginAnew(const PairTable& table, DistanceCache& cache) noexcept {
         cache.travels[index(pair.a)].all + cache.travels[index(pair.b)].all + kRounding;
   }
   for (BodyTravel& travel : cache.travels) {
-    travel.all = 0.0;
+    travel.all = travel.of_link_all = 0.0;
   }
+  std::fill(cache.elements.begin(), cache.elements.end(), -kInfinity);
+  std::fill(cache.links.begin(), cache.links.end(), kInfinity);
   cache.is_listed = false;
 }
 
@@ -66,14 +68,17 @@ std::size_t accumulateOfLink(const CycleSetup& setup, double turn, std::size_t f
     travel.center = ball.center;
     travel.all += step;
     travel.ahead = buffers.bounds.ahead[last];
-    if (setup.is_continuous && travel.ahead < buffers.sweep.body_travel[last]) {
-      travel.ahead = buffers.sweep.body_travel[last];
-    }
     farthest = std::max(farthest, step);
-    cache.longest = std::max(cache.longest, travel.all);
+    if (setup.is_continuous) {
+      const double on_way = buffers.sweep.body_travel[last];
+      travel.ahead = travel.ahead < on_way ? on_way : travel.ahead;  // a NaN stays one
+      farthest = std::max(farthest, on_way);
+    }
   }
   for (; first < last; ++first) {
     cache.travels[first].of_link = farthest;
+    cache.travels[first].of_link_all += farthest;
+    cache.longest = std::max(cache.longest, cache.travels[first].of_link_all);
   }
   return last;
 }
@@ -89,6 +94,8 @@ void forgetNearest(DistanceCache& cache) noexcept {
 
 void forgetDistances(DistanceCache& cache) noexcept {
   std::fill(cache.distances.begin(), cache.distances.end(), -kInfinity);
+  std::fill(cache.elements.begin(), cache.elements.end(), -kInfinity);
+  std::fill(cache.links.begin(), cache.links.end(), kInfinity);
   cache.is_listed = false;
   forgetNearest(cache);
 }
@@ -98,6 +105,8 @@ DistanceCache makeDistanceCache(const CycleSetup& setup) {
   cache.distances.resize(setup.table.size(), -kInfinity);
   cache.travels.resize(setup.bodies.size());
   cache.nearest.resize(setup.element_pairs.size(), kInfinity);
+  cache.elements.resize(setup.element_pairs.size(), -kInfinity);
+  cache.links.resize(setup.checked.size(), kInfinity);
   cache.measured_pairs.reserve(setup.element_pairs.size());
   cache.listed.reserve(setup.table.size());
   cache.listed_moved.reserve(setup.carried.size() + 1);

@@ -189,14 +189,15 @@ Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
   if (events.passed[link_pair] != kNone || events.estimated[link_pair] != kNone) {
     return Verdict::contact;
   }
+  const Verdict least = events.is_settled[link_pair] != 0 ? Verdict::warning : Verdict::clear;
   if (closest == kNone) {
-    return Verdict::clear;  // known, and beyond every threshold
+    return least;  // if clear: known, and beyond every threshold
   }
   const PairDistance& nearest = distances.pairs[closest];
   const std::uint32_t soonest = events.soonest[link_pair];
   const double time = soonest == kNone ? kNever : distances.pairs[soonest].time_to_contact;
-  return verdictFor(nearest.measured.distance, time, limitsOf(setup, link_pair),
-                    heldVerdict(memory, link_pair, nearest));
+  return std::max(least, verdictFor(nearest.measured.distance, time, limitsOf(setup, link_pair),
+                                    heldVerdict(memory, link_pair, nearest)));
 }
 
 /// Stores a verdict, and lists it if it differs from the one that listeners have.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/cycle/bound_bodies.h"
+#include "pipeline/look_ahead/bound_bodies.h"
 #include "pipeline/cycle/near_bodies.h"
 #include "pipeline/data/activation_distance.h"
 #include "pipeline/objects/object_trees.h"

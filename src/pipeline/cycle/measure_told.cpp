@@ -22,13 +22,16 @@ LeastOfPairs whatIsSaid(const CycleSetup& setup, const Limits& limits, double di
   const double scale = std::isnan(closing_speed)
                            ? scaleForUnknownSpeed(distance, limits.warning_distance, rule)
                            : scaleForPair(distance, closing_speed, rule);
-  return {distance,
-          timeToContact(distance - limits.contact_distance, closing_speed, setup.ahead.horizon),
-          scale};
+  LeastOfPairs said;
+  said.distance = distance;
+  said.time = timeToContact(distance - limits.contact_distance, closing_speed, setup.ahead.horizon);
+  said.scale = scale;
+  return said;
 }
 
 void lower(const LeastOfPairs& said, LeastOfPairs& least) noexcept {
   least.distance = std::min(least.distance, said.distance);
+  least.warned = std::min(least.warned, said.warned);
   least.time = std::min(least.time, said.time);  // not a number: stays
   least.scale = std::min(least.scale, said.scale);
 }
@@ -55,8 +58,13 @@ class ToldPairs {
     const LinkPairIndex links = linksOf(pair);
     LeastOfPairs said;
     said.distance = farthest(pair);
+    const bool is_warning = buffers_.memory.reported[links] == Verdict::warning;
+    said.warned = is_warning ? said.distance : kInfinity;
     if (!(pair.shortfall > 0.0)) {
-      said = whatIsSaid(setup_, limitsOf(setup_, links), said.distance, pair.closing_speed);
+      const LeastOfPairs moving =
+          whatIsSaid(setup_, limitsOf(setup_, links), said.distance, pair.closing_speed);
+      said.time = moving.time;
+      said.scale = moving.scale;
     }
     lower(said, leastOf(setup_.checked[links].a));
     lower(said, leastOf(setup_.checked[links].b));
@@ -83,13 +91,9 @@ class ToldPairs {
     return least_[buffers_.robots.robot_of_link[index(link)]];
   }
 
-  /// [m/s] A bound of the closing speed: `near` is at least what links can close within the
-  /// horizon, beyond `stop`.
+  /// [m/s] A bound of the closing speed.
   double fastestOf(LinkPairIndex links) const noexcept {
-    const ActivationDistances& reaches = buffers_.activation;
-    const double ahead = reaches.near[reaches.place_of[links]] -
-                         reaches.of_limits[setup_.checked[links].limits].stop;
-    return ahead / setup_.ahead.horizon;
+    return buffers_.activation.speed[buffers_.activation.place_of[links]];
   }
 
   /// Whether the verdict may differ from the one reported.

@@ -13,6 +13,7 @@ struct NearBodies {
   const CycleSetup& setup;
   const ActivationDistances& reaches;
   const DistanceCache& cache;
+  const std::vector<double>& told_below;  ///< as RefineWork
 
   /// What is looked up of a pair, gathered.
   ListedPair entryOf(PairId id) const noexcept {
@@ -21,6 +22,7 @@ struct NearBodies {
             setup.table[id].a,
             setup.table[id].b,
             setup.element_pair_of[index(id)],
+            link_pair,
             reaches.place_of[link_pair],
             setup.own_limits.empty() ? 0 : setup.checked[link_pair].limits};
   }
@@ -31,7 +33,14 @@ struct NearBodies {
     const double ahead = cache.travels[index(pair.a)].ahead + cache.travels[index(pair.b)].ahead;
     const PairReach& reach = reaches.of_limits[pair.limits];
     // `ahead` may be NaN: by the order of arguments the result is then the other bound.
-    return std::min(reaches.near[pair.near_place], std::max(reach.stop + ahead, reach.near));
+    return std::min(std::max(reach.near, reaches.motion[pair.reach_place]),
+                    std::max(reach.stop + ahead, reach.near));
+  }
+
+  /// [m] At or below this distance somebody may be told how near the links are.
+  double toldOf(const ListedPair& pair) const noexcept {
+    const double told = std::max(reaches.told[pair.reach_place], told_below[pair.link_pair]);
+    return std::min(reaches.of_limits[pair.limits].all, told);
   }
 
   /// [m] limitOf is not above this for bodies with these travels, whatever pair they are. NaN if a
@@ -43,12 +52,12 @@ struct NearBodies {
 
   /// [m] Above this distance bodies do not matter, since nearer ones of their elements do.
   double limitOf(const ListedPair& pair, double nearest) const noexcept {
-    return std::max(nearOf(pair), std::min(reaches.of_limits[pair.limits].all, nearest));
+    return std::max(nearOf(pair), std::min(toldOf(pair), nearest));
   }
 };
 
 inline NearBodies nearBodies(const CycleSetup& setup, const CycleBuffers& buffers) noexcept {
-  return {setup, buffers.activation, buffers.memory.distance_cache};
+  return {setup, buffers.activation, buffers.memory.distance_cache, buffers.refine.told_below};
 }
 
 /// Stores a lower bound of the distance in the cache.

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "collision_monitor/geometry/ids.h"
-#include "pipeline/cycle/bound_bodies.h"
+#include "pipeline/look_ahead/bound_bodies.h"
 #include "pipeline/cycle/cull_candidates.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/distance_cache.h"
@@ -18,6 +18,7 @@
 #include "pipeline/cycle/measure_told.h"
 #include "pipeline/cycle/place_bodies.h"
 #include "pipeline/cycle/scale_speed.h"
+#include "pipeline/cycle/settled_pairs.h"
 #include "pipeline/data/activation_distance.h"
 #include "pipeline/look_ahead/find_closings.h"
 #include "pipeline/look_ahead/find_motions.h"
@@ -62,19 +63,50 @@ void place(const CycleSetup& setup, const LinkPoses& poses, BodyPoses& body_pose
   placeElements(setup, poses, body_poses);
 }
 
+/// Lists the pairs that can be near.
+void list(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+  lookAhead(setup, poses, buffers.body_poses, setup.ahead.horizon, buffers.bounds);
+  accumulateTravel(setup, poses, buffers);
+  listNear(setup, poses, haveLinksChanged(buffers.body_poses, buffers.memory.last), buffers);
+}
+
 /// Measures distances of near pairs, within the budget. @param counts_bodies they take their part
 void measureNear(const CycleSetup& setup, const LinkPoses& poses, bool counts_bodies,
                  CycleBuffers& buffers) noexcept {
-  lookAhead(setup, poses, buffers.body_poses, setup.ahead.horizon, buffers.bounds);
-  findActivationDistances(setup, poses, buffers.sweep, buffers.activation);
-  accumulateTravel(setup, poses, buffers);
-  listNear(setup, poses, haveLinksChanged(buffers.body_poses, buffers.memory.last), buffers);
+  findActivationDistances(setup, poses, buffers.robots, buffers.sweep, buffers.activation);
   cullCandidates(setup, buffers);
   measurePairs(setup, buffers.body_poses, buffers.candidates, buffers.distances);
   keepNear(setup, buffers);
   buffers.refine.elapsed = buffers.sweep.elapsed;
   buffers.refine.near_bodies = counts_bodies ? buffers.refine.near_bodies : 0;
   refinePairs(setup, buffers.body_poses, buffers.memory, buffers.refine, buffers.distances);
+}
+
+/// Measures all that somebody is told.
+void measure(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
+  measureNear(setup, poses, true, buffers);
+  measureDeferred(setup, buffers);
+  if (buffers.passed_over == 0) {  // or else a pair that was passed over may be the closest
+    measureClosest(setup, poses, leastActivationDistanceOf(setup), buffers);
+  }
+  findClosings(setup, poses, buffers.distances);
+  measureTold(setup, poses, buffers);
+}
+
+/// Measures what is expected to be told. If less is found, pairs that were passed over may matter.
+void measureExpected(const CycleSetup& setup, const LinkPoses& poses,
+                     CycleBuffers& buffers) noexcept {
+  if (buffers.refine.tells_all) {
+    expectNothing(buffers.robots);
+  }
+  measure(setup, poses, buffers);
+  if (sayLessThanExpected(buffers.robots, buffers.events)) {
+    expectFound(buffers.robots);
+    buffers.refine.work_before = buffers.refine.work_done;
+    measure(setup, poses, buffers);
+    buffers.refine.work_before = 0;
+  }
+  keepProven(setup, buffers);
 }
 
 }  // namespace
@@ -86,6 +118,7 @@ void learnPairs(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& b
   buffers.refine.limits.budget = kCycles * std::min(usual, kAny / kCycles);
   moveAll(setup, buffers.body_poses.moved);
   place(setup, poses, buffers.body_poses);
+  list(setup, poses, buffers);
   measureNear(setup, poses, false, buffers);
   buffers.refine.limits.budget = usual;
 }
@@ -100,17 +133,13 @@ void prepareFirstCycle(const CycleSetup& setup, const LinkPoses& poses,
 }
 
 void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
-  const double reach = leastActivationDistanceOf(setup);
   findResting(setup, poses, buffers.memory.last, buffers.body_poses);
   place(setup, poses, buffers.body_poses);
   buffers.memory.judges_all =
       buffers.memory.judges_all || haveLinksChanged(buffers.body_poses, buffers.memory.last);
   findMotions(setup, poses, buffers.body_poses, buffers.memory, buffers.sweep);
-  measureNear(setup, poses, true, buffers);
-  measureDeferred(setup, buffers);
-  measureClosest(setup, poses, reach, buffers);
-  findClosings(setup, poses, buffers.distances);
-  measureTold(setup, poses, buffers);
+  list(setup, poses, buffers);
+  measureExpected(setup, poses, buffers);
   if (setup.is_continuous) {
     sweepPairs(setup, buffers.memory.refined, buffers.refine, buffers.sweep, buffers.distances);
   }
@@ -119,6 +148,9 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
              buffers.events);
   scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.reported,
              buffers.memory.speed, buffers.robots);
+  if (!buffers.refine.tells_all) {
+    expectNext(buffers.robots);
+  }
   buffers.counters.measured = buffers.candidates.size() + buffers.deferred.size();
   buffers.counters.refined = buffers.refine.refined;
   buffers.counters.left = buffers.refine.left;

@@ -74,15 +74,23 @@ class Demands {
     }
   }
 
-  /// The scales that follow from the last ones.
-  void release(double duration, double& scale_of_all) const noexcept {
-    const auto follow = [&](const SpeedDemand& demand, double& scale) noexcept {
-      scale = demand.is_free ? demand.scale
-                             : releasedScale(scale, demand.scale, duration, setup_.ahead.stop);
+  /// The scales that follow from the last ones. A robot that was slower is free only if all of its
+  /// pairs were looked at.
+  void release(double duration, double& scale_of_all) noexcept {
+    const auto follow = [&](const SpeedDemand& demand, bool sees_all, double& scale) noexcept {
+      const bool may_be_free = demand.is_free && scale < demand.scale;
+      scale = demand.is_free && (sees_all || !may_be_free)
+                  ? demand.scale
+                  : releasedScale(scale, demand.scale, duration, setup_.ahead.stop);
+      return may_be_free;
     };
-    follow(all_, scale_of_all);
+    const bool see_all =
+        std::all_of(robots_.expected.begin(), robots_.expected.end(), expectsNothing);
+    const bool may_all_be_free = follow(all_, see_all, scale_of_all);
     for (std::size_t i = 0; i < robots_.demands.size(); ++i) {
-      follow(robots_.demands[i], robots_.scales[i]);
+      const bool may_be_free =
+          follow(robots_.demands[i], expectsNothing(robots_.expected[i]), robots_.scales[i]);
+      robots_.may_be_free[i] = may_be_free || may_all_be_free ? 1 : 0;
     }
   }
 
@@ -139,6 +147,9 @@ RobotSpeeds makeRobotSpeeds(const RobotModel& model) {
   robots.is_excused.resize(robots.scales.size(), 0);
   robots.demands.resize(robots.scales.size());
   robots.least.resize(robots.scales.size());
+  robots.expected.resize(robots.scales.size());
+  robots.watched.resize(robots.scales.size());
+  robots.may_be_free.resize(robots.scales.size(), 0);
   robots.has_unknown.resize(robots.scales.size() * robots.scales.size(), 0);
   robots.robot_of_link = findMovers(model);
   return robots;

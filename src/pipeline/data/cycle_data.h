@@ -180,6 +180,9 @@ struct PairEvents {
   /// How often a cycle judged every pair. Which pairs are unknown changes only then.
   std::uint64_t complete_judgements{0};
   std::vector<Verdict> verdicts;       ///< by LinkPairIndex
+  /// Pairs that stay a warning, though the cycle passed over some of their bodies: see SettledPairs.
+  std::vector<LinkPairIndex> settled;
+  std::vector<unsigned char> is_settled;  ///< by LinkPairIndex
   std::vector<std::uint32_t> closest;  ///< by LinkPairIndex: index into `pairs`, or kNone
   std::vector<std::uint32_t>
       passed;  ///< by LinkPairIndex: index into passed of the first, or kNone

@@ -17,7 +17,10 @@ namespace collision_monitor {
 struct BodyTravel {
   Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< of the body in the last cycle
   double all{0.0};      ///< [m] upper bound for any point of the body, since reset to 0
-  double of_link{0.0};  ///< [m] upper bound for all bodies of its link, since the last cycle
+  /// [m] Upper bound for all bodies of its link, since the last cycle; in a continuous set-up also
+  /// of the way between.
+  double of_link{0.0};
+  double of_link_all{0.0};  ///< [m] the sum of these since reset to 0
   double ahead{0.0};  ///< [m] upper bound within the horizon; in a continuous set-up also since the
                       ///< last cycle; NaN: not known
   double all_when_listed{0.0};    ///< [m] `all` when DistanceCache::listed was filled
@@ -30,8 +33,9 @@ struct ListedPair {
   BodyId a{};
   BodyId b{};
   ElementPairIndex elements{};
-  std::uint32_t near_place{0};  ///< ActivationDistances::place_of its link pair
-  std::uint32_t limits{0};      ///< as CheckedLinkPair
+  std::uint32_t link_pair{0};
+  std::uint32_t reach_place{0};  ///< ActivationDistances::place_of its link pair
+  std::uint32_t limits{0};       ///< as CheckedLinkPair
 };
 
 /// Earlier distances, kept as lower bounds while bodies move.
@@ -45,6 +49,12 @@ struct DistanceCache {
   /// was measured.
   std::vector<double> nearest;
   std::vector<ElementPairIndex> measured_pairs;  ///< pairs with a finite `nearest`
+  /// By ElementPairIndex: [m] a lower bound of their distance plus the travel of both links. This
+  /// value minus their travel now is a lower bound. -infinity: none.
+  std::vector<double> elements;
+  /// By LinkPairIndex: [m] an upper bound of their distance minus the travel of both links. This
+  /// value plus their travel now is an upper bound. infinity: none.
+  std::vector<double> links;
   /// The pairs that can be near before bodies use up kListMargin; without a list, in this cycle.
   std::vector<ListedPair> listed;
   bool is_listed{false};                 ///< false: no list is known

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -19,9 +20,22 @@ struct SpeedDemand {
 /// The least that pairs say, at most.
 struct LeastOfPairs {
   double distance{std::numeric_limits<double>::infinity()};  ///< [m]
+  double warned{std::numeric_limits<double>::infinity()};    ///< [m] of pairs that are warnings
   double time{std::numeric_limits<double>::infinity()};      ///< [s] to contact
   double scale{1.0};                                         ///< of the speed
 };
+
+/// How far ahead pairs of a robot are looked at.
+struct Watched {
+  double time{0.0};      ///< [s] pairs that may touch within it matter
+  double of_settled{0.0};  ///< [s] as `time`, for pairs that are a warning anyway
+  double distance{0.0};  ///< [m] pairs up to this distance matter even if nothing moves
+};
+
+/// As it is from the start.
+inline bool expectsNothing(const LeastOfPairs& expected) noexcept {
+  return std::isinf(expected.distance);
+}
 
 /// Bits of RobotSpeeds::has_unknown.
 constexpr unsigned char kHasUnknown = 1;
@@ -36,7 +50,13 @@ struct RobotSpeeds {
   std::vector<unsigned char> is_excused;
   std::vector<std::uint32_t> robot_of_link;  ///< by LinkId: findMovers
   std::vector<SpeedDemand> demands;          ///< scratch
-  std::vector<LeastOfPairs> least;           ///< scratch of measureTold
+  std::vector<LeastOfPairs> least;           ///< what measureTold found
+  /// What `least` is expected not to exceed. Pairs that say no less are passed over. Without
+  /// expectations all pairs are looked at, as where somebody listens to all distances.
+  std::vector<LeastOfPairs> expected;
+  std::vector<Watched> watched;  ///< what follows from `expected`
+  /// The robot may be free again, but pairs were passed over: the next cycle looks at all.
+  std::vector<unsigned char> may_be_free;
   /// By robot * number of scales + robot: kHasUnknown, kHasLost, of pairs between them.
   std::vector<unsigned char> has_unknown;
   std::uint64_t noted{0};  ///< PairEvents::complete_judgements that `has_unknown` follows

@@ -78,7 +78,6 @@ std::vector<LaneReaches> makeLaneReaches(const CycleSetup& setup,
       if ((block.pairs.is_pair >> lane & 1U) != 0) {
         const PairReach& reach = reaches.of_limits[setup.checked[pair++].limits];
         lanes.all[lane] = reach.all;
-        lanes.near[lane] = reach.near;
         lanes.stop[lane] = reach.stop;
         lanes.contact[lane] = reach.contact;
       }
@@ -122,9 +121,9 @@ Twist twistOf(const ScrewMotion& motion) noexcept {
   return twistAbout(motion.start.translation, motion.travel, motion.turn);
 }
 
-/// Writes where links are and how they move.
-void writeLinks(const CycleSetup& setup, const LinkPoses& poses, const SweepWork& sweep,
-                ActivationDistances& reaches) noexcept {
+/// Writes where links are, how they move and how far their pairs are looked at.
+void writeLinks(const CycleSetup& setup, const LinkPoses& poses, const RobotSpeeds& robots,
+                const SweepWork& sweep, ActivationDistances& reaches) noexcept {
   const Twist unknown{Eigen::Vector3d::Constant(kUnknown), Eigen::Vector3d::Constant(kUnknown)};
   const LinkVelocities& velocities = poses.velocities;
   for (std::size_t slot = 0; slot < reaches.links.size(); ++slot) {
@@ -135,6 +134,9 @@ void writeLinks(const CycleSetup& setup, const LinkPoses& poses, const SweepWork
                link_column::velocity, slot, reaches.rows);
     reaches.rows.at(link_column::travel)[slot] =
         setup.is_continuous ? travelOf(sweep.link_motions[link], ball) : 0.0;
+    const Watched& watched = robots.watched[robots.robot_of_link[link]];
+    reaches.rows.at(link_column::time)[slot] = watched.time;
+    reaches.rows.at(link_column::distance)[slot] = watched.distance;
   }
 }
 
@@ -184,6 +186,18 @@ void findSplit(const LinkPoses& poses, ActivationDistances& reaches) noexcept {
   }
 }
 
+void findWatched(const CycleSetup& setup, const ActivationDistances& reaches,
+                 RobotSpeeds& robots) noexcept {
+  for (std::size_t i = 0; i < robots.watched.size(); ++i) {
+    const LeastOfPairs& expected = robots.expected[i];
+    const double told = std::max(expected.time, setup.ahead.stop.stop_time * expected.scale);
+    const auto cut = [&](double time) { return std::min(time, setup.ahead.horizon); };
+    const double of_contact = std::max(told, reaches.contact_time);
+    robots.watched[i] = {cut(std::max(of_contact, reaches.warning_time)), cut(of_contact),
+                         expected.distance};
+  }
+}
+
 StepCap capOf(double step, double longest, LinkPairIndex pair) noexcept {
   return {longest, pair, step > longest};
 }
@@ -199,6 +213,17 @@ ActivationDistances makeActivationDistances(const CycleSetup& setup) {
     reaches.of_limits.push_back(reachFor(setup, own.limits));
   }
   reaches.farthest = farthestOf(reaches.of_limits);
+  reaches.least_near = std::min_element(reaches.of_limits.begin(), reaches.of_limits.end(),
+                                        [](const PairReach& one, const PairReach& other) {
+                                          return one.near < other.near;
+                                        })
+                           ->near;
+  reaches.contact_time = largestOfLimits(setup, [](const Limits& limits) noexcept {
+    return limits.contact_time > 0.0 ? limits.contact_time + limits.time_hysteresis : 0.0;
+  });
+  reaches.warning_time = largestOfLimits(setup, [](const Limits& limits) noexcept {
+    return limits.warning_time > 0.0 ? limits.warning_time + limits.time_hysteresis : 0.0;
+  });
   reaches.blocks = makeLinkBlocks(setup, reaches.links, reaches.thickness);
   reaches.of_blocks = makeLaneReaches(setup, reaches);
   reaches.rows.stride = (groupCountOf(reaches.links.size()) + 1) * kBlockLanes;
@@ -209,8 +234,8 @@ ActivationDistances makeActivationDistances(const CycleSetup& setup) {
     reaches.rows.at(link_column::radius)[slot] = reaches.balls.back().radius;
   }
   makeObjectRanges(setup, reaches);
-  reaches.all.resize(setup.checked.size() + reaches.ranges.size(), kInfinity);
-  reaches.near = reaches.all;
+  reaches.motion.resize(setup.checked.size() + reaches.ranges.size(), kInfinity);
+  reaches.told = reaches.speed = reaches.motion;
   return reaches;
 }
 
@@ -230,15 +255,17 @@ std::vector<double> thicknessOfPairs(const CycleSetup& setup) {
   return least;
 }
 
-void findActivationDistances(const CycleSetup& setup, const LinkPoses& poses, SweepWork& sweep,
+void findActivationDistances(const CycleSetup& setup, const LinkPoses& poses,
+                             RobotSpeeds& robots, SweepWork& sweep,
                              ActivationDistances& reaches) noexcept {
   const bool has_step = sweep.elapsed > 0.0;
-  writeLinks(setup, poses, sweep, reaches);
+  findWatched(setup, reaches, robots);
+  writeLinks(setup, poses, robots, sweep, reaches);
   findSplit(poses, reaches);
   if (has_step) {
     writeSteps(sweep, reaches);
   }
-  const WalkQuestion question{setup.ahead.horizon, has_step, setup.is_continuous};
+  const WalkQuestion question{has_step, setup.is_continuous};
   Farthest farthest = walkLinkPairs(question, reaches);
   walkObjectRanges(question, poses, reaches, farthest);
   if (has_step) {

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
+#include "pipeline/data/robot_speeds.h"
 #include "pipeline/refine/sweep_pairs.h"
 
 /// What a cycle needs of every checked link pair, found in one pass. Links stand in columns, and
@@ -21,7 +23,6 @@ struct PairReach {
 /// [m] PairReach of the pairs of a block, by lane.
 struct LaneReaches {
   alignas(64) double all[kBlockLanes] = {};
-  alignas(64) double near[kBlockLanes] = {};
   alignas(64) double stop[kBlockLanes] = {};
   alignas(64) double contact[kBlockLanes] = {};
 };
@@ -53,7 +54,9 @@ constexpr std::size_t travel = 10;   ///< upper bound for any point of the ball 
 constexpr std::size_t last_center = 11;  ///< in the last cycle
 constexpr std::size_t moved = 14;        ///< a twist per cycle: the motion since the last cycle
 constexpr std::size_t bent = 20;         ///< a twist per cycle: bound of the motion off the screw
-constexpr std::size_t count = 26;
+constexpr std::size_t time = 26;         ///< as Watched::time
+constexpr std::size_t distance = 27;     ///< as Watched::distance
+constexpr std::size_t count = 28;
 }  // namespace link_column
 
 /// The activation distances of all link pairs, and what is needed to find them.
@@ -70,17 +73,24 @@ struct ActivationDistances {
   std::vector<double> thickness;     ///< [m] by LinkPairIndex: as thicknessOfPairs
   std::vector<PairReach> of_limits;  ///< by CheckedLinkPair::limits
   PairReach farthest;                ///< the largest of each
+  double least_near{0.0};            ///< [m] the least of PairReach::near
+  double contact_time{0.0};  ///< [s] a contact may depend on a time to contact up to this
+  double warning_time{0.0};  ///< [s] and a warning up to this
   bool is_split{false};              ///< links are in several parts
 
   BodyRows rows;  ///< of the links
-  /// By LinkPairIndex: where `all` and `near` hold its distance. Pairs of a range share one place.
+  /// By LinkPairIndex: where these hold its numbers. Pairs of a range share one place.
   std::vector<std::uint32_t> place_of;
-  std::vector<double> all;  ///< [m]
-  /// [m] As `all` but without report_distance. Farther bodies matter only if they are the nearest
-  /// of two elements.
-  std::vector<double> near;
+  std::vector<double> speed;  ///< [m/s] how fast its links may approach each other; may be unknown
+  std::vector<double> motion;  ///< [m] up to this a pair matters by how its links move
+  /// [m] Up to this the nearest bodies of two elements matter at rest: as PairReach::all, or less
+  /// while only a nearer pair is told.
+  std::vector<double> told;
 
-  double of(LinkPairIndex pair) const noexcept { return all[place_of[pair]]; }
+  /// [m] Beyond this a pair matters only if nothing is nearer.
+  double of(LinkPairIndex pair) const noexcept {
+    return std::max(motion[place_of[pair]], told[place_of[pair]]);
+  }
 };
 
 ActivationDistances makeActivationDistances(const CycleSetup& setup);
@@ -89,9 +99,10 @@ ActivationDistances makeActivationDistances(const CycleSetup& setup);
 /// not count: they never overlap.
 std::vector<double> thicknessOfPairs(const CycleSetup& setup);
 
-/// Finds for each link pair how near its bodies must be to be reported, to be refined, to touch or
-/// to lower the speed scale within the horizon at present velocities, or to have touched since the
-/// last cycle. Infinite where a velocity is unknown.
+/// Finds for each link pair how near its bodies must be to be told, to touch or to lower the speed
+/// scale within the horizon at present velocities, or to have touched since the last cycle. Infinite
+/// where a velocity is unknown. Fills RobotSpeeds::watched: a pair that says more than is expected of
+/// others does not matter.
 ///
 /// A distance changes no faster than the ball of B's bodies moves relative to A. Objects may be
 /// large or without bounds, so it is the ball of the robot's link that moves relative to them.
@@ -104,7 +115,8 @@ std::vector<double> thicknessOfPairs(const CycleSetup& setup);
 /// Error: step limits are estimates, since twists at one time represent the whole step. The same
 /// bytes with every instruction set.
 /// @pre `sweep` is filled by findMotions.
-void findActivationDistances(const CycleSetup& setup, const LinkPoses& poses, SweepWork& sweep,
+void findActivationDistances(const CycleSetup& setup, const LinkPoses& poses,
+                             RobotSpeeds& robots, SweepWork& sweep,
                              ActivationDistances& reaches) noexcept;
 
 }  // namespace collision_monitor

@@ -32,10 +32,13 @@ double travelOf(const BodyRows& rows, const ObjectRange& range, std::size_t c,
          angular.norm() * rows.at(link_column::radius)[range.link];
 }
 
-double reachByMotion(const WalkQuestion& question, const ActivationDistances& reaches,
-                     const ObjectRange& range) noexcept {
-  const double speed = travelOf(reaches.rows, range, link_column::velocity, link_column::center);
-  const double asked = reaches.of_limits[range.limits].stop + speed * question.horizon;
+double largerOf(const BodyRows& rows, const ObjectRange& range, std::size_t column) noexcept {
+  return std::max(rows.at(column)[range.link], rows.at(column)[range.objects]);
+}
+
+double reachByMotion(const ActivationDistances& reaches, const ObjectRange& range,
+                     double speed) noexcept {
+  const double asked = reaches.of_limits[range.limits].stop + speed * largerOf(reaches.rows, range, link_column::time);
   const double came = reaches.of_limits[range.limits].contact +
                       reaches.rows.at(link_column::travel)[range.link] +
                       reaches.rows.at(link_column::travel)[range.objects];
@@ -122,10 +125,12 @@ void makeObjectRanges(const CycleSetup& setup, ActivationDistances& reaches) {
 void walkObjectRanges(const WalkQuestion& question, const LinkPoses& poses,
                       ActivationDistances& reaches, Farthest& farthest) noexcept {
   for (const ObjectRange& range : reaches.ranges) {
-    const double reach = reachByMotion(question, reaches, range);
-    const PairReach& at_rest = reaches.of_limits[range.limits];
-    reaches.all[reaches.place_of[range.first]] = std::max(at_rest.all, reach);
-    reaches.near[reaches.place_of[range.first]] = std::max(at_rest.near, reach);
+    const std::uint32_t place = reaches.place_of[range.first];
+    reaches.speed[place] =
+        travelOf(reaches.rows, range, link_column::velocity, link_column::center);
+    reaches.motion[place] = reachByMotion(reaches, range, reaches.speed[place]);
+    reaches.told[place] = std::min(reaches.of_limits[range.limits].all,
+                                   largerOf(reaches.rows, range, link_column::distance));
     const bool is_joined = poses.part[index(reaches.links[range.link])] ==
                            poses.part[index(reaches.links[range.objects])];
     if (question.has_step && is_joined) {

@@ -50,11 +50,15 @@ HWY_INLINE Number travelOf(const SeenMotion& motion) {
   return hn::Add(hn::Sqrt(motion.moved), hn::Mul(hn::Sqrt(motion.turned), motion.radius));
 }
 
+HWY_INLINE Number largerOf(const LinkLanes& pairs, std::size_t column) {
+  return hn::Max(pairs.one.at(column), pairs.row.at(column));
+}
+
 /// [m] How near pairs must be to matter to past or future motion; not finite if unknown.
-HWY_INLINE Number reachByMotion(const LinkLanes& pairs, const WalkQuestion& question) {
-  const Number speed = travelOf(motionSeen(pairs, link_column::velocity, link_column::center));
-  const Number asked = hn::Add(reachOf(pairs, &PairReach::stop, &LaneReaches::stop),
-                               hn::Mul(speed, number(question.horizon)));
+HWY_INLINE Number reachByMotion(const LinkLanes& pairs, Number speed) {
+  const Number time = largerOf(pairs, link_column::time);
+  const Number asked =
+      hn::Add(reachOf(pairs, &PairReach::stop, &LaneReaches::stop), hn::Mul(speed, time));
   const Number contact = reachOf(pairs, &PairReach::contact, &LaneReaches::contact);
   const Number came = hn::Add(hn::Add(contact, pairs.one.at(link_column::travel)),
                               pairs.row.at(link_column::travel));
@@ -93,11 +97,14 @@ void walkInLanes(const WalkQuestion& question, ActivationDistances& reaches, Far
                             block.thickness + lane,
                             lane,
                             part};
-      const Number reach = reachByMotion(pairs, question);
-      storeByPair(part, hn::Max(reachOf(pairs, &PairReach::all, &LaneReaches::all), reach),
-                  reaches.all);
-      storeByPair(part, hn::Max(reachOf(pairs, &PairReach::near, &LaneReaches::near), reach),
-                  reaches.near);
+      const Number speed =
+          travelOf(motionSeen(pairs, link_column::velocity, link_column::center));
+      storeByPair(part, speed, reaches.speed);
+      storeByPair(part, reachByMotion(pairs, speed), reaches.motion);
+      storeByPair(part,
+                  hn::Min(reachOf(pairs, &PairReach::all, &LaneReaches::all),
+                          largerOf(pairs, link_column::distance)),
+                  reaches.told);
       if (question.has_step) {
         findFarther(pairs, link_column::moved, farthest.moved);
       }

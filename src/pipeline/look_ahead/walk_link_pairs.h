@@ -8,8 +8,7 @@
 namespace collision_monitor {
 
 struct WalkQuestion {
-  double horizon;  ///< [s]
-  bool has_step;   ///< the columns of the last motion are filled
+  bool has_step;  ///< the columns of the last motion are filled
   bool has_bends;
 };
 

@@ -9,7 +9,7 @@
 #include "collision_monitor/geometry/bounds.h"
 #include "geometry/constants.h"
 #include "narrow_phase/distance.h"
-#include "pipeline/cycle/bound_bodies.h"
+#include "pipeline/look_ahead/bound_bodies.h"
 #include "pipeline/cycle/cycle_buffers.h"
 
 namespace collision_monitor {

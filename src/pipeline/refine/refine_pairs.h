@@ -51,6 +51,7 @@ struct RefineWork {
   std::size_t refined{0};  ///< these three as in CycleCounters
   std::size_t left{0};
   std::size_t work_done{0};
+  std::size_t work_before{0};  ///< of the same budget, that refinePairs has done before
   std::size_t near_bodies{0};  ///< pairs of bodies that count; 0 while learning
 };
 

@@ -28,7 +28,8 @@ void forgetLastCycle(const CycleSetup& setup, RefineWork& work) noexcept {
     work.nearest[setup.element_pairs[task.pair].link_pair] = kInfinity;
     task = {task.pair};
   }
-  work.refined = work.left = work.work_done = 0;
+  work.refined = work.left = 0;
+  work.work_done = work.work_before;
 }
 
 /// Drops the tasks of pairs that are no longer near.

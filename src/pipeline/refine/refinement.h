@@ -34,11 +34,14 @@ inline const Limits& limitsOf(const Refinement& all, const RefineTask& task) noe
 }
 
 /// [m] Beyond this a pair is in no contact.
-inline double clearBeyond(const Refinement& all, const RefineTask& task) noexcept {
+inline double clearBeyond(const Limits& limits) noexcept {
   constexpr double kNotTouching = 1e-3;
   constexpr double kPastThreshold = 1e-6;  // a contact is held at its threshold itself
-  const Limits& limits = limitsOf(all, task);
   return std::max(limits.contact_distance + limits.hysteresis + kPastThreshold, kNotTouching);
+}
+
+inline double clearBeyond(const Refinement& all, const RefineTask& task) noexcept {
+  return clearBeyond(limitsOf(all, task));
 }
 
 /// How far a search goes.

@@ -65,7 +65,9 @@ double travelOf(const Twist& seen, const Eigen::Vector3d& center, double radius)
 }
 
 /// What lies ahead and behind; nothing is refined, warned of or reported.
-double plainReach(const Scene& scene, const CheckedLinkPair& pair, const std::vector<Ball>& balls) {
+/// @param time [s] how far is looked ahead
+double plainReach(const Scene& scene, const CheckedLinkPair& pair, double time,
+                  const std::vector<Ball>& balls) {
   const std::size_t a = index(pair.a);
   const std::size_t b = index(pair.b);
   const LinkVelocities& velocities = scene.poses.velocities;
@@ -79,8 +81,7 @@ double plainReach(const Scene& scene, const CheckedLinkPair& pair, const std::ve
     return velocityAt(motion, balls[link].center).norm() + motion.turn.norm() * balls[link].radius;
   };
   const double stop = scene.setup.ahead.stop.stop_distance + scene.setup.limits.hysteresis;
-  const double asked =
-      std::max(scene.setup.limits.contact_distance, stop) + scene.setup.ahead.horizon * speed;
+  const double asked = std::max(scene.setup.limits.contact_distance, stop) + time * speed;
   const double travel = scene.setup.is_continuous ? came(a) + came(b) : 0.0;
   return std::max(asked, scene.setup.limits.contact_distance + travel);
 }
@@ -123,27 +124,51 @@ void expectReach(double reach, double expected) {
       << reach << " for " << expected;
 }
 
+/// In every third scene nothing is expected; else a contact before the horizon, a smaller scale.
+LeastOfPairs expectedIn(const Scene& scene, Random& random) {
+  LeastOfPairs expected;
+  if (random() % 3 != 0) {
+    expected.distance = uniform(random, -0.1, 0.3);
+    expected.time = uniform(random, 0.0, 2.0 * scene.setup.ahead.horizon);
+    expected.scale = uniform(random, 0.0, 1.0);
+  }
+  return expected;
+}
+
+/// Whatever touches later, asks for a larger scale or is farther says less than is expected.
+double timeWatched(const Scene& scene, const LeastOfPairs& expected) {
+  const double of_scale = expected.scale * scene.setup.ahead.stop.stop_time;
+  const Limits& limits = scene.setup.limits;
+  const double of_verdicts =
+      limits.warning_time > 0.0 ? limits.warning_time + limits.time_hysteresis : 0.0;
+  return std::min(scene.setup.ahead.horizon, std::max({expected.time, of_scale, of_verdicts}));
+}
+
 TEST(LinkWalkLaws, reachesAndStepsAreThoseOfEveryPairAlone_onEveryInstructionSet) {
+  Random random(kSeed);
   for (unsigned seed = kSeed; seed < kSeed + 100; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Scene scene = movingScene(seed);
     const std::vector<Ball> balls = linkBalls(scene.setup);
+    RobotSpeeds robots = makeRobotSpeeds(scene.setup.model);
+    const LeastOfPairs expected = expectedIn(scene, random);
+    std::fill(robots.expected.begin(), robots.expected.end(), expected);
+    const double report = activationDistanceOf(scene.setup.limits);
     std::vector<double> first;
     for (const std::int64_t target : instructionSets()) {
       SCOPED_TRACE(hwy::TargetName(target));
       const OnlyInstructionSet only(target);
       ActivationDistances reaches = makeActivationDistances(scene.setup);
-      findActivationDistances(scene.setup, scene.poses, scene.sweep, reaches);
-      ASSERT_EQ(reaches.all.size(), scene.setup.checked.size());
-      for (std::size_t i = 0; i < reaches.all.size(); ++i) {
-        const double expected = plainReach(scene, scene.setup.checked[i], balls);
-        expectReach(reaches.all[i], std::max(expected, activationDistanceOf(scene.setup.limits)));
-        expectReach(reaches.near[i],
-                    std::max(expected, nearActivationDistanceOf(scene.setup, scene.setup.limits)));
+      findActivationDistances(scene.setup, scene.poses, robots, scene.sweep, reaches);
+      ASSERT_EQ(reaches.motion.size(), scene.setup.checked.size());
+      for (std::size_t i = 0; i < reaches.motion.size(); ++i) {
+        expectReach(reaches.motion[i], plainReach(scene, scene.setup.checked[i],
+                                                  timeWatched(scene, expected), balls));
+        EXPECT_EQ(reaches.told[i], std::min(report, expected.distance));
       }
-      ASSERT_TRUE(first.empty() || std::memcmp(first.data(), reaches.all.data(),
+      ASSERT_TRUE(first.empty() || std::memcmp(first.data(), reaches.motion.data(),
                                                first.size() * sizeof(double)) == 0);
-      first = reaches.all;
+      first = reaches.motion;
       expectStep(scene, scene.sweep.step);
     }
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "collision_monitor/geometry/ids.h"
+#include "collision_monitor/motion/speed_scale.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/measure_told.h"
 #include "pipeline/cycle/run_cycle.h"
@@ -35,11 +36,19 @@ CycleSetup bodiesSetup() {
   return setup;
 }
 
+/// With many warnings.
+CycleSetup crowdedSetup() {
+  CycleSetup setup = bodiesSetup();
+  setup.limits.warning_distance = 0.15;
+  return setup;
+}
+
 /// Moves each link evenly for a while, then throws it somewhere else.
 class Drift {
  public:
-  explicit Drift(const CycleSetup& setup)
-      : poses_(randomLinkPoses(setup, 0.25, kSeed)), random_(kSeed) {
+  /// @param speed [m/s] [rad/s] at most
+  explicit Drift(const CycleSetup& setup, double speed = 1.0)
+      : speed_(speed), poses_(randomLinkPoses(setup, 0.25, kSeed)), random_(kSeed) {
     poses_.stamp_ns = kPeriod;
     for (std::size_t link = 0; link < poses_.status.size(); ++link) {
       turn(link);
@@ -68,10 +77,12 @@ class Drift {
     pose.translation = turned * pose.translation + kSeconds * twist.linear;
   }
   void turn(std::size_t link) {
-    poses_.velocities.of_link[link] = {randomPoint(random_, 0.2), randomPoint(random_, 1.0)};
+    poses_.velocities.of_link[link] = {randomPoint(random_, 0.2 * speed_),
+                                       randomPoint(random_, speed_)};
     poses_.velocities.known[link] = 1;
   }
 
+  double speed_;
   LinkPoses poses_;
   Random random_;
 };
@@ -108,10 +119,8 @@ bool isAnyEstimate(const PairDistances& distances) {
                      [](const PairDistance& pair) { return pair.quality == Quality::estimate; });
 }
 
-TEST(MeasureToldLaws, verdicts_nearest_timeAndScaleAreTheSame) {
-  const CycleSetup setup = bodiesSetup();
+void expectSameIsSaid(const CycleSetup& setup, Drift drift) {
   Watches watches(setup);
-  Drift drift(setup);
   int compared = 0;
   for (int cycle = 0; cycle < 20000; ++cycle) {
     watches.run(setup, drift.next());
@@ -133,6 +142,16 @@ TEST(MeasureToldLaws, verdicts_nearest_timeAndScaleAreTheSame) {
     ++compared;
   }
   EXPECT_GT(compared, 5000);
+}
+
+TEST(MeasureToldLaws, verdicts_nearest_timeAndScaleAreTheSame) {
+  const CycleSetup setup = bodiesSetup();
+  expectSameIsSaid(setup, Drift(setup));
+}
+
+TEST(MeasureToldLaws, manyWarnings_verdicts_nearest_timeAndScaleAreTheSame) {
+  const CycleSetup setup = crowdedSetup();
+  expectSameIsSaid(setup, Drift(setup, 0.1));
 }
 
 /// What is told has the same quality, and is the same up to the tolerance.
@@ -182,6 +201,30 @@ TEST(MeasureToldLaws, whatIsNotMeasured_isBounded) {
     }
   }
   EXPECT_GT(spared, all / 6) << "pairs are measured, though nobody asks";
+}
+
+/// Pairs that are passed over are warnings, and others are nearer, sooner and slower.
+TEST(MeasureToldLaws, settledPairs_areWarnings_andOthersSayLess) {
+  const CycleSetup setup = crowdedSetup();
+  Watches watches(setup);
+  Drift drift(setup, 0.1);
+  int settled = 0;
+  for (int cycle = 0; cycle < 20000; ++cycle) {
+    watches.run(setup, drift.next());
+    const PairEvents& truth = watches.told.events;
+    for (const LinkPairIndex pair : watches.untold.events.settled) {
+      ASSERT_EQ(truth.verdicts[pair], Verdict::warning) << cycle;
+      const std::uint32_t closest = truth.closest[pair];
+      ASSERT_NE(closest, kNone) << cycle;
+      ASSERT_NE(closest, truth.closest_of_all) << cycle;
+      const PairDistance& distance = watches.told.distances.pairs[closest];
+      ASSERT_GE(scaleForPair(distance.measured.distance, distance.closing_speed, setup.ahead.stop),
+                watches.told.memory.speed.scale - 1e-9)
+          << cycle;
+      ++settled;
+    }
+  }
+  EXPECT_GT(settled, 1000) << "pairs are looked at, though nobody asks";
 }
 
 /// A pair nearer than that is measured each time.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The collision_monitor authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "pipeline/cycle/bound_bodies.h"
+#include "pipeline/look_ahead/bound_bodies.h"
 
 #include <gtest/gtest.h>
 

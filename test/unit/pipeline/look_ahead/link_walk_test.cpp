@@ -29,13 +29,14 @@ class FindReachesTest : public testing::TestWithParam<std::int64_t> {
     std::fill(poses_.velocities.known.begin(), poses_.velocities.known.end(), 1);
   }
   /// A and B, A and C, B and C.
-  const std::vector<double>& reaches() {
-    findActivationDistances(setup_, poses_, sweep_, reaches_);
-    return reaches_.all;
+  std::vector<double> reaches() {
+    findActivationDistances(setup_, poses_, robots_, sweep_, reaches_);
+    return {reaches_.of(0), reaches_.of(1), reaches_.of(2)};
   }
 
   CycleSetup setup_ = handMadeSetup({{0, Sphere{0.1}}, {1, Sphere{0.1}}, {2, Sphere{0.1}}});
   LinkPoses poses_ = knownPoses(setup_);
+  RobotSpeeds robots_ = makeRobotSpeeds(setup_.model);
   SweepWork sweep_ = makeSweepWork(setup_);
   ActivationDistances reaches_;
 
@@ -54,6 +55,22 @@ TEST_P(FindReachesTest, movingLink_asFarAsItsBallComesSeenFromTheOther) {
   EXPECT_NEAR(reaches()[0], 0.005 + 2.0 * (1.0 + 0.1), 1e-12);
   EXPECT_EQ(reaches()[1], 0.2);
   EXPECT_NEAR(reaches()[2], 0.005 + 2.0 * (2.0 + 0.1), 1e-12);
+}
+
+TEST_P(FindReachesTest, contactExpectedSoon_laterOnesDoNotMatter) {
+  poses_.velocities.of_link[1].linear.z() = 1.0;
+  setup_.ahead.stop.stop_time = 0.25;
+  setup_.limits.warning_time = 0.0;
+  reaches_ = makeActivationDistances(setup_);
+  robots_.expected[0].distance = 0.03;
+  robots_.expected[0].time = 0.5;
+  EXPECT_EQ(reaches(), (std::vector<double>{0.505, 0.03, 0.505}));
+  robots_.expected[0].time = 0.0;
+  robots_.expected[0].scale = 0.5;
+  EXPECT_EQ(reaches(), (std::vector<double>{0.13, 0.03, 0.13})) << "0.125 s until the stop";
+  setup_.limits.warning_time = 0.25;
+  reaches_ = makeActivationDistances(setup_);
+  EXPECT_NEAR(reaches()[0], 0.255 + setup_.limits.time_hysteresis, 1e-12) << "a warning by time";
 }
 
 TEST_P(FindReachesTest, velocityThatIsNotKnown_everythingMatters) {
