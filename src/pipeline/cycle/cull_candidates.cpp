@@ -45,31 +45,80 @@ void keepUnless(const IsFar& is_far, std::vector<PairId>& candidates) noexcept {
   candidates.resize(kept);
 }
 
-/// Takes from the list what the distance cache does not prove to be far, and what is not settled. Of
-/// elements refined in the last cycle, which are most likely refined again, it defers all bodies but
-/// the nearest. Has no branch of its own, as keepUnless.
-void cullByCache(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
-  constexpr double kRounding = 1e-9;  // of the cached distance and of a new one
-  const DistanceCache& cache = buffers.memory.distance_cache;
+/// Looks up what decides for all bodies of two elements.
+void lookUp(const NearBodies& near, const RefineWork& refined, ListedElements& elements) noexcept {
+  const ElementsPlace& place = elements.place;
+  const PairReach& reach = near.reaches.of_limits[place.limits];
+  const std::vector<BodyTravel>& travels = near.cache.travels;
+  const double step = travels[index(place.a)].of_link + travels[index(place.b)].of_link;
+  elements.by_links = near.byLinks(place);
+  elements.at_rest = reach.near;
+  elements.stop = reach.stop;
+  elements.nearest = near.cache.nearest[place.elements] + step;
+  elements.told = std::min(near.toldOf(place), elements.nearest);
+  elements.is_measured = refined.is_measured[place.elements] != 0;
+  elements.least_gap = kInfinity;
+  elements.has_near = false;
+}
+
+/// Passes over elements that are far or settled with all of their bodies.
+void passElements(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  DistanceCache& cache = buffers.memory.distance_cache;
   const NearBodies near = nearBodies(setup, buffers);
   SettledPairs settled(setup, near, buffers);
+  for (ListedElements& elements : cache.listed_elements) {
+    const ElementsPlace& place = elements.place;
+    elements.travel = travelOfLinks(cache, place);
+    const bool is_far =
+        elements.gap - elements.travel > std::max(near.byLinks(place), near.toldOf(place));
+    elements.is_passed = is_far || settled.passOver(place);
+    if (!elements.is_passed) {
+      lookUp(near, buffers.refine, elements);
+    }
+  }
+}
+
+/// Keeps how far elements are whose bodies are all far.
+void keepGaps(DistanceCache& cache) noexcept {
+  for (ListedElements& elements : cache.listed_elements) {
+    if (!elements.is_passed && !elements.has_near) {
+      elements.gap = elements.least_gap + elements.travel;
+    }
+  }
+}
+
+/// Takes from the list what the distance cache does not prove to be far. Of elements refined in the
+/// last cycle, which are most likely refined again, it defers all bodies but the nearest. Has no
+/// branch for a body, as keepUnless.
+void cullByCache(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  constexpr double kRounding = 1e-9;  // of the cached distance and of a new one
+  DistanceCache& cache = buffers.memory.distance_cache;
+  const NearBodies near = nearBodies(setup, buffers);
+  passElements(setup, buffers);
   buffers.candidates.resize(cache.listed.size());
   buffers.deferred.resize(cache.listed.size());
   std::size_t kept = 0;
   std::size_t deferred = 0;
   for (const ListedPair& pair : cache.listed) {
-    const BodyTravel& a = cache.travels[index(pair.a)];
-    const BodyTravel& b = cache.travels[index(pair.b)];
-    const double gap = cache.distances[index(pair.pair)] - (a.all + b.all) - kRounding;
-    const double nearest = cache.nearest[pair.elements] + (a.of_link + b.of_link);
-    const bool is_near = !(gap > near.limitOf(pair, nearest)) && !settled.passOver(pair);
-    const bool waits = is_near & (gap > nearest) & (buffers.refine.is_measured[pair.elements] != 0);
+    ListedElements& of = cache.listed_elements[pair.place];
+    if (of.is_passed) {
+      continue;
+    }
+    const double travel = cache.travels[index(pair.a)].all + cache.travels[index(pair.b)].all;
+    const double gap = cache.distances[index(pair.pair)] - travel - kRounding;
+    const double limit =
+        std::max(near.nearOf({of.by_links, of.at_rest, of.stop}, pair.a, pair.b), of.told);
+    const bool is_near = !(gap > limit);
+    const bool waits = is_near & (gap > of.nearest) & of.is_measured;
+    of.least_gap = std::min(of.least_gap, gap);
+    of.has_near |= is_near;
     buffers.candidates[kept] = buffers.deferred[deferred] = pair.pair;
     kept += (is_near & !waits) ? 1 : 0;
     deferred += waits ? 1 : 0;
   }
   buffers.candidates.resize(kept);
   buffers.deferred.resize(deferred);
+  keepGaps(cache);
 }
 
 void cullBySpheres(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
@@ -79,7 +128,7 @@ void cullBySpheres(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
     const BodyPair& pair = setup.table[id];
     const Ball& a = balls[index(pair.a)];
     const Ball& b = balls[index(pair.b)];
-    if (!ballsPart(a, b, near.limitOf(near.entryOf(id), kInfinity))) {
+    if (!ballsPart(a, b, near.limitOf(near.placeOf(id), kInfinity))) {
       return false;
     }
     const double gap = (b.center - a.center).norm() - a.radius - b.radius;
@@ -93,7 +142,7 @@ void cullByBoxes(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   const NearBodies near = nearBodies(setup, buffers);
   const auto isFar = [&](PairId id) {
     return orientedBoxesPart(setup, buffers.body_poses, setup.table[id],
-                             near.limitOf(near.entryOf(id), kInfinity));
+                             near.limitOf(near.placeOf(id), kInfinity));
   };
   keepUnless(isFar, buffers.candidates);
 }

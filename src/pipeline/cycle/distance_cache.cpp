@@ -109,6 +109,8 @@ DistanceCache makeDistanceCache(const CycleSetup& setup) {
   cache.links.resize(setup.checked.size(), kInfinity);
   cache.measured_pairs.reserve(setup.element_pairs.size());
   cache.listed.reserve(setup.table.size());
+  cache.listed_elements.reserve(setup.element_pairs.size());
+  cache.listed_of.resize(setup.element_pairs.size(), kNone);
   cache.listed_moved.reserve(setup.carried.size() + 1);
   return cache;
 }

@@ -200,6 +200,12 @@ Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
                                     heldVerdict(memory, link_pair, nearest)));
 }
 
+/// Whether nothing was measured of a warning that stays one.
+bool isPassedOver(const PairEvents& events, LinkPairIndex pair) noexcept {
+  return events.is_settled[pair] != 0 && events.closest[pair] == kNone &&
+         events.passed[pair] == kNone && events.verdicts[pair] == Verdict::warning;
+}
+
 /// Stores a verdict, and lists it if it differs from the one that listeners have.
 void report(LinkPairIndex pair, Verdict verdict, PairMemory& memory, PairEvents& events) noexcept {
   Verdict& reported = memory.reported[pair];
@@ -248,6 +254,10 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
   // An unknown link in no checked pair does not matter.
   events.overall = Verdict::clear;
   for (const LinkPairIndex i : events.active) {
+    if (isPassedOver(events, i)) {
+      events.overall = std::max(events.overall, Verdict::warning);
+      continue;
+    }
     preferEstimate(distances, i, events);
     const CheckedLinkPair& pair = setup.checked[i];
     const bool is_joined = isJoined(body_poses, pair.a, pair.b);

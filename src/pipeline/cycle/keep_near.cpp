@@ -30,7 +30,7 @@ void keepNearFrom(const CycleSetup& setup, std::size_t first, CycleBuffers& buff
   });
   const NearBodies near = nearBodies(setup, buffers);
   const auto is_far = [&](const PairDistance& distance) {
-    const ListedPair pair = near.entryOf(distance.pair);
+    const ElementsPlace pair = near.placeOf(distance.pair);
     return distance.measured.distance > near.limitOf(pair, cache.nearest[pair.elements]);
   };
   measured.erase(std::remove_if(begin, measured.end(), is_far), measured.end());

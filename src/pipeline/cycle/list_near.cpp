@@ -75,11 +75,28 @@ void findCandidates(const CycleSetup& setup, const LinkPoses& poses, double marg
 }
 
 void listCandidates(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
-  const NearBodies near = nearBodies(setup, buffers);
   std::vector<ListedPair>& listed = buffers.memory.distance_cache.listed;
   listed.clear();
   for (const PairId id : buffers.candidates) {
-    listed.push_back(near.entryOf(id));
+    listed.push_back({id, setup.table[id].a, setup.table[id].b});
+  }
+}
+
+/// Lists the elements of the listed pairs.
+void listElements(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
+  const NearBodies near = nearBodies(setup, buffers);
+  DistanceCache& cache = buffers.memory.distance_cache;
+  cache.listed_elements.clear();
+  for (ListedPair& pair : cache.listed) {
+    std::uint32_t& place = cache.listed_of[setup.element_pair_of[index(pair.pair)]];
+    if (place == kNone) {
+      place = static_cast<std::uint32_t>(cache.listed_elements.size());
+      cache.listed_elements.push_back({near.placeOf(pair.pair)});
+    }
+    pair.place = place;
+  }
+  for (const ListedElements& listed : cache.listed_elements) {
+    cache.listed_of[listed.place.elements] = kNone;
   }
 }
 
@@ -118,6 +135,7 @@ void listNear(const CycleSetup& setup, const LinkPoses& poses, bool have_links_c
     if (cache.is_listed) {
       keepListed(setup, buffers);
     }
+    listElements(setup, buffers);
   }
 }
 

@@ -16,10 +16,9 @@ struct NearBodies {
   const std::vector<double>& told_below;  ///< as RefineWork
 
   /// What is looked up of a pair, gathered.
-  ListedPair entryOf(PairId id) const noexcept {
+  ElementsPlace placeOf(PairId id) const noexcept {
     const std::uint32_t link_pair = setup.link_pair_of[index(id)];
-    return {id,
-            setup.table[id].a,
+    return {setup.table[id].a,
             setup.table[id].b,
             setup.element_pair_of[index(id)],
             link_pair,
@@ -29,16 +28,30 @@ struct NearBodies {
 
   /// [m] At or below this distance bodies matter whatever other bodies of their elements do. It is
   /// the lesser of two bounds: by the motion of both links, and by the motion of both bodies.
-  double nearOf(const ListedPair& pair) const noexcept {
-    const double ahead = cache.travels[index(pair.a)].ahead + cache.travels[index(pair.b)].ahead;
+  double nearOf(const ElementsPlace& pair) const noexcept {
     const PairReach& reach = reaches.of_limits[pair.limits];
+    return nearOf({byLinks(pair), reach.near, reach.stop}, pair.a, pair.b);
+  }
+
+  /// The two bounds: by links, and at rest or from a stop on.
+  struct Bounds {
+    double by_links;
+    double at_rest;
+    double stop;
+  };
+  double nearOf(const Bounds& bounds, BodyId a, BodyId b) const noexcept {
+    const double ahead = cache.travels[index(a)].ahead + cache.travels[index(b)].ahead;
     // `ahead` may be NaN: by the order of arguments the result is then the other bound.
-    return std::min(std::max(reach.near, reaches.motion[pair.reach_place]),
-                    std::max(reach.stop + ahead, reach.near));
+    return std::min(bounds.by_links, std::max(bounds.stop + ahead, bounds.at_rest));
+  }
+
+  /// [m] As nearOf, for any bodies of these links.
+  double byLinks(const ElementsPlace& pair) const noexcept {
+    return std::max(reaches.of_limits[pair.limits].near, reaches.motion[pair.reach_place]);
   }
 
   /// [m] At or below this distance somebody may be told how near the links are.
-  double toldOf(const ListedPair& pair) const noexcept {
+  double toldOf(const ElementsPlace& pair) const noexcept {
     const double told = std::max(reaches.told[pair.reach_place], told_below[pair.link_pair]);
     return std::min(reaches.of_limits[pair.limits].all, told);
   }
@@ -51,13 +64,20 @@ struct NearBodies {
   }
 
   /// [m] Above this distance bodies do not matter, since nearer ones of their elements do.
-  double limitOf(const ListedPair& pair, double nearest) const noexcept {
+  double limitOf(const ElementsPlace& pair, double nearest) const noexcept {
     return std::max(nearOf(pair), std::min(toldOf(pair), nearest));
   }
 };
 
 inline NearBodies nearBodies(const CycleSetup& setup, const CycleBuffers& buffers) noexcept {
   return {setup, buffers.activation, buffers.memory.distance_cache, buffers.refine.told_below};
+}
+
+/// [m] How far the links of two bodies have moved.
+/// @param pair an ElementsPlace or a BodyPair
+template <class Pair>
+double travelOfLinks(const DistanceCache& cache, const Pair& pair) noexcept {
+  return cache.travels[index(pair.a)].of_link_all + cache.travels[index(pair.b)].of_link_all;
 }
 
 /// Stores a lower bound of the distance in the cache.

@@ -11,12 +11,6 @@
 namespace collision_monitor {
 namespace {
 
-/// [m] How far the links of two bodies have moved. A ListedPair and a BodyPair have both.
-template <class Pair>
-double travelOf(const DistanceCache& cache, const Pair& pair) noexcept {
-  return cache.travels[index(pair.a)].of_link_all + cache.travels[index(pair.b)].of_link_all;
-}
-
 /// [m] An upper bound of the distance; infinite if the search has only proven a lower one.
 double farthestOf(const PairDistance& pair) noexcept {
   const bool has_points =
@@ -62,7 +56,7 @@ SettledPairs::SettledPairs(const CycleSetup& setup, const NearBodies& near,
   buffers_.passed_over = 0;
 }
 
-double SettledPairs::reachOf(const ListedPair& pair) const noexcept {
+double SettledPairs::reachOf(const ElementsPlace& pair) const noexcept {
   const CheckedLinkPair& links = setup_.checked[pair.link_pair];
   const double time =
       std::max(robots_.watched[robots_.robot_of_link[index(links.a)]].of_settled,
@@ -76,7 +70,7 @@ double SettledPairs::reachOf(const ListedPair& pair) const noexcept {
   return at_rest + time * speed;
 }
 
-double SettledPairs::limitOf(const ListedPair& pair) const noexcept {
+double SettledPairs::limitOf(const ElementsPlace& pair) const noexcept {
   if (memory_.reported[pair.link_pair] != Verdict::warning) {
     return near_.limitOf(pair, kInfinity);
   }
@@ -84,7 +78,7 @@ double SettledPairs::limitOf(const ListedPair& pair) const noexcept {
   return std::max({near_.toldOf(pair), clear, reachOf(pair)});
 }
 
-void SettledPairs::recall(const ListedPair& pair, double travel) noexcept {
+void SettledPairs::recall(const ElementsPlace& pair, double travel) noexcept {
   const ElementPair& elements = setup_.element_pairs[pair.elements];
   const LastMeasurement& last = memory_.refined.lastOf(pair.elements);
   const std::vector<Pose>& poses = buffers_.body_poses.world_from_element;
@@ -109,7 +103,7 @@ void SettledPairs::recall(const ListedPair& pair, double travel) noexcept {
   }
 }
 
-bool SettledPairs::isProven(const ListedPair& pair, double limit, double travel) const noexcept {
+bool SettledPairs::isProven(const ElementsPlace& pair, double limit, double travel) const noexcept {
   const DistanceCache& cache = memory_.distance_cache;
   const bool is_warning = memory_.reported[pair.link_pair] == Verdict::warning;
   return cache.elements[pair.elements] - travel > limit &&
@@ -117,23 +111,25 @@ bool SettledPairs::isProven(const ListedPair& pair, double limit, double travel)
                              limitsOf(setup_, pair.link_pair).warning_distance);
 }
 
-bool SettledPairs::isSettled(const ListedPair& pair) noexcept {
+bool SettledPairs::isSettled(const ElementsPlace& pair) noexcept {
   if (memory_.reported[pair.link_pair] == Verdict::contact) {
     return false;
   }
-  const double travel = travelOf(memory_.distance_cache, pair);
+  const double travel = travelOfLinks(memory_.distance_cache, pair);
   const double limit = limitOf(pair);
   if (isProven(pair, limit, travel)) {
     return true;
   }
-  if (!(memory_.refined.lastOf(pair.elements).found.measured.distance > limit)) {
+  const bool was_measured = memory_.distance_cache.elements[pair.elements] > -kInfinity;
+  if (!was_measured ||
+      !(memory_.refined.lastOf(pair.elements).found.measured.distance > limit)) {
     return false;
   }
   recall(pair, travel);
   return isProven(pair, limit, travel);
 }
 
-bool SettledPairs::passOver(const ListedPair& pair) noexcept {
+bool SettledPairs::passOver(const ElementsPlace& pair) noexcept {
   const bool is_told = near_.toldOf(pair) >= near_.reaches.of_limits[pair.limits].all;
   if (is_told || !isSettled(pair)) {
     return false;
@@ -153,7 +149,7 @@ void keepProven(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   const double tolerance = refined.limits.tolerance;
   for (const PairDistance& pair : buffers.distances.pairs) {
     const ElementPairIndex elements = setup.element_pair_of[index(pair.pair)];
-    const double travel = travelOf(cache, setup.table[pair.pair]);
+    const double travel = travelOfLinks(cache, setup.table[pair.pair]);
     // Bodies that are not the nearest, or beyond the reach of all limits, were not measured.
     const double nearest =
         refined.is_measured[elements] != 0

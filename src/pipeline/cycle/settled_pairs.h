@@ -17,19 +17,19 @@ class SettledPairs {
 
   /// Whether the elements of these bodies are settled; then notes their links. Where any pair may be
   /// the nearest, none is.
-  bool passOver(const ListedPair& pair) noexcept;
+  bool passOver(const ElementsPlace& pair) noexcept;
 
  private:
-  bool isSettled(const ListedPair& pair) noexcept;
+  bool isSettled(const ElementsPlace& pair) noexcept;
   /// Whether the pair is proven to be farther than `limit` and, if it is a warning, to stay one.
-  bool isProven(const ListedPair& pair, double limit, double travel) const noexcept;
+  bool isProven(const ElementsPlace& pair, double limit, double travel) const noexcept;
   /// Improves what is known of the elements by how they have moved relative to each other.
-  void recall(const ListedPair& pair, double travel) noexcept;
+  void recall(const ElementsPlace& pair, double travel) noexcept;
   /// [m] Beyond this the pair says nothing new.
-  double limitOf(const ListedPair& pair) const noexcept;
+  double limitOf(const ElementsPlace& pair) const noexcept;
 
   /// [m] Beyond this other pairs touch sooner and ask for a smaller scale.
-  double reachOf(const ListedPair& pair) const noexcept;
+  double reachOf(const ElementsPlace& pair) const noexcept;
 
   const CycleSetup& setup_;
   const NearBodies& near_;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "collision_monitor/geometry/ids.h"
@@ -27,15 +28,40 @@ struct BodyTravel {
   double ahead_when_listed{0.0};  ///< [m] within the horizon then
 };
 
-/// What decides whether a pair of bodies is near, side by side in memory.
-struct ListedPair {
-  PairId pair{};
-  BodyId a{};
+/// Where that stands which decides whether two elements are near.
+struct ElementsPlace {
+  BodyId a{};  ///< of the first element, like any other for what all bodies of a link share
   BodyId b{};
   ElementPairIndex elements{};
   std::uint32_t link_pair{0};
   std::uint32_t reach_place{0};  ///< ActivationDistances::place_of its link pair
   std::uint32_t limits{0};       ///< as CheckedLinkPair
+};
+
+/// Two elements of a list, and what a cycle finds out about all of their bodies.
+struct ListedElements {
+  ElementsPlace place;
+  /// [m] A lower bound for all listed bodies plus the travel of both links, as
+  /// DistanceCache::elements.
+  double gap{-std::numeric_limits<double>::infinity()};
+  double travel{0.0};     ///< [m] of both links
+  double least_gap{0.0};  ///< [m] the least lower bound of a listed body
+  double by_links{0.0};   ///< [m] bodies matter up to this distance, by the motion of both links
+  double at_rest{0.0};    ///< [m] or up to this and their motion ahead
+  double stop{0.0};       ///< [m]
+  double nearest{0.0};    ///< [m] an upper bound of the least distance of its bodies
+  double told{0.0};       ///< [m] up to this distance the nearest bodies matter
+  bool is_passed{false};  ///< none of its bodies matters
+  bool is_measured{false};  ///< in the last cycle
+  bool has_near{false};     ///< some of its bodies matter
+};
+
+/// A pair of bodies that can be near.
+struct ListedPair {
+  PairId pair{};
+  BodyId a{};
+  BodyId b{};
+  std::uint32_t place{0};  ///< index into DistanceCache::listed_elements
 };
 
 /// Earlier distances, kept as lower bounds while bodies move.
@@ -57,6 +83,8 @@ struct DistanceCache {
   std::vector<double> links;
   /// The pairs that can be near before bodies use up kListMargin; without a list, in this cycle.
   std::vector<ListedPair> listed;
+  std::vector<ListedElements> listed_elements;  ///< of `listed`
+  std::vector<std::uint32_t> listed_of;  ///< by ElementPairIndex: scratch, kNone between two lists
   bool is_listed{false};                 ///< false: no list is known
   std::vector<IndexRange> listed_moved;  ///< MovedParts::bodies when `listed` was filled
 };

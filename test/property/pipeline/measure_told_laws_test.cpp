@@ -203,6 +203,27 @@ TEST(MeasureToldLaws, whatIsNotMeasured_isBounded) {
   EXPECT_GT(spared, all / 6) << "pairs are measured, though nobody asks";
 }
 
+/// Where nobody listens, a robot that was slowed down is set free at the same time or later.
+TEST(MeasureToldLaws, scaleThatGrows_isNeverLarger) {
+  CycleSetup setup = crowdedSetup();
+  setup.ahead.stop.release_time = 0.1;
+  Watches watches(setup);
+  Drift drift(setup, 0.1);
+  int growing = 0;
+  int later = 0;
+  for (int cycle = 0; cycle < 20000; ++cycle) {
+    const double before = watches.told.memory.speed.scale;
+    watches.run(setup, drift.next());
+    const double told = watches.told.memory.speed.scale;
+    const double untold = watches.untold.memory.speed.scale;
+    ASSERT_LE(untold, told + 1e-5) << cycle;
+    growing += told > before ? 1 : 0;
+    later += untold < told - 1e-5 ? 1 : 0;
+  }
+  EXPECT_GT(growing, 100);
+  EXPECT_LT(later, growing / 10);
+}
+
 /// Pairs that are passed over are warnings, and others are nearer, sooner and slower.
 TEST(MeasureToldLaws, settledPairs_areWarnings_andOthersSayLess) {
   const CycleSetup setup = crowdedSetup();
