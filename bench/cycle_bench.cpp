@@ -92,8 +92,8 @@ class Stages {
       expectNothing(buffers.robots);
     }
     measure(setup, poses, buffers);
-    if (sayLessThanExpected(buffers.robots, buffers.events)) {
-      expectFound(buffers.robots);
+    if (isMoreThanExpected(setup, buffers.robots, buffers.events)) {
+      expectFound(setup, buffers.robots);
       buffers.refine.work_before = buffers.refine.work_done;
       measure(setup, poses, buffers);
       buffers.refine.work_before = 0;
@@ -133,7 +133,7 @@ class Stages {
     scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.reported,
                buffers.memory.speed, buffers.robots);
     if (!buffers.refine.tells_all) {
-      expectNext(buffers.robots);
+      expectNext(setup, buffers.robots);
       unexpected_ += expectsNothing(buffers.robots.expected.front()) ? 1.0 : 0.0;
     }
     keepLively(setup, buffers.events, buffers.memory);

@@ -55,7 +55,7 @@ void lookUp(const NearBodies& near, const RefineWork& refined, ListedElements& e
   elements.at_rest = reach.near;
   elements.stop = reach.stop;
   elements.nearest = near.cache.nearest[place.elements] + step;
-  elements.told = std::min(near.toldOf(place), elements.nearest);
+  elements.told = std::min(near.heardOf(place), elements.nearest);
   elements.is_measured = refined.is_measured[place.elements] != 0;
   elements.least_gap = kInfinity;
   elements.has_near = false;
@@ -70,7 +70,7 @@ void passElements(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
     const ElementsPlace& place = elements.place;
     elements.travel = travelOfLinks(cache, place);
     const bool is_far =
-        elements.gap - elements.travel > std::max(near.byLinks(place), near.toldOf(place));
+        elements.gap - elements.travel > std::max(near.byLinks(place), near.heardOf(place));
     elements.is_passed = is_far || settled.passOver(place);
     if (!elements.is_passed) {
       lookUp(near, buffers.refine, elements);

@@ -14,6 +14,7 @@ struct NearBodies {
   const ActivationDistances& reaches;
   const DistanceCache& cache;
   const std::vector<double>& told_below;  ///< as RefineWork
+  const std::vector<Verdict>& reported;   ///< as PairMemory
 
   /// What is looked up of a pair, gathered.
   ElementsPlace placeOf(PairId id) const noexcept {
@@ -50,7 +51,14 @@ struct NearBodies {
     return std::max(reaches.of_limits[pair.limits].near, reaches.motion[pair.reach_place]);
   }
 
-  /// [m] At or below this distance somebody may be told how near the links are.
+  /// [m] At or below this distance somebody may be told how near the links are: up to all that is
+  /// reported where a warning or contact may end.
+  double heardOf(const ElementsPlace& pair) const noexcept {
+    const bool is_clear = reported[pair.link_pair] == Verdict::clear;
+    return is_clear ? toldOf(pair) : reaches.of_limits[pair.limits].all;
+  }
+
+  /// [m] As heardOf, of pairs whose verdict does not change.
   double toldOf(const ElementsPlace& pair) const noexcept {
     const double told = std::max(reaches.told[pair.reach_place], told_below[pair.link_pair]);
     return std::min(reaches.of_limits[pair.limits].all, told);
@@ -65,12 +73,13 @@ struct NearBodies {
 
   /// [m] Above this distance bodies do not matter, since nearer ones of their elements do.
   double limitOf(const ElementsPlace& pair, double nearest) const noexcept {
-    return std::max(nearOf(pair), std::min(toldOf(pair), nearest));
+    return std::max(nearOf(pair), std::min(heardOf(pair), nearest));
   }
 };
 
 inline NearBodies nearBodies(const CycleSetup& setup, const CycleBuffers& buffers) noexcept {
-  return {setup, buffers.activation, buffers.memory.distance_cache, buffers.refine.told_below};
+  return {setup, buffers.activation, buffers.memory.distance_cache, buffers.refine.told_below,
+          buffers.memory.reported};
 }
 
 /// [m] How far the links of two bodies have moved.

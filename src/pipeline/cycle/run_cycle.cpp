@@ -86,22 +86,23 @@ void measureNear(const CycleSetup& setup, const LinkPoses& poses, bool counts_bo
 void measure(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buffers) noexcept {
   measureNear(setup, poses, true, buffers);
   measureDeferred(setup, buffers);
-  if (buffers.passed_over == 0) {  // or else a pair that was passed over may be the closest
+  // Where pairs were passed over, a nearer one was measured, or all are measured once more.
+  if (buffers.passed_over == 0) {
     measureClosest(setup, poses, leastActivationDistanceOf(setup), buffers);
   }
   findClosings(setup, poses, buffers.distances);
   measureTold(setup, poses, buffers);
 }
 
-/// Measures what is expected to be told. If less is found, pairs that were passed over may matter.
+/// Measures what is expected to be told; once more if a pair that was passed over may matter.
 void measureExpected(const CycleSetup& setup, const LinkPoses& poses,
                      CycleBuffers& buffers) noexcept {
   if (buffers.refine.tells_all) {
     expectNothing(buffers.robots);
   }
   measure(setup, poses, buffers);
-  if (sayLessThanExpected(buffers.robots, buffers.events)) {
-    expectFound(buffers.robots);
+  if (isMoreThanExpected(setup, buffers.robots, buffers.events)) {
+    expectFound(setup, buffers.robots);
     buffers.refine.work_before = buffers.refine.work_done;
     measure(setup, poses, buffers);
     buffers.refine.work_before = 0;
@@ -149,7 +150,7 @@ void runCycle(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& buf
   scaleSpeed(setup, poses.stamp_ns, buffers.distances, buffers.events, buffers.memory.reported,
              buffers.memory.speed, buffers.robots);
   if (!buffers.refine.tells_all) {
-    expectNext(buffers.robots);
+    expectNext(setup, buffers.robots);
   }
   buffers.counters.measured = buffers.candidates.size() + buffers.deferred.size();
   buffers.counters.refined = buffers.refine.refined;

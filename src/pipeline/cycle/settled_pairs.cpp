@@ -6,10 +6,13 @@
 #include <cmath>
 
 #include "geometry/constants.h"
+#include "pipeline/data/activation_distance.h"
 #include "pipeline/refine/refinement.h"
 
 namespace collision_monitor {
 namespace {
+
+constexpr double kRounding = 1e-9;  // [m] of bounds and travels
 
 /// [m] An upper bound of the distance; infinite if the search has only proven a lower one.
 double farthestOf(const PairDistance& pair) noexcept {
@@ -26,14 +29,10 @@ double slightlyMore(double least, double share, double step, double expected) no
   return std::isfinite(expected) && expected > more ? more + kKept * (expected - more) : more;
 }
 
-/// [m] Up to this distance pairs are told: the nearest one and the nearest warning.
-double toldWithin(const LeastOfPairs& least) noexcept {
-  return std::isfinite(least.warned) ? std::max(least.distance, least.warned) : least.distance;
-}
-
 LeastOfPairs slightlyMore(const LeastOfPairs& least, const LeastOfPairs& expected) noexcept {
   LeastOfPairs more;
-  more.distance = slightlyMore(toldWithin(least), 0.1, 0.002, expected.distance);
+  more.distance = slightlyMore(least.distance, 0.1, 0.002, expected.distance);
+  more.warned = slightlyMore(least.warned, 0.1, 0.002, expected.warned);
   more.time = slightlyMore(least.time, 0.25, 0.005, expected.time);
   more.scale = std::min(1.0, slightlyMore(least.scale, 0.25, 0.02, expected.scale));
   return more;
@@ -58,16 +57,17 @@ SettledPairs::SettledPairs(const CycleSetup& setup, const NearBodies& near,
 
 double SettledPairs::reachOf(const ElementsPlace& pair) const noexcept {
   const CheckedLinkPair& links = setup_.checked[pair.link_pair];
-  const double time =
-      std::max(robots_.watched[robots_.robot_of_link[index(links.a)]].of_settled,
-               robots_.watched[robots_.robot_of_link[index(links.b)]].of_settled);
+  const Watched& of_a = robots_.watched[robots_.robot_of_link[index(links.a)]];
+  const Watched& of_b = robots_.watched[robots_.robot_of_link[index(links.b)]];
+  const double time = std::max(of_a.of_settled, of_b.of_settled);
   const PairReach& reach = near_.reaches.of_limits[pair.limits];
   const double speed = near_.reaches.speed[pair.reach_place];
   const StopRule& rule = setup_.ahead.stop;
   const double at_rest = memory_.speed.stopped[pair.link_pair] != 0 ? reach.stop
                          : speed <= rule.rest_speed ? reach.contact
                                                     : std::max(reach.contact, rule.stop_distance);
-  return at_rest + time * speed;
+  const double told = std::max(of_a.warned, of_b.warned);
+  return std::isnan(speed) ? kInfinity : std::max(told, at_rest + time * speed);
 }
 
 double SettledPairs::limitOf(const ElementsPlace& pair) const noexcept {
@@ -90,7 +90,7 @@ void SettledPairs::recall(const ElementsPlace& pair, double travel) noexcept {
   if (recalled.quality != Quality::lower_bound) {
     return;
   }
-  const double tolerance = buffers_.refine.limits.tolerance;
+  const double tolerance = buffers_.refine.limits.tolerance + kRounding;
   const double nearest = recalled.measured.distance;
   DistanceCache& cache = memory_.distance_cache;
   cache.elements[pair.elements] =
@@ -126,7 +126,11 @@ bool SettledPairs::isSettled(const ElementsPlace& pair) noexcept {
     return false;
   }
   recall(pair, travel);
-  return isProven(pair, limit, travel);
+  // What is recalled holds for these poses, not for the way to them.
+  const std::vector<BodyTravel>& travels = memory_.distance_cache.travels;
+  const double way = travels[index(pair.a)].of_link + travels[index(pair.b)].of_link;
+  return isProven(pair, std::max(limit, clearBeyond(limitsOf(setup_, pair.link_pair)) + way),
+                  travel);
 }
 
 bool SettledPairs::passOver(const ElementsPlace& pair) noexcept {
@@ -146,7 +150,7 @@ bool SettledPairs::passOver(const ElementsPlace& pair) noexcept {
 void keepProven(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   DistanceCache& cache = buffers.memory.distance_cache;
   const RefineWork& refined = buffers.refine;
-  const double tolerance = refined.limits.tolerance;
+  const double tolerance = refined.limits.tolerance + kRounding;
   for (const PairDistance& pair : buffers.distances.pairs) {
     const ElementPairIndex elements = setup.element_pair_of[index(pair.pair)];
     const double travel = travelOfLinks(cache, setup.table[pair.pair]);
@@ -162,13 +166,16 @@ void keepProven(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
   }
 }
 
-bool sayLessThanExpected(const RobotSpeeds& robots, const PairEvents& events) noexcept {
+bool isMoreThanExpected(const CycleSetup& setup, const RobotSpeeds& robots,
+                        const PairEvents& events) noexcept {
+  const double reported = leastActivationDistanceOf(setup);
   for (std::size_t i = 0; i < robots.least.size(); ++i) {
     const LeastOfPairs& least = robots.least[i];
     const LeastOfPairs& expected = robots.expected[i];
-    const bool is_warning_nearer = !events.settled.empty() && least.warned > expected.distance;
-    if (least.distance > expected.distance || least.time > expected.time ||
-        least.scale > expected.scale || is_warning_nearer) {
+    const bool is_more = least.distance > std::min(expected.distance, reported) ||
+                         least.time > expected.time || least.scale > expected.scale ||
+                         (!events.settled.empty() && least.warned > expected.warned);
+    if (!expectsNothing(expected) && is_more) {
       return true;
     }
   }
@@ -179,16 +186,22 @@ void expectNothing(RobotSpeeds& robots) noexcept {
   std::fill(robots.expected.begin(), robots.expected.end(), LeastOfPairs());
 }
 
-void expectFound(RobotSpeeds& robots) noexcept {
+void expectFound(const CycleSetup& setup, RobotSpeeds& robots) noexcept {
+  constexpr double kMore = 1e-6;  // beyond rounding: what was found is found again
   for (std::size_t i = 0; i < robots.expected.size(); ++i) {
-    robots.expected[i] = robots.least[i];
-    robots.expected[i].distance = toldWithin(robots.least[i]);
+    const LeastOfPairs& least = robots.least[i];
+    robots.expected[i] = {least.distance + kMore, least.warned + kMore, least.time + kMore,
+                          std::min(1.0, least.scale + kMore)};
+    if (least.distance > leastActivationDistanceOf(setup)) {
+      robots.expected[i] = LeastOfPairs();
+    }
   }
 }
 
-void expectNext(RobotSpeeds& robots) noexcept {
+void expectNext(const CycleSetup& setup, RobotSpeeds& robots) noexcept {
   for (std::size_t i = 0; i < robots.expected.size(); ++i) {
-    const bool looks_at_all = robots.may_be_free[i] != 0 || expectsNothing(robots.least[i]);
+    const bool looks_at_all =
+        robots.may_be_free[i] != 0 || robots.least[i].distance > leastActivationDistanceOf(setup);
     robots.expected[i] =
         looks_at_all ? LeastOfPairs() : slightlyMore(robots.least[i], robots.expected[i]);
   }

@@ -5,18 +5,24 @@
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/near_bodies.h"
 
-/// Pairs that a cycle passes over, since what they say is settled: a warning that stays one, and
-/// other pairs of their robots are nearer, touch sooner and ask for a smaller scale.
+/// Pairs that a cycle passes over while nobody listens to all distances. Their verdict is proven to
+/// stay a warning, or clear, and other pairs of their robots are proven to be nearer, to touch sooner
+/// and to ask for a smaller scale.
+///
+/// How near, how soon and how slow those are is known only after they are measured. So a cycle
+/// begins with what it expects by the last one (RobotSpeeds::expected). If it finds that the nearest
+/// pair is farther, the soonest later or the slowest faster than that, it measures once more with
+/// what it found as a limit.
 namespace collision_monitor {
 
-/// Decides which pairs are settled, and notes them in PairEvents::settled.
+/// Decides which pairs are passed over. Notes those that are warnings in PairEvents::settled.
 class SettledPairs {
  public:
   /// Forgets the pairs that were settled.
   SettledPairs(const CycleSetup& setup, const NearBodies& near, CycleBuffers& buffers) noexcept;
 
-  /// Whether the elements of these bodies are settled; then notes their links. Where any pair may be
-  /// the nearest, none is.
+  /// Whether two elements are passed over; then notes their links. While nothing is expected of their
+  /// robots, they are not.
   bool passOver(const ElementsPlace& pair) noexcept;
 
  private:
@@ -42,19 +48,21 @@ class SettledPairs {
 /// Keeps what the measured distances prove for the next cycles.
 void keepProven(const CycleSetup& setup, CycleBuffers& buffers) noexcept;
 
-/// Whether the pairs looked at say less than was expected. Then pairs that were passed over may
-/// matter.
-bool sayLessThanExpected(const RobotSpeeds& robots, const PairEvents& events) noexcept;
+/// Whether the nearest pair of a robot is farther, its soonest later or its slowest faster than
+/// expected. Then a pair that was passed over may be the one to tell.
+/// @pre measureTold was called
+bool isMoreThanExpected(const CycleSetup& setup, const RobotSpeeds& robots,
+                        const PairEvents& events) noexcept;
 
 /// Expects nothing: the cycle looks at all pairs.
 void expectNothing(RobotSpeeds& robots) noexcept;
 
-/// Expects what was found: other pairs can only say less.
-void expectFound(RobotSpeeds& robots) noexcept;
+/// Expects what was found. Measuring more pairs can only find nearer, sooner and slower ones.
+void expectFound(const CycleSetup& setup, RobotSpeeds& robots) noexcept;
 
-/// Expects that the next cycle finds about what this one found. It expects nothing of robots that
-/// may be free.
+/// Expects of the next cycle about what this one found. Expects nothing of a robot whose speed scale
+/// may jump to 1, which takes a look at all pairs, nor of one without a pair in reach.
 /// @pre measureTold and scaleSpeed were called
-void expectNext(RobotSpeeds& robots) noexcept;
+void expectNext(const CycleSetup& setup, RobotSpeeds& robots) noexcept;
 
 }  // namespace collision_monitor

@@ -30,6 +30,7 @@ struct Watched {
   double time{0.0};      ///< [s] pairs that may touch within it matter
   double of_settled{0.0};  ///< [s] as `time`, for pairs that are a warning anyway
   double distance{0.0};  ///< [m] pairs up to this distance matter even if nothing moves
+  double warned{0.0};    ///< [m] as `distance`, for pairs that are a warning
 };
 
 /// As it is from the start.
@@ -51,11 +52,11 @@ struct RobotSpeeds {
   std::vector<std::uint32_t> robot_of_link;  ///< by LinkId: findMovers
   std::vector<SpeedDemand> demands;          ///< scratch
   std::vector<LeastOfPairs> least;           ///< what measureTold found
-  /// What `least` is expected not to exceed. Pairs that say no less are passed over. Without
-  /// expectations all pairs are looked at, as where somebody listens to all distances.
+  /// Upper bounds that are expected of `least`. Pairs that cannot be below them are passed over.
+  /// Without expectations all pairs are looked at, as where somebody listens to all distances.
   std::vector<LeastOfPairs> expected;
   std::vector<Watched> watched;  ///< what follows from `expected`
-  /// The robot may be free again, but pairs were passed over: the next cycle looks at all.
+  /// The scale may jump to 1, but pairs were passed over: the next cycle looks at all.
   std::vector<unsigned char> may_be_free;
   /// By robot * number of scales + robot: kHasUnknown, kHasLost, of pairs between them.
   std::vector<unsigned char> has_unknown;

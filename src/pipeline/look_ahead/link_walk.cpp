@@ -194,7 +194,7 @@ void findWatched(const CycleSetup& setup, const ActivationDistances& reaches,
     const auto cut = [&](double time) { return std::min(time, setup.ahead.horizon); };
     const double of_contact = std::max(told, reaches.contact_time);
     robots.watched[i] = {cut(std::max(of_contact, reaches.warning_time)), cut(of_contact),
-                         expected.distance};
+                         expected.distance, expected.warned};
   }
 }
 

@@ -81,11 +81,17 @@ void decideContact(const Refinement& all, RefineTask& task) noexcept {
   const ElementDistance& last = all.memory.refined.lastOf(task.pair).found;
   const ElementDistance recalled = recallTask(all, task);
   const bool has_overlapped = last.quality == Quality::estimate;
-  if (isDecided(all, task, recalled, clear.cutoff) || isFollowed(last, recalled, clear.cutoff) ||
-      (!has_overlapped && tryDecide(all, task, recalled, clear))) {
+  const double contact = std::max(0.0, limitsOf(all, task).contact_distance);
+  if (isDecided(all, task, recalled, clear.cutoff)) {
     return;
   }
-  const double contact = std::max(0.0, limitsOf(all, task).contact_distance);
+  if (isFollowed(last, recalled, clear.cutoff)) {
+    task.may_touch = !(recalled.measured.distance > contact + kPastThreshold);
+    return;
+  }
+  if (!has_overlapped && tryDecide(all, task, recalled, clear)) {
+    return;
+  }
   // A bound that lasts for some cycles spares them the search for points inside.
   if (!has_overlapped &&
       tryDecide(all, task, recalled, {contact + kPart * (clear.cutoff - contact), clear.budget})) {

@@ -177,6 +177,15 @@ void refine(const Refinement& all, RefineTask& task) noexcept {
   report(all, task, found);
 }
 
+/// Measures what may touch before others use up the budget.
+void refineTouching(const Refinement& all) noexcept {
+  for (RefineTask& task : all.work.tasks) {
+    if (task.may_touch) {
+      refine(all, task);
+    }
+  }
+}
+
 void refineTasks(const Refinement& all) noexcept {
   constexpr std::size_t kAhead = 3;
   constexpr std::size_t kLine = 64;
@@ -187,6 +196,9 @@ void refineTasks(const Refinement& all) noexcept {
     const LastMeasurement& last = all.memory.refined.lastOf(later.pair);
     for (std::size_t byte = 0; byte < sizeof(last); byte += kLine) {
       __builtin_prefetch(reinterpret_cast<const char*>(&last) + byte);
+    }
+    if (tasks[i].may_touch) {
+      continue;
     }
     if (isSettled(all, tasks[i])) {
       all.memory.starved_cycles[tasks[i].pair] = 0;
@@ -245,6 +257,7 @@ void refinePairs(const CycleSetup& setup, const BodyPoses& body_poses, PairMemor
   for (RefineTask& task : work.tasks) {
     decideContact(all, task);
   }
+  refineTouching(all);
   refineTasks(all);
   deepenOverlaps(all);
   dropFarther(all);

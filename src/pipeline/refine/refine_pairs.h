@@ -24,6 +24,7 @@ struct RefineTask {
   double bound{std::numeric_limits<double>::infinity()};  ///< [m] the distance of these bodies
   std::uint32_t starved_cycles{0};                        ///< as PairMemory::starved_cycles
   std::uint32_t work{0};                                  ///< work done for this pair
+  bool may_touch{false};  ///< the last measurement does not exclude a contact
   /// [m] as ElementDistance::outside, where it was measured
   double outside{std::numeric_limits<double>::infinity()};
 };

@@ -55,6 +55,9 @@ class Drift {
     }
   }
 
+  /// Velocities are now and then unknown for a while.
+  void hideVelocities() { hides_velocities_ = true; }
+
   const LinkPoses& next() {
     poses_.stamp_ns += kPeriod;
     for (std::size_t link = 0; link < poses_.status.size(); ++link) {
@@ -63,6 +66,9 @@ class Drift {
         turn(link);
       }
       move(poses_.velocities.of_link[link], poses_.world_from_link[link]);
+      if (hides_velocities_ && random_() % 200 == 0) {
+        poses_.velocities.known[link] = random_() % 4 == 0 ? 0 : 1;
+      }
     }
     return poses_;
   }
@@ -83,6 +89,7 @@ class Drift {
   }
 
   double speed_;
+  bool hides_velocities_{false};
   LinkPoses poses_;
   Random random_;
 };
@@ -201,6 +208,45 @@ TEST(MeasureToldLaws, whatIsNotMeasured_isBounded) {
     }
   }
   EXPECT_GT(spared, all / 6) << "pairs are measured, though nobody asks";
+}
+
+TEST(MeasureToldLaws, unknownVelocities_verdicts_nearest_timeAndScaleAreTheSame) {
+  const CycleSetup setup = crowdedSetup();
+  Drift drift(setup, 0.1);
+  drift.hideVelocities();
+  expectSameIsSaid(setup, drift);
+}
+
+/// Every second pair warns far away, the others near; what is reported reaches less far.
+TEST(MeasureToldLaws, ownLimits_verdicts_nearest_timeAndScaleAreTheSame) {
+  CycleSetup setup = crowdedSetup();
+  setup.limits.report_distance = 0.06;
+  setup.limits.warning_distance = 0.03;
+  Limits wide = setup.limits;
+  wide.report_distance = wide.warning_distance = 0.2;
+  setup.own_limits.push_back({wide});
+  for (std::size_t pair = 0; pair < setup.checked.size(); pair += 2) {
+    setup.checked[pair].limits = 1;
+  }
+  expectSameIsSaid(setup, Drift(setup, 0.1));
+}
+
+TEST(MeasureToldLaws, warningThatEnds_hasADistance) {
+  const CycleSetup setup = crowdedSetup();
+  Watches watches(setup);
+  Drift drift(setup, 0.1);
+  int ended = 0;
+  for (int cycle = 0; cycle < 20000; ++cycle) {
+    watches.run(setup, drift.next());
+    for (const VerdictChange& change : watches.untold.events.changes) {
+      const bool has_jumped = watches.told.events.closest[change.link_pair] == kNone;
+      if (change.after == Verdict::clear && !has_jumped) {
+        ASSERT_NE(watches.untold.events.closest[change.link_pair], kNone) << cycle;
+        ++ended;
+      }
+    }
+  }
+  EXPECT_GT(ended, 20);
 }
 
 /// Where nobody listens, a robot that was slowed down is set free at the same time or later.

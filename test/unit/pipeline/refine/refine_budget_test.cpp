@@ -102,6 +102,23 @@ TEST(RefineBudget, budgetSpentAndOneMovedFar_theEnclosingShapesSpeak) {
   EXPECT_EQ(scene.buffers.events.overall, Verdict::contact);
 }
 
+TEST(RefineBudget, pairThatMayTouch_isMeasuredBeforeOneThatWaits) {
+  Scene scene = twoHookedPairsWithoutBudget();
+  scene.buffers.refine.limits.budget = 100000;
+  Pose& nearer = scene.poses.world_from_link[3];
+  const double normal_y = scene.closest().measured.normal_a_to_b.y();
+  nearer.translation.y() -= 0.0185 * normal_y;
+  scene.run();
+  ASSERT_NEAR(scene.closest().measured.distance, 0.0015, 1e-9);
+  nearer.translation.z() += 0.0016;  // beside the other: the last distance does not prove them apart
+  scene.poses.world_from_link[1].translation.z() += 0.005;
+  scene.buffers.memory.starved_cycles[scene.setup.element_pair_of[0]] = 9;
+  scene.buffers.refine.limits.budget = 100;
+  scene.run();
+  EXPECT_NEAR(scene.closest().measured.distance, 0.0015, 1e-6);
+  EXPECT_EQ(scene.buffers.events.overall, Verdict::warning);
+}
+
 /// Three cylinders side by side, their enclosing boxes in reach of each other, and a budget that
 /// one of them spends.
 Scene threeCylinders() {
