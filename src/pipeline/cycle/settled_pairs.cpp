@@ -72,7 +72,7 @@ double SettledPairs::reachOf(const ElementsPlace& pair) const noexcept {
 
 double SettledPairs::limitOf(const ElementsPlace& pair) const noexcept {
   if (memory_.reported[pair.link_pair] != Verdict::warning) {
-    return near_.limitOf(pair, kInfinity);
+    return std::max(near_.byLinks(pair), near_.heardOf(pair));
   }
   const double clear = clearBeyond(limitsOf(setup_, pair.link_pair));
   return std::max({near_.toldOf(pair), clear, reachOf(pair)});
