@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "collision_monitor/geometry/ids.h"
+#include "geometry/constants.h"
 #include "pipeline/answers/islands.h"
 
 namespace collision_monitor {
 namespace {
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// False if the time is unknown or the threshold is off.
 bool isSoon(double time, double threshold, double hysteresis) noexcept {
@@ -70,7 +68,7 @@ void listActive(const CycleSetup& setup, const PairDistances& distances, const P
 bool findClosestAndSoonest(const CycleSetup& setup, const PairDistances& distances,
                            PairEvents& events) noexcept {
   events.closest_of_all = kNone;
-  events.time_to_contact = kNever;
+  events.time_to_contact = kInfinity;
   bool has_unknown = false;
   const auto& measured = distances.pairs;
   const auto is_nearer = [&](std::uint32_t one, std::uint32_t other) {
@@ -89,7 +87,7 @@ bool findClosestAndSoonest(const CycleSetup& setup, const PairDistances& distanc
     }
     const double time = measured[i].time_to_contact;
     std::uint32_t& soonest = events.soonest[link_pair];
-    if (time < (soonest == kNone ? kNever : measured[soonest].time_to_contact)) {
+    if (time < (soonest == kNone ? kInfinity : measured[soonest].time_to_contact)) {
       soonest = i;
       events.time_to_contact = std::min(events.time_to_contact, time);
     }
@@ -191,11 +189,11 @@ Verdict judgeLinkPair(const CycleSetup& setup, const PairDistances& distances,
   }
   const Verdict least = events.is_settled[link_pair] != 0 ? Verdict::warning : Verdict::clear;
   if (closest == kNone) {
-    return least;  // if clear: known, and beyond every threshold
+    return least;
   }
   const PairDistance& nearest = distances.pairs[closest];
   const std::uint32_t soonest = events.soonest[link_pair];
-  const double time = soonest == kNone ? kNever : distances.pairs[soonest].time_to_contact;
+  const double time = soonest == kNone ? kInfinity : distances.pairs[soonest].time_to_contact;
   return std::max(least, verdictFor(nearest.measured.distance, time, limitsOf(setup, link_pair),
                                     heldVerdict(memory, link_pair, nearest)));
 }
@@ -278,7 +276,7 @@ void judgePairs(const CycleSetup& setup, const BodyPoses& body_poses,
   findClosestOfAll(setup, distances, events);
   has_unknown =
       has_unknown || events.unknown > 0 || !areMotionsKnown(setup, body_poses, velocities, events);
-  if (has_unknown && events.time_to_contact == kNever) {
+  if (has_unknown && events.time_to_contact == kInfinity) {
     events.time_to_contact = kUnknown;
   }
   findIslands(setup.checked, events);

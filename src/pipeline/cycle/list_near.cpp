@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/look_ahead/bound_bodies.h"
 #include "pipeline/cycle/near_bodies.h"
 #include "pipeline/data/activation_distance.h"
+#include "pipeline/look_ahead/bound_bodies.h"
 #include "pipeline/objects/object_trees.h"
 
 namespace collision_monitor {

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "collision_monitor/geometry/ids.h"
-#include "pipeline/look_ahead/bound_bodies.h"
 #include "pipeline/cycle/cull_candidates.h"
 #include "pipeline/cycle/cycle_buffers.h"
 #include "pipeline/cycle/distance_cache.h"
@@ -20,6 +19,7 @@
 #include "pipeline/cycle/scale_speed.h"
 #include "pipeline/cycle/settled_pairs.h"
 #include "pipeline/data/activation_distance.h"
+#include "pipeline/look_ahead/bound_bodies.h"
 #include "pipeline/look_ahead/find_closings.h"
 #include "pipeline/look_ahead/find_motions.h"
 #include "pipeline/look_ahead/link_walk.h"

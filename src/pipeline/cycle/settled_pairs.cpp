@@ -16,13 +16,12 @@ constexpr double kRounding = 1e-9;  // [m] of bounds and travels
 
 /// [m] An upper bound of the distance; infinite if the search has only proven a lower one.
 double farthestOf(const PairDistance& pair) noexcept {
-  const bool has_points =
-      (pair.is_refined && !pair.is_raised) || pair.quality == Quality::exact;
+  const bool has_points = (pair.is_refined && !pair.is_raised) || pair.quality == Quality::exact;
   return pair.shortfall > 0.0 || has_points ? pair.measured.distance + pair.shortfall : kInfinity;
 }
 
-/// Somewhat more than `least`: the next cycle mostly says no more. Where more was expected, as where
-/// what pairs say jumps, that falls slowly.
+/// Somewhat more than `least`: the next cycle mostly says no more. Where more was expected, as
+/// where what pairs say jumps, that falls slowly.
 double slightlyMore(double least, double share, double step, double expected) noexcept {
   constexpr double kKept = 0.95;
   const double more = least + share * std::abs(least) + step;
@@ -64,7 +63,7 @@ double SettledPairs::reachOf(const ElementsPlace& pair) const noexcept {
   const double speed = near_.reaches.speed[pair.reach_place];
   const StopRule& rule = setup_.ahead.stop;
   const double at_rest = memory_.speed.stopped[pair.link_pair] != 0 ? reach.stop
-                         : speed <= rule.rest_speed ? reach.contact
+                         : speed <= rule.rest_speed                 ? reach.contact
                                                     : std::max(reach.contact, rule.stop_distance);
   const double told = std::max(of_a.warned, of_b.warned);
   return std::isnan(speed) ? kInfinity : std::max(told, at_rest + time * speed);
@@ -83,10 +82,10 @@ void SettledPairs::recall(const ElementsPlace& pair, double travel) noexcept {
   const LastMeasurement& last = memory_.refined.lastOf(pair.elements);
   const std::vector<Pose>& poses = buffers_.body_poses.world_from_element;
   const std::vector<Ball>& balls = buffers_.refine.balls;
-  const ElementDistance recalled = recallElements(
-      last, {setup_.elements[index(elements.a)], poses[index(elements.a)]},
-      {setup_.elements[index(elements.b)], poses[index(elements.b)]},
-      {balls[index(elements.a)], balls[index(elements.b)]});
+  const ElementDistance recalled =
+      recallElements(last, {setup_.elements[index(elements.a)], poses[index(elements.a)]},
+                     {setup_.elements[index(elements.b)], poses[index(elements.b)]},
+                     {balls[index(elements.a)], balls[index(elements.b)]});
   if (recalled.quality != Quality::lower_bound) {
     return;
   }
@@ -121,8 +120,7 @@ bool SettledPairs::isSettled(const ElementsPlace& pair) noexcept {
     return true;
   }
   const bool was_measured = memory_.distance_cache.elements[pair.elements] > -kInfinity;
-  if (!was_measured ||
-      !(memory_.refined.lastOf(pair.elements).found.measured.distance > limit)) {
+  if (!was_measured || !(memory_.refined.lastOf(pair.elements).found.measured.distance > limit)) {
     return false;
   }
   recall(pair, travel);
@@ -155,10 +153,9 @@ void keepProven(const CycleSetup& setup, CycleBuffers& buffers) noexcept {
     const ElementPairIndex elements = setup.element_pair_of[index(pair.pair)];
     const double travel = travelOfLinks(cache, setup.table[pair.pair]);
     // Bodies that are not the nearest, or beyond the reach of all limits, were not measured.
-    const double nearest =
-        refined.is_measured[elements] != 0
-            ? pair.measured.distance
-            : std::min(cache.nearest[elements], buffers.activation.least_near);
+    const double nearest = refined.is_measured[elements] != 0
+                               ? pair.measured.distance
+                               : std::min(cache.nearest[elements], buffers.activation.least_near);
     const bool is_apart = pair.quality != Quality::estimate;
     cache.elements[elements] = is_apart ? nearest - tolerance + travel : -kInfinity;
     double& of_links = cache.links[setup.link_pair_of[index(pair.pair)]];

@@ -6,13 +6,13 @@
 #include "pipeline/cycle/near_bodies.h"
 
 /// Pairs that a cycle passes over while nobody listens to all distances. Their verdict is proven to
-/// stay a warning, or clear, and other pairs of their robots are proven to be nearer, to touch sooner
-/// and to ask for a smaller scale.
+/// stay a warning, or clear, and other pairs of their robots are proven to be nearer, to touch
+/// sooner and to ask for a smaller scale.
 ///
 /// How near, how soon and how slow those are is known only after they are measured. So a cycle
-/// begins with what it expects by the last one (RobotSpeeds::expected). If it finds that the nearest
-/// pair is farther, the soonest later or the slowest faster than that, it measures once more with
-/// what it found as a limit.
+/// begins with what it expects by the last one (RobotSpeeds::expected). If it finds that the
+/// nearest pair is farther, the soonest later or the slowest faster than that, it measures once
+/// more with what it found as a limit.
 namespace collision_monitor {
 
 /// Decides which pairs are passed over. Notes those that are warnings in PairEvents::settled.
@@ -21,8 +21,8 @@ class SettledPairs {
   /// Forgets the pairs that were settled.
   SettledPairs(const CycleSetup& setup, const NearBodies& near, CycleBuffers& buffers) noexcept;
 
-  /// Whether two elements are passed over; then notes their links. While nothing is expected of their
-  /// robots, they are not.
+  /// Whether two elements are passed over; then notes their links. While nothing is expected of
+  /// their robots, they are not.
   bool passOver(const ElementsPlace& pair) noexcept;
 
  private:
@@ -60,8 +60,8 @@ void expectNothing(RobotSpeeds& robots) noexcept;
 /// Expects what was found. Measuring more pairs can only find nearer, sooner and slower ones.
 void expectFound(const CycleSetup& setup, RobotSpeeds& robots) noexcept;
 
-/// Expects of the next cycle about what this one found. Expects nothing of a robot whose speed scale
-/// may jump to 1, which takes a look at all pairs, nor of one without a pair in reach.
+/// Expects of the next cycle about what this one found. Expects nothing of a robot whose speed
+/// scale may jump to 1, which takes a look at all pairs, nor of one without a pair in reach.
 /// @pre measureTold and scaleSpeed were called
 void expectNext(const CycleSetup& setup, RobotSpeeds& robots) noexcept;
 

@@ -179,11 +179,12 @@ struct PairEvents {
   std::size_t unknown{0};                 ///< the number of pairs that are unknown
   /// How often a cycle judged every pair. Which pairs are unknown changes only then.
   std::uint64_t complete_judgements{0};
-  std::vector<Verdict> verdicts;       ///< by LinkPairIndex
-  /// Pairs that stay a warning, though the cycle passed over some of their bodies: see SettledPairs.
+  std::vector<Verdict> verdicts;  ///< by LinkPairIndex
+  /// Pairs that stay a warning, though the cycle passed over some of their bodies: see
+  /// SettledPairs.
   std::vector<LinkPairIndex> settled;
   std::vector<unsigned char> is_settled;  ///< by LinkPairIndex
-  std::vector<std::uint32_t> closest;  ///< by LinkPairIndex: index into `pairs`, or kNone
+  std::vector<std::uint32_t> closest;     ///< by LinkPairIndex: index into `pairs`, or kNone
   std::vector<std::uint32_t>
       passed;  ///< by LinkPairIndex: index into passed of the first, or kNone
   /// By LinkPairIndex: index into `pairs` of the deepest Quality::estimate, or kNone.

@@ -17,7 +17,7 @@ namespace collision_monitor {
 /// How far a body has moved.
 struct BodyTravel {
   Eigen::Vector3d center{Eigen::Vector3d::Zero()};  ///< of the body in the last cycle
-  double all{0.0};      ///< [m] upper bound for any point of the body, since reset to 0
+  double all{0.0};  ///< [m] upper bound for any point of the body, since reset to 0
   /// [m] Upper bound for all bodies of its link, since the last cycle; in a continuous set-up also
   /// of the way between.
   double of_link{0.0};
@@ -44,14 +44,14 @@ struct ListedElements {
   /// [m] A lower bound for all listed bodies plus the travel of both links, as
   /// DistanceCache::elements.
   double gap{-std::numeric_limits<double>::infinity()};
-  double travel{0.0};     ///< [m] of both links
-  double least_gap{0.0};  ///< [m] the least lower bound of a listed body
-  double by_links{0.0};   ///< [m] bodies matter up to this distance, by the motion of both links
-  double at_rest{0.0};    ///< [m] or up to this and their motion ahead
-  double stop{0.0};       ///< [m]
-  double nearest{0.0};    ///< [m] an upper bound of the least distance of its bodies
-  double told{0.0};       ///< [m] up to this distance the nearest bodies matter
-  bool is_passed{false};  ///< none of its bodies matters
+  double travel{0.0};       ///< [m] of both links
+  double least_gap{0.0};    ///< [m] the least lower bound of a listed body
+  double by_links{0.0};     ///< [m] bodies matter up to this distance, by the motion of both links
+  double at_rest{0.0};      ///< [m] or up to this and their motion ahead
+  double stop{0.0};         ///< [m]
+  double nearest{0.0};      ///< [m] an upper bound of the least distance of its bodies
+  double told{0.0};         ///< [m] up to this distance the nearest bodies matter
+  bool is_passed{false};    ///< none of its bodies matters
   bool is_measured{false};  ///< in the last cycle
   bool has_near{false};     ///< some of its bodies matter
 };

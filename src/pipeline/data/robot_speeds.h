@@ -27,10 +27,10 @@ struct LeastOfPairs {
 
 /// How far ahead pairs of a robot are looked at.
 struct Watched {
-  double time{0.0};      ///< [s] pairs that may touch within it matter
+  double time{0.0};        ///< [s] pairs that may touch within it matter
   double of_settled{0.0};  ///< [s] as `time`, for pairs that are a warning anyway
-  double distance{0.0};  ///< [m] pairs up to this distance matter even if nothing moves
-  double warned{0.0};    ///< [m] as `distance`, for pairs that are a warning
+  double distance{0.0};    ///< [m] pairs up to this distance matter even if nothing moves
+  double warned{0.0};      ///< [m] as `distance`, for pairs that are a warning
 };
 
 /// As it is from the start.

@@ -255,9 +255,8 @@ std::vector<double> thicknessOfPairs(const CycleSetup& setup) {
   return least;
 }
 
-void findActivationDistances(const CycleSetup& setup, const LinkPoses& poses,
-                             RobotSpeeds& robots, SweepWork& sweep,
-                             ActivationDistances& reaches) noexcept {
+void findActivationDistances(const CycleSetup& setup, const LinkPoses& poses, RobotSpeeds& robots,
+                             SweepWork& sweep, ActivationDistances& reaches) noexcept {
   const bool has_step = sweep.elapsed > 0.0;
   findWatched(setup, reaches, robots);
   writeLinks(setup, poses, robots, sweep, reaches);

@@ -74,14 +74,14 @@ struct ActivationDistances {
   std::vector<PairReach> of_limits;  ///< by CheckedLinkPair::limits
   PairReach farthest;                ///< the largest of each
   double least_near{0.0};            ///< [m] the least of PairReach::near
-  double contact_time{0.0};  ///< [s] a contact may depend on a time to contact up to this
-  double warning_time{0.0};  ///< [s] and a warning up to this
+  double contact_time{0.0};          ///< [s] a contact may depend on a time to contact up to this
+  double warning_time{0.0};          ///< [s] and a warning up to this
   bool is_split{false};              ///< links are in several parts
 
   BodyRows rows;  ///< of the links
   /// By LinkPairIndex: where these hold its numbers. Pairs of a range share one place.
   std::vector<std::uint32_t> place_of;
-  std::vector<double> speed;  ///< [m/s] how fast its links may approach each other; may be unknown
+  std::vector<double> speed;   ///< [m/s] how fast its links may approach each other; may be unknown
   std::vector<double> motion;  ///< [m] up to this a pair matters by how its links move
   /// [m] Up to this the nearest bodies of two elements matter at rest: as PairReach::all, or less
   /// while only a nearer pair is told.
@@ -100,9 +100,9 @@ ActivationDistances makeActivationDistances(const CycleSetup& setup);
 std::vector<double> thicknessOfPairs(const CycleSetup& setup);
 
 /// Finds for each link pair how near its bodies must be to be told, to touch or to lower the speed
-/// scale within the horizon at present velocities, or to have touched since the last cycle. Infinite
-/// where a velocity is unknown. Fills RobotSpeeds::watched: a pair matters less far ahead where another
-/// one is expected to touch sooner.
+/// scale within the horizon at present velocities, or to have touched since the last cycle.
+/// Infinite where a velocity is unknown. Fills RobotSpeeds::watched: a pair matters less far ahead
+/// where another one is expected to touch sooner.
 ///
 /// A distance changes no faster than the ball of B's bodies moves relative to A. Objects may be
 /// large or without bounds, so it is the ball of the robot's link that moves relative to them.
@@ -115,8 +115,7 @@ std::vector<double> thicknessOfPairs(const CycleSetup& setup);
 /// Error: step limits are estimates, since twists at one time represent the whole step. The same
 /// bytes with every instruction set.
 /// @pre `sweep` is filled by findMotions.
-void findActivationDistances(const CycleSetup& setup, const LinkPoses& poses,
-                             RobotSpeeds& robots, SweepWork& sweep,
-                             ActivationDistances& reaches) noexcept;
+void findActivationDistances(const CycleSetup& setup, const LinkPoses& poses, RobotSpeeds& robots,
+                             SweepWork& sweep, ActivationDistances& reaches) noexcept;
 
 }  // namespace collision_monitor

@@ -38,7 +38,8 @@ double largerOf(const BodyRows& rows, const ObjectRange& range, std::size_t colu
 
 double reachByMotion(const ActivationDistances& reaches, const ObjectRange& range,
                      double speed) noexcept {
-  const double asked = reaches.of_limits[range.limits].stop + speed * largerOf(reaches.rows, range, link_column::time);
+  const double asked = reaches.of_limits[range.limits].stop +
+                       speed * largerOf(reaches.rows, range, link_column::time);
   const double came = reaches.of_limits[range.limits].contact +
                       reaches.rows.at(link_column::travel)[range.link] +
                       reaches.rows.at(link_column::travel)[range.objects];

@@ -97,8 +97,7 @@ void walkInLanes(const WalkQuestion& question, ActivationDistances& reaches, Far
                             block.thickness + lane,
                             lane,
                             part};
-      const Number speed =
-          travelOf(motionSeen(pairs, link_column::velocity, link_column::center));
+      const Number speed = travelOf(motionSeen(pairs, link_column::velocity, link_column::center));
       storeByPair(part, speed, reaches.speed);
       storeByPair(part, reachByMotion(pairs, speed), reaches.motion);
       storeByPair(part,

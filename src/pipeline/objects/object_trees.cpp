@@ -9,8 +9,8 @@
 #include "collision_monitor/geometry/bounds.h"
 #include "geometry/constants.h"
 #include "narrow_phase/distance.h"
-#include "pipeline/look_ahead/bound_bodies.h"
 #include "pipeline/cycle/cycle_buffers.h"
+#include "pipeline/look_ahead/bound_bodies.h"
 
 namespace collision_monitor {
 namespace {

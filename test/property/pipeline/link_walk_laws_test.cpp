@@ -162,8 +162,8 @@ TEST(LinkWalkLaws, reachesAndStepsAreThoseOfEveryPairAlone_onEveryInstructionSet
       findActivationDistances(scene.setup, scene.poses, robots, scene.sweep, reaches);
       ASSERT_EQ(reaches.motion.size(), scene.setup.checked.size());
       for (std::size_t i = 0; i < reaches.motion.size(); ++i) {
-        expectReach(reaches.motion[i], plainReach(scene, scene.setup.checked[i],
-                                                  timeWatched(scene, expected), balls));
+        expectReach(reaches.motion[i],
+                    plainReach(scene, scene.setup.checked[i], timeWatched(scene, expected), balls));
         EXPECT_EQ(reaches.told[i], std::min(report, expected.distance));
       }
       ASSERT_TRUE(first.empty() || std::memcmp(first.data(), reaches.motion.data(),

@@ -110,7 +110,8 @@ TEST(RefineBudget, pairThatMayTouch_isMeasuredBeforeOneThatWaits) {
   nearer.translation.y() -= 0.0185 * normal_y;
   scene.run();
   ASSERT_NEAR(scene.closest().measured.distance, 0.0015, 1e-9);
-  nearer.translation.z() += 0.0016;  // beside the other: the last distance does not prove them apart
+  nearer.translation.z() +=
+      0.0016;  // beside the other: the last distance does not prove them apart
   scene.poses.world_from_link[1].translation.z() += 0.005;
   scene.buffers.memory.starved_cycles[scene.setup.element_pair_of[0]] = 9;
   scene.buffers.refine.limits.budget = 100;
