@@ -37,7 +37,8 @@ void lower(const LeastOfPairs& said, LeastOfPairs& least) noexcept {
 }
 
 bool isBelow(const LeastOfPairs& said, const LeastOfPairs& least) noexcept {
-  return said.distance < least.distance || !(said.time >= least.time) || said.scale < least.scale;
+  return said.distance < least.distance || said.warned < least.warned ||
+         !(said.time >= least.time) || said.scale < least.scale;
 }
 
 bool isBetween(double threshold, double least, double most) noexcept {
@@ -58,8 +59,7 @@ class ToldPairs {
     const LinkPairIndex links = linksOf(pair);
     LeastOfPairs said;
     said.distance = farthest(pair);
-    const bool is_warning = buffers_.memory.reported[links] == Verdict::warning;
-    said.warned = is_warning ? said.distance : kInfinity;
+    said.warned = warnedAt(links, said.distance);
     if (!(pair.shortfall > 0.0)) {
       const LeastOfPairs moving =
           whatIsSaid(setup_, limitsOf(setup_, links), said.distance, pair.closing_speed);
@@ -73,7 +73,8 @@ class ToldPairs {
   bool isTold(const PairDistance& pair) const noexcept {
     const LinkPairIndex links = linksOf(pair);
     const Limits& limits = limitsOf(setup_, links);
-    const LeastOfPairs said = whatIsSaid(setup_, limits, pair.measured.distance, fastestOf(links));
+    LeastOfPairs said = whatIsSaid(setup_, limits, pair.measured.distance, fastestOf(links));
+    said.warned = warnedAt(links, pair.measured.distance);
     return said.distance < buffers_.refine.told_below[links] ||
            isBelow(said, leastOf(setup_.checked[links].a)) ||
            isBelow(said, leastOf(setup_.checked[links].b)) ||
@@ -83,6 +84,10 @@ class ToldPairs {
  private:
   static double farthest(const PairDistance& pair) noexcept {
     return pair.measured.distance + pair.shortfall;
+  }
+  /// [m] The distance, if the pair is a warning: the nearest warning may be named.
+  double warnedAt(LinkPairIndex links, double distance) const noexcept {
+    return buffers_.memory.reported[links] == Verdict::warning ? distance : kInfinity;
   }
   LinkPairIndex linksOf(const PairDistance& pair) const noexcept {
     return setup_.link_pair_of[index(pair.pair)];

@@ -27,6 +27,41 @@ TEST(SettledPairsLaws, warningThatEnds_hasADistance) {
   EXPECT_GT(ended, 20);
 }
 
+const PairDistance* nearestWarning(const PairEvents& events, const PairDistances& distances) {
+  const PairDistance* nearest = nullptr;
+  for (const LinkPairIndex pair : events.active) {
+    if (events.verdicts[pair] == Verdict::warning && events.closest[pair] != kNone) {
+      const PairDistance& closest = distances.pairs[events.closest[pair]];
+      const bool is_nearer =
+          nearest == nullptr || closest.measured.distance < nearest->measured.distance;
+      nearest = is_nearer ? &closest : nearest;
+    }
+  }
+  return nearest;
+}
+
+/// The sentence of a state names it, if there is no contact.
+TEST(SettledPairsLaws, nearestWarning_isMeasured) {
+  const CycleSetup setup = crowdedSetup();
+  Watches watches(setup);
+  Drift drift(setup, 0.1);
+  int compared = 0;
+  for (int cycle = 0; cycle < 20000; ++cycle) {
+    watches.run(setup, drift.next());
+    if (watches.told.events.overall == Verdict::contact || !watches.untold.events.changes.empty()) {
+      continue;
+    }
+    const PairDistance* told = nearestWarning(watches.told.events, watches.told.distances);
+    const PairDistance* untold = nearestWarning(watches.untold.events, watches.untold.distances);
+    ASSERT_EQ(told == nullptr, untold == nullptr) << cycle;
+    if (told != nullptr && told->quality == Quality::exact) {
+      ASSERT_NEAR(told->measured.distance, untold->measured.distance, 1e-9) << cycle;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 5000);
+}
+
 /// Where nobody listens, a robot that was slowed down is set free at the same time or later.
 TEST(SettledPairsLaws, scaleThatGrows_isNeverLarger) {
   CycleSetup setup = crowdedSetup();
