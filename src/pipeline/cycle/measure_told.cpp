@@ -109,13 +109,10 @@ class ToldPairs {
            verdictFor(farthest, kInfinity, limits, reported) != reported;
   }
 
-  /// Whether the pair may be on either side of a distance at which the speed scale stops it, or may
-  /// close where it is then remembered as stopped.
+  /// Whether the pair may be on either side of a distance at which the speed scale stops it.
   bool mayStop(LinkPairIndex links, const Limits& limits, const PairDistance& pair) const noexcept {
     const double stop = setup_.ahead.stop.stop_distance;
-    const bool is_within = pair.measured.distance <= stop;
-    return (is_within && !(fastestOf(links) <= setup_.ahead.stop.rest_speed)) ||
-           isBetween(stop, pair.measured.distance, farthest(pair)) ||
+    return isBetween(stop, pair.measured.distance, farthest(pair)) ||
            (buffers_.memory.speed.stopped[links] != 0 &&
             isBetween(stop + limits.hysteresis, pair.measured.distance, farthest(pair)));
   }

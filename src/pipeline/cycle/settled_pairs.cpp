@@ -14,10 +14,12 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // [m] of bounds and travels
 
-/// [m] An upper bound of the distance; infinite if the search has only proven a lower one.
+/// [m] An upper bound of the distance; infinite if the search has only proven a lower one, or if
+/// meshes overlap: a point inside an open one may leave it through a hole.
 double farthestOf(const PairDistance& pair) noexcept {
   const bool has_points = (pair.is_refined && !pair.is_raised) || pair.quality == Quality::exact;
-  return pair.shortfall > 0.0 || has_points ? pair.measured.distance + pair.shortfall : kInfinity;
+  const bool is_bound = pair.quality != Quality::estimate && (pair.shortfall > 0.0 || has_points);
+  return is_bound ? pair.measured.distance + pair.shortfall : kInfinity;
 }
 
 /// Somewhat more than `least`: the next cycle mostly says no more. Where more was expected, as

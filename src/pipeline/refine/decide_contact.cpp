@@ -27,11 +27,13 @@ bool isBound(const ElementDistance& known) noexcept {
   return known.quality == Quality::lower_bound;
 }
 
+/// Sets RefineTask::touches for the cutoff.
 /// @return whether nothing is left to decide: the elements are proven to be beyond the cutoff
 /// (which is kept), are measured, or the budget is spent.
 bool tryDecide(const Refinement& all, RefineTask& task, const ElementDistance& recalled,
                const Goal& goal) noexcept {
   constexpr std::uint32_t kMostHard = 8;  // a pair that is hard to decide leaves budget to others
+  task.touches = false;
   const bool is_apart = isBound(recalled) && recalled.measured.distance >= goal.cutoff;
   if (is_apart || reachesCutoff(recalled, goal.cutoff) || !(all.work.work_done < goal.budget)) {
     return true;
@@ -44,6 +46,7 @@ bool tryDecide(const Refinement& all, RefineTask& task, const ElementDistance& r
       touchElements(placed(all, pair.a), placed(all, pair.b),
                     {goal.cutoff, true, is_still_outside ? recalled.outside : 0.0}, search);
   spend(all, task, contact.work);
+  task.touches = contact.state == ElementContact::State::contact;
   if (contact.state == ElementContact::State::apart) {
     keepApart(all, task, goal.cutoff, contact);
   }

@@ -23,6 +23,31 @@ double motionSince(const LastMeasurement& last, const PlacedElement& a, const Pl
          std::min(of_b.norm() + turn * balls[1].radius, of_a.norm() + turn * balls[0].radius);
 }
 
+/// The last witness points, where the elements are now.
+struct CarriedPoints {
+  Eigen::Vector3d on_a;
+  Eigen::Vector3d a_to_b;  ///< unit
+  double length;           ///< [m] between them; 0: `a_to_b` means nothing
+};
+
+CarriedPoints carryPoints(const LastMeasurement& last, const PlacedElement& a,
+                          const PlacedElement& b) noexcept {
+  const auto carried = [](const Eigen::Vector3d& point, const Pose& before, const Pose& now) {
+    return Eigen::Vector3d(now * (inverse(before) * point));
+  };
+  const SignedDistance& measured = last.found.measured;
+  const Eigen::Vector3d on_a =
+      carried(measured.point_on_a, last.world_from_a, a.world_from_element);
+  const Eigen::Vector3d travel =
+      carried(measured.point_on_b, last.world_from_b, b.world_from_element) - on_a;
+  const double length = travel.norm();
+  return {on_a, travel / length, length};
+}
+
+SignedDistance measuredAt(const CarriedPoints& points, double distance) noexcept {
+  return {distance, points.on_a, points.on_a + distance * points.a_to_b, points.a_to_b};
+}
+
 }  // namespace
 
 Ball ballOf(const Element& element) {
@@ -58,24 +83,37 @@ std::optional<ElementDistance> recallPoints(const LastMeasurement& last, const P
       recalled.quality != Quality::lower_bound || (a.element.convex && b.element.convex)) {
     return std::nullopt;
   }
-  const auto carried = [](const Eigen::Vector3d& point, const Pose& before, const Pose& now) {
-    return Eigen::Vector3d(now * (inverse(before) * point));
-  };
-  const SignedDistance& measured = last.found.measured;
-  const Eigen::Vector3d on_a =
-      carried(measured.point_on_a, last.world_from_a, a.world_from_element);
-  const Eigen::Vector3d travel =
-      carried(measured.point_on_b, last.world_from_b, b.world_from_element) - on_a;
-  const double length = travel.norm();
-  if (!(length > 0.0)) {
+  const CarriedPoints points = carryPoints(last, a, b);
+  if (!(points.length > 0.0)) {
     return std::nullopt;
   }
   ElementDistance found = recalled;
-  found.shortfall = length + last.found.shortfall - bound;
+  found.shortfall = points.length + last.found.shortfall - bound;
   found.quality = last.found.quality;
   found.has_points = found.is_complete = true;
-  const Eigen::Vector3d normal = travel / length;
-  found.measured = {bound, on_a, on_a + bound * normal, normal};
+  found.measured = measuredAt(points, bound);
+  return found;
+}
+
+std::optional<ElementDistance> recallOverlap(const LastMeasurement& last, const PlacedElement& a,
+                                             const PlacedElement& b,
+                                             const std::array<Ball, 2>& balls) noexcept {
+  constexpr double kPart = 0.5;  // a search for depths restarts after a step as long as the depth
+  const double depth = -last.found.measured.distance;
+  if (last.found.quality != Quality::estimate) {
+    return std::nullopt;
+  }
+  const double motion = motionSince(last, a, b, balls);
+  CarriedPoints points = carryPoints(last, a, b);
+  if (!(motion < kPart * depth) || !(points.length > 0.0)) {
+    return std::nullopt;
+  }
+  points.a_to_b *= -1.0;
+  ElementDistance found = last.found;
+  found.work = 0;
+  found.is_complete = true;
+  found.shortfall = 2.0 * motion;
+  found.measured = measuredAt(points, -(depth + motion));
   return found;
 }
 

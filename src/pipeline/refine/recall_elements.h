@@ -28,4 +28,12 @@ std::optional<ElementDistance> recallPoints(const LastMeasurement& last, const P
                                             const PlacedElement& b,
                                             const ElementDistance& recalled) noexcept;
 
+/// The last depth of elements that still overlap, with points carried to the poses now. The motion
+/// since may have made it deeper: `measured` says so, and `shortfall` is twice the motion. Nothing
+/// if the depth was not that of meshes, or the motion is half of it. Error: as that of depths.
+/// @param balls of a and b.
+std::optional<ElementDistance> recallOverlap(const LastMeasurement& last, const PlacedElement& a,
+                                             const PlacedElement& b,
+                                             const std::array<Ball, 2>& balls) noexcept;
+
 }  // namespace collision_monitor

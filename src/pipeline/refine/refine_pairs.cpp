@@ -9,6 +9,7 @@
 #include "geometry/constants.h"
 #include "pipeline/blocks/contact_of_pairs.h"
 #include "pipeline/refine/decide_contact.h"
+#include "pipeline/refine/deepen_overlaps.h"
 #include "pipeline/refine/refine_tasks.h"
 #include "pipeline/refine/refinement.h"
 
@@ -48,12 +49,6 @@ void takeOver(const ElementDistance& found, double contact, PairDistance& distan
 double farthestAsked(const Refinement& all, const RefineTask& task) noexcept {
   const std::uint32_t link_pair = all.setup.element_pairs[task.pair].link_pair;
   return std::min(all.work.nearest[link_pair], all.work.cutoff);
-}
-
-/// The work for refinePairs; a quarter less if measureFully follows.
-std::uint32_t shareOf(const Refinement& all) noexcept {
-  const std::uint32_t budget = budgetOf(all);
-  return all.work.tells_all ? budget : budget - budget / 4;
 }
 
 /// Whether the distance of the pair is not asked for and the pair is in no contact.
@@ -139,10 +134,23 @@ void report(const Refinement& all, RefineTask& task, const ElementDistance& foun
   }
 }
 
+/// The depth of a contact that stays one, where it need not be measured.
+std::optional<ElementDistance> keepDepth(const Refinement& all, const RefineTask& task) noexcept {
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  const bool may_wait = !all.work.tells_all && task.starved_cycles == 0 && task.touches;
+  return may_wait && all.memory.reported[pair.link_pair] == Verdict::contact
+             ? recallOverlap(all.memory.refined.lastOf(task.pair), placed(all, pair.a),
+                             placed(all, pair.b), ballsOf(all, pair))
+             : std::nullopt;
+}
+
 /// The recalled measurement. It has points where they are within the tolerance, or where the
 /// distance need not be measured.
 ElementDistance recallToCutoff(const Refinement& all, const RefineTask& task) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
+  if (const std::optional<ElementDistance> kept = keepDepth(all, task)) {
+    return *kept;
+  }
   ElementDistance recalled = recallTask(all, task);
   std::optional<ElementDistance> points = recallPoints(
       all.memory.refined.lastOf(task.pair), placed(all, pair.a), placed(all, pair.b), recalled);
@@ -208,33 +216,6 @@ void refineTasks(const Refinement& all) noexcept {
   }
 }
 
-bool isOverlap(const Refinement& all, const RefineTask& task) noexcept {
-  return all.work.is_measured[task.pair] != 0 &&
-         all.distances.pairs[task.place].quality == Quality::estimate;
-}
-
-/// Searches for larger depths of overlaps. They change no verdict, so they come last and take the
-/// rest of the budget. A cycle tries some points, and at least a few for each pair; others follow
-/// in the next cycles.
-void deepenOverlaps(const Refinement& all) noexcept {
-  constexpr std::uint32_t kMostPoints = 24;
-  constexpr std::uint32_t kFewestPoints = 2;
-  RefineWork& work = all.work;
-  const auto overlaps = static_cast<std::uint32_t>(
-      std::count_if(work.tasks.begin(), work.tasks.end(),
-                    [&](const RefineTask& task) { return isOverlap(all, task); }));
-  for (RefineTask& task : work.tasks) {
-    if (isOverlap(all, task) && work.work_done < shareOf(all)) {
-      const ElementPair& pair = all.setup.element_pairs[task.pair];
-      ElementSearch search = searchFor(all, task, {0.0, shareOf(all)});
-      spend(all, task,
-            deepenElements(placed(all, pair.a), placed(all, pair.b),
-                           std::max(kFewestPoints, kMostPoints / overlaps), search,
-                           all.distances.pairs[task.place].measured));
-    }
-  }
-}
-
 /// Keeps one entry for each measured pair of elements, that of its nearest bodies.
 void dropFarther(const Refinement& all) noexcept {
   auto& measured = all.distances.pairs;
@@ -277,6 +258,7 @@ void measureFully(const CycleSetup& setup, const BodyPoses& body_poses, PairMemo
     task.place = place;
     --work.refined;  // `report` counts the pair once more
     report(all, task, measureTask(all, task, goal, recallTask(all, task)));
+    deepenOverlap(all, task, goal.budget);
   } else {
     ++memory.starved_cycles[task.pair];
   }

@@ -25,6 +25,7 @@ struct RefineTask {
   std::uint32_t starved_cycles{0};                        ///< as PairMemory::starved_cycles
   std::uint32_t work{0};                                  ///< work done for this pair
   bool may_touch{false};  ///< the last measurement does not exclude a contact
+  bool touches{false};    ///< decideContact found a contact
   /// [m] as ElementDistance::outside, where it was measured
   double outside{std::numeric_limits<double>::infinity()};
 };
@@ -78,8 +79,9 @@ RefineStore makeRefineMemory(const CycleSetup& setup);
 /// larger stays. Pairs that are farther than a refined pair of their links and in no contact are
 /// skipped.
 /// Unless `work.tells_all`, a pair with a mesh keeps bounds from its last measurement in place of a
-/// new one, as long as the lower is above 0; see PairDistance::shortfall. measureFully then
-/// measures those that matter. Error: as signedDistanceBetween and distanceBetween of meshes.
+/// new one, as long as the lower is above 0, or the pair is still in contact and has moved by less
+/// than half of its depth; see PairDistance::shortfall. measureFully then measures those that
+/// matter. Error: as signedDistanceBetween and distanceBetween of meshes.
 /// Depths of meshes are estimates (Quality::estimate), except of convex ones, which are measured by
 /// their hulls. Limits: the last measurement may exceed the budget by the work of two convex
 /// geometries.

@@ -25,6 +25,12 @@ inline std::uint32_t budgetOf(const Refinement& all) noexcept {
   return all.setup.is_continuous ? budget - budget / 4 : budget;
 }
 
+/// The same; a quarter less if measureFully follows.
+inline std::uint32_t shareOf(const Refinement& all) noexcept {
+  const std::uint32_t budget = budgetOf(all);
+  return all.work.tells_all ? budget : budget - budget / 4;
+}
+
 inline PlacedElement placed(const Refinement& all, ElementId id) noexcept {
   return {all.setup.elements[index(id)], all.body_poses.world_from_element[index(id)]};
 }
@@ -63,11 +69,14 @@ inline void spend(const Refinement& all, RefineTask& task, std::uint32_t work) n
   task.work += work;
 }
 
+inline std::array<Ball, 2> ballsOf(const Refinement& all, const ElementPair& pair) noexcept {
+  return {all.work.balls[index(pair.a)], all.work.balls[index(pair.b)]};
+}
+
 inline ElementDistance recallTask(const Refinement& all, const RefineTask& task) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   return recallElements(all.memory.refined.lastOf(task.pair), placed(all, pair.a),
-                        placed(all, pair.b),
-                        {all.work.balls[index(pair.a)], all.work.balls[index(pair.b)]});
+                        placed(all, pair.b), ballsOf(all, pair));
 }
 
 /// Whether nothing nearer than the cutoff is left to find.
