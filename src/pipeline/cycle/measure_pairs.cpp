@@ -83,10 +83,6 @@ const std::vector<unsigned char>& passedElements(const CycleSetup& setup,
   return refined.is_passed;
 }
 
-bool comesNearer(const PairDistance& one, const PairDistance& other) noexcept {
-  return one.measured.distance < other.measured.distance;
-}
-
 }  // namespace
 
 void measurePairs(const CycleSetup& setup, const BodyPoses& body_poses,

@@ -133,12 +133,20 @@ void measureTold(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
   for (const PairDistance& pair : pairs) {
     told.add(pair);
   }
-  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+  const auto measureIfTold = [&](std::uint32_t i) {
     if (pairs[i].shortfall > 0.0 && told.isTold(pairs[i])) {
       measureFully(setup, buffers.body_poses, buffers.memory, i, buffers.refine, buffers.distances);
       findClosing(setup, poses, pairs[i]);
       told.add(pairs[i]);
     }
+  };
+  // The deepest first: then others are not the nearest.
+  const auto nearest = std::min_element(pairs.begin(), pairs.end(), comesNearer);
+  if (nearest != pairs.end()) {
+    measureIfTold(static_cast<std::uint32_t>(nearest - pairs.begin()));
+  }
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+    measureIfTold(i);
   }
 }
 

@@ -141,6 +141,10 @@ inline bool isTouching(const PairDistance& distance, double contact_distance) no
   return distance.quality == Quality::estimate || distance.measured.distance <= contact_distance;
 }
 
+inline bool comesNearer(const PairDistance& one, const PairDistance& other) noexcept {
+  return one.measured.distance < other.measured.distance;
+}
+
 /// A contact between the last cycle and this one, of links that are apart in both.
 struct PassedContact {
   double time{0.0};  ///< share of the motion from the last poses to these, 0 .. 1

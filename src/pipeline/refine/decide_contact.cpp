@@ -72,6 +72,19 @@ bool isFollowed(const ElementDistance& last, const ElementDistance& recalled,
          last.measured.distance - recalled.measured.distance < little;
 }
 
+/// Whether the motion since the last depth cannot end the overlap: a point inside a closed surface
+/// leaves it only through the surface. It may leave an open one through a hole.
+bool isHeld(const Refinement& all, const RefineTask& task) noexcept {
+  const auto is_solid = [](const PlacedElement& placed) {
+    return !placed.element.mesh || placed.element.mesh->isClosed();
+  };
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  const PlacedElement a = placed(all, pair.a);
+  const PlacedElement b = placed(all, pair.b);
+  return is_solid(a) && is_solid(b) &&
+         recallOverlap(all.memory.refined.lastOf(task.pair), a, b, ballsOf(all, pair));
+}
+
 }  // namespace
 
 void decideContact(const Refinement& all, RefineTask& task) noexcept {
@@ -86,6 +99,10 @@ void decideContact(const Refinement& all, RefineTask& task) noexcept {
   const bool has_overlapped = last.quality == Quality::estimate;
   const double contact = std::max(0.0, limitsOf(all, task).contact_distance);
   if (isDecided(all, task, recalled, clear.cutoff)) {
+    return;
+  }
+  if (has_overlapped && isHeld(all, task)) {
+    task.touches = true;
     return;
   }
   if (isFollowed(last, recalled, clear.cutoff)) {

@@ -112,7 +112,7 @@ std::optional<ElementDistance> recallOverlap(const LastMeasurement& last, const 
   ElementDistance found = last.found;
   found.work = 0;
   found.is_complete = true;
-  found.shortfall = 2.0 * motion;
+  found.shortfall = depth + motion;
   found.measured = measuredAt(points, -(depth + motion));
   return found;
 }

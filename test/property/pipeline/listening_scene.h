@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "collision_monitor/geometry/ids.h"
@@ -31,6 +33,28 @@ inline CycleSetup bodiesSetup() {
   return setup;
 }
 
+/// A box without a lid.
+inline TriangleMesh trayMesh(const Eigen::Vector3d& half_extents) {
+  TriangleMesh mesh = boxMesh(half_extents);
+  std::vector<std::array<std::uint32_t, 3>>& triangles = mesh.triangles;
+  const auto isOfLid = [&](const auto& triangle) {
+    return std::all_of(triangle.begin(), triangle.end(),
+                       [&](std::uint32_t corner) { return mesh.vertices[corner].z() > 0.0; });
+  };
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), isOfLid), triangles.end());
+  return mesh;
+}
+
+/// Meshes that mostly overlap, two of them open.
+inline CycleSetup overlappingSetup() {
+  CycleSetup setup = geometrySetup({bumpyMesh(0.2, 16), angleMesh(), trayMesh({0.1, 0.08, 0.05}),
+                                    trayMesh({0.03, 0.05, 0.1}), bumpyMesh(0.1, 12)},
+                                   {});
+  setup.refine.budget = kAmple;
+  setup.ahead.stop.release_time = 1e-9;
+  return setup;
+}
+
 /// With many warnings.
 inline CycleSetup crowdedSetup() {
   CycleSetup setup = bodiesSetup();
@@ -42,8 +66,12 @@ inline CycleSetup crowdedSetup() {
 class Drift {
  public:
   /// @param speed [m/s] [rad/s] at most
-  explicit Drift(const CycleSetup& setup, double speed = 1.0)
-      : speed_(speed), poses_(randomLinkPoses(setup, 0.25, kSeed)), random_(kSeed) {
+  /// @param reach [m] of positions from the origin, where links are thrown to
+  explicit Drift(const CycleSetup& setup, double speed = 1.0, double reach = 0.25)
+      : speed_(speed),
+        reach_(reach),
+        poses_(randomLinkPoses(setup, reach, kSeed)),
+        random_(kSeed) {
     poses_.stamp_ns = kPeriod;
     for (std::size_t link = 0; link < poses_.status.size(); ++link) {
       turn(link);
@@ -57,7 +85,7 @@ class Drift {
     poses_.stamp_ns += kPeriod;
     for (std::size_t link = 0; link < poses_.status.size(); ++link) {
       if (random_() % 500 == 0) {
-        poses_.world_from_link[link] = randomPose(random_, 0.25);
+        poses_.world_from_link[link] = randomPose(random_, reach_);
         turn(link);
       }
       move(poses_.velocities.of_link[link], poses_.world_from_link[link]);
@@ -84,6 +112,7 @@ class Drift {
   }
 
   double speed_;
+  double reach_;
   bool hides_velocities_{false};
   LinkPoses poses_;
   Random random_;

@@ -135,6 +135,36 @@ TEST(MeasureToldLaws, ownLimits_verdicts_nearest_timeAndScaleAreTheSame) {
   expectSameIsSaid(setup, Drift(setup, 0.1));
 }
 
+/// Depths that nobody is told are those of contacts; the deepest is measured.
+TEST(MeasureToldLaws, keptDepths_areOfContacts_andTheDeepestIsMeasured) {
+  const CycleSetup setup = overlappingSetup();
+  Watches watches(setup);
+  Drift drift(setup, 1.0, 0.1);
+  int kept = 0;
+  double told_sum = 0.0;
+  double untold_sum = 0.0;
+  for (int cycle = 0; cycle < 20000; ++cycle) {
+    watches.run(setup, drift.next());
+    for (const PairDistance& found : watches.untold.distances.pairs) {
+      if (found.quality == Quality::estimate && found.shortfall > 0.0) {
+        const LinkPairIndex pair = setup.link_pair_of[index(found.pair)];
+        ASSERT_EQ(watches.told.events.verdicts[pair], Verdict::contact) << cycle;
+        ASSERT_LE(found.measured.distance + found.shortfall, 0.0) << cycle;
+        ++kept;
+      }
+    }
+    const PairDistance* truth = closestOf(watches.told, watches.told.events.closest_of_all);
+    const PairDistance* found = closestOf(watches.untold, watches.untold.events.closest_of_all);
+    if (truth != nullptr && truth->quality == Quality::estimate) {
+      ASSERT_EQ(found->shortfall, 0.0) << cycle;
+      told_sum += truth->measured.distance;
+      untold_sum += found->measured.distance;
+    }
+  }
+  EXPECT_GT(kept, 5000) << "depths are measured, though nobody asks";
+  EXPECT_NEAR(untold_sum / told_sum, 1.0, 0.02);
+}
+
 /// A pair nearer than that is measured each time.
 TEST(MeasureToldLaws, distancesBelowALimit_areTold) {
   const CycleSetup setup = bodiesSetup();
