@@ -47,9 +47,10 @@ inline TriangleMesh trayMesh(const Eigen::Vector3d& half_extents) {
 
 /// Meshes that mostly overlap, two of them open.
 inline CycleSetup overlappingSetup() {
-  CycleSetup setup = geometrySetup({bumpyMesh(0.2, 16), angleMesh(), trayMesh({0.1, 0.08, 0.05}),
-                                    trayMesh({0.03, 0.05, 0.1}), bumpyMesh(0.1, 12)},
-                                   {});
+  CycleSetup setup =
+      geometrySetup({bumpyMesh(0.2, 16), angleMesh(), trayMesh({0.15, 0.15, 0.1}),
+                     trayMesh({0.1, 0.1, 0.15}), bumpyMesh(0.05, 12), bumpyMesh(0.05, 16)},
+                    {});
   setup.refine.budget = kAmple;
   setup.ahead.stop.release_time = 1e-9;
   return setup;
