@@ -7,45 +7,36 @@
 namespace collision_monitor {
 namespace {
 
-constexpr std::uint32_t kMostPoints = 24;  // that a cycle tries
-
-bool isMeasuredOverlap(const Refinement& all, const RefineTask& task) noexcept {
-  const PairDistance& distance = all.distances.pairs[task.place];
-  return all.work.is_measured[task.pair] != 0 && distance.quality == Quality::estimate &&
-         !(distance.shortfall > 0.0);
-}
-
-/// @param points to try at most
-void deepen(const Refinement& all, RefineTask& task, std::uint32_t budget,
-            std::uint32_t points) noexcept {
-  if (!isMeasuredOverlap(all, task) || !(all.work.work_done < budget)) {
-    return;
-  }
-  const ElementPair& pair = all.setup.element_pairs[task.pair];
-  ElementSearch search = searchFor(all, task, {0.0, budget});
-  SignedDistance& overlap = all.distances.pairs[task.place].measured;
-  spend(all, task,
-        deepenElements(placed(all, pair.a), placed(all, pair.b), points, search, overlap));
-  search.memory.last.found.measured = overlap;
+bool isOverlap(const Refinement& all, const RefineTask& task) noexcept {
+  return all.work.is_measured[task.pair] != 0 &&
+         all.distances.pairs[task.place].quality == Quality::estimate;
 }
 
 }  // namespace
 
-void deepenOverlaps(const Refinement& all) noexcept {
-  constexpr std::uint32_t kFewestPoints = 2;
-  std::vector<RefineTask>& tasks = all.work.tasks;
-  const auto overlaps = std::count_if(tasks.begin(), tasks.end(), [&](const RefineTask& task) {
-    return isMeasuredOverlap(all, task);
-  });
-  const std::uint32_t points =
-      overlaps == 0 ? 0 : kMostPoints / static_cast<std::uint32_t>(overlaps);
-  for (RefineTask& task : tasks) {
-    deepen(all, task, shareOf(all), std::max(kFewestPoints, points));
+void deepenOverlap(const Refinement& all, RefineTask& task, std::uint32_t budget) noexcept {
+  PairDistance& overlap = all.distances.pairs[task.place];
+  if (!isOverlap(all, task) || overlap.shortfall > 0.0 || !(all.work.work_done < budget)) {
+    return;
   }
+  const ElementPair& pair = all.setup.element_pairs[task.pair];
+  ElementSearch search = searchFor(all, task, {0.0, budget});
+  spend(all, task,
+        deepenElements(placed(all, pair.a), placed(all, pair.b), all.work.depth_points, search,
+                       overlap.measured));
+  search.memory.last.found.measured = overlap.measured;
 }
 
-void deepenOverlap(const Refinement& all, RefineTask& task, std::uint32_t budget) noexcept {
-  deepen(all, task, budget, kMostPoints);
+void deepenOverlaps(const Refinement& all) noexcept {
+  constexpr std::uint32_t kMostPoints = 24;
+  constexpr std::uint32_t kFewestPoints = 2;
+  std::vector<RefineTask>& tasks = all.work.tasks;
+  const auto overlaps = static_cast<std::uint32_t>(std::count_if(
+      tasks.begin(), tasks.end(), [&](const RefineTask& task) { return isOverlap(all, task); }));
+  all.work.depth_points = std::max(kFewestPoints, kMostPoints / std::max(overlaps, 1U));
+  for (RefineTask& task : tasks) {
+    deepenOverlap(all, task, shareOf(all));
+  }
 }
 
 }  // namespace collision_monitor

@@ -11,7 +11,8 @@ namespace collision_monitor {
 /// each pair; others follow in the next cycles.
 void deepenOverlaps(const Refinement& all) noexcept;
 
-/// The same for one pair, if it overlaps. @param budget the work of the whole cycle
+/// The same for one pair, if it is a measured overlap. @param budget the work of the whole cycle
+/// @pre deepenOverlaps was called in this cycle
 void deepenOverlap(const Refinement& all, RefineTask& task, std::uint32_t budget) noexcept;
 
 }  // namespace collision_monitor

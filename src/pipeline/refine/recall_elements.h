@@ -29,8 +29,8 @@ std::optional<ElementDistance> recallPoints(const LastMeasurement& last, const P
                                             const ElementDistance& recalled) noexcept;
 
 /// The last depth of elements that still overlap, and the motion since, with points carried to the
-/// poses now. `shortfall` is as much: the elements may just touch. Nothing if the depth was not that
-/// of meshes, or the motion is half of it. Error: as that of depths.
+/// poses now. `shortfall` is as much: the elements may just touch. Nothing if the depth was not
+/// that of meshes, or the motion is half of it. Error: as that of depths.
 /// @param balls of a and b.
 std::optional<ElementDistance> recallOverlap(const LastMeasurement& last, const PlacedElement& a,
                                              const PlacedElement& b,

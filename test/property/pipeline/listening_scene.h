@@ -119,6 +119,12 @@ class Drift {
   Random random_;
 };
 
+/// Which way leads out of an overlap, and so whether it closes, depends on where it was first met.
+inline bool isAnyEstimate(const PairDistances& distances) {
+  return std::any_of(distances.pairs.begin(), distances.pairs.end(),
+                     [](const PairDistance& pair) { return pair.quality == Quality::estimate; });
+}
+
 struct Watches {
   explicit Watches(const CycleSetup& setup, double tolerance = 0.0)
       : told(makeBuffers(setup, BroadPhaseKind::brute_force)),

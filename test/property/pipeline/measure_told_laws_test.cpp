@@ -25,11 +25,6 @@ const PairDistance* closestOf(const CycleBuffers& buffers, std::uint32_t place) 
   return place == kNone ? nullptr : &buffers.distances.pairs[place];
 }
 
-bool isAnyEstimate(const PairDistances& distances) {
-  return std::any_of(distances.pairs.begin(), distances.pairs.end(),
-                     [](const PairDistance& pair) { return pair.quality == Quality::estimate; });
-}
-
 void expectSameIsSaid(const CycleSetup& setup, Drift drift) {
   Watches watches(setup);
   int compared = 0;
