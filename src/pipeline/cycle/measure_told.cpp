@@ -74,11 +74,14 @@ class ToldPairs {
     const LinkPairIndex links = linksOf(pair);
     const Limits& limits = limitsOf(setup_, links);
     LeastOfPairs said = whatIsSaid(setup_, limits, pair.measured.distance, fastestOf(links));
+    if (mayChange(links, said, farthest(pair)) || mayStop(links, limits, pair)) {
+      return true;
+    }
     said.warned = warnedAt(links, pair.measured.distance);
+    said.time = isFresh(pair) ? pair.time_to_contact : said.time;
     return said.distance < buffers_.refine.told_below[links] ||
            isBelow(said, leastOf(setup_.checked[links].a)) ||
-           isBelow(said, leastOf(setup_.checked[links].b)) ||
-           mayChange(links, said, farthest(pair)) || mayStop(links, limits, pair);
+           isBelow(said, leastOf(setup_.checked[links].b));
   }
 
  private:
@@ -99,6 +102,13 @@ class ToldPairs {
   /// [m/s] A bound of the closing speed.
   double fastestOf(LinkPairIndex links) const noexcept {
     return buffers_.activation.speed[buffers_.activation.place_of[links]];
+  }
+
+  /// Whether the pair has moved so little since it was measured that its nearest points then tell
+  /// how it closes.
+  static bool isFresh(const PairDistance& pair) noexcept {
+    constexpr double kLittle = 0.25;  // a pair that closes is measured some more times
+    return pair.shortfall < kLittle * pair.measured.distance;
   }
 
   /// Whether the verdict may differ from the one reported.
