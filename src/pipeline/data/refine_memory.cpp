@@ -3,18 +3,34 @@
 #include "pipeline/data/refine_memory.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "collision_monitor/geometry/ids.h"
 #include "geometry/ball_motion.h"
 
 namespace collision_monitor {
+
+WitnessPoints witnessOf(const LastMeasurement& measurement) noexcept {
+  const ElementDistance& found = measurement.found;
+  const bool is_distance = found.quality != Quality::estimate && found.measured.distance > 0.0;
+  if (!found.has_points || !found.is_complete || !is_distance) {
+    return {};
+  }
+  return {inverse(measurement.world_from_a) * found.measured.point_on_a,
+          inverse(measurement.world_from_b) * found.measured.point_on_b, found.shortfall,
+          found.quality};
+}
+
 void remember(const LastMeasurement& measurement, RefineMemory& memory) noexcept {
   if (!isSame(memory.last.world_from_a, measurement.world_from_a) ||
       !isSame(memory.last.world_from_b, measurement.world_from_b)) {
     memory.before = memory.last;
   }
+  const WitnessPoints known = memory.last.witness;
+  const WitnessPoints found = witnessOf(measurement);
   memory.last = measurement;
+  memory.last.witness = std::isinf(found.error) ? known : found;
 }
 
 void forget(RefineMemory& memory) noexcept {

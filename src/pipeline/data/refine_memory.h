@@ -32,11 +32,21 @@ struct ElementDistance {
   double outside{std::numeric_limits<double>::infinity()};
 };
 
+/// Points of two elements. Their distance and `error` bound that of the elements from above,
+/// wherever these are.
+struct WitnessPoints {
+  Eigen::Vector3d on_a{Eigen::Vector3d::Zero()};          ///< A's frame
+  Eigen::Vector3d on_b{Eigen::Vector3d::Zero()};          ///< B's frame
+  double error{std::numeric_limits<double>::infinity()};  ///< [m] infinite: none are known
+  Quality quality{Quality::unknown};                      ///< of the distance they come from
+};
+
 /// The last measurement of a pair of elements, and the poses it was made at.
 struct LastMeasurement {
   ElementDistance found;
   Pose world_from_a;
   Pose world_from_b;
+  WitnessPoints witness{};  ///< of the last distance with points
 };
 
 /// Foretells the answer of a contact test from the last ones.
@@ -75,7 +85,10 @@ struct RefineMemory {
 /// pairs overlap, so it is made when it is first asked for.
 KeptDepth* keptDepth(RefineMemory& memory) noexcept;
 
-/// Keeps a measurement as the last one.
+/// The points of a distance that is measured; none of a depth or a bound.
+WitnessPoints witnessOf(const LastMeasurement& measurement) noexcept;
+
+/// Keeps a measurement as the last one, and its points if it has any. `witness` is not used.
 void remember(const LastMeasurement& measurement, RefineMemory& memory) noexcept;
 
 /// Makes the memory as new.

@@ -3,6 +3,7 @@
 #include "pipeline/refine/recall_elements.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/ball_motion.h"
 
@@ -23,23 +24,17 @@ double motionSince(const LastMeasurement& last, const PlacedElement& a, const Pl
          std::min(of_b.norm() + turn * balls[1].radius, of_a.norm() + turn * balls[0].radius);
 }
 
-/// The last witness points, where the elements are now.
+/// Points of two elements, where these are now.
 struct CarriedPoints {
   Eigen::Vector3d on_a;
   Eigen::Vector3d a_to_b;  ///< unit
   double length;           ///< [m] between them; 0: `a_to_b` means nothing
 };
 
-CarriedPoints carryPoints(const LastMeasurement& last, const PlacedElement& a,
-                          const PlacedElement& b) noexcept {
-  const auto carried = [](const Eigen::Vector3d& point, const Pose& before, const Pose& now) {
-    return Eigen::Vector3d(now * (inverse(before) * point));
-  };
-  const SignedDistance& measured = last.found.measured;
-  const Eigen::Vector3d on_a =
-      carried(measured.point_on_a, last.world_from_a, a.world_from_element);
-  const Eigen::Vector3d travel =
-      carried(measured.point_on_b, last.world_from_b, b.world_from_element) - on_a;
+CarriedPoints carryPoints(const Eigen::Vector3d& of_a, const Eigen::Vector3d& of_b,
+                          const PlacedElement& a, const PlacedElement& b) noexcept {
+  const Eigen::Vector3d on_a = a.world_from_element * of_a;
+  const Eigen::Vector3d travel = b.world_from_element * of_b - on_a;
   const double length = travel.norm();
   return {on_a, travel / length, length};
 }
@@ -75,21 +70,18 @@ ElementDistance recallElements(const LastMeasurement& last, const PlacedElement&
   return recalled;
 }
 
-std::optional<ElementDistance> recallPoints(const LastMeasurement& last, const PlacedElement& a,
-                                            const PlacedElement& b,
-                                            const ElementDistance& recalled) noexcept {
-  const double bound = recalled.measured.distance;
-  if (!last.found.has_points || !last.found.is_complete || !(bound > 0.0) ||
-      recalled.quality != Quality::lower_bound || (a.element.convex && b.element.convex)) {
+std::optional<ElementDistance> recallPoints(const WitnessPoints& last, const PlacedElement& a,
+                                            const PlacedElement& b, double bound) noexcept {
+  if (std::isinf(last.error) || !(bound > 0.0) || (a.element.convex && b.element.convex)) {
     return std::nullopt;
   }
-  const CarriedPoints points = carryPoints(last, a, b);
+  const CarriedPoints points = carryPoints(last.on_a, last.on_b, a, b);
   if (!(points.length > 0.0)) {
     return std::nullopt;
   }
-  ElementDistance found = recalled;
-  found.shortfall = points.length + last.found.shortfall - bound;
-  found.quality = last.found.quality;
+  ElementDistance found;
+  found.shortfall = points.length + last.error - bound;
+  found.quality = last.quality;
   found.has_points = found.is_complete = true;
   found.measured = measuredAt(points, bound);
   return found;
@@ -104,7 +96,9 @@ std::optional<ElementDistance> recallOverlap(const LastMeasurement& last, const 
     return std::nullopt;
   }
   const double motion = motionSince(last, a, b, balls);
-  CarriedPoints points = carryPoints(last, a, b);
+  const SignedDistance& measured = last.found.measured;
+  CarriedPoints points = carryPoints(inverse(last.world_from_a) * measured.point_on_a,
+                                     inverse(last.world_from_b) * measured.point_on_b, a, b);
   if (!(motion < kPart * depth) || !(points.length > 0.0)) {
     return std::nullopt;
   }

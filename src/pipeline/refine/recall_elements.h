@@ -19,14 +19,13 @@ Ball ballOf(const Element& element);
 ElementDistance recallElements(const LastMeasurement& last, const PlacedElement& a,
                                const PlacedElement& b, const std::array<Ball, 2>& balls) noexcept;
 
-/// The recalled lower bound between the last witness points, carried to the poses now. Their
-/// distance is an upper bound of that of the elements: `shortfall` says how much larger it is.
-/// Nothing where there were no points, where nothing is left of the bound, or for two convex
-/// elements, which are measured as fast.
-/// @param recalled from recallElements
-std::optional<ElementDistance> recallPoints(const LastMeasurement& last, const PlacedElement& a,
-                                            const PlacedElement& b,
-                                            const ElementDistance& recalled) noexcept;
+/// A lower bound between the last witness points, carried to the poses now. Their distance is an
+/// upper bound of that of the elements: `shortfall` says how much larger it is. Nothing where no
+/// points are known, where the bound is not above 0, or for two convex elements, which are measured
+/// as fast.
+/// @param bound [m] of the distance from below
+std::optional<ElementDistance> recallPoints(const WitnessPoints& last, const PlacedElement& a,
+                                            const PlacedElement& b, double bound) noexcept;
 
 /// The last depth of elements that still overlap, and the motion since, with points carried to the
 /// poses now. `shortfall` is as much: the elements may just touch. Nothing if the depth was not

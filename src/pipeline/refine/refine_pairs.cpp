@@ -28,7 +28,8 @@ void raiseBound(double bound, PairDistance& distance) noexcept {
 
 /// @param contact [m] contactOfElements: a bound at or below it does not exclude a contact.
 void takeOver(const ElementDistance& found, double contact, PairDistance& distance) noexcept {
-  const bool is_nearer = !(found.measured.distance > distance.measured.distance);
+  const bool is_nearer = found.has_points ? found.measured.distance < distance.measured.distance
+                                          : !(found.measured.distance > distance.measured.distance);
   // The depth of overlapping shapes is that of one of several pairs: no bound of the elements.
   const bool is_depth = found.has_points && distance.measured.distance < 0.0;
   if (found.quality == Quality::unknown ||
@@ -151,16 +152,23 @@ ElementDistance recallToCutoff(const Refinement& all, const RefineTask& task) no
   if (const std::optional<ElementDistance> kept = keepDepth(all, task)) {
     return *kept;
   }
-  ElementDistance recalled = recallTask(all, task);
-  std::optional<ElementDistance> points = recallPoints(
-      all.memory.refined.lastOf(task.pair), placed(all, pair.a), placed(all, pair.b), recalled);
+  const ElementDistance recalled = recallTask(all, task);
+  if (recalled.has_points) {
+    return recalled;
+  }
+  const bool may_wait = !all.work.tells_all && task.starved_cycles == 0;
+  const bool is_bound = recalled.quality == Quality::lower_bound;
+  const double moved = is_bound ? recalled.measured.distance : 0.0;
+  std::optional<ElementDistance> points =
+      recallPoints(all.memory.refined.lastOf(task.pair).witness, placed(all, pair.a),
+                   placed(all, pair.b), may_wait ? std::max(moved, task.bound) : moved);
   if (!points) {
     return recalled;
   }
+  points->outside = is_bound ? std::max(recalled.outside, task.bound) : task.bound;
   if (points->shortfall <= all.work.limits.tolerance) {
     return isAtThreshold(all, task, *points) ? recalled : *points;
   }
-  const bool may_wait = !all.work.tells_all && task.starved_cycles == 0;
   points->quality = Quality::lower_bound;
   return may_wait ? *points : recalled;
 }

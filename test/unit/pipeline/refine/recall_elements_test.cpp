@@ -77,8 +77,8 @@ class RecallPoints : public RecallElements {
 
   std::optional<ElementDistance> pointsFor(const Pose& world_from_b) const {
     const Pose origin;
-    return recallPoints(last_, {mesh_, origin}, {ball_, world_from_b},
-                        recall(origin, world_from_b));
+    return recallPoints(witnessOf(last_), {mesh_, origin}, {ball_, world_from_b},
+                        recall(origin, world_from_b).measured.distance);
   }
 
   Element mesh_;
