@@ -152,7 +152,7 @@ ElementDistance recallToCutoff(const Refinement& all, const RefineTask& task) no
   if (const std::optional<ElementDistance> kept = keepDepth(all, task)) {
     return *kept;
   }
-  const ElementDistance recalled = recallTask(all, task);
+  ElementDistance recalled = recallTask(all, task);
   if (recalled.has_points) {
     return recalled;
   }

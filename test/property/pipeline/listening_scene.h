@@ -69,10 +69,7 @@ class Drift {
   /// @param speed [m/s] [rad/s] at most
   /// @param reach [m] of positions from the origin, where links are thrown to
   explicit Drift(const CycleSetup& setup, double speed = 1.0, double reach = 0.25)
-      : speed_(speed),
-        reach_(reach),
-        poses_(randomLinkPoses(setup, reach, kSeed)),
-        random_(kSeed) {
+      : speed_(speed), reach_(reach), poses_(randomLinkPoses(setup, reach, kSeed)), random_(kSeed) {
     poses_.stamp_ns = kPeriod;
     for (std::size_t link = 0; link < poses_.status.size(); ++link) {
       turn(link);
