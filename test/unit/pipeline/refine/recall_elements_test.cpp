@@ -101,6 +101,55 @@ TEST_F(RecallPoints, measuredWithATolerance_areShorterByThat) {
   EXPECT_NEAR(pointsFor(at(0.505, 0, 0))->shortfall, 0.012, 1e-9);
 }
 
+TEST_F(RecallPoints, ofABoundThatFollows_areThoseOfTheDistance) {
+  RefineMemory memory;
+  remember(last_, memory);
+  LastMeasurement bound;
+  bound.found.quality = Quality::lower_bound;
+  bound.world_from_b = at(0.7, 0, 0);
+  remember(bound, memory);
+  const auto found =
+      recallPoints(memory.last.witness, {mesh_, Pose()}, {ball_, at(0.505, 0, 0)}, 0.2);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->quality, Quality::exact);
+  EXPECT_NEAR(found->measured.distance, 0.2, 1e-12);
+  EXPECT_NEAR(found->shortfall, 0.105, 1e-9);
+}
+
+/// An overlap of meshes, 2 cm deep.
+class RecallOverlap : public RecallElements {
+ protected:
+  RecallOverlap() {
+    last_.found.quality = Quality::estimate;
+    last_.found.measured = {-0.02, {0.1, 0, 0}, {0.08, 0, 0}, {1, 0, 0}};
+  }
+
+  std::optional<ElementDistance> overlapAt(const Pose& world_from_b) const {
+    return recallOverlap(last_, {mesh_, Pose()}, {mesh_, world_from_b},
+                         {ballOf(ball_), ballOf(ball_)});
+  }
+
+  Element mesh_;
+};
+
+TEST_F(RecallOverlap, isAsDeepAsMotionAllows) {
+  const auto found = overlapAt(at(0.505, 0, 0));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->quality, Quality::estimate);
+  EXPECT_TRUE(found->has_points && found->is_complete);
+  EXPECT_NEAR(found->measured.distance, -0.025, 1e-9);
+  EXPECT_NEAR(found->shortfall, 0.025, 1e-9);
+  EXPECT_NEAR(found->measured.normal_a_to_b.x(), 1.0, 1e-9) << "B goes that way out";
+}
+
+TEST_F(RecallOverlap, thatMovedByHalf_isForgotten) {
+  EXPECT_TRUE(overlapAt(at(0.5099, 0, 0)));
+  EXPECT_FALSE(overlapAt(at(0.5101, 0, 0)));
+  EXPECT_FALSE(overlapAt(at(kUnknown, 0, 0)));
+  last_.found.quality = Quality::exact;
+  EXPECT_FALSE(overlapAt(at(0.5, 0, 0)));
+}
+
 TEST_F(RecallPoints, ofABoundOrAnOverlap_areNone) {
   last_.found.has_points = false;
   EXPECT_FALSE(pointsFor(at(0.505, 0, 0)));
