@@ -74,14 +74,11 @@ class ToldPairs {
     const LinkPairIndex links = linksOf(pair);
     const Limits& limits = limitsOf(setup_, links);
     LeastOfPairs said = whatIsSaid(setup_, limits, pair.measured.distance, fastestOf(links));
-    if (mayChange(links, said, farthest(pair)) || mayStop(links, limits, pair)) {
-      return true;
-    }
     said.warned = warnedAt(links, pair.measured.distance);
-    said.time = isFresh(pair) ? pair.time_to_contact : said.time;
     return said.distance < buffers_.refine.told_below[links] ||
            isBelow(said, leastOf(setup_.checked[links].a)) ||
-           isBelow(said, leastOf(setup_.checked[links].b));
+           isBelow(said, leastOf(setup_.checked[links].b)) ||
+           mayChange(links, said, farthest(pair)) || mayStop(links, limits, pair);
   }
 
  private:
@@ -104,13 +101,6 @@ class ToldPairs {
     return buffers_.activation.speed[buffers_.activation.place_of[links]];
   }
 
-  /// Whether the pair has moved so little since it was measured that its nearest points then tell
-  /// how it closes.
-  static bool isFresh(const PairDistance& pair) noexcept {
-    constexpr double kLittle = 0.25;  // a pair that closes is measured some more times
-    return pair.shortfall < kLittle * pair.measured.distance;
-  }
-
   /// Whether the verdict may differ from the one reported.
   bool mayChange(LinkPairIndex links, const LeastOfPairs& said, double farthest) const noexcept {
     const Limits& limits = limitsOf(setup_, links);
@@ -119,10 +109,13 @@ class ToldPairs {
            verdictFor(farthest, kInfinity, limits, reported) != reported;
   }
 
-  /// Whether the pair may be on either side of a distance at which the speed scale stops it.
+  /// Whether the pair may be on either side of a distance at which the speed scale stops it, or may
+  /// close where it is then remembered as stopped. Overlaps always are.
   bool mayStop(LinkPairIndex links, const Limits& limits, const PairDistance& pair) const noexcept {
     const double stop = setup_.ahead.stop.stop_distance;
-    return isBetween(stop, pair.measured.distance, farthest(pair)) ||
+    const bool is_within = pair.measured.distance <= stop && pair.quality != Quality::estimate;
+    return (is_within && !(fastestOf(links) <= setup_.ahead.stop.rest_speed)) ||
+           isBetween(stop, pair.measured.distance, farthest(pair)) ||
            (buffers_.memory.speed.stopped[links] != 0 &&
             isBetween(stop + limits.hysteresis, pair.measured.distance, farthest(pair)));
   }
@@ -150,7 +143,7 @@ void measureTold(const CycleSetup& setup, const LinkPoses& poses, CycleBuffers& 
       told.add(pairs[i]);
     }
   };
-  // The deepest first: then others are not the nearest.
+  // The deepest comes first, so that others need not be measured.
   const auto nearest = std::min_element(pairs.begin(), pairs.end(), comesNearer);
   if (nearest != pairs.end()) {
     measureIfTold(static_cast<std::uint32_t>(nearest - pairs.begin()));

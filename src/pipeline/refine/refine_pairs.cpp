@@ -28,7 +28,7 @@ void raiseBound(double bound, PairDistance& distance) noexcept {
 
 /// @param contact [m] contactOfElements: a bound at or below it does not exclude a contact.
 void takeOver(const ElementDistance& found, double contact, PairDistance& distance) noexcept {
-  const bool is_nearer = found.has_points ? found.measured.distance < distance.measured.distance
+  const bool is_nearer = found.has_points ? !(found.measured.distance >= distance.measured.distance)
                                           : !(found.measured.distance > distance.measured.distance);
   // The depth of overlapping shapes is that of one of several pairs: no bound of the elements.
   const bool is_depth = found.has_points && distance.measured.distance < 0.0;
@@ -121,7 +121,9 @@ void report(const Refinement& all, RefineTask& task, const ElementDistance& foun
   task.outside = found.outside;
   PairDistance& distance = all.distances.pairs[task.place];
   takeOver(found, contactOfElements(all.setup, task.pair), distance);
-  const bool is_short = found.shortfall > work.limits.tolerance;
+  // A measured depth has no shortfall, a kept one has.
+  const bool is_short =
+      found.shortfall > (found.quality == Quality::estimate ? 0.0 : work.limits.tolerance);
   distance.shortfall =
       is_short ? found.measured.distance + found.shortfall - distance.measured.distance : 0.0;
   work.is_measured[task.pair] = 1;
@@ -139,7 +141,9 @@ void report(const Refinement& all, RefineTask& task, const ElementDistance& foun
 std::optional<ElementDistance> keepDepth(const Refinement& all, const RefineTask& task) noexcept {
   const ElementPair& pair = all.setup.element_pairs[task.pair];
   const bool may_wait = !all.work.tells_all && task.starved_cycles == 0 && task.touches;
-  return may_wait && all.memory.reported[pair.link_pair] == Verdict::contact
+  // An open mesh that touches within a distance need not overlap.
+  const bool overlaps = !(limitsOf(all, task).contact_distance > 0.0);
+  return may_wait && overlaps && all.memory.reported[pair.link_pair] == Verdict::contact
              ? recallOverlap(all.memory.refined.lastOf(task.pair), placed(all, pair.a),
                              placed(all, pair.b), ballsOf(all, pair))
              : std::nullopt;
@@ -167,7 +171,10 @@ ElementDistance recallToCutoff(const Refinement& all, const RefineTask& task) no
   }
   points->outside = is_bound ? std::max(recalled.outside, task.bound) : task.bound;
   if (points->shortfall <= all.work.limits.tolerance) {
-    return isAtThreshold(all, task, *points) ? recalled : *points;
+    // Only those of the last measurement say how fast the elements close.
+    const bool are_last = all.memory.refined.lastOf(task.pair).found.has_points;
+    const bool is_measured = are_last && !(points->measured.distance > moved);
+    return is_measured && !isAtThreshold(all, task, *points) ? *points : recalled;
   }
   points->quality = Quality::lower_bound;
   return may_wait ? *points : recalled;
@@ -263,13 +270,16 @@ void measureFully(const CycleSetup& setup, const BodyPoses& body_poses, PairMemo
   const double beyond = bounds.measured.distance + bounds.shortfall + kPastBound;
   const Goal goal{std::max(cutoffFor(all, task), beyond), budgetOf(all)};
   if (work.work_done < goal.budget) {
-    task.place = place;
-    --work.refined;  // `report` counts the pair once more
-    report(all, task, measureTask(all, task, goal, recallTask(all, task)));
-    deepenOverlap(all, task, goal.budget);
-  } else {
-    ++memory.starved_cycles[task.pair];
+    const ElementDistance found = measureTask(all, task, goal, recallTask(all, task));
+    if (found.has_points || found.is_complete) {
+      task.place = place;
+      --work.refined;  // `report` counts the pair once more
+      report(all, task, found);
+      deepenOverlap(all, task, goal.budget);
+      return;
+    }
   }
+  ++memory.starved_cycles[task.pair];  // its bounds stay
 }
 
 }  // namespace collision_monitor
