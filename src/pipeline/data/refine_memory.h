@@ -32,8 +32,8 @@ struct ElementDistance {
   double outside{std::numeric_limits<double>::infinity()};
 };
 
-/// Points of two elements. Their distance and `error` bound that of the elements from above,
-/// wherever these are.
+/// Points of two elements. At any poses, the sum of their distance and `error` is an upper bound of
+/// the distance of the elements.
 struct WitnessPoints {
   Eigen::Vector3d on_a{Eigen::Vector3d::Zero()};          ///< A's frame
   Eigen::Vector3d on_b{Eigen::Vector3d::Zero()};          ///< B's frame
@@ -88,7 +88,8 @@ KeptDepth* keptDepth(RefineMemory& memory) noexcept;
 /// The points of a distance that is measured; none of a depth or a bound.
 WitnessPoints witnessOf(const LastMeasurement& measurement) noexcept;
 
-/// Keeps a measurement as the last one, and its points if it has any. `witness` is not used.
+/// Keeps a measurement as the last one. Its points replace the older ones if it has any; they are
+/// taken from `found`, not from `witness`.
 void remember(const LastMeasurement& measurement, RefineMemory& memory) noexcept;
 
 /// Makes the memory as new.

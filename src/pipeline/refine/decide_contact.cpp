@@ -72,8 +72,9 @@ bool isFollowed(const ElementDistance& last, const ElementDistance& recalled,
          last.measured.distance - recalled.measured.distance < little;
 }
 
-/// Whether the motion since the last depth cannot end the overlap: a point inside a closed surface
-/// leaves it only through the surface. It may leave an open one through a hole.
+/// Whether the elements are proven to overlap still. A point inside a closed surface leaves it only
+/// through the surface, so a motion less than its depth does not bring it out. An open surface may
+/// let it out through a hole.
 bool isHeld(const Refinement& all, const RefineTask& task) noexcept {
   const auto is_solid = [](const PlacedElement& placed) {
     return !placed.element.mesh || placed.element.mesh->isClosed();

@@ -6,9 +6,9 @@
 
 namespace collision_monitor {
 
-/// Searches for larger depths of measured overlaps. They change no verdict, so they come last and
-/// take the rest of the share of refinePairs. A cycle tries some points, and at least a few for
-/// each pair; others follow in the next cycles.
+/// Searches for larger depths of overlaps measured in this cycle. They come last, since no verdict
+/// of the cycle depends on them, and take the rest of the share of refinePairs. A cycle tries some
+/// points, and at least a few for each pair; others follow in the next cycles.
 void deepenOverlaps(const Refinement& all) noexcept;
 
 /// The same for one pair, if it is a measured overlap. @param budget the work of the whole cycle

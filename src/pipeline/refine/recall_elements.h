@@ -27,9 +27,9 @@ ElementDistance recallElements(const LastMeasurement& last, const PlacedElement&
 std::optional<ElementDistance> recallPoints(const WitnessPoints& last, const PlacedElement& a,
                                             const PlacedElement& b, double bound) noexcept;
 
-/// The last depth of elements that still overlap, and the motion since, with points carried to the
-/// poses now. `shortfall` is as much: the elements may just touch. Nothing if the depth was not
-/// that of meshes, or the motion is half of it. Error: as that of depths.
+/// The last depth of elements that still overlap plus their motion since, with points carried to
+/// the poses now. They may also just touch, so `shortfall` is the same sum. Nothing if the depth
+/// was not that of meshes, or if the motion is more than half of it. Error: as that of depths.
 /// @param balls of a and b.
 std::optional<ElementDistance> recallOverlap(const LastMeasurement& last, const PlacedElement& a,
                                              const PlacedElement& b,

@@ -25,7 +25,7 @@ inline std::uint32_t budgetOf(const Refinement& all) noexcept {
   return all.setup.is_continuous ? budget - budget / 4 : budget;
 }
 
-/// The same; a quarter less if measureFully follows.
+/// As budgetOf, but a quarter less if measureFully follows.
 inline std::uint32_t shareOf(const Refinement& all) noexcept {
   const std::uint32_t budget = budgetOf(all);
   return all.work.tells_all ? budget : budget - budget / 4;
