@@ -37,6 +37,7 @@ struct ConvexSearch {
   /// [m] A search may stop once it proves a greater distance. The answer is then a lower bound that
   /// is at least the cutoff.
   double cutoff{std::numeric_limits<double>::infinity()};
+  bool jumps{false};  ///< this pose has nothing to do with that of the last search
 };
 
 /// Measures the distance of A and B. If they overlap, it is minus their penetration depth.

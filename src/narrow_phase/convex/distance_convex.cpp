@@ -77,6 +77,9 @@ ConvexDistance byCores(const Posed<A>& a, const Posed<B>& b, ConvexSearch& searc
   const InflatedCore inflated_b = inflatedCoreOf(b.geometry);
   ConvexPair pair =
       makeConvexPair(inflated_a.core, a.world_from_body, inflated_b.core, b.world_from_body);
+  if (search.jumps && pair.isSmooth()) {
+    forget(warm);  // along a cylinder, other points are a bad start
+  }
   ConvexSearch of_cores{search.workspace, warm,
                         search.cutoff + inflated_a.radius + inflated_b.radius};
   const ConvexDistance found = searchCores(pair, of_cores);

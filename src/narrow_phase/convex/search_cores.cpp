@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "narrow_phase/closed_form/core_distance.h"
+#include "narrow_phase/convex/search_round.h"
 #include "narrow_phase/epa/epa.h"
 #include "narrow_phase/epa/round_depth.h"
 #include "narrow_phase/gjk/distance_parallel_axes.h"
@@ -80,7 +81,15 @@ bool holdsPoint(const ConvexCore& hull, const ConvexCore& point) noexcept {
 // Runs GJK. If it finds an overlap, runs what settles the depth.
 ConvexDistance searchApartOrDeep(ConvexPair& pair, ConvexSearch& search) noexcept {
   search.warm.polytope_faces = 0;
-  const GjkResult found = runGjk(pair, search.warm, search.cutoff);
+  GjkResult found;
+  if (pair.isSmooth()) {
+    ConvexDistance closest{SignedDistance{}, Quality::exact};
+    if (searchRound(pair, search, found, closest.measured)) {
+      return closest;
+    }
+  } else {
+    found = runGjk(pair, search.warm, {search.cutoff});
+  }
   keepWarm(found.simplex.vertices.data(), found.simplex.size, pair, search.warm);
   const bool is_apart =
       found.state != GjkResult::State::overlapping && found.lower > touchingDistance(pair);

@@ -65,7 +65,8 @@ GjkResult::State walk(ConvexPair& pair, const GjkLimits& limits, GjkResult& resu
   using State = GjkResult::State;
   const double touching = touchingDistance(pair);
   Simplex& simplex = result.simplex;
-  for (int step = 0; step < kMaxSteps; ++step) {
+  const int last = std::min(kMaxSteps, limits.steps);
+  for (; result.steps < last; ++result.steps) {
     if (simplex.contains_origin || simplex.distance <= touching) {
       return State::overlapping;
     }
@@ -92,17 +93,17 @@ GjkResult::State walk(ConvexPair& pair, const GjkLimits& limits, GjkResult& resu
       return hasMet(pair, result) ? State::settled : State::stalled;
     }
   }
-  return State::stalled;
+  return result.steps < kMaxSteps ? State::paused : State::stalled;
 }
 
 }  // namespace
 
-GjkResult runGjk(ConvexPair& pair, const ConvexWarmStart& warm, double cutoff) noexcept {
+GjkResult runGjk(ConvexPair& pair, const ConvexWarmStart& warm, const GjkLimits& limits) noexcept {
   GjkResult result;
   pair.vertex_of_a = warm.vertex_of_a;
   pair.vertex_of_b = warm.vertex_of_b;
   seed(pair, warm, result.simplex);
-  result.state = walk(pair, {cutoff}, result);
+  resumeGjk(pair, limits, result);
   return result;
 }
 
@@ -110,8 +111,12 @@ GjkResult runGjk(ConvexPair& pair, const Eigen::Vector3d& direction,
                  const GjkLimits& limits) noexcept {
   GjkResult result;
   insert(leastAlong(direction, pair), result.simplex);
-  result.state = walk(pair, limits, result);
+  resumeGjk(pair, limits, result);
   return result;
+}
+
+void resumeGjk(ConvexPair& pair, const GjkLimits& limits, GjkResult& result) noexcept {
+  result.state = walk(pair, limits, result);
 }
 
 void keepWarm(const SupportVertex* vertices, int count, const ConvexPair& pair,

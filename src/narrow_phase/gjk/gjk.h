@@ -15,6 +15,7 @@ struct GjkResult {
     settled,     ///< both bounds have met
     stopped,     ///< proven to be farther apart than the cutoff
     near,        ///< shown to be nearer than asked
+    paused,      ///< did all steps that were asked for
     stalled,     ///< rounding or the step limit keeps the bounds apart
     overlapping  ///< the simplex holds the origin, or touches it
   };
@@ -24,6 +25,14 @@ struct GjkResult {
   double gap{-std::numeric_limits<double>::infinity()};  ///< along the simplex's normal
   double lower{-std::numeric_limits<double>::infinity()};
   Eigen::Vector3d lower_direction{Eigen::Vector3d::UnitX()};  ///< unit, from A to B, in A's frame
+  int steps{0};
+};
+
+/// Limits at which GJK may stop early. The defaults have no effect.
+struct GjkLimits {
+  double cutoff{std::numeric_limits<double>::infinity()};  ///< [m] stops at a greater lower bound
+  double near{0.0};                            ///< [m] stops once the distance is known to be less
+  int steps{std::numeric_limits<int>::max()};  ///< pauses after so many, counted from the start
 };
 
 /// Runs GJK from the simplex of the last search.
@@ -32,13 +41,10 @@ struct GjkResult {
 /// Limits: at most 128 steps; polytopes take fewer than ten, cylinders some tens.
 /// Source: Gilbert, Johnson, Keerthi (1988); van den Bergen (2003), section 4.3, for the bound
 /// that the support plane proves; Cameron, "Enhancing GJK" (1997), for the warm start.
-GjkResult runGjk(ConvexPair& pair, const ConvexWarmStart& warm, double cutoff) noexcept;
+GjkResult runGjk(ConvexPair& pair, const ConvexWarmStart& warm, const GjkLimits& limits) noexcept;
 
-/// Limits at which GJK may stop early. The defaults have no effect.
-struct GjkLimits {
-  double cutoff{std::numeric_limits<double>::infinity()};  ///< [m] stops at a greater lower bound
-  double near{0.0};  ///< [m] stops once the distance is known to be less
-};
+/// Goes on where a search has paused.
+void resumeGjk(ConvexPair& pair, const GjkLimits& limits, GjkResult& result) noexcept;
 
 /// Runs GJK from the points that are nearest along a direction, from A to B in A's frame.
 GjkResult runGjk(ConvexPair& pair, const Eigen::Vector3d& direction,

@@ -43,7 +43,7 @@ struct CoreGap {
 CoreGap searchGap(const PlacedCore& a, const PlacedCore& b, double cutoff,
                   ConvexWarmStart& warm) noexcept {
   ConvexPair pair = makeConvexPair(a.core, a.world_from_core, b.core, b.world_from_core);
-  const GjkResult found = runGjk(pair, warm, cutoff);
+  const GjkResult found = runGjk(pair, warm, {cutoff});
   keepWarm(found.simplex.vertices.data(), found.simplex.size, pair, warm);
   if (found.state == GjkResult::State::overlapping || !(found.lower > touchingDistance(pair))) {
     return {MeshState::unknown, {}};

@@ -121,7 +121,7 @@ PointPair nearestBySearch(const Triangle& triangle, const ConvexCore& core,
   corners.triangle = &triangle;
   ConvexPair pair = makeConvexPair(corners, Pose{}, core, Pose{});
   static const ConvexWarmStart kNothing{};
-  const GjkResult found = runGjk(pair, kNothing, std::sqrt(start.squared_distance));
+  const GjkResult found = runGjk(pair, kNothing, {std::sqrt(start.squared_distance)});
   if (found.state == GjkResult::State::overlapping) {
     const Vector3d shared = sharedPoint(found.simplex);
     return {0.0, shared, shared};

@@ -29,23 +29,6 @@ bool areExact(const PlacedElement& a, const PlacedElement& b) noexcept {
   return a.element.is_exact && b.element.is_exact;
 }
 
-ElementDistance measureConvex(const PlacedElement& a, const PlacedElement& b,
-                              ElementSearch& search) noexcept {
-  ConvexSearch convex{search.scratch.convex, search.memory.warm};
-  const ConvexDistance found = signedDistanceBetween(
-      *a.element.convex, a.world_from_element, *b.element.convex, b.world_from_element, convex);
-  ElementDistance answer;
-  answer.work = found.measured.distance > 0.0 ? kApartWork : kDepthWork;
-  answer.is_complete = true;
-  if (found.quality != Quality::unknown) {
-    answer.quality =
-        found.quality == Quality::exact && areExact(a, b) ? Quality::exact : Quality::lower_bound;
-    answer.has_points = true;
-    answer.measured = found.measured;
-  }
-  return answer;
-}
-
 /// [m] The cutoff of unpadded distances: minus the paddings it is at least `search.cutoff`.
 double stopBeyond(const PlacedElement& a, const PlacedElement& b,
                   const ElementSearch& search) noexcept {
@@ -54,11 +37,30 @@ double stopBeyond(const PlacedElement& a, const PlacedElement& b,
   return paddings > 0.0 ? std::nextafter(sum, std::numeric_limits<double>::infinity()) : sum;
 }
 
+ElementDistance measureConvex(const PlacedElement& a, const PlacedElement& b,
+                              ElementSearch& search) noexcept {
+  const double cutoff = search.serves_later ? std::numeric_limits<double>::infinity()
+                                            : stopBeyond(a, b, search);
+  ConvexSearch convex{search.scratch.convex, search.memory.warm, cutoff, !search.serves_later};
+  const ConvexDistance found = signedDistanceBetween(
+      *a.element.convex, a.world_from_element, *b.element.convex, b.world_from_element, convex);
+  ElementDistance answer;
+  answer.work = found.measured.distance > 0.0 ? kApartWork : kDepthWork;
+  answer.is_complete = true;
+  if (found.quality != Quality::unknown) {
+    answer.quality =
+        found.quality == Quality::exact && areExact(a, b) ? Quality::exact : Quality::lower_bound;
+    answer.has_points = found.quality == Quality::exact || found.measured.distance < cutoff;
+    answer.measured = found.measured;
+  }
+  return answer;
+}
+
 template <class Start>
 MeshDistance searchFrom(Start& start, const PlacedElement& a, const PlacedElement& b,
                         double at_least, ElementSearch& search) noexcept {
   const MeshQueryLimits limits{stopBeyond(a, b, search), search.budget, search.tolerance,
-                               search.asks_outside, at_least};
+                               search.serves_later, at_least};
   if (isSimple(b)) {
     return distanceBetween(meshOf(a), convexOf(b), search.scratch.mesh, start, limits);
   }

@@ -22,10 +22,12 @@ struct ElementSearch {
   std::uint32_t budget;
   RefineMemory& memory;
   RefineScratch& scratch;
-  /// [m] > 0. A lower bound at or above the cutoff is a complete answer for meshes.
+  /// [m] > 0. A lower bound at or above the cutoff is a complete answer.
   double cutoff{std::numeric_limits<double>::infinity()};
-  double tolerance{0.0};    ///< [m] as MeshQueryLimits::tolerance
-  bool asks_outside{true};  ///< ElementDistance::outside is wanted, too
+  double tolerance{0.0};  ///< [m] as MeshQueryLimits::tolerance
+  /// Later searches start from the answer: it also gives ElementDistance::outside, and the distance
+  /// of convex geometries beyond the cutoff.
+  bool serves_later{true};
 };
 
 /// Measures the signed distance of two elements, paddings included.

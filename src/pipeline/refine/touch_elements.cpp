@@ -32,6 +32,10 @@ bool isHalfSpace(const PlacedElement& placed) noexcept {
   return std::holds_alternative<HalfSpace>(*placed.element.convex);
 }
 
+bool isCylinder(const PlacedElement& placed) noexcept {
+  return std::holds_alternative<Cylinder>(*placed.element.convex);
+}
+
 /// Shapes have closed forms, and a half space has one with everything: their distance costs no more
 /// than a contact test. @pre both are convex
 bool haveClosedForm(const PlacedElement& a, const PlacedElement& b) noexcept {
@@ -76,6 +80,9 @@ ElementContact touchConvex(const PlacedElement& a, const PlacedElement& b, doubl
   }
   if (!isFinite(a.world_from_element) || !isFinite(b.world_from_element)) {
     return settled(State::unknown, 0);
+  }
+  if (!search.serves_later && (isCylinder(a) || isCylinder(b))) {
+    forget(search.memory.warm);
   }
   ElementContact told;
   const bool is_apart = askHulls(a, b, reach, is_measured_next, search, told) == HullAnswer::apart;

@@ -45,7 +45,7 @@ ElementSearch searchFor(const StateSearch& state, ElementPairIndex pair, double 
   }
   ElementSearch search{std::numeric_limits<std::uint32_t>::max(), memory, *refinement.scratch,
                        cutoff};
-  search.asks_outside = false;
+  search.serves_later = false;
   return search;
 }
 

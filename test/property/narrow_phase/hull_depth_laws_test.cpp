@@ -150,7 +150,7 @@ TEST(HullDepthLaws, depthIsThatOfAllAxesAndOfEpa_andPointsLieOnBoth) {
         makeConvexPair(inflatedCoreOf(a).core, Pose{}, inflatedCoreOf(b).core, a_from_b);
     ASSERT_TRUE(haveFewFaces(pair));
     ConvexPair searched = pair;
-    const GjkResult found = runGjk(searched, {}, 1.0 + 2.0 * reach);
+    const GjkResult found = runGjk(searched, ConvexWarmStart(), {1.0 + 2.0 * reach});
     if (found.state == GjkResult::State::overlapping) {
       check(pair, found, tally);
     } else {

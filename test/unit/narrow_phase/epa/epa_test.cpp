@@ -22,7 +22,7 @@ const ConvexCore kCubeCore{ConvexCore::Kind::box, {1, 1, 1}};
 /// A stands at the origin, B at `place`; GJK gives the simplex to begin with.
 Penetration penetrationOf(const ConvexCore& a, const ConvexCore& b, const Vector3d& place) {
   ConvexPair pair = makeConvexPair(a, Pose(), b, {Eigen::Matrix3d::Identity(), place});
-  const GjkResult overlap = runGjk(pair, ConvexWarmStart(), kInfinity);
+  const GjkResult overlap = runGjk(pair, ConvexWarmStart(), {});
   EXPECT_EQ(overlap.state, GjkResult::State::overlapping);
   const auto polytope = std::make_unique<ConvexWorkspace>();
   return runEpa(pair, overlap.simplex, *polytope);

@@ -21,7 +21,7 @@ ConvexPair pairFrom(const ConvexCore& a, const ConvexCore& b, double x, double y
 }
 
 GjkResult runCold(ConvexPair pair, double cutoff = kInfinity) {
-  return runGjk(pair, ConvexWarmStart(), cutoff);
+  return runGjk(pair, ConvexWarmStart(), {cutoff});
 }
 
 void expectSettled(const GjkResult& found, double distance, const Vector3d& normal) {
@@ -81,14 +81,14 @@ TEST(Gjk, octahedronBesideAPoint_settlesAtItsFace) {
 
 TEST(Gjk, warmStartThatIsStale_isNoneTheWorse) {
   ConvexPair pair = pairFrom(boxCore(1, 1, 1), boxCore(1, 1, 1), 3, 4, 4);
-  const GjkResult before = runGjk(pair, ConvexWarmStart(), kInfinity);
+  const GjkResult before = runGjk(pair, ConvexWarmStart(), {});
   ConvexWarmStart warm;
   keepWarm(before.simplex.vertices.data(), before.simplex.size, pair, warm);
   ASSERT_EQ(warm.size, 1U) << "a corner of each";
   ConvexPair same = pairFrom(boxCore(1, 1, 1), boxCore(1, 1, 1), 3, 4, 4);
-  expectSettled(runGjk(same, warm, kInfinity), 3.0, Vector3d(1, 2, 2) / 3.0);
+  expectSettled(runGjk(same, warm, {}), 3.0, Vector3d(1, 2, 2) / 3.0);
   ConvexPair elsewhere = pairFrom(boxCore(1, 1, 1), boxCore(1, 1, 1), -4, 0.25, 0.5);
-  expectSettled(runGjk(elsewhere, warm, kInfinity), 2.0, -Vector3d::UnitX());
+  expectSettled(runGjk(elsewhere, warm, {}), 2.0, -Vector3d::UnitX());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "narrow_phase/distance.h"
+#include "narrow_phase/gjk/convex_pair.h"
 #include "support/expect_distance.h"
 #include "support/random_poses.h"
 #include "support/reference/convex_measure.h"
